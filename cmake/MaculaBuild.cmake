@@ -1,0 +1,59 @@
+# Compiler settings, and the two functions with which every module and test is declared.
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
+if(NOT CMAKE_BUILD_TYPE)
+    set(CMAKE_BUILD_TYPE RelWithDebInfo CACHE STRING "" FORCE)
+endif()
+
+find_program(CCACHE ccache)
+if(CCACHE)
+    set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE})
+    set(CMAKE_C_COMPILER_LAUNCHER ${CCACHE})
+endif()
+
+# GCC 12 finds mold by -fuse-ld=mold, and lld by -fuse-ld=lld; the system linker is the fallback.
+find_program(MOLD ld.mold)
+find_program(LLD ld.lld)
+if(MOLD)
+    add_link_options(-fuse-ld=mold)
+elseif(LLD)
+    add_link_options(-fuse-ld=lld)
+endif()
+
+set(MACULA_WARNINGS -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -Werror)
+if(MACULA_SANITIZE)
+    add_compile_options(-fsanitize=address,undefined -fno-omit-frame-pointer -fno-sanitize-recover=undefined)
+    add_link_options(-fsanitize=address,undefined)
+endif()
+
+find_package(Threads REQUIRED)
+
+# macula_module(NAME SOURCES … PUBLIC … PRIVATE …): the static library macula_NAME, alias macula::NAME.
+function(macula_module name)
+    cmake_parse_arguments(M "" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
+    add_library(macula_${name} STATIC ${M_SOURCES})
+    add_library(macula::${name} ALIAS macula_${name})
+    target_include_directories(macula_${name} PUBLIC ${PROJECT_SOURCE_DIR}/src)
+    target_compile_options(macula_${name} PRIVATE ${MACULA_WARNINGS})
+    target_link_libraries(macula_${name} PUBLIC ${M_PUBLIC} PRIVATE ${M_PRIVATE})
+endfunction()
+
+# macula_test(NAME SOURCES … LIBS … [TIMEOUT seconds]): one GoogleTest executable, one ctest entry per test.
+function(macula_test name)
+    cmake_parse_arguments(T "" "TIMEOUT" "SOURCES;LIBS" ${ARGN})
+    if(NOT T_TIMEOUT)
+        set(T_TIMEOUT 120)
+    endif()
+    add_executable(test_${name} ${T_SOURCES})
+    target_compile_options(test_${name} PRIVATE ${MACULA_WARNINGS})
+    target_include_directories(test_${name} PRIVATE ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR}/tests)
+    target_compile_definitions(test_${name} PRIVATE
+        MACULA_SOURCE_DIR="${PROJECT_SOURCE_DIR}" MACULA_SHARED_DIR="${PROJECT_SOURCE_DIR}/../shared")
+    target_link_libraries(test_${name} PRIVATE ${T_LIBS} GTest::gtest_main)
+    gtest_discover_tests(test_${name} TEST_PREFIX "${name}." DISCOVERY_MODE PRE_TEST
+        PROPERTIES TIMEOUT ${T_TIMEOUT} LABELS ${name})
+endfunction()

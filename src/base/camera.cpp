@@ -1,0 +1,83 @@
+#include "base/camera.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace macula {
+
+namespace {
+
+constexpr double kMinFovDeg = 0.1;
+constexpr double kMaxFovDeg = 170.0;
+constexpr double kFramingMargin = 1.04;
+
+struct StandardView {
+    glm::dvec3 fromDirection;  // from the target to the eye, LPS
+    glm::dvec3 up;
+};
+
+StandardView standardView(ViewDirection direction) {
+    const glm::dvec3 superior{0, 0, 1};
+    const glm::dvec3 anterior{0, -1, 0};
+    switch (direction) {
+        case ViewDirection::anterior:
+            return {{0, -1, 0}, superior};
+        case ViewDirection::posterior:
+            return {{0, 1, 0}, superior};
+        case ViewDirection::left:
+            return {{1, 0, 0}, superior};
+        case ViewDirection::right:
+            return {{-1, 0, 0}, superior};
+        case ViewDirection::superior:
+            return {{0, 0, 1}, anterior};
+        case ViewDirection::inferior:
+            return {{0, 0, -1}, anterior};
+    }
+    return {{0, -1, 0}, superior};
+}
+
+bool finite(const glm::dvec3& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+}  // namespace
+
+Result<CameraBasis> basis(const Camera& camera) {
+    const auto fail = [](const char* message) {
+        return Error{ErrorCode::usage, message, {}, "Correct the camera."};
+    };
+    if (!finite(camera.positionMm) || !finite(camera.targetMm) || !finite(camera.up)) {
+        return fail("The camera has a number that is not finite.");
+    }
+    if (!(camera.verticalFovDeg >= kMinFovDeg && camera.verticalFovDeg <= kMaxFovDeg)) {
+        return fail("The camera's vertical field of view must lie between 0.1 and 170 degrees.");
+    }
+    const glm::dvec3 view = camera.targetMm - camera.positionMm;
+    const double distance = glm::length(view);
+    if (!(distance > 0.0)) return fail("The camera's position and target are the same point.");
+    const glm::dvec3 forward = view / distance;
+    const glm::dvec3 side = glm::cross(forward, camera.up);
+    const double sine = glm::length(side) / std::max(glm::length(camera.up), 1e-300);
+    if (!(sine > 1e-6)) return fail("The camera's up direction is parallel to its view.");
+    const glm::dvec3 right = glm::normalize(side);
+    return CameraBasis{right, glm::cross(right, forward), forward};
+}
+
+Camera frameBox(const Box& box, ViewDirection from, double verticalFovDeg, double aspectWidthOverHeight) {
+    const StandardView view = standardView(from);
+    const glm::dvec3 right = glm::cross(-view.fromDirection, view.up);
+    const glm::dvec3 half = 0.5 * (box.high - box.low);
+    const double halfWidth = glm::dot(glm::abs(right), half);
+    const double halfHeight = glm::dot(glm::abs(view.up), half);
+    const double halfDepth = glm::dot(glm::abs(view.fromDirection), half);
+    const double tanHalf = std::tan(glm::radians(verticalFovDeg) / 2.0);
+    // The near face is what must fit.
+    const double distance =
+        halfDepth + kFramingMargin * std::max(halfHeight, halfWidth / aspectWidthOverHeight) / tanHalf;
+    return {.positionMm = box.centre() + distance * view.fromDirection,
+            .targetMm = box.centre(),
+            .up = view.up,
+            .verticalFovDeg = verticalFovDeg};
+}
+
+}  // namespace macula

@@ -1,0 +1,42 @@
+// Frames and affine maths. World is patient LPS in millimetres: +x to the patient's Left, +y to Posterior, +z
+// to Superior (DICOM PS3.3 C.7.6.2.1.1). Voxel coordinates (i, j, k) = (column, row, slice) are continuous,
+// with integers at voxel centres. A transform named bFromA takes coordinates in frame a to frame b.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <string>
+
+namespace macula {
+
+// Box in any frame. Empty when low > high in some axis.
+struct Box {
+    glm::dvec3 low{0.0};
+    glm::dvec3 high{0.0};
+
+    glm::dvec3 centre() const { return 0.5 * (low + high); }
+    double diagonal() const { return glm::length(high - low); }
+};
+
+inline glm::dvec3 transformPoint(const glm::dmat4& bFromA, const glm::dvec3& point) {
+    return glm::dvec3(bFromA * glm::dvec4(point, 1.0));
+}
+
+inline glm::dvec3 transformVector(const glm::dmat4& bFromA, const glm::dvec3& vector) {
+    return glm::dmat3(bFromA) * vector;
+}
+
+// From the images of the unit vectors and of the origin.
+glm::dmat4 affine(const glm::dvec3& columnI, const glm::dvec3& columnJ, const glm::dvec3& columnK,
+                  const glm::dvec3& origin);
+
+// True if all entries are finite and the three axes span a volume, whatever their lengths.
+bool isInvertibleAffine(const glm::dmat4& transform);
+
+// The letters of a direction in LPS, strongest first, for components above 0.0001: "L", "PS", "RAI".
+std::string orientationLetters(const glm::dvec3& directionLps);
+
+// How a person is looked at. `anterior` stands in front of the patient; the patient's left is then on the
+// right side of the picture, as in every radiological display.
+enum class ViewDirection { anterior, posterior, left, right, superior, inferior };
+
+}  // namespace macula

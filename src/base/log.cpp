@@ -1,0 +1,70 @@
+#include "base/log.h"
+
+#include <spdlog/sinks/stdout_color_sinks.h>
+#include <spdlog/spdlog.h>
+
+#include <cstdlib>
+#include <random>
+
+#include "base/sha256.h"
+
+namespace macula::log {
+
+namespace {
+
+spdlog::level::level_enum spdlogLevel(Level level) {
+    switch (level) {
+        case Level::debug:
+            return spdlog::level::debug;
+        case Level::info:
+            return spdlog::level::info;
+        case Level::warning:
+            return spdlog::level::warn;
+        case Level::error:
+            return spdlog::level::err;
+        case Level::off:
+            break;
+    }
+    return spdlog::level::off;
+}
+
+Level levelFromEnvironment() {
+    const char* text = std::getenv("MACULA_LOG");
+    const std::string_view name = text ? text : "";
+    if (name == "debug") return Level::debug;
+    if (name == "info") return Level::info;
+    if (name == "error") return Level::error;
+    if (name == "off") return Level::off;
+    return Level::warning;
+}
+
+spdlog::logger& logger() {
+    static const auto instance = [] {
+        auto made = std::make_shared<spdlog::logger>("macula",
+                                                     std::make_shared<spdlog::sinks::stderr_color_sink_mt>());
+        made->set_pattern("%H:%M:%S.%e %^%l%$ %v");
+        made->set_level(spdlogLevel(levelFromEnvironment()));
+        return made;
+    }();
+    return *instance;
+}
+
+}  // namespace
+
+void setLevel(Level level) {
+    logger().set_level(spdlogLevel(level));
+}
+
+void write(Level level, std::string_view line) {
+    logger().log(spdlogLevel(level), line);
+}
+
+std::string redact(std::string_view text) {
+    static const std::string key = [] {
+        std::random_device device;
+        return fmt::format("{:08x}{:08x}{:08x}{:08x}", device(), device(), device(), device());
+    }();
+    return sha256Hex(key + std::string(text)).substr(0, 8);
+}
+
+}  // namespace macula::log

@@ -1,0 +1,103 @@
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <filesystem>
+#include <fstream>
+
+#include "base/atomic_file.h"
+#include "base/log.h"
+#include "base/parallel.h"
+#include "base/progress.h"
+#include "base/result.h"
+#include "base/sha256.h"
+
+namespace macula {
+namespace {
+
+Result<int> half(int n) {
+    if (n % 2 != 0) return Error{ErrorCode::usage, "Odd.", {}, "Use an even number."};
+    return n / 2;
+}
+
+Result<int> quarter(int n) {
+    MACULA_TRY(const int h, half(n));
+    return half(h);
+}
+
+TEST(Result, TryPassesValuesAndErrorsOn) {
+    EXPECT_EQ(quarter(12).value(), 3);
+    EXPECT_EQ(quarter(6).error().code, ErrorCode::usage);
+    EXPECT_EQ(quarter(5).error().message, "Odd.");
+}
+
+TEST(ResultDeathTest, ReadingTheValueOfAnErrorAborts) {
+    EXPECT_DEATH({ [[maybe_unused]] const int n = half(3).value(); }, "check failed: ok\\(\\)");
+}
+
+TEST(CheckDeathTest, PrintsBothValues) {
+    const int a = 2;
+    EXPECT_DEATH(MACULA_CHECK_EQ(a, 3), "a == 3: 2 against 3");
+}
+
+TEST(Sha256, MatchesTheStandardsExample) {
+    EXPECT_EQ(sha256Hex(std::string_view("abc")),
+              "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+}
+
+TEST(Log, SensitiveTextIsDigestedAndStable) {
+    const std::string line = fmt::format("{}", log::Sensitive{"DOE^JANE"});
+    EXPECT_EQ(line.find("DOE"), std::string::npos);
+    EXPECT_EQ(line, fmt::format("{}", log::Sensitive{"DOE^JANE"}));
+    EXPECT_NE(line, fmt::format("{}", log::Sensitive{"DOE^JOHN"}));
+}
+
+TEST(ParallelFor, VisitsEachIndexOnce) {
+    std::vector<std::atomic<int>> visits(1000);
+    parallelFor(visits.size(), [&](std::size_t i) { ++visits[i]; });
+    for (const auto& count : visits) EXPECT_EQ(count, 1);
+    parallelFor(0, [](std::size_t) { FAIL(); });
+}
+
+TEST(ParallelFor, StopsWhenCancelled) {
+    const CancelToken token;
+    std::atomic<int> calls{0};
+    parallelFor(
+        100000,
+        [&](std::size_t) {
+            if (++calls == 10) token.cancel();
+        },
+        token);
+    EXPECT_LT(calls, 100);
+}
+
+TEST(Progress, ReportsStartAndEndAndAtMostTenTimesASecond) {
+    std::vector<double> fractions;
+    Progress progress([&](const ProgressUpdate& update) { fractions.push_back(update.fraction); });
+    progress.beginStage("Counting", 5000);
+    for (int i = 0; i < 5000; ++i) progress.advance();
+    ASSERT_GE(fractions.size(), 2u);
+    EXPECT_EQ(fractions.front(), 0.0);
+    EXPECT_EQ(fractions.back(), 1.0);
+    EXPECT_LE(fractions.size(), 5u);  // far less than half a second has passed
+}
+
+TEST(AtomicFile, AFailedWriteLeavesNeitherFileNorTemporary) {
+    const auto folder = std::filesystem::temp_directory_path() / "macula-atomic-test";
+    std::filesystem::remove_all(folder);
+    std::filesystem::create_directory(folder);
+    const auto failed =
+        writeAtomically(folder / "a.txt", [](const std::filesystem::path& temporary) -> Result<void> {
+            std::ofstream(temporary) << "half";
+            return Error{ErrorCode::outputNotWritable, "Disk full.", {}, {}};
+        });
+    EXPECT_FALSE(failed.ok());
+    EXPECT_TRUE(std::filesystem::is_empty(folder));
+    ASSERT_TRUE(writeTextAtomically(folder / "a.txt", "whole").ok());
+    EXPECT_EQ(readText(folder / "a.txt").value(), "whole");
+    EXPECT_FALSE(writeTextAtomically(folder / "missing" / "a.txt", "x").ok());
+    EXPECT_FALSE(readText(folder / "a.txt", 3).ok());
+    std::filesystem::remove_all(folder);
+}
+
+}  // namespace
+}  // namespace macula
