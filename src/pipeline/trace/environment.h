@@ -1,0 +1,79 @@
+// Light from all directions, as a table the tracer can look up and sample.
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+
+namespace macula::trace {
+
+enum class LightFrame { patient, camera };
+
+// A disc of constant radiance on the sky, soft at its rim. Angles in the rig's frame. Patient: azimuth 0 is
+// anterior, positive towards the patient's left; elevation up is superior. Camera: azimuth 0 is behind the
+// viewer, positive to the right of the picture; elevation up is up in the picture.
+struct SoftLight {
+    double azimuthDeg = 0.0;
+    double elevationDeg = 0.0;
+    double angularRadiusDeg = 20.0;
+    glm::dvec3 colour{1.0};  // linear
+    double radiance = 1.0;
+};
+
+// A built-in or user-made arrangement of lights over an ambient sky. Radiance is linear; 1 on a white surface
+// is white.
+struct LightRig {
+    std::string name;
+    std::string title;
+    LightFrame frame = LightFrame::patient;
+    glm::dvec3 ambientZenith{0.0};
+    glm::dvec3 ambientHorizon{0.0};
+    glm::dvec3 ambientNadir{0.0};
+    std::vector<SoftLight> lights;
+};
+
+// One texel of the environment, with its row of the alias table that samples texels by power (Walker; Vose
+// 1991).
+struct EnvironmentTexel {
+    glm::vec3 radiance{0.0f};
+    float pdfPerSr = 0.0f;  // of a direction in this texel, under sampling; the solid-angle Jacobian is in it
+};
+struct AliasEntry {
+    float keep = 1.0f;        // probability to stay with this texel
+    std::uint32_t other = 0;  // else take this one
+};
+
+// Equirectangular, piecewise constant per texel. Frame: x right, y up, z towards the viewer or, for patient
+// rigs, (x, y, z) = (Left, Superior, Anterior). Row 0 is the zenith; column 0 begins at azimuth -180 deg, the
+// middle is +z, azimuth grows towards +x. Texel rows are uniform in the polar angle, so solid angles shrink
+// towards the poles; they are computed exactly.
+class Environment {
+  public:
+    static constexpr int kMaxWidth = 1024;
+
+    // `radiance` has width * height RGB triples, row 0 at the zenith. Larger pictures are averaged down by
+    // whole factors, energy kept. Fails with inputNotUsable for an empty, negative or non-finite one.
+    static Result<Environment> fromImage(int width, int height, std::span<const glm::vec3> radiance,
+                                         LightFrame frame = LightFrame::patient);
+    static Environment fromRig(const LightRig& rig);
+    static Environment constant(const glm::vec3& radiance);
+
+    int width() const { return width_; }
+    int height() const { return height_; }
+    LightFrame frame() const { return frame_; }
+    std::span<const EnvironmentTexel> texels() const { return texels_; }
+    std::span<const AliasEntry> alias() const { return alias_; }
+
+  private:
+    int width_ = 0;
+    int height_ = 0;
+    LightFrame frame_ = LightFrame::patient;
+    std::vector<EnvironmentTexel> texels_;
+    std::vector<AliasEntry> alias_;
+};
+
+}  // namespace macula::trace

@@ -1,0 +1,94 @@
+// Volumetric path tracing on the device: delta tracking through a bounded grid, lit by an environment.
+//
+// The estimator follows Woodcock tracking for free flights and ratio tracking for shadow rays (Novak et al.
+// 2018, "Monte Carlo methods for volumetric light transport simulation"), with next-event estimation to the
+// environment at every vertex. It is unbiased for paths of up to `bounces` vertices.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <glm/glm.hpp>
+#include <memory>
+#include <vector>
+
+#include "base/camera.h"
+#include "base/result.h"
+#include "base/volume.h"
+#include "pipeline/gpu/device.h"
+#include "pipeline/gpu/resources.h"
+#include "pipeline/trace/environment.h"
+#include "pipeline/volume/transfer_function.h"
+
+namespace macula::trace {
+
+// How a value between voxels is found.
+enum class Filter {
+    trilinear,   // eight voxels, then the transfer function: the value a radiologist expects at an edge
+    stochastic,  // one voxel drawn with the trilinear weights: faster; blends optics instead of values
+};
+
+struct Settings {
+    int bounces = 4;  // vertices per path, 1 to 1024
+    std::uint32_t seed = 0;
+    Filter filter = Filter::trilinear;
+    double exposure = 1.0;
+};
+
+struct Statistics {
+    std::uint64_t samplesPerPixel = 0;
+    std::uint64_t nonFiniteSamples = 0;  // dropped from the picture, never hidden
+    double deviceMs = 0.0;               // spent tracing since the last change
+};
+
+// Row 0 on top. Linear, premultiplied; depth is the distance in mm from the camera to the point where
+// transmittance falls to one half, +infinity where it does not.
+struct TracedImage {
+    int width = 0;
+    int height = 0;
+    std::vector<glm::vec4> radiance;
+    std::vector<float> depthMm;
+};
+
+// What one picture is made from. A change of any part starts a new accumulation.
+struct View {
+    Camera camera;
+    int width = 512;
+    int height = 512;
+};
+
+// Used by one thread at a time, the one that uses the device. Setters upload; trace() accumulates.
+class PathTracer {
+  public:
+    static Result<PathTracer> create(std::shared_ptr<gpu::Device> device);
+    PathTracer(PathTracer&&) noexcept;
+    PathTracer& operator=(PathTracer&&) noexcept;
+    ~PathTracer();
+
+    // outOfMemory when the device cannot hold the volume.
+    Result<void> setVolume(std::shared_ptr<const Volume> volume);
+    // After setVolume. Rebuilds the tables and the bound on extinction of every brick.
+    Result<void> setTransferFunction(const TransferFunction& function);
+    Result<void> setEnvironment(const Environment& environment);
+    Result<void> setSettings(const Settings& settings);
+    Result<void> setView(const View& view);
+
+    // Adds `samplesPerPixel` samples to every pixel, in short dispatches; `keepGoing` (may be empty) is asked
+    // between dispatches, and a picture that was interrupted is finished by the next call. Returns whether
+    // every pixel now has the same number of samples.
+    Result<bool> trace(std::uint32_t samplesPerPixel, const std::function<bool()>& keepGoing = {});
+
+    // The tone-mapped picture so far, display-encoded RGBA8, premultiplied over `background` (linear). Stays
+    // on the device, in layout GENERAL, size of the view, valid until the next setView.
+    Result<const gpu::Image*> display(const glm::vec3& background);
+
+    Result<TracedImage> readback();                                              // waits
+    Result<std::vector<std::uint8_t>> readDisplay(const glm::vec3& background);  // RGBA8, opaque; waits
+    Statistics statistics() const;
+
+  private:
+    struct Impl;
+    explicit PathTracer(std::unique_ptr<Impl> impl);
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace macula::trace
