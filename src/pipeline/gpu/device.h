@@ -1,0 +1,135 @@
+// A device, its queue, and the timeline that says what is done.
+#pragma once
+
+#include <vulkan/vulkan_core.h>
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/result.h"
+#include "pipeline/gpu/device_info.h"
+#include "pipeline/gpu/handle.h"
+#include "pipeline/gpu/instance.h"
+
+namespace macula::gpu {
+
+// The place of a submission on the device's timeline: 1, 2, 3, ... 0 is done from the start.
+using Ticket = std::uint64_t;
+
+inline constexpr std::uint64_t kForever = UINT64_MAX;
+
+struct DeviceOptions {
+    std::string preferred;                // see chooseDevice; when empty, the environment MACULA_DEVICE
+    std::vector<const char*> extensions;  // on top of ours: VK_KHR_SWAPCHAIN_EXTENSION_NAME for a window
+    // OpenXR dictates the device (xrGetVulkanGraphicsDevice2KHR) and creates it itself
+    // (xrCreateVulkanDeviceKHR).
+    VkPhysicalDevice physical = VK_NULL_HANDLE;
+    std::function<VkResult(VkPhysicalDevice, const VkDeviceCreateInfo&, VkDevice*)> createDevice;
+};
+
+// A VkDevice with one queue for everything (compute, transfer, graphics where there is any).
+//
+// Held by shared_ptr: each resource keeps its device alive, and the device keeps the VkInstance alive. Thread
+// rule: one thread at a time uses a Device, its recorders and its resources; only dropping resources is free
+// of that rule.
+//
+// Lost: after a driver reset every call gives the error deviceNotUsable, and lost() is true. To recover, drop
+// all that is on the device and create another one.
+class Device : public std::enable_shared_from_this<Device> {
+  public:
+    // Prints the chosen device on stderr, always: who reads a picture or a timing must know what made it.
+    // Errors: those of chooseDevice; deviceNotUsable when an extension is missing or the driver refuses.
+    static Result<std::shared_ptr<Device>> create(const Instance& instance,
+                                                  const DeviceOptions& options = {});
+
+    Device(const Device&) = delete;
+    Device& operator=(const Device&) = delete;
+    ~Device();  // waits for the device
+
+    const DeviceInfo& info() const { return info_; }
+    bool isCpu() const { return info_.type == DeviceType::cpu; }
+    VkInstance instance() const;
+    VkPhysicalDevice physical() const { return info_.physical; }
+    VkDevice handle() const { return device_; }
+    VkQueue queue() const { return queue_; }
+    std::uint32_t queueFamily() const { return queueFamily_; }
+
+    // Free device-local memory now, by VK_EXT_memory_budget; the size of the heap where the driver does not
+    // tell.
+    std::uint64_t memoryAvailableBytes() const;
+
+    Ticket submittedTicket() const { return submitted_.load(); }
+    Ticket completedTicket() const;
+    // False on timeout. 0 ns polls.
+    Result<bool> waitFor(Ticket ticket, std::uint64_t timeoutNs = kForever);
+    Result<void> waitForAll();
+    bool lost() const { return lost_.load(); }
+
+    // Destroys what was dropped and is no longer in use. Submitting and waiting do it as well.
+    void collect();
+    std::size_t pendingDestructions() const;
+
+    // Names an object for validation messages and debuggers; nothing where debug utils are missing.
+    void setName(VkObjectType type, std::uint64_t object, std::string_view name) const;
+
+    // Turns a failed call into an Error, and remembers a lost device.
+    Error failed(VkResult result, std::string_view doing);
+
+  private:
+    friend class Recorder;
+    friend class Swapchain;
+    friend void destroyLater(Device& device, DestroyFunction destroy, std::uint64_t object);
+
+    struct Functions {  // not exported by the loader
+        PFN_vkCmdPushDescriptorSetKHR cmdPushDescriptorSet = nullptr;
+        PFN_vkSetDebugUtilsObjectNameEXT setObjectName = nullptr;
+        PFN_vkCmdBeginDebugUtilsLabelEXT cmdBeginLabel = nullptr;
+        PFN_vkCmdEndDebugUtilsLabelEXT cmdEndLabel = nullptr;
+    };
+    struct Commands {  // what one recording needs; recycled
+        VkCommandPool pool = VK_NULL_HANDLE;
+        VkCommandBuffer buffer = VK_NULL_HANDLE;
+        VkQueryPool queries = VK_NULL_HANDLE;
+        Ticket busyUntil = 0;
+    };
+    struct Dropped {
+        DestroyFunction destroy = nullptr;
+        std::uint64_t object = 0;
+        Ticket after = 0;
+    };
+    static constexpr Ticket kNotYetKnown = UINT64_MAX;  // dropped while a recorder is open
+
+    Device() = default;
+    Result<void> initialise(const Instance& instance, const DeviceOptions& options);
+    Result<Commands> takeCommands();
+    Result<Commands> makeCommands();
+    void giveCommandsBack(const Commands& commands);
+    void recorderClosed();
+    Result<Ticket> submit(VkCommandBuffer commands, VkSemaphore wait, VkSemaphore signal);
+
+    std::shared_ptr<void> instanceState_;
+    VkInstance instance_ = VK_NULL_HANDLE;
+    DeviceInfo info_;
+    VkDevice device_ = VK_NULL_HANDLE;
+    VkQueue queue_ = VK_NULL_HANDLE;
+    std::uint32_t queueFamily_ = 0;
+    float timestampPeriodNs_ = 1.0f;
+    std::uint32_t maxGroups_[3] = {0, 0, 0};
+    Functions functions_;
+    VkSemaphore timeline_ = VK_NULL_HANDLE;
+    std::vector<Commands> freeCommands_;
+    std::atomic<Ticket> submitted_{0};
+    std::atomic<bool> lost_{false};
+
+    mutable std::mutex droppedMutex_;  // guards the two below: resources are dropped on any thread
+    std::vector<Dropped> dropped_;
+    std::size_t openRecorders_ = 0;
+};
+
+}  // namespace macula::gpu

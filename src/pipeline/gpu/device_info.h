@@ -1,0 +1,58 @@
+// What devices there are, and which one to use.
+#pragma once
+
+#include <vulkan/vulkan_core.h>
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/result.h"
+#include "pipeline/gpu/instance.h"
+
+namespace macula::gpu {
+
+enum class DeviceType { discrete, integrated, virtualGpu, cpu, other };
+
+std::string_view deviceTypeName(DeviceType type);  // "discrete GPU", "CPU", ...
+
+struct DeviceInfo {
+    std::size_t index = 0;  // position in listDevices
+    std::string name;
+    DeviceType type = DeviceType::other;
+    std::string driver;  // name and version: "llvmpipe, Mesa 22.3.6 (LLVM 15.0.6)"
+    std::uint32_t apiVersion = 0;
+
+    std::uint64_t memoryBytes = 0;  // the largest device-local heap
+    std::uint64_t memoryAvailableBytes =
+        0;  // of that heap, by VK_EXT_memory_budget when asked; else memoryBytes
+    std::uint64_t maxAllocationBytes = 0;  // of one buffer or image
+    std::uint32_t maxStorageBufferBytes = 0;
+    std::uint32_t maxTexelBufferElements = 0;
+    std::uint32_t maxPushConstantBytes = 0;
+    std::uint32_t maxImageEdge2D = 0;
+    std::uint32_t maxImageEdge3D = 0;
+    std::uint32_t subgroupSize = 0;
+    bool floatAtomicAdd = false;  // atomicAdd of floats in storage buffers (VK_EXT_shader_atomic_float)
+
+    std::string whyNotUsable;  // empty when usable; else what it lacks: "Vulkan 1.3"
+    VkPhysicalDevice physical = VK_NULL_HANDLE;
+
+    bool usable() const { return whyNotUsable.empty(); }
+};
+
+// One line for people: "llvmpipe (LLVM 15.0.6, 256 bits), CPU, 2.0 GiB, llvmpipe Mesa 22.3.6".
+std::string describe(const DeviceInfo& device);
+
+// In the driver's order, the unusable ones with the reason. Empty when there is no driver.
+std::vector<DeviceInfo> listDevices(const Instance& instance);
+
+// The device to use: the first usable one of the best type (discrete, integrated, virtual, CPU), or the one
+// `preferred` names by index ("1") or by a part of its name, in any case ("llvmpipe"; the first usable one
+// that has it). Pure. usage when nothing has that name (the hint lists what there is), deviceNotUsable when
+// there is no device, the preferred one is not usable, or none is.
+Result<DeviceInfo> chooseDevice(std::span<const DeviceInfo> devices, std::string_view preferred);
+
+}  // namespace macula::gpu

@@ -1,0 +1,171 @@
+// Work for the GPU: recorded in order, submitted once.
+//
+//   MACULA_TRY(auto recorder, gpu::Recorder::create(device, "frame"));
+//   {
+//       auto timer = recorder.timed("trace");
+//       recorder.dispatch(kernel, {width, height}, params, {volume, lut, image});
+//   }
+//   MACULA_TRY(const gpu::Ticket ticket, recorder.submit());
+//
+// A dispatch that does not fit its shader (push constants of another size, another number or kind of
+// bindings) is a failed check: it names the kernel and the binding.
+#pragma once
+
+#include <vulkan/vulkan_core.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <initializer_list>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+#include "base/result.h"
+#include "pipeline/gpu/device.h"
+#include "pipeline/gpu/kernel.h"
+#include "pipeline/gpu/resources.h"
+
+namespace macula::gpu {
+
+// Threads, not groups; rounded up to whole groups, so a shader must test its invocation against the real
+// size.
+struct Threads {
+    std::uint32_t x = 1;
+    std::uint32_t y = 1;
+    std::uint32_t z = 1;
+};
+
+// A resource for one binding. Which kind of descriptor it becomes is for the shader to say.
+class Binding {
+  public:
+    Binding(const Buffer& buffer);                        // buffer (std430, scalar) or uniform block
+    Binding(const TexelBuffer& texels);                   // samplerBuffer or imageBuffer
+    Binding(const Image& image);                          // image2D, image3D, texture2D
+    Binding(const Image& image, const Sampler& sampler);  // sampler2D, sampler3D
+
+  private:
+    friend class Recorder;
+
+    enum class Kind { buffer, texelBuffer, image, sampledImage };
+    Kind kind_;
+    const std::string* label_;
+    VkDescriptorBufferInfo buffer_{};
+    VkDescriptorImageInfo image_{};
+    VkBufferView view_ = VK_NULL_HANDLE;
+    VkFlags usage_ = 0;
+};
+
+// Whether a command waits for those before it. `concurrent` saves a barrier where the commands touch
+// different data.
+enum class Order { afterPrevious, concurrent };
+
+struct SubmitOptions {
+    VkSemaphore wait =
+        VK_NULL_HANDLE;  // binary, waited for before anything runs: Swapchain::Frame::available
+    VkSemaphore signal = VK_NULL_HANDLE;  // binary, signalled when all is done: Swapchain::Frame::rendered
+};
+
+struct Timing {
+    std::string name;
+    double milliseconds = 0.0;
+};
+
+struct BlitTarget {  // Swapchain::Frame::target()
+    VkImage image = VK_NULL_HANDLE;
+    VkExtent2D extent{};
+};
+
+// Equivalent of a VkCommandBuffer in recording state. Movable, not copyable; one thread. While any recorder
+// of a device is open, nothing dropped is destroyed: submit or drop it soon. Dropping it unsubmitted discards
+// the commands.
+class Recorder {
+  public:
+    // Ends a label or a timed section when it goes out of scope. Must not outlive its recorder, nor its
+    // submission.
+    class Scope {
+      public:
+        Scope(Scope&& other) noexcept;
+        Scope& operator=(Scope&&) = delete;
+        ~Scope();
+
+      private:
+        friend class Recorder;
+        Scope(Recorder* recorder, int timer) : recorder_(recorder), timer_(timer) {}
+        Recorder* recorder_;
+        int timer_;  // -1: label only
+    };
+
+    static Result<Recorder> create(const std::shared_ptr<Device>& device, std::string_view label);
+
+    Recorder(Recorder&& other) noexcept;
+    Recorder& operator=(Recorder&&) = delete;
+    ~Recorder();
+
+    // Bindings in the order of their binding numbers. Push is the struct in the shader's push_constant block.
+    template <class Push>
+    requires std::is_trivially_copyable_v<Push>
+    void dispatch(const Kernel& kernel, Threads threads, const Push& push,
+                  std::initializer_list<Binding> bindings, Order order = Order::afterPrevious) {
+        dispatchBytes(kernel, threads, std::as_bytes(std::span(&push, 1)), bindings, order);
+    }
+    // For a shader without push constants.
+    void dispatch(const Kernel& kernel, Threads threads, std::initializer_list<Binding> bindings,
+                  Order order = Order::afterPrevious) {
+        dispatchBytes(kernel, threads, {}, bindings, order);
+    }
+    void dispatchBytes(const Kernel& kernel, Threads threads, std::span<const std::byte> push,
+                       std::span<const Binding> bindings, Order order = Order::afterPrevious);
+
+    // Ranges must lie within the buffers; offsets and sizes of fill are multiples of 4.
+    void copy(const Buffer& from, std::uint64_t fromOffset, const Buffer& to, std::uint64_t toOffset,
+              std::uint64_t bytes, Order order = Order::afterPrevious);
+    void copy(const Image& from, const Buffer& to, std::uint64_t toOffset = 0,
+              Order order = Order::afterPrevious);
+    void copy(const Buffer& from, std::uint64_t fromOffset, const Image& to,
+              Order order = Order::afterPrevious);
+    void fill(const Buffer& buffer, std::uint32_t value, Order order = Order::afterPrevious);  // all of it
+    void clear(const Image& image, const VkClearColorValue& value, Order order = Order::afterPrevious);
+
+    // Scales the whole 2D image over the whole target, whose content before is lost and which is then ready
+    // to be presented. Values are converted to the target's format, not encoded: write display-encoded
+    // values.
+    void blit(const Image& from, const BlitTarget& to, VkFilter filter = VK_FILTER_NEAREST);
+
+    // What follows waits for what came before. Only needed around Order::concurrent and commands().
+    void barrier();
+
+    [[nodiscard]] Scope label(std::string_view name);  // for debuggers
+    [[nodiscard]] Scope timed(std::string_view name);  // a label that is timed; at most kMaxTimers
+
+    static constexpr int kMaxTimers = 64;
+
+    // For what this class does not offer. Put barrier() before and after.
+    VkCommandBuffer commands() const { return commands_.buffer; }
+
+    // Once. The work starts now; the recorder may be dropped at once, or kept to ask for timings.
+    Result<Ticket> submit(const SubmitOptions& options = {});
+
+    // In order of their start. Waits for the submission.
+    Result<std::vector<Timing>> timings();
+
+  private:
+    enum class State { recording, submitted, movedFrom };
+
+    Recorder() = default;
+    void order(Order order);
+    void endScope(int timer);
+
+    std::shared_ptr<Device> device_;
+    Device::Commands commands_;
+    State state_ = State::movedFrom;
+    std::string label_;
+    std::vector<std::string> timers_;
+    int openScopes_ = 0;
+    bool dirty_ = false;  // something was recorded since the last barrier
+    Ticket ticket_ = 0;
+};
+
+}  // namespace macula::gpu
