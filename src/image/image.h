@@ -1,0 +1,33 @@
+// A picture in memory, as floating point.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+namespace macula::image {
+
+enum class Encoding {
+    linear,   // proportional to light
+    display,  // sRGB-encoded, 0 to 1
+};
+
+// Row 0 is the top one; channels of a pixel lie together, in the order R, G, B, A, others, or Y, A.
+struct Image {
+    int width = 0;
+    int height = 0;
+    int channels = 0;
+    Encoding encoding = Encoding::linear;
+    std::vector<float> pixels;  // width * height * channels
+};
+
+// Values that no light can have. A picture that has any is passed on as it is: who uses it decides, and says
+// so.
+struct Faults {
+    std::size_t notFinite = 0;
+    std::size_t negative = 0;
+
+    std::size_t total() const { return notFinite + negative; }
+};
+Faults countFaults(const Image& image);
+
+}  // namespace macula::image

@@ -1,0 +1,40 @@
+// Picture files: Radiance HDR, OpenEXR and PNG, by OpenImageIO.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/result.h"
+#include "image/image.h"
+
+namespace macula::image {
+
+// What made a picture, stored in it: PNG text chunks, EXR attributes. Never patient data; the caller answers
+// for that.
+using Metadata = std::vector<std::pair<std::string, std::string>>;
+
+inline constexpr int kMaxEdge = 16384;
+
+// The content decides about the format, not the name. Fails with inputNotUsable when the file is missing,
+// damaged, truncated, of another format, or larger than kMaxEdge on a side. NaN, infinite and negative values
+// are kept: see countFaults.
+Result<Image> readImage(const std::filesystem::path& path);
+
+// 8-bit RGBA, display-encoded (sRGB), alpha straight; width * height * 4 bytes, row 0 on top. Whole or not at
+// all.
+Result<void> writePng(const std::filesystem::path& path, int width, int height,
+                      std::span<const std::uint8_t> rgba, const Metadata& metadata = {});
+
+// Linear premultiplied RGBA as 32-bit floats, and `depthMm` as channel Z unless it is empty. Whole or not at
+// all.
+Result<void> writeExr(const std::filesystem::path& path, int width, int height, std::span<const float> rgba,
+                      std::span<const float> depthMm = {}, const Metadata& metadata = {});
+
+// The metadata of a PNG or EXR that has one of the given keys, in file order; what others wrote is left out.
+Result<Metadata> readMetadata(const std::filesystem::path& path, std::span<const std::string> keys);
+
+}  // namespace macula::image
