@@ -11,28 +11,15 @@
 #include <memory>
 #include <vector>
 
-#include "base/camera.h"
 #include "base/result.h"
 #include "base/volume.h"
 #include "pipeline/gpu/device.h"
 #include "pipeline/gpu/resources.h"
 #include "pipeline/trace/environment.h"
+#include "pipeline/trace/settings.h"
 #include "pipeline/volume/transfer_function.h"
 
 namespace macula::trace {
-
-// How a value between voxels is found.
-enum class Filter {
-    trilinear,   // eight voxels, then the transfer function: the value a radiologist expects at an edge
-    stochastic,  // one voxel drawn with the trilinear weights: faster; blends optics instead of values
-};
-
-struct Settings {
-    int bounces = 4;  // vertices per path, 1 to 1024
-    std::uint32_t seed = 0;
-    Filter filter = Filter::trilinear;
-    double exposure = 1.0;
-};
 
 struct Statistics {
     std::uint64_t samplesPerPixel = 0;
@@ -47,13 +34,6 @@ struct TracedImage {
     int height = 0;
     std::vector<glm::vec4> radiance;
     std::vector<float> depthMm;
-};
-
-// What one picture is made from. A change of any part starts a new accumulation.
-struct View {
-    Camera camera;
-    int width = 512;
-    int height = 512;
 };
 
 // Used by one thread at a time, the one that uses the device. Setters upload; trace() accumulates.
@@ -83,7 +63,7 @@ class PathTracer {
 
     Result<TracedImage> readback();                                              // waits
     Result<std::vector<std::uint8_t>> readDisplay(const glm::vec3& background);  // RGBA8, opaque; waits
-    Statistics statistics() const;
+    Result<Statistics> statistics() const;
 
   private:
     struct Impl;

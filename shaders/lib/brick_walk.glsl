@@ -1,0 +1,102 @@
+// The one walk through the brick grid. Everything that asks about matter along a ray - free flights, transmittance,
+// depth - is a visitor of it, so that the traversal can be right, or wrong, in one place only.
+//
+// Needs from its host: params.volumeSize, params.gridSize, and fetchBound(brick index): above 0 an upper bound of the
+// extinction anywhere in the brick, per mm; at or below 0 the brick is empty, and so are all bricks closer than minus
+// that number (Chebyshev distance in bricks), which the walk leaps over.
+
+struct BrickWalk {
+    vec3 origin;        // voxel coordinates
+    vec3 direction;     // voxels per mm, so that distances along the ray are mm
+    vec3 inverse;       // mm per voxel, finite in every component
+    vec3 cell;          // next brick to be looked at
+    float distanceMm;   // how far the ray has come
+    float endMm;        // where it leaves the volume
+    float segmentEndMm; // where the current segment ends
+    float majorant;     // bound on extinction in it, per mm
+};
+
+// Below this a direction counts as parallel to a face: 1 mm of travel crosses less than 10^-12 voxels.
+#define PARALLEL 1e-12
+
+float safeInverse(float x) {
+    return float(1.0) / (abs(x) > float(PARALLEL) ? x : (x < float(0.0) ? float(-PARALLEL) : float(PARALLEL)));
+}
+
+// Starts a walk along a ray; distances before the volume are skipped. A ray that misses has endMm <= distanceMm.
+BrickWalk startWalk(vec3 origin, vec3 direction) {
+    BrickWalk walk;
+    walk.origin = origin;
+    walk.direction = direction;
+    walk.inverse = vec3(safeInverse(direction.x), safeInverse(direction.y), safeInverse(direction.z));
+    vec3 toLow = -origin * walk.inverse;
+    vec3 toHigh = (vec3(params.volumeSize) - origin) * walk.inverse;
+    vec3 enter = min(toLow, toHigh);
+    vec3 leave = max(toLow, toHigh);
+    walk.distanceMm = max(max(enter.x, enter.y), max(enter.z, float(0.0)));
+    walk.endMm = min(min(leave.x, leave.y), leave.z);
+    walk.segmentEndMm = walk.distanceMm;
+    walk.majorant = float(0.0);
+    vec3 entry = (origin + direction * walk.distanceMm) * float(1.0 / BRICK);
+    walk.cell = clamp(floor(entry), vec3(0.0), vec3(params.gridSize - ivec3(1)));
+    return walk;
+}
+
+// Moves on to the next segment with matter in it: distanceMm to segmentEndMm, bounded by majorant. False at the end.
+bool nextSegment(INOUT(BrickWalk) walk) {
+    walk.distanceMm = walk.segmentEndMm;
+    vec3 last = vec3(params.gridSize - ivec3(1));
+    bool found = false;
+    while (!found && walk.distanceMm < walk.endMm && all(greaterThanEqual(walk.cell, vec3(0.0))) &&
+           all(lessThanEqual(walk.cell, last))) {
+        ivec3 cell = ivec3(walk.cell);
+        float bound = fetchBound((cell.z * params.gridSize.y + cell.y) * params.gridSize.x + cell.x);
+        float reach = max(-bound, float(1.0));
+
+        // The faces of the cube of empty bricks around this one, or of this one alone.
+        vec3 forward = vec3(walk.direction.x < float(0.0) ? float(0.0) : float(1.0),
+                            walk.direction.y < float(0.0) ? float(0.0) : float(1.0),
+                            walk.direction.z < float(0.0) ? float(0.0) : float(1.0));
+        vec3 step = forward * float(2.0) - vec3(1.0);
+        vec3 face = walk.cell + forward + step * (reach - float(1.0));
+        vec3 toFace = (face * float(BRICK) - walk.origin) * walk.inverse;
+        float exitMm = min(min(toFace.x, toFace.y), toFace.z);
+
+        // Across that face by index, elsewhere by position: rounding can neither stall the walk nor let it skip a brick.
+        vec3 there = floor((walk.origin + walk.direction * exitMm) * float(1.0 / BRICK));
+        vec3 margin = vec3(reach - float(1.0));
+        vec3 beside = clamp(there, walk.cell - margin, walk.cell + margin);
+        vec3 across = walk.cell + step * reach;
+        walk.cell = vec3(toFace.x <= exitMm ? across.x : beside.x, toFace.y <= exitMm ? across.y : beside.y,
+                         toFace.z <= exitMm ? across.z : beside.z);
+
+        walk.segmentEndMm = min(max(exitMm, walk.distanceMm), walk.endMm);
+        walk.majorant = bound;
+        found = bound > float(0.0) && walk.segmentEndMm > walk.distanceMm;
+        if (!found) walk.distanceMm = walk.segmentEndMm;
+    }
+    return found;
+}
+
+// Moves on to the next tentative collision: a Poisson process of rate `majorant` along the ray. False when the ray has
+// left the volume first.
+bool nextTentative(INOUT(BrickWalk) walk, INOUT(Rng) rng) {
+    float depth = -log(float(1.0) - random01(rng));
+    bool collided = false;
+    bool inside = true;
+    while (!collided && inside) {
+        float segmentDepth = walk.majorant * (walk.segmentEndMm - walk.distanceMm);
+        collided = depth < segmentDepth;
+        if (collided) {
+            walk.distanceMm += depth / walk.majorant;
+        } else {
+            depth -= segmentDepth;
+            inside = nextSegment(walk);
+        }
+    }
+    return collided;
+}
+
+vec3 walkPosition(BrickWalk walk) {
+    return walk.origin + walk.direction * walk.distanceMm;
+}

@@ -1,0 +1,32 @@
+// Henyey-Greenstein scattering (Henyey and Greenstein 1941). `cosine` is between the direction of travel before and
+// after; g > 0 scatters forward. Normalised over the sphere.
+
+float phaseHenyeyGreenstein(float cosine, float g) {
+    float d = float(1.0) + g * g - float(2.0) * g * cosine;
+    return (float(1.0) - g * g) / (float(4.0 * PI) * d * sqrt(d));
+}
+
+// Two vectors that make an orthonormal frame with `n` (Duff et al. 2017, "Building an orthonormal basis, revisited").
+void orthonormalFrame(vec3 n, OUT(vec3) a, OUT(vec3) b) {
+    float s = n.z < float(0.0) ? float(-1.0) : float(1.0);
+    float p = float(-1.0) / (s + n.z);
+    float q = n.x * n.y * p;
+    a = vec3(float(1.0) + s * n.x * n.x * p, s * q, -s * n.x);
+    b = vec3(q, s + n.y * n.y * p, -n.y);
+}
+
+// A direction distributed as the phase function around `forward` (unit), by inversion.
+vec3 samplePhase(vec3 forward, float g, float u, float v) {
+    float cosine = float(1.0) - float(2.0) * u;
+    if (abs(g) > float(1e-3)) {
+        float r = (float(1.0) - g * g) / (float(1.0) + g - float(2.0) * g * u);
+        cosine = (float(1.0) + g * g - r * r) / (float(2.0) * g);
+    }
+    cosine = clamp(cosine, float(-1.0), float(1.0));
+    float sine = sqrt(max(float(0.0), float(1.0) - cosine * cosine));
+    float azimuth = float(2.0 * PI) * v;
+    vec3 a;
+    vec3 b;
+    orthonormalFrame(forward, a, b);
+    return a * (sine * cos(azimuth)) + b * (sine * sin(azimuth)) + forward * cosine;
+}

@@ -1,0 +1,45 @@
+// From samples to a picture.
+
+// Kahan's compensated sum: a million samples lose no more than one does.
+void accumulate(INOUT(vec4) sum, INOUT(vec4) lost, vec4 value) {
+    PRECISE vec4 y = value - lost;
+    PRECISE vec4 t = sum + y;
+    PRECISE vec4 rounded = t - sum;
+    lost = rounded - y;
+    sum = t;
+}
+
+bool isFinite(vec4 v) {
+    // Written with comparisons, which no compiler may fold away for being finite maths.
+    vec4 a = abs(v);
+    return a.x <= float(3.0e38) && a.y <= float(3.0e38) && a.z <= float(3.0e38) && a.w <= float(3.0e38);
+}
+
+// The Khronos PBR neutral tone map (2024): colours as they are up to 0.8, highlights compressed and slowly desaturated.
+vec3 toneMapNeutral(vec3 colour) {
+    float startCompression = float(0.8 - 0.04);
+    float desaturation = float(0.15);
+    float x = min(colour.x, min(colour.y, colour.z));
+    float offset = x < float(0.08) ? x - float(6.25) * x * x : float(0.04);
+    colour -= vec3(offset);
+    float peak = max(colour.x, max(colour.y, colour.z));
+    if (peak < startCompression) return colour;
+    float d = float(1.0) - startCompression;
+    float newPeak = float(1.0) - d * d / (peak + d - startCompression);
+    colour *= newPeak / peak;
+    float g = float(1.0) - float(1.0) / (desaturation * (peak - newPeak) + float(1.0));
+    return mix(colour, vec3(newPeak), g);
+}
+
+// Linear 0 to 1 to display-encoded (IEC 61966-2-1).
+float encodeSrgb(float linear) {
+    float c = clamp(linear, float(0.0), float(1.0));
+    return c <= float(0.0031308) ? c * float(12.92) : float(1.055) * pow(c, float(1.0 / 2.4)) - float(0.055);
+}
+
+// What a pixel shows: linear premultiplied radiance over a linear background, exposed, tone-mapped, encoded.
+vec3 displayColour(vec4 premultiplied, vec3 background, float exposure) {
+    vec3 over = vec3(premultiplied.x, premultiplied.y, premultiplied.z) * exposure + background * (float(1.0) - clamp(premultiplied.w, float(0.0), float(1.0)));
+    vec3 mapped = toneMapNeutral(max(over, vec3(0.0)));
+    return vec3(encodeSrgb(mapped.x), encodeSrgb(mapped.y), encodeSrgb(mapped.z));
+}

@@ -1,0 +1,12 @@
+// Everything the tracer's kernels share, in order. The host declares before: params (TraceParams), useTrilinear(), and
+// the fetch functions that the parts name.
+#define PI 3.14159265358979323846
+#define BRICK 8
+
+#include "lib/rng.glsl"
+#include "lib/phase.glsl"
+#include "lib/medium.glsl"
+#include "lib/brick_walk.glsl"
+#include "lib/environment.glsl"
+#include "lib/path.glsl"
+#include "lib/picture.glsl"

@@ -1,0 +1,176 @@
+#include "pipeline/trace/environment.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+namespace macula::trace {
+
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr int kRigWidth = 512;
+constexpr int kRigHeight = 256;
+constexpr double kRimFraction = 0.25;  // of a soft light's radius, over which it fades
+
+// Solid angle of one texel of a row, exact.
+double texelSolidAngle(int row, int width, int height) {
+    const double top = std::cos(kPi * row / height);
+    const double bottom = std::cos(kPi * (row + 1) / height);
+    return (top - bottom) * 2.0 * kPi / width;
+}
+
+double luminance(const glm::dvec3& c) {
+    return 0.2126 * c.r + 0.7152 * c.g + 0.0722 * c.b;
+}
+
+// Walker's alias table, by Vose's method: two stacks, of those with less and with more than the mean.
+std::vector<AliasEntry> makeAlias(const std::vector<double>& weights, double total) {
+    const std::size_t count = weights.size();
+    std::vector<AliasEntry> table(count);
+    if (!(total > 0.0)) return table;
+    std::vector<double> scaled(count);
+    std::vector<std::uint32_t> poor;
+    std::vector<std::uint32_t> rich;
+    for (std::size_t i = 0; i < count; ++i) {
+        scaled[i] = weights[i] / total * double(count);
+        (scaled[i] < 1.0 ? poor : rich).push_back(static_cast<std::uint32_t>(i));
+    }
+    while (!poor.empty() && !rich.empty()) {
+        const std::uint32_t low = poor.back();
+        const std::uint32_t high = rich.back();
+        poor.pop_back();
+        table[low] = {static_cast<float>(scaled[low]), high};
+        scaled[high] -= 1.0 - scaled[low];
+        if (scaled[high] < 1.0) {
+            rich.pop_back();
+            poor.push_back(high);
+        }
+    }
+    for (const auto& rest : {poor, rich}) {  // 1 but for rounding
+        for (const std::uint32_t i : rest) table[i] = {1.0f, i};
+    }
+    return table;
+}
+
+// Averages blocks of factor x factor texels, weighted by solid angle, so that the power of every part is
+// kept.
+std::vector<glm::vec3> averagedDown(int width, int height, std::span<const glm::vec3> radiance, int factor) {
+    const int newWidth = width / factor;
+    const int newHeight = height / factor;
+    std::vector<glm::vec3> result(std::size_t(newWidth) * std::size_t(newHeight));
+    for (int y = 0; y < newHeight; ++y) {
+        for (int x = 0; x < newWidth; ++x) {
+            glm::dvec3 sum(0.0);
+            double weight = 0.0;
+            for (int row = y * factor; row < (y + 1) * factor; ++row) {
+                const double angle = texelSolidAngle(row, width, height);
+                for (int column = x * factor; column < (x + 1) * factor; ++column) {
+                    sum += angle *
+                           glm::dvec3(radiance[std::size_t(row) * std::size_t(width) + std::size_t(column)]);
+                    weight += angle;
+                }
+            }
+            result[std::size_t(y) * std::size_t(newWidth) + std::size_t(x)] = sum / weight;
+        }
+    }
+    return result;
+}
+
+// Unit vector in the environment's frame.
+glm::dvec3 directionOf(double azimuth, double elevation) {
+    return {std::cos(elevation) * std::sin(azimuth), std::sin(elevation),
+            std::cos(elevation) * std::cos(azimuth)};
+}
+
+double smoothFall(double angle, double radius) {
+    const double inner = radius * (1.0 - kRimFraction);
+    const double t = std::clamp((angle - inner) / (radius - inner), 0.0, 1.0);
+    return 1.0 - t * t * (3.0 - 2.0 * t);
+}
+
+glm::dvec3 rigRadiance(const LightRig& rig, const glm::dvec3& direction) {
+    const double y = direction.y;
+    glm::dvec3 sum = y >= 0.0 ? glm::mix(rig.ambientHorizon, rig.ambientZenith, y)
+                              : glm::mix(rig.ambientHorizon, rig.ambientNadir, -y);
+    for (const SoftLight& light : rig.lights) {
+        const glm::dvec3 centre =
+            directionOf(glm::radians(light.azimuthDeg), glm::radians(light.elevationDeg));
+        const double angle = std::acos(std::clamp(glm::dot(direction, centre), -1.0, 1.0));
+        sum += light.radiance * smoothFall(angle, glm::radians(light.angularRadiusDeg)) * light.colour;
+    }
+    return sum;
+}
+
+}  // namespace
+
+Result<Environment> Environment::fromImage(int width, int height, std::span<const glm::vec3> radiance,
+                                           LightFrame frame) {
+    const auto fail = [](const char* message) {
+        return Error{
+            ErrorCode::inputNotUsable, message, {}, "Choose another environment, or a built-in light rig."};
+    };
+    if (width < 1 || height < 1 || radiance.size() != std::size_t(width) * std::size_t(height)) {
+        return fail("The environment picture is empty.");
+    }
+    for (const glm::vec3& c : radiance) {
+        if (!(c.r >= 0.0f && c.g >= 0.0f && c.b >= 0.0f) || !std::isfinite(c.r + c.g + c.b)) {
+            return fail("The environment picture has values that are negative or not finite.");
+        }
+    }
+    const int factor = std::max((width + kMaxWidth - 1) / kMaxWidth, (height + kMaxWidth - 1) / kMaxWidth);
+    if (factor > 1) {
+        if (width < factor || height < factor)
+            return fail("The environment picture is too narrow for its length.");
+        const std::vector<glm::vec3> smaller = averagedDown(width, height, radiance, factor);
+        return fromImage(width / factor, height / factor, smaller, frame);
+    }
+
+    Environment environment;
+    environment.width_ = width;
+    environment.height_ = height;
+    environment.frame_ = frame;
+    environment.texels_.resize(radiance.size());
+    std::vector<double> power(radiance.size());
+    for (int row = 0; row < height; ++row) {
+        const double angle = texelSolidAngle(row, width, height);
+        for (int column = 0; column < width; ++column) {
+            const std::size_t i = std::size_t(row) * std::size_t(width) + std::size_t(column);
+            power[i] = luminance(radiance[i]) * angle;
+        }
+    }
+    const double total = std::accumulate(power.begin(), power.end(), 0.0);
+    for (int row = 0; row < height; ++row) {
+        const double angle = texelSolidAngle(row, width, height);
+        for (int column = 0; column < width; ++column) {
+            const std::size_t i = std::size_t(row) * std::size_t(width) + std::size_t(column);
+            const double pdf = total > 0.0 ? power[i] / total / angle : 0.0;
+            environment.texels_[i] = {radiance[i], static_cast<float>(pdf)};
+        }
+    }
+    environment.alias_ = makeAlias(power, total);
+    return environment;
+}
+
+Environment Environment::fromRig(const LightRig& rig) {
+    std::vector<glm::vec3> radiance(std::size_t(kRigWidth) * std::size_t(kRigHeight));
+    for (int row = 0; row < kRigHeight; ++row) {
+        const double elevation = kPi * (0.5 - (row + 0.5) / kRigHeight);
+        for (int column = 0; column < kRigWidth; ++column) {
+            const double azimuth = 2.0 * kPi * ((column + 0.5) / kRigWidth - 0.5);
+            radiance[std::size_t(row) * kRigWidth + std::size_t(column)] =
+                glm::max(rigRadiance(rig, directionOf(azimuth, elevation)), glm::dvec3(0.0));
+        }
+    }
+    return std::move(fromImage(kRigWidth, kRigHeight, radiance, rig.frame)).value();
+}
+
+Environment Environment::constant(const glm::vec3& radiance) {
+    constexpr int kWidth = 4;
+    constexpr int kHeight = 2;
+    const std::vector<glm::vec3> sky(std::size_t(kWidth) * kHeight, radiance);
+    return std::move(fromImage(kWidth, kHeight, sky)).value();
+}
+
+}  // namespace macula::trace

@@ -1,0 +1,72 @@
+// The class that shaders/lib becomes in C++. Included twice, with MACULA_HOST its name and MACULA_REAL float or double:
+// a class, because the shader functions read tables and parameters as globals; by inclusion and not as a template,
+// because `float` in the shaders must mean MACULA_REAL.
+//
+// No include guard, no namespace: the including file gives both.
+
+#define OUT(type) type&
+#define INOUT(type) type&
+#define PRECISE
+
+struct MACULA_HOST : GlslInCpp<MACULA_REAL> {
+    using Real = MACULA_REAL;
+
+    struct Params {
+        vec3 originVoxel, right, up, forward;
+        vec3 voxelFromWorldX, voxelFromWorldY, voxelFromWorldZ;
+        vec3 worldFromEnvironmentX, worldFromEnvironmentY, worldFromEnvironmentZ;
+        ivec3 volumeSize, gridSize;
+        ivec2 imageSize, environmentSize;
+        int bounces;
+        uint seed;
+        Real anisotropy, marchStepMm;
+    };
+    // A field added to the shared block must be added above and below.
+    static_assert(sizeof(shared::TraceParams) == 4 * (10 * 3 + 2 * 3 + 2 * 2 + 4));
+
+    MACULA_HOST(const ReferenceTracer::Tables& tables, const shared::TraceParams& p, Filter filter)
+        : params{p.originVoxel, p.right, p.up, p.forward, p.voxelFromWorldX, p.voxelFromWorldY,
+                 p.voxelFromWorldZ, p.worldFromEnvironmentX, p.worldFromEnvironmentY, p.worldFromEnvironmentZ,
+                 p.volumeSize, p.gridSize, p.imageSize, p.environmentSize, p.bounces, p.seed,
+                 Real(p.anisotropy), Real(p.marchStepMm)},
+          entries_(tables.entries.data()),
+          extinction_(tables.extinctionPerMm.data()),
+          albedo_(tables.albedo.data()),
+          bounds_(tables.bounds.data()),
+          environment_(tables.environment.data()),
+          alias_(tables.alias.data()),
+          trilinear_(filter == Filter::trilinear) {}
+
+    Params params;
+
+    Real fetchStored(int voxel) const { return Real(entries_[voxel]); }
+    Real fetchExtinction(int entry) const { return Real(extinction_[entry]); }
+    vec3 fetchAlbedo(int entry) const { return vec3(glm::vec3(albedo_[entry])); }
+    Real fetchBound(int brick) const { return Real(bounds_[brick]); }
+    vec4 fetchEnvironment(int texel) const {
+        return vec4(vec3(environment_[texel].radiance), Real(environment_[texel].pdfPerSr));
+    }
+    vec2 fetchAlias(int texel) const { return {Real(alias_[texel].keep), Real(alias_[texel].other)}; }
+    bool useTrilinear() const { return trilinear_; }
+
+#define float MACULA_REAL
+#include "lib/trace_lib.glsl"
+#undef float
+#undef PI
+#undef BRICK
+#undef PARALLEL
+#undef ROULETTE_BELOW
+
+  private:
+    const std::uint16_t* entries_;
+    const float* extinction_;
+    const glm::vec4* albedo_;
+    const float* bounds_;
+    const EnvironmentTexel* environment_;
+    const AliasEntry* alias_;
+    bool trilinear_;
+};
+
+#undef OUT
+#undef INOUT
+#undef PRECISE

@@ -1,0 +1,97 @@
+// The reference tracer's loops over pixels, over one precision's host. Internal to reference_tracer*.cpp.
+#pragma once
+
+#include <limits>
+
+#include "base/parallel.h"
+#include "pipeline/trace/glsl_in_cpp.h"
+#include "pipeline/trace/reference_tracer.h"
+
+namespace macula::trace::reference {
+
+std::vector<glm::dvec4> traceSingle(const ReferenceTracer::Tables&, const shared::TraceParams&, Filter,
+                                    std::uint32_t firstSample, std::uint32_t sampleCount);
+
+// Mirrors shaders/trace/path.comp.
+template <class Host>
+std::vector<glm::dvec4> traceOn(Host prototype, std::uint32_t firstSample, std::uint32_t sampleCount) {
+    using Real = typename Host::Real;
+    const int width = prototype.params.imageSize.x;
+    const int height = prototype.params.imageSize.y;
+    std::vector<glm::dvec4> sums(std::size_t(width) * std::size_t(height));
+    parallelFor(std::size_t(height), [&, host = prototype](std::size_t row) mutable {
+        for (int x = 0; x < width; ++x) {
+            glm::dvec4 sum(0.0);
+            for (std::uint32_t s = firstSample; s < firstSample + sampleCount; ++s) {
+                auto rng = host.makeRng(std::uint32_t(x), std::uint32_t(row), s, host.params.seed);
+                const Real jitterX = host.random01(rng);
+                const Real jitterY = host.random01(rng);
+                const auto direction =
+                    host.eyeDirection(typename Host::vec2(Real(x) + jitterX, Real(row) + jitterY));
+                const auto path = host.tracePath(host.params.originVoxel, direction, rng);
+                sum += glm::dvec4(glm::dvec3(path.radiance), double(path.coverage));
+            }
+            sums[row * std::size_t(width) + std::size_t(x)] = sum;
+        }
+    });
+    return sums;
+}
+
+template <class Host>
+ReferenceTracer::Moments transmittanceOn(Host host, const glm::dvec3& originVoxel,
+                                         const glm::dvec3& worldDirection, std::uint32_t samples) {
+    ReferenceTracer::Moments moments;
+    for (std::uint32_t s = 0; s < samples; ++s) {
+        auto rng = host.makeRng(0u, 0u, s, host.params.seed);
+        auto walk = host.startWalk(typename Host::vec3(originVoxel),
+                                   host.voxelsPerMm(typename Host::vec3(worldDirection)));
+        const double through = double(host.transmittance(walk, rng));
+        moments.sum += through;
+        moments.sumOfSquares += through * through;
+    }
+    return moments;
+}
+
+template <class Host>
+std::vector<double> halfDistanceOn(Host prototype) {
+    using Real = typename Host::Real;
+    const int width = prototype.params.imageSize.x;
+    std::vector<double> distances(std::size_t(width) * std::size_t(prototype.params.imageSize.y));
+    parallelFor(std::size_t(prototype.params.imageSize.y), [&, host = prototype](std::size_t row) mutable {
+        for (int x = 0; x < width; ++x) {
+            const auto direction =
+                host.eyeDirection(typename Host::vec2(Real(x) + Real(0.5), Real(row) + Real(0.5)));
+            auto walk = host.startWalk(host.params.originVoxel, host.voxelsPerMm(direction));
+            const double found = double(host.halfTransmittanceDistance(walk, host.params.marchStepMm));
+            distances[row * std::size_t(width) + std::size_t(x)] =
+                found >= 0.0 ? found : std::numeric_limits<double>::infinity();
+        }
+    });
+    return distances;
+}
+
+template <class Host>
+std::vector<ReferenceTracer::Segment> segmentsOn(Host host, const glm::dvec3& originVoxel,
+                                                 const glm::dvec3& worldDirection) {
+    std::vector<ReferenceTracer::Segment> segments;
+    auto walk = host.startWalk(typename Host::vec3(originVoxel),
+                               host.voxelsPerMm(typename Host::vec3(worldDirection)));
+    while (host.nextSegment(walk)) {
+        segments.push_back({double(walk.distanceMm), double(walk.segmentEndMm), double(walk.majorant)});
+    }
+    return segments;
+}
+
+template <class Host>
+std::vector<ReferenceTracer::Light> lightsOn(Host host, std::uint32_t samples) {
+    std::vector<ReferenceTracer::Light> lights(samples);
+    for (std::uint32_t s = 0; s < samples; ++s) {
+        auto rng = host.makeRng(0u, 0u, s, host.params.seed);
+        const auto light = host.sampleEnvironment(rng);
+        lights[s] = {glm::dvec3(light.direction), glm::dvec3(light.radiance), double(light.pdfPerSr),
+                     host.environmentTexel(light.direction)};
+    }
+    return lights;
+}
+
+}  // namespace macula::trace::reference

@@ -1,0 +1,82 @@
+#include "pipeline/trace/reference_tracer.h"
+
+#include "pipeline/trace/reference_kernels.h"
+
+namespace macula::trace {
+
+namespace reference {
+namespace {
+
+#define MACULA_HOST HostTwofold
+#define MACULA_REAL double
+#include "pipeline/trace/reference_host.inl"
+#undef MACULA_HOST
+#undef MACULA_REAL
+// Float again, with strict maths: for everything but whole pictures.
+#define MACULA_HOST HostStrictSingle
+#define MACULA_REAL float
+#include "pipeline/trace/reference_host.inl"
+
+// Calls use(host) with the host of a precision.
+template <class Use>
+auto withHost(const ReferenceTracer::Tables& tables, const shared::TraceParams& params, Filter filter,
+              Precision precision, const Use& use) {
+    if (precision == Precision::twofold) return use(HostTwofold(tables, params, filter));
+    return use(HostStrictSingle(tables, params, filter));
+}
+
+}  // namespace
+}  // namespace reference
+
+ReferenceTracer::ReferenceTracer(const Volume& volume, const Medium& medium, const Environment& environment) {
+    auto tables = std::make_shared<Tables>();
+    tables->entries.resize(volume.voxels().size());
+    writeEntries(volume, entryMapOf(volume), 0, tables->entries);
+    tables->extinctionPerMm = medium.extinctionPerMm;
+    tables->albedo = medium.albedo;
+    tables->bounds = medium.bounds;
+    tables->environment.assign(environment.texels().begin(), environment.texels().end());
+    tables->alias.assign(environment.alias().begin(), environment.alias().end());
+    tables_ = std::move(tables);
+}
+
+std::vector<glm::dvec4> ReferenceTracer::trace(const shared::TraceParams& params, Filter filter,
+                                               Precision precision, std::uint32_t firstSample,
+                                               std::uint32_t sampleCount) const {
+    if (precision == Precision::single) {
+        return reference::traceSingle(*tables_, params, filter, firstSample, sampleCount);
+    }
+    return reference::traceOn(reference::HostTwofold(*tables_, params, filter), firstSample, sampleCount);
+}
+
+ReferenceTracer::Moments ReferenceTracer::transmittance(const shared::TraceParams& params, Filter filter,
+                                                        Precision precision, const glm::dvec3& originVoxel,
+                                                        const glm::dvec3& worldDirection,
+                                                        std::uint32_t samples) const {
+    return reference::withHost(*tables_, params, filter, precision, [&](auto host) {
+        return reference::transmittanceOn(host, originVoxel, worldDirection, samples);
+    });
+}
+
+std::vector<double> ReferenceTracer::halfTransmittanceDistance(const shared::TraceParams& params,
+                                                               Precision precision) const {
+    return reference::withHost(*tables_, params, Filter::trilinear, precision,
+                               [](auto host) { return reference::halfDistanceOn(host); });
+}
+
+std::vector<ReferenceTracer::Segment> ReferenceTracer::segments(const shared::TraceParams& params,
+                                                                Precision precision,
+                                                                const glm::dvec3& originVoxel,
+                                                                const glm::dvec3& worldDirection) const {
+    return reference::withHost(*tables_, params, Filter::trilinear, precision, [&](auto host) {
+        return reference::segmentsOn(host, originVoxel, worldDirection);
+    });
+}
+
+std::vector<ReferenceTracer::Light> ReferenceTracer::sampleEnvironment(const shared::TraceParams& params,
+                                                                       std::uint32_t samples) const {
+    return reference::withHost(*tables_, params, Filter::trilinear, Precision::twofold,
+                               [&](auto host) { return reference::lightsOn(host, samples); });
+}
+
+}  // namespace macula::trace

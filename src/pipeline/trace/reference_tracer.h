@@ -1,0 +1,72 @@
+// The slow reference: the same GLSL maths (shaders/lib) compiled as scalar C++, in float and in double. Tests
+// compare the device with it, and `macula bench trace` times the device against it.
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <memory>
+#include <vector>
+
+#include "pipeline/trace/path_tracer.h"
+#include "pipeline/trace/scene.h"
+
+namespace macula::trace {
+
+enum class Precision { single, twofold };
+
+// Immutable; may be used from several threads.
+class ReferenceTracer {
+  public:
+    // Keeps a copy of the voxels, the tables and the environment.
+    ReferenceTracer(const Volume& volume, const Medium& medium, const Environment& environment);
+
+    // Sum over samples [firstSample, firstSample + sampleCount) of premultiplied radiance and coverage, for
+    // each pixel, row 0 on top; the same samples the device draws. On all cores.
+    std::vector<glm::dvec4> trace(const shared::TraceParams& params, Filter filter, Precision precision,
+                                  std::uint32_t firstSample, std::uint32_t sampleCount) const;
+
+    // Sum over `samples` of the ratio-tracked transmittance along one ray, and of its square.
+    struct Moments {
+        double sum = 0.0;
+        double sumOfSquares = 0.0;
+    };
+    Moments transmittance(const shared::TraceParams& params, Filter filter, Precision precision,
+                          const glm::dvec3& originVoxel, const glm::dvec3& worldDirection,
+                          std::uint32_t samples) const;
+
+    // Distance in mm to transmittance one half along the centre ray of each pixel; +infinity where there is
+    // none.
+    std::vector<double> halfTransmittanceDistance(const shared::TraceParams& params,
+                                                  Precision precision) const;
+
+    struct Segment {
+        double beginMm = 0.0;
+        double endMm = 0.0;
+        double majorantPerMm = 0.0;
+    };
+    // What the brick walk visits along one ray.
+    std::vector<Segment> segments(const shared::TraceParams& params, Precision precision,
+                                  const glm::dvec3& originVoxel, const glm::dvec3& worldDirection) const;
+
+    struct Light {
+        glm::dvec3 direction{0.0};
+        glm::dvec3 radiance{0.0};
+        double pdfPerSr = 0.0;
+        int texelAgain = 0;  // the texel that `direction` falls into
+    };
+    std::vector<Light> sampleEnvironment(const shared::TraceParams& params, std::uint32_t samples) const;
+
+    struct Tables {
+        std::vector<std::uint16_t> entries;  // voxels, as positions in the tables
+        std::vector<float> extinctionPerMm;
+        std::vector<glm::vec4> albedo;
+        std::vector<float> bounds;
+        std::vector<EnvironmentTexel> environment;
+        std::vector<AliasEntry> alias;
+    };
+
+  private:
+    std::shared_ptr<const Tables> tables_;
+};
+
+}  // namespace macula::trace

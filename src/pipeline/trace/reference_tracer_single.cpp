@@ -1,0 +1,18 @@
+// The reference in float, apart from the rest so that it can be compiled for the speed of this machine
+// (CMakeLists.txt): the benchmark must not win against a crippled opponent.
+#include "pipeline/trace/reference_kernels.h"
+
+namespace macula::trace::reference {
+
+namespace {
+#define MACULA_HOST HostSingle
+#define MACULA_REAL float
+#include "pipeline/trace/reference_host.inl"
+}  // namespace
+
+std::vector<glm::dvec4> traceSingle(const ReferenceTracer::Tables& tables, const shared::TraceParams& params,
+                                    Filter filter, std::uint32_t firstSample, std::uint32_t sampleCount) {
+    return traceOn(HostSingle(tables, params, filter), firstSample, sampleCount);
+}
+
+}  // namespace macula::trace::reference

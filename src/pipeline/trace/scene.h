@@ -1,0 +1,22 @@
+// From what a person sets (camera, lights, settings) to the numbers the kernels read.
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include "base/camera.h"
+#include "base/result.h"
+#include "base/volume.h"
+#include "pipeline/trace/environment.h"
+#include "pipeline/trace/settings.h"
+#include "pipeline/volume/medium.h"
+#include "shared/trace_params.h"
+
+namespace macula::trace {
+
+// Positions are computed in double and relative to the volume, so a patient far from the scanner's origin
+// costs no precision. Fails with usage when the camera, the size of the picture or a setting is not usable.
+Result<shared::TraceParams> makeTraceParams(const Volume& volume, const Medium& medium,
+                                            const Environment& environment, const View& view,
+                                            const Settings& settings);
+
+}  // namespace macula::trace
