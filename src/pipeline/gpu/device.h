@@ -119,7 +119,8 @@ class Device : public std::enable_shared_from_this<Device> {
     VkDevice device_ = VK_NULL_HANDLE;
     VkQueue queue_ = VK_NULL_HANDLE;
     std::uint32_t queueFamily_ = 0;
-    float timestampPeriodNs_ = 1.0f;
+    double timestampPeriodNs_ = 1.0;
+    std::uint32_t timestampBits_ = 0;  // 0: the queue has no timestamps
     std::uint32_t maxGroups_[3] = {0, 0, 0};
     Functions functions_;
     VkSemaphore timeline_ = VK_NULL_HANDLE;

@@ -53,9 +53,6 @@ inline void destroyNow(VkDevice device, VkShaderModule object) {
 inline void destroyNow(VkDevice device, VkSemaphore object) {
     vkDestroySemaphore(device, object, nullptr);
 }
-inline void destroyNow(VkDevice device, VkSwapchainKHR object) {
-    vkDestroySwapchainKHR(device, object, nullptr);
-}
 
 // Move-only owner; keeps its Device alive. May be dropped on any thread and at any time, also while the GPU
 // uses the object.

@@ -50,6 +50,8 @@ class Binding {
     friend class Recorder;
 
     enum class Kind { buffer, texelBuffer, image, sampledImage };
+    bool fits(VkDescriptorType type) const;
+
     Kind kind_;
     const std::string* label_;
     VkDescriptorBufferInfo buffer_{};
@@ -95,7 +97,7 @@ class Recorder {
         friend class Recorder;
         Scope(Recorder* recorder, int timer) : recorder_(recorder), timer_(timer) {}
         Recorder* recorder_;
-        int timer_;  // -1: label only
+        int timer_;  // kNoTimer: label only
     };
 
     static Result<Recorder> create(const std::shared_ptr<Device>& device, std::string_view label);
@@ -148,15 +150,18 @@ class Recorder {
     // Once. The work starts now; the recorder may be dropped at once, or kept to ask for timings.
     Result<Ticket> submit(const SubmitOptions& options = {});
 
-    // In order of their start. Waits for the submission.
+    // In order of their start; none where the queue has no timestamps. Waits for the submission.
     Result<std::vector<Timing>> timings();
 
   private:
     enum class State { recording, submitted, movedFrom };
 
     Recorder() = default;
-    void order(Order order);
+    void require(bool fits, const std::string& what) const;
+    void begin(Order order);
     void endScope(int timer);
+
+    static constexpr int kNoTimer = -1;
 
     std::shared_ptr<Device> device_;
     Device::Commands commands_;

@@ -54,6 +54,7 @@ class Buffer {
 
   private:
     friend class TexelBuffer;
+
     Buffer() = default;
     static Result<Buffer> createUnchecked(const std::shared_ptr<Device>& device,
                                           const BufferOptions& options);
@@ -124,6 +125,7 @@ class Image {
     VkExtent3D extent() const { return {options_.width, options_.height, options_.depth}; }
     VkFormat format() const { return options_.format; }
     ImageShape shape() const { return options_.shape; }
+    VkImageUsageFlags usage() const { return options_.usage; }
     std::uint64_t texels() const { return std::uint64_t(options_.width) * options_.height * options_.depth; }
     std::uint64_t bytes() const { return texels() * texelBytes_; }  // tightly packed, as copies see it
 

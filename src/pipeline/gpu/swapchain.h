@@ -75,6 +75,12 @@ class Swapchain {
         Ticket usedBy = 0;  // its wait is over when this is done
     };
 
+    // At once, not deferred: the caller may destroy the surface right after.
+    struct DestroySwapchain {
+        std::shared_ptr<Device> device;
+        void operator()(VkSwapchainKHR swapchain) const;
+    };
+
     Swapchain() = default;
     Result<Handle<VkSemaphore>> makeSemaphore() const;
 
@@ -83,7 +89,7 @@ class Swapchain {
     VkSurfaceFormatKHR format_{};
     VkPresentModeKHR mode_ = VK_PRESENT_MODE_FIFO_KHR;
     VkExtent2D extent_{};
-    Handle<VkSwapchainKHR> swapchain_;
+    std::unique_ptr<VkSwapchainKHR_T, DestroySwapchain> swapchain_;
     std::vector<VkImage> images_;
     std::vector<Handle<VkSemaphore>> rendered_;  // one per image
     std::vector<Slot> slots_;                    // one more than images

@@ -1,0 +1,324 @@
+#include "pipeline/gpu/device.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "base/check.h"
+#include "base/log.h"
+#include "pipeline/gpu/instance_state.h"
+#include "pipeline/gpu/physical_device.h"
+#include "pipeline/gpu/recorder.h"
+#include "pipeline/gpu/vulkan_error.h"
+
+namespace macula::gpu {
+namespace {
+
+// Which of our optional features the device has; all required ones were checked by listDevices.
+struct Features {
+    VkPhysicalDeviceShaderAtomicFloatFeaturesEXT atomics{
+        VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_SHADER_ATOMIC_FLOAT_FEATURES_EXT};
+    VkPhysicalDeviceVulkan13Features v13{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES};
+    VkPhysicalDeviceVulkan12Features v12{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES, &v13};
+    VkPhysicalDeviceVulkan11Features v11{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_1_FEATURES, &v12};
+    VkPhysicalDeviceFeatures2 core{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2, &v11, {}};
+
+    Features(VkPhysicalDevice device, bool floatAtomicAdd) {
+        const Offered offered(device);
+        core.features.shaderInt16 = offered.core.features.shaderInt16;
+        core.features.shaderInt64 = offered.core.features.shaderInt64;
+        core.features.shaderStorageImageReadWithoutFormat =
+            offered.core.features.shaderStorageImageReadWithoutFormat;
+        core.features.shaderStorageImageWriteWithoutFormat =
+            offered.core.features.shaderStorageImageWriteWithoutFormat;
+        v11.storageBuffer16BitAccess = offered.v11.storageBuffer16BitAccess;
+        v12.storageBuffer8BitAccess = offered.v12.storageBuffer8BitAccess;
+        v12.shaderInt8 = offered.v12.shaderInt8;
+        v12.shaderFloat16 = offered.v12.shaderFloat16;
+        v12.timelineSemaphore = VK_TRUE;
+        v12.scalarBlockLayout = VK_TRUE;
+        v13.synchronization2 = VK_TRUE;
+        v13.maintenance4 = VK_TRUE;
+        v13.subgroupSizeControl = offered.v13.subgroupSizeControl;
+        v13.computeFullSubgroups = offered.v13.computeFullSubgroups;
+        if (floatAtomicAdd) {
+            atomics.shaderBufferFloat32Atomics = VK_TRUE;
+            atomics.shaderBufferFloat32AtomicAdd = VK_TRUE;
+            v13.pNext = &atomics;
+        }
+    }
+    Features(const Features&) = delete;
+    Features& operator=(const Features&) = delete;
+
+  private:
+    struct Offered {
+        VkPhysicalDeviceVulkan13Features v13{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES};
+        VkPhysicalDeviceVulkan12Features v12{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES, &v13};
+        VkPhysicalDeviceVulkan11Features v11{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_1_FEATURES, &v12};
+        VkPhysicalDeviceFeatures2 core{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2, &v11, {}};
+
+        explicit Offered(VkPhysicalDevice device) { vkGetPhysicalDeviceFeatures2(device, &core); }
+        Offered(const Offered&) = delete;
+        Offered& operator=(const Offered&) = delete;
+    };
+};
+
+Result<DeviceInfo> chosen(const Instance& instance, const DeviceOptions& options) {
+    const auto devices = listDevices(instance);
+    if (options.physical != VK_NULL_HANDLE) {
+        for (const DeviceInfo& device : devices)
+            if (device.physical == options.physical) return chooseDevice(std::span(&device, 1), "");
+        return Error{ErrorCode::deviceNotUsable, "The headset asks for a graphics device that is not there.",
+                     "", "Restart the headset's software."};
+    }
+    const char* environment = std::getenv("MACULA_DEVICE");
+    const std::string preferred =
+        !options.preferred.empty() ? options.preferred : std::string(environment ? environment : "");
+    return chooseDevice(devices, preferred);
+}
+
+}  // namespace
+
+Result<std::shared_ptr<Device>> Device::create(const Instance& instance, const DeviceOptions& options) {
+    std::shared_ptr<Device> device(new Device());
+    MACULA_TRY_VOID(device->initialise(instance, options));
+    fmt::print(stderr, "Macula renders on {}\n", describe(device->info()));
+    return device;
+}
+
+Result<void> Device::initialise(const Instance& instance, const DeviceOptions& options) {
+    instanceState_ = instance.state_;
+    instance_ = instance.handle();
+    MACULA_TRY(info_, chosen(instance, options));
+    queueFamily_ = *universalQueueFamily(info_.physical);
+
+    std::vector<const char*> extensions = options.extensions;
+    extensions.push_back(VK_KHR_PUSH_DESCRIPTOR_EXTENSION_NAME);
+    for (const char* extension : extensions)
+        if (!hasExtension(info_.physical, extension))
+            return Error{ErrorCode::deviceNotUsable,
+                         fmt::format("The device {} does not offer {}.", info_.name, extension), "",
+                         "Update its driver, or choose another device with MACULA_DEVICE."};
+    if (info_.floatAtomicAdd) extensions.push_back(VK_EXT_SHADER_ATOMIC_FLOAT_EXTENSION_NAME);
+    if (hasExtension(info_.physical, VK_EXT_MEMORY_BUDGET_EXTENSION_NAME))
+        extensions.push_back(VK_EXT_MEMORY_BUDGET_EXTENSION_NAME);
+
+    const float priority = 1.0f;
+    VkDeviceQueueCreateInfo queueInfo{VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO};
+    queueInfo.queueFamilyIndex = queueFamily_;
+    queueInfo.queueCount = 1;
+    queueInfo.pQueuePriorities = &priority;
+
+    const Features features(info_.physical, info_.floatAtomicAdd);
+    VkDeviceCreateInfo deviceInfo{VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO, &features.core};
+    deviceInfo.queueCreateInfoCount = 1;
+    deviceInfo.pQueueCreateInfos = &queueInfo;
+    deviceInfo.enabledExtensionCount = static_cast<std::uint32_t>(extensions.size());
+    deviceInfo.ppEnabledExtensionNames = extensions.data();
+    const std::string doing = fmt::format("open the device {}", info_.name);
+    MACULA_VK_TRY(options.createDevice ? options.createDevice(info_.physical, deviceInfo, &device_)
+                                       : vkCreateDevice(info_.physical, &deviceInfo, nullptr, &device_),
+                  doing);
+    vkGetDeviceQueue(device_, queueFamily_, 0, &queue_);
+
+    const auto load = [&](auto& function, const char* name) {
+        function =
+            reinterpret_cast<std::remove_reference_t<decltype(function)>>(vkGetDeviceProcAddr(device_, name));
+    };
+    load(functions_.cmdPushDescriptorSet, "vkCmdPushDescriptorSetKHR");
+    if (instance.hasDebugUtils()) {
+        load(functions_.setObjectName, "vkSetDebugUtilsObjectNameEXT");
+        load(functions_.cmdBeginLabel, "vkCmdBeginDebugUtilsLabelEXT");
+        load(functions_.cmdEndLabel, "vkCmdEndDebugUtilsLabelEXT");
+    }
+
+    VkPhysicalDeviceProperties properties{};
+    vkGetPhysicalDeviceProperties(info_.physical, &properties);
+    timestampPeriodNs_ = properties.limits.timestampPeriod;
+    timestampBits_ = timestampBits(info_.physical, queueFamily_);
+    std::copy_n(properties.limits.maxComputeWorkGroupCount, 3, maxGroups_);
+
+    VkSemaphoreTypeCreateInfo timeline{VK_STRUCTURE_TYPE_SEMAPHORE_TYPE_CREATE_INFO};
+    timeline.semaphoreType = VK_SEMAPHORE_TYPE_TIMELINE;
+    const VkSemaphoreCreateInfo semaphore{VK_STRUCTURE_TYPE_SEMAPHORE_CREATE_INFO, &timeline, 0};
+    MACULA_VK_TRY(vkCreateSemaphore(device_, &semaphore, nullptr, &timeline_), doing);
+    setName(VK_OBJECT_TYPE_SEMAPHORE, reinterpret_cast<std::uint64_t>(timeline_), "timeline");
+    return {};
+}
+
+Device::~Device() {
+    if (!device_) return;
+    vkDeviceWaitIdle(device_);  // a lost device is idle, too
+    for (const Dropped& dropped : dropped_) dropped.destroy(device_, dropped.object);
+    for (const Commands& commands : freeCommands_) {
+        vkDestroyQueryPool(device_, commands.queries, nullptr);
+        vkDestroyCommandPool(device_, commands.pool, nullptr);
+    }
+    vkDestroySemaphore(device_, timeline_, nullptr);
+    vkDestroyDevice(device_, nullptr);
+}
+
+std::uint64_t Device::memoryAvailableBytes() const {
+    return deviceLocalBudget(info_.physical).availableBytes;
+}
+
+Ticket Device::completedTicket() const {
+    Ticket value = 0;
+    // A lost device runs nothing any more: all is as done as it will ever be.
+    if (lost() || vkGetSemaphoreCounterValue(device_, timeline_, &value) != VK_SUCCESS)
+        return submitted_.load();
+    return value;
+}
+
+Result<bool> Device::waitFor(Ticket ticket, std::uint64_t timeoutNs) {
+    MACULA_CHECK_LE(ticket, submitted_.load());
+    if (lost()) return failed(VK_ERROR_DEVICE_LOST, "wait for the graphics device");
+    VkSemaphoreWaitInfo info{VK_STRUCTURE_TYPE_SEMAPHORE_WAIT_INFO};
+    info.semaphoreCount = 1;
+    info.pSemaphores = &timeline_;
+    info.pValues = &ticket;
+    const VkResult result = vkWaitSemaphores(device_, &info, timeoutNs);
+    if (result < 0) return failed(result, "wait for the graphics device");
+    collect();
+    return result == VK_SUCCESS;
+}
+
+Result<void> Device::waitForAll() {
+    auto done = waitFor(submittedTicket());
+    if (!done.ok()) return done.error();
+    return {};
+}
+
+void destroyLater(Device& device, DestroyFunction destroy, std::uint64_t object) {
+    const std::lock_guard lock(device.droppedMutex_);
+    // An open recorder may have recorded the object; what it submits has no ticket yet.
+    const Ticket after = device.openRecorders_ > 0 ? Device::kNotYetKnown : device.submitted_.load();
+    device.dropped_.push_back({destroy, object, after});
+}
+
+void Device::recorderClosed() {
+    const std::lock_guard lock(droppedMutex_);
+    MACULA_CHECK(openRecorders_ > 0);
+    if (--openRecorders_ > 0) return;
+    for (Dropped& dropped : dropped_)
+        if (dropped.after == kNotYetKnown) dropped.after = submitted_.load();
+}
+
+void Device::collect() {
+    const Ticket completed = completedTicket();
+    std::vector<Dropped> due;
+    {
+        const std::lock_guard lock(droppedMutex_);
+        const auto firstKept =
+            std::stable_partition(dropped_.begin(), dropped_.end(),
+                                  [&](const Dropped& dropped) { return dropped.after <= completed; });
+        due.assign(dropped_.begin(), firstKept);
+        dropped_.erase(dropped_.begin(), firstKept);
+    }
+    for (const Dropped& dropped : due)
+        dropped.destroy(device_, dropped.object);  // in order: views before images
+}
+
+std::size_t Device::pendingDestructions() const {
+    const std::lock_guard lock(droppedMutex_);
+    return dropped_.size();
+}
+
+void Device::setName(VkObjectType type, std::uint64_t object, std::string_view name) const {
+    if (!functions_.setObjectName) return;
+    const std::string terminated(name);
+    VkDebugUtilsObjectNameInfoEXT info{VK_STRUCTURE_TYPE_DEBUG_UTILS_OBJECT_NAME_INFO_EXT};
+    info.objectType = type;
+    info.objectHandle = object;
+    info.pObjectName = terminated.c_str();
+    functions_.setObjectName(device_, &info);
+}
+
+Error Device::failed(VkResult result, std::string_view doing) {
+    if (result == VK_ERROR_DEVICE_LOST) lost_.store(true);
+    return vulkanError(result, doing);
+}
+
+Result<Device::Commands> Device::makeCommands() {
+    Commands commands;
+    const auto release = [&](VkResult result) {
+        if (commands.queries) vkDestroyQueryPool(device_, commands.queries, nullptr);
+        if (commands.pool) vkDestroyCommandPool(device_, commands.pool, nullptr);
+        return failed(result, "prepare work for the graphics device");
+    };
+    VkCommandPoolCreateInfo poolInfo{VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO};
+    poolInfo.flags = VK_COMMAND_POOL_CREATE_TRANSIENT_BIT;
+    poolInfo.queueFamilyIndex = queueFamily_;
+    if (const VkResult result = vkCreateCommandPool(device_, &poolInfo, nullptr, &commands.pool); result < 0)
+        return release(result);
+
+    VkCommandBufferAllocateInfo bufferInfo{VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO};
+    bufferInfo.commandPool = commands.pool;
+    bufferInfo.level = VK_COMMAND_BUFFER_LEVEL_PRIMARY;
+    bufferInfo.commandBufferCount = 1;
+    if (const VkResult result = vkAllocateCommandBuffers(device_, &bufferInfo, &commands.buffer); result < 0)
+        return release(result);
+
+    VkQueryPoolCreateInfo queryInfo{VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO};
+    queryInfo.queryType = VK_QUERY_TYPE_TIMESTAMP;
+    queryInfo.queryCount = 2 * Recorder::kMaxTimers;
+    if (const VkResult result = vkCreateQueryPool(device_, &queryInfo, nullptr, &commands.queries);
+        result < 0)
+        return release(result);
+    return commands;
+}
+
+Result<Device::Commands> Device::takeCommands() {
+    if (lost()) return failed(VK_ERROR_DEVICE_LOST, "prepare work for the graphics device");
+    collect();
+    const Ticket completed = completedTicket();
+    const auto idle = std::find_if(freeCommands_.begin(), freeCommands_.end(),
+                                   [&](const Commands& commands) { return commands.busyUntil <= completed; });
+    Commands commands;
+    if (idle != freeCommands_.end()) {
+        commands = *idle;
+        freeCommands_.erase(idle);
+        vkResetCommandPool(device_, commands.pool, 0);
+    } else {
+        MACULA_TRY(commands, makeCommands());
+    }
+    const std::lock_guard lock(droppedMutex_);
+    ++openRecorders_;
+    return commands;
+}
+
+void Device::giveCommandsBack(const Commands& commands) {
+    freeCommands_.push_back(commands);
+}
+
+Result<Ticket> Device::submit(VkCommandBuffer commands, VkSemaphore wait, VkSemaphore signal) {
+    if (lost()) return failed(VK_ERROR_DEVICE_LOST, "submit work to the graphics device");
+    const auto semaphoreInfo = [](VkSemaphore semaphore, std::uint64_t value) {
+        VkSemaphoreSubmitInfo info{VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO};
+        info.semaphore = semaphore;
+        info.value = value;
+        info.stageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
+        return info;
+    };
+    const Ticket ticket = submitted_.load() + 1;
+    const VkSemaphoreSubmitInfo waits[] = {semaphoreInfo(wait, 0)};
+    const VkSemaphoreSubmitInfo signals[] = {semaphoreInfo(timeline_, ticket), semaphoreInfo(signal, 0)};
+    VkCommandBufferSubmitInfo commandsInfo{VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO};
+    commandsInfo.commandBuffer = commands;
+    VkSubmitInfo2 info{VK_STRUCTURE_TYPE_SUBMIT_INFO_2};
+    info.waitSemaphoreInfoCount = wait ? 1 : 0;
+    info.pWaitSemaphoreInfos = waits;
+    info.commandBufferInfoCount = 1;
+    info.pCommandBufferInfos = &commandsInfo;
+    info.signalSemaphoreInfoCount = signal ? 2 : 1;
+    info.pSignalSemaphoreInfos = signals;
+    const VkResult result = vkQueueSubmit2(queue_, 1, &info, VK_NULL_HANDLE);
+    if (result < 0) return failed(result, "submit work to the graphics device");
+    submitted_.store(ticket);
+    return ticket;
+}
+
+VkInstance Device::instance() const {
+    return instance_;
+}
+
+}  // namespace macula::gpu

@@ -1,0 +1,79 @@
+#include "pipeline/gpu/physical_device.h"
+
+#include <algorithm>
+#include <cstring>
+#include <vector>
+
+namespace macula::gpu {
+
+bool hasExtension(VkPhysicalDevice device, const char* name) {
+    std::uint32_t count = 0;
+    vkEnumerateDeviceExtensionProperties(device, nullptr, &count, nullptr);
+    std::vector<VkExtensionProperties> extensions(count);
+    vkEnumerateDeviceExtensionProperties(device, nullptr, &count, extensions.data());
+    return std::any_of(extensions.begin(), extensions.end(), [&](const auto& extension) {
+        return std::strcmp(extension.extensionName, name) == 0;
+    });
+}
+
+namespace {
+
+std::vector<VkQueueFamilyProperties> queueFamilies(VkPhysicalDevice device) {
+    std::uint32_t count = 0;
+    vkGetPhysicalDeviceQueueFamilyProperties(device, &count, nullptr);
+    std::vector<VkQueueFamilyProperties> families(count);
+    vkGetPhysicalDeviceQueueFamilyProperties(device, &count, families.data());
+    return families;
+}
+
+}  // namespace
+
+std::uint32_t timestampBits(VkPhysicalDevice device, std::uint32_t queueFamily) {
+    return queueFamilies(device).at(queueFamily).timestampValidBits;
+}
+
+std::optional<std::uint32_t> universalQueueFamily(VkPhysicalDevice device) {
+    const auto families = queueFamilies(device);
+    constexpr VkQueueFlags kWanted[] = {VK_QUEUE_COMPUTE_BIT | VK_QUEUE_GRAPHICS_BIT, VK_QUEUE_COMPUTE_BIT};
+    for (const VkQueueFlags wanted : kWanted)
+        for (std::uint32_t family = 0; family < families.size(); ++family)
+            if (families[family].queueCount > 0 && (families[family].queueFlags & wanted) == wanted)
+                return family;
+    return std::nullopt;
+}
+
+bool hasFloatAtomicAdd(VkPhysicalDevice device) {
+    if (!hasExtension(device, VK_EXT_SHADER_ATOMIC_FLOAT_EXTENSION_NAME)) return false;
+    VkPhysicalDeviceShaderAtomicFloatFeaturesEXT atomics{
+        VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_SHADER_ATOMIC_FLOAT_FEATURES_EXT};
+    VkPhysicalDeviceFeatures2 features{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2, &atomics, {}};
+    vkGetPhysicalDeviceFeatures2(device, &features);
+    return atomics.shaderBufferFloat32AtomicAdd == VK_TRUE;
+}
+
+HeapBudget deviceLocalBudget(VkPhysicalDevice device) {
+    VkPhysicalDeviceMemoryBudgetPropertiesEXT budget{
+        VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MEMORY_BUDGET_PROPERTIES_EXT};
+    VkPhysicalDeviceMemoryProperties2 memory{
+        VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MEMORY_PROPERTIES_2, nullptr, {}};
+    const bool tellsBudget = hasExtension(device, VK_EXT_MEMORY_BUDGET_EXTENSION_NAME);
+    if (tellsBudget) memory.pNext = &budget;
+    vkGetPhysicalDeviceMemoryProperties2(device, &memory);
+
+    HeapBudget result;
+    for (std::uint32_t heap = 0; heap < memory.memoryProperties.memoryHeapCount; ++heap) {
+        const VkMemoryHeap& properties = memory.memoryProperties.memoryHeaps[heap];
+        if (!(properties.flags & VK_MEMORY_HEAP_DEVICE_LOCAL_BIT) || properties.size <= result.bytes)
+            continue;
+        result.bytes = properties.size;
+        result.availableBytes = properties.size;
+        if (tellsBudget) {
+            const std::uint64_t used = budget.heapUsage[heap];
+            const std::uint64_t allowed = std::min<std::uint64_t>(budget.heapBudget[heap], properties.size);
+            result.availableBytes = allowed > used ? allowed - used : 0;
+        }
+    }
+    return result;
+}
+
+}  // namespace macula::gpu

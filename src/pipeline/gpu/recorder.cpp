@@ -1,0 +1,323 @@
+#include "pipeline/gpu/recorder.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "pipeline/gpu/vulkan_error.h"
+
+namespace macula::gpu {
+namespace {
+
+constexpr VkImageSubresourceLayers kWholeLayer{VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
+constexpr VkImageSubresourceRange kWholeRange{VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
+
+void memoryBarrier(VkCommandBuffer commands, VkPipelineStageFlags2 toStages, VkAccessFlags2 toAccess) {
+    VkMemoryBarrier2 barrier{VK_STRUCTURE_TYPE_MEMORY_BARRIER_2};
+    barrier.srcStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
+    barrier.srcAccessMask = VK_ACCESS_2_MEMORY_WRITE_BIT;
+    barrier.dstStageMask = toStages;
+    barrier.dstAccessMask = toAccess;
+    VkDependencyInfo dependency{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
+    dependency.memoryBarrierCount = 1;
+    dependency.pMemoryBarriers = &barrier;
+    vkCmdPipelineBarrier2(commands, &dependency);
+}
+
+void moveLayout(VkCommandBuffer commands, VkImage image, VkImageLayout from, VkImageLayout to,
+                VkAccessFlags2 access) {
+    VkImageMemoryBarrier2 barrier{VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2};
+    barrier.srcStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
+    barrier.srcAccessMask = VK_ACCESS_2_MEMORY_WRITE_BIT;
+    barrier.dstStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
+    barrier.dstAccessMask = access;
+    barrier.oldLayout = from;
+    barrier.newLayout = to;
+    barrier.image = image;
+    barrier.subresourceRange = kWholeRange;
+    VkDependencyInfo dependency{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
+    dependency.imageMemoryBarrierCount = 1;
+    dependency.pImageMemoryBarriers = &barrier;
+    vkCmdPipelineBarrier2(commands, &dependency);
+}
+
+void checkRange(const Buffer& buffer, std::uint64_t offset, std::uint64_t bytes) {
+    MACULA_CHECK_LE(offset, buffer.bytes());
+    MACULA_CHECK_LE(bytes, buffer.bytes() - offset);
+}
+
+}  // namespace
+
+Binding::Binding(const Buffer& buffer)
+    : kind_(Kind::buffer),
+      label_(&buffer.label()),
+      buffer_{buffer.handle(), 0, VK_WHOLE_SIZE},
+      usage_(buffer.usage()) {}
+
+Binding::Binding(const TexelBuffer& texels)
+    : kind_(Kind::texelBuffer),
+      label_(&texels.buffer().label()),
+      view_(texels.view()),
+      usage_(texels.buffer().usage()) {}
+
+Binding::Binding(const Image& image)
+    : kind_(Kind::image),
+      label_(&image.label()),
+      image_{VK_NULL_HANDLE, image.view(), VK_IMAGE_LAYOUT_GENERAL},
+      usage_(image.usage()) {}
+
+Binding::Binding(const Image& image, const Sampler& sampler)
+    : kind_(Kind::sampledImage),
+      label_(&image.label()),
+      image_{sampler.handle(), image.view(), VK_IMAGE_LAYOUT_GENERAL},
+      usage_(image.usage()) {}
+
+bool Binding::fits(VkDescriptorType type) const {
+    switch (type) {
+        case VK_DESCRIPTOR_TYPE_STORAGE_BUFFER:
+            return kind_ == Kind::buffer && (usage_ & VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
+        case VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER:
+            return kind_ == Kind::buffer && (usage_ & VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
+        case VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER:
+            return kind_ == Kind::texelBuffer && (usage_ & VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT);
+        case VK_DESCRIPTOR_TYPE_STORAGE_TEXEL_BUFFER:
+            return kind_ == Kind::texelBuffer && (usage_ & VK_BUFFER_USAGE_STORAGE_TEXEL_BUFFER_BIT);
+        case VK_DESCRIPTOR_TYPE_STORAGE_IMAGE:
+            return kind_ == Kind::image && (usage_ & VK_IMAGE_USAGE_STORAGE_BIT);
+        case VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE:
+            return kind_ == Kind::image && (usage_ & VK_IMAGE_USAGE_SAMPLED_BIT);
+        case VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER:
+            return kind_ == Kind::sampledImage && (usage_ & VK_IMAGE_USAGE_SAMPLED_BIT);
+        default:
+            return false;
+    }
+}
+
+Recorder::Scope::Scope(Scope&& other) noexcept
+    : recorder_(std::exchange(other.recorder_, nullptr)), timer_(other.timer_) {}
+
+Recorder::Scope::~Scope() {
+    if (recorder_) recorder_->endScope(timer_);
+}
+
+Result<Recorder> Recorder::create(const std::shared_ptr<Device>& device, std::string_view label) {
+    MACULA_CHECK(device != nullptr);
+    Recorder recorder;
+    MACULA_TRY(recorder.commands_, device->takeCommands());
+    recorder.device_ = device;
+    recorder.label_ = label;
+    recorder.state_ = State::recording;
+    device->setName(VK_OBJECT_TYPE_COMMAND_BUFFER, reinterpret_cast<std::uint64_t>(recorder.commands_.buffer),
+                    label);
+    VkCommandBufferBeginInfo info{VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO};
+    info.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
+    if (const VkResult result = vkBeginCommandBuffer(recorder.commands_.buffer, &info); result < 0)
+        return device->failed(result, fmt::format("record \"{}\"", label));
+    return recorder;
+}
+
+Recorder::Recorder(Recorder&& other) noexcept
+    : device_(std::move(other.device_)),
+      commands_(other.commands_),
+      state_(std::exchange(other.state_, State::movedFrom)),
+      label_(std::move(other.label_)),
+      timers_(std::move(other.timers_)),
+      dirty_(other.dirty_),
+      ticket_(other.ticket_) {
+    MACULA_CHECK_EQ(other.openScopes_, 0);  // they point to the recorder
+}
+
+Recorder::~Recorder() {
+    if (state_ == State::movedFrom) return;
+    commands_.busyUntil = ticket_;
+    device_->giveCommandsBack(commands_);
+    if (state_ == State::recording) device_->recorderClosed();
+}
+
+void Recorder::require(bool fits, const std::string& what) const {
+    if (!fits) checkFailed(__FILE__, __LINE__, label_.c_str(), what);
+}
+
+void Recorder::barrier() {
+    MACULA_CHECK(state_ == State::recording);
+    memoryBarrier(commands_.buffer, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
+                  VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT);
+    dirty_ = false;
+}
+
+void Recorder::begin(Order order) {
+    MACULA_CHECK(state_ == State::recording);
+    if (dirty_ && order == Order::afterPrevious) barrier();
+    dirty_ = true;
+}
+
+void Recorder::dispatchBytes(const Kernel& kernel, Threads threads, std::span<const std::byte> push,
+                             std::span<const Binding> bindings, Order order) {
+    const Reflection& reflection = kernel.reflection();
+    require(push.size() == kernel.pushConstantBytes(),
+            fmt::format("{}: the shader has {} bytes of push constants, the call {}", kernel.name(),
+                        kernel.pushConstantBytes(), push.size()));
+    require(bindings.size() == reflection.bindings.size(),
+            fmt::format("{}: the shader has {} bindings, the call {}", kernel.name(),
+                        reflection.bindings.size(), bindings.size()));
+    begin(order);
+    vkCmdBindPipeline(commands_.buffer, VK_PIPELINE_BIND_POINT_COMPUTE, kernel.pipeline());
+
+    std::vector<VkWriteDescriptorSet> writes(bindings.size());
+    for (std::size_t i = 0; i < bindings.size(); ++i) {
+        const ReflectedBinding& wanted = reflection.bindings[i];
+        const Binding& given = bindings[i];
+        require(given.fits(wanted.type),
+                fmt::format("{}: \"{}\" cannot be bound to {} (binding {}): it is of another "
+                            "kind, or lacks the usage",
+                            kernel.name(), *given.label_, wanted.name, wanted.binding));
+        writes[i] = {VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET};
+        writes[i].dstBinding = wanted.binding;
+        writes[i].descriptorCount = 1;
+        writes[i].descriptorType = wanted.type;
+        writes[i].pBufferInfo = &given.buffer_;
+        writes[i].pImageInfo = &given.image_;
+        writes[i].pTexelBufferView = &given.view_;
+    }
+    if (!writes.empty())
+        device_->functions_.cmdPushDescriptorSet(commands_.buffer, VK_PIPELINE_BIND_POINT_COMPUTE,
+                                                 kernel.layout(), 0,
+                                                 static_cast<std::uint32_t>(writes.size()), writes.data());
+    if (!push.empty())
+        vkCmdPushConstants(commands_.buffer, kernel.layout(), VK_SHADER_STAGE_COMPUTE_BIT, 0,
+                           static_cast<std::uint32_t>(push.size()), push.data());
+
+    const std::array<std::uint32_t, 3> wanted{threads.x, threads.y, threads.z};
+    std::array<std::uint32_t, 3> groups{};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        groups[axis] =
+            wanted[axis] / kernel.localSize()[axis] + (wanted[axis] % kernel.localSize()[axis] != 0);
+        require(groups[axis] <= device_->maxGroups_[axis],
+                fmt::format("{}: {} groups along axis {}, and the device allows {}", kernel.name(),
+                            groups[axis], axis, device_->maxGroups_[axis]));
+    }
+    vkCmdDispatch(commands_.buffer, groups[0], groups[1], groups[2]);
+}
+
+void Recorder::copy(const Buffer& from, std::uint64_t fromOffset, const Buffer& to, std::uint64_t toOffset,
+                    std::uint64_t bytes, Order order) {
+    checkRange(from, fromOffset, bytes);
+    checkRange(to, toOffset, bytes);
+    if (bytes == 0) return;
+    begin(order);
+    const VkBufferCopy region{fromOffset, toOffset, bytes};
+    vkCmdCopyBuffer(commands_.buffer, from.handle(), to.handle(), 1, &region);
+}
+
+void Recorder::copy(const Image& from, const Buffer& to, std::uint64_t toOffset, Order order) {
+    checkRange(to, toOffset, from.bytes());
+    begin(order);
+    const VkBufferImageCopy region{toOffset, 0, 0, kWholeLayer, {0, 0, 0}, from.extent()};
+    vkCmdCopyImageToBuffer(commands_.buffer, from.handle(), VK_IMAGE_LAYOUT_GENERAL, to.handle(), 1, &region);
+}
+
+void Recorder::copy(const Buffer& from, std::uint64_t fromOffset, const Image& to, Order order) {
+    checkRange(from, fromOffset, to.bytes());
+    begin(order);
+    const VkBufferImageCopy region{fromOffset, 0, 0, kWholeLayer, {0, 0, 0}, to.extent()};
+    vkCmdCopyBufferToImage(commands_.buffer, from.handle(), to.handle(), VK_IMAGE_LAYOUT_GENERAL, 1, &region);
+}
+
+void Recorder::fill(const Buffer& buffer, std::uint32_t value, Order order) {
+    MACULA_CHECK_EQ(buffer.bytes() % 4, 0u);
+    begin(order);
+    vkCmdFillBuffer(commands_.buffer, buffer.handle(), 0, VK_WHOLE_SIZE, value);
+}
+
+void Recorder::clear(const Image& image, const VkClearColorValue& value, Order order) {
+    begin(order);
+    vkCmdClearColorImage(commands_.buffer, image.handle(), VK_IMAGE_LAYOUT_GENERAL, &value, 1, &kWholeRange);
+}
+
+void Recorder::blit(const Image& from, const BlitTarget& to, VkFilter filter) {
+    MACULA_CHECK(from.shape() == ImageShape::flat);
+    begin(Order::afterPrevious);
+    moveLayout(commands_.buffer, to.image, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
+               VK_ACCESS_2_TRANSFER_WRITE_BIT);
+    VkImageBlit region{};
+    region.srcSubresource = kWholeLayer;
+    region.srcOffsets[1] = {static_cast<std::int32_t>(from.extent().width),
+                            static_cast<std::int32_t>(from.extent().height), 1};
+    region.dstSubresource = kWholeLayer;
+    region.dstOffsets[1] = {static_cast<std::int32_t>(to.extent.width),
+                            static_cast<std::int32_t>(to.extent.height), 1};
+    vkCmdBlitImage(commands_.buffer, from.handle(), VK_IMAGE_LAYOUT_GENERAL, to.image,
+                   VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region, filter);
+    moveLayout(commands_.buffer, to.image, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
+               VK_IMAGE_LAYOUT_PRESENT_SRC_KHR, 0);
+}
+
+Recorder::Scope Recorder::label(std::string_view name) {
+    MACULA_CHECK(state_ == State::recording);
+    ++openScopes_;
+    if (device_->functions_.cmdBeginLabel) {
+        const std::string terminated(name);
+        VkDebugUtilsLabelEXT info{VK_STRUCTURE_TYPE_DEBUG_UTILS_LABEL_EXT};
+        info.pLabelName = terminated.c_str();
+        device_->functions_.cmdBeginLabel(commands_.buffer, &info);
+    }
+    return Scope(this, kNoTimer);
+}
+
+Recorder::Scope Recorder::timed(std::string_view name) {
+    Scope scope = label(name);
+    if (device_->timestampBits_ == 0) return scope;
+    MACULA_CHECK_LT(timers_.size(), static_cast<std::size_t>(kMaxTimers));
+    scope.timer_ = static_cast<int>(timers_.size());
+    timers_.emplace_back(name);
+    const auto first = static_cast<std::uint32_t>(2 * scope.timer_);
+    vkCmdResetQueryPool(commands_.buffer, commands_.queries, first, 2);
+    vkCmdWriteTimestamp2(commands_.buffer, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, commands_.queries, first);
+    return scope;
+}
+
+void Recorder::endScope(int timer) {
+    MACULA_CHECK(state_ == State::recording);
+    --openScopes_;
+    if (timer != kNoTimer)
+        vkCmdWriteTimestamp2(commands_.buffer, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, commands_.queries,
+                             static_cast<std::uint32_t>(2 * timer + 1));
+    if (device_->functions_.cmdEndLabel) device_->functions_.cmdEndLabel(commands_.buffer);
+}
+
+Result<Ticket> Recorder::submit(const SubmitOptions& options) {
+    MACULA_CHECK(state_ == State::recording);
+    MACULA_CHECK_EQ(openScopes_, 0);
+    // So that what is submitted later, and the host, sees all that was written here.
+    memoryBarrier(commands_.buffer, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT | VK_PIPELINE_STAGE_2_HOST_BIT,
+                  VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT | VK_ACCESS_2_HOST_READ_BIT);
+    if (const VkResult result = vkEndCommandBuffer(commands_.buffer); result < 0)
+        return device_->failed(result, fmt::format("record \"{}\"", label_));
+    MACULA_TRY(ticket_, device_->submit(commands_.buffer, options.wait, options.signal));
+    state_ = State::submitted;
+    device_->recorderClosed();
+    return ticket_;
+}
+
+Result<std::vector<Timing>> Recorder::timings() {
+    MACULA_CHECK(state_ == State::submitted);
+    auto done = device_->waitFor(ticket_);
+    if (!done.ok()) return done.error();
+
+    std::vector<Timing> timings;
+    if (timers_.empty()) return timings;
+    std::vector<std::uint64_t> stamps(2 * timers_.size());
+    const VkResult result = vkGetQueryPoolResults(
+        device_->handle(), commands_.queries, 0, static_cast<std::uint32_t>(stamps.size()),
+        stamps.size() * sizeof(stamps[0]), stamps.data(), sizeof(stamps[0]),
+        VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT);
+    if (result < 0) return device_->failed(result, "read the timings");
+    const std::uint64_t valid = device_->timestampBits_ >= 64 ? ~0ull : (1ull << device_->timestampBits_) - 1;
+    for (std::size_t i = 0; i < timers_.size(); ++i) {
+        const std::uint64_t ticks = (stamps[2 * i + 1] - stamps[2 * i]) & valid;  // the counter may wrap
+        timings.push_back({timers_[i], static_cast<double>(ticks) * device_->timestampPeriodNs_ * 1e-6});
+    }
+    return timings;
+}
+
+}  // namespace macula::gpu

@@ -1,0 +1,121 @@
+#include "pipeline/gpu/transfer.h"
+
+#include <algorithm>
+#include <cstring>
+
+#include "pipeline/gpu/recorder.h"
+
+namespace macula::gpu {
+namespace {
+
+constexpr std::uint64_t kChunkBytes = 16u << 20;
+
+Result<Buffer> staging(const std::shared_ptr<Device>& device, MemoryKind kind, std::uint64_t bytes) {
+    return Buffer::create(device, {.label = "staging", .bytes = bytes, .usage = 0, .memory = kind});
+}
+
+bool idle(const Device& device) {
+    return device.completedTicket() == device.submittedTicket();
+}
+
+template <class Record>
+Result<Ticket> submitCopy(const std::shared_ptr<Device>& device, const Record& record,
+                          std::string_view what) {
+    MACULA_TRY(auto recorder, Recorder::create(device, what));
+    record(recorder);
+    return recorder.submit();
+}
+
+}  // namespace
+
+Result<void> uploadTo(const Buffer& buffer, std::uint64_t offsetBytes, std::span<const std::byte> bytes) {
+    MACULA_CHECK_LE(offsetBytes, buffer.bytes());
+    MACULA_CHECK_LE(bytes.size(), buffer.bytes() - offsetBytes);
+    if (bytes.empty()) return {};
+    const auto& device = buffer.device();
+    if (!buffer.mapped().empty() && idle(*device)) {
+        std::memcpy(buffer.mapped().data() + offsetBytes, bytes.data(), bytes.size());
+        return {};
+    }
+
+    // Two staging buffers: one is filled while the other is copied.
+    const std::uint64_t chunk = std::min<std::uint64_t>(kChunkBytes, bytes.size());
+    MACULA_TRY(Buffer even, staging(device, MemoryKind::upload, chunk));
+    MACULA_TRY(Buffer odd, staging(device, MemoryKind::upload, chunk));
+    Ticket busyUntil[2] = {0, 0};
+    int slot = 0;
+    for (std::uint64_t done = 0; done < bytes.size(); done += chunk, slot ^= 1) {
+        const Buffer& stage = slot == 0 ? even : odd;
+        const std::uint64_t count = std::min<std::uint64_t>(chunk, bytes.size() - done);
+        if (auto free = device->waitFor(busyUntil[slot]); !free.ok()) return free.error();
+        std::memcpy(stage.mapped().data(), bytes.data() + done, count);
+        MACULA_TRY(busyUntil[slot], submitCopy(
+                                        device,
+                                        [&](Recorder& recorder) {
+                                            recorder.copy(stage, 0, buffer, offsetBytes + done, count);
+                                        },
+                                        "upload"));
+    }
+    return {};
+}
+
+Result<void> uploadTo(const Image& image, std::span<const std::byte> bytes) {
+    MACULA_CHECK_EQ(bytes.size(), image.bytes());
+    MACULA_TRY(Buffer stage, staging(image.device(), MemoryKind::upload, bytes.size()));
+    std::memcpy(stage.mapped().data(), bytes.data(), bytes.size());
+    const auto ticket = submitCopy(
+        image.device(), [&](Recorder& recorder) { recorder.copy(stage, 0, image); }, "upload");
+    if (!ticket.ok()) return ticket.error();
+    return {};
+}
+
+Result<void> readInto(const Buffer& buffer, std::uint64_t offsetBytes, std::span<std::byte> target) {
+    MACULA_CHECK_LE(offsetBytes, buffer.bytes());
+    MACULA_CHECK_LE(target.size(), buffer.bytes() - offsetBytes);
+    if (target.empty()) return {};
+    const auto& device = buffer.device();
+    if (!buffer.mapped().empty() && buffer.hostCached()) {
+        MACULA_TRY_VOID(device->waitForAll());
+        std::memcpy(target.data(), buffer.mapped().data() + offsetBytes, target.size());
+        return {};
+    }
+
+    const std::uint64_t chunk = std::min<std::uint64_t>(kChunkBytes, target.size());
+    MACULA_TRY(Buffer stage, staging(device, MemoryKind::readback, chunk));
+    for (std::uint64_t done = 0; done < target.size(); done += chunk) {
+        const std::uint64_t count = std::min<std::uint64_t>(chunk, target.size() - done);
+        const auto ticket = submitCopy(
+            device, [&](Recorder& recorder) { recorder.copy(buffer, offsetBytes + done, stage, 0, count); },
+            "readback");
+        if (!ticket.ok()) return ticket.error();
+        MACULA_TRY_VOID(device->waitForAll());
+        std::memcpy(target.data() + done, stage.mapped().data(), count);
+    }
+    return {};
+}
+
+Result<void> readInto(const Image& image, std::span<std::byte> target) {
+    MACULA_CHECK_EQ(target.size(), image.bytes());
+    MACULA_TRY(Buffer stage, staging(image.device(), MemoryKind::readback, image.bytes()));
+    const auto ticket = submitCopy(
+        image.device(), [&](Recorder& recorder) { recorder.copy(image, stage); }, "readback");
+    if (!ticket.ok()) return ticket.error();
+    MACULA_TRY_VOID(image.device()->waitForAll());
+    std::memcpy(target.data(), stage.mapped().data(), target.size());
+    return {};
+}
+
+Result<std::vector<std::byte>> readBytes(const Buffer& buffer, std::uint64_t offsetBytes,
+                                         std::uint64_t bytes) {
+    std::vector<std::byte> result(bytes);
+    MACULA_TRY_VOID(readInto(buffer, offsetBytes, result));
+    return result;
+}
+
+Result<std::vector<std::byte>> readBytes(const Image& image) {
+    std::vector<std::byte> result(image.bytes());
+    MACULA_TRY_VOID(readInto(image, result));
+    return result;
+}
+
+}  // namespace macula::gpu
