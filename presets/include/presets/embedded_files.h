@@ -1,0 +1,19 @@
+// The files of presets/transfer and presets/lights, carried inside the program: it needs no data files to
+// run.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+namespace macula::presets {
+
+struct EmbeddedFile {
+    std::string_view name;  // without folder and extension: "ct-bone"
+    std::string_view text;  // JSON
+};
+
+// Sorted by name.
+std::span<const EmbeddedFile> transferFiles();
+std::span<const EmbeddedFile> lightFiles();
+
+}  // namespace macula::presets

@@ -1,0 +1,153 @@
+#include "pipeline/volume/json_reader.h"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace macula {
+
+struct JsonNode::State {
+    nlohmann::json document;
+    std::string where;
+    std::optional<Error> error;
+
+    void fail(std::string message, std::string hint) {
+        if (!error) error = Error{ErrorCode::inputNotUsable, std::move(message), where, std::move(hint)};
+    }
+};
+
+namespace {
+
+// What a missing or wrong value reads as, so that getters can go on.
+const nlohmann::json& nothing() {
+    static const nlohmann::json value;
+    return value;
+}
+
+std::string child(const std::string& path, std::string_view key) {
+    return path.empty() ? std::string(key) : path + "." + std::string(key);
+}
+
+std::string describeRange(JsonRange range) {
+    const bool low = range.low > std::numeric_limits<double>::lowest();
+    const bool high = range.high < std::numeric_limits<double>::max();
+    if (low && high) return fmt::format("a number from {} to {}", range.low, range.high);
+    if (low) return fmt::format("a number not below {}", range.low);
+    if (high) return fmt::format("a number not above {}", range.high);
+    return "a number";
+}
+
+// nlohmann counts bytes from 1; people count lines and columns.
+std::string lineAndColumn(std::string_view text, std::size_t byte) {
+    const std::string_view before = text.substr(0, byte > 0 ? std::min(byte - 1, text.size()) : 0);
+    const auto line = 1 + std::count(before.begin(), before.end(), '\n');
+    const std::size_t lastBreak = before.rfind('\n');
+    const std::size_t column =
+        lastBreak == std::string_view::npos ? before.size() + 1 : before.size() - lastBreak;
+    return fmt::format("line {}, column {}", line, column);
+}
+
+}  // namespace
+
+JsonNode JsonNode::operator[](std::string_view key) const {
+    if (value_->is_object()) {
+        if (const auto found = value_->find(key); found != value_->end()) {
+            return {state_, &*found, child(path_, key)};
+        }
+        state_->fail(fmt::format("The key {} is missing.", child(path_, key)), "Add it.");
+    } else {
+        fail("an object, { … }");
+    }
+    return {state_, &nothing(), child(path_, key)};
+}
+
+std::optional<JsonNode> JsonNode::find(std::string_view key) const {
+    if (!value_->is_object()) {
+        fail("an object, { … }");
+        return std::nullopt;
+    }
+    const auto found = value_->find(key);
+    if (found == value_->end()) return std::nullopt;
+    return JsonNode(state_, &*found, child(path_, key));
+}
+
+void JsonNode::allowOnly(std::initializer_list<std::string_view> keys) const {
+    if (!value_->is_object()) return fail("an object, { … }");
+    for (const auto& [key, unused] : value_->items()) {
+        if (std::find(keys.begin(), keys.end(), key) == keys.end()) {
+            return state_->fail(fmt::format("The key {} is unknown.", child(path_, key)),
+                                fmt::format("Known here: {}.", fmt::join(keys, ", ")));
+        }
+    }
+}
+
+std::vector<JsonNode> JsonNode::items(std::size_t minimum, std::size_t maximum) const {
+    std::vector<JsonNode> nodes;
+    if (!value_->is_array() || value_->size() < minimum || value_->size() > maximum) {
+        fail(minimum == maximum ? fmt::format("a list of {} entries", minimum)
+                                : fmt::format("a list of {} to {} entries", minimum, maximum));
+        return nodes;
+    }
+    nodes.reserve(value_->size());
+    for (std::size_t i = 0; i < value_->size(); ++i) {
+        nodes.push_back(JsonNode(state_, &(*value_)[i], fmt::format("{}[{}]", path_, i)));
+    }
+    return nodes;
+}
+
+double JsonNode::number(JsonRange range) const {
+    if (value_->is_number()) {
+        const double value = value_->get<double>();
+        if (std::isfinite(value) && value >= range.low && value <= range.high) return value;
+    }
+    fail(describeRange(range));
+    return std::clamp(0.0, range.low, range.high);
+}
+
+std::vector<double> JsonNode::numbers(std::size_t count, JsonRange range) const {
+    std::vector<double> values;
+    for (const JsonNode& item : items(count, count)) values.push_back(item.number(range));
+    values.resize(count, 0.0);
+    return values;
+}
+
+std::string JsonNode::text() const {
+    if (value_->is_string()) return value_->get<std::string>();
+    fail("a text in quotes");
+    return {};
+}
+
+bool JsonNode::boolean() const {
+    if (value_->is_boolean()) return value_->get<bool>();
+    fail("true or false");
+    return false;
+}
+
+void JsonNode::fail(std::string_view expected) const {
+    state_->fail(fmt::format("{} is not as expected.", path_.empty() ? "The file" : path_),
+                 fmt::format("Expected {}.", expected));
+}
+
+JsonDocument::JsonDocument(std::string_view text, std::string where)
+    : state_(std::make_shared<JsonNode::State>()) {
+    state_->where = std::move(where);
+    try {
+        state_->document = nlohmann::json::parse(text);
+    } catch (const nlohmann::json::parse_error& error) {
+        state_->fail(fmt::format("The file is no valid JSON from {} on.", lineAndColumn(text, error.byte)),
+                     "Look for a missing comma, quote or bracket there or just before.");
+    } catch (const nlohmann::json::exception&) {  // a number that no double can hold
+        state_->fail("The file is no valid JSON.", "Look for numbers that are too large.");
+    }
+}
+
+JsonNode JsonDocument::root() const {
+    return {state_, &state_->document, {}};
+}
+
+Result<void> JsonDocument::status() const {
+    if (state_->error) return *state_->error;
+    return {};
+}
+
+}  // namespace macula
