@@ -98,9 +98,10 @@ int boneHu(const dvec3& p) {
     if (phase < 8.0 && canal >= 1.0 && arch < 1.0) return kCortex;
     if (phase < 5.0 && std::abs(p.x) < 3.5 && p.y > 84 && p.y < 104) return kCortex;
 
-    // Sternum.
-    const double sternum =
-        std::max({std::abs(p.x) / 16.0, std::abs(p.y + 84) / 5.5, std::abs(p.z - 20) / 75.0});
+    // Sternum: a wider manubrium above a narrower body, rounded at both ends.
+    const double halfWidth = p.z > 62 ? 24.0 : 14.0;
+    const double beyondEnd = std::max(std::abs(p.z - 20) - 60.0, 0.0) / 15.0;
+    const double sternum = glm::length(dvec3(p.x / halfWidth, (p.y + 85) / 6.0, beyondEnd));
     if (sternum < 1.0) return bone(sternum, 0.7);
 
     // Ribs: rods along the chest wall, falling towards the front, open at the front below the sternum.

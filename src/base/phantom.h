@@ -18,8 +18,8 @@ glm::dvec3 markerCentreMm();
 double markerHalfEdgeMm();
 
 struct Options {
-    glm::ivec3 size{160, 144, 120};
-    glm::dvec3 spacingMm{1.875, 1.875, 2.5};
+    glm::ivec3 size{256, 224, 160};
+    glm::dvec3 spacingMm{1.2, 1.2, 1.875};
     glm::dvec3 tiltDeg{4.0, 0.0, 7.0};  // about the patient's x, y, z axes, applied in this order
 };
 

@@ -1,0 +1,32 @@
+// shaders/lib in C++ without tables, in float and in double, for tests of its pure functions.
+#pragma once
+
+#include "pipeline/trace/glsl_in_cpp.h"
+
+#define OUT(type) type&
+#define INOUT(type) type&
+#define PRECISE
+#define PI 3.14159265358979323846
+
+namespace macula {
+
+struct ShaderLibSingle : trace::GlslInCpp<float> {
+#include "lib/phase.glsl"
+#include "lib/picture.glsl"
+#include "lib/rng.glsl"
+};
+
+struct ShaderLibTwofold : trace::GlslInCpp<double> {
+#define float double
+#include "lib/phase.glsl"
+#include "lib/picture.glsl"
+#include "lib/rng.glsl"
+#undef float
+};
+
+}  // namespace macula
+
+#undef OUT
+#undef INOUT
+#undef PRECISE
+#undef PI

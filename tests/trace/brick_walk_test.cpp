@@ -1,0 +1,123 @@
+// The walk through the bricks, alone: its segments never overlap, never go back, and miss no matter.
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "pipeline/trace/reference_tracer.h"
+#include "trace/scenes.h"
+
+namespace macula::trace {
+namespace {
+
+struct Grid {
+    std::shared_ptr<const Volume> volume;
+    Medium medium;
+    BrickGrid bricks;
+    shared::TraceParams params;
+    ReferenceTracer tracer;
+};
+
+Grid makeGrid(glm::ivec3 size, const glm::dmat4& toWorld, unsigned oneIn) {
+    std::mt19937 random(oneIn);
+    const auto volume =
+        scenes::volumeOf(size, toWorld, [&](int, int, int) { return std::uint16_t(random() % oneIn == 0); });
+    const BrickGrid bricks = makeBrickGrid(*volume);
+    const Medium medium = makeMedium(*volume, bricks, scenes::homogeneous(2.0));
+    const Environment sky = Environment::constant(glm::vec3(1.0f));
+    const auto params = makeTraceParams(*volume, medium, sky, {.camera = {}, .width = 4, .height = 4}, {});
+    return {volume, medium, bricks, *params, ReferenceTracer(*volume, medium, sky)};
+}
+
+// Walks a ray and checks what it visits against 4000 points along it.
+void checkRay(const Grid& grid, Precision precision, const glm::dvec3& originVoxel,
+              const glm::dvec3& worldDirection) {
+    const auto segments = grid.tracer.segments(grid.params, precision, originVoxel, worldDirection);
+    double last = 0.0;
+    for (const auto& segment : segments) {
+        ASSERT_GE(segment.beginMm, last);
+        ASSERT_GT(segment.endMm, segment.beginMm);
+        ASSERT_GT(segment.majorantPerMm, 0.0);
+        last = segment.endMm;
+    }
+    const glm::dvec3 perMm = glm::inverse(glm::dmat3(grid.volume->worldFromVoxel())) * worldDirection;
+    const double reach = glm::length(glm::dvec3(grid.volume->size())) / glm::length(perMm) +
+                         glm::length(originVoxel) / glm::length(perMm);
+    const double tolerance = (precision == Precision::single ? 2e-4 : 1e-9) * reach;
+    std::size_t at = 0;
+    for (int i = 0; i < 4000; ++i) {
+        const double mm = reach * (i + 0.5) / 4000;
+        const glm::dvec3 p = originVoxel + mm * perMm;
+        const glm::dvec3 size(grid.volume->size());
+        if (glm::any(glm::lessThan(p, glm::dvec3(0.0))) || glm::any(glm::greaterThanEqual(p, size))) continue;
+        const glm::ivec3 brick = glm::ivec3(p) / kBrickVoxels;
+        const float bound = grid.medium.bounds[grid.bricks.index(brick.x, brick.y, brick.z)];
+        if (!(bound > 0.0f)) continue;
+        while (at < segments.size() && segments[at].endMm + tolerance < mm) ++at;
+        ASSERT_LT(at, segments.size()) << "matter at " << mm << " mm was never visited";
+        ASSERT_LE(segments[at].beginMm - tolerance, mm) << "matter at " << mm << " mm was passed over";
+    }
+}
+
+class BrickWalk : public ::testing::TestWithParam<Precision> {};
+
+TEST_P(BrickWalk, MissesNoMatterOnRandomRays) {
+    const glm::dmat4 oblique = affine({0.7, 0.1, 0}, {-0.1, 0.7, 0.2}, {0, 0.3, 2.5}, {100, -50, 20});
+    std::mt19937 random(5);
+    std::normal_distribution<double> normal;
+    for (const unsigned oneIn : {2000u, 100u, 1u}) {
+        const Grid grid = makeGrid({70, 45, 33}, oblique, oneIn);
+        for (int ray = 0; ray < 200; ++ray) {
+            const glm::dvec3 direction =
+                glm::normalize(glm::dvec3(normal(random), normal(random), normal(random)));
+            const glm::dvec3 target{random() % 70, random() % 45, random() % 33};
+            const glm::dvec3 perMm = glm::inverse(glm::dmat3(oblique)) * direction;
+            const double back = std::uniform_real_distribution<double>(0, 200)(random);
+            checkRay(grid, GetParam(), target - back * perMm, direction);
+        }
+    }
+}
+
+TEST_P(BrickWalk, MissesNoMatterAlongAxesFacesEdgesAndDiagonals) {
+    const Grid grid = makeGrid({40, 40, 40}, glm::dmat4(1.0), 500);
+    const double s = std::sqrt(0.5);
+    for (const glm::dvec3 direction : {glm::dvec3(1, 0, 0),
+                                       {-1, 0, 0},
+                                       {0, 1, 0},
+                                       {0, -1, 0},
+                                       {0, 0, 1},
+                                       {0, 0, -1},
+                                       {s, s, 0},
+                                       {-s, 0, s},
+                                       glm::normalize(glm::dvec3(1, 1, 1)),
+                                       glm::normalize(glm::dvec3(-1, -1, -1)),
+                                       glm::normalize(glm::dvec3(1, 1e-7, 0))}) {
+        for (const double offset : {0.0, 8.0, 4.0, 12.5, 24.0}) {
+            const glm::dvec3 through{offset, offset, offset};
+            checkRay(grid, GetParam(), through - 64.0 * direction, direction);
+            checkRay(grid, GetParam(), through, direction);  // from within, on a corner
+        }
+    }
+}
+
+TEST_P(BrickWalk, AMissHasNoSegments) {
+    const Grid grid = makeGrid({16, 16, 16}, glm::dmat4(1.0), 1);
+    EXPECT_TRUE(grid.tracer.segments(grid.params, GetParam(), {-5, 8, 8}, {-1, 0, 0}).empty());
+    EXPECT_TRUE(grid.tracer.segments(grid.params, GetParam(), {-5, 20, 8}, {1, 0, 0}).empty());
+    EXPECT_EQ(grid.tracer.segments(grid.params, GetParam(), {-5, 8, 8}, {1, 0, 0}).size(), 2u);
+}
+
+TEST_P(BrickWalk, ReachesAVolumeFromFarAway) {
+    const Grid grid = makeGrid({16, 16, 16}, glm::dmat4(1.0), 1);
+    const auto segments = grid.tracer.segments(grid.params, GetParam(), {-10000, 8, 8}, {1, 0, 0});
+    ASSERT_EQ(segments.size(), 2u);
+    EXPECT_NEAR(segments.front().beginMm, 10000, 0.01);
+    EXPECT_NEAR(segments.back().endMm, 10016, 0.01);
+}
+
+INSTANTIATE_TEST_SUITE_P(Precisions, BrickWalk, ::testing::Values(Precision::single, Precision::twofold),
+                         [](const auto& p) {
+                             return p.param == Precision::single ? "Float" : "Double";
+                         });
+
+}  // namespace
+}  // namespace macula::trace

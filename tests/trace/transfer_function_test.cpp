@@ -1,0 +1,84 @@
+#include "pipeline/volume/transfer_function.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "trace/scenes.h"
+
+namespace macula {
+namespace {
+
+TransferFunction example() {
+    TransferFunction f;
+    f.name = "example";
+    f.opacity = {{-100, 0.0}, {0, 0.5}, {0, 0.8}, {100, 1.0}};
+    f.colour = {{-100, {1, 0, 0}}, {100, {0, 1, 0}}};
+    return f;
+}
+
+TEST(TransferFunction, IsPiecewiseLinearAndConstantBeyondItsEnds) {
+    const TransferFunction f = example();
+    EXPECT_EQ(opacityAt(f, -1e9), 0.0);
+    EXPECT_NEAR(opacityAt(f, -50), 0.25, 1e-12);
+    EXPECT_EQ(opacityAt(f, 1e9), 1.0);
+    EXPECT_NEAR(colourAt(f, 0).r, 0.5, 1e-12);
+}
+
+TEST(TransferFunction, AtAStepTheLaterPointHolds) {
+    EXPECT_EQ(opacityAt(example(), 0.0), 0.8);
+    EXPECT_NEAR(opacityAt(example(), -1e-9), 0.5, 1e-6);
+}
+
+TEST(TransferFunction, ExtinctionFollowsTheFormulaAndIsNeverInfinite) {
+    TransferFunction f = example();
+    EXPECT_NEAR(extinctionPerMm(f, -50), -std::log(0.75), 1e-12);
+    EXPECT_NEAR(extinctionPerMm(f, 100), -std::log(0.001), 1e-9);
+    f.unitDistanceMm = 2.0;
+    f.density = 3.0;
+    EXPECT_NEAR(extinctionPerMm(f, -50), -std::log(0.75) * 1.5, 1e-12);
+    EXPECT_EQ(extinctionPerMm(f, -200), 0.0);
+}
+
+TEST(TransferFunction, RefusesCurvesThatMeanNothing) {
+    EXPECT_TRUE(validate(example()).ok());
+    constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+    auto f = example();
+    f.opacity.clear();
+    EXPECT_FALSE(validate(f).ok());
+    f = example();
+    f.opacity[1].value = -200;
+    EXPECT_FALSE(validate(f).ok());
+    f = example();
+    f.opacity[1].opacity = 1.5;
+    EXPECT_FALSE(validate(f).ok());
+    f = example();
+    f.colour[0].colour.g = kNan;
+    EXPECT_FALSE(validate(f).ok());
+    f = example();
+    f.colour[0].value = kNan;
+    EXPECT_FALSE(validate(f).ok());
+    f = example();
+    f.unitDistanceMm = 0.0;
+    EXPECT_FALSE(validate(f).ok());
+    f = example();
+    f.anisotropy = 1.0;
+    EXPECT_FALSE(validate(f).ok());
+}
+
+TEST(TransferFunction, FitsTheForegroundOfTheVolume) {
+    // Nine tenths air at 3, the rest spread over 1000 to 1999.
+    const auto volume = scenes::volumeOf({100, 100, 1}, glm::dmat4(1.0), [](int i, int j, int) {
+        return static_cast<std::uint16_t>(j < 90 ? 3 : 1000 + (i + 100 * (j - 90)));
+    });
+    auto f = example();
+    f.fitToVolume = TransferFunction::Fit{-100, 100};
+    const TransferFunction stretched = fitted(f, *volume);
+    EXPECT_NEAR(stretched.opacity.front().value, 1020, 2);
+    EXPECT_NEAR(stretched.opacity.back().value, 1980, 2);
+    EXPECT_NEAR(stretched.opacity[1].value, 1500, 2);
+    EXPECT_FALSE(stretched.fitToVolume.has_value());
+}
+
+}  // namespace
+}  // namespace macula
