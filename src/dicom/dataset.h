@@ -1,0 +1,114 @@
+// The one adapter over DCMTK for reading headers. Nothing of DCMTK shows in it, none of its exceptions leaves
+// it, and it prints nothing: DCMTK's own log, which names paths and values, is switched off.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace macula::dicom {
+
+// A data element tag, PS3.6.
+struct Tag {
+    std::uint16_t group;
+    std::uint16_t element;
+};
+
+enum class FileState {
+    complete,
+    notDicom,    // by its content; the extension plays no part
+    unreadable,  // cannot be opened or read
+    damaged,     // begins as DICOM, and cannot be parsed
+    truncated,   // the header is whole, and the file ends inside the pixel data
+};
+
+class Dataset;
+struct HeaderFile;
+
+// Reads what stands before the pixel data; the pixels themselves are skipped, not read. Accepts files without
+// preamble and file meta information (PS3.10 7.1). Thread-safe.
+HeaderFile readHeader(const std::filesystem::path& file);
+
+// The top level of one file's data elements. Immutable; movable; safe to read from one thread at a time.
+class Dataset {
+  public:
+    Dataset(Dataset&&) noexcept;
+    Dataset& operator=(Dataset&&) noexcept;
+    ~Dataset();
+
+    // The transfer syntax UID of the file meta information, or of what the file turned out to be without one.
+    const std::string& transferSyntaxUid() const;
+
+    // Present, and not empty.
+    bool has(Tag tag) const;
+
+    // All getters give nothing when the element is missing, empty, or does not hold what is asked for: never
+    // a default. Text is UTF-8 (converted from SpecificCharacterSet, PS3.3 C.12.1.1.2) without padding;
+    // text() keeps the backslashes between several values, texts() splits at them.
+    std::optional<std::string> text(Tag tag) const;
+    std::vector<std::string> texts(Tag tag) const;
+    std::optional<double> number(Tag tag) const;  // finite
+    std::optional<std::vector<double>> numbers(Tag tag,
+                                               std::size_t count) const;  // exactly `count`, all finite
+    std::optional<int> integer(Tag tag) const;
+    std::optional<std::uint16_t> word(Tag tag) const;  // the 16 bits of a US or SS, whichever the file says
+
+  private:
+    struct Impl;
+    explicit Dataset(std::unique_ptr<Impl> impl);
+    friend HeaderFile readHeader(const std::filesystem::path& file);
+
+    std::unique_ptr<Impl> impl_;
+};
+
+struct HeaderFile {
+    FileState state = FileState::notDicom;
+    std::optional<Dataset> header;  // when complete or truncated
+};
+
+// Switches off the toolkit's log. Called by everything that uses DCMTK; idempotent, thread-safe.
+void silenceToolkit();
+
+namespace tag {
+inline constexpr Tag kImageType{0x0008, 0x0008};
+inline constexpr Tag kSopClassUid{0x0008, 0x0016};
+inline constexpr Tag kSopInstanceUid{0x0008, 0x0018};
+inline constexpr Tag kStudyDate{0x0008, 0x0020};
+inline constexpr Tag kModality{0x0008, 0x0060};
+inline constexpr Tag kStudyDescription{0x0008, 0x1030};
+inline constexpr Tag kSeriesDescription{0x0008, 0x103E};
+inline constexpr Tag kPatientName{0x0010, 0x0010};
+inline constexpr Tag kPatientId{0x0010, 0x0020};
+inline constexpr Tag kPatientPosition{0x0018, 0x5100};
+inline constexpr Tag kStudyInstanceUid{0x0020, 0x000D};
+inline constexpr Tag kSeriesInstanceUid{0x0020, 0x000E};
+inline constexpr Tag kSeriesNumber{0x0020, 0x0011};
+inline constexpr Tag kInstanceNumber{0x0020, 0x0013};
+inline constexpr Tag kImagePositionPatient{0x0020, 0x0032};
+inline constexpr Tag kImageOrientationPatient{0x0020, 0x0037};
+inline constexpr Tag kFrameOfReferenceUid{0x0020, 0x0052};
+inline constexpr Tag kSamplesPerPixel{0x0028, 0x0002};
+inline constexpr Tag kPhotometricInterpretation{0x0028, 0x0004};
+inline constexpr Tag kNumberOfFrames{0x0028, 0x0008};
+inline constexpr Tag kRows{0x0028, 0x0010};
+inline constexpr Tag kColumns{0x0028, 0x0011};
+inline constexpr Tag kPixelSpacing{0x0028, 0x0030};
+inline constexpr Tag kBitsAllocated{0x0028, 0x0100};
+inline constexpr Tag kBitsStored{0x0028, 0x0101};
+inline constexpr Tag kHighBit{0x0028, 0x0102};
+inline constexpr Tag kPixelRepresentation{0x0028, 0x0103};
+inline constexpr Tag kPixelPaddingValue{0x0028, 0x0120};
+inline constexpr Tag kPixelPaddingRangeLimit{0x0028, 0x0121};
+inline constexpr Tag kRescaleIntercept{0x0028, 0x1052};
+inline constexpr Tag kRescaleSlope{0x0028, 0x1053};
+inline constexpr Tag kRescaleType{0x0028, 0x1054};
+inline constexpr Tag kLossyImageCompression{0x0028, 0x2110};
+inline constexpr Tag kModalityLutSequence{0x0028, 0x3000};
+inline constexpr Tag kPerFrameFunctionalGroups{0x5200, 0x9230};
+inline constexpr Tag kPixelData{0x7FE0, 0x0010};
+}  // namespace tag
+
+}  // namespace macula::dicom

@@ -1,0 +1,55 @@
+// Reads a folder: which studies and series are in it. Content decides what is DICOM, never a file's name.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "base/progress.h"
+#include "base/result.h"
+#include "dicom/series.h"
+
+namespace macula::dicom {
+
+// For the clinical display only: all of it names a patient. Text is UTF-8.
+struct Study {
+    std::string studyInstanceUid;
+    std::string date;  // YYYYMMDD as in the file, or empty
+    std::string description;
+    std::string patientName;  // components separated by ^, representations by = (PS3.5 6.2.1)
+    std::string patientId;
+    std::vector<Series> series;  // by number, then UID
+};
+
+// A DICOM file that was left out. `message.sentence` does not name the file; `file` may name a patient.
+struct SkippedFile {
+    std::filesystem::path file;
+    Message message;
+    std::string seriesInstanceUid;  // when the header could be read
+};
+
+// DICOM, but not an image to show: reports, structure sets, segmentations, presentation states.
+struct OtherObject {
+    std::filesystem::path file;
+    std::string modality;
+    std::string sopClassUid;
+};
+
+struct Scan {
+    std::vector<Study> studies;  // by date, then UID, then patient
+    std::vector<SkippedFile> skipped;
+    std::vector<OtherObject> others;
+    std::size_t filesSeen = 0;
+    std::size_t notDicom = 0;
+};
+
+// `path` is a folder, read with all its sub-folders (symbolic links to folders are not followed), or one
+// file. Headers are read on all cores. One bad file never stops the others. The result does not depend on the
+// order in which the file system lists files. Fails with inputNotUsable when the path does not exist, or
+// holds nothing that is DICOM and readable; with cancelled within 200 ms of a cancellation.
+Result<Scan> scanFolder(const std::filesystem::path& path, Progress& progress);
+
+// Null when there is none.
+const Series* findSeries(const Scan& scan, std::string_view seriesInstanceUid);
+
+}  // namespace macula::dicom

@@ -1,0 +1,24 @@
+// The transfer syntaxes this build decodes (PS3.5 section 10, PS3.6 annex A).
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace macula::dicom {
+
+enum class Codec { native, rle, jpeg, jpegLs, jpeg2000, unsupported };
+
+struct TransferSyntaxInfo {
+    Codec codec = Codec::unsupported;
+    std::string_view name;  // "JPEG 2000"; empty when not known
+};
+
+TransferSyntaxInfo transferSyntaxInfo(std::string_view uid);
+
+// For a person: "JPEG 2000 (1.2.840.10008.1.2.4.91)". Something that is no UID is not repeated.
+std::string describeTransferSyntax(std::string_view uid);
+
+// The syntax itself is a lossy one. (One that may be either is told by LossyImageCompression.)
+bool isLossy(std::string_view uid);
+
+}  // namespace macula::dicom
