@@ -1,0 +1,146 @@
+#include "dicom/geometry.h"
+
+#include <gtest/gtest.h>
+
+#include "support.h"
+
+namespace macula::dicom::test {
+namespace {
+
+std::vector<StackedPlane> evenStack(int count, double stepMm) {
+    std::vector<StackedPlane> planes;
+    for (int k = 0; k < count; ++k) {
+        planes.push_back(
+            {ImagePlane{
+                 .positionMm = {-10.0, 5.0, 3.0 + k * stepMm}, .columnSpacingMm = 0.5, .rowSpacingMm = 0.75},
+             k + 1});
+    }
+    return planes;
+}
+
+std::string onlyKey(const Stack& stack) {
+    return stack.messages.size() == 1 ? stack.messages[0].key : "not one message";
+}
+
+TEST(Geometry, spacingIsBetweenColumnsThenRows) {
+    const Stack stack = stackPlanes(evenStack(4, 2.0));
+    ASSERT_TRUE(stack.worldFromVoxel);
+    EXPECT_TRUE(stack.messages.empty());
+    const glm::dmat4 expected = affine({0.5, 0, 0}, {0, 0.75, 0}, {0, 0, 2.0}, {-10.0, 5.0, 3.0});
+    EXPECT_EQ(affineError(*stack.worldFromVoxel, expected), 0.0);
+}
+
+TEST(Geometry, sortsAlongTheNormalNotByInstanceNumber) {
+    auto planes = evenStack(4, 2.0);
+    std::swap(planes[0], planes[2]);
+    for (int k = 0; k < 4; ++k) planes[static_cast<std::size_t>(k)].instanceNumber = 100 - k;
+    const Stack stack = stackPlanes(planes);
+    EXPECT_EQ(stack.order, (std::vector<std::size_t>{2, 1, 0, 3}));
+}
+
+TEST(Geometry, sagittalNormalPointsToTheRight) {
+    // As in mr_head_sag_hfs: rows run to posterior, columns to inferior, so slices ascend towards the
+    // patient's right.
+    std::vector<StackedPlane> planes;
+    for (int k = 0; k < 3; ++k) {
+        planes.push_back({ImagePlane{.positionMm = {-80.0 + 4.8 * k, -130.0, 130.0},
+                                     .rowDirection = {0, 1, 0},
+                                     .columnDirection = {0, 0, -1}},
+                          k});
+    }
+    const Stack stack = stackPlanes(planes);
+    ASSERT_TRUE(stack.worldFromVoxel);
+    EXPECT_EQ(stack.order.front(), 2u);
+    EXPECT_NEAR((*stack.worldFromVoxel)[2][0], -4.8, 1e-12);
+}
+
+TEST(Geometry, tiltedStackStaysSheared) {
+    auto planes = evenStack(5, 2.0);
+    for (std::size_t k = 0; k < planes.size(); ++k)
+        planes[k].plane.positionMm.y += 0.5 * static_cast<double>(k);
+    const Stack stack = stackPlanes(planes);
+    ASSERT_TRUE(stack.worldFromVoxel);
+    EXPECT_EQ(onlyKey(stack), key::kTiltedStack);
+    EXPECT_EQ(glm::dvec3((*stack.worldFromVoxel)[2]), glm::dvec3(0, 0.5, 2.0));
+}
+
+TEST(Geometry, aGapIsMissingSlicesNotAStretch) {
+    auto planes = evenStack(10, 2.0);
+    planes.erase(planes.begin() + 4, planes.begin() + 6);
+    const Stack stack = stackPlanes(planes);
+    EXPECT_FALSE(stack.worldFromVoxel);
+    EXPECT_EQ(onlyKey(stack), key::kMissingSlices);
+    EXPECT_NE(stack.messages[0].sentence.find("2 slices"), std::string::npos);
+}
+
+TEST(Geometry, oneMissingSliceInManyIsSeen) {
+    auto planes = evenStack(300, 1.0);
+    planes.erase(planes.begin() + 150);
+    const Stack stack = stackPlanes(planes);
+    EXPECT_FALSE(stack.worldFromVoxel);
+    EXPECT_EQ(onlyKey(stack), key::kMissingSlices);
+}
+
+TEST(Geometry, unevenStepsMakeNoVolume) {
+    auto planes = evenStack(6, 2.0);
+    planes[5].plane.positionMm.z += 1.0;
+    EXPECT_EQ(onlyKey(stackPlanes(planes)), key::kIrregularSpacing);
+}
+
+TEST(Geometry, aSlowDriftOfTheStepIsSeenToo) {
+    auto planes = evenStack(100, 2.0);
+    for (std::size_t k = 0; k < planes.size(); ++k) {
+        planes[k].plane.positionMm.z +=
+            0.0005 * static_cast<double>(k * k);  // no step is far from its neighbours
+    }
+    const Stack stack = stackPlanes(planes);
+    EXPECT_FALSE(stack.worldFromVoxel);
+    EXPECT_EQ(onlyKey(stack), key::kIrregularSpacing);
+}
+
+TEST(Geometry, smallUnevennessIsToldWithItsSize) {
+    auto planes = evenStack(6, 1.0);
+    planes[3].plane.positionMm.z += 0.05;
+    const Stack stack = stackPlanes(planes);
+    ASSERT_TRUE(stack.worldFromVoxel);
+    EXPECT_EQ(onlyKey(stack), key::kUnevenSpacing);
+    EXPECT_NEAR(stack.largestErrorMm, 0.05, 1e-12);
+}
+
+TEST(Geometry, decimalNoiseIsNoUnevenness) {
+    auto planes = evenStack(50, 1.25);
+    for (auto& p : planes) p.plane.positionMm.z = std::round(p.plane.positionMm.z * 1000.0) / 1000.0;
+    EXPECT_TRUE(stackPlanes(planes).messages.empty());
+}
+
+TEST(Geometry, slicesShiftedSideways) {
+    auto planes = evenStack(6, 2.0);
+    planes[3].plane.positionMm.x += 3.0;
+    EXPECT_EQ(onlyKey(stackPlanes(planes)), key::kSlicesNotInLine);
+}
+
+TEST(Geometry, duplicatePositionsAreOrderedByInstanceNumberAndRefused) {
+    auto planes = evenStack(4, 2.0);
+    planes[1].plane.positionMm = planes[0].plane.positionMm;
+    planes[0].instanceNumber = 9;
+    const Stack stack = stackPlanes(planes);
+    EXPECT_EQ(onlyKey(stack), key::kDuplicatePositions);
+    EXPECT_EQ(stack.order[0], 1u);
+}
+
+TEST(Geometry, differingOrientationSpacingAndBadDirections) {
+    auto planes = evenStack(4, 2.0);
+    planes[2].plane.rowDirection = {0, 1, 0};
+    planes[2].plane.columnDirection = {0, 0, -1};
+    EXPECT_EQ(onlyKey(stackPlanes(planes)), key::kInconsistentOrientation);
+    planes = evenStack(4, 2.0);
+    planes[2].plane.rowSpacingMm = 0.8;
+    EXPECT_EQ(onlyKey(stackPlanes(planes)), key::kInconsistentPixelSpacing);
+    planes = evenStack(4, 2.0);
+    planes[2].plane.rowDirection = {1, 1, 0};
+    EXPECT_EQ(onlyKey(stackPlanes(planes)), key::kInvalidOrientation);
+    EXPECT_EQ(onlyKey(stackPlanes(evenStack(1, 2.0))), key::kSingleSlice);
+}
+
+}  // namespace
+}  // namespace macula::dicom::test

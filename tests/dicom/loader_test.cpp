@@ -1,0 +1,219 @@
+#include "dicom/loader.h"
+
+#include <chrono>
+#include <fstream>
+
+#include "base/log.h"
+#include "edit.h"
+#include "support.h"
+
+namespace macula::dicom::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+TEST(Loader, slopePerSlice) {
+    const TemporaryFolder folder;
+    const Volume original = smallVolume(obliqueAffine(), {1.0, 0.0}, "MR");
+    const auto files = write(original, folder.path());
+    for (std::size_t k = 0; k < files.size(); ++k)
+        setText(files[k], tag::kRescaleSlope, std::to_string(k + 1));
+    const auto volume = loadFolder(folder.path());
+    ASSERT_NE(volume, nullptr);
+    EXPECT_TRUE(volume->provenance().assumptions.empty());  // 1, 2, 3 … have a common step: exact
+    for (int k = 0; k < 6; ++k) EXPECT_EQ(volume->value(3, 2, k), (k + 1) * original.value(3, 2, k));
+}
+
+TEST(Loader, slopePerSliceWithoutCommonStepSaysItsError) {
+    const TemporaryFolder folder;
+    const Volume original = smallVolume(obliqueAffine(), {1.0, 0.0}, "MR");
+    const auto files = write(original, folder.path());
+    for (std::size_t k = 0; k < files.size(); ++k) {
+        setText(files[k], tag::kRescaleSlope, fmt::format("{:.6f}", 0.01 * std::sqrt(double(k + 2))));
+    }
+    const auto volume = loadFolder(folder.path());
+    ASSERT_NE(volume, nullptr);
+    ASSERT_EQ(volume->provenance().assumptions.size(), 1u);
+    for (int k = 0; k < 6; ++k) {
+        const double slope = std::stod(fmt::format("{:.6f}", 0.01 * std::sqrt(double(k + 2))));
+        EXPECT_NEAR(volume->value(3, 2, k), slope * original.value(3, 2, k),
+                    0.5 * volume->unitsFromStored().slope);
+    }
+}
+
+TEST(Loader, negativeSlope) {
+    const TemporaryFolder folder;
+    const Volume original = smallVolume();
+    for (const fs::path& file : write(original, folder.path(), {.pixelSign = PixelSign::asSigned})) {
+        setText(file, tag::kRescaleSlope, "-1");
+        setText(file, tag::kRescaleIntercept, "0");
+    }
+    const auto volume = loadFolder(folder.path());
+    ASSERT_NE(volume, nullptr);
+    const double raw = original.stored(1, 2, 3) - 32768.0;
+    EXPECT_EQ(volume->value(1, 2, 3), -raw);
+}
+
+TEST(Loader, monochrome1KeepsItsValues) {
+    const TemporaryFolder folder;
+    const Volume original = smallVolume();
+    for (const fs::path& file : write(original, folder.path())) {
+        setText(file, tag::kPhotometricInterpretation, "MONOCHROME1");
+    }
+    const auto volume = loadFolder(folder.path());
+    ASSERT_NE(volume, nullptr);
+    expectSameValues(*volume, original);
+}
+
+TEST(Loader, missingRescaleInCtIsAnAssumptionNotASilentDefault) {
+    const TemporaryFolder folder;
+    for (const fs::path& file : write(smallVolume(), folder.path())) {
+        remove(file, tag::kRescaleSlope);
+        remove(file, tag::kRescaleIntercept);
+    }
+    const auto found = scan(folder.path());
+    ASSERT_TRUE(found);
+    const Series& series = found->studies.at(0).series.at(0);
+    EXPECT_TRUE(hasMessage(series, key::kMissingRescale));
+    const auto volume = load(series);
+    ASSERT_NE(volume, nullptr);
+    EXPECT_EQ(volume->provenance().assumptions.size(), 1u);
+}
+
+TEST(Loader, missingRescaleInMrIsNormal) {
+    const TemporaryFolder folder;
+    for (const fs::path& file : write(smallVolume(obliqueAffine(), {1.0, 0.0}, "MR"), folder.path())) {
+        remove(file, tag::kRescaleSlope);
+        remove(file, tag::kRescaleIntercept);
+    }
+    const auto volume = loadFolder(folder.path());
+    ASSERT_NE(volume, nullptr);
+    EXPECT_TRUE(volume->provenance().assumptions.empty());
+}
+
+TEST(Loader, sliceCutOffAfterTheScanIsNamedByNumberOnly) {
+    const TemporaryFolder folder;
+    for (const WriteSyntax syntax :
+         {WriteSyntax::explicitLittleEndian, WriteSyntax::rle, WriteSyntax::jpegLs}) {
+        const fs::path place = folder / fmt::format("DOE^JOHN{}", static_cast<int>(syntax));
+        const auto files = write(smallVolume(), place, {.syntax = syntax});
+        const auto found = scan(place);
+        ASSERT_TRUE(found);
+        truncate(files[4], 16);
+        Progress progress;
+        const auto volume = loadVolume(found->studies.at(0).series.at(0), progress);
+        ASSERT_FALSE(volume);
+        EXPECT_EQ(volume.error().code, ErrorCode::inputNotUsable);
+        EXPECT_TRUE(volume.error().message.starts_with("Slice 5 of 6: ")) << volume.error().message;
+        EXPECT_EQ((volume.error().message + volume.error().hint).find("DOE"), std::string::npos);
+        EXPECT_EQ(volume.error().where, files[4].string());
+    }
+}
+
+TEST(Loader, fileGoneSinceTheScan) {
+    const TemporaryFolder folder;
+    const auto files = write(smallVolume(), folder.path());
+    const auto found = scan(folder.path());
+    ASSERT_TRUE(found);
+    fs::remove(files[1]);
+    Progress progress;
+    EXPECT_FALSE(loadVolume(found->studies.at(0).series.at(0), progress));
+}
+
+TEST(Loader, unknownTransferSyntaxIsNamed) {
+    const TemporaryFolder folder;
+    write(smallVolume(), folder.path());
+    auto found = scan(folder.path());
+    ASSERT_TRUE(found);
+    Series series = found->studies.at(0).series.at(0);
+    series.messages.clear();
+    for (Instance& instance : series.instances) instance.transferSyntaxUid = "1.2.840.10008.1.2.4.201";
+    assess(series);
+    EXPECT_TRUE(hasMessage(series, key::kUnsupportedTransferSyntax));
+    Progress progress;
+    const auto volume = loadVolume(series, progress);
+    ASSERT_FALSE(volume);
+    EXPECT_NE(volume.error().message.find("High-Throughput JPEG 2000"), std::string::npos);
+    EXPECT_NE(volume.error().message.find("1.2.840.10008.1.2.4.201"), std::string::npos);
+}
+
+TEST(Loader, cancelStopsWithin200Milliseconds) {
+    SKIP_WITHOUT_SHARED_DATA();
+    const auto found = scan(sharedData() / "ct_chest_ricord");
+    ASSERT_TRUE(found);
+    using Clock = std::chrono::steady_clock;
+    const CancelToken token;
+    Clock::time_point cancelledAt;
+    Progress progress(
+        [&](const ProgressUpdate& update) {
+            if (update.fraction == 0.0 || token.cancelled()) return;
+            cancelledAt = Clock::now();
+            token.cancel();
+        },
+        token);
+    const auto volume = loadVolume(found->studies.at(0).series.at(0), progress);
+    const auto returned = Clock::now();
+    ASSERT_FALSE(volume);
+    EXPECT_EQ(volume.error().code, ErrorCode::cancelled);
+    EXPECT_LT(std::chrono::duration<double>(returned - cancelledAt).count(), 0.2);
+}
+
+TEST(Loader, bestSeriesIsTheLargestOriginal) {
+    const TemporaryFolder folder;
+    const auto make = [&](const char* name, int slices, int number, const char* imageType) {
+        std::vector<std::uint16_t> voxels(static_cast<std::size_t>(4 * 4 * slices), 100);
+        VolumeOptions options;
+        options.size = {4, 4, slices};
+        options.worldFromVoxel = obliqueAffine();
+        options.modality = "CT";
+        auto volume = Volume::create(options, std::move(voxels));
+        ASSERT_TRUE(volume);
+        for (const fs::path& file : write(*volume, folder / name, {.seriesNumber = number})) {
+            setText(file, tag::kImageType, imageType);
+        }
+    };
+    make("scout", 60, 1, "ORIGINAL\\PRIMARY\\LOCALIZER");
+    make("axial", 30, 2, "ORIGINAL\\PRIMARY\\AXIAL");
+    make("thin", 22, 3, "ORIGINAL\\PRIMARY\\AXIAL");
+    make("reformatted", 40, 4, "DERIVED\\SECONDARY\\REFORMATTED");
+    const auto found = scan(folder.path());
+    ASSERT_TRUE(found);
+    std::string why;
+    const Series* best = bestSeries(*found, &why);
+    ASSERT_NE(best, nullptr);
+    EXPECT_EQ(best->number, 2);
+    EXPECT_NE(why.find("4 x 4 x 30"), std::string::npos) << why;
+}
+
+TEST(Loader, noBestSeriesSaysWhy) {
+    const TemporaryFolder folder;
+    const auto files = write(smallVolume(), folder.path());
+    fs::remove(files[2]);
+    const auto found = scan(folder.path());
+    ASSERT_TRUE(found);
+    std::string why;
+    EXPECT_EQ(bestSeries(*found, &why), nullptr);
+    EXPECT_NE(why.find("missing"), std::string::npos) << why;
+}
+
+TEST(Loader, logHoldsNoPatientData) {
+    const TemporaryFolder folder;
+    const auto files = write(smallVolume(), folder / "DOE^JOHN");
+    truncate(files[0], 10);
+    std::ofstream(folder / "DOE^JOHN/DOE.dcm")
+        << std::string(128, '\0') << "DICM" << std::string(400, '\x7F');
+    log::setLevel(log::Level::debug);
+    testing::internal::CaptureStderr();
+    Progress progress;
+    const auto found = scanFolder(folder.path(), progress);
+    if (found) (void)loadVolume(found->studies.at(0).series.at(0), progress);
+    const std::string output = testing::internal::GetCapturedStderr();
+    log::setLevel(log::Level::warning);
+    EXPECT_NE(output.find("skipped"), std::string::npos);  // the log was on
+    for (const char* secret : {"DOE", "JOHN", "PHANTOM^MACULA", "2.25."}) {
+        EXPECT_EQ(output.find(secret), std::string::npos) << output;
+    }
+}
+
+}  // namespace
+}  // namespace macula::dicom::test

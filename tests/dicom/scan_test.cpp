@@ -1,0 +1,285 @@
+#include "dicom/scan.h"
+
+#include <fstream>
+
+#include "edit.h"
+#include "support.h"
+
+namespace macula::dicom::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+Error scanError(const fs::path& path) {
+    Progress progress;
+    auto result = scanFolder(path, progress);
+    if (result) {
+        ADD_FAILURE() << "no error for " << path;
+        return {};
+    }
+    EXPECT_FALSE(result.error().message.empty());
+    EXPECT_FALSE(result.error().hint.empty());
+    return result.error();
+}
+
+TEST(Scan, missingFolder) {
+    const Error error = scanError("/nowhere/DOE^JOHN");
+    EXPECT_EQ(error.code, ErrorCode::inputNotUsable);
+    EXPECT_NE(error.message.find("does not exist"), std::string::npos);
+    EXPECT_EQ((error.message + error.hint).find("DOE"), std::string::npos);
+}
+
+TEST(Scan, folderWithoutDicom) {
+    const TemporaryFolder folder;
+    std::ofstream(folder / "notes.dcm")
+        << "The name says DICOM, the content does not. " << std::string(500, 'x');
+    std::ofstream(folder / "empty.dcm") << "";
+    std::ofstream(folder / "._IM00001.dcm")
+        << std::string("\0\5\x16\7\0\2\0\0Mac OS X        ", 24) << std::string(300, '\0');
+    EXPECT_NE(scanError(folder.path()).message.find("no DICOM image among the 3 files"), std::string::npos);
+    EXPECT_NE(scanError(folder / "notes.dcm").message.find("not a DICOM image"), std::string::npos);
+}
+
+TEST(Scan, emptyFolder) {
+    const TemporaryFolder folder;
+    EXPECT_EQ(scanError(folder.path()).code, ErrorCode::inputNotUsable);
+}
+
+TEST(Scan, contentDecidesAndOneBadFileStopsNothing) {
+    const TemporaryFolder folder;
+    const auto files = write(smallVolume(), folder / "deep/er");
+    fs::rename(files[0], folder / "readme.txt");
+    std::ofstream(folder / "report.dcm") << "no DICOM";
+    std::ofstream damaged(folder / "broken", std::ios::binary);
+    damaged << std::string(128, '\0') << "DICM" << std::string(400, '\x7F');
+    damaged.close();
+    const auto found = scan(folder.path());
+    ASSERT_TRUE(found);
+    ASSERT_EQ(found->studies.size(), 1u);
+    ASSERT_EQ(found->studies[0].series.size(), 1u);
+    const Series& series = found->studies[0].series[0];
+    EXPECT_EQ(series.instances.size(), 6u);
+    EXPECT_TRUE(series.canBeVolume()) << keysOf(series);
+    EXPECT_EQ(found->notDicom, 1u);
+    EXPECT_EQ(found->filesSeen, 8u);
+    ASSERT_EQ(found->skipped.size(), 1u);
+    EXPECT_EQ(found->skipped[0].message.key, key::kDamagedFile);
+}
+
+TEST(Scan, whatInfoShows) {
+    const TemporaryFolder folder;
+    write(smallVolume(affine({0, 0.5, 0}, {0, 0, -0.75}, {-2, 0, 0}, {10, 20, 30}), {1.0, 0.0}, "MR"),
+          folder.path(), {.seriesDescription = "Täst", .seriesNumber = 7});
+    const auto found = scan(folder.path());
+    ASSERT_TRUE(found);
+    const Study& study = found->studies.at(0);
+    const Series& series = study.series.at(0);
+    EXPECT_EQ(study.date, "20000101");
+    EXPECT_EQ(study.patientId, "MACULA-PHANTOM");
+    EXPECT_EQ(series.modality, "MR");
+    EXPECT_EQ(series.description, "Täst");
+    EXPECT_EQ(series.number, 7);
+    EXPECT_EQ(series.columns, 5);
+    EXPECT_EQ(series.rows, 4);
+    EXPECT_EQ(series.slices, 6);
+    EXPECT_EQ(series.orientation, "PIR");
+    EXPECT_EQ(series.patientPosition, "HFS");
+    EXPECT_EQ(series.transferSyntaxUids, std::vector<std::string>{"1.2.840.10008.1.2.1"});
+    ASSERT_TRUE(series.spacingMm);
+    EXPECT_EQ(*series.spacingMm, glm::dvec3(0.5, 0.75, 2.0));
+    EXPECT_EQ(*series.firstPositionMm, glm::dvec3(10, 20, 30));
+    EXPECT_EQ(*series.lastPositionMm, glm::dvec3(0, 20, 30));
+}
+
+TEST(Scan, resultDoesNotDependOnNames) {
+    const TemporaryFolder folder;
+    const auto files = write(smallVolume(), folder.path());
+    const auto before = scan(folder.path());
+    for (std::size_t k = 0; k < files.size(); ++k) fs::rename(files[k], folder / std::string(1, "qawszx"[k]));
+    const auto after = scan(folder.path());
+    ASSERT_TRUE(before && after);
+    for (std::size_t k = 0; k < files.size(); ++k) {
+        EXPECT_EQ(before->studies[0].series[0].instances[k].sopInstanceUid,
+                  after->studies[0].series[0].instances[k].sopInstanceUid);
+    }
+}
+
+TEST(Scan, symbolicLinkLoop) {
+    const TemporaryFolder folder;
+    write(smallVolume(), folder / "a");
+    fs::create_directory_symlink(folder.path(), folder / "a/loop");
+    const auto found = scan(folder.path());
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->filesSeen, 6u);
+}
+
+TEST(Scan, aFileTwiceIsOneSlice) {
+    const TemporaryFolder folder;
+    const auto files = write(smallVolume(), folder.path());
+    fs::copy_file(files[2], folder / "copy of slice");
+    const auto found = scan(folder.path());
+    ASSERT_TRUE(found);
+    const Series& series = found->studies.at(0).series.at(0);
+    EXPECT_EQ(series.instances.size(), 6u);
+    EXPECT_TRUE(series.canBeVolume());
+    EXPECT_TRUE(hasMessage(series, key::kDuplicateFiles));
+}
+
+TEST(Scan, sameUidButOtherContentIsNeverDropped) {
+    const TemporaryFolder folder;
+    const auto files = write(smallVolume(), folder.path());
+    fs::copy_file(files[2], folder / "changed");
+    setPixels(folder / "changed", std::vector<std::uint16_t>(20, 77));
+    const auto found = scan(folder.path());
+    ASSERT_TRUE(found);
+    const Series& series = found->studies.at(0).series.at(0);
+    EXPECT_EQ(series.instances.size(), 7u);
+    EXPECT_FALSE(series.canBeVolume());
+    EXPECT_TRUE(hasMessage(series, key::kDuplicatePositions));
+}
+
+TEST(Scan, twoPatientsAreNeverOneSeries) {
+    const TemporaryFolder folder;
+    const auto files = write(smallVolume(), folder.path());
+    setText(files[5], tag::kPatientId, "SOMEONE-ELSE");
+    const auto found = scan(folder.path());
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->studies.size(), 2u);
+}
+
+TEST(Scan, missingSliceIsNoVolume) {
+    const TemporaryFolder folder;
+    const auto files = write(smallVolume(), folder.path());
+    fs::remove(files[3]);
+    const auto found = scan(folder.path());
+    ASSERT_TRUE(found);
+    const Series& series = found->studies.at(0).series.at(0);
+    EXPECT_FALSE(series.canBeVolume());
+    ASSERT_NE(series.whyNoVolume(), nullptr);
+    EXPECT_EQ(series.whyNoVolume()->key, key::kMissingSlices);
+}
+
+TEST(Scan, truncatedSliceIsToldOfInItsSeries) {
+    const TemporaryFolder folder;
+    const auto files = write(smallVolume(), folder.path());
+    truncate(files[0], 12);
+    const auto found = scan(folder.path());
+    ASSERT_TRUE(found);
+    const Series& series = found->studies.at(0).series.at(0);
+    EXPECT_EQ(series.instances.size(), 5u);
+    EXPECT_TRUE(hasMessage(series, key::kTruncatedFile));
+    ASSERT_EQ(found->skipped.size(), 1u);
+    EXPECT_EQ(found->skipped[0].message.key, key::kTruncatedFile);
+    EXPECT_EQ(found->skipped[0].file, files[0]);
+}
+
+TEST(Scan, withoutPreambleAndMetaInformation) {
+    const TemporaryFolder folder;
+    const Volume volume = smallVolume();
+    for (const fs::path& file : write(volume, folder.path())) saveBare(file);
+    const auto read = loadFolder(folder.path());
+    ASSERT_NE(read, nullptr);
+    expectSameValues(*read, volume);
+}
+
+TEST(Scan, headersThatMakeNoVolume) {
+    struct Case {
+        std::string_view key;
+        std::function<void(const fs::path&)> spoil;
+    };
+    const std::vector<Case> cases{
+        {key::kNoPosition, [](const fs::path& f) { remove(f, tag::kImagePositionPatient); }},
+        {key::kNoPosition,
+         [](const fs::path& f) { setText(f, tag::kImageOrientationPatient, "1\\0\\0\\0\\1"); }},
+        {key::kNoPixelSpacing, [](const fs::path& f) { remove(f, tag::kPixelSpacing); }},
+        {key::kInvalidOrientation, [](const fs::path& f) { setText(f, tag::kPixelSpacing, "0\\1"); }},
+        {key::kInconsistentOrientation,
+         [](const fs::path& f) { setText(f, tag::kImageOrientationPatient, "1\\0\\0\\0\\1\\0"); }},
+        {key::kInconsistentPixelSpacing, [](const fs::path& f) { setText(f, tag::kPixelSpacing, "3\\3"); }},
+        {key::kInconsistentSize, [](const fs::path& f) { setWord(f, tag::kRows, 2); }},
+        {key::kInconsistentFrameOfReference,
+         [](const fs::path& f) { setText(f, tag::kFrameOfReferenceUid, "1.2.3"); }},
+        {key::kMultiFrame, [](const fs::path& f) { setText(f, tag::kNumberOfFrames, "2"); }},
+        {key::kColourImage,
+         [](const fs::path& f) { setText(f, tag::kPhotometricInterpretation, "PALETTE COLOR"); }},
+        {key::kUnsupportedBits, [](const fs::path& f) { setWord(f, tag::kHighBit, 20); }},
+        {key::kInvalidRescale, [](const fs::path& f) { setText(f, tag::kRescaleSlope, "0"); }},
+        {key::kInvalidRescale, [](const fs::path& f) { setText(f, tag::kRescaleIntercept, "many"); }},
+    };
+    for (const Case& c : cases) {
+        SCOPED_TRACE(c.key);
+        const TemporaryFolder folder;
+        c.spoil(write(smallVolume(), folder.path())[2]);
+        const auto found = scan(folder.path());
+        ASSERT_TRUE(found);
+        const Series& series = found->studies.at(0).series.at(0);
+        EXPECT_TRUE(hasMessage(series, c.key)) << keysOf(series);
+        EXPECT_FALSE(series.canBeVolume());
+        Progress progress;
+        const auto volume = loadVolume(series, progress);
+        ASSERT_FALSE(volume);
+        EXPECT_EQ(volume.error().code, ErrorCode::inputNotUsable);
+    }
+}
+
+TEST(Scan, cancelled) {
+    const TemporaryFolder folder;
+    write(smallVolume(), folder.path());
+    Progress progress;
+    progress.token().cancel();
+    const auto found = scanFolder(folder.path(), progress);
+    ASSERT_FALSE(found);
+    EXPECT_EQ(found.error().code, ErrorCode::cancelled);
+}
+
+TEST(Scan, realOddFiles) {
+    SKIP_WITHOUT_SHARED_DATA();
+    const fs::path odd = sharedData() / "odd";
+    const auto found = scan(odd);
+    ASSERT_TRUE(found);
+    std::vector<std::string> others;
+    for (const OtherObject& other : found->others) others.push_back(other.modality);
+    EXPECT_EQ(std::count(others.begin(), others.end(), "RTSTRUCT"), 2);
+    EXPECT_EQ(std::count(others.begin(), others.end(), "SEG"), 2);
+    const auto skipped = [&](const char* name) {
+        const auto at = std::find_if(found->skipped.begin(), found->skipped.end(),
+                                     [&](const SkippedFile& s) { return s.file.filename() == name; });
+        return at == found->skipped.end() ? std::string() : at->message.key;
+    };
+    EXPECT_EQ(skipped("truncated_mr.dcm"), key::kTruncatedFile);
+    for (const Study& study : found->studies) {
+        for (const Series& series : study.series) {
+            EXPECT_EQ(series.canBeVolume(), series.whyNoVolume() == nullptr) << keysOf(series);
+            if (series.canBeVolume()) continue;
+            for (const Message& message : series.messages) EXPECT_FALSE(message.action.empty());
+        }
+    }
+    EXPECT_NE(scanError(odd / "truncated_mr.dcm").message.find("ends before its pixel data"),
+              std::string::npos);
+    const auto single = [&](const char* name) { return scan(odd / name)->studies.at(0).series.at(0); };
+    EXPECT_TRUE(hasMessage(single("rgb_series_j2k"), key::kColourImage));
+    EXPECT_TRUE(hasMessage(single("rgb_secondary_capture.dcm"), key::kColourImage));
+    EXPECT_TRUE(hasMessage(single("enhanced_ct_2frame.dcm"), key::kMultiFrame));
+    EXPECT_TRUE(hasMessage(single("ct_localizer_scout.dcm"), key::kSingleSlice));
+    EXPECT_TRUE(isLocalizer(single("ct_localizer_scout.dcm")));
+    EXPECT_TRUE(hasMessage(single("monochrome1_dx.dcm"), key::kNoPosition))
+        << keysOf(single("monochrome1_dx.dcm"));
+    EXPECT_TRUE(hasMessage(single("no_preamble_ct.dcm"), key::kSingleSlice));
+    EXPECT_TRUE(hasMessage(single("transfer_syntaxes"), key::kDuplicatePositions));
+}
+
+TEST(Scan, namesInOtherAlphabetsAreUtf8) {
+    SKIP_WITHOUT_SHARED_DATA();
+    const auto name = [](const char* file) {
+        const HeaderFile read = readHeader(sharedData() / "odd/charsets" / file);
+        return read.header ? read.header->text(tag::kPatientName).value_or("") : std::string();
+    };
+    EXPECT_EQ(name("chrX1.dcm"), "Wang^XiaoDong=王^小東=");
+    EXPECT_EQ(name("chrH31.dcm"), "Yamada^Tarou=山田^太郎=やまだ^たろう");
+    EXPECT_EQ(name("chrRuss.dcm"), "Люкceмбypг");
+    EXPECT_EQ(name("chrArab.dcm"), "قباني^لنزار");
+    EXPECT_EQ(name("chrKoreanMulti.dcm"), "김희중");
+}
+
+}  // namespace
+}  // namespace macula::dicom::test
