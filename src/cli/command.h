@@ -1,0 +1,20 @@
+// The subcommands. Each adds itself to the command line, and leaves its work in `action` when the user chose
+// it.
+#pragma once
+
+#include <CLI/App.hpp>
+#include <functional>
+
+#include "base/result.h"
+
+namespace macula::cli {
+
+using Action = std::function<Result<void>()>;
+
+void addInfo(CLI::App& app, Action& action);
+void addRender(CLI::App& app, Action& action);
+void addDevices(CLI::App& app, Action& action);
+void addPresets(CLI::App& app, Action& action);
+void addPhantom(CLI::App& app, Action& action);
+
+}  // namespace macula::cli

@@ -1,0 +1,32 @@
+#include "cli/interrupt.h"
+
+#include <csignal>
+
+namespace macula::cli {
+
+namespace {
+
+const CancelToken& token() {
+    static const CancelToken shared;
+    return shared;
+}
+
+void onSignal(int signal) {
+    token().cancel();  // only stores to a lock-free atomic
+    std::signal(signal, SIG_DFL);
+}
+
+}  // namespace
+
+const CancelToken& interruptToken() {
+    // Made before the handler can run: making it allocates.
+    static const CancelToken& shared = [&]() -> const CancelToken& {
+        const CancelToken& made = token();
+        std::signal(SIGINT, onSignal);
+        std::signal(SIGTERM, onSignal);
+        return made;
+    }();
+    return shared;
+}
+
+}  // namespace macula::cli

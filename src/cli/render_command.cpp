@@ -1,0 +1,207 @@
+// macula render PATH -o FILE: one picture, without a window.
+#include <CLI/App.hpp>
+#include <CLI/Option.hpp>
+#include <CLI/Validators.hpp>
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <map>
+#include <memory>
+
+#include "base/progress_bar.h"
+#include "cli/camera_file.h"
+#include "cli/command.h"
+#include "cli/interrupt.h"
+#include "cli/lights_choice.h"
+#include "cli/output_file.h"
+#include "cli/preset_choice.h"
+#include "cli/render_statistics.h"
+#include "cli/report.h"
+#include "cli/study_input.h"
+#include "pipeline/gpu/device.h"
+#include "pipeline/trace/path_tracer.h"
+
+namespace macula::cli {
+
+namespace {
+
+struct Options {
+    std::filesystem::path path;
+    std::filesystem::path output;
+    std::string series;
+    std::string preset;
+    ViewDirection view = ViewDirection::anterior;
+    std::filesystem::path camera;
+    double fovDeg = 0.0;  // 0: not given
+    std::string size = "768x768";
+    std::uint32_t samplesPerPixel = 64;
+    trace::Settings settings;
+    std::string lights = kDefaultLights;
+    std::string device;
+    std::filesystem::path statistics;
+};
+
+constexpr double kDefaultFovDeg = 30.0;
+const glm::vec3 kBackground(0.0f);
+
+double secondsSince(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+Result<glm::ivec2> parseSize(const std::string& text) {
+    glm::ivec2 size(0);
+    int used = 0;
+    // %n tells how much was read: "640x480garbage" is no size.
+    const bool read = std::sscanf(text.c_str(), "%6dx%6d%n", &size.x, &size.y, &used) == 2 &&
+                      used == static_cast<int>(text.size());
+    if (!read || std::min(size.x, size.y) < 1 || std::max(size.x, size.y) > trace::kMaxPictureSide) {
+        return Error{
+            ErrorCode::usage, "The size of the picture is not usable.", text,
+            fmt::format("Give --size as WIDTHxHEIGHT in pixels, each from 1 to {}.", trace::kMaxPictureSide)};
+    }
+    return size;
+}
+
+Result<Camera> chooseCamera(const Options& options, const Volume* volume, const glm::ivec2& size) {
+    if (!options.camera.empty()) {
+        MACULA_TRY(Camera camera, readCamera(options.camera));
+        if (options.fovDeg > 0.0) camera.verticalFovDeg = options.fovDeg;
+        return camera;
+    }
+    return frameBox(volume->worldBox(), options.view, options.fovDeg > 0.0 ? options.fovDeg : kDefaultFovDeg,
+                    static_cast<double>(size.x) / size.y);
+}
+
+Result<void> traceAll(trace::PathTracer& tracer, std::uint32_t samplesPerPixel, Progress& progress) {
+    // Small portions, so that progress moves and Ctrl-C is quick.
+    const std::uint32_t portion = std::clamp<std::uint32_t>(samplesPerPixel / 64, 1, 16);
+    progress.beginStage("Tracing", samplesPerPixel);
+    for (std::uint32_t done = 0; done < samplesPerPixel;) {
+        const std::uint32_t count = std::min(portion, samplesPerPixel - done);
+        MACULA_TRY(const bool whole, tracer.trace(count, [&] { return !progress.cancelled(); }));
+        if (!whole || progress.cancelled()) {
+            return Error{ErrorCode::cancelled, "Stopped; nothing was written.", {}, {}};
+        }
+        done += count;
+        progress.advance(count);
+    }
+    return {};
+}
+
+Result<void> writePicture(trace::PathTracer& tracer, const Options& options, const RenderRecord& record) {
+    if (!isExr(options.output)) {
+        MACULA_TRY(const std::vector<std::uint8_t> rgba, tracer.readDisplay(kBackground));
+        return image::writePng(options.output, record.width, record.height, rgba, metadata(record));
+    }
+    MACULA_TRY(const trace::TracedImage traced, tracer.readback());
+    const std::span<const float> rgba(&traced.radiance.front().x, traced.radiance.size() * 4);
+    return image::writeExr(options.output, record.width, record.height, rgba, traced.depthMm,
+                           metadata(record));
+}
+
+// What came from a file of the user's is not repeated: its name may say whose it is.
+std::string publicName(const std::string& nameOrFile, const std::filesystem::path& path) {
+    return path.has_extension() || path.has_parent_path() ? "custom" : nameOrFile;
+}
+
+Result<void> render(const Options& options) {
+    // All that can be wrong on the command line first, then the device, then the study: the slowest comes
+    // last.
+    MACULA_TRY_VOID(checkOutput(options.output));
+    MACULA_TRY(const glm::ivec2 size, parseSize(options.size));
+    MACULA_TRY(const trace::Environment environment, chooseLights(options.lights));
+    if (!options.preset.empty()) MACULA_TRY_VOID(choosePreset(options.preset));
+    if (!options.camera.empty()) MACULA_TRY_VOID(chooseCamera(options, nullptr, size));
+    MACULA_TRY(const gpu::Instance instance, gpu::Instance::create());
+    gpu::DeviceOptions deviceOptions;
+    deviceOptions.preferred = options.device;
+    MACULA_TRY(const std::shared_ptr<gpu::Device> device, gpu::Device::create(instance, deviceOptions));
+
+    Progress progress(terminalProgressBar(), interruptToken());
+    auto start = std::chrono::steady_clock::now();
+    MACULA_TRY(StudyInput study, loadStudy(options.path, options.series, progress));
+    RenderRecord record;
+    record.loadSeconds = secondsSince(start);
+    for (const std::string& note : study.notes) printNote(note);
+
+    const std::string presetName = options.preset.empty() ? defaultPresetName(*study.volume) : options.preset;
+    MACULA_TRY(const TransferFunction preset, choosePreset(presetName));
+    if (preset.unit != study.volume->unit()) {
+        study.notes.emplace_back("The preset is made for other units than those of the series.");
+        printNote(study.notes.back());
+    }
+    MACULA_TRY(record.camera, chooseCamera(options, study.volume.get(), size));
+    record.seriesDigest = study.seriesDigest;
+    record.preset = publicName(presetName, presetName);
+    record.lights = publicName(options.lights, options.lights);
+    record.device = gpu::describe(device->info());
+    record.width = size.x;
+    record.height = size.y;
+    record.settings = options.settings;
+    record.notes = study.notes;
+
+    start = std::chrono::steady_clock::now();
+    MACULA_TRY(trace::PathTracer tracer, trace::PathTracer::create(device));
+    MACULA_TRY_VOID(tracer.setVolume(study.volume));
+    MACULA_TRY_VOID(tracer.setTransferFunction(preset));
+    MACULA_TRY_VOID(tracer.setEnvironment(environment));
+    MACULA_TRY_VOID(tracer.setSettings(options.settings));
+    MACULA_TRY_VOID(tracer.setView({record.camera, size.x, size.y}));
+    MACULA_TRY_VOID(traceAll(tracer, options.samplesPerPixel, progress));
+    record.traceSeconds = secondsSince(start);
+    MACULA_TRY(record.statistics, tracer.statistics());
+    if (record.statistics.nonFiniteSamples > 0) {
+        record.notes.push_back(fmt::format("{} samples were not finite and were dropped; please report this.",
+                                           record.statistics.nonFiniteSamples));
+        printNote(record.notes.back());
+    }
+    MACULA_TRY_VOID(writePicture(tracer, options, record));
+    if (!options.statistics.empty()) MACULA_TRY_VOID(writeStatistics(record, options.statistics));
+    return {};
+}
+
+const std::map<std::string, ViewDirection> kViews{
+    {"anterior", ViewDirection::anterior}, {"posterior", ViewDirection::posterior},
+    {"left", ViewDirection::left},         {"right", ViewDirection::right},
+    {"superior", ViewDirection::superior}, {"inferior", ViewDirection::inferior}};
+
+}  // namespace
+
+void addRender(CLI::App& app, Action& action) {
+    auto options = std::make_shared<Options>();
+    Options& o = *options;
+    auto* command = app.add_subcommand("render", "Path trace a series to a picture");
+    command->add_option("PATH", o.path,
+                        "Folder with DICOM files, or phantom: for the built-in one (default)");
+    command
+        ->add_option("-o,--output", o.output,
+                     "Picture to write: OUT.png for display, OUT.exr for linear light and depth")
+        ->required();
+    command->add_option("--series", o.series,
+                        "Place in the list of macula info, or series UID (default: the best)");
+    command->add_option("--preset", o.preset,
+                        "Name from macula presets, or JSON file (default: by modality)");
+    auto* view = command->add_option("--view", o.view, "Where the viewer stands (default: anterior)")
+                     ->transform(CLI::CheckedTransformer(kViews))
+                     ->option_text("anterior|posterior|left|right|superior|inferior");
+    command
+        ->add_option("--camera", o.camera,
+                     "JSON file: positionMm, targetMm, up, verticalFovDeg; patient LPS mm")
+        ->excludes(view);
+    command->add_option("--fov", o.fovDeg, "Vertical field of view in degrees (default: 30)")
+        ->check(CLI::Range(0.1, 170.0));
+    command->add_option("--size", o.size, "Picture size in pixels (default: 768x768)")->option_text("WxH");
+    command->add_option("--spp", o.samplesPerPixel, "Samples per pixel (default: 64)")
+        ->check(CLI::Range(1, 1 << 20));
+    command->add_option("--bounces", o.settings.bounces, "Scattering events per path (default: 4)")
+        ->check(CLI::Range(1, trace::kMaxBounces));
+    command->add_option("--seed", o.settings.seed,
+                        "Of the random numbers; the same seed gives the same picture");
+    command->add_option("--lights", o.lights,
+                        "Name from macula presets, light rig JSON, or HDR or EXR panorama");
+    command->add_option("--device", o.device, "Number or part of the name, see macula devices");
+    command->add_option("--json", o.statistics, "Write what was done and how long it took; - for stdout");
+    command->callback([options, &action] { action = [options] { return render(*options); }; });
+}
+
+}  // namespace macula::cli

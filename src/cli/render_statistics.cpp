@@ -1,0 +1,61 @@
+#include "cli/render_statistics.h"
+
+#include <nlohmann/json.hpp>
+
+#include "base/atomic_file.h"
+
+namespace macula::cli {
+
+namespace {
+
+nlohmann::ordered_json toJson(const glm::dvec3& vector) {
+    return {vector.x, vector.y, vector.z};
+}
+
+}  // namespace
+
+image::Metadata metadata(const RenderRecord& record) {
+    return {{"Software", "Macula " MACULA_VERSION},
+            {"macula:series", record.seriesDigest},
+            {"macula:preset", record.preset},
+            {"macula:lights", record.lights},
+            {"macula:samples", fmt::to_string(record.statistics.samplesPerPixel)},
+            {"macula:bounces", fmt::to_string(record.settings.bounces)},
+            {"macula:seed", fmt::to_string(record.settings.seed)},
+            {"macula:device", record.device}};
+}
+
+Result<void> writeStatistics(const RenderRecord& record, const std::filesystem::path& path) {
+    const double pixelSamples =
+        static_cast<double>(record.statistics.samplesPerPixel) * record.width * record.height;
+    const nlohmann::ordered_json json = {
+        {"version", MACULA_VERSION},
+        {"series", record.seriesDigest},
+        {"preset", record.preset},
+        {"lights", record.lights},
+        {"device", record.device},
+        {"camera",
+         {{"positionMm", toJson(record.camera.positionMm)},
+          {"targetMm", toJson(record.camera.targetMm)},
+          {"up", toJson(record.camera.up)},
+          {"verticalFovDeg", record.camera.verticalFovDeg}}},
+        {"width", record.width},
+        {"height", record.height},
+        {"bounces", record.settings.bounces},
+        {"seed", record.settings.seed},
+        {"samplesPerPixel", record.statistics.samplesPerPixel},
+        {"nonFiniteSamples", record.statistics.nonFiniteSamples},
+        {"loadSeconds", record.loadSeconds},
+        {"traceSeconds", record.traceSeconds},
+        {"deviceMs", record.statistics.deviceMs},
+        {"nsPerSample", pixelSamples > 0.0 ? record.statistics.deviceMs * 1e6 / pixelSamples : 0.0},
+        {"notes", record.notes}};
+    const std::string text = json.dump(4) + "\n";
+    if (path == "-") {
+        fmt::print("{}", text);
+        return {};
+    }
+    return writeTextAtomically(path, text);
+}
+
+}  // namespace macula::cli

@@ -1,0 +1,26 @@
+// From the path the user gave to a volume.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/progress.h"
+#include "base/result.h"
+#include "base/volume.h"
+
+namespace macula::cli {
+
+struct StudyInput {
+    std::shared_ptr<const Volume> volume;
+    std::vector<std::string> notes;  // sentences for the user, without patient data
+    std::string seriesDigest;        // SHA-256 of the Series Instance UID, or "phantom"
+};
+
+// No path, or "phantom:", is the built-in phantom. `series` chooses by its place in the list of `macula info`
+// ("2") or by its UID; when empty, the series that shows most is taken.
+Result<StudyInput> loadStudy(const std::filesystem::path& path, const std::string& series,
+                             Progress& progress);
+
+}  // namespace macula::cli
