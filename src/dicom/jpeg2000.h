@@ -2,16 +2,16 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 
 #include "base/result.h"
-#include "dicom/intensity.h"
 
 namespace macula::dicom {
 
-// Decodes one grayscale frame into exactly rows * columns cells. Fails with inputNotUsable when the code
-// stream is broken or is of another size. Thread-safe.
+// Decodes one grayscale frame of up to 16 bits into exactly rows * columns cells. Fails with inputNotUsable
+// when the code stream is broken, in colour or of another size. Thread-safe.
 Result<void> decodeJpeg2000(std::span<const std::byte> codeStream, int columns, int rows,
-                            const CellFormat& format, std::span<std::uint16_t> cells);
+                            std::span<std::uint16_t> cells);
 
 }  // namespace macula::dicom

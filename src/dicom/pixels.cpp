@@ -99,7 +99,7 @@ Result<void> decode(const Instance& instance, DcmFileFormat& file, std::span<std
                 const auto* bytes = reinterpret_cast<const std::byte*>(fragment.bytes);
                 stream.insert(stream.end(), bytes, bytes + fragment.size);
             }
-            auto decoded = decodeJpeg2000(stream, columns, rows, *instance.format, cells);
+            auto decoded = decodeJpeg2000(stream, columns, rows, cells);
             if (!decoded) return fail(decoded.error().message, decoded.error().hint);
             return {};
         }

@@ -43,6 +43,30 @@ void setPixels(const std::filesystem::path& file, const std::vector<std::uint16_
     });
 }
 
+void saveWithEightBits(const std::filesystem::path& file, int bitsAllocated,
+                       const std::vector<std::uint8_t>& values, WriteSyntax syntax) {
+    silenceToolkit();
+    DcmFileFormat format;
+    ASSERT_TRUE(format.loadFile(file.c_str()).good());
+    ASSERT_TRUE(format.loadAllDataIntoMemory().good());
+    DcmDataset& dataset = *format.getDataset();
+    ASSERT_TRUE(dataset.putAndInsertUint16(DCM_BitsAllocated, static_cast<Uint16>(bitsAllocated)).good());
+    ASSERT_TRUE(dataset.putAndInsertUint16(DCM_BitsStored, 8).good());
+    ASSERT_TRUE(dataset.putAndInsertUint16(DCM_HighBit, 7).good());
+    if (bitsAllocated == 8) {
+        ASSERT_TRUE(dataset.putAndInsertUint8Array(DCM_PixelData, values.data(), values.size()).good());
+    } else {
+        const std::vector<Uint16> cells(values.begin(), values.end());
+        ASSERT_TRUE(dataset.putAndInsertUint16Array(DCM_PixelData, cells.data(), cells.size()).good());
+    }
+    const E_TransferSyntax xfer = syntax == WriteSyntax::jpegLossless ? EXS_JPEGProcess14SV1
+                                  : syntax == WriteSyntax::jpegLs     ? EXS_JPEGLSLossless
+                                  : syntax == WriteSyntax::rle        ? EXS_RLELossless
+                                                                      : EXS_LittleEndianExplicit;
+    ASSERT_TRUE(dataset.chooseRepresentation(xfer, nullptr).good());
+    ASSERT_TRUE(format.saveFile(file.c_str(), xfer).good());
+}
+
 void saveBare(const std::filesystem::path& file) {
     silenceToolkit();
     DcmFileFormat format;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "dicom/dataset.h"
+#include "dicom/series_writer.h"
 
 namespace macula::dicom::test {
 
@@ -15,6 +16,10 @@ void setText(const std::filesystem::path& file, Tag tag, const std::string& valu
 void setWord(const std::filesystem::path& file, Tag tag, std::uint16_t value);
 void remove(const std::filesystem::path& file, Tag tag);
 void setPixels(const std::filesystem::path& file, const std::vector<std::uint16_t>& cells);
+// As cells of 16 bits with 8 stored, or of 8 bits, in this syntax. The encoders are there once writeSeries
+// was called.
+void saveWithEightBits(const std::filesystem::path& file, int bitsAllocated,
+                       const std::vector<std::uint8_t>& values, WriteSyntax syntax);
 // Without preamble, file meta information and DICM, in Implicit VR Little Endian.
 void saveBare(const std::filesystem::path& file);
 void truncate(const std::filesystem::path& file, std::size_t bytesLess);

@@ -91,6 +91,30 @@ TEST(Loader, missingRescaleInMrIsNormal) {
     EXPECT_TRUE(volume->provenance().assumptions.empty());
 }
 
+// Compressed samples of 8 bits take one byte in the stream even when the cells have two.
+TEST(Loader, eightStoredBits) {
+    using enum WriteSyntax;
+    for (const WriteSyntax syntax : {explicitLittleEndian, rle, jpegLossless, jpegLs}) {
+        for (const int bitsAllocated : {8, 16}) {
+            SCOPED_TRACE(
+                fmt::format("syntax {}, {} bits allocated", static_cast<int>(syntax), bitsAllocated));
+            const TemporaryFolder folder;
+            const auto files = write(smallVolume(obliqueAffine(), {2.0, -7.0}, "MR"), folder.path());
+            std::vector<std::uint8_t> values;
+            for (int n = 0; n < 20; ++n) values.push_back(static_cast<std::uint8_t>(255 - 13 * n));
+            for (const fs::path& file : files) saveWithEightBits(file, bitsAllocated, values, syntax);
+            const auto volume = loadFolder(folder.path());
+            ASSERT_NE(volume, nullptr);
+            for (int k = 0; k < 6; ++k) {
+                for (int n = 0; n < 20; ++n) {
+                    ASSERT_EQ(volume->value(n % 5, n / 5, k), 2.0 * values[static_cast<std::size_t>(n)] - 7.0)
+                        << n;
+                }
+            }
+        }
+    }
+}
+
 TEST(Loader, sliceCutOffAfterTheScanIsNamedByNumberOnly) {
     const TemporaryFolder folder;
     for (const WriteSyntax syntax :
