@@ -98,9 +98,7 @@ class Parser {
             return std::pair(a.set, a.binding) < std::pair(b.set, b.binding);
         });
         for (const Id& constant : ids_)
-            if (constant.specId)
-                reflection_.specializations.push_back(
-                    {constant.name, *constant.specId, constantBits(constant)});
+            if (constant.specId) addSpecialization(constant);
         return std::move(reflection_);
     }
 
@@ -254,6 +252,17 @@ class Parser {
             for (std::size_t axis = 0; axis < 3; ++axis)
                 reflection_.localSize[axis] = localSizeOf(id(operand(composite, 2 + axis)));
         }
+    }
+
+    // glslang gives local_size_x_id twice: for the execution mode and for gl_WorkGroupSize.
+    void addSpecialization(const Id& constant) {
+        auto& known = reflection_.specializations;
+        const auto same = std::find_if(known.begin(), known.end(),
+                                       [&](const auto& other) { return other.id == *constant.specId; });
+        if (same == known.end())
+            known.push_back({constant.name, *constant.specId, constantBits(constant)});
+        else if (same->name.empty())
+            same->name = constant.name;
     }
 
     static LocalSize localSizeOf(const Id& constant) { return {constantBits(constant), constant.specId}; }

@@ -146,6 +146,19 @@ Result<Swapchain::Frame> Swapchain::acquire(std::uint64_t timeoutNs) {
     MACULA_TRY(const bool free, device_->waitFor(slot.usedBy, timeoutNs));
     if (!free) return frame;  // timeout
 
+    // The software presentation of Mesa on X11 goes on silently in a window of another size.
+    if (device_->isCpu()) {
+        VkSurfaceCapabilitiesKHR surface{};
+        const VkResult asked =
+            vkGetPhysicalDeviceSurfaceCapabilitiesKHR(device_->physical(), surface_, &surface);
+        if (asked < 0) return device_->failed(asked, "ask for the size of the window");
+        const VkExtent2D now = surface.currentExtent;
+        if (now.width != UINT32_MAX && (now.width != extent_.width || now.height != extent_.height)) {
+            frame.status = Status::outOfDate;
+            return frame;
+        }
+    }
+
     const VkResult result = vkAcquireNextImageKHR(device_->handle(), swapchain_.get(), timeoutNs,
                                                   slot.available.get(), VK_NULL_HANDLE, &frame.index);
     if (result == VK_TIMEOUT || result == VK_NOT_READY) return frame;

@@ -62,7 +62,7 @@ class Swapchain {
     // Waits for the device. Afterwards extent() is what the surface allows; 0 x 0 while the window is hidden.
     Result<void> resize(VkExtent2D extent);
 
-    // An acquired frame must be submitted (waiting for `available`, signalling `rendered`) and presented.
+    // A usable frame must be submitted (waiting for `available`, signalling `rendered`) and presented.
     Result<Frame> acquire(std::uint64_t timeoutNs = kForever);
     Result<Status> present(const Frame& frame, Ticket rendered);
 

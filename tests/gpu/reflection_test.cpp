@@ -1,0 +1,88 @@
+#include "pipeline/gpu/spirv_reflection.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "shaders/test_gpu.h"
+
+namespace macula::gpu {
+namespace {
+
+TEST(Reflection, readsBindingsPushConstantsAndSpecializations) {
+    const auto result = reflectSpirv(shaders::affine_comp.words);
+    ASSERT_TRUE(result.ok()) << result.error().message;
+    EXPECT_EQ(result->entryPoint, "main");
+
+    ASSERT_EQ(result->bindings.size(), 3u);
+    EXPECT_EQ(result->bindings[0].name, "stored");
+    EXPECT_EQ(result->bindings[0].binding, 0u);
+    EXPECT_EQ(result->bindings[0].type, VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER);
+    EXPECT_EQ(result->bindings[1].binding, 2u);
+    EXPECT_EQ(result->bindings[2].name, "result");
+    EXPECT_EQ(result->bindings[2].binding, 5u);
+    EXPECT_EQ(result->bindings[2].type, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER);
+    ASSERT_EQ(result->bindings[2].block.members.size(), 1u);
+    EXPECT_EQ(result->bindings[2].block.members[0].arrayStride, 4u);
+    EXPECT_EQ(result->bindings[2].block.members[0].arrayLength, 0u);
+
+    ASSERT_TRUE(result->pushConstants.has_value());
+    EXPECT_EQ(result->pushConstants->block.bytes, 8u);
+    ASSERT_NE(result->pushConstants->block.find("scale"), nullptr);
+    EXPECT_EQ(result->pushConstants->block.find("scale")->offset, 4u);
+    EXPECT_EQ(result->pushConstants->block.find("no such member"), nullptr);
+
+    const LocalSize& x = result->localSize[0];
+    EXPECT_EQ(x.value, 1u);
+    EXPECT_EQ(x.specializationId, 0u);
+    EXPECT_FALSE(result->localSize[1].specializationId.has_value());
+    ASSERT_EQ(result->specializations.size(), 3u);
+    bool foundBias = false;
+    for (const auto& constant : result->specializations) {
+        if (constant.name != "kBias") continue;
+        foundBias = true;
+        EXPECT_EQ(constant.id, 1u);
+        EXPECT_EQ(constant.defaultBits, 0x3f000000u);
+    }
+    EXPECT_TRUE(foundBias);
+}
+
+TEST(Reflection, readsImagesAndLocalSize) {
+    const auto result = reflectSpirv(shaders::picture_comp.words);
+    ASSERT_TRUE(result.ok());
+    ASSERT_EQ(result->bindings.size(), 2u);
+    EXPECT_EQ(result->bindings[0].type, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER);
+    EXPECT_EQ(result->bindings[1].type, VK_DESCRIPTOR_TYPE_STORAGE_IMAGE);
+    EXPECT_FALSE(result->pushConstants.has_value());
+    EXPECT_EQ(result->localSize[0].value, 8u);
+    EXPECT_EQ(result->localSize[1].value, 4u);
+    EXPECT_EQ(result->localSize[2].value, 1u);
+}
+
+TEST(Reflection, refusesWhatIsNoComputeShader) {
+    const std::uint32_t text[] = {0x74786574, 0, 0, 0, 0};
+    EXPECT_FALSE(reflectSpirv({}).ok());
+    EXPECT_FALSE(reflectSpirv(text).ok());
+    const auto words = shaders::affine_comp.words;
+    EXPECT_FALSE(reflectSpirv(words.first(5)).ok());
+    const auto brokenOff = reflectSpirv(words.first(8));  // within the second instruction
+    ASSERT_FALSE(brokenOff.ok());
+    EXPECT_EQ(brokenOff.error().code, ErrorCode::inputNotUsable);
+}
+
+// Run under the sanitizers this is a test that nothing is read beyond the module.
+TEST(Reflection, survivesDamage) {
+    std::mt19937 random(1);
+    for (const ShaderCode& code : {shaders::affine_comp, shaders::layout_comp, shaders::picture_comp}) {
+        for (int round = 0; round < 3000; ++round) {
+            std::vector<std::uint32_t> words(code.words.begin(), code.words.end());
+            for (int hit = 0; hit < 3; ++hit)
+                words[random() % words.size()] = random() % 4 ? random() % 64 : random();
+            words.resize(random() % 4 ? words.size() : random() % words.size());
+            (void)reflectSpirv(words).ok();
+        }
+    }
+}
+
+}  // namespace
+}  // namespace macula::gpu
