@@ -33,9 +33,4 @@ Result<TransferFunction> choosePreset(const std::string& nameOrFile) {
     return transferFunctionFromJson(text, path.string(), "custom");
 }
 
-std::string defaultPresetName(const Volume& volume) {
-    if (volume.unit() == Unit::hounsfield) return "ct-bone";
-    return "mr-default";
-}
-
 }  // namespace macula::cli

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "base/result.h"
-#include "base/volume.h"
 #include "pipeline/volume/transfer_function.h"
 
 namespace macula::cli {
@@ -15,8 +14,5 @@ Result<std::vector<TransferFunction>> builtInPresets();
 
 // A built-in name, or a JSON file. usage when it is neither; inputNotUsable when the file is malformed.
 Result<TransferFunction> choosePreset(const std::string& nameOrFile);
-
-// The name of the built-in preset for a volume when the user named none.
-std::string defaultPresetName(const Volume& volume);
 
 }  // namespace macula::cli

@@ -20,6 +20,7 @@
 #include "cli/study_input.h"
 #include "pipeline/gpu/device.h"
 #include "pipeline/trace/path_tracer.h"
+#include "presets/default_preset.h"
 
 namespace macula::cli {
 
@@ -124,7 +125,8 @@ Result<void> render(const Options& options) {
     record.loadSeconds = secondsSince(start);
     for (const std::string& note : study.notes) printNote(note);
 
-    const std::string presetName = options.preset.empty() ? defaultPresetName(*study.volume) : options.preset;
+    const std::string presetName =
+        options.preset.empty() ? presets::defaultTransfer(*study.volume) : options.preset;
     MACULA_TRY(const TransferFunction preset, choosePreset(presetName));
     if (preset.unit != study.volume->unit()) {
         study.notes.emplace_back("The preset is made for other units than those of the series.");
@@ -180,7 +182,7 @@ void addRender(CLI::App& app, Action& action) {
     command->add_option("--series", o.series,
                         "Place in the list of macula info, or series UID (default: the best)");
     command->add_option("--preset", o.preset,
-                        "Name from macula presets, or JSON file (default: by modality)");
+                        "Name from macula presets, or JSON file (default: by what the series shows)");
     auto* view = command->add_option("--view", o.view, "Where the viewer stands (default: anterior)")
                      ->transform(CLI::CheckedTransformer(kViews))
                      ->option_text("anterior|posterior|left|right|superior|inferior");

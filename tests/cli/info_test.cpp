@@ -1,0 +1,67 @@
+// What `macula info`, `presets`, `devices` and `phantom` print.
+#include <nlohmann/json.hpp>
+
+#include "base/phantom.h"
+#include "cli/run_command.h"
+
+namespace macula::cli {
+namespace {
+
+using Info = CommandTest;
+
+TEST_F(Info, PhantomIsOneSeriesThatCanBeShown) {
+    ASSERT_EQ(runMacula({"phantom", at("study")}).exitCode, 0);
+    const std::size_t slices = fileCount("study");
+    EXPECT_GT(slices, 50u);
+
+    const Ran ran = runMacula({"info", at("study"), "--json"});
+    ASSERT_EQ(ran.exitCode, 0) << ran.err;
+    const auto json = nlohmann::json::parse(ran.out);
+    ASSERT_EQ(json["studies"].size(), 1u);
+    ASSERT_EQ(json["studies"][0]["series"].size(), 1u);
+    const auto& series = json["studies"][0]["series"][0];
+    EXPECT_EQ(series["modality"], "CT");
+    EXPECT_EQ(series["size"][2], slices);
+    EXPECT_EQ(series["canBeVolume"], true);
+    EXPECT_EQ(series["best"], true);
+    const glm::dvec3 spacing = phantom::Options{}.spacingMm;
+    for (int axis = 0; axis < 3; ++axis)
+        EXPECT_NEAR(series["spacingMm"][axis].get<double>(), spacing[axis], 1e-6);
+    EXPECT_EQ(series["worldFromVoxel"][3], (std::vector<double>{0, 0, 0, 1}));
+}
+
+TEST_F(Info, PatientIsNamedOnlyWhenAskedFor) {
+    ASSERT_EQ(runMacula({"phantom", at("study")}).exitCode, 0);
+    for (const std::vector<std::string>& format : {std::vector<std::string>{}, {"--json"}}) {
+        std::vector<std::string> arguments{"info", at("study")};
+        arguments.insert(arguments.end(), format.begin(), format.end());
+        const Ran quiet = runMacula(arguments);
+        ASSERT_EQ(quiet.exitCode, 0);
+        EXPECT_EQ((quiet.out + quiet.err).find("PHANTOM"), std::string::npos) << quiet.out;
+        arguments.emplace_back("--patient");
+        const Ran asked = runMacula(arguments);
+        EXPECT_NE(asked.out.find("PHANTOM"), std::string::npos) << asked.out;
+    }
+}
+
+TEST_F(Info, PhantomRefusesAFolderInUse) {
+    write("mine.txt", "important");
+    const Ran ran = runMacula({"phantom", folder_.string()});
+    EXPECT_EQ(ran.exitCode, 2) << ran.err;
+    EXPECT_EQ(ran.errorLines(), 1u) << ran.err;
+    EXPECT_EQ(fileCount(), 1u);
+}
+
+TEST_F(Info, ListsPresetsAndDevices) {
+    const auto presets = nlohmann::json::parse(runMacula({"presets", "--json"}).out);
+    EXPECT_GE(presets["presets"].size(), 5u);
+    EXPECT_GE(presets["lights"].size(), 4u);
+    EXPECT_NE(runMacula({"presets"}).out.find("ct-bone"), std::string::npos);
+
+    const Ran devices = runMacula({"devices", "--json"});
+    ASSERT_EQ(devices.exitCode, 0) << devices.err;
+    EXPECT_GE(nlohmann::json::parse(devices.out).size(), 1u);
+}
+
+}  // namespace
+}  // namespace macula::cli

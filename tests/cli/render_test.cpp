@@ -1,0 +1,129 @@
+// Pictures from end to end: DICOM in, PNG and EXR out.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "cli/run_command.h"
+#include "image/image_file.h"
+
+namespace macula::cli {
+namespace {
+
+class Render : public CommandTest {
+  protected:
+    image::Image render(const std::string& name, std::vector<std::string> arguments) {
+        arguments.insert(arguments.begin(), "render");
+        arguments.insert(arguments.end(), {"-o", at(name), "--size", "48x40", "--spp", "4"});
+        const Ran ran = runMacula(arguments);
+        EXPECT_EQ(ran.exitCode, 0) << ran.err;
+        auto image = image::readImage(at(name));
+        EXPECT_TRUE(image.ok());
+        return image.ok() ? *image : image::Image{};
+    }
+};
+
+double meanBrightness(const image::Image& image) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < image.pixels.size(); i += static_cast<std::size_t>(image.channels)) {
+        sum += image.pixels[i] + image.pixels[i + 1] + image.pixels[i + 2];
+    }
+    return sum / (3.0 * image.width * image.height);
+}
+
+TEST_F(Render, PhantomToPng) {
+    const image::Image image = render("a.png", {"--json", at("a.json")});
+    EXPECT_EQ(image.width, 48);
+    EXPECT_EQ(image.height, 40);
+    EXPECT_GT(meanBrightness(image), 0.01);
+    EXPECT_EQ(fileCount(), 2u);
+    const auto statistics = nlohmann::json::parse(readAll(at("a.json")));
+    EXPECT_EQ(statistics["samplesPerPixel"], 4);
+    EXPECT_EQ(statistics["nonFiniteSamples"], 0);
+    EXPECT_EQ(statistics["series"], "phantom");
+    EXPECT_EQ(statistics["preset"], "ct-chest");
+}
+
+TEST_F(Render, EveryPresetAndRigShowsSomething) {
+    const auto names = nlohmann::json::parse(runMacula({"presets", "--json"}).out);
+    for (const auto& preset : names["presets"]) {
+        if (preset["unit"] != "HU") continue;  // the phantom is a CT
+        const image::Image image = render("p.png", {"--preset", preset["name"]});
+        EXPECT_GT(meanBrightness(image), 0.005) << preset["name"];
+    }
+    for (const auto& lights : names["lights"]) {
+        const image::Image image = render("l.png", {"--lights", lights["name"]});
+        EXPECT_GT(meanBrightness(image), 0.005) << lights["name"];
+    }
+}
+
+TEST_F(Render, ExrHoldsLightAndDepth) {
+    const image::Image image = render("a.exr", {"--view", "posterior"});
+    ASSERT_EQ(image.channels, 5);
+    int hits = 0;
+    for (std::size_t i = 0; i < image.pixels.size(); i += 5) {
+        EXPECT_GE(image.pixels[i + 3], 0.0f);
+        EXPECT_LE(image.pixels[i + 3], 1.0f + 1e-5f);
+        const float depth = image.pixels[i + 4];
+        EXPECT_FALSE(std::isnan(depth));
+        if (std::isfinite(depth)) {
+            ++hits;
+            EXPECT_GT(depth, 100.0f);
+            EXPECT_LT(depth, 3000.0f);
+        }
+    }
+    EXPECT_GT(hits, 50);
+}
+
+TEST_F(Render, SameSeedSamePictureOtherSeedAnother) {
+    const auto first = render("1.png", {"--seed", "5"}).pixels;
+    EXPECT_EQ(first, render("2.png", {"--seed", "5"}).pixels);
+    EXPECT_NE(first, render("3.png", {"--seed", "6"}).pixels);
+}
+
+TEST_F(Render, FilesInsteadOfNames) {
+    const std::string camera = write("camera.json", R"({"positionMm": [0, -900, 0], "targetMm": [0, 0, 0],
+        "up": [0, 0, 1], "verticalFovDeg": 25})");
+    std::string hdr = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 2 +X 4\n";
+    for (int i = 0; i < 8; ++i) hdr += std::string("\x80\x80\x80\x82", 4);
+    const std::string preset = std::string(MACULA_SOURCE_DIR) + "/presets/transfer/ct-bone.json";
+    const image::Image image =
+        render("a.png", {"--camera", camera, "--lights", write("sky.hdr", hdr), "--preset", preset});
+    EXPECT_GT(meanBrightness(image), 0.01);
+}
+
+TEST_F(Render, MetadataSaysWhatMadeItAndNotWho) {
+    ASSERT_EQ(runMacula({"phantom", at("study")}).exitCode, 0);
+    const auto info = nlohmann::json::parse(runMacula({"info", at("study"), "--json", "--patient"}).out);
+    const std::string uid = info["studies"][0]["series"][0]["seriesInstanceUid"];
+    for (const char* name : {"a.png", "a.exr"}) {
+        render(name, {at("study"), "--seed", "9"});
+        const auto metadata = image::readMetadata(
+            at(name),
+            std::array<std::string, 4>{"Software", "macula:series", "macula:preset", "macula:seed"});
+        ASSERT_TRUE(metadata.ok());
+        ASSERT_EQ(metadata->size(), 4u) << name;
+        EXPECT_TRUE((*metadata)[0].second.starts_with("Macula "));
+        EXPECT_EQ((*metadata)[1].second.size(), 64u);
+        EXPECT_EQ((*metadata)[2].second, "ct-chest");
+        EXPECT_EQ((*metadata)[3].second, "9");
+        const std::string bytes = readAll(at(name));
+        for (const std::string& secret :
+             {std::string("PHANTOM"), uid, folder_.string(), std::string("study")}) {
+            EXPECT_EQ(bytes.find(secret), std::string::npos) << name << " holds " << secret;
+        }
+    }
+}
+
+TEST_F(Render, DicomGivesThePictureOfTheVolumeItWasMadeFrom) {
+    ASSERT_EQ(runMacula({"phantom", at("study")}).exitCode, 0);
+    EXPECT_EQ(render("direct.png", {}).pixels, render("dicom.png", {at("study")}).pixels);
+    EXPECT_EQ(render("first.png", {at("study"), "--series", "1"}).pixels,
+              render("again.png", {"phantom:"}).pixels);
+    const Ran none = runMacula({"render", at("study"), "--series", "2", "-o", at("none.png")});
+    EXPECT_EQ(none.exitCode, 2);
+    EXPECT_EQ(none.errorLines(), 1u) << none.err;
+}
+
+}  // namespace
+}  // namespace macula::cli

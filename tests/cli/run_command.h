@@ -1,0 +1,38 @@
+// Runs the built `macula` as a person would, and a folder to do it in.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace macula::cli {
+
+struct Ran {
+    int exitCode = -1;
+    std::string out;
+    std::string err;
+
+    std::size_t errorLines() const;  // lines on stderr that begin with "macula: ", notes left out
+};
+
+// `arguments` are passed as they are, without a shell; `environment` entries are NAME=VALUE.
+Ran runMacula(const std::vector<std::string>& arguments, const std::vector<std::string>& environment = {});
+
+// A fresh folder for each test, removed afterwards.
+class CommandTest : public ::testing::Test {
+  protected:
+    void SetUp() override;
+    void TearDown() override;
+
+    std::string at(const std::string& name) const { return (folder_ / name).string(); }
+    std::string write(const std::string& name, std::string_view text) const;  // returns its path
+    std::size_t fileCount(const std::string& name = ".") const;
+
+    std::filesystem::path folder_;
+};
+
+std::string readAll(const std::filesystem::path& path);
+
+}  // namespace macula::cli
