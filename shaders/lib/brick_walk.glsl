@@ -6,65 +6,67 @@
 // that number (Chebyshev distance in bricks), which the walk leaps over.
 
 struct BrickWalk {
-    vec3 origin;        // voxel coordinates
-    vec3 direction;     // voxels per mm, so that distances along the ray are mm
-    vec3 inverse;       // mm per voxel, finite in every component
-    vec3 cell;          // next brick to be looked at
-    float distanceMm;   // how far the ray has come
-    float endMm;        // where it leaves the volume
-    float segmentEndMm; // where the current segment ends
-    float majorant;     // bound on extinction in it, per mm
+    vec3 origin;         // in bricks
+    vec3 direction;      // bricks per mm, so that distances along the ray are mm
+    vec3 inverse;        // mm per brick, finite in every component
+    vec3 cell;           // next brick to be looked at
+    float distanceMm;    // how far the ray has come
+    float endMm;         // where it leaves the volume
+    float segmentEndMm;  // where the current segment ends
+    float majorant;      // bound on extinction in it, per mm
 };
 
-// Below this a direction counts as parallel to a face: 1 mm of travel crosses less than 10^-12 voxels.
+// Below this a direction counts as parallel to a face: 1 mm of travel crosses less than 10^-12 bricks.
 #define PARALLEL 1e-12
 
 float safeInverse(float x) {
     return float(1.0) / (abs(x) > float(PARALLEL) ? x : (x < float(0.0) ? float(-PARALLEL) : float(PARALLEL)));
 }
 
-// Starts a walk along a ray; distances before the volume are skipped. A ray that misses has endMm <= distanceMm.
-BrickWalk startWalk(vec3 origin, vec3 direction) {
+// Starts a walk along a ray given in voxel coordinates; distances before the volume are skipped. A ray that misses has
+// endMm <= distanceMm.
+BrickWalk startWalk(vec3 originVoxel, vec3 directionVoxel) {
     BrickWalk walk;
-    walk.origin = origin;
-    walk.direction = direction;
-    walk.inverse = vec3(safeInverse(direction.x), safeInverse(direction.y), safeInverse(direction.z));
-    vec3 toLow = -origin * walk.inverse;
-    vec3 toHigh = (vec3(params.volumeSize) - origin) * walk.inverse;
+    walk.origin = originVoxel * float(1.0 / BRICK);
+    walk.direction = directionVoxel * float(1.0 / BRICK);
+    walk.inverse = vec3(safeInverse(walk.direction.x), safeInverse(walk.direction.y), safeInverse(walk.direction.z));
+    vec3 toLow = -walk.origin * walk.inverse;
+    vec3 toHigh = (vec3(params.volumeSize) * float(1.0 / BRICK) - walk.origin) * walk.inverse;
     vec3 enter = min(toLow, toHigh);
     vec3 leave = max(toLow, toHigh);
     walk.distanceMm = max(max(enter.x, enter.y), max(enter.z, float(0.0)));
     walk.endMm = min(min(leave.x, leave.y), leave.z);
     walk.segmentEndMm = walk.distanceMm;
     walk.majorant = float(0.0);
-    vec3 entry = (origin + direction * walk.distanceMm) * float(1.0 / BRICK);
+    vec3 entry = walk.origin + walk.direction * walk.distanceMm;
     walk.cell = clamp(floor(entry), vec3(0.0), vec3(params.gridSize - ivec3(1)));
     return walk;
 }
 
-// Moves on to the next segment with matter in it: distanceMm to segmentEndMm, bounded by majorant. False at the end.
-bool nextSegment(INOUT(BrickWalk) walk) {
+// Moves on to the next segment with matter in it: distanceMm to segmentEndMm, bounded by majorant. On
+// a face or a corner a segment may have no length. False at the end.
+// `rounds` counts the rounds of its loop.
+bool nextSegment(INOUT(BrickWalk) walk, INOUT(int) rounds) {
+    vec3 stride = vec3(float(1.0), float(params.gridSize.x), float(params.gridSize.x * params.gridSize.y));
+    int lastBrick = params.gridSize.x * params.gridSize.y * params.gridSize.z - 1;
+    vec3 forward = vec3(walk.direction.x < float(0.0) ? float(0.0) : float(1.0),
+                        walk.direction.y < float(0.0) ? float(0.0) : float(1.0),
+                        walk.direction.z < float(0.0) ? float(0.0) : float(1.0));
+    vec3 step = forward * float(2.0) - vec3(1.0);
     walk.distanceMm = walk.segmentEndMm;
-    vec3 last = vec3(params.gridSize - ivec3(1));
-    bool found = false;
-    while (!found && walk.distanceMm < walk.endMm && all(greaterThanEqual(walk.cell, vec3(0.0))) &&
-           all(lessThanEqual(walk.cell, last))) {
-        ivec3 cell = ivec3(walk.cell);
-        float bound = fetchBound((cell.z * params.gridSize.y + cell.y) * params.gridSize.x + cell.x);
+    while (walk.distanceMm < walk.endMm) {
+        rounds += 1;
+        // At its very end, rounding may put the walk one brick outside: then any bound is as good as another.
+        float bound = fetchBound(clamp(int(dot(walk.cell, stride)), 0, lastBrick));
         float reach = max(-bound, float(1.0));
 
         // The faces of the cube of empty bricks around this one, or of this one alone.
-        vec3 forward = vec3(walk.direction.x < float(0.0) ? float(0.0) : float(1.0),
-                            walk.direction.y < float(0.0) ? float(0.0) : float(1.0),
-                            walk.direction.z < float(0.0) ? float(0.0) : float(1.0));
-        vec3 step = forward * float(2.0) - vec3(1.0);
-        vec3 face = walk.cell + forward + step * (reach - float(1.0));
-        vec3 toFace = (face * float(BRICK) - walk.origin) * walk.inverse;
+        vec3 margin = vec3(reach - float(1.0));
+        vec3 toFace = (walk.cell + forward + step * margin - walk.origin) * walk.inverse;
         float exitMm = min(min(toFace.x, toFace.y), toFace.z);
 
         // Across that face by index, elsewhere by position: rounding can neither stall the walk nor let it skip a brick.
-        vec3 there = floor((walk.origin + walk.direction * exitMm) * float(1.0 / BRICK));
-        vec3 margin = vec3(reach - float(1.0));
+        vec3 there = floor(walk.origin + walk.direction * exitMm);
         vec3 beside = clamp(there, walk.cell - margin, walk.cell + margin);
         vec3 across = walk.cell + step * reach;
         walk.cell = vec3(toFace.x <= exitMm ? across.x : beside.x, toFace.y <= exitMm ? across.y : beside.y,
@@ -72,31 +74,30 @@ bool nextSegment(INOUT(BrickWalk) walk) {
 
         walk.segmentEndMm = min(max(exitMm, walk.distanceMm), walk.endMm);
         walk.majorant = bound;
-        found = bound > float(0.0) && walk.segmentEndMm > walk.distanceMm;
-        if (!found) walk.distanceMm = walk.segmentEndMm;
+        if (bound > float(0.0)) return true;
+        walk.distanceMm = walk.segmentEndMm;
     }
-    return found;
+    walk.majorant = float(0.0);
+    return false;
 }
 
 // Moves on to the next tentative collision: a Poisson process of rate `majorant` along the ray. False when the ray has
 // left the volume first.
-bool nextTentative(INOUT(BrickWalk) walk, INOUT(Rng) rng) {
+bool nextTentative(INOUT(BrickWalk) walk, INOUT(Rng) rng, INOUT(int) rounds) {
     float depth = -log(float(1.0) - random01(rng));
-    bool collided = false;
-    bool inside = true;
-    while (!collided && inside) {
+    do {
         float segmentDepth = walk.majorant * (walk.segmentEndMm - walk.distanceMm);
-        collided = depth < segmentDepth;
-        if (collided) {
+        if (depth < segmentDepth) {
             walk.distanceMm += depth / walk.majorant;
-        } else {
-            depth -= segmentDepth;
-            inside = nextSegment(walk);
+            return true;
         }
-    }
-    return collided;
+        depth -= segmentDepth;
+        rounds += 1;
+    } while (nextSegment(walk, rounds));
+    return false;
 }
 
+// Voxel coordinates.
 vec3 walkPosition(BrickWalk walk) {
-    return walk.origin + walk.direction * walk.distanceMm;
+    return (walk.origin + walk.direction * walk.distanceMm) * float(BRICK);
 }

@@ -1,4 +1,4 @@
-// One light path from the eye: free flights, and at every vertex next-event estimation to the environment. Background
+// Light paths from the eye: free flights, and at every vertex next-event estimation to the environment. Background
 // is not part of the answer: a path that leaves the volume adds nothing, the light it could have met was added at its
 // vertices.
 //
@@ -15,104 +15,131 @@ vec3 worldFromEnvironment(vec3 direction) {
            params.worldFromEnvironmentZ * direction.z;
 }
 
-// Visitor: to the first real collision (Woodcock tracking). Returns false when there is none.
-bool freeFlight(INOUT(BrickWalk) walk, INOUT(Rng) rng, OUT(float) entry) {
-    bool real = false;
-    bool tentative = true;
-    entry = float(0.0);
-    while (tentative && !real) {
-        tentative = nextTentative(walk, rng);
-        if (tentative) {
-            entry = entryAt(walkPosition(walk), rng);
-            real = random01(rng) * walk.majorant < extinctionOfEntry(entry);
-        }
-    }
-    return real;
-}
-
-// Below this a shadow ray goes on only with a probability in proportion, and its weight is made good.
+// Below this a ray or path goes on only with a probability in proportion, and its weight is made good.
 #define ROULETTE_BELOW 0.1
-
-// Visitor: an unbiased estimate of the transmittance to the end of the walk (ratio tracking).
-float transmittance(INOUT(BrickWalk) walk, INOUT(Rng) rng) {
-    float through = float(1.0);
-    bool going = true;
-    while (going) {
-        going = nextTentative(walk, rng);
-        if (going) {
-            float extinction = extinctionOfEntry(entryAt(walkPosition(walk), rng));
-            through *= float(1.0) - min(extinction / walk.majorant, float(1.0));
-            if (through < float(ROULETTE_BELOW)) {
-                going = random01(rng) * float(ROULETTE_BELOW) < through;
-                through = going ? float(ROULETTE_BELOW) : float(0.0);
-            }
-        }
-    }
-    return through;
-}
 
 // Visitor: the distance in mm at which transmittance falls to one half, by a deterministic march of `stepMm`; negative
 // when it does not.
 float halfTransmittanceDistance(INOUT(BrickWalk) walk, float stepMm) {
     float remaining = float(0.69314718055994531);  // optical depth of one half
     float found = float(-1.0);
-    bool inside = nextSegment(walk);
+    int rounds = 0;
+    bool inside = nextSegment(walk, rounds);
     while (inside && found < float(0.0)) {
         float length = walk.segmentEndMm - walk.distanceMm;
         int steps = max(int(ceil(length / stepMm)), 1);
         float step = length / float(steps);
         for (int i = 0; i < steps && found < float(0.0); ++i) {
             float atMm = walk.distanceMm + (float(i) + float(0.5)) * step;
-            float depth = extinctionOfEntry(trilinearEntry(walk.origin + walk.direction * atMm)) * step;
+            vec3 at = (walk.origin + walk.direction * atMm) * float(BRICK);
+            float depth = extinctionOfEntry(trilinearEntry(at)) * step;
             if (depth >= remaining) {
                 found = walk.distanceMm + (float(i) + remaining / depth) * step;
             } else {
                 remaining -= depth;
             }
         }
-        inside = nextSegment(walk);
+        inside = nextSegment(walk, rounds);
     }
     return found;
 }
 
-struct PathSample {
-    vec3 radiance;   // premultiplied: 0 where nothing was met
-    float coverage;  // 1 when the eye ray met matter
+// A path under way. It is a chain of rays: flights to the next collision, and after each a shadow ray to the light. Both
+// are followed by the same few lines, a stride at a time, so that the lanes of a GPU stay together while one flies, its
+// neighbour looks for light, and a third has started its next sample.
+struct Path {
+    BrickWalk walk;      // the ray under way
+    vec3 origin;         // where it started, voxel coordinates
+    vec3 direction;      // of the last flight, world, unit
+    vec3 throughput;     // of the path so far
+    vec3 pending;        // light the shadow ray would bring if nothing stood in its way
+    vec3 radiance;       // gathered so far, premultiplied: 0 where nothing was met
+    float coverage;      // 1 when the eye ray met matter
+    float transmittance; // of the shadow ray so far; a flight that is met ends at 0
+    float entry;         // what a flight has met
+    int vertices;
+    int rounds;          // of all loops so far: a device may allow a kernel only so many
+    bool shadow;         // the ray under way is a shadow ray
 };
 
-PathSample tracePath(vec3 origin, vec3 worldDirection, INOUT(Rng) rng) {
-    PathSample result = PathSample(vec3(0.0), float(0.0));
-    vec3 throughput = vec3(1.0);
-    bool alive = true;
-    for (int vertex = 0; alive && vertex < params.bounces; ++vertex) {
-        BrickWalk walk = startWalk(origin, voxelsPerMm(worldDirection));
-        float entry;
-        alive = freeFlight(walk, rng, entry);
-        if (alive) {
-            result.coverage = float(1.0);
-            origin = walkPosition(walk);
-            throughput *= fetchAlbedo(int(entry + float(0.5)));
+Path startPath(vec3 originVoxel, vec3 worldDirection) {
+    Path path;
+    path.walk = startWalk(originVoxel, voxelsPerMm(worldDirection));
+    path.origin = originVoxel;
+    path.direction = worldDirection;
+    path.throughput = vec3(1.0);
+    path.pending = vec3(0.0);
+    path.radiance = vec3(0.0);
+    path.coverage = float(0.0);
+    path.transmittance = float(1.0);
+    path.entry = float(0.0);
+    path.vertices = 0;
+    path.rounds = 0;
+    path.shadow = false;
+    return path;
+}
 
-            EnvironmentSample light = sampleEnvironment(rng);
-            vec3 toLight = worldFromEnvironment(light.direction);
-            float visible = float(0.0);
-            if (light.pdfPerSr > float(0.0)) {
-                BrickWalk shadow = startWalk(origin, voxelsPerMm(toLight));
-                visible = transmittance(shadow, rng) / light.pdfPerSr;
-            }
-            float phase = phaseHenyeyGreenstein(dot(worldDirection, toLight), params.anisotropy);
-            result.radiance += throughput * light.radiance * (phase * visible);
+// Tentative collisions that one call of follow() looks at: enough to hide what a decision costs the other lanes, few
+// enough not to wait long for them.
+#define STRIDE 16
 
-            float strength = max(throughput.x, max(throughput.y, throughput.z));
-            if (strength < float(ROULETTE_BELOW)) {
-                alive = random01(rng) * float(ROULETTE_BELOW) < strength;
-                throughput *= float(ROULETTE_BELOW) / max(strength, float(1e-30));
+// Visitor: follows the ray under way. True when it has come to an end. A flight ends at its first real collision (Woodcock
+// tracking); a shadow ray gathers an unbiased estimate of its transmittance (ratio tracking, with roulette).
+bool follow(INOUT(Path) path, INOUT(Rng) rng) {
+    path.rounds += STRIDE;
+    for (int i = 0; i < STRIDE; ++i) {
+        if (!nextTentative(path.walk, rng, path.rounds)) return true;
+        path.entry = entryAt(walkPosition(path.walk), rng);
+        float real = min(extinctionOfEntry(path.entry) / path.walk.majorant, float(1.0));
+        float chance = random01(rng);
+        if (path.shadow) {
+            path.transmittance *= float(1.0) - real;
+            if (path.transmittance < float(ROULETTE_BELOW)) {
+                path.transmittance = chance * float(ROULETTE_BELOW) < path.transmittance ? float(ROULETTE_BELOW) : float(0.0);
             }
-            float u = random01(rng);
-            worldDirection = samplePhase(worldDirection, params.anisotropy, u, random01(rng));
+        } else {
+            path.transmittance = chance < real ? float(0.0) : float(1.0);
         }
+        if (path.transmittance == float(0.0)) return true;
     }
-    return result;
+    return false;
+}
+
+// What comes after a ray that has ended: after a flight a vertex, and a shadow ray from it; after a shadow ray its light,
+// and a new flight. False when the path is complete.
+bool decide(INOUT(Path) path, INOUT(Rng) rng) {
+    vec3 direction;
+    if (path.shadow) {
+        path.radiance += path.pending * path.transmittance;
+        path.vertices += 1;
+        if (path.vertices >= params.bounces) return false;
+        float strength = max(path.throughput.x, max(path.throughput.y, path.throughput.z));
+        if (strength < float(ROULETTE_BELOW)) {
+            if (random01(rng) * float(ROULETTE_BELOW) >= strength) return false;
+            path.throughput *= float(ROULETTE_BELOW) / strength;
+        }
+        float u = random01(rng);
+        path.direction = samplePhase(path.direction, params.anisotropy, u, random01(rng));
+        direction = path.direction;
+    } else {
+        if (path.transmittance > float(0.0)) return false;  // out of the volume
+        path.coverage = float(1.0);
+        path.origin = walkPosition(path.walk);
+        path.throughput *= fetchAlbedo(int(path.entry + float(0.5)));
+        EnvironmentSample light = sampleEnvironment(rng);
+        direction = worldFromEnvironment(light.direction);
+        float phase = phaseHenyeyGreenstein(dot(path.direction, direction), params.anisotropy);
+        path.pending = light.pdfPerSr > float(0.0) ? path.throughput * light.radiance * (phase / light.pdfPerSr) : vec3(0.0);
+    }
+    path.walk = startWalk(path.origin, voxelsPerMm(direction));
+    path.transmittance = float(1.0);
+    path.shadow = !path.shadow;
+    return true;
+}
+
+// One call is a stride, and what follows from it. False when the path is complete.
+bool extendPath(INOUT(Path) path, INOUT(Rng) rng) {
+    return !follow(path, rng) || decide(path, rng);
 }
 
 // The eye ray through a point of the picture, in pixels from its top left corner: unit, world frame.
@@ -120,4 +147,12 @@ vec3 eyeDirection(vec2 pixel) {
     vec2 p = vec2(float(2.0) * pixel.x / float(params.imageSize.x) - float(1.0),
                   float(1.0) - float(2.0) * pixel.y / float(params.imageSize.y));
     return normalize(params.forward + params.right * p.x + params.up * p.y);
+}
+
+// The path of one sample of a pixel, and the random numbers it will use.
+Path startSample(ivec2 pixel, uint sampleIndex, OUT(Rng) rng) {
+    rng = makeRng(uint(pixel.x), uint(pixel.y), sampleIndex, params.seed);
+    float x = float(pixel.x) + random01(rng);
+    float y = float(pixel.y) + random01(rng);
+    return startPath(params.originVoxel, eyeDirection(vec2(x, y)));
 }

@@ -16,34 +16,56 @@ layout(binding = 9, scalar) buffer Counts {
     uint counts[];  // finite samples
 };
 layout(binding = 10, scalar) buffer Faults {
-    uint nonFinite;
+    uint nonFinite;  // samples that were not a number
+    uint abandoned;  // paths that would have taken too many rounds
 };
+
+// lavapipe (Mesa 22.3) ends every loop of an invocation after 65535 rounds of all its loops together, and says nothing.
+const int kMaxRounds = 48000;
+
 layout(push_constant, scalar) uniform Push {
     TilePush push;
 };
 
+// Groups come as one row. lavapipe gives the first half of them to one thread and the second half to the other: dealt out
+// alternately, both get as much of the anatomy, and neither waits.
+ivec2 shuffledBlock() {
+    int groups = int(gl_NumWorkGroups.x);
+    int group = int(gl_WorkGroupID.x);
+    int firstHalf = (groups + 1) / 2;
+    int block = group < firstHalf ? 2 * group : 2 * (group - firstHalf) + 1;
+    int columns = (push.tileEnd.x - push.tileOrigin.x + 7) / 8;
+    return ivec2(block % columns, block / columns);
+}
+
 void main() {
-    ivec2 pixel = push.tileOrigin + ivec2(gl_GlobalInvocationID.xy);
+    ivec2 pixel = push.tileOrigin + 8 * shuffledBlock() + ivec2(gl_LocalInvocationID.xy);
     if (any(greaterThanEqual(pixel, push.tileEnd))) return;
 
     int index = pixel.y * params.imageSize.x + pixel.x;
     vec4 sum = sums[index];
     vec4 compensation = lost[index];
     uint finite = 0u;
-    for (uint i = 0u; i < push.sampleCount; ++i) {
-        Rng rng = makeRng(uint(pixel.x), uint(pixel.y), push.firstSample + i, params.seed);
-        float jitterX = random01(rng);
-        float jitterY = random01(rng);
-        vec3 direction = eyeDirection(vec2(pixel) + vec2(jitterX, jitterY));
-        PathSample path = tracePath(params.originVoxel, direction, rng);
-        vec4 value = vec4(path.radiance, path.coverage);
-        if (isFinite(value)) {
-            accumulate(sum, compensation, value);
-            finite += 1u;
+    uint done = 0u;
+    int rounds = 0;  // of the samples done
+    Rng rng;
+    Path path = startSample(pixel, push.firstSample, rng);
+    while (done < push.sampleCount && rounds + path.rounds < kMaxRounds) {
+        rounds += 1;
+        if (!extendPath(path, rng)) {
+            vec4 value = vec4(path.radiance, path.coverage);
+            if (isFinite(value)) {
+                accumulate(sum, compensation, value);
+                finite += 1u;
+            }
+            done += 1u;
+            rounds += path.rounds;
+            path = startSample(pixel, push.firstSample + done, rng);
         }
     }
     sums[index] = sum;
     lost[index] = compensation;
     counts[index] += finite;
-    if (finite < push.sampleCount) atomicAdd(nonFinite, push.sampleCount - finite);
+    if (finite < done) atomicAdd(nonFinite, done - finite);
+    if (done < push.sampleCount) atomicAdd(abandoned, push.sampleCount - done);
 }

@@ -17,9 +17,16 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 // A dispatch is this long or shorter: a cancel is quick, and no watchdog fires.
-constexpr double kDispatchMs = 20.0;
-constexpr int kBandRows = 8;  // the height of a work group
-constexpr std::uint32_t kMaxSamplesPerDispatch = 64;
+constexpr double kDispatchMs = 40.0;
+constexpr int kBlock = 8;                    // pixels; a work group is a square of them
+constexpr std::uint32_t kMaxBlocks = 65535;  // of one dispatch: what every device allows
+// Several samples of a pixel in one dispatch keep a lane busy while its neighbours' paths are longer. Not too
+// many vertices in all: see kMaxRounds in path.comp.
+constexpr int kMaxVerticesPerDispatch = 64;
+
+int blocksOf(int pixels) {
+    return (pixels + kBlock - 1) / kBlock;
+}
 
 template <class T>
 Result<gpu::TexelBuffer> makeTexels(const std::shared_ptr<gpu::Device>& device, const char* label,
@@ -110,7 +117,7 @@ Result<PathTracer> PathTracer::create(std::shared_ptr<gpu::Device> device) {
                                                   .usage = VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT,
                                                   .memory = gpu::MemoryKind::upload}));
     MACULA_TRY(impl->faults,
-               gpu::Buffer::create(impl->device, {.label = "faults", .bytes = sizeof(std::uint32_t)}));
+               gpu::Buffer::create(impl->device, {.label = "faults", .bytes = 2 * sizeof(std::uint32_t)}));
     return PathTracer(std::move(impl));
 }
 
@@ -237,7 +244,8 @@ Result<void> PathTracer::Impl::traceBand(int rows) {
                                 .firstSample = samplesDone,
                                 .sampleCount = passSamples};
     MACULA_TRY(auto recorder, gpu::Recorder::create(device, "trace"));
-    recorder.dispatch(*kernel, {static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(rows)}, push,
+    const auto blocks = static_cast<std::uint32_t>(blocksOf(width) * blocksOf(rows));
+    recorder.dispatch(*kernel, {blocks * kBlock, kBlock}, push,
                       {*paramsBuffer, *entries, *extinction, *albedo, *bounds, *environmentTexels,
                        *aliasTexels, *sums, *lost, *counts, *faults});
     const auto begin = Clock::now();
@@ -262,16 +270,17 @@ Result<bool> PathTracer::trace(std::uint32_t samplesPerPixel, const std::functio
     while (t.samplesDone < target) {
         const double affordable = t.pixelSamplesPerMs * kDispatchMs;  // pixels times samples
         if (t.passSamples == 0) {
-            const double perPixel = affordable / (double(t.width) * t.height);
+            const auto maxSamples =
+                static_cast<std::uint32_t>(std::max(kMaxVerticesPerDispatch / t.settings.bounces, 1));
             t.passSamples =
-                std::clamp<std::uint32_t>(static_cast<std::uint32_t>(perPixel), 1,
-                                          std::min(kMaxSamplesPerDispatch, target - t.samplesDone));
+                static_cast<std::uint32_t>(std::clamp(affordable / (double(t.width) * kBlock), 1.0,
+                                                      double(std::min(maxSamples, target - t.samplesDone))));
             t.passRow = 0;
         }
-        const int rows =
-            static_cast<int>(std::min(affordable / (double(t.width) * t.passSamples), double(t.height)));
-        const int bands = std::max(rows / kBandRows, 1) * kBandRows;
-        MACULA_TRY_VOID(t.traceBand(std::min(bands, t.height - t.passRow)));
+        const double affordableBlocks = affordable / (double(t.passSamples) * kBlock * kBlock);
+        const int bands =
+            static_cast<int>(std::min(affordableBlocks, double(kMaxBlocks))) / blocksOf(t.width);
+        MACULA_TRY_VOID(t.traceBand(std::min(std::max(bands, 1) * kBlock, t.height - t.passRow)));
         if (t.passRow >= t.height) {
             t.samplesDone += t.passSamples;
             t.passSamples = 0;
@@ -310,7 +319,8 @@ Result<TracedImage> PathTracer::readback() {
         .tileOrigin = {0, 0}, .tileEnd = {t.width, t.height}, .firstSample = 0, .sampleCount = 0};
     recorder.dispatch(*t.depthKernel,
                       {static_cast<std::uint32_t>(t.width), static_cast<std::uint32_t>(t.height)}, push,
-                      {*t.paramsBuffer, *t.entries, *t.extinction, *t.bounds, *t.distances});
+                      {*t.paramsBuffer, *t.entries, *t.extinction, *t.albedo, *t.bounds, *t.environmentTexels,
+                       *t.aliasTexels, *t.distances});
     MACULA_TRY([[maybe_unused]] const gpu::Ticket ticket, recorder.submit());
 
     TracedImage image{.width = t.width, .height = t.height, .radiance = {}, .depthMm = {}};
@@ -327,10 +337,14 @@ Result<TracedImage> PathTracer::readback() {
 
 Result<Statistics> PathTracer::statistics() const {
     const Impl& t = *impl_;
-    Statistics statistics{.samplesPerPixel = t.samplesDone, .nonFiniteSamples = 0, .deviceMs = t.deviceMs};
+    Statistics statistics{.samplesPerPixel = t.samplesDone,
+                          .nonFiniteSamples = 0,
+                          .abandonedSamples = 0,
+                          .deviceMs = t.deviceMs};
     if (t.samplesDone > 0 || t.passRow > 0) {
         MACULA_TRY(const auto faults, gpu::read<std::uint32_t>(*t.faults));
-        statistics.nonFiniteSamples = faults.front();
+        statistics.nonFiniteSamples = faults[0];
+        statistics.abandonedSamples = faults[1];
     }
     return statistics;
 }

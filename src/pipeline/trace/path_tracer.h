@@ -24,6 +24,7 @@ namespace macula::trace {
 struct Statistics {
     std::uint64_t samplesPerPixel = 0;
     std::uint64_t nonFiniteSamples = 0;  // dropped from the picture, never hidden
+    std::uint64_t abandonedSamples = 0;  // likewise: paths too long for the device
     double deviceMs = 0.0;               // spent tracing since the last change
 };
 

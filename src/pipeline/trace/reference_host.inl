@@ -56,6 +56,7 @@ struct MACULA_HOST : GlslInCpp<MACULA_REAL> {
 #undef BRICK
 #undef PARALLEL
 #undef ROULETTE_BELOW
+#undef STRIDE
 
   private:
     const std::uint16_t* entries_;

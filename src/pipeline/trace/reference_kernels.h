@@ -15,7 +15,6 @@ std::vector<glm::dvec4> traceSingle(const ReferenceTracer::Tables&, const shared
 // Mirrors shaders/trace/path.comp.
 template <class Host>
 std::vector<glm::dvec4> traceOn(Host prototype, std::uint32_t firstSample, std::uint32_t sampleCount) {
-    using Real = typename Host::Real;
     const int width = prototype.params.imageSize.x;
     const int height = prototype.params.imageSize.y;
     std::vector<glm::dvec4> sums(std::size_t(width) * std::size_t(height));
@@ -23,12 +22,10 @@ std::vector<glm::dvec4> traceOn(Host prototype, std::uint32_t firstSample, std::
         for (int x = 0; x < width; ++x) {
             glm::dvec4 sum(0.0);
             for (std::uint32_t s = firstSample; s < firstSample + sampleCount; ++s) {
-                auto rng = host.makeRng(std::uint32_t(x), std::uint32_t(row), s, host.params.seed);
-                const Real jitterX = host.random01(rng);
-                const Real jitterY = host.random01(rng);
-                const auto direction =
-                    host.eyeDirection(typename Host::vec2(Real(x) + jitterX, Real(row) + jitterY));
-                const auto path = host.tracePath(host.params.originVoxel, direction, rng);
+                typename Host::Rng rng;
+                auto path = host.startSample({x, int(row)}, s, rng);
+                while (host.extendPath(path, rng)) {
+                }
                 sum += glm::dvec4(glm::dvec3(path.radiance), double(path.coverage));
             }
             sums[row * std::size_t(width) + std::size_t(x)] = sum;
@@ -43,9 +40,11 @@ ReferenceTracer::Moments transmittanceOn(Host host, const glm::dvec3& originVoxe
     ReferenceTracer::Moments moments;
     for (std::uint32_t s = 0; s < samples; ++s) {
         auto rng = host.makeRng(0u, 0u, s, host.params.seed);
-        auto walk = host.startWalk(typename Host::vec3(originVoxel),
-                                   host.voxelsPerMm(typename Host::vec3(worldDirection)));
-        const double through = double(host.transmittance(walk, rng));
+        auto ray = host.startPath(typename Host::vec3(originVoxel), typename Host::vec3(worldDirection));
+        ray.shadow = true;
+        while (!host.follow(ray, rng)) {
+        }
+        const double through = double(ray.transmittance);
         moments.sum += through;
         moments.sumOfSquares += through * through;
     }
@@ -76,7 +75,8 @@ std::vector<ReferenceTracer::Segment> segmentsOn(Host host, const glm::dvec3& or
     std::vector<ReferenceTracer::Segment> segments;
     auto walk = host.startWalk(typename Host::vec3(originVoxel),
                                host.voxelsPerMm(typename Host::vec3(worldDirection)));
-    while (host.nextSegment(walk)) {
+    int rounds = 0;
+    while (host.nextSegment(walk, rounds)) {
         segments.push_back({double(walk.distanceMm), double(walk.segmentEndMm), double(walk.majorant)});
     }
     return segments;
