@@ -1,0 +1,92 @@
+#include "viewer/catalogue.h"
+
+#include <presets/embedded_files.h>
+#include <algorithm>
+#include <utility>
+
+#include "pipeline/trace/light_rig_json.h"
+#include "pipeline/volume/transfer_function_json.h"
+
+namespace macula::viewer {
+
+namespace {
+
+constexpr std::string_view kCtPreset = "ct-bone";
+constexpr std::string_view kMrPreset = "mr-default";
+constexpr std::string_view kLights = "studio";
+
+template <class Item>
+std::shared_ptr<const Item> byName(const std::vector<std::shared_ptr<const Item>>& items,
+                                   std::string_view name) {
+    const auto found =
+        std::find_if(items.begin(), items.end(), [&](const auto& item) { return item->name == name; });
+    return found == items.end() ? nullptr : *found;
+}
+
+template <class Item>
+Result<std::shared_ptr<const Item>> findOrExplain(const std::vector<std::shared_ptr<const Item>>& items,
+                                                  std::string_view name, const std::string& kind) {
+    if (auto found = byName(items, name)) return found;
+    std::string names;
+    for (const auto& item : items) names += (names.empty() ? "" : ", ") + item->name;
+    return Error{ErrorCode::usage,
+                 "There is no " + kind + " '" + std::string(name) + "'.",
+                 {},
+                 "There are: " + names + "."};
+}
+
+}  // namespace
+
+Result<Catalogue> builtInCatalogue() {
+    Catalogue catalogue;
+    for (const presets::EmbeddedFile& file : presets::transferFiles()) {
+        const std::string name(file.name);
+        MACULA_TRY(TransferFunction function, transferFunctionFromJson(file.text, name, name));
+        catalogue.presets.push_back(std::make_shared<const TransferFunction>(std::move(function)));
+    }
+    for (const presets::EmbeddedFile& file : presets::lightFiles()) {
+        MACULA_TRY(trace::LightRig rig, trace::lightRigFromJson(file.text, std::string(file.name)));
+        catalogue.lights.push_back(std::make_shared<const trace::LightRig>(std::move(rig)));
+    }
+    MACULA_CHECK(!catalogue.presets.empty() && !catalogue.lights.empty());
+    return catalogue;
+}
+
+Result<std::shared_ptr<const TransferFunction>> findPreset(const Catalogue& catalogue,
+                                                           std::string_view name) {
+    return findOrExplain(catalogue.presets, name, "preset");
+}
+
+Result<std::shared_ptr<const trace::LightRig>> findLights(const Catalogue& catalogue, std::string_view name) {
+    return findOrExplain(catalogue.lights, name, "light rig");
+}
+
+std::shared_ptr<const TransferFunction> presetFor(const Catalogue& catalogue, const Volume& volume) {
+    const std::string& modality = volume.modality();
+    const std::string_view usual = modality == "CT" ? kCtPreset : modality == "MR" ? kMrPreset : "";
+    if (auto preset = byName(catalogue.presets, usual); preset && preset->unit == volume.unit()) {
+        return preset;
+    }
+    const auto first = [&](auto fits) {
+        const auto found = std::find_if(catalogue.presets.begin(), catalogue.presets.end(),
+                                        [&](const auto& preset) { return fits(*preset); });
+        return found == catalogue.presets.end() ? nullptr : *found;
+    };
+    if (auto preset = first([&](const TransferFunction& f) {
+            return f.unit == volume.unit() &&
+                   std::find(f.modalities.begin(), f.modalities.end(), modality) != f.modalities.end();
+        })) {
+        return preset;
+    }
+    if (auto preset = first([&](const TransferFunction& f) { return f.unit == volume.unit(); })) {
+        return preset;
+    }
+    return catalogue.presets.front();
+}
+
+std::shared_ptr<const trace::LightRig> defaultLights(const Catalogue& catalogue) {
+    if (auto lights = byName(catalogue.lights, kLights)) return lights;
+    return catalogue.lights.front();
+}
+
+}  // namespace macula::viewer

@@ -1,0 +1,32 @@
+// The presets and light rigs that the window offers.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/result.h"
+#include "pipeline/trace/environment.h"
+#include "pipeline/volume/transfer_function.h"
+
+namespace macula::viewer {
+
+struct Catalogue {
+    std::vector<std::shared_ptr<const TransferFunction>> presets;  // never empty
+    std::vector<std::shared_ptr<const trace::LightRig>> lights;    // never empty
+};
+
+// Those that are built in.
+Result<Catalogue> builtInCatalogue();
+
+// By name. usage when there is none; the hint lists the names.
+Result<std::shared_ptr<const TransferFunction>> findPreset(const Catalogue& catalogue, std::string_view name);
+Result<std::shared_ptr<const trace::LightRig>> findLights(const Catalogue& catalogue, std::string_view name);
+
+// What a volume is shown with when nobody chose: bone for CT, which needs no contrast agent, the default for
+// MR, else the first that is made for its modality, or for its unit.
+std::shared_ptr<const TransferFunction> presetFor(const Catalogue& catalogue, const Volume& volume);
+std::shared_ptr<const trace::LightRig> defaultLights(const Catalogue& catalogue);
+
+}  // namespace macula::viewer

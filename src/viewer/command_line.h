@@ -1,0 +1,32 @@
+// The options of macula-viewer.
+#pragma once
+
+#include <QSize>
+#include <QString>
+#include <QStringList>
+#include <cstdint>
+#include <optional>
+
+#include "base/frames.h"
+#include "base/result.h"
+
+namespace macula::viewer {
+
+struct CommandLine {
+    std::optional<QString> folder;  // none: the phantom
+    QString preset;                 // empty: by modality
+    QString lights;                 // empty: the default
+    QString device;
+    ViewDirection view = ViewDirection::anterior;
+    std::optional<QSize> size;  // of the picture
+    std::uint32_t samples = 512;
+    bool scriptedOrbit = false;
+    QString screenshots;
+    double seconds = 8.0;
+    std::optional<QString> print;  // help or version was asked for: print this and leave
+};
+
+// `arguments` begins with the program's name. Fails with usage.
+Result<CommandLine> parseCommandLine(const QStringList& arguments);
+
+}  // namespace macula::viewer

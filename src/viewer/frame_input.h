@@ -1,0 +1,43 @@
+// What the render thread is told, as one value.
+#pragma once
+
+#include <vulkan/vulkan_core.h>
+
+#include <chrono>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <memory>
+
+#include "base/camera.h"
+#include "base/volume.h"
+#include "pipeline/trace/environment.h"
+#include "pipeline/trace/path_tracer.h"
+#include "pipeline/volume/transfer_function.h"
+
+namespace macula::viewer {
+
+// Everything that decides what is on the screen. The UI thread publishes a whole new one after each change;
+// the render thread takes the newest and looks for itself what is different. Nothing in it is ever changed
+// after it was published.
+struct FrameInput {
+    std::uint64_t sequence = 0;  // grows by one with each input
+    std::chrono::steady_clock::time_point published{};
+
+    // Owned by the window. Null means: let go of the one you have.
+    VkSurfaceKHR surface = VK_NULL_HANDLE;
+    int width = 0;  // of the window, in device pixels
+    int height = 0;
+    bool visible = false;         // nothing is made for a window that nobody sees
+    std::uint64_t exposures = 0;  // grows when the window system has lost what was shown
+
+    std::shared_ptr<const Volume> volume{};  // null: nothing is open
+    std::shared_ptr<const TransferFunction> transferFunction{};
+    std::shared_ptr<const trace::LightRig> lights{};
+    trace::Settings settings{};
+    Camera camera{};
+    glm::vec3 background{0.02f};      // linear
+    std::uint32_t sampleLimit = 512;  // per pixel; then the picture counts as converged
+    bool interacting = false;         // a hand is moving something: stay fast
+};
+
+}  // namespace macula::viewer

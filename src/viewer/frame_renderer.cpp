@@ -1,0 +1,296 @@
+#include "viewer/frame_renderer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/log.h"
+
+namespace macula::viewer {
+
+namespace {
+
+using std::chrono::duration;
+using std::chrono::milliseconds;
+using std::chrono::seconds;
+
+double millisecondsBetween(std::chrono::steady_clock::time_point from,
+                           std::chrono::steady_clock::time_point to) {
+    return duration<double, std::milli>(to - from).count();
+}
+
+constexpr double kMotionBudgetMs = 110.0;  // 9 pictures a second; 5 are still left on a machine half as fast
+constexpr double kNsPerPixelGuessCpu = 4000.0;
+constexpr double kNsPerPixelGuessGpu = 50.0;
+// In motion light may bounce this often: enough for the look of the full picture, at half its cost.
+constexpr int kMotionBounces = 2;
+// Of each pixel before a picture in motion is shown. With fewer the picture could be larger, but would be
+// a cloud of dots: an eye reads a soft picture more easily than a sparse one.
+constexpr std::uint32_t kMotionSamples = 2;
+constexpr std::uint64_t kMotionSampleLimit = 64;  // while a hand holds still
+// After the last change the small picture is refined for so long before the full one starts: it stays on
+// screen during the long first pass of that, and should not be the noisiest of all.
+constexpr milliseconds kSettle{300};
+constexpr milliseconds kShowInterval{100};  // while converging; nobody sees more, and each costs a copy
+constexpr milliseconds kRateWindow{2000};
+// A device that is lost twice within this time is not tried a third time.
+constexpr seconds kBetweenLosses{30};
+
+bool sameSettings(const trace::Settings& a, const trace::Settings& b) {
+    return a.bounces == b.bounces && a.seed == b.seed && a.filter == b.filter && a.exposure == b.exposure;
+}
+
+bool sameCamera(const Camera& a, const Camera& b) {
+    return a.positionMm == b.positionMm && a.targetMm == b.targetMm && a.up == b.up &&
+           a.verticalFovDeg == b.verticalFovDeg;
+}
+
+bool samePicture(const FrameInput& a, const FrameInput& b) {
+    return a.volume == b.volume && a.transferFunction == b.transferFunction && a.lights == b.lights &&
+           sameSettings(a.settings, b.settings) && sameCamera(a.camera, b.camera) && a.width == b.width &&
+           a.height == b.height && a.surface == b.surface;
+}
+
+trace::Settings motionSettings(trace::Settings settings, std::uint32_t frame) {
+    settings.bounces = std::min(settings.bounces, kMotionBounces);
+    settings.seed += frame;  // else the noise would stand still on the screen like dirt
+    settings.filter = trace::Filter::stochastic;
+    return settings;
+}
+
+float encodedSrgb(float linear) {
+    return linear <= 0.0031308f ? 12.92f * linear : 1.055f * std::pow(linear, 1.0f / 2.4f) - 0.055f;
+}
+
+}  // namespace
+
+FrameRenderer::FrameRenderer(gpu::Instance instance, std::string preferredDevice, RenderListener listener)
+    : instance_(std::move(instance)),
+      preferredDevice_(std::move(preferredDevice)),
+      listener_(std::move(listener)) {}
+
+FrameRenderer::~FrameRenderer() {
+    releaseSurface();
+}
+
+void FrameRenderer::accept(FrameInput input) {
+    if (input.surface != input_.surface) releaseSurface();
+    if (!samePicture(input, input_)) {
+        restart_ = true;
+        halted_ = false;
+    } else if (input.background != input_.background) {
+        redisplay_ = true;
+    }
+    if (stage_ == Stage::converged && input.sampleLimit > input_.sampleLimit) stage_ = Stage::converging;
+    input_ = std::move(input);
+}
+
+bool FrameRenderer::hasWork() const {
+    if (halted_ || !input_.visible || input_.surface == VK_NULL_HANDLE) return false;
+    if (input_.width <= 0 || input_.height <= 0) return false;
+    if (restart_ || redisplay_ || !device_ || !presenter_ || applied_.exposures != input_.exposures) {
+        return true;
+    }
+    if (!input_.volume || stage_ == Stage::converged) return false;
+    return stage_ != Stage::moving || !input_.interacting || movingSamples_ < kMotionSampleLimit;
+}
+
+void FrameRenderer::step(const Interrupts& interrupts) {
+    if (!hasWork()) return;
+    if (const Result<void> done = tryStep(interrupts); !done) handle(done.error());
+}
+
+Result<void> FrameRenderer::tryStep(const Interrupts& interrupts) {
+    MACULA_TRY_VOID(ensureDevice());
+    MACULA_TRY_VOID(ensurePresenter());
+    if (!input_.volume || !input_.transferFunction || !input_.lights) {
+        const glm::vec3 b = input_.background;
+        restart_ = redisplay_ = false;
+        stage_ = Stage::converged;
+        const VkClearColorValue colour{{encodedSrgb(b.r), encodedSrgb(b.g), encodedSrgb(b.b), 1.0f}};
+        MACULA_TRY([[maybe_unused]] const bool shown, presenter_->showColour(colour));
+        return {};
+    }
+    if (restart_) {
+        MACULA_TRY_VOID(applyScene());
+        MACULA_TRY_VOID(startMoving());
+    }
+    if (std::exchange(redisplay_, false)) return showPicture();
+    if (stage_ == Stage::moving) return stepMoving(interrupts);
+    if (stage_ == Stage::converging) return stepConverging(interrupts);
+    return {};
+}
+
+Result<void> FrameRenderer::ensureDevice() {
+    if (device_) return {};
+    listener_(Preparing{"Starting the graphics device"});
+    gpu::DeviceOptions options;
+    options.preferred = preferredDevice_;
+    options.extensions.push_back(VK_KHR_SWAPCHAIN_EXTENSION_NAME);
+    MACULA_TRY(std::shared_ptr<gpu::Device> device, gpu::Device::create(instance_, options));
+    MACULA_TRY(trace::PathTracer tracer, trace::PathTracer::create(device));
+    device_ = std::move(device);
+    tracer_.emplace(std::move(tracer));
+    kernelsAreWarm_ = false;
+    applied_ = {};
+    restart_ = true;
+    motionScale_.emplace(kMotionBudgetMs, device_->isCpu() ? kNsPerPixelGuessCpu : kNsPerPixelGuessGpu);
+    listener_(DeviceReady{device_->info().name, gpu::describe(device_->info())});
+    return {};
+}
+
+Result<void> FrameRenderer::ensurePresenter() {
+    const VkExtent2D window{std::uint32_t(input_.width), std::uint32_t(input_.height)};
+    if (!presenter_) {
+        MACULA_TRY(Presenter presenter, Presenter::create(device_, input_.surface, window));
+        presenter_.emplace(std::move(presenter));
+        restart_ = true;
+    } else if (applied_.window.width != window.width || applied_.window.height != window.height) {
+        MACULA_TRY_VOID(presenter_->resize(window));
+    }
+    applied_.window = window;
+    if (applied_.exposures != input_.exposures) {
+        applied_.exposures = input_.exposures;
+        MACULA_TRY([[maybe_unused]] const bool shown, presenter_->showAgain());
+    }
+    return {};
+}
+
+Result<void> FrameRenderer::applyScene() {
+    if (applied_.volume != input_.volume) {
+        listener_(Preparing{"Preparing the volume"});
+        applied_.volume = nullptr;  // after a failure the tracer has neither the old one nor the new one
+        MACULA_TRY_VOID(tracer_->setVolume(input_.volume));
+        applied_.volume = input_.volume;
+        applied_.transferFunction = nullptr;
+    }
+    if (applied_.transferFunction != input_.transferFunction) {
+        MACULA_TRY_VOID(tracer_->setTransferFunction(*input_.transferFunction));
+        applied_.transferFunction = input_.transferFunction;
+    }
+    if (applied_.lights != input_.lights) {
+        MACULA_TRY_VOID(tracer_->setEnvironment(trace::Environment::fromRig(*input_.lights)));
+        applied_.lights = input_.lights;
+    }
+    return {};
+}
+
+Result<void> FrameRenderer::applySettings(const trace::Settings& settings) {
+    if (applied_.settings && sameSettings(*applied_.settings, settings)) return {};
+    MACULA_TRY_VOID(tracer_->setSettings(settings));
+    applied_.settings = settings;
+    return {};
+}
+
+Result<void> FrameRenderer::startMoving() {
+    MACULA_TRY_VOID(applySettings(motionSettings(input_.settings, ++motionFrame_)));
+    scale_ = motionScale_->choose(input_.width, input_.height);
+    view_ = {.camera = input_.camera,
+             .width = scaledEdge(input_.width, scale_),
+             .height = scaledEdge(input_.height, scale_)};
+    MACULA_TRY_VOID(tracer_->setView(view_));
+    movingSince_ = Clock::now();
+    movingSamples_ = 0;
+    restart_ = false;
+    stage_ = Stage::moving;
+    return {};
+}
+
+Result<void> FrameRenderer::startConverging() {
+    MACULA_TRY_VOID(applySettings(input_.settings));
+    scale_ = 1;
+    view_ = {.camera = input_.camera, .width = input_.width, .height = input_.height};
+    MACULA_TRY_VOID(tracer_->setView(view_));
+    stage_ = Stage::converging;
+    return {};
+}
+
+Result<void> FrameRenderer::stepMoving(const Interrupts& interrupts) {
+    if (!input_.interacting && movingSamples_ > 0 && Clock::now() - movingSince_ >= kSettle) {
+        return startConverging();
+    }
+    const Clock::time_point start = Clock::now();
+    MACULA_TRY(const bool complete, tracer_->trace(kMotionSamples, [&] { return !interrupts.stopping(); }));
+    if (!complete) return {};
+    const Clock::time_point traced = Clock::now();
+    movingSamples_ += kMotionSamples;
+    MACULA_TRY_VOID(showPicture());
+    // One picture in flight: a longer queue would show where the hand was, not where it is.
+    MACULA_TRY_VOID(device_->waitForAll());
+    // The first picture also compiles the kernels, and says nothing about the next.
+    if (!std::exchange(kernelsAreWarm_, true)) return {};
+    motionScale_->observe(view_.width, view_.height, millisecondsBetween(start, traced),
+                          millisecondsBetween(traced, Clock::now()));
+    return {};
+}
+
+Result<void> FrameRenderer::stepConverging(const Interrupts& interrupts) {
+    MACULA_TRY(const bool complete,
+               tracer_->trace(1, [&] { return !interrupts.newInput() && !interrupts.stopping(); }));
+    if (!complete) return {};
+    MACULA_TRY(const trace::Statistics statistics, tracer_->statistics());
+    const std::uint64_t samples = statistics.samplesPerPixel;
+    const bool last = samples >= input_.sampleLimit;
+    if (last) stage_ = Stage::converged;
+    const bool due = shown_.empty() || Clock::now() - shown_.back() >= kShowInterval;
+    return last || samples == 1 || due ? showPicture() : Result<void>{};
+}
+
+Result<void> FrameRenderer::showPicture() {
+    MACULA_TRY(const gpu::Image* picture, tracer_->display(input_.background));
+    MACULA_TRY(const bool visible, presenter_->show(*picture));
+    if (!visible) return {};
+    const Clock::time_point now = Clock::now();
+    shown_.push_back(now);
+    while (now - shown_.front() > kRateWindow) shown_.pop_front();
+    MACULA_TRY(const trace::Statistics statistics, tracer_->statistics());
+    listener_(FrameShown{.inputSequence = input_.sequence,
+                         .stage = stage_,
+                         .width = view_.width,
+                         .height = view_.height,
+                         .scale = scale_,
+                         .samplesPerPixel = statistics.samplesPerPixel,
+                         .sampleLimit = input_.sampleLimit,
+                         .framesPerSecond = framesPerSecond(),
+                         .latencyMs = millisecondsBetween(input_.published, now),
+                         .nonFiniteSamples = statistics.nonFiniteSamples});
+    return {};
+}
+
+double FrameRenderer::framesPerSecond() const {
+    if (shown_.size() < 2) return 0.0;
+    const double spanMs = millisecondsBetween(shown_.front(), shown_.back());
+    return spanMs > 0.0 ? 1000.0 * double(shown_.size() - 1) / spanMs : 0.0;
+}
+
+void FrameRenderer::handle(const Error& error) {
+    const bool lost = device_ && device_->lost();
+    if (lost) {
+        const Clock::time_point now = Clock::now();
+        const bool again = lastLoss_ && now - *lastLoss_ < kBetweenLosses;
+        lastLoss_ = now;
+        dropDevice();
+        if (!again) {
+            log::warning("The graphics device was lost; starting it again.");
+            return;  // hasWork() is true without a device: the next step makes a new one
+        }
+    }
+    halted_ = true;
+    listener_(RenderFailure{error});
+}
+
+void FrameRenderer::dropDevice() {
+    releaseSurface();
+    tracer_.reset();
+    device_.reset();
+    applied_ = {};
+}
+
+void FrameRenderer::releaseSurface() {
+    if (const Result<void> released = Presenter::release(std::exchange(presenter_, std::nullopt));
+        !released) {
+        log::warning("{}", released.error().message);
+    }
+}
+
+}  // namespace macula::viewer

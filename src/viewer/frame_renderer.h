@@ -1,0 +1,99 @@
+// Makes pictures out of inputs, in steps short enough to stay responsive.
+#pragma once
+
+#include <chrono>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "pipeline/gpu/device.h"
+#include "pipeline/gpu/instance.h"
+#include "pipeline/trace/path_tracer.h"
+#include "viewer/frame_input.h"
+#include "viewer/motion_scale.h"
+#include "viewer/presenter.h"
+#include "viewer/render_events.h"
+
+namespace macula::viewer {
+
+// Asked between dispatches. Both must be cheap.
+struct Interrupts {
+    std::function<bool()> newInput;
+    std::function<bool()> stopping;
+};
+
+// Owns the device and all that is on it. A picture has up to three stages: while something moves, one sample
+// per pixel of a smaller picture that always gets finished, or the view would never follow a steady hand;
+// then all pixels, given up at once when a new input comes; then rest, when all samples are there. The
+// smaller picture stays on screen until the full one has a sample everywhere.
+//
+// Used by one thread, the render thread.
+class FrameRenderer {
+  public:
+    FrameRenderer(gpu::Instance instance, std::string preferredDevice, RenderListener listener);
+    ~FrameRenderer();
+
+    void accept(FrameInput input);
+
+    // Whether step() has anything to do before the next input.
+    bool hasWork() const;
+    // At most one pass over the picture.
+    void step(const Interrupts& interrupts);
+
+    // Afterwards nothing refers to the surface of the last input.
+    void releaseSurface();
+
+  private:
+    using Clock = std::chrono::steady_clock;
+
+    Result<void> tryStep(const Interrupts& interrupts);
+    Result<void> ensureDevice();
+    Result<void> ensurePresenter();
+    Result<void> applyScene();
+    Result<void> applySettings(const trace::Settings& settings);
+    Result<void> startMoving();
+    Result<void> startConverging();
+    Result<void> stepMoving(const Interrupts& interrupts);
+    Result<void> stepConverging(const Interrupts& interrupts);
+    Result<void> showPicture();
+    void handle(const Error& error);
+    void dropDevice();
+    double framesPerSecond() const;
+
+    gpu::Instance instance_;
+    std::string preferredDevice_;
+    RenderListener listener_;
+
+    std::shared_ptr<gpu::Device> device_;
+    std::optional<Presenter> presenter_;
+    std::optional<trace::PathTracer> tracer_;
+
+    FrameInput input_;
+    // What the device has by now; compared with the input to find what to bring there.
+    struct Applied {
+        std::shared_ptr<const Volume> volume;
+        std::shared_ptr<const TransferFunction> transferFunction;
+        std::shared_ptr<const trace::LightRig> lights;
+        std::optional<trace::Settings> settings;
+        VkExtent2D window{};
+        std::uint64_t exposures = 0;
+    } applied_;
+
+    Stage stage_ = Stage::converged;
+    bool restart_ = false;    // the picture must begin anew
+    bool redisplay_ = false;  // the picture is right, but not what is on screen
+    bool halted_ = false;     // after a failure, until something changes
+    int scale_ = 1;
+    trace::View view_;
+    std::optional<MotionScale> motionScale_;
+    bool kernelsAreWarm_ = false;
+    Clock::time_point movingSince_{};
+    std::uint64_t movingSamples_ = 0;
+    std::uint32_t motionFrame_ = 0;
+    std::deque<Clock::time_point> shown_;
+    std::optional<Clock::time_point> lastLoss_;
+};
+
+}  // namespace macula::viewer

@@ -1,0 +1,122 @@
+#include "viewer/loader_job.h"
+
+#include <QMetaObject>
+#include <exception>
+#include <new>
+#include <utility>
+
+#include "base/phantom.h"
+#include "dicom/loader.h"
+#include "dicom/scan.h"
+
+namespace macula::viewer {
+
+namespace {
+
+Result<LoadedStudy> loadPhantom(Progress& progress) {
+    progress.beginStage("Making the phantom", 1);
+    auto volume = std::make_shared<const Volume>(phantom::make());
+    if (progress.cancelled()) return Error{ErrorCode::cancelled, "Loading was cancelled.", {}, {}};
+    progress.advance();
+    return LoadedStudy{.volume = std::move(volume), .description = "Built-in phantom"};
+}
+
+Result<LoadedStudy> loadFolder(const std::filesystem::path& path, Progress& progress) {
+    std::error_code notThere;
+    const bool isFile = std::filesystem::is_regular_file(path, notThere);
+    MACULA_TRY(const dicom::Scan scan, dicom::scanFolder(isFile ? path.parent_path() : path, progress));
+    std::string why;
+    const dicom::Series* series = dicom::bestSeries(scan, &why);
+    if (series == nullptr) {
+        return Error{ErrorCode::inputNotUsable,
+                     why.empty() ? "No series in the folder can be shown in 3D." : why, path.string(),
+                     "Choose a folder with a CT or MR series of several parallel slices."};
+    }
+    MACULA_TRY(std::shared_ptr<const Volume> volume, dicom::loadVolume(*series, progress));
+    LoadedStudy study{
+        .volume = std::move(volume), .description = series->description, .whyThisSeries = std::move(why)};
+    for (const dicom::Message& message : series->messages) {
+        if (message.severity != dicom::Severity::info) study.messages.push_back(message.sentence);
+    }
+    if (!scan.skipped.empty()) {
+        study.messages.push_back(std::to_string(scan.skipped.size()) +
+                                 (scan.skipped.size() == 1 ? " file was" : " files were") +
+                                 " left out; `macula info` on the folder says why.");
+    }
+    return study;
+}
+
+}  // namespace
+
+Result<LoadedStudy> loadStudy(const StudySource& source, Progress& progress) {
+    try {
+        return source ? loadFolder(*source, progress) : loadPhantom(progress);
+    } catch (const std::bad_alloc&) {
+        return Error{ErrorCode::outOfMemory,
+                     "There is not enough memory for this study.",
+                     {},
+                     "Close other programs, or open a smaller series."};
+    } catch (const std::exception&) {
+        // Nothing is known of it but that this study cannot be shown; the window must live on.
+        return Error{ErrorCode::inputNotUsable, "The study could not be opened.",
+                     source ? source->string() : std::string(),
+                     "Run `macula info` on the folder to find out what is wrong with it."};
+    }
+}
+
+StudyLoader::StudyLoader(QObject* parent) : QObject(parent) {}
+
+StudyLoader::~StudyLoader() {
+    for (const Job& job : jobs_) job.token.cancel();
+    jobs_.clear();
+}
+
+void StudyLoader::open(StudySource source) {
+    for (const Job& job : jobs_) job.token.cancel();
+    const std::uint64_t id = ++lastId_;
+    current_ = id;
+    emit began();
+
+    Job& job = jobs_.emplace_back();
+    job.id = id;
+    job.thread = std::jthread([this, id, token = job.token, source = std::move(source)] {
+        Progress progress(
+            [this, id](const ProgressUpdate& update) {
+                QMetaObject::invokeMethod(
+                    this,
+                    [this, id, update] {
+                        if (id == current_) {
+                            emit progressed(QString::fromStdString(update.stage), update.fraction);
+                        }
+                    },
+                    Qt::QueuedConnection);
+            },
+            token);
+        Result<LoadedStudy> outcome = loadStudy(source, progress);
+        QMetaObject::invokeMethod(
+            this, [this, id, outcome = std::move(outcome)] { finish(id, outcome); }, Qt::QueuedConnection);
+    });
+}
+
+void StudyLoader::cancel() {
+    if (!loading()) return;
+    for (const Job& job : jobs_) job.token.cancel();
+    current_ = 0;
+    emit cancelled();
+}
+
+void StudyLoader::finish(std::uint64_t id, const Result<LoadedStudy>& outcome) {
+    // Posting this was the last thing its thread did: joining it takes no time.
+    jobs_.remove_if([id](const Job& job) { return job.id == id; });
+    if (id != current_) return;
+    current_ = 0;
+    if (outcome) {
+        emit loaded(*outcome);
+    } else if (outcome.error().code == ErrorCode::cancelled) {
+        emit cancelled();
+    } else {
+        emit failed(outcome.error());
+    }
+}
+
+}  // namespace macula::viewer

@@ -1,0 +1,71 @@
+// Opens a folder without keeping anybody waiting.
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <list>
+#include <memory>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "base/progress.h"
+#include "base/result.h"
+#include "base/volume.h"
+
+namespace macula::viewer {
+
+// What came out of a folder. The strings are for the screen; `description` may name a patient.
+struct LoadedStudy {
+    std::shared_ptr<const Volume> volume;
+    std::string description = {};
+    std::string whyThisSeries = {};          // empty for the phantom
+    std::vector<std::string> messages = {};  // warnings about the series and about files left out
+};
+
+// A folder, or a file whose folder is meant; nothing is the built-in phantom.
+using StudySource = std::optional<std::filesystem::path>;
+
+// Scans, chooses the best series and decodes it. Blocks; a file at a time sees a cancellation.
+Result<LoadedStudy> loadStudy(const StudySource& source, Progress& progress);
+
+// One load at a time, on a thread of its own. A new one cancels the one before, whose outcome is not
+// reported. Lives on the UI thread, and so do its signals.
+class StudyLoader : public QObject {
+    Q_OBJECT
+
+  public:
+    explicit StudyLoader(QObject* parent = nullptr);
+    // Cancels, and waits for the threads to notice.
+    ~StudyLoader() override;
+
+    void open(StudySource source);
+    void cancel();  // `cancelled` follows
+    bool loading() const { return current_ != 0; }
+
+  signals:
+    void began();
+    void progressed(const QString& stage, double fraction);
+    void loaded(const macula::viewer::LoadedStudy& study);
+    void failed(const macula::Error& error);
+    void cancelled();
+
+  private:
+    struct Job {
+        std::uint64_t id = 0;
+        CancelToken token;
+        std::jthread thread;
+    };
+
+    void finish(std::uint64_t id, const Result<LoadedStudy>& outcome);
+
+    std::list<Job> jobs_;  // the current one, and cancelled ones that have not noticed yet
+    std::uint64_t current_ = 0;
+    std::uint64_t lastId_ = 0;
+};
+
+}  // namespace macula::viewer

@@ -1,0 +1,105 @@
+// macula-viewer: the window on a study.
+#include "viewer/main_window.h"  // before Qt, see vulkan_window.h
+
+#include <QApplication>
+#include <QMessageBox>
+#include <cstdio>
+#include <cstdlib>
+#include <optional>
+#include <utility>
+
+#include "viewer/command_line.h"
+#include "viewer/exit_codes.h"
+#include "viewer/orbit_script.h"
+
+namespace {
+
+using namespace macula;
+using namespace macula::viewer;
+
+int fail(const Error& error) {
+    std::fprintf(stderr, "macula-viewer: %s%s%s%s %s\n", error.message.c_str(),
+                 error.where.empty() ? "" : " (", error.where.c_str(), error.where.empty() ? "" : ")",
+                 error.hint.c_str());
+    return exitCodeOf(error.code);
+}
+
+// Qt ends the process with an abort where there is no display; a sentence is kinder.
+bool hasDisplay() {
+#ifdef __linux__
+    const auto set = [](const char* name) {
+        const char* value = std::getenv(name);
+        return value != nullptr && *value != '\0';
+    };
+    return set("DISPLAY") || set("WAYLAND_DISPLAY") || set("QT_QPA_PLATFORM");
+#else
+    return true;
+#endif
+}
+
+Result<MainWindowOptions> windowOptions(const CommandLine& line) {
+    MACULA_TRY(Catalogue catalogue, builtInCatalogue());
+    MainWindowOptions options{.catalogue = std::move(catalogue), .device = line.device.toStdString()};
+    if (!line.preset.isEmpty()) {
+        MACULA_TRY(options.preset, findPreset(options.catalogue, line.preset.toStdString()));
+    }
+    if (!line.lights.isEmpty()) {
+        MACULA_TRY(options.lights, findLights(options.catalogue, line.lights.toStdString()));
+    }
+    options.firstView = line.view;
+    if (line.size) options.pictureSize = *line.size;
+    options.sampleLimit = line.samples;
+    return options;
+}
+
+int run(QApplication& application, const CommandLine& line) {
+    Result<MainWindowOptions> options = windowOptions(line);
+    if (!options) return fail(options.error());
+    Result<gpu::Instance> instance = createInstanceForWindows();
+    if (!instance) {
+        const int code = fail(instance.error());
+        // Started from a desktop, nobody sees the standard error stream.
+        if (!line.scriptedOrbit) {
+            QMessageBox::critical(
+                nullptr, QStringLiteral("Macula"),
+                QString::fromStdString(instance.error().message + " " + instance.error().hint));
+        }
+        return code;
+    }
+    MainWindow window(*std::move(instance), *std::move(options));
+    std::optional<OrbitScript> script;
+    if (line.scriptedOrbit) {
+        script.emplace(window,
+                       OrbitScriptOptions{.screenshotFolder = line.screenshots, .seconds = line.seconds});
+        QObject::connect(&*script, &OrbitScript::finished, &application,
+                         [](int code) { QCoreApplication::exit(code); });
+        script->start();
+    }
+    window.show();
+    window.open(line.folder ? StudySource(line.folder->toStdString()) : StudySource());
+    return application.exec();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    QCoreApplication::setApplicationName(QStringLiteral("macula-viewer"));
+    QCoreApplication::setApplicationVersion(QStringLiteral(MACULA_VERSION));
+    QStringList arguments;
+    for (int i = 0; i < argc; ++i) arguments << QString::fromLocal8Bit(argv[i]);
+    // Before the application object: --help and wrong options need no display.
+    const Result<CommandLine> line = parseCommandLine(arguments);
+    if (!line) return fail(line.error());
+    if (line->print) {
+        std::fputs(line->print->toLocal8Bit().constData(), stdout);
+        return kExitDone;
+    }
+    if (!hasDisplay()) {
+        return fail({ErrorCode::deviceNotUsable,
+                     "There is no display to open a window on.",
+                     {},
+                     "Set DISPLAY or WAYLAND_DISPLAY, or use `macula render`, which needs none."});
+    }
+    QApplication application(argc, argv);
+    return run(application, *line);
+}

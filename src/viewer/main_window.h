@@ -1,0 +1,86 @@
+// The application's window.
+#pragma once
+
+#include "viewer/viewport.h"  // before Qt, see vulkan_window.h
+
+#include <QComboBox>
+#include <QMainWindow>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "viewer/catalogue.h"
+#include "viewer/loader_job.h"
+#include "viewer/status_widgets.h"
+
+namespace macula::viewer {
+
+struct MainWindowOptions {
+    Catalogue catalogue;
+    std::string device = {};                              // as in gpu::chooseDevice
+    std::shared_ptr<const TransferFunction> preset = {};  // null: by the volume's modality
+    std::shared_ptr<const trace::LightRig> lights = {};   // null: the default
+    ViewDirection firstView = ViewDirection::anterior;
+    QSize pictureSize{960, 720};
+    std::uint32_t sampleLimit = 512;
+};
+
+// Menus, choices, the viewport, and what is known about the picture in it. Nothing here waits: folders are
+// read by a StudyLoader, pictures are made by the viewport's render thread.
+class MainWindow : public QMainWindow {
+    Q_OBJECT
+
+  public:
+    MainWindow(gpu::Instance instance, MainWindowOptions options);
+
+    void open(StudySource source);
+    void cancelLoading() { loader_.cancel(); }
+    bool loading() const { return loader_.loading(); }
+
+    Viewport& viewport() { return *viewport_; }
+    QString message() const { return messages_->isVisible() ? messages_->text() : QString(); }
+    bool hasStudy() const { return volume_ != nullptr; }
+
+  signals:
+    void frameShown(const macula::viewer::FrameShown& frame);
+    void studyShown();
+    void loadingCancelled();
+    void failed(const macula::Error& error);
+
+  protected:
+    void keyPressEvent(QKeyEvent* event) override;
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
+
+  private:
+    void makeMenus();
+    void makeToolBar();
+    void makeStatusBar();
+    void connectLoader();
+    void askForFolder();
+    void showStudy(const LoadedStudy& study);
+    void onRendered(const RenderEvent& event);
+    void onFrame(const FrameShown& frame);
+    void setVolumeText(const LoadedStudy& study);
+    void showKeys();
+    void showAbout();
+    void triggerShortcut(QKeyEvent* event);
+
+    MainWindowOptions options_;
+    StudyLoader loader_;
+    std::shared_ptr<const Volume> volume_;
+    QString lastFolder_;
+
+    Viewport* viewport_ = nullptr;
+    MessageBar* messages_ = nullptr;
+    LoadingBar* loading_ = nullptr;
+    QComboBox* presets_ = nullptr;
+    QComboBox* lights_ = nullptr;
+    ElidingLabel* description_ = nullptr;
+    ElidingLabel* fidelity_ = nullptr;
+    ElidingLabel* volumeText_ = nullptr;
+    ElidingLabel* pictureText_ = nullptr;
+    ElidingLabel* deviceText_ = nullptr;
+};
+
+}  // namespace macula::viewer

@@ -1,0 +1,189 @@
+#include "viewer/orbit_script.h"
+
+#include <QApplication>
+#include <QDir>
+#include <QImage>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QMouseEvent>
+#include <QPixmap>
+#include <QScreen>
+#include <QThreadPool>
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+#include <variant>
+
+#include "viewer/exit_codes.h"
+
+namespace macula::viewer {
+
+namespace {
+
+constexpr int kPaintedAfterMs = 200;
+constexpr int kHandIntervalMs = 16;           // as often as a usual mouse and display
+constexpr double kHandPixelsPerSecond = 150;  // at 600 pixels height: once around in 8 s
+constexpr double kSwayPixels = 60;            // up and down
+constexpr double kSwaySeconds = 4;
+// Of the orbit, when pictures in motion are taken.
+constexpr double kMotionShots[] = {0.2, 0.5, 0.8};
+
+std::atomic<int> failedScreenshots{0};
+
+double percentile(std::vector<double> values, double fraction) {
+    if (values.empty()) return 0.0;
+    std::sort(values.begin(), values.end());
+    return values[std::size_t(fraction * double(values.size() - 1) + 0.5)];
+}
+
+}  // namespace
+
+OrbitScript::OrbitScript(MainWindow& window, OrbitScriptOptions options, QObject* parent)
+    : QObject(parent), window_(window), options_(std::move(options)) {
+    hand_.setTimerType(Qt::PreciseTimer);
+    hand_.setInterval(kHandIntervalMs);
+    connect(&hand_, &QTimer::timeout, this, &OrbitScript::moveHand);
+    deadline_.setSingleShot(true);
+    deadline_.setInterval(int(options_.timeoutSeconds * 1000));
+    connect(&deadline_, &QTimer::timeout, this, [this] {
+        std::fprintf(stderr, "No finished picture within %.0f s.\n", options_.timeoutSeconds);
+        finish(1);
+    });
+    connect(&window_, &MainWindow::frameShown, this, &OrbitScript::onFrame);
+    connect(&window_, &MainWindow::failed, this, &OrbitScript::fail);
+    connect(&window_.viewport(), &Viewport::rendered, this, [this](const RenderEvent& event) {
+        if (const auto* ready = std::get_if<DeviceReady>(&event))
+            device_ = QString::fromStdString(ready->name);
+    });
+}
+
+void OrbitScript::start() {
+    if (!options_.screenshotFolder.isEmpty()) QDir().mkpath(options_.screenshotFolder);
+    heartbeat_.start();
+    deadline_.start();
+}
+
+void OrbitScript::onFrame(const FrameShown& frame) {
+    switch (phase_) {
+        case Phase::waiting:
+            if (frame.stage != Stage::moving) beginOrbit();
+            break;
+        case Phase::orbiting:
+            // The same view shown once more is not following.
+            if (frame.inputSequence == lastSequence_) break;
+            lastSequence_ = frame.inputSequence;
+            shownAtMs_.push_back(double(orbiting_.nsecsElapsed()) / 1e6);
+            latenciesMs_.push_back(frame.latencyMs);
+            scales_.push_back(frame.scale);
+            break;
+        case Phase::converging:
+            if (frame.stage != Stage::converged) break;
+            samplesAtEnd_ = frame.samplesPerPixel;
+            phase_ = Phase::reporting;
+            // The labels of the window are painted after this event.
+            QTimer::singleShot(kPaintedAfterMs, this, [this] {
+                takeScreenshot(QStringLiteral("converged.png"));
+                report();
+            });
+            break;
+        case Phase::reporting:
+        case Phase::done:
+            break;
+    }
+}
+
+void OrbitScript::beginOrbit() {
+    phase_ = Phase::orbiting;
+    const VulkanWindow& target = window_.viewport().window();
+    grip_ = QPointF(target.width() / 2.0, target.height() / 2.0);
+    sendMouse(QEvent::MouseButtonPress, grip_, Qt::LeftButton, Qt::LeftButton);
+    orbiting_.start();
+    hand_.start();
+}
+
+void OrbitScript::moveHand() {
+    const double seconds = double(orbiting_.nsecsElapsed()) / 1e9;
+    if (seconds >= options_.seconds) return endOrbit();
+    const double sway = kSwayPixels * std::sin(2.0 * std::numbers::pi * seconds / kSwaySeconds);
+    sendMouse(QEvent::MouseMove, grip_ + QPointF(kHandPixelsPerSecond * seconds, sway), Qt::NoButton,
+              Qt::LeftButton);
+    if (nextMotionShot_ < std::size(kMotionShots) &&
+        seconds >= kMotionShots[nextMotionShot_] * options_.seconds) {
+        takeScreenshot(QStringLiteral("motion-%1.png").arg(++nextMotionShot_));
+    }
+}
+
+void OrbitScript::endOrbit() {
+    hand_.stop();
+    orbitedSeconds_ = double(orbiting_.nsecsElapsed()) / 1e9;
+    sendMouse(QEvent::MouseButtonRelease, grip_, Qt::LeftButton, Qt::NoButton);
+    phase_ = Phase::converging;
+}
+
+void OrbitScript::sendMouse(QEvent::Type type, QPointF position, Qt::MouseButton button,
+                            Qt::MouseButtons held) {
+    VulkanWindow& target = window_.viewport().window();
+    QMouseEvent event(type, position, target.mapToGlobal(position), button, held, Qt::NoModifier);
+    QCoreApplication::sendEvent(&target, &event);
+}
+
+void OrbitScript::takeScreenshot(const QString& name) {
+    if (options_.screenshotFolder.isEmpty()) return;
+    const QString file = QDir(options_.screenshotFolder).filePath(name);
+    screenshots_ << file;
+    // From the screen: what a person sees, the native window included.
+    const QImage picture = window_.screen()->grabWindow(window_.winId()).toImage();
+    QThreadPool::globalInstance()->start([picture, file] {
+        if (picture.isNull() || !picture.save(file)) ++failedScreenshots;
+    });
+}
+
+void OrbitScript::report() {
+    heartbeat_.stop();
+    QThreadPool::globalInstance()->waitForDone();
+    double longestGapMs = 0.0;
+    double last = 0.0;
+    for (const double at : shownAtMs_) {
+        longestGapMs = std::max(longestGapMs, at - last);
+        last = at;
+    }
+    const QSize size = window_.viewport().pictureSize();
+    const auto [finest, coarsest] = std::minmax_element(scales_.begin(), scales_.end());
+    const QJsonObject json{
+        {"device", device_},
+        {"width", size.width()},
+        {"height", size.height()},
+        {"orbitSeconds", orbitedSeconds_},
+        {"orbitFramesPerSecond", double(shownAtMs_.size()) / std::max(orbitedSeconds_, 1e-9)},
+        {"orbitLongestGapMs", longestGapMs},
+        {"orbitLatencyMedianMs", percentile(latenciesMs_, 0.5)},
+        {"orbitLatency95thMs", percentile(latenciesMs_, 0.95)},
+        {"orbitScaleFinest", scales_.empty() ? 0 : *finest},
+        {"orbitScaleCoarsest", scales_.empty() ? 0 : *coarsest},
+        {"longestUiStallMs", heartbeat_.longestStallMs()},
+        {"uiBeats", qint64(heartbeat_.beats())},
+        {"samplesPerPixel", qint64(samplesAtEnd_)},
+        {"screenshots", QJsonArray::fromStringList(screenshots_)},
+    };
+    std::fputs(QJsonDocument(json).toJson(QJsonDocument::Indented).constData(), stdout);
+    std::fflush(stdout);
+    finish(failedScreenshots == 0 ? 0 : 1);
+}
+
+void OrbitScript::fail(const Error& error) {
+    std::fprintf(stderr, "%s %s\n", error.message.c_str(), error.hint.c_str());
+    finish(exitCodeOf(error.code));
+}
+
+void OrbitScript::finish(int exitCode) {
+    if (phase_ == Phase::done) return;
+    phase_ = Phase::done;
+    hand_.stop();
+    deadline_.stop();
+    emit finished(exitCode);
+}
+
+}  // namespace macula::viewer

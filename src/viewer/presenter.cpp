@@ -1,0 +1,105 @@
+#include "viewer/presenter.h"
+
+#include <utility>
+
+#include "pipeline/gpu/recorder.h"
+
+namespace macula::viewer {
+
+namespace {
+
+// Long enough for any window system, short enough that a stuck one does not hold up the render thread.
+constexpr std::uint64_t kAcquireTimeoutNs = 100'000'000;
+constexpr int kResizeAttempts = 3;
+
+}  // namespace
+
+Presenter::Presenter(std::shared_ptr<gpu::Device> device, gpu::Swapchain swapchain, VkExtent2D wanted)
+    : device_(std::move(device)), swapchain_(std::move(swapchain)), wanted_(wanted) {}
+
+Result<Presenter> Presenter::create(const std::shared_ptr<gpu::Device>& device, VkSurfaceKHR surface,
+                                    VkExtent2D extent) {
+    // Mailbox: tracing must not wait for the display.
+    MACULA_TRY(
+        gpu::Swapchain swapchain,
+        gpu::Swapchain::create(device, surface, {.extent = extent, .mode = gpu::PresentMode::mailbox}));
+    return Presenter(device, std::move(swapchain), extent);
+}
+
+Result<void> Presenter::resize(VkExtent2D extent) {
+    wanted_ = extent;
+    return swapchain_.resize(extent);
+}
+
+Result<bool> Presenter::show(const gpu::Image& picture) {
+    MACULA_TRY_VOID(keep(picture));
+    return showAgain();
+}
+
+Result<void> Presenter::keep(const gpu::Image& picture) {
+    const VkExtent3D extent = picture.extent();
+    const bool fits = kept_ && kept_->extent().width == extent.width &&
+                      kept_->extent().height == extent.height && kept_->format() == picture.format();
+    if (!fits) {
+        keptIsValid_ = false;
+        MACULA_TRY(gpu::Image image, gpu::Image::create(device_, {.label = "picture shown",
+                                                                  .width = extent.width,
+                                                                  .height = extent.height,
+                                                                  .format = picture.format()}));
+        MACULA_TRY(gpu::Buffer buffer,
+                   gpu::Buffer::create(device_, {.label = "picture in transit", .bytes = picture.bytes()}));
+        kept_ = std::move(image);
+        transit_ = std::move(buffer);
+    }
+    MACULA_TRY(gpu::Recorder recorder, gpu::Recorder::create(device_, "keep picture"));
+    recorder.copy(picture, *transit_);
+    recorder.copy(*transit_, 0, *kept_);
+    MACULA_TRY([[maybe_unused]] const gpu::Ticket ticket, recorder.submit());
+    keptIsValid_ = true;
+    return {};
+}
+
+Result<bool> Presenter::showAgain() {
+    if (!keptIsValid_) return false;
+    for (int attempt = 0; attempt < kResizeAttempts; ++attempt) {
+        MACULA_TRY(const gpu::Swapchain::Frame frame, swapchain_.acquire(kAcquireTimeoutNs));
+        if (frame.status == gpu::Swapchain::Status::outOfDate) {
+            MACULA_TRY_VOID(swapchain_.resize(wanted_));
+            continue;
+        }
+        if (!frame.usable()) return false;
+        MACULA_TRY(gpu::Recorder recorder, gpu::Recorder::create(device_, "present"));
+        recorder.blit(*kept_, frame.target(), VK_FILTER_LINEAR);
+        MACULA_TRY(const gpu::Ticket ticket,
+                   recorder.submit({.wait = frame.available, .signal = frame.rendered}));
+        MACULA_TRY(const gpu::Swapchain::Status status, swapchain_.present(frame, ticket));
+        if (status == gpu::Swapchain::Status::ready) return true;
+        // The window changed its size meanwhile. The input with the new size is on its way; until then this
+        // picture, scaled, is better than none.
+        MACULA_TRY_VOID(swapchain_.resize(wanted_));
+        if (status == gpu::Swapchain::Status::suboptimal) return true;
+    }
+    return false;
+}
+
+Result<bool> Presenter::showColour(const VkClearColorValue& colour) {
+    MACULA_TRY(const gpu::Image image,
+               gpu::Image::create(device_, {.label = "empty picture", .format = VK_FORMAT_R8G8B8A8_UNORM}));
+    MACULA_TRY(gpu::Recorder recorder, gpu::Recorder::create(device_, "empty picture"));
+    recorder.clear(image, colour);
+    MACULA_TRY([[maybe_unused]] const gpu::Ticket ticket, recorder.submit());
+    return show(image);
+}
+
+Result<void> Presenter::release(std::optional<Presenter> presenter) {
+    if (!presenter) return {};
+    const std::shared_ptr<gpu::Device> device = presenter->device_;
+    MACULA_TRY_VOID(device->waitForAll());
+    presenter.reset();
+    // Dropping only queued the destruction; the surface may go only after the swapchain is really gone.
+    MACULA_TRY_VOID(device->waitForAll());
+    device->collect();
+    return {};
+}
+
+}  // namespace macula::viewer

@@ -1,0 +1,51 @@
+// What the render thread reports, as values. It reports on its own thread; whoever listens hands them on.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <variant>
+
+#include "base/result.h"
+
+namespace macula::viewer {
+
+struct DeviceReady {
+    std::string name;         // for people
+    std::string description;  // one line with type, memory and driver
+};
+
+// Some seconds may pass: a volume is being brought to the device.
+struct Preparing {
+    std::string what;  // "Preparing the volume". No patient data.
+};
+
+enum class Stage {
+    moving,      // fewer pixels, so that the picture follows the hand
+    converging,  // all pixels, not yet all samples
+    converged,   // nothing more will change
+};
+
+// A picture was shown.
+struct FrameShown {
+    std::uint64_t inputSequence = 0;  // of the input it was made from
+    Stage stage = Stage::moving;
+    int width = 0;  // of the traced picture; the window's, divided by `scale`
+    int height = 0;
+    int scale = 1;
+    std::uint64_t samplesPerPixel = 0;
+    std::uint64_t sampleLimit = 0;
+    double framesPerSecond = 0.0;  // of pictures shown lately; 0 when there was only one
+    double latencyMs = 0.0;        // from publishing the input to showing this picture
+    std::uint64_t nonFiniteSamples = 0;
+};
+
+// Nothing is shown until something changes.
+struct RenderFailure {
+    Error error;
+};
+
+using RenderEvent = std::variant<DeviceReady, Preparing, FrameShown, RenderFailure>;
+using RenderListener = std::function<void(RenderEvent)>;
+
+}  // namespace macula::viewer

@@ -1,0 +1,41 @@
+// The one thread that uses the GPU.
+#pragma once
+
+#include <chrono>
+#include <string>
+#include <thread>
+
+#include "pipeline/gpu/instance.h"
+#include "viewer/frame_input.h"
+#include "viewer/latest.h"
+#include "viewer/render_events.h"
+
+namespace macula::viewer {
+
+// Takes inputs, latest wins; reports events. Publishing never waits for the GPU. All members are called by
+// the thread that made it.
+class RenderThread {
+  public:
+    // The device is made on the thread; a failure comes as an event. `listener` is called on that thread.
+    RenderThread(gpu::Instance instance, std::string preferredDevice, RenderListener listener);
+    // Stops and joins: takes as long as the dispatch in flight.
+    ~RenderThread();
+
+    // Sets the sequence number and the time, and returns the number.
+    std::uint64_t publish(FrameInput input);
+
+    // Waits until nothing refers to the surface any more, which the window system destroys next. The only
+    // wait in the other direction; false when it took longer than `timeout`.
+    bool releaseSurface(std::chrono::milliseconds timeout);
+
+  private:
+    void run(const std::stop_token& stop, gpu::Instance instance, std::string preferredDevice,
+             RenderListener listener);
+
+    FrameInput last_;
+    Latest<FrameInput> inputs_;
+    Latest<std::uint64_t> released_;  // sequence of the input without surface that was taken
+    std::jthread thread_;             // last: it uses all of the above
+};
+
+}  // namespace macula::viewer

@@ -1,0 +1,72 @@
+// Small widgets of the main window.
+#pragma once
+
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QWidget>
+
+#include "base/result.h"
+
+namespace macula::viewer {
+
+// A label that gives way: what does not fit is cut short with an ellipsis and told by the tool tip, so that a
+// long device name never widens the window and with it the picture.
+class ElidingLabel : public QLabel {
+    Q_OBJECT
+
+  public:
+    explicit ElidingLabel(const QString& what, QWidget* parent = nullptr);
+
+    void setFullText(const QString& text);
+    QSize sizeHint() const override;
+    QSize minimumSizeHint() const override;
+
+  protected:
+    void resizeEvent(QResizeEvent* event) override;
+
+  private:
+    void elide();
+
+    QString what_;
+    QString full_;
+};
+
+// One sentence about what went wrong and one about what to do, until it is dismissed. Never in the way of
+// anything else.
+class MessageBar : public QWidget {
+    Q_OBJECT
+
+  public:
+    explicit MessageBar(QWidget* parent = nullptr);
+
+    void showError(const Error& error);
+    void showNote(const QString& text);
+    QString text() const { return text_->text(); }
+
+  private:
+    void show(const QString& text, bool isError);
+
+    QLabel* text_ = nullptr;
+};
+
+// What a load is doing, how far it is, and a way out.
+class LoadingBar : public QWidget {
+    Q_OBJECT
+
+  public:
+    explicit LoadingBar(QWidget* parent = nullptr);
+
+    void begin();
+    void setProgress(const QString& stage, double fraction);
+
+  signals:
+    void cancelClicked();
+
+  private:
+    QLabel* stage_ = nullptr;
+    QProgressBar* bar_ = nullptr;
+    QPushButton* cancel_ = nullptr;
+};
+
+}  // namespace macula::viewer

@@ -1,0 +1,33 @@
+// Measures how long the user interface was deaf.
+#pragma once
+
+#include <QElapsedTimer>
+#include <QObject>
+#include <QTimer>
+
+namespace macula::viewer {
+
+// A timer on the UI thread that should fire every few milliseconds; when it comes late, the event loop was
+// held up by something else, and clicks would have waited as long.
+class UiHeartbeat : public QObject {
+    Q_OBJECT
+
+  public:
+    explicit UiHeartbeat(QObject* parent = nullptr);
+
+    void start();
+    void stop();
+    // The longest hold-up since start(), beyond the interval itself.
+    double longestStallMs() const { return longestMs_; }
+    long beats() const { return beats_; }
+
+  private:
+    void beat();
+
+    QTimer timer_;
+    QElapsedTimer sinceLast_;
+    double longestMs_ = 0.0;
+    long beats_ = 0;
+};
+
+}  // namespace macula::viewer

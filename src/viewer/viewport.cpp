@@ -1,0 +1,326 @@
+#include "viewer/viewport.h"
+
+#include <QGridLayout>
+#include <QGuiApplication>
+#include <QKeyEvent>
+#include <QMetaObject>
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "base/log.h"
+
+namespace macula::viewer {
+
+namespace {
+
+constexpr double kVerticalFovDeg = 30.0;
+constexpr std::chrono::milliseconds kNudgeLasts{250};
+// A dispatch is over in far less; more means that the driver hangs, and then nothing is lost by going on.
+constexpr std::chrono::milliseconds kSurfaceReleaseTimeout{5000};
+constexpr double kOrbitStepDeg = 5.0;
+constexpr double kPanStepOfHeight = 0.05;
+constexpr double kZoomPerNotch = 1.15;
+constexpr double kDragZoomPerHeight = 6.0;  // times larger for a drag over the height of the picture
+constexpr QSize kSmallestPicture{160, 120};
+
+QLabel* edgeLabel(QWidget* parent, const QString& edge) {
+    auto* label = new QLabel(parent);
+    label->setAlignment(Qt::AlignCenter);
+    label->setToolTip(QObject::tr("The side of the patient at the %1 of the picture: "
+                                  "Anterior, Posterior, Left, Right, Superior, Inferior")
+                          .arg(edge));
+    QFont font = label->font();
+    font.setBold(true);
+    label->setFont(font);
+    // Fixed, so that the picture does not change its size when the letters do.
+    const QSize text = label->fontMetrics().boundingRect(QStringLiteral("WWW")).size();
+    label->setMinimumSize(text.width(), text.height() + 2);
+    return label;
+}
+
+std::optional<ViewDirection> standardViewOfKey(int key) {
+    switch (key) {
+        case Qt::Key_A:
+            return ViewDirection::anterior;
+        case Qt::Key_P:
+            return ViewDirection::posterior;
+        case Qt::Key_L:
+            return ViewDirection::left;
+        case Qt::Key_R:
+            return ViewDirection::right;
+        case Qt::Key_S:
+            return ViewDirection::superior;
+        case Qt::Key_I:
+            return ViewDirection::inferior;
+        default:
+            return std::nullopt;
+    }
+}
+
+// Steps to the right and down.
+std::optional<QPointF> arrowOfKey(int key) {
+    switch (key) {
+        case Qt::Key_Left:
+            return QPointF(-1, 0);
+        case Qt::Key_Right:
+            return QPointF(1, 0);
+        case Qt::Key_Up:
+            return QPointF(0, -1);
+        case Qt::Key_Down:
+            return QPointF(0, 1);
+        default:
+            return std::nullopt;
+    }
+}
+
+}  // namespace
+
+Result<gpu::Instance> createInstanceForWindows() {
+    const QString platform = QGuiApplication::platformName();
+    gpu::InstanceOptions options;
+    options.extensions.push_back(VK_KHR_SURFACE_EXTENSION_NAME);
+    if (platform == QLatin1String("xcb")) {
+        options.extensions.push_back("VK_KHR_xcb_surface");
+    } else if (platform.startsWith(QLatin1String("wayland"))) {
+        options.extensions.push_back("VK_KHR_wayland_surface");
+    } else {
+        return Error{ErrorCode::deviceNotUsable, "This kind of display cannot show Vulkan pictures.",
+                     platform.toStdString(), "Use an X11 or a Wayland display, or `macula render`."};
+    }
+    return gpu::Instance::create(options);
+}
+
+Viewport::Viewport(gpu::Instance instance, std::string preferredDevice, QWidget* parent)
+    : QWidget(parent), window_(new VulkanWindow(&vulkan_)) {
+    vulkan_.setVkInstance(instance.handle());
+    vulkan_.setFlags(QVulkanInstance::NoDebugOutputRedirect);  // pipeline/gpu listens already
+    if (!vulkan_.create()) log::error("Qt did not adopt the Vulkan instance: {}", int(vulkan_.errorCode()));
+
+    layOut();
+    connectWindow();
+    nudgeEnds_.setSingleShot(true);
+    nudgeEnds_.setInterval(kNudgeLasts);
+    connect(&nudgeEnds_, &QTimer::timeout, this, &Viewport::publish);
+
+    // The events cross to this thread through its queue; those that come after this widget is gone are
+    // dropped by Qt.
+    renderThread_ = std::make_unique<RenderThread>(
+        std::move(instance), std::move(preferredDevice), [this](RenderEvent event) {
+            QMetaObject::invokeMethod(
+                this, [this, event = std::move(event)] { emit rendered(event); }, Qt::QueuedConnection);
+        });
+}
+
+Viewport::~Viewport() {
+    delete container_;  // with the window, which takes its surface back from the render thread first
+    renderThread_.reset();
+}
+
+void Viewport::layOut() {
+    container_ = QWidget::createWindowContainer(window_, this);
+    container_->setFocusPolicy(Qt::StrongFocus);
+    container_->setMinimumSize(kSmallestPicture);
+    setFocusProxy(container_);
+    left_ = edgeLabel(this, tr("left"));
+    right_ = edgeLabel(this, tr("right"));
+    top_ = edgeLabel(this, tr("top"));
+    bottom_ = edgeLabel(this, tr("bottom"));
+    // A native window cannot have widgets on top of it, so the letters stand around it.
+    auto* grid = new QGridLayout(this);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setSpacing(0);
+    grid->addWidget(top_, 0, 1);
+    grid->addWidget(left_, 1, 0);
+    grid->addWidget(container_, 1, 1);
+    grid->addWidget(right_, 1, 2);
+    grid->addWidget(bottom_, 2, 1);
+    grid->setRowStretch(1, 1);
+    grid->setColumnStretch(1, 1);
+}
+
+void Viewport::connectWindow() {
+    connect(window_, &VulkanWindow::surfaceReady, this, [this] {
+        input_.surface = window_->surface();
+        publish();
+    });
+    connect(window_, &VulkanWindow::surfaceGoing, this, [this] {
+        input_.surface = VK_NULL_HANDLE;
+        if (!renderThread_->releaseSurface(kSurfaceReleaseTimeout)) {
+            log::error("The graphics device did not let go of the window in time.");
+        }
+    });
+    connect(window_, &VulkanWindow::surfaceFailed, this, [this] {
+        emit rendered(RenderFailure{{ErrorCode::deviceNotUsable,
+                                     "The window cannot show Vulkan pictures.",
+                                     {},
+                                     "Install a Vulkan driver for this display."}});
+    });
+    connect(window_, &VulkanWindow::exposed, this, [this] {
+        ++input_.exposures;
+        publish();
+    });
+    connect(window_, &VulkanWindow::hidden, this, &Viewport::publish);
+    connect(window_, &VulkanWindow::resized, this, [this] {
+        // A view nobody has touched goes on fitting the window.
+        if (untouched_ && input_.volume) {
+            camera_ = framed(input_.volume->worldBox(), framedFrom_, kVerticalFovDeg, aspect());
+        }
+        publish();
+    });
+    connect(window_, &VulkanWindow::dragBegan, this, [this] { dragging_ = true; });
+    connect(window_, &VulkanWindow::dragged, this, &Viewport::applyDrag);
+    connect(window_, &VulkanWindow::dragEnded, this, [this] {
+        dragging_ = false;
+        publish();
+    });
+    connect(window_, &VulkanWindow::wheelTurned, this, [this](double notches) {
+        nudge();
+        setCamera(zoomed(camera_, std::pow(kZoomPerNotch, notches), sceneDiagonalMm()));
+    });
+    connect(window_, &VulkanWindow::keyPressed, this, [this](QKeyEvent* event) {
+        if (!handleKey(*event)) emit keyNotHandled(event);
+    });
+    connect(window_, &VulkanWindow::pathDropped, this, &Viewport::pathDropped);
+}
+
+void Viewport::setVolume(std::shared_ptr<const Volume> volume, ViewDirection from) {
+    input_.volume = std::move(volume);
+    if (input_.volume) {
+        showFrom(from);
+    } else {
+        publish();
+    }
+}
+
+void Viewport::setTransferFunction(std::shared_ptr<const TransferFunction> function) {
+    input_.transferFunction = std::move(function);
+    publish();
+}
+
+void Viewport::setLights(std::shared_ptr<const trace::LightRig> lights) {
+    input_.lights = std::move(lights);
+    publish();
+}
+
+void Viewport::setSampleLimit(std::uint32_t samplesPerPixel) {
+    input_.sampleLimit = samplesPerPixel;
+    publish();
+}
+
+void Viewport::setPictureSizeHint(QSize pixels) {
+    container_->setMinimumSize(pixels / devicePixelRatioF());
+    // Once the window has taken it over, the user may make it smaller again.
+    QTimer::singleShot(0, container_,
+                       [container = container_] { container->setMinimumSize(kSmallestPicture); });
+}
+
+void Viewport::showFrom(ViewDirection from) {
+    if (!input_.volume) return;
+    framedFrom_ = from;
+    setCamera(framed(input_.volume->worldBox(), from, kVerticalFovDeg, aspect()));
+    untouched_ = true;
+}
+
+void Viewport::fit() {
+    if (!input_.volume) return;
+    // Far enough for any direction: as if the corner-to-corner line stood across the picture.
+    const Box box = input_.volume->worldBox();
+    OrbitCamera camera = camera_;
+    camera.targetMm = box.centre();
+    const double halfAngle = glm::radians(camera.verticalFovDeg) / 2.0;
+    const double halfNarrow = std::atan(std::tan(halfAngle) * std::min(1.0, aspect()));
+    camera.distanceMm = 0.5 * box.diagonal() / std::sin(halfNarrow);
+    setCamera(camera);
+}
+
+bool Viewport::handleKey(const QKeyEvent& event) {
+    const bool shift = event.modifiers().testFlag(Qt::ShiftModifier);
+    const Qt::KeyboardModifiers others = event.modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier);
+    if (others != Qt::NoModifier) return false;
+    if (const auto arrow = arrowOfKey(event.key())) {
+        nudge();
+        if (shift) {
+            setCamera(pannedByDrag(camera_, arrow->x() * kPanStepOfHeight, arrow->y() * kPanStepOfHeight, 1));
+        } else {
+            // The eye goes where the arrow points.
+            setCamera(orbited(camera_, arrow->x() * kOrbitStepDeg, -arrow->y() * kOrbitStepDeg));
+        }
+        return true;
+    }
+    if (const auto view = standardViewOfKey(event.key())) {
+        showFrom(*view);
+        return true;
+    }
+    switch (event.key()) {
+        case Qt::Key_Plus:
+        case Qt::Key_Equal:  // the same key without shift on many keyboards
+            nudge();
+            setCamera(zoomed(camera_, kZoomPerNotch, sceneDiagonalMm()));
+            return true;
+        case Qt::Key_Minus:
+            nudge();
+            setCamera(zoomed(camera_, 1.0 / kZoomPerNotch, sceneDiagonalMm()));
+            return true;
+        case Qt::Key_F:
+            fit();
+            return true;
+        default:
+            return false;
+    }
+}
+
+void Viewport::applyDrag(VulkanWindow::Drag drag, QPointF byPixels) {
+    const double height = window_->height();
+    switch (drag) {
+        case VulkanWindow::Drag::orbit:
+            return setCamera(orbitedByDrag(camera_, byPixels.x(), byPixels.y(), height));
+        case VulkanWindow::Drag::pan:
+            return setCamera(pannedByDrag(camera_, byPixels.x(), byPixels.y(), height));
+        case VulkanWindow::Drag::zoom:
+            return setCamera(zoomed(camera_,
+                                    std::pow(kDragZoomPerHeight, -byPixels.y() / std::max(height, 1.0)),
+                                    sceneDiagonalMm()));
+    }
+}
+
+void Viewport::nudge() {
+    nudgeEnds_.start();
+}
+
+void Viewport::setCamera(const OrbitCamera& camera) {
+    camera_ = camera;
+    untouched_ = false;
+    updateLetters();
+    publish();
+}
+
+void Viewport::publish() {
+    const QSize pixels = window_->pixels();
+    input_.width = pixels.width();
+    input_.height = pixels.height();
+    input_.visible = window_->isExposed();
+    input_.camera = toCamera(camera_);
+    input_.interacting = dragging_ || nudgeEnds_.isActive();
+    renderThread_->publish(input_);
+}
+
+double Viewport::sceneDiagonalMm() const {
+    return input_.volume ? input_.volume->worldBox().diagonal() : 1000.0;
+}
+
+double Viewport::aspect() const {
+    return window_->height() > 0 ? double(window_->width()) / window_->height() : 1.0;
+}
+
+void Viewport::updateLetters() {
+    const EdgeLetters letters = edgeLetters(camera_);
+    left_->setText(QString::fromStdString(letters.left));
+    right_->setText(QString::fromStdString(letters.right));
+    top_->setText(QString::fromStdString(letters.top));
+    bottom_->setText(QString::fromStdString(letters.bottom));
+}
+
+}  // namespace macula::viewer

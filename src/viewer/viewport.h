@@ -1,0 +1,81 @@
+// A widget that shows a volume, path traced, and lets a hand walk around it.
+#pragma once
+
+#include "viewer/render_thread.h"  // before Qt, see vulkan_window.h
+#include "viewer/vulkan_window.h"
+
+#include <QLabel>
+#include <QTimer>
+#include <QVulkanInstance>
+#include <QWidget>
+#include <memory>
+
+#include "viewer/orbit_camera.h"
+
+namespace macula::viewer {
+
+// The Vulkan instance with what the window system of this application needs. deviceNotUsable where it cannot
+// show Vulkan pictures. Needs a QGuiApplication.
+Result<gpu::Instance> createInstanceForWindows();
+
+// Owns the render thread and the state that its inputs are made from. Each setter publishes a new input and
+// returns at once; what comes of it arrives as signals. Lives on the UI thread.
+class Viewport : public QWidget {
+    Q_OBJECT
+
+  public:
+    // `preferredDevice` as in gpu::chooseDevice.
+    Viewport(gpu::Instance instance, std::string preferredDevice, QWidget* parent = nullptr);
+    ~Viewport() override;
+
+    // With the camera framing it from `from`. Null shows nothing.
+    void setVolume(std::shared_ptr<const Volume> volume, ViewDirection from);
+    void setTransferFunction(std::shared_ptr<const TransferFunction> function);
+    void setLights(std::shared_ptr<const trace::LightRig> lights);
+    void setSampleLimit(std::uint32_t samplesPerPixel);
+    void setPictureSizeHint(QSize pixels);
+
+    void showFrom(ViewDirection from);
+    void fit();  // the whole volume, from where the camera is
+    // Arrows, +, -, F and the letters of the standard views. False for any other key.
+    bool handleKey(const QKeyEvent& event);
+
+    const OrbitCamera& camera() const { return camera_; }
+    VulkanWindow& window() { return *window_; }
+    QSize pictureSize() const { return window_->pixels(); }
+
+  signals:
+    void rendered(const macula::viewer::RenderEvent& event);
+    void pathDropped(const QString& path);
+    void keyNotHandled(QKeyEvent* event);
+
+  private:
+    void connectWindow();
+    void setCamera(const OrbitCamera& camera);
+    void applyDrag(VulkanWindow::Drag drag, QPointF byPixels);
+    void nudge();  // an interaction without an end: a key, a notch of the wheel
+    void publish();
+    double sceneDiagonalMm() const;
+    double aspect() const;
+    void updateLetters();
+    void layOut();
+
+    QVulkanInstance vulkan_;  // outlives the window
+    VulkanWindow* window_;    // owned by container_
+    QWidget* container_ = nullptr;
+    QLabel* left_ = nullptr;
+    QLabel* right_ = nullptr;
+    QLabel* top_ = nullptr;
+    QLabel* bottom_ = nullptr;
+    QTimer nudgeEnds_;
+
+    OrbitCamera camera_;
+    FrameInput input_;
+    bool dragging_ = false;
+    ViewDirection framedFrom_ = ViewDirection::anterior;
+    bool untouched_ = true;  // nobody moved the camera since it was framed
+
+    std::unique_ptr<RenderThread> renderThread_;
+};
+
+}  // namespace macula::viewer

@@ -1,0 +1,142 @@
+#include "viewer/vulkan_window.h"
+
+#include <QDropEvent>
+#include <QExposeEvent>
+#include <QMimeData>
+#include <QMouseEvent>
+#include <QPlatformSurfaceEvent>
+#include <QUrl>
+#include <QVulkanInstance>
+#include <QWheelEvent>
+
+namespace macula::viewer {
+
+namespace {
+
+constexpr double kEighthsOfDegreePerNotch = 120.0;
+
+}  // namespace
+
+VulkanWindow::VulkanWindow(QVulkanInstance* instance) {
+    setSurfaceType(QSurface::VulkanSurface);
+    setVulkanInstance(instance);
+}
+
+VulkanWindow::~VulkanWindow() {
+    loseSurface();
+}
+
+QSize VulkanWindow::pixels() const {
+    return size() * devicePixelRatio();
+}
+
+void VulkanWindow::createSurface() {
+    if (surface_ != VK_NULL_HANDLE) return;
+    surface_ = QVulkanInstance::surfaceForWindow(this);  // Qt owns it and destroys it with the window
+    if (surface_ == VK_NULL_HANDLE) {
+        emit surfaceFailed();
+    } else {
+        emit surfaceReady();
+    }
+}
+
+void VulkanWindow::loseSurface() {
+    if (surface_ == VK_NULL_HANDLE) return;
+    surface_ = VK_NULL_HANDLE;
+    emit surfaceGoing();
+}
+
+bool VulkanWindow::event(QEvent* event) {
+    switch (event->type()) {
+        case QEvent::PlatformSurface: {
+            const auto* surfaceEvent = static_cast<QPlatformSurfaceEvent*>(event);
+            if (surfaceEvent->surfaceEventType() == QPlatformSurfaceEvent::SurfaceAboutToBeDestroyed) {
+                loseSurface();
+            }
+            break;
+        }
+        case QEvent::DragEnter:
+        case QEvent::DragMove: {
+            auto* drag = static_cast<QDropEvent*>(event);
+            if (droppedPath(drag->mimeData()).isEmpty()) break;
+            drag->acceptProposedAction();
+            return true;
+        }
+        case QEvent::Drop: {
+            auto* drop = static_cast<QDropEvent*>(event);
+            const QString path = droppedPath(drop->mimeData());
+            if (path.isEmpty()) break;
+            drop->acceptProposedAction();
+            emit pathDropped(path);
+            return true;
+        }
+        default:
+            break;
+    }
+    return QWindow::event(event);
+}
+
+void VulkanWindow::exposeEvent(QExposeEvent*) {
+    if (!isExposed()) {
+        emit hidden();
+        return;
+    }
+    createSurface();
+    emit exposed();
+}
+
+void VulkanWindow::resizeEvent(QResizeEvent*) {
+    emit resized();
+}
+
+void VulkanWindow::mousePressEvent(QMouseEvent* event) {
+    requestActivate();  // keys go to the picture that was clicked
+    if (dragging_) return;
+    const bool shift = event->modifiers().testFlag(Qt::ShiftModifier);
+    const bool control = event->modifiers().testFlag(Qt::ControlModifier);
+    switch (event->button()) {
+        case Qt::LeftButton:
+            drag_ = shift ? Drag::pan : control ? Drag::zoom : Drag::orbit;
+            break;
+        case Qt::MiddleButton:
+            drag_ = Drag::pan;
+            break;
+        case Qt::RightButton:
+            drag_ = Drag::zoom;
+            break;
+        default:
+            return;
+    }
+    dragging_ = true;
+    dragButton_ = event->button();
+    last_ = event->position();
+    emit dragBegan();
+}
+
+void VulkanWindow::mouseMoveEvent(QMouseEvent* event) {
+    if (!dragging_) return;
+    const QPointF moved = event->position() - last_;
+    last_ = event->position();
+    emit dragged(drag_, moved);
+}
+
+void VulkanWindow::mouseReleaseEvent(QMouseEvent* event) {
+    if (!dragging_ || event->button() != dragButton_) return;
+    dragging_ = false;
+    emit dragEnded();
+}
+
+void VulkanWindow::wheelEvent(QWheelEvent* event) {
+    emit wheelTurned(event->angleDelta().y() / kEighthsOfDegreePerNotch);
+}
+
+void VulkanWindow::keyPressEvent(QKeyEvent* event) {
+    emit keyPressed(event);
+}
+
+QString droppedPath(const QMimeData* data) {
+    if (data == nullptr || data->urls().size() != 1) return {};
+    return data->urls().front().toLocalFile();
+}
+
+}  // namespace macula::viewer

@@ -1,0 +1,71 @@
+// The native window that pictures are shown in, and the hand on the mouse.
+#pragma once
+
+// Before Qt: its own Vulkan header hides the functions that ours in pipeline/gpu need.
+#include <vulkan/vulkan_core.h>
+
+#include <QPointF>
+#include <QString>
+#include <QWindow>
+
+class QMimeData;
+
+namespace macula::viewer {
+
+// Has a Vulkan surface from the first time it is on screen until its platform window goes. Knows nothing of
+// cameras: it turns mouse and wheel into drags, and hands keys on. Lives on the UI thread.
+class VulkanWindow : public QWindow {
+    Q_OBJECT
+
+  public:
+    enum class Drag { orbit, pan, zoom };
+
+    // `instance` must outlive the window.
+    explicit VulkanWindow(QVulkanInstance* instance);
+    ~VulkanWindow() override;
+
+    QSize pixels() const;                              // device pixels
+    VkSurfaceKHR surface() const { return surface_; }  // null before surfaceReady and from surfaceGoing on
+
+  signals:
+    void surfaceReady();
+    // Connect directly: when this returns, the surface is destroyed.
+    void surfaceGoing();
+    void surfaceFailed();
+    void exposed();  // the window system wants it painted
+    void hidden();
+    void resized();
+
+    void dragBegan();
+    void dragged(macula::viewer::VulkanWindow::Drag drag, QPointF byPixels);  // logical pixels, y downwards
+    void dragEnded();
+    void wheelTurned(double notches);   // positive: away from the user
+    void keyPressed(QKeyEvent* event);  // not accepted: it is offered to the main window
+    void pathDropped(const QString& path);
+
+  protected:
+    bool event(QEvent* event) override;
+    void exposeEvent(QExposeEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+
+  private:
+    void createSurface();
+    void loseSurface();
+
+    VkSurfaceKHR surface_ = VK_NULL_HANDLE;
+    bool dragging_ = false;
+    Drag drag_ = Drag::orbit;
+    Qt::MouseButton dragButton_ = Qt::NoButton;
+    QPointF last_;
+};
+
+// The one local path that is being dropped; empty when it is anything else. Whether it is a folder is for the
+// loader to find out: asking a slow disk from here would freeze the window.
+QString droppedPath(const QMimeData* data);
+
+}  // namespace macula::viewer

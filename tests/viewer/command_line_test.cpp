@@ -1,0 +1,56 @@
+#include "viewer/command_line.h"
+
+#include <gtest/gtest.h>
+
+namespace macula::viewer {
+namespace {
+
+Result<CommandLine> parse(QStringList arguments) {
+    arguments.prepend(QStringLiteral("macula-viewer"));
+    return parseCommandLine(arguments);
+}
+
+TEST(CommandLine, WithoutArgumentsItIsThePhantom) {
+    const auto line = parse({});
+    ASSERT_TRUE(line.ok());
+    EXPECT_FALSE(line->folder.has_value());
+    EXPECT_EQ(line->samples, 512u);
+    EXPECT_FALSE(line->scriptedOrbit);
+}
+
+TEST(CommandLine, ReadsAllOptions) {
+    const auto line = parse({"/some/folder", "--preset", "ct-bone", "--lights", "rim", "--view", "superior",
+                             "--size", "800x600", "--spp", "7", "--script", "orbit", "--screenshots", "out",
+                             "--seconds", "2.5", "--device", "llvmpipe"});
+    ASSERT_TRUE(line.ok()) << line.error().message;
+    EXPECT_EQ(line->folder, QStringLiteral("/some/folder"));
+    EXPECT_EQ(line->view, ViewDirection::superior);
+    EXPECT_EQ(line->size, QSize(800, 600));
+    EXPECT_EQ(line->samples, 7u);
+    EXPECT_TRUE(line->scriptedOrbit);
+    EXPECT_EQ(line->seconds, 2.5);
+    EXPECT_EQ(line->device, QStringLiteral("llvmpipe"));
+}
+
+TEST(CommandLine, RefusesWhatDoesNotExist) {
+    for (const QStringList& wrong :
+         {QStringList{"--view", "sideways"}, QStringList{"--size", "800"}, QStringList{"--size", "8x6"},
+          QStringList{"--size", "99999x600"}, QStringList{"--spp", "0"}, QStringList{"--spp", "many"},
+          QStringList{"--seconds", "nan"}, QStringList{"--seconds", "-1"}, QStringList{"--script", "dance"},
+          QStringList{"--screenshots", "x"}, QStringList{"--unknown"}, QStringList{"a", "b"}}) {
+        const auto line = parse(wrong);
+        ASSERT_FALSE(line.ok()) << wrong.join(' ').toStdString();
+        EXPECT_EQ(line.error().code, ErrorCode::usage);
+        EXPECT_FALSE(line.error().message.empty());
+        EXPECT_FALSE(line.error().hint.empty());
+    }
+}
+
+TEST(CommandLine, HelpNeedsNoDisplay) {
+    const auto line = parse({"--help"});
+    ASSERT_TRUE(line.ok());
+    EXPECT_TRUE(line->print.value_or(QString()).contains(QStringLiteral("--preset")));
+}
+
+}  // namespace
+}  // namespace macula::viewer

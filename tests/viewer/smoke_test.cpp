@@ -1,0 +1,101 @@
+// The program itself, as a user starts it.
+#include <gtest/gtest.h>
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QImage>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QProcess>
+#include <QSet>
+#include <QTemporaryDir>
+
+#include "viewer/display.h"
+
+namespace macula::viewer {
+namespace {
+
+struct Outcome {
+    int exitCode = -1;
+    QByteArray output;
+    QByteArray errors;
+};
+
+Outcome runViewer(const QStringList& arguments, const QStringList& environment = {}) {
+    QProcess process;
+    QProcessEnvironment all = QProcessEnvironment::systemEnvironment();
+    for (const QString& entry : environment) {
+        const qsizetype equals = entry.indexOf('=');
+        if (equals == entry.size() - 1) {
+            all.remove(entry.left(equals));
+        } else {
+            all.insert(entry.left(equals), entry.mid(equals + 1));
+        }
+    }
+    process.setProcessEnvironment(all);
+    process.start(QStringLiteral(MACULA_VIEWER_PROGRAM), arguments);
+    if (!process.waitForFinished(250'000)) {
+        process.kill();
+        process.waitForFinished();
+        return {-1, process.readAllStandardOutput(), process.readAllStandardError() + "\nkilled: too slow"};
+    }
+    return {process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -2,
+            process.readAllStandardOutput(), process.readAllStandardError()};
+}
+
+class ViewerProgram : public testing::Test {
+  protected:
+    void SetUp() override {
+        if (const std::string why = test::ensureDisplay(); !why.empty()) GTEST_SKIP() << why;
+    }
+};
+
+TEST_F(ViewerProgram, OrbitsThePhantomTakesScreenshotsAndMeasuresItself) {
+    QTemporaryDir folder;
+    const Outcome outcome = runViewer({"--script", "orbit", "--seconds", "2", "--spp", "2", "--size",
+                                       "400x300", "--screenshots", folder.path()});
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.errors.toStdString();
+
+    const QJsonObject json = QJsonDocument::fromJson(outcome.output).object();
+    EXPECT_EQ(json["width"].toInt(), 400);
+    EXPECT_EQ(json["height"].toInt(), 300);
+    EXPECT_FALSE(json["device"].toString().isEmpty());
+    EXPECT_GT(json["orbitFramesPerSecond"].toDouble(), 1.0);
+    ASSERT_TRUE(json["longestUiStallMs"].isDouble());
+    // Not the limit of 50 ms that holds on a quiet machine: tests run beside each other.
+    EXPECT_LT(json["longestUiStallMs"].toDouble(), 1000.0);
+    EXPECT_GT(json["uiBeats"].toInt(), 100);
+
+    for (const char* name : {"motion-1.png", "motion-2.png", "motion-3.png", "converged.png"}) {
+        const QImage picture(folder.filePath(name));
+        ASSERT_FALSE(picture.isNull()) << name;
+        ASSERT_GE(picture.width(), 400);
+        // The middle of the window, where the phantom is.
+        QSet<QRgb> colours;
+        for (int y = picture.height() / 3; y < 2 * picture.height() / 3; ++y) {
+            for (int x = picture.width() / 3; x < 2 * picture.width() / 3; ++x) {
+                colours.insert(picture.pixel(x, y));
+            }
+        }
+        EXPECT_GT(colours.size(), 100) << name << " is nearly uniform";
+    }
+}
+
+TEST_F(ViewerProgram, ExitCodesTellWhatWasWrong) {
+    const auto expectSentence = [](const Outcome& outcome, int code) {
+        EXPECT_EQ(outcome.exitCode, code) << outcome.errors.toStdString();
+        EXPECT_GT(outcome.errors.size(), 20);
+    };
+    expectSentence(runViewer({"--view", "sideways"}), 2);
+    expectSentence(runViewer({"--preset", "no-such-preset"}), 2);
+    expectSentence(runViewer({"/no/such/folder", "--script", "orbit"}), 3);
+    expectSentence(runViewer({"--device", "no-such-device", "--script", "orbit"}), 2);
+    expectSentence(
+        runViewer({"--script", "orbit"}, {"VK_ICD_FILENAMES=/nowhere.json", "VK_DRIVER_FILES=/nowhere.json"}),
+        4);
+    expectSentence(runViewer({}, {"DISPLAY=", "WAYLAND_DISPLAY=", "QT_QPA_PLATFORM="}), 4);
+    EXPECT_EQ(runViewer({"--version"}, {"DISPLAY="}).exitCode, 0);
+}
+
+}  // namespace
+}  // namespace macula::viewer

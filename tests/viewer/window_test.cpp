@@ -1,0 +1,178 @@
+// The window on a display, in this process.
+#include "viewer/main_window.h"
+
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QDropEvent>
+#include <QElapsedTimer>
+#include <QMimeData>
+#include <QMouseEvent>
+#include <QUrl>
+#include <optional>
+
+#include "viewer/display.h"
+
+namespace macula::viewer {
+namespace {
+
+template <class Done>
+bool waitUntil(Done done, int seconds = 120) {
+    QElapsedTimer waited;
+    waited.start();
+    while (!done()) {
+        if (waited.elapsed() > 1000 * seconds) return false;
+        QCoreApplication::processEvents(QEventLoop::AllEvents, 10);
+    }
+    return true;
+}
+
+class WindowTest : public testing::Test {
+  protected:
+    void SetUp() override {
+        if (const std::string why = test::ensureDisplay(); !why.empty()) GTEST_SKIP() << why;
+        application_.emplace(argc_, argv_);
+        auto instance = createInstanceForWindows();
+        if (!instance) GTEST_SKIP() << instance.error().message;
+        auto catalogue = builtInCatalogue();
+        ASSERT_TRUE(catalogue.ok()) << catalogue.error().message;
+        MainWindowOptions options{.catalogue = *catalogue};
+        options.pictureSize = QSize(320, 240);
+        options.sampleLimit = 2;
+        window_.emplace(*std::move(instance), std::move(options));
+        QObject::connect(&*window_, &MainWindow::frameShown, &*window_, [this](const FrameShown& frame) {
+            last_ = frame;
+            ++frames_;
+        });
+        window_->show();
+    }
+    void TearDown() override {
+        window_.reset();
+        application_.reset();
+    }
+
+    bool waitForConverged() {
+        last_.reset();
+        return waitUntil([&] { return last_ && last_->stage == Stage::converged; });
+    }
+    void sendMouse(QEvent::Type type, QPointF at, Qt::MouseButton button, Qt::MouseButtons held) {
+        VulkanWindow& target = window_->viewport().window();
+        QMouseEvent event(type, at, target.mapToGlobal(at), button, held, Qt::NoModifier);
+        QCoreApplication::sendEvent(&target, &event);
+    }
+    void pressKey(int key, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
+        QKeyEvent event(QEvent::KeyPress, key, modifiers);
+        QCoreApplication::sendEvent(&window_->viewport().window(), &event);
+    }
+
+    int argc_ = 1;
+    char name_[5] = "test";
+    char* argv_[2] = {name_, nullptr};
+    std::optional<QApplication> application_;
+    std::optional<MainWindow> window_;
+    std::optional<FrameShown> last_;
+    int frames_ = 0;
+};
+
+TEST_F(WindowTest, ThePhantomConvergesThenStopsAndStartsAgainWhenDragged) {
+    window_->open(std::nullopt);
+    ASSERT_TRUE(waitForConverged());
+    EXPECT_EQ(last_->samplesPerPixel, 2u);
+    EXPECT_EQ(last_->width, window_->viewport().pictureSize().width());
+    EXPECT_EQ(last_->scale, 1);
+
+    // Nothing moves, nothing is drawn.
+    const int before = frames_;
+    QElapsedTimer idle;
+    idle.start();
+    waitUntil([&] { return idle.elapsed() > 500; });
+    EXPECT_EQ(frames_, before);
+
+    const OrbitCamera camera = window_->viewport().camera();
+    sendMouse(QEvent::MouseButtonPress, {100, 100}, Qt::LeftButton, Qt::LeftButton);
+    sendMouse(QEvent::MouseMove, {160, 120}, Qt::NoButton, Qt::LeftButton);
+    EXPECT_NE(window_->viewport().camera().azimuthDeg, camera.azimuthDeg);
+    ASSERT_TRUE(waitUntil([&] { return frames_ > before; }));
+    EXPECT_EQ(last_->stage, Stage::moving);
+    // As long as the hand holds on, the picture stays small and quick.
+    idle.restart();
+    waitUntil([&] { return idle.elapsed() > 700; });
+    EXPECT_EQ(last_->stage, Stage::moving);
+    sendMouse(QEvent::MouseButtonRelease, {160, 120}, Qt::LeftButton, Qt::NoButton);
+    EXPECT_TRUE(waitForConverged());
+}
+
+TEST_F(WindowTest, KeysMoveTheCameraAndPresetsStayUsable) {
+    window_->open(std::nullopt);
+    ASSERT_TRUE(waitForConverged());
+    Viewport& viewport = window_->viewport();
+    pressKey(Qt::Key_L);
+    EXPECT_NEAR(viewport.camera().azimuthDeg, 90.0, 1e-9);
+    pressKey(Qt::Key_Right);
+    EXPECT_NEAR(viewport.camera().azimuthDeg, 95.0, 1e-9);
+    const glm::dvec3 target = viewport.camera().targetMm;
+    pressKey(Qt::Key_Left, Qt::ShiftModifier);
+    EXPECT_GT(glm::distance(viewport.camera().targetMm, target), 1.0);
+    const double distance = viewport.camera().distanceMm;
+    pressKey(Qt::Key_Plus);
+    EXPECT_LT(viewport.camera().distanceMm, distance);
+    pressKey(Qt::Key_F);
+    EXPECT_NEAR(glm::distance(viewport.camera().targetMm, target), 0.0, 1e-9);
+    EXPECT_TRUE(waitForConverged());
+}
+
+TEST_F(WindowTest, AMissingFolderIsToldInTheWindowAndTheStudyStays) {
+    window_->open(std::nullopt);
+    ASSERT_TRUE(waitUntil([&] { return window_->hasStudy(); }));
+    window_->open("/no/such/folder");
+    ASSERT_TRUE(waitUntil([&] { return !window_->message().isEmpty(); }));
+    EXPECT_TRUE(window_->hasStudy());
+    EXPECT_TRUE(waitForConverged());
+}
+
+TEST_F(WindowTest, LoadingCanBeCancelled) {
+    bool cancelled = false;
+    QObject::connect(&*window_, &MainWindow::loadingCancelled, &*window_, [&] { cancelled = true; });
+    window_->open(std::filesystem::path(MACULA_SHARED_DIR "/data"));
+    EXPECT_TRUE(window_->loading());
+    window_->cancelLoading();
+    EXPECT_TRUE(waitUntil([&] { return cancelled; }));
+    EXPECT_FALSE(window_->loading());
+    EXPECT_FALSE(window_->hasStudy());
+}
+
+TEST_F(WindowTest, ADroppedFolderIsOpened) {
+    QMimeData data;
+    data.setUrls({QUrl::fromLocalFile(QStringLiteral("/no/such/folder"))});
+    for (QObject* target :
+         {static_cast<QObject*>(&window_->viewport().window()), static_cast<QObject*>(&*window_)}) {
+        QDragEnterEvent enter({5, 5}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+        QCoreApplication::sendEvent(target, &enter);
+        EXPECT_TRUE(enter.isAccepted());
+        QDropEvent drop({5, 5}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+        QCoreApplication::sendEvent(target, &drop);
+        EXPECT_TRUE(window_->loading());
+        ASSERT_TRUE(waitUntil([&] { return !window_->loading(); }));
+        EXPECT_FALSE(window_->message().isEmpty());
+    }
+}
+
+TEST_F(WindowTest, HidingAndShowingKeepsThePicture) {
+    window_->open(std::nullopt);
+    ASSERT_TRUE(waitForConverged());
+    window_->hide();
+    QCoreApplication::processEvents();
+    window_->show();
+    EXPECT_TRUE(waitUntil([&] { return window_->viewport().window().isExposed(); }));
+    window_->resize(window_->size() + QSize(64, 32));
+    EXPECT_TRUE(waitForConverged());
+    EXPECT_EQ(last_->width, window_->viewport().pictureSize().width());
+}
+
+TEST_F(WindowTest, MayBeClosedAtAnyMoment) {
+    window_->open(std::nullopt);
+    waitUntil([&] { return frames_ > 0; });
+}
+
+}  // namespace
+}  // namespace macula::viewer
