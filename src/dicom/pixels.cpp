@@ -50,7 +50,7 @@ std::vector<Fragment> fragmentsOf(DcmPixelData& pixelData, E_TransferSyntax synt
 }
 
 // The sample precision of a JPEG or JPEG-LS stream: in its frame header (ISO 10918-1 B.2.2, ISO 14495-1
-// C.2.2). DCMTK writes one byte for each sample of up to 8 bits, whatever BitsAllocated says.
+// C.2.2). Samples of up to 8 bits are decoded to one byte each, whatever BitsAllocated says.
 std::optional<int> samplePrecision(const Fragment& stream) {
     std::size_t at = 2;  // after the start-of-image marker
     while (at + 5 <= stream.size && stream.bytes[at] == 0xFF) {
@@ -62,6 +62,24 @@ std::optional<int> samplePrecision(const Fragment& stream) {
         at += 2u + (std::size_t{stream.bytes[at + 2]} << 8 | stream.bytes[at + 3]);
     }
     return {};
+}
+
+// The RLE header (PS3.5 G.5) names segments that follow each other inside the fragment. DCMTK does not check
+// this, and reads wherever the header points.
+bool isRleFrame(const Fragment& fragment) {
+    constexpr std::size_t kHeaderBytes = 64;
+    constexpr std::uint32_t kMostSegments = 15;
+    const auto word = [&](std::size_t i) {
+        const Uint8* b = fragment.bytes + 4 * i;
+        return std::uint32_t{b[0]} | std::uint32_t{b[1]} << 8 | std::uint32_t{b[2]} << 16 |
+               std::uint32_t{b[3]} << 24;
+    };
+    if (fragment.size <= kHeaderBytes || word(0) < 1 || word(0) > kMostSegments || word(1) != kHeaderBytes)
+        return false;
+    for (std::size_t i = 2; i <= word(0); ++i) {
+        if (word(i) <= word(i - 1) || word(i) >= fragment.size) return false;
+    }
+    return true;
 }
 
 Result<void> decode(const Instance& instance, DcmFileFormat& file, std::span<std::uint16_t> cells) {
@@ -87,7 +105,7 @@ Result<void> decode(const Instance& instance, DcmFileFormat& file, std::span<std
 
     const Codec codec = transferSyntaxInfo(instance.transferSyntaxUid).codec;
     bool oneByteSamples = allocated == 8;
-    if (codec != Codec::native && codec != Codec::rle) {
+    if (codec != Codec::native) {
         auto* pixelData = dynamic_cast<DcmPixelData*>(element);
         const auto fragments = pixelData != nullptr ? fragmentsOf(*pixelData, dataset.getOriginalXfer())
                                                     : std::vector<Fragment>{};
@@ -103,9 +121,17 @@ Result<void> decode(const Instance& instance, DcmFileFormat& file, std::span<std
             if (!decoded) return fail(decoded.error().message, decoded.error().hint);
             return {};
         }
-        const auto precision = samplePrecision(fragments.front());
-        if (!precision) return fail("The compressed image in this file is damaged.", copyAgain);
-        oneByteSamples = oneByteSamples || *precision <= 8;
+        const std::string damaged = "The compressed image in this file is damaged.";
+        if (codec == Codec::rle) {
+            if (fragments.size() != 1 || !isRleFrame(fragments.front())) return fail(damaged, copyAgain);
+        } else {
+            const auto precision = samplePrecision(fragments.front());
+            if (!precision) return fail(damaged, copyAgain);
+            if (*precision <= 8 && !oneByteSamples) {
+                oneByteSamples = true;
+                dataset.putAndInsertUint16(DCM_BitsAllocated, 8);  // of this copy, for the decoder to agree
+            }
+        }
     }
 
     Uint32 startFragment = 0;

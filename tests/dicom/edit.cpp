@@ -50,10 +50,12 @@ void saveWithEightBits(const std::filesystem::path& file, int bitsAllocated,
     ASSERT_TRUE(format.loadFile(file.c_str()).good());
     ASSERT_TRUE(format.loadAllDataIntoMemory().good());
     DcmDataset& dataset = *format.getDataset();
-    ASSERT_TRUE(dataset.putAndInsertUint16(DCM_BitsAllocated, static_cast<Uint16>(bitsAllocated)).good());
     ASSERT_TRUE(dataset.putAndInsertUint16(DCM_BitsStored, 8).good());
     ASSERT_TRUE(dataset.putAndInsertUint16(DCM_HighBit, 7).good());
-    if (bitsAllocated == 8) {
+    const bool compressed = syntax == WriteSyntax::jpegLossless || syntax == WriteSyntax::jpegLs;
+    const bool encodeBytes = bitsAllocated == 8 || compressed;
+    ASSERT_TRUE(dataset.putAndInsertUint16(DCM_BitsAllocated, encodeBytes ? 8 : 16).good());
+    if (encodeBytes) {
         ASSERT_TRUE(dataset.putAndInsertUint8Array(DCM_PixelData, values.data(), values.size()).good());
     } else {
         const std::vector<Uint16> cells(values.begin(), values.end());
@@ -64,6 +66,8 @@ void saveWithEightBits(const std::filesystem::path& file, int bitsAllocated,
                                   : syntax == WriteSyntax::rle        ? EXS_RLELossless
                                                                       : EXS_LittleEndianExplicit;
     ASSERT_TRUE(dataset.chooseRepresentation(xfer, nullptr).good());
+    // What some encoders make, and DCMTK's does not: cells of 16 bits with a stream of 8-bit samples.
+    ASSERT_TRUE(dataset.putAndInsertUint16(DCM_BitsAllocated, static_cast<Uint16>(bitsAllocated)).good());
     ASSERT_TRUE(format.saveFile(file.c_str(), xfer).good());
 }
 

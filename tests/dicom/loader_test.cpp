@@ -3,6 +3,7 @@
 #include <chrono>
 #include <fstream>
 
+#include "base/atomic_file.h"
 #include "base/log.h"
 #include "edit.h"
 #include "support.h"
@@ -134,6 +135,61 @@ TEST(Loader, sliceCutOffAfterTheScanIsNamedByNumberOnly) {
     }
 }
 
+// The damage in the following three makes the decoders themselves read or abort where they must not.
+TEST(Loader, rleSegmentOutsideTheFile) {
+    const TemporaryFolder folder;
+    const auto files = write(smallVolume(), folder.path(), {.syntax = WriteSyntax::rle});
+    std::string bytes = *readText(files[2]);
+    const std::size_t header =
+        bytes.find(std::string("\2\0\0\0\x40\0\0\0", 8));  // two segments, the first at 64
+    ASSERT_NE(header, std::string::npos);
+    bytes.replace(header + 8, 4, "\x7F\x7F\x7F\x7F");
+    std::ofstream(files[2], std::ios::binary) << bytes;
+    const auto found = scan(folder.path());
+    ASSERT_TRUE(found);
+    Progress progress;
+    const auto volume = loadVolume(found->studies.at(0).series.at(0), progress);
+    ASSERT_FALSE(volume);
+    EXPECT_TRUE(volume.error().message.starts_with("Slice 3 of 6: ")) << volume.error().message;
+}
+
+TEST(Loader, jpeg2000InColourWhereTheHeaderSaysGrey) {
+    SKIP_WITHOUT_SHARED_DATA();
+    const TemporaryFolder folder;
+    for (const auto& entry : fs::directory_iterator(sharedData() / "odd/rgb_series_j2k")) {
+        const fs::path file = folder.path() / entry.path().filename();
+        fs::copy_file(entry.path(), file);
+        fs::permissions(file, fs::perms::owner_all);
+        setWord(file, tag::kSamplesPerPixel, 1);
+        setText(file, tag::kPhotometricInterpretation, "MONOCHROME2");
+    }
+    const auto found = scan(folder.path());
+    ASSERT_TRUE(found);
+    const Series& series = found->studies.at(0).series.at(0);
+    ASSERT_TRUE(series.canBeVolume()) << keysOf(series);
+    Progress progress;
+    const auto volume = loadVolume(series, progress);
+    ASSERT_FALSE(volume);
+    EXPECT_EQ(volume.error().code, ErrorCode::inputNotUsable);
+}
+
+TEST(Loader, jpeg2000CutOffInsideItsFrame) {
+    SKIP_WITHOUT_SHARED_DATA();
+    const TemporaryFolder folder;
+    std::string bytes = *readText(sharedData() / "odd/transfer_syntaxes" /
+                                  "JPEG2000LosslessOnlyTransferSyntax_1.2.840.10008.1.2.4.90.dcm");
+    const std::size_t cut = bytes.size() / 2;
+    bytes.replace(cut, bytes.size() - 8 - cut, bytes.size() - 8 - cut, '\0');
+    std::ofstream(folder / "half", std::ios::binary) << bytes;
+    const auto found = scan(folder.path());
+    ASSERT_TRUE(found);
+    Series series = found->studies.at(0).series.at(0);
+    series.messages.clear();
+    series.worldFromVoxel = glm::dmat4(1.0);
+    Progress progress;
+    EXPECT_FALSE(loadVolume(series, progress));
+}
+
 TEST(Loader, fileGoneSinceTheScan) {
     const TemporaryFolder folder;
     const auto files = write(smallVolume(), folder.path());
@@ -233,7 +289,8 @@ TEST(Loader, logHoldsNoPatientData) {
     if (found) (void)loadVolume(found->studies.at(0).series.at(0), progress);
     const std::string output = testing::internal::GetCapturedStderr();
     log::setLevel(log::Level::warning);
-    EXPECT_NE(output.find("skipped"), std::string::npos);  // the log was on
+    EXPECT_NE(output.find("skipped"), std::string::npos);        // the log was on
+    EXPECT_EQ(output.find("Dcm"), std::string::npos) << output;  // and DCMTK's own was not
     for (const char* secret : {"DOE", "JOHN", "PHANTOM^MACULA", "2.25."}) {
         EXPECT_EQ(output.find(secret), std::string::npos) << output;
     }
