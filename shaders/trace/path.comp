@@ -54,7 +54,7 @@ void main() {
         rounds += 1;
         if (!extendPath(path, rng)) {
             vec4 value = vec4(path.radiance, path.coverage);
-            if (isFinite(value)) {
+            if (isFinite(value) && isFinite(sum + value)) {
                 accumulate(sum, compensation, value);
                 finite += 1u;
             }

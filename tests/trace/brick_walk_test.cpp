@@ -115,9 +115,7 @@ TEST_P(BrickWalk, ReachesAVolumeFromFarAway) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Precisions, BrickWalk, ::testing::Values(Precision::single, Precision::twofold),
-                         [](const auto& p) {
-                             return p.param == Precision::single ? "Float" : "Double";
-                         });
+                         [](const auto& p) { return p.param == Precision::single ? "Float" : "Double"; });
 
 }  // namespace
 }  // namespace macula::trace

@@ -100,9 +100,8 @@ INSTANTIATE_TEST_SUITE_P(All, Reference,
                                             ::testing::Values(Filter::trilinear, Filter::stochastic)),
                          [](const auto& p) {
                              return std::string(std::get<0>(p.param) == Precision::single ? "Float"
-                                                                                             : "Double") +
-                                    (std::get<1>(p.param) == Filter::trilinear ? "Trilinear"
-                                                                                  : "Stochastic");
+                                                                                          : "Double") +
+                                    (std::get<1>(p.param) == Filter::trilinear ? "Trilinear" : "Stochastic");
                          });
 
 TEST(ReferenceDepth, HalfTransmittanceOfASlabIsWhereTheFormulaSays) {

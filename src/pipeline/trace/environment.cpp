@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <numeric>
 
@@ -10,6 +11,7 @@ namespace macula::trace {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
+constexpr float kLargest = std::numeric_limits<float>::max();
 constexpr int kRigWidth = 512;
 constexpr int kRigHeight = 256;
 constexpr double kRimFraction = 0.25;  // of a soft light's radius, over which it fades
@@ -115,7 +117,8 @@ Result<Environment> Environment::fromImage(int width, int height, std::span<cons
         return fail("The environment picture is empty.");
     }
     for (const glm::vec3& c : radiance) {
-        if (!(c.r >= 0.0f && c.g >= 0.0f && c.b >= 0.0f) || !std::isfinite(c.r + c.g + c.b)) {
+        if (!(c.r >= 0.0f && c.g >= 0.0f && c.b >= 0.0f && c.r <= kLargest && c.g <= kLargest &&
+              c.b <= kLargest)) {
             return fail("The environment picture has values that are negative or not finite.");
         }
     }

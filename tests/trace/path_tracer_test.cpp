@@ -1,0 +1,271 @@
+// The device against the C++ reference, and the tracer as its users meet it.
+#include <cmath>
+#include <limits>
+
+#include "base/phantom.h"
+#include "pipeline/trace/reference_tracer.h"
+#include "pipeline/volume/transfer_function_json.h"
+#include "presets/embedded_files.h"
+#include "trace/gpu_scene.h"
+#include "trace/scenes.h"
+
+namespace macula::trace {
+namespace {
+
+using PathTracerTest = DeviceTest;
+
+std::shared_ptr<const Volume> smallPhantom() {
+    static const auto volume = std::make_shared<const Volume>(
+        phantom::make({.size = {128, 112, 80}, .spacingMm = {2.4, 2.4, 3.75}}));
+    return volume;
+}
+
+View front(const Volume& volume, int size, ViewDirection from = ViewDirection::anterior) {
+    return {.camera = frameBox(volume.worldBox(), from, 30, 1.0), .width = size, .height = size};
+}
+
+LightRig twoLights() {
+    LightRig rig;
+    rig.ambientHorizon = {0.4, 0.4, 0.45};
+    rig.lights = {{.azimuthDeg = 30,
+                   .elevationDeg = 40,
+                   .angularRadiusDeg = 15,
+                   .colour = {1, 0.9, 0.8},
+                   .radiance = 8}};
+    return rig;
+}
+
+struct Parts {
+    std::vector<double> sum;  // by part and channel
+    std::vector<double> squares;
+    int batches = 0;
+
+    void add(const std::vector<double>& means) {
+        sum.resize(means.size());
+        squares.resize(means.size());
+        for (std::size_t i = 0; i < means.size(); ++i) {
+            sum[i] += means[i];
+            squares[i] += means[i] * means[i];
+        }
+        ++batches;
+    }
+    double mean(std::size_t i) const { return sum[i] / batches; }
+    double variance(std::size_t i) const {  // of the mean
+        return std::max(squares[i] / batches - mean(i) * mean(i), 0.0) / (batches - 1);
+    }
+};
+
+// Means over parts of 8 x 8 pixels.
+std::vector<double> partMeans(int size, const std::function<glm::dvec4(std::size_t)>& pixel) {
+    const int parts = size / 8;
+    std::vector<double> means(std::size_t(parts * parts * 4), 0.0);
+    for (int y = 0; y < size; ++y) {
+        for (int x = 0; x < size; ++x) {
+            const glm::dvec4 value = pixel(std::size_t(y * size + x));
+            for (int c = 0; c < 4; ++c)
+                means[std::size_t((y / 8 * parts + x / 8) * 4 + c)] += value[c] / 64.0;
+        }
+    }
+    return means;
+}
+
+class EveryPreset : public DeviceTest, public ::testing::WithParamInterface<std::string> {};
+
+// Device in float, reference in double, different random numbers: equal within the error that both show.
+TEST_P(EveryPreset, PhantomLooksAsTheReferenceSays) {
+    constexpr int kSize = 64;
+    constexpr int kBatches = 8;
+    constexpr std::uint32_t kSamples = 4;
+    const auto volume = smallPhantom();
+    TransferFunction function;
+    for (const auto& file : presets::transferFiles()) {
+        if (file.name == GetParam()) function = *transferFunctionFromJson(file.text, std::string(file.name));
+    }
+    ASSERT_FALSE(function.opacity.empty());
+    const TransferFunction fittedFunction = fitted(function, *volume);
+    const Environment sky = Environment::fromRig(twoLights());
+    const View view = front(*volume, kSize);
+    const Medium medium = makeMedium(*volume, makeBrickGrid(*volume), fittedFunction);
+    const ReferenceTracer reference(*volume, medium, sky);
+    PathTracer t = tracer(volume, function, sky, view, {});
+
+    for (const Filter filter : {Filter::trilinear, Filter::stochastic}) {
+        Parts device;
+        Parts expected;
+        for (int batch = 0; batch < kBatches; ++batch) {
+            ASSERT_TRUE(t.setSettings({.seed = std::uint32_t(1000 + batch), .filter = filter}).ok());
+            ASSERT_TRUE(*t.trace(kSamples));
+            const auto image = t.readback();
+            device.add(partMeans(kSize, [&](std::size_t i) { return glm::dvec4(image->radiance[i]); }));
+            const auto params =
+                makeTraceParams(*volume, medium, sky, view, {.seed = std::uint32_t(2000 + batch)});
+            const auto sums = reference.trace(*params, filter, Precision::twofold, 0, kSamples);
+            expected.add(partMeans(kSize, [&](std::size_t i) { return sums[i] / double(kSamples); }));
+        }
+        double squares = 0.0;
+        int counted = 0;
+        for (std::size_t i = 0; i < device.sum.size(); ++i) {
+            const double variance = device.variance(i) + expected.variance(i);
+            const double difference = device.mean(i) - expected.mean(i);
+            if (variance < 1e-12) {
+                EXPECT_NEAR(difference, 0.0, 1e-4) << "part " << i / 4 << " channel " << i % 4;
+                continue;
+            }
+            const double deviate = difference / std::sqrt(variance);
+            EXPECT_LT(std::abs(deviate), 8.0)
+                << "part " << i / 4 << " channel " << i % 4;  // Student's t, 14 degrees
+            squares += deviate * deviate;
+            ++counted;
+        }
+        ASSERT_GT(counted, 50);
+        // Student's t with 14 degrees of freedom has variance 14/12; channels of a part are correlated.
+        EXPECT_LT(squares / counted, 1.6);
+        EXPECT_GT(squares / counted, 0.7);
+    }
+}
+
+std::vector<std::string> presetNames() {
+    std::vector<std::string> names;
+    for (const auto& file : presets::transferFiles()) names.emplace_back(file.name);
+    return names;
+}
+
+INSTANTIATE_TEST_SUITE_P(Presets, EveryPreset, ::testing::ValuesIn(presetNames()), [](const auto& p) {
+    std::string name = p.param;
+    std::replace(name.begin(), name.end(), '-', '_');
+    return name;
+});
+
+// The same random numbers: the same samples, but for the few that a rounding sends elsewhere.
+TEST_F(PathTracerTest, DrawsTheSamplesTheReferenceDraws) {
+    const auto volume = smallPhantom();
+    TransferFunction bone = scenes::homogeneous(1.0);
+    bone.opacity = {{150, 0.0}, {400, 0.8}};
+    const Environment sky = Environment::fromRig(twoLights());
+    const View view = front(*volume, 64);
+    const Medium medium = makeMedium(*volume, makeBrickGrid(*volume), bone);
+    PathTracer t = tracer(volume, bone, sky, view, {.seed = 9});
+    ASSERT_TRUE(*t.trace(8));
+    const auto image = t.readback();
+    const auto sums = ReferenceTracer(*volume, medium, sky)
+                          .trace(*makeTraceParams(*volume, medium, sky, view, {.seed = 9}), Filter::trilinear,
+                                 Precision::single, 0, 8);
+    int different = 0;
+    for (std::size_t i = 0; i < sums.size(); ++i) {
+        if (glm::length(glm::dvec4(image->radiance[i]) - sums[i] / 8.0) > 1e-3) ++different;
+    }
+    EXPECT_LT(different, int(sums.size() / 50));
+}
+
+TEST_F(PathTracerTest, TheLeftMarkerIsOnThePatientsLeftAndThePictureIsUpright) {
+    const auto volume = smallPhantom();
+    TransferFunction marker = scenes::homogeneous(1.0);
+    marker.opacity = {{930, 0.0}, {960, 0.9}};
+    const auto centroid = [&](ViewDirection from) {
+        PathTracer t = tracer(volume, marker, Environment::constant(glm::vec3(1.0f)),
+                              front(*volume, 96, from), {.bounces = 1});
+        EXPECT_TRUE(*t.trace(4));
+        const auto image = t.readback();
+        glm::dvec2 sum(0.0);
+        double weight = 0.0;
+        for (int y = 0; y < 96; ++y) {
+            for (int x = 0; x < 96; ++x) {
+                const double a = image->radiance[std::size_t(y * 96 + x)].a;
+                sum += a * glm::dvec2(x + 0.5, y + 0.5);
+                weight += a;
+            }
+        }
+        EXPECT_GT(weight, 5.0);
+        return sum / weight / 96.0;  // 0 to 1, y downwards
+    };
+    const glm::dvec2 anterior = centroid(ViewDirection::anterior);
+    EXPECT_GT(anterior.x, 0.6);   // facing the patient, the left is on the right
+    EXPECT_LT(anterior.y, 0.45);  // the marker is above the middle
+    EXPECT_LT(centroid(ViewDirection::posterior).x, 0.4);
+    EXPECT_GT(centroid(ViewDirection::inferior).x, 0.6);  // from the feet, as axial slices are shown
+    EXPECT_LT(centroid(ViewDirection::superior).x, 0.4);
+    EXPECT_LT(centroid(ViewDirection::left).x,
+              0.6);  // in front of the spine: towards the front of the picture
+}
+
+TEST_F(PathTracerTest, InterruptionsDoNotChangeThePicture) {
+    const auto volume = smallPhantom();
+    TransferFunction bone = scenes::homogeneous(1.0);
+    bone.opacity = {{150, 0.0}, {400, 0.8}};
+    const View view = front(*volume, 72);
+    const Environment sky = Environment::constant(glm::vec3(1.0f));
+    PathTracer whole = tracer(volume, bone, sky, view, {});
+    ASSERT_TRUE(*whole.trace(6));
+    PathTracer pieces = tracer(volume, bone, sky, view, {});
+    int interruptions = 0;
+    while (pieces.statistics()->samplesPerPixel < 6) {
+        const auto complete =
+            pieces.trace(6 - std::uint32_t(pieces.statistics()->samplesPerPixel), [] { return false; });
+        ASSERT_TRUE(complete.ok());
+        ++interruptions;
+    }
+    EXPECT_GT(interruptions, 1);
+    EXPECT_EQ(whole.readback()->radiance, pieces.readback()->radiance);
+    EXPECT_EQ(*whole.readDisplay(glm::vec3(0.0f)), *pieces.readDisplay(glm::vec3(0.0f)));
+}
+
+TEST_F(PathTracerTest, AnyChangeStartsANewPicture) {
+    const auto [volume, view] = scenes::slab(10.0, 16);
+    PathTracer t = tracer(volume, scenes::homogeneous(0.2), Environment::constant(glm::vec3(1.0f)), view, {});
+    ASSERT_TRUE(*t.trace(4));
+    EXPECT_EQ(t.statistics()->samplesPerPixel, 4u);
+    ASSERT_TRUE(t.setEnvironment(Environment::constant(glm::vec3(0.5f))).ok());
+    ASSERT_TRUE(*t.trace(2));
+    EXPECT_EQ(t.statistics()->samplesPerPixel, 2u);
+    View smaller = view;
+    smaller.width = 8;
+    ASSERT_TRUE(t.setView(smaller).ok());
+    ASSERT_TRUE(*t.trace(1));
+    EXPECT_EQ(t.readback()->radiance.size(), 128u);
+}
+
+// Light so strong that samples overflow: they are left out, counted, and the picture stays finite.
+TEST_F(PathTracerTest, NonFiniteSamplesAreCountedAndNeverShown) {
+    const auto [volume, view] = scenes::slab(10.0, 16);
+    std::vector<glm::vec3> sky(32, glm::vec3(3e38f));
+    PathTracer t = tracer(volume, scenes::homogeneous(3.0), *Environment::fromImage(8, 4, sky), view, {});
+    ASSERT_TRUE(*t.trace(4));
+    EXPECT_GT(t.statistics()->nonFiniteSamples, 0u);
+    const auto image = t.readback();
+    for (const glm::vec4& pixel : image->radiance) {
+        EXPECT_TRUE(std::isfinite(double(pixel.r) + double(pixel.g) + double(pixel.b) + double(pixel.a)));
+    }
+}
+
+TEST_F(PathTracerTest, NothingVisibleIsEmptyNotAnError) {
+    const auto volume = scenes::volumeOf({1, 1, 1}, glm::dmat4(1.0), [](int, int, int) { return 0; });
+    PathTracer t = tracer(volume, scenes::homogeneous(1.0), Environment::constant(glm::vec3(0.0f)),
+                          front(*volume, 8), {});
+    ASSERT_TRUE(*t.trace(2));
+    const auto image = t.readback();
+    for (const glm::vec4& pixel : image->radiance) EXPECT_EQ(pixel, glm::vec4(0.0f));
+}
+
+TEST_F(PathTracerTest, RefusesWhatCannotBeTraced) {
+    const auto [volume, view] = scenes::slab(10.0, 16);
+    PathTracer t = tracer(volume, scenes::homogeneous(0.2), Environment::constant(glm::vec3(1.0f)), view,
+                          {.bounces = 0});
+    EXPECT_EQ(t.trace(1).error().code, ErrorCode::usage);
+    ASSERT_TRUE(t.setSettings({}).ok());
+    View empty = view;
+    empty.height = 0;
+    ASSERT_TRUE(t.setView(empty).ok());
+    EXPECT_EQ(t.trace(1).error().code, ErrorCode::usage);
+    View huge = view;
+    huge.width = huge.height = 16384;  // 4 GiB of sums: above what a storage buffer may be on lavapipe
+    ASSERT_TRUE(t.setView(huge).ok());
+    EXPECT_EQ(t.trace(1).error().code, ErrorCode::outOfMemory);
+    ASSERT_TRUE(t.setView(view).ok());  // and recovers
+    EXPECT_TRUE(t.trace(1).ok());
+    TransferFunction broken = scenes::homogeneous(0.2);
+    broken.opacity.clear();
+    EXPECT_FALSE(t.setTransferFunction(broken).ok());
+}
+
+}  // namespace
+}  // namespace macula::trace

@@ -1,0 +1,56 @@
+// The structs that C++ and GLSL share are laid out alike.
+#include <gtest/gtest.h>
+
+#include "gpu/shared_layout.h"
+#include "pipeline/gpu/spirv_reflection.h"
+#include "shaders/trace.h"
+#include "shared/trace_params.h"
+
+namespace macula {
+namespace {
+
+using shared::DisplayPush;
+using shared::TilePush;
+using shared::TraceParams;
+
+const std::vector<LaidOutField> kTraceParams{MACULA_FIELD(TraceParams, originVoxel),
+                                             MACULA_FIELD(TraceParams, right),
+                                             MACULA_FIELD(TraceParams, up),
+                                             MACULA_FIELD(TraceParams, forward),
+                                             MACULA_FIELD(TraceParams, voxelFromWorldX),
+                                             MACULA_FIELD(TraceParams, voxelFromWorldY),
+                                             MACULA_FIELD(TraceParams, voxelFromWorldZ),
+                                             MACULA_FIELD(TraceParams, worldFromEnvironmentX),
+                                             MACULA_FIELD(TraceParams, worldFromEnvironmentY),
+                                             MACULA_FIELD(TraceParams, worldFromEnvironmentZ),
+                                             MACULA_FIELD(TraceParams, volumeSize),
+                                             MACULA_FIELD(TraceParams, gridSize),
+                                             MACULA_FIELD(TraceParams, imageSize),
+                                             MACULA_FIELD(TraceParams, environmentSize),
+                                             MACULA_FIELD(TraceParams, bounces),
+                                             MACULA_FIELD(TraceParams, seed),
+                                             MACULA_FIELD(TraceParams, anisotropy),
+                                             MACULA_FIELD(TraceParams, marchStepMm)};
+const std::vector<LaidOutField> kTilePush{MACULA_FIELD(TilePush, tileOrigin), MACULA_FIELD(TilePush, tileEnd),
+                                          MACULA_FIELD(TilePush, firstSample),
+                                          MACULA_FIELD(TilePush, sampleCount)};
+
+TEST(TraceLayout, UniformBlockAndPushConstantsAgreeInEveryKernel) {
+    for (const auto& code : {shaders::trace_path_comp, shaders::trace_depth_comp}) {
+        const auto reflection = gpu::reflectSpirv(code.words);
+        ASSERT_TRUE(reflection.ok());
+        const auto* params = reflection->bindings.front().block.find("params");
+        ASSERT_NE(params, nullptr) << code.name;
+        expectLayoutMatches<TraceParams>(*params, kTraceParams);
+        ASSERT_TRUE(reflection->pushConstants.has_value());
+        expectLayoutMatches<TilePush>(*reflection->pushConstants->block.find("push"), kTilePush);
+    }
+    const auto display = gpu::reflectSpirv(shaders::trace_display_comp.words);
+    ASSERT_TRUE(display.ok());
+    expectLayoutMatches<DisplayPush>(
+        *display->pushConstants->block.find("push"),
+        {MACULA_FIELD(DisplayPush, background), MACULA_FIELD(DisplayPush, exposure)});
+}
+
+}  // namespace
+}  // namespace macula
