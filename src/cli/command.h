@@ -16,5 +16,6 @@ void addRender(CLI::App& app, Action& action);
 void addDevices(CLI::App& app, Action& action);
 void addPresets(CLI::App& app, Action& action);
 void addPhantom(CLI::App& app, Action& action);
+void addBench(CLI::App& app, Action& action);
 
 }  // namespace macula::cli

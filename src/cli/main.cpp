@@ -21,6 +21,7 @@ int run(int argc, char** argv) {
     cli::addPresets(app, action);
     cli::addDevices(app, action);
     cli::addPhantom(app, action);
+    cli::addBench(app, action);
 
     try {
         app.parse(argc, argv);

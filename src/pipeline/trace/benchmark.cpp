@@ -1,0 +1,102 @@
+#include "pipeline/trace/benchmark.h"
+
+#include <algorithm>
+#include <chrono>
+#include <ctime>
+
+#include "pipeline/trace/reference_tracer.h"
+#include "pipeline/trace/scene.h"
+
+namespace macula::trace {
+
+namespace {
+
+struct Spent {
+    double wallMs = 0.0;
+    double cpuMs = 0.0;
+};
+
+// std::clock is the processor time of all threads of the process.
+template <class Work>
+Spent timed(const Work& work) {
+    const auto wall = std::chrono::steady_clock::now();
+    const std::clock_t cpu = std::clock();
+    work();
+    return {std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - wall).count(),
+            1000.0 * double(std::clock() - cpu) / CLOCKS_PER_SEC};
+}
+
+double median(std::vector<double> values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+BenchmarkReport::Contender contender(const std::vector<Spent>& turns, const BenchmarkOptions& options) {
+    std::vector<double> wall;
+    std::vector<double> cpu;
+    for (const Spent& turn : turns) {
+        wall.push_back(turn.wallMs / options.samplesPerPixel);
+        cpu.push_back(turn.cpuMs / options.samplesPerPixel);
+    }
+    const double pixels = double(options.view.width) * options.view.height;
+    return {.wallMsPerPicture = median(wall),
+            .cpuMsPerPicture = median(cpu),
+            .wallMsPerSample = median(wall) / pixels};
+}
+
+}  // namespace
+
+Result<std::vector<BenchmarkReport>> benchmark(const std::shared_ptr<gpu::Device>& device,
+                                               const std::shared_ptr<const Volume>& volume,
+                                               const TransferFunction& function,
+                                               const Environment& environment,
+                                               const BenchmarkOptions& options, Progress& progress) {
+    MACULA_TRY(PathTracer tracer, PathTracer::create(device));
+    MACULA_TRY_VOID(tracer.setVolume(volume));
+    MACULA_TRY_VOID(tracer.setTransferFunction(function));
+    MACULA_TRY_VOID(tracer.setEnvironment(environment));
+    MACULA_TRY_VOID(tracer.setView(options.view));
+    const Medium medium = makeMedium(*volume, makeBrickGrid(*volume), fitted(function, *volume));
+    const ReferenceTracer reference(*volume, medium, environment);
+    MACULA_TRY(const shared::TraceParams params,
+               makeTraceParams(*volume, medium, environment, options.view, options.settings));
+
+    constexpr Filter kFilters[] = {Filter::trilinear, Filter::stochastic};
+    progress.beginStage("Measuring", std::size(kFilters) * static_cast<std::size_t>(options.repetitions + 1));
+    std::vector<BenchmarkReport> reports;
+    for (const Filter filter : kFilters) {
+        Settings settings = options.settings;
+        settings.filter = filter;
+        MACULA_TRY_VOID(tracer.setSettings(settings));
+        MACULA_TRY([[maybe_unused]] const bool warm, tracer.trace(2));
+        progress.advance();
+
+        std::vector<Spent> deviceTurns;
+        std::vector<Spent> referenceTurns;
+        std::vector<double> wallRatios;
+        std::vector<double> cpuRatios;
+        for (int turn = 0; turn < options.repetitions; ++turn) {
+            if (progress.cancelled())
+                return Error{ErrorCode::cancelled, "The benchmark was cancelled.", {}, {}};
+            MACULA_TRY_VOID(tracer.setSettings(settings));  // from the first sample again
+            Result<bool> traced = true;
+            deviceTurns.push_back(timed([&] { traced = tracer.trace(options.samplesPerPixel); }));
+            if (!traced) return traced.error();
+            referenceTurns.push_back(timed([&] {
+                (void)reference.trace(params, filter, Precision::single, 0, options.samplesPerPixel);
+            }));
+            wallRatios.push_back(deviceTurns.back().wallMs / referenceTurns.back().wallMs);
+            cpuRatios.push_back(deviceTurns.back().cpuMs / referenceTurns.back().cpuMs);
+            progress.advance();
+        }
+        reports.push_back({.filter = filter,
+                           .device = contender(deviceTurns, options),
+                           .reference = contender(referenceTurns, options),
+                           .wallRatio = median(wallRatios),
+                           .cpuRatio = median(cpuRatios)});
+    }
+    return reports;
+}
+
+}  // namespace macula::trace

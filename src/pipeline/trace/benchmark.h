@@ -1,0 +1,45 @@
+// How fast the tracer is, beside the scalar C++ reference on the same picture in the same run: a ratio means
+// something on every machine, milliseconds only on one.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "base/progress.h"
+#include "base/result.h"
+#include "pipeline/trace/path_tracer.h"
+
+namespace macula::trace {
+
+struct BenchmarkOptions {
+    View view;          // 512 x 512 unless told otherwise
+    Settings settings;  // 4 bounces
+    std::uint32_t samplesPerPixel = 16;
+    int repetitions = 5;  // device and reference take turns, so that a busy neighbour hits both
+};
+
+// Medians over the repetitions. A "sample" is one sample of one pixel. CPU time is that of all threads of
+// this process: on a CPU device it does not depend on who else is running; on a GPU it is only what the
+// driver used.
+struct BenchmarkReport {
+    struct Contender {
+        double wallMsPerPicture = 0.0;  // one sample of every pixel
+        double cpuMsPerPicture = 0.0;
+        double wallMsPerSample = 0.0;
+    };
+    Filter filter = Filter::trilinear;
+    Contender device;
+    Contender reference;
+    double wallRatio = 0.0;  // device over reference; median of the ratios of each turn
+    double cpuRatio = 0.0;
+};
+
+// One report per filter, `settings.filter` is not used. The first dispatches, which compile the kernel, are
+// not timed.
+Result<std::vector<BenchmarkReport>> benchmark(const std::shared_ptr<gpu::Device>& device,
+                                               const std::shared_ptr<const Volume>& volume,
+                                               const TransferFunction& function,
+                                               const Environment& environment,
+                                               const BenchmarkOptions& options, Progress& progress);
+
+}  // namespace macula::trace
