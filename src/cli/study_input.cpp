@@ -24,7 +24,10 @@ Result<const dicom::Series*> chooseSeries(const dicom::Scan& scan, const std::st
                                           std::string& why) {
     if (wanted.empty()) {
         if (const dicom::Series* best = dicom::bestSeries(scan, &why)) return best;
-        return Error{ErrorCode::inputNotUsable, "No series in the folder can be shown in 3D.", {}, why};
+        return Error{ErrorCode::inputNotUsable,
+                     why,
+                     {},
+                     "Choose another folder; macula info tells more about this one."};
     }
     const dicom::Series* chosen = dicom::findSeries(scan, wanted);
     std::size_t place = 0;
@@ -59,7 +62,9 @@ Result<StudyInput> loadStudy(const std::filesystem::path& path, const std::strin
         if (error.where.empty()) error.where = path.string();
         return error;
     }
-    if (!why.empty()) input.notes.push_back(why);
+    std::size_t seriesCount = 0;
+    for (const dicom::Study& study : scan.studies) seriesCount += study.series.size();
+    if (seriesCount > 1 && !why.empty()) input.notes.push_back(why);
     if (!scan.skipped.empty()) {
         input.notes.push_back(
             fmt::format("{} files were left out; macula info says why.", scan.skipped.size()));
