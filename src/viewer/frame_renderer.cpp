@@ -22,8 +22,9 @@ double millisecondsBetween(std::chrono::steady_clock::time_point from,
 constexpr double kMotionBudgetMs = 110.0;  // 9 pictures a second; 5 are still left on a machine half as fast
 constexpr double kNsPerPixelGuessCpu = 4000.0;
 constexpr double kNsPerPixelGuessGpu = 50.0;
-// In motion light may bounce this often: enough for the look of the full picture, at half its cost.
-constexpr int kMotionBounces = 2;
+// In motion light may bounce this often. With fewer, bone turns from ivory to grey: its colour is made by
+// many bounces, and the picture would change its look each time a hand lets go.
+constexpr int kMotionBounces = 4;
 // Of each pixel before a picture in motion is shown. With fewer the picture could be larger, but would be
 // a cloud of dots: an eye reads a soft picture more easily than a sparse one.
 constexpr std::uint32_t kMotionSamples = 2;

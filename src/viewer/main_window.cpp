@@ -154,6 +154,9 @@ void MainWindow::makeStatusBar() {
     pictureText_ = new ElidingLabel(tr("Traced pixels, pictures per second"));
     volumeText_ = new ElidingLabel(tr("Voxels and their size"));
     deviceText_ = new ElidingLabel(tr("Device"));
+    // How far the picture can be trusted is the last thing to be cut short.
+    fidelity_->setMinimumWidth(
+        fontMetrics().horizontalAdvance(tr("Path traced, %1 of %1 samples, converging").arg(8888)));
     statusBar()->addWidget(loading_);
     statusBar()->addWidget(fidelity_, 1);
     statusBar()->addPermanentWidget(pictureText_);
