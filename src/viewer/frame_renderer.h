@@ -24,7 +24,7 @@ struct Interrupts {
     std::function<bool()> stopping;
 };
 
-// Owns the device and all that is on it. A picture has up to three stages: while something moves, one sample
+// Owns the device and all that is on it. A picture has up to three stages: while something moves, two samples
 // per pixel of a smaller picture that always gets finished, or the view would never follow a steady hand;
 // then all pixels, given up at once when a new input comes; then rest, when all samples are there. The
 // smaller picture stays on screen until the full one has a sample everywhere.
