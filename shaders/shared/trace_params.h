@@ -1,4 +1,4 @@
-// What a picture is traced from: one uniform block, and one push constant block per dispatch.
+// What a picture is traced from: one block of parameters, and push constants per dispatch.
 #ifndef MACULA_SHARED_TRACE_PARAMS_H
 #define MACULA_SHARED_TRACE_PARAMS_H
 #include "shared/shared.h"
@@ -26,10 +26,13 @@ struct TraceParams {
     float marchStepMm;          // of the deterministic march for depth
 };
 
-struct TilePush {
-    ivec2 tileOrigin;    // pixels
-    ivec2 tileEnd;       // pixels, exclusive
-    uint firstSample;    // index of the first sample of this dispatch, for the random sequence
+// The blocks of 8 x 8 pixels of a picture are visited in the order (i * blockStride) mod blockCount, blockStride coprime to
+// blockCount: any run of them is spread over the whole picture.
+struct PathPush {
+    uint firstBlock;   // i of the first block of this dispatch
+    uint blockCount;   // of the picture
+    uint blockStride;
+    uint firstSample;  // index of the first sample of this dispatch, for the random sequence
     uint sampleCount;
 };
 

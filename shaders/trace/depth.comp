@@ -10,13 +10,9 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(binding = 7, scalar) writeonly buffer Distances {
     float distanceMm[];
 };
-layout(push_constant, scalar) uniform Push {
-    TilePush push;  // samples unused: the answer is deterministic
-};
-
 void main() {
-    ivec2 pixel = push.tileOrigin + ivec2(gl_GlobalInvocationID.xy);
-    if (any(greaterThanEqual(pixel, push.tileEnd))) return;
+    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+    if (any(greaterThanEqual(pixel, params.imageSize))) return;
     vec3 direction = eyeDirection(vec2(pixel) + vec2(0.5));
     BrickWalk walk = startWalk(params.originVoxel, voxelsPerMm(direction));
     distanceMm[pixel.y * params.imageSize.x + pixel.x] = halfTransmittanceDistance(walk, params.marchStepMm);

@@ -8,7 +8,9 @@
 
 layout(constant_id = 0) const bool kTrilinear = true;
 
-layout(binding = 0, scalar) uniform Params {
+// Not a uniform block: lavapipe (Mesa 22.3) compiles a uniform that decides a branch into the shader, and so would compile
+// anew, for a tenth of a second, whenever the camera moves.
+layout(binding = 0, scalar) readonly buffer Params {
     TraceParams params;
 };
 layout(binding = 1) uniform usamplerBuffer entryTexels;       // voxels, as positions in the tables

@@ -1,4 +1,4 @@
-// Adds samples to the pixels of a tile.
+// Adds samples to the pixels of some blocks of the picture.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 
@@ -24,23 +24,14 @@ layout(binding = 10, scalar) buffer Faults {
 const int kMaxRounds = 48000;
 
 layout(push_constant, scalar) uniform Push {
-    TilePush push;
+    PathPush push;
 };
 
-// Groups come as one row. lavapipe gives the first half of them to one thread and the second half to the other: dealt out
-// alternately, both get as much of the anatomy, and neither waits.
-ivec2 shuffledBlock() {
-    int groups = int(gl_NumWorkGroups.x);
-    int group = int(gl_WorkGroupID.x);
-    int firstHalf = (groups + 1) / 2;
-    int block = group < firstHalf ? 2 * group : 2 * (group - firstHalf) + 1;
-    int columns = (push.tileEnd.x - push.tileOrigin.x + 7) / 8;
-    return ivec2(block % columns, block / columns);
-}
-
 void main() {
-    ivec2 pixel = push.tileOrigin + 8 * shuffledBlock() + ivec2(gl_LocalInvocationID.xy);
-    if (any(greaterThanEqual(pixel, push.tileEnd))) return;
+    int block = int(((push.firstBlock + gl_WorkGroupID.x) * push.blockStride) % push.blockCount);
+    int columns = (params.imageSize.x + 7) / 8;
+    ivec2 pixel = 8 * ivec2(block % columns, block / columns) + ivec2(gl_LocalInvocationID.xy);
+    if (any(greaterThanEqual(pixel, params.imageSize))) return;
 
     int index = pixel.y * params.imageSize.x + pixel.x;
     vec4 sum = sums[index];

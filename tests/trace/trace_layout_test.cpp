@@ -10,7 +10,7 @@ namespace macula {
 namespace {
 
 using shared::DisplayPush;
-using shared::TilePush;
+using shared::PathPush;
 using shared::TraceParams;
 
 const std::vector<LaidOutField> kTraceParams{MACULA_FIELD(TraceParams, originVoxel),
@@ -31,20 +31,23 @@ const std::vector<LaidOutField> kTraceParams{MACULA_FIELD(TraceParams, originVox
                                              MACULA_FIELD(TraceParams, seed),
                                              MACULA_FIELD(TraceParams, anisotropy),
                                              MACULA_FIELD(TraceParams, marchStepMm)};
-const std::vector<LaidOutField> kTilePush{MACULA_FIELD(TilePush, tileOrigin), MACULA_FIELD(TilePush, tileEnd),
-                                          MACULA_FIELD(TilePush, firstSample),
-                                          MACULA_FIELD(TilePush, sampleCount)};
+const std::vector<LaidOutField> kPathPush{
+    MACULA_FIELD(PathPush, firstBlock), MACULA_FIELD(PathPush, blockCount),
+    MACULA_FIELD(PathPush, blockStride), MACULA_FIELD(PathPush, firstSample),
+    MACULA_FIELD(PathPush, sampleCount)};
 
-TEST(TraceLayout, UniformBlockAndPushConstantsAgreeInEveryKernel) {
+TEST(TraceLayout, ParametersAndPushConstantsAgreeInEveryKernel) {
     for (const auto& code : {shaders::trace_path_comp, shaders::trace_depth_comp}) {
         const auto reflection = gpu::reflectSpirv(code.words);
         ASSERT_TRUE(reflection.ok());
         const auto* params = reflection->bindings.front().block.find("params");
         ASSERT_NE(params, nullptr) << code.name;
         expectLayoutMatches<TraceParams>(*params, kTraceParams);
-        ASSERT_TRUE(reflection->pushConstants.has_value());
-        expectLayoutMatches<TilePush>(*reflection->pushConstants->block.find("push"), kTilePush);
     }
+    const auto path = gpu::reflectSpirv(shaders::trace_path_comp.words);
+    ASSERT_TRUE(path.ok());
+    ASSERT_TRUE(path->pushConstants.has_value());
+    expectLayoutMatches<PathPush>(*path->pushConstants->block.find("push"), kPathPush);
     const auto display = gpu::reflectSpirv(shaders::trace_display_comp.words);
     ASSERT_TRUE(display.ok());
     expectLayoutMatches<DisplayPush>(

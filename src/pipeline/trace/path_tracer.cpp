@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <chrono>
 #include <limits>
+#include <map>
+#include <numeric>
 
 #include "pipeline/gpu/kernel.h"
 #include "pipeline/gpu/recorder.h"
@@ -20,12 +22,20 @@ using Clock = std::chrono::steady_clock;
 constexpr double kDispatchMs = 40.0;
 constexpr int kBlock = 8;                    // pixels; a work group is a square of them
 constexpr std::uint32_t kMaxBlocks = 65535;  // of one dispatch: what every device allows
+constexpr std::uint32_t kMinBlocks = 4;      // so that no thread of a CPU device is idle
+constexpr double kFirstRate = 0.5;           // block samples per ms, before anything is known: a slow CPU
 // Several samples of a pixel in one dispatch keep a lane busy while its neighbours' paths are longer. Not too
 // many vertices in all: see kMaxRounds in path.comp.
 constexpr int kMaxVerticesPerDispatch = 64;
 
-int blocksOf(int pixels) {
-    return (pixels + kBlock - 1) / kBlock;
+// A step through `blocks` that visits each once and spreads any few of them evenly: near the golden section,
+// coprime, and small enough that the shader's product does not overflow.
+std::uint32_t spreadingStride(std::uint32_t blocks) {
+    constexpr double kGolden = 0.6180339887;
+    auto stride = static_cast<std::uint32_t>(std::min(kGolden * blocks, 4294967295.0 / blocks - 64.0));
+    stride = std::max(stride, 1u);
+    while (std::gcd(stride, blocks) != 1) ++stride;
+    return stride;
 }
 
 template <class T>
@@ -82,7 +92,7 @@ struct PathTracer::Impl {
     std::optional<gpu::Kernel> trilinearKernel, stochasticKernel, depthKernel, displayKernel;
     std::optional<gpu::Buffer> paramsBuffer;
     bool paramsStale = true;  // something above has changed: accumulation starts again
-    double pixelSamplesPerMs = 20.0;
+    std::map<std::pair<Filter, int>, double> blockSamplesPerMs;  // by filter and bounces
     bool warm = false;  // the first dispatch of a kernel compiles it, and says nothing about speed
 
     // What has been traced.
@@ -92,13 +102,17 @@ struct PathTracer::Impl {
     int height = 0;
     std::uint32_t samplesDone = 0;  // of every pixel
     std::uint32_t passSamples = 0;  // that the pass in progress adds
-    int passRow = 0;                // where it goes on
+    std::uint32_t passBlock = 0;    // where it goes on
     double deviceMs = 0.0;
 
     Result<void> prepare();
     Result<void> makePicture();
     Result<const gpu::Kernel*> pathKernel();
-    Result<void> traceBand(int rows);
+    std::uint32_t blocks() const;  // of the picture
+    double& rate() {
+        return blockSamplesPerMs.try_emplace({settings.filter, settings.bounces}, kFirstRate).first->second;
+    }
+    Result<void> traceBlocks(std::uint32_t count);
     Result<void> uploadMedium();
 };
 
@@ -111,11 +125,9 @@ Result<PathTracer> PathTracer::create(std::shared_ptr<gpu::Device> device) {
     auto impl = std::make_unique<Impl>(std::move(device));
     MACULA_TRY(impl->depthKernel, gpu::Kernel::create(impl->device, shaders::trace_depth_comp));
     MACULA_TRY(impl->displayKernel, gpu::Kernel::create(impl->device, shaders::trace_display_comp));
-    MACULA_TRY(impl->paramsBuffer,
-               gpu::Buffer::create(impl->device, {.label = "trace params",
-                                                  .bytes = sizeof(shared::TraceParams),
-                                                  .usage = VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT,
-                                                  .memory = gpu::MemoryKind::upload}));
+    MACULA_TRY(impl->paramsBuffer, gpu::Buffer::create(impl->device, {.label = "trace params",
+                                                                      .bytes = sizeof(shared::TraceParams),
+                                                                      .memory = gpu::MemoryKind::upload}));
     MACULA_TRY(impl->faults,
                gpu::Buffer::create(impl->device, {.label = "faults", .bytes = 2 * sizeof(std::uint32_t)}));
     return PathTracer(std::move(impl));
@@ -230,35 +242,37 @@ Result<void> PathTracer::Impl::prepare() {
     MACULA_TRY([[maybe_unused]] const gpu::Ticket ticket, recorder.submit());
     samplesDone = 0;
     passSamples = 0;
-    passRow = 0;
+    passBlock = 0;
     deviceMs = 0.0;
     paramsStale = false;
     return {};
 }
 
-// Adds the samples of the pass to some rows, waits, and learns how fast the device is.
-Result<void> PathTracer::Impl::traceBand(int rows) {
+std::uint32_t PathTracer::Impl::blocks() const {
+    return static_cast<std::uint32_t>((width + kBlock - 1) / kBlock) *
+           static_cast<std::uint32_t>((height + kBlock - 1) / kBlock);
+}
+
+// Adds the samples of the pass to the next blocks, waits, and learns how fast the device is.
+Result<void> PathTracer::Impl::traceBlocks(std::uint32_t count) {
     MACULA_TRY(const gpu::Kernel* kernel, pathKernel());
-    const shared::TilePush push{.tileOrigin = {0, passRow},
-                                .tileEnd = {width, passRow + rows},
+    const shared::PathPush push{.firstBlock = passBlock,
+                                .blockCount = blocks(),
+                                .blockStride = spreadingStride(blocks()),
                                 .firstSample = samplesDone,
                                 .sampleCount = passSamples};
     MACULA_TRY(auto recorder, gpu::Recorder::create(device, "trace"));
-    const auto blocks = static_cast<std::uint32_t>(blocksOf(width) * blocksOf(rows));
-    recorder.dispatch(*kernel, {blocks * kBlock, kBlock}, push,
+    recorder.dispatch(*kernel, {count * kBlock, kBlock}, push,
                       {*paramsBuffer, *entries, *extinction, *albedo, *bounds, *environmentTexels,
                        *aliasTexels, *sums, *lost, *counts, *faults});
     const auto begin = Clock::now();
     MACULA_TRY(const gpu::Ticket ticket, recorder.submit());
     MACULA_TRY([[maybe_unused]] const bool done, device->waitFor(ticket));
     const double ms = std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
-    if (warm) {
-        const double rate = double(width) * rows * passSamples / std::max(ms, 1e-3);
-        pixelSamplesPerMs = 0.5 * (pixelSamplesPerMs + rate);
-    }
-    deviceMs += ms;
+    if (warm) rate() = 0.5 * (rate() + double(count) * passSamples / std::max(ms, 1e-3));
     warm = true;
-    passRow += rows;
+    deviceMs += ms;
+    passBlock += count;
     return {};
 }
 
@@ -268,20 +282,17 @@ Result<bool> PathTracer::trace(std::uint32_t samplesPerPixel, const std::functio
     // A pass that was interrupted is part of what was asked for.
     const std::uint32_t target = t.samplesDone + std::max(samplesPerPixel, t.passSamples);
     while (t.samplesDone < target) {
-        const double affordable = t.pixelSamplesPerMs * kDispatchMs;  // pixels times samples
         if (t.passSamples == 0) {
-            const auto maxSamples =
+            const auto most =
                 static_cast<std::uint32_t>(std::max(kMaxVerticesPerDispatch / t.settings.bounces, 1));
-            t.passSamples =
-                static_cast<std::uint32_t>(std::clamp(affordable / (double(t.width) * kBlock), 1.0,
-                                                      double(std::min(maxSamples, target - t.samplesDone))));
-            t.passRow = 0;
+            t.passSamples = std::min(most, target - t.samplesDone);
+            t.passBlock = 0;
         }
-        const double affordableBlocks = affordable / (double(t.passSamples) * kBlock * kBlock);
-        const int bands =
-            static_cast<int>(std::min(affordableBlocks, double(kMaxBlocks))) / blocksOf(t.width);
-        MACULA_TRY_VOID(t.traceBand(std::min(std::max(bands, 1) * kBlock, t.height - t.passRow)));
-        if (t.passRow >= t.height) {
+        const double affordable =
+            std::clamp(t.rate() * kDispatchMs / t.passSamples, double(kMinBlocks), double(kMaxBlocks));
+        MACULA_TRY_VOID(
+            t.traceBlocks(std::min(static_cast<std::uint32_t>(affordable), t.blocks() - t.passBlock)));
+        if (t.passBlock >= t.blocks()) {
             t.samplesDone += t.passSamples;
             t.passSamples = 0;
         }
@@ -315,10 +326,8 @@ Result<TracedImage> PathTracer::readback() {
     MACULA_TRY(t.distances,
                gpu::Buffer::create(t.device, {.label = "distances", .bytes = pixels * sizeof(float)}));
     MACULA_TRY(auto recorder, gpu::Recorder::create(t.device, "depth"));
-    const shared::TilePush push{
-        .tileOrigin = {0, 0}, .tileEnd = {t.width, t.height}, .firstSample = 0, .sampleCount = 0};
     recorder.dispatch(*t.depthKernel,
-                      {static_cast<std::uint32_t>(t.width), static_cast<std::uint32_t>(t.height)}, push,
+                      {static_cast<std::uint32_t>(t.width), static_cast<std::uint32_t>(t.height)},
                       {*t.paramsBuffer, *t.entries, *t.extinction, *t.albedo, *t.bounds, *t.environmentTexels,
                        *t.aliasTexels, *t.distances});
     MACULA_TRY([[maybe_unused]] const gpu::Ticket ticket, recorder.submit());
@@ -341,7 +350,7 @@ Result<Statistics> PathTracer::statistics() const {
                           .nonFiniteSamples = 0,
                           .abandonedSamples = 0,
                           .deviceMs = t.deviceMs};
-    if (t.samplesDone > 0 || t.passRow > 0) {
+    if (t.samplesDone > 0 || t.passBlock > 0) {
         MACULA_TRY(const auto faults, gpu::read<std::uint32_t>(*t.faults));
         statistics.nonFiniteSamples = faults[0];
         statistics.abandonedSamples = faults[1];
