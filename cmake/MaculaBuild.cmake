@@ -24,7 +24,8 @@ elseif(LLD)
     add_link_options(-fuse-ld=lld)
 endif()
 
-set(MACULA_WARNINGS -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -Werror)
+set(MACULA_WARNINGS -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -Werror
+    -Wno-missing-field-initializers)  # designated initialisers leave fields at their defaults on purpose
 if(MACULA_SANITIZE)
     add_compile_options(-fsanitize=address,undefined -fno-omit-frame-pointer -fno-sanitize-recover=undefined)
     add_link_options(-fsanitize=address,undefined)
@@ -42,9 +43,10 @@ function(macula_module name)
     target_link_libraries(macula_${name} PUBLIC ${M_PUBLIC} PRIVATE ${M_PRIVATE})
 endfunction()
 
-# macula_test(NAME SOURCES … LIBS … [TIMEOUT seconds]): one GoogleTest executable, one ctest entry per test.
+# macula_test(NAME SOURCES … LIBS … [TIMEOUT seconds] [ALONE]): one GoogleTest executable, one ctest entry per test; ALONE for
+# tests that look at the clock.
 function(macula_test name)
-    cmake_parse_arguments(T "" "TIMEOUT" "SOURCES;LIBS" ${ARGN})
+    cmake_parse_arguments(T "ALONE" "TIMEOUT" "SOURCES;LIBS" ${ARGN})
     if(NOT T_TIMEOUT)
         set(T_TIMEOUT 120)
     endif()
@@ -55,5 +57,5 @@ function(macula_test name)
         MACULA_SOURCE_DIR="${PROJECT_SOURCE_DIR}" MACULA_SHARED_DIR="${PROJECT_SOURCE_DIR}/../shared")
     target_link_libraries(test_${name} PRIVATE ${T_LIBS} GTest::gtest_main)
     gtest_discover_tests(test_${name} TEST_PREFIX "${name}." DISCOVERY_MODE PRE_TEST
-        PROPERTIES TIMEOUT ${T_TIMEOUT} LABELS ${name})
+        PROPERTIES TIMEOUT ${T_TIMEOUT} LABELS ${name} RUN_SERIAL ${T_ALONE})
 endfunction()

@@ -1,18 +1,17 @@
 #include "viewer/catalogue.h"
 
-#include <presets/embedded_files.h>
 #include <algorithm>
 #include <utility>
 
 #include "pipeline/trace/light_rig_json.h"
 #include "pipeline/volume/transfer_function_json.h"
+#include "presets/default_preset.h"
+#include "presets/embedded_files.h"
 
 namespace macula::viewer {
 
 namespace {
 
-constexpr std::string_view kCtPreset = "ct-bone";
-constexpr std::string_view kMrPreset = "mr-default";
 constexpr std::string_view kLights = "studio";
 
 template <class Item>
@@ -62,26 +61,9 @@ Result<std::shared_ptr<const trace::LightRig>> findLights(const Catalogue& catal
 }
 
 std::shared_ptr<const TransferFunction> presetFor(const Catalogue& catalogue, const Volume& volume) {
-    const std::string& modality = volume.modality();
-    const std::string_view usual = modality == "CT" ? kCtPreset : modality == "MR" ? kMrPreset : "";
-    if (auto preset = byName(catalogue.presets, usual); preset && preset->unit == volume.unit()) {
-        return preset;
-    }
-    const auto first = [&](auto fits) {
-        const auto found = std::find_if(catalogue.presets.begin(), catalogue.presets.end(),
-                                        [&](const auto& preset) { return fits(*preset); });
-        return found == catalogue.presets.end() ? nullptr : *found;
-    };
-    if (auto preset = first([&](const TransferFunction& f) {
-            return f.unit == volume.unit() &&
-                   std::find(f.modalities.begin(), f.modalities.end(), modality) != f.modalities.end();
-        })) {
-        return preset;
-    }
-    if (auto preset = first([&](const TransferFunction& f) { return f.unit == volume.unit(); })) {
-        return preset;
-    }
-    return catalogue.presets.front();
+    auto preset = byName(catalogue.presets, presets::defaultTransfer(volume));
+    MACULA_CHECK(preset != nullptr);
+    return preset;
 }
 
 std::shared_ptr<const trace::LightRig> defaultLights(const Catalogue& catalogue) {

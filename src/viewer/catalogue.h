@@ -24,8 +24,7 @@ Result<Catalogue> builtInCatalogue();
 Result<std::shared_ptr<const TransferFunction>> findPreset(const Catalogue& catalogue, std::string_view name);
 Result<std::shared_ptr<const trace::LightRig>> findLights(const Catalogue& catalogue, std::string_view name);
 
-// What a volume is shown with when nobody chose: bone for CT, which needs no contrast agent, the default for
-// MR, else the first that is made for its modality, or for its unit.
+// What a volume is shown with when nobody chose: presets::defaultTransfer, as in the `macula` command.
 std::shared_ptr<const TransferFunction> presetFor(const Catalogue& catalogue, const Volume& volume);
 std::shared_ptr<const trace::LightRig> defaultLights(const Catalogue& catalogue);
 
