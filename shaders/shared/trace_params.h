@@ -37,8 +37,9 @@ struct PathPush {
 };
 
 struct DisplayPush {
-    vec3 background;     // linear
+    vec3 background;  // linear
     float exposure;
+    int smoothing;    // radius in pixels of the binomial filter over the means
 };
 
 MACULA_SHARED_END

@@ -22,11 +22,29 @@ layout(push_constant, scalar) uniform Push {
     DisplayPush push;
 };
 
+float binomial(int offset) {
+    int far = abs(offset);
+    if (push.smoothing == 0) return 1.0;
+    if (push.smoothing == 1) return far == 0 ? 2.0 : 1.0;
+    return far == 0 ? 6.0 : (far == 1 ? 4.0 : 1.0);
+}
+
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     ivec2 size = imageSize(picture);
     if (any(greaterThanEqual(pixel, size))) return;
-    int index = pixel.y * size.x + pixel.x;
-    vec4 mean = sums[index] / float(max(counts[index], 1u));
+    // A binomial filter over premultiplied means: the weights of Pascal's triangle, 1 for radius 0.
+    vec4 sum = vec4(0.0);
+    float total = 0.0;
+    for (int dy = -push.smoothing; dy <= push.smoothing; ++dy) {
+        for (int dx = -push.smoothing; dx <= push.smoothing; ++dx) {
+            ivec2 at = clamp(pixel + ivec2(dx, dy), ivec2(0), size - 1);
+            int index = at.y * size.x + at.x;
+            float weight = binomial(dx) * binomial(dy);
+            sum += weight * sums[index] / float(max(counts[index], 1u));
+            total += weight;
+        }
+    }
+    vec4 mean = sum / total;
     imageStore(picture, pixel, vec4(displayColour(mean, push.background, push.exposure), 1.0));
 }

@@ -28,6 +28,8 @@ constexpr int kMotionBounces = 4;
 // Of each pixel before a picture in motion is shown. With fewer the picture could be larger, but would be
 // a cloud of dots: an eye reads a soft picture more easily than a sparse one.
 constexpr std::uint32_t kMotionSamples = 2;
+// And an eye follows a soft picture more easily than a grainy one.
+constexpr trace::Smoothing kMotionSmoothing = trace::Smoothing::slight;
 constexpr std::uint64_t kMotionSampleLimit = 64;  // while a hand holds still
 // After the last change the small picture is refined for so long before the full one starts: it stays on
 // screen during the long first pass of that, and should not be the noisiest of all.
@@ -238,7 +240,8 @@ Result<void> FrameRenderer::stepConverging(const Interrupts& interrupts) {
 }
 
 Result<void> FrameRenderer::showPicture() {
-    MACULA_TRY(const gpu::Image* picture, tracer_->display(input_.background));
+    const auto smoothing = stage_ == Stage::moving ? kMotionSmoothing : trace::Smoothing::none;
+    MACULA_TRY(const gpu::Image* picture, tracer_->display(input_.background, smoothing));
     MACULA_TRY(const bool visible, presenter_->show(*picture));
     if (!visible) return {};
     const Clock::time_point now = Clock::now();

@@ -262,14 +262,15 @@ void MainWindow::onFrame(const FrameShown& frame) {
     QString text = tr("Path traced, %1 of %2 samples, ").arg(frame.samplesPerPixel).arg(frame.sampleLimit);
     switch (frame.stage) {
         case Stage::moving:
-            text = frame.scale > 1 ? tr("Path traced preview, 1/%1 of the pixels each way").arg(frame.scale)
-                                   : tr("Path traced preview");
+            text = frame.scale > 1
+                       ? tr("Path traced preview, smoothed, 1/%1 of the pixels each way").arg(frame.scale)
+                       : tr("Path traced preview, smoothed");
             break;
         case Stage::converging:
             text += tr("converging");
             break;
         case Stage::converged:
-            text += tr("converged");
+            text += tr("complete");
             break;
     }
     if (frame.nonFiniteSamples > 0) text += tr(", %1 invalid samples left out").arg(frame.nonFiniteSamples);

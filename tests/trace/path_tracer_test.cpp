@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "base/phantom.h"
+#include "pipeline/gpu/transfer.h"
 #include "pipeline/trace/reference_tracer.h"
 #include "pipeline/volume/transfer_function_json.h"
 #include "presets/embedded_files.h"
@@ -222,6 +223,34 @@ TEST_F(PathTracerTest, AnyChangeStartsANewPicture) {
     ASSERT_TRUE(t.setView(smaller).ok());
     ASSERT_TRUE(*t.trace(1));
     EXPECT_EQ(t.readback()->radiance.size(), 128u);
+}
+
+// Smoothing is a filter with weights that add up to one: it keeps a uniform picture, and the light of any
+// other.
+TEST_F(PathTracerTest, SmoothingKeepsTheLightAndLowersTheNoise) {
+    const auto [volume, view] = scenes::slab(10.0, 32);
+    PathTracer t =
+        tracer(volume, scenes::homogeneous(0.05), Environment::constant(glm::vec3(0.5f)), view, {});
+    ASSERT_TRUE(*t.trace(4));
+    double lastSpread = 1e9;
+    double firstMean = 0.0;
+    for (const Smoothing smoothing : {Smoothing::none, Smoothing::slight, Smoothing::strong}) {
+        const auto picture = t.display(glm::vec3(0.2f), smoothing);
+        ASSERT_TRUE(picture.ok());
+        const auto pixels = gpu::read<std::uint8_t>(**picture);
+        double sum = 0.0;
+        double squares = 0.0;
+        for (std::size_t i = 0; i < pixels->size(); i += 4) {
+            sum += (*pixels)[i];
+            squares += double((*pixels)[i]) * (*pixels)[i];
+        }
+        const double n = double(pixels->size()) / 4.0;
+        const double spread = std::sqrt(squares / n - sum / n * (sum / n));
+        if (smoothing == Smoothing::none) firstMean = sum / n;
+        EXPECT_NEAR(sum / n, firstMean, 0.05 * firstMean);  // the display curve is not linear
+        EXPECT_LT(spread, 0.8 * lastSpread);
+        lastSpread = spread;
+    }
 }
 
 // Light so strong that samples overflow: they are left out, counted, and the picture stays finite.

@@ -52,7 +52,8 @@ TEST(TraceLayout, ParametersAndPushConstantsAgreeInEveryKernel) {
     ASSERT_TRUE(display.ok());
     expectLayoutMatches<DisplayPush>(
         *display->pushConstants->block.find("push"),
-        {MACULA_FIELD(DisplayPush, background), MACULA_FIELD(DisplayPush, exposure)});
+        {MACULA_FIELD(DisplayPush, background), MACULA_FIELD(DisplayPush, exposure),
+         MACULA_FIELD(DisplayPush, smoothing)});
 }
 
 }  // namespace

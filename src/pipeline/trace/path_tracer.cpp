@@ -301,12 +301,13 @@ Result<bool> PathTracer::trace(std::uint32_t samplesPerPixel, const std::functio
     return t.passSamples == 0;
 }
 
-Result<const gpu::Image*> PathTracer::display(const glm::vec3& background) {
+Result<const gpu::Image*> PathTracer::display(const glm::vec3& background, Smoothing smoothing) {
     Impl& t = *impl_;
     MACULA_TRY_VOID(t.prepare());
     MACULA_TRY(auto recorder, gpu::Recorder::create(t.device, "display"));
     const shared::DisplayPush push{.background = background,
-                                   .exposure = static_cast<float>(t.settings.exposure)};
+                                   .exposure = static_cast<float>(t.settings.exposure),
+                                   .smoothing = static_cast<int>(smoothing)};
     recorder.dispatch(*t.displayKernel,
                       {static_cast<std::uint32_t>(t.width), static_cast<std::uint32_t>(t.height)}, push,
                       {*t.sums, *t.counts, *t.picture});

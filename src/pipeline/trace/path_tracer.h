@@ -37,6 +37,10 @@ struct TracedImage {
     std::vector<float> depthMm;
 };
 
+// For previews of few samples: a binomial filter over the means of neighbouring pixels, before the tone map.
+// It trades sharpness for noise and is never part of readback().
+enum class Smoothing { none = 0, slight = 1, strong = 2 };  // radius in pixels
+
 // Used by one thread at a time, the one that uses the device. Setters upload; trace() accumulates.
 class PathTracer {
   public:
@@ -60,7 +64,7 @@ class PathTracer {
 
     // The tone-mapped picture so far, display-encoded RGBA8, premultiplied over `background` (linear). Stays
     // on the device, in layout GENERAL, size of the view, valid until the next setView.
-    Result<const gpu::Image*> display(const glm::vec3& background);
+    Result<const gpu::Image*> display(const glm::vec3& background, Smoothing smoothing = Smoothing::none);
 
     Result<TracedImage> readback();                                              // waits
     Result<std::vector<std::uint8_t>> readDisplay(const glm::vec3& background);  // RGBA8, opaque; waits
