@@ -50,6 +50,13 @@ Result<gpu::TexelBuffer> makeTexels(const std::shared_ptr<gpu::Device>& device, 
 Result<gpu::TexelBuffer> makeEntryTexels(const std::shared_ptr<gpu::Device>& device, const Volume& volume) {
     const EntryMap map = entryMapOf(volume);
     const std::size_t count = volume.voxels().size();
+    if (count > std::size_t(std::numeric_limits<std::int32_t>::max())) {  // shaders index voxels with 31 bits
+        return Error{
+            ErrorCode::outOfMemory,
+            fmt::format("A volume of {} million voxels is more than can be traced.", count / 1000000),
+            {},
+            "Open a smaller series."};
+    }
     // Uploads to memory that is not mapped go by words of 4 bytes.
     MACULA_TRY(auto texels,
                gpu::TexelBuffer::create(
@@ -156,6 +163,9 @@ Result<void> PathTracer::setTransferFunction(const TransferFunction& function) {
 }
 
 Result<void> PathTracer::Impl::uploadMedium() {
+    extinction.reset();  // all or none: tables of different length must never meet
+    albedo.reset();
+    bounds.reset();
     MACULA_TRY(extinction,
                makeTexels<float>(device, "extinction", VK_FORMAT_R32_SFLOAT, medium.extinctionPerMm));
     MACULA_TRY(albedo, makeTexels<glm::vec4>(device, "albedo", VK_FORMAT_R32G32B32A32_SFLOAT, medium.albedo));
@@ -166,6 +176,8 @@ Result<void> PathTracer::Impl::uploadMedium() {
 Result<void> PathTracer::setEnvironment(const Environment& environment) {
     Impl& t = *impl_;
     static_assert(sizeof(EnvironmentTexel) == 4 * sizeof(float));
+    t.environmentTexels.reset();
+    t.aliasTexels.reset();
     MACULA_TRY(t.environmentTexels,
                makeTexels<EnvironmentTexel>(t.device, "environment", VK_FORMAT_R32G32B32A32_SFLOAT,
                                             environment.texels()));
@@ -227,7 +239,10 @@ Result<void> PathTracer::Impl::makePicture() {
 
 // Brings the device up to what was set, and starts a new accumulation when anything changed.
 Result<void> PathTracer::Impl::prepare() {
-    MACULA_CHECK(volume && extinction && environment);
+    if (!entries || !extinction || !albedo || !bounds || !environmentTexels || !aliasTexels) {
+        // Something was never set, or could not be: what was is told by the error of that call.
+        return Error{ErrorCode::usage, "There is nothing to trace yet.", {}, "Open a study first."};
+    }
     if (!paramsStale) return {};
     MACULA_TRY(const shared::TraceParams params,
                makeTraceParams(*volume, medium, *environment, view, settings));
