@@ -82,6 +82,8 @@ inline constexpr Tag kStudyDescription{0x0008, 0x1030};
 inline constexpr Tag kSeriesDescription{0x0008, 0x103E};
 inline constexpr Tag kPatientName{0x0010, 0x0010};
 inline constexpr Tag kPatientId{0x0010, 0x0020};
+inline constexpr Tag kPatientBirthDate{0x0010, 0x0030};
+inline constexpr Tag kPatientSex{0x0010, 0x0040};
 inline constexpr Tag kPatientPosition{0x0018, 0x5100};
 inline constexpr Tag kStudyInstanceUid{0x0020, 0x000D};
 inline constexpr Tag kSeriesInstanceUid{0x0020, 0x000E};

@@ -145,14 +145,16 @@ const Series* bestSeries(const Scan& scan, std::string* why) {
         }
     }
     if (why == nullptr) return best;
+    const std::string ofPatients =
+        scan.patients > 1 ? fmt::format(" of {} patients in this folder", scan.patients) : std::string();
     if (best != nullptr) {
         *why = count == 1 ? std::string("The only series.")
-                          : fmt::format("The {}series with the most voxels ({} x {} x {}), of {} series.",
+                          : fmt::format("The {}series with the most voxels ({} x {} x {}), of {} series{}.",
                                         isOriginalPrimary(*best) ? "original " : "", best->columns,
-                                        best->rows, best->instances.size(), count);
+                                        best->rows, best->instances.size(), count, ofPatients);
     } else if (blocked != nullptr) {
         const Message* reason = blocked->whyNoVolume();
-        *why = fmt::format("None of the {} series can be shown in 3D. The largest: {}", count,
+        *why = fmt::format("None of the {} series{} can be shown in 3D. The largest: {}", count, ofPatients,
                            reason != nullptr ? reason->sentence : "it is no volume.");
     } else {
         *why = "There is no image series.";

@@ -4,10 +4,11 @@
 #include <map>
 #include <utility>
 
-#include "base/atomic_file.h"
 #include "base/log.h"
 #include "base/parallel.h"
-#include "base/sha256.h"
+#include "dicom/copies.h"
+#include "dicom/folder.h"
+#include "dicom/patient.h"
 
 namespace macula::dicom {
 
@@ -28,7 +29,8 @@ struct Finding {
     FileState state = FileState::notDicom;
     enum class Kind { image, imageWithoutPixels, other, directory } kind = Kind::other;
     Instance instance;
-    std::string studyInstanceUid, date, studyDescription, patientName, patientId;
+    std::string studyInstanceUid, date, studyDescription, patientName;
+    PatientIdentity patient;
     std::string seriesInstanceUid, modality, description, patientPosition;
     std::optional<int> seriesNumber;
 };
@@ -59,39 +61,11 @@ Finding examine(const fs::path& file) {
     finding.date = text(tag::kStudyDate);
     finding.studyDescription = text(tag::kStudyDescription);
     finding.patientName = text(tag::kPatientName);
-    finding.patientId = text(tag::kPatientId);
+    finding.patient = patientIdentity(header);
     finding.description = text(tag::kSeriesDescription);
     finding.patientPosition = text(tag::kPatientPosition);
     finding.seriesNumber = header.integer(tag::kSeriesNumber);
     return finding;
-}
-
-Result<std::vector<fs::path>> listFiles(const fs::path& path, Progress& progress) {
-    std::error_code error;
-    const fs::file_status status = fs::status(path, error);
-    if (!fs::exists(status)) {
-        return Error{ErrorCode::inputNotUsable, "The folder does not exist.", path.string(),
-                     "Check the path."};
-    }
-    if (fs::is_regular_file(status)) return std::vector<fs::path>{path};
-    fs::recursive_directory_iterator at(path, fs::directory_options::skip_permission_denied, error);
-    if (!fs::is_directory(status) || error) {
-        return Error{ErrorCode::inputNotUsable, "The folder cannot be read.", path.string(),
-                     "Check that it is a folder, and its permissions."};
-    }
-    std::vector<fs::path> files;
-    while (at != fs::recursive_directory_iterator()) {
-        if (progress.cancelled()) return cancelledError();
-        std::error_code ignored;  // a file that vanished meanwhile is not listed
-        if (at->is_regular_file(ignored)) files.push_back(at->path());
-        at.increment(error);
-        if (error) {
-            log::warning("a folder could not be listed to its end: {}", error.message());
-            break;
-        }
-    }
-    std::sort(files.begin(), files.end());
-    return files;
 }
 
 void skip(Scan& scan, const fs::path& file, const Finding& finding, std::string_view key,
@@ -139,40 +113,6 @@ bool sortOut(Scan& scan, const fs::path& file, const Finding& finding) {
     return true;
 }
 
-bool sameContent(const fs::path& a, const fs::path& b) {
-    constexpr std::size_t kLargest = std::size_t{1} << 31;
-    std::error_code error;
-    if (fs::file_size(a, error) != fs::file_size(b, error) || error) return false;
-    const auto bytesA = readText(a, kLargest);
-    const auto bytesB = readText(b, kLargest);
-    return bytesA && bytesB && *bytesA == *bytesB;
-}
-
-// The same file twice (a folder copied into itself) is no second slice. Files that share a SOP Instance UID
-// and differ are kept: which of them is right is not ours to say, and their equal positions will be reported.
-void dropCopies(Series& series) {
-    std::map<std::string, std::vector<fs::path>> kept;
-    std::vector<Instance> unique;
-    for (Instance& instance : series.instances) {
-        if (!instance.sopInstanceUid.empty()) {
-            std::vector<fs::path>& twins = kept[instance.sopInstanceUid];
-            if (std::any_of(twins.begin(), twins.end(),
-                            [&](const fs::path& twin) { return sameContent(twin, instance.file); })) {
-                continue;
-            }
-            twins.push_back(instance.file);
-        }
-        unique.push_back(std::move(instance));
-    }
-    if (const std::size_t dropped = series.instances.size() - unique.size(); dropped > 0) {
-        series.messages.push_back({Severity::info, std::string(key::kDuplicateFiles),
-                                   fmt::format("{} {} of a file that is there already, and left out.",
-                                               dropped, dropped == 1 ? "file is a copy" : "files are copies"),
-                                   "Nothing to do."});
-    }
-    series.instances = std::move(unique);
-}
-
 // Files that belong to a series, and are missing from it, must be told of where the series is shown.
 void reportDamage(Series& series, const std::vector<SkippedFile>& skipped) {
     if (series.seriesInstanceUid.empty()) return;
@@ -188,43 +128,105 @@ void reportDamage(Series& series, const std::vector<SkippedFile>& skipped) {
          "Copy the series again from its source."});
 }
 
-void group(Scan& scan, const std::vector<fs::path>& files, std::vector<Finding>& findings) {
-    // By patient too: two patients are never mixed into one volume, whatever their UIDs say. A series without
-    // UID is held together by its folder.
-    using StudyKey = std::pair<std::string, std::string>;   // UID, patient ID
-    using SeriesKey = std::pair<std::string, std::string>;  // UID, folder
-    std::map<StudyKey, std::pair<Study, std::map<SeriesKey, Series>>> studies;
-    for (std::size_t i = 0; i < files.size(); ++i) {
-        Finding& finding = findings[i];
-        if (!sortOut(scan, files[i], finding)) continue;
-        auto& [study, seriesOfStudy] = studies[{finding.studyInstanceUid, finding.patientId}];
-        if (seriesOfStudy.empty()) {
-            study = {finding.studyInstanceUid, finding.date,      finding.studyDescription,
-                     finding.patientName,      finding.patientId, {}};
-        }
-        const std::string folder = finding.seriesInstanceUid.empty() ? files[i].parent_path().string() : "";
-        Series& series = seriesOfStudy[{finding.seriesInstanceUid, folder}];
-        if (series.instances.empty()) {
-            series.studyInstanceUid = finding.studyInstanceUid;
-            series.seriesInstanceUid = finding.seriesInstanceUid;
-            series.modality = finding.modality;
-            series.description = finding.description;
-            series.number = finding.seriesNumber;
-            series.patientPosition = finding.patientPosition;
-        }
-        series.instances.push_back(std::move(finding.instance));
+// Every series of a scan that did not see everything may miss slices, and nothing in it would show that.
+void reportFolders(Series& series, std::size_t unreadable) {
+    if (unreadable == 0) return;
+    const std::string sentence = fmt::format(
+        "{} could not be read; slices of this series may be missing.",
+        unreadable == 1 ? std::string("A sub-folder") : fmt::format("{} sub-folders", unreadable));
+    series.messages.push_back({Severity::warning, std::string(key::kUnreadableFolder), sentence,
+                               "Check the permissions of the folders, or copy the study again."});
+    series.assumptions.push_back(sentence);
+}
+
+struct StudyInProgress {
+    Study study;
+    std::map<std::pair<std::string, std::string>, Series> series;  // by UID, and by folder if it has none
+};
+
+// By patient too: two patients are never mixed into one volume, whatever their UIDs say. A series without UID
+// is held together by its folder.
+using Studies = std::map<std::pair<std::string, PatientIdentity>, StudyInProgress>;  // by UID and patient
+
+void addImage(Studies& studies, const fs::path& file, Finding& finding) {
+    auto& [study, seriesOfStudy] = studies[{finding.studyInstanceUid, finding.patient}];
+    if (seriesOfStudy.empty()) {
+        study = {.studyInstanceUid = finding.studyInstanceUid,
+                 .date = finding.date,
+                 .description = finding.studyDescription,
+                 .patientName = finding.patientName,
+                 .patientId = finding.patient.id,
+                 .series = {},
+                 .patientBirthDate = finding.patient.birthDate,
+                 .patientSex = finding.patient.sex};
     }
+    const std::string folder = finding.seriesInstanceUid.empty() ? file.parent_path().string() : "";
+    Series& series = seriesOfStudy[{finding.seriesInstanceUid, folder}];
+    if (series.instances.empty()) {
+        series.studyInstanceUid = finding.studyInstanceUid;
+        series.seriesInstanceUid = finding.seriesInstanceUid;
+        series.modality = finding.modality;
+        series.description = finding.description;
+        series.number = finding.seriesNumber;
+        series.patientPosition = finding.patientPosition;
+    }
+    series.instances.push_back(std::move(finding.instance));
+}
+
+// A series that was split because its images name several patients looks whole in each part.
+void reportSplitSeries(Studies& studies) {
+    std::map<std::string, std::vector<Series*>> byUid;
     for (auto& [studyKey, entry] : studies) {
-        for (auto& [seriesKey, series] : entry.second) {
-            dropCopies(series);
+        for (auto& [seriesKey, series] : entry.series) {
+            if (!series.seriesInstanceUid.empty()) byUid[series.seriesInstanceUid].push_back(&series);
+        }
+    }
+    for (const auto& [uid, parts] : byUid) {
+        if (parts.size() < 2) continue;
+        const std::string sentence = fmt::format(
+            "The files of this series name different patients or studies, and were split into {} series.",
+            parts.size());
+        for (Series* series : parts) {
+            series->messages.push_back({Severity::warning, std::string(key::kSeveralPatients), sentence,
+                                        "Check name, ID, birth date and sex of the patient in every part; "
+                                        "slices of this patient may lie in another part."});
+            series->assumptions.push_back(sentence);
+        }
+    }
+}
+
+// Incomplete when cancelled.
+void group(Scan& scan, const std::vector<fs::path>& files, std::vector<Finding>& findings,
+           Progress& progress) {
+    Studies studies;
+    for (std::size_t i = 0; i < files.size(); ++i) {
+        if (progress.cancelled()) return;
+        if (sortOut(scan, files[i], findings[i])) addImage(studies, files[i], findings[i]);
+    }
+    reportSplitSeries(studies);
+    std::vector<Series*> all;
+    std::map<PatientIdentity, int> patients;
+    for (auto& [studyKey, entry] : studies) {
+        entry.study.patient = patients.emplace(studyKey.second, patients.size()).first->second;
+        for (auto& [seriesKey, series] : entry.series) all.push_back(&series);
+    }
+    scan.patients = static_cast<int>(patients.size());
+    dropCopies(all, progress);
+    const auto unreadable = static_cast<std::size_t>(
+        std::count_if(scan.skipped.begin(), scan.skipped.end(),
+                      [](const SkippedFile& s) { return s.message.key == key::kUnreadableFolder; }));
+    for (auto& [studyKey, entry] : studies) {
+        for (auto& [seriesKey, series] : entry.series) {
+            if (progress.cancelled()) return;
             reportDamage(series, scan.skipped);
+            reportFolders(series, unreadable);
             assess(series);
-            entry.first.series.push_back(std::move(series));
+            entry.study.series.push_back(std::move(series));
         }
         std::stable_sort(
-            entry.first.series.begin(), entry.first.series.end(),
+            entry.study.series.begin(), entry.study.series.end(),
             [](const Series& a, const Series& b) { return a.number.value_or(0) < b.number.value_or(0); });
-        scan.studies.push_back(std::move(entry.first));
+        scan.studies.push_back(std::move(entry.study));
     }
     std::stable_sort(scan.studies.begin(), scan.studies.end(),
                      [](const Study& a, const Study& b) { return a.date < b.date; });
@@ -234,7 +236,8 @@ void group(Scan& scan, const std::vector<fs::path>& files, std::vector<Finding>&
 
 Result<Scan> scanFolder(const fs::path& path, Progress& progress) try {
     progress.beginStage("Looking for files", 1);
-    MACULA_TRY(const std::vector<fs::path> files, listFiles(path, progress));
+    MACULA_TRY(const FolderListing listing, listFiles(path, progress));
+    const std::vector<fs::path>& files = listing.files;
     progress.beginStage(fmt::format("Reading {} files", files.size()), files.size());
     std::vector<Finding> findings(files.size());
     parallelFor(
@@ -252,18 +255,31 @@ Result<Scan> scanFolder(const fs::path& path, Progress& progress) try {
 
     Scan scan;
     scan.filesSeen = files.size();
-    group(scan, files, findings);
+    for (const fs::path& folder : listing.unreadable) {
+        scan.skipped.push_back(
+            {folder,
+             {Severity::warning, std::string(key::kUnreadableFolder),
+              "A folder cannot be read, and all that is in it is left out.", "Check its permissions."},
+             {}});
+    }
+    group(scan, files, findings, progress);
+    if (progress.cancelled()) return cancelledError();
     if (scan.studies.empty() && scan.others.empty()) {
         if (scan.skipped.size() == 1 && files.size() == 1) {
             const SkippedFile& file = scan.skipped.front();
             return Error{ErrorCode::inputNotUsable, file.message.sentence, file.file.string(),
                          file.message.action};
         }
-        if (!scan.skipped.empty()) {
-            return Error{
-                ErrorCode::inputNotUsable,
-                fmt::format("None of the {} DICOM files in this folder can be read.", scan.skipped.size()),
-                path.string(), "Copy the study again from its source."};
+        if (scan.skipped.size() > listing.unreadable.size()) {
+            return Error{ErrorCode::inputNotUsable,
+                         fmt::format("None of the {} DICOM files in this folder can be read.",
+                                     scan.skipped.size() - listing.unreadable.size()),
+                         path.string(), "Copy the study again from its source."};
+        }
+        if (!listing.unreadable.empty()) {
+            return Error{ErrorCode::inputNotUsable,
+                         "There is no DICOM image in the folder, and some of its sub-folders cannot be read.",
+                         path.string(), "Check the permissions of the sub-folders."};
         }
         return Error{
             ErrorCode::inputNotUsable,
@@ -281,13 +297,19 @@ Result<Scan> scanFolder(const fs::path& path, Progress& progress) try {
                  "Check its permissions."};
 }
 
-const Series* findSeries(const Scan& scan, std::string_view seriesInstanceUid) {
+std::vector<const Series*> findAllSeries(const Scan& scan, std::string_view seriesInstanceUid) {
+    std::vector<const Series*> found;
     for (const Study& study : scan.studies) {
         for (const Series& series : study.series) {
-            if (series.seriesInstanceUid == seriesInstanceUid) return &series;
+            if (series.seriesInstanceUid == seriesInstanceUid) found.push_back(&series);
         }
     }
-    return nullptr;
+    return found;
+}
+
+const Series* findSeries(const Scan& scan, std::string_view seriesInstanceUid) {
+    const auto found = findAllSeries(scan, seriesInstanceUid);
+    return found.size() == 1 ? found.front() : nullptr;
 }
 
 }  // namespace macula::dicom

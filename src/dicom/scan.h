@@ -18,10 +18,14 @@ struct Study {
     std::string description;
     std::string patientName;  // components separated by ^, representations by = (PS3.5 6.2.1)
     std::string patientId;
-    std::vector<Series> series;  // by number, then UID
+    std::vector<Series> series;    // by number, then UID
+    std::string patientBirthDate;  // YYYYMMDD as in the file, or empty
+    std::string patientSex;        // M, F, O, or empty
+    int patient = 0;               // from 0; studies of one patient share it
 };
 
-// A DICOM file that was left out. `message.sentence` does not name the file; `file` may name a patient.
+// A DICOM file that was left out, or a folder that could not be read (key::kUnreadableFolder).
+// `message.sentence` does not name the file; `file` may name a patient.
 struct SkippedFile {
     std::filesystem::path file;
     Message message;
@@ -41,6 +45,7 @@ struct Scan {
     std::vector<OtherObject> others;
     std::size_t filesSeen = 0;
     std::size_t notDicom = 0;
+    int patients = 0;  // that have images; see patient.h for what tells them apart
 };
 
 // `path` is a folder, read with all its sub-folders (symbolic links to folders are not followed), or one
@@ -49,7 +54,9 @@ struct Scan {
 // holds nothing that is DICOM and readable; with cancelled within 200 ms of a cancellation.
 Result<Scan> scanFolder(const std::filesystem::path& path, Progress& progress);
 
-// Null when there is none.
+// Null when there is none, or more than one: findAllSeries tells which.
 const Series* findSeries(const Scan& scan, std::string_view seriesInstanceUid);
+// More than one when patients or studies share a UID, which they must not; then by study as in the scan.
+std::vector<const Series*> findAllSeries(const Scan& scan, std::string_view seriesInstanceUid);
 
 }  // namespace macula::dicom
