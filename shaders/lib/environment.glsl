@@ -24,12 +24,12 @@ EnvironmentSample sampleEnvironment(INOUT(Rng) rng) {
     float sine = sqrt(max(float(0.0), float(1.0) - cosine * cosine));
     float azimuth =
         float(2.0 * PI) * ((float(column) + random01(rng)) / float(params.environmentSize.x) - float(0.5));
-    return EnvironmentSample(vec3(sine * sin(azimuth), cosine, sine * cos(azimuth)), vec3(light.x, light.y, light.z), light.w);
+    return EnvironmentSample(vec3(-sine * sin(azimuth), cosine, sine * cos(azimuth)), vec3(light.x, light.y, light.z), light.w);
 }
 
 int environmentTexel(vec3 direction) {
     float polar = acos(clamp(direction.y, float(-1.0), float(1.0))) * float(1.0 / PI);
-    float azimuth = atan(direction.x, direction.z) * float(0.5 / PI) + float(0.5);
+    float azimuth = atan(-direction.x, direction.z) * float(0.5 / PI) + float(0.5);
     int row = clamp(int(polar * float(params.environmentSize.y)), 0, params.environmentSize.y - 1);
     int column = clamp(int(azimuth * float(params.environmentSize.x)), 0, params.environmentSize.x - 1);
     return row * params.environmentSize.x + column;

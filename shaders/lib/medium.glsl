@@ -35,7 +35,8 @@ float entryAt(vec3 p, INOUT(Rng) rng) {
     return useTrilinear() ? trilinearEntry(p) : stochasticEntry(p, rng);
 }
 
-// The tables hold one entry for each stored value, so between two entries there is nothing to miss.
+// The tables hold one entry for each stored value, linear between: a curve is exact at every value a voxel can have, and
+// steps and bands narrower than one stored value are as wide as one.
 float extinctionOfEntry(float entry) {
     if (!useTrilinear()) return fetchExtinction(int(entry));
     int low = int(entry);

@@ -86,8 +86,9 @@ Path startPath(vec3 originVoxel, vec3 worldDirection) {
 // Visitor: follows the ray under way. True when it has come to an end. A flight ends at its first real collision (Woodcock
 // tracking); a shadow ray gathers an unbiased estimate of its transmittance (ratio tracking, with roulette).
 bool follow(INOUT(Path) path, INOUT(Rng) rng) {
-    path.rounds += STRIDE;
+    path.rounds += 1;
     for (int i = 0; i < STRIDE; ++i) {
+        path.rounds += 1;
         if (!nextTentative(path.walk, rng, path.rounds)) return true;
         path.entry = entryAt(walkPosition(path.walk), rng);
         float real = min(extinctionOfEntry(path.entry) / path.walk.majorant, float(1.0));

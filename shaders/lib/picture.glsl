@@ -9,10 +9,11 @@ void accumulate(INOUT(vec4) sum, INOUT(vec4) lost, vec4 value) {
     sum = t;
 }
 
+// By the exponent bits: a comparison may be folded away by a compiler that takes all numbers to be finite.
 bool isFinite(vec4 v) {
-    // Written with comparisons, which no compiler may fold away for being finite maths.
-    vec4 a = abs(v);
-    return a.x <= float(3.0e38) && a.y <= float(3.0e38) && a.z <= float(3.0e38) && a.w <= float(3.0e38);
+    uint special = 0x7f800000u;
+    return (floatBitsToUint(v.x) & special) != special && (floatBitsToUint(v.y) & special) != special &&
+           (floatBitsToUint(v.z) & special) != special && (floatBitsToUint(v.w) & special) != special;
 }
 
 // The Khronos PBR neutral tone map (2024): colours as they are up to 0.8, highlights compressed and slowly desaturated.

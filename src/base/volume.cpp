@@ -72,10 +72,10 @@ std::uint16_t Volume::stored(int i, int j, int k) const {
                    std::size_t(i)];
 }
 
-std::uint16_t Volume::airStored() const {
+int Volume::airStored() const {
     if (options_.unit != Unit::hounsfield) return storedRange_.low;
     const double stored = (kAirHu - options_.unitsFromStored.intercept) / options_.unitsFromStored.slope;
-    return static_cast<std::uint16_t>(std::clamp(std::round(stored), 0.0, 65535.0));
+    return static_cast<int>(std::clamp(std::round(stored), -65536.0, 131071.0));
 }
 
 glm::dvec3 Volume::spacingMm() const {

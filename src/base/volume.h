@@ -76,9 +76,9 @@ class Volume {
 
     // Smallest and largest stored value that is not padding; {0, 0} when every voxel is padding.
     StoredRange storedRange() const { return storedRange_; }
-    // What padding is drawn as, stored: the value nearest to air (-1000 HU), or the smallest value for other
-    // units.
-    std::uint16_t airStored() const;
+    // What padding is drawn as: the stored value of air (-1000 HU), which may lie outside 0 to 65535, or the
+    // smallest value for other units.
+    int airStored() const;
 
     glm::dvec3 spacingMm() const;  // lengths of the voxel axes
     Box worldBox() const;          // of all voxels, half a voxel beyond the outer centres

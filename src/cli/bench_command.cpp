@@ -51,8 +51,11 @@ Result<void> compare(const std::filesystem::path& baseline, nlohmann::ordered_js
     }
     for (auto& result : results) {
         for (const auto& before : earlier["results"]) {
-            if (before.value("filter", "") != result["filter"]) continue;
-            result["cpuRatioOverBaseline"] = result["cpuRatio"].get<double>() / before.value("cpuRatio", 0.0);
+            const bool usable =
+                before.is_object() && before.contains("cpuRatio") && before["cpuRatio"].is_number();
+            if (!usable || before.value("filter", nlohmann::ordered_json()) != result["filter"]) continue;
+            result["cpuRatioOverBaseline"] =
+                result["cpuRatio"].get<double>() / before["cpuRatio"].get<double>();
         }
     }
     return {};
@@ -84,7 +87,7 @@ Result<void> benchTrace(Options options) {
                                 {"referenceThreads", coreCount()},
                                 {"study", study.seriesDigest},
                                 {"voxels", {voxels.x, voxels.y, voxels.z}},
-                                {"preset", preset},
+                                {"preset", publicPresetName(preset)},
                                 {"picture", {options.size, options.size}},
                                 {"bounces", options.benchmark.settings.bounces},
                                 {"samplesPerPixel", options.benchmark.samplesPerPixel},

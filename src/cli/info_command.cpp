@@ -1,7 +1,7 @@
 // macula info PATH: what is in a folder, and what can be shown of it.
 //
-// Output goes into mails and bug reports. So who the patient is, and when, is left out unless --patient asks
-// for it.
+// Output goes into mails and bug reports. So who the patient is, when, and where the files lie (people name
+// folders after patients) is left out unless --patient asks for it.
 #include <CLI/App.hpp>
 #include <filesystem>
 #include <memory>
@@ -105,7 +105,7 @@ void printJson(const dicom::Scan& scan, const dicom::Series* best, const Options
     }
     for (const dicom::SkippedFile& file : scan.skipped) {
         Json entry = toJson(file.message);
-        entry["file"] = file.file.string();
+        if (options.patient) entry["file"] = file.file.string();
         json["skipped"].push_back(entry);
     }
     // Text in old files is not always what its character set says; a broken byte is no reason to print
@@ -113,12 +113,26 @@ void printJson(const dicom::Scan& scan, const dicom::Series* best, const Options
     fmt::print("{}\n", json.dump(4, ' ', false, Json::error_handler_t::replace));
 }
 
-// Text from a file must not steer the terminal it is shown in.
-std::string printable(std::string text) {
-    for (char& c : text) {
-        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
+// Text from a file must not steer the terminal it is shown in: no C0 and no C1 controls, the latter also as
+// the UTF-8 pairs C2 80 to C2 9F, and as lone bytes.
+std::string printable(const std::string& text) {
+    std::string result;
+    int following = 0;  // bytes of a UTF-8 sequence still to come
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const auto c = static_cast<unsigned char>(text[i]);
+        const auto next = i + 1 < text.size() ? static_cast<unsigned char>(text[i + 1]) : 0u;
+        const bool c1Pair = following == 0 && c == 0xc2 && next >= 0x80 && next < 0xa0;
+        const bool stray = following == 0 && c >= 0x80 && c < 0xc2;
+        if (c < 0x20 || c == 0x7f || c1Pair || stray) {
+            result += '?';
+            i += c1Pair ? 1 : 0;
+            following = 0;
+            continue;
+        }
+        result += text[i];
+        following = c >= 0xf0 ? 3 : c >= 0xe0 ? 2 : c >= 0xc2 ? 1 : following > 0 ? following - 1 : 0;
     }
-    return text;
+    return result;
 }
 
 std::string orNone(const std::string& text) {
@@ -160,8 +174,8 @@ void printText(const dicom::Scan& scan, const dicom::Series* best, const std::st
         for (const dicom::Series& series : study.series) print(series, ++place, &series == best);
     }
     for (const dicom::SkippedFile& file : scan.skipped) {
-        fmt::print("Left out: {} {} ({})\n", file.message.sentence, file.message.action,
-                   printable(file.file.string()));
+        fmt::print("Left out: {} {}{}\n", file.message.sentence, file.message.action,
+                   options.patient ? " (" + printable(file.file.string()) + ")" : "");
     }
     fmt::print("{} files, {} of them no DICOM, {} DICOM objects that are no images.\n", scan.filesSeen,
                scan.notDicom, scan.others.size());
@@ -190,7 +204,7 @@ void addInfo(CLI::App& app, Action& action) {
     command->add_option("PATH", options->path, "Folder with DICOM files, or one file")->required();
     command->add_flag("--json", options->json, "Print JSON");
     command->add_flag("--patient", options->patient,
-                      "Also print patient name, ID, study date and description");
+                      "Also print patient name, ID, study date and description, and paths of files");
     command->callback([options, &action] { action = [options] { return showInfo(*options); }; });
 }
 

@@ -1,5 +1,6 @@
 #include "cli/lights_choice.h"
 
+#include <algorithm>
 #include <filesystem>
 
 #include "base/atomic_file.h"
@@ -81,6 +82,13 @@ Result<trace::Environment> chooseLights(const std::string& nameOrFile) {
         return trace::Environment::fromRig(rig);
     }
     return fromPicture(path);
+}
+
+std::string publicLightsName(const std::string& nameOrFile) {
+    const auto files = presets::lightFiles();
+    const bool builtIn =
+        std::any_of(files.begin(), files.end(), [&](const auto& file) { return file.name == nameOrFile; });
+    return builtIn ? nameOrFile : "custom";
 }
 
 }  // namespace macula::cli

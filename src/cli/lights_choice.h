@@ -18,4 +18,7 @@ Result<std::vector<trace::LightRig>> builtInLights();
 // these; inputNotUsable when the file is malformed or its light is not: NaN, infinite or negative values.
 Result<trace::Environment> chooseLights(const std::string& nameOrFile);
 
+// As publicPresetName.
+std::string publicLightsName(const std::string& nameOrFile);
+
 }  // namespace macula::cli

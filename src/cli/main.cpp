@@ -1,6 +1,7 @@
 // The `macula` command: a list of verbs.
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <exception>
 #include <new>
 
 #include "cli/command.h"
@@ -53,5 +54,9 @@ int main(int argc, char** argv) {
         std::fputs("macula: There is not enough memory. Close other programs, or open a smaller series.\n",
                    stderr);
         return 4;
+    } catch (const std::exception&) {
+        std::fputs("macula: Something went wrong that Macula did not foresee. Please report what you did.\n",
+                   stderr);
+        return 1;
     }
 }

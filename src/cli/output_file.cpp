@@ -10,17 +10,24 @@ bool isExr(const fs::path& path) {
     return path.extension() == ".exr";
 }
 
-Result<void> checkOutput(const fs::path& path) {
-    if (path.extension() != ".png" && !isExr(path)) {
-        return Error{ErrorCode::usage, "The picture must be a .png or .exr file.", path.string(),
-                     "Give -o a name with one of these endings."};
-    }
+Result<void> checkFolderOf(const fs::path& path) {
     std::error_code error;
     const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
     if (!fs::is_directory(folder, error)) {
         return Error{ErrorCode::outputNotWritable, "The folder to write into does not exist.",
                      folder.string(), "Create it, or choose another place."};
     }
+    return {};
+}
+
+Result<void> checkOutput(const fs::path& path) {
+    if (path.extension() != ".png" && !isExr(path)) {
+        return Error{ErrorCode::usage, "The picture must be a .png or .exr file.", path.string(),
+                     "Give -o a name with one of these endings."};
+    }
+    MACULA_TRY_VOID(checkFolderOf(path));
+    std::error_code error;
+    const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
     if (fs::is_directory(path, error) || access(folder.c_str(), W_OK) != 0) {
         return Error{ErrorCode::outputNotWritable, "The picture cannot be written there.", path.string(),
                      "Check the permissions, or choose another place."};

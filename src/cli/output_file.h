@@ -15,6 +15,9 @@ namespace macula::cli {
 // outputNotWritable when nothing can be written there.
 Result<void> checkOutput(const std::filesystem::path& path);
 
+// Fails with outputNotWritable when the folder that `path` lies in does not exist.
+Result<void> checkFolderOf(const std::filesystem::path& path);
+
 bool isExr(const std::filesystem::path& path);
 
 }  // namespace macula::cli

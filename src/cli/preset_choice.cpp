@@ -1,5 +1,6 @@
 #include "cli/preset_choice.h"
 
+#include <algorithm>
 #include <filesystem>
 
 #include "base/atomic_file.h"
@@ -31,6 +32,13 @@ Result<TransferFunction> choosePreset(const std::string& nameOrFile) {
     }
     MACULA_TRY(const std::string text, readText(path));
     return transferFunctionFromJson(text, path.string(), "custom");
+}
+
+std::string publicPresetName(const std::string& nameOrFile) {
+    const auto files = presets::transferFiles();
+    const bool builtIn =
+        std::any_of(files.begin(), files.end(), [&](const auto& file) { return file.name == nameOrFile; });
+    return builtIn ? nameOrFile : "custom";
 }
 
 }  // namespace macula::cli

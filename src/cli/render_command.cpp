@@ -100,15 +100,12 @@ Result<void> writePicture(trace::PathTracer& tracer, const Options& options, con
                            metadata(record));
 }
 
-// What came from a file of the user's is not repeated: its name may say whose it is.
-std::string publicName(const std::string& nameOrFile, const std::filesystem::path& path) {
-    return path.has_extension() || path.has_parent_path() ? "custom" : nameOrFile;
-}
-
 Result<void> render(const Options& options) {
     // All that can be wrong on the command line first, then the device, then the study: the slowest comes
     // last.
     MACULA_TRY_VOID(checkOutput(options.output));
+    if (!options.statistics.empty() && options.statistics != "-")
+        MACULA_TRY_VOID(checkFolderOf(options.statistics));
     MACULA_TRY(const glm::ivec2 size, parseSize(options.size));
     MACULA_TRY(const trace::Environment environment, chooseLights(options.lights));
     if (!options.preset.empty()) MACULA_TRY_VOID(choosePreset(options.preset));
@@ -134,8 +131,8 @@ Result<void> render(const Options& options) {
     }
     MACULA_TRY(record.camera, chooseCamera(options, study.volume.get(), size));
     record.seriesDigest = study.seriesDigest;
-    record.preset = publicName(presetName, presetName);
-    record.lights = publicName(options.lights, options.lights);
+    record.preset = publicPresetName(presetName);
+    record.lights = publicLightsName(options.lights);
     record.device = gpu::describe(device->info());
     record.width = size.x;
     record.height = size.y;
@@ -155,6 +152,11 @@ Result<void> render(const Options& options) {
     if (record.statistics.nonFiniteSamples > 0) {
         record.notes.push_back(fmt::format("{} samples were not finite and were dropped; please report this.",
                                            record.statistics.nonFiniteSamples));
+        printNote(record.notes.back());
+    }
+    if (record.statistics.abandonedSamples > 0) {
+        record.notes.push_back(fmt::format("{} light paths were too long for the device and were dropped.",
+                                           record.statistics.abandonedSamples));
         printNote(record.notes.back());
     }
     MACULA_TRY_VOID(writePicture(tracer, options, record));

@@ -49,6 +49,7 @@ Result<StudyInput> loadStudy(const std::filesystem::path& path, const std::strin
             return Error{
                 ErrorCode::usage, "The phantom has no series to choose from.", {}, "Leave --series out."};
         }
+        if (path.empty()) input.notes.emplace_back("No folder was given: this is the built-in phantom.");
         input.volume = std::make_shared<const Volume>(phantom::make());
         input.seriesDigest = "phantom";
         return input;

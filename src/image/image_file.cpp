@@ -81,6 +81,10 @@ Result<std::unique_ptr<OIIO::ImageInput>> open(const fs::path& path, OIIO::Image
                                      spec.height, spec.nchannels),
                          fmt::format("Scale it to at most {} pixels on each side.", kMaxEdge));
     }
+    if (spec.image_pixels() * static_cast<std::uint64_t>(spec.nchannels) * sizeof(float) > kMaxBytes) {
+        return notUsable(path, "The picture has too many pixels and channels.",
+                         "Scale it down, or leave channels out.");
+    }
     return input;
 }
 

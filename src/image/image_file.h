@@ -18,6 +18,7 @@ namespace macula::image {
 using Metadata = std::vector<std::pair<std::string, std::string>>;
 
 inline constexpr int kMaxEdge = 16384;
+inline constexpr std::uint64_t kMaxBytes = std::uint64_t{4} << 30;  // of decoded pixels
 
 // The content decides about the format, not the name. Fails with inputNotUsable when the file is missing,
 // damaged, truncated, of another format, or larger than kMaxEdge on a side. NaN, infinite and negative values

@@ -124,6 +124,23 @@ TEST(Environment, LargePicturesAreAveragedDownWithoutLosingPower) {
     EXPECT_NEAR(power / exact, 1.0, 1e-5);
 }
 
+TEST(Environment, NoPartOfAPictureOfAnySizeIsLost) {
+    constexpr int kWidth = 2500;
+    constexpr int kHeight = 1250;
+    std::vector<glm::vec3> radiance(std::size_t(kWidth) * kHeight, glm::vec3(0.0f));
+    radiance[std::size_t(600) * kWidth + 2499] = glm::vec3(1e4f);
+    const auto sky = Environment::fromImage(kWidth, kHeight, radiance);
+    ASSERT_TRUE(sky.ok());
+    double power = 0.0;
+    for (int row = 0; row < sky->height(); ++row) {
+        for (int x = 0; x < sky->width(); ++x) {
+            power += double(sky->texels()[std::size_t(row * sky->width() + x)].radiance.r) *
+                     solidAngle(row, sky->width(), sky->height());
+        }
+    }
+    EXPECT_NEAR(power / (1e4 * solidAngle(600, kWidth, kHeight)), 1.0, 1e-4);
+}
+
 TEST(Environment, RefusesWhatIsNoLight) {
     const std::vector<glm::vec3> negative(2, glm::vec3(-1.0f, 0, 0));
     EXPECT_FALSE(Environment::fromImage(2, 1, negative).ok());

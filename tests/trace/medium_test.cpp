@@ -132,8 +132,30 @@ TEST(Medium, PaddingIsAir) {
     writeEntries(*made, map, 0, entries);
     EXPECT_EQ(entries[0], map.entryOf(60000));
     const BrickGrid grid = makeBrickGrid(*made);
-    EXPECT_EQ(grid.ranges[0].low, 4000);
-    EXPECT_EQ(grid.ranges[0].high, 5100);
+    EXPECT_EQ(grid.ranges[0].low, 4000 - map.low);
+    EXPECT_EQ(grid.ranges[0].high, 5100 - map.low);
+}
+
+// Unsigned CT with intercept 0 and padding 0: air has no stored value, and padding must not become water.
+TEST(Medium, PaddingIsAirAlsoWhereTheDataCannotHoldAir) {
+    auto made = Volume::create({.size = {2, 1, 1},
+                                .worldFromVoxel = glm::dmat4(1.0),
+                                .unitsFromStored = {.slope = 1.0, .intercept = 0.0},
+                                .unit = Unit::hounsfield,
+                                .modality = "CT",
+                                .padding = StoredRange{0, 0},
+                                .provenance = {}},
+                               {0, 40});
+    ASSERT_TRUE(made.ok());
+    const EntryMap map = entryMapOf(*made);
+    EXPECT_EQ(map.low, -1000);
+    EXPECT_EQ(map.entryOf(0), 0);
+    EXPECT_EQ(map.entryOf(40), 1040);
+    TransferFunction tissue = scenes::homogeneous(1.0);
+    tissue.opacity = {{-200, 0.0}, {-100, 0.5}};
+    const Medium medium = makeMedium(*made, makeBrickGrid(*made), tissue);
+    EXPECT_EQ(medium.extinctionPerMm[map.entryOf(0)], 0.0f);
+    EXPECT_GT(medium.extinctionPerMm[map.entryOf(40)], 0.0f);
 }
 
 }  // namespace

@@ -56,25 +56,32 @@ std::vector<AliasEntry> makeAlias(const std::vector<double>& weights, double tot
     return table;
 }
 
-// Averages blocks of factor x factor texels, weighted by solid angle, so that the power of every part is
-// kept.
-std::vector<glm::vec3> averagedDown(int width, int height, std::span<const glm::vec3> radiance, int factor) {
-    const int newWidth = width / factor;
-    const int newHeight = height / factor;
+// Resamples to newWidth x newHeight: each new texel is the mean, by solid angle, of the old ones it covers,
+// in part or whole.
+std::vector<glm::vec3> averagedDown(int width, int height, std::span<const glm::vec3> radiance, int newWidth,
+                                    int newHeight) {
     std::vector<glm::vec3> result(std::size_t(newWidth) * std::size_t(newHeight));
     for (int y = 0; y < newHeight; ++y) {
+        const double top = double(y) * height / newHeight;
+        const double bottom = double(y + 1) * height / newHeight;
         for (int x = 0; x < newWidth; ++x) {
+            const double left = double(x) * width / newWidth;
+            const double right = double(x + 1) * width / newWidth;
             glm::dvec3 sum(0.0);
-            double weight = 0.0;
-            for (int row = y * factor; row < (y + 1) * factor; ++row) {
-                const double angle = texelSolidAngle(row, width, height);
-                for (int column = x * factor; column < (x + 1) * factor; ++column) {
-                    sum += angle *
+            double total = 0.0;
+            for (int row = int(top); row < height && row < bottom; ++row) {
+                // The part of the old row inside the new one, as solid angle per unit of azimuth.
+                const double share = std::cos(kPi * std::max(top, double(row)) / height) -
+                                     std::cos(kPi * std::min(bottom, row + 1.0) / height);
+                for (int column = int(left); column < width && column < right; ++column) {
+                    const double overlap = std::min(right, column + 1.0) - std::max(left, double(column));
+                    const double weight = share * overlap;
+                    sum += weight *
                            glm::dvec3(radiance[std::size_t(row) * std::size_t(width) + std::size_t(column)]);
-                    weight += angle;
+                    total += weight;
                 }
             }
-            result[std::size_t(y) * std::size_t(newWidth) + std::size_t(x)] = sum / weight;
+            result[std::size_t(y) * std::size_t(newWidth) + std::size_t(x)] = sum / total;
         }
     }
     return result;
@@ -122,12 +129,12 @@ Result<Environment> Environment::fromImage(int width, int height, std::span<cons
             return fail("The environment picture has values that are negative or not finite.");
         }
     }
-    const int factor = std::max((width + kMaxWidth - 1) / kMaxWidth, (height + kMaxWidth - 1) / kMaxWidth);
-    if (factor > 1) {
-        if (width < factor || height < factor)
-            return fail("The environment picture is too narrow for its length.");
-        const std::vector<glm::vec3> smaller = averagedDown(width, height, radiance, factor);
-        return fromImage(width / factor, height / factor, smaller, frame);
+    if (width > kMaxWidth || height > kMaxWidth) {
+        const double scale = double(kMaxWidth) / std::max(width, height);
+        const int newWidth = std::max(1, static_cast<int>(width * scale));
+        const int newHeight = std::max(1, static_cast<int>(height * scale));
+        const std::vector<glm::vec3> smaller = averagedDown(width, height, radiance, newWidth, newHeight);
+        return fromImage(newWidth, newHeight, smaller, frame);
     }
 
     Environment environment;
@@ -161,7 +168,8 @@ Environment Environment::fromRig(const LightRig& rig) {
     for (int row = 0; row < kRigHeight; ++row) {
         const double elevation = kPi * (0.5 - (row + 0.5) / kRigHeight);
         for (int column = 0; column < kRigWidth; ++column) {
-            const double azimuth = 2.0 * kPi * ((column + 0.5) / kRigWidth - 0.5);
+            const double azimuth =
+                -2.0 * kPi * ((column + 0.5) / kRigWidth - 0.5);  // columns grow towards -x
             radiance[std::size_t(row) * kRigWidth + std::size_t(column)] =
                 glm::max(rigRadiance(rig, directionOf(azimuth, elevation)), glm::dvec3(0.0));
         }

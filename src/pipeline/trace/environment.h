@@ -47,10 +47,11 @@ struct AliasEntry {
     std::uint32_t other = 0;  // else take this one
 };
 
-// Equirectangular, piecewise constant per texel. Frame: x right, y up, z towards the viewer or, for patient
-// rigs, (x, y, z) = (Left, Superior, Anterior). Row 0 is the zenith; column 0 begins at azimuth -180 deg, the
-// middle is +z, azimuth grows towards +x. Texel rows are uniform in the polar angle, so solid angles shrink
-// towards the poles; they are computed exactly.
+// Equirectangular, piecewise constant per texel, laid out as a panorama that is looked at from inside. Frame:
+// y up and, for patient rigs, (x, y, z) = (Left, Superior, Anterior); for camera rigs x right in the picture
+// and z towards the viewer. Row 0 is the zenith; the middle column looks along +z, and columns grow to the
+// right of who looks so: towards -x. Rows are uniform in the polar angle, so solid angles shrink towards the
+// poles; they are computed exactly.
 class Environment {
   public:
     static constexpr int kMaxWidth = 1024;

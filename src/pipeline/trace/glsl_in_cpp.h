@@ -4,6 +4,7 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <glm/glm.hpp>
@@ -52,6 +53,7 @@ struct GlslInCpp {
     static vec3 normalize(const vec3& x) { return glm::normalize(x); }
     static bvec3 greaterThanEqual(const vec3& a, const vec3& b) { return glm::greaterThanEqual(a, b); }
     static bvec3 lessThanEqual(const vec3& a, const vec3& b) { return glm::lessThanEqual(a, b); }
+    static uint floatBitsToUint(Real x) { return std::bit_cast<uint>(static_cast<float>(x)); }
     static bool all(const bvec3& x) { return x.x && x.y && x.z; }
 };
 

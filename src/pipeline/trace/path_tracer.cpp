@@ -27,6 +27,8 @@ constexpr double kFirstRate = 0.5;           // block samples per ms, before any
 // Several samples of a pixel in one dispatch keep a lane busy while its neighbours' paths are longer. Not too
 // many vertices in all: see kMaxRounds in path.comp.
 constexpr int kMaxVerticesPerDispatch = 64;
+constexpr int kMaxRoundsCpu = 16000;
+constexpr int kMaxRoundsGpu = 1 << 24;  // no limit is known: only so that nothing runs for ever
 
 // A step through `blocks` that visits each once and spreads any few of them evenly: near the golden section,
 // coprime, and small enough that the shader's product does not overflow.
@@ -78,6 +80,11 @@ Result<gpu::TexelBuffer> makeEntryTexels(const std::shared_ptr<gpu::Device>& dev
     return texels;
 }
 
+// Something was never set, or could not be: why is told by the error of that call.
+Error nothingToTrace() {
+    return {ErrorCode::usage, "There is nothing to trace yet.", {}, "Open a study first."};
+}
+
 }  // namespace
 
 struct PathTracer::Impl {
@@ -111,8 +118,10 @@ struct PathTracer::Impl {
     std::uint32_t passSamples = 0;  // that the pass in progress adds
     std::uint32_t passBlock = 0;    // where it goes on
     double deviceMs = 0.0;
+    std::uint32_t mostSamples = UINT32_MAX;  // of one dispatch; lowered when paths turn out too long
 
     Result<void> prepare();
+    Result<bool> tooLong();
     Result<void> makePicture();
     Result<const gpu::Kernel*> pathKernel();
     std::uint32_t blocks() const;  // of the picture
@@ -148,6 +157,7 @@ Result<void> PathTracer::setVolume(std::shared_ptr<const Volume> volume) {
     t.volume.reset();
     MACULA_TRY(t.entries, makeEntryTexels(t.device, *volume));
     t.grid = makeBrickGrid(*volume);
+    t.mostSamples = UINT32_MAX;
     t.volume = std::move(volume);
     t.paramsStale = true;
     return {};
@@ -155,8 +165,9 @@ Result<void> PathTracer::setVolume(std::shared_ptr<const Volume> volume) {
 
 Result<void> PathTracer::setTransferFunction(const TransferFunction& function) {
     Impl& t = *impl_;
-    MACULA_CHECK(t.volume != nullptr);
+    if (!t.volume) return nothingToTrace();
     MACULA_TRY_VOID(validate(function));
+    t.mostSamples = UINT32_MAX;
     t.medium = makeMedium(*t.volume, t.grid, fitted(function, *t.volume));
     t.paramsStale = true;
     return t.uploadMedium();
@@ -207,8 +218,12 @@ Result<const gpu::Kernel*> PathTracer::Impl::pathKernel() {
     const bool trilinear = settings.filter == Filter::trilinear;
     auto& kernel = trilinear ? trilinearKernel : stochasticKernel;
     if (!kernel) {
-        MACULA_TRY(kernel, gpu::Kernel::create(device, shaders::trace_path_comp,
-                                               {.specializations = {{"kTrilinear", trilinear}}}));
+        MACULA_TRY(
+            kernel,
+            gpu::Kernel::create(
+                device, shaders::trace_path_comp,
+                {.specializations = {{"kTrilinear", trilinear},
+                                     {"kMaxRounds", device->isCpu() ? kMaxRoundsCpu : kMaxRoundsGpu}}}));
         warm = false;
     }
     return &*kernel;
@@ -240,8 +255,7 @@ Result<void> PathTracer::Impl::makePicture() {
 // Brings the device up to what was set, and starts a new accumulation when anything changed.
 Result<void> PathTracer::Impl::prepare() {
     if (!entries || !extinction || !albedo || !bounds || !environmentTexels || !aliasTexels) {
-        // Something was never set, or could not be: what was is told by the error of that call.
-        return Error{ErrorCode::usage, "There is nothing to trace yet.", {}, "Open a study first."};
+        return nothingToTrace();
     }
     if (!paramsStale) return {};
     MACULA_TRY(const shared::TraceParams params,
@@ -291,6 +305,14 @@ Result<void> PathTracer::Impl::traceBlocks(std::uint32_t count) {
     return {};
 }
 
+// Whether paths were lost to the device's limit that smaller portions would keep. Then the picture is begun
+// again: to leave out long paths only, which are those through dense matter, would darken it.
+Result<bool> PathTracer::Impl::tooLong() {
+    if (!device->isCpu() || passSamples < 2) return false;
+    MACULA_TRY(const auto seen, gpu::read<std::uint32_t>(*faults));
+    return seen[1] > 0;
+}
+
 Result<bool> PathTracer::trace(std::uint32_t samplesPerPixel, const std::function<bool()>& keepGoing) {
     Impl& t = *impl_;
     MACULA_TRY_VOID(t.prepare());
@@ -300,7 +322,7 @@ Result<bool> PathTracer::trace(std::uint32_t samplesPerPixel, const std::functio
         if (t.passSamples == 0) {
             const auto most =
                 static_cast<std::uint32_t>(std::max(kMaxVerticesPerDispatch / t.settings.bounces, 1));
-            t.passSamples = std::min(most, target - t.samplesDone);
+            t.passSamples = std::min({most, t.mostSamples, target - t.samplesDone});
             t.passBlock = 0;
         }
         const double affordable =
@@ -308,8 +330,15 @@ Result<bool> PathTracer::trace(std::uint32_t samplesPerPixel, const std::functio
         MACULA_TRY_VOID(
             t.traceBlocks(std::min(static_cast<std::uint32_t>(affordable), t.blocks() - t.passBlock)));
         if (t.passBlock >= t.blocks()) {
-            t.samplesDone += t.passSamples;
-            t.passSamples = 0;
+            MACULA_TRY(const bool again, t.tooLong());
+            if (again) {
+                t.mostSamples = t.passSamples / 2;
+                t.paramsStale = true;
+                MACULA_TRY_VOID(t.prepare());
+            } else {
+                t.samplesDone += t.passSamples;
+                t.passSamples = 0;
+            }
         }
         if (keepGoing && !keepGoing()) break;
     }
@@ -366,6 +395,7 @@ Result<Statistics> PathTracer::statistics() const {
                           .nonFiniteSamples = 0,
                           .abandonedSamples = 0,
                           .deviceMs = t.deviceMs};
+    if (t.paramsStale) return Statistics{};
     if (t.samplesDone > 0 || t.passBlock > 0) {
         MACULA_TRY(const auto faults, gpu::read<std::uint32_t>(*t.faults));
         statistics.nonFiniteSamples = faults[0];

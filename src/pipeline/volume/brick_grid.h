@@ -11,9 +11,15 @@ namespace macula {
 
 inline constexpr int kBrickVoxels = 8;  // BRICK in shaders/lib
 
+// Closed interval of entries (entry_map.h).
+struct EntryRange {
+    std::uint16_t low = 0;
+    std::uint16_t high = 0;
+};
+
 struct BrickGrid {
     glm::ivec3 size{0};  // bricks
-    std::vector<StoredRange>
+    std::vector<EntryRange>
         ranges;  // x fastest; over the brick and one voxel around it: what interpolation can reach
 
     std::size_t index(int x, int y, int z) const {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/parallel.h"
 #include "pipeline/volume/range_max.h"
 
 namespace macula {
@@ -54,26 +53,6 @@ std::vector<int> distanceToOccupied(const BrickGrid& grid, const std::vector<flo
 
 }  // namespace
 
-EntryMap entryMapOf(const Volume& volume) {
-    const StoredRange range = volume.storedRange();
-    EntryMap map{range.low, range.high, volume.airStored(), volume.padding()};
-    if (map.padding) {  // padding is drawn as air, which the data itself may not reach
-        map.low = std::min(map.low, map.air);
-        map.high = std::max(map.high, map.air);
-    }
-    return map;
-}
-
-void writeEntries(const Volume& volume, const EntryMap& map, std::size_t first,
-                  std::span<std::uint16_t> entries) {
-    constexpr std::size_t kChunk = std::size_t{1} << 20;
-    const auto voxels = volume.voxels().subspan(first, entries.size());
-    parallelFor((entries.size() + kChunk - 1) / kChunk, [&](std::size_t chunk) {
-        const std::size_t end = std::min(entries.size(), (chunk + 1) * kChunk);
-        for (std::size_t i = chunk * kChunk; i < end; ++i) entries[i] = map.entryOf(voxels[i]);
-    });
-}
-
 std::size_t Medium::visibleBricks() const {
     return static_cast<std::size_t>(
         std::count_if(bounds.begin(), bounds.end(), [](float b) { return b > 0.0f; }));
@@ -102,10 +81,7 @@ Medium makeMedium(const Volume& volume, const BrickGrid& grid, const TransferFun
     medium.gridSize = grid.size;
     medium.bounds.resize(grid.ranges.size());
     for (std::size_t brick = 0; brick < grid.ranges.size(); ++brick) {
-        // The ranges may name air although no voxel is padding here; they never leave the table.
-        const std::size_t low = std::clamp(grid.ranges[brick].low, map.low, map.high) - map.low;
-        const std::size_t high = std::clamp(grid.ranges[brick].high, map.low, map.high) - map.low;
-        medium.bounds[brick] = largest(low, high) * kOutward;
+        medium.bounds[brick] = largest(grid.ranges[brick].low, grid.ranges[brick].high) * kOutward;
     }
     const std::vector<int> distance = distanceToOccupied(grid, medium.bounds);
     for (std::size_t brick = 0; brick < medium.bounds.size(); ++brick) {

@@ -4,34 +4,14 @@
 
 #include <cstdint>
 #include <glm/glm.hpp>
-#include <span>
 #include <vector>
 
 #include "base/volume.h"
 #include "pipeline/volume/brick_grid.h"
+#include "pipeline/volume/entry_map.h"
 #include "pipeline/volume/transfer_function.h"
 
 namespace macula {
-
-// Positions in the tables: entry 0 is stored value `low`. There is one entry for each stored value, so that
-// narrow bands and steps of a curve are kept exactly where voxels can tell them apart.
-struct EntryMap {
-    std::uint16_t low = 0;
-    std::uint16_t high = 0;
-    std::uint16_t air = 0;  // what padding becomes
-    std::optional<StoredRange> padding;
-
-    // One more than there are stored values: interpolation at the last one reads its neighbour.
-    std::size_t tableSize() const { return std::size_t(high - low) + 2; }
-    std::uint16_t entryOf(std::uint16_t stored) const {
-        return static_cast<std::uint16_t>((padding && padding->contains(stored) ? air : stored) - low);
-    }
-};
-
-EntryMap entryMapOf(const Volume& volume);
-// Writes the entry of each voxel of [first, first + entries.size()). On all cores.
-void writeEntries(const Volume& volume, const EntryMap& map, std::size_t first,
-                  std::span<std::uint16_t> entries);
 
 struct Medium {
     std::vector<float> extinctionPerMm;  // by entry

@@ -48,8 +48,8 @@ double opacityAt(const TransferFunction& function, double value);
 // sRGB-encoded, 0 to 1, at a value.
 glm::dvec3 colourAt(const TransferFunction& function, double value);
 
-// sigma = -ln(1 - min(opacity, 0.999)) / unitDistanceMm * density, per millimetre. The clamp keeps the
-// densest matter at a mean free path of 0.14 mm; opacity 1 would be infinite.
+// sigma = -ln(1 - min(opacity, 0.999)) / unitDistanceMm * density, per millimetre. Opacity 1
+// would be infinite; with the clamp, density 1 and 1 mm the densest matter has a mean free path of 0.14 mm.
 double extinctionPerMm(const TransferFunction& function, double value);
 
 // Fails with inputNotUsable when a curve is empty, not sorted, not finite, or out of its range.

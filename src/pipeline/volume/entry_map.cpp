@@ -1,0 +1,35 @@
+#include "pipeline/volume/entry_map.h"
+
+#include <algorithm>
+
+#include "base/parallel.h"
+
+namespace macula {
+
+namespace {
+constexpr int kMostEntries = 65536;  // an entry is stored in 16 bits
+}
+
+EntryMap entryMapOf(const Volume& volume) {
+    const StoredRange range = volume.storedRange();
+    EntryMap map{range.low, range.high, range.low, volume.padding()};
+    if (map.padding) {  // air may lie outside of what the data reaches; at the very ends, the nearest there
+                        // is room for
+        map.air = std::clamp(volume.airStored(), map.high - (kMostEntries - 1), map.low + (kMostEntries - 1));
+        map.low = std::min(map.low, map.air);
+        map.high = std::max(map.high, map.air);
+    }
+    return map;
+}
+
+void writeEntries(const Volume& volume, const EntryMap& map, std::size_t first,
+                  std::span<std::uint16_t> entries) {
+    constexpr std::size_t kChunk = std::size_t{1} << 20;
+    const auto voxels = volume.voxels().subspan(first, entries.size());
+    parallelFor((entries.size() + kChunk - 1) / kChunk, [&](std::size_t chunk) {
+        const std::size_t end = std::min(entries.size(), (chunk + 1) * kChunk);
+        for (std::size_t i = chunk * kChunk; i < end; ++i) entries[i] = map.entryOf(voxels[i]);
+    });
+}
+
+}  // namespace macula
