@@ -44,6 +44,18 @@ TEST_F(Info, PatientIsNamedOnlyWhenAskedFor) {
     }
 }
 
+TEST_F(Info, PathsOfFilesLeftOutAreShownOnlyWhenAskedFor) {
+    ASSERT_EQ(runMacula({"phantom", at("DOE_JANE")}).exitCode, 0);
+    write("DOE_JANE/broken.dcm", std::string(128, '\0') + "DICM and then nonsense");
+    for (const std::vector<std::string>& format : {std::vector<std::string>{}, {"--json"}}) {
+        std::vector<std::string> arguments{"info", at("DOE_JANE")};
+        arguments.insert(arguments.end(), format.begin(), format.end());
+        EXPECT_EQ(runMacula(arguments).out.find("DOE_JANE"), std::string::npos);
+        arguments.emplace_back("--patient");
+        EXPECT_NE(runMacula(arguments).out.find("DOE_JANE"), std::string::npos);
+    }
+}
+
 TEST_F(Info, PhantomRefusesAFolderInUse) {
     write("mine.txt", "important");
     const Ran ran = runMacula({"phantom", folder_.string()});

@@ -115,6 +115,21 @@ TEST_F(Render, MetadataSaysWhatMadeItAndNotWho) {
     }
 }
 
+TEST_F(Render, TheNameOfAUsersFileIsNotRepeated) {
+    std::filesystem::copy_file(std::string(MACULA_SOURCE_DIR) + "/presets/transfer/ct-bone.json",
+                               at("DOE_JANE"));
+    render("a.png", {"--preset", at("DOE_JANE"), "--json", at("a.json")});
+    EXPECT_EQ(readAll(at("a.png")).find("DOE_JANE"), std::string::npos);
+    EXPECT_EQ(readAll(at("a.json")).find("DOE_JANE"), std::string::npos);
+    EXPECT_NE(readAll(at("a.json")).find("custom"), std::string::npos);
+}
+
+TEST_F(Render, AStatisticsFileThatCannotBeWrittenIsNoticedBeforeTheWork) {
+    const Ran ran = runMacula({"render", "-o", at("a.png"), "--json", at("missing/a.json")});
+    EXPECT_EQ(ran.exitCode, 2);
+    EXPECT_FALSE(std::filesystem::exists(at("a.png")));
+}
+
 TEST_F(Render, DicomGivesThePictureOfTheVolumeItWasMadeFrom) {
     ASSERT_EQ(runMacula({"phantom", at("study")}).exitCode, 0);
     EXPECT_EQ(render("direct.png", {}).pixels, render("dicom.png", {at("study")}).pixels);

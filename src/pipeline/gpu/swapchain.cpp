@@ -88,11 +88,8 @@ Result<void> Swapchain::resize(VkExtent2D extent) {
         extent.height =
             std::clamp(extent.height, surface.minImageExtent.height, surface.maxImageExtent.height);
     }
-    extent_ = extent;
-    if (extent.width == 0 || extent.height == 0) {
-        extent_ = {0, 0};
-        return {};
-    }
+    extent_ = {0, 0};  // hidden, until all below has been made
+    if (extent.width == 0 || extent.height == 0) return {};
 
     std::uint32_t imageCount = std::max(kWantedImages, surface.minImageCount);
     if (surface.maxImageCount > 0) imageCount = std::min(imageCount, surface.maxImageCount);
@@ -132,6 +129,7 @@ Result<void> Swapchain::resize(VkExtent2D extent) {
         slots_.push_back({std::move(semaphore), 0});
     }
     nextSlot_ = 0;
+    extent_ = extent;
     device_->collect();
     return {};
 }
