@@ -13,6 +13,7 @@
 #include "pipeline/trace/environment.h"
 #include "pipeline/trace/path_tracer.h"
 #include "pipeline/volume/transfer_function.h"
+#include "viewer/orbit_camera.h"
 
 namespace macula::viewer {
 
@@ -30,11 +31,13 @@ struct FrameInput {
     bool visible = false;         // nothing is made for a window that nobody sees
     std::uint64_t exposures = 0;  // grows when the window system has lost what was shown
 
+    std::uint64_t study = 0;                 // grows with each volume
     std::shared_ptr<const Volume> volume{};  // null: nothing is open
     std::shared_ptr<const TransferFunction> transferFunction{};
     std::shared_ptr<const trace::LightRig> lights{};
     trace::Settings settings{};
     Camera camera{};
+    EdgeLetters letters{};            // of this camera; they come back with its pictures
     glm::vec3 background{0.02f};      // linear
     std::uint32_t sampleLimit = 512;  // per pixel; then the picture counts as converged
     bool interacting = false;         // a hand is moving something: stay fast

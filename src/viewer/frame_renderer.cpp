@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
+#include <new>
 #include <utility>
 
 #include "base/log.h"
@@ -78,6 +80,13 @@ FrameRenderer::~FrameRenderer() {
 
 void FrameRenderer::accept(FrameInput input) {
     if (input.surface != input_.surface) releaseSurface();
+    if (input.study != input_.study || input.volume != input_.volume) {
+        // Nobody may take the picture of one patient for that of the next, not even while this one is
+        // prepared.
+        clear_ = true;
+        if (presenter_) presenter_->forget();
+        unreported_.reset();
+    }
     if (!samePicture(input, input_)) {
         restart_ = true;
         halted_ = false;
@@ -89,8 +98,9 @@ void FrameRenderer::accept(FrameInput input) {
 }
 
 bool FrameRenderer::hasWork() const {
-    if (halted_ || !input_.visible || input_.surface == VK_NULL_HANDLE) return false;
+    if (!input_.visible || input_.surface == VK_NULL_HANDLE) return false;
     if (input_.width <= 0 || input_.height <= 0) return false;
+    if (halted_) return presenter_ && applied_.exposures != input_.exposures;
     if (restart_ || redisplay_ || !device_ || !presenter_ || applied_.exposures != input_.exposures) {
         return true;
     }
@@ -100,22 +110,44 @@ bool FrameRenderer::hasWork() const {
 
 void FrameRenderer::step(const Interrupts& interrupts) {
     if (!hasWork()) return;
-    if (const Result<void> done = tryStep(interrupts); !done) handle(done.error());
+    try {
+        if (const Result<void> done = tryStep(interrupts); !done) handle(done.error());
+    } catch (const std::bad_alloc&) {
+        fail(ErrorCode::outOfMemory, "There is not enough memory to show this study.",
+             "Close other programs, or open a smaller series.");
+    } catch (const std::exception&) {
+        fail(ErrorCode::deviceNotUsable, "The picture could not be made.",
+             "Open the study again, or start the program with another --device.");
+    }
+}
+
+void FrameRenderer::fail(ErrorCode code, const char* message, const char* hint) {
+    halted_ = true;  // first: it also holds when the rest fails
+    // Nobody knows how far the tracer got.
+    applied_.volume = nullptr;
+    applied_.transferFunction = nullptr;
+    applied_.lights = nullptr;
+    applied_.settings.reset();
+    try {
+        handle({code, message, {}, hint});
+    } catch (const std::exception&) {
+        log::error("An error could not be reported.");
+    }
 }
 
 Result<void> FrameRenderer::tryStep(const Interrupts& interrupts) {
     MACULA_TRY_VOID(ensureDevice());
     MACULA_TRY_VOID(ensurePresenter());
+    if (halted_) return {};  // it was only to paint the window again
     if (!input_.volume || !input_.transferFunction || !input_.lights) {
-        const glm::vec3 b = input_.background;
         restart_ = redisplay_ = false;
         stage_ = Stage::converged;
-        const VkClearColorValue colour{{encodedSrgb(b.r), encodedSrgb(b.g), encodedSrgb(b.b), 1.0f}};
-        MACULA_TRY([[maybe_unused]] const bool shown, presenter_->showColour(colour));
-        return {};
+        return clearWindow();
     }
+    if (clear_) MACULA_TRY_VOID(clearWindow());
     if (restart_) {
-        MACULA_TRY_VOID(applyScene());
+        MACULA_TRY(const bool complete, applyScene(interrupts));
+        if (!complete) return {};
         MACULA_TRY_VOID(startMoving());
     }
     if (std::exchange(redisplay_, false)) return showPicture();
@@ -154,28 +186,49 @@ Result<void> FrameRenderer::ensurePresenter() {
     applied_.window = window;
     if (applied_.exposures != input_.exposures) {
         applied_.exposures = input_.exposures;
-        MACULA_TRY([[maybe_unused]] const bool shown, presenter_->showAgain());
+        MACULA_TRY(const bool shown, presenter_->showAgain());
+        if (shown && unreported_) listener_(*std::exchange(unreported_, std::nullopt));
     }
     return {};
 }
 
-Result<void> FrameRenderer::applyScene() {
+Result<void> FrameRenderer::clearWindow() {
+    presenter_->forget();
+    unreported_.reset();
+    shown_.clear();
+    const glm::vec3 b = input_.background;
+    const VkClearColorValue colour{{encodedSrgb(b.r), encodedSrgb(b.g), encodedSrgb(b.b), 1.0f}};
+    MACULA_TRY(const bool shown, presenter_->showColour(colour));
+    clear_ = !shown;
+    return {};
+}
+
+Result<bool> FrameRenderer::applyScene(const Interrupts& interrupts) {
+    // Each part may take long. Whoever waits for the surface, or has changed something, waits for one of
+    // them; what is done stays done, so that a hand that never rests does not keep the scene from being
+    // applied.
+    const auto interrupted = [&] { return interrupts.newInput() || interrupts.stopping(); };
     if (applied_.volume != input_.volume) {
         listener_(Preparing{"Preparing the volume"});
-        applied_.volume = nullptr;  // after a failure the tracer has neither the old one nor the new one
+        // After a failure the tracer has neither the old one nor the new one; so with the other parts.
+        applied_.volume = nullptr;
+        applied_.transferFunction = nullptr;
         MACULA_TRY_VOID(tracer_->setVolume(input_.volume));
         applied_.volume = input_.volume;
-        applied_.transferFunction = nullptr;
+        if (interrupted()) return false;
     }
     if (applied_.transferFunction != input_.transferFunction) {
+        applied_.transferFunction = nullptr;
         MACULA_TRY_VOID(tracer_->setTransferFunction(*input_.transferFunction));
         applied_.transferFunction = input_.transferFunction;
+        if (interrupted()) return false;
     }
     if (applied_.lights != input_.lights) {
+        applied_.lights = nullptr;
         MACULA_TRY_VOID(tracer_->setEnvironment(trace::Environment::fromRig(*input_.lights)));
         applied_.lights = input_.lights;
     }
-    return {};
+    return true;
 }
 
 Result<void> FrameRenderer::applySettings(const trace::Settings& settings) {
@@ -194,7 +247,7 @@ Result<void> FrameRenderer::startMoving() {
     MACULA_TRY_VOID(tracer_->setView(view_));
     movingSince_ = Clock::now();
     movingSamples_ = 0;
-    restart_ = false;
+    restart_ = redisplay_ = false;
     stage_ = Stage::moving;
     return {};
 }
@@ -243,21 +296,25 @@ Result<void> FrameRenderer::showPicture() {
     const auto smoothing = stage_ == Stage::moving ? kMotionSmoothing : trace::Smoothing::none;
     MACULA_TRY(const gpu::Image* picture, tracer_->display(input_.background, smoothing));
     MACULA_TRY(const bool visible, presenter_->show(*picture));
-    if (!visible) return {};
     const Clock::time_point now = Clock::now();
-    shown_.push_back(now);
-    while (now - shown_.front() > kRateWindow) shown_.pop_front();
+    if (visible) shown_.push_back(now);
+    while (!shown_.empty() && now - shown_.front() > kRateWindow) shown_.pop_front();
     MACULA_TRY(const trace::Statistics statistics, tracer_->statistics());
-    listener_(FrameShown{.inputSequence = input_.sequence,
-                         .stage = stage_,
-                         .width = view_.width,
-                         .height = view_.height,
-                         .scale = scale_,
-                         .samplesPerPixel = statistics.samplesPerPixel,
-                         .sampleLimit = input_.sampleLimit,
-                         .framesPerSecond = framesPerSecond(),
-                         .latencyMs = millisecondsBetween(input_.published, now),
-                         .nonFiniteSamples = statistics.nonFiniteSamples});
+    const FrameShown frame{.inputSequence = input_.sequence,
+                           .study = input_.study,
+                           .letters = input_.letters,
+                           .stage = stage_,
+                           .width = view_.width,
+                           .height = view_.height,
+                           .scale = scale_,
+                           .samplesPerPixel = statistics.samplesPerPixel,
+                           .sampleLimit = input_.sampleLimit,
+                           .framesPerSecond = framesPerSecond(),
+                           .latencyMs = millisecondsBetween(input_.published, now),
+                           .nonFiniteSamples = statistics.nonFiniteSamples};
+    // The presenter has kept a picture that could not be shown now, and shows it when the window comes back.
+    unreported_ = visible ? std::nullopt : std::optional(frame);
+    if (visible) listener_(frame);
     return {};
 }
 
@@ -280,6 +337,13 @@ void FrameRenderer::handle(const Error& error) {
         }
     }
     halted_ = true;
+    clear_ = true;
+    try {
+        const Result<void> cleared = presenter_ ? clearWindow() : Result<void>{};
+        if (!cleared) log::warning("{}", cleared.error().message);
+    } catch (const std::exception&) {
+        log::warning("The window could not be cleared.");  // which must not keep the error from being told
+    }
     listener_(RenderFailure{error});
 }
 

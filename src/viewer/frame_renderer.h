@@ -39,8 +39,10 @@ class FrameRenderer {
 
     // Whether step() has anything to do before the next input.
     bool hasWork() const;
-    // At most one pass over the picture.
+    // At most one pass over the picture. Throws nothing.
     void step(const Interrupts& interrupts);
+    // For what went wrong outside of step(): reports it, and rests until something changes. Throws nothing.
+    void fail(ErrorCode code, const char* message, const char* hint);
 
     // Afterwards nothing refers to the surface of the last input.
     void releaseSurface();
@@ -51,7 +53,8 @@ class FrameRenderer {
     Result<void> tryStep(const Interrupts& interrupts);
     Result<void> ensureDevice();
     Result<void> ensurePresenter();
-    Result<void> applyScene();
+    Result<void> clearWindow();
+    Result<bool> applyScene(const Interrupts& interrupts);  // whether all of it is there
     Result<void> applySettings(const trace::Settings& settings);
     Result<void> startMoving();
     Result<void> startConverging();
@@ -84,6 +87,7 @@ class FrameRenderer {
     Stage stage_ = Stage::converged;
     bool restart_ = false;    // the picture must begin anew
     bool redisplay_ = false;  // the picture is right, but not what is on screen
+    bool clear_ = false;      // what is on screen belongs to another study
     bool halted_ = false;     // after a failure, until something changes
     int scale_ = 1;
     trace::View view_;
@@ -94,6 +98,7 @@ class FrameRenderer {
     std::uint32_t motionFrame_ = 0;
     std::deque<Clock::time_point> shown_;
     std::optional<Clock::time_point> lastLoss_;
+    std::optional<FrameShown> unreported_;  // of the picture that the presenter keeps, while nobody sees it
 };
 
 }  // namespace macula::viewer

@@ -1,6 +1,7 @@
 #include "viewer/loader_job.h"
 
 #include <QMetaObject>
+#include <algorithm>
 #include <exception>
 #include <new>
 #include <utility>
@@ -21,17 +22,53 @@ Result<LoadedStudy> loadPhantom(Progress& progress) {
     return LoadedStudy{.volume = std::move(volume), .description = "Built-in phantom"};
 }
 
-Result<LoadedStudy> loadFolder(const std::filesystem::path& path, Progress& progress) {
+Error notUsable(std::string sentence, const std::filesystem::path& where) {
+    return {ErrorCode::inputNotUsable, std::move(sentence), where.string(),
+            "Choose a folder with a CT or MR series of several parallel slices."};
+}
+
+bool sameFile(const std::filesystem::path& a, const std::filesystem::path& b) {
+    if (a.filename() != b.filename()) return false;  // the scan was of the file's own folder
+    std::error_code notThere;
+    return a == b || std::filesystem::equivalent(a, b, notThere);
+}
+
+// The series that `file` belongs to, and no other: beside it may lie those of another patient.
+Result<const dicom::Series*> seriesHolding(const std::filesystem::path& file, const dicom::Scan& scan,
+                                           std::string& why) {
+    for (const dicom::Study& study : scan.studies) {
+        for (const dicom::Series& series : study.series) {
+            const bool holds =
+                std::any_of(series.instances.begin(), series.instances.end(),
+                            [&](const dicom::Instance& instance) { return sameFile(instance.file, file); });
+            if (!holds) continue;
+            if (const dicom::Message* reason = series.whyNoVolume()) return notUsable(reason->sentence, file);
+            why = "The series of the file that was opened.";
+            return &series;
+        }
+    }
+    for (const dicom::SkippedFile& skipped : scan.skipped) {
+        if (sameFile(skipped.file, file)) return notUsable(skipped.message.sentence, file);
+    }
+    return notUsable("The file is not a DICOM image.", file);
+}
+
+Result<const dicom::Series*> chooseSeries(const dicom::Scan& scan, const std::filesystem::path& folder,
+                                          std::string& why) {
+    const dicom::Series* series = dicom::bestSeries(scan, &why);
+    if (series != nullptr) return series;
+    return notUsable(why.empty() ? "No series in the folder can be shown in 3D." : why, folder);
+}
+
+Result<LoadedStudy> loadPath(const std::filesystem::path& given, Progress& progress) {
+    // Of a name without a folder the parent would be empty.
+    const std::filesystem::path path = std::filesystem::absolute(given).lexically_normal();
     std::error_code notThere;
     const bool isFile = std::filesystem::is_regular_file(path, notThere);
     MACULA_TRY(const dicom::Scan scan, dicom::scanFolder(isFile ? path.parent_path() : path, progress));
     std::string why;
-    const dicom::Series* series = dicom::bestSeries(scan, &why);
-    if (series == nullptr) {
-        return Error{ErrorCode::inputNotUsable,
-                     why.empty() ? "No series in the folder can be shown in 3D." : why, path.string(),
-                     "Choose a folder with a CT or MR series of several parallel slices."};
-    }
+    MACULA_TRY(const dicom::Series* series,
+               isFile ? seriesHolding(path, scan, why) : chooseSeries(scan, path, why));
     MACULA_TRY(std::shared_ptr<const Volume> volume, dicom::loadVolume(*series, progress));
     LoadedStudy study{
         .volume = std::move(volume), .description = series->description, .whyThisSeries = std::move(why)};
@@ -50,7 +87,7 @@ Result<LoadedStudy> loadFolder(const std::filesystem::path& path, Progress& prog
 
 Result<LoadedStudy> loadStudy(const StudySource& source, Progress& progress) {
     try {
-        return source ? loadFolder(*source, progress) : loadPhantom(progress);
+        return source ? loadPath(*source, progress) : loadPhantom(progress);
     } catch (const std::bad_alloc&) {
         return Error{ErrorCode::outOfMemory,
                      "There is not enough memory for this study.",

@@ -27,10 +27,11 @@ struct LoadedStudy {
     std::vector<std::string> messages = {};  // warnings about the series and about files left out
 };
 
-// A folder, or a file whose folder is meant; nothing is the built-in phantom.
+// A folder, of which the best series is meant; or a file, of which its own series in its folder is meant;
+// nothing is the built-in phantom.
 using StudySource = std::optional<std::filesystem::path>;
 
-// Scans, chooses the best series and decodes it. Blocks; a file at a time sees a cancellation.
+// Scans, chooses the series and decodes it. Blocks; a file at a time sees a cancellation.
 Result<LoadedStudy> loadStudy(const StudySource& source, Progress& progress);
 
 // One load at a time, on a thread of its own. A new one cancels the one before, whose outcome is not
@@ -46,6 +47,7 @@ class StudyLoader : public QObject {
     void open(StudySource source);
     void cancel();  // `cancelled` follows
     bool loading() const { return current_ != 0; }
+    bool atRest() const { return jobs_.empty(); }  // cancelled ones have noticed, too
 
   signals:
     void began();

@@ -58,6 +58,7 @@ void select(QComboBox& box, const std::vector<std::shared_ptr<const Item>>& item
 MainWindow::MainWindow(gpu::Instance instance, MainWindowOptions options)
     : options_(std::move(options)),
       viewport_(new Viewport(std::move(instance), options_.device)),
+      notes_(new MessageBar),
       messages_(new MessageBar),
       loading_(new LoadingBar) {
     setWindowTitle(QStringLiteral("Macula"));
@@ -69,6 +70,7 @@ MainWindow::MainWindow(gpu::Instance instance, MainWindowOptions options)
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
     column->addWidget(viewport_, 1);
+    column->addWidget(notes_);
     column->addWidget(messages_);
     setCentralWidget(centre);
     makeMenus();
@@ -204,11 +206,12 @@ void MainWindow::askForFolder() {
 }
 
 void MainWindow::showStudy(const LoadedStudy& study) {
-    volume_ = study.volume;
+    study_ = study;
+    const Volume& volume = *study_.volume;
     QStringList notes;
     auto preset = options_.preset;
-    if (!preset || preset->unit != volume_->unit()) {
-        const auto wanted = std::exchange(preset, presetFor(options_.catalogue, *volume_));
+    if (!preset || preset->unit != volume.unit()) {
+        const auto wanted = std::exchange(preset, presetFor(options_.catalogue, volume));
         // A curve over Hounsfield units means nothing on the raw numbers of a scanner, and the reverse.
         if (wanted) {
             notes << tr("The preset %1 is not made for this kind of volume; %2 is used instead.")
@@ -216,23 +219,27 @@ void MainWindow::showStudy(const LoadedStudy& study) {
         }
     }
     select(*presets_, options_.catalogue.presets, preset);
-    viewport_->setTransferFunction(preset);
-    viewport_->setVolume(volume_, options_.firstView);
-    setVolumeText(study);
+    clearStudyTexts();
+    viewport_->setStudy(study_.volume, preset, options_.firstView);
 
-    for (const std::string& assumption : volume_->provenance().assumptions) {
+    for (const std::string& assumption : volume.provenance().assumptions) {
         notes << QString::fromStdString(assumption);
     }
-    for (const std::string& message : study.messages) notes << QString::fromStdString(message);
-    if (!notes.isEmpty()) messages_->showNote(notes.join(QLatin1Char(' ')));
+    for (const std::string& message : study_.messages) notes << QString::fromStdString(message);
+    messages_->hide();
+    if (notes.isEmpty()) {
+        notes_->hide();
+    } else {
+        notes_->showNote(notes.join(QLatin1Char(' ')));
+    }
     emit studyShown();
 }
 
-void MainWindow::setVolumeText(const LoadedStudy& study) {
-    const glm::ivec3 size = volume_->size();
-    const glm::dvec3 spacing = volume_->spacingMm();
+void MainWindow::setStudyTexts(const LoadedStudy& study) {
+    const glm::ivec3 size = study.volume->size();
+    const glm::dvec3 spacing = study.volume->spacingMm();
     const QString text = QStringLiteral("%1 %2×%3×%4, %5×%6×%7 mm")
-                             .arg(QString::fromStdString(volume_->modality()))
+                             .arg(QString::fromStdString(study.volume->modality()))
                              .arg(size.x)
                              .arg(size.y)
                              .arg(size.z)
@@ -240,7 +247,16 @@ void MainWindow::setVolumeText(const LoadedStudy& study) {
                              .arg(spacing.y, 0, 'f', 2)
                              .arg(spacing.z, 0, 'f', 2);
     volumeText_->setFullText(text);
-    description_->setFullText(QString::fromStdString(study.description));
+    const QString why = QString::fromStdString(study.whyThisSeries);
+    description_->setFullText(QString::fromStdString(study.description), why);
+    description_->setStatusTip(why);
+}
+
+void MainWindow::clearStudyTexts() {
+    volumeText_->setFullText({});
+    description_->setFullText({});
+    description_->setStatusTip({});
+    pictureText_->setFullText({});
 }
 
 void MainWindow::onRendered(const RenderEvent& event) {
@@ -252,6 +268,7 @@ void MainWindow::onRendered(const RenderEvent& event) {
     } else if (const auto* preparing = std::get_if<Preparing>(&event)) {
         fidelity_->setFullText(QString::fromStdString(preparing->what) + QStringLiteral("…"));
     } else if (const auto* failure = std::get_if<RenderFailure>(&event)) {
+        clearStudyTexts();
         fidelity_->setFullText(tr("No picture"));
         messages_->showError(failure->error);
         emit failed(failure->error);
@@ -277,6 +294,7 @@ void MainWindow::onFrame(const FrameShown& frame) {
     fidelity_->setFullText(text);
     pictureText_->setFullText(
         tr("%1×%2, %3/s").arg(frame.width).arg(frame.height).arg(frame.framesPerSecond, 0, 'f', 1));
+    setStudyTexts(study_);
     emit frameShown(frame);
 }
 

@@ -34,12 +34,18 @@ class MainWindow : public QMainWindow {
     MainWindow(gpu::Instance instance, MainWindowOptions options);
 
     void open(StudySource source);
+    // What open() ends with when all went well.
+    void showStudy(const LoadedStudy& study);
     void cancelLoading() { loader_.cancel(); }
     bool loading() const { return loader_.loading(); }
+    bool loaderAtRest() const { return loader_.atRest(); }
 
     Viewport& viewport() { return *viewport_; }
+    // What went wrong last; what is to be known about the study. Empty when there is nothing, or dismissed.
     QString message() const { return messages_->isVisible() ? messages_->text() : QString(); }
-    bool hasStudy() const { return volume_ != nullptr; }
+    QString notes() const { return notes_->isVisible() ? notes_->text() : QString(); }
+    QString description() const { return description_->fullText(); }  // of the study on screen
+    bool hasStudy() const { return study_.volume != nullptr; }
 
   signals:
     void frameShown(const macula::viewer::FrameShown& frame);
@@ -58,20 +64,21 @@ class MainWindow : public QMainWindow {
     void makeStatusBar();
     void connectLoader();
     void askForFolder();
-    void showStudy(const LoadedStudy& study);
     void onRendered(const RenderEvent& event);
     void onFrame(const FrameShown& frame);
-    void setVolumeText(const LoadedStudy& study);
+    void setStudyTexts(const LoadedStudy& study);
+    void clearStudyTexts();
     void showKeys();
     void showAbout();
     void triggerShortcut(QKeyEvent* event);
 
     MainWindowOptions options_;
     StudyLoader loader_;
-    std::shared_ptr<const Volume> volume_;
+    LoadedStudy study_;  // open; nothing of it is told before its picture is on screen
     QString lastFolder_;
 
     Viewport* viewport_ = nullptr;
+    MessageBar* notes_ = nullptr;  // stay while other studies are loaded, and when that fails
     MessageBar* messages_ = nullptr;
     LoadingBar* loading_ = nullptr;
     QComboBox* presets_ = nullptr;

@@ -26,6 +26,8 @@ class Presenter {
     Result<bool> show(const gpu::Image& picture);
     // The same picture once more; false when there is none yet.
     Result<bool> showAgain();
+    // From now on there is none.
+    void forget() { keptIsValid_ = false; }
     // Fills the window with one colour, display-encoded RGBA.
     Result<bool> showColour(const VkClearColorValue& colour);
 

@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "base/result.h"
+#include "viewer/orbit_camera.h"
 
 namespace macula::viewer {
 
@@ -29,6 +30,8 @@ enum class Stage {
 // A picture was shown.
 struct FrameShown {
     std::uint64_t inputSequence = 0;  // of the input it was made from
+    std::uint64_t study = 0;          // likewise; whose picture it is
+    EdgeLetters letters{};            // where the sides of the patient are in it
     Stage stage = Stage::moving;
     int width = 0;  // of the traced picture; the window's, divided by `scale`
     int height = 0;
@@ -40,7 +43,8 @@ struct FrameShown {
     std::uint64_t nonFiniteSamples = 0;
 };
 
-// Nothing is shown until something changes.
+// What was shown has been taken off the screen, as far as the device still can do that, and nothing more is
+// shown until something changes.
 struct RenderFailure {
     Error error;
 };

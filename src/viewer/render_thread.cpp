@@ -1,7 +1,11 @@
 #include "viewer/render_thread.h"
 
+#include <chrono>
+#include <exception>
+#include <optional>
 #include <utility>
 
+#include "base/log.h"
 #include "viewer/frame_renderer.h"
 
 #ifdef __linux__
@@ -12,6 +16,9 @@
 namespace macula::viewer {
 
 namespace {
+
+// A dispatch is over in far less, a part of a scene nearly always.
+constexpr std::chrono::milliseconds kReleaseIsSlow{5000};
 
 // Where the device is the CPU, tracing takes every core for as long as it lasts. The threads of the driver
 // inherit the priority of the one that makes the device, so a step down here lets the user interface and the
@@ -45,18 +52,17 @@ std::uint64_t RenderThread::publish(FrameInput input) {
     return last_.sequence;
 }
 
-bool RenderThread::releaseSurface(std::chrono::milliseconds timeout) {
-    if (last_.surface == VK_NULL_HANDLE) return true;
+void RenderThread::releaseSurface() {
+    if (last_.surface == VK_NULL_HANDLE) return;
     FrameInput without = last_;
     without.surface = VK_NULL_HANDLE;
     const std::uint64_t sequence = publish(std::move(without));
-    const auto deadline = std::chrono::steady_clock::now() + timeout;
-    // An earlier release whose wait timed out may still be in the slot.
+    bool told = false;
     while (true) {
-        const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(
-            deadline - std::chrono::steady_clock::now());
-        if (left.count() <= 0) return false;
-        if (const auto released = released_.takeFor(left); released && *released >= sequence) return true;
+        if (const auto released = released_.takeFor(kReleaseIsSlow); released && *released >= sequence)
+            return;
+        if (!std::exchange(told, true))
+            log::warning("Waiting for the graphics device to let go of the window.");
     }
 }
 
@@ -66,13 +72,21 @@ void RenderThread::run(const std::stop_token& stop, gpu::Instance instance, std:
     FrameRenderer renderer(std::move(instance), std::move(preferredDevice), std::move(listener));
     const Interrupts interrupts{.newInput = [this] { return inputs_.pending(); },
                                 .stopping = [&stop] { return stop.stop_requested(); }};
+    std::optional<std::uint64_t> owed;  // whoever waits for the surface waits until this is published
     while (!stop.stop_requested()) {
-        std::optional<FrameInput> input = renderer.hasWork() ? inputs_.tryTake() : inputs_.take();
-        if (input) {
-            const std::uint64_t sequence = input->sequence;
-            const bool released = input->surface == VK_NULL_HANDLE;
-            renderer.accept(std::move(*input));
-            if (released) released_.publish(sequence);
+        try {
+            std::optional<FrameInput> input = renderer.hasWork() || owed ? inputs_.tryTake() : inputs_.take();
+            if (input) {
+                if (input->surface == VK_NULL_HANDLE) owed = input->sequence;
+                renderer.accept(std::move(*input));
+            }
+            if (owed) {
+                renderer.releaseSurface();
+                released_.publish(*std::exchange(owed, std::nullopt));
+            }
+        } catch (const std::exception&) {
+            renderer.fail(ErrorCode::outOfMemory, "There is not enough memory to show this study.",
+                          "Close other programs, or open a smaller series.");
         }
         renderer.step(interrupts);
     }

@@ -1,7 +1,6 @@
 // The one thread that uses the GPU.
 #pragma once
 
-#include <chrono>
 #include <string>
 #include <thread>
 
@@ -24,9 +23,10 @@ class RenderThread {
     // Sets the sequence number and the time, and returns the number.
     std::uint64_t publish(FrameInput input);
 
-    // Waits until nothing refers to the surface any more, which the window system destroys next. The only
-    // wait in the other direction; false when it took longer than `timeout`.
-    bool releaseSurface(std::chrono::milliseconds timeout);
+    // Waits until nothing refers to the surface any more, which the window system destroys next: as long as
+    // it takes, because a driver that loses a surface in use takes the process with it. The only wait in the
+    // other direction.
+    void releaseSurface();
 
   private:
     void run(const std::stop_token& stop, gpu::Instance instance, std::string preferredDevice,

@@ -19,10 +19,13 @@ ElidingLabel::ElidingLabel(const QString& what, QWidget* parent) : QLabel(parent
     setToolTip(what);
 }
 
-void ElidingLabel::setFullText(const QString& text) {
-    if (text == full_) return;
+void ElidingLabel::setFullText(const QString& text, const QString& more) {
+    if (text == full_ && more == more_) return;
     full_ = text;
-    setToolTip(full_.isEmpty() ? what_ : what_ + QStringLiteral(": ") + full_);
+    more_ = more;
+    QString tip = full_.isEmpty() ? what_ : what_ + QStringLiteral(": ") + full_;
+    if (!more_.isEmpty()) tip += QStringLiteral("\n") + more_;
+    setToolTip(tip);
     elide();
     updateGeometry();
 }

@@ -18,7 +18,9 @@ class ElidingLabel : public QLabel {
   public:
     explicit ElidingLabel(const QString& what, QWidget* parent = nullptr);
 
-    void setFullText(const QString& text);
+    // `more` is told by the tool tip only.
+    void setFullText(const QString& text, const QString& more = {});
+    QString fullText() const { return full_; }
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
 
@@ -30,6 +32,7 @@ class ElidingLabel : public QLabel {
 
     QString what_;
     QString full_;
+    QString more_;
 };
 
 // One sentence about what went wrong and one about what to do, until it is dismissed. Never in the way of

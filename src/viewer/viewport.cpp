@@ -9,6 +9,7 @@
 #include <cmath>
 #include <optional>
 #include <utility>
+#include <variant>
 
 #include "base/log.h"
 
@@ -18,8 +19,6 @@ namespace {
 
 constexpr double kVerticalFovDeg = 30.0;
 constexpr std::chrono::milliseconds kNudgeLasts{250};
-// A dispatch is over in far less; more means that the driver hangs, and then nothing is lost by going on.
-constexpr std::chrono::milliseconds kSurfaceReleaseTimeout{5000};
 constexpr double kOrbitStepDeg = 5.0;
 constexpr double kPanStepOfHeight = 0.05;
 constexpr double kZoomPerNotch = 1.15;
@@ -110,7 +109,7 @@ Viewport::Viewport(gpu::Instance instance, std::string preferredDevice, QWidget*
     renderThread_ = std::make_unique<RenderThread>(
         std::move(instance), std::move(preferredDevice), [this](RenderEvent event) {
             QMetaObject::invokeMethod(
-                this, [this, event = std::move(event)] { emit rendered(event); }, Qt::QueuedConnection);
+                this, [this, event = std::move(event)] { onRendered(event); }, Qt::QueuedConnection);
         });
 }
 
@@ -148,9 +147,7 @@ void Viewport::connectWindow() {
     });
     connect(window_, &VulkanWindow::surfaceGoing, this, [this] {
         input_.surface = VK_NULL_HANDLE;
-        if (!renderThread_->releaseSurface(kSurfaceReleaseTimeout)) {
-            log::error("The graphics device did not let go of the window in time.");
-        }
+        renderThread_->releaseSurface();
     });
     connect(window_, &VulkanWindow::surfaceFailed, this, [this] {
         emit rendered(RenderFailure{{ErrorCode::deviceNotUsable,
@@ -186,8 +183,12 @@ void Viewport::connectWindow() {
     connect(window_, &VulkanWindow::pathDropped, this, &Viewport::pathDropped);
 }
 
-void Viewport::setVolume(std::shared_ptr<const Volume> volume, ViewDirection from) {
+void Viewport::setStudy(std::shared_ptr<const Volume> volume,
+                        std::shared_ptr<const TransferFunction> function, ViewDirection from) {
+    ++input_.study;
     input_.volume = std::move(volume);
+    input_.transferFunction = std::move(function);
+    setLetters({});
     if (input_.volume) {
         showFrom(from);
     } else {
@@ -293,7 +294,6 @@ void Viewport::nudge() {
 void Viewport::setCamera(const OrbitCamera& camera) {
     camera_ = camera;
     untouched_ = false;
-    updateLetters();
     publish();
 }
 
@@ -303,6 +303,7 @@ void Viewport::publish() {
     input_.height = pixels.height();
     input_.visible = window_->isExposed();
     input_.camera = toCamera(camera_);
+    input_.letters = edgeLetters(camera_);
     input_.interacting = dragging_ || nudgeEnds_.isActive();
     renderThread_->publish(input_);
 }
@@ -315,12 +316,30 @@ double Viewport::aspect() const {
     return window_->height() > 0 ? double(window_->width()) / window_->height() : 1.0;
 }
 
-void Viewport::updateLetters() {
-    const EdgeLetters letters = edgeLetters(camera_);
+// The letters follow the picture, not the camera: while the next picture is made, the one on screen still has
+// its sides where they were.
+void Viewport::onRendered(const RenderEvent& event) {
+    if (const auto* frame = std::get_if<FrameShown>(&event)) {
+        if (frame->study != input_.study) return;  // that picture is being taken off the screen
+        setLetters(frame->letters);
+    } else if (std::holds_alternative<RenderFailure>(event)) {
+        setLetters({});
+    }
+    emit rendered(event);
+}
+
+void Viewport::setLetters(const EdgeLetters& letters) {
     left_->setText(QString::fromStdString(letters.left));
     right_->setText(QString::fromStdString(letters.right));
     top_->setText(QString::fromStdString(letters.top));
     bottom_->setText(QString::fromStdString(letters.bottom));
+}
+
+EdgeLetters Viewport::letters() const {
+    return {.left = left_->text().toStdString(),
+            .right = right_->text().toStdString(),
+            .top = top_->text().toStdString(),
+            .bottom = bottom_->text().toStdString()};
 }
 
 }  // namespace macula::viewer

@@ -28,8 +28,11 @@ class Viewport : public QWidget {
     Viewport(gpu::Instance instance, std::string preferredDevice, QWidget* parent = nullptr);
     ~Viewport() override;
 
-    // With the camera framing it from `from`. Null shows nothing.
-    void setVolume(std::shared_ptr<const Volume> volume, ViewDirection from);
+    // A new study, with the camera framing it from `from`: all at once, so that no volume is ever drawn with
+    // the optics of another. What was shown goes off the screen before the first picture of it comes, and the
+    // letters at the edges with it. A null volume shows nothing.
+    void setStudy(std::shared_ptr<const Volume> volume, std::shared_ptr<const TransferFunction> function,
+                  ViewDirection from);
     void setTransferFunction(std::shared_ptr<const TransferFunction> function);
     void setLights(std::shared_ptr<const trace::LightRig> lights);
     void setSampleLimit(std::uint32_t samplesPerPixel);
@@ -41,6 +44,8 @@ class Viewport : public QWidget {
     bool handleKey(const QKeyEvent& event);
 
     const OrbitCamera& camera() const { return camera_; }
+    std::uint64_t study() const { return input_.study; }  // as in FrameShown
+    EdgeLetters letters() const;                          // those on screen; empty without a picture
     VulkanWindow& window() { return *window_; }
     QSize pictureSize() const { return window_->pixels(); }
 
@@ -57,7 +62,8 @@ class Viewport : public QWidget {
     void publish();
     double sceneDiagonalMm() const;
     double aspect() const;
-    void updateLetters();
+    void onRendered(const RenderEvent& event);
+    void setLetters(const EdgeLetters& letters);
     void layOut();
 
     QVulkanInstance vulkan_;  // outlives the window

@@ -4,7 +4,10 @@
 
 #include <QCoreApplication>
 #include <QElapsedTimer>
+#include <QTemporaryDir>
 #include <QThread>
+#include <filesystem>
+#include <fstream>
 
 #include "base/phantom.h"
 
@@ -69,10 +72,88 @@ TEST_F(StudyLoaderTest, CancelEndsTheLoadAndNothingIsDelivered) {
     loader.cancel();
     EXPECT_TRUE(cancelled);
     EXPECT_FALSE(loader.loading());
+    // The worker notices, and long before it would have been through.
+    QElapsedTimer sinceCancelled;
+    sinceCancelled.start();
+    ASSERT_TRUE(waitUntil([&] { return loader.atRest(); }));
+    EXPECT_LT(sinceCancelled.elapsed(), 1000);
     // The next load is not disturbed by what is left of the one before.
     loader.open(std::nullopt);
     ASSERT_TRUE(waitUntil([&] { return outcomes > 0; }));
     EXPECT_EQ(outcomes, 1);
+}
+
+TEST(LoadStudy, GivesUpWhereverItIsCancelled) {
+    // At the first word of each stage of the work: what is left of it must not be done.
+    for (const char* stage : {"Reading", "Decoding"}) {
+        const CancelToken token;
+        bool reached = false;
+        Progress progress(
+            [&](const ProgressUpdate& update) {
+                if (update.stage.find(stage) == std::string::npos) return;
+                reached = true;
+                token.cancel();
+            },
+            token);
+        const auto study = loadStudy(std::filesystem::path(MACULA_SHARED_DIR "/data/ct_cta_rider"), progress);
+        EXPECT_TRUE(reached) << stage;
+        ASSERT_FALSE(study.ok()) << stage;
+        EXPECT_EQ(study.error().code, ErrorCode::cancelled) << stage;
+    }
+}
+
+// Two patients in one folder: the best series is the CT, but who opens a file of the other one means that.
+class FileInAFolderOfTwo : public testing::Test {
+  protected:
+    void SetUp() override {
+        ASSERT_TRUE(folder_.isValid());
+        root_ = folder_.path().toStdString();
+        const std::filesystem::path data = MACULA_SHARED_DIR "/data";
+        for (const char* name : {"ct_cta_rider", "mr_head_sag_hfs"}) {
+            int index = 0;
+            for (const auto& entry : std::filesystem::recursive_directory_iterator(data / name)) {
+                if (!entry.is_regular_file()) continue;
+                std::string copy = name;
+                copy += std::to_string(index++);
+                std::filesystem::create_symlink(entry.path(), root_ / copy);
+            }
+        }
+    }
+    static std::string modalityOf(const std::filesystem::path& source) {
+        Progress progress;
+        const auto study = loadStudy(source, progress);
+        return study ? study->volume->modality() : study.error().message;
+    }
+
+    QTemporaryDir folder_;
+    std::filesystem::path root_;
+};
+
+TEST_F(FileInAFolderOfTwo, ItsOwnSeriesIsOpened) {
+    EXPECT_EQ(modalityOf(root_), "CT");
+    EXPECT_EQ(modalityOf(root_ / "mr_head_sag_hfs0"), "MR");
+    EXPECT_EQ(modalityOf(root_ / "ct_cta_rider0"), "CT");
+    Progress progress;
+    const auto study = loadStudy(root_ / "mr_head_sag_hfs0", progress);
+    ASSERT_TRUE(study.ok());
+    EXPECT_FALSE(study->whyThisSeries.empty());
+}
+
+TEST_F(FileInAFolderOfTwo, ARelativeNameWithoutAFolderWorks) {
+    const std::filesystem::path before = std::filesystem::current_path();
+    std::filesystem::current_path(root_);
+    const std::string modality = modalityOf("mr_head_sag_hfs0");
+    std::filesystem::current_path(before);
+    EXPECT_EQ(modality, "MR");
+}
+
+TEST_F(FileInAFolderOfTwo, AFileThatIsNoImageOpensNothing) {
+    std::ofstream(root_ / "notes.txt") << "not DICOM";
+    Progress progress;
+    const auto study = loadStudy(root_ / "notes.txt", progress);
+    ASSERT_FALSE(study.ok());
+    EXPECT_EQ(study.error().code, ErrorCode::inputNotUsable);
+    EXPECT_FALSE(study.error().hint.empty());
 }
 
 TEST_F(StudyLoaderTest, ANewLoadReplacesTheOneBefore) {

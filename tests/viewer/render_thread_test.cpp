@@ -3,7 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <chrono>
+#include <new>
 #include <optional>
+#include <thread>
+#include <variant>
 
 namespace macula::viewer {
 namespace {
@@ -33,9 +37,35 @@ TEST_F(RenderThreadTest, WithoutASurfaceNothingIsDone) {
             EXPECT_GT(sequence, last);
             last = sequence;
         }
-        EXPECT_TRUE(thread.releaseSurface(std::chrono::milliseconds(1)));  // there is none to wait for
+        thread.releaseSurface();  // there is none to wait for
     }
     EXPECT_EQ(events, 0);
+}
+
+// Preparing is the first thing a step tells, so that a listener which throws there stands for any part of the
+// step that runs out of memory; nothing has touched the surface by then, and this one is not real.
+TEST_F(RenderThreadTest, RunningOutOfMemoryIsToldAndTheThreadLivesOn) {
+    std::atomic<int> failures = 0;
+    std::atomic<bool> outOfMemory = true;
+    {
+        RenderThread thread(*std::move(instance_), {}, [&](const RenderEvent& event) {
+            if (std::holds_alternative<Preparing>(event)) throw std::bad_alloc();
+            if (const auto* failure = std::get_if<RenderFailure>(&event)) {
+                outOfMemory = outOfMemory && failure->error.code == ErrorCode::outOfMemory;
+                ++failures;
+            }
+        });
+        const auto surface = (VkSurfaceKHR)std::uintptr_t(1);  // a pointer or a number, by platform
+        for (int i = 1; i <= 2; ++i) {
+            thread.publish({.surface = surface, .width = 100 + i, .height = 100, .visible = true});
+            const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(30);
+            while (failures < i && std::chrono::steady_clock::now() < deadline) std::this_thread::yield();
+            ASSERT_EQ(failures, i);
+        }
+        thread.releaseSurface();
+    }
+    EXPECT_EQ(failures, 2);
+    EXPECT_TRUE(outOfMemory);
 }
 
 }  // namespace

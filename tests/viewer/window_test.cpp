@@ -6,10 +6,16 @@
 #include <QApplication>
 #include <QDropEvent>
 #include <QElapsedTimer>
+#include <QImage>
 #include <QMimeData>
 #include <QMouseEvent>
+#include <QPixmap>
+#include <QScreen>
+#include <QSet>
 #include <QUrl>
+#include <memory>
 #include <optional>
+#include <vector>
 
 #include "viewer/display.h"
 
@@ -37,6 +43,9 @@ class WindowTest : public testing::Test {
         auto catalogue = builtInCatalogue();
         ASSERT_TRUE(catalogue.ok()) << catalogue.error().message;
         MainWindowOptions options{.catalogue = *catalogue};
+        // Not used for CT; and refused by the device's side of the program for all else.
+        options.preset =
+            std::make_shared<const TransferFunction>(TransferFunction{.name = "empty", .unit = Unit::raw});
         options.pictureSize = QSize(320, 240);
         options.sampleLimit = 2;
         window_.emplace(*std::move(instance), std::move(options));
@@ -49,6 +58,27 @@ class WindowTest : public testing::Test {
     void TearDown() override {
         window_.reset();
         application_.reset();
+    }
+
+    static LoadedStudy smallStudy(Unit unit) {
+        auto volume = Volume::create({.size = glm::ivec3(8), .unit = unit, .modality = "CT"},
+                                     std::vector<std::uint16_t>(512, 1000));
+        return {.volume = std::make_shared<const Volume>(*std::move(volume)), .description = "Second"};
+    }
+    static LoadedStudy studyThatCannotBeShown() { return smallStudy(Unit::raw); }
+    // What a person sees there.
+    qsizetype coloursInTheMiddle() {
+        VulkanWindow& target = window_->viewport().window();
+        const QPoint corner = target.mapToGlobal(QPoint(target.width() / 4, target.height() / 4));
+        const QImage picture =
+            target.screen()
+                ->grabWindow(0, corner.x(), corner.y(), target.width() / 2, target.height() / 2)
+                .toImage();
+        QSet<QRgb> colours;
+        for (int y = 0; y < picture.height(); ++y) {
+            for (int x = 0; x < picture.width(); ++x) colours.insert(picture.pixel(x, y));
+        }
+        return colours.size();
     }
 
     bool waitForConverged() {
@@ -139,6 +169,61 @@ TEST_F(WindowTest, LoadingCanBeCancelled) {
     EXPECT_TRUE(waitUntil([&] { return cancelled; }));
     EXPECT_FALSE(window_->loading());
     EXPECT_FALSE(window_->hasStudy());
+    QElapsedTimer sinceCancelled;
+    sinceCancelled.start();
+    ASSERT_TRUE(waitUntil([&] { return window_->loaderAtRest(); }));
+    EXPECT_LT(sinceCancelled.elapsed(), 1000);
+}
+
+TEST_F(WindowTest, NothingOfTheStudyBeforeStaysWhenTheNextOneCannotBeShown) {
+    window_->open(std::nullopt);
+    ASSERT_TRUE(waitForConverged());
+    EXPECT_FALSE(window_->description().isEmpty());
+    EXPECT_EQ(window_->viewport().letters().left, "R");  // seen from the front
+    EXPECT_EQ(window_->viewport().letters().right, "L");
+    EXPECT_GT(coloursInTheMiddle(), 100);
+
+    std::optional<Error> error;
+    QObject::connect(&*window_, &MainWindow::failed, &*window_, [&](const Error& e) { error = e; });
+    const int before = frames_;
+    window_->showStudy(studyThatCannotBeShown());
+    // From the first moment on, the device has not even heard of it.
+    EXPECT_TRUE(window_->description().isEmpty());
+    EXPECT_TRUE(window_->viewport().letters().left.empty());
+    ASSERT_TRUE(waitUntil([&] { return error.has_value(); }));
+    EXPECT_EQ(frames_, before);
+    EXPECT_TRUE(window_->description().isEmpty());
+    EXPECT_TRUE(window_->viewport().letters().right.empty());
+    EXPECT_TRUE(waitUntil([&] { return coloursInTheMiddle() == 1; }, 5));
+
+    // Nor does it come back with the window.
+    window_->hide();
+    QCoreApplication::processEvents();
+    window_->show();
+    ASSERT_TRUE(waitUntil([&] { return window_->viewport().window().isExposed(); }));
+    QElapsedTimer idle;
+    idle.start();
+    waitUntil([&] { return idle.elapsed() > 500; });
+    EXPECT_EQ(coloursInTheMiddle(), 1);
+    EXPECT_EQ(frames_, before);
+
+    window_->open(std::nullopt);
+    ASSERT_TRUE(waitForConverged());
+    EXPECT_FALSE(window_->description().isEmpty());
+    EXPECT_EQ(window_->viewport().letters().left, "R");
+}
+
+TEST_F(WindowTest, TheNotesOfTheStudyStayWhenAnotherCannotBeOpened) {
+    auto study = smallStudy(Unit::hounsfield);
+    study.messages = {"A slope was missing."};
+    window_->showStudy(study);
+    EXPECT_TRUE(window_->notes().contains(QStringLiteral("A slope was missing.")));
+    window_->open("/no/such/folder");
+    EXPECT_TRUE(window_->notes().contains(QStringLiteral("A slope was missing.")));
+    ASSERT_TRUE(waitUntil([&] { return !window_->message().isEmpty(); }));
+    EXPECT_TRUE(window_->notes().contains(QStringLiteral("A slope was missing.")));
+    window_->showStudy(smallStudy(Unit::hounsfield));
+    EXPECT_TRUE(window_->notes().isEmpty());
 }
 
 TEST_F(WindowTest, ADroppedFolderIsOpened) {
@@ -171,7 +256,7 @@ TEST_F(WindowTest, HidingAndShowingKeepsThePicture) {
 
 TEST_F(WindowTest, MayBeClosedAtAnyMoment) {
     window_->open(std::nullopt);
-    waitUntil([&] { return frames_ > 0; });
+    EXPECT_TRUE(waitUntil([&] { return frames_ > 0; }));
 }
 
 }  // namespace
