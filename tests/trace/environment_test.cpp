@@ -19,6 +19,18 @@ double solidAngle(int row, int width, int height) {
     return (std::cos(kPi * row / height) - std::cos(kPi * (row + 1) / height)) * 2.0 * kPi / width;
 }
 
+// The integral of red radiance over the sphere.
+double redPower(const Environment& sky) {
+    double power = 0.0;
+    for (int row = 0; row < sky.height(); ++row) {
+        for (int x = 0; x < sky.width(); ++x) {
+            power += double(sky.texels()[std::size_t(row * sky.width() + x)].radiance.r) *
+                     solidAngle(row, sky.width(), sky.height());
+        }
+    }
+    return power;
+}
+
 struct Sampled {
     std::vector<ReferenceTracer::Light> lights;
     Environment environment;
@@ -113,13 +125,7 @@ TEST(Environment, LargePicturesAreAveragedDownWithoutLosingPower) {
     const auto sky = Environment::fromImage(kWidth, kHeight, radiance);
     ASSERT_TRUE(sky.ok());
     EXPECT_EQ(sky->width(), 1024);
-    double power = 0.0;
-    for (int row = 0; row < sky->height(); ++row) {
-        for (int x = 0; x < sky->width(); ++x) {
-            power += double(sky->texels()[std::size_t(row * sky->width() + x)].radiance.r) *
-                     solidAngle(row, sky->width(), sky->height());
-        }
-    }
+    const double power = redPower(*sky);
     const double exact = 0.5 * 4.0 * kPi + (1e6 - 0.5) * solidAngle(700, kWidth, kHeight);
     EXPECT_NEAR(power / exact, 1.0, 1e-5);
 }
@@ -131,13 +137,7 @@ TEST(Environment, NoPartOfAPictureOfAnySizeIsLost) {
     radiance[std::size_t(600) * kWidth + 2499] = glm::vec3(1e4f);
     const auto sky = Environment::fromImage(kWidth, kHeight, radiance);
     ASSERT_TRUE(sky.ok());
-    double power = 0.0;
-    for (int row = 0; row < sky->height(); ++row) {
-        for (int x = 0; x < sky->width(); ++x) {
-            power += double(sky->texels()[std::size_t(row * sky->width() + x)].radiance.r) *
-                     solidAngle(row, sky->width(), sky->height());
-        }
-    }
+    const double power = redPower(*sky);
     EXPECT_NEAR(power / (1e4 * solidAngle(600, kWidth, kHeight)), 1.0, 1e-4);
 }
 

@@ -7,6 +7,8 @@ namespace macula::trace {
 namespace {
 
 constexpr JsonRange kRadiance{0.0, 1e6};
+// The sky is sampled once per 0.7 degrees: smaller lights would change their power with where they stand.
+constexpr double kLeastRadiusDeg = 3.0;
 
 glm::dvec3 radiance(const JsonNode& node) {
     const std::vector<double> rgb = node.numbers(3, kRadiance);
@@ -42,8 +44,8 @@ Result<LightRig> lightRigFromJson(std::string_view text, const std::string& wher
         node.allowOnly({"azimuthDeg", "elevationDeg", "angularRadiusDeg", "color", "radiance"});
         const SoftLight light{node["azimuthDeg"].number({-360.0, 360.0}),
                               node["elevationDeg"].number({-90.0, 90.0}),
-                              node["angularRadiusDeg"].number({0.5, 180.0}), radiance(node["color"]),
-                              node["radiance"].number(kRadiance)};
+                              node["angularRadiusDeg"].number({kLeastRadiusDeg, 180.0}),
+                              radiance(node["color"]), node["radiance"].number(kRadiance)};
         dark = dark && light.colour * light.radiance == glm::dvec3(0.0);
         rig.lights.push_back(light);
     }
