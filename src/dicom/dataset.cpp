@@ -15,6 +15,7 @@
 #include <string_view>
 
 #include "base/log.h"
+#include "dicom/outline.h"
 
 namespace macula::dicom {
 
@@ -170,15 +171,24 @@ void silenceToolkit() {
     std::call_once(once, [] { OFLog::configure(OFLogger::OFF_LOG_LEVEL); });
 }
 
+bool hasPreamble(const fs::path& file) {
+    return sniff(file) == Sniff::part10;
+}
+
 HeaderFile readHeader(const fs::path& file) try {
     silenceToolkit();
     const Sniff kind = sniff(file);
     if (kind == Sniff::unreadable) return {FileState::unreadable, {}};
     if (kind == Sniff::notDicom) return {FileState::notDicom, {}};
 
+    const Outline outline = outlineOf(file, kind == Sniff::part10);
+    if (!outline.isSafeToParse()) {
+        return {FileState::damaged, {}};
+    }
     auto impl = std::make_unique<Dataset::Impl>();
     FileState state = FileState::complete;
-    if (load(impl->format, file, Stop::afterPixels).bad()) {
+    if (load(impl->format, file, Stop::afterPixels).bad() &&
+        !(outline.strayBytesAfterPixels && impl->find(tag::kPixelData) != nullptr)) {
         impl = std::make_unique<Dataset::Impl>();
         if (load(impl->format, file, Stop::beforePixels).bad()) {
             return {kind == Sniff::part10 ? FileState::damaged : FileState::notDicom, {}};
@@ -200,7 +210,10 @@ HeaderFile readHeader(const fs::path& file) try {
         !dataset.has(tag::kStudyInstanceUid)) {
         return {FileState::notDicom, {}};
     }
-    return {state, std::move(dataset)};
+    return {.state = state,
+            .header = std::move(dataset),
+            .nativePixelBytes = outline.nativePixelBytes,
+            .strayBytes = outline.strayBytesAfterPixels};
 } catch (...) {
     log::warning("reading the header of {} threw", log::Sensitive{file.native()});
     return {FileState::damaged, {}};

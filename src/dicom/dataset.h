@@ -21,7 +21,7 @@ enum class FileState {
     complete,
     notDicom,    // by its content; the extension plays no part
     unreadable,  // cannot be opened or read
-    damaged,     // begins as DICOM, and cannot be parsed
+    damaged,     // begins as DICOM, and cannot be parsed, or not without harm (see outline.h)
     truncated,   // the header is whole, and the file ends inside the pixel data
 };
 
@@ -66,8 +66,13 @@ class Dataset {
 
 struct HeaderFile {
     FileState state = FileState::notDicom;
-    std::optional<Dataset> header;  // when complete or truncated
+    std::optional<Dataset> header;                       // when complete or truncated
+    std::optional<std::uint64_t> nativePixelBytes = {};  // what the pixel data claim, unless encapsulated
+    bool strayBytes = false;  // a few bytes follow the pixel data, and are no element
 };
+
+// The 128 bytes and DICM of PS3.10 7.1 are there.
+bool hasPreamble(const std::filesystem::path& file);
 
 // Switches off the toolkit's log. Called by everything that uses DCMTK; idempotent, thread-safe.
 void silenceToolkit();

@@ -40,6 +40,7 @@ struct Instance {
     std::optional<double> intercept;  // RescaleIntercept
     bool rescaleInvalid = false;      // present, and not usable: no number, or a slope of 0
     std::string rescaleType;
+    bool strayBytes = false;  // see HeaderFile
     std::optional<RawRange> padding;
 };
 

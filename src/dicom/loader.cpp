@@ -7,20 +7,12 @@
 #include <tuple>
 
 #include "base/parallel.h"
+#include "dicom/memory.h"
 #include "dicom/pixels.h"
 
 namespace macula::dicom {
 
 namespace {
-
-constexpr std::size_t kMostVoxels = std::size_t{1} << 34;  // 32 GiB: more is a broken header
-
-Error outOfMemory() {
-    return {ErrorCode::outOfMemory,
-            "There is not enough memory for this series.",
-            {},
-            "Close other programs, or choose a smaller series."};
-}
 
 StoredRange rangeOf(std::span<const std::uint16_t> unpacked, const std::optional<StoredRange>& padding) {
     StoredRange range{std::numeric_limits<std::uint16_t>::max(), 0};
@@ -30,6 +22,12 @@ StoredRange rangeOf(std::span<const std::uint16_t> unpacked, const std::optional
         range.high = std::max(range.high, voxel);
     }
     return range;
+}
+
+// Rows and columns have 16 bits, so this fits.
+std::uint64_t bytesOf(const Series& series) {
+    return std::uint64_t{sizeof(std::uint16_t)} * static_cast<std::uint64_t>(series.columns) *
+           static_cast<std::uint64_t>(series.rows) * series.instances.size();
 }
 
 // HU only where the CT Image Module makes it so (PS3.3 C.11.1.1.2: RescaleType absent means HU in an original
@@ -49,10 +47,20 @@ Result<std::shared_ptr<const Volume>> loadVolume(const Series& series, Progress&
     if (!series.canBeVolume()) {
         return Error{ErrorCode::inputNotUsable, "This series is no volume.", {}, "Choose another series."};
     }
+    constexpr int kMostRows = 65535;  // a header may use another VR than US, and then say anything
+    if (std::min(series.columns, series.rows) < 1 || std::max(series.columns, series.rows) > kMostRows) {
+        return Error{ErrorCode::inputNotUsable,
+                     "The images of this series have no usable size.",
+                     {},
+                     "Choose another series."};
+    }
     const std::size_t count = series.instances.size();
     const std::size_t sliceVoxels =
         static_cast<std::size_t>(series.columns) * static_cast<std::size_t>(series.rows);
-    if (sliceVoxels == 0 || sliceVoxels > kMostVoxels / count) return outOfMemory();
+    const std::uint64_t bytesNeeded = bytesOf(series);
+    if (const auto available = availableMemory(); available && bytesNeeded > *available) {
+        return notEnoughMemory(bytesNeeded, *available);
+    }
 
     std::vector<SliceIntensity> intensities;
     for (const Instance& instance : series.instances) intensities.push_back(sliceIntensity(instance));
@@ -118,7 +126,7 @@ Result<std::shared_ptr<const Volume>> loadVolume(const Series& series, Progress&
     MACULA_TRY(Volume volume, Volume::create(std::move(options), std::move(voxels)));
     return std::shared_ptr<const Volume>(std::make_shared<Volume>(std::move(volume)));
 } catch (const std::bad_alloc&) {
-    return outOfMemory();
+    return notEnoughMemory(bytesOf(series), availableMemory());
 } catch (const std::exception&) {
     return Error{ErrorCode::inputNotUsable, "This series cannot be loaded.", {}, "Choose another series."};
 }

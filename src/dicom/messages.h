@@ -54,6 +54,7 @@ inline constexpr std::string_view kUnreadableFile = "unreadable-file";
 inline constexpr std::string_view kDamagedFile = "damaged-file";
 inline constexpr std::string_view kTruncatedFile = "truncated-file";
 inline constexpr std::string_view kNoPixelData = "no-pixel-data";
+inline constexpr std::string_view kStrayBytes = "stray-bytes";
 inline constexpr std::string_view kUnreadableFolder = "unreadable-folder";
 inline constexpr std::string_view kSeveralPatients = "several-patients";
 }  // namespace key

@@ -13,6 +13,7 @@
 
 #include "base/log.h"
 #include "dicom/jpeg2000.h"
+#include "dicom/outline.h"
 #include "dicom/transfer_syntax.h"
 
 namespace macula::dicom {
@@ -165,15 +166,17 @@ Result<void> decodeCells(const Instance& instance, std::span<std::uint16_t> cell
                                  describeTransferSyntax(instance.transferSyntaxUid)),
                      instance.file.string(), "Export the series uncompressed or in JPEG 2000."};
     }
+    const Outline outline = outlineOf(instance.file, hasPreamble(instance.file));
+    const Error cutOff{ErrorCode::inputNotUsable,
+                       "The file cannot be read, or ends before its pixel data do.", instance.file.string(),
+                       "Copy the file again from its source."};
+    if (!outline.isSafeToParse()) return cutOff;
     DcmFileFormat file;
     constexpr Uint32 kLongestValueRead = 4096;  // the pixels stay in the file until decoded
     const OFCondition status =
         file.loadFileUntilTag(instance.file.c_str(), EXS_Unknown, EGL_noChange, kLongestValueRead,
                               ERM_autoDetect, DcmTagKey(0x7FE0, 0x0011));
-    if (status.bad()) {
-        return Error{ErrorCode::inputNotUsable, "The file cannot be read, or ends before its pixel data do.",
-                     instance.file.string(), "Copy the file again from its source."};
-    }
+    if (status.bad() && !outline.strayBytesAfterPixels) return cutOff;
     return decode(instance, file, cells);
 } catch (const std::bad_alloc&) {
     return Error{ErrorCode::outOfMemory, "There is not enough memory to decode a slice.",

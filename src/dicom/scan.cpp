@@ -35,6 +35,19 @@ struct Finding {
     std::optional<int> seriesNumber;
 };
 
+// What uncompressed pixel data of this image take at least (one frame: several are no volume anyway); 0 when
+// the file does not say.
+std::uint64_t pixelBytesNeeded(const Instance& instance, const Dataset& header) {
+    const int bits = header.integer(tag::kBitsAllocated).value_or(0);
+    if (instance.rows <= 0 || instance.columns <= 0 || bits <= 0 || bits > 64) return 0;
+    // Two pixels share their chroma samples: PS3.3 C.7.6.3.1.2.
+    const bool halfChroma = instance.photometricInterpretation.ends_with("_422");
+    const int samples = halfChroma ? 2 : std::clamp(instance.samplesPerPixel, 1, 4);
+    const auto values = static_cast<std::uint64_t>(instance.rows) *
+                        static_cast<std::uint64_t>(instance.columns) * static_cast<std::uint64_t>(samples);
+    return values * static_cast<std::uint64_t>(bits) / 8;
+}
+
 Finding examine(const fs::path& file) {
     Finding finding;
     HeaderFile read = readHeader(file);
@@ -57,6 +70,11 @@ Finding examine(const fs::path& file) {
     }
     finding.kind = header.has(tag::kPixelData) ? Finding::Kind::image : Finding::Kind::imageWithoutPixels;
     finding.instance = readInstance(file, header);
+    finding.instance.strayBytes = read.strayBytes;
+    if (finding.kind == Finding::Kind::image && finding.state == FileState::complete &&
+        read.nativePixelBytes && *read.nativePixelBytes < pixelBytesNeeded(finding.instance, header)) {
+        finding.state = FileState::truncated;
+    }
     finding.studyInstanceUid = text(tag::kStudyInstanceUid);
     finding.date = text(tag::kStudyDate);
     finding.studyDescription = text(tag::kStudyDescription);

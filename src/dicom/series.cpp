@@ -49,6 +49,12 @@ void assessPixels(Series& series) {
                           describeTransferSyntax(uid)),
               "Export the series uncompressed or in JPEG 2000.");
     }
+    if (any(series, [](const Instance& i) { return i.strayBytes; })) {
+        series.messages.push_back(
+            {Severity::info, std::string(key::kStrayBytes),
+             "A few stray bytes follow the pixel data in some files; the images are whole.",
+             "Nothing to do."});
+    }
     if (any(series, [](const Instance& i) { return i.lossy; })) {
         series.messages.push_back(
             {Severity::warning, std::string(key::kLossySource),

@@ -1,0 +1,253 @@
+// Files made to break a reader: none may crash it, take its memory, or stop the others.
+#include <zlib.h>
+
+#include <fstream>
+
+#include "base/atomic_file.h"
+#include "dicom/memory.h"
+#include "dicom/outline.h"
+#include "edit.h"
+#include "support.h"
+
+namespace macula::dicom::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string bytesOf(std::uint64_t value, int count) {
+    std::string bytes;
+    for (int i = 0; i < count; ++i) bytes += static_cast<char>(value >> (8 * i) & 0xFF);
+    return bytes;
+}
+
+std::string shortElement(Tag tag, const std::string& vr, std::string value) {
+    if (value.size() % 2) value += vr == "UI" ? '\0' : ' ';
+    return bytesOf(tag.group, 2) + bytesOf(tag.element, 2) + vr + bytesOf(value.size(), 2) + value;
+}
+
+std::string longElement(Tag tag, const std::string& vr, std::uint32_t length) {
+    return bytesOf(tag.group, 2) + bytesOf(tag.element, 2) + vr + std::string(2, '\0') + bytesOf(length, 4);
+}
+
+std::string preamble(const std::string& transferSyntaxUid) {
+    const std::string syntax = shortElement({0x0002, 0x0010}, "UI", transferSyntaxUid);
+    return std::string(128, '\0') + "DICM" + shortElement({0x0002, 0x0000}, "UL", bytesOf(syntax.size(), 4)) +
+           syntax;
+}
+
+constexpr std::uint32_t kUndefined = 0xFFFFFFFF;
+const std::string kItem = bytesOf(0xE000FFFE, 4);
+const std::string kItemEnd = bytesOf(0xE00DFFFE, 4) + bytesOf(0, 4);
+const std::string kSequenceEnd = bytesOf(0xE0DDFFFE, 4) + bytesOf(0, 4);
+
+// Sequences in sequences, Explicit VR Little Endian or Implicit, of undefined length.
+std::string nested(int levels, const std::string& vr) {
+    std::string open, close;
+    for (int i = 0; i < levels; ++i) {
+        open += vr.empty() ? bytesOf(0x11400008, 4) + bytesOf(kUndefined, 4)
+                           : longElement({0x0008, 0x1140}, vr, kUndefined);
+        open += kItem + bytesOf(kUndefined, 4);
+        close += kItemEnd + kSequenceEnd;
+        if (vr == "UN") return open + nested(levels - 1, "") + close;  // implicit inside
+    }
+    return open + close;
+}
+
+// The same with lengths, which DCMTK follows just as well.
+std::string nestedWithLengths(int levels) {
+    std::string value;
+    for (int i = 0; i < levels; ++i) {
+        const std::string item = kItem + bytesOf(value.size(), 4) + value;
+        value = longElement({0x0008, 0x1140}, "SQ", static_cast<std::uint32_t>(item.size())) + item;
+    }
+    return value;
+}
+
+std::string deflated(const std::string& bytes) {
+    z_stream stream{};
+    deflateInit2(&stream, Z_BEST_COMPRESSION, Z_DEFLATED, -MAX_WBITS, 8, Z_DEFAULT_STRATEGY);
+    std::string result(deflateBound(&stream, bytes.size()), '\0');
+    stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
+    stream.avail_in = static_cast<uInt>(bytes.size());
+    stream.next_out = reinterpret_cast<Bytef*>(result.data());
+    stream.avail_out = static_cast<uInt>(result.size());
+    deflate(&stream, Z_FINISH);
+    result.resize(stream.total_out);
+    deflateEnd(&stream);
+    return result;
+}
+
+constexpr const char* kExplicit = "1.2.840.10008.1.2.1";
+constexpr const char* kImplicit = "1.2.840.10008.1.2";
+constexpr const char* kDeflated = "1.2.840.10008.1.2.1.99";
+
+const std::string& sopClass() {
+    static const std::string element = shortElement(tag::kSopClassUid, "UI", "1.2.840.10008.5.1.4.1.1.2") +
+                                       shortElement(tag::kSopInstanceUid, "UI", "1.2.3") +
+                                       shortElement(tag::kModality, "CS", "CT");
+    return element;
+}
+
+TEST(Hostile, deepNestingIsDamageAndStopsNothing) {
+    constexpr int kLevels = 20000;
+    const TemporaryFolder folder;
+    write(smallVolume(), folder.path());
+    const auto put = [&](const char* name, const std::string& bytes) {
+        std::ofstream(folder / name, std::ios::binary) << bytes;
+    };
+    put("explicit", preamble(kExplicit) + sopClass() + nested(kLevels, "SQ"));
+    put("unknown", preamble(kExplicit) + sopClass() + nested(kLevels, "UN"));
+    put("bytes", preamble(kExplicit) + sopClass() + nested(kLevels, "OB"));
+    put("implicit", preamble(kImplicit) + nested(kLevels, ""));
+    put("lengths", preamble(kExplicit) + sopClass() + nestedWithLengths(2000));
+    put("deflated", preamble(kDeflated) + deflated(sopClass() + nested(kLevels, "SQ")));
+    put("bare", sopClass() + nested(kLevels, "SQ"));
+    put("no syntax", preamble("1.2.3.4") + sopClass() + nested(kLevels, "SQ"));
+    // After the pixels, where DCMTK goes on when tags are out of order.
+    put("late", preamble(kExplicit) + sopClass() + longElement(tag::kPixelData, "OW", 4) +
+                    std::string(4, '\0') + nested(kLevels, "SQ"));
+    const auto found = scan(folder.path());
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->studies.at(0).series.at(0).instances.size(), 6u);
+    EXPECT_TRUE(found->studies[0].series[0].canBeVolume());
+    EXPECT_EQ(found->skipped.size(), 9u);
+    for (const SkippedFile& skipped : found->skipped)
+        EXPECT_EQ(skipped.message.key, key::kDamagedFile) << skipped.file;
+}
+
+TEST(Hostile, ordinaryNestingIsFine) {
+    const TemporaryFolder folder;
+    for (const int levels : {1, 12, 64}) {
+        std::ofstream(folder / "f", std::ios::binary)
+            << preamble(kExplicit) + sopClass() + nested(levels, "SQ");
+        EXPECT_TRUE(outlineOf(folder / "f", true).isSafeToParse()) << levels;
+        EXPECT_EQ(readHeader(folder / "f").state, FileState::complete) << levels;
+    }
+    std::ofstream(folder / "f", std::ios::binary) << preamble(kExplicit) + sopClass() + nested(65, "SQ");
+    EXPECT_TRUE(outlineOf(folder / "f", true).nestedTooDeep);
+}
+
+TEST(Hostile, fileThatBecameDeepSinceTheScan) {
+    const TemporaryFolder folder;
+    const auto files = write(smallVolume(), folder.path());
+    const auto found = scan(folder.path());
+    ASSERT_TRUE(found);
+    std::ofstream(files[2], std::ios::binary) << preamble(kExplicit) + sopClass() + nested(20000, "SQ");
+    Progress progress;
+    const auto volume = loadVolume(found->studies.at(0).series.at(0), progress);
+    ASSERT_FALSE(volume);
+    EXPECT_TRUE(volume.error().message.starts_with("Slice 3 of 6: ")) << volume.error().message;
+}
+
+TEST(Hostile, fewerPixelsThanTheHeaderClaims) {
+    const TemporaryFolder folder;
+    for (const fs::path& file : write(smallVolume(), folder.path())) {
+        setWord(file, tag::kRows, 30000);
+        setWord(file, tag::kColumns, 30000);
+    }
+    Progress progress;
+    const auto found = scanFolder(folder.path(), progress);
+    ASSERT_FALSE(found);
+    EXPECT_NE(found.error().message.find("None of the 6 DICOM files"), std::string::npos)
+        << found.error().message;
+}
+
+TEST(Hostile, oneSliceWithTooFewPixelsIsLeftOutAndToldOf) {
+    const TemporaryFolder folder;
+    const auto files = write(smallVolume(), folder.path());
+    setPixels(files[5], std::vector<std::uint16_t>(19, 7));
+    const auto found = scan(folder.path());
+    ASSERT_TRUE(found);
+    ASSERT_EQ(found->skipped.size(), 1u);
+    EXPECT_EQ(found->skipped[0].message.key, key::kTruncatedFile);
+    EXPECT_TRUE(hasMessage(found->studies.at(0).series.at(0), key::kTruncatedFile));
+}
+
+TEST(Hostile, moreMemoryThanThereIs) {
+    const auto available = availableMemory();
+    ASSERT_TRUE(available);
+    EXPECT_GT(*available, std::uint64_t{1} << 20);
+    const Error error = notEnoughMemory(std::uint64_t{3} << 30, std::uint64_t{1} << 30);
+    EXPECT_EQ(error.code, ErrorCode::outOfMemory);
+    EXPECT_NE(error.message.find("3.0 GiB"), std::string::npos) << error.message;
+    EXPECT_NE(error.message.find("1.0 GiB"), std::string::npos) << error.message;
+    EXPECT_FALSE(error.hint.empty());
+
+    const TemporaryFolder folder;
+    write(smallVolume(), folder.path());
+    const auto found = scan(folder.path());
+    ASSERT_TRUE(found);
+    Series series = found->studies.at(0).series.at(0);
+    series.columns = series.rows = 65535;
+    const std::size_t slices = *available / (2ull * 65535 * 65535) + 2;
+    series.instances.resize(slices, series.instances[0]);
+    Progress progress;
+    const auto volume = loadVolume(series, progress);
+    ASSERT_FALSE(volume);
+    EXPECT_EQ(volume.error().code, ErrorCode::outOfMemory);
+    EXPECT_NE(volume.error().message.find("GiB are free"), std::string::npos) << volume.error().message;
+}
+
+TEST(Hostile, sizesThatAreNone) {
+    const TemporaryFolder folder;
+    write(smallVolume(), folder.path());
+    const auto found = scan(folder.path());
+    ASSERT_TRUE(found);
+    for (const int rows : {0, -4, 65536}) {
+        Series series = found->studies.at(0).series.at(0);
+        series.rows = rows;
+        Progress progress;
+        const auto volume = loadVolume(series, progress);
+        ASSERT_FALSE(volume);
+        EXPECT_EQ(volume.error().code, ErrorCode::inputNotUsable);
+    }
+}
+
+TEST(Hostile, strayBytesAfterThePixelsAreNoDamage) {
+    for (const WriteSyntax syntax : {WriteSyntax::explicitLittleEndian, WriteSyntax::rle}) {
+        for (std::size_t count = 1; count <= 7; ++count) {
+            for (const char stray : {'\0', '\n', '\x7F'}) {
+                SCOPED_TRACE(fmt::format("{} bytes {}", count, int{stray}));
+                const TemporaryFolder folder;
+                const Volume volume = smallVolume();
+                const auto files = write(volume, folder.path(), {.syntax = syntax});
+                std::ofstream(files[1], std::ios::binary | std::ios::app) << std::string(count, stray);
+                const auto found = scan(folder.path());
+                ASSERT_TRUE(found);
+                EXPECT_TRUE(found->skipped.empty());
+                const Series& series = found->studies.at(0).series.at(0);
+                EXPECT_TRUE(hasMessage(series, key::kStrayBytes));
+                const auto read = load(series);
+                ASSERT_NE(read, nullptr);
+                expectSameValues(*read, volume);
+            }
+        }
+    }
+}
+
+TEST(Hostile, deflatedFarBeyondItsImage) {
+    const TemporaryFolder folder;
+    write(smallVolume(), folder.path());
+    const std::string image = shortElement(tag::kRows, "US", bytesOf(4, 2)) +
+                              shortElement(tag::kColumns, "US", bytesOf(4, 2)) +
+                              shortElement(tag::kBitsAllocated, "US", bytesOf(16, 2));
+    constexpr std::uint32_t kBomb = 200u << 20;
+    std::ofstream(folder / "private", std::ios::binary)
+        << preamble(kDeflated) +
+               deflated(sopClass() + longElement({0x0009, 0x1001}, "OB", kBomb) + std::string(kBomb, '\0'));
+    std::ofstream(folder / "pixels", std::ios::binary)
+        << preamble(kDeflated) + deflated(sopClass() + image + longElement(tag::kPixelData, "OW", kBomb) +
+                                          std::string(kBomb, '\0'));
+    EXPECT_LT(fs::file_size(folder / "pixels"), 1u << 20);
+    for (const char* name : {"private", "pixels"}) {
+        EXPECT_TRUE(outlineOf(folder / name, true).inflatesTooFar) << name;
+        EXPECT_EQ(readHeader(folder / name).state, FileState::damaged) << name;
+    }
+    const auto found = scan(folder.path());
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->studies.at(0).series.at(0).instances.size(), 6u);
+    EXPECT_EQ(found->skipped.size(), 2u);
+}
+
+}  // namespace
+}  // namespace macula::dicom::test
