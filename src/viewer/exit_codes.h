@@ -6,25 +6,25 @@
 namespace macula::viewer {
 
 inline constexpr int kExitDone = 0;
-inline constexpr int kExitFailed = 1;
 inline constexpr int kExitUsage = 2;
 inline constexpr int kExitInput = 3;
 inline constexpr int kExitDevice = 4;
+inline constexpr int kExitCancelled = 130;  // 128 + SIGINT, as shells expect
 
 constexpr int exitCodeOf(ErrorCode code) {
     switch (code) {
         case ErrorCode::usage:
+        case ErrorCode::outputNotWritable:
             return kExitUsage;
         case ErrorCode::inputNotUsable:
             return kExitInput;
         case ErrorCode::deviceNotUsable:
         case ErrorCode::outOfMemory:
             return kExitDevice;
-        case ErrorCode::outputNotWritable:
         case ErrorCode::cancelled:
-            return kExitFailed;
+            return kExitCancelled;
     }
-    return kExitFailed;
+    return kExitInput;
 }
 
 }  // namespace macula::viewer

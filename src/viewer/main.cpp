@@ -3,12 +3,13 @@
 
 #include <QApplication>
 #include <QMessageBox>
+#include <QSettings>
 #include <cstdio>
-#include <cstdlib>
 #include <optional>
 #include <utility>
 
 #include "viewer/command_line.h"
+#include "viewer/display_check.h"
 #include "viewer/exit_codes.h"
 #include "viewer/orbit_script.h"
 
@@ -22,19 +23,6 @@ int fail(const Error& error) {
                  error.where.empty() ? "" : " (", error.where.c_str(), error.where.empty() ? "" : ")",
                  error.hint.c_str());
     return exitCodeOf(error.code);
-}
-
-// Qt ends the process with an abort where there is no display; a sentence is kinder.
-bool hasDisplay() {
-#ifdef __linux__
-    const auto set = [](const char* name) {
-        const char* value = std::getenv(name);
-        return value != nullptr && *value != '\0';
-    };
-    return set("DISPLAY") || set("WAYLAND_DISPLAY") || set("QT_QPA_PLATFORM");
-#else
-    return true;
-#endif
 }
 
 Result<MainWindowOptions> windowOptions(const CommandLine& line) {
@@ -96,10 +84,13 @@ int main(int argc, char** argv) {
     }
     if (!hasDisplay()) {
         return fail({ErrorCode::deviceNotUsable,
-                     "There is no display to open a window on.",
+                     "There is no display to open a window on, or it does not answer.",
                      {},
                      "Set DISPLAY or WAYLAND_DISPLAY, or use `macula render`, which needs none."});
     }
+    // Qt's dialogs write the folders they were in to its settings, and the names of folders may be those of
+    // patients. Below a file that is no folder nothing can be written.
+    QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, QStringLiteral("/dev/null"));
     QApplication application(argc, argv);
     return run(application, *line);
 }

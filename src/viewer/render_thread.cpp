@@ -59,9 +59,9 @@ void RenderThread::releaseSurface() {
     const std::uint64_t sequence = publish(std::move(without));
     bool told = false;
     while (true) {
-        if (const auto released = released_.takeFor(kReleaseIsSlow); released && *released >= sequence)
-            return;
-        if (!std::exchange(told, true))
+        const auto released = released_.takeFor(kReleaseIsSlow);
+        if (released && *released >= sequence) return;  // else it is of an earlier release
+        if (!released && !std::exchange(told, true))
             log::warning("Waiting for the graphics device to let go of the window.");
     }
 }

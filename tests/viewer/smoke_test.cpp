@@ -94,6 +94,9 @@ TEST_F(ViewerProgram, ExitCodesTellWhatWasWrong) {
         runViewer({"--script", "orbit"}, {"VK_ICD_FILENAMES=/nowhere.json", "VK_DRIVER_FILES=/nowhere.json"}),
         4);
     expectSentence(runViewer({}, {"DISPLAY=", "WAYLAND_DISPLAY=", "QT_QPA_PLATFORM="}), 4);
+    // A display that was there once; asked for by name, too.
+    expectSentence(runViewer({}, {"DISPLAY=:4711", "WAYLAND_DISPLAY=", "QT_QPA_PLATFORM="}), 4);
+    expectSentence(runViewer({}, {"DISPLAY=:4711", "WAYLAND_DISPLAY=", "QT_QPA_PLATFORM=xcb"}), 4);
     EXPECT_EQ(runViewer({"--version"}, {"DISPLAY="}).exitCode, 0);
 }
 
