@@ -50,7 +50,7 @@ OrbitScript::OrbitScript(MainWindow& window, OrbitScriptOptions options, QObject
     deadline_.setInterval(int(options_.timeoutSeconds * 1000));
     connect(&deadline_, &QTimer::timeout, this, [this] {
         std::fprintf(stderr, "No finished picture within %.0f s.\n", options_.timeoutSeconds);
-        finish(1);
+        finish(exitCodeOf(ErrorCode::deviceNotUsable));
     });
     connect(&window_, &MainWindow::frameShown, this, &OrbitScript::onFrame);
     connect(&window_, &MainWindow::failed, this, &OrbitScript::fail);
@@ -170,7 +170,7 @@ void OrbitScript::report() {
     };
     std::fputs(QJsonDocument(json).toJson(QJsonDocument::Indented).constData(), stdout);
     std::fflush(stdout);
-    finish(failedScreenshots == 0 ? 0 : 1);
+    finish(failedScreenshots == 0 ? kExitDone : exitCodeOf(ErrorCode::outputNotWritable));
 }
 
 void OrbitScript::fail(const Error& error) {
