@@ -35,6 +35,10 @@ Result<const dicom::Series*> chooseSeries(const dicom::Scan& scan, const std::st
     if (!chosen && error == std::errc() && end == wanted.data() + wanted.size())
         chosen = atPlace(scan, place);
     if (chosen) return chosen;
+    if (dicom::findAllSeries(scan, wanted).size() > 1) {
+        return Error{ErrorCode::usage, "Several patients have a series of this UID.", wanted,
+                     "Choose by the number in front of it in macula info."};
+    }
     return Error{ErrorCode::usage, "There is no such series in the folder.", wanted,
                  "See macula info for the list; --series takes the number in front, or the series UID."};
 }
