@@ -17,7 +17,7 @@ struct PatientIdentity {
     std::string birthDate;
     std::string sex;
 
-    auto operator<=>(const PatientIdentity&) const = default;
+    auto operator<=>(const PatientIdentity&) const = default;  // NOLINT(modernize-use-nullptr): its mistake
 };
 
 PatientIdentity patientIdentity(const Dataset& header);
