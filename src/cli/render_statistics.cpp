@@ -45,6 +45,7 @@ Result<void> writeStatistics(const RenderRecord& record, const std::filesystem::
         {"seed", record.settings.seed},
         {"samplesPerPixel", record.statistics.samplesPerPixel},
         {"nonFiniteSamples", record.statistics.nonFiniteSamples},
+        {"abandonedSamples", record.statistics.abandonedSamples},
         {"loadSeconds", record.loadSeconds},
         {"traceSeconds", record.traceSeconds},
         {"deviceMs", record.statistics.deviceMs},

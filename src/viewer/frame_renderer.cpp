@@ -311,7 +311,7 @@ Result<void> FrameRenderer::showPicture() {
                            .sampleLimit = input_.sampleLimit,
                            .framesPerSecond = framesPerSecond(),
                            .latencyMs = millisecondsBetween(input_.published, now),
-                           .nonFiniteSamples = statistics.nonFiniteSamples};
+                           .samplesLeftOut = statistics.nonFiniteSamples + statistics.abandonedSamples};
     // The presenter has kept a picture that could not be shown now, and shows it when the window comes back.
     unreported_ = visible ? std::nullopt : std::optional(frame);
     if (visible) listener_(frame);

@@ -290,7 +290,7 @@ void MainWindow::onFrame(const FrameShown& frame) {
             text += tr("complete");
             break;
     }
-    if (frame.nonFiniteSamples > 0) text += tr(", %1 invalid samples left out").arg(frame.nonFiniteSamples);
+    if (frame.samplesLeftOut > 0) text += tr(", %1 samples left out").arg(frame.samplesLeftOut);
     fidelity_->setFullText(text);
     pictureText_->setFullText(
         tr("%1×%2, %3/s").arg(frame.width).arg(frame.height).arg(frame.framesPerSecond, 0, 'f', 1));

@@ -38,9 +38,9 @@ struct FrameShown {
     int scale = 1;
     std::uint64_t samplesPerPixel = 0;
     std::uint64_t sampleLimit = 0;
-    double framesPerSecond = 0.0;  // of pictures shown lately; 0 when there was only one
-    double latencyMs = 0.0;        // from publishing the input to showing this picture
-    std::uint64_t nonFiniteSamples = 0;
+    double framesPerSecond = 0.0;      // of pictures shown lately; 0 when there was only one
+    double latencyMs = 0.0;            // from publishing the input to showing this picture
+    std::uint64_t samplesLeftOut = 0;  // not finite, or of paths too long for the device
 };
 
 // What was shown has been taken off the screen, as far as the device still can do that, and nothing more is

@@ -40,6 +40,7 @@ TEST_F(Render, PhantomToPng) {
     const auto statistics = nlohmann::json::parse(readAll(at("a.json")));
     EXPECT_EQ(statistics["samplesPerPixel"], 4);
     EXPECT_EQ(statistics["nonFiniteSamples"], 0);
+    EXPECT_EQ(statistics["abandonedSamples"], 0);
     EXPECT_EQ(statistics["series"], "phantom");
     EXPECT_EQ(statistics["preset"], "ct-chest");
 }

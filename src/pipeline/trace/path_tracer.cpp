@@ -110,7 +110,7 @@ struct PathTracer::Impl {
     bool warm = false;  // the first dispatch of a kernel compiles it, and says nothing about speed
 
     // What has been traced.
-    std::optional<gpu::Buffer> sums, lost, counts, faults, distances;
+    std::optional<gpu::Buffer> sums, lost, counts, faults;
     std::optional<gpu::Image> picture;
     int width = 0;
     int height = 0;
@@ -237,7 +237,6 @@ Result<void> PathTracer::Impl::makePicture() {
     sums.reset();
     lost.reset();
     counts.reset();
-    distances.reset();
     picture.reset();
     MACULA_TRY(sums, gpu::Buffer::create(device, {.label = "sums", .bytes = pixels * sizeof(glm::vec4)}));
     MACULA_TRY(lost, gpu::Buffer::create(device, {.label = "lost", .bytes = pixels * sizeof(glm::vec4)}));
@@ -260,7 +259,11 @@ Result<void> PathTracer::Impl::prepare() {
     if (!paramsStale) return {};
     MACULA_TRY(const shared::TraceParams params,
                makeTraceParams(*volume, medium, *environment, view, settings));
-    MACULA_TRY_VOID(makePicture());
+    if (auto made = makePicture(); !made) {
+        Error error = made.error();
+        if (error.code == ErrorCode::outOfMemory) error.hint = "Choose a smaller picture, or another device.";
+        return error;
+    }
     MACULA_TRY_VOID(device->waitForAll());
     std::memcpy(paramsBuffer->mapped().data(), &params, sizeof(params));
     MACULA_TRY(auto recorder, gpu::Recorder::create(device, "start accumulation"));
@@ -368,20 +371,19 @@ Result<TracedImage> PathTracer::readback() {
     Impl& t = *impl_;
     MACULA_TRY_VOID(t.prepare());
     const std::size_t pixels = std::size_t(t.width) * std::size_t(t.height);
-    MACULA_TRY(t.distances,
+    MACULA_TRY(const gpu::Buffer distances,
                gpu::Buffer::create(t.device, {.label = "distances", .bytes = pixels * sizeof(float)}));
     MACULA_TRY(auto recorder, gpu::Recorder::create(t.device, "depth"));
     recorder.dispatch(*t.depthKernel,
                       {static_cast<std::uint32_t>(t.width), static_cast<std::uint32_t>(t.height)},
                       {*t.paramsBuffer, *t.entries, *t.extinction, *t.albedo, *t.bounds, *t.environmentTexels,
-                       *t.aliasTexels, *t.distances});
+                       *t.aliasTexels, distances});
     MACULA_TRY([[maybe_unused]] const gpu::Ticket ticket, recorder.submit());
 
     TracedImage image{.width = t.width, .height = t.height, .radiance = {}, .depthMm = {}};
     MACULA_TRY(image.radiance, gpu::read<glm::vec4>(*t.sums));
-    MACULA_TRY(image.depthMm, gpu::read<float>(*t.distances));
+    MACULA_TRY(image.depthMm, gpu::read<float>(distances));
     MACULA_TRY(const auto counts, gpu::read<std::uint32_t>(*t.counts));
-    t.distances.reset();
     for (std::size_t i = 0; i < pixels; ++i) {
         image.radiance[i] /= static_cast<float>(std::max(counts[i], 1u));
         if (image.depthMm[i] < 0.0f) image.depthMm[i] = std::numeric_limits<float>::infinity();
