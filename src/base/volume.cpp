@@ -13,30 +13,37 @@ namespace {
 
 constexpr double kAirHu = -1000.0;
 constexpr std::int64_t kMaxVoxelsPerAxis = 65536;
+constexpr double kLargestStored = 65535.0;
+constexpr std::size_t kChunk = std::size_t{1} << 20;
 
-StoredRange rangeWithoutPadding(std::span<const std::uint16_t> voxels,
-                                const std::optional<StoredRange>& padding) {
-    constexpr std::size_t kChunk = std::size_t{1} << 20;
-    std::mutex mutex;
-    StoredRange range{std::numeric_limits<std::uint16_t>::max(), 0};
-    parallelFor((voxels.size() + kChunk - 1) / kChunk, [&](std::size_t chunk) {
-        StoredRange local{std::numeric_limits<std::uint16_t>::max(), 0};
-        for (const std::uint16_t stored :
-             voxels.subspan(chunk * kChunk, std::min(kChunk, voxels.size() - chunk * kChunk))) {
-            if (padding && padding->contains(stored)) continue;
-            local.low = std::min(local.low, stored);
-            local.high = std::max(local.high, stored);
-        }
-        const std::lock_guard lock(mutex);
-        range.low = std::min(range.low, local.low);
-        range.high = std::max(range.high, local.high);
-    });
-    return range.low <= range.high ? range : StoredRange{};
+// Calls body(first, count) for chunks of `size` elements, on all cores.
+template <class Body>
+void inChunks(std::size_t size, const Body& body) {
+    parallelFor((size + kChunk - 1) / kChunk,
+                [&](std::size_t chunk) { body(chunk * kChunk, std::min(kChunk, size - chunk * kChunk)); });
 }
 
-}  // namespace
+// Smallest and largest voxel of those that `isPadding` does not name; low > high when there is none.
+template <class T, class IsPadding>
+std::pair<T, T> rangeWithoutPadding(std::span<const T> voxels, const IsPadding& isPadding) {
+    using Limits = std::numeric_limits<T>;
+    std::mutex mutex;
+    std::pair<T, T> range{Limits::max(), Limits::lowest()};
+    inChunks(voxels.size(), [&](std::size_t first, std::size_t count) {
+        std::pair<T, T> local{Limits::max(), Limits::lowest()};
+        for (const T voxel : voxels.subspan(first, count)) {
+            if (isPadding(voxel)) continue;
+            local.first = std::min(local.first, voxel);
+            local.second = std::max(local.second, voxel);
+        }
+        const std::lock_guard lock(mutex);
+        range.first = std::min(range.first, local.first);
+        range.second = std::max(range.second, local.second);
+    });
+    return range;
+}
 
-Result<Volume> Volume::create(VolumeOptions options, std::vector<std::uint16_t> voxels) {
+Result<void> checkOptions(const VolumeOptions& options, std::size_t voxels) {
     const auto fail = [](std::string message) {
         return Error{ErrorCode::inputNotUsable, std::move(message), {}, "Choose another series."};
     };
@@ -46,8 +53,8 @@ Result<Volume> Volume::create(VolumeOptions options, std::vector<std::uint16_t> 
         return fail(fmt::format("A volume of {} x {} x {} voxels cannot be shown.", size.x, size.y, size.z));
     }
     const std::size_t expected = std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z);
-    if (voxels.size() != expected) {
-        return fail(fmt::format("The volume should have {} voxels, and has {}.", expected, voxels.size()));
+    if (voxels != expected) {
+        return fail(fmt::format("The volume should have {} voxels, and has {}.", expected, voxels));
     }
     if (!isInvertibleAffine(options.worldFromVoxel)) {
         return fail(
@@ -57,23 +64,106 @@ Result<Volume> Volume::create(VolumeOptions options, std::vector<std::uint16_t> 
     if (!(std::isfinite(slope) && slope > 0.0 && std::isfinite(intercept))) {
         return fail("The map from stored values to units is not usable.");
     }
+    return {};
+}
+
+}  // namespace
+
+std::string_view unitSymbol(Unit unit) {
+    switch (unit) {
+        case Unit::hounsfield:
+            return "HU";
+        case Unit::becquerelsPerMillilitre:
+            return "Bq/mL";
+        case Unit::suvBodyWeight:
+            return "g/mL";
+        case Unit::raw:
+        case Unit::other:
+            break;
+    }
+    return {};
+}
+
+Result<Volume> Volume::create(VolumeOptions options, std::vector<std::uint16_t> voxels) {
+    MACULA_TRY_VOID(checkOptions(options, voxels.size()));
+    return Volume(std::move(options), std::move(voxels));
+}
+
+Result<Volume> Volume::createFloat(VolumeOptions options, std::vector<float> voxels) {
+    MACULA_TRY_VOID(checkOptions(options, voxels.size()));
+    MACULA_CHECK(options.unitsFromStored == UnitsFromStored{} && !options.padding);
     return Volume(std::move(options), std::move(voxels));
 }
 
 Volume::Volume(VolumeOptions options, std::vector<std::uint16_t> voxels)
-    : options_(std::move(options)),
-      voxels_(std::move(voxels)),
-      storedRange_(rangeWithoutPadding(voxels_, options_.padding)) {}
+    : options_(std::move(options)), voxels_(std::move(voxels)) {
+    const std::optional<StoredRange> padding = options_.padding;
+    const auto [low, high] = rangeWithoutPadding<std::uint16_t>(
+        voxels_, [&](std::uint16_t stored) { return padding && padding->contains(stored); });
+    if (low > high) return;
+    storedRange_ = {low, high};
+    valueRange_ = ValueRange{options_.unitsFromStored(low), options_.unitsFromStored(high)};
+}
 
-std::uint16_t Volume::stored(int i, int j, int k) const {
+Volume::Volume(VolumeOptions options, std::vector<float> voxels)
+    : options_(std::move(options)), format_(VoxelFormat::float32), floatVoxels_(std::move(voxels)) {
+    inChunks(floatVoxels_.size(), [&](std::size_t first, std::size_t count) {
+        for (float& voxel : std::span(floatVoxels_).subspan(first, count)) {
+            if (std::isinf(voxel)) voxel = std::numeric_limits<float>::quiet_NaN();
+        }
+    });
+    const auto [low, high] =
+        rangeWithoutPadding<float>(floatVoxels_, [&](float voxel) { return isPadding(voxel); });
+    if (low <= high) valueRange_ = ValueRange{low, high};
+}
+
+std::size_t Volume::voxelCount() const {
+    return format_ == VoxelFormat::float32 ? floatVoxels_.size() : voxels_.size();
+}
+
+std::string Volume::unitName() const {
+    return options_.unitName.empty() ? std::string(unitSymbol(options_.unit)) : options_.unitName;
+}
+
+std::span<const std::uint16_t> Volume::voxels() const {
+    return MACULA_CHECK(format_ == VoxelFormat::stored16), voxels_;
+}
+
+std::span<const float> Volume::floatVoxels() const {
+    return MACULA_CHECK(format_ == VoxelFormat::float32), floatVoxels_;
+}
+
+std::size_t Volume::indexOf(int i, int j, int k) const {
     const glm::ivec3 size = options_.size;
     MACULA_CHECK(i >= 0 && j >= 0 && k >= 0 && i < size.x && j < size.y && k < size.z);
-    return voxels_[(std::size_t(k) * std::size_t(size.y) + std::size_t(j)) * std::size_t(size.x) +
-                   std::size_t(i)];
+    return (std::size_t(k) * std::size_t(size.y) + std::size_t(j)) * std::size_t(size.x) + std::size_t(i);
+}
+
+std::uint16_t Volume::stored(int i, int j, int k) const {
+    return voxels()[indexOf(i, j, k)];
+}
+
+double Volume::value(int i, int j, int k) const {
+    if (format_ == VoxelFormat::float32) return floatVoxels_[indexOf(i, j, k)];
+    return options_.unitsFromStored(stored(i, j, k));
+}
+
+bool Volume::isPadding(float voxel) const {
+    return std::isnan(voxel) || voxel == options_.floatPadding;
+}
+
+bool Volume::isPadding(int i, int j, int k) const {
+    if (format_ == VoxelFormat::float32) return isPadding(floatVoxels_[indexOf(i, j, k)]);
+    return options_.padding && options_.padding->contains(stored(i, j, k));
+}
+
+StoredRange Volume::storedRange() const {
+    return MACULA_CHECK(format_ == VoxelFormat::stored16), storedRange_;
 }
 
 int Volume::airStored() const {
-    if (options_.unit != Unit::hounsfield) return storedRange_.low;
+    if (options_.unit != Unit::hounsfield) return storedRange().low;
+    MACULA_CHECK(format_ == VoxelFormat::stored16);
     const double stored = (kAirHu - options_.unitsFromStored.intercept) / options_.unitsFromStored.slope;
     return static_cast<int>(std::clamp(std::round(stored), -65536.0, 131071.0));
 }
@@ -95,6 +185,52 @@ Box Volume::worldBox() const {
         box.high = glm::max(box.high, world);
     }
     return box;
+}
+
+std::shared_ptr<const Volume> in16Bits(std::shared_ptr<const Volume> volume) {
+    if (volume->format() == VoxelFormat::stored16) return volume;
+    const std::span<const float> values = volume->floatVoxels();
+    const std::optional<float> padding = volume->floatPadding();
+    const auto [low, high] = volume->valueRange().value_or(ValueRange{});
+
+    // Stored 0 is padding, 1 the smallest value. Where all values are the same one, a step of its own size
+    // keeps it exact.
+    UnitsFromStored map;
+    map.slope = (high - low) / (kLargestStored - 1.0);
+    if (!(map.slope > 0.0)) map.slope = low != 0.0 ? std::abs(low) : 1.0;
+    map.intercept = low - map.slope;
+
+    std::vector<std::uint16_t> stored(values.size());
+    std::mutex mutex;
+    double largestError = 0.0;
+    inChunks(values.size(), [&](std::size_t first, std::size_t count) {
+        double error = 0.0;
+        for (std::size_t i = first; i < first + count; ++i) {
+            const double value = values[i];
+            if (std::isnan(value) || value == padding) continue;
+            const double steps = std::round((value - map.intercept) / map.slope);
+            stored[i] = static_cast<std::uint16_t>(std::clamp(steps, 1.0, kLargestStored));
+            error = std::max(error, std::abs(map(stored[i]) - value));
+        }
+        const std::lock_guard lock(mutex);
+        largestError = std::max(largestError, error);
+    });
+
+    VolumeOptions options{.size = volume->size(),
+                          .worldFromVoxel = volume->worldFromVoxel(),
+                          .unitsFromStored = map,
+                          .unit = volume->unit(),
+                          .modality = volume->modality(),
+                          .padding = StoredRange{0, 0},
+                          .provenance = volume->provenance(),
+                          .floatPadding = {},
+                          .unitName = volume->unitName(),
+                          .windows = volume->windows()};
+    options.provenance.assumptions.push_back(
+        fmt::format("The values were brought to 16 bits for the picture, with an error of at most {:.3g}.",
+                    largestError));
+    auto made = Volume::create(std::move(options), std::move(stored));
+    return std::make_shared<const Volume>(std::move(made).value());
 }
 
 }  // namespace macula

@@ -2,20 +2,34 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "base/frames.h"
+#include "base/message.h"
 #include "base/result.h"
 
 namespace macula {
 
 enum class Unit {
     hounsfield,
-    raw
-};  // raw: the scanner's own numbers (MR); no physical meaning across studies
+    raw,  // the scanner's own numbers (MR); no physical meaning across studies
+    becquerelsPerMillilitre,
+    suvBodyWeight,  // standardised uptake value by body weight, g/mL
+    other,          // a physical unit that is none of these: see Volume::unitName
+};
+
+// Of a Unit, for a person: "HU"; empty for raw and other.
+std::string_view unitSymbol(Unit unit);
+
+// What the voxels are kept as.
+enum class VoxelFormat {
+    stored16,  // 16-bit stored values with a linear map to units
+    float32,   // the values themselves
+};
 
 // value = slope * stored + intercept. slope > 0.
 struct UnitsFromStored {
@@ -23,6 +37,7 @@ struct UnitsFromStored {
     double intercept = 0.0;
 
     double operator()(double stored) const { return slope * stored + intercept; }
+    bool operator==(const UnitsFromStored&) const = default;
 };
 
 // Closed interval of stored values.
@@ -31,6 +46,33 @@ struct StoredRange {
     std::uint16_t high = 0;
 
     bool contains(std::uint16_t stored) const { return low <= stored && stored <= high; }
+    bool operator==(const StoredRange&) const = default;
+};
+
+// Closed interval of values, in units.
+struct ValueRange {
+    double low = 0.0;
+    double high = 0.0;
+
+    bool operator==(const ValueRange&) const = default;
+};
+
+// Closed interval of slices (k).
+struct SliceRange {
+    int first = 0;
+    int last = 0;
+
+    bool operator==(const SliceRange&) const = default;
+};
+
+// How the scanner would have its values shown: PS3.3 C.11.2.
+struct DisplayWindow {
+    double center = 0.0;  // in units
+    double width = 1.0;
+    std::string explanation;  // "LUNG"; may be empty
+    std::string function;     // VOILUTFunction: "LINEAR", "LINEAR_EXACT", "SIGMOID"; LINEAR when empty
+
+    bool operator==(const DisplayWindow&) const = default;
 };
 
 // Where a volume comes from and what had to be assumed to make it. May name a patient: never logged.
@@ -39,45 +81,65 @@ struct Provenance {
     std::string seriesInstanceUid;
     std::string description;  // SeriesDescription, or what generated it
     std::vector<std::string>
-        assumptions;  // sentences, each naming what was missing and what was taken instead
+        assumptions;                     // sentences, each naming what was missing and what was taken instead
+    std::vector<Message> messages = {};  // what loading found
+    std::vector<SliceRange> interpolatedSlices = {};  // ascending; no image was taken there
 };
 
 struct VolumeOptions {
     glm::ivec3 size{0};  // voxels along (i, j, k) = (column, row, slice)
     glm::dmat4 worldFromVoxel{
         1.0};  // voxel (i, j, k) to patient LPS mm; may be oblique, anisotropic, sheared
-    UnitsFromStored unitsFromStored;  // applies to every voxel
+    UnitsFromStored unitsFromStored;  // applies to every voxel; float32: the identity
     Unit unit = Unit::raw;
     std::string modality;                // DICOM Modality (0008,0060)
     std::optional<StoredRange> padding;  // stored values that mean "outside the scan" (PS3.3 C.7.5.1.1.2)
     Provenance provenance;
+    std::optional<float> floatPadding =
+        {};                     // float32: this value means "outside the scan", as NaN always does
+    std::string unitName = {};  // when it has another than unitSymbol(unit)
+    std::vector<DisplayWindow> windows = {};
 };
 
-// Immutable grid of 16-bit stored values with a linear map to units, i fastest, then j, then k. Shared by
-// reference (std::shared_ptr<const Volume>); safe to read from any thread.
+// Immutable grid of values, i fastest, then j, then k: 16-bit stored values with a linear map to units where
+// that is exact, else float32; the data decide. Shared by reference (std::shared_ptr<const Volume>); safe to
+// read from any thread.
 class Volume {
   public:
     // Takes the voxels over, without copying. Fails with inputNotUsable when a size is below 1, the number of
     // voxels is not size.x * size.y * size.z, the affine is not invertible, or the slope is not positive and
     // finite.
     static Result<Volume> create(VolumeOptions options, std::vector<std::uint16_t> voxels);
+    // The same for float32; the options' map must be the identity, their `padding` empty. An infinite voxel
+    // is no measurement, and becomes NaN, which is padding.
+    static Result<Volume> createFloat(VolumeOptions options, std::vector<float> voxels);
 
+    VoxelFormat format() const { return format_; }
     glm::ivec3 size() const { return options_.size; }
+    std::size_t voxelCount() const;
     const glm::dmat4& worldFromVoxel() const { return options_.worldFromVoxel; }
     UnitsFromStored unitsFromStored() const { return options_.unitsFromStored; }
     Unit unit() const { return options_.unit; }
+    std::string unitName() const;  // for a person; empty for raw
     const std::string& modality() const { return options_.modality; }
     const std::optional<StoredRange>& padding() const { return options_.padding; }
+    const std::optional<float>& floatPadding() const { return options_.floatPadding; }
+    const std::vector<DisplayWindow>& windows() const { return options_.windows; }
     const Provenance& provenance() const { return options_.provenance; }
 
-    std::span<const std::uint16_t> voxels() const { return voxels_; }
-    std::uint16_t stored(int i, int j, int k) const;
-    double value(int i, int j, int k) const { return options_.unitsFromStored(stored(i, j, k)); }
+    std::span<const std::uint16_t> voxels() const;    // stored16 only
+    std::span<const float> floatVoxels() const;       // float32 only
+    std::uint16_t stored(int i, int j, int k) const;  // stored16 only
+    // In units. Of padding it is what the file has there, or NaN.
+    double value(int i, int j, int k) const;
+    bool isPadding(int i, int j, int k) const;
 
-    // Smallest and largest stored value that is not padding; {0, 0} when every voxel is padding.
-    StoredRange storedRange() const { return storedRange_; }
-    // What padding is drawn as: the stored value of air (-1000 HU), which may lie outside 0 to 65535, or the
-    // smallest value for other units.
+    // Smallest and largest value that is not padding; finite; nothing when every voxel is padding.
+    const std::optional<ValueRange>& valueRange() const { return valueRange_; }
+    // The same in stored values, stored16 only; {0, 0} when every voxel is padding.
+    StoredRange storedRange() const;
+    // What padding is drawn as, stored16 only: the stored value of air (-1000 HU), which may lie outside 0 to
+    // 65535, or the smallest value for other units.
     int airStored() const;
 
     glm::dvec3 spacingMm() const;  // lengths of the voxel axes
@@ -85,10 +147,22 @@ class Volume {
 
   private:
     Volume(VolumeOptions options, std::vector<std::uint16_t> voxels);
+    Volume(VolumeOptions options, std::vector<float> voxels);
+
+    std::size_t indexOf(int i, int j, int k) const;
+    bool isPadding(float voxel) const;
 
     VolumeOptions options_;
+    VoxelFormat format_ = VoxelFormat::stored16;
     std::vector<std::uint16_t> voxels_;
+    std::vector<float> floatVoxels_;
     StoredRange storedRange_;
+    std::optional<ValueRange> valueRange_;
 };
+
+// For what needs 16 bits: the volume itself when it has them, else a copy, quantised over the range of its
+// values, padding apart as stored 0; the largest error is among the copy's assumptions. May throw
+// std::bad_alloc.
+std::shared_ptr<const Volume> in16Bits(std::shared_ptr<const Volume> volume);
 
 }  // namespace macula

@@ -63,7 +63,8 @@ Result<void> compare(const std::filesystem::path& baseline, nlohmann::ordered_js
 
 Result<void> benchTrace(Options options) {
     Progress progress(terminalProgressBar(), interruptToken());
-    MACULA_TRY(const StudyInput study, loadStudy(options.path, options.series, progress));
+    MACULA_TRY(StudyInput study, loadStudy(options.path, options.series, progress));
+    bringTo16Bits(study);
     const std::string preset =
         options.preset.empty() ? presets::defaultTransfer(*study.volume) : options.preset;
     MACULA_TRY(const TransferFunction function, choosePreset(preset));

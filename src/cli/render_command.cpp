@@ -118,6 +118,7 @@ Result<void> render(const Options& options) {
     Progress progress(terminalProgressBar(), interruptToken());
     auto start = std::chrono::steady_clock::now();
     MACULA_TRY(StudyInput study, loadStudy(options.path, options.series, progress));
+    bringTo16Bits(study);
     RenderRecord record;
     record.loadSeconds = secondsSince(start);
     for (const std::string& note : study.notes) printNote(note);
@@ -125,7 +126,7 @@ Result<void> render(const Options& options) {
     const std::string presetName =
         options.preset.empty() ? presets::defaultTransfer(*study.volume) : options.preset;
     MACULA_TRY(const TransferFunction preset, choosePreset(presetName));
-    if (preset.unit != study.volume->unit()) {
+    if (!suits(preset, study.volume->unit())) {
         study.notes.emplace_back("The preset is made for other units than those of the series.");
         printNote(study.notes.back());
     }

@@ -86,4 +86,12 @@ Result<StudyInput> loadStudy(const std::filesystem::path& path, const std::strin
     return input;
 }
 
+void bringTo16Bits(StudyInput& study) {
+    const std::size_t known = study.volume->provenance().assumptions.size();
+    study.volume = in16Bits(std::move(study.volume));
+    const std::vector<std::string>& assumptions = study.volume->provenance().assumptions;
+    study.notes.insert(study.notes.end(), assumptions.begin() + static_cast<std::ptrdiff_t>(known),
+                       assumptions.end());
+}
+
 }  // namespace macula::cli

@@ -23,4 +23,7 @@ struct StudyInput {
 Result<StudyInput> loadStudy(const std::filesystem::path& path, const std::string& series,
                              Progress& progress);
 
+// For what draws or traces the study: 16 bits, with what that cost among the notes.
+void bringTo16Bits(StudyInput& study);
+
 }  // namespace macula::cli

@@ -70,8 +70,9 @@ Result<LoadedStudy> loadPath(const std::filesystem::path& given, Progress& progr
     MACULA_TRY(const dicom::Series* series,
                isFile ? seriesHolding(path, scan, why) : chooseSeries(scan, path, why));
     MACULA_TRY(std::shared_ptr<const Volume> volume, dicom::loadVolume(*series, progress));
-    LoadedStudy study{
-        .volume = std::move(volume), .description = series->description, .whyThisSeries = std::move(why)};
+    LoadedStudy study{.volume = in16Bits(std::move(volume)),
+                      .description = series->description,
+                      .whyThisSeries = std::move(why)};
     for (const dicom::Message& message : series->messages) {
         if (message.severity != dicom::Severity::info) study.messages.push_back(message.sentence);
     }

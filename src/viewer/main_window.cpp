@@ -210,7 +210,7 @@ void MainWindow::showStudy(const LoadedStudy& study) {
     const Volume& volume = *study_.volume;
     QStringList notes;
     auto preset = options_.preset;
-    if (!preset || preset->unit != volume.unit()) {
+    if (!preset || !suits(*preset, volume.unit())) {
         const auto wanted = std::exchange(preset, presetFor(options_.catalogue, volume));
         // A curve over Hounsfield units means nothing on the raw numbers of a scanner, and the reverse.
         if (wanted) {

@@ -80,5 +80,20 @@ TEST(TransferFunction, FitsTheForegroundOfTheVolume) {
     EXPECT_FALSE(stretched.fitToVolume.has_value());
 }
 
+TEST(TransferFunction, FittedCurvesSuitEveryUnitButHounsfield) {
+    TransferFunction f = example();
+    f.unit = Unit::hounsfield;
+    EXPECT_TRUE(suits(f, Unit::hounsfield));
+    EXPECT_FALSE(suits(f, Unit::raw));
+    EXPECT_FALSE(suits(f, Unit::becquerelsPerMillilitre));
+    f.unit = Unit::raw;
+    EXPECT_TRUE(suits(f, Unit::raw));
+    EXPECT_FALSE(suits(f, Unit::becquerelsPerMillilitre));
+    f.fitToVolume = TransferFunction::Fit{0, 100};
+    EXPECT_TRUE(suits(f, Unit::becquerelsPerMillilitre));
+    EXPECT_TRUE(suits(f, Unit::other));
+    EXPECT_FALSE(suits(f, Unit::hounsfield));
+}
+
 }  // namespace
 }  // namespace macula

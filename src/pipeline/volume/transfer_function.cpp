@@ -88,6 +88,11 @@ Result<void> validate(const TransferFunction& function) {
     return {};
 }
 
+bool suits(const TransferFunction& function, Unit unit) {
+    return function.unit == unit ||
+           (function.unit == Unit::raw && function.fitToVolume && unit != Unit::hounsfield);
+}
+
 TransferFunction fitted(const TransferFunction& function, const Volume& volume) {
     if (!function.fitToVolume) return function;
     constexpr double kLowPercentile = 0.02;

@@ -55,6 +55,10 @@ double extinctionPerMm(const TransferFunction& function, double value);
 // Fails with inputNotUsable when a curve is empty, not sorted, not finite, or out of its range.
 Result<void> validate(const TransferFunction& function);
 
+// The curves mean something on values of this unit: they are over the same unit, or are fitted to whatever
+// numbers there are.
+bool suits(const TransferFunction& function, Unit unit);
+
 // The function with its curves stretched to the volume, or itself when it has no fit.
 TransferFunction fitted(const TransferFunction& function, const Volume& volume);
 

@@ -1,0 +1,32 @@
+#include "base/fingerprint.h"
+
+#include <fmt/format.h>
+
+#include "base/sha256.h"
+
+namespace macula {
+
+std::string fingerprint(const Volume& volume) {
+    const glm::ivec3 size = volume.size();
+    // {:a} is exact, and the same in every locale.
+    std::string text = fmt::format("{} {} {}", size.x, size.y, size.z);
+    for (int column = 0; column < 4; ++column) {
+        for (int row = 0; row < 4; ++row) text += fmt::format(" {:a}", volume.worldFromVoxel()[column][row]);
+    }
+    text += fmt::format(" {:a} {:a} {}", volume.unitsFromStored().slope, volume.unitsFromStored().intercept,
+                        volume.unitName());
+    if (const auto& padding = volume.padding()) text += fmt::format(" {} {}", padding->low, padding->high);
+    if (const auto& padding = volume.floatPadding()) text += fmt::format(" {:a}", *padding);
+
+    const bool isFloat = volume.format() == VoxelFormat::float32;
+    text += isFloat ? " float32" : " stored16";
+    const std::size_t sliceVoxels = volume.voxelCount() / static_cast<std::size_t>(size.z);
+    for (const int k : {0, size.z / 2, size.z - 1}) {
+        const std::size_t first = static_cast<std::size_t>(k) * sliceVoxels;
+        text += " " + sha256Hex(isFloat ? std::as_bytes(volume.floatVoxels().subspan(first, sliceVoxels))
+                                        : std::as_bytes(volume.voxels().subspan(first, sliceVoxels)));
+    }
+    return sha256Hex(text);
+}
+
+}  // namespace macula

@@ -1,0 +1,15 @@
+// What tells two volumes apart when their UIDs do not.
+#pragma once
+
+#include <string>
+
+#include "base/volume.h"
+
+namespace macula {
+
+// SHA-256, 64 hexadecimal digits, over size, affine, unit map, format, padding, and the voxels of the first,
+// the middle and the last slice. UIDs are often copied, or made anew, when images are anonymised: whatever is
+// kept about a volume is kept under this. Holds no patient data.
+std::string fingerprint(const Volume& volume);
+
+}  // namespace macula
