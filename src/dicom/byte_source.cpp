@@ -1,33 +1,68 @@
 #include "dicom/byte_source.h"
 
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <cerrno>
 #include <cstring>
 #include <new>
 
 namespace macula::dicom {
 
-ByteSource::ByteSource(const std::filesystem::path& file) : file_(file, std::ios::binary) {
-    std::error_code error;
-    const std::uintmax_t size = std::filesystem::file_size(file, error);
-    if (!error) fileBytes_ = size;
+namespace {
+
+constexpr std::size_t kFirstRead = 16384;  // holds most headers
+constexpr std::size_t kLargestRead = 262144;
+
+}  // namespace
+
+ByteSource::ByteSource(const std::filesystem::path& file)
+    // Without waiting: a pipe in the folder is no file to read.
+    : descriptor_(open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY | O_NONBLOCK)), step_(kFirstRead) {
+    struct stat status {};
+    if (descriptor_ < 0 || fstat(descriptor_, &status) != 0) {
+        error_ = errno;
+    } else if (!S_ISREG(status.st_mode)) {
+        error_ = S_ISDIR(status.st_mode) ? EISDIR : EINVAL;
+    } else {
+        fileBytes_ = static_cast<std::uint64_t>(status.st_size);
+    }
 }
 
 ByteSource::~ByteSource() {
     if (stream_) inflateEnd(stream_.get());
+    if (descriptor_ >= 0) close(descriptor_);
 }
 
 std::size_t ByteSource::readFile(unsigned char* target, std::size_t count) {
-    file_.read(reinterpret_cast<char*>(target), static_cast<std::streamsize>(count));
-    return static_cast<std::size_t>(file_.gcount());
+    if (error_ != 0 || readOffset_ >= fileBytes_) return 0;
+    for (;;) {
+        const ssize_t got = pread(descriptor_, target, count, static_cast<off_t>(readOffset_));
+        if (got >= 0) {
+            readOffset_ += static_cast<std::uint64_t>(got);
+            return static_cast<std::size_t>(got);
+        }
+        if (errno != EINTR) {
+            error_ = errno;
+            return 0;
+        }
+    }
 }
 
-bool ByteSource::refill() {
-    std::memmove(buffer_.data(), buffer_.data() + begin_, end_ - begin_);
-    end_ -= begin_;
-    begin_ = 0;
+bool ByteSource::refill(std::size_t wanted) {
+    if (begin_ > 0) {
+        std::memmove(buffer_.data(), buffer_.data() + begin_, end_ - begin_);
+        end_ -= begin_;
+        begin_ = 0;
+    }
     const std::size_t before = end_;
+    const std::size_t room = std::max(end_ + step_, wanted);
+    if (buffer_.size() < room) buffer_.resize(room);
     if (!stream_) {
-        end_ += readFile(buffer_.data() + end_, buffer_.size() - end_);
+        end_ += readFile(buffer_.data() + end_, room - end_);
+        step_ = std::min(2 * step_, kLargestRead);
         return end_ > before;
     }
     while (end_ == before) {
@@ -45,11 +80,16 @@ bool ByteSource::refill() {
     return end_ > before;
 }
 
-bool ByteSource::peek(std::span<unsigned char> bytes) {
-    while (end_ - begin_ < bytes.size()) {
-        if (!refill()) return false;
+std::span<const unsigned char> ByteSource::ahead(std::size_t count) {
+    while (end_ - begin_ < count && refill(count)) {
     }
-    std::memcpy(bytes.data(), buffer_.data() + begin_, bytes.size());
+    return {buffer_.data() + begin_, std::min(count, end_ - begin_)};
+}
+
+bool ByteSource::peek(std::span<unsigned char> bytes) {
+    const auto found = ahead(bytes.size());
+    if (found.size() < bytes.size()) return false;
+    std::copy(found.begin(), found.end(), bytes.begin());
     return true;
 }
 
@@ -69,13 +109,13 @@ bool ByteSource::skip(std::uint64_t count) {
             begin_ += static_cast<std::size_t>(count);
         } else {
             begin_ = end_ = 0;
-            file_.clear();
-            file_.seekg(static_cast<std::streamoff>(position_));
+            readOffset_ = position_;
+            step_ = kFirstRead;
         }
         return true;
     }
     while (count > 0) {
-        if (begin_ == end_ && !refill()) return false;
+        if (begin_ == end_ && !refill(1)) return false;
         const auto step = std::min<std::uint64_t>(count, end_ - begin_);
         begin_ += static_cast<std::size_t>(step);
         position_ += step;
@@ -84,14 +124,21 @@ bool ByteSource::skip(std::uint64_t count) {
     return true;
 }
 
+void ByteSource::rewind() {
+    begin_ = end_ = 0;
+    position_ = readOffset_ = 0;
+    step_ = kFirstRead;
+}
+
 void ByteSource::beginInflating() {
     auto stream = std::make_unique<z_stream>();
     *stream = {};
     if (inflateInit2(stream.get(), -MAX_WBITS) != Z_OK) throw std::bad_alloc();
-    std::copy(buffer_.begin() + static_cast<std::ptrdiff_t>(begin_),
-              buffer_.begin() + static_cast<std::ptrdiff_t>(end_), compressed_.begin());
+    compressed_.assign(buffer_.begin() + static_cast<std::ptrdiff_t>(begin_),
+                       buffer_.begin() + static_cast<std::ptrdiff_t>(end_));
+    stream->avail_in = static_cast<uInt>(compressed_.size());
+    compressed_.resize(std::max(compressed_.size(), kFirstRead));
     stream->next_in = compressed_.data();
-    stream->avail_in = static_cast<uInt>(end_ - begin_);
     begin_ = end_ = 0;
     stream_ = std::move(stream);
 }

@@ -3,15 +3,16 @@
 
 #include <zlib.h>
 
-#include <array>
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 #include <span>
+#include <vector>
 
 namespace macula::dicom {
 
+// Opens the file once, and reads it in few and large steps: on a network drive each of them waits. Not
+// copyable. May throw std::bad_alloc.
 class ByteSource {
   public:
     explicit ByteSource(const std::filesystem::path& file);
@@ -19,31 +20,43 @@ class ByteSource {
     ByteSource(const ByteSource&) = delete;
     ByteSource& operator=(const ByteSource&) = delete;
 
+    // The errno of what failed, opening or reading; 0 when nothing did.
+    int error() const { return error_; }
+
     // False at the end: nothing is then to be read any more.
     bool read(std::span<unsigned char> bytes);
-    bool peek(std::span<unsigned char> bytes);  // at most 64
+    bool peek(std::span<unsigned char> bytes);
     bool skip(std::uint64_t count);
+    // Up to `count` of the next bytes, fewer at the end, without moving on. Good until the next call.
+    std::span<const unsigned char> ahead(std::size_t count);
 
     // From here on what the raw deflate stream (RFC 1951; PS3.5 A.5) holds. Positions go on from where it
     // begins.
     void beginInflating();
     bool inflating() const { return stream_ != nullptr; }
 
+    void rewind();  // to the beginning; not when inflating
+
     std::uint64_t position() const { return position_; }
     std::uint64_t fileBytes() const { return fileBytes_; }
+    // Of the file, not inflated.
+    std::uint64_t bytesLeft() const { return position_ < fileBytes_ ? fileBytes_ - position_ : 0; }
 
   private:
-    bool refill();  // appends to what is buffered; false when there is no more
+    bool refill(std::size_t wanted);  // appends to what is buffered; false when there is no more
     std::size_t readFile(unsigned char* target, std::size_t count);
 
-    std::ifstream file_;
+    int descriptor_ = -1;
+    int error_ = 0;
     std::uint64_t fileBytes_ = 0;
-    std::uint64_t position_ = 0;
-    std::array<unsigned char, 16384> buffer_{};
+    std::uint64_t position_ = 0;    // of what was given out
+    std::uint64_t readOffset_ = 0;  // of the file, where the next reading begins
+    std::size_t step_;              // how much to read next
+    std::vector<unsigned char> buffer_;
     std::size_t begin_ = 0;
     std::size_t end_ = 0;
 
-    std::array<unsigned char, 16384> compressed_{};
+    std::vector<unsigned char> compressed_;
     std::unique_ptr<z_stream> stream_;
 };
 

@@ -1,5 +1,4 @@
-// The one adapter over DCMTK for reading headers. Nothing of DCMTK shows in it, none of its exceptions leaves
-// it, and it prints nothing: DCMTK's own log, which names paths and values, is switched off.
+// Reading headers. No file can make it throw, recurse, or take more memory than the header itself.
 #pragma once
 
 #include <cstdint>
@@ -7,15 +6,12 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
-namespace macula::dicom {
+#include "dicom/tag.h"
 
-// A data element tag, PS3.6.
-struct Tag {
-    std::uint16_t group;
-    std::uint16_t element;
-};
+namespace macula::dicom {
 
 enum class FileState {
     complete,
@@ -25,59 +21,86 @@ enum class FileState {
     truncated,   // the header is whole, and the file ends inside the pixel data
 };
 
-class Dataset;
 struct HeaderFile;
 
 // Reads what stands before the pixel data; the pixels themselves are skipped, not read. Accepts files without
 // preamble and file meta information (PS3.10 7.1). Thread-safe.
 HeaderFile readHeader(const std::filesystem::path& file);
 
-// The top level of one file's data elements. Immutable; movable; safe to read from one thread at a time.
+// A view of one file's data elements: of its top level, of an item, or of all that applies to one frame.
+// Immutable, cheap to copy, safe to read from several threads; keeps what it needs of the file alive.
 class Dataset {
   public:
-    Dataset(Dataset&&) noexcept;
-    Dataset& operator=(Dataset&&) noexcept;
-    ~Dataset();
-
     // The transfer syntax UID of the file meta information, or of what the file turned out to be without one.
     const std::string& transferSyntaxUid() const;
 
     // Present, and not empty.
     bool has(Tag tag) const;
 
-    // All getters give nothing when the element is missing, empty, or does not hold what is asked for: never
-    // a default. Text is UTF-8 (converted from SpecificCharacterSet, PS3.3 C.12.1.1.2) without padding;
-    // text() keeps the backslashes between several values, texts() splits at them.
+    // All getters give nothing when the element is missing, empty, larger than 256 KiB, or does not hold what
+    // is asked for: never a default. Text is UTF-8 (converted from SpecificCharacterSet, PS3.3 C.12.1.1.2)
+    // without padding; text() keeps the backslashes between several values, texts() splits at them.
     std::optional<std::string> text(Tag tag) const;
     std::vector<std::string> texts(Tag tag) const;
     std::optional<double> number(Tag tag) const;  // finite
     std::optional<std::vector<double>> numbers(Tag tag,
                                                std::size_t count) const;  // exactly `count`, all finite
+    std::vector<double> allNumbers(Tag tag) const;  // every value; none when any of them is no number
     std::optional<int> integer(Tag tag) const;
     std::optional<std::uint16_t> word(Tag tag) const;  // the 16 bits of a US or SS, whichever the file says
+    std::vector<std::uint16_t> words(Tag tag) const;   // all of US, SS or OW; of bytes, two make one
+
+    // The items of a sequence, in their order; none when it is missing or no sequence.
+    std::vector<Dataset> items(Tag sequence) const;
+
+    // What the file claims; 1 when it does not say (PS3.3 C.7.6.6).
+    int frameCount() const;
+    // All that applies to frame `i`, from 0 (PS3.3 C.7.6.16): the macros of its item of
+    // PerFrameFunctionalGroupsSequence, that item, the macros that all frames share, their item, and the top
+    // level, searched in this order until one has a value. Of each macro the first item. A frame that has no
+    // item is what the others are. Costs little, however many frames there are.
+    Dataset frame(int i) const;
 
   private:
-    struct Impl;
-    explicit Dataset(std::unique_ptr<Impl> impl);
+    struct File;
+    struct Hit;
+    Dataset(std::shared_ptr<const File> file, std::vector<std::uint32_t> items);
+    Hit find(Tag tag) const;
     friend HeaderFile readHeader(const std::filesystem::path& file);
 
-    std::unique_ptr<Impl> impl_;
+    std::shared_ptr<const File> file_;
+    std::vector<std::uint32_t> items_;  // of the file's tree; the first that has a value is taken
+};
+
+// Where in the file the pixel data are.
+struct PixelDataExtent {
+    Tag tag{};                  // PixelData, FloatPixelData or DoubleFloatPixelData
+    bool encapsulated = false;  // as items of a sequence of fragments (PS3.5 A.4)
+    std::uint64_t offset =
+        0;  // of the value, or of the first item; in a deflated file, in what it inflates to
+    std::uint64_t bytesClaimed = 0;  // 0 when encapsulated
+    std::uint64_t bytesPresent = 0;  // of those; 0 when encapsulated
 };
 
 struct HeaderFile {
     FileState state = FileState::notDicom;
     std::optional<Dataset> header;                       // when complete or truncated
     std::optional<std::uint64_t> nativePixelBytes = {};  // what the pixel data claim, unless encapsulated
-    bool strayBytes = false;  // a few bytes follow the pixel data, and are no element
+    bool strayBytes = false;  // something follows the pixel data that is no element
+    std::optional<PixelDataExtent> pixels = {};
 };
 
 // The 128 bytes and DICM of PS3.10 7.1 are there.
 bool hasPreamble(const std::filesystem::path& file);
 
+// Of a standard data element, as in PS3.6: "SliceThickness".
+std::optional<Tag> tagOfKeyword(std::string_view keyword);
+
 // Switches off the toolkit's log. Called by everything that uses DCMTK; idempotent, thread-safe.
 void silenceToolkit();
 
 namespace tag {
+inline constexpr Tag kSpecificCharacterSet{0x0008, 0x0005};
 inline constexpr Tag kImageType{0x0008, 0x0008};
 inline constexpr Tag kSopClassUid{0x0008, 0x0016};
 inline constexpr Tag kSopInstanceUid{0x0008, 0x0018};
@@ -114,6 +137,7 @@ inline constexpr Tag kRescaleSlope{0x0028, 0x1053};
 inline constexpr Tag kRescaleType{0x0028, 0x1054};
 inline constexpr Tag kLossyImageCompression{0x0028, 0x2110};
 inline constexpr Tag kModalityLutSequence{0x0028, 0x3000};
+inline constexpr Tag kSharedFunctionalGroups{0x5200, 0x9229};
 inline constexpr Tag kPerFrameFunctionalGroups{0x5200, 0x9230};
 inline constexpr Tag kPixelData{0x7FE0, 0x0010};
 }  // namespace tag

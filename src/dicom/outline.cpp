@@ -1,16 +1,15 @@
 #include "dicom/outline.h"
 
 #include <dcmtk/config/osconfig.h>
-#include <dcmtk/dcmdata/dctag.h>
 #include <dcmtk/dcmdata/dcxfer.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <limits>
 #include <string>
 #include <vector>
 
-#include "dicom/byte_source.h"
 #include "dicom/dataset.h"
 
 namespace macula::dicom {
@@ -23,29 +22,32 @@ constexpr std::size_t kDeepest = 64;
 constexpr std::size_t kMostItemsInDoubt = 1000;  // as levels, a tenth of what DCMTK's stack bears
 constexpr std::uint64_t kInflatedSpare = std::uint64_t{64} << 20;
 constexpr std::uint64_t kMostInflated = std::uint64_t{2} << 30;
+constexpr std::uint32_t kLargestValueKept = 256 << 10;          // twice the largest lookup table
+constexpr std::size_t kLargestHeader = std::size_t{128} << 20;  // 50 000 frames
+constexpr std::uint32_t kLongestFirstElement = 4096;
 
 struct Encoding {
     bool explicitVr = true;
     bool bigEndian = false;
+
+    bool operator==(const Encoding&) const = default;
 };
 
 struct Header {
-    std::uint16_t group = 0;
-    std::uint16_t element = 0;
-    std::string vr;  // empty when implicit
+    Tag tag{};
+    Vr vr = 0;  // 0 when implicit, or when it is no VR at all
     std::uint32_t length = 0;
 
-    bool is(Tag tag) const { return group == tag.group && element == tag.element; }
-    bool isItem() const { return is({0xFFFE, 0xE000}); }
-    bool isItemEnd() const { return is({0xFFFE, 0xE00D}); }
-    bool isSequenceEnd() const { return is({0xFFFE, 0xE0DD}); }
-    bool isPixelData() const { return is(tag::kPixelData); }
+    bool isItem() const { return tag == Tag{0xFFFE, 0xE000}; }
+    bool isItemEnd() const { return tag == Tag{0xFFFE, 0xE00D}; }
+    bool isSequenceEnd() const { return tag == Tag{0xFFFE, 0xE0DD}; }
 };
 
 // What the walk is inside of: a sequence, or one of its items.
 struct Level {
     bool isSequence = false;
     bool ofFragments = false;  // items are bytes, not datasets
+    bool ofPixels = false;     // the fragments of the image itself
     std::uint64_t end = kNoEnd;
     Encoding encoding;
 };
@@ -54,58 +56,75 @@ bool isUpper(unsigned char c) {
     return c >= 'A' && c <= 'Z';
 }
 
+constexpr std::string_view kShortVrs = "AE AS AT CS DA DS DT FL FD IS LO LT PN SH SL SS ST TM UI UL US ";
+constexpr std::string_view kLongVrs = "OB OD OF OL OV OW SQ SV UC UN UR UT UV ";
+
+bool isOneOf(std::string_view vrs, unsigned char first, unsigned char second) {
+    const std::array<char, 3> name{static_cast<char>(first), static_cast<char>(second), ' '};
+    return vrs.find(std::string_view(name.data(), 3)) != std::string_view::npos;
+}
+
+bool isKnownVr(unsigned char first, unsigned char second) {
+    return isUpper(first) && isUpper(second) &&
+           (isOneOf(kShortVrs, first, second) || isOneOf(kLongVrs, first, second));
+}
+
 // VRs with a length of 16 bits (PS3.5 7.1.2). Unknown ones of two capitals have 32 bits, anything else 16: as
 // DCMTK reads them.
-bool hasShortLength(const std::string& vr) {
-    static constexpr std::string_view kShort =
-        "AE AS AT CS DA DS DT FL FD IS LO LT PN SH SL SS ST TM UI UL US ";
-    const bool capitals =
-        isUpper(static_cast<unsigned char>(vr[0])) && isUpper(static_cast<unsigned char>(vr[1]));
-    return !capitals || kShort.find(vr + ' ') != std::string_view::npos;
+bool hasShortLength(unsigned char first, unsigned char second) {
+    return !isUpper(first) || !isUpper(second) || isOneOf(kShortVrs, first, second);
+}
+
+std::uint16_t wordAt(const unsigned char* b, bool bigEndian) {
+    return static_cast<std::uint16_t>(bigEndian ? b[0] << 8 | b[1] : b[1] << 8 | b[0]);
+}
+
+std::uint32_t doubleWordAt(const unsigned char* b, bool bigEndian) {
+    const std::uint32_t first = wordAt(b, bigEndian);
+    const std::uint32_t second = wordAt(b + 2, bigEndian);
+    return bigEndian ? first << 16 | second : second << 16 | first;
+}
+
+bool isPixelData(Tag tag) {
+    return tag == tag::kPixelData || tag == Tag{0x7FE0, 0x0008} || tag == Tag{0x7FE0, 0x0009};
 }
 
 class Walk {
   public:
-    explicit Walk(const std::filesystem::path& file) : source_(file) {}
+    Walk(ByteSource& source, ElementTree* tree) : source_(source), tree_(tree) {}
 
     Outline run(bool hasPreamble) {
-        if (hasPreamble && !source_.skip(132)) return outline_;
-        if (readMetaInformation() && beginDataset()) {
-            while (step()) {
+        if (!hasPreamble || source_.skip(132)) {
+            if (readMetaInformation() && beginDataset()) {
+                while (step()) {
+                }
             }
         }
-        if (doubtful_) countItems();
+        outline_.headerWhole = outline_.pixels || endedWell_;
+        outline_.strayBytesAfterPixels = outline_.pixels && outline_.pixels->whole && !endedWell_;
+        if (tree_) tree_->finish();
+        if (outline_.isSafeToParse() && (doubtful_ || otherEncoding_)) countItems();
         return outline_;
     }
 
   private:
-    std::uint16_t word(const unsigned char* b, bool bigEndian) const {
-        return static_cast<std::uint16_t>(bigEndian ? b[0] << 8 | b[1] : b[1] << 8 | b[0]);
-    }
-    std::uint32_t doubleWord(const unsigned char* b, bool bigEndian) const {
-        const std::uint32_t first = word(b, bigEndian);
-        const std::uint32_t second = word(b + 2, bigEndian);
-        return bigEndian ? first << 16 | second : second << 16 | first;
-    }
-
     bool readHeader(const Encoding& encoding, Header& header) {
         std::array<unsigned char, 8> b{};
         if (!source_.read(b)) return false;
-        header.group = word(b.data(), encoding.bigEndian);
-        header.element = word(b.data() + 2, encoding.bigEndian);
-        header.vr.clear();
-        if (!encoding.explicitVr || header.group == 0xFFFE) {
-            header.length = doubleWord(b.data() + 4, encoding.bigEndian);
+        header.tag = {wordAt(b.data(), encoding.bigEndian), wordAt(b.data() + 2, encoding.bigEndian)};
+        header.vr = 0;
+        if (!encoding.explicitVr || header.tag.group == 0xFFFE) {
+            header.length = doubleWordAt(b.data() + 4, encoding.bigEndian);
             return true;
         }
-        header.vr = {static_cast<char>(b[4]), static_cast<char>(b[5])};
-        if (hasShortLength(header.vr)) {
-            header.length = word(b.data() + 6, encoding.bigEndian);
+        if (isUpper(b[4]) && isUpper(b[5])) header.vr = static_cast<Vr>(b[4] << 8 | b[5]);
+        if (hasShortLength(b[4], b[5])) {
+            header.length = wordAt(b.data() + 6, encoding.bigEndian);
             return true;
         }
         std::array<unsigned char, 4> length{};
         if (!source_.read(length)) return false;
-        header.length = doubleWord(length.data(), encoding.bigEndian);
+        header.length = doubleWordAt(length.data(), encoding.bigEndian);
         return true;
     }
 
@@ -119,21 +138,23 @@ class Walk {
         std::uint64_t end = kNoEnd;
         std::array<unsigned char, 2> group{};
         while (source_.position() < end && source_.peek(group)) {
-            if (end == kNoEnd && word(group.data(), false) != 2) break;
+            if (end == kNoEnd && wordAt(group.data(), false) != 2) break;
             Header header;
             if (!readHeader({}, header)) return false;
-            if (header.group != 2 || header.vr == "SQ" || header.length == kUndefined) return doubt();
-            if (header.is({0x0002, 0x0000}) && header.length == 4) {
+            if (header.tag.group != 2 || header.vr == vrOf("SQ") || header.length == kUndefined)
+                return doubt();
+            if (header.tag == Tag{0x0002, 0x0000} && header.length == 4) {
                 std::array<unsigned char, 4> length{};
                 if (!source_.read(length)) return false;
                 // Only believed when nothing else can tell where the group ends: in front of deflated data.
-                groupEnd_ = source_.position() + doubleWord(length.data(), false);
-            } else if (header.is({0x0002, 0x0010}) && header.length <= 64) {
+                groupEnd_ = source_.position() + doubleWordAt(length.data(), false);
+            } else if (header.tag == Tag{0x0002, 0x0010} && header.length <= 64) {
                 std::string uid(header.length, '\0');
-                if (!readText(uid)) return false;
-                transferSyntaxUid_ = uid.c_str();
-                while (transferSyntaxUid_.ends_with(' ')) transferSyntaxUid_.pop_back();
-                if (groupEnd_ && DcmXfer(transferSyntaxUid_.c_str()).getStreamCompression() == ESC_zlib)
+                if (!source_.read({reinterpret_cast<unsigned char*>(uid.data()), uid.size()})) return false;
+                outline_.transferSyntaxUid = uid.c_str();
+                while (outline_.transferSyntaxUid.ends_with(' ')) outline_.transferSyntaxUid.pop_back();
+                if (groupEnd_ &&
+                    DcmXfer(outline_.transferSyntaxUid.c_str()).getStreamCompression() == ESC_zlib)
                     end = *groupEnd_;
             } else if (!source_.skip(header.length)) {
                 return false;
@@ -142,21 +163,38 @@ class Walk {
         return true;
     }
 
-    bool readText(std::string& text) {
-        return source_.read({reinterpret_cast<unsigned char*>(text.data()), text.size()});
-    }
-
     bool beginDataset() {
-        const DcmXfer syntax(transferSyntaxUid_.c_str());
-        if (transferSyntaxUid_.empty() || syntax.getXfer() == EXS_Unknown) {
-            std::array<unsigned char, 6> head{};
-            if (!source_.peek(head)) return false;
-            encoding_ = {isUpper(head[4]) && isUpper(head[5]), head[0] == 0};
+        const DcmXfer syntax(outline_.transferSyntaxUid.c_str());
+        const bool known = !outline_.transferSyntaxUid.empty() && syntax.getXfer() != EXS_Unknown;
+        if (known && syntax.getStreamCompression() == ESC_zlib) {
+            source_.beginInflating();
+            encoding_ = {static_cast<bool>(syntax.isExplicitVR()), static_cast<bool>(syntax.isBigEndian())};
             return true;
         }
-        if (syntax.getStreamCompression() == ESC_zlib) source_.beginInflating();
-        encoding_ = {static_cast<bool>(syntax.isExplicitVR()), static_cast<bool>(syntax.isBigEndian())};
+        std::array<unsigned char, 8> head{};
+        if (!source_.peek(head)) return source_.ahead(1).empty();
+        if (known) {
+            encoding_ = {static_cast<bool>(syntax.isExplicitVR()), static_cast<bool>(syntax.isBigEndian())};
+            const Encoding found = encodingOf(head);
+            // Only when it cannot be what it says it is: the other one would be as good a guess as any.
+            otherEncoding_ = !encoding_.bigEndian && !found.bigEndian && found != encoding_;
+            if (otherEncoding_) encoding_ = found;
+            return true;
+        }
+        encoding_ = {isUpper(head[4]) && isUpper(head[5]), head[0] == 0};
+        if (outline_.transferSyntaxUid.empty()) {
+            outline_.transferSyntaxUid = !encoding_.explicitVr ? "1.2.840.10008.1.2"
+                                         : encoding_.bigEndian ? "1.2.840.10008.1.2.2"
+                                                               : "1.2.840.10008.1.2.1";
+        }
         return true;
+    }
+
+    // By the first element: a VR, or a length that is plausible.
+    Encoding encodingOf(std::span<const unsigned char, 8> head) const {
+        if (isKnownVr(head[4], head[5])) return {true, head[0] == 0 && head[1] != 0};
+        const bool plausible = doubleWordAt(head.data() + 4, false) <= kLongestFirstElement;
+        return plausible ? Encoding{false, false} : encoding_;
     }
 
     // One header, and what it says to do with the value. False at the end of the walk.
@@ -165,7 +203,14 @@ class Walk {
             if (source_.position() > levels_.back().end) return doubt();  // reaches out of what it is in
             pop();
         }
-        if (levels_.empty() && pixelsJustEnded_) notePixelEnd();
+        if (levels_.empty() && source_.ahead(1).empty()) {
+            endedWell_ = source_.error() == 0;
+            return false;
+        }
+        if (tree_ && tree_->bytes() > kLargestHeader) {
+            outline_.headerTooLarge = true;
+            return false;
+        }
         const Encoding encoding = levels_.empty() ? encoding_ : levels_.back().encoding;
         Header header;
         if (!readHeader(encoding, header)) return false;
@@ -175,9 +220,11 @@ class Walk {
             pop();
             return true;
         }
-        if (header.group == 0xFFFE) return doubt();
-        if (levels_.empty() && (header.group > 0x7FE0 || (header.group == 0x7FE0 && header.element > 0x0010)))
+        if (header.tag.group == 0xFFFE) return doubt();
+        if (levels_.empty() && header.tag.key() > tag::kPixelData.key()) {
+            endedWell_ = true;
             return false;
+        }
         return stepIntoElement(header, encoding);
     }
 
@@ -188,50 +235,104 @@ class Walk {
         }
         if (!header.isItem()) return doubt();
         if (levels_.back().ofFragments) return header.length != kUndefined && source_.skip(header.length);
+        if (tree_) tree_->openItem();
         levels_.push_back({.end = endOf(header.length), .encoding = levels_.back().encoding});
         return true;
     }
 
     bool stepIntoElement(const Header& header, const Encoding& encoding) {
         const bool undefined = header.length == kUndefined;
-        if (header.isPixelData() && levels_.empty()) {
-            pixelsJustEnded_ = true;
-            if (!undefined) outline_.nativePixelBytes = header.length;
+        const Element element{.tag = header.tag,
+                              .vr = header.vr,
+                              .bigEndian = encoding.bigEndian,
+                              .length = undefined ? 1 : header.length};
+        if (levels_.empty() && isPixelData(header.tag) && !outline_.pixels)
+            return stepIntoPixels(header, element, encoding);
+        if (header.tag == tag::kPixelData && undefined) {  // of an icon
+            if (tree_) tree_->add(element);
+            return push(header.length, encoding, {.ofFragments = true});
         }
-        if (header.isPixelData() && undefined) return push(kUndefined, encoding, true);
         if (undefined) {
-            const bool unknown = header.vr == "UN";  // then implicit inside: PS3.5 6.2.2 note 2
-            if (!header.vr.empty() && !unknown && header.vr != "SQ" && header.vr != "OB" && header.vr != "OW")
+            const bool unknown = header.vr == vrOf("UN");  // then implicit inside: PS3.5 6.2.2 note 2
+            if (header.vr != 0 && !unknown && header.vr != vrOf("SQ") && header.vr != vrOf("OB") &&
+                header.vr != vrOf("OW"))
                 return doubt();
-            return push(kUndefined, unknown ? Encoding{false, false} : encoding, false);
+            if (tree_) tree_->openSequence(element);
+            return push(header.length, unknown ? Encoding{false, false} : encoding, {});
         }
-        if (header.length > 0 && isSequence(header)) return push(header.length, encoding, false);
+        if (header.length > 0 && isSequence(header, encoding)) {
+            if (tree_) tree_->openSequence(element);
+            return push(header.length, header.vr == vrOf("UN") ? encodingOfUnknown() : encoding, {});
+        }
         if (source_.inflating() && source_.position() + header.length > inflatedLimit())
             return inflatesTooFar();
-        return levels_.empty() ? readOrSkip(header) : source_.skip(header.length);
+        return takeValue(header, element);
     }
 
-    bool isSequence(const Header& header) {
-        if (!header.vr.empty()) return header.vr == "SQ";
-        if (header.group % 2 == 0) return DcmTag(header.group, header.element).getEVR() == EVR_SQ;
-        // Private, which DCMTK may know by its creator: whatever begins like an item.
+    bool stepIntoPixels(const Header& header, const Element& element, const Encoding& encoding) {
+        PixelDataOutline& pixels = outline_.pixels.emplace();
+        pixels.tag = header.tag;
+        pixels.encapsulated = header.length == kUndefined;
+        pixels.offset = source_.position();
+        if (tree_) {
+            tree_->add(element);
+            tree_->finish();
+            tree_ = nullptr;
+        }
+        if (pixels.encapsulated)
+            return push(header.length, encoding, {.ofFragments = true, .ofPixels = true});
+        pixels.claimed = header.length;
+        if (source_.inflating() && source_.position() + header.length > inflatedLimit())
+            return inflatesTooFar();
+        const std::uint64_t left = source_.bytesLeft();
+        pixels.whole = source_.skip(header.length);
+        pixels.present = pixels.whole          ? pixels.claimed
+                         : source_.inflating() ? source_.position() - pixels.offset
+                                               : std::min(left, pixels.claimed);
+        return pixels.whole;
+    }
+
+    bool isSequence(const Header& header, const Encoding& encoding) {
+        if (header.vr == vrOf("SQ")) return true;
+        if ((header.vr != 0 && header.vr != vrOf("UN")) || encoding.bigEndian || header.length < 8)
+            return false;
         std::array<unsigned char, 4> head{};
-        return header.length >= 8 && source_.peek(head) && word(head.data(), false) == 0xFFFE &&
-               word(head.data() + 2, false) == 0xE000;
+        if (!source_.peek(head) || doubleWordAt(head.data(), false) != 0xE000FFFE) return false;
+        // Private, or newer than the dictionary: whatever begins like an item.
+        if (header.tag.isPrivate()) return true;
+        const Vr known = dictionaryVr(header.tag);
+        return known == vrOf("SQ") || known == 0;
     }
 
-    bool push(std::uint32_t length, const Encoding& encoding, bool ofFragments) {
+    // Inside of an unknown VR all is implicit (PS3.5 6.2.2 note 2), but not every writer knows.
+    Encoding encodingOfUnknown() {
+        const auto head = source_.ahead(14);  // the header of an item, and the beginning of its first element
+        return {head.size() == 14 && isKnownVr(head[12], head[13]), false};
+    }
+
+    bool push(std::uint32_t length, const Encoding& encoding, Level level) {
         if (++depth_ > kDeepest) {
             outline_.nestedTooDeep = true;
             return false;
         }
-        levels_.push_back(
-            {.isSequence = true, .ofFragments = ofFragments, .end = endOf(length), .encoding = encoding});
+        level.isSequence = true;
+        level.end = endOf(length);
+        level.encoding = encoding;
+        levels_.push_back(level);
         return true;
     }
 
     void pop() {
-        if (levels_.back().isSequence) --depth_;
+        const Level& level = levels_.back();
+        if (level.ofPixels) outline_.pixels->whole = true;
+        if (level.isSequence) --depth_;
+        if (tree_ && !level.ofFragments) {
+            if (level.isSequence) {
+                tree_->closeSequence();
+            } else {
+                tree_->closeItem();
+            }
+        }
         levels_.pop_back();
     }
 
@@ -239,24 +340,39 @@ class Walk {
         return length == kUndefined ? kNoEnd : source_.position() + length;
     }
 
-    // What tells how large an inflated file may be.
-    bool readOrSkip(const Header& header) {
-        if (!source_.inflating() || header.group != 0x0028 || header.length == 0 || header.length > 12)
-            return source_.skip(header.length);
-        std::string value(header.length, '\0');
-        if (!readText(value)) return false;
-        const auto* bytes = reinterpret_cast<const unsigned char*>(value.data());
-        if (header.is(tag::kNumberOfFrames)) {
-            const std::size_t first = std::min(value.find_first_not_of(' '), value.size());
-            std::from_chars(value.data() + first, value.data() + value.size(), frames_);
-        } else if (header.length == 2) {
-            const std::uint64_t number = word(bytes, encoding_.bigEndian);
-            if (header.is(tag::kRows)) rows_ = number;
-            if (header.is(tag::kColumns)) columns_ = number;
-            if (header.is(tag::kSamplesPerPixel)) samples_ = number;
-            if (header.is(tag::kBitsAllocated)) bits_ = number;
+    bool takeValue(const Header& header, const Element& element) {
+        if (tree_) {
+            if (header.length > kLargestValueKept) {
+                tree_->add(element);
+                return source_.skip(header.length);
+            }
+            const auto value = tree_->addValue(element);
+            if (!source_.read(value)) return false;
+            noteImageSize(header, value);
+            return true;
         }
+        std::array<unsigned char, 12> value{};
+        if (!source_.inflating() || header.tag.group != 0x0028 || header.length > value.size())
+            return source_.skip(header.length);
+        if (!source_.read(std::span(value).first(header.length))) return false;
+        noteImageSize(header, std::span(value).first(header.length));
         return true;
+    }
+
+    // What tells how large an inflated file may be.
+    void noteImageSize(const Header& header, std::span<const unsigned char> value) {
+        if (!levels_.empty() || header.tag.group != 0x0028) return;
+        if (header.tag == tag::kNumberOfFrames) {
+            const std::string_view text(reinterpret_cast<const char*>(value.data()), value.size());
+            const std::size_t first = std::min(text.find_first_not_of(' '), text.size());
+            std::from_chars(text.data() + first, text.data() + text.size(), frames_);
+        } else if (value.size() == 2) {
+            const std::uint64_t number = wordAt(value.data(), encoding_.bigEndian);
+            if (header.tag == tag::kRows) rows_ = number;
+            if (header.tag == tag::kColumns) columns_ = number;
+            if (header.tag == tag::kSamplesPerPixel) samples_ = number;
+            if (header.tag == tag::kBitsAllocated) bits_ = number;
+        }
     }
 
     std::uint64_t inflatedLimit() const {
@@ -271,16 +387,10 @@ class Walk {
         return false;
     }
 
-    void notePixelEnd() {
-        pixelsJustEnded_ = false;
-        if (source_.inflating() || source_.position() > source_.fileBytes()) return;
-        const std::uint64_t tail = source_.fileBytes() - source_.position();
-        outline_.strayBytesAfterPixels = tail > 0 && tail < 8;
-    }
-
     // Where this walk and DCMTK might disagree about what comes next, depth is bounded by the number of items
     // that can be there at all.
     void countItems() {
+        if (otherEncoding_) source_.rewind();
         std::size_t items = 0;
         std::uint32_t last = 0;
         std::array<unsigned char, 1> byte{};
@@ -294,22 +404,28 @@ class Walk {
         }
     }
 
-    ByteSource source_;
+    ByteSource& source_;
+    ElementTree* tree_;  // null when nobody wants it, and after the pixel data
     Outline outline_;
     Encoding encoding_;
-    std::string transferSyntaxUid_;
     std::optional<std::uint64_t> groupEnd_;
     std::vector<Level> levels_;
     std::size_t depth_ = 0;
     bool doubtful_ = false;
-    bool pixelsJustEnded_ = false;
+    bool otherEncoding_ = false;  // than the transfer syntax says
+    bool endedWell_ = false;      // at the end of the file, or past where pixel data are
     std::uint64_t rows_ = 0, columns_ = 0, samples_ = 1, bits_ = 16, frames_ = 1;
 };
 
 }  // namespace
 
+Outline outlineOf(ByteSource& source, bool hasPreamble, ElementTree* tree) {
+    return Walk(source, tree).run(hasPreamble);
+}
+
 Outline outlineOf(const std::filesystem::path& file, bool hasPreamble) {
-    return Walk(file).run(hasPreamble);
+    ByteSource source(file);
+    return outlineOf(source, hasPreamble, nullptr);
 }
 
 }  // namespace macula::dicom

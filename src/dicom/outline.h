@@ -1,12 +1,28 @@
 // The shape of a DICOM file, from its element headers alone, without recursion and without DCMTK's parser:
-// what has to be known before the file may be handed to that parser.
+// what has to be known before the file may be handed to that parser, and, in a tree, all that stands before
+// the pixel data.
 #pragma once
 
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <string>
+
+#include "dicom/byte_source.h"
+#include "dicom/element_tree.h"
 
 namespace macula::dicom {
+
+// The pixel data at the top level: PixelData, FloatPixelData or DoubleFloatPixelData.
+struct PixelDataOutline {
+    Tag tag{};
+    bool encapsulated = false;
+    std::uint64_t offset = 0;   // in the file (in what it inflates to, when deflated): of the value, or of
+                                // its first item when encapsulated
+    std::uint64_t claimed = 0;  // bytes, unless encapsulated
+    std::uint64_t present = 0;  // of these, those that are there
+    bool whole = false;         // to their end, with all fragments
+};
 
 struct Outline {
     // DCMTK's parser calls itself for every level, and dies on its stack when there are thousands; no real
@@ -14,16 +30,22 @@ struct Outline {
     bool nestedTooDeep = false;
     // Deflated, and far larger than its image: DCMTK would inflate all of it into memory.
     bool inflatesTooFar = false;
-    // Of the pixel data at the top level, when they are not encapsulated: the length that the file claims.
-    std::optional<std::uint64_t> nativePixelBytes;
-    // The pixel data are whole, and fewer bytes follow them than an element header has.
+    // What stands before the pixel data is larger than any real header.
+    bool headerTooLarge = false;
+    // Everything before the pixel data could be read; without pixel data, up to the end of the file.
+    bool headerWhole = false;
+    std::optional<PixelDataOutline> pixels;
+    // The pixel data are whole, and something follows that is no element.
     bool strayBytesAfterPixels = false;
+    // Of the file meta information; where there is none, of what the dataset turned out to be.
+    std::string transferSyntaxUid;
 
-    bool isSafeToParse() const { return !nestedTooDeep && !inflatesTooFar; }
+    bool isSafeToParse() const { return !nestedTooDeep && !inflatesTooFar && !headerTooLarge; }
 };
 
-// `hasPreamble`: the 128 bytes and DICM are there. Reads no values but a few of a few bytes. Thread-safe. May
-// throw std::bad_alloc.
+// `hasPreamble`: the 128 bytes and DICM are there. `tree`, unless null, is filled with what stands before the
+// pixel data. Thread-safe. May throw std::bad_alloc.
+Outline outlineOf(ByteSource& source, bool hasPreamble, ElementTree* tree);
 Outline outlineOf(const std::filesystem::path& file, bool hasPreamble);
 
 }  // namespace macula::dicom

@@ -1,9 +1,8 @@
 // Files made to break a reader: none may crash it, take its memory, or stop the others.
-#include <zlib.h>
-
 #include <fstream>
 
 #include "base/atomic_file.h"
+#include "bytes.h"
 #include "dicom/memory.h"
 #include "dicom/outline.h"
 #include "edit.h"
@@ -13,32 +12,6 @@ namespace macula::dicom::test {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string bytesOf(std::uint64_t value, int count) {
-    std::string bytes;
-    for (int i = 0; i < count; ++i) bytes += static_cast<char>(value >> (8 * i) & 0xFF);
-    return bytes;
-}
-
-std::string shortElement(Tag tag, const std::string& vr, std::string value) {
-    if (value.size() % 2) value += vr == "UI" ? '\0' : ' ';
-    return bytesOf(tag.group, 2) + bytesOf(tag.element, 2) + vr + bytesOf(value.size(), 2) + value;
-}
-
-std::string longElement(Tag tag, const std::string& vr, std::uint32_t length) {
-    return bytesOf(tag.group, 2) + bytesOf(tag.element, 2) + vr + std::string(2, '\0') + bytesOf(length, 4);
-}
-
-std::string preamble(const std::string& transferSyntaxUid) {
-    const std::string syntax = shortElement({0x0002, 0x0010}, "UI", transferSyntaxUid);
-    return std::string(128, '\0') + "DICM" + shortElement({0x0002, 0x0000}, "UL", bytesOf(syntax.size(), 4)) +
-           syntax;
-}
-
-constexpr std::uint32_t kUndefined = 0xFFFFFFFF;
-const std::string kItem = bytesOf(0xE000FFFE, 4);
-const std::string kItemEnd = bytesOf(0xE00DFFFE, 4) + bytesOf(0, 4);
-const std::string kSequenceEnd = bytesOf(0xE0DDFFFE, 4) + bytesOf(0, 4);
 
 // Sequences in sequences, Explicit VR Little Endian or Implicit, of undefined length.
 std::string nested(int levels, const std::string& vr) {
@@ -61,31 +34,6 @@ std::string nestedWithLengths(int levels) {
         value = longElement({0x0008, 0x1140}, "SQ", static_cast<std::uint32_t>(item.size())) + item;
     }
     return value;
-}
-
-std::string deflated(const std::string& bytes) {
-    z_stream stream{};
-    deflateInit2(&stream, Z_BEST_COMPRESSION, Z_DEFLATED, -MAX_WBITS, 8, Z_DEFAULT_STRATEGY);
-    std::string result(deflateBound(&stream, bytes.size()), '\0');
-    stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
-    stream.avail_in = static_cast<uInt>(bytes.size());
-    stream.next_out = reinterpret_cast<Bytef*>(result.data());
-    stream.avail_out = static_cast<uInt>(result.size());
-    deflate(&stream, Z_FINISH);
-    result.resize(stream.total_out);
-    deflateEnd(&stream);
-    return result;
-}
-
-constexpr const char* kExplicit = "1.2.840.10008.1.2.1";
-constexpr const char* kImplicit = "1.2.840.10008.1.2";
-constexpr const char* kDeflated = "1.2.840.10008.1.2.1.99";
-
-const std::string& sopClass() {
-    static const std::string element = shortElement(tag::kSopClassUid, "UI", "1.2.840.10008.5.1.4.1.1.2") +
-                                       shortElement(tag::kSopInstanceUid, "UI", "1.2.3") +
-                                       shortElement(tag::kModality, "CS", "CT");
-    return element;
 }
 
 TEST(Hostile, deepNestingIsDamageAndStopsNothing) {
