@@ -9,67 +9,49 @@ namespace macula::dicom {
 namespace {
 
 constexpr int kSignedOffset = 32768;
-constexpr double kLargestStored = 65535.0;
+constexpr std::int64_t kLargestStored = 65535;
 
 int offsetOf(const CellFormat& format) {
     return format.isSigned ? kSignedOffset : 0;
 }
 
-// value = slope * unpacked + intercept.
-struct Line {
-    double slope;
-    double intercept;
-};
-
-Line lineOf(const SliceIntensity& slice) {
-    return {slice.slope, slice.intercept - slice.slope * offsetOf(slice.format)};
+// What the stored bits can hold.
+RawRange storedBitsRange(const CellFormat& format) {
+    if (format.isSigned) return {-(1 << (format.bitsStored - 1)), (1 << (format.bitsStored - 1)) - 1};
+    return {0, (1 << format.bitsStored) - 1};
 }
 
-bool isNearlyInteger(double value) {
-    return std::abs(value - std::round(value)) <= 1e-9 * std::max(1.0, std::abs(value));
+std::uint16_t unpack(const CellFormat& format, std::uint16_t cell) {
+    if (format.isSigned) {
+        // The stored bits go to the top of the word, so that its arithmetic shift extends the sign.
+        const auto top = static_cast<std::int16_t>(static_cast<std::uint16_t>(cell << (15 - format.highBit)));
+        return static_cast<std::uint16_t>((top >> (16 - format.bitsStored)) + kSignedOffset);
+    }
+    return static_cast<std::uint16_t>((cell >> (format.highBit + 1 - format.bitsStored)) &
+                                      ((1u << format.bitsStored) - 1));
 }
 
-// The step that all slices' maps are multiples of, if there is an obvious one: the smallest slope.
-std::optional<double> commonStep(std::span<const Line> lines) {
-    double step = std::numeric_limits<double>::max();
-    for (const Line& line : lines) step = std::min(step, std::abs(line.slope));
-    for (const Line& line : lines) {
-        if (!isNearlyInteger(line.slope / step)) return {};
-        if (!isNearlyInteger((line.intercept - lines[0].intercept) / step)) return {};
-    }
-    return step;
-}
-
-// The one padding range of all slices, with what had to be assumed about it.
-std::optional<RawRange> commonPadding(std::span<const SliceIntensity> slices,
-                                      std::vector<std::string>& assumptions) {
-    std::optional<RawRange> padding;
-    std::size_t missing = 0;
-    for (const SliceIntensity& slice : slices) {
-        if (!slice.padding) {
-            ++missing;
-        } else if (!padding) {
-            padding = slice.padding;
-        } else if (*padding != *slice.padding) {
-            assumptions.push_back(
-                "The slices declare different padding values; no voxel was taken for padding, and all are "
-                "drawn.");
-            return {};
-        }
-    }
-    if (padding && missing > 0) {
-        assumptions.push_back(
-            fmt::format("{} of {} slices declare no padding value; that of the others was taken for them.",
-                        missing, slices.size()));
-    }
-    return padding;
+float toFloat(double value) {
+    const bool fits = std::abs(value) <= double{std::numeric_limits<float>::max()};  // no NaN does
+    return fits ? static_cast<float>(value) : std::numeric_limits<float>::quiet_NaN();
 }
 
 }  // namespace
 
+CellFormat floatFormat(CellKind kind) {
+    const int bits = kind == CellKind::float64 ? 64 : 32;
+    return {bits, bits, bits - 1, true, kind};
+}
+
 bool isUsable(const CellFormat& format) {
-    return (format.bitsAllocated == 8 || format.bitsAllocated == 16) && format.bitsStored >= 1 &&
-           format.highBit < format.bitsAllocated && format.highBit + 1 >= format.bitsStored;
+    if (format.kind != CellKind::integer) return format == floatFormat(format.kind);
+    const int bits = format.bitsAllocated;
+    return (bits == 1 || bits == 8 || bits == 16 || bits == 32) && format.bitsStored >= 1 &&
+           format.highBit < bits && format.highBit + 1 >= format.bitsStored;
+}
+
+bool isNarrow(const CellFormat& format) {
+    return format.kind == CellKind::integer && format.bitsAllocated <= 16;
 }
 
 RawRange paddingRange(const CellFormat& format, std::uint16_t valueWord,
@@ -82,20 +64,93 @@ RawRange paddingRange(const CellFormat& format, std::uint16_t valueWord,
     return {std::min(value, limit), std::max(value, limit)};
 }
 
-void unpackCells(const CellFormat& format, std::span<std::uint16_t> cells) {
-    const int unusedBelow = format.highBit + 1 - format.bitsStored;
-    if (format.isSigned) {
-        // The stored bits go to the top of the word, so that its arithmetic shift extends the sign.
-        const int up = 15 - format.highBit;
-        const int down = 16 - format.bitsStored;
-        for (std::uint16_t& cell : cells) {
-            const auto top = static_cast<std::int16_t>(static_cast<std::uint16_t>(cell << up));
-            cell = static_cast<std::uint16_t>((top >> down) + kSignedOffset);
+std::uint16_t ModalityLut::operator()(std::int64_t raw) const {
+    const std::int64_t last = static_cast<std::int64_t>(entries.size()) - 1;
+    return entries[static_cast<std::size_t>(std::clamp<std::int64_t>(raw - firstMapped, 0, last))];
+}
+
+std::shared_ptr<const ModalityLut> readModalityLut(const std::array<std::uint16_t, 3>& descriptor,
+                                                   std::span<const std::uint16_t> data,
+                                                   bool pixelsAreSigned) {
+    const std::size_t count = descriptor[0] == 0 ? 65536 : descriptor[0];
+    const auto [bits, first] = std::pair(descriptor[2], descriptor[1]);
+    if (bits < 1 || bits > 16) return nullptr;
+    ModalityLut lut;
+    lut.firstMapped = pixelsAreSigned ? static_cast<std::int16_t>(first) : static_cast<int>(first);
+    if (data.size() >= count) {
+        lut.entries.assign(data.begin(), data.begin() + static_cast<std::ptrdiff_t>(count));
+    } else if (bits <= 8 && data.size() >= (count + 1) / 2) {
+        for (std::size_t i = 0; i < count; ++i) {
+            lut.entries.push_back(static_cast<std::uint16_t>(data[i / 2] >> (i % 2 == 0 ? 0 : 8) & 0xFF));
         }
-    } else if (format.bitsStored < 16) {
-        const unsigned mask = (1u << format.bitsStored) - 1;
-        for (std::uint16_t& cell : cells) cell = static_cast<std::uint16_t>((cell >> unusedBelow) & mask);
+    } else {
+        return nullptr;
     }
+    return std::make_shared<const ModalityLut>(std::move(lut));
+}
+
+bool SliceIntensity::operator==(const SliceIntensity& other) const {
+    const auto sameLut = [&] {
+        if (modalityLut == other.modalityLut) return true;
+        return modalityLut && other.modalityLut && *modalityLut == *other.modalityLut;
+    };
+    return format == other.format && slope == other.slope && intercept == other.intercept &&
+           padding == other.padding && floatPadding == other.floatPadding && sameLut();
+}
+
+std::optional<std::string> completePadding(std::span<SliceIntensity> slices) {
+    std::optional<RawRange> common;
+    std::size_t missing = 0;
+    for (const SliceIntensity& slice : slices) {
+        if (!slice.padding) {
+            ++missing;
+        } else if (common && *common != *slice.padding) {
+            return {};
+        } else {
+            common = slice.padding;
+        }
+    }
+    if (!common || missing == 0) return {};
+    for (SliceIntensity& slice : slices) slice.padding = common;
+    return fmt::format("{} of {} slices declare no padding value; that of the others was taken for them.",
+                       missing, slices.size());
+}
+
+void unpackCells(const CellFormat& format, const std::optional<RawRange>& padding,
+                 std::span<std::uint16_t> cells) {
+    if (!format.isSigned && format.bitsStored == 16) return;
+    const RawRange holds = storedBitsRange(format);
+    const bool paddingIsOutside = padding && format.highBit + 1 == format.bitsStored &&
+                                  (padding->low < holds.low || padding->high > holds.high);
+    if (!paddingIsOutside) {
+        for (std::uint16_t& cell : cells) cell = unpack(format, cell);
+        return;
+    }
+    for (std::uint16_t& cell : cells) {
+        const int whole = format.isSigned ? static_cast<std::int16_t>(cell) : static_cast<int>(cell);
+        cell = padding->contains(whole) ? static_cast<std::uint16_t>(whole + offsetOf(format))
+                                        : unpack(format, cell);
+    }
+}
+
+std::optional<StoredRange> unpackedPadding(const SliceIntensity& slice) {
+    if (!slice.padding) return {};
+    const int offset = offsetOf(slice.format);
+    const auto unpacked = [&](int raw) {
+        return static_cast<std::uint16_t>(std::clamp(raw + offset, 0, 65535));
+    };
+    return StoredRange{unpacked(slice.padding->low), unpacked(slice.padding->high)};
+}
+
+StoredRange unpackedRange(const SliceIntensity& slice, std::span<const std::uint16_t> unpacked) {
+    const std::optional<StoredRange> padding = unpackedPadding(slice);
+    StoredRange range{std::numeric_limits<std::uint16_t>::max(), 0};
+    for (const std::uint16_t voxel : unpacked) {
+        if (padding && padding->contains(voxel)) continue;
+        range.low = std::min(range.low, voxel);
+        range.high = std::max(range.high, voxel);
+    }
+    return range;
 }
 
 void applyMap(const SliceMap& map, std::span<std::uint16_t> unpacked) {
@@ -107,109 +162,49 @@ void applyMap(const SliceMap& map, std::span<std::uint16_t> unpacked) {
             return;
         case SliceMap::Kind::linear:
             for (std::uint16_t& voxel : unpacked) {
-                const bool isPadding = map.padding && map.padding->contains(voxel);
-                const double stored = isPadding ? 0.0 : std::round(map.scale * voxel + map.shift);
-                voxel = static_cast<std::uint16_t>(std::clamp(stored, 0.0, kLargestStored));
+                if (map.padding && map.padding->contains(voxel)) {
+                    voxel = 0;
+                    continue;
+                }
+                const std::int64_t x = map.modalityLut ? (*map.modalityLut)(voxel - map.lutOffset) : voxel;
+                voxel = static_cast<std::uint16_t>(
+                    std::clamp<std::int64_t>(map.scale * x + map.shift, 0, kLargestStored));
             }
             return;
     }
 }
 
-std::optional<StoredRange> unpackedPadding(const SliceIntensity& slice) {
-    if (!slice.padding) return {};
-    const int low = slice.format.isSigned ? -(1 << (slice.format.bitsStored - 1)) : 0;
-    const int high = (1 << (slice.format.bitsStored - (slice.format.isSigned ? 1 : 0))) - 1;
-    if (slice.padding->high < low || slice.padding->low > high) return {};
+void applyIntensity(const SliceIntensity& slice, std::span<const std::uint16_t> unpacked,
+                    std::span<float> values) {
+    const std::optional<StoredRange> padding = unpackedPadding(slice);
     const int offset = offsetOf(slice.format);
-    return StoredRange{static_cast<std::uint16_t>(std::max(slice.padding->low, low) + offset),
-                       static_cast<std::uint16_t>(std::min(slice.padding->high, high) + offset)};
-}
-
-bool isUniform(std::span<const SliceIntensity> slices) {
-    return std::all_of(slices.begin(), slices.end(), [&](const SliceIntensity& slice) {
-        return slice.format.isSigned == slices[0].format.isSigned && slice.slope == slices[0].slope &&
-               slice.intercept == slices[0].intercept;
-    });
-}
-
-IntensityPlan uniformPlan(std::span<const SliceIntensity> slices) {
-    IntensityPlan plan;
-    SliceIntensity common = slices[0];
-    common.padding = commonPadding(slices, plan.assumptions);
-    for (const SliceIntensity& slice : slices) {
-        common.format.bitsStored = std::max(common.format.bitsStored, slice.format.bitsStored);
-    }
-    plan.padding = unpackedPadding(common);
-    if (common.padding && !plan.padding) {
-        plan.assumptions.push_back(
-            "The declared padding value lies outside what the stored bits can hold; no voxel was taken for "
-            "padding.");
-    }
-    const Line line = lineOf(common);
-    if (line.slope > 0.0) {
-        plan.unitsFromStored = {line.slope, line.intercept};
-        plan.slices.assign(slices.size(), {});
-        return plan;
-    }
-    // A Volume's slope is positive: store 65535 - unpacked instead, which loses nothing.
-    plan.unitsFromStored = {-line.slope, line.intercept + line.slope * kLargestStored};
-    plan.slices.assign(slices.size(),
-                       {.kind = SliceMap::Kind::invert, .scale = 1.0, .shift = 0.0, .padding = {}});
-    if (plan.padding) {
-        plan.padding = StoredRange{static_cast<std::uint16_t>(65535 - plan.padding->high),
-                                   static_cast<std::uint16_t>(65535 - plan.padding->low)};
-    }
-    return plan;
-}
-
-IntensityPlan mixedPlan(std::span<const SliceIntensity> slices, std::span<const StoredRange> unpackedRanges) {
-    std::vector<Line> lines;
-    double low = std::numeric_limits<double>::max();
-    double high = std::numeric_limits<double>::lowest();
-    bool hasPadding = false;
-    for (std::size_t k = 0; k < slices.size(); ++k) {
-        lines.push_back(lineOf(slices[k]));
-        hasPadding = hasPadding || unpackedPadding(slices[k]).has_value();
-        if (unpackedRanges[k].low > unpackedRanges[k].high) continue;  // all padding
-        for (const double unpacked : {double(unpackedRanges[k].low), double(unpackedRanges[k].high)}) {
-            const double value = lines[k].slope * unpacked + lines[k].intercept;
-            low = std::min(low, value);
-            high = std::max(high, value);
+    for (std::size_t i = 0; i < unpacked.size(); ++i) {
+        const int raw = unpacked[i] - offset;
+        if (padding && padding->contains(unpacked[i])) {
+            values[i] = std::numeric_limits<float>::quiet_NaN();
+        } else {
+            values[i] =
+                toFloat(slice.modalityLut ? (*slice.modalityLut)(raw) : slice.slope * raw + slice.intercept);
         }
     }
-    if (low > high) low = high = 0.0;
+}
 
-    IntensityPlan plan;
-    UnitsFromStored& map = plan.unitsFromStored;
-    // Stored 0 is kept for padding, because the slices' own padding values need not lie in one place in
-    // units.
-    const double first = hasPadding ? 1.0 : 0.0;
-    const std::optional<double> step = commonStep(lines);
-    if (step && (high - low) / *step <= kLargestStored - first) {
-        map.slope = *step;
-        const double steps = std::round((low - lines[0].intercept) / *step);
-        map.intercept = lines[0].intercept + (steps - first) * *step;
-    } else {
-        map.slope = high > low ? (high - low) / (kLargestStored - first) : 1.0;
-        map.intercept = low - first * map.slope;
-        plan.assumptions.push_back(fmt::format(
-            "The slices have different rescale factors; their values were brought to one 16-bit scale, "
-            "with an error of at most {:.3g}.",
-            0.5 * map.slope));
+void applyIntensity(const SliceIntensity& slice, std::span<const double> numbers, std::span<float> values) {
+    const bool isInteger = slice.format.kind == CellKind::integer;
+    const auto isPadding = [&](double raw) {
+        if (isInteger) return slice.padding && slice.padding->contains(raw);
+        return slice.floatPadding && slice.floatPadding->low <= raw && raw <= slice.floatPadding->high;
+    };
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        const double raw = numbers[i];
+        if (isPadding(raw)) {
+            values[i] = std::numeric_limits<float>::quiet_NaN();
+        } else if (slice.modalityLut && isInteger) {
+            values[i] = (*slice.modalityLut)(static_cast<std::int64_t>(raw));
+        } else {
+            values[i] = toFloat(slice.slope * raw + slice.intercept);
+        }
     }
-    if (hasPadding) {
-        plan.padding = StoredRange{0, 0};
-        plan.assumptions.push_back(
-            "The slices have different rescale factors; padding was given one common value below all "
-            "others.");
-    }
-    for (std::size_t k = 0; k < slices.size(); ++k) {
-        plan.slices.push_back({.kind = SliceMap::Kind::linear,
-                               .scale = lines[k].slope / map.slope,
-                               .shift = (lines[k].intercept - map.intercept) / map.slope,
-                               .padding = unpackedPadding(slices[k])});
-    }
-    return plan;
 }
 
 }  // namespace macula::dicom

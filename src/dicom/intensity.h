@@ -1,9 +1,11 @@
-// From pixel cells to the 16-bit stored values of a Volume: bits and sign (PS3.5 8.1.1), rescale (PS3.3
+// From pixel cells to the voxels of a Volume: bits and sign (PS3.5 8.1.1), rescale and modality LUT (PS3.3
 // C.11.1), padding (PS3.3 C.7.5.1.1.2). Pure functions; values are kept, never windowed, and MONOCHROME1 is
 // not inverted (it says how to draw a value, not what it is).
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -13,24 +15,38 @@
 
 namespace macula::dicom {
 
+enum class CellKind {
+    integer,  // Pixel Data (7FE0,0010)
+    float32,  // Float Pixel Data (7FE0,0008)
+    float64,  // Double Float Pixel Data (7FE0,0009)
+};
+
 // How a pixel cell holds its value.
 struct CellFormat {
     int bitsAllocated = 16;
     int bitsStored = 16;
     int highBit = 15;
     bool isSigned = false;
+    CellKind kind = CellKind::integer;
 
     bool operator==(const CellFormat&) const = default;
 };
 
-// 8 or 16 bits allocated, and the stored bits inside them.
+// Of floating-point cells, which say nothing of stored bits.
+CellFormat floatFormat(CellKind kind);
+
+// Integers of 1, 8, 16 or 32 bits allocated, and the stored bits inside them; or floatFormat.
 bool isUsable(const CellFormat& format);
+
+// A usable format whose cells fit 16 bits. All others are read as numbers.
+bool isNarrow(const CellFormat& format);
 
 // Closed interval of raw values (after masking and sign extension).
 struct RawRange {
     int low = 0;
     int high = 0;
 
+    bool contains(double raw) const { return low <= raw && raw <= high; }
     bool operator==(const RawRange&) const = default;
 };
 
@@ -39,53 +55,85 @@ struct RawRange {
 RawRange paddingRange(const CellFormat& format, std::uint16_t valueWord,
                       std::optional<std::uint16_t> limitWord);
 
-// One slice: value = slope * raw + intercept.
+// Raw value to value: that of entries[raw - firstMapped]; below and above the table its first and last entry
+// hold.
+struct ModalityLut {
+    int firstMapped = 0;
+    std::vector<std::uint16_t> entries;  // not empty
+
+    std::uint16_t operator()(std::int64_t raw) const;
+    bool operator==(const ModalityLut&) const = default;
+};
+
+// From LUTDescriptor (0028,3002) as its three words, and LUTData (0028,3006); entries of 8 bits may stand in
+// a word each, or two in a word. Nothing when they do not fit each other.
+std::shared_ptr<const ModalityLut> readModalityLut(const std::array<std::uint16_t, 3>& descriptor,
+                                                   std::span<const std::uint16_t> data, bool pixelsAreSigned);
+
+// One slice: value = modalityLut(raw) when there is one, else slope * raw + intercept.
 struct SliceIntensity {
     CellFormat format;
     double slope = 1.0;  // not 0; may be negative
     double intercept = 0.0;
-    std::optional<RawRange> padding;
+    std::optional<RawRange> padding = {};
+    std::optional<ValueRange> floatPadding = {};  // of floating-point cells: (0028,0122) to (0028,0125)
+    std::shared_ptr<const ModalityLut> modalityLut = {};
 
-    bool operator==(const SliceIntensity&) const = default;
+    bool operator==(const SliceIntensity& other) const;
 };
 
-// In place, from cells as in the file to "unpacked" values: raw when unsigned, raw + 32768 when signed. Bits
-// outside the stored ones (overlays, PS3.5 8.1.2) are dropped.
-void unpackCells(const CellFormat& format, std::span<std::uint16_t> cells);
+// Slices that declare no padding get that of the others, if all of those agree. Says so, when there were any.
+std::optional<std::string> completePadding(std::span<SliceIntensity> slices);
+
+// In place, from narrow cells as in the file to "unpacked" values: raw when unsigned, raw + 32768 when
+// signed. Bits outside the stored ones (overlays, PS3.5 8.1.2) are dropped, except where the whole cell is a
+// padding value that the stored bits cannot hold: masked, it would be a bright false value.
+void unpackCells(const CellFormat& format, const std::optional<RawRange>& padding,
+                 std::span<std::uint16_t> cells);
+
+// The padding of one slice among its unpacked values.
+std::optional<StoredRange> unpackedPadding(const SliceIntensity& slice);
+
+// The smallest and largest unpacked value that is no padding; low > high when there is none.
+StoredRange unpackedRange(const SliceIntensity& slice, std::span<const std::uint16_t> unpacked);
 
 // How the unpacked values of one slice become stored values of the volume.
 struct SliceMap {
     enum class Kind { keep, invert, linear };
 
     Kind kind = Kind::keep;
-    double scale = 1.0;  // linear: stored = round(scale * unpacked + shift)
-    double shift = 0.0;
-    std::optional<StoredRange> padding;  // linear: these unpacked values become stored 0
+    // linear only: stored = scale * lut(raw) + shift, or scale * unpacked + shift without a LUT; but 0 for
+    // these unpacked values.
+    std::int64_t scale = 1;
+    std::int64_t shift = 0;
+    std::optional<StoredRange> padding = {};
+    std::shared_ptr<const ModalityLut> modalityLut = {};
+    int lutOffset = 0;  // raw = unpacked - lutOffset
 };
 
 void applyMap(const SliceMap& map, std::span<std::uint16_t> unpacked);
 
+// To units, for voxels of float32. The value is computed in double; padding, and what float cannot hold,
+// become NaN. `numbers` are raw values that were wider than 16 bits.
+void applyIntensity(const SliceIntensity& slice, std::span<const std::uint16_t> unpacked,
+                    std::span<float> values);
+void applyIntensity(const SliceIntensity& slice, std::span<const double> numbers, std::span<float> values);
+
+// 16 bits where they hold every value exactly, else float32.
 struct IntensityPlan {
-    UnitsFromStored unitsFromStored;
-    std::optional<StoredRange> padding;
-    std::vector<SliceMap> slices;  // one per slice
-    std::vector<std::string> assumptions;
+    VoxelFormat format = VoxelFormat::stored16;
+    // stored16 only.
+    UnitsFromStored unitsFromStored = {};
+    std::optional<StoredRange> padding = {};
+    std::vector<SliceMap> slices = {};  // one per slice
 };
 
-// True when all slices have one format and one linear map, so that the plan needs no look at the pixels:
-// values are then exact.
-bool isUniform(std::span<const SliceIntensity> slices);
+// Nothing when the formats alone do not tell whether 16 bits are enough, and the pixels have to be looked at.
+// At least one slice, each with a usable format.
+std::optional<IntensityPlan> planFromFormats(std::span<const SliceIntensity> slices);
 
-// For uniform slices.
-IntensityPlan uniformPlan(std::span<const SliceIntensity> slices);
-
-// For slices that differ. `unpackedRanges` are each slice's smallest and largest unpacked value that is no
-// padding. Exact when one 16-bit map can hold every value; otherwise quantised over the range of the values,
-// and the largest error is stated in `assumptions`.
-IntensityPlan mixedPlan(std::span<const SliceIntensity> slices, std::span<const StoredRange> unpackedRanges);
-
-// The padding of one slice among its unpacked values; nothing when it declares none, or none its cells could
-// hold.
-std::optional<StoredRange> unpackedPadding(const SliceIntensity& slice);
+// `unpackedRanges` are each slice's unpackedRange. All formats are narrow.
+IntensityPlan planFromRanges(std::span<const SliceIntensity> slices,
+                             std::span<const StoredRange> unpackedRanges);
 
 }  // namespace macula::dicom

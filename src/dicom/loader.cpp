@@ -14,16 +14,6 @@ namespace macula::dicom {
 
 namespace {
 
-StoredRange rangeOf(std::span<const std::uint16_t> unpacked, const std::optional<StoredRange>& padding) {
-    StoredRange range{std::numeric_limits<std::uint16_t>::max(), 0};
-    for (const std::uint16_t voxel : unpacked) {
-        if (padding && padding->contains(voxel)) continue;
-        range.low = std::min(range.low, voxel);
-        range.high = std::max(range.high, voxel);
-    }
-    return range;
-}
-
 // Rows and columns have 16 bits, so this fits.
 std::uint64_t bytesOf(const Series& series) {
     return std::uint64_t{sizeof(std::uint16_t)} * static_cast<std::uint64_t>(series.columns) *
@@ -64,14 +54,19 @@ Result<std::shared_ptr<const Volume>> loadVolume(const Series& series, Progress&
 
     std::vector<SliceIntensity> intensities;
     for (const Instance& instance : series.instances) intensities.push_back(sliceIntensity(instance));
-    const bool uniform = isUniform(intensities);
-    IntensityPlan plan;
-    if (uniform) plan = uniformPlan(intensities);
+    if (!std::ranges::all_of(intensities, isNarrow, &SliceIntensity::format)) {
+        return Error{ErrorCode::inputNotUsable,
+                     "The pixels of this series are wider than 16 bits.",
+                     {},
+                     "Choose another series."};
+    }
+    const std::optional<std::string> paddingAssumed = completePadding(intensities);
+    const std::optional<IntensityPlan> early = planFromFormats(intensities);
 
     progress.beginStage(fmt::format("Decoding {} slices", count), count);
     std::vector<std::uint16_t> voxels(sliceVoxels * count);
     const auto slice = [&](std::size_t k) { return std::span(voxels).subspan(k * sliceVoxels, sliceVoxels); };
-    std::vector<StoredRange> ranges(uniform ? 0 : count);
+    std::vector<StoredRange> ranges(count);
     std::atomic<bool> failed{false};
     std::mutex mutex;
     std::optional<Error> failure;
@@ -90,12 +85,8 @@ Result<std::shared_ptr<const Volume>> loadVolume(const Series& series, Progress&
                 }
                 return;
             }
-            unpackCells(intensities[k].format, slice(k));
-            if (uniform) {
-                applyMap(plan.slices[k], slice(k));
-            } else {
-                ranges[k] = rangeOf(slice(k), unpackedPadding(intensities[k]));
-            }
+            unpackCells(intensities[k].format, intensities[k].padding, slice(k));
+            if (!early) ranges[k] = unpackedRange(intensities[k], slice(k));
             progress.advance();
         },
         progress.token());
@@ -104,12 +95,16 @@ Result<std::shared_ptr<const Volume>> loadVolume(const Series& series, Progress&
         failure->message = fmt::format("Slice {} of {}: {}", failedSlice + 1, count, failure->message);
         return *failure;
     }
-    if (!uniform) {
-        plan = mixedPlan(intensities, ranges);
-        parallelFor(
-            count, [&](std::size_t k) { applyMap(plan.slices[k], slice(k)); }, progress.token());
-        if (progress.cancelled()) return Error{ErrorCode::cancelled, "Loading was cancelled.", {}, {}};
-    }
+    const IntensityPlan plan = early ? *early : planFromRanges(intensities, ranges);
+    std::vector<float> values(plan.format == VoxelFormat::float32 ? voxels.size() : 0);
+    parallelFor(
+        count,
+        [&](std::size_t k) {
+            if (plan.format == VoxelFormat::stored16) return applyMap(plan.slices[k], slice(k));
+            applyIntensity(intensities[k], slice(k), std::span(values).subspan(k * sliceVoxels, sliceVoxels));
+        },
+        progress.token());
+    if (progress.cancelled()) return Error{ErrorCode::cancelled, "Loading was cancelled.", {}, {}};
 
     VolumeOptions options{.size = {series.columns, series.rows, static_cast<int>(count)},
                           .worldFromVoxel = *series.worldFromVoxel,
@@ -122,8 +117,10 @@ Result<std::shared_ptr<const Volume>> loadVolume(const Series& series, Progress&
                                          .description = series.description,
                                          .assumptions = series.assumptions}};
     auto& assumptions = options.provenance.assumptions;
-    assumptions.insert(assumptions.end(), plan.assumptions.begin(), plan.assumptions.end());
-    MACULA_TRY(Volume volume, Volume::create(std::move(options), std::move(voxels)));
+    if (paddingAssumed) assumptions.push_back(*paddingAssumed);
+    MACULA_TRY(Volume volume, plan.format == VoxelFormat::stored16
+                                  ? Volume::create(std::move(options), std::move(voxels))
+                                  : Volume::createFloat(std::move(options), std::move(values)));
     return std::shared_ptr<const Volume>(std::make_shared<Volume>(std::move(volume)));
 } catch (const std::bad_alloc&) {
     return notEnoughMemory(bytesOf(series), availableMemory());

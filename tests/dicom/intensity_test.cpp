@@ -3,14 +3,31 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
+#include <limits>
 
 namespace macula::dicom {
 namespace {
 
-std::vector<std::uint16_t> unpacked(const CellFormat& format, std::vector<std::uint16_t> cells) {
-    unpackCells(format, cells);
+std::vector<std::uint16_t> unpacked(const CellFormat& format, std::vector<std::uint16_t> cells,
+                                    std::optional<RawRange> padding = {}) {
+    unpackCells(format, padding, cells);
     return cells;
 }
+
+IntensityPlan planOf(const std::vector<SliceIntensity>& slices) {
+    const auto plan = planFromFormats(slices);
+    EXPECT_TRUE(plan);
+    return plan.value_or(IntensityPlan{});
+}
+
+SliceIntensity slice(double slope, double intercept, CellFormat format = {},
+                     std::optional<RawRange> padding = {}) {
+    return {.format = format, .slope = slope, .intercept = intercept, .padding = padding};
+}
+
+constexpr CellFormat kTwelveBits{16, 12, 11, false};
+constexpr CellFormat kSignedTwelveBits{16, 12, 11, true};
 
 double valueOf(const IntensityPlan& plan, std::size_t slice, std::uint16_t unpackedValue) {
     std::array<std::uint16_t, 1> voxel{unpackedValue};
@@ -38,8 +55,14 @@ TEST(Intensity, signExtension) {
 TEST(Intensity, formatsThatMakeNoSense) {
     EXPECT_TRUE(isUsable({16, 16, 15, true}));
     EXPECT_TRUE(isUsable({8, 8, 7, false}));
-    EXPECT_FALSE(isUsable({1, 1, 0, false}));
-    EXPECT_FALSE(isUsable({32, 32, 31, false}));
+    EXPECT_TRUE(isUsable({1, 1, 0, false}));
+    EXPECT_TRUE(isUsable({32, 32, 31, false}));
+    EXPECT_TRUE(isUsable(floatFormat(CellKind::float32)));
+    EXPECT_TRUE(isUsable(floatFormat(CellKind::float64)));
+    EXPECT_FALSE(isUsable({64, 64, 63, false}));
+    EXPECT_FALSE(isUsable({12, 12, 11, false}));
+    EXPECT_FALSE(isUsable({1, 8, 7, false}));
+    EXPECT_FALSE(isUsable({16, 16, 15, true, CellKind::float32}));
     EXPECT_FALSE(isUsable({16, 12, 16, false}));
     EXPECT_FALSE(isUsable({16, 12, 10, false}));
     EXPECT_FALSE(isUsable({16, 0, -1, false}));
@@ -52,26 +75,17 @@ TEST(Intensity, paddingWordsAreReadWithThePixelsSign) {
 }
 
 TEST(Intensity, signedCtIsExact) {
-    const std::vector<SliceIntensity> slices(
-        3, {.format = {}, .slope = 1.0, .intercept = -1024.0, .padding = {}});
-    std::vector<SliceIntensity> signedSlices = slices;
-    for (auto& s : signedSlices) {
-        s.format.isSigned = true;
-        s.padding = RawRange{-2000, -2000};
-    }
-    ASSERT_TRUE(isUniform(signedSlices));
-    const IntensityPlan plan = uniformPlan(signedSlices);
+    const IntensityPlan plan =
+        planOf(std::vector(3, slice(1.0, -1024.0, {16, 16, 15, true}, RawRange{-2000, -2000})));
+    EXPECT_EQ(plan.format, VoxelFormat::stored16);
     EXPECT_EQ(valueOf(plan, 0, 32768), -1024.0);
     EXPECT_EQ(valueOf(plan, 2, 65535), 31743.0);
     ASSERT_TRUE(plan.padding);
     EXPECT_EQ(plan.unitsFromStored(plan.padding->low), -3024.0);
-    EXPECT_TRUE(plan.assumptions.empty());
 }
 
 TEST(Intensity, negativeSlopeIsExactAndKeepsThePositiveSlopeOfTheVolume) {
-    const std::vector<SliceIntensity> slices(
-        2, {.format = {}, .slope = -2.0, .intercept = 100.0, .padding = RawRange{7, 9}});
-    const IntensityPlan plan = uniformPlan(slices);
+    const IntensityPlan plan = planOf(std::vector(2, slice(-2.0, 100.0, {}, RawRange{7, 9})));
     EXPECT_GT(plan.unitsFromStored.slope, 0.0);
     for (const std::uint16_t raw : {0, 1, 8, 40000, 65535})
         EXPECT_EQ(valueOf(plan, 1, raw), 100.0 - 2.0 * raw);
@@ -80,62 +94,218 @@ TEST(Intensity, negativeSlopeIsExactAndKeepsThePositiveSlopeOfTheVolume) {
     EXPECT_EQ(plan.unitsFromStored(plan.padding->high), 100.0 - 2.0 * 7);
 }
 
-TEST(Intensity, paddingThatTheSlicesDisagreeOn) {
-    std::vector<SliceIntensity> slices(2);
-    slices[0].padding = RawRange{0, 0};
-    const IntensityPlan some = uniformPlan(slices);
-    EXPECT_TRUE(some.padding);
-    EXPECT_EQ(some.assumptions.size(), 1u);
-    slices[1].padding = RawRange{5, 5};
-    const IntensityPlan differ = uniformPlan(slices);
-    EXPECT_FALSE(differ.padding);
-    EXPECT_EQ(differ.assumptions.size(), 1u);
-}
-
-TEST(Intensity, paddingOutsideTheStoredBitsIsNone) {
-    std::vector<SliceIntensity> slices(2);
-    for (auto& s : slices) {
-        s.format = {16, 12, 11, false};
-        s.padding = RawRange{63536, 63536};
-    }
-    const IntensityPlan plan = uniformPlan(slices);
-    EXPECT_FALSE(plan.padding);
-    EXPECT_EQ(plan.assumptions.size(), 1u);
-}
-
-TEST(Intensity, mixedSlopesWithACommonStepAreExact) {
+TEST(Intensity, slicesWithoutPaddingGetThatOfTheOthersAndSaySo) {
     std::vector<SliceIntensity> slices(3);
-    slices[0] = {.format = {}, .slope = 0.5, .intercept = -10.0, .padding = {}};
-    slices[1] = {.format = {}, .slope = 1.5, .intercept = 4.0, .padding = {}};
-    slices[2] = {.format = {16, 12, 11, true}, .slope = -1.0, .intercept = 0.0, .padding = {}};
-    EXPECT_FALSE(isUniform(slices));
-    const IntensityPlan plan =
-        mixedPlan(slices, std::vector<StoredRange>{{0, 4000}, {10, 3000}, {32768 - 2048, 32768 + 2047}});
-    EXPECT_TRUE(plan.assumptions.empty());
-    EXPECT_EQ(valueOf(plan, 0, 3999), 0.5 * 3999 - 10.0);
-    EXPECT_EQ(valueOf(plan, 1, 2999), 1.5 * 2999 + 4.0);
-    EXPECT_EQ(valueOf(plan, 2, 32768 - 2000), 2000.0);
+    EXPECT_FALSE(completePadding(slices));
+    slices[0].padding = RawRange{0, 0};
+    const auto said = completePadding(slices);
+    ASSERT_TRUE(said);
+    EXPECT_NE(said->find("2 of 3"), std::string::npos);
+    EXPECT_EQ(slices[2].padding, (RawRange{0, 0}));
+    EXPECT_FALSE(completePadding(slices));
+    slices[1].padding = RawRange{5, 5};
+    slices[2].padding.reset();
+    EXPECT_FALSE(completePadding(slices));
+    EXPECT_FALSE(slices[2].padding);
 }
 
-TEST(Intensity, mixedSlopesWithoutACommonStepStateTheirError) {
-    std::vector<SliceIntensity> slices(2);
-    slices[0] = {.format = {}, .slope = 0.0123, .intercept = 0.0, .padding = {}};
-    slices[1] = {.format = {}, .slope = 0.0347, .intercept = 0.0, .padding = RawRange{0, 0}};
-    const IntensityPlan plan = mixedPlan(slices, std::vector<StoredRange>{{0, 60000}, {1, 50000}});
-    ASSERT_EQ(plan.assumptions.size(), 2u);
-    EXPECT_NE(plan.assumptions[0].find("error of at most"), std::string::npos);
-    const double bound = 0.5 * (0.0347 * 50000) / 65534.0 * (1.0 + 1e-9);
-    for (const std::uint16_t raw : {1, 777, 31415, 50000}) {
-        EXPECT_NEAR(valueOf(plan, 0, raw), 0.0123 * raw, bound);
-        EXPECT_NEAR(valueOf(plan, 1, raw), 0.0347 * raw, bound);
+// Each slice's own padding, and only that, is padding; a true 5 of the first and 0 of the second are not.
+TEST(Intensity, slicesMayDisagreeOnPadding) {
+    const std::vector<SliceIntensity> slices{slice(1.0, 0.0, kTwelveBits, RawRange{0, 0}),
+                                             slice(1.0, 0.0, kTwelveBits, RawRange{5, 5}),
+                                             slice(1.0, 0.0, kTwelveBits)};
+    const IntensityPlan plan = planOf(slices);
+    ASSERT_EQ(plan.format, VoxelFormat::stored16);
+    ASSERT_TRUE(plan.padding);
+    for (std::size_t k = 0; k < 3; ++k) {
+        for (const std::uint16_t raw : {0, 5, 4095}) {
+            std::array<std::uint16_t, 1> voxel{raw};
+            applyMap(plan.slices[k], voxel);
+            const bool isPadding = (k == 0 && raw == 0) || (k == 1 && raw == 5);
+            EXPECT_EQ(plan.padding->contains(voxel[0]), isPadding) << k << " " << raw;
+            if (!isPadding) {
+                EXPECT_EQ(plan.unitsFromStored(voxel[0]), raw);
+            }
+        }
     }
-    // Padding of the second slice is apart from the true 0 of the first.
+}
+
+// Pitfall D11: unsigned, 12 bits stored, and -2000 as the padding word.
+TEST(Intensity, paddingThatTheStoredBitsCannotHoldIsRecognisedBeforeMasking) {
+    const RawRange padding = paddingRange(kTwelveBits, 63536, {});
+    EXPECT_EQ(unpacked(kTwelveBits, {63536, 0x0830, 0xF831, 7}, padding),
+              (std::vector<std::uint16_t>{63536, 0x0830, 0x0831, 7}));
+    const std::vector<SliceIntensity> slices(2, slice(1.0, -1024.0, kTwelveBits, padding));
+    const IntensityPlan plan = planOf(slices);
+    ASSERT_TRUE(plan.padding);
+    EXPECT_TRUE(plan.padding->contains(63536));
+    EXPECT_FALSE(plan.padding->contains(0x0830));
+    // Of signed cells: the whole word, also where the sign bit of the stored bits says otherwise.
+    const RawRange positive = paddingRange(kSignedTwelveBits, 0x0830, {});
+    EXPECT_EQ(unpacked(kSignedTwelveBits, {0x0830, 0xF830, 1}, positive),
+              (std::vector<std::uint16_t>{32768 + 0x0830, 32768 - 2000, 32769}));
+    EXPECT_EQ(unpackedPadding({.format = kSignedTwelveBits, .padding = positive}),
+              (StoredRange{32768 + 0x0830, 32768 + 0x0830}));
+}
+
+// An overlay in the bits above: only the stored bits count.
+TEST(Intensity, paddingThatTheStoredBitsHoldIsRecognisedAfterMasking) {
+    const RawRange padding{0, 3};
+    const auto cells = unpacked(kTwelveBits, {0xF000, 0x1003, 0x1004}, padding);
+    EXPECT_EQ(cells, (std::vector<std::uint16_t>{0, 3, 4}));
+    const CellFormat high{16, 12, 15, false};
+    EXPECT_EQ(unpacked(high, {0xF830}, RawRange{63536, 63536}), (std::vector<std::uint16_t>{0x0F83}));
+}
+
+TEST(Intensity, mixedSlopesWithACommonStepAreExactIn16Bits) {
+    const std::vector<SliceIntensity> slices{slice(0.5, -10.0, kTwelveBits), slice(0.75, 4.0, kTwelveBits),
+                                             slice(-1.0, 0.0, kSignedTwelveBits)};
+    const IntensityPlan plan = planOf(slices);
+    ASSERT_EQ(plan.format, VoxelFormat::stored16);
+    EXPECT_EQ(plan.unitsFromStored.slope, 0.25);
+    for (const std::uint16_t raw : {0, 1, 2999, 4095}) {
+        EXPECT_EQ(valueOf(plan, 0, raw), 0.5 * raw - 10.0);
+        EXPECT_EQ(valueOf(plan, 1, raw), 0.75 * raw + 4.0);
+    }
+    EXPECT_EQ(valueOf(plan, 2, 32768 - 2000), 2000.0);
+    EXPECT_EQ(valueOf(plan, 2, 32768 + 2047), -2047.0);
+}
+
+TEST(Intensity, decimalSlopesShareTheirLastDigit) {
+    const std::vector<SliceIntensity> slices{slice(0.1, 0.0, kTwelveBits), slice(0.3, -0.7, kTwelveBits)};
+    const IntensityPlan plan = planOf(slices);
+    ASSERT_EQ(plan.format, VoxelFormat::stored16);
+    for (const std::uint16_t raw : {0, 1, 777, 4095}) {
+        EXPECT_EQ(static_cast<float>(valueOf(plan, 0, raw)), static_cast<float>(0.1 * raw));
+        EXPECT_EQ(static_cast<float>(valueOf(plan, 1, raw)), static_cast<float>(0.3 * raw - 0.7));
+    }
+}
+
+TEST(Intensity, whereTheFormatsDoNotTellThePixelsDo) {
+    const std::vector<SliceIntensity> slices{slice(1.0, 0.0), slice(2.0, 0.0, {}, RawRange{0, 0})};
+    EXPECT_FALSE(planFromFormats(slices));
+    const IntensityPlan enough = planFromRanges(slices, std::vector<StoredRange>{{3, 60000}, {1, 30000}});
+    ASSERT_EQ(enough.format, VoxelFormat::stored16);
+    EXPECT_EQ(valueOf(enough, 0, 60000), 60000.0);
+    EXPECT_EQ(valueOf(enough, 1, 29999), 59998.0);
     std::array<std::uint16_t, 1> padding{0};
-    applyMap(plan.slices[1], padding);
+    applyMap(enough.slices[1], padding);
+    EXPECT_TRUE(enough.padding->contains(padding[0]));
+    std::array<std::uint16_t, 1> least{3};
+    applyMap(enough.slices[0], least);
+    EXPECT_FALSE(enough.padding->contains(least[0]));
+    const IntensityPlan tooFew = planFromRanges(slices, std::vector<StoredRange>{{0, 65535}, {1, 40000}});
+    EXPECT_EQ(tooFew.format, VoxelFormat::float32);
+    // All padding in one of them, and in both.
+    EXPECT_EQ(planFromRanges(slices, std::vector<StoredRange>{{0, 65000}, {65535, 0}}).format,
+              VoxelFormat::stored16);
+    EXPECT_EQ(planFromRanges(slices, std::vector<StoredRange>{{65535, 0}, {65535, 0}}).format,
+              VoxelFormat::stored16);
+}
+
+TEST(Intensity, mixedSlopesWithoutACommonStepNeedFloat) {
+    const std::vector<SliceIntensity> slices{slice(0.0123457, 0.0), slice(0.0346987, 0.0)};
+    EXPECT_EQ(planOf(slices).format, VoxelFormat::float32);
+    EXPECT_EQ(planOf({slice(1e300, 0.0), slice(1e-300, 1e300)}).format, VoxelFormat::float32);
+    EXPECT_EQ(planOf({slice(1.0, 0.0), slice(1.0, 0.5e-9), slice(1.0, 1e18)}).format, VoxelFormat::float32);
+}
+
+TEST(Intensity, floatValuesAreComputedInDouble) {
+    SliceIntensity s = slice(0.0123457, -3.25, kSignedTwelveBits, RawRange{-2000, -1990});
+    const std::vector<std::uint16_t> raw{32768 - 2000, 32768 - 1990, 32768 - 1989, 32768, 32768 + 2047};
+    std::vector<float> values(raw.size());
+    applyIntensity(s, raw, values);
+    EXPECT_TRUE(std::isnan(values[0]));
+    EXPECT_TRUE(std::isnan(values[1]));
+    EXPECT_EQ(values[2], static_cast<float>(0.0123457 * -1989 - 3.25));
+    EXPECT_EQ(values[3], -3.25F);
+    EXPECT_EQ(values[4], static_cast<float>(0.0123457 * 2047 - 3.25));
+    s.slope = 1e36;
+    applyIntensity(s, raw, values);
+    EXPECT_TRUE(std::isnan(values[4]));  // 2e39 is no float
+    EXPECT_EQ(values[3], -3.25F);
+}
+
+TEST(Intensity, wideCellsAreFloat) {
+    const SliceIntensity wide = slice(0.5, 1.0, {32, 32, 31, false}, RawRange{7, 7});
+    EXPECT_EQ(planOf({wide, wide}).format, VoxelFormat::float32);
+    std::vector<float> values(3);
+    applyIntensity(wide, std::vector<double>{7.0, 4294967295.0, 0.0}, values);
+    EXPECT_TRUE(std::isnan(values[0]));
+    EXPECT_EQ(values[1], static_cast<float>(0.5 * 4294967295.0 + 1.0));
+    EXPECT_EQ(values[2], 1.0F);
+
+    SliceIntensity real = slice(2.0, 1.0, floatFormat(CellKind::float64));
+    real.floatPadding = ValueRange{-2e9, -1e9};
+    applyIntensity(real, std::vector<double>{-1e9, 1e-6, std::numeric_limits<double>::infinity()}, values);
+    EXPECT_TRUE(std::isnan(values[0]));
+    EXPECT_EQ(values[1], static_cast<float>(1.0 + 2e-6));
+    EXPECT_TRUE(std::isnan(values[2]));
+}
+
+TEST(ModalityLut, clampsOutsideItsEntries) {
+    const auto lut = readModalityLut({3, 10, 16}, std::vector<std::uint16_t>{500, 100, 65535}, false);
+    ASSERT_NE(lut, nullptr);
+    EXPECT_EQ((*lut)(0), 500);
+    EXPECT_EQ((*lut)(10), 500);
+    EXPECT_EQ((*lut)(11), 100);
+    EXPECT_EQ((*lut)(12), 65535);
+    EXPECT_EQ((*lut)(60000), 65535);
+    EXPECT_EQ((*lut)(-4'000'000'000), 500);
+}
+
+TEST(ModalityLut, firstValueHasThePixelsSign) {
+    const std::vector<std::uint16_t> data{1, 2};
+    EXPECT_EQ(readModalityLut({2, 0xFFFF, 16}, data, true)->firstMapped, -1);
+    EXPECT_EQ(readModalityLut({2, 0xFFFF, 16}, data, false)->firstMapped, 65535);
+}
+
+TEST(ModalityLut, noEntriesMeans65536) {
+    std::vector<std::uint16_t> data(65536, 3);
+    data.back() = 4;
+    const auto lut = readModalityLut({0, 0, 16}, data, false);
+    ASSERT_NE(lut, nullptr);
+    EXPECT_EQ((*lut)(65535), 4);
+    data.pop_back();
+    EXPECT_EQ(readModalityLut({0, 0, 16}, data, false), nullptr);
+}
+
+TEST(ModalityLut, entriesOfEightBitsMayBePackedInWords) {
+    const auto packed = readModalityLut({3, 0, 8}, std::vector<std::uint16_t>{0x0201, 0x0003}, false);
+    ASSERT_NE(packed, nullptr);
+    EXPECT_EQ(packed->entries, (std::vector<std::uint16_t>{1, 2, 3}));
+    const auto wide = readModalityLut({3, 0, 8}, std::vector<std::uint16_t>{1, 2, 255}, false);
+    ASSERT_NE(wide, nullptr);
+    EXPECT_EQ(wide->entries, (std::vector<std::uint16_t>{1, 2, 255}));
+    EXPECT_EQ(readModalityLut({3, 0, 8}, std::vector<std::uint16_t>{1}, false), nullptr);
+    EXPECT_EQ(readModalityLut({2, 0, 0}, std::vector<std::uint16_t>{1, 2}, false), nullptr);
+}
+
+// With and without a table, padding apart, and a table of its own in each slice.
+TEST(ModalityLut, volumeIsExact) {
+    SliceIntensity first = slice(1.0, 0.0, kSignedTwelveBits, RawRange{-2048, -2048});
+    first.modalityLut = readModalityLut({4, 0xFFFE, 16}, std::vector<std::uint16_t>{9, 20, 31, 60000}, true);
+    SliceIntensity second = slice(2.0, -1.0, kTwelveBits);
+    SliceIntensity third = first;
+    third.modalityLut = readModalityLut({1, 0, 16}, std::vector<std::uint16_t>{777}, true);
+    const IntensityPlan plan = planOf({first, second, third});
+    ASSERT_EQ(plan.format, VoxelFormat::stored16);
+    EXPECT_EQ(valueOf(plan, 0, 32768 - 2047), 9.0);
+    EXPECT_EQ(valueOf(plan, 0, 32768 - 1), 20.0);
+    EXPECT_EQ(valueOf(plan, 0, 32768 + 1), 60000.0);
+    EXPECT_EQ(valueOf(plan, 0, 32768 + 2047), 60000.0);
+    EXPECT_EQ(valueOf(plan, 1, 0), -1.0);
+    EXPECT_EQ(valueOf(plan, 1, 4095), 8189.0);
+    EXPECT_EQ(valueOf(plan, 2, 32768 + 5), 777.0);
+    std::array<std::uint16_t, 1> padding{32768 - 2048};
+    applyMap(plan.slices[0], padding);
+    ASSERT_TRUE(plan.padding);
     EXPECT_TRUE(plan.padding->contains(padding[0]));
-    std::array<std::uint16_t, 1> zero{0};
-    applyMap(plan.slices[0], zero);
-    EXPECT_FALSE(plan.padding->contains(zero[0]));
+
+    std::vector<float> values(2);
+    applyIntensity(first, std::vector<std::uint16_t>{32768 - 2048, 32768}, values);
+    EXPECT_TRUE(std::isnan(values[0]));
+    EXPECT_EQ(values[1], 31.0F);
 }
 
 }  // namespace
