@@ -59,7 +59,7 @@ std::optional<double> commonStep(std::span<const Line> lines) {
     if (!std::isfinite(step)) return {};
     step = steepest / std::round(steepest / step);  // sheds what rounding added up
     for (const Line& line : lines) {
-        if (!isNearlyInteger(line.slope / step)) return {};
+        if (!isNearlyInteger(line.slope / step) || std::round(line.slope / step) == 0.0) return {};
         if (!isNearlyInteger((line.intercept - lines[0].intercept) / step)) return {};
     }
     return step;

@@ -207,7 +207,10 @@ TEST(Intensity, mixedSlopesWithoutACommonStepNeedFloat) {
     const std::vector<SliceIntensity> slices{slice(0.0123457, 0.0), slice(0.0346987, 0.0)};
     EXPECT_EQ(planOf(slices).format, VoxelFormat::float32);
     EXPECT_EQ(planOf({slice(1e300, 0.0), slice(1e-300, 1e300)}).format, VoxelFormat::float32);
-    EXPECT_EQ(planOf({slice(1.0, 0.0), slice(1.0, 0.5e-9), slice(1.0, 1e18)}).format, VoxelFormat::float32);
+    const std::vector<SliceIntensity> far{slice(1.0, 0.0), slice(1.0, 1e18)};
+    EXPECT_EQ(planFromRanges(far, std::vector<StoredRange>(2, StoredRange{0, 1})).format,
+              VoxelFormat::float32);
+    EXPECT_EQ(planFromRanges(far, std::vector<StoredRange>{{0, 1}, {65535, 0}}).format, VoxelFormat::float32);
 }
 
 TEST(Intensity, floatValuesAreComputedInDouble) {
