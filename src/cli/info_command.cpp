@@ -10,108 +10,18 @@
 #include "base/progress_bar.h"
 #include "cli/command.h"
 #include "cli/interrupt.h"
-#include "dicom/loader.h"
-#include "dicom/scan.h"
+#include "cli/scan_json.h"
 #include "dicom/transfer_syntax.h"
 
 namespace macula::cli {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 struct Options {
     std::filesystem::path path;
     bool json = false;
     bool patient = false;
 };
-
-std::string_view severityName(dicom::Severity severity) {
-    switch (severity) {
-        case dicom::Severity::info:
-            return "note";
-        case dicom::Severity::warning:
-            return "warning";
-        case dicom::Severity::blocksVolume:
-            return "cannot be shown";
-    }
-    return "note";
-}
-
-Json toJson(const dicom::Message& message) {
-    return {{"severity", severityName(message.severity)},
-            {"key", message.key},
-            {"sentence", message.sentence},
-            {"action", message.action}};
-}
-
-Json toJson(const glm::dvec3& vector) {
-    return {vector.x, vector.y, vector.z};
-}
-
-Json toJson(const dicom::Series& series, std::size_t place, bool isBest) {
-    Json json = {{"place", place},
-                 {"seriesInstanceUid", series.seriesInstanceUid},
-                 {"modality", series.modality},
-                 {"description", series.description},
-                 {"size", {series.columns, series.rows, series.slices}},
-                 {"instances", series.instances.size()},
-                 {"transferSyntaxUids", series.transferSyntaxUids},
-                 {"patientPosition", series.patientPosition},
-                 {"orientation", series.orientation},
-                 {"canBeVolume", series.canBeVolume()},
-                 {"best", isBest},
-                 {"messages", Json::array()},
-                 {"assumptions", series.assumptions}};
-    if (series.number) json["number"] = *series.number;
-    if (series.spacingMm) json["spacingMm"] = toJson(*series.spacingMm);
-    if (series.firstPositionMm) json["firstPositionMm"] = toJson(*series.firstPositionMm);
-    if (series.lastPositionMm) json["lastPositionMm"] = toJson(*series.lastPositionMm);
-    if (series.worldFromVoxel) {
-        Json rows = Json::array();
-        for (int row = 0; row < 4; ++row) {
-            Json values = Json::array();
-            for (int column = 0; column < 4; ++column)
-                values.push_back((*series.worldFromVoxel)[column][row]);
-            rows.push_back(values);
-        }
-        json["worldFromVoxel"] = rows;
-    }
-    for (const dicom::Message& message : series.messages) json["messages"].push_back(toJson(message));
-    return json;
-}
-
-void printJson(const dicom::Scan& scan, const dicom::Series* best, const Options& options) {
-    Json json = {{"filesSeen", scan.filesSeen},
-                 {"notDicom", scan.notDicom},
-                 {"otherObjects", scan.others.size()},
-                 {"studies", Json::array()},
-                 {"skipped", Json::array()}};
-    std::size_t place = 0;
-    for (const dicom::Study& study : scan.studies) {
-        Json entry = Json::object();
-        if (options.patient) {
-            entry = {{"patientName", study.patientName},
-                     {"patientId", study.patientId},
-                     {"date", study.date},
-                     {"description", study.description},
-                     {"studyInstanceUid", study.studyInstanceUid}};
-        }
-        entry["series"] = Json::array();
-        for (const dicom::Series& series : study.series) {
-            entry["series"].push_back(toJson(series, ++place, &series == best));
-        }
-        json["studies"].push_back(entry);
-    }
-    for (const dicom::SkippedFile& file : scan.skipped) {
-        Json entry = toJson(file.message);
-        if (options.patient) entry["file"] = file.file.string();
-        json["skipped"].push_back(entry);
-    }
-    // Text in old files is not always what its character set says; a broken byte is no reason to print
-    // nothing.
-    fmt::print("{}\n", json.dump(4, ' ', false, Json::error_handler_t::replace));
-}
 
 // Text from a file must not steer the terminal it is shown in: no C0 and no C1 controls, the latter also as
 // the UTF-8 pairs C2 80 to C2 9F, and as lone bytes.
@@ -139,59 +49,99 @@ std::string orNone(const std::string& text) {
     return text.empty() ? "(none)" : printable(text);
 }
 
-void print(const dicom::Series& series, std::size_t place, bool isBest) {
-    fmt::print("  {}[{}] {}  {} x {} x {}", isBest ? '*' : ' ', place, orNone(series.modality),
-               series.columns, series.rows, series.slices);
-    if (series.spacingMm) {
-        fmt::print("  {:.4g} x {:.4g} x {:.4g} mm", series.spacingMm->x, series.spacingMm->y,
-                   series.spacingMm->z);
+std::string_view label(Severity severity) {
+    switch (severity) {
+        case Severity::info:
+            return "note";
+        case Severity::warning:
+            return "warning";
+        case Severity::blocksVolume:
+            return "no 3D";
+        case Severity::blocksLoading:
+            return "cannot be opened";
     }
-    if (!series.orientation.empty()) fmt::print("  {}", printable(series.orientation));
-    fmt::print("\n");
-    if (series.number) fmt::print("        number       {}\n", *series.number);
-    if (!series.description.empty()) fmt::print("        description  {}\n", printable(series.description));
-    for (const std::string& uid : series.transferSyntaxUids) {
-        fmt::print("        encoding     {}\n", dicom::describeTransferSyntax(uid));
-    }
-    for (const dicom::Message& message : series.messages) {
-        fmt::print("        {}: {}{}{}\n", severityName(message.severity), message.sentence,
-                   message.action.empty() ? "" : " ", message.action);
-    }
-    for (const std::string& assumption : series.assumptions) fmt::print("        assumed: {}\n", assumption);
+    return "note";
 }
 
-void printText(const dicom::Scan& scan, const dicom::Series* best, const std::string& why,
-               const Options& options) {
+void print(const std::vector<Message>& messages, std::string_view indent) {
+    for (const Message& message : messages) {
+        fmt::print("{}{}: {}{}{}\n", indent, label(message.severity), message.sentence,
+                   message.action.empty() ? "" : " ", message.action);
+    }
+}
+
+// "EchoTime 4.6, phase 2 of 20"
+std::string describe(const dicom::Stack& stack) {
+    std::string text;
+    for (const dicom::StackLabel& split : stack.splitBy) {
+        text += fmt::format("  {} {}", printable(split.attribute), orNone(split.value));
+    }
+    if (stack.phases > 1) text += fmt::format("  phase {} of {}", stack.phase + 1, stack.phases);
+    return text;
+}
+
+void print(const dicom::Stack& stack, const std::string& place, bool isBest) {
+    fmt::print("   {}[{}]  {} x {} x {}", isBest ? '*' : ' ', place, stack.columns, stack.rows,
+               stack.slices.empty() ? stack.frames.size() : stack.slices.size());
+    if (stack.spacingMm) {
+        fmt::print("  {:.4g} x {:.4g} x {:.4g} mm", stack.spacingMm->x, stack.spacingMm->y,
+                   stack.spacingMm->z);
+    }
+    fmt::print("{}{}{}\n", stack.orientation.empty() ? "" : "  ", printable(stack.orientation),
+               describe(stack));
+    print(stack.messages, "          ");
+}
+
+void print(const dicom::Series& series, std::size_t place, const dicom::Choice& best) {
+    fmt::print("  [{}] {}", place, orNone(series.modality));
+    if (series.number) fmt::print("  series {}", *series.number);
+    if (!series.description.empty()) fmt::print("  {}", printable(series.description));
+    fmt::print("\n");
+    for (const std::string& uid : series.transferSyntaxUids) {
+        fmt::print("      encoding: {}\n", dicom::describeTransferSyntax(uid));
+    }
+    print(series.messages, "      ");
+    for (std::size_t i = 0; i < series.stacks.size(); ++i) {
+        const dicom::Stack& stack = series.stacks[i];
+        print(stack, fmt::format("{}.{}", place, i + 1), &stack == best.stack);
+    }
+}
+
+void printText(const dicom::Scan& scan, const dicom::Choice& best, const Options& options) {
     std::size_t place = 0;
     for (std::size_t i = 0; i < scan.studies.size(); ++i) {
         const dicom::Study& study = scan.studies[i];
-        fmt::print("Study {}\n", i + 1);
+        fmt::print("Study {}{}\n", i + 1,
+                   scan.patients > 1 ? fmt::format("  (patient {})", study.patient + 1) : std::string());
         if (options.patient) {
             fmt::print("  patient      {}\n  id           {}\n  date         {}\n  description  {}\n",
                        orNone(study.patientName), orNone(study.patientId), orNone(study.date),
                        orNone(study.description));
         }
-        for (const dicom::Series& series : study.series) print(series, ++place, &series == best);
+        for (const dicom::Series& series : study.series) print(series, ++place, best);
     }
     for (const dicom::SkippedFile& file : scan.skipped) {
         fmt::print("Left out: {} {}{}\n", file.message.sentence, file.message.action,
                    options.patient ? " (" + printable(file.file.string()) + ")" : "");
     }
-    fmt::print("{} files, {} of them no DICOM, {} DICOM objects that are no images.\n", scan.filesSeen,
-               scan.notDicom, scan.others.size());
-    if (!why.empty()) fmt::print("{}{}\n", best ? "* " : "", why);
+    print(scan.messages, "");
+    fmt::print("{} files: {} images, {} other DICOM objects, {} left out, {} not DICOM.\n", scan.filesSeen,
+               scan.imageCount(), scan.objectCount(), scan.skipped.size(), scan.notDicom);
+    fmt::print("{}{}\n", best ? "* " : "", best.why);
 }
 
 Result<void> showInfo(const Options& options) {
     Progress progress(terminalProgressBar(), interruptToken());
     MACULA_TRY(const dicom::Scan scan, dicom::scanFolder(options.path, progress));
-    std::string why;
-    const dicom::Series* best = dicom::bestSeries(scan, &why);
-    if (options.json) {
-        printJson(scan, best, options);
-    } else {
-        printText(scan, best, why, options);
+    const dicom::Choice best = dicom::bestVolume(scan);
+    if (!options.json) {
+        printText(scan, best, options);
+        return {};
     }
+    const auto json = toJson(scan, best, options.patient ? PatientData::include : PatientData::leaveOut);
+    // Text in old files is not always what its character set says; a broken byte is no reason to print
+    // nothing.
+    fmt::print("{}\n", json.dump(4, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
     return {};
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <optional>
 
 #include "base/phantom.h"
 #include "base/sha256.h"
@@ -12,6 +13,14 @@ namespace macula::cli {
 
 namespace {
 
+// "12" is 12; anything else nothing.
+std::optional<std::size_t> wholeNumber(std::string_view text) {
+    std::size_t value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (text.empty() || error != std::errc() || end != text.data() + text.size()) return {};
+    return value;
+}
+
 const dicom::Series* atPlace(const dicom::Scan& scan, std::size_t place) {
     for (const dicom::Study& study : scan.studies) {
         if (place <= study.series.size()) return place == 0 ? nullptr : &study.series[place - 1];
@@ -20,30 +29,56 @@ const dicom::Series* atPlace(const dicom::Scan& scan, std::size_t place) {
     return nullptr;
 }
 
-Result<const dicom::Series*> chooseSeries(const dicom::Scan& scan, const std::string& wanted,
-                                          std::string& why) {
+// Of a series that was chosen: its stack at `place` from 1, or its best.
+Result<dicom::Choice> chooseStack(const dicom::Series& series, std::optional<std::size_t> place) {
+    if (!place) {
+        dicom::Choice choice = dicom::bestVolume(series);
+        if (choice) {
+            if (series.stacks.size() == 1) choice.why.clear();
+            return choice;
+        }
+        for (const Message& message : series.messages) {
+            if (message.severity >= Severity::blocksVolume) {
+                return Error{ErrorCode::inputNotUsable, message.sentence, {}, message.action};
+            }
+        }
+        return Error{
+            ErrorCode::inputNotUsable, choice.why, {}, "Choose another series; macula info lists them."};
+    }
+    if (*place < 1 || *place > series.stacks.size()) {
+        return Error{ErrorCode::usage,
+                     fmt::format("The series has {} stacks of images.", series.stacks.size()),
+                     {},
+                     "See macula info for the list."};
+    }
+    return dicom::Choice{&series, &series.stacks[*place - 1], {}};
+}
+
+}  // namespace
+
+Result<dicom::Choice> chooseVolume(const dicom::Scan& scan, const std::string& wanted) {
     if (wanted.empty()) {
-        if (const dicom::Series* best = dicom::bestSeries(scan, &why)) return best;
+        if (dicom::Choice best = dicom::bestVolume(scan)) return best;
         return Error{ErrorCode::inputNotUsable,
-                     why,
+                     dicom::bestVolume(scan).why,
                      {},
                      "Choose another folder; macula info tells more about this one."};
     }
-    const dicom::Series* chosen = dicom::findSeries(scan, wanted);
-    std::size_t place = 0;
-    const auto [end, error] = std::from_chars(wanted.data(), wanted.data() + wanted.size(), place);
-    if (!chosen && error == std::errc() && end == wanted.data() + wanted.size())
-        chosen = atPlace(scan, place);
-    if (chosen) return chosen;
+    if (const dicom::Series* series = dicom::findSeries(scan, wanted)) return chooseStack(*series, {});
     if (dicom::findAllSeries(scan, wanted).size() > 1) {
         return Error{ErrorCode::usage, "Several patients have a series of this UID.", wanted,
                      "Choose by the number in front of it in macula info."};
     }
+    const std::size_t point = wanted.find('.');
+    const auto place = wholeNumber(std::string_view(wanted).substr(0, point));
+    const auto stack =
+        point == std::string::npos ? std::nullopt : wholeNumber(std::string_view(wanted).substr(point + 1));
+    const dicom::Series* series = place ? atPlace(scan, *place) : nullptr;
+    if (series != nullptr && (stack || point == std::string::npos)) return chooseStack(*series, stack);
     return Error{ErrorCode::usage, "There is no such series in the folder.", wanted,
-                 "See macula info for the list; --series takes the number in front, or the series UID."};
+                 "See macula info for the list; --series takes the number in front (3, or 3.2 for its second "
+                 "stack), or the series UID."};
 }
-
-}  // namespace
 
 Result<StudyInput> loadStudy(const std::filesystem::path& path, const std::string& series,
                              Progress& progress) {
@@ -60,29 +95,34 @@ Result<StudyInput> loadStudy(const std::filesystem::path& path, const std::strin
     }
 
     MACULA_TRY(const dicom::Scan scan, dicom::scanFolder(path, progress));
-    std::string why;
-    auto chosen = chooseSeries(scan, series, why);
+    auto chosen = chooseVolume(scan, series);
     if (!chosen) {
         Error error = chosen.error();
         if (error.where.empty()) error.where = path.string();
         return error;
     }
-    std::size_t seriesCount = 0;
-    for (const dicom::Study& study : scan.studies) seriesCount += study.series.size();
-    if (seriesCount > 1 && !why.empty()) input.notes.push_back(why);
+    if (!chosen->why.empty() && chosen->why != "The only volume.") input.notes.push_back(chosen->why);
     if (!scan.skipped.empty()) {
         input.notes.push_back(
             fmt::format("{} files were left out; macula info says why.", scan.skipped.size()));
     }
-    for (const dicom::Message& message : (*chosen)->messages) {
-        if (message.severity == dicom::Severity::warning) {
+    const auto note = [&](const std::vector<Message>& messages) {
+        for (const Message& message : messages) {
+            if (message.severity != Severity::warning) continue;
             input.notes.push_back(message.sentence + (message.action.empty() ? "" : " " + message.action));
         }
+    };
+    note(chosen->series->messages);
+    note(chosen->stack->messages);
+    MACULA_TRY(input.volume, dicom::loadVolume(*chosen->series, *chosen->stack, progress));
+    note(input.volume->provenance().messages);
+    for (const std::string& assumption : input.volume->provenance().assumptions) {
+        // Most are the sentence of a warning that is there already, with what to do.
+        const bool known = std::any_of(input.notes.begin(), input.notes.end(),
+                                       [&](const std::string& n) { return n.starts_with(assumption); });
+        if (!known) input.notes.push_back(assumption);
     }
-    MACULA_TRY(input.volume, dicom::loadVolume(**chosen, progress));
-    for (const std::string& assumption : input.volume->provenance().assumptions)
-        input.notes.push_back(assumption);
-    input.seriesDigest = sha256Hex((*chosen)->seriesInstanceUid);
+    input.seriesDigest = sha256Hex(chosen->series->seriesInstanceUid);
     return input;
 }
 

@@ -9,6 +9,7 @@
 #include "base/progress.h"
 #include "base/result.h"
 #include "base/volume.h"
+#include "dicom/best_volume.h"
 
 namespace macula::cli {
 
@@ -19,9 +20,13 @@ struct StudyInput {
 };
 
 // No path, or "phantom:", is the built-in phantom. `series` chooses by its place in the list of `macula info`
-// ("2") or by its UID; when empty, the series that shows most is taken.
+// ("2", or "2.3" for its third stack of images) or by its UID; when empty, or when the series has several
+// volumes, the best is taken.
 Result<StudyInput> loadStudy(const std::filesystem::path& path, const std::string& series,
                              Progress& progress);
+
+// The same choice, of a folder that was read. `why` is empty when there was nothing to choose from.
+Result<dicom::Choice> chooseVolume(const dicom::Scan& scan, const std::string& series);
 
 // For what draws or traces the study: 16 bits, with what that cost among the notes.
 void bringTo16Bits(StudyInput& study);

@@ -4,7 +4,6 @@
 
 #include <map>
 #include <set>
-#include <tuple>
 #include <utility>
 
 #include "base/atomic_file.h"
@@ -21,13 +20,15 @@ struct Twin {
 };
 
 // Those that share UID and size with another of their series.
-std::vector<Twin> findTwins(const std::vector<Series*>& all, Progress& progress) {
+std::vector<Twin> findTwins(const std::vector<std::vector<Frame>*>& all, Progress& progress) {
     std::vector<Twin> twins;
-    for (const Series* series : all) {
+    for (const std::vector<Frame>* frames : all) {
         if (progress.cancelled()) return {};
-        std::map<std::string_view, std::vector<const Instance*>> byUid;
-        for (const Instance& instance : series->instances) {
-            if (!instance.sopInstanceUid.empty()) byUid[instance.sopInstanceUid].push_back(&instance);
+        std::map<std::string_view, std::set<const Instance*>> byUid;
+        for (const Frame& frame : *frames) {
+            if (!frame.instance->sopInstanceUid.empty()) {
+                byUid[frame.instance->sopInstanceUid].insert(frame.instance.get());
+            }
         }
         for (const auto& [uid, sharing] : byUid) {
             if (sharing.size() < 2) continue;
@@ -48,9 +49,10 @@ std::vector<Twin> findTwins(const std::vector<Series*>& all, Progress& progress)
 
 }  // namespace
 
-void dropCopies(const std::vector<Series*>& all, Progress& progress) {
+std::vector<std::size_t> dropCopies(const std::vector<std::vector<Frame>*>& all, Progress& progress) {
+    std::vector<std::size_t> dropped(all.size(), 0);
     std::vector<Twin> twins = findTwins(all, progress);
-    if (twins.empty()) return;
+    if (twins.empty()) return dropped;
     progress.beginStage(fmt::format("Comparing {} files", twins.size()), twins.size());
     parallelFor(
         twins.size(),
@@ -65,29 +67,31 @@ void dropCopies(const std::vector<Series*>& all, Progress& progress) {
             progress.advance();
         },
         progress.token());
-    if (progress.cancelled()) return;
+    if (progress.cancelled()) return dropped;
 
     std::map<const Instance*, std::string> digests;
     for (Twin& twin : twins) digests.emplace(twin.instance, std::move(twin.digest));
-    for (Series* series : all) {
-        std::set<std::pair<std::string, std::string>> kept;  // UID, digest
-        std::vector<Instance> unique;
-        unique.reserve(series->instances.size());
-        for (Instance& instance : series->instances) {
-            const auto digest = digests.find(&instance);
-            const bool known = digest != digests.end() && !digest->second.empty();
-            if (known && !kept.insert({instance.sopInstanceUid, digest->second}).second) continue;
-            unique.push_back(std::move(instance));
+    for (std::size_t s = 0; s < all.size(); ++s) {
+        std::map<std::pair<std::string, std::string>, const Instance*> kept;  // by UID and digest
+        std::set<const Instance*> gone;
+        std::vector<Frame> unique;
+        unique.reserve(all[s]->size());
+        for (Frame& frame : *all[s]) {
+            const auto digest = digests.find(frame.instance.get());
+            if (digest != digests.end() && !digest->second.empty()) {
+                const auto [first, isNew] = kept.emplace(
+                    std::pair(frame.instance->sopInstanceUid, digest->second), frame.instance.get());
+                if (first->second != frame.instance.get()) {
+                    gone.insert(frame.instance.get());
+                    continue;
+                }
+            }
+            unique.push_back(std::move(frame));
         }
-        if (const std::size_t dropped = series->instances.size() - unique.size(); dropped > 0) {
-            series->messages.push_back(
-                {Severity::info, std::string(key::kDuplicateFiles),
-                 fmt::format("{} {} of a file that is there already, and left out.", dropped,
-                             dropped == 1 ? "file is a copy" : "files are copies"),
-                 "Nothing to do."});
-        }
-        series->instances = std::move(unique);
+        dropped[s] = gone.size();
+        *all[s] = std::move(unique);
     }
+    return dropped;
 }
 
 }  // namespace macula::dicom

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "dicom/tag.h"
+#include "dicom/tags.h"
 
 namespace macula::dicom {
 
@@ -98,48 +98,5 @@ std::optional<Tag> tagOfKeyword(std::string_view keyword);
 
 // Switches off the toolkit's log. Called by everything that uses DCMTK; idempotent, thread-safe.
 void silenceToolkit();
-
-namespace tag {
-inline constexpr Tag kSpecificCharacterSet{0x0008, 0x0005};
-inline constexpr Tag kImageType{0x0008, 0x0008};
-inline constexpr Tag kSopClassUid{0x0008, 0x0016};
-inline constexpr Tag kSopInstanceUid{0x0008, 0x0018};
-inline constexpr Tag kStudyDate{0x0008, 0x0020};
-inline constexpr Tag kModality{0x0008, 0x0060};
-inline constexpr Tag kStudyDescription{0x0008, 0x1030};
-inline constexpr Tag kSeriesDescription{0x0008, 0x103E};
-inline constexpr Tag kPatientName{0x0010, 0x0010};
-inline constexpr Tag kPatientId{0x0010, 0x0020};
-inline constexpr Tag kPatientBirthDate{0x0010, 0x0030};
-inline constexpr Tag kPatientSex{0x0010, 0x0040};
-inline constexpr Tag kPatientPosition{0x0018, 0x5100};
-inline constexpr Tag kStudyInstanceUid{0x0020, 0x000D};
-inline constexpr Tag kSeriesInstanceUid{0x0020, 0x000E};
-inline constexpr Tag kSeriesNumber{0x0020, 0x0011};
-inline constexpr Tag kInstanceNumber{0x0020, 0x0013};
-inline constexpr Tag kImagePositionPatient{0x0020, 0x0032};
-inline constexpr Tag kImageOrientationPatient{0x0020, 0x0037};
-inline constexpr Tag kFrameOfReferenceUid{0x0020, 0x0052};
-inline constexpr Tag kSamplesPerPixel{0x0028, 0x0002};
-inline constexpr Tag kPhotometricInterpretation{0x0028, 0x0004};
-inline constexpr Tag kNumberOfFrames{0x0028, 0x0008};
-inline constexpr Tag kRows{0x0028, 0x0010};
-inline constexpr Tag kColumns{0x0028, 0x0011};
-inline constexpr Tag kPixelSpacing{0x0028, 0x0030};
-inline constexpr Tag kBitsAllocated{0x0028, 0x0100};
-inline constexpr Tag kBitsStored{0x0028, 0x0101};
-inline constexpr Tag kHighBit{0x0028, 0x0102};
-inline constexpr Tag kPixelRepresentation{0x0028, 0x0103};
-inline constexpr Tag kPixelPaddingValue{0x0028, 0x0120};
-inline constexpr Tag kPixelPaddingRangeLimit{0x0028, 0x0121};
-inline constexpr Tag kRescaleIntercept{0x0028, 0x1052};
-inline constexpr Tag kRescaleSlope{0x0028, 0x1053};
-inline constexpr Tag kRescaleType{0x0028, 0x1054};
-inline constexpr Tag kLossyImageCompression{0x0028, 0x2110};
-inline constexpr Tag kModalityLutSequence{0x0028, 0x3000};
-inline constexpr Tag kSharedFunctionalGroups{0x5200, 0x9229};
-inline constexpr Tag kPerFrameFunctionalGroups{0x5200, 0x9230};
-inline constexpr Tag kPixelData{0x7FE0, 0x0010};
-}  // namespace tag
 
 }  // namespace macula::dicom

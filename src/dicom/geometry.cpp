@@ -11,11 +11,12 @@ namespace macula::dicom {
 namespace {
 
 constexpr double kDirectionTolerance = 1e-3;  // of unit length and perpendicularity
-constexpr double kSameDirection = 1e-4;       // per component, between slices: files often have 6 decimals
+constexpr double kExactDirection = 1e-4;      // files often have 5 or 6 decimals; beyond this it is repaired
+constexpr double kSameDirection = 1e-4;       // per component, between slices
 constexpr double kSameSpacing = 1e-4;         // relative
-constexpr double kSamePositionMm = 1e-3;
-constexpr double kUnevenErrorOfStep = 0.01;     // error of a slice's position that is worth telling
-constexpr double kIrregularErrorOfStep = 0.10;  // and the one above which nothing is shown
+constexpr double kUnevenErrorOfStep = 0.01;   // error of a slice's position that is worth telling
+constexpr double kIrregularErrorOfStep = 0.10;  // and the one above which slices are resampled
+constexpr double kExactOfStep = 0.01;           // a resampled slice this near to a plane is that plane
 constexpr double kTiltWorthTellingDeg = 0.1;
 constexpr double kDegPerRad = 57.29577951308232;
 
@@ -28,64 +29,110 @@ bool near(double a, double b) {
     return std::abs(a - b) <= kSameSpacing * std::max(std::abs(a), std::abs(b));
 }
 
-Message blocking(std::string_view key, std::string sentence, std::string action) {
-    return {Severity::blocksVolume, std::string(key), std::move(sentence), std::move(action)};
-}
-
 std::optional<Message> inconsistency(std::span<const StackedPlane> planes) {
     const ImagePlane& first = planes[0].plane;
     for (const StackedPlane& other : planes) {
-        if (!isUsable(other.plane)) {
-            return blocking(key::kInvalidOrientation,
-                            "The orientation or pixel spacing of a slice is not a valid one.",
-                            "Export the series again, or choose another.");
-        }
+        if (!isUsable(other.plane)) return message(key::kInvalidOrientation);
         if (!near(first.rowDirection, other.plane.rowDirection) ||
             !near(first.columnDirection, other.plane.columnDirection)) {
-            return blocking(
-                key::kInconsistentOrientation, "The slices of this series are not parallel to each other.",
-                "Choose another series; a localizer, or reformatted images, may be mixed into this one.");
+            return message(key::kNotParallel);
         }
         if (!near(first.columnSpacingMm, other.plane.columnSpacingMm) ||
             !near(first.rowSpacingMm, other.plane.rowSpacingMm)) {
-            return blocking(key::kInconsistentPixelSpacing,
-                            "The slices of this series have different pixel spacings.",
-                            "Choose another series.");
+            return message(key::kNotReconstructable, {{"reason", "their pixel spacings differ"}});
         }
     }
     return {};
 }
 
-// Says what is wrong with steps that are not even: a gap that is a multiple of the usual step is a missing
-// slice.
-Message irregular(std::span<const double> steps, double usual) {
-    std::size_t missing = 0;
-    for (const double step : steps) {
-        const double multiple = std::round(step / usual);
-        if (multiple >= 2.0 && std::abs(step / usual - multiple) <= kIrregularErrorOfStep) {
-            missing += static_cast<std::size_t>(multiple) - 1;
-        } else if (std::abs(step / usual - 1.0) > kIrregularErrorOfStep) {
-            const auto [least, most] = std::minmax_element(steps.begin(), steps.end());
-            return blocking(key::kIrregularSpacing,
-                            fmt::format("The slices are unevenly spaced: between {:.3f} and {:.3f} mm apart.",
-                                        *least, *most),
-                            "Choose an evenly spaced series of this study.");
+// Row and column as they are when they are as good as perpendicular unit vectors, else made so: the row kept,
+// the column turned.
+ImagePlane orthonormal(ImagePlane plane, std::vector<Message>& messages) {
+    const double dot = glm::dot(plane.rowDirection, plane.columnDirection);
+    const double worst = std::max({std::abs(dot), std::abs(glm::length(plane.rowDirection) - 1.0),
+                                   std::abs(glm::length(plane.columnDirection) - 1.0)});
+    if (worst <= kExactDirection) return plane;
+    plane.rowDirection = glm::normalize(plane.rowDirection);
+    plane.columnDirection = glm::normalize(
+        plane.columnDirection - glm::dot(plane.rowDirection, plane.columnDirection) * plane.rowDirection);
+    messages.push_back(message(key::kRepairedOrientation, {{"degrees", std::abs(dot) * kDegPerRad}}));
+    return plane;
+}
+
+// Positions along the stack, ascending, and the distances between them.
+struct Positions {
+    std::vector<double> alongMm;
+    std::vector<double> stepsMm;
+    double usualMm = 0.0;  // the median distance
+};
+
+// The grid place of each position when all distances are multiples of the usual one; nothing otherwise.
+std::optional<std::vector<std::size_t>> placesWithGaps(const Positions& positions) {
+    std::vector<std::size_t> places{0};
+    for (const double step : positions.stepsMm) {
+        const double multiple = std::round(step / positions.usualMm);
+        // The allowance does not grow with the gap: many irregular distances are near some multiple.
+        if (multiple < 1.0 || multiple > 1e6 ||
+            std::abs(step / positions.usualMm - multiple) > kIrregularErrorOfStep) {
+            return {};
+        }
+        places.push_back(places.back() + static_cast<std::size_t>(multiple));
+    }
+    const double gridStep = (positions.alongMm.back() - positions.alongMm.front()) / double(places.back());
+    for (std::size_t k = 0; k < places.size(); ++k) {
+        const double error = positions.alongMm[k] - positions.alongMm.front() - gridStep * double(places[k]);
+        if (std::abs(error) > kIrregularErrorOfStep * positions.usualMm) return {};
+    }
+    return places;
+}
+
+std::vector<SliceSource> slicesWithGaps(const std::vector<std::size_t>& places) {
+    std::vector<SliceSource> slices{{0, 0, 0.0}};
+    for (std::size_t k = 1; k < places.size(); ++k) {
+        const std::size_t steps = places[k] - places[k - 1];
+        for (std::size_t s = 1; s < steps; ++s) slices.push_back({k - 1, k, double(s) / double(steps)});
+        slices.push_back({k, k, 0.0});
+    }
+    return slices;
+}
+
+// `count` slices, evenly from the first position to the last.
+std::vector<SliceSource> slicesEvenly(const Positions& positions, std::size_t count) {
+    const double first = positions.alongMm.front();
+    const double step = (positions.alongMm.back() - first) / double(count - 1);
+    std::vector<SliceSource> slices;
+    std::size_t below = 0;
+    for (std::size_t s = 0; s < count; ++s) {
+        const double at = first + step * double(s);
+        while (below + 2 < positions.alongMm.size() && positions.alongMm[below + 1] <= at) ++below;
+        const double weight =
+            std::clamp((at - positions.alongMm[below]) / positions.stepsMm[below], 0.0, 1.0);
+        const double toleranceOfGap = kExactOfStep * step / positions.stepsMm[below];
+        if (weight <= toleranceOfGap) {
+            slices.push_back({below, below, 0.0});
+        } else if (weight >= 1.0 - toleranceOfGap) {
+            slices.push_back({below + 1, below + 1, 0.0});
+        } else {
+            slices.push_back({below, below + 1, weight});
         }
     }
-    if (missing == 0) {
-        return blocking(
-            key::kIrregularSpacing,
-            fmt::format("The distance between slices drifts along the stack; it is {:.3f} mm in the middle "
-                        "of the range.",
-                        usual),
-            "Choose an evenly spaced series of this study.");
+    return slices;
+}
+
+// "5, 9-11": slices counted from 1, as they are on screen.
+std::string listInterpolated(const std::vector<SliceSource>& slices) {
+    std::string list;
+    for (std::size_t k = 0; k < slices.size();) {
+        std::size_t end = k;
+        while (end < slices.size() && slices[end].interpolated()) ++end;
+        if (end > k) {
+            if (list.size() > 100) return list + ", …";
+            list += fmt::format("{}{}", list.empty() ? "" : ", ", k + 1);
+            if (end > k + 1) list += fmt::format("-{}", end);
+        }
+        k = end + 1;
     }
-    return blocking(
-        key::kMissingSlices,
-        fmt::format("{} missing between slices that are {:.3f} mm apart.",
-                    missing == 1 ? std::string("One slice is") : fmt::format("{} slices are", missing),
-                    usual),
-        "Copy the whole series again from its source.");
+    return list;
 }
 
 }  // namespace
@@ -94,13 +141,17 @@ bool isUsable(const ImagePlane& plane) {
     const auto within = [](double value, double target) {
         return std::abs(value - target) <= kDirectionTolerance;
     };
+    const auto finite = [](const glm::dvec3& v) {
+        return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+    };
     return within(glm::length(plane.rowDirection), 1.0) && within(glm::length(plane.columnDirection), 1.0) &&
            within(glm::dot(plane.rowDirection, plane.columnDirection), 0.0) && plane.columnSpacingMm > 0.0 &&
-           plane.rowSpacingMm > 0.0;
+           plane.rowSpacingMm > 0.0 && std::isfinite(plane.columnSpacingMm) &&
+           std::isfinite(plane.rowSpacingMm) && finite(plane.positionMm);
 }
 
-Stack stackPlanes(std::span<const StackedPlane> planes) {
-    Stack stack;
+StackGeometry stackPlanes(std::span<const StackedPlane> planes) {
+    StackGeometry stack;
     stack.order.resize(planes.size());
     std::iota(stack.order.begin(), stack.order.end(), std::size_t{0});
     if (planes.empty()) return stack;
@@ -108,73 +159,107 @@ Stack stackPlanes(std::span<const StackedPlane> planes) {
     const glm::dvec3 normal = planes[0].plane.normal();
     std::vector<double> along;
     for (const StackedPlane& p : planes) along.push_back(glm::dot(p.plane.positionMm, normal));
+    const bool sortable = std::all_of(along.begin(), along.end(), [](double a) { return std::isfinite(a); });
     std::stable_sort(stack.order.begin(), stack.order.end(), [&](std::size_t a, std::size_t b) {
-        if (along[a] != along[b]) return along[a] < along[b];
+        if (sortable && along[a] != along[b]) return along[a] < along[b];
         return planes[a].instanceNumber < planes[b].instanceNumber;
     });
 
-    const auto fail = [&](Message message) {
-        stack.messages.push_back(std::move(message));
+    const auto fail = [&](Message why) {
+        stack.messages.push_back(std::move(why));
         return stack;
     };
     if (auto problem = inconsistency(planes)) return fail(std::move(*problem));
-    if (planes.size() < 2) {
-        return fail(blocking(key::kSingleSlice, "The series has only one slice.",
-                             "Choose a series with more slices."));
-    }
+    if (planes.size() < 2) return fail(message(key::kSingleSlice));
 
-    std::vector<double> steps;
-    for (std::size_t k = 1; k < planes.size(); ++k)
-        steps.push_back(along[stack.order[k]] - along[stack.order[k - 1]]);
+    Positions positions;
+    for (const std::size_t index : stack.order) positions.alongMm.push_back(along[index]);
+    for (std::size_t k = 1; k < planes.size(); ++k) {
+        positions.stepsMm.push_back(positions.alongMm[k] - positions.alongMm[k - 1]);
+    }
+    const std::vector<double>& steps = positions.stepsMm;
     const auto duplicates =
         std::count_if(steps.begin(), steps.end(), [](double s) { return s <= kSamePositionMm; });
     if (duplicates > 0) {
-        return fail(
-            blocking(key::kDuplicatePositions,
-                     fmt::format("{} of the {} slices lie at the same position as another.", duplicates,
-                                 planes.size()),
-                     "The series may hold several time points, echoes or copies; choose another series."));
+        return fail(message(key::kDuplicatePositions,
+                            {{"count", std::int64_t(duplicates)}, {"total", std::int64_t(planes.size())}}));
     }
     std::vector<double> sorted = steps;
     std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2),
                      sorted.end());
-    const double usual = sorted[sorted.size() / 2];
+    positions.usualMm = sorted[sorted.size() / 2];
 
-    const ImagePlane& first = planes[stack.order.front()].plane;
-    const ImagePlane& last = planes[stack.order.back()].plane;
-    const glm::dvec3 sliceStep =
-        (last.positionMm - first.positionMm) / static_cast<double>(planes.size() - 1);
-    double largestAlong = 0.0;
+    const ImagePlane first = orthonormal(planes[stack.order.front()].plane, stack.messages);
+    const glm::dvec3 extent = planes[stack.order.back()].plane.positionMm - first.positionMm;
+    const double extentAlong = positions.alongMm.back() - positions.alongMm.front();
+
+    // Sideways every plane has to lie on the line from the first to the last, however they are spaced.
+    double largestSideways = 0.0;
     for (std::size_t k = 0; k < planes.size(); ++k) {
+        const double share = (positions.alongMm[k] - positions.alongMm.front()) / extentAlong;
         const glm::dvec3 error =
-            planes[stack.order[k]].plane.positionMm - (first.positionMm + static_cast<double>(k) * sliceStep);
+            planes[stack.order[k]].plane.positionMm - (first.positionMm + share * extent);
+        largestSideways = std::max(largestSideways, glm::length(error));
+    }
+    if (largestSideways > kIrregularErrorOfStep * std::max(positions.usualMm, first.columnSpacingMm)) {
+        return fail(
+            message(key::kNotReconstructable, {{"reason", "they are shifted sideways against each other"}}));
+    }
+
+    const auto [least, most] = std::minmax_element(steps.begin(), steps.end());
+    if (const auto places = placesWithGaps(positions)) {
+        const std::size_t total = places->back() + 1;
+        if (total > 2 * planes.size()) {
+            return fail(message(key::kMissingSlices, Severity::blocksVolume,
+                                {{"missing", std::int64_t(total - planes.size())},
+                                 {"total", std::int64_t(total)},
+                                 {"spacingMm", positions.usualMm}}));
+        }
+        stack.slices = slicesWithGaps(*places);
+    } else {
+        // Fine enough for the smallest distance, and bounded: one pair of almost equal positions among wide
+        // distances must not make a volume of thousands of slices.
+        constexpr double kMostSlicesPerPlane = 4.0;
+        const double wanted =
+            std::max(*least, extentAlong / (kMostSlicesPerPlane * double(planes.size() - 1)));
+        stack.slices =
+            slicesEvenly(positions, static_cast<std::size_t>(std::ceil(extentAlong / wanted - 1e-6)) + 1);
+        stack.quality = StackGeometry::Quality::resampled;
+    }
+    const double gridStepMm = extentAlong / double(stack.slices.size() - 1);
+    const auto interpolated = static_cast<std::size_t>(std::count_if(
+        stack.slices.begin(), stack.slices.end(), [](const auto& s) { return s.interpolated(); }));
+    if (stack.quality == StackGeometry::Quality::resampled) {
+        stack.messages.push_back(message(
+            key::kIrregularSpacing, {{"leastMm", *least}, {"mostMm", *most}, {"spacingMm", gridStepMm}}));
+    } else if (interpolated > 0) {
+        stack.messages.push_back(message(key::kMissingSlices, {{"missing", std::int64_t(interpolated)},
+                                                               {"total", std::int64_t(stack.slices.size())},
+                                                               {"spacingMm", gridStepMm}}));
+        stack.quality = StackGeometry::Quality::resampled;
+    } else {
+        stack.quality = StackGeometry::Quality::even;
+    }
+    if (interpolated > 0) {
+        stack.messages.push_back(
+            message(key::kGapInterpolated,
+                    {{"count", std::int64_t(interpolated)}, {"slices", listInterpolated(stack.slices)}}));
+    }
+
+    const glm::dvec3 sliceStep = extent / double(stack.slices.size() - 1);
+    for (std::size_t k = 0; k < stack.slices.size(); ++k) {
+        if (stack.slices[k].interpolated()) continue;
+        const glm::dvec3 error = planes[stack.order[stack.slices[k].below]].plane.positionMm -
+                                 (first.positionMm + double(k) * sliceStep);
         stack.largestErrorMm = std::max(stack.largestErrorMm, glm::length(error));
-        largestAlong = std::max(largestAlong, std::abs(glm::dot(error, normal)));
     }
-    const bool stepsUneven = std::any_of(steps.begin(), steps.end(), [&](double step) {
-        return std::abs(step / usual - 1.0) > 2.0 * kIrregularErrorOfStep;
-    });
-    if (stepsUneven || largestAlong > kIrregularErrorOfStep * usual) return fail(irregular(steps, usual));
-    if (stack.largestErrorMm > kIrregularErrorOfStep * std::max(usual, first.columnSpacingMm)) {
-        return fail(blocking(key::kSlicesNotInLine, "The slices are shifted sideways against each other.",
-                             "Choose another series."));
+    if (stack.largestErrorMm > kUnevenErrorOfStep * gridStepMm) {
+        stack.messages.push_back(message(key::kUnevenSpacing, {{"errorMm", stack.largestErrorMm}}));
     }
-    if (stack.largestErrorMm > kUnevenErrorOfStep * usual) {
-        stack.messages.push_back(
-            {Severity::warning, std::string(key::kUnevenSpacing),
-             fmt::format("The slices are not quite evenly spaced: a slice is up to {:.3f} mm away "
-                         "from where it is drawn.",
-                         stack.largestErrorMm),
-             "Allow for this error when measuring across slices."});
-    }
-    const double cosTilt = std::clamp(glm::dot(glm::normalize(sliceStep), glm::normalize(normal)), -1.0, 1.0);
+    const double cosTilt =
+        std::clamp(glm::dot(glm::normalize(sliceStep), glm::normalize(first.normal())), -1.0, 1.0);
     if (const double tiltDeg = std::acos(cosTilt) * kDegPerRad; tiltDeg > kTiltWorthTellingDeg) {
-        stack.messages.push_back(
-            {Severity::info, std::string(key::kTiltedStack),
-             fmt::format("The slices are stacked at an angle of {:.1f} degrees (tilted gantry), and "
-                         "are drawn so.",
-                         tiltDeg),
-             "Nothing to do."});
+        stack.messages.push_back(message(key::kTiltedStack, {{"degrees", tiltDeg}}));
     }
     stack.worldFromVoxel = affine(first.rowDirection * first.columnSpacingMm,
                                   first.columnDirection * first.rowSpacingMm, sliceStep, first.positionMm);

@@ -1,12 +1,22 @@
 #include "dicom/instance.h"
 
+#include <algorithm>
+
+#include "dicom/frame_plane.h"
+#include "dicom/frame_values.h"
+#include "dicom/split_rules.h"
 #include "dicom/transfer_syntax.h"
 
 namespace macula::dicom {
 
 namespace {
 
+// No real object has as many; a header that says so costs memory and nothing else.
+constexpr int kMostFrames = 100'000;
+
 std::optional<CellFormat> readFormat(const Dataset& header) {
+    if (header.has(tag::kFloatPixelData)) return floatFormat(CellKind::float32);
+    if (header.has(tag::kDoubleFloatPixelData)) return floatFormat(CellKind::float64);
     const auto allocated = header.integer(tag::kBitsAllocated);
     const auto stored = header.integer(tag::kBitsStored);
     const auto highBit = header.integer(tag::kHighBit);
@@ -17,67 +27,63 @@ std::optional<CellFormat> readFormat(const Dataset& header) {
     return format;
 }
 
-void readPlane(const Dataset& header, Instance& instance) {
-    if (const auto position = header.numbers(tag::kImagePositionPatient, 3)) {
-        instance.positionMm = glm::dvec3((*position)[0], (*position)[1], (*position)[2]);
-    }
-    const auto orientation = header.numbers(tag::kImageOrientationPatient, 6);
-    const auto spacing = header.numbers(tag::kPixelSpacing, 2);
-    instance.hasPixelSpacing = spacing.has_value();
-    if (!instance.positionMm || !orientation || !spacing) return;
-    const std::vector<double>& o = *orientation;
-    instance.plane =
-        ImagePlane{.positionMm = *instance.positionMm,
-                   .rowDirection = {o[0], o[1], o[2]},
-                   .columnDirection = {o[3], o[4], o[5]},
-                   .columnSpacingMm = (*spacing)[1],  // the first is between rows: PS3.3 10.7.1.3
-                   .rowSpacingMm = (*spacing)[0]};
+std::shared_ptr<Instance> readShared(const std::filesystem::path& file, const HeaderFile& read) {
+    const Dataset& header = *read.header;
+    auto instance = std::make_shared<Instance>();
+    instance->file = file;
+    instance->sopClassUid = header.text(tag::kSopClassUid).value_or("");
+    instance->sopInstanceUid = header.text(tag::kSopInstanceUid).value_or("");
+    instance->transferSyntaxUid = header.transferSyntaxUid();
+    instance->photometricInterpretation = header.text(tag::kPhotometricInterpretation).value_or("");
+    instance->instanceNumber = header.integer(tag::kInstanceNumber);
+    instance->columns = header.integer(tag::kColumns).value_or(0);
+    instance->rows = header.integer(tag::kRows).value_or(0);
+    instance->frames = std::clamp(header.frameCount(), 1, kMostFrames);
+    instance->samplesPerPixel = header.integer(tag::kSamplesPerPixel).value_or(1);
+    instance->format = readFormat(header);
+    instance->multiFrame = header.has(tag::kNumberOfFrames) && header.frameCount() > 1;
+    instance->multiFrame = instance->multiFrame || header.has(tag::kPerFrameFunctionalGroups);
+    instance->lossy =
+        header.text(tag::kLossyImageCompression) == "01" || isLossy(instance->transferSyntaxUid);
+    instance->strayBytes = read.strayBytes;
+    instance->concatenationUid = header.text(tag::kConcatenationUid).value_or("");
+    instance->concatenationTotal = header.integer(tag::kInConcatenationTotalNumber).value_or(0);
+    instance->suv = suvOf(header);
+    return instance;
 }
 
-void readRescale(const Dataset& header, Instance& instance) {
-    instance.slope = header.number(tag::kRescaleSlope);
-    instance.intercept = header.number(tag::kRescaleIntercept);
-    instance.rescaleType = header.text(tag::kRescaleType).value_or("");
-    instance.rescaleInvalid = (header.has(tag::kRescaleSlope) && !instance.slope) ||
-                              (header.has(tag::kRescaleIntercept) && !instance.intercept) ||
-                              (instance.slope && *instance.slope == 0.0);
+Frame readFrame(const Dataset& header, const Dataset& dataset, std::shared_ptr<const Instance> instance,
+                int number) {
+    Frame frame{.instance = std::move(instance), .number = number};
+    frame.imageType = dataset.texts(tag::kFrameType);
+    if (frame.imageType.empty()) frame.imageType = dataset.texts(tag::kImageType);
+    frame.frameOfReferenceUid = dataset.text(tag::kFrameOfReferenceUid).value_or("");
+    readPlane(header, dataset, frame);
+    readValues(dataset, frame);
+    frame.attributes = readAttributes(splitRules(), dataset);
+    return frame;
 }
 
 }  // namespace
 
-Instance readInstance(const std::filesystem::path& file, const Dataset& header) {
-    Instance instance;
-    instance.file = file;
-    instance.sopClassUid = header.text(tag::kSopClassUid).value_or("");
-    instance.sopInstanceUid = header.text(tag::kSopInstanceUid).value_or("");
-    instance.transferSyntaxUid = header.transferSyntaxUid();
-    instance.frameOfReferenceUid = header.text(tag::kFrameOfReferenceUid).value_or("");
-    instance.imageType = header.texts(tag::kImageType);
-    instance.photometricInterpretation = header.text(tag::kPhotometricInterpretation).value_or("");
-    instance.instanceNumber = header.integer(tag::kInstanceNumber);
-    instance.columns = header.integer(tag::kColumns).value_or(0);
-    instance.rows = header.integer(tag::kRows).value_or(0);
-    instance.frames =
-        header.integer(tag::kNumberOfFrames).value_or(1);  // absent in single-frame objects, PS3.3 C.7.6.6
-    instance.samplesPerPixel = header.integer(tag::kSamplesPerPixel).value_or(1);
-    instance.perFrameGeometry = header.has(tag::kPerFrameFunctionalGroups);
-    instance.hasModalityLut = header.has(tag::kModalityLutSequence);
-    instance.lossy = header.text(tag::kLossyImageCompression) == "01" || isLossy(instance.transferSyntaxUid);
-    readPlane(header, instance);
-    instance.format = readFormat(header);
-    readRescale(header, instance);
-    if (const auto padding = header.word(tag::kPixelPaddingValue); padding && instance.format) {
-        instance.padding =
-            paddingRange(*instance.format, *padding, header.word(tag::kPixelPaddingRangeLimit));
+std::vector<Frame> readFrames(const std::filesystem::path& file, const HeaderFile& read) {
+    const Dataset& header = *read.header;
+    const std::shared_ptr<const Instance> instance = readShared(file, read);
+    std::vector<Frame> frames;
+    frames.reserve(static_cast<std::size_t>(instance->frames));
+    for (int i = 0; i < instance->frames; ++i) {
+        frames.push_back(readFrame(header, instance->multiFrame ? header.frame(i) : header, instance, i));
     }
-    return instance;
+    return frames;
 }
 
-SliceIntensity sliceIntensity(const Instance& instance) {
-    return {.format = instance.format.value_or(CellFormat{}),
-            .slope = instance.slope.value_or(1.0),
-            .intercept = instance.intercept.value_or(0.0),
-            .padding = instance.padding};
+SliceIntensity sliceIntensity(const Frame& frame) {
+    return {.format = frame.instance->format.value_or(CellFormat{}),
+            .slope = frame.slope.value_or(1.0),
+            .intercept = frame.intercept.value_or(0.0),
+            .padding = frame.padding,
+            .floatPadding = frame.floatPadding,
+            .modalityLut = frame.modalityLut};
 }
 
 }  // namespace macula::dicom

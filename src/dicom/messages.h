@@ -1,62 +1,104 @@
-// What is worth telling about a series or a file: a sentence for a person, and a stable key for programs and
-// tests.
+// What is worth telling about a folder, a series, a volume or a file: the one catalogue of coded messages,
+// listed in docs/dicom.md. Keys never change meaning. Sentences and actions hold no patient data.
 #pragma once
 
-#include <string>
+#include <span>
 #include <string_view>
+#include <vector>
+
+#include "base/message.h"
 
 namespace macula::dicom {
 
-enum class Severity {
-    info,          // nothing to do
-    warning,       // shown, but look at it before relying on it
-    blocksVolume,  // cannot be shown in 3D
+using macula::Message;
+using macula::MessageArgument;
+using macula::Severity;
+
+struct CatalogueEntry {
+    std::string_view key;
+    Severity severity = Severity::info;
+    // The number of the display set message of OHIF that has the same meaning; 0 when it has none.
+    int ohif = 0;
+    std::string_view sentence;  // fmt syntax; its {names} are the arguments, each of which has to be given
+    std::string_view action;    // what to do; empty when there is nothing
 };
 
-// `sentence` and `action` (what to do) hold no patient data. The keys are listed below and never change
-// meaning.
-struct Message {
-    Severity severity = Severity::info;
-    std::string key;
-    std::string sentence;
-    std::string action;
-};
+// By subject, in the order of the documentation.
+std::span<const CatalogueEntry> catalogue();
+
+// `key` is one of the catalogue's, and `arguments` has every name its sentence mentions; others are kept for
+// programs.
+Message message(std::string_view key, std::vector<MessageArgument> arguments = {});
+// Where the same fact weighs more, or less, than usual.
+Message message(std::string_view key, Severity severity, std::vector<MessageArgument> arguments = {});
 
 namespace key {
-// Geometry.
-inline constexpr std::string_view kSingleSlice = "single-slice";
-inline constexpr std::string_view kNoPosition = "no-position";
-inline constexpr std::string_view kNoPixelSpacing = "no-pixel-spacing";
-inline constexpr std::string_view kInvalidOrientation = "invalid-orientation";
-inline constexpr std::string_view kInconsistentSize = "inconsistent-size";
-inline constexpr std::string_view kInconsistentOrientation = "inconsistent-orientation";
-inline constexpr std::string_view kInconsistentPixelSpacing = "inconsistent-pixel-spacing";
-inline constexpr std::string_view kInconsistentFrameOfReference = "inconsistent-frame-of-reference";
-inline constexpr std::string_view kDuplicatePositions = "duplicate-positions";
-inline constexpr std::string_view kMissingSlices = "missing-slices";
-inline constexpr std::string_view kIrregularSpacing = "irregular-spacing";
-inline constexpr std::string_view kSlicesNotInLine = "slices-not-in-line";
-inline constexpr std::string_view kUnevenSpacing = "uneven-spacing";
-inline constexpr std::string_view kTiltedStack = "tilted-stack";
-// Pixels and values.
-inline constexpr std::string_view kMultiFrame = "multi-frame";
-inline constexpr std::string_view kColourImage = "colour-image";
-inline constexpr std::string_view kUnsupportedBits = "unsupported-bits";
-inline constexpr std::string_view kUnsupportedTransferSyntax = "unsupported-transfer-syntax";
-inline constexpr std::string_view kModalityLut = "modality-lut";
-inline constexpr std::string_view kInvalidRescale = "invalid-rescale";
-inline constexpr std::string_view kMissingRescale = "missing-rescale";
-inline constexpr std::string_view kPerSliceRescale = "per-slice-rescale";
-inline constexpr std::string_view kLossySource = "lossy-source";
-// Files.
-inline constexpr std::string_view kDuplicateFiles = "duplicate-files";
+// Files and folders.
+inline constexpr std::string_view kNoValidInstances = "no-valid-instances";
 inline constexpr std::string_view kUnreadableFile = "unreadable-file";
+inline constexpr std::string_view kFileOffline = "file-offline";
 inline constexpr std::string_view kDamagedFile = "damaged-file";
 inline constexpr std::string_view kTruncatedFile = "truncated-file";
 inline constexpr std::string_view kNoPixelData = "no-pixel-data";
 inline constexpr std::string_view kStrayBytes = "stray-bytes";
+inline constexpr std::string_view kMissingSopClass = "missing-sop-class";
 inline constexpr std::string_view kUnreadableFolder = "unreadable-folder";
+inline constexpr std::string_view kLinksOutside = "links-outside";
+inline constexpr std::string_view kDicomdirMissingFiles = "dicomdir-missing-files";
+inline constexpr std::string_view kDicomdirOutside = "dicomdir-outside";
+inline constexpr std::string_view kDicomdirUnreadable = "dicomdir-unreadable";
+inline constexpr std::string_view kDuplicateFiles = "duplicate-files";
+inline constexpr std::string_view kDuplicateInstances = "duplicate-instances";
+inline constexpr std::string_view kFilesLeftOut = "files-left-out";
+inline constexpr std::string_view kCharsetFallback = "charset-fallback";
 inline constexpr std::string_view kSeveralPatients = "several-patients";
+// How a series falls into stacks.
+inline constexpr std::string_view kSplitSeries = "split-series";
+inline constexpr std::string_view kInconsistentSize = "inconsistent-size";
+inline constexpr std::string_view kInconsistentComponents = "inconsistent-components";
+inline constexpr std::string_view kInconsistentOrientation = "inconsistent-orientation";
+inline constexpr std::string_view kInconsistentPosition = "inconsistent-position";
+inline constexpr std::string_view kInconsistentPixelSpacing = "inconsistent-pixel-spacing";
+inline constexpr std::string_view kPhases = "phases";
+inline constexpr std::string_view kPhasesAssumed = "phases-assumed";
+inline constexpr std::string_view kDuplicatePositions = "duplicate-positions";
+inline constexpr std::string_view kRepeatedSlices = "repeated-slices";
+inline constexpr std::string_view kIncompleteConcatenation = "incomplete-concatenation";
+inline constexpr std::string_view kContinuesInOtherSeries = "continues-in-other-series";
+inline constexpr std::string_view kLocalizer = "localizer";
+// Geometry.
+inline constexpr std::string_view kSingleSlice = "single-slice";
+inline constexpr std::string_view kNoPosition = "no-position";
+inline constexpr std::string_view kMultiFrameNoPosition = "multi-frame-no-position";
+inline constexpr std::string_view kMultiFrameNoOrientation = "multi-frame-no-orientation";
+inline constexpr std::string_view kMultiFrameNoPixelMeasures = "multi-frame-no-pixel-measures";
+inline constexpr std::string_view kNoPixelSpacing = "no-pixel-spacing";
+inline constexpr std::string_view kUncalibrated = "uncalibrated";
+inline constexpr std::string_view kInvalidOrientation = "invalid-orientation";
+inline constexpr std::string_view kRepairedOrientation = "repaired-orientation";
+inline constexpr std::string_view kMissingSlices = "missing-slices";
+inline constexpr std::string_view kGapInterpolated = "gap-interpolated";
+inline constexpr std::string_view kIrregularSpacing = "irregular-spacing";
+inline constexpr std::string_view kUnevenSpacing = "uneven-spacing";
+inline constexpr std::string_view kNotParallel = "not-parallel";
+inline constexpr std::string_view kNotReconstructable = "not-reconstructable";
+inline constexpr std::string_view kTiltedStack = "tilted-stack";
+// Pixels and values.
+inline constexpr std::string_view kUnsupportedSopClass = "unsupported-sop-class";
+inline constexpr std::string_view kUnsupportedSeries = "unsupported-series";
+inline constexpr std::string_view kColourImage = "colour-image";
+inline constexpr std::string_view kUnsupportedBits = "unsupported-bits";
+inline constexpr std::string_view kUnsupportedTransferSyntax = "unsupported-transfer-syntax";
+inline constexpr std::string_view kModalityLut = "modality-lut";
+inline constexpr std::string_view kInvalidModalityLut = "invalid-modality-lut";
+inline constexpr std::string_view kInvalidRescale = "invalid-rescale";
+inline constexpr std::string_view kMissingRescale = "missing-rescale";
+inline constexpr std::string_view kPerSliceRescale = "per-slice-rescale";
+inline constexpr std::string_view kRealWorldValues = "real-world-values";
+inline constexpr std::string_view kSuvUnavailable = "suv-unavailable";
+inline constexpr std::string_view kLossySource = "lossy-source";
+inline constexpr std::string_view kInvertedDisplay = "inverted-display";
+inline constexpr std::string_view kInvalidWindow = "invalid-window";
 }  // namespace key
 
 }  // namespace macula::dicom

@@ -2,13 +2,16 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "base/log.h"
 #include "base/parallel.h"
 #include "dicom/copies.h"
+#include "dicom/examination.h"
 #include "dicom/folder.h"
-#include "dicom/patient.h"
+#include "dicom/neighbours.h"
+#include "dicom/split.h"
 
 namespace macula::dicom {
 
@@ -16,255 +19,286 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::string_view kMediaDirectory = "1.2.840.10008.1.3.10";        // DICOMDIR
-constexpr std::string_view kSegmentation = "1.2.840.10008.5.1.4.1.1.66.4";  // has pixels, and is no image
-
 Error cancelledError() {
     return {ErrorCode::cancelled, "Reading was cancelled.", {}, {}};
 }
 
-// What one file turned out to be, with all that grouping needs, so that headers are dropped as soon as they
-// are read.
-struct Finding {
-    FileState state = FileState::notDicom;
-    enum class Kind { image, imageWithoutPixels, other, directory } kind = Kind::other;
-    Instance instance;
-    std::string studyInstanceUid, date, studyDescription, patientName;
-    PatientIdentity patient;
-    std::string seriesInstanceUid, modality, description, patientPosition;
-    std::optional<int> seriesNumber;
+struct SeriesInProgress {
+    Series series;
+    std::vector<Frame> frames;
+    std::size_t leftOut = 0;  // files that belong here, and cannot be used
+    std::size_t framesCutOff = 0;
+    std::size_t withoutSopClass = 0;
+    bool charsetFallback = false;
 };
-
-// What uncompressed pixel data of this image take at least (one frame: several are no volume anyway); 0 when
-// the file does not say.
-std::uint64_t pixelBytesNeeded(const Instance& instance, const Dataset& header) {
-    const int bits = header.integer(tag::kBitsAllocated).value_or(0);
-    if (instance.rows <= 0 || instance.columns <= 0 || bits <= 0 || bits > 64) return 0;
-    // Two pixels share their chroma samples: PS3.3 C.7.6.3.1.2.
-    const bool halfChroma = instance.photometricInterpretation.ends_with("_422");
-    const int samples = halfChroma ? 2 : std::clamp(instance.samplesPerPixel, 1, 4);
-    const auto values = static_cast<std::uint64_t>(instance.rows) *
-                        static_cast<std::uint64_t>(instance.columns) * static_cast<std::uint64_t>(samples);
-    return values * static_cast<std::uint64_t>(bits) / 8;
-}
-
-Finding examine(const fs::path& file) {
-    Finding finding;
-    HeaderFile read = readHeader(file);
-    finding.state = read.state;
-    if (!read.header) return finding;
-    const Dataset& header = *read.header;
-    const auto text = [&](Tag tag) { return header.text(tag).value_or(""); };
-    finding.modality = text(tag::kModality);
-    finding.seriesInstanceUid = text(tag::kSeriesInstanceUid);
-    const std::string sopClass = text(tag::kSopClassUid);
-    const bool hasImage = header.has(tag::kRows) && header.has(tag::kColumns) && sopClass != kSegmentation;
-    if (sopClass == kMediaDirectory) {
-        finding.kind = Finding::Kind::directory;
-        return finding;
-    }
-    if (!hasImage) {
-        finding.kind = Finding::Kind::other;
-        finding.instance.sopClassUid = sopClass;
-        return finding;
-    }
-    finding.kind = header.has(tag::kPixelData) ? Finding::Kind::image : Finding::Kind::imageWithoutPixels;
-    finding.instance = readInstance(file, header);
-    finding.instance.strayBytes = read.strayBytes;
-    if (finding.kind == Finding::Kind::image && finding.state == FileState::complete &&
-        read.nativePixelBytes && *read.nativePixelBytes < pixelBytesNeeded(finding.instance, header)) {
-        finding.state = FileState::truncated;
-    }
-    finding.studyInstanceUid = text(tag::kStudyInstanceUid);
-    finding.date = text(tag::kStudyDate);
-    finding.studyDescription = text(tag::kStudyDescription);
-    finding.patientName = text(tag::kPatientName);
-    finding.patient = patientIdentity(header);
-    finding.description = text(tag::kSeriesDescription);
-    finding.patientPosition = text(tag::kPatientPosition);
-    finding.seriesNumber = header.integer(tag::kSeriesNumber);
-    return finding;
-}
-
-void skip(Scan& scan, const fs::path& file, const Finding& finding, std::string_view key,
-          std::string sentence, std::string action) {
-    log::info("skipped {}: {}", log::Sensitive{file.native()}, key);
-    scan.skipped.push_back({file,
-                            {Severity::warning, std::string(key), std::move(sentence), std::move(action)},
-                            finding.seriesInstanceUid});
-}
-
-// True when the file is to be grouped as an image.
-bool sortOut(Scan& scan, const fs::path& file, const Finding& finding) {
-    const std::string copyAgain = "Copy the file again from its source.";
-    switch (finding.state) {
-        case FileState::notDicom:
-            ++scan.notDicom;
-            return false;
-        case FileState::unreadable:
-            skip(scan, file, finding, key::kUnreadableFile, "A file cannot be opened.",
-                 "Check its permissions.");
-            return false;
-        case FileState::damaged:
-            skip(scan, file, finding, key::kDamagedFile, "A DICOM file is damaged and cannot be read.",
-                 copyAgain);
-            return false;
-        case FileState::truncated:
-            skip(scan, file, finding, key::kTruncatedFile, "A DICOM file ends before its pixel data do.",
-                 copyAgain);
-            return false;
-        case FileState::complete:
-            break;
-    }
-    switch (finding.kind) {
-        case Finding::Kind::directory:
-            return false;
-        case Finding::Kind::other:
-            scan.others.push_back({file, finding.modality, finding.instance.sopClassUid});
-            return false;
-        case Finding::Kind::imageWithoutPixels:
-            skip(scan, file, finding, key::kNoPixelData, "A DICOM image has no pixel data.", copyAgain);
-            return false;
-        case Finding::Kind::image:
-            break;
-    }
-    return true;
-}
-
-// Files that belong to a series, and are missing from it, must be told of where the series is shown.
-void reportDamage(Series& series, const std::vector<SkippedFile>& skipped) {
-    if (series.seriesInstanceUid.empty()) return;
-    const auto count = std::count_if(skipped.begin(), skipped.end(), [&](const SkippedFile& s) {
-        return s.seriesInstanceUid == series.seriesInstanceUid;
-    });
-    if (count == 0) return;
-    series.messages.push_back(
-        {Severity::warning, std::string(key::kTruncatedFile),
-         fmt::format("{} of this series cannot be read, and {} left out.",
-                     count == 1 ? std::string("One file") : fmt::format("{} files", count),
-                     count == 1 ? "is" : "are"),
-         "Copy the series again from its source."});
-}
-
-// Every series of a scan that did not see everything may miss slices, and nothing in it would show that.
-void reportFolders(Series& series, std::size_t unreadable) {
-    if (unreadable == 0) return;
-    const std::string sentence = fmt::format(
-        "{} could not be read; slices of this series may be missing.",
-        unreadable == 1 ? std::string("A sub-folder") : fmt::format("{} sub-folders", unreadable));
-    series.messages.push_back({Severity::warning, std::string(key::kUnreadableFolder), sentence,
-                               "Check the permissions of the folders, or copy the study again."});
-    series.assumptions.push_back(sentence);
-}
 
 struct StudyInProgress {
     Study study;
-    std::map<std::pair<std::string, std::string>, Series> series;  // by UID, and by folder if it has none
+    std::map<std::pair<std::string, std::string>, SeriesInProgress>
+        series;  // by UID, by folder if it has none
 };
 
 // By patient too: two patients are never mixed into one volume, whatever their UIDs say. A series without UID
 // is held together by its folder.
 using Studies = std::map<std::pair<std::string, PatientIdentity>, StudyInProgress>;  // by UID and patient
 
-void addImage(Studies& studies, const fs::path& file, Finding& finding) {
-    auto& [study, seriesOfStudy] = studies[{finding.studyInstanceUid, finding.patient}];
+// Why the file cannot be used, if so.
+std::optional<std::string_view> reasonToSkip(const Examination& found) {
+    switch (found.state) {
+        case FileState::unreadable:
+            return key::kUnreadableFile;
+        case FileState::damaged:
+            return key::kDamagedFile;
+        case FileState::truncated:
+            return key::kTruncatedFile;
+        case FileState::notDicom:
+        case FileState::complete:
+            break;
+    }
+    if (found.kind == Examination::Kind::imageWithoutPixels) return key::kNoPixelData;
+    return {};
+}
+
+SeriesInProgress& placeOf(Studies& studies, const fs::path& file, const Examination& found) {
+    auto& [study, seriesOfStudy] = studies[{found.studyInstanceUid, found.patient}];
     if (seriesOfStudy.empty()) {
-        study = {.studyInstanceUid = finding.studyInstanceUid,
-                 .date = finding.date,
-                 .description = finding.studyDescription,
-                 .patientName = finding.patientName,
-                 .patientId = finding.patient.id,
+        study = {.studyInstanceUid = found.studyInstanceUid,
+                 .date = found.studyDate,
+                 .description = found.studyDescription,
+                 .patientName = found.patientName,
+                 .patientId = found.patient.id,
                  .series = {},
-                 .patientBirthDate = finding.patient.birthDate,
-                 .patientSex = finding.patient.sex};
+                 .patientBirthDate = found.patient.birthDate,
+                 .patientSex = found.patient.sex};
     }
-    const std::string folder = finding.seriesInstanceUid.empty() ? file.parent_path().string() : "";
-    Series& series = seriesOfStudy[{finding.seriesInstanceUid, folder}];
-    if (series.instances.empty()) {
-        series.studyInstanceUid = finding.studyInstanceUid;
-        series.seriesInstanceUid = finding.seriesInstanceUid;
-        series.modality = finding.modality;
-        series.description = finding.description;
-        series.number = finding.seriesNumber;
-        series.patientPosition = finding.patientPosition;
+    const std::string folder = found.seriesInstanceUid.empty() ? file.parent_path().string() : "";
+    const auto [place, isNew] = seriesOfStudy.try_emplace({found.seriesInstanceUid, folder});
+    Series& series = place->second.series;
+    if (isNew) {
+        series.studyInstanceUid = found.studyInstanceUid;
+        series.seriesInstanceUid = found.seriesInstanceUid;
+        series.modality = found.modality;
+        series.description = found.seriesDescription;
+        series.number = found.seriesNumber;
+        series.patientPosition = found.patientPosition;
     }
-    series.instances.push_back(std::move(finding.instance));
+    return place->second;
+}
+
+void sortIn(Scan& scan, Studies& studies, const fs::path& file, Examination& found) {
+    const auto reason = reasonToSkip(found);
+    if (reason) {
+        log::info("skipped {}: {}", log::Sensitive{file.native()}, *reason);
+        scan.skipped.push_back({file, message(*reason), found.seriesInstanceUid});
+        // Of a file without a header nobody knows where it belongs.
+        if (!found.studyInstanceUid.empty() || !found.seriesInstanceUid.empty()) {
+            ++placeOf(studies, file, found).leftOut;
+        }
+        return;
+    }
+    if (found.state == FileState::notDicom) {
+        ++scan.notDicom;
+        return;
+    }
+    if (found.kind == Examination::Kind::directory) return;
+    SeriesInProgress& place = placeOf(studies, file, found);
+    place.charsetFallback = place.charsetFallback || found.charsetFallback;
+    if (found.kind == Examination::Kind::other) {
+        place.series.objects.push_back(std::move(found.object));
+        return;
+    }
+    place.framesCutOff += found.framesCutOff;
+    place.withoutSopClass += found.frames.front().instance->sopClassUid.empty() ? 1 : 0;
+    std::move(found.frames.begin(), found.frames.end(), std::back_inserter(place.frames));
+}
+
+void tell(Series& series, Message message) {
+    if (message.severity == Severity::warning) series.assumptions.push_back(message.sentence);
+    series.messages.push_back(std::move(message));
+}
+
+MessageArgument count(std::size_t value) {
+    return {"count", static_cast<std::int64_t>(value)};
 }
 
 // A series that was split because its images name several patients looks whole in each part.
 void reportSplitSeries(Studies& studies) {
     std::map<std::string, std::vector<Series*>> byUid;
     for (auto& [studyKey, entry] : studies) {
-        for (auto& [seriesKey, series] : entry.series) {
-            if (!series.seriesInstanceUid.empty()) byUid[series.seriesInstanceUid].push_back(&series);
+        for (auto& [seriesKey, place] : entry.series) {
+            if (!place.series.seriesInstanceUid.empty()) {
+                byUid[place.series.seriesInstanceUid].push_back(&place.series);
+            }
         }
     }
     for (const auto& [uid, parts] : byUid) {
         if (parts.size() < 2) continue;
-        const std::string sentence = fmt::format(
-            "The files of this series name different patients or studies, and were split into {} series.",
-            parts.size());
-        for (Series* series : parts) {
-            series->messages.push_back({Severity::warning, std::string(key::kSeveralPatients), sentence,
-                                        "Check name, ID, birth date and sex of the patient in every part; "
-                                        "slices of this patient may lie in another part."});
-            series->assumptions.push_back(sentence);
-        }
+        for (Series* series : parts) tell(*series, message(key::kSeveralPatients, {count(parts.size())}));
     }
 }
 
+// Parts of one image in several files (PS3.3 C.7.6.16.2.2.4), some of which are missing.
+void reportConcatenations(SeriesInProgress& place) {
+    std::map<std::string, std::pair<std::set<const Instance*>, int>> concatenations;
+    for (const Frame& frame : place.frames) {
+        if (frame.instance->concatenationUid.empty()) continue;
+        auto& [parts, total] = concatenations[frame.instance->concatenationUid];
+        parts.insert(frame.instance.get());
+        total = std::max(total, frame.instance->concatenationTotal);
+    }
+    for (const auto& [uid, entry] : concatenations) {
+        const auto there = static_cast<std::int64_t>(entry.first.size());
+        if (there >= entry.second) continue;
+        tell(place.series, message(key::kIncompleteConcatenation, {{"missing", entry.second - there},
+                                                                   {"total", std::int64_t(entry.second)}}));
+    }
+}
+
+// What is known of the series before its frames are looked at.
+void reportFiles(SeriesInProgress& place, std::size_t copies, std::size_t unreadableFolders) {
+    Series& series = place.series;
+    if (copies > 0) tell(series, message(key::kDuplicateFiles, {count(copies)}));
+    if (place.leftOut > 0 && place.frames.empty() && series.objects.empty()) {
+        tell(series, message(key::kNoValidInstances, {count(place.leftOut)}));
+    } else if (place.leftOut > 0) {
+        tell(series, message(key::kFilesLeftOut, {count(place.leftOut)}));
+    }
+    if (place.framesCutOff > 0) tell(series, message(key::kTruncatedFile));
+    if (place.withoutSopClass > 0)
+        tell(series, message(key::kMissingSopClass, {count(place.withoutSopClass)}));
+    if (place.charsetFallback) tell(series, message(key::kCharsetFallback));
+    // Every series of a scan that did not see everything may miss slices, and nothing in it would show that.
+    if (unreadableFolders > 0) tell(series, message(key::kUnreadableFolder, {count(unreadableFolders)}));
+    if (place.frames.empty()) {
+        std::set<std::string> kinds;
+        for (const OtherObject& object : series.objects) kinds.insert(object.kind);
+        for (const std::string& kind : kinds)
+            tell(series, message(key::kUnsupportedSopClass, {{"kind", kind}}));
+    }
+    reportConcatenations(place);
+}
+
+// From frames to stacks.
+Series finish(SeriesInProgress& place) {
+    Series series = std::move(place.series);
+    std::set<const Instance*> instances;
+    std::set<std::string> syntaxes;
+    for (const Frame& frame : place.frames) {
+        instances.insert(frame.instance.get());
+        syntaxes.insert(frame.instance->transferSyntaxUid);
+    }
+    series.instances = instances.size();
+    series.transferSyntaxUids.assign(syntaxes.begin(), syntaxes.end());
+    Split split = splitSeries(std::move(place.frames), series.modality, splitRules());
+    series.stacks = std::move(split.stacks);
+    for (Message& message : split.messages) series.messages.push_back(std::move(message));
+    return series;
+}
+
 // Incomplete when cancelled.
-void group(Scan& scan, const std::vector<fs::path>& files, std::vector<Finding>& findings,
+void group(Scan& scan, const std::vector<fs::path>& files, std::vector<Examination>& found,
            Progress& progress) {
     Studies studies;
     for (std::size_t i = 0; i < files.size(); ++i) {
         if (progress.cancelled()) return;
-        if (sortOut(scan, files[i], findings[i])) addImage(studies, files[i], findings[i]);
+        sortIn(scan, studies, files[i], found[i]);
     }
     reportSplitSeries(studies);
-    std::vector<Series*> all;
+    std::vector<SeriesInProgress*> places;
+    std::vector<std::vector<Frame>*> frames;
     std::map<PatientIdentity, int> patients;
     for (auto& [studyKey, entry] : studies) {
         entry.study.patient = patients.emplace(studyKey.second, patients.size()).first->second;
-        for (auto& [seriesKey, series] : entry.series) all.push_back(&series);
+        for (auto& [seriesKey, place] : entry.series) {
+            places.push_back(&place);
+            frames.push_back(&place.frames);
+        }
     }
     scan.patients = static_cast<int>(patients.size());
-    dropCopies(all, progress);
+    const std::vector<std::size_t> copies = dropCopies(frames, progress);
     const auto unreadable = static_cast<std::size_t>(
         std::count_if(scan.skipped.begin(), scan.skipped.end(),
                       [](const SkippedFile& s) { return s.message.key == key::kUnreadableFolder; }));
+    std::vector<Series> finished(places.size());
+    parallelFor(
+        places.size(),
+        [&](std::size_t i) {
+            reportFiles(*places[i], copies[i], unreadable);
+            finished[i] = finish(*places[i]);
+        },
+        progress.token());
+    if (progress.cancelled()) return;
+    std::size_t next = 0;
     for (auto& [studyKey, entry] : studies) {
-        for (auto& [seriesKey, series] : entry.series) {
-            if (progress.cancelled()) return;
-            reportDamage(series, scan.skipped);
-            reportFolders(series, unreadable);
-            assess(series);
-            entry.study.series.push_back(std::move(series));
+        for (std::size_t i = 0; i < entry.series.size(); ++i) {
+            entry.study.series.push_back(std::move(finished[next++]));
         }
         std::stable_sort(
             entry.study.series.begin(), entry.study.series.end(),
             [](const Series& a, const Series& b) { return a.number.value_or(0) < b.number.value_or(0); });
+        reportNeighbours(entry.study.series);
         scan.studies.push_back(std::move(entry.study));
     }
     std::stable_sort(scan.studies.begin(), scan.studies.end(),
                      [](const Study& a, const Study& b) { return a.date < b.date; });
 }
 
+// Why a scan that found nothing to list did not.
+Error nothingFound(const Scan& scan, const fs::path& path, const FolderListing& listing) {
+    const auto fail = [&](std::string sentence, std::string action) {
+        return Error{ErrorCode::inputNotUsable, std::move(sentence), path.string(), std::move(action)};
+    };
+    if (scan.skipped.size() == 1 && listing.files.size() == 1) {
+        const Message& why = scan.skipped.front().message;
+        return fail(why.sentence, why.action);
+    }
+    if (scan.skipped.size() > listing.unreadable.size()) {
+        return fail(fmt::format("None of the {} DICOM files in this folder can be read.",
+                                scan.skipped.size() - listing.unreadable.size()),
+                    "Copy the study again from its source.");
+    }
+    if (!listing.unreadable.empty()) {
+        return fail("There is no DICOM image in the folder, and some of its sub-folders cannot be read.",
+                    "Check the permissions of the sub-folders.");
+    }
+    return fail(
+        listing.files.size() == 1
+            ? "The file is not a DICOM image."
+            : fmt::format("There is no DICOM image among the {} files of this folder.", listing.files.size()),
+        "Choose a folder with DICOM images.");
+}
+
 }  // namespace
+
+std::size_t Scan::imageCount() const {
+    std::size_t count = 0;
+    for (const Study& study : studies) {
+        for (const Series& series : study.series) count += series.instances;
+    }
+    return count;
+}
+
+std::size_t Scan::objectCount() const {
+    std::size_t count = 0;
+    for (const Study& study : studies) {
+        for (const Series& series : study.series) count += series.objects.size();
+    }
+    return count;
+}
 
 Result<Scan> scanFolder(const fs::path& path, Progress& progress) try {
     progress.beginStage("Looking for files", 1);
     MACULA_TRY(const FolderListing listing, listFiles(path, progress));
     const std::vector<fs::path>& files = listing.files;
     progress.beginStage(fmt::format("Reading {} files", files.size()), files.size());
-    std::vector<Finding> findings(files.size());
+    std::vector<Examination> found(files.size());
     parallelFor(
         files.size(),
         [&](std::size_t i) {
             try {
-                findings[i] = examine(files[i]);
+                found[i] = examine(files[i]);
             } catch (...) {
-                findings[i].state = FileState::damaged;
+                found[i].state = FileState::damaged;
             }
             progress.advance();
         },
@@ -274,38 +308,11 @@ Result<Scan> scanFolder(const fs::path& path, Progress& progress) try {
     Scan scan;
     scan.filesSeen = files.size();
     for (const fs::path& folder : listing.unreadable) {
-        scan.skipped.push_back(
-            {folder,
-             {Severity::warning, std::string(key::kUnreadableFolder),
-              "A folder cannot be read, and all that is in it is left out.", "Check its permissions."},
-             {}});
+        scan.skipped.push_back({folder, message(key::kUnreadableFolder, {count(1)}), {}});
     }
-    group(scan, files, findings, progress);
+    group(scan, files, found, progress);
     if (progress.cancelled()) return cancelledError();
-    if (scan.studies.empty() && scan.others.empty()) {
-        if (scan.skipped.size() == 1 && files.size() == 1) {
-            const SkippedFile& file = scan.skipped.front();
-            return Error{ErrorCode::inputNotUsable, file.message.sentence, file.file.string(),
-                         file.message.action};
-        }
-        if (scan.skipped.size() > listing.unreadable.size()) {
-            return Error{ErrorCode::inputNotUsable,
-                         fmt::format("None of the {} DICOM files in this folder can be read.",
-                                     scan.skipped.size() - listing.unreadable.size()),
-                         path.string(), "Copy the study again from its source."};
-        }
-        if (!listing.unreadable.empty()) {
-            return Error{ErrorCode::inputNotUsable,
-                         "There is no DICOM image in the folder, and some of its sub-folders cannot be read.",
-                         path.string(), "Check the permissions of the sub-folders."};
-        }
-        return Error{
-            ErrorCode::inputNotUsable,
-            files.size() == 1
-                ? "The file is not a DICOM image."
-                : fmt::format("There is no DICOM image among the {} files of this folder.", files.size()),
-            path.string(), "Choose a folder with DICOM images."};
-    }
+    if (scan.imageCount() == 0 && scan.objectCount() == 0) return nothingFound(scan, path, listing);
     return scan;
 } catch (const std::bad_alloc&) {
     return Error{ErrorCode::outOfMemory, "There is not enough memory to read this folder.", path.string(),

@@ -1,4 +1,5 @@
-// Reads a folder: which studies and series are in it. Content decides what is DICOM, never a file's name.
+// Reads a folder: which patients, studies, series and volumes are in it. Content decides what is DICOM, never
+// a file's name.
 #pragma once
 
 #include <filesystem>
@@ -32,26 +33,23 @@ struct SkippedFile {
     std::string seriesInstanceUid;  // when the header could be read
 };
 
-// DICOM, but not an image to show: reports, structure sets, segmentations, presentation states.
-struct OtherObject {
-    std::filesystem::path file;
-    std::string modality;
-    std::string sopClassUid;
-};
-
 struct Scan {
     std::vector<Study> studies;  // by date, then UID, then patient
     std::vector<SkippedFile> skipped;
-    std::vector<OtherObject> others;
+    std::vector<Message> messages;  // about the folder as a whole
     std::size_t filesSeen = 0;
     std::size_t notDicom = 0;
-    int patients = 0;  // that have images; see patient.h for what tells them apart
+    int patients = 0;  // see patient.h for what tells them apart
+
+    std::size_t imageCount() const;   // files
+    std::size_t objectCount() const;  // DICOM objects that are no images
 };
 
-// `path` is a folder, read with all its sub-folders (symbolic links to folders are not followed), or one
-// file. Headers are read on all cores. One bad file never stops the others. The result does not depend on the
-// order in which the file system lists files. Fails with inputNotUsable when the path does not exist, or
-// holds nothing that is DICOM and readable; with cancelled within 200 ms of a cancellation.
+// `path` is a folder, read with all its sub-folders (see folder.h for links), or one file. A DICOMDIR given
+// as the path stands for its folder. Headers are read on all cores; every DICOM file is in exactly one place
+// of the result. One bad file never stops the others. The result does not depend on the order in which the
+// file system lists files. Fails with inputNotUsable when the path does not exist, or holds nothing that is
+// DICOM and readable; with cancelled within 200 ms of a cancellation.
 Result<Scan> scanFolder(const std::filesystem::path& path, Progress& progress);
 
 // Null when there is none, or more than one: findAllSeries tells which.

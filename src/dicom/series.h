@@ -1,15 +1,22 @@
-// A series: the images of one acquisition or reconstruction, sorted, with what can be said about them before
-// any pixel is read.
+// A series: what one SeriesInstanceUID of one patient's study holds.
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "dicom/instance.h"
-#include "dicom/messages.h"
+#include "dicom/stack.h"
 
 namespace macula::dicom {
+
+// DICOM, but no image to show: a report, a structure set, a segmentation, a presentation state.
+struct OtherObject {
+    std::filesystem::path file;
+    std::string sopClassUid;
+    std::string kind;                               // "Segmentation"; for a person
+    std::vector<std::string> referencedSeriesUids;  // of a segmentation; sorted
+};
 
 // Descriptions, numbers and UIDs may name a patient: for the screen, never for the log.
 struct Series {
@@ -21,34 +28,17 @@ struct Series {
     std::string
         patientPosition;  // "HFS" …; for the reader only, geometry never depends on it (PS3.3 C.7.3.1.1.2)
 
-    // Ascending along the slice normal when they have positions, else by instance number.
-    std::vector<Instance> instances;
-    std::vector<std::string> transferSyntaxUids;  // distinct, sorted
+    // Of images: none, one, or several when they differ in what the split rules name. Never empty stacks.
+    std::vector<Stack> stacks;
+    std::vector<OtherObject> objects;
+    std::vector<std::string> transferSyntaxUids;  // of the images; distinct, sorted
+    std::size_t instances = 0;                    // image files in the stacks
 
-    int columns = 0;  // of the first instance
-    int rows = 0;
-    int slices = 0;                       // instances times frames
-    std::optional<glm::dvec3> spacingMm;  // between columns, rows, slices; known when it is a volume
-    std::string orientation;              // where columns, rows, slices run to, e.g. "LPS"; may be empty
-    std::optional<glm::dvec3> firstPositionMm;  // patient LPS
-    std::optional<glm::dvec3> lastPositionMm;
-    std::optional<glm::dmat4>
-        worldFromVoxel;  // voxel (column, row, slice) to patient LPS mm; set when it is a volume
+    std::vector<Message> messages;         // about the series as a whole; each stack has its own
+    std::vector<std::string> assumptions;  // that hold for each of its stacks
 
-    std::vector<Message> messages;
-    std::vector<std::string> assumptions;  // for the volume's provenance
-
+    // A stack of it can be shown in 3D.
     bool canBeVolume() const;
-    // The first message that blocks; null when none does.
-    const Message* whyNoVolume() const;
 };
-
-// Sorts the instances, and fills in everything that follows from them. Keeps messages that are there already.
-void assess(Series& series);
-
-// A localizer (scout, topogram) in any of its images: ImageType value 3, PS3.3 C.8.2.1.1.1.
-bool isLocalizer(const Series& series);
-// ORIGINAL\PRIMARY in all of its images: PS3.3 C.7.6.1.1.2.
-bool isOriginalPrimary(const Series& series);
 
 }  // namespace macula::dicom

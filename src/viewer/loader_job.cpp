@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "base/phantom.h"
+#include "dicom/best_volume.h"
 #include "dicom/loader.h"
-#include "dicom/scan.h"
 
 namespace macula::viewer {
 
@@ -33,18 +33,21 @@ bool sameFile(const std::filesystem::path& a, const std::filesystem::path& b) {
     return a == b || std::filesystem::equivalent(a, b, notThere);
 }
 
-// The series that `file` belongs to, and no other: beside it may lie those of another patient.
-Result<const dicom::Series*> seriesHolding(const std::filesystem::path& file, const dicom::Scan& scan,
-                                           std::string& why) {
+// The stack that `file` belongs to, and no other: beside it may lie those of another patient.
+Result<dicom::Choice> stackHolding(const std::filesystem::path& file, const dicom::Scan& scan) {
     for (const dicom::Study& study : scan.studies) {
         for (const dicom::Series& series : study.series) {
-            const bool holds =
-                std::any_of(series.instances.begin(), series.instances.end(),
-                            [&](const dicom::Instance& instance) { return sameFile(instance.file, file); });
-            if (!holds) continue;
-            if (const dicom::Message* reason = series.whyNoVolume()) return notUsable(reason->sentence, file);
-            why = "The series of the file that was opened.";
-            return &series;
+            for (const dicom::Stack& stack : series.stacks) {
+                const bool holds =
+                    std::any_of(stack.frames.begin(), stack.frames.end(),
+                                [&](const dicom::Frame& f) { return sameFile(f.instance->file, file); });
+                if (!holds) continue;
+                if (const Message* reason = stack.whyNoVolume()) return notUsable(reason->sentence, file);
+                return dicom::Choice{&series, &stack, "The images of the file that was opened."};
+            }
+            for (const dicom::OtherObject& object : series.objects) {
+                if (sameFile(object.file, file)) return notUsable(object.kind + ": this is no image.", file);
+            }
         }
     }
     for (const dicom::SkippedFile& skipped : scan.skipped) {
@@ -53,11 +56,10 @@ Result<const dicom::Series*> seriesHolding(const std::filesystem::path& file, co
     return notUsable("The file is not a DICOM image.", file);
 }
 
-Result<const dicom::Series*> chooseSeries(const dicom::Scan& scan, const std::filesystem::path& folder,
-                                          std::string& why) {
-    const dicom::Series* series = dicom::bestSeries(scan, &why);
-    if (series != nullptr) return series;
-    return notUsable(why.empty() ? "No series in the folder can be shown in 3D." : why, folder);
+Result<dicom::Choice> chooseVolume(const dicom::Scan& scan, const std::filesystem::path& folder) {
+    dicom::Choice choice = dicom::bestVolume(scan);
+    if (choice) return choice;
+    return notUsable(choice.why, folder);
 }
 
 Result<LoadedStudy> loadPath(const std::filesystem::path& given, Progress& progress) {
@@ -66,16 +68,21 @@ Result<LoadedStudy> loadPath(const std::filesystem::path& given, Progress& progr
     std::error_code notThere;
     const bool isFile = std::filesystem::is_regular_file(path, notThere);
     MACULA_TRY(const dicom::Scan scan, dicom::scanFolder(isFile ? path.parent_path() : path, progress));
-    std::string why;
-    MACULA_TRY(const dicom::Series* series,
-               isFile ? seriesHolding(path, scan, why) : chooseSeries(scan, path, why));
-    MACULA_TRY(std::shared_ptr<const Volume> volume, dicom::loadVolume(*series, progress));
+    MACULA_TRY(const dicom::Choice choice, isFile ? stackHolding(path, scan) : chooseVolume(scan, path));
+    MACULA_TRY(std::shared_ptr<const Volume> volume,
+               dicom::loadVolume(*choice.series, *choice.stack, progress));
     LoadedStudy study{.volume = in16Bits(std::move(volume)),
-                      .description = series->description,
-                      .whyThisSeries = std::move(why)};
-    for (const dicom::Message& message : series->messages) {
-        if (message.severity != dicom::Severity::info) study.messages.push_back(message.sentence);
-    }
+                      .description = choice.series->description,
+                      .whyThisSeries = choice.why};
+    const auto tell = [&](const std::vector<Message>& messages) {
+        for (const Message& message : messages) {
+            if (message.severity != Severity::info) study.messages.push_back(message.sentence);
+        }
+    };
+    tell(scan.messages);
+    tell(choice.series->messages);
+    tell(choice.stack->messages);
+    tell(study.volume->provenance().messages);
     if (!scan.skipped.empty()) {
         study.messages.push_back(std::to_string(scan.skipped.size()) +
                                  (scan.skipped.size() == 1 ? " file was" : " files were") +

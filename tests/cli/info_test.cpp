@@ -21,13 +21,16 @@ TEST_F(Info, PhantomIsOneSeriesThatCanBeShown) {
     ASSERT_EQ(json["studies"][0]["series"].size(), 1u);
     const auto& series = json["studies"][0]["series"][0];
     EXPECT_EQ(series["modality"], "CT");
-    EXPECT_EQ(series["size"][2], slices);
     EXPECT_EQ(series["canBeVolume"], true);
-    EXPECT_EQ(series["best"], true);
+    EXPECT_EQ(series["instances"], slices);
+    ASSERT_EQ(series["stacks"].size(), 1u);
+    const auto& stack = series["stacks"][0];
+    EXPECT_EQ(stack["size"][2], slices);
+    EXPECT_EQ(stack["best"], true);
     const glm::dvec3 spacing = phantom::Options{}.spacingMm;
     for (int axis = 0; axis < 3; ++axis)
-        EXPECT_NEAR(series["spacingMm"][axis].get<double>(), spacing[axis], 1e-6);
-    EXPECT_EQ(series["worldFromVoxel"][3], (std::vector<double>{0, 0, 0, 1}));
+        EXPECT_NEAR(stack["spacingMm"][axis].get<double>(), spacing[axis], 1e-6);
+    EXPECT_EQ(stack["worldFromVoxel"][3], (std::vector<double>{0, 0, 0, 1}));
 }
 
 TEST_F(Info, PatientIsNamedOnlyWhenAskedFor) {

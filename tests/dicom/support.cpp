@@ -91,14 +91,22 @@ std::vector<fs::path> write(const Volume& volume, const fs::path& folder,
     return *files;
 }
 
-std::shared_ptr<const Volume> load(const Series& series) {
+std::shared_ptr<const Volume> load(const Series& series, const Stack& stack) {
     Progress progress;
-    auto volume = loadVolume(series, progress);
+    auto volume = loadVolume(series, stack, progress);
     if (!volume) {
         ADD_FAILURE() << "loading: " << volume.error().message << " [" << keysOf(series) << "]";
         return nullptr;
     }
     return *volume;
+}
+
+std::shared_ptr<const Volume> load(const Series& series) {
+    if (series.stacks.size() != 1) {
+        ADD_FAILURE() << series.stacks.size() << " stacks, not one [" << keysOf(series) << "]";
+        return nullptr;
+    }
+    return load(series, series.stacks.front());
 }
 
 std::shared_ptr<const Volume> loadFolder(const fs::path& folder) {
@@ -111,16 +119,28 @@ std::shared_ptr<const Volume> loadFolder(const fs::path& folder) {
     return load(found->studies[0].series[0]);
 }
 
+namespace {
+
+std::vector<Message> allMessages(const Series& series) {
+    std::vector<Message> all = series.messages;
+    for (const Stack& stack : series.stacks) {
+        all.insert(all.end(), stack.messages.begin(), stack.messages.end());
+    }
+    return all;
+}
+
+}  // namespace
+
 bool hasMessage(const Series& series, std::string_view key) {
-    for (const Message& message : series.messages) {
-        if (message.key == key) return !message.sentence.empty() && !message.action.empty();
+    for (const Message& message : allMessages(series)) {
+        if (message.key == key) return !message.sentence.empty();
     }
     return false;
 }
 
 std::string keysOf(const Series& series) {
     std::string keys;
-    for (const Message& message : series.messages) keys += message.key + " ";
+    for (const Message& message : allMessages(series)) keys += message.key + " ";
     return keys;
 }
 

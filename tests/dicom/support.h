@@ -8,6 +8,7 @@
 #include <string>
 
 #include "base/volume.h"
+#include "dicom/best_volume.h"
 #include "dicom/loader.h"
 #include "dicom/scan.h"
 #include "dicom/series_writer.h"
@@ -40,10 +41,12 @@ glm::dmat4 obliqueAffine();
 std::optional<Scan> scan(const std::filesystem::path& path);
 std::vector<std::filesystem::path> write(const Volume& volume, const std::filesystem::path& folder,
                                          const SeriesWriterOptions& options = {});
-std::shared_ptr<const Volume> load(const Series& series);
+std::shared_ptr<const Volume> load(const Series& series, const Stack& stack);
+std::shared_ptr<const Volume> load(const Series& series);  // its only stack
 // The only series of a folder, loaded.
 std::shared_ptr<const Volume> loadFolder(const std::filesystem::path& folder);
 
+// Of the series or any of its stacks.
 bool hasMessage(const Series& series, std::string_view key);
 std::string keysOf(const Series& series);  // to print
 

@@ -1,0 +1,18 @@
+// What `macula info --json` prints; docs/dicom.md describes it.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "dicom/best_volume.h"
+
+namespace macula::cli {
+
+enum class PatientData { leaveOut, include };  // names, IDs, dates, descriptions of studies, paths of files
+
+// "info", "warning", "blocks-3d", "blocks-loading".
+std::string_view severityName(Severity severity);
+
+nlohmann::ordered_json toJson(const Message& message);
+nlohmann::ordered_json toJson(const dicom::Scan& scan, const dicom::Choice& best, PatientData patientData);
+
+}  // namespace macula::cli

@@ -1,0 +1,85 @@
+#include "dicom/best_volume.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <tuple>
+
+namespace macula::dicom {
+
+namespace {
+
+bool isAxial(const Stack& stack) {
+    return std::all_of(stack.frames.begin(), stack.frames.end(), [](const Frame& f) {
+        return std::find(f.imageType.begin(), f.imageType.end(), "AXIAL") != f.imageType.end();
+    });
+}
+
+auto rankOf(const Stack& stack) {
+    constexpr std::size_t kFewSlices =
+        20;  // an original of fewer is a scout or a sample rather than the study
+    const bool original = isOriginalPrimary(stack) && stack.frames.size() >= kFewSlices;
+    // CT says AXIAL; other modalities seldom do, and lose nothing by it against each other.
+    return std::tuple(original, original && isAxial(stack), stack.isEven(),
+                      std::size_t(stack.columns) * std::size_t(stack.rows) * stack.slices.size());
+}
+
+struct Candidates {
+    Choice best;
+    std::size_t volumes = 0;
+    std::size_t stacks = 0;
+    const Stack* blocked = nullptr;  // the largest
+
+    void add(const Series& series) {
+        for (const Stack& stack : series.stacks) {
+            ++stacks;
+            if (!stack.canBeVolume()) {
+                if (blocked == nullptr || stack.frames.size() > blocked->frames.size()) blocked = &stack;
+                continue;
+            }
+            ++volumes;
+            if (!best || rankOf(stack) > rankOf(*best.stack)) {
+                best.series = &series;
+                best.stack = &stack;
+            }
+        }
+    }
+
+    Choice choose(const std::string& place) {
+        if (best) {
+            const Stack& stack = *best.stack;
+            best.why = volumes == 1
+                           ? fmt::format("The only volume{}.", place)
+                           : fmt::format("Of {} volumes{} the {}{}one with the most voxels ({} x {} x {}).",
+                                         volumes, place, std::get<0>(rankOf(stack)) ? "original " : "",
+                                         std::get<1>(rankOf(stack)) ? "axial " : "", stack.columns,
+                                         stack.rows, stack.slices.size());
+        } else if (blocked != nullptr) {
+            const Message* reason = blocked->whyNoVolume();
+            best.why = fmt::format("Nothing{} can be shown in 3D. The largest of {} stacks of images: {}",
+                                   place, stacks, reason != nullptr ? reason->sentence : "it is no volume.");
+        } else {
+            best.why = fmt::format("There are no images{}.", place);
+        }
+        return std::move(best);
+    }
+};
+
+}  // namespace
+
+Choice bestVolume(const Scan& scan) {
+    Candidates candidates;
+    for (const Study& study : scan.studies) {
+        for (const Series& series : study.series) candidates.add(series);
+    }
+    return candidates.choose(scan.patients > 1 ? fmt::format(" of {} patients in this folder", scan.patients)
+                                               : std::string());
+}
+
+Choice bestVolume(const Series& series) {
+    Candidates candidates;
+    candidates.add(series);
+    return candidates.choose(" in this series");
+}
+
+}  // namespace macula::dicom

@@ -1,0 +1,35 @@
+// What one file of a folder turns out to be.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "dicom/instance.h"
+#include "dicom/patient.h"
+#include "dicom/series.h"
+
+namespace macula::dicom {
+
+// All that grouping needs, so that headers are dropped as soon as they are read.
+struct Examination {
+    enum class Kind { image, imageWithoutPixels, other, directory };
+
+    FileState state = FileState::notDicom;
+    Kind kind = Kind::other;
+    std::vector<Frame> frames;  // of an image; those that the file has pixels for
+    std::size_t framesCutOff = 0;
+    OtherObject object;  // when kind is other
+    bool charsetFallback = false;
+
+    std::string studyInstanceUid, studyDate, studyDescription, patientName;
+    PatientIdentity patient;
+    std::string seriesInstanceUid, modality, seriesDescription, patientPosition;
+    std::optional<int> seriesNumber;
+};
+
+// Reads the header, and nothing of the pixels. Thread-safe.
+Examination examine(const std::filesystem::path& file);
+
+}  // namespace macula::dicom

@@ -1,0 +1,74 @@
+#include "dicom/frame_plane.h"
+
+namespace macula::dicom {
+
+namespace {
+
+// Between rows, between columns; and where it was taken from.
+struct Spacing {
+    std::vector<double> mm;
+    PixelSpacingSource source = PixelSpacingSource::none;
+};
+
+Spacing readSpacing(const Dataset& frame) {
+    if (const auto mm = frame.numbers(tag::kPixelSpacing, 2)) return {*mm, PixelSpacingSource::pixelSpacing};
+    if (auto mm = frame.numbers(tag::kImagerPixelSpacing, 2)) {
+        // At the detector; at the patient it is smaller by the magnification (PS3.3 C.8.7.10).
+        if (const auto magnification = frame.number(tag::kEstimatedMagnification);
+            magnification && *magnification > 0.0) {
+            for (double& value : *mm) value /= *magnification;
+        }
+        return {*mm, PixelSpacingSource::imagerPixelSpacing};
+    }
+    if (const auto mm = frame.numbers(tag::kNominalScannedPixelSpacing, 2)) {
+        return {*mm, PixelSpacingSource::nominalScannedPixelSpacing};
+    }
+    return {};
+}
+
+// Of objects that keep one position for all frames and say elsewhere how far apart they are.
+double frameOffsetMm(const Dataset& header, int number) {
+    const auto at = static_cast<std::size_t>(number);
+    // RT Dose: distances from the first plane along the normal (PS3.3 C.8.8.3.2).
+    if (const auto offsets = header.allNumbers(tag::kGridFrameOffsetVector); at < offsets.size()) {
+        return offsets[at] - offsets[0];
+    }
+    // Nuclear medicine: the frame's slice number from 1, and a signed distance (PS3.3 C.8.4.15).
+    const auto slices = header.allNumbers(tag::kSliceVector);
+    const auto step = header.number(tag::kSpacingBetweenSlices);
+    if (at < slices.size() && step) return (slices[at] - 1.0) * *step;
+    return 0.0;
+}
+
+}  // namespace
+
+void readPlane(const Dataset& header, const Dataset& dataset, Frame& frame) {
+    auto position = dataset.numbers(tag::kImagePositionPatient, 3);
+    auto orientation = dataset.numbers(tag::kImageOrientationPatient, 6);
+    if (!position && !orientation) {
+        // Nuclear medicine keeps them with the detector (PS3.3 C.8.4.11).
+        if (const auto detectors = header.items(tag::kDetectorInformation); !detectors.empty()) {
+            position = detectors.front().numbers(tag::kImagePositionPatient, 3);
+            orientation = detectors.front().numbers(tag::kImageOrientationPatient, 6);
+        }
+    }
+    frame.hasOrientation = orientation.has_value();
+    frame.sliceLocation = dataset.number(tag::kSliceLocation);
+    const Spacing spacing = readSpacing(dataset);
+    frame.spacingSource = spacing.source;
+    if (!position) return;
+    frame.positionMm = glm::dvec3((*position)[0], (*position)[1], (*position)[2]);
+    if (!orientation) return;
+    const std::vector<double>& o = *orientation;
+    const glm::dvec3 row{o[0], o[1], o[2]};
+    const glm::dvec3 column{o[3], o[4], o[5]};
+    if (frame.number > 0) *frame.positionMm += frameOffsetMm(header, frame.number) * glm::cross(row, column);
+    if (spacing.source == PixelSpacingSource::none) return;
+    frame.plane = ImagePlane{.positionMm = *frame.positionMm,
+                             .rowDirection = row,
+                             .columnDirection = column,
+                             .columnSpacingMm = spacing.mm[1],  // the first is between rows: PS3.3 10.7.1.3
+                             .rowSpacingMm = spacing.mm[0]};
+}
+
+}  // namespace macula::dicom

@@ -1,0 +1,11 @@
+// Where a frame lies in the patient, as its data set says (PS3.3 C.7.6.2, C.7.6.16.2.3, C.7.6.16.2.4).
+#pragma once
+
+#include "dicom/instance.h"
+
+namespace macula::dicom {
+
+// Fills in what belongs to it; frame.number is set. `header` is the file's top level, `dataset` the frame's.
+void readPlane(const Dataset& header, const Dataset& dataset, Frame& frame);
+
+}  // namespace macula::dicom

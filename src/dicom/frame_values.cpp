@@ -1,0 +1,119 @@
+#include "dicom/frame_values.h"
+
+#include <array>
+#include <cmath>
+
+namespace macula::dicom {
+
+namespace {
+
+struct Mapping {
+    double slope;
+    double intercept;
+    std::string unit;  // UCUM code
+};
+
+// For PET only: there it is what the values mean, elsewhere it is for display. The mapping in the unit of the
+// image is preferred, then the first.
+std::optional<Mapping> realWorldMapping(const Dataset& dataset) {
+    if (dataset.text(tag::kModality) != "PT") return {};
+    const std::string units = dataset.text(tag::kUnits).value_or("");
+    std::optional<Mapping> first;
+    for (const Dataset& item : dataset.items(tag::kRealWorldValueMapping)) {
+        const auto slope = item.number(tag::kRealWorldValueSlope);
+        const auto intercept = item.number(tag::kRealWorldValueIntercept);
+        if (!slope || !intercept || *slope == 0.0) continue;  // a table, which is for display
+        const auto codes = item.items(tag::kMeasurementUnitsCode);
+        Mapping mapping{*slope, *intercept,
+                        codes.empty() ? "" : codes.front().text(tag::kCodeValue).value_or("")};
+        if ((units == "BQML" && mapping.unit == "Bq/ml") ||
+            (units == "GML" && mapping.unit.starts_with("g/ml"))) {
+            return mapping;
+        }
+        if (!first) first = std::move(mapping);
+    }
+    return first;
+}
+
+void readRescale(const Dataset& dataset, Frame& frame) {
+    frame.slope = dataset.number(tag::kRescaleSlope);
+    frame.intercept = dataset.number(tag::kRescaleIntercept);
+    frame.rescaleType = dataset.text(tag::kRescaleType).value_or("");
+    frame.units = dataset.text(tag::kUnits).value_or("");
+    if (const auto mapping = realWorldMapping(dataset)) {
+        frame.realWorld = frame.slope != mapping->slope || frame.intercept != mapping->intercept;
+        frame.slope = mapping->slope;
+        frame.intercept = mapping->intercept;
+        if (frame.realWorld) frame.rescaleType = mapping->unit;
+        return;
+    }
+    frame.rescaleInvalid = (dataset.has(tag::kRescaleSlope) && !frame.slope) ||
+                           (dataset.has(tag::kRescaleIntercept) && !frame.intercept) ||
+                           (frame.slope && *frame.slope == 0.0);
+}
+
+void readLut(const Dataset& dataset, Frame& frame) {
+    const auto items = dataset.items(tag::kModalityLutSequence);
+    if (items.empty()) return;
+    const auto descriptor = items.front().words(tag::kLutDescriptor);
+    if (descriptor.size() == 3 && frame.instance->format) {
+        frame.modalityLut =
+            readModalityLut(std::array<std::uint16_t, 3>{descriptor[0], descriptor[1], descriptor[2]},
+                            items.front().words(tag::kLutData), frame.instance->format->isSigned);
+        frame.rescaleType = items.front().text(tag::kModalityLutType).value_or("");
+    }
+    frame.modalityLutInvalid = frame.modalityLut == nullptr;
+}
+
+void readPadding(const Dataset& dataset, Frame& frame) {
+    if (!frame.instance->format) return;
+    const CellFormat& format = *frame.instance->format;
+    if (format.kind == CellKind::integer) {
+        if (const auto value = dataset.word(tag::kPixelPaddingValue)) {
+            frame.padding = paddingRange(format, *value, dataset.word(tag::kPixelPaddingRangeLimit));
+        }
+        return;
+    }
+    const bool isDouble = format.kind == CellKind::float64;
+    const auto value =
+        dataset.number(isDouble ? tag::kDoubleFloatPixelPaddingValue : tag::kFloatPixelPaddingValue);
+    if (!value) return;
+    const double limit =
+        dataset.number(isDouble ? tag::kDoubleFloatPixelPaddingRangeLimit : tag::kFloatPixelPaddingRangeLimit)
+            .value_or(*value);
+    frame.floatPadding = ValueRange{std::min(*value, limit), std::max(*value, limit)};
+}
+
+// Several pairs of centre and width, each perhaps with an explanation. Half a pair, a width of less than 1
+// for LINEAR (C.11.2.1.2), and lookup tables are no windows; a bad one spoils none of the others.
+void readWindows(const Dataset& dataset, Frame& frame) {
+    const auto centers = dataset.allNumbers(tag::kWindowCenter);
+    const auto widths = dataset.allNumbers(tag::kWindowWidth);
+    const auto explanations = dataset.texts(tag::kWindowExplanation);
+    const std::string function = dataset.text(tag::kVoiLutFunction).value_or("");
+    const double leastWidth =
+        function.empty() || function == "LINEAR" ? 1.0 : std::numeric_limits<double>::min();
+    const bool present = dataset.has(tag::kWindowCenter) || dataset.has(tag::kWindowWidth);
+    frame.windowInvalid = present && (centers.empty() || centers.size() != widths.size());
+    for (std::size_t i = 0; i < std::min(centers.size(), widths.size()); ++i) {
+        if (!(widths[i] >= leastWidth)) {
+            frame.windowInvalid = true;
+            continue;
+        }
+        frame.windows.push_back({.center = centers[i],
+                                 .width = widths[i],
+                                 .explanation = i < explanations.size() ? explanations[i] : "",
+                                 .function = function});
+    }
+}
+
+}  // namespace
+
+void readValues(const Dataset& dataset, Frame& frame) {
+    readRescale(dataset, frame);
+    readLut(dataset, frame);
+    readPadding(dataset, frame);
+    readWindows(dataset, frame);
+}
+
+}  // namespace macula::dicom

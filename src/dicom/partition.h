@@ -1,0 +1,40 @@
+// Ways to divide frames: by what they say, by where they lie.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "dicom/instance.h"
+#include "dicom/split_rules.h"
+
+namespace macula::dicom {
+
+struct Part {
+    std::vector<std::string> values;  // one per attribute, as the first of its frames has it
+    std::vector<std::size_t> frames;  // ascending
+};
+
+// Every frame is in exactly one part; no part is empty.
+using Partition = std::vector<Part>;
+
+// Frames with the same value of every one of `attributes`, ascending by value (numbers as numbers).
+Partition partitionByValue(std::span<const Frame> frames, const SplitRules& rules,
+                           const std::vector<std::size_t>& attributes);
+
+// Of the frames at each position the one with the lowest value into the first part, the next into the second.
+// Empty unless all positions have equally many frames, all with a value, no two at one position with the
+// same.
+Partition partitionByRank(std::span<const Frame> frames, const SplitRules& rules, std::size_t attribute);
+
+// Frames of the first, the second … file with the same SOP Instance UID.
+Partition separateCopies(std::span<const Frame> frames);
+
+// The first frame at each position, and all others.
+Partition separateRepetitions(std::span<const Frame> frames);
+
+// Consecutive blocks between which many slices are missing. One part when there is no such gap.
+Partition separateAtGaps(std::span<const Frame> frames);
+
+}  // namespace macula::dicom

@@ -1,0 +1,24 @@
+// Kinds of DICOM objects (PS3.4 B.5), as far as it matters what they are.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace macula::dicom {
+
+namespace sop_class {
+inline constexpr std::string_view kMediaDirectory = "1.2.840.10008.1.3.10";  // DICOMDIR
+inline constexpr std::string_view kSegmentation = "1.2.840.10008.5.1.4.1.1.66.4";
+inline constexpr std::string_view kLabelMapSegmentation = "1.2.840.10008.5.1.4.1.1.66.7";
+}  // namespace sop_class
+
+// Has pixels, and is no image of the patient.
+bool isSegmentation(std::string_view sopClassUid);
+
+// Images that look through or at the patient from outside, and are no slices, whatever else they say.
+bool isProjection(std::string_view sopClassUid);
+
+// For a person: "Segmentation", "Structured report"; the UID when it is none of the common ones.
+std::string describeSopClass(std::string_view sopClassUid);
+
+}  // namespace macula::dicom

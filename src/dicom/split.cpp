@@ -1,0 +1,415 @@
+#include "dicom/split.h"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <set>
+
+#include "dicom/partition.h"
+
+namespace macula::dicom {
+
+namespace {
+
+using Quality = StackGeometry::Quality;
+
+Quality qualityOf(const Stack& stack) {
+    if (!stack.canBeVolume()) return Quality::none;
+    return stack.isEven() ? Quality::even : Quality::resampled;
+}
+
+Stack makeStack(std::vector<Frame> frames, std::vector<StackLabel> labels, const std::string& modality) {
+    Stack stack;
+    stack.frames = std::move(frames);
+    stack.splitBy = std::move(labels);
+    assess(stack, modality);
+    return stack;
+}
+
+// Nothing that separating frames could mend: it would only multiply the complaint.
+bool isHopeless(const Stack& stack) {
+    return std::any_of(stack.messages.begin(), stack.messages.end(), [](const Message& m) {
+        return m.severity >= Severity::blocksVolume && m.key != key::kDuplicatePositions &&
+               m.key != key::kMissingSlices && m.key != key::kNotReconstructable;
+    });
+}
+
+// What a part would be as a stack, found out without making it.
+struct Trial {
+    Quality quality = Quality::none;
+    std::size_t frames = 0;
+    double lowMm = 0.0;  // extent along the normal
+    double highMm = 0.0;
+};
+
+std::vector<Trial> tryOut(const std::vector<Frame>& frames, const Partition& partition) {
+    const glm::dvec3 normal = frames.front().plane->normal();
+    std::vector<Trial> trials;
+    for (const Part& part : partition) {
+        std::vector<StackedPlane> planes;
+        for (const std::size_t index : part.frames) planes.push_back({*frames[index].plane});
+        const StackGeometry geometry = stackPlanes(planes);
+        const auto along = [&](std::size_t place) {
+            return glm::dot(planes[geometry.order[place]].plane.positionMm, normal);
+        };
+        trials.push_back({geometry.quality, planes.size(), along(0), along(planes.size() - 1)});
+    }
+    return trials;
+}
+
+bool interleave(std::vector<Trial> trials) {
+    std::sort(trials.begin(), trials.end(), [](const Trial& a, const Trial& b) { return a.lowMm < b.lowMm; });
+    for (std::size_t i = 1; i < trials.size(); ++i) {
+        if (trials[i].lowMm < trials[i - 1].highMm) return true;
+    }
+    return false;
+}
+
+// The parts are volumes, but for leftovers that are small against the largest.
+bool areVolumes(const std::vector<Trial>& parts) {
+    std::size_t largest = 0;
+    std::size_t covered = 0;
+    std::size_t total = 0;
+    std::size_t leftover = 0;
+    for (const Trial& part : parts) {
+        total += part.frames;
+        if (part.quality != Quality::none) {
+            covered += part.frames;
+            largest = std::max(largest, part.frames);
+        } else {
+            leftover = std::max(leftover, part.frames);
+        }
+    }
+    return largest > 0 && 2 * leftover < largest && 5 * covered >= 4 * total;
+}
+
+bool isBetter(Quality whole, const std::vector<Trial>& parts) {
+    if (whole == Quality::none) return areVolumes(parts);
+    // Halves of one volume with a gap between them are even, too, and are one volume all the same.
+    return std::all_of(parts.begin(), parts.end(),
+                       [](const Trial& t) { return t.quality == Quality::even; }) &&
+           interleave(parts);
+}
+
+// The parts of `finer` instead of those of `coarse` they come from.
+Partition within(const Part& coarse, const Partition& finer) {
+    Partition result = finer;
+    for (Part& part : result) {
+        part.values.insert(part.values.begin(), coarse.values.begin(), coarse.values.end());
+        for (std::size_t& index : part.frames) index = coarse.frames[index];
+    }
+    return result;
+}
+
+class Splitter {
+  public:
+    Splitter(const std::string& modality, const SplitRules& rules) : modality_(modality), rules_(rules) {}
+
+    std::vector<Stack> split(std::vector<Frame> frames, std::vector<StackLabel> labels,
+                             std::vector<Message>& messages) const {
+        Stack whole = makeStack(std::move(frames), std::move(labels), modality_);
+        if (whole.frames.size() < 2 || qualityOf(whole) == Quality::even || isHopeless(whole)) {
+            return one(std::move(whole));
+        }
+        if (auto parts = bySoftAttributes(whole, messages)) return std::move(*parts);
+        if (qualityOf(whole) == Quality::resampled) return one(std::move(whole));
+        if (auto parts = byPhases(whole, messages)) return std::move(*parts);
+        if (auto parts = bySoftAttributesAndPhases(whole, messages)) return std::move(*parts);
+        if (auto parts = byRepetition(whole, messages)) return std::move(*parts);
+        if (auto parts = atGaps(whole, messages)) return std::move(*parts);
+        return one(std::move(whole));
+    }
+
+  private:
+    static std::vector<Stack> one(Stack stack) {
+        std::vector<Stack> stacks;
+        stacks.push_back(std::move(stack));
+        return stacks;
+    }
+
+    std::vector<Stack> stacksOf(const Stack& whole, const Partition& partition,
+                                const std::vector<std::string>& names) const {
+        std::vector<Stack> stacks;
+        for (const Part& part : partition) {
+            std::vector<Frame> frames;
+            for (const std::size_t index : part.frames) frames.push_back(whole.frames[index]);
+            std::vector<StackLabel> labels = whole.splitBy;
+            for (std::size_t i = 0; i < names.size(); ++i) labels.push_back({names[i], part.values[i]});
+            stacks.push_back(makeStack(std::move(frames), std::move(labels), modality_));
+        }
+        return stacks;
+    }
+
+    // Soft attributes in which the frames differ, one and two at a time, as in magnitude and phase images of
+    // two echoes.
+    std::vector<std::vector<std::size_t>> softCandidates(const Stack& whole) const {
+        std::vector<std::size_t> varying;
+        for (const SplitRules::Soft& rule : rules_.soft) {
+            if (!rule.modality.empty() && rule.modality != modality_) continue;
+            if (partitionByValue(whole.frames, rules_, {rule.attribute}).size() > 1)
+                varying.push_back(rule.attribute);
+        }
+        std::vector<std::vector<std::size_t>> candidates;
+        for (const std::size_t attribute : varying) candidates.push_back({attribute});
+        for (std::size_t i = 0; i < varying.size(); ++i) {
+            for (std::size_t j = i + 1; j < varying.size(); ++j)
+                candidates.push_back({varying[i], varying[j]});
+        }
+        return candidates;
+    }
+
+    std::vector<std::string> namesOf(const std::vector<std::size_t>& attributes) const {
+        std::vector<std::string> names;
+        for (const std::size_t attribute : attributes) names.push_back(rules_.attributes[attribute].name);
+        return names;
+    }
+
+    static void tellSplit(std::vector<Message>& messages, const std::vector<std::string>& names,
+                          std::size_t count) {
+        std::string list = names.front();
+        for (std::size_t i = 1; i < names.size(); ++i) list += " and " + names[i];
+        messages.push_back(
+            message(key::kSplitSeries, {{"attributes", list}, {"count", std::int64_t(count)}}));
+    }
+
+    std::optional<std::vector<Stack>> bySoftAttributes(const Stack& whole,
+                                                       std::vector<Message>& messages) const {
+        for (const auto& attributes : softCandidates(whole)) {
+            const Partition partition = partitionByValue(whole.frames, rules_, attributes);
+            if (partition.size() > whole.frames.size() / 2) continue;  // single slices are no volumes
+            if (!isBetter(qualityOf(whole), tryOut(whole.frames, partition))) continue;
+            const auto names = namesOf(attributes);
+            tellSplit(messages, names, partition.size());
+            return stacksOf(whole, partition, names);
+        }
+        return {};
+    }
+
+    Partition phasesOf(const std::vector<Frame>& frames, const SplitRules::Phase& rule) const {
+        return rule.by == SplitRules::Phase::By::rank ? partitionByRank(frames, rules_, rule.attribute)
+                                                      : partitionByValue(frames, rules_, {rule.attribute});
+    }
+
+    static void nameStackPhases(std::vector<Stack>& stacks, std::size_t begin, bool assumed) {
+        for (std::size_t i = begin; i < stacks.size(); ++i) {
+            stacks[i].phase = static_cast<int>(i - begin);
+            stacks[i].phases = static_cast<int>(stacks.size() - begin);
+            if (assumed) {
+                stacks[i].assumptions.emplace_back(
+                    "Images at one position were told apart by the order of their numbers.");
+            }
+        }
+    }
+
+    std::optional<std::vector<Stack>> byPhases(const Stack& whole, std::vector<Message>& messages) const {
+        for (const SplitRules::Phase& rule : rules_.phases) {
+            const Partition partition = phasesOf(whole.frames, rule);
+            if (partition.size() < 2 || partition.size() > whole.frames.size() / 2) continue;
+            if (!areVolumes(tryOut(whole.frames, partition))) continue;
+            const std::string& name = rules_.attributes[rule.attribute].name;
+            std::vector<Stack> phases = stacksOf(whole, partition, {name});
+            nameStackPhases(phases, 0, rule.assumed);
+            tellPhases(messages, rule, phases.size());
+            return phases;
+        }
+        return {};
+    }
+
+    void tellPhases(std::vector<Message>& messages, const SplitRules::Phase& rule, std::size_t count) const {
+        messages.push_back(
+            message(rule.assumed ? key::kPhasesAssumed : key::kPhases,
+                    {{"count", std::int64_t(count)}, {"attribute", rules_.attributes[rule.attribute].name}}));
+    }
+
+    // Several phases in each of several reconstructions.
+    std::optional<std::vector<Stack>> bySoftAttributesAndPhases(const Stack& whole,
+                                                                std::vector<Message>& messages) const {
+        for (const auto& attributes : softCandidates(whole)) {
+            const Partition coarse = partitionByValue(whole.frames, rules_, attributes);
+            if (coarse.size() > whole.frames.size() / 4) continue;
+            for (const SplitRules::Phase& rule : rules_.phases) {
+                Partition all;
+                std::vector<std::size_t> counts;
+                for (const Part& part : coarse) {
+                    std::vector<Frame> frames;
+                    for (const std::size_t index : part.frames) frames.push_back(whole.frames[index]);
+                    const Partition finer = within(part, phasesOf(frames, rule));
+                    counts.push_back(finer.size());
+                    all.insert(all.end(), finer.begin(), finer.end());
+                }
+                const bool isPartition =
+                    std::none_of(counts.begin(), counts.end(), [](std::size_t c) { return c == 0; });
+                if (!isPartition || all.size() > whole.frames.size() / 2) continue;
+                if (!areVolumes(tryOut(whole.frames, all))) continue;
+                auto names = namesOf(attributes);
+                tellSplit(messages, names, coarse.size());
+                tellPhases(messages, rule, *std::max_element(counts.begin(), counts.end()));
+                names.push_back(rules_.attributes[rule.attribute].name);
+                std::vector<Stack> stacks;
+                std::size_t begin = 0;
+                for (const std::size_t count : counts) {
+                    const Partition phases(all.begin() + static_cast<std::ptrdiff_t>(begin),
+                                           all.begin() + static_cast<std::ptrdiff_t>(begin + count));
+                    std::vector<Stack> made = stacksOf(whole, phases, names);
+                    nameStackPhases(made, 0, rule.assumed);
+                    for (Stack& stack : made) stacks.push_back(std::move(stack));
+                    begin += count;
+                }
+                return stacks;
+            }
+        }
+        return {};
+    }
+
+    std::optional<std::vector<Stack>> byRepetition(const Stack& whole, std::vector<Message>& messages) const {
+        const Partition partition = separateRepetitions(whole.frames);
+        if (partition.size() != 2) return {};
+        // Many are no slip, and which of them belong together is for a person to say.
+        if (5 * partition[1].frames.size() > partition[0].frames.size()) return {};
+        std::vector<Stack> stacks = stacksOf(whole, partition, {"Repetition"});
+        if (qualityOf(stacks[0]) == Quality::none) return {};
+        const Message told =
+            message(key::kRepeatedSlices, {{"count", std::int64_t(partition[1].frames.size())}});
+        stacks[0].messages.push_back(told);
+        stacks[0].assumptions.push_back(told.sentence);
+        if (stacks[1].canBeVolume()) {
+            stacks[1].messages.push_back(message(key::kRepeatedSlices, Severity::blocksVolume,
+                                                 {{"count", std::int64_t(partition[1].frames.size())}}));
+        }
+        messages.push_back(told);
+        return stacks;
+    }
+
+    // Two body regions in one series.
+    std::optional<std::vector<Stack>> atGaps(const Stack& whole, std::vector<Message>& messages) const {
+        if (whole.whyNoVolume()->key != key::kMissingSlices) return {};
+        const Partition partition = separateAtGaps(whole.frames);
+        if (partition.size() < 2) return {};
+        if (!areVolumes(tryOut(whole.frames, partition))) return {};
+        messages.push_back(*whole.whyNoVolume());
+        messages.back().severity = Severity::warning;
+        return stacksOf(whole, partition, {"Block"});
+    }
+
+    const std::string& modality_;
+    const SplitRules& rules_;
+};
+
+// A total order that depends on the images only, so that neither file names nor the file system matter.
+void sortFrames(std::vector<Frame>& frames) {
+    std::stable_sort(frames.begin(), frames.end(), [](const Frame& a, const Frame& b) {
+        const auto key = [](const Frame& f) {
+            return std::tuple(f.instance->instanceNumber.value_or(0),
+                              std::string_view(f.instance->sopInstanceUid), f.number);
+        };
+        return key(a) < key(b);
+    });
+}
+
+// Files that share an identifier and differ: the first of each stays.
+std::vector<Stack> takeCopies(std::vector<Frame>& frames, const std::string& modality,
+                              std::vector<Message>& messages) {
+    const Partition partition = separateCopies(frames);
+    std::vector<Stack> stacks;
+    if (partition.size() < 2) return stacks;
+    for (std::size_t copy = 1; copy < partition.size(); ++copy) {
+        std::vector<Frame> taken;
+        for (const std::size_t index : partition[copy].frames) taken.push_back(frames[index]);
+        stacks.push_back(makeStack(std::move(taken), {{"Copy", partition[copy].values.front()}}, modality));
+    }
+    messages.push_back(message(key::kDuplicateInstances,
+                               {{"count", std::int64_t(frames.size() - partition.front().frames.size())}}));
+    std::vector<Frame> kept;
+    for (const std::size_t index : partition.front().frames) kept.push_back(std::move(frames[index]));
+    frames = std::move(kept);
+    return stacks;
+}
+
+struct HardPart {
+    std::vector<Frame> frames;
+    std::vector<StackLabel> labels;
+};
+
+// Frames that are alone in their part although they agree in all but how they lie (a rotation of projections,
+// a localizer in three planes) are put together again.
+void joinLoners(std::vector<HardPart>& parts) {
+    static const std::set<std::string> kPlacement = {"ImageOrientationPatient", "PixelSpacing",
+                                                     "FrameOfReferenceUID"};
+    std::map<std::string, std::size_t> homes;  // by all other labels
+    std::vector<HardPart> result;
+    for (HardPart& part : parts) {
+        if (part.frames.size() != 1) {
+            result.push_back(std::move(part));
+            continue;
+        }
+        std::string home;
+        std::vector<StackLabel> labels;
+        for (const StackLabel& label : part.labels) {
+            if (kPlacement.contains(label.attribute)) continue;
+            home += label.attribute + '=' + label.value + '\n';
+            labels.push_back(label);
+        }
+        const auto [place, isNew] = homes.emplace(home, result.size());
+        if (isNew) {
+            result.push_back(std::move(part));
+        } else {
+            HardPart& together = result[place->second];
+            together.labels = labels;
+            together.frames.push_back(std::move(part.frames.front()));
+        }
+    }
+    parts = std::move(result);
+}
+
+std::vector<HardPart> splitHard(std::vector<Frame> frames, const SplitRules& rules,
+                                std::vector<Message>& messages) {
+    std::vector<HardPart> parts;
+    parts.push_back({std::move(frames), {}});
+    std::vector<std::pair<std::string, std::string>> told;  // key, attribute
+    for (const SplitRules::Hard& rule : rules.hard) {
+        std::vector<HardPart> finer;
+        for (HardPart& part : parts) {
+            const Partition partition = partitionByValue(part.frames, rules, {rule.attribute});
+            if (partition.size() < 2) {
+                finer.push_back(std::move(part));
+                continue;
+            }
+            const std::string& name = rules.attributes[rule.attribute].name;
+            if (told.empty() || told.back().second != name) told.emplace_back(rule.message, name);
+            for (const Part& piece : partition) {
+                HardPart next{{}, part.labels};
+                next.labels.push_back({name, piece.values.front()});
+                for (const std::size_t index : piece.frames) next.frames.push_back(part.frames[index]);
+                finer.push_back(std::move(next));
+            }
+        }
+        parts = std::move(finer);
+    }
+    joinLoners(parts);
+    if (parts.size() > 1) {
+        for (const auto& [key, attribute] : told) {
+            messages.push_back(
+                message(key, {{"attributes", attribute}, {"count", std::int64_t(parts.size())}}));
+        }
+    }
+    return parts;
+}
+
+}  // namespace
+
+Split splitSeries(std::vector<Frame> frames, const std::string& modality, const SplitRules& rules) {
+    Split split;
+    if (frames.empty()) return split;
+    sortFrames(frames);
+    std::vector<Stack> copies = takeCopies(frames, modality, split.messages);
+    const Splitter splitter(modality, rules);
+    for (HardPart& part : splitHard(std::move(frames), rules, split.messages)) {
+        for (Stack& stack : splitter.split(std::move(part.frames), std::move(part.labels), split.messages)) {
+            split.stacks.push_back(std::move(stack));
+        }
+    }
+    for (Stack& stack : copies) split.stacks.push_back(std::move(stack));
+    return split;
+}
+
+}  // namespace macula::dicom

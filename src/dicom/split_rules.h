@@ -1,0 +1,62 @@
+// What tells the images of a series apart, as data: rules/split.json, which says how to read it.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "dicom/dataset.h"
+
+namespace macula::dicom {
+
+struct Attribute {
+    enum class Kind { text, number, numbers, contains };
+
+    std::string name;  // DICOM keyword
+    std::vector<Tag> tags;
+    Kind kind = Kind::text;
+    double tolerance = 0.0;
+    double relativeTolerance = 0.0;
+    std::string value;  // contains: what is looked for among the values
+
+    bool operator==(const Attribute&) const = default;
+};
+
+struct SplitRules {
+    struct Hard {
+        std::size_t attribute;  // in `attributes`
+        std::string message;    // key of the message that tells of a separation
+    };
+    struct Soft {
+        std::size_t attribute;
+        std::string modality;  // empty: any
+    };
+    struct Phase {
+        enum class By { value, rank };
+
+        std::size_t attribute;
+        By by = By::value;
+        bool assumed = false;  // no property of the image, only the best that is left
+    };
+
+    std::vector<Attribute> attributes;  // each once
+    std::vector<Hard> hard;
+    std::vector<Soft> soft;
+    std::vector<Phase> phases;
+};
+
+// The rules of rules/split.json, built into the program.
+const SplitRules& splitRules();
+
+// The value of each attribute of the rules, as text ("" when the image does not have it), in the order of
+// `attributes`. `frame` is the data set of one frame.
+std::vector<std::string> readAttributes(const SplitRules& rules, const Dataset& frame);
+
+// Whether two values of an attribute are the same, within its tolerance.
+bool sameValue(const Attribute& attribute, std::string_view a, std::string_view b);
+
+// Nothing when the text is no number, or the first of several is none.
+std::optional<double> numberOf(std::string_view text);
+
+}  // namespace macula::dicom
