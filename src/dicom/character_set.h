@@ -6,7 +6,19 @@
 
 namespace macula::dicom {
 
-// `declared` is SpecificCharacterSet as in the file, its values separated by backslashes. Always valid UTF-8.
-std::string utf8Of(std::string_view text, std::string_view declared);
+// What ends the effect of an escape sequence, besides the end of a line (PS3.5 6.1.2.5.3).
+enum class Delimiters { none, betweenValues, ofPersonNames };
+
+struct DecodedText {
+    std::string utf8;  // always valid, and without control characters but the ends of lines and tabs
+    // The bytes are not what was declared, and were read as what they most likely are: as UTF-8 if that is
+    // possible, else as Latin-1. Never so for plain ASCII.
+    bool fallback = false;
+};
+
+// `declared` is SpecificCharacterSet as in the file, its values separated by backslashes. Thread-safe.
+DecodedText decodeText(std::string_view bytes, std::string_view declared, Delimiters delimiters);
+
+bool isValidUtf8(std::string_view text);
 
 }  // namespace macula::dicom

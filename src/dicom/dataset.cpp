@@ -109,6 +109,16 @@ struct Dataset::File {
     }
 };
 
+namespace {
+
+Delimiters delimitersOf(Vr vr) {
+    if (vr == vrOf("PN")) return Delimiters::ofPersonNames;
+    const bool oneValue = vr == vrOf("LT") || vr == vrOf("ST") || vr == vrOf("UT");
+    return oneValue ? Delimiters::none : Delimiters::betweenValues;
+}
+
+}  // namespace
+
 struct Dataset::Hit {
     const Element* element = nullptr;
     std::uint32_t item = 0;
@@ -152,8 +162,10 @@ bool Dataset::has(Tag tag) const {
 std::optional<std::string> Dataset::text(Tag tag) const {
     const Hit hit = find(tag);
     if (!hit || hit.bytes.empty()) return {};
-    const std::string whole = hit.isText() ? utf8Of(trimmed(hit.bytes), file_->characterSet(hit.item))
-                                           : textOfBinary(hit.vr, hit.bytes, hit.element->bigEndian);
+    const std::string whole =
+        hit.isText()
+            ? decodeText(trimmed(hit.bytes), file_->characterSet(hit.item), delimitersOf(hit.vr)).utf8
+            : textOfBinary(hit.vr, hit.bytes, hit.element->bigEndian);
     const std::string_view value = trimmed(whole);
     if (value.empty()) return {};
     return std::string(value);
@@ -164,6 +176,20 @@ std::vector<std::string> Dataset::texts(Tag tag) const {
     if (!whole) return {};
     const auto parts = splitAtBackslash(*whole);
     return {parts.begin(), parts.end()};
+}
+
+bool Dataset::charsetFallback() const {
+    constexpr auto isOther = [](char c) { return static_cast<unsigned char>(c) >= 0x80 || c == '\x1B'; };
+    for (const std::uint32_t item : items_) {
+        for (const Element& element : file_->tree.elements(item)) {
+            const std::string_view bytes = trimmed(file_->tree.value(element));
+            if (std::none_of(bytes.begin(), bytes.end(), isOther)) continue;
+            const Vr vr = file_->vrOf(element, item);
+            if (isTextVr(vr) && decodeText(bytes, file_->characterSet(item), delimitersOf(vr)).fallback)
+                return true;
+        }
+    }
+    return false;
 }
 
 std::vector<double> Dataset::allNumbers(Tag tag) const {

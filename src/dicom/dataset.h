@@ -50,6 +50,10 @@ class Dataset {
     std::optional<std::uint16_t> word(Tag tag) const;  // the 16 bits of a US or SS, whichever the file says
     std::vector<std::uint16_t> words(Tag tag) const;   // all of US, SS or OW; of bytes, two make one
 
+    // Some text of what this view shows (without what lies in sequences) is not in the character set that the
+    // file declares, and was read as what it most likely is: see character_set.h.
+    bool charsetFallback() const;
+
     // The items of a sequence, in their order; none when it is missing or no sequence.
     std::vector<Dataset> items(Tag sequence) const;
 
