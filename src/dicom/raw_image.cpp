@@ -1,0 +1,282 @@
+#include "dicom/raw_image.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <functional>
+#include <limits>
+#include <mutex>
+
+#include "base/parallel.h"
+#include "dicom/memory.h"
+
+namespace macula::dicom {
+
+namespace {
+
+constexpr std::size_t kChunk = std::size_t{1} << 20;
+constexpr double kMost16 = 65535.0;
+
+// Reaching so low, whole numbers are Hounsfield units: air is -1000, and no other scale in use goes there.
+constexpr double kLowestHu = -8192.0;
+constexpr double kHighestAirHu = -500.0;
+
+Error cancelled() {
+    return {ErrorCode::cancelled, "Stopped.", {}, {}};
+}
+
+// body(first, count) for portions of [0, count), on all cores, with progress.
+Result<void> inChunks(std::size_t count, Progress& progress,
+                      const std::function<void(std::size_t, std::size_t)>& body) {
+    parallelFor((count + kChunk - 1) / kChunk,
+                [&](std::size_t chunk) {
+                    const std::size_t first = chunk * kChunk;
+                    body(first, std::min(kChunk, count - first));
+                    progress.advance();
+                },
+                progress.token());
+    if (progress.cancelled()) return cancelled();
+    return {};
+}
+
+struct Summary {
+    double low = std::numeric_limits<double>::max();
+    double high = std::numeric_limits<double>::lowest();
+    bool whole = true;  // every value is a finite whole number
+
+    void add(double value) {
+        if (!(std::isfinite(value) && value == std::trunc(value))) whole = false;
+        low = std::min(low, value);  // a NaN changes neither
+        high = std::max(high, value);
+    }
+    void add(const Summary& other) {
+        low = std::min(low, other.low);
+        high = std::max(high, other.high);
+        whole = whole && other.whole;
+    }
+    bool wholeWithin(double least, double most) const { return whole && low >= least && high <= most; }
+};
+
+// Of valueAt(0) to valueAt(count - 1).
+template <class ValueAt>
+Result<Summary> summarise(std::size_t count, Progress& progress, const ValueAt& valueAt) {
+    std::mutex mutex;
+    Summary all;
+    MACULA_TRY_VOID(inChunks(count, progress, [&](std::size_t first, std::size_t length) {
+        Summary local;
+        for (std::size_t n = first; n < first + length; ++n) local.add(valueAt(n));
+        const std::lock_guard lock(mutex);
+        all.add(local);
+    }));
+    return all;
+}
+
+template <class T>
+T converted(double value) {
+    if constexpr (std::is_same_v<T, float>) {  // beyond its range, the language leaves open what happens
+        constexpr double kMost = std::numeric_limits<float>::max();
+        if (std::abs(value) > kMost)
+            return std::copysign(std::numeric_limits<float>::infinity(), float(value > 0 ? 1 : -1));
+    }
+    return static_cast<T>(value);
+}
+
+template <class T>
+T at(const std::byte* data, std::size_t n) {
+    T value;
+    std::memcpy(&value, data + n * sizeof(T), sizeof(T));
+    return value;
+}
+
+// Calls with a function that gives the n-th raw value as a double, which holds each of these types exactly.
+template <class Use>
+auto withRaw(const RawImage& image, const Use& use) {
+    const std::byte* data = image.data.data();
+    switch (image.type) {
+        case ScalarType::int8:
+            return use([data](std::size_t n) { return double(at<std::int8_t>(data, n)); });
+        case ScalarType::uint8:
+            return use([data](std::size_t n) { return double(at<std::uint8_t>(data, n)); });
+        case ScalarType::int16:
+            return use([data](std::size_t n) { return double(at<std::int16_t>(data, n)); });
+        case ScalarType::uint16:
+            return use([data](std::size_t n) { return double(at<std::uint16_t>(data, n)); });
+        case ScalarType::int32:
+            return use([data](std::size_t n) { return double(at<std::int32_t>(data, n)); });
+        case ScalarType::uint32:
+            return use([data](std::size_t n) { return double(at<std::uint32_t>(data, n)); });
+        case ScalarType::float32:
+            return use([data](std::size_t n) { return double(at<float>(data, n)); });
+        case ScalarType::float64:
+            break;
+    }
+    return use([data](std::size_t n) { return at<double>(data, n); });
+}
+
+template <class ValueAt>
+Result<RawImage> packed(RawImage image, std::size_t count, Progress& progress, const ValueAt& valueAt) {
+    progress.beginStage("Preparing the values", 2 * ((count + kChunk - 1) / kChunk));
+    MACULA_TRY(const Summary values, summarise(count, progress, valueAt));
+    const auto fill = [&]<class T>(T) {
+        image.data.resize(count * sizeof(T));
+        std::byte* out = image.data.data();
+        return inChunks(count, progress, [&, out](std::size_t first, std::size_t length) {
+            for (std::size_t n = first; n < first + length; ++n) {
+                const T value = converted<T>(valueAt(n));
+                std::memcpy(out + n * sizeof(T), &value, sizeof(T));
+            }
+        });
+    };
+    if (values.wholeWithin(-32768.0, 32767.0)) {
+        image.type = ScalarType::int16;
+        MACULA_TRY_VOID(fill(std::int16_t{}));
+    } else if (values.wholeWithin(0.0, kMost16)) {
+        image.type = ScalarType::uint16;
+        MACULA_TRY_VOID(fill(std::uint16_t{}));
+    } else {
+        image.type = ScalarType::float32;
+        MACULA_TRY_VOID(fill(float{}));
+    }
+    return image;
+}
+
+template <class RawAt>
+Result<std::shared_ptr<const Volume>> unpacked(RawImage& image, Progress& progress, const RawAt& raw) {
+    const std::size_t count = image.data.size() / bytesOf(image.type);
+    progress.beginStage("Preparing the values", 2 * ((count + kChunk - 1) / kChunk));
+    MACULA_TRY(const Summary values, summarise(count, progress, raw));
+    VolumeOptions options{.size = image.size, .worldFromVoxel = image.worldFromVoxel};
+    const double slope = image.slope;
+    const double intercept = image.intercept;
+
+    if (values.whole && values.high - values.low <= kMost16) {
+        // A negative slope turns the order of the stored values around: theirs must be positive.
+        const bool shifted = slope < 0.0 || values.low < 0.0 || values.high > kMost16;
+        const double sign = slope < 0.0 ? -1.0 : 1.0;
+        const double origin = !shifted ? 0.0 : slope < 0.0 ? values.high : values.low;
+        options.unitsFromStored = {std::abs(slope), slope * origin + intercept};
+        const double lowest = std::min(slope * values.low, slope * values.high) + intercept;
+        const bool integers = slope == std::trunc(slope) && intercept == std::trunc(intercept);
+        if (integers && lowest >= kLowestHu && lowest <= kHighestAirHu) {
+            options.unit = Unit::hounsfield;
+            options.modality = "CT";
+            image.assumptions.emplace_back(
+                "The file does not name the unit of its values: Hounsfield units were assumed, as whole "
+                "numbers that begin as low as air.");
+        } else {
+            image.assumptions.emplace_back(
+                "The file does not name the unit of its values: none was assumed.");
+        }
+        options.provenance.assumptions = std::move(image.assumptions);
+        std::vector<std::uint16_t> voxels(count);
+        MACULA_TRY_VOID(inChunks(count, progress, [&](std::size_t first, std::size_t length) {
+            for (std::size_t n = first; n < first + length; ++n)
+                voxels[n] = static_cast<std::uint16_t>(sign * (raw(n) - origin));
+        }));
+        image.data = {};
+        MACULA_TRY(Volume volume, Volume::create(std::move(options), std::move(voxels)));
+        return std::shared_ptr<const Volume>(std::make_shared<Volume>(std::move(volume)));
+    }
+
+    image.assumptions.emplace_back("The file does not name the unit of its values: none was assumed.");
+    std::vector<float> voxels(count);
+    std::atomic<bool> rounded{false};
+    MACULA_TRY_VOID(inChunks(count, progress, [&](std::size_t first, std::size_t length) {
+        bool inexact = false;
+        for (std::size_t n = first; n < first + length; ++n) {
+            const double value = slope * raw(n) + intercept;
+            voxels[n] = converted<float>(value);
+            inexact = inexact || (double(voxels[n]) != value && !std::isnan(value));
+        }
+        if (inexact) rounded = true;
+    }));
+    if (rounded) image.assumptions.emplace_back("Values were rounded to 24 significant bits.");
+    options.provenance.assumptions = std::move(image.assumptions);
+    image.data = {};
+    MACULA_TRY(Volume volume, Volume::createFloat(std::move(options), std::move(voxels)));
+    return std::shared_ptr<const Volume>(std::make_shared<Volume>(std::move(volume)));
+}
+
+}  // namespace
+
+std::size_t bytesOf(ScalarType type) {
+    switch (type) {
+        case ScalarType::int8:
+        case ScalarType::uint8:
+            return 1;
+        case ScalarType::int16:
+        case ScalarType::uint16:
+            return 2;
+        case ScalarType::int32:
+        case ScalarType::uint32:
+        case ScalarType::float32:
+            return 4;
+        case ScalarType::float64:
+            break;
+    }
+    return 8;
+}
+
+std::uint64_t RawImageLayout::bytes() const {
+    return std::uint64_t(size.x) * std::uint64_t(size.y) * std::uint64_t(size.z) * bytesOf(type);
+}
+
+Result<void> checkLayout(const RawImageLayout& layout, std::uint64_t bytesInFile, bool compressed) {
+    constexpr int kMostPerSide = 65536;       // as in Volume; three of them and 8 bytes fit 64 bits
+    constexpr std::uint64_t kDeflate = 1032;  // a longer match than 258 bytes in 2 bits there is not
+    const glm::ivec3 size = layout.size;
+    if (std::min({size.x, size.y, size.z}) < 2) {
+        return Error{ErrorCode::inputNotUsable,
+                     fmt::format("The image of {} x {} x {} voxels is no volume.", size.x, size.y, size.z),
+                     {},
+                     "Choose a file with a volume."};
+    }
+    if (std::max({size.x, size.y, size.z}) > kMostPerSide) {
+        return Error{ErrorCode::inputNotUsable,
+                     fmt::format("A volume of {} x {} x {} voxels cannot be shown.", size.x, size.y, size.z),
+                     {},
+                     "Choose a smaller one."};
+    }
+    const std::uint64_t needed = layout.bytes();
+    if (needed > (compressed ? kDeflate * bytesInFile : bytesInFile)) {
+        return Error{ErrorCode::inputNotUsable,
+                     fmt::format("The file is cut off: its header tells of {} x {} x {} voxels, and it is "
+                                 "too short for them.",
+                                 size.x, size.y, size.z),
+                     {},
+                     "Get the file again from where it came."};
+    }
+    const std::uint64_t voxels = needed / bytesOf(layout.type);
+    const std::uint64_t all = needed + voxels * sizeof(float);  // the volume is float32 at worst
+    if (const auto available = availableMemory(); available && all > *available)
+        return notEnoughMemory(all, *available);
+    return {};
+}
+
+Result<RawImage> rawImageOf(const Volume& volume, Progress& progress) {
+    RawImage image;
+    image.size = volume.size();
+    image.worldFromVoxel = volume.worldFromVoxel();
+    if (volume.format() == VoxelFormat::float32) {
+        const auto voxels = volume.floatVoxels();
+        return packed(std::move(image), voxels.size(), progress,
+                      [voxels](std::size_t n) { return double(voxels[n]); });
+    }
+    const auto voxels = volume.voxels();
+    const UnitsFromStored units = volume.unitsFromStored();
+    return packed(std::move(image), voxels.size(), progress,
+                  [voxels, units](std::size_t n) { return units(voxels[n]); });
+}
+
+Result<std::shared_ptr<const Volume>> volumeOf(RawImage image, Progress& progress) {
+    if (!(std::isfinite(image.slope) && image.slope != 0.0 && std::isfinite(image.intercept))) {
+        return Error{ErrorCode::inputNotUsable,
+                     "The map from stored values to units is not usable.",
+                     {},
+                     "Export the file again."};
+    }
+    MACULA_CHECK(image.data.size() == image.bytes());
+    return withRaw(image, [&](const auto& raw) { return unpacked(image, progress, raw); });
+}
+
+}  // namespace macula::dicom

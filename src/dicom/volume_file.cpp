@@ -1,0 +1,219 @@
+#include "dicom/volume_file.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+
+#include "dicom/itk_image_file.h"
+#include "dicom/memory.h"
+#include "dicom/nifti.h"
+#include "dicom/text_header.h"
+
+namespace macula::dicom {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+enum class Format { nifti, nrrd, metaImage };
+
+struct Ending {
+    std::string_view text;
+    Format format;
+    bool detached;  // the values lie in a second file
+};
+constexpr std::array<Ending, 6> kEndings{{{".nii.gz", Format::nifti, false},
+                                          {".nii", Format::nifti, false},
+                                          {".nrrd", Format::nrrd, false},
+                                          {".nhdr", Format::nrrd, true},
+                                          {".mha", Format::metaImage, false},
+                                          {".mhd", Format::metaImage, true}}};
+
+const Ending* endingOf(const fs::path& path) {
+    std::string name = path.filename().string();
+    std::transform(name.begin(), name.end(), name.begin(),
+                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c; });
+    for (const Ending& ending : kEndings) {
+        if (name.size() > ending.text.size() && name.ends_with(ending.text)) return &ending;
+    }
+    return nullptr;
+}
+
+Result<Ending> knownEndingOf(const fs::path& path) {
+    if (const Ending* ending = endingOf(path)) return *ending;
+    return Error{ErrorCode::usage, "The ending of the name is that of no volume file.", path.string(),
+                 "Known are .nii, .nii.gz, .nrrd, .nhdr, .mha and .mhd."};
+}
+
+Error cannotWrite(const fs::path& path, const std::string& reason) {
+    return {ErrorCode::outputNotWritable, fmt::format("The file could not be put in place: {}.", reason),
+            path.string(), "Check free space and permissions."};
+}
+
+// A folder beside the file, so that two files can be written under their own names (one names the other) and
+// then moved into place. Goes with all that is left in it.
+class Workshop {
+  public:
+    static Result<Workshop> beside(const fs::path& path) {
+        const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+        std::error_code error;
+        if (!fs::is_directory(folder, error)) {
+            return Error{ErrorCode::outputNotWritable, "The folder to write into does not exist.",
+                         folder.string(), "Create it, or choose another place."};
+        }
+        const fs::path made = folder / fmt::format(".{}.{}.part", path.stem().string(), getpid());
+        if (!fs::create_directory(made, error))
+            return cannotWrite(path, error ? error.message() : "it is in use");
+        return Workshop(made);
+    }
+    Workshop(Workshop&& other) noexcept : folder_(std::exchange(other.folder_, {})) {}
+    Workshop& operator=(Workshop&&) = delete;
+    ~Workshop() {
+        std::error_code ignored;
+        if (!folder_.empty()) fs::remove_all(folder_, ignored);
+    }
+    const fs::path& folder() const { return folder_; }
+
+  private:
+    explicit Workshop(fs::path folder) : folder_(std::move(folder)) {}
+    fs::path folder_;
+};
+
+Result<void> writeFormat(Format format, const fs::path& path, const RawImage& image, Progress& progress) {
+    if (format == Format::nifti) return writeNifti(path, image, progress);
+    progress.beginStage("Writing", 1);
+    const auto written = format == Format::nrrd ? writeNrrd(path, image) : writeMetaImage(path, image);
+    progress.advance();
+    return written;
+}
+
+Result<TextHeader> readTextHeader(Format format, const fs::path& path) {
+    return format == Format::nrrd ? readNrrdHeader(path) : readMetaImageHeader(path);
+}
+
+Result<RawImageLayout> readLayout(Format format, const fs::path& path) {
+    if (format == Format::nifti) return readNiftiLayout(path);
+    MACULA_TRY(TextHeader header, readTextHeader(format, path));
+    return std::move(header.layout);
+}
+
+Result<RawImage> readFormat(Format format, const fs::path& path, Progress& progress) {
+    if (format == Format::nifti) return readNifti(path, progress);
+    MACULA_TRY(TextHeader header, readTextHeader(format, path));
+    return readValues(std::move(header.layout), header.values, progress);
+}
+
+Error at(const fs::path& path, Error error) {
+    if (error.where.empty()) error.where = path.string();
+    return error;
+}
+
+Result<Ending> checkInput(const fs::path& path) {
+    MACULA_TRY(const Ending ending, knownEndingOf(path));
+    std::error_code error;
+    if (!fs::is_regular_file(path, error)) {
+        return Error{ErrorCode::inputNotUsable, "The file does not exist.", path.string(), "Check the path."};
+    }
+    return ending;
+}
+
+const char* nameOf(ScalarType type) {
+    switch (type) {
+        case ScalarType::int8:
+            return "int8";
+        case ScalarType::uint8:
+            return "uint8";
+        case ScalarType::int16:
+            return "int16";
+        case ScalarType::uint16:
+            return "uint16";
+        case ScalarType::int32:
+            return "int32";
+        case ScalarType::uint32:
+            return "uint32";
+        case ScalarType::float32:
+            return "float32";
+        case ScalarType::float64:
+            break;
+    }
+    return "float64";
+}
+
+const char* nameOf(Format format) {
+    return format == Format::nifti ? "NIfTI" : format == Format::nrrd ? "NRRD" : "MetaImage";
+}
+
+}  // namespace
+
+bool isVolumeFileName(const fs::path& path) {
+    return endingOf(path) != nullptr;
+}
+
+Result<std::vector<fs::path>> filesOfVolumeFile(const fs::path& path) {
+    MACULA_TRY(const Ending ending, knownEndingOf(path));
+    std::vector<fs::path> files{path};
+    if (ending.detached) files.push_back(fs::path(path).replace_extension(".raw"));
+    return files;
+}
+
+Result<void> writeVolumeFile(const Volume& volume, const fs::path& path, Progress& progress) try {
+    MACULA_TRY(const Ending ending, knownEndingOf(path));
+    MACULA_TRY(const auto files, filesOfVolumeFile(path));
+    const std::uint64_t most = std::uint64_t{sizeof(float)} * volume.voxelCount();
+    if (const auto available = availableMemory(); available && most > *available)
+        return notEnoughMemory(most, *available);
+    MACULA_TRY(const Workshop workshop, Workshop::beside(path));
+    MACULA_TRY(const RawImage image, rawImageOf(volume, progress));
+    // The ending in small letters: the libraries choose by it.
+    const std::string stem =
+        path.filename().string().substr(0, path.filename().string().size() - ending.text.size());
+    const fs::path draft = workshop.folder() / (stem + std::string(ending.text));
+    if (const auto written = writeFormat(ending.format, draft, image, progress); !written)
+        return at(path, written.error());
+    if (progress.cancelled()) return Error{ErrorCode::cancelled, "Stopped; nothing was written.", {}, {}};
+    // The values first, so that a header never stands without them.
+    for (auto file = files.rbegin(); file != files.rend(); ++file) {
+        std::error_code error;
+        const fs::path made =
+            file->filename() == path.filename() ? draft : workshop.folder() / file->filename();
+        fs::rename(made, *file, error);
+        if (error) return cannotWrite(*file, error.message());
+    }
+    return {};
+} catch (const std::bad_alloc&) {
+    return notEnoughMemory(std::uint64_t{sizeof(float)} * volume.voxelCount(), availableMemory());
+} catch (const std::exception&) {
+    return cannotWrite(path, "something unforeseen happened");
+}
+
+Result<VolumeFileInfo> readVolumeFileInfo(const fs::path& path) try {
+    MACULA_TRY(const Ending ending, checkInput(path));
+    const auto layout = readLayout(ending.format, path);
+    if (!layout) return at(path, layout.error());
+    return VolumeFileInfo{nameOf(ending.format), nameOf(layout->type), layout->size, layout->worldFromVoxel,
+                          layout->assumptions};
+} catch (const std::bad_alloc&) {
+    return Error{ErrorCode::outOfMemory, "There is not enough memory.", {}, "Close other programs."};
+} catch (const std::exception&) {
+    return Error{ErrorCode::inputNotUsable, "The file cannot be read.", path.string(),
+                 "Choose another file."};
+}
+
+Result<std::shared_ptr<const Volume>> readVolumeFile(const fs::path& path, Progress& progress) try {
+    MACULA_TRY(const Ending ending, checkInput(path));
+    auto image = readFormat(ending.format, path, progress);
+    if (!image) return at(path, image.error());
+    if (progress.cancelled()) return Error{ErrorCode::cancelled, "Stopped.", {}, {}};
+    auto volume = volumeOf(std::move(*image), progress);
+    if (!volume) return at(path, volume.error());
+    return volume;
+} catch (const std::bad_alloc&) {
+    return Error{ErrorCode::outOfMemory, "There is not enough memory for this volume.", path.string(),
+                 "Close other programs, or choose a smaller one."};
+} catch (const std::exception&) {
+    return Error{ErrorCode::inputNotUsable, "The file cannot be read.", path.string(),
+                 "Choose another file."};
+}
+
+}  // namespace macula::dicom
