@@ -89,6 +89,7 @@ Examination examine(const std::filesystem::path& file) {
         found.frames = readFrames(file, read);
         dropFramesCutOff(found, read);
     }
+    found.charsetFallback = header.charsetFallback();
     return found;
 }
 

@@ -26,23 +26,25 @@ Spacing readSpacing(const Dataset& frame) {
     return {};
 }
 
-// Of objects that keep one position for all frames and say elsewhere how far apart they are.
-double frameOffsetMm(const Dataset& header, int number) {
-    const auto at = static_cast<std::size_t>(number);
-    // RT Dose: distances from the first plane along the normal (PS3.3 C.8.8.3.2).
-    if (const auto offsets = header.allNumbers(tag::kGridFrameOffsetVector); at < offsets.size()) {
-        return offsets[at] - offsets[0];
-    }
-    // Nuclear medicine: the frame's slice number from 1, and a signed distance (PS3.3 C.8.4.15).
-    const auto slices = header.allNumbers(tag::kSliceVector);
-    const auto step = header.number(tag::kSpacingBetweenSlices);
-    if (at < slices.size() && step) return (slices[at] - 1.0) * *step;
-    return 0.0;
-}
-
 }  // namespace
 
-void readPlane(const Dataset& header, const Dataset& dataset, Frame& frame) {
+std::vector<double> frameOffsetsMm(const Dataset& header) {
+    // RT Dose: distances from the first plane along the normal (PS3.3 C.8.8.3.2).
+    std::vector<double> offsets = header.allNumbers(tag::kGridFrameOffsetVector);
+    if (!offsets.empty()) {
+        const double first = offsets[0];
+        for (double& offset : offsets) offset -= first;
+        return offsets;
+    }
+    // Nuclear medicine: the frame's slice number from 1, and a signed distance (PS3.3 C.8.4.15).
+    offsets = header.allNumbers(tag::kSliceVector);
+    const auto step = header.number(tag::kSpacingBetweenSlices);
+    if (!step) return {};
+    for (double& offset : offsets) offset = (offset - 1.0) * *step;
+    return offsets;
+}
+
+void readPlane(const Dataset& header, const Dataset& dataset, double offsetMm, Frame& frame) {
     auto position = dataset.numbers(tag::kImagePositionPatient, 3);
     auto orientation = dataset.numbers(tag::kImageOrientationPatient, 6);
     if (!position && !orientation) {
@@ -62,7 +64,7 @@ void readPlane(const Dataset& header, const Dataset& dataset, Frame& frame) {
     const std::vector<double>& o = *orientation;
     const glm::dvec3 row{o[0], o[1], o[2]};
     const glm::dvec3 column{o[3], o[4], o[5]};
-    if (frame.number > 0) *frame.positionMm += frameOffsetMm(header, frame.number) * glm::cross(row, column);
+    *frame.positionMm += offsetMm * glm::cross(row, column);
     if (spacing.source == PixelSpacingSource::none) return;
     frame.plane = ImagePlane{.positionMm = *frame.positionMm,
                              .rowDirection = row,

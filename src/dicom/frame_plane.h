@@ -5,7 +5,11 @@
 
 namespace macula::dicom {
 
-// Fills in what belongs to it; frame.number is set. `header` is the file's top level, `dataset` the frame's.
-void readPlane(const Dataset& header, const Dataset& dataset, Frame& frame);
+// Of objects that keep one position for all frames: how far each lies from it along the normal. Empty for
+// others.
+std::vector<double> frameOffsetsMm(const Dataset& header);
+
+// Fills in what belongs to it. `header` is the file's top level, `dataset` the frame's.
+void readPlane(const Dataset& header, const Dataset& dataset, double offsetMm, Frame& frame);
 
 }  // namespace macula::dicom

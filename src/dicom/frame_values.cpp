@@ -40,6 +40,11 @@ void readRescale(const Dataset& dataset, Frame& frame) {
     frame.intercept = dataset.number(tag::kRescaleIntercept);
     frame.rescaleType = dataset.text(tag::kRescaleType).value_or("");
     frame.units = dataset.text(tag::kUnits).value_or("");
+    if (const auto scaling = dataset.number(tag::kDoseGridScaling)) {  // RT Dose: PS3.3 C.8.8.3
+        frame.slope = *scaling;
+        frame.intercept = 0.0;
+        frame.rescaleType = dataset.text(tag::kDoseUnits).value_or("");
+    }
     if (const auto mapping = realWorldMapping(dataset)) {
         frame.realWorld = frame.slope != mapping->slope || frame.intercept != mapping->intercept;
         frame.slope = mapping->slope;

@@ -27,6 +27,28 @@ std::optional<CellFormat> readFormat(const Dataset& header) {
     return format;
 }
 
+// What the file has room for. At least one, so that a file without its pixels is still told of.
+int mostFrames(const std::filesystem::path& file, const HeaderFile& read) {
+    const Dataset& header = *read.header;
+    std::uint64_t most = 1;
+    if (read.pixels && read.pixels->encapsulated) {
+        constexpr std::uint64_t kFragmentHeader = 8;
+        std::error_code error;
+        const std::uintmax_t size = std::filesystem::file_size(file, error);
+        if (!error) most = size / kFragmentHeader;
+    } else if (read.pixels) {
+        const auto number = [&](Tag tag) {
+            return static_cast<std::uint64_t>(std::max(header.integer(tag).value_or(0), 0));
+        };
+        const std::uint64_t bits =
+            std::max<std::uint64_t>(1, number(tag::kRows) * number(tag::kColumns) *
+                                           std::min<std::uint64_t>(number(tag::kBitsAllocated), 64));
+        // One more than there are, so that the lack is seen.
+        most = 8 * read.pixels->bytesPresent / bits + 1;
+    }
+    return static_cast<int>(std::clamp<std::uint64_t>(most, 1, kMostFrames));
+}
+
 std::shared_ptr<Instance> readShared(const std::filesystem::path& file, const HeaderFile& read) {
     const Dataset& header = *read.header;
     auto instance = std::make_shared<Instance>();
@@ -38,7 +60,7 @@ std::shared_ptr<Instance> readShared(const std::filesystem::path& file, const He
     instance->instanceNumber = header.integer(tag::kInstanceNumber);
     instance->columns = header.integer(tag::kColumns).value_or(0);
     instance->rows = header.integer(tag::kRows).value_or(0);
-    instance->frames = std::clamp(header.frameCount(), 1, kMostFrames);
+    instance->frames = std::min(std::max(header.frameCount(), 1), mostFrames(file, read));
     instance->samplesPerPixel = header.integer(tag::kSamplesPerPixel).value_or(1);
     instance->format = readFormat(header);
     instance->multiFrame = header.has(tag::kNumberOfFrames) && header.frameCount() > 1;
@@ -53,12 +75,12 @@ std::shared_ptr<Instance> readShared(const std::filesystem::path& file, const He
 }
 
 Frame readFrame(const Dataset& header, const Dataset& dataset, std::shared_ptr<const Instance> instance,
-                int number) {
+                int number, double offsetMm) {
     Frame frame{.instance = std::move(instance), .number = number};
     frame.imageType = dataset.texts(tag::kFrameType);
     if (frame.imageType.empty()) frame.imageType = dataset.texts(tag::kImageType);
     frame.frameOfReferenceUid = dataset.text(tag::kFrameOfReferenceUid).value_or("");
-    readPlane(header, dataset, frame);
+    readPlane(header, dataset, offsetMm, frame);
     readValues(dataset, frame);
     frame.attributes = readAttributes(splitRules(), dataset);
     return frame;
@@ -71,8 +93,12 @@ std::vector<Frame> readFrames(const std::filesystem::path& file, const HeaderFil
     const std::shared_ptr<const Instance> instance = readShared(file, read);
     std::vector<Frame> frames;
     frames.reserve(static_cast<std::size_t>(instance->frames));
+    const std::vector<double> offsetsMm = frameOffsetsMm(header);
     for (int i = 0; i < instance->frames; ++i) {
-        frames.push_back(readFrame(header, instance->multiFrame ? header.frame(i) : header, instance, i));
+        const auto at = static_cast<std::size_t>(i);
+        const double offsetMm = at < offsetsMm.size() ? offsetsMm[at] : 0.0;
+        frames.push_back(
+            readFrame(header, instance->multiFrame ? header.frame(i) : header, instance, i, offsetMm));
     }
     return frames;
 }

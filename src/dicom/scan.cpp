@@ -26,7 +26,7 @@ Error cancelledError() {
 struct SeriesInProgress {
     Series series;
     std::vector<Frame> frames;
-    std::size_t leftOut = 0;  // files that belong here, and cannot be used
+    std::map<std::string_view, std::size_t> leftOut;  // files that belong here and cannot be used, by reason
     std::size_t framesCutOff = 0;
     std::size_t withoutSopClass = 0;
     bool charsetFallback = false;
@@ -92,7 +92,7 @@ void sortIn(Scan& scan, Studies& studies, const fs::path& file, Examination& fou
         scan.skipped.push_back({file, message(*reason), found.seriesInstanceUid});
         // Of a file without a header nobody knows where it belongs.
         if (!found.studyInstanceUid.empty() || !found.seriesInstanceUid.empty()) {
-            ++placeOf(studies, file, found).leftOut;
+            ++placeOf(studies, file, found).leftOut[*reason];
         }
         return;
     }
@@ -158,10 +158,14 @@ void reportConcatenations(SeriesInProgress& place) {
 void reportFiles(SeriesInProgress& place, std::size_t copies, std::size_t unreadableFolders) {
     Series& series = place.series;
     if (copies > 0) tell(series, message(key::kDuplicateFiles, {count(copies)}));
-    if (place.leftOut > 0 && place.frames.empty() && series.objects.empty()) {
-        tell(series, message(key::kNoValidInstances, {count(place.leftOut)}));
-    } else if (place.leftOut > 0) {
-        tell(series, message(key::kFilesLeftOut, {count(place.leftOut)}));
+    std::size_t leftOut = 0;
+    for (const auto& [reason, files] : place.leftOut) {
+        series.messages.push_back(message(reason));
+        leftOut += files;
+    }
+    const bool nothingLeft = place.frames.empty() && series.objects.empty();
+    if (leftOut > 0) {
+        tell(series, message(nothingLeft ? key::kNoValidInstances : key::kFilesLeftOut, {count(leftOut)}));
     }
     if (place.framesCutOff > 0) tell(series, message(key::kTruncatedFile));
     if (place.withoutSopClass > 0)

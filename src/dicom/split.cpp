@@ -364,8 +364,19 @@ void joinLoners(std::vector<HardPart>& parts) {
 std::vector<HardPart> splitHard(std::vector<Frame> frames, const SplitRules& rules,
                                 std::vector<Message>& messages) {
     std::vector<HardPart> parts;
-    parts.push_back({std::move(frames), {}});
     std::vector<std::pair<std::string, std::string>> told;  // key, attribute
+    const auto placed = std::stable_partition(frames.begin(), frames.end(),
+                                              [](const Frame& f) { return f.plane.has_value(); });
+    const bool somePlaced = placed != frames.begin() && placed != frames.end();
+    if (somePlaced) {
+        told.emplace_back(key::kInconsistentPosition, "ImagePlane");
+        parts.push_back({{std::make_move_iterator(placed), std::make_move_iterator(frames.end())},
+                         {{"ImagePlane", "missing"}}});
+        frames.erase(placed, frames.end());
+    }
+    std::vector<StackLabel> labels;
+    if (somePlaced) labels.push_back({"ImagePlane", "given"});
+    parts.insert(parts.begin(), {std::move(frames), std::move(labels)});
     for (const SplitRules::Hard& rule : rules.hard) {
         std::vector<HardPart> finer;
         for (HardPart& part : parts) {

@@ -56,7 +56,7 @@ TEST(Hostile, deepNestingIsDamageAndStopsNothing) {
                     std::string(4, '\0') + nested(kLevels, "SQ"));
     const auto found = scan(folder.path());
     ASSERT_TRUE(found);
-    EXPECT_EQ(found->studies.at(0).series.at(0).instances.size(), 6u);
+    EXPECT_EQ(found->studies.at(0).series.at(0).instances, 6u);
     EXPECT_TRUE(found->studies[0].series[0].canBeVolume());
     EXPECT_EQ(found->skipped.size(), 9u);
     for (const SkippedFile& skipped : found->skipped)
@@ -82,7 +82,8 @@ TEST(Hostile, fileThatBecameDeepSinceTheScan) {
     ASSERT_TRUE(found);
     std::ofstream(files[2], std::ios::binary) << preamble(kExplicit) + sopClass() + nested(20000, "SQ");
     Progress progress;
-    const auto volume = loadVolume(found->studies.at(0).series.at(0), progress);
+    const Series& series = found->studies.at(0).series.at(0);
+    const auto volume = loadVolume(series, series.stacks.at(0), progress);
     ASSERT_FALSE(volume);
     EXPECT_TRUE(volume.error().message.starts_with("Slice 3 of 6: ")) << volume.error().message;
 }
@@ -125,12 +126,15 @@ TEST(Hostile, moreMemoryThanThereIs) {
     write(smallVolume(), folder.path());
     const auto found = scan(folder.path());
     ASSERT_TRUE(found);
-    Series series = found->studies.at(0).series.at(0);
-    series.columns = series.rows = 65535;
+    const Series series = found->studies.at(0).series.at(0);
+    Stack stack = series.stacks.at(0);
+    stack.columns = stack.rows = 65535;
     const std::size_t slices = *available / (2ull * 65535 * 65535) + 2;
-    series.instances.resize(slices, series.instances[0]);
+    stack.frames.resize(slices, stack.frames[0]);
+    stack.slices.clear();
+    for (std::size_t k = 0; k < slices; ++k) stack.slices.push_back({k, k, 0.0});
     Progress progress;
-    const auto volume = loadVolume(series, progress);
+    const auto volume = loadVolume(series, stack, progress);
     ASSERT_FALSE(volume);
     EXPECT_EQ(volume.error().code, ErrorCode::outOfMemory);
     EXPECT_NE(volume.error().message.find("GiB are free"), std::string::npos) << volume.error().message;
@@ -142,10 +146,11 @@ TEST(Hostile, sizesThatAreNone) {
     const auto found = scan(folder.path());
     ASSERT_TRUE(found);
     for (const int rows : {0, -4, 65536}) {
-        Series series = found->studies.at(0).series.at(0);
-        series.rows = rows;
+        const Series series = found->studies.at(0).series.at(0);
+        Stack stack = series.stacks.at(0);
+        stack.rows = rows;
         Progress progress;
-        const auto volume = loadVolume(series, progress);
+        const auto volume = loadVolume(series, stack, progress);
         ASSERT_FALSE(volume);
         EXPECT_EQ(volume.error().code, ErrorCode::inputNotUsable);
     }
@@ -193,7 +198,7 @@ TEST(Hostile, deflatedFarBeyondItsImage) {
     }
     const auto found = scan(folder.path());
     ASSERT_TRUE(found);
-    EXPECT_EQ(found->studies.at(0).series.at(0).instances.size(), 6u);
+    EXPECT_EQ(found->studies.at(0).series.at(0).instances, 6u);
     EXPECT_EQ(found->skipped.size(), 2u);
 }
 

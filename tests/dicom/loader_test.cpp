@@ -126,7 +126,8 @@ TEST(Loader, sliceCutOffAfterTheScanIsNamedByNumberOnly) {
         ASSERT_TRUE(found);
         truncate(files[4], 16);
         Progress progress;
-        const auto volume = loadVolume(found->studies.at(0).series.at(0), progress);
+        const Series& series = found->studies.at(0).series.at(0);
+        const auto volume = loadVolume(series, series.stacks.at(0), progress);
         ASSERT_FALSE(volume);
         EXPECT_EQ(volume.error().code, ErrorCode::inputNotUsable);
         EXPECT_TRUE(volume.error().message.starts_with("Slice 5 of 6: ")) << volume.error().message;
@@ -148,7 +149,8 @@ TEST(Loader, rleSegmentOutsideTheFile) {
     const auto found = scan(folder.path());
     ASSERT_TRUE(found);
     Progress progress;
-    const auto volume = loadVolume(found->studies.at(0).series.at(0), progress);
+    const Series& series = found->studies.at(0).series.at(0);
+    const auto volume = loadVolume(series, series.stacks.at(0), progress);
     ASSERT_FALSE(volume);
     EXPECT_TRUE(volume.error().message.starts_with("Slice 3 of 6: ")) << volume.error().message;
 }
@@ -168,7 +170,7 @@ TEST(Loader, jpeg2000InColourWhereTheHeaderSaysGrey) {
     const Series& series = found->studies.at(0).series.at(0);
     ASSERT_TRUE(series.canBeVolume()) << keysOf(series);
     Progress progress;
-    const auto volume = loadVolume(series, progress);
+    const auto volume = loadVolume(series, series.stacks.at(0), progress);
     ASSERT_FALSE(volume);
     EXPECT_EQ(volume.error().code, ErrorCode::inputNotUsable);
 }
@@ -184,10 +186,12 @@ TEST(Loader, jpeg2000CutOffInsideItsFrame) {
     const auto found = scan(folder.path());
     ASSERT_TRUE(found);
     Series series = found->studies.at(0).series.at(0);
-    series.messages.clear();
-    series.worldFromVoxel = glm::dmat4(1.0);
+    Stack stack = series.stacks.at(0);
+    stack.messages.clear();
+    stack.slices = {{0, 0, 0.0}};
+    stack.worldFromVoxel = glm::dmat4(1.0);
     Progress progress;
-    EXPECT_FALSE(loadVolume(series, progress));
+    EXPECT_FALSE(loadVolume(series, stack, progress));
 }
 
 TEST(Loader, fileGoneSinceTheScan) {
@@ -197,7 +201,8 @@ TEST(Loader, fileGoneSinceTheScan) {
     ASSERT_TRUE(found);
     fs::remove(files[1]);
     Progress progress;
-    EXPECT_FALSE(loadVolume(found->studies.at(0).series.at(0), progress));
+    const Series& series = found->studies.at(0).series.at(0);
+    EXPECT_FALSE(loadVolume(series, series.stacks.at(0), progress));
 }
 
 TEST(Loader, unknownTransferSyntaxIsNamed) {
@@ -206,12 +211,18 @@ TEST(Loader, unknownTransferSyntaxIsNamed) {
     auto found = scan(folder.path());
     ASSERT_TRUE(found);
     Series series = found->studies.at(0).series.at(0);
-    series.messages.clear();
-    for (Instance& instance : series.instances) instance.transferSyntaxUid = "1.2.840.10008.1.2.4.201";
-    assess(series);
-    EXPECT_TRUE(hasMessage(series, key::kUnsupportedTransferSyntax));
+    Stack stack;
+    for (Frame frame : series.stacks.at(0).frames) {
+        Instance instance = *frame.instance;
+        instance.transferSyntaxUid = "1.2.840.10008.1.2.4.201";
+        frame.instance = std::make_shared<Instance>(instance);
+        stack.frames.push_back(std::move(frame));
+    }
+    assess(stack, "CT");
+    ASSERT_NE(stack.whyNoVolume(), nullptr);
+    EXPECT_EQ(stack.whyNoVolume()->key, key::kUnsupportedTransferSyntax);
     Progress progress;
-    const auto volume = loadVolume(series, progress);
+    const auto volume = loadVolume(series, stack, progress);
     ASSERT_FALSE(volume);
     EXPECT_NE(volume.error().message.find("High-Throughput JPEG 2000"), std::string::npos);
     EXPECT_NE(volume.error().message.find("1.2.840.10008.1.2.4.201"), std::string::npos);
@@ -231,7 +242,8 @@ TEST(Loader, cancelStopsWithin200Milliseconds) {
             token.cancel();
         },
         token);
-    const auto volume = loadVolume(found->studies.at(0).series.at(0), progress);
+    const Series& series = found->studies.at(0).series.at(0);
+    const auto volume = loadVolume(series, series.stacks.at(0), progress);
     const auto returned = Clock::now();
     ASSERT_FALSE(volume);
     EXPECT_EQ(volume.error().code, ErrorCode::cancelled);
@@ -258,22 +270,24 @@ TEST(Loader, bestSeriesIsTheLargestOriginal) {
     make("reformatted", 40, 4, "DERIVED\\SECONDARY\\REFORMATTED");
     const auto found = scan(folder.path());
     ASSERT_TRUE(found);
-    std::string why;
-    const Series* best = bestSeries(*found, &why);
-    ASSERT_NE(best, nullptr);
-    EXPECT_EQ(best->number, 2);
-    EXPECT_NE(why.find("4 x 4 x 30"), std::string::npos) << why;
+    const Choice best = bestVolume(*found);
+    ASSERT_TRUE(best);
+    EXPECT_EQ(best.series->number, 2);
+    EXPECT_NE(best.why.find("4 x 4 x 30"), std::string::npos) << best.why;
 }
 
 TEST(Loader, noBestSeriesSaysWhy) {
     const TemporaryFolder folder;
     const auto files = write(smallVolume(), folder.path());
-    fs::remove(files[2]);
+    for (const std::size_t k : {1, 2, 3, 4}) fs::remove(files[k]);
     const auto found = scan(folder.path());
     ASSERT_TRUE(found);
-    std::string why;
-    EXPECT_EQ(bestSeries(*found, &why), nullptr);
-    EXPECT_NE(why.find("missing"), std::string::npos) << why;
+    for (const fs::path& file : {files[0], files[5]}) remove(file, tag::kPixelSpacing);
+    const auto spoiled = scan(folder.path());
+    ASSERT_TRUE(spoiled);
+    EXPECT_FALSE(bestVolume(*spoiled));
+    EXPECT_NE(bestVolume(*spoiled).why.find("how large a pixel is"), std::string::npos)
+        << bestVolume(*spoiled).why;
 }
 
 TEST(Loader, logHoldsNoPatientData) {
@@ -286,7 +300,10 @@ TEST(Loader, logHoldsNoPatientData) {
     testing::internal::CaptureStderr();
     Progress progress;
     const auto found = scanFolder(folder.path(), progress);
-    if (found) (void)loadVolume(found->studies.at(0).series.at(0), progress);
+    if (found) {
+        const Series& series = found->studies.at(0).series.at(0);
+        (void)loadVolume(series, series.stacks.at(0), progress);
+    }
     const std::string output = testing::internal::GetCapturedStderr();
     log::setLevel(log::Level::warning);
     EXPECT_NE(output.find("skipped"), std::string::npos);        // the log was on

@@ -51,16 +51,16 @@ TEST(Patient, eachDifferenceSeparates) {
             EXPECT_NE(found->studies[0].patient, found->studies[1].patient);
             for (const Study& study : found->studies) {
                 ASSERT_EQ(study.series.size(), 1u);
-                EXPECT_EQ(study.series[0].instances.size(), 3u);
+                EXPECT_EQ(study.series[0].instances, 3u);
                 EXPECT_TRUE(hasMessage(study.series[0], key::kSeveralPatients));
                 EXPECT_FALSE(study.series[0].assumptions.empty());
             }
             const std::string uid = found->studies[0].series[0].seriesInstanceUid;
             EXPECT_EQ(findSeries(*found, uid), nullptr);
             EXPECT_EQ(findAllSeries(*found, uid).size(), 2u);
-            std::string why;
-            ASSERT_NE(bestSeries(*found, &why), nullptr);
-            EXPECT_NE(why.find("of 2 patients in this folder"), std::string::npos) << why;
+            const Choice best = bestVolume(*found);
+            ASSERT_TRUE(best);
+            EXPECT_NE(best.why.find("of 2 patients in this folder"), std::string::npos) << best.why;
         }
     }
 }
@@ -74,7 +74,7 @@ TEST(Patient, spellingDoesNotSeparate) {
     ASSERT_TRUE(found);
     EXPECT_EQ(found->patients, 1);
     const Series& series = found->studies.at(0).series.at(0);
-    EXPECT_EQ(series.instances.size(), 6u);
+    EXPECT_EQ(series.instances, 6u);
     EXPECT_EQ(findSeries(*found, series.seriesInstanceUid), &series);
 }
 
@@ -104,7 +104,7 @@ TEST(Patient, unreadableFolderStopsNothingAndIsToldOf) {
     const auto found = scan(folder.path());
     ASSERT_TRUE(found);
     const Series& series = found->studies.at(0).series.at(0);
-    EXPECT_EQ(series.instances.size(), 6u);
+    EXPECT_EQ(series.instances, 6u);
     EXPECT_TRUE(hasMessage(series, key::kUnreadableFolder)) << keysOf(series);
     EXPECT_TRUE(series.canBeVolume()) << keysOf(series);
     EXPECT_EQ(series.assumptions.size(), 1u);
@@ -133,7 +133,7 @@ TEST(Patient, comparingCopiesCanBeCancelled) {
     setPixels(folder / "copy07", std::vector<std::uint16_t>(20, 77));
     const auto found = scan(folder.path());
     ASSERT_TRUE(found);
-    EXPECT_EQ(found->studies.at(0).series.at(0).instances.size(), 7u);
+    EXPECT_EQ(found->studies.at(0).series.at(0).instances, 7u);
 
     const CancelToken token;
     bool compared = false;

@@ -58,7 +58,7 @@ TEST(Scan, contentDecidesAndOneBadFileStopsNothing) {
     ASSERT_EQ(found->studies.size(), 1u);
     ASSERT_EQ(found->studies[0].series.size(), 1u);
     const Series& series = found->studies[0].series[0];
-    EXPECT_EQ(series.instances.size(), 6u);
+    EXPECT_EQ(series.instances, 6u);
     EXPECT_TRUE(series.canBeVolume()) << keysOf(series);
     EXPECT_EQ(found->notDicom, 1u);
     EXPECT_EQ(found->filesSeen, 8u);
@@ -79,16 +79,17 @@ TEST(Scan, whatInfoShows) {
     EXPECT_EQ(series.modality, "MR");
     EXPECT_EQ(series.description, "Täst");
     EXPECT_EQ(series.number, 7);
-    EXPECT_EQ(series.columns, 5);
-    EXPECT_EQ(series.rows, 4);
-    EXPECT_EQ(series.slices, 6);
-    EXPECT_EQ(series.orientation, "PIR");
+    const Stack& stack = series.stacks.at(0);
+    EXPECT_EQ(stack.columns, 5);
+    EXPECT_EQ(stack.rows, 4);
+    EXPECT_EQ(stack.slices.size(), 6u);
+    EXPECT_EQ(stack.orientation, "PIR");
     EXPECT_EQ(series.patientPosition, "HFS");
     EXPECT_EQ(series.transferSyntaxUids, std::vector<std::string>{"1.2.840.10008.1.2.1"});
-    ASSERT_TRUE(series.spacingMm);
-    EXPECT_EQ(*series.spacingMm, glm::dvec3(0.5, 0.75, 2.0));
-    EXPECT_EQ(*series.firstPositionMm, glm::dvec3(10, 20, 30));
-    EXPECT_EQ(*series.lastPositionMm, glm::dvec3(0, 20, 30));
+    ASSERT_TRUE(stack.spacingMm);
+    EXPECT_EQ(*stack.spacingMm, glm::dvec3(0.5, 0.75, 2.0));
+    EXPECT_EQ(*stack.firstPositionMm, glm::dvec3(10, 20, 30));
+    EXPECT_EQ(*stack.lastPositionMm, glm::dvec3(0, 20, 30));
 }
 
 TEST(Scan, resultDoesNotDependOnNames) {
@@ -99,8 +100,8 @@ TEST(Scan, resultDoesNotDependOnNames) {
     const auto after = scan(folder.path());
     ASSERT_TRUE(before && after);
     for (std::size_t k = 0; k < files.size(); ++k) {
-        EXPECT_EQ(before->studies[0].series[0].instances[k].sopInstanceUid,
-                  after->studies[0].series[0].instances[k].sopInstanceUid);
+        EXPECT_EQ(before->studies[0].series[0].stacks[0].frames[k].instance->sopInstanceUid,
+                  after->studies[0].series[0].stacks[0].frames[k].instance->sopInstanceUid);
     }
 }
 
@@ -120,7 +121,7 @@ TEST(Scan, aFileTwiceIsOneSlice) {
     const auto found = scan(folder.path());
     ASSERT_TRUE(found);
     const Series& series = found->studies.at(0).series.at(0);
-    EXPECT_EQ(series.instances.size(), 6u);
+    EXPECT_EQ(series.instances, 6u);
     EXPECT_TRUE(series.canBeVolume());
     EXPECT_TRUE(hasMessage(series, key::kDuplicateFiles));
 }
@@ -133,9 +134,12 @@ TEST(Scan, sameUidButOtherContentIsNeverDropped) {
     const auto found = scan(folder.path());
     ASSERT_TRUE(found);
     const Series& series = found->studies.at(0).series.at(0);
-    EXPECT_EQ(series.instances.size(), 7u);
-    EXPECT_FALSE(series.canBeVolume());
-    EXPECT_TRUE(hasMessage(series, key::kDuplicatePositions));
+    EXPECT_EQ(series.instances, 7u);
+    EXPECT_TRUE(hasMessage(series, key::kDuplicateInstances));
+    ASSERT_EQ(series.stacks.size(), 2u);
+    EXPECT_EQ(series.stacks[0].frames.size(), 6u);
+    EXPECT_TRUE(series.stacks[0].canBeVolume());
+    EXPECT_EQ(series.stacks[1].frames.size(), 1u);
 }
 
 TEST(Scan, twoPatientsAreNeverOneSeries) {
@@ -147,16 +151,18 @@ TEST(Scan, twoPatientsAreNeverOneSeries) {
     EXPECT_EQ(found->studies.size(), 2u);
 }
 
-TEST(Scan, missingSliceIsNoVolume) {
+TEST(Scan, missingSliceIsInterpolatedAndToldOf) {
     const TemporaryFolder folder;
     const auto files = write(smallVolume(), folder.path());
     fs::remove(files[3]);
     const auto found = scan(folder.path());
     ASSERT_TRUE(found);
     const Series& series = found->studies.at(0).series.at(0);
-    EXPECT_FALSE(series.canBeVolume());
-    ASSERT_NE(series.whyNoVolume(), nullptr);
-    EXPECT_EQ(series.whyNoVolume()->key, key::kMissingSlices);
+    EXPECT_TRUE(series.canBeVolume());
+    EXPECT_TRUE(hasMessage(series, key::kMissingSlices));
+    EXPECT_TRUE(hasMessage(series, key::kGapInterpolated));
+    EXPECT_EQ(series.stacks.at(0).slices.size(), 6u);
+    EXPECT_TRUE(series.stacks.at(0).slices[3].interpolated());
 }
 
 TEST(Scan, truncatedSliceIsToldOfInItsSeries) {
@@ -166,7 +172,7 @@ TEST(Scan, truncatedSliceIsToldOfInItsSeries) {
     const auto found = scan(folder.path());
     ASSERT_TRUE(found);
     const Series& series = found->studies.at(0).series.at(0);
-    EXPECT_EQ(series.instances.size(), 5u);
+    EXPECT_EQ(series.instances, 5u);
     EXPECT_TRUE(hasMessage(series, key::kTruncatedFile));
     ASSERT_EQ(found->skipped.size(), 1u);
     EXPECT_EQ(found->skipped[0].message.key, key::kTruncatedFile);
@@ -182,7 +188,9 @@ TEST(Scan, withoutPreambleAndMetaInformation) {
     expectSameValues(*read, volume);
 }
 
-TEST(Scan, headersThatMakeNoVolume) {
+// One image of six that does not fit is not in the volume, and the series says what was separated and why
+// not.
+TEST(Scan, anImageThatDoesNotFitIsSetApart) {
     struct Case {
         std::string_view key;
         std::function<void(const fs::path&)> spoil;
@@ -197,11 +205,33 @@ TEST(Scan, headersThatMakeNoVolume) {
          [](const fs::path& f) { setText(f, tag::kImageOrientationPatient, "1\\0\\0\\0\\1\\0"); }},
         {key::kInconsistentPixelSpacing, [](const fs::path& f) { setText(f, tag::kPixelSpacing, "3\\3"); }},
         {key::kInconsistentSize, [](const fs::path& f) { setWord(f, tag::kRows, 2); }},
-        {key::kInconsistentFrameOfReference,
+        {key::kInconsistentPosition,
          [](const fs::path& f) { setText(f, tag::kFrameOfReferenceUid, "1.2.3"); }},
-        {key::kMultiFrame, [](const fs::path& f) { setText(f, tag::kNumberOfFrames, "2"); }},
-        {key::kColourImage,
+        {key::kInconsistentComponents,
          [](const fs::path& f) { setText(f, tag::kPhotometricInterpretation, "PALETTE COLOR"); }},
+    };
+    for (const Case& c : cases) {
+        SCOPED_TRACE(c.key);
+        const TemporaryFolder folder;
+        c.spoil(write(smallVolume(), folder.path())[2]);
+        const auto found = scan(folder.path());
+        ASSERT_TRUE(found);
+        const Series& series = found->studies.at(0).series.at(0);
+        EXPECT_TRUE(hasMessage(series, c.key)) << keysOf(series);
+        ASSERT_EQ(series.stacks.size(), 2u) << keysOf(series);
+        for (const Stack& stack : series.stacks) {
+            EXPECT_EQ(stack.canBeVolume(), stack.frames.size() == 5);
+            EXPECT_FALSE(stack.splitBy.empty());
+        }
+    }
+}
+
+TEST(Scan, headersThatMakeNoVolume) {
+    struct Case {
+        std::string_view key;
+        std::function<void(const fs::path&)> spoil;
+    };
+    const std::vector<Case> cases{
         {key::kUnsupportedBits, [](const fs::path& f) { setWord(f, tag::kHighBit, 20); }},
         {key::kInvalidRescale, [](const fs::path& f) { setText(f, tag::kRescaleSlope, "0"); }},
         {key::kInvalidRescale, [](const fs::path& f) { setText(f, tag::kRescaleIntercept, "many"); }},
@@ -216,7 +246,7 @@ TEST(Scan, headersThatMakeNoVolume) {
         EXPECT_TRUE(hasMessage(series, c.key)) << keysOf(series);
         EXPECT_FALSE(series.canBeVolume());
         Progress progress;
-        const auto volume = loadVolume(series, progress);
+        const auto volume = loadVolume(series, series.stacks.at(0), progress);
         ASSERT_FALSE(volume);
         EXPECT_EQ(volume.error().code, ErrorCode::inputNotUsable);
     }
@@ -238,7 +268,11 @@ TEST(Scan, realOddFiles) {
     const auto found = scan(odd);
     ASSERT_TRUE(found);
     std::vector<std::string> others;
-    for (const OtherObject& other : found->others) others.push_back(other.modality);
+    for (const Study& study : found->studies) {
+        for (const Series& series : study.series) {
+            for (std::size_t i = 0; i < series.objects.size(); ++i) others.push_back(series.modality);
+        }
+    }
     EXPECT_EQ(std::count(others.begin(), others.end(), "RTSTRUCT"), 2);
     EXPECT_EQ(std::count(others.begin(), others.end(), "SEG"), 2);
     const auto skipped = [&](const char* name) {
@@ -249,9 +283,12 @@ TEST(Scan, realOddFiles) {
     EXPECT_EQ(skipped("truncated_mr.dcm"), key::kTruncatedFile);
     for (const Study& study : found->studies) {
         for (const Series& series : study.series) {
-            EXPECT_EQ(series.canBeVolume(), series.whyNoVolume() == nullptr) << keysOf(series);
-            if (series.canBeVolume()) continue;
-            for (const Message& message : series.messages) EXPECT_FALSE(message.action.empty());
+            if (series.stacks.empty()) {
+                EXPECT_FALSE(series.messages.empty());
+            }
+            for (const Stack& stack : series.stacks) {
+                EXPECT_EQ(stack.canBeVolume(), stack.whyNoVolume() == nullptr) << keysOf(series);
+            }
         }
     }
     EXPECT_NE(scanError(odd / "truncated_mr.dcm").message.find("ends before its pixel data"),
@@ -259,13 +296,14 @@ TEST(Scan, realOddFiles) {
     const auto single = [&](const char* name) { return scan(odd / name)->studies.at(0).series.at(0); };
     EXPECT_TRUE(hasMessage(single("rgb_series_j2k"), key::kColourImage));
     EXPECT_TRUE(hasMessage(single("rgb_secondary_capture.dcm"), key::kColourImage));
-    EXPECT_TRUE(hasMessage(single("enhanced_ct_2frame.dcm"), key::kMultiFrame));
+    EXPECT_TRUE(single("enhanced_ct_2frame.dcm").canBeVolume());
+    EXPECT_TRUE(hasMessage(single("enhanced_mr_10frame.dcm"), key::kMultiFrameNoPosition));
     EXPECT_TRUE(hasMessage(single("ct_localizer_scout.dcm"), key::kSingleSlice));
-    EXPECT_TRUE(isLocalizer(single("ct_localizer_scout.dcm")));
+    EXPECT_TRUE(isLocalizer(single("ct_localizer_scout.dcm").stacks.at(0)));
     EXPECT_TRUE(hasMessage(single("monochrome1_dx.dcm"), key::kNoPosition))
         << keysOf(single("monochrome1_dx.dcm"));
     EXPECT_TRUE(hasMessage(single("no_preamble_ct.dcm"), key::kSingleSlice));
-    EXPECT_TRUE(hasMessage(single("transfer_syntaxes"), key::kDuplicatePositions));
+    EXPECT_TRUE(hasMessage(single("transfer_syntaxes"), key::kDuplicateInstances));
 }
 
 TEST(Scan, namesInOtherAlphabetsAreUtf8) {

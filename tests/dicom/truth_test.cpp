@@ -77,7 +77,7 @@ void expectMatchesTruth(const Volume& volume, const Series& series, const Json& 
         const glm::dvec3 world = transformPoint(volume.worldFromVoxel(), glm::dvec3(voxel));
         for (int axis = 0; axis < 3; ++axis)
             EXPECT_NEAR(world[axis], probe["lps_mm"][axis].get<double>(), 1e-3);
-        EXPECT_EQ(series.instances[static_cast<std::size_t>(voxel.z)].sopInstanceUid,
+        EXPECT_EQ(series.stacks[0].frames[static_cast<std::size_t>(voxel.z)].instance->sopInstanceUid,
                   probe["sop_instance_uid"].get<std::string>());
     }
 }
@@ -144,8 +144,7 @@ TEST(Truth, flatFolderOfMrPetAndStructures) {
     SKIP_WITHOUT_SHARED_DATA();
     const auto found = scan(sharedData() / "odd/mixed_flat_folder");
     ASSERT_TRUE(found);
-    ASSERT_EQ(found->others.size(), 1u);
-    EXPECT_EQ(found->others[0].modality, "RTSTRUCT");
+    EXPECT_EQ(found->objectCount(), 1u);
     for (const std::size_t index : {std::size_t{0}, std::size_t{1}}) {
         const Json truth = truthOf("odd_mixed_flat_folder", index);
         const Series* series = findSeries(*found, truth["series_uid"].get<std::string>());
@@ -169,12 +168,14 @@ TEST(Truth, sevenTransferSyntaxesGiveOneImage) {
         SCOPED_TRACE(entry.path().filename());
         const auto found = scan(entry.path());
         ASSERT_TRUE(found);
-        Series series = found->studies.at(0).series.at(0);
+        const Series series = found->studies.at(0).series.at(0);
         EXPECT_TRUE(hasMessage(series, key::kSingleSlice));
-        ASSERT_EQ(series.instances.size(), 1u);
-        series.messages.clear();
-        series.worldFromVoxel = glm::dmat4(1.0);
-        const auto volume = load(series);
+        Stack stack = series.stacks.at(0);
+        ASSERT_EQ(series.instances, 1u);
+        stack.messages.clear();
+        stack.slices = {{0, 0, 0.0}};
+        stack.worldFromVoxel = glm::dmat4(1.0);
+        const auto volume = load(series, stack);
         ASSERT_NE(volume, nullptr);
         for (const Json& probe : truth["probes"]) {
             EXPECT_EQ(volume->value(probe["col_row_slice"][0], probe["col_row_slice"][1], 0),
