@@ -1,17 +1,11 @@
 #include "dicom/jpeg2000.h"
 
-#include <gdcmByteValue.h>
-#include <gdcmDataElement.h>
-#include <gdcmJPEG2000Codec.h>
-#include <gdcmPhotometricInterpretation.h>
-#include <gdcmSequenceOfFragments.h>
-#include <gdcmTrace.h>
+#include <openjpeg.h>
 
 #include <algorithm>
 #include <array>
 #include <cstring>
-#include <limits>
-#include <mutex>
+#include <memory>
 #include <optional>
 
 namespace macula::dicom {
@@ -32,12 +26,10 @@ struct StreamHeader {
     unsigned rows = 0;
     unsigned components = 0;
     unsigned precision = 0;
-    bool isSigned = false;
 };
 
-// Reads the header, and walks the marker segments up to the data. This is done here because GDCM trusts the
-// stream: it aborts the program (Debian builds it with assertions) when components or precision are not those
-// announced, and follows the segment lengths wherever they lead.
+// Reads the header, and walks the marker segments up to the data, before the decoder takes memory for what
+// they announce.
 std::optional<StreamHeader> readHeader(std::span<const std::byte> bytes) {
     constexpr std::array kStart{std::byte{0xFF}, std::byte{0x4F}, std::byte{0xFF},
                                 std::byte{0x51}};  // SOC, SIZ
@@ -59,7 +51,6 @@ std::optional<StreamHeader> readHeader(std::span<const std::byte> bytes) {
     header.rows = number(12, 4) - number(20, 4);
     header.components = number(40, 2);
     header.precision = (number(42, 1) & 0x7F) + 1;
-    header.isSigned = (number(42, 1) & 0x80) != 0;
     if (number(43, 2) != 0x0101) return {};  // subsampled
 
     bool hasCodingStyle = false;
@@ -77,64 +68,90 @@ std::optional<StreamHeader> readHeader(std::span<const std::byte> bytes) {
     return {};
 }
 
+// The stream as the decoder reads it.
+struct Reading {
+    std::span<const std::byte> bytes;
+    std::size_t at = 0;
+};
+
+OPJ_SIZE_T readBytes(void* target, OPJ_SIZE_T count, void* user) {
+    Reading& reading = *static_cast<Reading*>(user);
+    const std::size_t step = std::min<std::size_t>(count, reading.bytes.size() - reading.at);
+    if (step == 0) return static_cast<OPJ_SIZE_T>(-1);
+    std::memcpy(target, reading.bytes.data() + reading.at, step);
+    reading.at += step;
+    return step;
+}
+
+OPJ_OFF_T skipBytes(OPJ_OFF_T count, void* user) {
+    Reading& reading = *static_cast<Reading*>(user);
+    if (count < 0) return -1;
+    const std::size_t left = reading.bytes.size() - reading.at;
+    const std::size_t step = std::min<std::size_t>(static_cast<std::size_t>(count), left);
+    reading.at += step;
+    return step > 0 || count == 0 ? static_cast<OPJ_OFF_T>(step) : -1;
+}
+
+OPJ_BOOL seekBytes(OPJ_OFF_T to, void* user) {
+    Reading& reading = *static_cast<Reading*>(user);
+    if (to < 0 || static_cast<std::size_t>(to) > reading.bytes.size()) return OPJ_FALSE;
+    reading.at = static_cast<std::size_t>(to);
+    return OPJ_TRUE;
+}
+
+void ignoreMessage(const char*, void*) {}
+
+// The library's handles are all of one type.
+struct DestroyCodec {
+    void operator()(opj_codec_t* codec) const { opj_destroy_codec(codec); }
+};
+struct DestroyStream {
+    void operator()(opj_stream_t* stream) const { opj_stream_destroy(stream); }
+};
+struct DestroyImage {
+    void operator()(opj_image_t* image) const { opj_image_destroy(image); }
+};
+
 }  // namespace
 
 Result<void> decodeJpeg2000(std::span<const std::byte> codeStream, int columns, int rows,
-                            std::span<std::uint16_t> cells) try {
-    static std::once_flag silence;
-    std::call_once(silence, [] {
-        gdcm::Trace::DebugOff();
-        gdcm::Trace::WarningOff();
-        gdcm::Trace::ErrorOff();
-    });
-    if (codeStream.empty() || codeStream.size() > std::numeric_limits<std::uint32_t>::max()) return broken();
-
+                            std::span<std::uint16_t> cells) {
     const std::optional<StreamHeader> header = readHeader(codeStream);
     if (!header || header->components != 1 || header->precision > 16 ||
         header->columns != static_cast<unsigned>(columns) || header->rows != static_cast<unsigned>(rows) ||
         cells.size() != static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows)) {
         return broken();
     }
-    codeStream = codeStream.subspan(header->begin);
 
-    gdcm::JPEG2000Codec codec;
-    codec.SetNumberOfThreadsForDecompression(0);  // slices are decoded in parallel already
-    const std::array dimensions{header->columns, header->rows, 1u};
-    codec.SetNumberOfDimensions(2);
-    codec.SetDimensions(dimensions.data());
-    codec.SetPlanarConfiguration(0);
-    codec.SetPhotometricInterpretation(gdcm::PhotometricInterpretation::MONOCHROME2);
-    // As in the stream, not as in the DICOM header: the stream decides how many bytes come out.
-    const auto precision = static_cast<unsigned short>(header->precision);
-    codec.SetPixelFormat(gdcm::PixelFormat(1, precision <= 8 ? 8 : 16, precision,
-                                           static_cast<unsigned short>(precision - 1),
-                                           header->isSigned ? 1 : 0));
-    // The codec takes encapsulated pixel data only: one fragment.
-    gdcm::Fragment fragment;
-    fragment.SetByteValue(reinterpret_cast<const char*>(codeStream.data()),
-                          gdcm::VL(static_cast<std::uint32_t>(codeStream.size())));
-    const gdcm::SmartPointer<gdcm::SequenceOfFragments> fragments = new gdcm::SequenceOfFragments;
-    fragments->AddFragment(fragment);
-    gdcm::DataElement input(gdcm::Tag(0x7FE0, 0x0010));
-    input.SetValue(*fragments);
-    input.SetVLToUndefined();
-    gdcm::DataElement output;
-    if (!codec.Decode(input, output)) return broken();
-    const gdcm::ByteValue* bytes = output.GetByteValue();
-    if (bytes == nullptr) return broken();
+    Reading reading{codeStream.subspan(header->begin)};
+    const std::unique_ptr<opj_stream_t, DestroyStream> stream(opj_stream_default_create(OPJ_TRUE));
+    const std::unique_ptr<opj_codec_t, DestroyCodec> codec(opj_create_decompress(OPJ_CODEC_J2K));
+    if (!stream || !codec) throw std::bad_alloc();
+    opj_stream_set_user_data(stream.get(), &reading, nullptr);
+    opj_stream_set_user_data_length(stream.get(), reading.bytes.size());
+    opj_stream_set_read_function(stream.get(), readBytes);
+    opj_stream_set_skip_function(stream.get(), skipBytes);
+    opj_stream_set_seek_function(stream.get(), seekBytes);
+    // Its messages are no help to anybody, and would go to the terminal.
+    opj_set_info_handler(codec.get(), ignoreMessage, nullptr);
+    opj_set_warning_handler(codec.get(), ignoreMessage, nullptr);
+    opj_set_error_handler(codec.get(), ignoreMessage, nullptr);
 
-    const std::size_t length = bytes->GetLength();
-    if (length == cells.size_bytes()) {
-        std::memcpy(cells.data(), bytes->GetPointer(), length);
-    } else if (length == cells.size()) {
-        std::transform(bytes->GetPointer(), bytes->GetPointer() + length, cells.begin(),
-                       [](char c) { return static_cast<std::uint16_t>(static_cast<unsigned char>(c)); });
-    } else {
+    opj_dparameters_t parameters;
+    opj_set_default_decoder_parameters(&parameters);
+    opj_image_t* made = nullptr;
+    const bool hasHeader = opj_setup_decoder(codec.get(), &parameters) == OPJ_TRUE &&
+                           opj_read_header(stream.get(), codec.get(), &made) == OPJ_TRUE;
+    const std::unique_ptr<opj_image_t, DestroyImage> image(made);
+    if (!hasHeader || opj_decode(codec.get(), stream.get(), image.get()) != OPJ_TRUE) return broken();
+    const opj_image_comp_t& component = image->comps[0];
+    if (image->numcomps != 1 || component.data == nullptr || component.w != header->columns ||
+        component.h != header->rows) {
         return broken();
     }
+    std::transform(component.data, component.data + cells.size(), cells.begin(),
+                   [](OPJ_INT32 value) { return static_cast<std::uint16_t>(value); });
     return {};
-} catch (...) {
-    return broken();
 }
 
 }  // namespace macula::dicom

@@ -76,7 +76,14 @@ Result<std::shared_ptr<const Volume>> loadVolume(const Series& series, const Sta
         count,
         [&](std::size_t k) {
             if (failed) return;
-            const Result<void> decoded = decodeCells(*stack.frames[k].instance, slice(k));
+            const Instance& instance = *stack.frames[k].instance;
+            auto reader = PixelReader::open(instance.file, {.transferSyntaxUid = instance.transferSyntaxUid,
+                                                            .columns = stack.columns,
+                                                            .rows = stack.rows,
+                                                            .frames = instance.frames,
+                                                            .format = intensities[k].format});
+            const Result<void> decoded =
+                reader ? reader->read(stack.frames[k].number, slice(k)) : reader.error();
             if (!decoded) {
                 const std::lock_guard lock(mutex);
                 failed = true;

@@ -165,6 +165,7 @@ class Walk {
 
     bool beginDataset() {
         const DcmXfer syntax(outline_.transferSyntaxUid.c_str());
+        outline_.datasetOffset = source_.position();
         const bool known = !outline_.transferSyntaxUid.empty() && syntax.getXfer() != EXS_Unknown;
         if (known && syntax.getStreamCompression() == ESC_zlib) {
             source_.beginInflating();

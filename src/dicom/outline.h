@@ -37,6 +37,7 @@ struct Outline {
     std::optional<PixelDataOutline> pixels;
     // The pixel data are whole, and something follows that is no element.
     bool strayBytesAfterPixels = false;
+    std::uint64_t datasetOffset = 0;  // in the file: where the file meta information ends
     // Of the file meta information; where there is none, of what the dataset turned out to be.
     std::string transferSyntaxUid;
 

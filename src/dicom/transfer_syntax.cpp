@@ -22,6 +22,8 @@ constexpr std::array kTable = std::to_array<Row>({
     {"1.2.840.10008.1.2.5", {Codec::rle, "RLE Lossless"}},
     {"1.2.840.10008.1.2.4.50", {Codec::jpeg, "JPEG Baseline"}},
     {"1.2.840.10008.1.2.4.51", {Codec::jpeg, "JPEG Extended"}},
+    {"1.2.840.10008.1.2.4.53", {Codec::jpeg, "JPEG Spectral Selection"}},
+    {"1.2.840.10008.1.2.4.55", {Codec::jpeg, "JPEG Full Progression"}},
     {"1.2.840.10008.1.2.4.57", {Codec::jpeg, "JPEG Lossless"}},
     {"1.2.840.10008.1.2.4.70", {Codec::jpeg, "JPEG Lossless, first-order prediction"}},
     {"1.2.840.10008.1.2.4.80", {Codec::jpegLs, "JPEG-LS Lossless"}},
@@ -57,6 +59,7 @@ std::string describeTransferSyntax(std::string_view uid) {
 
 bool isLossy(std::string_view uid) {
     return uid == "1.2.840.10008.1.2.4.50" || uid == "1.2.840.10008.1.2.4.51" ||
+           uid == "1.2.840.10008.1.2.4.53" || uid == "1.2.840.10008.1.2.4.55" ||
            uid == "1.2.840.10008.1.2.4.81";
 }
 

@@ -5,12 +5,6 @@
 #include <atomic>
 #include <cmath>
 
-// GDCM forgets an image of OpenJPEG (112 bytes) when a JPEG 2000 stream turns out to be broken; not ours to
-// free.
-extern "C" const char* __lsan_default_suppressions() {
-    return "leak:libopenjp2";
-}
-
 namespace macula::dicom::test {
 
 namespace fs = std::filesystem;
