@@ -121,7 +121,7 @@ bool fragmentEndsStream(const RandomFile& file, const Extent& fragment) {
     const auto endsAt = [&](std::size_t i) {
         return tail[i] == std::byte{0xFF} && tail[i + 1] == std::byte{0xD9};
     };
-    return endsAt(1) || (endsAt(0) && tail[2] == std::byte{0});
+    return endsAt(1) || endsAt(0);
 }
 
 // Several fragments each.
@@ -162,8 +162,9 @@ std::optional<FrameIndex> insideOfOne(const RandomFile& file, Codec codec, const
         for (std::size_t i = 0; i < std::min(bytes.size(), kStep); ++i) {
             if (bytes[i] != std::byte{0xFF} || i + 2 >= bytes.size() || bytes[i + 1] != std::byte{0xD9})
                 continue;
-            const std::size_t next = bytes[i + 2] == std::byte{0} ? i + 3 : i + 2;
-            if (next >= bytes.size() || !beginsStream(codec, bytes.subspan(next))) continue;
+            const std::size_t end = i + 2;  // and at most one byte of padding, which may be 0 or FF
+            const std::size_t next = beginsStream(codec, bytes.subspan(end)) ? end : end + 1;
+            if (next > bytes.size() || !beginsStream(codec, bytes.subspan(next))) continue;
             if (starts.size() == frames) return {};
             starts.push_back(at + next);
         }
