@@ -143,21 +143,29 @@ class Walk {
             if (!readHeader({}, header)) return false;
             if (header.tag.group != 2 || header.vr == vrOf("SQ") || header.length == kUndefined)
                 return doubt();
+            constexpr std::uint32_t kLongestKept = 64;  // a UID
+            if (header.length > kLongestKept) {
+                if (!source_.skip(header.length)) return false;
+                continue;
+            }
+            std::array<unsigned char, kLongestKept> bytes{};
+            const auto value = std::span(bytes).first(header.length);
+            if (!source_.read(value)) return false;
+            if (tree_) {
+                const auto kept =
+                    tree_->addValue({.tag = header.tag, .vr = header.vr, .length = header.length});
+                std::copy(value.begin(), value.end(), kept.begin());
+            }
             if (header.tag == Tag{0x0002, 0x0000} && header.length == 4) {
-                std::array<unsigned char, 4> length{};
-                if (!source_.read(length)) return false;
                 // Only believed when nothing else can tell where the group ends: in front of deflated data.
-                groupEnd_ = source_.position() + doubleWordAt(length.data(), false);
-            } else if (header.tag == Tag{0x0002, 0x0010} && header.length <= 64) {
-                std::string uid(header.length, '\0');
-                if (!source_.read({reinterpret_cast<unsigned char*>(uid.data()), uid.size()})) return false;
-                outline_.transferSyntaxUid = uid.c_str();
+                groupEnd_ = source_.position() + doubleWordAt(value.data(), false);
+            } else if (header.tag == Tag{0x0002, 0x0010}) {
+                const std::string_view uid(reinterpret_cast<const char*>(value.data()), value.size());
+                outline_.transferSyntaxUid = uid.substr(0, uid.find('\0'));
                 while (outline_.transferSyntaxUid.ends_with(' ')) outline_.transferSyntaxUid.pop_back();
                 if (groupEnd_ &&
                     DcmXfer(outline_.transferSyntaxUid.c_str()).getStreamCompression() == ESC_zlib)
                     end = *groupEnd_;
-            } else if (!source_.skip(header.length)) {
-                return false;
             }
         }
         return true;

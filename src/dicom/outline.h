@@ -45,7 +45,7 @@ struct Outline {
 };
 
 // `hasPreamble`: the 128 bytes and DICM are there. `tree`, unless null, is filled with what stands before the
-// pixel data. Thread-safe. May throw std::bad_alloc.
+// pixel data, of the file meta information what is short. Thread-safe. May throw std::bad_alloc.
 Outline outlineOf(ByteSource& source, bool hasPreamble, ElementTree* tree);
 Outline outlineOf(const std::filesystem::path& file, bool hasPreamble);
 
