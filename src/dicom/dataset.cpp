@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <cmath>
 #include <mutex>
 
@@ -271,16 +272,31 @@ bool hasPreamble(const fs::path& file) {
     return sniff(source) == Sniff::part10;
 }
 
+FileState stateOfFailure(int error) {
+    switch (error) {
+        case ENODATA:  // recalled from no cache
+        case EREMOTEIO:
+        case ENXIO:
+        case ESTALE:
+        case ETIMEDOUT:
+        case EHOSTDOWN:
+        case EIO:
+            return FileState::offline;
+        default:
+            return FileState::unreadable;
+    }
+}
+
 HeaderFile readHeader(const fs::path& file) try {
     silenceToolkit();  // it is the data dictionary's too
     ByteSource source(file);
     const Sniff kind = sniff(source);
-    if (source.error() != 0) return {FileState::unreadable, {}};
+    if (source.error() != 0) return {stateOfFailure(source.error()), {}};
     if (kind == Sniff::notDicom) return {FileState::notDicom, {}};
 
     auto content = std::make_shared<Dataset::File>();
     Outline outline = outlineOf(source, kind == Sniff::part10, &content->tree);
-    if (source.error() != 0) return {FileState::unreadable, {}};
+    if (source.error() != 0) return {stateOfFailure(source.error()), {}};
     if (!outline.isSafeToParse()) return {FileState::damaged, {}};
     if (!outline.headerWhole) return {kind == Sniff::part10 ? FileState::damaged : FileState::notDicom, {}};
     content->transferSyntaxUid = std::move(outline.transferSyntaxUid);

@@ -17,6 +17,7 @@ enum class FileState {
     complete,
     notDicom,    // by its content; the extension plays no part
     unreadable,  // cannot be opened or read
+    offline,     // its content is elsewhere, and cannot be had now: a cloud drive, a share, a tape
     damaged,     // begins as DICOM, and cannot be parsed, or not without harm (see outline.h)
     truncated,   // the header is whole, and the file ends inside the pixel data
 };
@@ -99,6 +100,9 @@ bool hasPreamble(const std::filesystem::path& file);
 
 // Of a standard data element, as in PS3.6: "SliceThickness".
 std::optional<Tag> tagOfKeyword(std::string_view keyword);
+
+// offline or unreadable, by the errno of opening or reading a file.
+FileState stateOfFailure(int error);
 
 // Switches off the toolkit's log. Called by everything that uses DCMTK; idempotent, thread-safe.
 void silenceToolkit();

@@ -47,6 +47,8 @@ std::optional<std::string_view> reasonToSkip(const Examination& found) {
     switch (found.state) {
         case FileState::unreadable:
             return key::kUnreadableFile;
+        case FileState::offline:
+            return key::kFileOffline;
         case FileState::damaged:
             return key::kDamagedFile;
         case FileState::truncated:

@@ -1,4 +1,5 @@
 // What the getters of a header give: of items, of frames, and of every value representation.
+#include <cerrno>
 #include <chrono>
 #include <fstream>
 
@@ -293,6 +294,16 @@ TEST(Dataset, largeValuesAreNotKept) {
     EXPECT_TRUE(header.has({0x0009, 0x1001}));
     EXPECT_FALSE(header.text({0x0009, 0x1001}));
     EXPECT_EQ(header.integer(tag::kInstanceNumber), 5);
+}
+
+TEST(Dataset, filesThatAreElsewhere) {
+    for (const int error : {ENODATA, EREMOTEIO, ENXIO, ESTALE, ETIMEDOUT, EHOSTDOWN, EIO})
+        EXPECT_EQ(stateOfFailure(error), FileState::offline) << error;
+    for (const int error : {EACCES, ENOENT, EPERM, EISDIR, EINVAL, EMFILE, ELOOP, 0})
+        EXPECT_EQ(stateOfFailure(error), FileState::unreadable) << error;
+    const TemporaryFolder folder;
+    EXPECT_EQ(readHeader(folder / "missing").state, FileState::unreadable);
+    EXPECT_EQ(readHeader(folder.path()).state, FileState::unreadable);
 }
 
 TEST(Dataset, tagsByKeyword) {
