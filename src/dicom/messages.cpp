@@ -177,6 +177,13 @@ constexpr std::array kCatalogue = std::to_array<CatalogueEntry>({
     {key::kInvertedDisplay, kInfo, 0,
      "The images are meant to be shown with low values bright (MONOCHROME1); values are as stored.", ""},
     {key::kInvalidWindow, kInfo, 0, "The display window of these images is not usable, and was ignored.", ""},
+    // Segmentations.
+    {key::kSegmentsOverlap, kWarning, 0,
+     "{count} voxels belong to several segments; of each only the last is shown.",
+     "Look at the segments one by one in the program that made them."},
+    {key::kSegmentsOutside, kWarning, 0,
+     "{count} voxels of the segmentation lie outside of the volume, and are not shown.",
+     "Check that no slices of the series are missing."},
 });
 
 }  // namespace

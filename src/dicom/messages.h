@@ -99,6 +99,9 @@ inline constexpr std::string_view kSuvUnavailable = "suv-unavailable";
 inline constexpr std::string_view kLossySource = "lossy-source";
 inline constexpr std::string_view kInvertedDisplay = "inverted-display";
 inline constexpr std::string_view kInvalidWindow = "invalid-window";
+// Segmentations.
+inline constexpr std::string_view kSegmentsOverlap = "segments-overlap";
+inline constexpr std::string_view kSegmentsOutside = "segments-outside";
 }  // namespace key
 
 }  // namespace macula::dicom

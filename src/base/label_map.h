@@ -1,0 +1,55 @@
+// Which voxels belong to what: organs, lesions. Made by a person or a program beside the images.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "base/frames.h"
+#include "base/message.h"
+#include "base/result.h"
+
+namespace macula {
+
+struct Segment {
+    std::uint16_t number = 0;  // from 1: what its voxels hold
+    std::string label;         // UTF-8, as all text here
+    std::string description;
+    std::string algorithm;                                      // MANUAL, SEMIAUTOMATIC or AUTOMATIC
+    std::string algorithmName;                                  // of the program that made it
+    std::optional<std::array<std::uint8_t, 3>> recommendedRgb;  // sRGB
+
+    bool operator==(const Segment&) const = default;
+};
+
+// Immutable grid of segment numbers, i fastest, then j, then k; 0 is none of the segments.
+class LabelMap {
+  public:
+    // Takes the labels over, without copying. Fails with inputNotUsable when a size is below 1, the number of
+    // labels is not size.x * size.y * size.z, or the affine is not invertible.
+    static Result<LabelMap> create(glm::ivec3 size, const glm::dmat4& worldFromVoxel,
+                                   std::vector<Segment> segments, std::vector<std::uint16_t> labels,
+                                   std::vector<Message> messages = {});
+
+    glm::ivec3 size() const { return size_; }
+    const glm::dmat4& worldFromVoxel() const { return worldFromVoxel_; }
+    std::span<const Segment> segments() const { return segments_; }  // by number
+    const Segment* segment(std::uint16_t number) const;              // null when there is none
+    std::span<const std::uint16_t> labels() const { return labels_; }
+    std::uint16_t label(int i, int j, int k) const;
+    std::span<const Message> messages() const { return messages_; }  // what loading found
+
+  private:
+    LabelMap() = default;
+
+    glm::ivec3 size_{0};
+    glm::dmat4 worldFromVoxel_{1.0};
+    std::vector<Segment> segments_;
+    std::vector<std::uint16_t> labels_;
+    std::vector<Message> messages_;
+};
+
+}  // namespace macula
