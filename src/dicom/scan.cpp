@@ -10,6 +10,7 @@
 #include "dicom/copies.h"
 #include "dicom/examination.h"
 #include "dicom/folder.h"
+#include "dicom/media_directory.h"
 #include "dicom/neighbours.h"
 #include "dicom/split.h"
 
@@ -21,6 +22,10 @@ namespace {
 
 Error cancelledError() {
     return {ErrorCode::cancelled, "Reading was cancelled.", {}, {}};
+}
+
+MessageArgument count(std::size_t value) {
+    return {"count", static_cast<std::int64_t>(value)};
 }
 
 struct SeriesInProgress {
@@ -87,6 +92,22 @@ SeriesInProgress& placeOf(Studies& studies, const fs::path& file, const Examinat
     return place->second;
 }
 
+// A disc's own list of its files serves to see what is missing; what is there is read whether listed or not.
+void reportDirectory(Scan& scan, const fs::path& file) {
+    ++scan.mediaDirectories;
+    const auto directory = readMediaDirectory(file);
+    if (!directory) {
+        scan.messages.push_back(message(key::kDicomdirUnreadable));
+        return;
+    }
+    if (!directory->missing.empty()) {
+        scan.messages.push_back(message(key::kDicomdirMissingFiles, {count(directory->missing.size())}));
+    }
+    if (directory->outside > 0) {
+        scan.messages.push_back(message(key::kDicomdirOutside, {count(directory->outside)}));
+    }
+}
+
 void sortIn(Scan& scan, Studies& studies, const fs::path& file, Examination& found) {
     const auto reason = reasonToSkip(found);
     if (reason) {
@@ -102,7 +123,10 @@ void sortIn(Scan& scan, Studies& studies, const fs::path& file, Examination& fou
         ++scan.notDicom;
         return;
     }
-    if (found.kind == Examination::Kind::directory) return;
+    if (found.kind == Examination::Kind::directory) {
+        reportDirectory(scan, file);
+        return;
+    }
     SeriesInProgress& place = placeOf(studies, file, found);
     place.charsetFallback = place.charsetFallback || found.charsetFallback;
     if (found.kind == Examination::Kind::other) {
@@ -117,10 +141,6 @@ void sortIn(Scan& scan, Studies& studies, const fs::path& file, Examination& fou
 void tell(Series& series, Message message) {
     if (message.severity == Severity::warning) series.assumptions.push_back(message.sentence);
     series.messages.push_back(std::move(message));
-}
-
-MessageArgument count(std::size_t value) {
-    return {"count", static_cast<std::int64_t>(value)};
 }
 
 // A series that was split because its images name several patients looks whole in each part.
@@ -249,6 +269,14 @@ void group(Scan& scan, const std::vector<fs::path>& files, std::vector<Examinati
                      [](const Study& a, const Study& b) { return a.date < b.date; });
 }
 
+// What people click on when they open a disc.
+bool isMediaDirectoryName(const fs::path& path) {
+    std::string name = path.filename().string();
+    std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::toupper(c); });
+    std::error_code error;
+    return name.starts_with("DICOMDIR") && fs::is_regular_file(path, error);
+}
+
 // Why a scan that found nothing to list did not.
 Error nothingFound(const Scan& scan, const fs::path& path, const FolderListing& listing) {
     const auto fail = [&](std::string sentence, std::string action) {
@@ -294,7 +322,9 @@ std::size_t Scan::objectCount() const {
 
 Result<Scan> scanFolder(const fs::path& path, Progress& progress) try {
     progress.beginStage("Looking for files", 1);
-    MACULA_TRY(const FolderListing listing, listFiles(path, progress));
+    const bool isDirectory = isMediaDirectoryName(path) && examine(path).kind == Examination::Kind::directory;
+    MACULA_TRY(const FolderListing listing,
+               listFiles(isDirectory ? fs::absolute(path).parent_path() : path, progress));
     const std::vector<fs::path>& files = listing.files;
     progress.beginStage(fmt::format("Reading {} files", files.size()), files.size());
     std::vector<Examination> found(files.size());
@@ -313,6 +343,8 @@ Result<Scan> scanFolder(const fs::path& path, Progress& progress) try {
 
     Scan scan;
     scan.filesSeen = files.size();
+    if (listing.linksOutside > 0)
+        scan.messages.push_back(message(key::kLinksOutside, {count(listing.linksOutside)}));
     for (const fs::path& folder : listing.unreadable) {
         scan.skipped.push_back({folder, message(key::kUnreadableFolder, {count(1)}), {}});
     }

@@ -113,8 +113,11 @@ class Splitter {
         }
         if (auto parts = bySoftAttributes(whole, messages)) return std::move(*parts);
         if (qualityOf(whole) == Quality::resampled) return one(std::move(whole));
-        if (auto parts = byPhases(whole, messages)) return std::move(*parts);
-        if (auto parts = bySoftAttributesAndPhases(whole, messages)) return std::move(*parts);
+        if (auto parts = byPhases(whole, false, messages)) return std::move(*parts);
+        for (const bool assumed : {false, true}) {
+            if (auto parts = bySoftAttributesAndPhases(whole, assumed, messages)) return std::move(*parts);
+        }
+        if (auto parts = byPhases(whole, true, messages)) return std::move(*parts);
         if (auto parts = byRepetition(whole, messages)) return std::move(*parts);
         if (auto parts = atGaps(whole, messages)) return std::move(*parts);
         return one(std::move(whole));
@@ -201,8 +204,10 @@ class Splitter {
         }
     }
 
-    std::optional<std::vector<Stack>> byPhases(const Stack& whole, std::vector<Message>& messages) const {
+    std::optional<std::vector<Stack>> byPhases(const Stack& whole, bool assumed,
+                                               std::vector<Message>& messages) const {
         for (const SplitRules::Phase& rule : rules_.phases) {
+            if (rule.assumed != assumed) continue;
             const Partition partition = phasesOf(whole.frames, rule);
             if (partition.size() < 2 || partition.size() > whole.frames.size() / 2) continue;
             if (!areVolumes(tryOut(whole.frames, partition))) continue;
@@ -222,12 +227,13 @@ class Splitter {
     }
 
     // Several phases in each of several reconstructions.
-    std::optional<std::vector<Stack>> bySoftAttributesAndPhases(const Stack& whole,
+    std::optional<std::vector<Stack>> bySoftAttributesAndPhases(const Stack& whole, bool assumed,
                                                                 std::vector<Message>& messages) const {
         for (const auto& attributes : softCandidates(whole)) {
             const Partition coarse = partitionByValue(whole.frames, rules_, attributes);
             if (coarse.size() > whole.frames.size() / 4) continue;
             for (const SplitRules::Phase& rule : rules_.phases) {
+                if (rule.assumed != assumed) continue;
                 Partition all;
                 std::vector<std::size_t> counts;
                 for (const Part& part : coarse) {

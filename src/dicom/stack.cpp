@@ -41,6 +41,9 @@ void assessPixels(Stack& stack) {
         })) {
         tell(stack, message(key::kNotReconstructable, {{"reason", "their sizes differ"}}));
     }
+    if (stack.columns < 1 || stack.rows < 1) {
+        tell(stack, message(key::kNotReconstructable, {{"reason", "they have no pixels"}}));
+    }
     std::set<std::string> syntaxes;
     for (const Frame& frame : stack.frames) syntaxes.insert(frame.instance->transferSyntaxUid);
     for (const std::string& uid : syntaxes) {
