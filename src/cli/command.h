@@ -16,6 +16,8 @@ void addRender(CLI::App& app, Action& action);
 void addDevices(CLI::App& app, Action& action);
 void addPresets(CLI::App& app, Action& action);
 void addPhantom(CLI::App& app, Action& action);
+void addExport(CLI::App& app, Action& action);
 void addBench(CLI::App& app, Action& action);
+void addBenchLoad(CLI::App& bench, Action& action);  // a subcommand of bench
 
 }  // namespace macula::cli

@@ -11,7 +11,9 @@
 #include "cli/command.h"
 #include "cli/interrupt.h"
 #include "cli/scan_json.h"
+#include "cli/volume_file_info.h"
 #include "dicom/transfer_syntax.h"
+#include "dicom/volume_file.h"
 
 namespace macula::cli {
 
@@ -131,6 +133,7 @@ void printText(const dicom::Scan& scan, const dicom::Choice& best, const Options
 }
 
 Result<void> showInfo(const Options& options) {
+    if (dicom::isVolumeFileName(options.path)) return showVolumeFile(options.path, options.json);
     Progress progress(terminalProgressBar(), interruptToken());
     MACULA_TRY(const dicom::Scan scan, dicom::scanFolder(options.path, progress));
     const dicom::Choice best = dicom::bestVolume(scan);
@@ -151,7 +154,10 @@ void addInfo(CLI::App& app, Action& action) {
     auto options = std::make_shared<Options>();
     auto* command =
         app.add_subcommand("info", "List the studies and series in a folder; * marks what is shown first");
-    command->add_option("PATH", options->path, "Folder with DICOM files, or one file")->required();
+    command
+        ->add_option("PATH", options->path,
+                     "Folder with DICOM files, one file, or a volume file (NIfTI, NRRD, MetaImage)")
+        ->required();
     command->add_flag("--json", options->json, "Print JSON");
     command->add_flag("--patient", options->patient,
                       "Also print patient name, ID, study date and description, and paths of files");

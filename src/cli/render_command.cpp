@@ -176,8 +176,9 @@ void addRender(CLI::App& app, Action& action) {
     auto options = std::make_shared<Options>();
     Options& o = *options;
     auto* command = app.add_subcommand("render", "Path trace a series to a picture");
-    command->add_option("PATH", o.path,
-                        "Folder with DICOM files, or phantom: for the built-in one (default)");
+    command->add_option(
+        "PATH", o.path,
+        "Folder with DICOM files, volume file (NIfTI, NRRD, MetaImage), or phantom: (default)");
     command
         ->add_option("-o,--output", o.output,
                      "Picture to write: OUT.png for display, OUT.exr for linear light and depth")

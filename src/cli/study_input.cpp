@@ -4,10 +4,12 @@
 #include <charconv>
 #include <optional>
 
+#include "base/fingerprint.h"
 #include "base/phantom.h"
 #include "base/sha256.h"
 #include "dicom/loader.h"
 #include "dicom/scan.h"
+#include "dicom/volume_file.h"
 
 namespace macula::cli {
 
@@ -56,15 +58,17 @@ Result<dicom::Choice> chooseStack(const dicom::Series& series, std::optional<std
 
 }  // namespace
 
-Result<dicom::Choice> chooseVolume(const dicom::Scan& scan, const std::string& wanted) {
+Result<dicom::Choice> chooseVolume(const dicom::Scan& scan, const std::string& wanted, std::size_t volume) {
+    const std::optional<std::size_t> given = volume > 0 ? std::optional(volume) : std::nullopt;
     if (wanted.empty()) {
-        if (dicom::Choice best = dicom::bestVolume(scan)) return best;
+        if (dicom::Choice best = dicom::bestVolume(scan))
+            return given ? chooseStack(*best.series, given) : best;
         return Error{ErrorCode::inputNotUsable,
                      dicom::bestVolume(scan).why,
                      {},
                      "Choose another folder; macula info tells more about this one."};
     }
-    if (const dicom::Series* series = dicom::findSeries(scan, wanted)) return chooseStack(*series, {});
+    if (const dicom::Series* series = dicom::findSeries(scan, wanted)) return chooseStack(*series, given);
     if (dicom::findAllSeries(scan, wanted).size() > 1) {
         return Error{ErrorCode::usage, "Several patients have a series of this UID.", wanted,
                      "Choose by the number in front of it in macula info."};
@@ -72,7 +76,7 @@ Result<dicom::Choice> chooseVolume(const dicom::Scan& scan, const std::string& w
     const std::size_t point = wanted.find('.');
     const auto place = wholeNumber(std::string_view(wanted).substr(0, point));
     const auto stack =
-        point == std::string::npos ? std::nullopt : wholeNumber(std::string_view(wanted).substr(point + 1));
+        point == std::string::npos ? given : wholeNumber(std::string_view(wanted).substr(point + 1));
     const dicom::Series* series = place ? atPlace(scan, *place) : nullptr;
     if (series != nullptr && (stack || point == std::string::npos)) return chooseStack(*series, stack);
     return Error{ErrorCode::usage, "There is no such series in the folder.", wanted,
@@ -80,9 +84,21 @@ Result<dicom::Choice> chooseVolume(const dicom::Scan& scan, const std::string& w
                  "stack), or the series UID."};
 }
 
-Result<StudyInput> loadStudy(const std::filesystem::path& path, const std::string& series,
-                             Progress& progress) {
+Result<StudyInput> loadStudy(const std::filesystem::path& path, const std::string& series, Progress& progress,
+                             std::size_t volume) {
     StudyInput input;
+    if (dicom::isVolumeFileName(path)) {
+        if (!series.empty() || volume > 1) {
+            return Error{ErrorCode::usage,
+                         "The file is one volume; there is nothing to choose from.",
+                         {},
+                         "Leave --series and --volume out."};
+        }
+        MACULA_TRY(input.volume, dicom::readVolumeFile(path, progress));
+        input.notes = input.volume->provenance().assumptions;
+        input.seriesDigest = fingerprint(*input.volume);
+        return input;
+    }
     if (path.empty() || path == "phantom:") {
         if (!series.empty()) {
             return Error{
@@ -95,7 +111,7 @@ Result<StudyInput> loadStudy(const std::filesystem::path& path, const std::strin
     }
 
     MACULA_TRY(const dicom::Scan scan, dicom::scanFolder(path, progress));
-    auto chosen = chooseVolume(scan, series);
+    auto chosen = chooseVolume(scan, series, volume);
     if (!chosen) {
         Error error = chosen.error();
         if (error.where.empty()) error.where = path.string();
