@@ -1,6 +1,7 @@
 #include "base/volume.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <mutex>
@@ -41,6 +42,20 @@ std::pair<T, T> rangeWithoutPadding(std::span<const T> voxels, const IsPadding& 
         range.second = std::max(range.second, local.second);
     });
     return range;
+}
+
+bool areWholeNumbers(std::span<const float> values, std::optional<float> padding) {
+    std::atomic<bool> whole{true};
+    inChunks(values.size(), [&](std::size_t first, std::size_t count) {
+        if (!whole) return;
+        for (const float value : values.subspan(first, count)) {
+            if (!std::isnan(value) && value != padding && value != std::trunc(value)) {
+                whole = false;
+                return;
+            }
+        }
+    });
+    return whole;
 }
 
 Result<void> checkOptions(const VolumeOptions& options, std::size_t voxels) {
@@ -193,10 +208,11 @@ std::shared_ptr<const Volume> in16Bits(std::shared_ptr<const Volume> volume) {
     const std::optional<float> padding = volume->floatPadding();
     const auto [low, high] = volume->valueRange().value_or(ValueRange{});
 
-    // Stored 0 is padding, 1 the smallest value. Where all values are the same one, a step of its own size
-    // keeps it exact.
+    // Stored 0 is padding, 1 the smallest value. Whole numbers stay exact where there is room for them; where
+    // all values are the same one, a step of its own size keeps it so.
     UnitsFromStored map;
     map.slope = (high - low) / (kLargestStored - 1.0);
+    if (map.slope > 0.0 && map.slope <= 1.0 && areWholeNumbers(values, padding)) map.slope = 1.0;
     if (!(map.slope > 0.0)) map.slope = low != 0.0 ? std::abs(low) : 1.0;
     map.intercept = low - map.slope;
 
@@ -226,9 +242,11 @@ std::shared_ptr<const Volume> in16Bits(std::shared_ptr<const Volume> volume) {
                           .floatPadding = {},
                           .unitName = volume->unitName(),
                           .windows = volume->windows()};
-    options.provenance.assumptions.push_back(
-        fmt::format("The values were brought to 16 bits for the picture, with an error of at most {:.3g}.",
-                    largestError));
+    if (largestError > 0.0) {
+        options.provenance.assumptions.push_back(fmt::format(
+            "The values were brought to 16 bits for the picture, with an error of at most {:.3g}.",
+            largestError));
+    }
     auto made = Volume::create(std::move(options), std::move(stored));
     return std::make_shared<const Volume>(std::move(made).value());
 }

@@ -161,8 +161,8 @@ class Volume {
 };
 
 // For what needs 16 bits: the volume itself when it has them, else a copy, quantised over the range of its
-// values, padding apart as stored 0; the largest error is among the copy's assumptions. May throw
-// std::bad_alloc.
+// values, padding apart as stored 0; the largest error, if there is any, is among the copy's assumptions. May
+// throw std::bad_alloc.
 std::shared_ptr<const Volume> in16Bits(std::shared_ptr<const Volume> volume);
 
 }  // namespace macula

@@ -142,17 +142,6 @@ std::optional<StoredRange> unpackedPadding(const SliceIntensity& slice) {
     return StoredRange{unpacked(slice.padding->low), unpacked(slice.padding->high)};
 }
 
-StoredRange unpackedRange(const SliceIntensity& slice, std::span<const std::uint16_t> unpacked) {
-    const std::optional<StoredRange> padding = unpackedPadding(slice);
-    StoredRange range{std::numeric_limits<std::uint16_t>::max(), 0};
-    for (const std::uint16_t voxel : unpacked) {
-        if (padding && padding->contains(voxel)) continue;
-        range.low = std::min(range.low, voxel);
-        range.high = std::max(range.high, voxel);
-    }
-    return range;
-}
-
 void applyMap(const SliceMap& map, std::span<std::uint16_t> unpacked) {
     switch (map.kind) {
         case SliceMap::Kind::keep:

@@ -94,9 +94,6 @@ void unpackCells(const CellFormat& format, const std::optional<RawRange>& paddin
 // The padding of one slice among its unpacked values.
 std::optional<StoredRange> unpackedPadding(const SliceIntensity& slice);
 
-// The smallest and largest unpacked value that is no padding; low > high when there is none.
-StoredRange unpackedRange(const SliceIntensity& slice, std::span<const std::uint16_t> unpacked);
-
 // How the unpacked values of one slice become stored values of the volume.
 struct SliceMap {
     enum class Kind { keep, invert, linear };
@@ -126,14 +123,20 @@ struct IntensityPlan {
     UnitsFromStored unitsFromStored = {};
     std::optional<StoredRange> padding = {};
     std::vector<SliceMap> slices = {};  // one per slice
+    // float32 only: every value is a whole number of these steps, so that `narrowed` may succeed.
+    std::optional<UnitsFromStored> steps = {};
 };
 
-// Nothing when the formats alone do not tell whether 16 bits are enough, and the pixels have to be looked at.
-// At least one slice, each with a usable format.
-std::optional<IntensityPlan> planFromFormats(std::span<const SliceIntensity> slices);
+// As far as the formats alone can tell. At least one slice, each with a usable format.
+IntensityPlan planFromFormats(std::span<const SliceIntensity> slices);
 
-// `unpackedRanges` are each slice's unpackedRange. All formats are narrow.
-IntensityPlan planFromRanges(std::span<const SliceIntensity> slices,
-                             std::span<const StoredRange> unpackedRanges);
+struct NarrowedVoxels {
+    UnitsFromStored unitsFromStored;
+    std::optional<StoredRange> padding;
+    std::vector<std::uint16_t> voxels;
+};
+
+// Voxels of float32, of which NaN is padding, in 16 bits: nothing unless every value stays the same.
+std::optional<NarrowedVoxels> narrowed(std::span<const float> values, const UnitsFromStored& steps);
 
 }  // namespace macula::dicom

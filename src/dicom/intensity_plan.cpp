@@ -16,8 +16,9 @@ constexpr double kLargestStored = 65535.0;
 constexpr double kMostStepsOfASlope = 4096.0;
 constexpr double kLargestShift = 1e12;  // far from where integers are no longer exact
 
+// Of the unpacked values of narrow cells; wide ones are not packed.
 int offsetOf(const CellFormat& format) {
-    return format.isSigned ? kSignedOffset : 0;
+    return format.isSigned && isNarrow(format) ? kSignedOffset : 0;
 }
 
 // value = slope * x + intercept, where x is the unpacked value, or what the modality LUT makes of it.
@@ -71,9 +72,9 @@ StoredRange formatRange(const CellFormat& format) {
     return {static_cast<std::uint16_t>(low), static_cast<std::uint16_t>(low + (1 << format.bitsStored) - 1)};
 }
 
-// Of x in `line`. Empty when the slice is all padding.
-std::optional<ValueRange> valueRange(const SliceIntensity& slice, const Line& line, StoredRange unpacked) {
-    if (unpacked.low > unpacked.high) return {};
+// Of what the stored bits can hold.
+ValueRange valueRange(const SliceIntensity& slice, const Line& line) {
+    const StoredRange unpacked = formatRange(slice.format);
     ValueRange x{double(unpacked.low), double(unpacked.high)};
     if (slice.modalityLut) {
         const auto [least, most] = std::ranges::minmax(slice.modalityLut->entries);
@@ -81,21 +82,19 @@ std::optional<ValueRange> valueRange(const SliceIntensity& slice, const Line& li
     }
     const double a = line.slope * x.low + line.intercept;
     const double b = line.slope * x.high + line.intercept;
-    return ValueRange{std::min(a, b), std::max(a, b)};
+    return {std::min(a, b), std::max(a, b)};
 }
 
 // The plan for 16 bits with this step, if they are enough.
 std::optional<IntensityPlan> planWithStep(std::span<const SliceIntensity> slices, std::span<const Line> lines,
-                                          std::span<const StoredRange> unpackedRanges, double step) {
+                                          double step) {
     ValueRange all{std::numeric_limits<double>::max(), std::numeric_limits<double>::lowest()};
     bool hasPadding = false;
     for (std::size_t k = 0; k < slices.size(); ++k) {
         hasPadding = hasPadding || slices[k].padding.has_value();
-        if (const auto range = valueRange(slices[k], lines[k], unpackedRanges[k])) {
-            all = {std::min(all.low, range->low), std::max(all.high, range->high)};
-        }
+        const ValueRange range = valueRange(slices[k], lines[k]);
+        all = {std::min(all.low, range.low), std::max(all.high, range.high)};
     }
-    if (all.low > all.high) all = {lines[0].intercept, lines[0].intercept};
     // Stored 0 is kept for padding, because the slices' own padding values need not lie in one place in
     // units.
     const double first = hasPadding ? 1.0 : 0.0;
@@ -148,29 +147,53 @@ IntensityPlan uniformPlan(std::span<const SliceIntensity> slices) {
 
 }  // namespace
 
-std::optional<IntensityPlan> planFromFormats(std::span<const SliceIntensity> slices) {
-    const IntensityPlan inFloat{.format = VoxelFormat::float32};
-    if (!std::ranges::all_of(slices, isNarrow, &SliceIntensity::format)) return inFloat;
-    if (isUniform(slices)) return uniformPlan(slices);
-    std::vector<Line> lines;
-    std::vector<StoredRange> ranges;
-    for (const SliceIntensity& slice : slices) {
-        lines.push_back(lineOf(slice));
-        ranges.push_back(formatRange(slice.format));
-    }
-    const std::optional<double> step = commonStep(lines);
-    if (!step) return inFloat;
-    return planWithStep(slices, lines, ranges, *step);
-}
-
-IntensityPlan planFromRanges(std::span<const SliceIntensity> slices,
-                             std::span<const StoredRange> unpackedRanges) {
+IntensityPlan planFromFormats(std::span<const SliceIntensity> slices) {
+    IntensityPlan inFloat{.format = VoxelFormat::float32};
+    const bool narrow = std::ranges::all_of(slices, isNarrow, &SliceIntensity::format);
+    if (narrow && isUniform(slices)) return uniformPlan(slices);
+    if (std::ranges::any_of(slices, [](const auto& s) { return s.format.kind != CellKind::integer; }))
+        return inFloat;
     std::vector<Line> lines;
     for (const SliceIntensity& slice : slices) lines.push_back(lineOf(slice));
-    if (const std::optional<double> step = commonStep(lines)) {
-        if (auto plan = planWithStep(slices, lines, unpackedRanges, *step)) return *plan;
+    const std::optional<double> step = commonStep(lines);
+    if (!step) return inFloat;
+    if (narrow) {
+        if (auto plan = planWithStep(slices, lines, *step)) return *plan;
     }
-    return {.format = VoxelFormat::float32};
+    inFloat.steps = UnitsFromStored{*step, lines[0].intercept};
+    return inFloat;
+}
+
+std::optional<NarrowedVoxels> narrowed(std::span<const float> values, const UnitsFromStored& steps) {
+    ValueRange range{std::numeric_limits<double>::max(), std::numeric_limits<double>::lowest()};
+    bool hasPadding = false;
+    for (const float value : values) {
+        if (std::isnan(value)) {
+            hasPadding = true;
+        } else {
+            range = {std::min<double>(range.low, value), std::max<double>(range.high, value)};
+        }
+    }
+    if (range.low > range.high) range = {steps.intercept, steps.intercept};
+    const double first = hasPadding ? 1.0 : 0.0;
+    if (!(std::round((range.high - range.low) / steps.slope) <= kLargestStored - first)) return {};
+
+    NarrowedVoxels result;
+    const double low = std::round((range.low - steps.intercept) / steps.slope);
+    result.unitsFromStored = {steps.slope, steps.intercept + (low - first) * steps.slope};
+    if (hasPadding) result.padding = StoredRange{0, 0};
+    result.voxels.reserve(values.size());
+    for (const float value : values) {
+        if (std::isnan(value)) {
+            result.voxels.push_back(0);
+            continue;
+        }
+        const double stored = std::round((value - result.unitsFromStored.intercept) / steps.slope);
+        if (!(stored >= first && stored <= kLargestStored)) return {};
+        if (static_cast<float>(result.unitsFromStored(stored)) != value) return {};
+        result.voxels.push_back(static_cast<std::uint16_t>(stored));
+    }
+    return result;
 }
 
 }  // namespace macula::dicom

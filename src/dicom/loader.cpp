@@ -1,140 +1,365 @@
 #include "dicom/loader.h"
 
 #include <algorithm>
-#include <atomic>
-#include <limits>
-#include <mutex>
-#include <tuple>
 
 #include "base/parallel.h"
+#include "dicom/frame_decoder.h"
 #include "dicom/memory.h"
-#include "dicom/pixels.h"
+#include "dicom/slice_sources.h"
+#include "dicom/value_unit.h"
 
 namespace macula::dicom {
 
 namespace {
 
-// Rows and columns have 16 bits, so this fits.
-std::uint64_t bytesOf(const Stack& stack) {
-    return std::uint64_t{sizeof(std::uint16_t)} * static_cast<std::uint64_t>(stack.columns) *
-           static_cast<std::uint64_t>(stack.rows) * stack.frames.size();
+constexpr std::size_t kCoarseStep = 4;
+constexpr std::size_t kLeastForCoarse = 16;  // slices
+
+Error notUsable(std::string message, std::string action = "Choose another series.") {
+    return {ErrorCode::inputNotUsable, std::move(message), {}, std::move(action)};
 }
 
-// HU only where the CT Image Module makes it so (PS3.3 C.11.1.1.2: RescaleType absent means HU in an original
-// CT image).
-Unit unitOf(const Series& series, const Stack& stack) {
-    const auto notHu = [](const Frame& f) { return !f.rescaleType.empty() && f.rescaleType != "HU"; };
-    const bool other = std::any_of(stack.frames.begin(), stack.frames.end(), notHu);
-    return series.modality == "CT" && !other ? Unit::hounsfield : Unit::raw;
+Result<void> check(const Stack& stack) {
+    if (const Message* reason = stack.whyNoVolume()) return notUsable(reason->sentence, reason->action);
+    if (stack.slices.empty() || !stack.worldFromVoxel) return notUsable("This series is no volume.");
+    constexpr int kMostRows = 65535;  // a header may use another VR than US, and then say anything
+    if (std::min(stack.columns, stack.rows) < 1 || std::max(stack.columns, stack.rows) > kMostRows)
+        return notUsable("The images of this series have no usable size.");
+    for (const Frame& frame : stack.frames) {
+        const Instance& instance = *frame.instance;
+        if (!instance.format || instance.columns != stack.columns || instance.rows != stack.rows)
+            return notUsable("The images of this series differ in size or in kind.");
+    }
+    for (const SliceSource& source : stack.slices)
+        MACULA_CHECK(source.below < stack.frames.size() && source.above < stack.frames.size());
+    return {};
+}
+
+// Where the frames lie on the grid of slices.
+std::vector<double> placesOf(const Stack& stack) {
+    const glm::dmat4 voxelFromWorld = glm::inverse(*stack.worldFromVoxel);
+    std::vector<double> places;
+    for (std::size_t f = 0; f < stack.frames.size(); ++f) {
+        const auto& position = stack.frames[f].positionMm;
+        places.push_back(position ? transformPoint(voxelFromWorld, *position).z : static_cast<double>(f));
+    }
+    for (std::size_t k = 0; k < stack.slices.size(); ++k) {
+        if (!stack.slices[k].interpolated()) places[stack.slices[k].below] = static_cast<double>(k);
+    }
+    return places;
+}
+
+// One load.
+class Loading {
+  public:
+    Loading(const Series& series, const Stack& stack) : series_(series), stack_(stack) {
+        for (const Frame& frame : stack.frames) intensities_.push_back(sliceIntensity(frame));
+        if (auto said = completePadding(intensities_)) assumptions_.push_back(*said);
+        plan_ = planFromFormats(intensities_);
+        places_ = placesOf(stack);
+        ownSlice_.assign(stack.frames.size(), kNone);
+        for (std::size_t k = 0; k < stack.slices.size(); ++k) {
+            const SliceSource& source = stack.slices[k];
+            if (!source.interpolated() && ownSlice_[source.below] == kNone) ownSlice_[source.below] = k;
+        }
+        loose_ = static_cast<std::size_t>(std::ranges::count(ownSlice_, kNone));
+    }
+
+    std::uint64_t bytesNeeded() const {
+        const std::uint64_t cell = isFloat() ? sizeof(float) : sizeof(std::uint16_t);
+        return cell * std::uint64_t{sliceVoxels()} * (stack_.slices.size() + loose_);
+    }
+
+    Result<std::shared_ptr<const Volume>> run(Progress& progress, const LoadOptions& options);
+
+  private:
+    static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+
+    bool isFloat() const { return plan_.format == VoxelFormat::float32; }
+    std::size_t sliceVoxels() const {
+        return static_cast<std::size_t>(stack_.columns) * static_cast<std::size_t>(stack_.rows);
+    }
+
+    void allocate();
+    std::vector<std::size_t> order(std::size_t& coarseCount) const;
+    std::shared_ptr<const Volume> coarse(std::span<const std::size_t> frames,
+                                         const FrameDecoder& decoder) const;
+    template <class T>
+    void makeSlice(const SliceSource& source, std::span<const std::span<T>> frames,
+                   std::span<T> result) const;
+    Result<void> drop(const FrameDecoder& decoder);
+    template <class T>
+    void finish(std::vector<T>& voxels, std::span<const std::span<T>> frames, Progress& progress);
+    VolumeOptions describe(std::size_t first, std::size_t step, std::span<const SliceSource> slices) const;
+    Result<Volume> make();
+    void say(Message message) {
+        if (message.severity == Severity::warning) assumptions_.push_back(message.sentence);
+        messages_.push_back(std::move(message));
+    }
+
+    const Series& series_;
+    const Stack& stack_;
+    std::vector<SliceIntensity> intensities_;
+    IntensityPlan plan_;
+    std::vector<double> places_;
+    std::vector<std::size_t> ownSlice_;  // of each frame: the slice that it is; kNone when it is none
+    std::size_t loose_ = 0;              // frames that only others are blended from
+
+    std::vector<std::uint16_t> stored_;
+    std::vector<std::uint16_t> looseStored_;
+    std::vector<float> values_;
+    std::vector<float> looseValues_;
+    std::vector<std::span<std::uint16_t>> storedFrames_;
+    std::vector<std::span<float>> valueFrames_;
+
+    UsableSlices usable_;
+    std::vector<std::string> assumptions_;
+    std::vector<Message> messages_;
+};
+
+// The places of the frames: the slice each of them is, or one of their own.
+template <class T>
+std::vector<std::span<T>> spansOf(std::vector<T>& voxels, std::vector<T>& loose, std::size_t sliceVoxels,
+                                  std::span<const std::size_t> ownSlice, std::size_t none) {
+    std::vector<std::span<T>> frames;
+    std::size_t next = 0;
+    for (const std::size_t k : ownSlice) {
+        frames.push_back(k == none ? std::span(loose).subspan(next++ * sliceVoxels, sliceVoxels)
+                                   : std::span(voxels).subspan(k * sliceVoxels, sliceVoxels));
+    }
+    return frames;
+}
+
+void Loading::allocate() {
+    const std::size_t voxels = sliceVoxels() * stack_.slices.size();
+    if (isFloat()) {
+        values_.resize(voxels);
+        looseValues_.resize(sliceVoxels() * loose_);
+        valueFrames_ = spansOf(values_, looseValues_, sliceVoxels(), ownSlice_, kNone);
+    } else {
+        stored_.resize(voxels);
+        looseStored_.resize(sliceVoxels() * loose_);
+        storedFrames_ = spansOf(stored_, looseStored_, sliceVoxels(), ownSlice_, kNone);
+    }
+}
+
+// Those that every fourth slice needs come first.
+std::vector<std::size_t> Loading::order(std::size_t& coarseCount) const {
+    std::vector<bool> first(stack_.frames.size(), false);
+    for (std::size_t k = 0; k < stack_.slices.size(); k += kCoarseStep)
+        first[stack_.slices[k].below] = first[stack_.slices[k].above] = true;
+    std::vector<std::size_t> order;
+    for (const bool wanted : {true, false}) {
+        for (std::size_t f = 0; f < first.size(); ++f) {
+            if (first[f] == wanted) order.push_back(f);
+        }
+        if (wanted) coarseCount = order.size();
+    }
+    return order;
+}
+
+template <class T>
+void Loading::makeSlice(const SliceSource& source, std::span<const std::span<T>> frames,
+                        std::span<T> result) const {
+    const std::span<const T> below = frames[source.below];
+    if (!source.interpolated()) {
+        std::ranges::copy(below, result.begin());
+    } else if constexpr (std::is_same_v<T, float>) {
+        blend(below, frames[source.above], source.weight, result);
+    } else {
+        blend(below, frames[source.above], source.weight, plan_.padding, result);
+    }
+}
+
+VolumeOptions Loading::describe(std::size_t first, std::size_t step,
+                                std::span<const SliceSource> slices) const {
+    glm::dmat4 affine = *stack_.worldFromVoxel;
+    affine[3] = affine * glm::dvec4(0.0, 0.0, static_cast<double>(first), 1.0);
+    affine[2] *= static_cast<double>(step);
+    const ValueUnit unit = valueUnit(series_.modality, stack_.frames);
+    VolumeOptions options{.size = {stack_.columns, stack_.rows, static_cast<int>(slices.size())},
+                          .worldFromVoxel = affine,
+                          .unit = unit.unit,
+                          .modality = series_.modality,
+                          .provenance = {.studyInstanceUid = series_.studyInstanceUid,
+                                         .seriesInstanceUid = series_.seriesInstanceUid,
+                                         .description = series_.description,
+                                         .assumptions = series_.assumptions,
+                                         .messages = messages_,
+                                         .interpolatedSlices = interpolatedRanges(slices)},
+                          .unitName = unit.name,
+                          .windows = stack_.frames[stack_.frames.size() / 2].windows};
+    auto& assumptions = options.provenance.assumptions;
+    assumptions.insert(assumptions.end(), stack_.assumptions.begin(), stack_.assumptions.end());
+    assumptions.insert(assumptions.end(), assumptions_.begin(), assumptions_.end());
+    if (!isFloat()) {
+        options.unitsFromStored = plan_.unitsFromStored;
+        options.padding = plan_.padding;
+    }
+    return options;
+}
+
+// From those of `frames` that could be decoded; null when there are too few. Looks at no other frame.
+std::shared_ptr<const Volume> Loading::coarse(std::span<const std::size_t> frames,
+                                              const FrameDecoder& decoder) const {
+    std::vector<bool> usable(stack_.frames.size(), false);
+    for (const std::size_t f : frames) usable[f] = decoder.state(f) == FrameState::decoded;
+    const UsableSlices all = withoutFrames(stack_.slices, places_, usable);
+    const std::size_t first = (all.first + kCoarseStep - 1) / kCoarseStep * kCoarseStep;
+    std::vector<SliceSource> slices;
+    for (std::size_t k = first; k < all.first + all.slices.size(); k += kCoarseStep)
+        slices.push_back(all.slices[k - all.first]);
+    if (slices.size() < 2) return nullptr;
+
+    const std::size_t count = sliceVoxels();
+    const auto filled = [&]<class T>(const std::vector<std::span<T>>& from) {
+        std::vector<T> voxels(count * slices.size());
+        for (std::size_t k = 0; k < slices.size(); ++k)
+            makeSlice<T>(slices[k], from, std::span(voxels).subspan(k * count, count));
+        return voxels;
+    };
+    VolumeOptions options = describe(first, kCoarseStep, slices);
+    auto volume = isFloat() ? Volume::createFloat(std::move(options), filled(valueFrames_))
+                            : Volume::create(std::move(options), filled(storedFrames_));
+    if (!volume) return nullptr;
+    return std::make_shared<const Volume>(std::move(*volume));
+}
+
+// Takes out what could not be decoded, and says so.
+Result<void> Loading::drop(const FrameDecoder& decoder) {
+    const std::size_t count = stack_.frames.size();
+    std::vector<bool> usable(count);
+    for (std::size_t f = 0; f < count; ++f) usable[f] = decoder.state(f) == FrameState::decoded;
+    const auto good = static_cast<std::size_t>(std::ranges::count(usable, true));
+    if (good == count) {
+        usable_ = {.first = 0, .slices = stack_.slices};
+        return {};
+    }
+    Error error = *decoder.failure();
+    error.message =
+        fmt::format("{} of the {} images cannot be decoded. {}", count - good, count, error.message);
+    if (good < 2 || 2 * good < count) return error;
+    usable_ = withoutFrames(stack_.slices, places_, usable);
+    if (usable_.slices.size() < 2) return error;
+
+    constexpr std::pair<FrameState, std::string_view> kKinds[]{
+        {FrameState::cutOff, key::kTruncatedFile},
+        {FrameState::damaged, key::kDamagedFile},
+        {FrameState::unreadable, key::kUnreadableFile}};
+    for (const auto& [state, key] : kKinds) {
+        std::int64_t frames = 0;
+        for (std::size_t f = 0; f < count; ++f) frames += decoder.state(f) == state ? 1 : 0;
+        if (frames > 0) say(message(key, {{"count", frames}}));
+    }
+    if (const std::size_t lost = stack_.slices.size() - usable_.slices.size(); lost > 0) {
+        const double spacingMm = glm::length(glm::dvec3((*stack_.worldFromVoxel)[2]));
+        say(message(key::kMissingSlices, {{"missing", std::int64_t(lost)},
+                                          {"total", std::int64_t(stack_.slices.size())},
+                                          {"spacingMm", spacingMm}}));
+    }
+    // Only those that were not before.
+    std::vector<SliceSource> added = usable_.slices;
+    for (std::size_t k = 0; k < added.size(); ++k) {
+        const SliceSource& before = stack_.slices[usable_.first + k];
+        if (before.interpolated()) added[k] = {};
+    }
+    std::int64_t interpolated = 0;
+    const std::vector<SliceRange> ranges = interpolatedRanges(added);
+    for (const SliceRange& range : ranges) interpolated += range.last - range.first + 1;
+    if (interpolated > 0) {
+        say(message(key::kGapInterpolated,
+                    {{"count", interpolated}, {"slices", macula::dicom::describe(ranges)}}));
+    }
+    return {};
+}
+
+// Makes the slices that are no frame, and sheds the ends that are lost.
+template <class T>
+void Loading::finish(std::vector<T>& voxels, std::span<const std::span<T>> frames, Progress& progress) {
+    const std::size_t count = sliceVoxels();
+    parallelFor(
+        usable_.slices.size(),
+        [&](std::size_t i) {
+            const std::size_t k = usable_.first + i;
+            const SliceSource& source = usable_.slices[i];
+            if (!source.interpolated() && ownSlice_[source.below] == k) return;
+            makeSlice<T>(source, frames, std::span(voxels).subspan(k * count, count));
+        },
+        progress.token());
+    if (usable_.first > 0)
+        voxels.erase(voxels.begin(), voxels.begin() + static_cast<std::ptrdiff_t>(usable_.first * count));
+    voxels.resize(usable_.slices.size() * count);
+}
+
+Result<Volume> Loading::make() {
+    VolumeOptions options = describe(usable_.first, 1, usable_.slices);
+    if (!isFloat()) return Volume::create(std::move(options), std::move(stored_));
+    if (plan_.steps) {
+        if (auto narrow = narrowed(values_, *plan_.steps)) {
+            options.unitsFromStored = narrow->unitsFromStored;
+            options.padding = narrow->padding;
+            return Volume::create(std::move(options), std::move(narrow->voxels));
+        }
+    }
+    return Volume::createFloat(std::move(options), std::move(values_));
+}
+
+Result<std::shared_ptr<const Volume>> Loading::run(Progress& progress, const LoadOptions& options) {
+    progress.beginStage(fmt::format("Decoding {} slices", stack_.frames.size()), stack_.frames.size());
+    allocate();
+    std::vector<FrameDecoder::Target> targets(stack_.frames.size());
+    for (std::size_t f = 0; f < targets.size(); ++f) {
+        if (isFloat()) {
+            targets[f].values = valueFrames_[f];
+        } else {
+            targets[f].stored = storedFrames_[f];
+        }
+    }
+    FrameDecoder decoder(stack_, intensities_, plan_, targets);
+    std::size_t coarseCount = 0;
+    const std::vector<std::size_t> frames = order(coarseCount);
+    std::function<void()> onFirst;
+    if (options.onCoarse && stack_.slices.size() >= kLeastForCoarse) {
+        onFirst = [&] {
+            try {
+                if (auto volume = coarse(std::span(frames).first(coarseCount), decoder))
+                    options.onCoarse(std::move(volume));
+            } catch (const std::bad_alloc&) {
+                // Then the whole volume is the first to be seen, or the one to tell.
+            }
+        };
+    }
+    MACULA_TRY_VOID(decoder.run(frames, coarseCount, onFirst, progress));
+    MACULA_TRY_VOID(drop(decoder));
+    if (isFloat()) {
+        finish<float>(values_, valueFrames_, progress);
+    } else {
+        finish<std::uint16_t>(stored_, storedFrames_, progress);
+    }
+    looseStored_ = {};
+    looseValues_ = {};
+    if (progress.cancelled()) return Error{ErrorCode::cancelled, "Loading was cancelled.", {}, {}};
+    MACULA_TRY(Volume volume, make());
+    return std::shared_ptr<const Volume>(std::make_shared<Volume>(std::move(volume)));
 }
 
 }  // namespace
 
-Result<std::shared_ptr<const Volume>> loadVolume(const Series& series, const Stack& stack,
-                                                 Progress& progress) try {
-    if (const Message* reason = stack.whyNoVolume()) {
-        return Error{ErrorCode::inputNotUsable, reason->sentence, {}, reason->action};
+Result<std::shared_ptr<const Volume>> loadVolume(const Series& series, const Stack& stack, Progress& progress,
+                                                 const LoadOptions& options) {
+    std::uint64_t bytes = 0;
+    try {
+        MACULA_TRY_VOID(check(stack));
+        Loading loading(series, stack);
+        bytes = loading.bytesNeeded();
+        if (const auto available = availableMemory(); available && bytes > *available)
+            return notEnoughMemory(bytes, *available);
+        return loading.run(progress, options);
+    } catch (const std::bad_alloc&) {
+        return notEnoughMemory(bytes, availableMemory());
+    } catch (const std::exception&) {
+        return notUsable("This series cannot be loaded.");
     }
-    if (!stack.isEven()) {
-        return Error{ErrorCode::inputNotUsable, "This series is no volume.", {}, "Choose another series."};
-    }
-    constexpr int kMostRows = 65535;  // a header may use another VR than US, and then say anything
-    if (std::min(stack.columns, stack.rows) < 1 || std::max(stack.columns, stack.rows) > kMostRows) {
-        return Error{ErrorCode::inputNotUsable,
-                     "The images of this series have no usable size.",
-                     {},
-                     "Choose another series."};
-    }
-    const std::size_t count = stack.frames.size();
-    const std::size_t sliceVoxels =
-        static_cast<std::size_t>(stack.columns) * static_cast<std::size_t>(stack.rows);
-    const std::uint64_t bytesNeeded = bytesOf(stack);
-    if (const auto available = availableMemory(); available && bytesNeeded > *available) {
-        return notEnoughMemory(bytesNeeded, *available);
-    }
-
-    std::vector<SliceIntensity> intensities;
-    for (const Frame& frame : stack.frames) intensities.push_back(sliceIntensity(frame));
-    if (!std::ranges::all_of(intensities, isNarrow, &SliceIntensity::format)) {
-        return Error{ErrorCode::inputNotUsable,
-                     "The pixels of this series are wider than 16 bits.",
-                     {},
-                     "Choose another series."};
-    }
-    const std::optional<std::string> paddingAssumed = completePadding(intensities);
-    const std::optional<IntensityPlan> early = planFromFormats(intensities);
-
-    progress.beginStage(fmt::format("Decoding {} slices", count), count);
-    std::vector<std::uint16_t> voxels(sliceVoxels * count);
-    const auto slice = [&](std::size_t k) { return std::span(voxels).subspan(k * sliceVoxels, sliceVoxels); };
-    std::vector<StoredRange> ranges(count);
-    std::atomic<bool> failed{false};
-    std::mutex mutex;
-    std::optional<Error> failure;
-    std::size_t failedSlice = count;
-    parallelFor(
-        count,
-        [&](std::size_t k) {
-            if (failed) return;
-            const Instance& instance = *stack.frames[k].instance;
-            auto reader = PixelReader::open(instance.file, {.transferSyntaxUid = instance.transferSyntaxUid,
-                                                            .columns = stack.columns,
-                                                            .rows = stack.rows,
-                                                            .frames = instance.frames,
-                                                            .format = intensities[k].format});
-            const Result<void> decoded =
-                reader ? reader->read(stack.frames[k].number, slice(k)) : reader.error();
-            if (!decoded) {
-                const std::lock_guard lock(mutex);
-                failed = true;
-                if (k < failedSlice) {
-                    failedSlice = k;
-                    failure = decoded.error();
-                }
-                return;
-            }
-            unpackCells(intensities[k].format, intensities[k].padding, slice(k));
-            if (!early) ranges[k] = unpackedRange(intensities[k], slice(k));
-            progress.advance();
-        },
-        progress.token());
-    if (progress.cancelled()) return Error{ErrorCode::cancelled, "Loading was cancelled.", {}, {}};
-    if (failure) {
-        failure->message = fmt::format("Slice {} of {}: {}", failedSlice + 1, count, failure->message);
-        return *failure;
-    }
-    const IntensityPlan plan = early ? *early : planFromRanges(intensities, ranges);
-    std::vector<float> values(plan.format == VoxelFormat::float32 ? voxels.size() : 0);
-    parallelFor(
-        count,
-        [&](std::size_t k) {
-            if (plan.format == VoxelFormat::stored16) return applyMap(plan.slices[k], slice(k));
-            applyIntensity(intensities[k], slice(k), std::span(values).subspan(k * sliceVoxels, sliceVoxels));
-        },
-        progress.token());
-    if (progress.cancelled()) return Error{ErrorCode::cancelled, "Loading was cancelled.", {}, {}};
-
-    VolumeOptions options{.size = {stack.columns, stack.rows, static_cast<int>(count)},
-                          .worldFromVoxel = *stack.worldFromVoxel,
-                          .unitsFromStored = plan.unitsFromStored,
-                          .unit = unitOf(series, stack),
-                          .modality = series.modality,
-                          .padding = plan.padding,
-                          .provenance = {.studyInstanceUid = series.studyInstanceUid,
-                                         .seriesInstanceUid = series.seriesInstanceUid,
-                                         .description = series.description,
-                                         .assumptions = series.assumptions}};
-    auto& assumptions = options.provenance.assumptions;
-    assumptions.insert(assumptions.end(), stack.assumptions.begin(), stack.assumptions.end());
-    if (paddingAssumed) assumptions.push_back(*paddingAssumed);
-    MACULA_TRY(Volume volume, plan.format == VoxelFormat::stored16
-                                  ? Volume::create(std::move(options), std::move(voxels))
-                                  : Volume::createFloat(std::move(options), std::move(values)));
-    return std::shared_ptr<const Volume>(std::make_shared<Volume>(std::move(volume)));
-} catch (const std::bad_alloc&) {
-    return notEnoughMemory(bytesOf(stack), availableMemory());
-} catch (const std::exception&) {
-    return Error{ErrorCode::inputNotUsable, "This series cannot be loaded.", {}, "Choose another series."};
 }
 
 }  // namespace macula::dicom

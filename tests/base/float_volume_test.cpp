@@ -110,9 +110,9 @@ TEST(In16Bits, ErrorIsWithinHalfAStepAndStated) {
     const std::vector<std::vector<float>> sets{
         {0.0F, 1e6F, 12345.678F, kNan, 1e-6F},
         {1e-6F, 2e-6F, 1.0000001e-6F},
-        {-kLargest, 0.0F, kLargest, kInfinity},
+        {-kLargest, 1.0F, kLargest, kInfinity},
         {0.0F, kSmallestDenormal, 3 * kSmallestDenormal},
-        {16777216.0F, 16777218.0F},
+        {16777216.0F, 16847218.0F, 16777218.0F},  // whole numbers, and too many
         {-1000.0F, 3071.0F, 0.25F},
     };
     for (const auto& voxels : sets) {
@@ -130,6 +130,22 @@ TEST(In16Bits, ErrorIsWithinHalfAStepAndStated) {
         EXPECT_EQ(volume->storedRange(), (StoredRange{1, 65535}));
         ASSERT_EQ(volume->provenance().assumptions.size(), 1u);
         EXPECT_NE(volume->provenance().assumptions[0].find("error of at most"), std::string::npos);
+    }
+}
+
+TEST(In16Bits, WholeNumbersAreKeptExactly) {
+    for (const auto& voxels : std::vector<std::vector<float>>{
+             {-1024.0F, 3071.0F, kNan, 17.0F}, {0.0F, 65534.0F, 1.0F}, {16777216.0F, 16777218.0F, 0.5F}}) {
+        const auto volume = in16Bits(floatVolume(voxels, {.floatPadding = 0.5F}));
+        for (int i = 0; i < volume->size().x; ++i) {
+            const float value = voxels[static_cast<std::size_t>(i)];
+            const bool isPadding = std::isnan(value) || value == 0.5F;
+            EXPECT_EQ(volume->isPadding(i, 0, 0), isPadding);
+            if (!isPadding) {
+                EXPECT_EQ(volume->value(i, 0, 0), double{value});
+            }
+        }
+        EXPECT_TRUE(volume->provenance().assumptions.empty());
     }
 }
 

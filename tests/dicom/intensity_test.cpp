@@ -16,9 +16,7 @@ std::vector<std::uint16_t> unpacked(const CellFormat& format, std::vector<std::u
 }
 
 IntensityPlan planOf(const std::vector<SliceIntensity>& slices) {
-    const auto plan = planFromFormats(slices);
-    EXPECT_TRUE(plan);
-    return plan.value_or(IntensityPlan{});
+    return planFromFormats(slices);
 }
 
 SliceIntensity slice(double slope, double intercept, CellFormat format = {},
@@ -182,35 +180,38 @@ TEST(Intensity, decimalSlopesShareTheirLastDigit) {
 }
 
 TEST(Intensity, whereTheFormatsDoNotTellThePixelsDo) {
-    const std::vector<SliceIntensity> slices{slice(1.0, 0.0), slice(2.0, 0.0, {}, RawRange{0, 0})};
-    EXPECT_FALSE(planFromFormats(slices));
-    const IntensityPlan enough = planFromRanges(slices, std::vector<StoredRange>{{3, 60000}, {1, 30000}});
-    ASSERT_EQ(enough.format, VoxelFormat::stored16);
-    EXPECT_EQ(valueOf(enough, 0, 60000), 60000.0);
-    EXPECT_EQ(valueOf(enough, 1, 29999), 59998.0);
-    std::array<std::uint16_t, 1> padding{0};
-    applyMap(enough.slices[1], padding);
-    EXPECT_TRUE(enough.padding->contains(padding[0]));
-    std::array<std::uint16_t, 1> least{3};
-    applyMap(enough.slices[0], least);
-    EXPECT_FALSE(enough.padding->contains(least[0]));
-    const IntensityPlan tooFew = planFromRanges(slices, std::vector<StoredRange>{{0, 65535}, {1, 40000}});
-    EXPECT_EQ(tooFew.format, VoxelFormat::float32);
-    // All padding in one of them, and in both.
-    EXPECT_EQ(planFromRanges(slices, std::vector<StoredRange>{{0, 65000}, {65535, 0}}).format,
-              VoxelFormat::stored16);
-    EXPECT_EQ(planFromRanges(slices, std::vector<StoredRange>{{65535, 0}, {65535, 0}}).format,
-              VoxelFormat::stored16);
+    const IntensityPlan plan = planOf({slice(1.0, 0.0), slice(2.0, -0.5, {}, RawRange{0, 0})});
+    ASSERT_EQ(plan.format, VoxelFormat::float32);
+    ASSERT_TRUE(plan.steps);
+    EXPECT_EQ(plan.steps->slope, 0.5);
+    constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+    const auto enough = narrowed(std::vector<float>{3.0F, kNan, -0.5F, 32766.0F}, *plan.steps);
+    ASSERT_TRUE(enough);
+    ASSERT_TRUE(enough->padding);
+    EXPECT_TRUE(enough->padding->contains(enough->voxels[1]));
+    EXPECT_FALSE(enough->padding->contains(enough->voxels[2]));
+    for (const auto& [i, value] : {std::pair(0u, 3.0), std::pair(2u, -0.5), std::pair(3u, 32766.0)})
+        EXPECT_EQ(enough->unitsFromStored(enough->voxels[i]), value);
+    EXPECT_FALSE(narrowed(std::vector<float>{kNan, -0.5F, 32767.0F}, *plan.steps));  // one step too many
+    EXPECT_TRUE(narrowed(std::vector<float>{-0.5F, 32767.0F}, *plan.steps));
+    EXPECT_FALSE(narrowed(std::vector<float>{-0.5F, 1.25F}, *plan.steps));  // between two steps
+    EXPECT_TRUE(narrowed(std::vector<float>{kNan, kNan}, *plan.steps));
+}
+
+TEST(Intensity, wideIntegersMayFit16BitsAfterAll) {
+    const IntensityPlan plan = planOf(std::vector(2, slice(0.5, -7.0, {32, 32, 31, true})));
+    ASSERT_EQ(plan.format, VoxelFormat::float32);
+    ASSERT_TRUE(plan.steps);
+    const auto narrow = narrowed(std::vector<float>{0.5F * -3 - 7, 0.5F * 60000 - 7}, *plan.steps);
+    ASSERT_TRUE(narrow);
+    EXPECT_EQ(narrow->unitsFromStored(narrow->voxels[1]), 0.5 * 60000 - 7);
 }
 
 TEST(Intensity, mixedSlopesWithoutACommonStepNeedFloat) {
-    const std::vector<SliceIntensity> slices{slice(0.0123457, 0.0), slice(0.0346987, 0.0)};
-    EXPECT_EQ(planOf(slices).format, VoxelFormat::float32);
+    EXPECT_EQ(planOf({slice(0.0123457, 0.0), slice(0.0346987, 0.0)}).format, VoxelFormat::float32);
+    EXPECT_FALSE(planOf({slice(0.0123457, 0.0), slice(0.0346987, 0.0)}).steps);
     EXPECT_EQ(planOf({slice(1e300, 0.0), slice(1e-300, 1e300)}).format, VoxelFormat::float32);
-    const std::vector<SliceIntensity> far{slice(1.0, 0.0), slice(1.0, 1e18)};
-    EXPECT_EQ(planFromRanges(far, std::vector<StoredRange>(2, StoredRange{0, 1})).format,
-              VoxelFormat::float32);
-    EXPECT_EQ(planFromRanges(far, std::vector<StoredRange>{{0, 1}, {65535, 0}}).format, VoxelFormat::float32);
+    EXPECT_EQ(planOf({slice(1.0, 0.0), slice(1.0, 1e18)}).format, VoxelFormat::float32);
 }
 
 TEST(Intensity, floatValuesAreComputedInDouble) {

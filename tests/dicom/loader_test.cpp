@@ -116,23 +116,24 @@ TEST(Loader, eightStoredBits) {
     }
 }
 
-TEST(Loader, sliceCutOffAfterTheScanIsNamedByNumberOnly) {
+TEST(Loader, sliceCutOffAfterTheScanIsAGap) {
     const TemporaryFolder folder;
     for (const WriteSyntax syntax :
          {WriteSyntax::explicitLittleEndian, WriteSyntax::rle, WriteSyntax::jpegLs}) {
         const fs::path place = folder / fmt::format("DOE^JOHN{}", static_cast<int>(syntax));
-        const auto files = write(smallVolume(), place, {.syntax = syntax});
+        const Volume original = smallVolume();
+        const auto files = write(original, place, {.syntax = syntax});
         const auto found = scan(place);
         ASSERT_TRUE(found);
         truncate(files[4], 16);
-        Progress progress;
-        const Series& series = found->studies.at(0).series.at(0);
-        const auto volume = loadVolume(series, series.stacks.at(0), progress);
-        ASSERT_FALSE(volume);
-        EXPECT_EQ(volume.error().code, ErrorCode::inputNotUsable);
-        EXPECT_TRUE(volume.error().message.starts_with("Slice 5 of 6: ")) << volume.error().message;
-        EXPECT_EQ((volume.error().message + volume.error().hint).find("DOE"), std::string::npos);
-        EXPECT_EQ(volume.error().where, files[4].string());
+        const auto volume = load(found->studies.at(0).series.at(0));
+        ASSERT_NE(volume, nullptr);
+        EXPECT_EQ(volume->provenance().interpolatedSlices, (std::vector<SliceRange>{{4, 4}}));
+        EXPECT_NEAR(volume->value(1, 2, 4), 0.5 * (original.value(1, 2, 3) + original.value(1, 2, 5)), 0.5);
+        EXPECT_EQ(volume->value(1, 2, 5), original.value(1, 2, 5));
+        ASSERT_EQ(volume->provenance().messages.size(), 2u);
+        EXPECT_EQ(volume->provenance().messages[0].key, key::kTruncatedFile);
+        EXPECT_EQ(volume->provenance().messages[1].key, key::kGapInterpolated);
     }
 }
 
@@ -146,13 +147,11 @@ TEST(Loader, rleSegmentOutsideTheFile) {
     ASSERT_NE(header, std::string::npos);
     bytes.replace(header + 8, 4, "\x7F\x7F\x7F\x7F");
     std::ofstream(files[2], std::ios::binary) << bytes;
-    const auto found = scan(folder.path());
-    ASSERT_TRUE(found);
-    Progress progress;
-    const Series& series = found->studies.at(0).series.at(0);
-    const auto volume = loadVolume(series, series.stacks.at(0), progress);
-    ASSERT_FALSE(volume);
-    EXPECT_TRUE(volume.error().message.starts_with("Slice 3 of 6: ")) << volume.error().message;
+    const auto volume = loadFolder(folder.path());
+    ASSERT_NE(volume, nullptr);
+    EXPECT_EQ(volume->provenance().interpolatedSlices, (std::vector<SliceRange>{{2, 2}}));
+    ASSERT_EQ(volume->provenance().messages.size(), 2u);
+    EXPECT_EQ(volume->provenance().messages[0].key, key::kDamagedFile);
 }
 
 TEST(Loader, jpeg2000InColourWhereTheHeaderSaysGrey) {
@@ -192,17 +191,6 @@ TEST(Loader, jpeg2000CutOffInsideItsFrame) {
     stack.worldFromVoxel = glm::dmat4(1.0);
     Progress progress;
     EXPECT_FALSE(loadVolume(series, stack, progress));
-}
-
-TEST(Loader, fileGoneSinceTheScan) {
-    const TemporaryFolder folder;
-    const auto files = write(smallVolume(), folder.path());
-    const auto found = scan(folder.path());
-    ASSERT_TRUE(found);
-    fs::remove(files[1]);
-    Progress progress;
-    const Series& series = found->studies.at(0).series.at(0);
-    EXPECT_FALSE(loadVolume(series, series.stacks.at(0), progress));
 }
 
 TEST(Loader, unknownTransferSyntaxIsNamed) {
