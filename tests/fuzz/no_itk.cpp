@@ -1,0 +1,23 @@
+// In place of what needs ITK, which Debian's clang cannot compile: NRRD and MetaImage files are not written
+// here.
+#include "dicom/itk_image_file.h"
+
+namespace macula::dicom {
+
+namespace {
+
+Error notHere() {
+    return {ErrorCode::outputNotWritable, "The fuzz targets write no files.", {}, {}};
+}
+
+}  // namespace
+
+Result<void> writeNrrd(const std::filesystem::path&, const RawImage&) {
+    return notHere();
+}
+
+Result<void> writeMetaImage(const std::filesystem::path&, const RawImage&) {
+    return notHere();
+}
+
+}  // namespace macula::dicom
