@@ -218,12 +218,15 @@ StackGeometry stackPlanes(std::span<const StackedPlane> planes) {
         stack.slices = slicesWithGaps(*places);
     } else {
         // Fine enough for the smallest distance, and bounded: one pair of almost equal positions among wide
-        // distances must not make a volume of thousands of slices.
+        // distances must not make a volume of thousands of slices, and a wide gap none of melted ones.
         constexpr double kMostSlicesPerPlane = 4.0;
-        const double wanted =
-            std::max(*least, extentAlong / (kMostSlicesPerPlane * double(planes.size() - 1)));
-        stack.slices =
-            slicesEvenly(positions, static_cast<std::size_t>(std::ceil(extentAlong / wanted - 1e-6)) + 1);
+        const double wantedMm =
+            std::clamp(*least, positions.usualMm / kMostSlicesPerPlane, positions.usualMm);
+        const double gridSteps = std::ceil(extentAlong / wantedMm - 1e-6);
+        if (!(gridSteps <= kMostSlicesPerPlane * double(planes.size()))) {
+            return fail(message(key::kSpacingTooIrregular, {{"leastMm", *least}, {"mostMm", *most}}));
+        }
+        stack.slices = slicesEvenly(positions, static_cast<std::size_t>(gridSteps) + 1);
         stack.quality = StackGeometry::Quality::resampled;
     }
     const double gridStepMm = extentAlong / double(stack.slices.size() - 1);

@@ -137,6 +137,8 @@ constexpr std::array kCatalogue = std::to_array<CatalogueEntry>({
      "The slices are unevenly spaced, {leastMm:.3f} to {mostMm:.3f} mm apart; they were resampled to an even "
      "{spacingMm:.3f} mm.",
      "Look at the original images before measuring across slices."},
+    {key::kSpacingTooIrregular, kBlocksVolume, 8,
+     "The slices are too unevenly spaced for a volume, {leastMm:.3f} to {mostMm:.3f} mm apart.", kOther},
     {key::kUnevenSpacing, kWarning, 0,
      "The slices are not quite evenly spaced: a slice is up to {errorMm:.3f} mm away from where it is drawn.",
      "Allow for this error when measuring across slices."},

@@ -79,6 +79,7 @@ inline constexpr std::string_view kRepairedOrientation = "repaired-orientation";
 inline constexpr std::string_view kMissingSlices = "missing-slices";
 inline constexpr std::string_view kGapInterpolated = "gap-interpolated";
 inline constexpr std::string_view kIrregularSpacing = "irregular-spacing";
+inline constexpr std::string_view kSpacingTooIrregular = "spacing-too-irregular";
 inline constexpr std::string_view kUnevenSpacing = "uneven-spacing";
 inline constexpr std::string_view kNotParallel = "not-parallel";
 inline constexpr std::string_view kNotReconstructable = "not-reconstructable";

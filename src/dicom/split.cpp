@@ -30,7 +30,8 @@ Stack makeStack(std::vector<Frame> frames, std::vector<StackLabel> labels, const
 bool isHopeless(const Stack& stack) {
     return std::any_of(stack.messages.begin(), stack.messages.end(), [](const Message& m) {
         return m.severity >= Severity::blocksVolume && m.key != key::kDuplicatePositions &&
-               m.key != key::kMissingSlices && m.key != key::kNotReconstructable;
+               m.key != key::kMissingSlices && m.key != key::kSpacingTooIrregular &&
+               m.key != key::kNotReconstructable;
     });
 }
 
@@ -288,7 +289,8 @@ class Splitter {
 
     // Two body regions in one series.
     std::optional<std::vector<Stack>> atGaps(const Stack& whole, std::vector<Message>& messages) const {
-        if (whole.whyNoVolume()->key != key::kMissingSlices) return {};
+        const std::string& why = whole.whyNoVolume()->key;
+        if (why != key::kMissingSlices && why != key::kSpacingTooIrregular) return {};
         const Partition partition = separateAtGaps(whole.frames);
         if (partition.size() < 2) return {};
         if (!areVolumes(tryOut(whole.frames, partition))) return {};

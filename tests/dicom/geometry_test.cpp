@@ -125,6 +125,14 @@ TEST(Geometry, twoAlmostEqualPositionsMakeNoHugeVolume) {
     EXPECT_LE(stack.slices.size(), 4u * 9u + 1u);
 }
 
+TEST(Geometry, aGapThatIsNoMultipleIsNotFilledWithMeltedSlices) {
+    auto planes = evenStack(6, 2.3);
+    planes[5].plane.positionMm.z += 1e6;
+    const StackGeometry stack = stackPlanes(planes);
+    EXPECT_FALSE(stack.worldFromVoxel);
+    EXPECT_EQ(onlyKey(stack), key::kSpacingTooIrregular);
+}
+
 TEST(Geometry, aSkewedOrientationIsSetRight) {
     auto planes = evenStack(4, 2.0);
     for (auto& p : planes) p.plane.columnDirection = glm::normalize(glm::dvec3(5e-4, 1.0, 0.0));

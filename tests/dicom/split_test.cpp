@@ -296,11 +296,11 @@ TEST(Split, anIncompleteLastPhaseSpoilsNoneOfTheOthers) {
 TEST(Split, chestAndPelvisInOneSeries) {
     Frames made;
     for (int k = 0; k < 12; ++k) made.add(2.0 * k);
-    for (int k = 0; k < 10; ++k) made.add(400.0 + 2.0 * k);
+    for (int k = 0; k < 10; ++k) made.add(400.9 + 2.0 * k);
     const Split split = splitOf(made);
     ASSERT_EQ(split.stacks.size(), 2u) << keys(split);
     EXPECT_TRUE(split.stacks[0].isEven() && split.stacks[1].isEven());
-    EXPECT_TRUE(has(split.messages, key::kMissingSlices));
+    EXPECT_TRUE(has(split.messages, key::kSpacingTooIrregular));
 }
 
 TEST(Split, whatDiffersInKindIsNeverInOneStack) {
