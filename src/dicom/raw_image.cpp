@@ -268,6 +268,15 @@ Result<RawImage> rawImageOf(const Volume& volume, Progress& progress) {
                   [voxels, units](std::size_t n) { return units(voxels[n]); });
 }
 
+Result<RawImage> rawImageOf(const LabelMap& map, Progress& progress) {
+    RawImage image;
+    image.size = map.size();
+    image.worldFromVoxel = map.worldFromVoxel();
+    const auto labels = map.labels();
+    return packed(std::move(image), labels.size(), progress,
+                  [labels](std::size_t n) { return double(labels[n]); });
+}
+
 Result<std::shared_ptr<const Volume>> volumeOf(RawImage image, Progress& progress) {
     if (!(std::isfinite(image.slope) && image.slope != 0.0 && std::isfinite(image.intercept))) {
         return Error{ErrorCode::inputNotUsable,

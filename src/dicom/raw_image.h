@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/label_map.h"
 #include "base/progress.h"
 #include "base/result.h"
 #include "base/volume.h"
@@ -41,6 +42,7 @@ Result<void> checkLayout(const RawImageLayout& layout, std::uint64_t bytesInFile
 // Values in units: int16 when each is a whole number in its range, else uint16 when so, else float32. Padding
 // keeps its value.
 Result<RawImage> rawImageOf(const Volume& volume, Progress& progress);
+Result<RawImage> rawImageOf(const LabelMap& map, Progress& progress);
 
 // 16 bits when that is exact, else float32. Such files name no unit: HU is assumed of whole numbers that
 // reach far below zero, and that is said.

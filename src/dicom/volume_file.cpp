@@ -144,27 +144,22 @@ const char* nameOf(Format format) {
     return format == Format::nifti ? "NIfTI" : format == Format::nrrd ? "NRRD" : "MetaImage";
 }
 
-}  // namespace
-
-bool isVolumeFileName(const fs::path& path) {
-    return endingOf(path) != nullptr;
-}
-
-Result<std::vector<fs::path>> filesOfVolumeFile(const fs::path& path) {
-    MACULA_TRY(const Ending ending, knownEndingOf(path));
-    std::vector<fs::path> files{path};
-    if (ending.detached) files.push_back(fs::path(path).replace_extension(".raw"));
-    return files;
-}
-
-Result<void> writeVolumeFile(const Volume& volume, const fs::path& path, Progress& progress) try {
+// `Grid` is what rawImageOf takes.
+template <class Grid>
+Result<void> writeImage(const Grid& grid, std::size_t voxels, const fs::path& path, Progress& progress) try {
     MACULA_TRY(const Ending ending, knownEndingOf(path));
     MACULA_TRY(const auto files, filesOfVolumeFile(path));
-    const std::uint64_t most = std::uint64_t{sizeof(float)} * volume.voxelCount();
+    const std::uint64_t most = std::uint64_t{sizeof(float)} * voxels;
     if (const auto available = availableMemory(); available && most > *available)
         return notEnoughMemory(most, *available);
     MACULA_TRY(const Workshop workshop, Workshop::beside(path));
-    MACULA_TRY(const RawImage image, rawImageOf(volume, progress));
+    MACULA_TRY(const RawImage image, rawImageOf(grid, progress));
+    std::error_code unknown;
+    const auto space = fs::space(workshop.folder(), unknown);
+    if (!unknown && ending.text != ".nii.gz" && space.available < image.data.size()) {  // MetaIO would print
+        return Error{ErrorCode::outputNotWritable, "There is not enough free space.", path.string(),
+                     fmt::format("The file needs {} MB.", image.data.size() / 1'000'000 + 1)};
+    }
     // The ending in small letters: the libraries choose by it.
     const std::string stem =
         path.filename().string().substr(0, path.filename().string().size() - ending.text.size());
@@ -182,9 +177,30 @@ Result<void> writeVolumeFile(const Volume& volume, const fs::path& path, Progres
     }
     return {};
 } catch (const std::bad_alloc&) {
-    return notEnoughMemory(std::uint64_t{sizeof(float)} * volume.voxelCount(), availableMemory());
+    return notEnoughMemory(std::uint64_t{sizeof(float)} * voxels, availableMemory());
 } catch (const std::exception&) {
     return cannotWrite(path, "something unforeseen happened");
+}
+
+}  // namespace
+
+bool isVolumeFileName(const fs::path& path) {
+    return endingOf(path) != nullptr;
+}
+
+Result<std::vector<fs::path>> filesOfVolumeFile(const fs::path& path) {
+    MACULA_TRY(const Ending ending, knownEndingOf(path));
+    std::vector<fs::path> files{path};
+    if (ending.detached) files.push_back(fs::path(path).replace_extension(".raw"));
+    return files;
+}
+
+Result<void> writeVolumeFile(const Volume& volume, const fs::path& path, Progress& progress) {
+    return writeImage(volume, volume.voxelCount(), path, progress);
+}
+
+Result<void> writeVolumeFile(const LabelMap& map, const fs::path& path, Progress& progress) {
+    return writeImage(map, map.labels().size(), path, progress);
 }
 
 Result<VolumeFileInfo> readVolumeFileInfo(const fs::path& path) try {

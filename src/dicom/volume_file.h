@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "base/label_map.h"
 #include "base/progress.h"
 #include "base/result.h"
 #include "base/volume.h"
@@ -24,6 +25,9 @@ Result<std::vector<std::filesystem::path>> filesOfVolumeFile(const std::filesyst
 // keeps its value. Orientation is that of worldFromVoxel, sheared or not. Nothing in the file names a
 // patient. Written whole or not at all; replaces what is there.
 Result<void> writeVolumeFile(const Volume& volume, const std::filesystem::path& path, Progress& progress);
+
+// The numbers of the segments, as int16 where they fit, else uint16. Their names are not written.
+Result<void> writeVolumeFile(const LabelMap& map, const std::filesystem::path& path, Progress& progress);
 
 struct VolumeFileInfo {
     std::string format;  // "NIfTI"

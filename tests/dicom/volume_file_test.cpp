@@ -279,6 +279,29 @@ TEST(VolumeFile, ReplacesWhatIsThere) {
     }
 }
 
+TEST(VolumeFile, LabelMaps) {
+    const TemporaryFolder folder;
+    for (const std::uint16_t highest : {std::uint16_t{3}, std::uint16_t{40000}}) {
+        std::vector<std::uint16_t> labels(3 * 4 * 2, 0);
+        labels[5] = 1;
+        labels[23] = highest;
+        const auto map = LabelMap::create({3, 4, 2}, shearedAffine(), {}, labels);
+        ASSERT_TRUE(map.ok());
+        for (const std::string ending : kEndings) {
+            Progress progress;
+            ASSERT_TRUE(writeVolumeFile(*map, folder / ("l" + ending), progress).ok());
+            const auto back = readBack(folder / ("l" + ending));
+            ASSERT_NE(back, nullptr);
+            ASSERT_EQ(back->size(), map->size());
+            EXPECT_LT(affineError(back->worldFromVoxel(), shearedAffine()), toleranceOf(ending));
+            EXPECT_EQ(back->value(2, 1, 0), 1.0);
+            EXPECT_EQ(back->value(2, 3, 1), highest);
+            EXPECT_EQ(back->value(0, 0, 0), 0.0);
+        }
+        EXPECT_EQ(readNiftiBytes(folder / "l.nii").datatype(), highest > 32767 ? 512 : 4);
+    }
+}
+
 // Real files of other makers, and the DICOM that they were made from.
 TEST(VolumeFile, ReferenceFilesOfTheFlatFolder) {
     SKIP_WITHOUT_SHARED_DATA();
