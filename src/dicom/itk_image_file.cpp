@@ -1,5 +1,7 @@
 #include "dicom/itk_image_file.h"
 
+#include "dicom/itk_for_clang.h"
+
 #include <itkMetaImageIO.h>
 #include <itkNrrdImageIO.h>
 

@@ -1,5 +1,7 @@
 #include "dicom/load_benchmark.h"
 
+#include "dicom/itk_for_clang.h"
+
 // DCMTK before ITK: both have macros of their own for the same platform.
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dcrledrg.h>

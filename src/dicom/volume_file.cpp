@@ -83,7 +83,7 @@ class Workshop {
 Result<void> writeFormat(Format format, const fs::path& path, const RawImage& image, Progress& progress) {
     if (format == Format::nifti) return writeNifti(path, image, progress);
     progress.beginStage("Writing", 1);
-    const auto written = format == Format::nrrd ? writeNrrd(path, image) : writeMetaImage(path, image);
+    auto written = format == Format::nrrd ? writeNrrd(path, image) : writeMetaImage(path, image);
     progress.advance();
     return written;
 }
