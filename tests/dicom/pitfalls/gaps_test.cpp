@@ -115,6 +115,61 @@ TEST_F(D04Gaps, roundedPositionsAreNotUneven) {
     expectRamp(*volume, series.rampOf(), 0.5 + 1e-3 * glm::length(series.rampOf().perMm));
 }
 
+// Head and pelvis in one series: nearly all of the volume would be made up. Whatever becomes of it, it is
+// said, and it costs no memory to speak of.
+TEST_F(D04Gaps, aGapOfAKilometreIsNotFilled) {
+    series.places = {0, 1, 2, 3, 4, 5};
+    auto slices = slicesOf(series);
+    slices.back().positionMm += 1e6 * slices.back().normal();
+    series.rawInstead = [](const Slice&, int i, int j) { return i + j; };
+    writeFiles(folder.path(), series, slices);
+    const Opened opened = open();
+    EXPECT_EQ(opened.frames(), 6u);
+    EXPECT_TRUE(opened.says(key::kMissingSlices) || opened.says(key::kIrregularSpacing) ||
+                opened.says(key::kSpacingTooIrregular) || opened.says(key::kSplitSeries) ||
+                opened.says(key::kInconsistentPosition))
+        << opened.keys();
+    for (const Stack* stack : opened.volumes()) {
+        EXPECT_LE(stack->slices.size(), 60u);
+        ASSERT_TRUE(stack->spacingMm);
+        EXPECT_NEAR(stack->spacingMm->z, 2.3, 0.03) << "slices were melted into a coarser grid";
+        EXPECT_NE(opened.load(*stack), nullptr);
+    }
+}
+
+// Values are interpolated, not stored numbers: each slice has its own slope.
+TEST_F(D04Gaps, betweenSlicesOfDifferentSlopes) {
+    series.modality = "PT";
+    auto slices = slicesOf(series);
+    for (Slice& slice : slices) {
+        slice.slope = 0.1 * (1 + slice.place % 4);
+        slice.intercept = 1000.0;
+    }
+    slices.erase(slices.begin() + 6);
+    writeFiles(folder.path(), series, slices);
+    const auto volume = open().onlyVolume();
+    ASSERT_NE(volume, nullptr);
+    expectGrid(*volume, series.size, series.expectedAffine());
+    expectRamp(*volume, series.rampOf(), 0.2);
+}
+
+TEST_F(D04Gaps, headAndPelvisAreTwoBlocks) {
+    series.places = {0, 1, 2, 3, 4, 5, 130.4, 131.4, 132.4, 133.4, 134.4, 135.4};
+    series.ramp =
+        Ramp{.value = 2000, .throughMm = glm::dvec3(series.worldFromVoxel[3]), .perMm = {11, 23, 17}};
+    writeFiles(folder.path(), series);
+    const Opened opened = open();
+    EXPECT_EQ(opened.frames(), 12u);
+    for (const Stack* stack : opened.volumes()) {
+        const auto volume = opened.load(*stack);
+        ASSERT_NE(volume, nullptr);
+        EXPECT_EQ(volume->size().z, 6);
+        EXPECT_NEAR(volume->spacingMm().z, 2.3, 1e-3);
+        expectRamp(*volume, *series.ramp);
+    }
+    EXPECT_TRUE(opened.says(key::kMissingSlices) || opened.says(key::kSpacingTooIrregular)) << opened.keys();
+}
+
 // The coarse picture of a stack with a gap must not differ from the fine one's geometry: every slice of the
 // grid names the frames it is made of.
 TEST_F(D04Gaps, gridNamesItsFrames) {

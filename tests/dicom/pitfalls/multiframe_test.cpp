@@ -441,5 +441,24 @@ TEST_F(D08Concatenation, filesOfOneImageAreOneVolume) {
     EXPECT_FALSE(opened.says(key::kIncompleteConcatenation));
 }
 
+TEST_F(D08Concatenation, aFileThatIsMissingIsTold) {
+    const auto slices = slicesOf(series);
+    writeMultiFrame(folder / "a", series, {slices.begin(), slices.begin() + 4},
+                    {.sopInstanceUid = "2.25.6002", .edits = {part(1, 3, 0)}});
+    writeMultiFrame(folder / "c", series, {slices.begin() + 8, slices.end()},
+                    {.sopInstanceUid = "2.25.6004", .edits = {part(3, 3, 8)}});
+    const Opened opened = open();
+    const Message* told = opened.find(key::kIncompleteConcatenation);
+    ASSERT_NE(told, nullptr) << opened.keys();
+    EXPECT_EQ(numberArgument(*told, "missing"), 1.0);
+    EXPECT_EQ(numberArgument(*told, "total"), 3.0);
+    EXPECT_EQ(opened.frames(), 8u);
+    for (const Stack* stack : opened.volumes()) {
+        const auto volume = opened.load(*stack);
+        ASSERT_NE(volume, nullptr);
+        expectRamp(*volume, series.rampOf(), 1.0);
+    }
+}
+
 }  // namespace
 }  // namespace macula::dicom::test
