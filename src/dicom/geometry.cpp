@@ -14,7 +14,11 @@ constexpr double kDirectionTolerance = 1e-3;  // of unit length and perpendicula
 constexpr double kExactDirection = 1e-4;      // files often have 5 or 6 decimals; beyond this it is repaired
 constexpr double kSameDirection = 1e-4;       // per component, between slices
 constexpr double kSameSpacing = 1e-4;         // relative
-constexpr double kUnevenErrorOfStep = 0.01;   // error of a slice's position that is worth telling
+// No patient is as far away, and no pixel as small or large; beyond, sums of positions would lose the slices.
+constexpr double kMostMm = 1e7;
+constexpr double kLeastSpacingMm = 1e-6;
+constexpr double kMostSpacingMm = 1e5;
+constexpr double kUnevenErrorOfStep = 0.01;     // error of a slice's position that is worth telling
 constexpr double kIrregularErrorOfStep = 0.10;  // and the one above which slices are resampled
 constexpr double kExactOfStep = 0.01;           // a resampled slice this near to a plane is that plane
 constexpr double kTiltWorthTellingDeg = 0.1;
@@ -141,13 +145,12 @@ bool isUsable(const ImagePlane& plane) {
     const auto within = [](double value, double target) {
         return std::abs(value - target) <= kDirectionTolerance;
     };
-    const auto finite = [](const glm::dvec3& v) {
-        return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-    };
+    const auto isNear = [](double mm) { return std::abs(mm) <= kMostMm; };  // false for what is no number
+    const auto isSpacing = [](double mm) { return mm >= kLeastSpacingMm && mm <= kMostSpacingMm; };
     return within(glm::length(plane.rowDirection), 1.0) && within(glm::length(plane.columnDirection), 1.0) &&
-           within(glm::dot(plane.rowDirection, plane.columnDirection), 0.0) && plane.columnSpacingMm > 0.0 &&
-           plane.rowSpacingMm > 0.0 && std::isfinite(plane.columnSpacingMm) &&
-           std::isfinite(plane.rowSpacingMm) && finite(plane.positionMm);
+           within(glm::dot(plane.rowDirection, plane.columnDirection), 0.0) &&
+           isSpacing(plane.columnSpacingMm) && isSpacing(plane.rowSpacingMm) && isNear(plane.positionMm.x) &&
+           isNear(plane.positionMm.y) && isNear(plane.positionMm.z);
 }
 
 StackGeometry stackPlanes(std::span<const StackedPlane> planes) {

@@ -27,8 +27,8 @@ struct ImagePlane {
 // Planes closer than this along the normal are at one position.
 inline constexpr double kSamePositionMm = 1e-3;
 
-// The two directions are unit vectors, perpendicular to each other, within 0.001; spacings and position are
-// finite, the spacings positive.
+// The two directions are unit vectors, perpendicular to each other, within 0.001; position and spacings
+// are of a size that a patient can have.
 bool isUsable(const ImagePlane& plane);
 
 struct StackedPlane {

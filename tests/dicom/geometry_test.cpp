@@ -152,6 +152,21 @@ TEST(Geometry, positionsThatAreNoNumbers) {
     EXPECT_TRUE(stackPlanes({}).order.empty());
 }
 
+// Found by fuzz_series: the slices between lost their place beside a distance of 1e92 mm.
+TEST(Geometry, positionsAndSpacingsNoPatientCanHave) {
+    const auto makesVolume = [](auto change) {
+        auto planes = evenStack(4, 2.0);
+        for (auto& p : planes) change(p.plane);
+        return stackPlanes(planes).worldFromVoxel.has_value();
+    };
+    EXPECT_TRUE(makesVolume([](ImagePlane& p) { p.positionMm.x += 1e5; }));
+    EXPECT_FALSE(makesVolume([](ImagePlane& p) { p.positionMm.x -= 5.6e92; }));
+    EXPECT_FALSE(makesVolume([](ImagePlane& p) { p.positionMm.z *= 1e9; }));
+    EXPECT_TRUE(makesVolume([](ImagePlane& p) { p.rowSpacingMm = 2.5e-4; }));
+    EXPECT_FALSE(makesVolume([](ImagePlane& p) { p.rowSpacingMm = 1e-300; }));
+    EXPECT_FALSE(makesVolume([](ImagePlane& p) { p.columnSpacingMm = 1e9; }));
+}
+
 TEST(Geometry, aSlowDriftOfTheStepIsSeenToo) {
     auto planes = evenStack(100, 2.0);
     for (std::size_t k = 0; k < planes.size(); ++k) {
