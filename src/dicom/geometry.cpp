@@ -112,10 +112,10 @@ std::vector<SliceSource> slicesEvenly(const Positions& positions, std::size_t co
         const double weight =
             std::clamp((at - positions.alongMm[below]) / positions.stepsMm[below], 0.0, 1.0);
         const double toleranceOfGap = kExactOfStep * step / positions.stepsMm[below];
-        if (weight <= toleranceOfGap) {
-            slices.push_back({below, below, 0.0});
-        } else if (weight >= 1.0 - toleranceOfGap) {
-            slices.push_back({below + 1, below + 1, 0.0});
+        // Of two planes that lie close both may be near enough: the nearer is meant.
+        if (std::min(weight, 1.0 - weight) <= toleranceOfGap) {
+            const std::size_t nearest = weight <= 0.5 ? below : below + 1;
+            slices.push_back({nearest, nearest, 0.0});
         } else {
             slices.push_back({below, below + 1, weight});
         }
@@ -207,6 +207,10 @@ StackGeometry stackPlanes(std::span<const StackedPlane> planes) {
     if (largestSideways > kIrregularErrorOfStep * std::max(positions.usualMm, first.columnSpacingMm)) {
         return fail(
             message(key::kNotReconstructable, {{"reason", "they are shifted sideways against each other"}}));
+    }
+
+    if (!isInvertibleAffine(affine(first.rowDirection, first.columnDirection, extent, first.positionMm))) {
+        return fail(message(key::kNotReconstructable, {{"reason", "they lie beside each other"}}));
     }
 
     const auto [least, most] = std::minmax_element(steps.begin(), steps.end());

@@ -167,6 +167,26 @@ TEST(Geometry, positionsAndSpacingsNoPatientCanHave) {
     EXPECT_FALSE(makesVolume([](ImagePlane& p) { p.columnSpacingMm = 1e9; }));
 }
 
+// Found by fuzz_series: the last slice was the plane before the last.
+TEST(Geometry, ofTwoPlanesThatLieCloseTheNearerIsTheSlice) {
+    auto planes = evenStack(3, 240.0);
+    planes[2].plane.positionMm.z = planes[1].plane.positionMm.z + 0.3;
+    const StackGeometry stack = stackPlanes(planes);
+    ASSERT_TRUE(stack.worldFromVoxel);
+    EXPECT_EQ(stack.slices.front().below, 0u);
+    EXPECT_EQ(stack.slices.back(), (SliceSource{2, 2, 0.0}));
+}
+
+// Found by fuzz_series: a volume whose slices go along its rows.
+TEST(Geometry, slicesBesideEachOther) {
+    auto planes = evenStack(4, 0.01);
+    for (std::size_t k = 0; k < planes.size(); ++k) planes[k].plane.positionMm.x = 1e5 * double(k);
+    const StackGeometry stack = stackPlanes(planes);
+    EXPECT_FALSE(stack.worldFromVoxel);
+    EXPECT_EQ(onlyKey(stack), key::kNotReconstructable);
+    EXPECT_TRUE(stack.slices.empty());
+}
+
 TEST(Geometry, aSlowDriftOfTheStepIsSeenToo) {
     auto planes = evenStack(100, 2.0);
     for (std::size_t k = 0; k < planes.size(); ++k) {

@@ -215,7 +215,7 @@ void checkStack(const Stack& stack) {
         MACULA_CHECK(std::isfinite((*stack.spacingMm)[axis]) && (*stack.spacingMm)[axis] > 0.0);
     }
     MACULA_CHECK(stack.slices.size() >= 2);
-    MACULA_CHECK_LE(stack.slices.size(), 4 * stack.frames.size());
+    MACULA_CHECK_LE(stack.slices.size(), 4 * stack.frames.size() + 1);
     MACULA_CHECK(stack.slices.front() == SliceSource{});
     MACULA_CHECK_EQ(stack.slices.back().below, stack.frames.size() - 1);
     double last = -1.0;
