@@ -85,14 +85,12 @@ class Resolver {
         }
         std::error_code error;
         const fs::path target = fs::canonical(folder_ / found, error);
-        if (error) {
-            missing_.insert(folder_ / asNamed);
-        } else if (!liesInside(target, canonical_)) {
+        if (!error && !liesInside(target, canonical_)) {
             ++outside_;
-        } else if (!fs::is_regular_file(target, error)) {
-            missing_.insert(folder_ / asNamed);
-        } else {
+        } else if (!error && fs::is_regular_file(target, error)) {
             files_.insert(folder_ / found);
+        } else {
+            missing_.insert(folder_ / asNamed);
         }
     }
 

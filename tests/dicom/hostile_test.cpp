@@ -204,5 +204,68 @@ TEST(Hostile, deflatedFarBeyondItsImage) {
     EXPECT_EQ(found->skipped.size(), 2u);
 }
 
+// Whatever is changed in a header, it is read to an end, and so is all that was found in it.
+TEST(Hostile, changedAnywhere) {
+    const TemporaryFolder folder;
+    const std::string frames =
+        sequence(tag::kPerFrameFunctionalGroups,
+                 {sequence({0x0020, 0x9113}, {shortElement(tag::kImagePositionPatient, "DS", "1\\2\\3")}), "",
+                  shortElement({0x0008, 0x0005}, "CS", "ISO_IR 192") +
+                      shortElement(tag::kPatientName, "PN", "王^小東")});
+    const std::string dataset =
+        shortElement({0x0008, 0x0005}, "CS", "\\ISO 2022 IR 87") + sopClass() +
+        shortElement(tag::kPatientName, "PN", "Yamada^Tarou=\x1B$B;3ED\x1B(B^\x1B$BB@O:\x1B(B") +
+        shortElement({0x0009, 0x0010}, "LO", "CREATOR") + longElement({0x0009, 0x1001}, "UN", 8) +
+        bytesOf(0xE000FFFE, 4) + bytesOf(0, 4) + nested(3, "SQ") +
+        shortElement(tag::kNumberOfFrames, "IS", "3") + shortElement(tag::kRows, "US", bytesOf(2, 2)) +
+        sequence(tag::kSharedFunctionalGroups, {sequence({0x0028, 0x9110}, {"", ""})}) + frames +
+        longElement(tag::kPixelData, "OW", 16) + std::string(16, 'x');
+    std::uint32_t state = 7;
+    const auto random = [&](std::size_t below) {
+        state = state * 1664525u + 1013904223u;
+        return (state >> 8) % below;
+    };
+    std::size_t readable = 0;
+    for (int round = 0; round < 4000; ++round) {
+        std::string bytes =
+            round % 4 == 3 ? preamble(kDeflated) + deflated(dataset) : preamble(kExplicit) + dataset;
+        for (std::size_t k = 1 + random(4); k > 0; --k) {
+            const std::size_t at = random(bytes.size());
+            switch (random(4)) {
+                case 0:
+                    bytes[at] = static_cast<char>(random(256));
+                    break;
+                case 1:
+                    bytes[at] = static_cast<char>(random(2) ? 0xFF : 0);
+                    break;
+                case 2:
+                    bytes.erase(at, 1 + random(8));
+                    break;
+                default:
+                    bytes.insert(at, bytes.substr(random(bytes.size()), random(40)));
+            }
+        }
+        std::ofstream(folder / "f", std::ios::binary) << bytes;
+        const HeaderFile read = readHeader(folder / "f");
+        if (!read.header) continue;
+        ++readable;
+        const auto ask = [](const Dataset& d) {
+            for (const Tag tag : {tag::kPatientName, tag::kImagePositionPatient, tag::kRows,
+                                  tag::kSopClassUid, tag::kNumberOfFrames, Tag{0x0009, 0x1001}}) {
+                d.text(tag);
+                d.texts(tag);
+                d.allNumbers(tag);
+                d.words(tag);
+            }
+            return d.charsetFallback();
+        };
+        ask(*read.header);
+        for (const int frame : {0, 1, 2, 3, read.header->frameCount() - 1}) ask(read.header->frame(frame));
+        for (const Dataset& item : read.header->items(tag::kPerFrameFunctionalGroups)) ask(item);
+    }
+    EXPECT_GT(readable, 400u);
+    EXPECT_LT(readable, 3600u);
+}
+
 }  // namespace
 }  // namespace macula::dicom::test

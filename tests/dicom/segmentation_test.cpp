@@ -1,6 +1,10 @@
 // Segmentations land on the voxels they were drawn on, or are refused.
 #include "dicom/segmentation.h"
 
+#include <dcmtk/config/osconfig.h>
+#include <dcmtk/dcmdata/dcrleerg.h>
+#include <dcmtk/dcmdata/dctk.h>
+
 #include <fstream>
 
 #include "bytes.h"
@@ -275,6 +279,31 @@ TEST_F(SegmentationTest, labelMaps) {
     EXPECT_EQ(labelsOf(*narrow), (Labels{0, 1, 2, 255, 0, 0, 0, 2}));
     d.bits = 1;
     EXPECT_FALSE(on(d, kGrid, {4, 1, 2}));
+}
+
+TEST_F(SegmentationTest, compressed) {
+    Drawing d{.type = "LABELMAP",
+              .sopClass = "1.2.840.10008.5.1.4.1.1.66.7",
+              .columns = 4,
+              .rows = 1,
+              .bits = 8,
+              .frames = {{{10, 20, 30}, 0}, {{10, 20, 32}, 0}}};
+    d.more = shortElement({0x0028, 0x0004}, "CS", "MONOCHROME2");
+    d.pixels = std::string("\x00\x01\x02\xFF\x00\x00\x00\x02", 8);
+    const fs::path file = write(d);
+    silenceToolkit();
+    DcmRLEEncoderRegistration::registerCodecs();
+    DcmFileFormat format;
+    ASSERT_TRUE(format.loadFile(file.c_str()).good());
+    ASSERT_TRUE(format.getDataset()->chooseRepresentation(EXS_RLELossless, nullptr).good());
+    ASSERT_TRUE(format.saveFile(file.c_str(), EXS_RLELossless).good());
+    const auto segmentation = readSegmentation(file);
+    ASSERT_TRUE(segmentation) << segmentation.error().message;
+    EXPECT_EQ(segmentation->transferSyntaxUid, "1.2.840.10008.1.2.5");
+    Progress progress;
+    const auto map = loadSegmentation(*segmentation, kGrid, {4, 1, 2}, progress);
+    ASSERT_TRUE(map) << map.error().message;
+    EXPECT_EQ(labelsOf(*map), (Labels{0, 1, 2, 255, 0, 0, 0, 2}));
 }
 
 // Slices without any segment have no frame: the grid has them all the same.
