@@ -245,8 +245,11 @@ TEST(Hostile, changedAnywhere) {
                     bytes.insert(at, bytes.substr(random(bytes.size()), random(40)));
             }
         }
-        std::ofstream(folder / "f", std::ios::binary) << bytes;
-        const HeaderFile read = readHeader(folder / "f");
+        // A new file each time: some file systems wait for the disk when one is written again.
+        const fs::path file = folder / std::to_string(round);
+        std::ofstream(file, std::ios::binary) << bytes;
+        const HeaderFile read = readHeader(file);
+        fs::remove(file);
         if (!read.header) continue;
         ++readable;
         const auto ask = [](const Dataset& d) {
