@@ -100,36 +100,118 @@ std::string words(Tag tag, int value) {
     return shortElement(tag, "US", bytesOf(static_cast<std::uint64_t>(value), 2));
 }
 
-void writeObjects(const fs::path& corpus) {
-    const auto record = [](const char* fileId) {
-        return shortElement({4, 0x1430}, "CS", "IMAGE") + shortElement({4, 0x1500}, "CS", fileId);
-    };
-    save(corpus / "reader" / "directory",
-         preamble(kExplicit) + shortElement(tag::kSopClassUid, "UI", "1.2.840.10008.1.3.10") +
-             sequence(tag::kDirectoryRecords, {record("IMAGE"), record("..\\..\\ETC\\PASSWD")}));
+std::string texts(Tag tag, const char* vr, const std::string& value) {
+    return shortElement(tag, vr, value);
+}
 
+// A small file with three frames of 4 x 4 pixels, 2 mm apart; `more` are elements after group 28.
+struct Frames {
+    std::string sopClass, modality;
+    int bits = 16;
+    std::string first = {};                          // elements before group 28
+    std::string more = {};                           // and after (0028,0103)
+    std::vector<std::string> macros = {"", "", ""};  // of each frame
+    std::string pixels = longElement(tag::kPixelData, "OW", 96) + std::string(96, '\x15');
+};
+
+std::string bytesOfFrames(const Frames& f) {
     std::vector<std::string> frames;
-    for (int i = 0; i < 2; ++i) {
-        frames.push_back(sequence({0x0020, 0x9113}, {shortElement(tag::kImagePositionPatient, "DS",
-                                                                  "1\\2\\" + std::to_string(3 + 2 * i))}) +
-                         sequence({0x0062, 0x000A}, {words({0x0062, 0x000B}, 1 + i)}));
+    for (int i = 0; i < 3; ++i) {
+        const std::string position = "1\\2\\" + std::to_string(3 + 2 * i);
+        frames.push_back(sequence({0x0020, 0x9113}, {texts(tag::kImagePositionPatient, "DS", position)}) +
+                         f.macros[static_cast<std::size_t>(i)]);
     }
     const std::string shared =
-        sequence({0x0020, 0x9116}, {shortElement(tag::kImageOrientationPatient, "DS", "1\\0\\0\\0\\1\\0")}) +
-        sequence({0x0028, 0x9110}, {shortElement({0x0018, 0x0088}, "DS", "2") +
-                                    shortElement(tag::kPixelSpacing, "DS", "1\\1")});
+        sequence({0x0020, 0x9116}, {texts(tag::kImageOrientationPatient, "DS", "1\\0\\0\\0\\1\\0")}) +
+        sequence({0x0028, 0x9110},
+                 {texts({0x0018, 0x0088}, "DS", "2") + texts(tag::kPixelSpacing, "DS", "1\\1")});
+    return preamble(kExplicit) + texts(tag::kSopClassUid, "UI", f.sopClass) +
+           texts(tag::kModality, "CS", f.modality) + f.first + words(tag::kSamplesPerPixel, 1) +
+           texts(tag::kPhotometricInterpretation, "CS", "MONOCHROME2") +
+           texts(tag::kNumberOfFrames, "IS", "3") + words(tag::kRows, 4) + words(tag::kColumns, 4) +
+           words(tag::kBitsAllocated, f.bits) + words(tag::kBitsStored, f.bits) +
+           words(tag::kHighBit, f.bits - 1) + words(tag::kPixelRepresentation, 0) + f.more +
+           sequence(tag::kSharedFunctionalGroups, {shared}) +
+           sequence(tag::kPerFrameFunctionalGroups, frames) + f.pixels;
+}
+
+void writeObjects(const fs::path& corpus) {
+    const auto record = [](const char* fileId) {
+        return texts({4, 0x1430}, "CS", "IMAGE") + texts({4, 0x1500}, "CS", fileId);
+    };
+    save(corpus / "reader" / "directory",
+         preamble(kExplicit) + texts(tag::kSopClassUid, "UI", "1.2.840.10008.1.3.10") +
+             sequence(tag::kDirectoryRecords, {record("IMAGE"), record("..\\..\\ETC\\PASSWD")}));
+
+    std::vector<std::string> segments;
+    for (int i = 0; i < 3; ++i)
+        segments.push_back(sequence({0x0062, 0x000A}, {words({0x0062, 0x000B}, 1 + i)}));
     save(corpus / "reader" / "segmentation",
-         preamble(kExplicit) + shortElement(tag::kSopClassUid, "UI", "1.2.840.10008.5.1.4.1.1.66.4") +
-             shortElement(tag::kModality, "CS", "SEG") +
-             sequence(tag::kReferencedSeries, {shortElement(tag::kSeriesInstanceUid, "UI", "2.25.9")}) +
-             words(tag::kSamplesPerPixel, 1) + shortElement(tag::kNumberOfFrames, "IS", "2") +
-             words(tag::kRows, 4) + words(tag::kColumns, 4) + words(tag::kBitsAllocated, 1) +
-             words(tag::kBitsStored, 1) + words(tag::kHighBit, 0) + words(tag::kPixelRepresentation, 0) +
-             shortElement({0x0062, 0x0001}, "CS", "BINARY") +
-             sequence({0x0062, 0x0002}, {words({0x0062, 0x0004}, 1), words({0x0062, 0x0004}, 2)}) +
-             sequence(tag::kSharedFunctionalGroups, {shared}) +
-             sequence(tag::kPerFrameFunctionalGroups, frames) + longElement(tag::kPixelData, "OB", 4) +
-             "\x81\x42\x24\x18");
+         bytesOfFrames(
+             {.sopClass = "1.2.840.10008.5.1.4.1.1.66.4",
+              .modality = "SEG",
+              .bits = 1,
+              .first = sequence(tag::kReferencedSeries, {texts(tag::kSeriesInstanceUid, "UI", "2.25.9")}),
+              .more = texts({0x0062, 0x0001}, "CS", "BINARY") +
+                      sequence({0x0062, 0x0002}, {words({0x0062, 0x0004}, 1), words({0x0062, 0x0004}, 2)}),
+              .macros = segments,
+              .pixels = longElement(tag::kPixelData, "OB", 6) + "\x81\x42\x24\x18\x24\x42"}));
+}
+
+void writeValues(const fs::path& corpus) {
+    const std::string mr = "1.2.840.10008.5.1.4.1.1.4.1";
+    const auto rescale = [](const char* slope, const char* intercept) {
+        return sequence({0x0028, 0x9145},
+                        {texts({0x0028, 0x1052}, "DS", intercept) + texts({0x0028, 0x1053}, "DS", slope) +
+                         texts({0x0028, 0x1054}, "LO", "US")});
+    };
+    save(corpus / "reader" / "slope_per_frame",
+         bytesOfFrames({.sopClass = mr,
+                        .modality = "MR",
+                        .macros = {rescale("1.5", "0"), rescale("0.75", "3"), rescale("-0.333", "1")}}));
+    save(corpus / "reader" / "modality_lut",
+         bytesOfFrames({.sopClass = mr,
+                        .modality = "MR",
+                        .more = words({0x0028, 0x0120}, 7) +
+                                sequence({0x0028, 0x3000},
+                                         {shortElement({0x0028, 0x3002}, "US",
+                                                       bytesOf(4, 2) + bytesOf(5400, 2) + bytesOf(16, 2)) +
+                                          texts({0x0028, 0x3004}, "LO", "HU") +
+                                          shortElement({0x0028, 0x3006}, "US", "aabbccdd")})}));
+    save(corpus / "reader" / "wide",
+         bytesOfFrames({.sopClass = mr,
+                        .modality = "MR",
+                        .bits = 32,
+                        .pixels = longElement(tag::kPixelData, "OW", 192) + std::string(192, '\x15')}));
+    std::string floats, doubles;
+    for (int i = 0; i < 48; ++i) {
+        floats += std::string("\0\0\x80", 3) + char(0x3E + i % 4);
+        doubles += std::string("\0\0\0\0\0\0\xF0", 7) + char(0x3E + i % 4);
+    }
+    const std::string map = "1.2.840.10008.5.1.4.1.1.30";
+    save(corpus / "reader" / "float",
+         bytesOfFrames({.sopClass = map,
+                        .modality = "MR",
+                        .bits = 32,
+                        .pixels = longElement({0x7FE0, 0x0008}, "OF", 192) + floats}));
+    save(corpus / "reader" / "double",
+         bytesOfFrames({.sopClass = map,
+                        .modality = "MR",
+                        .bits = 64,
+                        .pixels = longElement({0x7FE0, 0x0009}, "OD", 384) + doubles}));
+    const std::string drug = texts({0x0018, 0x1072}, "TM", "100000.5") +
+                             texts({0x0018, 0x1074}, "DS", "3e8") + texts({0x0018, 0x1075}, "DS", "6588") +
+                             texts({0x0018, 0x1078}, "DT", "20200102100000.5+0100");
+    save(corpus / "reader" / "pet_suv",
+         bytesOfFrames(
+             {.sopClass = "1.2.840.10008.5.1.4.1.1.128",
+              .modality = "PT",
+              .first = texts({0x0008, 0x0021}, "DA", "20200102") + texts({0x0008, 0x0022}, "DA", "20200102") +
+                       texts({0x0008, 0x0031}, "TM", "110000") + texts({0x0008, 0x0032}, "TM", "110001") +
+                       texts({0x0010, 0x1030}, "DS", "70"),
+              .more = texts({0x0028, 0x0051}, "CS", "ATTN\\DECY") + sequence({0x0054, 0x0016}, {drug}) +
+                      texts({0x0054, 0x1001}, "CS", "BQML") + texts({0x0054, 0x1102}, "CS", "START") +
+                      texts({0x0054, 0x1300}, "DS", "0")}));
 }
 
 void writeVolumeFiles(const fs::path& corpus) {
@@ -200,6 +282,7 @@ int main(int count, char** arguments) {
     writeCodecs(corpus);
     writeKinds(corpus);
     writeObjects(corpus);
+    writeValues(corpus);
     writeVolumeFiles(corpus);
     writeSeriesSeeds(corpus);
     return 0;
