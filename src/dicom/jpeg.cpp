@@ -15,7 +15,6 @@
 #include <optional>
 
 #include "dicom/dataset.h"
-#include "dicom/jpeg_lossless.h"
 
 namespace macula::dicom {
 
@@ -121,14 +120,6 @@ Result<void> decodeJpeg(const std::string& transferSyntaxUid, std::span<const st
         cells.size() != static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows) ||
         cells.size_bytes() > std::numeric_limits<Uint32>::max() - 2) {
         return broken();
-    }
-    switch (decodeJpegLossless(stream, columns, rows, cells)) {
-        case JpegLosslessResult::decoded:
-            return {};
-        case JpegLosslessResult::damaged:
-            return broken();
-        case JpegLosslessResult::otherKind:
-            break;
     }
     if (header->precision > 8) {
         if (!decodeWithToolkit(transferSyntaxUid, stream, *header, std::as_writable_bytes(cells)))
