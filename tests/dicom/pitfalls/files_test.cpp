@@ -196,6 +196,26 @@ TEST_F(D18Damage, truncatedSliceIsAGapAndSaid) {
     EXPECT_EQ(volume->provenance().interpolatedSlices, (std::vector<SliceRange>{{4, 4}}));
 }
 
+// Cut at any place: no crash, the rest of the series is a volume, and a slice that is not whole is not in it.
+TEST_F(D18Damage, cutAnywhere) {
+    series.size = {4, 4, 5};
+    const auto files = writeFiles(folder.path(), series);
+    const auto whole = fs::file_size(files[2]);
+    const TemporaryFolder aside;
+    fs::copy_file(files[2], aside / "whole");
+    for (std::uintmax_t size = 0; size < whole; size += 23) {
+        SCOPED_TRACE(size);
+        fs::copy_file(aside / "whole", files[2], fs::copy_options::overwrite_existing);
+        fs::resize_file(files[2], size);
+        const Opened opened = open();
+        const auto volume = opened.onlyVolume();
+        ASSERT_NE(volume, nullptr);
+        expectVolumeOf(*volume, series);
+        EXPECT_EQ(volume->provenance().interpolatedSlices, (std::vector<SliceRange>{{2, 2}}));
+        EXPECT_EQ(opened.scan().skipped.size() + opened.scan().notDicom, 1u);
+    }
+}
+
 // Elements in the way of a strict reader (PS3.5 7.1.1 wants even lengths; 6.2.2, UN of undefined length).
 TEST_F(D18Damage, oddAndUndefinedLengths) {
     const std::string odd = bytesOf(0x00110010, 4) + "LO" + bytesOf(7, 2) + "MACULA!" +
