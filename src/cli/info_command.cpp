@@ -76,7 +76,7 @@ void print(const std::vector<Message>& messages, std::string_view indent) {
 std::string describe(const dicom::Stack& stack) {
     std::string text;
     for (const dicom::StackLabel& split : stack.splitBy) {
-        text += fmt::format("  {} {}", printable(split.attribute), orNone(split.value));
+        text += fmt::format("  {} {}", printable(split.attribute), orNone(shownValue(split)));
     }
     if (stack.phases > 1) text += fmt::format("  phase {} of {}", stack.phase + 1, stack.phases);
     return text;

@@ -50,7 +50,7 @@ Json windowsOf(const dicom::Stack& stack) {
     return list;
 }
 
-Json toJson(const dicom::Stack& stack, const std::string& place, bool isBest) {
+Json toJson(const dicom::Stack& stack, const std::string& place, bool isBest, PatientData patientData) {
     Json json = {
         {"place", place},
         {"images", stack.frames.size()},
@@ -61,7 +61,9 @@ Json toJson(const dicom::Stack& stack, const std::string& place, bool isBest) {
         {"orientation", stack.orientation}};
     if (!stack.splitBy.empty()) {
         Json labels = Json::object();
-        for (const dicom::StackLabel& label : stack.splitBy) labels[label.attribute] = label.value;
+        for (const dicom::StackLabel& label : stack.splitBy) {
+            labels[label.attribute] = patientData == PatientData::leaveOut ? shownValue(label) : label.value;
+        }
         json["splitBy"] = labels;
     }
     if (stack.phases > 1) json["phase"] = {{"index", stack.phase}, {"count", stack.phases}};
@@ -100,7 +102,8 @@ Json toJson(const dicom::Series& series, std::size_t place, const dicom::Choice&
     if (series.number) json["number"] = *series.number;
     for (std::size_t i = 0; i < series.stacks.size(); ++i) {
         const dicom::Stack& stack = series.stacks[i];
-        json["stacks"].push_back(toJson(stack, fmt::format("{}.{}", place, i + 1), &stack == best.stack));
+        json["stacks"].push_back(
+            toJson(stack, fmt::format("{}.{}", place, i + 1), &stack == best.stack, patientData));
     }
     for (const dicom::OtherObject& object : series.objects)
         json["objects"].push_back(toJson(object, patientData));
@@ -108,6 +111,12 @@ Json toJson(const dicom::Series& series, std::size_t place, const dicom::Choice&
 }
 
 }  // namespace
+
+std::string shownValue(const dicom::StackLabel& label) {
+    const bool tellsWhenOrWho = label.attribute == "AcquisitionTime" || label.attribute == "ContentTime" ||
+                                label.attribute.ends_with("UID");
+    return tellsWhenOrWho ? "…" : label.value;
+}
 
 std::string_view severityName(Severity severity) {
     switch (severity) {

@@ -12,6 +12,9 @@ enum class PatientData { leaveOut, include };  // names, IDs, dates, description
 // "info", "warning", "blocks-3d", "blocks-loading".
 std::string_view severityName(Severity severity);
 
+// The value of a label, unless it is a date, a time of day or a UID.
+std::string shownValue(const dicom::StackLabel& label);
+
 nlohmann::ordered_json toJson(const Message& message);
 nlohmann::ordered_json toJson(const dicom::Scan& scan, const dicom::Choice& best, PatientData patientData);
 

@@ -16,15 +16,15 @@ namespace macula::cli {
 struct StudyInput {
     std::shared_ptr<const Volume> volume;
     std::vector<std::string> notes;  // sentences for the user, without patient data
-    std::string seriesDigest;        // SHA-256 of the Series Instance UID, of the voxels of a file, or "phantom"
+    std::string seriesDigest;  // SHA-256 of the Series Instance UID, of the voxels of a file, or "phantom"
 };
 
 // No path, or "phantom:", is the built-in phantom. `series` chooses by its place in the list of `macula info`
 // ("2", or "2.3" for its third stack of images) or by its UID; when empty, or when the series has several
 // volumes, the best is taken; `volume` (from 1) chooses among those of the series. A NIfTI, NRRD or MetaImage
 // file is one volume.
-Result<StudyInput> loadStudy(const std::filesystem::path& path, const std::string& series,
-                             Progress& progress, std::size_t volume = 0);
+Result<StudyInput> loadStudy(const std::filesystem::path& path, const std::string& series, Progress& progress,
+                             std::size_t volume = 0);
 
 // The same choice, of a folder that was read. `why` is empty when there was nothing to choose from.
 Result<dicom::Choice> chooseVolume(const dicom::Scan& scan, const std::string& series,

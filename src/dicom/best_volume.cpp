@@ -50,10 +50,11 @@ struct Candidates {
             const Stack& stack = *best.stack;
             best.why = volumes == 1
                            ? fmt::format("The only volume{}.", place)
-                           : fmt::format("Of {} volumes{} the {}{}one with the most voxels ({} x {} x {}).",
+                           : fmt::format("Of {} volumes{} the {}{}one {}with the most voxels ({} x {} x {}).",
                                          volumes, place, std::get<0>(rankOf(stack)) ? "original " : "",
-                                         std::get<1>(rankOf(stack)) ? "axial " : "", stack.columns,
-                                         stack.rows, stack.slices.size());
+                                         std::get<1>(rankOf(stack)) ? "axial " : "",
+                                         stack.isEven() ? "without interpolated slices and " : "",
+                                         stack.columns, stack.rows, stack.slices.size());
         } else if (blocked != nullptr) {
             const Message* reason = blocked->whyNoVolume();
             best.why = fmt::format("Nothing{} can be shown in 3D. The largest of {} stacks of images: {}",

@@ -57,7 +57,8 @@ std::vector<std::size_t> dropCopies(const std::vector<std::vector<Frame>*>& all,
     parallelFor(
         twins.size(),
         [&](std::size_t i) {
-            constexpr std::size_t kLargest = std::size_t{1} << 31;
+            constexpr std::size_t kLargest = std::size_t{1}
+                                             << 28;  // larger ones are kept, and told of as duplicates
             try {
                 if (const auto bytes = readText(twins[i].instance->file, kLargest))
                     twins[i].digest = sha256Hex(*bytes);

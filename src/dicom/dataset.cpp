@@ -67,8 +67,12 @@ struct Dataset::File {
     }
 
     void addWithMacros(ItemNumber item, std::vector<ItemNumber>& chain) const {
+        constexpr std::size_t kMostMacros = 64;  // PS3.3 knows a third as many
+        std::size_t macros = 0;
         for (const Element& macro : tree.elements(item)) {
-            if (macro.isSequence && macro.length > 0) chain.push_back(macro.first);
+            if (!macro.isSequence || macro.length == 0) continue;
+            if (++macros > kMostMacros) break;
+            chain.push_back(macro.first);
         }
         chain.push_back(item);
     }

@@ -79,7 +79,9 @@ Examination examine(const std::filesystem::path& file) {
     found.seriesNumber = header.integer(tag::kSeriesNumber);
 
     const bool hasImage = header.has(tag::kRows) && header.has(tag::kColumns) && !isSegmentation(sopClass);
-    if (!hasImage) {
+    if (!hasImage && isImage(sopClass)) {
+        found.state = FileState::damaged;  // cut off before them, at the border of two elements
+    } else if (!hasImage) {
         found.kind = Examination::Kind::other;
         found.object = readObject(file, header, sopClass);
     } else if (!read.pixels) {

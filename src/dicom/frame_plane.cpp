@@ -1,5 +1,7 @@
 #include "dicom/frame_plane.h"
 
+#include <cmath>
+
 namespace macula::dicom {
 
 namespace {
@@ -32,8 +34,15 @@ std::vector<double> frameOffsetsMm(const Dataset& header) {
     // RT Dose: distances from the first plane along the normal (PS3.3 C.8.8.3.2).
     std::vector<double> offsets = header.allNumbers(tag::kGridFrameOffsetVector);
     if (!offsets.empty()) {
+        // Either distances from the first, or z coordinates of axial planes, whose normal may point to -z.
+        const auto position = header.numbers(tag::kImagePositionPatient, 3);
+        const auto orientation = header.numbers(tag::kImageOrientationPatient, 6);
         const double first = offsets[0];
-        for (double& offset : offsets) offset -= first;
+        const bool areZ = first != 0.0 && position && std::abs((*position)[2] - first) < 1e-3;
+        const double normalZ =
+            orientation ? (*orientation)[0] * (*orientation)[4] - (*orientation)[1] * (*orientation)[3] : 1.0;
+        const double sign = areZ && normalZ < 0.0 ? -1.0 : 1.0;
+        for (double& offset : offsets) offset = sign * (offset - first);
         return offsets;
     }
     // Nuclear medicine: the frame's slice number from 1, and a signed distance (PS3.3 C.8.4.15).

@@ -1,7 +1,8 @@
 #include "dicom/frame_values.h"
 
+#include <algorithm>
 #include <array>
-#include <cmath>
+#include <limits>
 
 namespace macula::dicom {
 
@@ -13,26 +14,23 @@ struct Mapping {
     std::string unit;  // UCUM code
 };
 
-// For PET only: there it is what the values mean, elsewhere it is for display. The mapping in the unit of the
-// image is preferred, then the first.
+// For PET only: there it is what the values mean, elsewhere it is for display. Only a mapping in the unit
+// of the image is taken, or the first when the image names no unit.
 std::optional<Mapping> realWorldMapping(const Dataset& dataset) {
     if (dataset.text(tag::kModality) != "PT") return {};
     const std::string units = dataset.text(tag::kUnits).value_or("");
-    std::optional<Mapping> first;
     for (const Dataset& item : dataset.items(tag::kRealWorldValueMapping)) {
         const auto slope = item.number(tag::kRealWorldValueSlope);
         const auto intercept = item.number(tag::kRealWorldValueIntercept);
         if (!slope || !intercept || *slope == 0.0) continue;  // a table, which is for display
         const auto codes = item.items(tag::kMeasurementUnitsCode);
-        Mapping mapping{*slope, *intercept,
-                        codes.empty() ? "" : codes.front().text(tag::kCodeValue).value_or("")};
-        if ((units == "BQML" && mapping.unit == "Bq/ml") ||
-            (units == "GML" && mapping.unit.starts_with("g/ml"))) {
-            return mapping;
-        }
-        if (!first) first = std::move(mapping);
+        const std::string unit = codes.empty() ? "" : codes.front().text(tag::kCodeValue).value_or("");
+        const bool fits = units == "BQML"  ? unit == "Bq/ml" || unit == "Bq/mL"
+                          : units == "GML" ? unit.starts_with("g/m")
+                                           : units.empty() && !unit.empty();
+        if (fits) return Mapping{*slope, *intercept, unit};
     }
-    return first;
+    return {};
 }
 
 void readRescale(const Dataset& dataset, Frame& frame) {
@@ -100,7 +98,8 @@ void readWindows(const Dataset& dataset, Frame& frame) {
         function.empty() || function == "LINEAR" ? 1.0 : std::numeric_limits<double>::min();
     const bool present = dataset.has(tag::kWindowCenter) || dataset.has(tag::kWindowWidth);
     frame.windowInvalid = present && (centers.empty() || centers.size() != widths.size());
-    for (std::size_t i = 0; i < std::min(centers.size(), widths.size()); ++i) {
+    constexpr std::size_t kMostWindows = 32;
+    for (std::size_t i = 0; i < std::min<std::size_t>({centers.size(), widths.size(), kMostWindows}); ++i) {
         if (!(widths[i] >= leastWidth)) {
             frame.windowInvalid = true;
             continue;

@@ -22,6 +22,7 @@ constexpr double kUnevenErrorOfStep = 0.01;     // error of a slice's position t
 constexpr double kIrregularErrorOfStep = 0.10;  // and the one above which slices are resampled
 constexpr double kExactOfStep = 0.01;           // a resampled slice this near to a plane is that plane
 constexpr double kTiltWorthTellingDeg = 0.1;
+constexpr double kMostTiltDeg = 60.0;  // no gantry tilts by 30
 constexpr double kDegPerRad = 57.29577951308232;
 
 bool near(const glm::dvec3& a, const glm::dvec3& b) {
@@ -59,7 +60,7 @@ ImagePlane orthonormal(ImagePlane plane, std::vector<Message>& messages) {
     plane.rowDirection = glm::normalize(plane.rowDirection);
     plane.columnDirection = glm::normalize(
         plane.columnDirection - glm::dot(plane.rowDirection, plane.columnDirection) * plane.rowDirection);
-    messages.push_back(message(key::kRepairedOrientation, {{"degrees", std::abs(dot) * kDegPerRad}}));
+    messages.push_back(message(key::kRepairedOrientation, {{"error", worst}}));
     return plane;
 }
 
@@ -230,7 +231,9 @@ StackGeometry stackPlanes(std::span<const StackedPlane> planes) {
         const double wantedMm =
             std::clamp(*least, positions.usualMm / kMostSlicesPerPlane, positions.usualMm);
         const double gridSteps = std::ceil(extentAlong / wantedMm - 1e-6);
-        if (!(gridSteps <= kMostSlicesPerPlane * double(planes.size()))) {
+        constexpr double kWideGapOfStep = 8.0;
+        if (*most > kWideGapOfStep * positions.usualMm ||
+            !(gridSteps <= kMostSlicesPerPlane * double(planes.size()))) {
             return fail(message(key::kSpacingTooIrregular, {{"leastMm", *least}, {"mostMm", *most}}));
         }
         stack.slices = slicesEvenly(positions, static_cast<std::size_t>(gridSteps) + 1);
@@ -268,7 +271,14 @@ StackGeometry stackPlanes(std::span<const StackedPlane> planes) {
     }
     const double cosTilt =
         std::clamp(glm::dot(glm::normalize(sliceStep), glm::normalize(first.normal())), -1.0, 1.0);
-    if (const double tiltDeg = std::acos(cosTilt) * kDegPerRad; tiltDeg > kTiltWorthTellingDeg) {
+    const double tiltDeg = std::acos(cosTilt) * kDegPerRad;
+    if (tiltDeg > kMostTiltDeg) {
+        stack.quality = StackGeometry::Quality::none;
+        stack.slices.clear();
+        return fail(message(key::kNotReconstructable,
+                            {{"reason", "each is shifted sideways against the one before"}}));
+    }
+    if (tiltDeg > kTiltWorthTellingDeg) {
         stack.messages.push_back(message(key::kTiltedStack, {{"degrees", tiltDeg}}));
     }
     stack.worldFromVoxel = affine(first.rowDirection * first.columnSpacingMm,

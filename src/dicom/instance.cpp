@@ -1,6 +1,7 @@
 #include "dicom/instance.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "dicom/frame_plane.h"
 #include "dicom/frame_values.h"
@@ -56,6 +57,7 @@ std::shared_ptr<Instance> readShared(const std::filesystem::path& file, const He
     instance->sopClassUid = header.text(tag::kSopClassUid).value_or("");
     instance->sopInstanceUid = header.text(tag::kSopInstanceUid).value_or("");
     instance->transferSyntaxUid = header.transferSyntaxUid();
+    instance->modality = header.text(tag::kModality).value_or("");
     instance->photometricInterpretation = header.text(tag::kPhotometricInterpretation).value_or("");
     instance->instanceNumber = header.integer(tag::kInstanceNumber);
     instance->columns = header.integer(tag::kColumns).value_or(0);
@@ -96,9 +98,16 @@ std::vector<Frame> readFrames(const std::filesystem::path& file, const HeaderFil
     const std::vector<double> offsetsMm = frameOffsetsMm(header);
     for (int i = 0; i < instance->frames; ++i) {
         const auto at = static_cast<std::size_t>(i);
-        const double offsetMm = at < offsetsMm.size() ? offsetsMm[at] : 0.0;
+        // Of frames beyond the list nobody knows where they are.
+        const double beyond = offsetsMm.empty() ? 0.0 : std::numeric_limits<double>::quiet_NaN();
+        const double offsetMm = at < offsetsMm.size() ? offsetsMm[at] : beyond;
         frames.push_back(
             readFrame(header, instance->multiFrame ? header.frame(i) : header, instance, i, offsetMm));
+        // A table that all frames share is kept once.
+        if (i > 0 && frames[at].modalityLut && frames[at - 1].modalityLut &&
+            *frames[at].modalityLut == *frames[at - 1].modalityLut) {
+            frames[at].modalityLut = frames[at - 1].modalityLut;
+        }
     }
     return frames;
 }

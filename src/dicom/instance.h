@@ -25,6 +25,7 @@ struct Instance {
     std::string sopInstanceUid;
     std::string transferSyntaxUid;
     std::string photometricInterpretation;
+    std::string modality;
     std::optional<int> instanceNumber;
     int columns = 0;
     int rows = 0;

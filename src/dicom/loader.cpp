@@ -176,11 +176,11 @@ VolumeOptions Loading::describe(std::size_t first, std::size_t step,
     glm::dmat4 affine = *stack_.worldFromVoxel;
     affine[3] = affine * glm::dvec4(0.0, 0.0, static_cast<double>(first), 1.0);
     affine[2] *= static_cast<double>(step);
-    const ValueUnit unit = valueUnit(series_.modality, stack_.frames);
+    const ValueUnit unit = valueUnit(stack_.modality, stack_.frames);
     VolumeOptions options{.size = {stack_.columns, stack_.rows, static_cast<int>(slices.size())},
                           .worldFromVoxel = affine,
                           .unit = unit.unit,
-                          .modality = series_.modality,
+                          .modality = stack_.modality,
                           .provenance = {.studyInstanceUid = series_.studyInstanceUid,
                                          .seriesInstanceUid = series_.seriesInstanceUid,
                                          .description = series_.description,

@@ -91,6 +91,8 @@ constexpr std::array kCatalogue = std::to_array<CatalogueEntry>({
     {key::kPhasesAssumed, kWarning, 0,
      "Every position was imaged {count} times, and only the order of the image numbers tells them apart.",
      "Check that the volumes of this series are what they seem to be."},
+    {key::kIncompletePhases, kWarning, 0, "{count} of the {total} phases have fewer images than the others.",
+     "Copy the whole series again from its source."},
     {key::kDuplicatePositions, kBlocksVolume, 0,
      "{count} of the {total} images lie at the same position as another, and nothing in them says which "
      "belong "
@@ -126,7 +128,7 @@ constexpr std::array kCatalogue = std::to_array<CatalogueEntry>({
     {key::kInvalidOrientation, kBlocksVolume, 0,
      "The orientation or pixel spacing of a slice is not a valid one.", kExport},
     {key::kRepairedOrientation, kInfo, 0,
-     "The row and column directions are {degrees:.3f} degrees off a right angle, and were set right.", ""},
+     "The row and column directions are {error:.4f} off perpendicular unit vectors, and were set right.", ""},
     {key::kMissingSlices, kWarning, 7,
      "{missing} slices are missing, of {total} that are {spacingMm:.3f} mm apart.", kCopySeries},
     {key::kGapInterpolated, kWarning, 0,

@@ -61,6 +61,7 @@ inline constexpr std::string_view kInconsistentPosition = "inconsistent-position
 inline constexpr std::string_view kInconsistentPixelSpacing = "inconsistent-pixel-spacing";
 inline constexpr std::string_view kPhases = "phases";
 inline constexpr std::string_view kPhasesAssumed = "phases-assumed";
+inline constexpr std::string_view kIncompletePhases = "incomplete-phases";
 inline constexpr std::string_view kDuplicatePositions = "duplicate-positions";
 inline constexpr std::string_view kRepeatedSlices = "repeated-slices";
 inline constexpr std::string_view kIncompleteConcatenation = "incomplete-concatenation";

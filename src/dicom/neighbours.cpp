@@ -50,7 +50,9 @@ void reportNeighbours(std::vector<Series>& series) {
     if (candidates.size() > kMostCompared) return;
     for (const Candidate& a : candidates) {
         for (const Candidate& b : candidates) {
-            if (a.series == b.series || !follows(*a.stack, *b.stack)) continue;
+            if (a.series == b.series || !a.series->number || !b.series->number ||
+                !follows(*a.stack, *b.stack))
+                continue;
             const auto tell = [](const Candidate& of, const Candidate& other) {
                 of.stack->messages.push_back(
                     message(key::kContinuesInOtherSeries,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <numeric>
+#include <tuple>
 
 namespace macula::dicom {
 
@@ -137,8 +138,15 @@ Partition separateRepetitions(std::span<const Frame> frames) {
     partition[0].values = {"first"};
     partition[1].values = {"others"};
     for (const auto& group : positionsOf(frames, alongMm)) {
-        // Frames come by ascending image number, and groups keep their order.
-        const std::size_t first = *std::min_element(group.begin(), group.end());
+        const std::size_t first =
+            *std::min_element(group.begin(), group.end(), [&](std::size_t a, std::size_t b) {
+                const auto key = [&](std::size_t i) {
+                    const Instance& instance = *frames[i].instance;
+                    return std::tuple(instance.instanceNumber.value_or(0),
+                                      std::string_view(instance.sopInstanceUid), frames[i].number);
+                };
+                return key(a) < key(b);
+            });
         for (const std::size_t index : group) partition[index == first ? 0 : 1].frames.push_back(index);
     }
     std::erase_if(partition, [](const Part& part) { return part.frames.empty(); });

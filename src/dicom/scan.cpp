@@ -1,6 +1,7 @@
 #include "dicom/scan.h"
 
 #include <algorithm>
+#include <atomic>
 #include <map>
 #include <set>
 #include <utility>
@@ -217,6 +218,11 @@ Series finish(SeriesInProgress& place) {
     series.transferSyntaxUids.assign(syntaxes.begin(), syntaxes.end());
     Split split = splitSeries(std::move(place.frames), series.modality, splitRules());
     series.stacks = std::move(split.stacks);
+    // What its images are, and not what the first file happened to be.
+    const auto largest =
+        std::max_element(series.stacks.begin(), series.stacks.end(),
+                         [](const Stack& a, const Stack& b) { return a.frames.size() < b.frames.size(); });
+    if (largest != series.stacks.end()) series.modality = largest->modality;
     for (Message& message : split.messages) series.messages.push_back(std::move(message));
     return series;
 }
@@ -246,13 +252,19 @@ void group(Scan& scan, const std::vector<fs::path>& files, std::vector<Examinati
         std::count_if(scan.skipped.begin(), scan.skipped.end(),
                       [](const SkippedFile& s) { return s.message.key == key::kUnreadableFolder; }));
     std::vector<Series> finished(places.size());
+    std::atomic<bool> outOfMemory{false};
     parallelFor(
         places.size(),
         [&](std::size_t i) {
-            reportFiles(*places[i], copies[i], unreadable);
-            finished[i] = finish(*places[i]);
+            try {
+                reportFiles(*places[i], copies[i], unreadable);
+                finished[i] = finish(*places[i]);
+            } catch (...) {
+                outOfMemory = true;
+            }
         },
         progress.token());
+    if (outOfMemory) throw std::bad_alloc();
     if (progress.cancelled()) return;
     std::size_t next = 0;
     for (auto& [studyKey, entry] : studies) {

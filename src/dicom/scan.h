@@ -40,7 +40,7 @@ struct Scan {
     std::size_t filesSeen = 0;
     std::size_t notDicom = 0;
     std::size_t mediaDirectories = 0;  // DICOMDIR
-    int patients = 0;  // see patient.h for what tells them apart
+    int patients = 0;                  // see patient.h for what tells them apart
 
     std::size_t imageCount() const;   // files
     std::size_t objectCount() const;  // DICOM objects that are no images

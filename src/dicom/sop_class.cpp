@@ -62,6 +62,16 @@ bool isSegmentation(std::string_view sopClassUid) {
     return sopClassUid == sop_class::kSegmentation || sopClassUid == sop_class::kLabelMapSegmentation;
 }
 
+bool isImage(std::string_view sopClassUid) {
+    static constexpr std::array kImages = std::to_array<std::string_view>(
+        {"2",     "2.1",   "2.2", "4",   "4.1", "4.3", "4.4", "20",  "128", "128.1", "130",
+         "481.1", "481.2", "3.1", "6.1", "6.2", "7",   "7.1", "7.2", "7.3", "7.4"});
+    constexpr std::string_view kRoot = "1.2.840.10008.5.1.4.1.1.";
+    if (isProjection(sopClassUid)) return true;
+    return sopClassUid.starts_with(kRoot) &&
+           std::find(kImages.begin(), kImages.end(), sopClassUid.substr(kRoot.size())) != kImages.end();
+}
+
 bool isProjection(std::string_view sopClassUid) {
     const Kind* kind = kindOf(sopClassUid);
     return kind != nullptr && kind->projection;

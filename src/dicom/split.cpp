@@ -22,6 +22,7 @@ Stack makeStack(std::vector<Frame> frames, std::vector<StackLabel> labels, const
     Stack stack;
     stack.frames = std::move(frames);
     stack.splitBy = std::move(labels);
+    stack.modality = modality;
     assess(stack, modality);
     return stack;
 }
@@ -102,6 +103,14 @@ Partition within(const Part& coarse, const Partition& finer) {
     return result;
 }
 
+// Phase rules in three groups: those that say what they are, those that follow from times, a guess.
+enum class PhasesAsked { first, then, last };
+
+PhasesAsked groupOf(const SplitRules::Phase& rule) {
+    if (rule.assumed) return PhasesAsked::last;
+    return rule.first ? PhasesAsked::first : PhasesAsked::then;
+}
+
 class Splitter {
   public:
     Splitter(const std::string& modality, const SplitRules& rules) : modality_(modality), rules_(rules) {}
@@ -109,17 +118,23 @@ class Splitter {
     std::vector<Stack> split(std::vector<Frame> frames, std::vector<StackLabel> labels,
                              std::vector<Message>& messages) const {
         Stack whole = makeStack(std::move(frames), std::move(labels), modality_);
-        if (whole.frames.size() < 2 || qualityOf(whole) == Quality::even || isHopeless(whole)) {
-            return one(std::move(whole));
+        if (whole.frames.size() < 2 || isHopeless(whole)) return one(std::move(whole));
+        const Message* why = whole.whyNoVolume();
+        const bool repeats = why != nullptr && why->key == key::kDuplicatePositions;
+        using Asked = PhasesAsked;
+        if (repeats) {
+            if (auto parts = byPhases(whole, Asked::first, messages)) return std::move(*parts);
         }
         if (auto parts = bySoftAttributes(whole, messages)) return std::move(*parts);
-        if (qualityOf(whole) == Quality::resampled) return one(std::move(whole));
-        if (auto parts = byPhases(whole, false, messages)) return std::move(*parts);
-        for (const bool assumed : {false, true}) {
-            if (auto parts = bySoftAttributesAndPhases(whole, assumed, messages)) return std::move(*parts);
+        if (qualityOf(whole) != Quality::none) return one(std::move(whole));
+        if (repeats) {
+            if (auto parts = byPhases(whole, Asked::then, messages)) return std::move(*parts);
+            for (const Asked asked : {Asked::first, Asked::then, Asked::last}) {
+                if (auto parts = bySoftAttributesAndPhases(whole, asked, messages)) return std::move(*parts);
+            }
+            if (auto parts = byPhases(whole, Asked::last, messages)) return std::move(*parts);
+            if (auto parts = byRepetition(whole, messages)) return std::move(*parts);
         }
-        if (auto parts = byPhases(whole, true, messages)) return std::move(*parts);
-        if (auto parts = byRepetition(whole, messages)) return std::move(*parts);
         if (auto parts = atGaps(whole, messages)) return std::move(*parts);
         return one(std::move(whole));
     }
@@ -150,6 +165,7 @@ class Splitter {
         std::vector<std::size_t> varying;
         for (const SplitRules::Soft& rule : rules_.soft) {
             if (!rule.modality.empty() && rule.modality != modality_) continue;
+            if (whole.isEven() && !rule.evenToo) continue;
             if (partitionByValue(whole.frames, rules_, {rule.attribute}).size() > 1)
                 varying.push_back(rule.attribute);
         }
@@ -179,6 +195,7 @@ class Splitter {
     std::optional<std::vector<Stack>> bySoftAttributes(const Stack& whole,
                                                        std::vector<Message>& messages) const {
         for (const auto& attributes : softCandidates(whole)) {
+            if (!spend(whole.frames.size())) break;
             const Partition partition = partitionByValue(whole.frames, rules_, attributes);
             if (partition.size() > whole.frames.size() / 2) continue;  // single slices are no volumes
             if (!isBetter(qualityOf(whole), tryOut(whole.frames, partition))) continue;
@@ -205,10 +222,10 @@ class Splitter {
         }
     }
 
-    std::optional<std::vector<Stack>> byPhases(const Stack& whole, bool assumed,
+    std::optional<std::vector<Stack>> byPhases(const Stack& whole, PhasesAsked asked,
                                                std::vector<Message>& messages) const {
         for (const SplitRules::Phase& rule : rules_.phases) {
-            if (rule.assumed != assumed) continue;
+            if (groupOf(rule) != asked) continue;
             const Partition partition = phasesOf(whole.frames, rule);
             if (partition.size() < 2 || partition.size() > whole.frames.size() / 2) continue;
             if (!areVolumes(tryOut(whole.frames, partition))) continue;
@@ -216,9 +233,20 @@ class Splitter {
             std::vector<Stack> phases = stacksOf(whole, partition, {name});
             nameStackPhases(phases, 0, rule.assumed);
             tellPhases(messages, rule, phases.size());
+            tellIncomplete(phases, messages);
             return phases;
         }
         return {};
+    }
+
+    static void tellIncomplete(const std::vector<Stack>& phases, std::vector<Message>& messages) {
+        std::size_t most = 0;
+        for (const Stack& phase : phases) most = std::max(most, phase.frames.size());
+        const auto fewer = std::count_if(phases.begin(), phases.end(),
+                                         [&](const Stack& phase) { return phase.frames.size() < most; });
+        if (fewer == 0) return;
+        messages.push_back(message(key::kIncompletePhases,
+                                   {{"count", std::int64_t(fewer)}, {"total", std::int64_t(phases.size())}}));
     }
 
     void tellPhases(std::vector<Message>& messages, const SplitRules::Phase& rule, std::size_t count) const {
@@ -228,13 +256,14 @@ class Splitter {
     }
 
     // Several phases in each of several reconstructions.
-    std::optional<std::vector<Stack>> bySoftAttributesAndPhases(const Stack& whole, bool assumed,
+    std::optional<std::vector<Stack>> bySoftAttributesAndPhases(const Stack& whole, PhasesAsked asked,
                                                                 std::vector<Message>& messages) const {
         for (const auto& attributes : softCandidates(whole)) {
             const Partition coarse = partitionByValue(whole.frames, rules_, attributes);
             if (coarse.size() > whole.frames.size() / 4) continue;
             for (const SplitRules::Phase& rule : rules_.phases) {
-                if (rule.assumed != assumed) continue;
+                if (groupOf(rule) != asked) continue;
+                if (!spend(whole.frames.size())) return {};
                 Partition all;
                 std::vector<std::size_t> counts;
                 for (const Part& part : coarse) {
@@ -262,6 +291,7 @@ class Splitter {
                     for (Stack& stack : made) stacks.push_back(std::move(stack));
                     begin += count;
                 }
+                tellIncomplete(stacks, messages);
                 return stacks;
             }
         }
@@ -299,8 +329,16 @@ class Splitter {
         return stacksOf(whole, partition, {"Block"});
     }
 
+    // Thousands of frames that differ in everything must not cost minutes; they end as a question.
+    bool spend(std::size_t frames) const {
+        constexpr std::size_t kMostFramesTried = 1'000'000;
+        tried_ += frames;
+        return tried_ <= kMostFramesTried;
+    }
+
     const std::string& modality_;
     const SplitRules& rules_;
+    mutable std::size_t tried_ = 0;
 };
 
 // A total order that depends on the images only, so that neither file names nor the file system matter.
@@ -341,8 +379,7 @@ struct HardPart {
 // Frames that are alone in their part although they agree in all but how they lie (a rotation of projections,
 // a localizer in three planes) are put together again.
 void joinLoners(std::vector<HardPart>& parts) {
-    static const std::set<std::string> kPlacement = {"ImageOrientationPatient", "PixelSpacing",
-                                                     "FrameOfReferenceUID"};
+    static const std::set<std::string> kPlacement = {"ImageOrientationPatient", "PixelSpacing"};
     std::map<std::string, std::size_t> homes;  // by all other labels
     std::vector<HardPart> result;
     for (HardPart& part : parts) {
@@ -421,9 +458,11 @@ Split splitSeries(std::vector<Frame> frames, const std::string& modality, const 
     if (frames.empty()) return split;
     sortFrames(frames);
     std::vector<Stack> copies = takeCopies(frames, modality, split.messages);
-    const Splitter splitter(modality, rules);
     for (HardPart& part : splitHard(std::move(frames), rules, split.messages)) {
-        for (Stack& stack : splitter.split(std::move(part.frames), std::move(part.labels), split.messages)) {
+        const std::string& own = part.frames.front().instance->modality;
+        const std::string ofPart = own.empty() ? modality : own;
+        for (Stack& stack :
+             Splitter(ofPart, rules).split(std::move(part.frames), std::move(part.labels), split.messages)) {
             split.stacks.push_back(std::move(stack));
         }
     }

@@ -41,7 +41,14 @@ std::size_t enter(SplitRules& rules, const Json& json) {
                         .tolerance = json.value("tolerance", 0.0),
                         .relativeTolerance = json.value("relativeTolerance", 0.0),
                         .value = json.value("value", "")};
-    for (const std::string text : json.at("tags")) attribute.tags.push_back(tagOf(text));
+    for (const std::string text : json.at("tags")) {
+        const std::size_t plus = text.find('+');
+        if (plus == std::string::npos) {
+            attribute.tags.push_back({{}, tagOf(text)});
+        } else {
+            attribute.tags.push_back({tagOf(text.substr(0, plus)), tagOf(text.substr(plus + 1))});
+        }
+    }
     const auto found = std::find(rules.attributes.begin(), rules.attributes.end(), attribute);
     if (found != rules.attributes.end()) {
         return static_cast<std::size_t>(found - rules.attributes.begin());
@@ -56,14 +63,15 @@ SplitRules parse(std::string_view text) {
     for (const Json& rule : json.at("hard")) rules.hard.push_back({enter(rules, rule), rule.at("message")});
     for (const auto& [modality, list] : json.at("soft").items()) {
         for (const Json& rule : list) {
-            rules.soft.push_back({enter(rules, rule), modality == "any" ? std::string() : modality});
+            rules.soft.push_back({enter(rules, rule), modality == "any" ? std::string() : modality,
+                                  rule.value("evenToo", false)});
         }
     }
     for (const Json& rule : json.at("phases")) {
         rules.phases.push_back(
             {enter(rules, rule),
              rule.at("by") == "rank" ? SplitRules::Phase::By::rank : SplitRules::Phase::By::value,
-             rule.value("assumed", false)});
+             rule.value("first", false), rule.value("assumed", false)});
     }
     return rules;
 }
@@ -99,12 +107,15 @@ std::vector<std::string> readAttributes(const SplitRules& rules, const Dataset& 
     result.reserve(rules.attributes.size());
     for (const Attribute& attribute : rules.attributes) {
         std::string value;
-        for (const Tag tag : attribute.tags) {
-            if (auto text = frame.text(tag)) {
-                value = std::move(*text);
-                break;
-            }
+        for (const Attribute::Source& source : attribute.tags) {
+            auto text = frame.text(source.tag);
+            if (!text) continue;
+            value = source.before ? frame.text(*source.before).value_or("") + *text : std::move(*text);
+            break;
         }
+        // No real value is as long, and there is one for each frame.
+        constexpr std::size_t kLongest = 256;
+        if (value.size() > kLongest) value.resize(kLongest);
         if (attribute.kind == Attribute::Kind::contains) {
             const auto parts = values(value);
             value = std::find(parts.begin(), parts.end(), attribute.value) != parts.end() ? "yes" : "";

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,8 +14,16 @@ namespace macula::dicom {
 struct Attribute {
     enum class Kind { text, number, numbers, contains };
 
+    // Where it may be; `before` is put in front of the value where there is one: the date before a time.
+    struct Source {
+        std::optional<Tag> before;
+        Tag tag;
+
+        bool operator==(const Source&) const = default;
+    };
+
     std::string name;  // DICOM keyword
-    std::vector<Tag> tags;
+    std::vector<Source> tags;
     Kind kind = Kind::text;
     double tolerance = 0.0;
     double relativeTolerance = 0.0;
@@ -31,12 +40,14 @@ struct SplitRules {
     struct Soft {
         std::size_t attribute;
         std::string modality;  // empty: any
+        bool evenToo = false;  // separates interleaved images also when they make an even volume together
     };
     struct Phase {
         enum class By { value, rank };
 
         std::size_t attribute;
         By by = By::value;
+        bool first = false;    // says what it is: asked before the soft attributes
         bool assumed = false;  // no property of the image, only the best that is left
     };
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "dicom/sop_class.h"
@@ -66,9 +67,10 @@ void assessRescale(Stack& stack, const std::string& modality) {
         tell(stack, message(key::kInvalidRescale));
         return;
     }
-    // The CT Image Module requires both (PS3.3 C.8.2.1); for MR their absence is normal. One without the
-    // other is a fault in any modality.
-    const bool required = modality == "CT";
+    // CT, PET and dose images require it (PS3.3 C.8.2.1, C.8.9.4, C.8.8.3); for MR its absence is normal,
+    // unless other images of the stack have it. One without the other is a fault in any modality.
+    const bool anySlope = any(stack, [](const Frame& f) { return f.slope.has_value(); });
+    const bool required = modality == "CT" || modality == "PT" || modality == "RTDOSE" || anySlope;
     const auto faulty = [&](const Frame& f) {
         const bool isFloat = f.instance->format && f.instance->format->kind != CellKind::integer;
         return !f.modalityLut && !isFloat &&
@@ -87,7 +89,13 @@ void assessRescale(Stack& stack, const std::string& modality) {
         tell(stack, message(key::kRealWorldValues, {{"unit", first.rescaleType}}));
     }
     if (modality == "PT") {
-        const Suv& suv = first.instance->suv;
+        Suv suv = first.instance->suv;
+        if (any(stack, [&](const Frame& f) {
+                const auto& factor = f.instance->suv.factor;
+                return suv.factor && (!factor || std::abs(*factor / *suv.factor - 1.0) > 1e-6);
+            })) {
+            suv = {{}, "a factor that holds for all images"};
+        }
         stack.suvFactor = suv.factor;
         if (!suv.factor) tell(stack, message(key::kSuvUnavailable, {{"missing", suv.missing}}));
     }

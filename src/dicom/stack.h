@@ -20,6 +20,7 @@ struct StackLabel {
 };
 
 struct Stack {
+    std::string modality;             // of its images
     std::vector<StackLabel> splitBy;  // empty when the series is one stack
     int phase = 0;                    // of `phases`, from 0, when positions were imaged several times
     int phases = 1;

@@ -33,7 +33,11 @@ std::optional<double> scanSeconds(const Dataset& header) {
 Suv suvOf(const Dataset& header) {
     const auto without = [](const char* what) { return Suv{{}, what}; };
     const std::string units = header.text(tag::kUnits).value_or("");
-    if (units == "GML") return {1.0, {}};
+    if (units == "GML") {
+        const std::string type =
+            header.text(tag::kSuvType).value_or("BW");  // absent means BW: PS3.3 C.8.9.1.1.3
+        return type == "BW" ? Suv{1.0, {}} : without("SUV by body weight");
+    }
     if (units != "BQML") return without("Units of Bq/mL");
     const auto corrected = header.texts(tag::kCorrectedImage);
     const auto has = [&](const char* what) {
@@ -57,8 +61,13 @@ Suv suvOf(const Dataset& header) {
     const auto scan = scanSeconds(header);
     if (!scan) return without("time of the scan");
     std::optional<double> injected;
-    if (const auto text = tracer.text(tag::kRadiopharmaceuticalStartDateTime))
-        injected = secondsOfDateTime(*text);
+    if (const auto text = tracer.text(tag::kRadiopharmaceuticalStartDateTime)) {
+        // With an offset from UTC it can only be compared with times that have the same.
+        const std::size_t offset = text->find_first_of("+-");
+        if (offset == std::string::npos || header.text(tag::kTimezoneOffsetFromUtc) == text->substr(offset)) {
+            injected = secondsOfDateTime(*text);
+        }
+    }
     if (!injected) {
         if (const auto text = tracer.text(tag::kRadiopharmaceuticalStartTime)) {
             // Without a date: on the day of the scan, or the day before when that would lie after it.

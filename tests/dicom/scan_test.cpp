@@ -207,7 +207,7 @@ TEST(Scan, anImageThatDoesNotFitIsSetApart) {
         {key::kInconsistentSize, [](const fs::path& f) { setWord(f, tag::kRows, 2); }},
         {key::kInconsistentPosition,
          [](const fs::path& f) { setText(f, tag::kFrameOfReferenceUid, "1.2.3"); }},
-        {key::kInconsistentComponents,
+        {key::kSplitSeries,
          [](const fs::path& f) { setText(f, tag::kPhotometricInterpretation, "PALETTE COLOR"); }},
     };
     for (const Case& c : cases) {

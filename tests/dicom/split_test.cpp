@@ -171,6 +171,101 @@ TEST(Split, twoKernelsAtInterleavedPositions) {
     EXPECT_DOUBLE_EQ(split.stacks[0].spacingMm->z, 5.0);
 }
 
+// Together they would be even slices 2.5 mm apart that alternate between two kernels.
+TEST(Split, interleavedKernelsThatMakeAnEvenVolume) {
+    Frames made;
+    for (int k = 0; k < 12; ++k) {
+        made.add(2.5 * k);
+        made.set("ConvolutionKernel", k % 2 ? "B30f" : "B70f");
+    }
+    const Split split = splitOf(made);
+    ASSERT_EQ(split.stacks.size(), 2u) << keys(split);
+    EXPECT_DOUBLE_EQ(split.stacks[0].spacingMm->z, 5.0);
+}
+
+TEST(Split, framesOfReferenceAreNeverJoined) {
+    Frames made;
+    for (int k = 0; k < 12; ++k) {
+        made.add(2.0 * k);
+        made.set("FrameOfReferenceUID", "1.2." + std::to_string(k));
+    }
+    for (const Stack& stack : splitOf(made).stacks) EXPECT_FALSE(stack.canBeVolume());
+}
+
+// Three volumes of ten slices, one slice a second, across midnight.
+TEST(Split, phasesByTimeAcrossMidnight) {
+    Frames made;
+    for (int phase = 0; phase < 3; ++phase) {
+        for (int k = 0; k < 10; ++k) {
+            made.add(2.0 * k);
+            const int second = 45 + 10 * phase + k;
+            made.set("AcquisitionTime", second < 60 ? "20200101" + std::to_string(235900 + second)
+                                                    : "202001020000" + std::string(second < 70 ? "0" : "") +
+                                                          std::to_string(second - 60));
+        }
+    }
+    const Split split = splitOf(made);
+    ASSERT_EQ(split.stacks.size(), 3u) << keys(split);
+    EXPECT_EQ(*split.stacks[0].frames.back().instance->instanceNumber, 10);
+    EXPECT_EQ(*split.stacks[2].frames.front().instance->instanceNumber, 21);
+}
+
+TEST(Split, temporalPositionsArePhasesWhateverElseDiffers) {
+    Frames made;
+    for (int phase = 1; phase <= 4; ++phase) {
+        for (int k = 0; k < (phase == 3 ? 7 : 10); ++k) {
+            made.add(2.0 * k);
+            made.set("TemporalPositionIdentifier", std::to_string(phase))
+                .set("AcquisitionNumber", std::to_string(phase));
+        }
+    }
+    const Split split = splitOf(made);
+    ASSERT_EQ(split.stacks.size(), 4u) << keys(split);
+    EXPECT_EQ(split.stacks[0].phases, 4);
+    EXPECT_TRUE(has(split.messages, key::kPhases));
+    EXPECT_TRUE(has(split.messages, key::kIncompletePhases));
+}
+
+TEST(Split, regionsWithTheirOwnTimesAreNoPhases) {
+    Frames made;
+    for (int region = 0; region < 2; ++region) {
+        for (int k = 0; k < 10; ++k) {
+            made.add(500.0 * region + 2.0 * k);
+            made.set("AcquisitionTime", region == 0 ? "20200101100000" : "20200101100100");
+        }
+    }
+    const Split split = splitOf(made);
+    ASSERT_EQ(split.stacks.size(), 2u) << keys(split);
+    EXPECT_EQ(split.stacks[0].phases, 1);
+    EXPECT_FALSE(has(split.messages, key::kPhases));
+}
+
+TEST(Split, ofARepeatedPositionTheLowestNumberStays) {
+    Frames made;
+    for (int k = 0; k < 20; ++k) made.add(2.0 * k);
+    made.add(9.9995);
+    const Split split = splitOf(made);
+    ASSERT_EQ(split.stacks.size(), 2u) << keys(split);
+    EXPECT_EQ(*split.stacks[1].frames[0].instance->instanceNumber, 21);
+}
+
+// Eleven attributes that differ in every frame: tried for a while, and not for minutes.
+TEST(Split, framesThatDifferInEverything) {
+    Frames made;
+    std::mt19937 random(3);
+    for (int n = 0; n < 3000; ++n) {
+        made.add(2.0 * (n % 700));
+        for (const char* name : {"ImageType", "EchoTime", "DiffusionBValue", "FlipAngle", "RepetitionTime",
+                                 "InversionTime", "SequenceName", "ScanOptions", "TriggerTime"}) {
+            made.set(name, std::to_string(random() % 1000));
+        }
+    }
+    const Split split = splitSeries(made.frames, "MR", splitRules());
+    std::size_t total = 0;
+    for (const Stack& stack : split.stacks) total += stack.frames.size();
+    EXPECT_EQ(total, 3000u);
+}
+
 TEST(Split, magnitudeAndPhaseOfTwoEchoes) {
     Frames made;
     for (const char* echo : {"2.46", "4.92"}) {
