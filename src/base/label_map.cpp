@@ -14,7 +14,8 @@ Result<LabelMap> LabelMap::create(glm::ivec3 size, const glm::dmat4& worldFromVo
     };
     if (size.x < 1 || size.y < 1 || size.z < 1) return fail("The segmentation has no voxels.");
     const auto slice = std::uint64_t(size.x) * std::uint64_t(size.y);  // of three, the product might not fit
-    if (labels.size() / slice != std::uint64_t(size.z) || labels.size() % slice != 0) return fail("The segmentation has not as many voxels as its size says.");
+    if (labels.size() / slice != std::uint64_t(size.z) || labels.size() % slice != 0)
+        return fail("The segmentation has not as many voxels as its size says.");
     if (!isInvertibleAffine(worldFromVoxel)) return fail("The segmentation does not say where it lies.");
     LabelMap map;
     map.size_ = size;

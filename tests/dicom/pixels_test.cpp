@@ -194,8 +194,7 @@ TEST(Pixels, floatingPoint) {
         ASSERT_TRUE(reader->readNumbers(0, numbers));
         EXPECT_EQ(numbers[2], third);
         // And where the header says whole numbers, the element does not fit.
-        EXPECT_FALSE(
-            PixelReader::open(file, layoutOf(kExplicit, 2, {32, 16, 15, false})));
+        EXPECT_FALSE(PixelReader::open(file, layoutOf(kExplicit, 2, {32, 16, 15, false})));
     };
     check(CellKind::float32, {0x7FE0, 0x0008}, "OF", floats, double{1 * 0.1F - 1.0F}, double{2 * 0.1F});
     check(CellKind::float64, {0x7FE0, 0x0009}, "OD", doubles, 1e300, 2e300);
