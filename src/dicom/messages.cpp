@@ -24,7 +24,7 @@ constexpr auto kBlocksLoading = Severity::blocksLoading;
 
 constexpr std::array kCatalogue = std::to_array<CatalogueEntry>({
     // Files and folders.
-    {key::kNoValidInstances, kBlocksLoading, 1, "No file of this series can be read, of {count}.",
+    {key::kNoValidInstances, kBlocksLoading, 1, "No file of this series can be read; it has {count}.",
      kCopySeries},
     {key::kUnreadableFile, kWarning, 0, "A file cannot be opened.", "Check its permissions."},
     {key::kFileOffline, kWarning, 0,
@@ -36,30 +36,30 @@ constexpr std::array kCatalogue = std::to_array<CatalogueEntry>({
     {key::kStrayBytes, kInfo, 0,
      "A few stray bytes follow the pixel data in some files; the images are whole.", ""},
     {key::kMissingSopClass, kWarning, 15,
-     "{count} files of this series do not say what kind of object they are.",
+     "Files of this series that do not say what kind of object they are: {count}.",
      "Check that the series is what it seems to be."},
     {key::kUnreadableFolder, kWarning, 0,
-     "{count} folders could not be read; images in them are missing here.",
+     "Folders that could not be read: {count}. Images in them are missing here.",
      "Check the permissions of the folders, or copy the study again."},
-    {key::kLinksOutside, kInfo, 0, "{count} links lead out of the chosen folder, and were not followed.",
+    {key::kLinksOutside, kInfo, 0,
+     "Links that lead out of the chosen folder, and were not followed: {count}.",
      "Choose the folder they lead to, if it is wanted."},
     {key::kDicomdirMissingFiles, kWarning, 0,
-     "The directory of this medium (DICOMDIR) lists {count} files that are not there.",
+     "Files that the directory of this medium (DICOMDIR) lists and that are not there: {count}.",
      "Copy the medium again; images may be missing."},
     {key::kDicomdirOutside, kWarning, 0,
-     "The directory of this medium (DICOMDIR) names {count} files outside the chosen folder; they were not "
-     "read.",
+     "Files that the directory of this medium (DICOMDIR) names outside the chosen folder, and that were not "
+     "read: {count}.",
      "Take care where this medium comes from."},
     {key::kDicomdirUnreadable, kInfo, 0,
      "The directory of this medium (DICOMDIR) cannot be read; the files themselves were read.", ""},
-    {key::kDuplicateFiles, kInfo, 0, "{count} files are copies of others of this series, and were left out.",
-     ""},
+    {key::kDuplicateFiles, kInfo, 0,
+     "Files that are copies of others of this series, and were left out: {count}.", ""},
     {key::kDuplicateInstances, kWarning, 0,
-     "{count} images have the identifier of another of this series, in a file that differs; of each the "
-     "first file is "
-     "used, and the others are in a stack of their own.",
+     "Images that have the identifier of another of this series, in a file that differs: {count}. Of each "
+     "the first file is used; the others are in a stack of their own.",
      "Compare them before relying on this series."},
-    {key::kFilesLeftOut, kWarning, 0, "{count} files of this series cannot be read, and were left out.",
+    {key::kFilesLeftOut, kWarning, 0, "Files of this series that cannot be read, and were left out: {count}.",
      "Copy the series again from its source."},
     {key::kCharsetFallback, kInfo, 0,
      "Text of this series does not fit the character set it declares; names may be shown wrongly.", ""},
@@ -91,20 +91,19 @@ constexpr std::array kCatalogue = std::to_array<CatalogueEntry>({
     {key::kPhasesAssumed, kWarning, 0,
      "Every position was imaged {count} times, and only the order of the image numbers tells them apart.",
      "Check that the volumes of this series are what they seem to be."},
-    {key::kIncompletePhases, kWarning, 0, "{count} of the {total} phases have fewer images than the others.",
+    {key::kIncompletePhases, kWarning, 0,
+     "Phases that have fewer images than the others: {count} of {total}.",
      "Copy the whole series again from its source."},
     {key::kDuplicatePositions, kBlocksVolume, 0,
-     "{count} of the {total} images lie at the same position as another, and nothing in them says which "
-     "belong "
+     "Images that lie at the same position as another: {count} of {total}. Nothing in them says which belong "
      "together.",
      "Which images make a volume? Choose another series, or separate the files of this one by hand."},
     {key::kRepeatedSlices, kWarning, 0,
-     "{count} positions were imaged more than once; of each, the image with the lowest number is in the "
-     "volume, and "
-     "the others are in a stack of their own.",
+     "Positions that were imaged more than once: {count}. Of each, the image with the lowest number is in "
+     "the volume, and the others are in a stack of their own.",
      "Compare the repeated images before relying on these slices."},
     {key::kIncompleteConcatenation, kWarning, 7,
-     "{missing} of the {total} files that make up one image are not here.", kCopySeries},
+     "Files of those that make up one image that are not here: {missing} of {total}.", kCopySeries},
     {key::kContinuesInOtherSeries, kInfo, 0,
      "Series {number} of this study continues this stack, with the same slice distance.",
      "Look at both; together they cover more."},
@@ -130,10 +129,9 @@ constexpr std::array kCatalogue = std::to_array<CatalogueEntry>({
     {key::kRepairedOrientation, kInfo, 0,
      "The row and column directions are {error:.4f} off perpendicular unit vectors, and were set right.", ""},
     {key::kMissingSlices, kWarning, 7,
-     "{missing} slices are missing, of {total} that are {spacingMm:.3f} mm apart.", kCopySeries},
+     "Slices that are missing: {missing} of {total}, which are {spacingMm:.3f} mm apart.", kCopySeries},
     {key::kGapInterpolated, kWarning, 0,
-     "{count} slices of the volume ({slices}) are interpolated: no image was "
-     "there.",
+     "Slices of the volume that are interpolated, because no image was there: {count} ({slices}).",
      "Do not read anything into interpolated slices."},
     {key::kIrregularSpacing, kWarning, 8,
      "The slices are unevenly spaced, {leastMm:.3f} to {mostMm:.3f} mm apart; they were resampled to an even "
@@ -165,9 +163,8 @@ constexpr std::array kCatalogue = std::to_array<CatalogueEntry>({
     {key::kInvalidRescale, kBlocksVolume, 0,
      "The rescale slope or intercept of an image is not a usable number.", kExport},
     {key::kMissingRescale, kWarning, 0,
-     "{count} of {total} images do not say how stored numbers become values; a missing rescale slope was "
-     "taken as 1, "
-     "a missing intercept as 0.",
+     "Images that do not say how stored numbers become values: {count} of {total}. A missing rescale slope "
+     "was taken as 1, a missing intercept as 0.",
      "Do not rely on the values; presets made for Hounsfield units may not fit."},
     {key::kPerSliceRescale, kInfo, 0,
      "Each image has its own rescale factors; they are applied image by image.", ""},

@@ -307,6 +307,11 @@ Error nothingFound(const Scan& scan, const fs::path& path, const FolderListing& 
         return fail("There is no DICOM image in the folder, and some of its sub-folders cannot be read.",
                     "Check the permissions of the sub-folders.");
     }
+    if (listing.linksOutside > 0) {
+        return fail(
+            "There is no DICOM image in the folder itself; links that lead out of it are not followed.",
+            "Choose the folder that the links lead to.");
+    }
     return fail(
         listing.files.size() == 1
             ? "The file is not a DICOM image."

@@ -56,7 +56,7 @@ TEST(Messages, theFifteenMeaningsOfOhifAreThere) {
 TEST(Messages, argumentsAreTypedAndInTheSentence) {
     const Message missing = message(
         key::kMissingSlices, {{"missing", std::int64_t{2}}, {"total", std::int64_t{35}}, {"spacingMm", 4.8}});
-    EXPECT_EQ(missing.sentence, "2 slices are missing, of 35 that are 4.800 mm apart.");
+    EXPECT_EQ(missing.sentence, "Slices that are missing: 2 of 35, which are 4.800 mm apart.");
     EXPECT_EQ(missing.severity, Severity::warning);
     EXPECT_EQ(std::get<std::int64_t>(missing.arguments[0].value), 2);
     EXPECT_EQ(std::get<double>(missing.arguments[2].value), 4.8);

@@ -115,7 +115,7 @@ class FileInAFolderOfTwo : public testing::Test {
                 if (!entry.is_regular_file()) continue;
                 std::string copy = name;
                 copy += std::to_string(index++);
-                std::filesystem::create_symlink(entry.path(), root_ / copy);
+                std::filesystem::copy_file(entry.path(), root_ / copy);
             }
         }
     }
