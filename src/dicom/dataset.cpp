@@ -220,6 +220,23 @@ std::optional<std::vector<double>> Dataset::numbers(Tag tag, std::size_t count) 
     return values;
 }
 
+constexpr std::size_t kShortBytes = 64;
+
+std::string Dataset::shortText(Tag tag) const {
+    std::string value = text(tag).value_or("");
+    if (value.size() > kShortBytes)
+        value = value.substr(0, kShortBytes);  // a copy, which holds no more memory
+    return value;
+}
+
+std::vector<std::string> Dataset::shortTexts(Tag tag) const {
+    constexpr std::size_t kMostValues = 16;
+    std::vector<std::string> values = texts(tag);
+    if (values.size() > kMostValues) values.resize(kMostValues);
+    for (std::string& value : values) value = value.substr(0, kShortBytes);
+    return {values.begin(), values.end()};
+}
+
 std::optional<double> Dataset::number(Tag tag) const {
     const auto values = allNumbers(tag);
     if (values.size() != 1) return {};

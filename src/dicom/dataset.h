@@ -43,6 +43,10 @@ class Dataset {
     // without padding; text() keeps the backslashes between several values, texts() splits at them.
     std::optional<std::string> text(Tag tag) const;
     std::vector<std::string> texts(Tag tag) const;
+    // The same for what is kept for every frame, and never long in a real file: at most 64 bytes; at most 16
+    // values of 64 bytes.
+    std::string shortText(Tag tag) const;  // empty when there is none
+    std::vector<std::string> shortTexts(Tag tag) const;
     std::optional<double> number(Tag tag) const;  // finite
     std::optional<std::vector<double>> numbers(Tag tag,
                                                std::size_t count) const;  // exactly `count`, all finite

@@ -93,7 +93,7 @@ Result<void> FrameDecoder::run(std::span<const std::size_t> order, std::size_t c
             const std::size_t f = order[i];
             try {
                 errors_[f] = decode(f, worker);
-            } catch (const std::bad_alloc&) {
+            } catch (...) {  // the decoders throw nothing else
                 outOfMemory = true;
             }
             if (states_[f] != FrameState::decoded && errors_[f].code == ErrorCode::outOfMemory)

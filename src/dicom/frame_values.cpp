@@ -24,7 +24,7 @@ std::optional<Mapping> realWorldMapping(const Dataset& dataset) {
         const auto intercept = item.number(tag::kRealWorldValueIntercept);
         if (!slope || !intercept || *slope == 0.0) continue;  // a table, which is for display
         const auto codes = item.items(tag::kMeasurementUnitsCode);
-        const std::string unit = codes.empty() ? "" : codes.front().text(tag::kCodeValue).value_or("");
+        const std::string unit = codes.empty() ? "" : codes.front().shortText(tag::kCodeValue);
         const bool fits = units == "BQML"  ? unit == "Bq/ml" || unit == "Bq/mL"
                           : units == "GML" ? unit.starts_with("g/m")
                                            : units.empty() && !unit.empty();
@@ -36,12 +36,12 @@ std::optional<Mapping> realWorldMapping(const Dataset& dataset) {
 void readRescale(const Dataset& dataset, Frame& frame) {
     frame.slope = dataset.number(tag::kRescaleSlope);
     frame.intercept = dataset.number(tag::kRescaleIntercept);
-    frame.rescaleType = dataset.text(tag::kRescaleType).value_or("");
-    frame.units = dataset.text(tag::kUnits).value_or("");
+    frame.rescaleType = dataset.shortText(tag::kRescaleType);
+    frame.units = dataset.shortText(tag::kUnits);
     if (const auto scaling = dataset.number(tag::kDoseGridScaling)) {  // RT Dose: PS3.3 C.8.8.3
         frame.slope = *scaling;
         frame.intercept = 0.0;
-        frame.rescaleType = dataset.text(tag::kDoseUnits).value_or("");
+        frame.rescaleType = dataset.shortText(tag::kDoseUnits);
     }
     if (const auto mapping = realWorldMapping(dataset)) {
         frame.realWorld = frame.slope != mapping->slope || frame.intercept != mapping->intercept;
@@ -63,7 +63,7 @@ void readLut(const Dataset& dataset, Frame& frame) {
         frame.modalityLut =
             readModalityLut(std::array<std::uint16_t, 3>{descriptor[0], descriptor[1], descriptor[2]},
                             items.front().words(tag::kLutData), frame.instance->format->isSigned);
-        frame.rescaleType = items.front().text(tag::kModalityLutType).value_or("");
+        frame.rescaleType = items.front().shortText(tag::kModalityLutType);
     }
     frame.modalityLutInvalid = frame.modalityLut == nullptr;
 }
@@ -92,13 +92,13 @@ void readPadding(const Dataset& dataset, Frame& frame) {
 void readWindows(const Dataset& dataset, Frame& frame) {
     const auto centers = dataset.allNumbers(tag::kWindowCenter);
     const auto widths = dataset.allNumbers(tag::kWindowWidth);
-    const auto explanations = dataset.texts(tag::kWindowExplanation);
-    const std::string function = dataset.text(tag::kVoiLutFunction).value_or("");
+    const auto explanations = dataset.shortTexts(tag::kWindowExplanation);
+    const std::string function = dataset.shortText(tag::kVoiLutFunction);
     const double leastWidth =
         function.empty() || function == "LINEAR" ? 1.0 : std::numeric_limits<double>::min();
     const bool present = dataset.has(tag::kWindowCenter) || dataset.has(tag::kWindowWidth);
     frame.windowInvalid = present && (centers.empty() || centers.size() != widths.size());
-    constexpr std::size_t kMostWindows = 32;
+    constexpr std::size_t kMostWindows = 16;
     for (std::size_t i = 0; i < std::min<std::size_t>({centers.size(), widths.size(), kMostWindows}); ++i) {
         if (!(widths[i] >= leastWidth)) {
             frame.windowInvalid = true;

@@ -79,9 +79,9 @@ std::shared_ptr<Instance> readShared(const std::filesystem::path& file, const He
 Frame readFrame(const Dataset& header, const Dataset& dataset, std::shared_ptr<const Instance> instance,
                 int number, double offsetMm) {
     Frame frame{.instance = std::move(instance), .number = number};
-    frame.imageType = dataset.texts(tag::kFrameType);
-    if (frame.imageType.empty()) frame.imageType = dataset.texts(tag::kImageType);
-    frame.frameOfReferenceUid = dataset.text(tag::kFrameOfReferenceUid).value_or("");
+    frame.imageType = dataset.shortTexts(tag::kFrameType);
+    if (frame.imageType.empty()) frame.imageType = dataset.shortTexts(tag::kImageType);
+    frame.frameOfReferenceUid = dataset.shortText(tag::kFrameOfReferenceUid);
     readPlane(header, dataset, offsetMm, frame);
     readValues(dataset, frame);
     frame.attributes = readAttributes(splitRules(), dataset);

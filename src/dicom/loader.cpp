@@ -324,7 +324,7 @@ Result<std::shared_ptr<const Volume>> Loading::run(Progress& progress, const Loa
             try {
                 if (auto volume = coarse(std::span(frames).first(coarseCount), decoder))
                     options.onCoarse(std::move(volume));
-            } catch (const std::bad_alloc&) {
+            } catch (...) {  // no memory, or no more threads
                 // Then the whole volume is the first to be seen, or the one to tell.
             }
         };

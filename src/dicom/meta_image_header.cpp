@@ -96,7 +96,7 @@ Result<ValuesInFile> valuesOf(const fs::path& path, const Parsed& parsed, const 
     if (lowerCase(dataFile) == "local") {
         values.file = path;
         values.offset = parsed.bytes;
-    } else if (dataFile.starts_with("LIST") || words(dataFile).size() != 1) {
+    } else if (dataFile == "LIST" || dataFile.starts_with("LIST ")) {
         return headerNotUsable("The values lie in several files.", "Write the volume to one file.");
     } else {
         MACULA_TRY(values.file, besideHeader(path, dataFile));

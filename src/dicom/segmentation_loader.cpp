@@ -146,6 +146,15 @@ Result<LabelMap> load(const Segmentation& segmentation, const Placements& placem
     }
     // After what the file really holds is known: a header alone cannot ask for more than it could fill.
     const double voxels = double(size.x) * double(size.y) * double(size.z);
+    // Two small frames far apart span a grid that nothing fills.
+    constexpr double kMostVoxelsPerPixel = 64.0;
+    constexpr double kSmallGrid = 1e8;
+    const double pixels = double(frames) * double(segmentation.rows) * double(segmentation.columns);
+    if (voxels > kSmallGrid && voxels > kMostVoxelsPerPixel * pixels) {
+        return notUsable(segmentation,
+                         "The frames of the segmentation lie too far apart for a grid of their own.",
+                         "Open it with the series it was drawn on.");
+    }
     const auto available = availableMemory();
     if (voxels * sizeof(std::uint16_t) > static_cast<double>(available.value_or(UINT64_MAX))) {
         constexpr double kLargestNamed = 9e18;

@@ -392,7 +392,7 @@ TEST_F(SegmentationTest, framesFarApart) {
     d.pixels = std::string(3000u * 3000u / 4, '\0');
     const auto map = alone(d);
     ASSERT_FALSE(map);
-    EXPECT_EQ(map.error().code, ErrorCode::outOfMemory);
+    EXPECT_EQ(map.error().code, ErrorCode::inputNotUsable);
 }
 
 TEST_F(SegmentationTest, canBeCancelled) {
