@@ -130,7 +130,8 @@ class Volume {
     std::span<const std::uint16_t> voxels() const;    // stored16 only
     std::span<const float> floatVoxels() const;       // float32 only
     std::uint16_t stored(int i, int j, int k) const;  // stored16 only
-    // In units. Of padding it is what the file has there, or NaN.
+    // In units. Of padding it is what the file has there; or, of slices whose padding or map differs, NaN or
+    // one number below all others.
     double value(int i, int j, int k) const;
     bool isPadding(int i, int j, int k) const;
 

@@ -118,27 +118,13 @@ std::string shownValue(const dicom::StackLabel& label) {
     return tellsWhenOrWho ? "…" : label.value;
 }
 
-std::string_view severityName(Severity severity) {
-    switch (severity) {
-        case Severity::info:
-            return "info";
-        case Severity::warning:
-            return "warning";
-        case Severity::blocksVolume:
-            return "blocks-3d";
-        case Severity::blocksLoading:
-            return "blocks-loading";
-    }
-    return "info";
-}
-
 Json toJson(const Message& message) {
     Json arguments = Json::object();
     for (const MessageArgument& argument : message.arguments) {
         std::visit([&](const auto& value) { arguments[argument.name] = value; }, argument.value);
     }
     return {{"key", message.key},
-            {"severity", severityName(message.severity)},
+            {"severity", dicom::nameOf(message.severity)},
             {"arguments", arguments},
             {"sentence", message.sentence},
             {"action", message.action}};

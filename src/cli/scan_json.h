@@ -9,9 +9,6 @@ namespace macula::cli {
 
 enum class PatientData { leaveOut, include };  // names, IDs, dates, descriptions of studies, paths of files
 
-// "info", "warning", "blocks-3d", "blocks-loading".
-std::string_view severityName(Severity severity);
-
 // The value of a label, unless it is a date, a time of day or a UID.
 std::string shownValue(const dicom::StackLabel& label);
 

@@ -18,9 +18,11 @@ constexpr std::size_t kLargestRead = 262144;
 
 }  // namespace
 
-ByteSource::ByteSource(const std::filesystem::path& file)
-    // Without waiting: a pipe in the folder is no file to read.
-    : descriptor_(open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY | O_NONBLOCK)), step_(kFirstRead) {
+ByteSource::ByteSource(const std::filesystem::path& file, CancelToken cancel)
+    : cancel_(std::move(cancel)),
+      // Without waiting: a pipe in the folder is no file to read.
+      descriptor_(open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY | O_NONBLOCK)),
+      step_(kFirstRead) {
     struct stat status {};
     if (descriptor_ < 0 || fstat(descriptor_, &status) != 0) {
         error_ = errno;
@@ -65,7 +67,7 @@ bool ByteSource::refill(std::size_t wanted) {
         step_ = std::min(2 * step_, kLargestRead);
         return end_ > before;
     }
-    while (end_ == before) {
+    while (end_ == before && !cancel_.cancelled()) {
         if (stream_->avail_in == 0) {
             stream_->next_in = compressed_.data();
             stream_->avail_in = static_cast<uInt>(readFile(compressed_.data(), compressed_.size()));
@@ -122,12 +124,6 @@ bool ByteSource::skip(std::uint64_t count) {
         count -= step;
     }
     return true;
-}
-
-void ByteSource::rewind() {
-    begin_ = end_ = 0;
-    position_ = readOffset_ = 0;
-    step_ = kFirstRead;
 }
 
 void ByteSource::beginInflating() {

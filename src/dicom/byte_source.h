@@ -9,13 +9,17 @@
 #include <span>
 #include <vector>
 
+#include "base/progress.h"
+
 namespace macula::dicom {
 
 // Opens the file once, and reads it in few and large steps: on a network drive each of them waits. Not
 // copyable. May throw std::bad_alloc.
+//
+// Once `cancel` is cancelled, inflating ends as at the end of the file: a few bytes can inflate for seconds.
 class ByteSource {
   public:
-    explicit ByteSource(const std::filesystem::path& file);
+    explicit ByteSource(const std::filesystem::path& file, CancelToken cancel = {});
     ~ByteSource();
     ByteSource(const ByteSource&) = delete;
     ByteSource& operator=(const ByteSource&) = delete;
@@ -35,8 +39,6 @@ class ByteSource {
     void beginInflating();
     bool inflating() const { return stream_ != nullptr; }
 
-    void rewind();  // to the beginning; not when inflating
-
     std::uint64_t position() const { return position_; }
     std::uint64_t fileBytes() const { return fileBytes_; }
     // Of the file, not inflated.
@@ -46,6 +48,7 @@ class ByteSource {
     bool refill(std::size_t wanted);  // appends to what is buffered; false when there is no more
     std::size_t readFile(unsigned char* target, std::size_t count);
 
+    CancelToken cancel_;
     int descriptor_ = -1;
     int error_ = 0;
     std::uint64_t fileBytes_ = 0;

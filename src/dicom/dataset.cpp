@@ -215,14 +215,18 @@ std::vector<double> Dataset::allNumbers(Tag tag) const {
 }
 
 std::optional<std::vector<double>> Dataset::numbers(Tag tag, std::size_t count) const {
+    constexpr std::size_t kMostOfANumber = 64;  // of which DS needs 17, with the backslash
+    if (find(tag).bytes.size() > (count + 1) * kMostOfANumber) return {};
     auto values = allNumbers(tag);
     if (values.size() != count) return {};
     return values;
 }
 
 constexpr std::size_t kShortBytes = 64;
+constexpr std::size_t kLongestShortValue = 4096;
 
 std::string Dataset::shortText(Tag tag) const {
+    if (find(tag).bytes.size() > kLongestShortValue) return {};
     std::string value = text(tag).value_or("");
     if (value.size() > kShortBytes)
         value = value.substr(0, kShortBytes);  // a copy, which holds no more memory
@@ -230,6 +234,7 @@ std::string Dataset::shortText(Tag tag) const {
 }
 
 std::vector<std::string> Dataset::shortTexts(Tag tag) const {
+    if (find(tag).bytes.size() > kLongestShortValue) return {};
     constexpr std::size_t kMostValues = 16;
     std::vector<std::string> values = texts(tag);
     if (values.size() > kMostValues) values.resize(kMostValues);
@@ -237,10 +242,15 @@ std::vector<std::string> Dataset::shortTexts(Tag tag) const {
     return {values.begin(), values.end()};
 }
 
+std::vector<double> Dataset::shortNumbers(Tag tag) const {
+    if (find(tag).bytes.size() > kLongestShortValue) return {};
+    return allNumbers(tag);
+}
+
 std::optional<double> Dataset::number(Tag tag) const {
-    const auto values = allNumbers(tag);
-    if (values.size() != 1) return {};
-    return values.front();
+    const auto values = numbers(tag, 1);
+    if (!values) return {};
+    return values->front();
 }
 
 std::optional<int> Dataset::integer(Tag tag) const {
@@ -308,9 +318,9 @@ FileState stateOfFailure(int error) {
     }
 }
 
-HeaderFile readHeader(const fs::path& file) try {
+HeaderFile readHeader(const fs::path& file, const CancelToken& cancel) try {
     silenceToolkit();  // it is the data dictionary's too
-    ByteSource source(file);
+    ByteSource source(file, cancel);
     const Sniff kind = sniff(source);
     if (source.error() != 0) return {stateOfFailure(source.error()), {}};
     if (kind == Sniff::notDicom) return {FileState::notDicom, {}};
@@ -318,7 +328,7 @@ HeaderFile readHeader(const fs::path& file) try {
     auto content = std::make_shared<Dataset::File>();
     Outline outline = outlineOf(source, kind == Sniff::part10, &content->tree);
     if (source.error() != 0) return {stateOfFailure(source.error()), {}};
-    if (!outline.isSafeToParse()) return {FileState::damaged, {}};
+    if (!outline.isPlausible()) return {FileState::damaged, {}};
     if (!outline.headerWhole) return {kind == Sniff::part10 ? FileState::damaged : FileState::notDicom, {}};
     content->transferSyntaxUid = std::move(outline.transferSyntaxUid);
     content->prepareFrames();

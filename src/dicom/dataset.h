@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/progress.h"
 #include "dicom/tags.h"
 
 namespace macula::dicom {
@@ -25,8 +26,9 @@ enum class FileState {
 struct HeaderFile;
 
 // Reads what stands before the pixel data; the pixels themselves are skipped, not read. Accepts files without
-// preamble and file meta information (PS3.10 7.1). Thread-safe.
-HeaderFile readHeader(const std::filesystem::path& file);
+// preamble and file meta information (PS3.10 7.1). Once `cancel` is cancelled, a deflated file seems to end.
+// Thread-safe.
+HeaderFile readHeader(const std::filesystem::path& file, const CancelToken& cancel = {});
 
 // A view of one file's data elements: of its top level, of an item, or of all that applies to one frame.
 // Immutable, cheap to copy, safe to read from several threads; keeps what it needs of the file alive.
@@ -43,11 +45,12 @@ class Dataset {
     // without padding; text() keeps the backslashes between several values, texts() splits at them.
     std::optional<std::string> text(Tag tag) const;
     std::vector<std::string> texts(Tag tag) const;
-    // The same for what is kept for every frame, and never long in a real file: at most 64 bytes; at most 16
-    // values of 64 bytes.
+    // The same for what is read for every frame, and never long in a real file: nothing of values above 4
+    // KiB; at most 64 bytes; at most 16 values of 64 bytes.
     std::string shortText(Tag tag) const;  // empty when there is none
     std::vector<std::string> shortTexts(Tag tag) const;
-    std::optional<double> number(Tag tag) const;  // finite
+    std::vector<double> shortNumbers(Tag tag) const;  // as allNumbers
+    std::optional<double> number(Tag tag) const;      // finite
     std::optional<std::vector<double>> numbers(Tag tag,
                                                std::size_t count) const;  // exactly `count`, all finite
     std::vector<double> allNumbers(Tag tag) const;  // every value; none when any of them is no number
@@ -75,7 +78,7 @@ class Dataset {
     struct Hit;
     Dataset(std::shared_ptr<const File> file, std::vector<std::uint32_t> items);
     Hit find(Tag tag) const;
-    friend HeaderFile readHeader(const std::filesystem::path& file);
+    friend HeaderFile readHeader(const std::filesystem::path& file, const CancelToken& cancel);
 
     std::shared_ptr<const File> file_;
     std::vector<std::uint32_t> items_;  // of the file's tree; the first that has a value is taken

@@ -55,9 +55,9 @@ OtherObject readObject(const std::filesystem::path& file, const Dataset& header,
 
 }  // namespace
 
-Examination examine(const std::filesystem::path& file) {
+Examination examine(const std::filesystem::path& file, const CancelToken& cancel) {
     Examination found;
-    const HeaderFile read = readHeader(file);
+    const HeaderFile read = readHeader(file, cancel);
     found.state = read.state;
     if (!read.header) return found;
     const Dataset& header = *read.header;

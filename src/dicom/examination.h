@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/progress.h"
 #include "dicom/instance.h"
 #include "dicom/patient.h"
 #include "dicom/series.h"
@@ -29,7 +30,7 @@ struct Examination {
     std::optional<int> seriesNumber;
 };
 
-// Reads the header, and nothing of the pixels. Thread-safe.
-Examination examine(const std::filesystem::path& file);
+// Reads the header, and nothing of the pixels. Once cancelled, the result is to be thrown away. Thread-safe.
+Examination examine(const std::filesystem::path& file, const CancelToken& cancel = {});
 
 }  // namespace macula::dicom

@@ -27,7 +27,7 @@ FrameDecoder::FrameDecoder(const Stack& stack, std::span<const SliceIntensity> i
       states_(stack.frames.size(), FrameState::waiting),
       errors_(stack.frames.size()) {}
 
-Error FrameDecoder::decode(std::size_t f, Worker& worker) {
+Error FrameDecoder::decode(std::size_t f, Worker& worker, const CancelToken& cancel) {
     const Frame& frame = stack_.frames[f];
     const Instance& instance = *frame.instance;
     const SliceIntensity& intensity = intensities_[f];
@@ -35,11 +35,13 @@ Error FrameDecoder::decode(std::size_t f, Worker& worker) {
         worker.instance = &instance;
         worker.reader.reset();
         worker.openError.reset();
-        auto opened = PixelReader::open(instance.file, {.transferSyntaxUid = instance.transferSyntaxUid,
-                                                        .columns = instance.columns,
-                                                        .rows = instance.rows,
-                                                        .frames = instance.frames,
-                                                        .format = intensity.format});
+        auto opened = PixelReader::open(instance.file,
+                                        {.transferSyntaxUid = instance.transferSyntaxUid,
+                                         .columns = instance.columns,
+                                         .rows = instance.rows,
+                                         .frames = instance.frames,
+                                         .format = intensity.format},
+                                        cancel);
         if (opened) {
             worker.reader.emplace(std::move(*opened));
         } else {
@@ -92,7 +94,7 @@ Result<void> FrameDecoder::run(std::span<const std::size_t> order, std::size_t c
             if (i >= order.size() || progress.cancelled() || outOfMemory) return;
             const std::size_t f = order[i];
             try {
-                errors_[f] = decode(f, worker);
+                errors_[f] = decode(f, worker, progress.token());
             } catch (...) {  // the decoders throw nothing else
                 outOfMemory = true;
             }

@@ -45,7 +45,8 @@ class FrameDecoder {
 
   private:
     struct Worker;
-    Error decode(std::size_t frame, Worker& worker);  // without a message when it went well
+    Error decode(std::size_t frame, Worker& worker,
+                 const CancelToken& cancel);  // without a message when it went well
 
     const Stack& stack_;
     std::span<const SliceIntensity> intensities_;

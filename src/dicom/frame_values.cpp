@@ -90,8 +90,8 @@ void readPadding(const Dataset& dataset, Frame& frame) {
 // Several pairs of centre and width, each perhaps with an explanation. Half a pair, a width of less than 1
 // for LINEAR (C.11.2.1.2), and lookup tables are no windows; a bad one spoils none of the others.
 void readWindows(const Dataset& dataset, Frame& frame) {
-    const auto centers = dataset.allNumbers(tag::kWindowCenter);
-    const auto widths = dataset.allNumbers(tag::kWindowWidth);
+    const auto centers = dataset.shortNumbers(tag::kWindowCenter);
+    const auto widths = dataset.shortNumbers(tag::kWindowWidth);
     const auto explanations = dataset.shortTexts(tag::kWindowExplanation);
     const std::string function = dataset.shortText(tag::kVoiLutFunction);
     const double leastWidth =

@@ -45,8 +45,7 @@ enum class PixelSpacingSource { none, pixelSpacing, imagerPixelSpacing, nominalS
 
 struct Frame {
     std::shared_ptr<const Instance> instance;
-    int number = 0;       // of the file's frames, from 0
-    bool cutOff = false;  // the file ends before this frame's pixels do
+    int number = 0;  // of the file's frames, from 0
 
     std::vector<std::string> imageType;  // of the frame, where frames have their own
     std::string frameOfReferenceUid;

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "base/progress.h"
 #include "base/volume.h"
 
 namespace macula::dicom {
@@ -136,7 +137,9 @@ struct NarrowedVoxels {
     std::vector<std::uint16_t> voxels;
 };
 
-// Voxels of float32, of which NaN is padding, in 16 bits: nothing unless every value stays the same.
-std::optional<NarrowedVoxels> narrowed(std::span<const float> values, const UnitsFromStored& steps);
+// Voxels of float32, of which NaN is padding, in 16 bits: nothing unless every value stays the same, or when
+// cancelled. On all cores.
+std::optional<NarrowedVoxels> narrowed(std::span<const float> values, const UnitsFromStored& steps,
+                                       const CancelToken& cancel = {});
 
 }  // namespace macula::dicom

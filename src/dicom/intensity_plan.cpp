@@ -1,8 +1,10 @@
 // Whether 16 bits hold the values of all slices, and with which map.
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 
+#include "base/parallel.h"
 #include "dicom/intensity.h"
 
 namespace macula::dicom {
@@ -164,35 +166,80 @@ IntensityPlan planFromFormats(std::span<const SliceIntensity> slices) {
     return inFloat;
 }
 
-std::optional<NarrowedVoxels> narrowed(std::span<const float> values, const UnitsFromStored& steps) {
-    ValueRange range{std::numeric_limits<double>::max(), std::numeric_limits<double>::lowest()};
+namespace {
+
+struct Extent {
+    double low = std::numeric_limits<double>::max();
+    double high = std::numeric_limits<double>::lowest();
     bool hasPadding = false;
+};
+
+Extent extentOf(std::span<const float> values) {
+    Extent extent;
     for (const float value : values) {
         if (std::isnan(value)) {
-            hasPadding = true;
+            extent.hasPadding = true;
         } else {
-            range = {std::min<double>(range.low, value), std::max<double>(range.high, value)};
+            extent.low = std::min<double>(extent.low, value);
+            extent.high = std::max<double>(extent.high, value);
         }
     }
-    if (range.low > range.high) range = {steps.intercept, steps.intercept};
-    const double first = hasPadding ? 1.0 : 0.0;
-    if (!(std::round((range.high - range.low) / steps.slope) <= kLargestStored - first)) return {};
+    return extent;
+}
+
+// False unless each of them stays the same.
+bool narrow(std::span<const float> values, const UnitsFromStored& unitsFromStored, double first,
+            std::span<std::uint16_t> result) {
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        if (std::isnan(values[i])) continue;  // 0 is there already
+        const double stored =
+            std::round((double{values[i]} - unitsFromStored.intercept) / unitsFromStored.slope);
+        if (!(stored >= first && stored <= kLargestStored)) return false;
+        if (static_cast<float>(unitsFromStored(stored)) != values[i]) return false;
+        result[i] = static_cast<std::uint16_t>(stored);
+    }
+    return true;
+}
+
+}  // namespace
+
+std::optional<NarrowedVoxels> narrowed(std::span<const float> values, const UnitsFromStored& steps,
+                                       const CancelToken& cancel) {
+    constexpr std::size_t kPortion = std::size_t{1} << 20;
+    const std::size_t portions = (values.size() + kPortion - 1) / kPortion;
+    const auto portion = [&](auto all, std::size_t i) {
+        return all.subspan(i * kPortion, std::min(kPortion, all.size() - i * kPortion));
+    };
+    std::vector<Extent> extents(portions);
+    parallelFor(
+        portions, [&](std::size_t i) { extents[i] = extentOf(portion(values, i)); }, cancel);
+    Extent extent;
+    for (const Extent& part : extents) {
+        extent = {std::min(extent.low, part.low), std::max(extent.high, part.high),
+                  extent.hasPadding || part.hasPadding};
+    }
+    if (extent.low > extent.high) extent.low = extent.high = steps.intercept;
+    // Where a step is finer than float, values have been rounded already, and 16 bits would look exact.
+    constexpr double kWholeNumbersOfFloat = 1 << 24;
+    if (std::max(std::abs(extent.low), std::abs(extent.high)) > kWholeNumbersOfFloat * steps.slope) return {};
+    const double first = extent.hasPadding ? 1.0 : 0.0;
+    if (!(std::round((extent.high - extent.low) / steps.slope) <= kLargestStored - first)) return {};
 
     NarrowedVoxels result;
-    const double low = std::round((range.low - steps.intercept) / steps.slope);
+    const double low = std::round((extent.low - steps.intercept) / steps.slope);
     result.unitsFromStored = {steps.slope, steps.intercept + (low - first) * steps.slope};
-    if (hasPadding) result.padding = StoredRange{0, 0};
-    result.voxels.reserve(values.size());
-    for (const float value : values) {
-        if (std::isnan(value)) {
-            result.voxels.push_back(0);
-            continue;
-        }
-        const double stored = std::round((value - result.unitsFromStored.intercept) / steps.slope);
-        if (!(stored >= first && stored <= kLargestStored)) return {};
-        if (static_cast<float>(result.unitsFromStored(stored)) != value) return {};
-        result.voxels.push_back(static_cast<std::uint16_t>(stored));
-    }
+    if (extent.hasPadding) result.padding = StoredRange{0, 0};
+    result.voxels.resize(values.size());
+    std::atomic<bool> exact{true};
+    parallelFor(
+        portions,
+        [&](std::size_t i) {
+            if (exact && !narrow(portion(values, i), result.unitsFromStored, first,
+                                 portion(std::span(result.voxels), i)))
+                exact = false;
+        },
+        cancel);
+    if (!exact || cancel.cancelled()) return {};
     return result;
 }
 

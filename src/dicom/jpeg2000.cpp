@@ -7,6 +7,7 @@
 #include <cstring>
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace macula::dicom {
 
@@ -27,6 +28,33 @@ struct StreamHeader {
     unsigned components = 0;
     unsigned precision = 0;
 };
+
+// Whether every tile has a part in the stream (ISO 15444-1 A.4.2, B.3). The decoder takes memory for each
+// tile that the header announces, and makes zeros of those that are missing, without a word.
+bool hasAllTiles(std::span<const std::byte> stream, std::size_t firstTilePart, std::uint64_t tiles) {
+    constexpr std::size_t kTilePartBytes =
+        14;  // of a start of tile-part and a start of data, with nothing in it
+    constexpr unsigned kStartOfTilePart = 0xFF90;
+    if (tiles == 0 || tiles > stream.size() / kTilePartBytes) return false;
+    const auto number = [&](std::size_t at, std::size_t size) {
+        std::uint32_t value = 0;
+        for (std::size_t i = 0; i < size; ++i)
+            value = value << 8 | std::to_integer<std::uint32_t>(stream[at + i]);
+        return value;
+    };
+    std::vector<bool> seen(tiles, false);
+    for (std::size_t at = firstTilePart; at + kTilePartBytes <= stream.size();) {
+        if (number(at, 2) != kStartOfTilePart) break;  // the end of the code stream
+        const std::uint32_t tile = number(at + 4, 2);
+        if (tile >= tiles) return false;
+        seen[tile] = true;
+        const std::uint32_t bytes = number(at + 6, 4);
+        if (bytes == 0) break;  // up to the end
+        if (bytes < kTilePartBytes) return false;
+        at += bytes;
+    }
+    return std::find(seen.begin(), seen.end(), false) == seen.end();
+}
 
 // Reads the header, and walks the marker segments up to the data, before the decoder takes memory for what
 // they announce.
@@ -53,10 +81,28 @@ std::optional<StreamHeader> readHeader(std::span<const std::byte> bytes) {
     header.precision = (number(42, 1) & 0x7F) + 1;
     if (number(43, 2) != 0x0101) return {};  // subsampled
 
+    const auto tilesAlong = [&](std::size_t size, std::size_t tileSize, std::size_t tileOrigin) {
+        const std::uint64_t end = number(size, 4);
+        const std::uint64_t origin = number(tileOrigin, 4);
+        const std::uint64_t step = number(tileSize, 4);
+        return step == 0 || end <= origin ? 0 : (end - origin + step - 1) / step;
+    };
+    const std::uint64_t tilesX = tilesAlong(8, 24, 32);
+    const std::uint64_t tilesY = tilesAlong(12, 28, 36);
+    constexpr std::uint64_t kMostTiles = 65535;  // their number has 16 bits
+    if (tilesX > kMostTiles || tilesY > kMostTiles || tilesX * tilesY > kMostTiles) return {};
+
+    constexpr unsigned kStartOfTilePart = 0xFF90;
+    std::optional<std::size_t> firstTilePart;
     bool hasCodingStyle = false;
     for (std::size_t at = 2; at + 4 <= stream.size();) {
         const std::uint32_t marker = number(at, 2);
-        if (marker == kStartOfData) return hasCodingStyle ? std::optional(header) : std::nullopt;
+        if (marker == kStartOfTilePart && !firstTilePart) firstTilePart = at;
+        if (marker == kStartOfData) {
+            const bool usable =
+                hasCodingStyle && firstTilePart && hasAllTiles(stream, *firstTilePart, tilesX * tilesY);
+            return usable ? std::optional(header) : std::nullopt;
+        }
         const std::uint32_t length = number(at + 2, 2);
         if (marker < 0xFF40 || length < 2 || at + 2 + length > stream.size()) return {};
         if (marker == kCodingStyle) {

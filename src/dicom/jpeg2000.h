@@ -1,4 +1,4 @@
-// JPEG 2000, which DCMTK lacks, by GDCM.
+// JPEG 2000, which DCMTK lacks, by OpenJPEG.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@
 namespace macula::dicom {
 
 // Decodes one grayscale frame of up to 16 bits into exactly rows * columns cells. Fails with inputNotUsable
-// when the code stream is broken, in colour or of another size. Thread-safe.
+// when the code stream is broken, lacks a tile, is in colour or of another size. Thread-safe.
 Result<void> decodeJpeg2000(std::span<const std::byte> codeStream, int columns, int rows,
                             std::span<std::uint16_t> cells);
 

@@ -1,6 +1,9 @@
 #include "dicom/loader.h"
 
 #include <algorithm>
+#include <map>
+#include <numeric>
+#include <tuple>
 
 #include "base/parallel.h"
 #include "dicom/frame_decoder.h"
@@ -65,9 +68,14 @@ class Loading {
         loose_ = static_cast<std::size_t>(std::ranges::count(ownSlice_, kNone));
     }
 
-    std::uint64_t bytesNeeded() const {
+    // At its highest: all that is decoded, and beside it first the coarse volume, later the narrowed one.
+    std::uint64_t bytesNeeded(const LoadOptions& options) const {
         const std::uint64_t cell = isFloat() ? sizeof(float) : sizeof(std::uint16_t);
-        return cell * std::uint64_t{sliceVoxels()} * (stack_.slices.size() + loose_);
+        const std::uint64_t slices = stack_.slices.size();
+        const std::uint64_t coarse = makesCoarse(options) ? slices / kCoarseStep + 1 : 0;
+        const std::uint64_t narrow = plan_.steps ? slices : 0;
+        return std::uint64_t{sliceVoxels()} *
+               std::max(cell * (slices + loose_ + coarse), cell * slices + sizeof(std::uint16_t) * narrow);
     }
 
     Result<std::shared_ptr<const Volume>> run(Progress& progress, const LoadOptions& options);
@@ -75,6 +83,11 @@ class Loading {
   private:
     static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
+    bool makesCoarse(const LoadOptions& options) const {
+        return options.onCoarse && stack_.slices.size() >= kLeastForCoarse;
+    }
+    // The first slices of the stack are lost, so that the volume's are numbered otherwise.
+    bool isRenumbered() const { return usable_.first > 0; }
     bool isFloat() const { return plan_.format == VoxelFormat::float32; }
     std::size_t sliceVoxels() const {
         return static_cast<std::size_t>(stack_.columns) * static_cast<std::size_t>(stack_.rows);
@@ -91,7 +104,7 @@ class Loading {
     template <class T>
     void finish(std::vector<T>& voxels, std::span<const std::span<T>> frames, Progress& progress);
     VolumeOptions describe(std::size_t first, std::size_t step, std::span<const SliceSource> slices) const;
-    Result<Volume> make();
+    Result<Volume> make(Progress& progress);
     void say(Message message) {
         if (message.severity == Severity::warning) assumptions_.push_back(message.sentence);
         messages_.push_back(std::move(message));
@@ -143,18 +156,21 @@ void Loading::allocate() {
     }
 }
 
-// Those that every fourth slice needs come first.
+// Those that every fourth slice needs come first. Within that, the frames of one file as they are stored: a
+// deflated one can only be read forward.
 std::vector<std::size_t> Loading::order(std::size_t& coarseCount) const {
     std::vector<bool> first(stack_.frames.size(), false);
     for (std::size_t k = 0; k < stack_.slices.size(); k += kCoarseStep)
         first[stack_.slices[k].below] = first[stack_.slices[k].above] = true;
-    std::vector<std::size_t> order;
-    for (const bool wanted : {true, false}) {
-        for (std::size_t f = 0; f < first.size(); ++f) {
-            if (first[f] == wanted) order.push_back(f);
-        }
-        if (wanted) coarseCount = order.size();
-    }
+    std::map<const Instance*, std::size_t> files;
+    for (const Frame& frame : stack_.frames) files.try_emplace(frame.instance.get(), files.size());
+    std::vector<std::size_t> order(stack_.frames.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::sort(order, {}, [&](std::size_t f) {
+        const Frame& frame = stack_.frames[f];
+        return std::tuple(!first[f], files[frame.instance.get()], frame.number);
+    });
+    coarseCount = static_cast<std::size_t>(std::ranges::count(first, true));
     return order;
 }
 
@@ -190,7 +206,12 @@ VolumeOptions Loading::describe(std::size_t first, std::size_t step,
                           .unitName = unit.name,
                           .windows = stack_.frames[stack_.frames.size() / 2].windows};
     auto& assumptions = options.provenance.assumptions;
-    assumptions.insert(assumptions.end(), stack_.assumptions.begin(), stack_.assumptions.end());
+    std::ranges::remove_copy_if(
+        stack_.assumptions, std::back_inserter(assumptions), [&](const auto& sentence) {
+            return isRenumbered() && std::ranges::any_of(stack_.messages, [&](const Message& m) {
+                       return m.key == key::kGapInterpolated && m.sentence == sentence;
+                   });
+        });
     assumptions.insert(assumptions.end(), assumptions_.begin(), assumptions_.end());
     if (!isFloat()) {
         options.unitsFromStored = plan_.unitsFromStored;
@@ -257,11 +278,11 @@ Result<void> Loading::drop(const FrameDecoder& decoder) {
                                           {"total", std::int64_t(stack_.slices.size())},
                                           {"spacingMm", spacingMm}}));
     }
-    // Only those that were not before.
+    // Only those that were not before, unless these have other numbers now.
     std::vector<SliceSource> added = usable_.slices;
     for (std::size_t k = 0; k < added.size(); ++k) {
         const SliceSource& before = stack_.slices[usable_.first + k];
-        if (before.interpolated()) added[k] = {};
+        if (before.interpolated() && !isRenumbered()) added[k] = {};
     }
     std::int64_t interpolated = 0;
     const std::vector<SliceRange> ranges = interpolatedRanges(added);
@@ -291,11 +312,11 @@ void Loading::finish(std::vector<T>& voxels, std::span<const std::span<T>> frame
     voxels.resize(usable_.slices.size() * count);
 }
 
-Result<Volume> Loading::make() {
+Result<Volume> Loading::make(Progress& progress) {
     VolumeOptions options = describe(usable_.first, 1, usable_.slices);
     if (!isFloat()) return Volume::create(std::move(options), std::move(stored_));
     if (plan_.steps) {
-        if (auto narrow = narrowed(values_, *plan_.steps)) {
+        if (auto narrow = narrowed(values_, *plan_.steps, progress.token())) {
             options.unitsFromStored = narrow->unitsFromStored;
             options.padding = narrow->padding;
             return Volume::create(std::move(options), std::move(narrow->voxels));
@@ -319,7 +340,7 @@ Result<std::shared_ptr<const Volume>> Loading::run(Progress& progress, const Loa
     std::size_t coarseCount = 0;
     const std::vector<std::size_t> frames = order(coarseCount);
     std::function<void()> onFirst;
-    if (options.onCoarse && stack_.slices.size() >= kLeastForCoarse) {
+    if (makesCoarse(options)) {
         onFirst = [&] {
             try {
                 if (auto volume = coarse(std::span(frames).first(coarseCount), decoder))
@@ -339,7 +360,8 @@ Result<std::shared_ptr<const Volume>> Loading::run(Progress& progress, const Loa
     looseStored_ = {};
     looseValues_ = {};
     if (progress.cancelled()) return Error{ErrorCode::cancelled, "Loading was cancelled.", {}, {}};
-    MACULA_TRY(Volume volume, make());
+    MACULA_TRY(Volume volume, make(progress));
+    if (progress.cancelled()) return Error{ErrorCode::cancelled, "Loading was cancelled.", {}, {}};
     return std::shared_ptr<const Volume>(std::make_shared<Volume>(std::move(volume)));
 }
 
@@ -351,7 +373,7 @@ Result<std::shared_ptr<const Volume>> loadVolume(const Series& series, const Sta
     try {
         MACULA_TRY_VOID(check(stack));
         Loading loading(series, stack);
-        bytes = loading.bytesNeeded();
+        bytes = loading.bytesNeeded(options);
         if (const auto available = availableMemory(); available && bytes > *available)
             return notEnoughMemory(bytes, *available);
         return loading.run(progress, options);

@@ -189,6 +189,20 @@ constexpr std::array kCatalogue = std::to_array<CatalogueEntry>({
 
 }  // namespace
 
+std::string_view nameOf(Severity severity) {
+    switch (severity) {
+        case Severity::info:
+            return "info";
+        case Severity::warning:
+            return "warning";
+        case Severity::blocksVolume:
+            return "blocks-3d";
+        case Severity::blocksLoading:
+            return "blocks-loading";
+    }
+    return "info";
+}
+
 std::span<const CatalogueEntry> catalogue() {
     return kCatalogue;
 }

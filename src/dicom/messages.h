@@ -14,6 +14,9 @@ using macula::Message;
 using macula::MessageArgument;
 using macula::Severity;
 
+// As programs are told of it: "info", "warning", "blocks-3d", "blocks-loading".
+std::string_view nameOf(Severity severity);
+
 struct CatalogueEntry {
     std::string_view key;
     Severity severity = Severity::info;

@@ -108,8 +108,9 @@ Result<ValuesInFile> valuesOf(const fs::path& path, const Parsed& parsed, const 
     if (!bytes || *bytes < -1 || *bytes > inFile || error || (values.compressed && *bytes == -1))
         return headerDamaged();
     if (*bytes == -1) {  // the values are at the end
-        values.offset =
-            static_cast<std::uint64_t>(std::max<std::int64_t>(0, inFile - std::int64_t(layout.bytes())));
+        const std::uint64_t needed = layout.bytes();
+        const auto there = static_cast<std::uint64_t>(inFile);
+        values.offset = there - std::min(there, needed);
     } else if (*bytes > 0) {
         values.offset = static_cast<std::uint64_t>(*bytes);
     }

@@ -160,8 +160,9 @@ Result<ValuesInFile> valuesOf(const fs::path& path, const Parsed& parsed, const 
     const auto inFile = static_cast<std::int64_t>(fs::file_size(values.file, error));
     if (!bytes || *bytes < -1 || error || (values.compressed && *bytes == -1)) return headerDamaged();
     if (*bytes == -1) {  // the values are at the end
-        values.offset =
-            static_cast<std::uint64_t>(std::max<std::int64_t>(0, inFile - std::int64_t(layout.bytes())));
+        const std::uint64_t needed = layout.bytes();
+        const auto there = static_cast<std::uint64_t>(inFile);
+        values.offset = there - std::min(there, needed);
     } else if (values.compressed) {
         values.skip = static_cast<std::uint64_t>(*bytes);
     } else {

@@ -19,7 +19,6 @@ namespace {
 constexpr std::uint32_t kUndefined = 0xFFFFFFFF;
 constexpr std::uint64_t kNoEnd = std::numeric_limits<std::uint64_t>::max();
 constexpr std::size_t kDeepest = 64;
-constexpr std::size_t kMostItemsInDoubt = 1000;  // as levels, a tenth of what DCMTK's stack bears
 constexpr std::uint64_t kInflatedSpare = std::uint64_t{64} << 20;
 constexpr std::uint64_t kMostInflated = std::uint64_t{2} << 30;
 constexpr std::uint32_t kLargestValueKept = 256 << 10;          // twice the largest lookup table
@@ -103,7 +102,6 @@ class Walk {
         outline_.headerWhole = outline_.pixels || endedWell_;
         outline_.strayBytesAfterPixels = outline_.pixels && outline_.pixels->whole && !endedWell_;
         if (tree_) tree_->finish();
-        if (outline_.isSafeToParse() && (doubtful_ || otherEncoding_)) countItems();
         return outline_;
     }
 
@@ -128,11 +126,6 @@ class Walk {
         return true;
     }
 
-    bool doubt() {
-        doubtful_ = true;
-        return false;
-    }
-
     // Group 2 is Explicit VR Little Endian, always (PS3.10 7.1).
     bool readMetaInformation() {
         std::uint64_t end = kNoEnd;
@@ -141,8 +134,7 @@ class Walk {
             if (end == kNoEnd && wordAt(group.data(), false) != 2) break;
             Header header;
             if (!readHeader({}, header)) return false;
-            if (header.tag.group != 2 || header.vr == vrOf("SQ") || header.length == kUndefined)
-                return doubt();
+            if (header.tag.group != 2 || header.vr == vrOf("SQ") || header.length == kUndefined) return false;
             constexpr std::uint32_t kLongestKept = 64;  // a UID
             if (header.length > kLongestKept) {
                 if (!source_.skip(header.length)) return false;
@@ -186,8 +178,7 @@ class Walk {
             encoding_ = {static_cast<bool>(syntax.isExplicitVR()), static_cast<bool>(syntax.isBigEndian())};
             const Encoding found = encodingOf(head);
             // Only when it cannot be what it says it is: the other one would be as good a guess as any.
-            otherEncoding_ = !encoding_.bigEndian && !found.bigEndian && found != encoding_;
-            if (otherEncoding_) encoding_ = found;
+            if (!encoding_.bigEndian && !found.bigEndian) encoding_ = found;
             return true;
         }
         encoding_ = {isUpper(head[4]) && isUpper(head[5]), head[0] == 0};
@@ -209,7 +200,7 @@ class Walk {
     // One header, and what it says to do with the value. False at the end of the walk.
     bool step() {
         while (!levels_.empty() && source_.position() >= levels_.back().end) {
-            if (source_.position() > levels_.back().end) return doubt();  // reaches out of what it is in
+            if (source_.position() > levels_.back().end) return false;  // reaches out of what it is in
             pop();
         }
         if (levels_.empty() && source_.ahead(1).empty()) {
@@ -229,7 +220,7 @@ class Walk {
             pop();
             return true;
         }
-        if (header.tag.group == 0xFFFE) return doubt();
+        if (header.tag.group == 0xFFFE) return false;
         if (levels_.empty() && header.tag.key() > tag::kPixelData.key()) {
             endedWell_ = true;
             return false;
@@ -242,8 +233,13 @@ class Walk {
             pop();
             return true;
         }
-        if (!header.isItem()) return doubt();
-        if (levels_.back().ofFragments) return header.length != kUndefined && source_.skip(header.length);
+        if (!header.isItem()) return false;
+        if (levels_.back().ofFragments) {
+            if (header.length == kUndefined) return false;
+            if (source_.inflating() && source_.position() + header.length > inflatedLimit())
+                return inflatesTooFar();
+            return source_.skip(header.length);
+        }
         if (tree_) tree_->openItem();
         levels_.push_back({.end = endOf(header.length), .encoding = levels_.back().encoding});
         return true;
@@ -265,7 +261,7 @@ class Walk {
             const bool unknown = header.vr == vrOf("UN");  // then implicit inside: PS3.5 6.2.2 note 2
             if (header.vr != 0 && !unknown && header.vr != vrOf("SQ") && header.vr != vrOf("OB") &&
                 header.vr != vrOf("OW"))
-                return doubt();
+                return false;
             if (tree_) tree_->openSequence(element);
             return push(header.length, unknown ? Encoding{false, false} : encoding, {});
         }
@@ -396,23 +392,6 @@ class Walk {
         return false;
     }
 
-    // Where this walk and DCMTK might disagree about what comes next, depth is bounded by the number of items
-    // that can be there at all.
-    void countItems() {
-        if (otherEncoding_) source_.rewind();
-        std::size_t items = 0;
-        std::uint32_t last = 0;
-        std::array<unsigned char, 1> byte{};
-        while (source_.read(byte)) {
-            last = last << 8 | byte[0];
-            if (last == 0xFEFF00E0 || last == 0xFFFEE000) ++items;
-            if (items > kMostItemsInDoubt || (source_.inflating() && source_.position() > kMostInflated)) {
-                outline_.nestedTooDeep = true;
-                return;
-            }
-        }
-    }
-
     ByteSource& source_;
     ElementTree* tree_;  // null when nobody wants it, and after the pixel data
     Outline outline_;
@@ -420,9 +399,7 @@ class Walk {
     std::optional<std::uint64_t> groupEnd_;
     std::vector<Level> levels_;
     std::size_t depth_ = 0;
-    bool doubtful_ = false;
-    bool otherEncoding_ = false;  // than the transfer syntax says
-    bool endedWell_ = false;      // at the end of the file, or past where pixel data are
+    bool endedWell_ = false;  // at the end of the file, or past where pixel data are
     std::uint64_t rows_ = 0, columns_ = 0, samples_ = 1, bits_ = 16, frames_ = 1;
 };
 

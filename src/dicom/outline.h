@@ -1,6 +1,5 @@
-// The shape of a DICOM file, from its element headers alone, without recursion and without DCMTK's parser:
-// what has to be known before the file may be handed to that parser, and, in a tree, all that stands before
-// the pixel data.
+// The shape of a DICOM file, from its element headers alone and without recursion: where the pixel data are,
+// and, in a tree, all that stands before them.
 #pragma once
 
 #include <cstdint>
@@ -25,10 +24,8 @@ struct PixelDataOutline {
 };
 
 struct Outline {
-    // DCMTK's parser calls itself for every level, and dies on its stack when there are thousands; no real
-    // object has more than a dozen.
-    bool nestedTooDeep = false;
-    // Deflated, and far larger than its image: DCMTK would inflate all of it into memory.
+    bool nestedTooDeep = false;  // no real object has more than a dozen levels
+    // Deflated, and far larger than its image: a megabyte can make a gigabyte.
     bool inflatesTooFar = false;
     // What stands before the pixel data is larger than any real header.
     bool headerTooLarge = false;
@@ -41,7 +38,8 @@ struct Outline {
     // Of the file meta information; where there is none, of what the dataset turned out to be.
     std::string transferSyntaxUid;
 
-    bool isSafeToParse() const { return !nestedTooDeep && !inflatesTooFar && !headerTooLarge; }
+    // Within the bounds of any real object.
+    bool isPlausible() const { return !nestedTooDeep && !inflatesTooFar && !headerTooLarge; }
 };
 
 // `hasPreamble`: the 128 bytes and DICM are there. `tree`, unless null, is filled with what stands before the

@@ -82,6 +82,7 @@ void toNumbers(const CellFormat& format, std::span<const std::byte> bytes, std::
 struct PixelReader::Impl {
     std::filesystem::path path;
     PixelLayout layout;
+    CancelToken cancel;
     RandomFile file;
     Codec codec = Codec::native;
     PixelDataOutline pixels;
@@ -92,7 +93,8 @@ struct PixelReader::Impl {
     std::unique_ptr<ByteSource> inflating;  // of a deflated file, somewhere in its pixels
     std::vector<std::byte> scratch;
 
-    Impl(const std::filesystem::path& p, const PixelLayout& l) : path(p), layout(l), file(p) {}
+    Impl(const std::filesystem::path& p, const PixelLayout& l, CancelToken c)
+        : path(p), layout(l), cancel(std::move(c)), file(p) {}
 
     Error fail(std::string message, std::string hint = "Copy the file again from its source.") const {
         return {ErrorCode::inputNotUsable, std::move(message), path.string(), std::move(hint)};
@@ -128,7 +130,7 @@ Result<void> PixelReader::Impl::open() {
     if (!file.isOpen())
         return fail("The file cannot be read.", "Check that the file or disc is still there.");
     ElementTree tree;
-    ByteSource source(path);
+    ByteSource source(path, cancel);
     const Outline outline = outlineOf(source, hasPreamble(path), &tree);
     const auto same = [&](Tag tag, int wanted) { return wordOf(tree, tag).value_or(wanted) == wanted; };
     if (outline.transferSyntaxUid != layout.transferSyntaxUid || !same(tag::kRows, layout.rows) ||
@@ -142,7 +144,7 @@ Result<void> PixelReader::Impl::open() {
         return fail("The file has no pixel data that fit its header.");
 
     datasetOffset = outline.datasetOffset;
-    if (source.inflating()) inflating = std::make_unique<ByteSource>(path);
+    if (source.inflating()) inflating = std::make_unique<ByteSource>(path, cancel);
     bigEndian = layout.transferSyntaxUid == kBigEndian;
     if (bigEndian && !pixels.encapsulated) {
         std::array<std::byte, 2> vr{};  // of the element header: tag, VR, two bytes, length
@@ -187,7 +189,7 @@ bool PixelReader::Impl::gather(std::size_t frame) {
 bool PixelReader::Impl::readNative(std::uint64_t offset, std::span<std::byte> bytes) {
     if (!inflating) return file.read(pixels.offset + offset, bytes);
     if (!inflating->inflating() || inflating->position() > pixels.offset + offset) {
-        inflating = std::make_unique<ByteSource>(path);
+        inflating = std::make_unique<ByteSource>(path, cancel);
         if (!inflating->skip(datasetOffset)) return false;
         inflating->beginInflating();
     }
@@ -310,10 +312,11 @@ auto guarded(const std::filesystem::path& file, const Body& body) -> decltype(bo
 
 }  // namespace
 
-Result<PixelReader> PixelReader::open(const std::filesystem::path& file, const PixelLayout& layout) {
+Result<PixelReader> PixelReader::open(const std::filesystem::path& file, const PixelLayout& layout,
+                                      CancelToken cancel) {
     MACULA_CHECK(isUsable(layout.format));
     return guarded(file, [&]() -> Result<PixelReader> {
-        auto impl = std::make_unique<Impl>(file, layout);
+        auto impl = std::make_unique<Impl>(file, layout, std::move(cancel));
         const int least = std::min({layout.columns, layout.rows, layout.frames});
         if (least < 1 || std::max(layout.columns, layout.rows) > kMostRows)
             return impl->fail("The images of this file have no usable size.", "Choose another series.");

@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 
+#include "base/progress.h"
 #include "base/result.h"
 #include "dicom/intensity.h"
 
@@ -27,8 +28,9 @@ struct PixelLayout {
 class PixelReader {
   public:
     // Fails when the file is gone, changed since the scan, holds no pixel data that can be found, or is in a
-    // transfer syntax this build cannot decode.
-    static Result<PixelReader> open(const std::filesystem::path& file, const PixelLayout& layout);
+    // transfer syntax this build cannot decode. Of a deflated file, reading fails once `cancel` is cancelled.
+    static Result<PixelReader> open(const std::filesystem::path& file, const PixelLayout& layout,
+                                    CancelToken cancel = {});
     PixelReader(PixelReader&&) noexcept;
     PixelReader& operator=(PixelReader&&) noexcept;
     ~PixelReader();

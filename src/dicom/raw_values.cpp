@@ -44,18 +44,19 @@ class Source {
         stream_.read(reinterpret_cast<char*>(out), static_cast<std::streamsize>(length));
         return stream_.gcount() == static_cast<std::streamsize>(length);
     }
-    bool skip(std::uint64_t length) {
+    bool skip(std::uint64_t length, const CancelToken& cancel) {
         std::vector<std::byte> none(std::min<std::uint64_t>(length, kPortion));
         for (; length > 0; length -= std::min<std::uint64_t>(length, kPortion)) {
-            if (!read(none.data(), std::min<std::uint64_t>(length, kPortion))) return false;
+            if (cancel.cancelled() || !read(none.data(), std::min<std::uint64_t>(length, kPortion)))
+                return false;
         }
         return true;
     }
     // Called after the last byte: whether the stream's own checksum agrees. More data than were asked for are
-    // no fault.
+    // no fault, and neither is what follows the stream and is none itself: gzip ignores it too.
     bool endsWell() {
         std::byte spare{};
-        return !compressed_ || inflateTo(&spare, 1) == 1 || ended_;
+        return !compressed_ || inflateTo(&spare, 1) == 1 || ended_ || (hasEnded_ && inflater_.total_out == 0);
     }
 
   private:
@@ -76,6 +77,7 @@ class Source {
             }
             const int status = inflate(&inflater_, Z_NO_FLUSH);
             ended_ = status == Z_STREAM_END;
+            hasEnded_ = hasEnded_ || ended_;
             if (status != Z_OK && !ended_) break;
         }
         return length - inflater_.avail_out;
@@ -85,6 +87,7 @@ class Source {
     bool compressed_;
     bool usable_ = true;
     bool ended_ = false;
+    bool hasEnded_ = false;
     std::vector<std::byte> input_;
     z_stream inflater_{};
 };
@@ -107,14 +110,15 @@ Result<RawImage> readValues(RawImageLayout layout, const ValuesInFile& values, P
     const auto bytes = static_cast<std::size_t>(image.bytes());
     progress.beginStage("Reading", (bytes + kPortion - 1) / kPortion);
     Source source(values);
-    if (!source.skip(values.skip)) return cutOff();
+    const auto cancelled = [] { return Error{ErrorCode::cancelled, "Stopped.", {}, {}}; };
+    if (!source.skip(values.skip, progress.token())) return progress.cancelled() ? cancelled() : cutOff();
     if (!values.compressed) image.data.reserve(bytes);
     for (std::size_t at = 0; at < bytes; at += kPortion) {
         const std::size_t length = std::min(kPortion, bytes - at);
         image.data.resize(at + length);
         if (!source.read(image.data.data() + at, length)) return cutOff();
         progress.advance();
-        if (progress.cancelled()) return Error{ErrorCode::cancelled, "Stopped.", {}, {}};
+        if (progress.cancelled()) return cancelled();
     }
     if (!source.endsWell()) return cutOff();
     const std::size_t width = bytesOf(image.type);

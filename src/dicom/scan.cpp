@@ -206,7 +206,7 @@ void reportFiles(SeriesInProgress& place, std::size_t copies, std::size_t unread
 }
 
 // From frames to stacks.
-Series finish(SeriesInProgress& place) {
+Series finish(SeriesInProgress& place, const CancelToken& cancel) {
     Series series = std::move(place.series);
     std::set<const Instance*> instances;
     std::set<std::string> syntaxes;
@@ -216,7 +216,7 @@ Series finish(SeriesInProgress& place) {
     }
     series.instances = instances.size();
     series.transferSyntaxUids.assign(syntaxes.begin(), syntaxes.end());
-    Split split = splitSeries(std::move(place.frames), series.modality, splitRules());
+    Split split = splitSeries(std::move(place.frames), series.modality, splitRules(), cancel);
     series.stacks = std::move(split.stacks);
     // What its images are, and not what the first file happened to be.
     const auto largest =
@@ -258,7 +258,7 @@ void group(Scan& scan, const std::vector<fs::path>& files, std::vector<Examinati
         [&](std::size_t i) {
             try {
                 reportFiles(*places[i], copies[i], unreadable);
-                finished[i] = finish(*places[i]);
+                finished[i] = finish(*places[i], progress.token());
             } catch (...) {
                 outOfMemory = true;
             }
@@ -339,7 +339,8 @@ std::size_t Scan::objectCount() const {
 
 Result<Scan> scanFolder(const fs::path& path, Progress& progress) try {
     progress.beginStage("Looking for files", 1);
-    const bool isDirectory = isMediaDirectoryName(path) && examine(path).kind == Examination::Kind::directory;
+    const bool isDirectory =
+        isMediaDirectoryName(path) && examine(path, progress.token()).kind == Examination::Kind::directory;
     MACULA_TRY(const FolderListing listing,
                listFiles(isDirectory ? fs::absolute(path).parent_path() : path, progress));
     const std::vector<fs::path>& files = listing.files;
@@ -349,7 +350,7 @@ Result<Scan> scanFolder(const fs::path& path, Progress& progress) try {
         files.size(),
         [&](std::size_t i) {
             try {
-                found[i] = examine(files[i]);
+                found[i] = examine(files[i], progress.token());
             } catch (...) {
                 found[i].state = FileState::damaged;
             }

@@ -66,10 +66,11 @@ class Painter {
 
     std::vector<Segment> segments() const {
         std::vector<Segment> all = segmentation_.segments;
+        std::set<std::uint16_t> described;
+        for (const Segment& segment : all) described.insert(segment.number);
         for (const std::uint16_t number : seen_) {
-            const bool isDescribed =
-                std::any_of(all.begin(), all.end(), [&](const Segment& s) { return s.number == number; });
-            if (!isDescribed) all.push_back({.number = number, .label = fmt::format("Segment {}", number)});
+            if (described.insert(number).second)
+                all.push_back({.number = number, .label = fmt::format("Segment {}", number)});
         }
         return all;
     }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace macula::dicom {
@@ -15,25 +16,28 @@ constexpr double kSamePlace = 0.01;  // of a slice distance
 UsableSlices withoutFrames(std::span<const SliceSource> slices, std::span<const double> places,
                            const std::vector<bool>& usable) {
     const std::size_t none = places.size();
+    std::vector<std::size_t> good;  // ascending in place, as the frames are
+    for (std::size_t f = 0; f < places.size(); ++f) {
+        if (usable[f]) good.push_back(f);
+    }
+    const auto place = [&](std::size_t f) { return places[f]; };
     UsableSlices result;
     for (std::size_t k = 0; k < slices.size(); ++k) {
         SliceSource source = slices[k];
         if (!usable[source.below] || !usable[source.above]) {
-            const double place = static_cast<double>(k);
-            source = {.below = none, .above = none, .weight = 0.0};
-            for (std::size_t f = 0; f < places.size(); ++f) {
-                if (!usable[f]) continue;
-                if (places[f] <= place + kSamePlace) source.below = f;
-                if (places[f] >= place - kSamePlace && source.above == none) source.above = f;
-            }
+            const double here = static_cast<double>(k);
+            const auto below = std::ranges::upper_bound(good, here + kSamePlace, {}, place);
+            const auto above = std::ranges::lower_bound(good, here - kSamePlace, {}, place);
+            source = {.below = below == good.begin() ? none : *std::prev(below),
+                      .above = above == good.end() ? none : *above,
+                      .weight = 0.0};
             if (source.above == none || source.below == none) {
                 if (result.slices.empty()) continue;  // at the beginning
                 break;                                // at the end
             }
             if (places[source.below] >= places[source.above]) source.above = source.below;
             if (source.interpolated()) {
-                source.weight =
-                    (place - places[source.below]) / (places[source.above] - places[source.below]);
+                source.weight = (here - places[source.below]) / (places[source.above] - places[source.below]);
             }
         }
         if (result.slices.empty()) result.first = k;

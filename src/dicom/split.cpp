@@ -113,12 +113,13 @@ PhasesAsked groupOf(const SplitRules::Phase& rule) {
 
 class Splitter {
   public:
-    Splitter(const std::string& modality, const SplitRules& rules) : modality_(modality), rules_(rules) {}
+    Splitter(const std::string& modality, const SplitRules& rules, const CancelToken& cancel)
+        : modality_(modality), rules_(rules), cancel_(cancel) {}
 
     std::vector<Stack> split(std::vector<Frame> frames, std::vector<StackLabel> labels,
                              std::vector<Message>& messages) const {
         Stack whole = makeStack(std::move(frames), std::move(labels), modality_);
-        if (whole.frames.size() < 2 || isHopeless(whole)) return one(std::move(whole));
+        if (whole.frames.size() < 2 || cancel_.cancelled() || isHopeless(whole)) return one(std::move(whole));
         const Message* why = whole.whyNoVolume();
         const bool repeats = why != nullptr && why->key == key::kDuplicatePositions;
         using Asked = PhasesAsked;
@@ -225,7 +226,7 @@ class Splitter {
     std::optional<std::vector<Stack>> byPhases(const Stack& whole, PhasesAsked asked,
                                                std::vector<Message>& messages) const {
         for (const SplitRules::Phase& rule : rules_.phases) {
-            if (groupOf(rule) != asked) continue;
+            if (groupOf(rule) != asked || cancel_.cancelled()) continue;
             const Partition partition = phasesOf(whole.frames, rule);
             if (partition.size() < 2 || partition.size() > whole.frames.size() / 2) continue;
             if (!areVolumes(tryOut(whole.frames, partition))) continue;
@@ -333,11 +334,12 @@ class Splitter {
     bool spend(std::size_t frames) const {
         constexpr std::size_t kMostFramesTried = 1'000'000;
         tried_ += frames;
-        return tried_ <= kMostFramesTried;
+        return tried_ <= kMostFramesTried && !cancel_.cancelled();
     }
 
     const std::string& modality_;
     const SplitRules& rules_;
+    const CancelToken& cancel_;
     mutable std::size_t tried_ = 0;
 };
 
@@ -453,7 +455,8 @@ std::vector<HardPart> splitHard(std::vector<Frame> frames, const SplitRules& rul
 
 }  // namespace
 
-Split splitSeries(std::vector<Frame> frames, const std::string& modality, const SplitRules& rules) {
+Split splitSeries(std::vector<Frame> frames, const std::string& modality, const SplitRules& rules,
+                  const CancelToken& cancel) {
     Split split;
     if (frames.empty()) return split;
     sortFrames(frames);
@@ -461,8 +464,8 @@ Split splitSeries(std::vector<Frame> frames, const std::string& modality, const 
     for (HardPart& part : splitHard(std::move(frames), rules, split.messages)) {
         const std::string& own = part.frames.front().instance->modality;
         const std::string ofPart = own.empty() ? modality : own;
-        for (Stack& stack :
-             Splitter(ofPart, rules).split(std::move(part.frames), std::move(part.labels), split.messages)) {
+        for (Stack& stack : Splitter(ofPart, rules, cancel)
+                                .split(std::move(part.frames), std::move(part.labels), split.messages)) {
             split.stacks.push_back(std::move(stack));
         }
     }

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "base/progress.h"
 #include "dicom/split_rules.h"
 #include "dicom/stack.h"
 
@@ -26,7 +27,9 @@ struct Split {
 //     of their own;
 //   - far apart blocks are separated where the gap is;
 //   - else the stack stays whole, is no volume, and its message asks.
-// Deterministic: the order of `frames` does not matter.
-Split splitSeries(std::vector<Frame> frames, const std::string& modality, const SplitRules& rules);
+// Deterministic: the order of `frames` does not matter. Once cancelled, nothing more is separated, and the
+// result is to be thrown away.
+Split splitSeries(std::vector<Frame> frames, const std::string& modality, const SplitRules& rules,
+                  const CancelToken& cancel = {});
 
 }  // namespace macula::dicom

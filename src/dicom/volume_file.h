@@ -21,9 +21,9 @@ bool isVolumeFileName(const std::filesystem::path& path);
 // usage when the ending is unknown.
 Result<std::vector<std::filesystem::path>> filesOfVolumeFile(const std::filesystem::path& path);
 
-// Values in units (HU for CT), as int16, uint16 or float32, the first that holds all of them exactly; padding
-// keeps its value. Orientation is that of worldFromVoxel, sheared or not. Nothing in the file names a
-// patient. Written whole or not at all; replaces what is there.
+// Values in units (HU for CT), as int16, uint16 or float32, the first that holds all of them exactly; those
+// of padding too (see Volume::value). Orientation is that of worldFromVoxel, sheared or not. Nothing in the
+// file names a patient. Written whole or not at all; replaces what is there.
 Result<void> writeVolumeFile(const Volume& volume, const std::filesystem::path& path, Progress& progress);
 
 // The numbers of the segments, as int16 where they fit, else uint16. Their names are not written.

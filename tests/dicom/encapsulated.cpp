@@ -31,12 +31,19 @@ void registerEncoders() {
     });
 }
 
-std::string encodeJpeg2000(int columns, int rows, int bits, const std::vector<std::uint16_t>& cells) {
+}  // namespace
+
+std::string encodeJpeg2000(int columns, int rows, int bits, const std::vector<std::uint16_t>& cells,
+                           int tileSize) {
     opj_cparameters_t parameters;
     opj_set_default_encoder_parameters(&parameters);
     parameters.tcp_numlayers = 1;
     parameters.cp_disto_alloc = 1;
     parameters.numresolution = 3;
+    if (tileSize > 0) {
+        parameters.tile_size_on = OPJ_TRUE;
+        parameters.cp_tdx = parameters.cp_tdy = tileSize;
+    }
     opj_image_cmptparm_t component{};
     component.dx = component.dy = 1;
     component.w = static_cast<OPJ_UINT32>(columns);
@@ -46,7 +53,6 @@ std::string encodeJpeg2000(int columns, int rows, int bits, const std::vector<st
     image->x1 = component.w;
     image->y1 = component.h;
     std::copy(cells.begin(), cells.end(), image->comps[0].data);
-    std::string bytes;
     opj_codec_t* codec = opj_create_compress(OPJ_CODEC_J2K);
     opj_stream_t* stream = opj_stream_default_create(OPJ_FALSE);
     struct Sink {
@@ -72,8 +78,6 @@ std::string encodeJpeg2000(int columns, int rows, int bits, const std::vector<st
     opj_image_destroy(image);
     return sink.bytes;
 }
-
-}  // namespace
 
 std::string encode(const char* transferSyntaxUid, int columns, int rows, int bits,
                    const std::vector<std::uint16_t>& cells) {

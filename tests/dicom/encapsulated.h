@@ -22,6 +22,10 @@ inline constexpr const char* kJpeg2000 = "1.2.840.10008.1.2.4.90";
 std::string encode(const char* transferSyntaxUid, int columns, int rows, int bits,
                    const std::vector<std::uint16_t>& cells);
 
+// JPEG 2000 in square tiles; 0 for one tile.
+std::string encodeJpeg2000(int columns, int rows, int bits, const std::vector<std::uint16_t>& cells,
+                           int tileSize = 0);
+
 // Rows, Columns, NumberOfFrames and the bits, explicit little endian; without pixel data.
 std::string imageHeader(const PixelLayout& layout);
 

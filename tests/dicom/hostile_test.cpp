@@ -3,6 +3,7 @@
 
 #include "base/atomic_file.h"
 #include "bytes.h"
+#include "dicom/byte_source.h"
 #include "dicom/memory.h"
 #include "dicom/outline.h"
 #include "edit.h"
@@ -68,7 +69,7 @@ TEST(Hostile, ordinaryNestingIsFine) {
     for (const int levels : {1, 12, 64}) {
         std::ofstream(folder / "f", std::ios::binary)
             << preamble(kExplicit) + sopClass() + nested(levels, "SQ");
-        EXPECT_TRUE(outlineOf(folder / "f", true).isSafeToParse()) << levels;
+        EXPECT_TRUE(outlineOf(folder / "f", true).isPlausible()) << levels;
         EXPECT_EQ(readHeader(folder / "f").state, FileState::complete) << levels;
     }
     std::ofstream(folder / "f", std::ios::binary) << preamble(kExplicit) + sopClass() + nested(65, "SQ");
@@ -202,6 +203,45 @@ TEST(Hostile, deflatedFarBeyondItsImage) {
     ASSERT_TRUE(found);
     EXPECT_EQ(found->studies.at(0).series.at(0).instances, 6u);
     EXPECT_EQ(found->skipped.size(), 2u);
+}
+
+// A megabyte that inflates for seconds must not hold up whoever gave up waiting.
+TEST(Hostile, inflatingStopsWhenCancelled) {
+    const TemporaryFolder folder;
+    const std::string image = shortElement(tag::kRows, "US", bytesOf(60000, 2)) +
+                              shortElement(tag::kColumns, "US", bytesOf(60000, 2)) +
+                              shortElement(tag::kBitsAllocated, "US", bytesOf(16, 2));
+    constexpr std::uint32_t kBytes = 64u << 20;
+    std::ofstream(folder / "f", std::ios::binary)
+        << preamble(kDeflated) + deflated(sopClass() + image + longElement(tag::kPixelData, "OW", kBytes) +
+                                          std::string(kBytes, '\0'));
+    EXPECT_EQ(readHeader(folder / "f").state, FileState::complete);
+    CancelToken cancel;
+    cancel.cancel();
+    ByteSource source(folder / "f", cancel);
+    ASSERT_TRUE(source.skip(400));
+    source.beginInflating();
+    std::vector<unsigned char> bytes(1000);
+    EXPECT_FALSE(source.read(bytes));
+    EXPECT_FALSE(readHeader(folder / "f", cancel).pixels);
+}
+
+// More items than any real object has, in a file that says explicit and is implicit: still no reason to
+// refuse it.
+TEST(Hostile, manyItemsInAMisdeclaredFile) {
+    const TemporaryFolder folder;
+    const auto implicitly = [](Tag tag, const std::string& value) {
+        return bytesOf(tag.group, 2) + bytesOf(tag.element, 2) + bytesOf(value.size(), 4) + value;
+    };
+    std::string items;
+    for (int i = 0; i < 3000; ++i) items += kItem + bytesOf(0, 4);
+    std::ofstream(folder / "f", std::ios::binary)
+        << preamble(kExplicit) +
+               implicitly({0x0008, 0x0016}, std::string("1.2.840.10008.5.1.4.1.1.2\0", 26)) +
+               implicitly({0x0008, 0x1140}, items) + implicitly(tag::kModality, "CT");
+    const HeaderFile read = readHeader(folder / "f");
+    ASSERT_EQ(read.state, FileState::complete);
+    EXPECT_EQ(read.header->items({0x0008, 0x1140}).size(), 3000u);
 }
 
 // Whatever is changed in a header, it is read to an end, and so is all that was found in it.

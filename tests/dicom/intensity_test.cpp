@@ -207,6 +207,33 @@ TEST(Intensity, wideIntegersMayFit16BitsAfterAll) {
     EXPECT_EQ(narrow->unitsFromStored(narrow->voxels[1]), 0.5 * 60000 - 7);
 }
 
+// Float has rounded them already; 16 bits with a step of 1 would look exact.
+TEST(Intensity, integersThatFloatCannotHoldStayFloat) {
+    const IntensityPlan plan = planOf(std::vector(2, slice(1.0, 0.0, {32, 32, 31, false})));
+    ASSERT_TRUE(plan.steps);
+    constexpr float kLast = 1 << 24;
+    EXPECT_TRUE(narrowed(std::vector<float>{kLast - 2, kLast}, *plan.steps));
+    EXPECT_FALSE(narrowed(std::vector<float>{kLast, kLast + 2}, *plan.steps));
+}
+
+TEST(Intensity, narrowingManyPortionsAndCancelling) {
+    const UnitsFromStored steps{0.5, -3.0};
+    std::vector<float> values(3'000'000);
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = 0.5F * static_cast<float>(i % 50'000);
+    values[2'999'999] = std::numeric_limits<float>::quiet_NaN();
+    const auto narrow = narrowed(values, steps);
+    ASSERT_TRUE(narrow);
+    EXPECT_TRUE(narrow->padding->contains(narrow->voxels.back()));
+    for (std::size_t i = 0; i + 1 < values.size(); ++i)
+        ASSERT_EQ(narrow->unitsFromStored(narrow->voxels[i]), values[i]) << i;
+    values[2'500'000] = 0.25F;
+    EXPECT_FALSE(narrowed(values, steps));
+    values[2'500'000] = 0.5F;
+    CancelToken cancel;
+    cancel.cancel();
+    EXPECT_FALSE(narrowed(values, steps, cancel));
+}
+
 TEST(Intensity, mixedSlopesWithoutACommonStepNeedFloat) {
     EXPECT_EQ(planOf({slice(0.0123457, 0.0), slice(0.0346987, 0.0)}).format, VoxelFormat::float32);
     EXPECT_FALSE(planOf({slice(0.0123457, 0.0), slice(0.0346987, 0.0)}).steps);

@@ -137,6 +137,31 @@ TEST(Loader, sliceCutOffAfterTheScanIsAGap) {
     }
 }
 
+// The stack's own gap is at 3 (it was the fourth); when the first slice is lost as well, it is the third.
+TEST(Loader, gapsAreNumberedAsTheVolumeIs) {
+    const TemporaryFolder folder;
+    const auto files = write(smallVolume(), folder.path());
+    fs::remove(files[3]);
+    const auto found = scan(folder.path());
+    ASSERT_TRUE(found);
+    const Series& series = found->studies.at(0).series.at(0);
+    ASSERT_TRUE(hasMessage(series, key::kGapInterpolated));
+    truncate(files[0], 16);
+    const auto volume = load(series);
+    ASSERT_NE(volume, nullptr);
+    EXPECT_EQ(volume->provenance().interpolatedSlices, (std::vector<SliceRange>{{2, 2}}));
+    const auto& messages = volume->provenance().messages;
+    ASSERT_EQ(messages.back().key, key::kGapInterpolated);
+    EXPECT_NE(messages.back().sentence.find("3"), std::string::npos) << messages.back().sentence;
+    int told = 0;
+    for (const std::string& sentence : volume->provenance().assumptions) {
+        if (sentence.find("interpolated") == std::string::npos) continue;
+        ++told;
+        EXPECT_EQ(sentence, messages.back().sentence);
+    }
+    EXPECT_EQ(told, 1);
+}
+
 // The damage in the following three makes the decoders themselves read or abort where they must not.
 TEST(Loader, rleSegmentOutsideTheFile) {
     const TemporaryFolder folder;

@@ -18,20 +18,6 @@ std::string read(const std::filesystem::path& file) {
     return text.str();
 }
 
-std::string_view name(Severity severity) {
-    switch (severity) {
-        case Severity::info:
-            return "info";
-        case Severity::warning:
-            return "warning";
-        case Severity::blocksVolume:
-            return "blocks-3d";
-        case Severity::blocksLoading:
-            return "blocks-loading";
-    }
-    return "";
-}
-
 TEST(Messages, keysAreUniqueAndPlain) {
     std::set<std::string_view> keys;
     for (const CatalogueEntry& entry : catalogue()) {
@@ -89,9 +75,10 @@ TEST(Messages, areDocumented) {
     const std::string page = read(std::filesystem::path(MACULA_SOURCE_DIR) / "docs/dicom.md");
     std::string expected;
     for (const CatalogueEntry& entry : catalogue()) {
-        const std::string line = fmt::format("| `{}` | {} | {} | {}{}{} |\n", entry.key, name(entry.severity),
-                                             entry.ohif == 0 ? std::string() : std::to_string(entry.ohif),
-                                             entry.sentence, entry.action.empty() ? "" : " ", entry.action);
+        const std::string line =
+            fmt::format("| `{}` | {} | {} | {}{}{} |\n", entry.key, nameOf(entry.severity),
+                        entry.ohif == 0 ? std::string() : std::to_string(entry.ohif), entry.sentence,
+                        entry.action.empty() ? "" : " ", entry.action);
         EXPECT_NE(page.find(line), std::string::npos) << "missing in docs/dicom.md:\n" << line;
         expected += line;
     }

@@ -1,4 +1,5 @@
 #include "dicom/pixels.h"
+#include "dicom/jpeg2000.h"
 
 #include <fstream>
 
@@ -438,6 +439,40 @@ TEST(Pixels, claimsOfTheHeaderCostNothing) {
         reader = PixelReader::open(save(folder, imageHeader(layout) + native("abcd")), layout);
         EXPECT_TRUE(!reader || reader->isCutOff(1'999'999'999));
     }
+}
+
+// A decoder that fills a lost tile with zeros shows a hole in the patient.
+TEST(Jpeg2000, aMissingTileIsNoImage) {
+    constexpr int kSize = 64;
+    std::vector<std::uint16_t> cells(kSize * kSize);
+    for (std::size_t i = 0; i < cells.size(); ++i) cells[i] = static_cast<std::uint16_t>(1000 + i % 997);
+    const std::string whole = encodeJpeg2000(kSize, kSize, 12, cells, 32);
+    std::vector<std::uint16_t> read(cells.size());
+    const auto decode = [&](const std::string& stream) {
+        return decodeJpeg2000(std::as_bytes(std::span(stream)), kSize, kSize, read).ok();
+    };
+    ASSERT_TRUE(decode(whole));
+    EXPECT_EQ(read, cells);
+    // Each tile-part begins with FF90, its length of 10, the tile, and how long it is.
+    std::vector<std::size_t> parts;
+    for (std::size_t at = whole.find("\xFF\x90");
+         at != std::string::npos && whole.substr(at, 2) == "\xFF\x90";) {
+        parts.push_back(at);
+        std::size_t bytes = 0;
+        for (std::size_t i = 6; i < 10; ++i) bytes = bytes << 8 | static_cast<unsigned char>(whole[at + i]);
+        at += bytes;
+    }
+    ASSERT_EQ(parts.size(), 4u);
+    for (std::size_t tile = 0; tile < parts.size(); ++tile) {
+        const std::size_t end = tile + 1 < parts.size() ? parts[tile + 1] : whole.size() - 2;
+        std::string without = whole;
+        without.erase(parts[tile], end - parts[tile]);
+        EXPECT_FALSE(decode(without)) << tile;
+    }
+    // A million tiles that are only announced.
+    std::string announced = whole;
+    announced.replace(24, 8, std::string("\0\0\0\1\0\0\0\1", 8));
+    EXPECT_FALSE(decode(announced));
 }
 
 }  // namespace

@@ -247,6 +247,13 @@ TEST_F(Import, SizesThatTheFileCannotHold) {
     EXPECT_SAYS(refused("a.nii", makeNifti(4, 2).bytes.substr(0, 400)), "cut off");
     const std::string packed = gzipped(makeNifti(4, 2).bytes);
     EXPECT_SAYS(refused("a.nii.gz", packed.substr(0, packed.size() - 20)), "cut off");
+    // What follows the stream and is none itself does not matter.
+    for (const std::string& stray :
+         {std::string(1, '\0'), std::string(512, '\0'), std::string("\x1F\x8Bno more")}) {
+        Progress progress;
+        EXPECT_TRUE(readVolumeFile(write("a.nii.gz", packed + stray), progress)) << stray.size();
+    }
+    EXPECT_SAYS(refused("a.nii.gz", packed.substr(0, packed.size() - 20) + std::string(512, '\0')), "");
     // Deflate could hold this many zeros, and does not.
     NiftiBytes more = makeNifti(4, 2);
     more.set<std::int16_t>(42, 100);
@@ -330,6 +337,9 @@ TEST_F(Import, NrrdThatIsNoVolume) {
     EXPECT_SAYS(says(kNrrdRaw + "sizes: 2 3 2\n"), "damaged");
     EXPECT_SAYS(says(kNrrdCore + "encoding: raw\n"), "damaged");  // which byte is first?
     EXPECT_SAYS(says("type: short\ndimension: 3\nsizes: 2 3 3000000\nendian: little\nencoding: raw\n"),
+                "shown");
+    EXPECT_SAYS(says("type: double\ndimension: 3\nsizes: 2000000000 2000000000 2000000000\nendian: little\n"
+                     "encoding: raw\nbyte skip: -1\n"),
                 "shown");
     EXPECT_SAYS(says("type: short\ndimension: 3\nsizes: 2 3 60000\nendian: little\nencoding: raw\n"),
                 "cut off");
