@@ -2,17 +2,20 @@
 #include <CLI/App.hpp>
 #include <CLI/Option.hpp>
 #include <CLI/Validators.hpp>
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "base/progress_bar.h"
+#include "base/sha256.h"
 #include "cli/command.h"
 #include "cli/grid_json.h"
 #include "cli/interrupt.h"
 #include "cli/output_file.h"
 #include "cli/report.h"
+#include "cli/segmentation_input.h"
 #include "cli/study_input.h"
 #include "dicom/volume_file.h"
 
@@ -55,20 +58,49 @@ Result<void> checkExport(const Options& options) {
     return {};
 }
 
-Result<void> exportVolume(const Options& options) {
-    MACULA_TRY_VOID(checkExport(options));
-    Progress progress(terminalProgressBar(), interruptToken());
-    auto start = Clock::now();
-    MACULA_TRY(StudyInput study, loadStudy(options.path, options.series, progress, options.volume));
-    const double loadSeconds = secondsSince(start);
+Result<void> exportSegmentation(const Options& options, const dicom::Scan& scan, const dicom::Series& series,
+                                Progress& progress) {
+    MACULA_TRY(const SegmentationInput input, loadSegmentation(scan, series, options.volume, progress));
+    const LabelMap& map = input.map;
+    std::vector<std::string> notes;
+    if (!input.onItsSeries)
+        notes.emplace_back("The images it was drawn on are not there: it is on a grid of its own.");
+    for (const Message& message : map.messages()) notes.push_back(message.sentence);
+    for (const std::string& note : notes) printNote(note);
+    MACULA_TRY_VOID(dicom::writeVolumeFile(map, options.output, progress));
+
+    nlohmann::ordered_json segments = nlohmann::ordered_json::array();
+    for (const Segment& segment : map.segments()) {
+        const auto voxels = std::count(map.labels().begin(), map.labels().end(), segment.number);
+        segments.push_back({{"number", segment.number}, {"label", segment.label}, {"voxels", voxels}});
+    }
+    if (!options.json) {
+        fmt::print("Wrote {} x {} x {} voxels\n", map.size().x, map.size().y, map.size().z);
+        for (const auto& segment : segments) {
+            fmt::print("  {:>5}  {} ({} voxels)\n", segment["number"].get<int>(),
+                       segment["label"].get<std::string>(), segment["voxels"].get<std::int64_t>());
+        }
+        return {};
+    }
+    nlohmann::ordered_json json = {
+        {"version", MACULA_VERSION}, {"series", sha256Hex(series.seriesInstanceUid)}, {"segments", segments}};
+    json.update(gridToJson(map.size(), map.worldFromVoxel()));
+    json["notes"] = notes;
+    fmt::print("{}\n", json.dump(4));
+    return {};
+}
+
+Result<void> exportVolume(const Options& options, const StudyInput& study, double loadSeconds,
+                          Progress& progress) {
+    std::vector<std::string> notes = study.notes;
     const Volume& volume = *study.volume;
     if (isSheared(volume.worldFromVoxel())) {
-        study.notes.emplace_back(
+        notes.emplace_back(
             "The slices are tilted against their axis, and the file says so; some programs do not understand "
             "that, and show the patient askew.");
     }
-    for (const std::string& note : study.notes) printNote(note);
-    start = Clock::now();
+    for (const std::string& note : notes) printNote(note);
+    const auto start = Clock::now();
     MACULA_TRY_VOID(dicom::writeVolumeFile(volume, options.output, progress));
     const double writeSeconds = secondsSince(start);
 
@@ -88,9 +120,26 @@ Result<void> exportVolume(const Options& options) {
     if (const auto& range = volume.valueRange()) json["valueRange"] = {range->low, range->high};
     json["loadSeconds"] = loadSeconds;
     json["writeSeconds"] = writeSeconds;
-    json["notes"] = study.notes;
+    json["notes"] = notes;
     fmt::print("{}\n", json.dump(4));
     return {};
+}
+
+Result<void> exportSeries(const Options& options) {
+    MACULA_TRY_VOID(checkExport(options));
+    Progress progress(terminalProgressBar(), interruptToken());
+    const auto start = Clock::now();
+    if (options.series.empty() || dicom::isVolumeFileName(options.path) || options.path == "phantom:") {
+        MACULA_TRY(const StudyInput study, loadStudy(options.path, options.series, progress, options.volume));
+        return exportVolume(options, study, secondsSince(start), progress);
+    }
+    MACULA_TRY(const dicom::Scan scan, dicom::scanFolder(options.path, progress));
+    const dicom::Series* series = findSeries(scan, options.series);
+    if (series != nullptr && isSegmentationSeries(*series))
+        return exportSegmentation(options, scan, *series, progress);
+    MACULA_TRY(const StudyInput study,
+               loadStudy(scan, options.path, options.series, progress, options.volume));
+    return exportVolume(options, study, secondsSince(start), progress);
 }
 
 }  // namespace
@@ -98,7 +147,8 @@ Result<void> exportVolume(const Options& options) {
 void addExport(CLI::App& app, Action& action) {
     auto options = std::make_shared<Options>();
     Options& o = *options;
-    auto* command = app.add_subcommand("export", "Write a series to a NIfTI, NRRD or MetaImage file");
+    auto* command = app.add_subcommand(
+        "export", "Write a series, of images or of segmentations, to a NIfTI, NRRD or MetaImage file");
     command->add_option("PATH", o.path, "Folder with DICOM files, or a volume file to convert")->required();
     command
         ->add_option(
@@ -107,11 +157,13 @@ void addExport(CLI::App& app, Action& action) {
         ->required();
     command->add_option("--series", o.series,
                         "Place in the list of macula info (3, or 3.2), or series UID (default: the best)");
-    command->add_option("--volume", o.volume, "Which volume of that series, from 1 (default: its best)")
+    command
+        ->add_option("--volume", o.volume,
+                     "Which volume or segmentation of that series, from 1 (default: its best volume)")
         ->check(CLI::Range(1, 1000000));
     command->add_flag("--force", o.force, "Replace a file that exists");
     command->add_flag("--json", o.json, "Print what was written as JSON");
-    command->callback([options, &action] { action = [options] { return exportVolume(*options); }; });
+    command->callback([options, &action] { action = [options] { return exportSeries(*options); }; });
 }
 
 }  // namespace macula::cli

@@ -58,6 +58,12 @@ Result<dicom::Choice> chooseStack(const dicom::Series& series, std::optional<std
 
 }  // namespace
 
+const dicom::Series* findSeries(const dicom::Scan& scan, const std::string& wanted) {
+    if (!dicom::findAllSeries(scan, wanted).empty()) return dicom::findSeries(scan, wanted);
+    const auto place = wholeNumber(std::string_view(wanted).substr(0, wanted.find('.')));
+    return place ? atPlace(scan, *place) : nullptr;
+}
+
 Result<dicom::Choice> chooseVolume(const dicom::Scan& scan, const std::string& wanted, std::size_t volume) {
     const std::optional<std::size_t> given = volume > 0 ? std::optional(volume) : std::nullopt;
     if (wanted.empty()) {
@@ -68,17 +74,17 @@ Result<dicom::Choice> chooseVolume(const dicom::Scan& scan, const std::string& w
                      {},
                      "Choose another folder; macula info tells more about this one."};
     }
-    if (const dicom::Series* series = dicom::findSeries(scan, wanted)) return chooseStack(*series, given);
-    if (dicom::findAllSeries(scan, wanted).size() > 1) {
+    const std::size_t point = wanted.find('.');
+    const bool isUid = !dicom::findAllSeries(scan, wanted).empty();
+    const auto stack =
+        isUid || point == std::string::npos ? given : wholeNumber(std::string_view(wanted).substr(point + 1));
+    const dicom::Series* series = findSeries(scan, wanted);
+    if (series != nullptr && (stack || isUid || point == std::string::npos))
+        return chooseStack(*series, stack);
+    if (isUid) {
         return Error{ErrorCode::usage, "Several patients have a series of this UID.", wanted,
                      "Choose by the number in front of it in macula info."};
     }
-    const std::size_t point = wanted.find('.');
-    const auto place = wholeNumber(std::string_view(wanted).substr(0, point));
-    const auto stack =
-        point == std::string::npos ? given : wholeNumber(std::string_view(wanted).substr(point + 1));
-    const dicom::Series* series = place ? atPlace(scan, *place) : nullptr;
-    if (series != nullptr && (stack || point == std::string::npos)) return chooseStack(*series, stack);
     return Error{ErrorCode::usage, "There is no such series in the folder.", wanted,
                  "See macula info for the list; --series takes the number in front (3, or 3.2 for its second "
                  "stack), or the series UID."};
@@ -111,6 +117,12 @@ Result<StudyInput> loadStudy(const std::filesystem::path& path, const std::strin
     }
 
     MACULA_TRY(const dicom::Scan scan, dicom::scanFolder(path, progress));
+    return loadStudy(scan, path, series, progress, volume);
+}
+
+Result<StudyInput> loadStudy(const dicom::Scan& scan, const std::filesystem::path& path,
+                             const std::string& series, Progress& progress, std::size_t volume) {
+    StudyInput input;
     auto chosen = chooseVolume(scan, series, volume);
     if (!chosen) {
         Error error = chosen.error();

@@ -127,6 +127,25 @@ TEST_F(Export, ChoosesSeriesAndVolume) {
     }
 }
 
+// A segmentation without the images it was drawn on, one of a single slice too.
+TEST_F(Export, Segmentation) {
+    const auto seg = std::filesystem::path(MACULA_SHARED_DIR) / "data/odd/seg_1frame.dcm";
+    if (!std::filesystem::exists(seg)) GTEST_SKIP() << "the real test data are not on this machine";
+    std::filesystem::create_directory(at("study"));
+    std::filesystem::copy(seg, at("study/seg.dcm"));
+    const Ran ran = runMacula({"export", at("study"), "-o", at("seg.nii.gz"), "--series", "1", "--json"});
+    ASSERT_EQ(ran.exitCode, 0) << ran.err;
+    EXPECT_NE(ran.err.find("grid of its own"), std::string::npos) << ran.err;
+    const Json json = Json::parse(ran.out);
+    EXPECT_EQ(json["size"], Json({512, 512, 1}));
+    ASSERT_EQ(json["segments"].size(), 1u);
+    EXPECT_GT(json["segments"][0]["voxels"], 0);
+    EXPECT_GT(std::filesystem::file_size(at("seg.nii.gz")), 352u);
+    EXPECT_EQ(
+        runMacula({"export", at("study"), "-o", at("b.nii"), "--series", "1", "--volume", "2"}).exitCode, 2);
+    EXPECT_EQ(runMacula({"export", at("study"), "-o", at("b.nii")}).exitCode, 3);  // no images
+}
+
 TEST_F(Export, BenchLoadMeasuresAgainstItkAndDcmtk) {
     ASSERT_EQ(runMacula({"phantom", at("study")}).exitCode, 0);
     const Ran ran = runMacula({"bench", "load", at("study"), "--json", "--repetitions", "1"});
