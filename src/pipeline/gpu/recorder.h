@@ -113,8 +113,18 @@ class Recorder {
                   std::initializer_list<Binding> bindings, Order order = Order::afterPrevious) {
         dispatchBytes(kernel, threads, std::as_bytes(std::span(&push, 1)), bindings, order);
     }
+    template <class Push>
+    requires std::is_trivially_copyable_v<Push>
+    void dispatch(const Kernel& kernel, Threads threads, const Push& push, std::span<const Binding> bindings,
+                  Order order = Order::afterPrevious) {
+        dispatchBytes(kernel, threads, std::as_bytes(std::span(&push, 1)), bindings, order);
+    }
     // For a shader without push constants.
     void dispatch(const Kernel& kernel, Threads threads, std::initializer_list<Binding> bindings,
+                  Order order = Order::afterPrevious) {
+        dispatchBytes(kernel, threads, {}, bindings, order);
+    }
+    void dispatch(const Kernel& kernel, Threads threads, std::span<const Binding> bindings,
                   Order order = Order::afterPrevious) {
         dispatchBytes(kernel, threads, {}, bindings, order);
     }

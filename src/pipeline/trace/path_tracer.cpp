@@ -9,8 +9,10 @@
 #include "pipeline/gpu/kernel.h"
 #include "pipeline/gpu/recorder.h"
 #include "pipeline/gpu/transfer.h"
-#include "pipeline/trace/scene.h"
+#include "pipeline/trace/device_scene.h"
+#include "pipeline/trace/film.h"
 #include "shaders/trace.h"
+#include "shared/trace_params.h"
 
 namespace macula::trace {
 
@@ -40,46 +42,6 @@ std::uint32_t spreadingStride(std::uint32_t blocks) {
     return stride;
 }
 
-template <class T>
-Result<gpu::TexelBuffer> makeTexels(const std::shared_ptr<gpu::Device>& device, const char* label,
-                                    VkFormat format, std::span<const T> values) {
-    MACULA_TRY(auto texels, gpu::TexelBuffer::create(
-                                device, {.label = label, .elements = values.size(), .format = format}));
-    MACULA_TRY_VOID(gpu::uploadTo(texels.buffer(), values));
-    return texels;
-}
-
-Result<gpu::TexelBuffer> makeEntryTexels(const std::shared_ptr<gpu::Device>& device, const Volume& volume) {
-    const EntryMap map = entryMapOf(volume);
-    const std::size_t count = volume.voxels().size();
-    if (count > std::size_t(std::numeric_limits<std::int32_t>::max())) {  // shaders index voxels with 31 bits
-        return Error{
-            ErrorCode::outOfMemory,
-            fmt::format("A volume of {} million voxels is more than can be traced.", count / 1000000),
-            {},
-            "Open a smaller series."};
-    }
-    // Uploads to memory that is not mapped go by words of 4 bytes.
-    MACULA_TRY(auto texels,
-               gpu::TexelBuffer::create(
-                   device, {.label = "voxels", .elements = count + count % 2, .format = VK_FORMAT_R16_UINT}));
-    const std::span<std::byte> mapped = texels.buffer().mapped();
-    if (!mapped.empty()) {
-        writeEntries(volume, map, 0, {reinterpret_cast<std::uint16_t*>(mapped.data()), count});
-        return texels;
-    }
-    constexpr std::size_t kChunk = std::size_t{8} << 20;
-    std::vector<std::uint16_t> chunk;
-    for (std::size_t first = 0; first < count; first += kChunk) {
-        const std::size_t size = std::min(kChunk, count - first);
-        chunk.assign(size + size % 2, 0);
-        writeEntries(volume, map, first, std::span(chunk).first(size));
-        MACULA_TRY_VOID(
-            gpu::uploadTo(texels.buffer(), first * sizeof(std::uint16_t), std::as_bytes(std::span(chunk))));
-    }
-    return texels;
-}
-
 // Something was never set, or could not be: why is told by the error of that call.
 Error nothingToTrace() {
     return {ErrorCode::usage, "There is nothing to trace yet.", {}, "Open a study first."};
@@ -88,32 +50,22 @@ Error nothingToTrace() {
 }  // namespace
 
 struct PathTracer::Impl {
-    explicit Impl(std::shared_ptr<gpu::Device> d) : device(std::move(d)) {}
+    Impl(std::shared_ptr<gpu::Device> d, DeviceScene s) : device(std::move(d)), scene(std::move(s)) {}
 
     std::shared_ptr<gpu::Device> device;
 
-    // What is traced.
-    std::shared_ptr<const Volume> volume;
-    BrickGrid grid;
-    Medium medium;
-    std::optional<gpu::TexelBuffer> entries, extinction, albedo, bounds;
-    std::optional<Environment> environment;
-    std::optional<gpu::TexelBuffer> environmentTexels, aliasTexels;
+    DeviceScene scene;
     Settings settings;
     View view;
 
     // How.
     std::optional<gpu::Kernel> trilinearKernel, stochasticKernel, depthKernel, displayKernel;
-    std::optional<gpu::Buffer> paramsBuffer;
     bool paramsStale = true;  // something above has changed: accumulation starts again
     std::map<std::pair<Filter, int>, double> blockSamplesPerMs;  // by filter and bounces
     bool warm = false;  // the first dispatch of a kernel compiles it, and says nothing about speed
 
     // What has been traced.
-    std::optional<gpu::Buffer> sums, lost, counts, faults;
-    std::optional<gpu::Image> picture;
-    int width = 0;
-    int height = 0;
+    std::optional<Film> film;
     std::uint32_t samplesDone = 0;  // of every pixel
     std::uint32_t passSamples = 0;  // that the pass in progress adds
     std::uint32_t passBlock = 0;    // where it goes on
@@ -122,14 +74,12 @@ struct PathTracer::Impl {
 
     Result<void> prepare();
     Result<bool> tooLong();
-    Result<void> makePicture();
     Result<const gpu::Kernel*> pathKernel();
     std::uint32_t blocks() const;  // of the picture
     double& rate() {
         return blockSamplesPerMs.try_emplace({settings.filter, settings.bounces}, kFirstRate).first->second;
     }
     Result<void> traceBlocks(std::uint32_t count);
-    Result<void> uploadMedium();
 };
 
 PathTracer::PathTracer(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -138,68 +88,28 @@ PathTracer& PathTracer::operator=(PathTracer&&) noexcept = default;
 PathTracer::~PathTracer() = default;
 
 Result<PathTracer> PathTracer::create(std::shared_ptr<gpu::Device> device) {
-    auto impl = std::make_unique<Impl>(std::move(device));
+    MACULA_TRY(DeviceScene scene, DeviceScene::create(device));
+    auto impl = std::make_unique<Impl>(std::move(device), std::move(scene));
     MACULA_TRY(impl->depthKernel, gpu::Kernel::create(impl->device, shaders::trace_depth_comp));
     MACULA_TRY(impl->displayKernel, gpu::Kernel::create(impl->device, shaders::trace_display_comp));
-    MACULA_TRY(impl->paramsBuffer, gpu::Buffer::create(impl->device, {.label = "trace params",
-                                                                      .bytes = sizeof(shared::TraceParams),
-                                                                      .memory = gpu::MemoryKind::upload}));
-    MACULA_TRY(impl->faults,
-               gpu::Buffer::create(impl->device, {.label = "faults", .bytes = 2 * sizeof(std::uint32_t)}));
     return PathTracer(std::move(impl));
 }
 
 Result<void> PathTracer::setVolume(std::shared_ptr<const Volume> volume) {
-    MACULA_CHECK(volume != nullptr);
-    Impl& t = *impl_;
-    t.entries.reset();  // first, so that only one volume is ever on the device
-    t.extinction.reset();
-    t.volume.reset();
-    MACULA_TRY(t.entries, makeEntryTexels(t.device, *volume));
-    t.grid = makeBrickGrid(*volume);
-    t.mostSamples = UINT32_MAX;
-    t.volume = std::move(volume);
-    t.paramsStale = true;
-    return {};
+    impl_->mostSamples = UINT32_MAX;
+    impl_->paramsStale = true;
+    return impl_->scene.setVolume(std::move(volume));
 }
 
 Result<void> PathTracer::setTransferFunction(const TransferFunction& function) {
-    Impl& t = *impl_;
-    if (!t.volume) return nothingToTrace();
-    MACULA_TRY_VOID(validate(function));
-    t.mostSamples = UINT32_MAX;
-    t.medium = makeMedium(*t.volume, t.grid, fitted(function, *t.volume));
-    t.paramsStale = true;
-    return t.uploadMedium();
-}
-
-Result<void> PathTracer::Impl::uploadMedium() {
-    extinction.reset();  // all or none: tables of different length must never meet
-    albedo.reset();
-    bounds.reset();
-    MACULA_TRY(extinction,
-               makeTexels<float>(device, "extinction", VK_FORMAT_R32_SFLOAT, medium.extinctionPerMm));
-    MACULA_TRY(albedo, makeTexels<glm::vec4>(device, "albedo", VK_FORMAT_R32G32B32A32_SFLOAT, medium.albedo));
-    MACULA_TRY(bounds, makeTexels<float>(device, "bounds", VK_FORMAT_R32_SFLOAT, medium.bounds));
-    return {};
+    impl_->mostSamples = UINT32_MAX;
+    impl_->paramsStale = true;
+    return impl_->scene.setTransferFunction(function);
 }
 
 Result<void> PathTracer::setEnvironment(const Environment& environment) {
-    Impl& t = *impl_;
-    static_assert(sizeof(EnvironmentTexel) == 4 * sizeof(float));
-    t.environmentTexels.reset();
-    t.aliasTexels.reset();
-    MACULA_TRY(t.environmentTexels,
-               makeTexels<EnvironmentTexel>(t.device, "environment", VK_FORMAT_R32G32B32A32_SFLOAT,
-                                            environment.texels()));
-    std::vector<glm::vec2> alias(environment.alias().size());
-    std::transform(
-        environment.alias().begin(), environment.alias().end(), alias.begin(),
-        [](const AliasEntry& entry) { return glm::vec2(entry.keep, static_cast<float>(entry.other)); });
-    MACULA_TRY(t.aliasTexels, makeTexels<glm::vec2>(t.device, "alias", VK_FORMAT_R32G32_SFLOAT, alias));
-    t.environment = environment;
-    t.paramsStale = true;
-    return {};
+    impl_->paramsStale = true;
+    return impl_->scene.setEnvironment(environment);
 }
 
 Result<void> PathTracer::setSettings(const Settings& settings) {
@@ -229,48 +139,24 @@ Result<const gpu::Kernel*> PathTracer::Impl::pathKernel() {
     return &*kernel;
 }
 
-// Buffers and picture of the size of the view.
-Result<void> PathTracer::Impl::makePicture() {
-    if (view.width == width && view.height == height) return {};
-    width = 0;  // nothing usable, should the following fail
-    const std::uint64_t pixels = std::uint64_t(view.width) * std::uint64_t(view.height);
-    sums.reset();
-    lost.reset();
-    counts.reset();
-    picture.reset();
-    MACULA_TRY(sums, gpu::Buffer::create(device, {.label = "sums", .bytes = pixels * sizeof(glm::vec4)}));
-    MACULA_TRY(lost, gpu::Buffer::create(device, {.label = "lost", .bytes = pixels * sizeof(glm::vec4)}));
-    MACULA_TRY(counts,
-               gpu::Buffer::create(device, {.label = "counts", .bytes = pixels * sizeof(std::uint32_t)}));
-    MACULA_TRY(picture, gpu::Image::create(device, {.label = "picture",
-                                                    .width = static_cast<std::uint32_t>(view.width),
-                                                    .height = static_cast<std::uint32_t>(view.height),
-                                                    .format = VK_FORMAT_R8G8B8A8_UNORM}));
-    width = view.width;
-    height = view.height;
-    return {};
-}
-
 // Brings the device up to what was set, and starts a new accumulation when anything changed.
 Result<void> PathTracer::Impl::prepare() {
-    if (!entries || !extinction || !albedo || !bounds || !environmentTexels || !aliasTexels) {
-        return nothingToTrace();
-    }
+    if (!scene.isComplete()) return nothingToTrace();
     if (!paramsStale) return {};
-    MACULA_TRY(const shared::TraceParams params,
-               makeTraceParams(*volume, medium, *environment, view, settings));
-    if (auto made = makePicture(); !made) {
-        Error error = made.error();
-        if (error.code == ErrorCode::outOfMemory) error.hint = "Choose a smaller picture, or another device.";
-        return error;
+    MACULA_TRY_VOID(scene.look(view, settings));
+    if (!film || film->width() != view.width || film->height() != view.height) {
+        film.reset();  // first, so that only one is ever on the device
+        auto made = Film::create(device, view.width, view.height);
+        if (!made) {
+            Error error = made.error();
+            if (error.code == ErrorCode::outOfMemory)
+                error.hint = "Choose a smaller picture, or another device.";
+            return error;
+        }
+        film.emplace(std::move(*made));
     }
-    MACULA_TRY_VOID(device->waitForAll());
-    std::memcpy(paramsBuffer->mapped().data(), &params, sizeof(params));
     MACULA_TRY(auto recorder, gpu::Recorder::create(device, "start accumulation"));
-    recorder.fill(*sums, 0);
-    recorder.fill(*lost, 0);
-    recorder.fill(*counts, 0);
-    recorder.fill(*faults, 0);
+    film->clear(recorder);
     MACULA_TRY([[maybe_unused]] const gpu::Ticket ticket, recorder.submit());
     samplesDone = 0;
     passSamples = 0;
@@ -281,8 +167,8 @@ Result<void> PathTracer::Impl::prepare() {
 }
 
 std::uint32_t PathTracer::Impl::blocks() const {
-    return static_cast<std::uint32_t>((width + kBlock - 1) / kBlock) *
-           static_cast<std::uint32_t>((height + kBlock - 1) / kBlock);
+    return static_cast<std::uint32_t>((film->width() + kBlock - 1) / kBlock) *
+           static_cast<std::uint32_t>((film->height() + kBlock - 1) / kBlock);
 }
 
 // Adds the samples of the pass to the next blocks, waits, and learns how fast the device is.
@@ -294,9 +180,9 @@ Result<void> PathTracer::Impl::traceBlocks(std::uint32_t count) {
                                 .firstSample = samplesDone,
                                 .sampleCount = passSamples};
     MACULA_TRY(auto recorder, gpu::Recorder::create(device, "trace"));
-    recorder.dispatch(*kernel, {count * kBlock, kBlock}, push,
-                      {*paramsBuffer, *entries, *extinction, *albedo, *bounds, *environmentTexels,
-                       *aliasTexels, *sums, *lost, *counts, *faults});
+    std::vector<gpu::Binding> bindings = scene.bindings();
+    film->appendTo(bindings);
+    recorder.dispatch(*kernel, {count * kBlock, kBlock}, push, bindings);
     const auto begin = Clock::now();
     MACULA_TRY(const gpu::Ticket ticket, recorder.submit());
     MACULA_TRY([[maybe_unused]] const bool done, device->waitFor(ticket));
@@ -312,8 +198,8 @@ Result<void> PathTracer::Impl::traceBlocks(std::uint32_t count) {
 // again: to leave out long paths only, which are those through dense matter, would darken it.
 Result<bool> PathTracer::Impl::tooLong() {
     if (!device->isCpu() || passSamples < 2) return false;
-    MACULA_TRY(const auto seen, gpu::read<std::uint32_t>(*faults));
-    return seen[1] > 0;
+    MACULA_TRY(const auto seen, film->faults());
+    return seen.abandoned > 0;
 }
 
 Result<bool> PathTracer::trace(std::uint32_t samplesPerPixel, const std::function<bool()>& keepGoing) {
@@ -356,10 +242,10 @@ Result<const gpu::Image*> PathTracer::display(const glm::vec3& background, Smoot
                                    .exposure = static_cast<float>(t.settings.exposure),
                                    .smoothing = static_cast<int>(smoothing)};
     recorder.dispatch(*t.displayKernel,
-                      {static_cast<std::uint32_t>(t.width), static_cast<std::uint32_t>(t.height)}, push,
-                      {*t.sums, *t.counts, *t.picture});
+                      {static_cast<std::uint32_t>(t.view.width), static_cast<std::uint32_t>(t.view.height)},
+                      push, {t.film->sums(), t.film->counts(), t.film->picture()});
     MACULA_TRY([[maybe_unused]] const gpu::Ticket ticket, recorder.submit());
-    return &*t.picture;
+    return &t.film->picture();
 }
 
 Result<std::vector<std::uint8_t>> PathTracer::readDisplay(const glm::vec3& background) {
@@ -370,20 +256,21 @@ Result<std::vector<std::uint8_t>> PathTracer::readDisplay(const glm::vec3& backg
 Result<TracedImage> PathTracer::readback() {
     Impl& t = *impl_;
     MACULA_TRY_VOID(t.prepare());
-    const std::size_t pixels = std::size_t(t.width) * std::size_t(t.height);
+    const std::size_t pixels = std::size_t(t.view.width) * std::size_t(t.view.height);
     MACULA_TRY(const gpu::Buffer distances,
                gpu::Buffer::create(t.device, {.label = "distances", .bytes = pixels * sizeof(float)}));
     MACULA_TRY(auto recorder, gpu::Recorder::create(t.device, "depth"));
+    std::vector<gpu::Binding> bindings = t.scene.bindings();
+    bindings.emplace_back(distances);
     recorder.dispatch(*t.depthKernel,
-                      {static_cast<std::uint32_t>(t.width), static_cast<std::uint32_t>(t.height)},
-                      {*t.paramsBuffer, *t.entries, *t.extinction, *t.albedo, *t.bounds, *t.environmentTexels,
-                       *t.aliasTexels, distances});
+                      {static_cast<std::uint32_t>(t.view.width), static_cast<std::uint32_t>(t.view.height)},
+                      bindings);
     MACULA_TRY([[maybe_unused]] const gpu::Ticket ticket, recorder.submit());
 
-    TracedImage image{.width = t.width, .height = t.height, .radiance = {}, .depthMm = {}};
-    MACULA_TRY(image.radiance, gpu::read<glm::vec4>(*t.sums));
+    TracedImage image{.width = t.view.width, .height = t.view.height, .radiance = {}, .depthMm = {}};
+    MACULA_TRY(image.radiance, gpu::read<glm::vec4>(t.film->sums()));
     MACULA_TRY(image.depthMm, gpu::read<float>(distances));
-    MACULA_TRY(const auto counts, gpu::read<std::uint32_t>(*t.counts));
+    MACULA_TRY(const auto counts, gpu::read<std::uint32_t>(t.film->counts()));
     for (std::size_t i = 0; i < pixels; ++i) {
         image.radiance[i] /= static_cast<float>(std::max(counts[i], 1u));
         if (image.depthMm[i] < 0.0f) image.depthMm[i] = std::numeric_limits<float>::infinity();
@@ -399,9 +286,9 @@ Result<Statistics> PathTracer::statistics() const {
                           .deviceMs = t.deviceMs};
     if (t.paramsStale) return Statistics{};
     if (t.samplesDone > 0 || t.passBlock > 0) {
-        MACULA_TRY(const auto faults, gpu::read<std::uint32_t>(*t.faults));
-        statistics.nonFiniteSamples = faults[0];
-        statistics.abandonedSamples = faults[1];
+        MACULA_TRY(const auto faults, t.film->faults());
+        statistics.nonFiniteSamples = faults.nonFinite;
+        statistics.abandonedSamples = faults.abandoned;
     }
     return statistics;
 }

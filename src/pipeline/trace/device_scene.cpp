@@ -1,0 +1,124 @@
+#include "pipeline/trace/device_scene.h"
+
+#include <algorithm>
+#include <cstring>
+#include <limits>
+#include <span>
+
+#include "pipeline/gpu/transfer.h"
+#include "pipeline/trace/scene.h"
+
+namespace macula::trace {
+
+namespace {
+
+template <class T>
+Result<gpu::TexelBuffer> makeTexels(const std::shared_ptr<gpu::Device>& device, const char* label,
+                                    VkFormat format, std::span<const T> values) {
+    MACULA_TRY(auto texels, gpu::TexelBuffer::create(
+                                device, {.label = label, .elements = values.size(), .format = format}));
+    MACULA_TRY_VOID(gpu::uploadTo(texels.buffer(), values));
+    return texels;
+}
+
+Result<gpu::TexelBuffer> makeEntryTexels(const std::shared_ptr<gpu::Device>& device, const Volume& volume) {
+    const EntryMap map = entryMapOf(volume);
+    const std::size_t count = volume.voxels().size();
+    if (count > std::size_t(std::numeric_limits<std::int32_t>::max())) {  // shaders index voxels with 31 bits
+        return Error{
+            ErrorCode::outOfMemory,
+            fmt::format("A volume of {} million voxels is more than can be traced.", count / 1000000),
+            {},
+            "Open a smaller series."};
+    }
+    // Uploads to memory that is not mapped go by words of 4 bytes.
+    MACULA_TRY(auto texels,
+               gpu::TexelBuffer::create(
+                   device, {.label = "voxels", .elements = count + count % 2, .format = VK_FORMAT_R16_UINT}));
+    const std::span<std::byte> mapped = texels.buffer().mapped();
+    if (!mapped.empty()) {
+        writeEntries(volume, map, 0, {reinterpret_cast<std::uint16_t*>(mapped.data()), count});
+        return texels;
+    }
+    constexpr std::size_t kChunk = std::size_t{8} << 20;
+    std::vector<std::uint16_t> chunk;
+    for (std::size_t first = 0; first < count; first += kChunk) {
+        const std::size_t size = std::min(kChunk, count - first);
+        chunk.assign(size + size % 2, 0);
+        writeEntries(volume, map, first, std::span(chunk).first(size));
+        MACULA_TRY_VOID(
+            gpu::uploadTo(texels.buffer(), first * sizeof(std::uint16_t), std::as_bytes(std::span(chunk))));
+    }
+    return texels;
+}
+
+}  // namespace
+
+Result<DeviceScene> DeviceScene::create(std::shared_ptr<gpu::Device> device) {
+    MACULA_TRY(gpu::Buffer params, gpu::Buffer::create(device, {.label = "trace params",
+                                                                .bytes = sizeof(shared::TraceParams),
+                                                                .memory = gpu::MemoryKind::upload}));
+    return DeviceScene(std::move(device), std::move(params));
+}
+
+Result<void> DeviceScene::setVolume(std::shared_ptr<const Volume> volume) {
+    MACULA_CHECK(volume != nullptr);
+    entries_.reset();
+    extinction_.reset();
+    volume_.reset();
+    MACULA_TRY(entries_, makeEntryTexels(device_, *volume));
+    grid_ = makeBrickGrid(*volume);
+    volume_ = std::move(volume);
+    return {};
+}
+
+Result<void> DeviceScene::setTransferFunction(const TransferFunction& function) {
+    if (!volume_) return Error{ErrorCode::usage, "There is nothing to trace yet.", {}, "Open a study first."};
+    MACULA_TRY_VOID(validate(function));
+    medium_ = makeMedium(*volume_, grid_, fitted(function, *volume_));
+    extinction_.reset();  // all or none: tables of different length must never meet
+    albedo_.reset();
+    bounds_.reset();
+    MACULA_TRY(extinction_,
+               makeTexels<float>(device_, "extinction", VK_FORMAT_R32_SFLOAT, medium_.extinctionPerMm));
+    MACULA_TRY(albedo_,
+               makeTexels<glm::vec4>(device_, "albedo", VK_FORMAT_R32G32B32A32_SFLOAT, medium_.albedo));
+    MACULA_TRY(bounds_, makeTexels<float>(device_, "bounds", VK_FORMAT_R32_SFLOAT, medium_.bounds));
+    return {};
+}
+
+Result<void> DeviceScene::setEnvironment(const Environment& environment) {
+    static_assert(sizeof(EnvironmentTexel) == 4 * sizeof(float));
+    environmentTexels_.reset();
+    aliasTexels_.reset();
+    MACULA_TRY(environmentTexels_,
+               makeTexels<EnvironmentTexel>(device_, "environment", VK_FORMAT_R32G32B32A32_SFLOAT,
+                                            environment.texels()));
+    std::vector<glm::vec2> alias(environment.alias().size());
+    std::transform(
+        environment.alias().begin(), environment.alias().end(), alias.begin(),
+        [](const AliasEntry& entry) { return glm::vec2(entry.keep, static_cast<float>(entry.other)); });
+    MACULA_TRY(aliasTexels_, makeTexels<glm::vec2>(device_, "alias", VK_FORMAT_R32G32_SFLOAT, alias));
+    environment_ = environment;
+    return {};
+}
+
+bool DeviceScene::isComplete() const {
+    return entries_ && extinction_ && albedo_ && bounds_ && environmentTexels_ && aliasTexels_;
+}
+
+Result<void> DeviceScene::look(const View& view, const Settings& settings) {
+    MACULA_CHECK(isComplete());
+    MACULA_TRY(const shared::TraceParams params,
+               makeTraceParams(*volume_, medium_, *environment_, view, settings));
+    MACULA_TRY_VOID(device_->waitForAll());
+    std::memcpy(params_.mapped().data(), &params, sizeof(params));
+    return {};
+}
+
+std::vector<gpu::Binding> DeviceScene::bindings() const {
+    MACULA_CHECK(isComplete());
+    return {params_, *entries_, *extinction_, *albedo_, *bounds_, *environmentTexels_, *aliasTexels_};
+}
+
+}  // namespace macula::trace

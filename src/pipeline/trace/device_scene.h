@@ -1,0 +1,53 @@
+// What is traced, on the device: voxels, optical tables, bounds, light, and the block of parameters.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "base/result.h"
+#include "base/volume.h"
+#include "pipeline/gpu/recorder.h"
+#include "pipeline/gpu/resources.h"
+#include "pipeline/trace/environment.h"
+#include "pipeline/trace/settings.h"
+#include "pipeline/volume/medium.h"
+#include "pipeline/volume/transfer_function.h"
+
+namespace macula::trace {
+
+// Used by one thread at a time, the one that uses the device. What is replaced is dropped first, so that only
+// one of it is ever there: after a setter has failed the scene is not complete.
+class DeviceScene {
+  public:
+    static Result<DeviceScene> create(std::shared_ptr<gpu::Device> device);
+
+    // outOfMemory when the device cannot hold the volume. The transfer function has to be set again.
+    Result<void> setVolume(std::shared_ptr<const Volume> volume);
+    // After setVolume. Rebuilds the tables and the bound on extinction of every brick.
+    Result<void> setTransferFunction(const TransferFunction& function);
+    Result<void> setEnvironment(const Environment& environment);
+
+    bool isComplete() const;
+
+    // When complete. Waits for the device, and writes the parameters: see makeTraceParams.
+    Result<void> look(const View& view, const Settings& settings);
+
+    // When complete, and looked at: bindings 0 to 6 of shaders/trace/host.glsl.
+    std::vector<gpu::Binding> bindings() const;
+
+  private:
+    DeviceScene(std::shared_ptr<gpu::Device> device, gpu::Buffer params)
+        : device_(std::move(device)), params_(std::move(params)) {}
+
+    std::shared_ptr<gpu::Device> device_;
+    gpu::Buffer params_;
+    std::shared_ptr<const Volume> volume_;
+    BrickGrid grid_;
+    Medium medium_;
+    std::optional<gpu::TexelBuffer> entries_, extinction_, albedo_, bounds_;
+    std::optional<Environment> environment_;
+    std::optional<gpu::TexelBuffer> environmentTexels_, aliasTexels_;
+};
+
+}  // namespace macula::trace

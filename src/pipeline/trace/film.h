@@ -1,0 +1,49 @@
+// What samples are gathered on, pixel by pixel.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "base/result.h"
+#include "pipeline/gpu/recorder.h"
+#include "pipeline/gpu/resources.h"
+
+namespace macula::trace {
+
+// On the device; row 0 on top. Used by one thread at a time, the one that uses the device.
+class Film {
+  public:
+    static Result<Film> create(const std::shared_ptr<gpu::Device>& device, int width, int height);
+
+    int width() const { return width_; }
+    int height() const { return height_; }
+
+    void clear(gpu::Recorder& recorder) const;
+    // Bindings 7 to 10 of shaders/trace/path.comp.
+    void appendTo(std::vector<gpu::Binding>& bindings) const;
+
+    const gpu::Buffer& sums() const { return sums_; }       // vec4: premultiplied radiance and coverage
+    const gpu::Buffer& counts() const { return counts_; }   // uint: finite samples
+    const gpu::Image& picture() const { return picture_; }  // RGBA8, what display() makes of it
+
+    struct Faults {
+        std::uint32_t nonFinite = 0;  // samples that were not a number
+        std::uint32_t abandoned = 0;  // paths that would have taken too many rounds
+    };
+    Result<Faults> faults() const;  // waits
+
+  private:
+    Film(int width, int height, gpu::Buffer sums, gpu::Buffer lost, gpu::Buffer counts, gpu::Buffer faults,
+         gpu::Image picture);
+
+    int width_;
+    int height_;
+    gpu::Buffer sums_;
+    gpu::Buffer lost_;  // vec4: what rounding took from the sums
+    gpu::Buffer counts_;
+    gpu::Buffer faults_;
+    gpu::Image picture_;
+};
+
+}  // namespace macula::trace
