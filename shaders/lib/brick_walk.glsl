@@ -14,18 +14,22 @@ struct BrickWalk {
     float endMm;         // where it leaves the volume
     float segmentEndMm;  // where the current segment ends
     float majorant;      // bound on extinction in it, per mm
+    vec3 cutFrom;        // what the clip removes on the way, see clip.glsl
+    vec3 cutTo;
 };
 
-// Below this a direction counts as parallel to a face: 1 mm of travel crosses less than 10^-12 bricks.
-#define PARALLEL 1e-12
-
-float safeInverse(float x) {
-    return float(1.0) / (abs(x) > float(PARALLEL) ? x : (x < float(0.0) ? float(-PARALLEL) : float(PARALLEL)));
+// Goes on at `distanceMm`, wherever that is.
+void leap(INOUT(BrickWalk) walk, float distanceMm) {
+    walk.distanceMm = distanceMm;
+    walk.segmentEndMm = distanceMm;
+    walk.majorant = float(0.0);
+    vec3 entry = walk.origin + walk.direction * distanceMm;
+    walk.cell = clamp(floor(entry), vec3(0.0), vec3(params.gridSize - ivec3(1)));
 }
 
-// Starts a walk along a ray given in voxel coordinates; distances before the volume are skipped. A ray that misses has
+// Starts a walk along a ray given in voxel coordinates, through what `spans` leave of the volume. A ray that misses has
 // endMm <= distanceMm.
-BrickWalk startWalk(vec3 originVoxel, vec3 directionVoxel) {
+BrickWalk startWalk(vec3 originVoxel, vec3 directionVoxel, ClipSpans spans) {
     BrickWalk walk;
     walk.origin = originVoxel * float(1.0 / BRICK);
     walk.direction = directionVoxel * float(1.0 / BRICK);
@@ -34,12 +38,10 @@ BrickWalk startWalk(vec3 originVoxel, vec3 directionVoxel) {
     vec3 toHigh = (vec3(params.volumeSize) * float(1.0 / BRICK) - walk.origin) * walk.inverse;
     vec3 enter = min(toLow, toHigh);
     vec3 leave = max(toLow, toHigh);
-    walk.distanceMm = max(max(enter.x, enter.y), max(enter.z, float(0.0)));
-    walk.endMm = min(min(leave.x, leave.y), leave.z);
-    walk.segmentEndMm = walk.distanceMm;
-    walk.majorant = float(0.0);
-    vec3 entry = walk.origin + walk.direction * walk.distanceMm;
-    walk.cell = clamp(floor(entry), vec3(0.0), vec3(params.gridSize - ivec3(1)));
+    walk.endMm = min(min(min(leave.x, leave.y), leave.z), spans.to);
+    walk.cutFrom = spans.cutFrom;
+    walk.cutTo = spans.cutTo;
+    leap(walk, max(max(max(enter.x, enter.y), max(enter.z, float(0.0))), spans.from));
     return walk;
 }
 
@@ -81,15 +83,19 @@ bool nextSegment(INOUT(BrickWalk) walk, INOUT(int) rounds) {
     return false;
 }
 
-// Moves on to the next tentative collision: a Poisson process of rate `majorant` along the ray. False when the ray has
-// left the volume first.
+// Moves on to the next tentative collision in what is shown: a Poisson process of rate `majorant` along the ray, which
+// may begin again at any point. False when the ray has left the volume first.
 bool nextTentative(INOUT(BrickWalk) walk, INOUT(Rng) rng, INOUT(int) rounds) {
     float depth = -log(float(1.0) - random01(rng));
     do {
         float segmentDepth = walk.majorant * (walk.segmentEndMm - walk.distanceMm);
         if (depth < segmentDepth) {
             walk.distanceMm += depth / walk.majorant;
-            return true;
+            float cutEnd = useClip() ? endOfCut(walk.cutFrom, walk.cutTo, walk.distanceMm) : float(-1.0);
+            if (cutEnd < float(0.0)) return true;
+            leap(walk, cutEnd);
+            segmentDepth = float(0.0);
+            depth = -log(float(1.0) - random01(rng));
         }
         depth -= segmentDepth;
         rounds += 1;

@@ -60,11 +60,44 @@ struct Path {
     int vertices;
     int rounds;          // of all loops so far: a device may allow a kernel only so many
     bool shadow;         // the ray under way is a shadow ray
+    float face;          // what the eye ray meets when no matter stops it: the grey of a face of the clip; 0 if none
 };
+
+// What a ray from the eye is shown.
+BrickWalk startEyeWalk(vec3 originVoxel, vec3 directionVoxel) {
+    return startWalk(originVoxel, directionVoxel, clipSpans(originVoxel, directionVoxel));
+}
+
+// What light meets: the same, or all of the volume when what is removed still casts shadow.
+BrickWalk startLightWalk(vec3 originVoxel, vec3 directionVoxel) {
+    if (useClip() && params.clipShadows == 0) return startEyeWalk(originVoxel, directionVoxel);
+    return startWalk(originVoxel, directionVoxel, nothingClipped());
+}
+
+// Ends the walk at the first face of the clip that shows something: the light of its grey, which the tone map will bring
+// back to what the window says. At or below the window's low end a face is clear, so that air hides nothing.
+float stopAtFace(INOUT(BrickWalk) walk, vec3 originVoxel, vec3 directionVoxel) {
+    ClipSpans spans = clipSpans(originVoxel, directionVoxel);
+    float face = max(walk.distanceMm, float(0.0));
+    bool first = spans.from >= walk.distanceMm;  // else the ray enters the volume through its own side
+    float grey = float(0.0);
+    for (int i = 0; i < 4 && grey <= float(0.0); ++i) {
+        face = nextFace(spans, first && i == 0 ? face - float(1e-3) : face);
+        if (face >= walk.endMm) break;
+        vec3 at = originVoxel + directionVoxel * face;
+        grey = clamp((trilinearEntry(at) - params.greyLow) / (params.greyHigh - params.greyLow), float(0.0), float(1.0));
+    }
+    if (grey <= float(0.0)) return float(0.0);
+    walk.endMm = face;
+    return greyBeforeToneMap(grey) / params.exposure;
+}
 
 Path startPath(vec3 originVoxel, vec3 worldDirection) {
     Path path;
-    path.walk = startWalk(originVoxel, voxelsPerMm(worldDirection));
+    vec3 directionVoxel = voxelsPerMm(worldDirection);
+    path.walk = startEyeWalk(originVoxel, directionVoxel);
+    path.face = float(0.0);
+    if (useClip() && params.greyFaces != 0) path.face = stopAtFace(path.walk, originVoxel, directionVoxel);
     path.origin = originVoxel;
     path.direction = worldDirection;
     path.throughput = vec3(1.0);
@@ -123,7 +156,13 @@ bool decide(INOUT(Path) path, INOUT(Rng) rng) {
         path.direction = samplePhase(path.direction, params.anisotropy, u, random01(rng));
         direction = path.direction;
     } else {
-        if (path.transmittance > float(0.0)) return false;  // out of the volume
+        if (path.transmittance > float(0.0)) {  // out of the volume, or at a face
+            if (path.vertices == 0 && path.face > float(0.0)) {
+                path.radiance = vec3(path.face);
+                path.coverage = float(1.0);
+            }
+            return false;
+        }
         path.coverage = float(1.0);
         path.origin = walkPosition(path.walk);
         path.throughput *= fetchAlbedo(int(path.entry + float(0.5)));
@@ -132,7 +171,7 @@ bool decide(INOUT(Path) path, INOUT(Rng) rng) {
         float phase = phaseHenyeyGreenstein(dot(path.direction, direction), params.anisotropy);
         path.pending = light.pdfPerSr > float(0.0) ? path.throughput * light.radiance * (phase / light.pdfPerSr) : vec3(0.0);
     }
-    path.walk = startWalk(path.origin, voxelsPerMm(direction));
+    path.walk = startLightWalk(path.origin, voxelsPerMm(direction));
     path.transmittance = float(1.0);
     path.shadow = !path.shadow;
     return true;

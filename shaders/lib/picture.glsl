@@ -38,6 +38,20 @@ float encodeSrgb(float linear) {
     return c <= float(0.0031308) ? c * float(12.92) : float(1.055) * pow(c, float(1.0 / 2.4)) - float(0.055);
 }
 
+float decodeSrgb(float encoded) {
+    return encoded <= float(0.04045) ? encoded / float(12.92) : pow((encoded + float(0.055)) / float(1.055), float(2.4));
+}
+
+// The linear grey that toneMapNeutral and encodeSrgb turn into `encoded`, 0 to 1: for what must be shown as it is. White is
+// the limit of the tone map; the brightest grey it gives here is 0.998.
+float greyBeforeToneMap(float encoded) {
+    float mapped = decodeSrgb(encoded);
+    float startCompression = float(0.8 - 0.04);
+    if (mapped < startCompression) return mapped < float(0.04) ? sqrt(mapped / float(6.25)) : mapped + float(0.04);
+    float d = float(1.0) - startCompression;
+    return d * d / max(float(1.0) - mapped, float(0.005)) - d + startCompression + float(0.04);
+}
+
 // What a pixel shows: linear premultiplied radiance over a linear background, exposed, tone-mapped, encoded.
 vec3 displayColour(vec4 premultiplied, vec3 background, float exposure) {
     vec3 over = vec3(premultiplied.x, premultiplied.y, premultiplied.z) * exposure + background * (float(1.0) - clamp(premultiplied.w, float(0.0), float(1.0)));

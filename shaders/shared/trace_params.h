@@ -4,33 +4,54 @@
 #include "shared/shared.h"
 MACULA_SHARED_BEGIN
 
+MACULA_SHARED_CONST int kMaxClipPlanes = 15;  // six of a box, six given, three of a corner
+MACULA_SHARED_CONST int kClipNoBall = 0;
+MACULA_SHARED_CONST int kClipKeepBall = 1;
+MACULA_SHARED_CONST int kClipCutBall = 2;
+
 // Voxel coordinates here have integers at voxel faces: the volume fills [0, volumeSize].
 struct TraceParams {
-    vec3 originVoxel;           // the eye
-    vec3 right;                 // world; half the width of the picture at distance 1
-    vec3 up;                    // world; half its height
-    vec3 forward;               // world, unit
-    vec3 voxelFromWorldX;       // columns of the linear part: voxels per mm along world x, y, z
+    vec3 originVoxel;      // the eye
+    vec3 right;            // world; half the width of the picture at distance 1
+    vec3 up;               // world; half its height
+    vec3 forward;          // world, unit
+    vec3 voxelFromWorldX;  // columns of the linear part: voxels per mm along world x, y, z
     vec3 voxelFromWorldY;
     vec3 voxelFromWorldZ;
     vec3 worldFromEnvironmentX;  // columns of a rotation
     vec3 worldFromEnvironmentY;
     vec3 worldFromEnvironmentZ;
-    ivec3 volumeSize;           // voxels
-    ivec3 gridSize;             // bricks
-    ivec2 imageSize;            // pixels
-    ivec2 environmentSize;      // texels
-    int bounces;                // vertices of a path
+    ivec3 volumeSize;       // voxels
+    ivec3 gridSize;         // bricks
+    ivec2 imageSize;        // pixels
+    ivec2 environmentSize;  // texels
+    int bounces;            // vertices of a path
     uint seed;
-    float anisotropy;           // Henyey-Greenstein g
-    float marchStepMm;          // of the deterministic march for depth
+    float anisotropy;   // Henyey-Greenstein g
+    float marchStepMm;  // of the deterministic march for depth
+
+    // What is clipped, see shaders/lib/clip.glsl. A plane keeps dot(xyz, p) + w >= 0, p in voxel coordinates.
+    vec4 clipPlanes[kMaxClipPlanes];  // of the region that is kept, of a box that is cut out, of a corner
+    vec3 clipBallCentre;              // voxel coordinates
+    vec3 clipBallX;                   // columns of the map from voxels to radii of the ball
+    vec3 clipBallY;
+    vec3 clipBallZ;
+    int clipKeepCount;  // planes
+    int clipBoxCount;
+    int clipCornerCount;
+    int clipBall;     // one of the three above
+    int clipShadows;  // 1: what is removed is hidden from the eye only, and still casts shadow
+    int greyFaces;    // 1: the faces of the clip show the values themselves
+    float greyLow;    // table entry that is black there
+    float greyHigh;   // and white
+    float exposure;   // that will be applied: grey is divided by it
 };
 
-// The blocks of 8 x 8 pixels of a picture are visited in the order (i * blockStride) mod blockCount, blockStride coprime to
-// blockCount: any run of them is spread over the whole picture.
+// The blocks of 8 x 8 pixels of a picture are visited in the order (i * blockStride) mod blockCount,
+// blockStride coprime to blockCount: any run of them is spread over the whole picture.
 struct PathPush {
-    uint firstBlock;   // i of the first block of this dispatch
-    uint blockCount;   // of the picture
+    uint firstBlock;  // i of the first block of this dispatch
+    uint blockCount;  // of the picture
     uint blockStride;
     uint firstSample;  // index of the first sample of this dispatch, for the random sequence
     uint sampleCount;
@@ -39,7 +60,7 @@ struct PathPush {
 struct DisplayPush {
     vec3 background;  // linear
     float exposure;
-    int smoothing;    // radius in pixels of the binomial filter over the means
+    int smoothing;  // radius in pixels of the binomial filter over the means
 };
 
 MACULA_SHARED_END

@@ -14,6 +14,6 @@ void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(pixel, params.imageSize))) return;
     vec3 direction = eyeDirection(vec2(pixel) + vec2(0.5));
-    BrickWalk walk = startWalk(params.originVoxel, voxelsPerMm(direction));
+    BrickWalk walk = startEyeWalk(params.originVoxel, voxelsPerMm(direction));
     distanceMm[pixel.y * params.imageSize.x + pixel.x] = halfTransmittanceDistance(walk, params.marchStepMm);
 }

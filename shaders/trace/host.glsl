@@ -7,6 +7,7 @@
 #include "shared/trace_params.h"
 
 layout(constant_id = 0) const bool kTrilinear = true;
+layout(constant_id = 2) const bool kClip = false;
 
 // Not a uniform block: lavapipe (Mesa 22.3) compiles a uniform that decides a branch into the shader, and so would compile
 // anew, for a tenth of a second, whenever the camera moves.
@@ -40,6 +41,9 @@ vec2 fetchAlias(int texel) {
 }
 bool useTrilinear() {
     return kTrilinear;
+}
+bool useClip() {
+    return kClip;
 }
 
 #include "lib/trace_lib.glsl"

@@ -30,7 +30,21 @@ const std::vector<LaidOutField> kTraceParams{MACULA_FIELD(TraceParams, originVox
                                              MACULA_FIELD(TraceParams, bounces),
                                              MACULA_FIELD(TraceParams, seed),
                                              MACULA_FIELD(TraceParams, anisotropy),
-                                             MACULA_FIELD(TraceParams, marchStepMm)};
+                                             MACULA_FIELD(TraceParams, marchStepMm),
+                                             MACULA_FIELD(TraceParams, clipPlanes),
+                                             MACULA_FIELD(TraceParams, clipBallCentre),
+                                             MACULA_FIELD(TraceParams, clipBallX),
+                                             MACULA_FIELD(TraceParams, clipBallY),
+                                             MACULA_FIELD(TraceParams, clipBallZ),
+                                             MACULA_FIELD(TraceParams, clipKeepCount),
+                                             MACULA_FIELD(TraceParams, clipBoxCount),
+                                             MACULA_FIELD(TraceParams, clipCornerCount),
+                                             MACULA_FIELD(TraceParams, clipBall),
+                                             MACULA_FIELD(TraceParams, clipShadows),
+                                             MACULA_FIELD(TraceParams, greyFaces),
+                                             MACULA_FIELD(TraceParams, greyLow),
+                                             MACULA_FIELD(TraceParams, greyHigh),
+                                             MACULA_FIELD(TraceParams, exposure)};
 const std::vector<LaidOutField> kPathPush{
     MACULA_FIELD(PathPush, firstBlock), MACULA_FIELD(PathPush, blockCount),
     MACULA_FIELD(PathPush, blockStride), MACULA_FIELD(PathPush, firstSample),

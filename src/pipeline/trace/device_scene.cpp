@@ -75,7 +75,18 @@ Result<void> DeviceScene::setVolume(std::shared_ptr<const Volume> volume) {
 Result<void> DeviceScene::setTransferFunction(const TransferFunction& function) {
     if (!volume_) return Error{ErrorCode::usage, "There is nothing to trace yet.", {}, "Open a study first."};
     MACULA_TRY_VOID(validate(function));
-    medium_ = makeMedium(*volume_, grid_, fitted(function, *volume_));
+    function_ = function;
+    return makeTables();
+}
+
+Result<void> DeviceScene::setClip(const Clip& clip) {
+    MACULA_TRY_VOID(validate(clip));
+    clip_ = clip;
+    return extinction_ ? makeTables() : Result<void>();
+}
+
+Result<void> DeviceScene::makeTables() {
+    medium_ = makeMedium(*volume_, grid_, fitted(*function_, *volume_), clip_);
     extinction_.reset();  // all or none: tables of different length must never meet
     albedo_.reset();
     bounds_.reset();
@@ -110,7 +121,7 @@ bool DeviceScene::isComplete() const {
 Result<void> DeviceScene::look(const View& view, const Settings& settings) {
     MACULA_CHECK(isComplete());
     MACULA_TRY(const shared::TraceParams params,
-               makeTraceParams(*volume_, medium_, *environment_, view, settings));
+               makeTraceParams(*volume_, medium_, *environment_, view, settings, clip_));
     MACULA_TRY_VOID(device_->waitForAll());
     std::memcpy(params_.mapped().data(), &params, sizeof(params));
     return {};

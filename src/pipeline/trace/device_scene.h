@@ -28,6 +28,10 @@ class DeviceScene {
     Result<void> setTransferFunction(const TransferFunction& function);
     Result<void> setEnvironment(const Environment& environment);
 
+    // Shows all of it again when the clip is nothing. After setVolume it stays.
+    Result<void> setClip(const Clip& clip);
+    bool isClipped() const { return !clip_.isNothing(); }
+
     bool isComplete() const;
 
     // When complete. Waits for the device, and writes the parameters: see makeTraceParams.
@@ -37,6 +41,7 @@ class DeviceScene {
     std::vector<gpu::Binding> bindings() const;
 
   private:
+    Result<void> makeTables();
     DeviceScene(std::shared_ptr<gpu::Device> device, gpu::Buffer params)
         : device_(std::move(device)), params_(std::move(params)) {}
 
@@ -45,6 +50,8 @@ class DeviceScene {
     std::shared_ptr<const Volume> volume_;
     BrickGrid grid_;
     Medium medium_;
+    std::optional<TransferFunction> function_;  // as it was given
+    Clip clip_;
     std::optional<gpu::TexelBuffer> entries_, extinction_, albedo_, bounds_;
     std::optional<Environment> environment_;
     std::optional<gpu::TexelBuffer> environmentTexels_, aliasTexels_;

@@ -59,7 +59,9 @@ struct PathTracer::Impl {
     View view;
 
     // How.
-    std::optional<gpu::Kernel> trilinearKernel, stochasticKernel, depthKernel, displayKernel;
+    std::map<std::pair<Filter, bool>, gpu::Kernel> pathKernels;  // by filter, and whether there is a clip
+    std::map<bool, gpu::Kernel> depthKernels;                    // by whether there is a clip
+    std::optional<gpu::Kernel> displayKernel;
     bool paramsStale = true;  // something above has changed: accumulation starts again
     std::map<std::pair<Filter, int>, double> blockSamplesPerMs;  // by filter and bounces
     bool warm = false;  // the first dispatch of a kernel compiles it, and says nothing about speed
@@ -75,6 +77,7 @@ struct PathTracer::Impl {
     Result<void> prepare();
     Result<bool> tooLong();
     Result<const gpu::Kernel*> pathKernel();
+    Result<const gpu::Kernel*> depthKernel();
     std::uint32_t blocks() const;  // of the picture
     double& rate() {
         return blockSamplesPerMs.try_emplace({settings.filter, settings.bounces}, kFirstRate).first->second;
@@ -90,7 +93,6 @@ PathTracer::~PathTracer() = default;
 Result<PathTracer> PathTracer::create(std::shared_ptr<gpu::Device> device) {
     MACULA_TRY(DeviceScene scene, DeviceScene::create(device));
     auto impl = std::make_unique<Impl>(std::move(device), std::move(scene));
-    MACULA_TRY(impl->depthKernel, gpu::Kernel::create(impl->device, shaders::trace_depth_comp));
     MACULA_TRY(impl->displayKernel, gpu::Kernel::create(impl->device, shaders::trace_display_comp));
     return PathTracer(std::move(impl));
 }
@@ -112,6 +114,12 @@ Result<void> PathTracer::setEnvironment(const Environment& environment) {
     return impl_->scene.setEnvironment(environment);
 }
 
+Result<void> PathTracer::setClip(const Clip& clip) {
+    MACULA_TRY_VOID(impl_->scene.setClip(clip));
+    impl_->paramsStale = true;
+    return {};
+}
+
 Result<void> PathTracer::setSettings(const Settings& settings) {
     impl_->settings = settings;
     impl_->paramsStale = true;
@@ -125,18 +133,25 @@ Result<void> PathTracer::setView(const View& view) {
 }
 
 Result<const gpu::Kernel*> PathTracer::Impl::pathKernel() {
-    const bool trilinear = settings.filter == Filter::trilinear;
-    auto& kernel = trilinear ? trilinearKernel : stochasticKernel;
-    if (!kernel) {
-        MACULA_TRY(
-            kernel,
-            gpu::Kernel::create(
-                device, shaders::trace_path_comp,
-                {.specializations = {{"kTrilinear", trilinear},
-                                     {"kMaxRounds", device->isCpu() ? kMaxRoundsCpu : kMaxRoundsGpu}}}));
-        warm = false;
-    }
-    return &*kernel;
+    const auto found = pathKernels.find({settings.filter, scene.isClipped()});
+    if (found != pathKernels.end()) return &found->second;
+    MACULA_TRY(gpu::Kernel kernel,
+               gpu::Kernel::create(
+                   device, shaders::trace_path_comp,
+                   {.specializations = {{"kTrilinear", settings.filter == Filter::trilinear},
+                                        {"kClip", scene.isClipped()},
+                                        {"kMaxRounds", device->isCpu() ? kMaxRoundsCpu : kMaxRoundsGpu}}}));
+    warm = false;
+    return &pathKernels.emplace(std::pair(settings.filter, scene.isClipped()), std::move(kernel))
+                .first->second;
+}
+
+Result<const gpu::Kernel*> PathTracer::Impl::depthKernel() {
+    const auto found = depthKernels.find(scene.isClipped());
+    if (found != depthKernels.end()) return &found->second;
+    MACULA_TRY(gpu::Kernel kernel, gpu::Kernel::create(device, shaders::trace_depth_comp,
+                                                       {.specializations = {{"kClip", scene.isClipped()}}}));
+    return &depthKernels.emplace(scene.isClipped(), std::move(kernel)).first->second;
 }
 
 // Brings the device up to what was set, and starts a new accumulation when anything changed.
@@ -259,10 +274,11 @@ Result<TracedImage> PathTracer::readback() {
     const std::size_t pixels = std::size_t(t.view.width) * std::size_t(t.view.height);
     MACULA_TRY(const gpu::Buffer distances,
                gpu::Buffer::create(t.device, {.label = "distances", .bytes = pixels * sizeof(float)}));
+    MACULA_TRY(const gpu::Kernel* depthKernel, t.depthKernel());
     MACULA_TRY(auto recorder, gpu::Recorder::create(t.device, "depth"));
     std::vector<gpu::Binding> bindings = t.scene.bindings();
     bindings.emplace_back(distances);
-    recorder.dispatch(*t.depthKernel,
+    recorder.dispatch(*depthKernel,
                       {static_cast<std::uint32_t>(t.view.width), static_cast<std::uint32_t>(t.view.height)},
                       bindings);
     MACULA_TRY([[maybe_unused]] const gpu::Ticket ticket, recorder.submit());

@@ -17,6 +17,7 @@
 #include "pipeline/gpu/resources.h"
 #include "pipeline/trace/environment.h"
 #include "pipeline/trace/settings.h"
+#include "pipeline/volume/clip.h"
 #include "pipeline/volume/transfer_function.h"
 
 namespace macula::trace {
@@ -54,6 +55,8 @@ class PathTracer {
     // After setVolume. Rebuilds the tables and the bound on extinction of every brick.
     Result<void> setTransferFunction(const TransferFunction& function);
     Result<void> setEnvironment(const Environment& environment);
+    // What is shown of the volume; stays until it is set again.
+    Result<void> setClip(const Clip& clip);
     Result<void> setSettings(const Settings& settings);
     Result<void> setView(const View& view);
 

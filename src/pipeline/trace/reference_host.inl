@@ -10,6 +10,8 @@
 
 struct MACULA_HOST : GlslInCpp<MACULA_REAL> {
     using Real = MACULA_REAL;
+    static constexpr int kClipKeepBall = shared::kClipKeepBall;
+    static constexpr int kClipCutBall = shared::kClipCutBall;
 
     struct Params {
         vec3 originVoxel, right, up, forward;
@@ -20,22 +22,32 @@ struct MACULA_HOST : GlslInCpp<MACULA_REAL> {
         int bounces;
         uint seed;
         Real anisotropy, marchStepMm;
+        std::array<vec4, shared::kMaxClipPlanes> clipPlanes;
+        vec3 clipBallCentre, clipBallX, clipBallY, clipBallZ;
+        int clipKeepCount, clipBoxCount, clipCornerCount, clipBall, clipShadows, greyFaces;
+        Real greyLow, greyHigh, exposure;
     };
     // A field added to the shared block must be added above and below.
-    static_assert(sizeof(shared::TraceParams) == 4 * (10 * 3 + 2 * 3 + 2 * 2 + 4));
+    static_assert(sizeof(shared::TraceParams) ==
+                  4 * (10 * 3 + 2 * 3 + 2 * 2 + 4 + 4 * shared::kMaxClipPlanes + 4 * 3 + 6 + 3));
 
     MACULA_HOST(const ReferenceTracer::Tables& tables, const shared::TraceParams& p, Filter filter)
         : params{p.originVoxel, p.right, p.up, p.forward, p.voxelFromWorldX, p.voxelFromWorldY,
                  p.voxelFromWorldZ, p.worldFromEnvironmentX, p.worldFromEnvironmentY, p.worldFromEnvironmentZ,
                  p.volumeSize, p.gridSize, p.imageSize, p.environmentSize, p.bounces, p.seed,
-                 Real(p.anisotropy), Real(p.marchStepMm)},
+                 Real(p.anisotropy), Real(p.marchStepMm), {}, p.clipBallCentre, p.clipBallX, p.clipBallY,
+                 p.clipBallZ, p.clipKeepCount, p.clipBoxCount, p.clipCornerCount, p.clipBall, p.clipShadows,
+                 p.greyFaces, Real(p.greyLow), Real(p.greyHigh), Real(p.exposure)},
           entries_(tables.entries.data()),
           extinction_(tables.extinctionPerMm.data()),
           albedo_(tables.albedo.data()),
           bounds_(tables.bounds.data()),
           environment_(tables.environment.data()),
           alias_(tables.alias.data()),
-          trilinear_(filter == Filter::trilinear) {}
+          trilinear_(filter == Filter::trilinear) {
+        for (std::size_t i = 0; i < params.clipPlanes.size(); ++i) params.clipPlanes[i] = p.clipPlanes[i];
+        clip_ = isClipped(p);
+    }
 
     Params params;
 
@@ -48,6 +60,7 @@ struct MACULA_HOST : GlslInCpp<MACULA_REAL> {
     }
     vec2 fetchAlias(int texel) const { return {Real(alias_[texel].keep), Real(alias_[texel].other)}; }
     bool useTrilinear() const { return trilinear_; }
+    bool useClip() const { return clip_; }
 
 #define float MACULA_REAL
 #include "lib/trace_lib.glsl"
@@ -55,6 +68,7 @@ struct MACULA_HOST : GlslInCpp<MACULA_REAL> {
 #undef PI
 #undef BRICK
 #undef PARALLEL
+#undef FAR_MM
 #undef ROULETTE_BELOW
 #undef STRIDE
 
@@ -66,6 +80,7 @@ struct MACULA_HOST : GlslInCpp<MACULA_REAL> {
     const EnvironmentTexel* environment_;
     const AliasEntry* alias_;
     bool trilinear_;
+    bool clip_;
 };
 
 #undef OUT

@@ -60,7 +60,7 @@ std::vector<double> halfDistanceOn(Host prototype) {
         for (int x = 0; x < width; ++x) {
             const auto direction =
                 host.eyeDirection(typename Host::vec2(Real(x) + Real(0.5), Real(row) + Real(0.5)));
-            auto walk = host.startWalk(host.params.originVoxel, host.voxelsPerMm(direction));
+            auto walk = host.startEyeWalk(host.params.originVoxel, host.voxelsPerMm(direction));
             const double found = double(host.halfTransmittanceDistance(walk, host.params.marchStepMm));
             distances[row * std::size_t(width) + std::size_t(x)] =
                 found >= 0.0 ? found : std::numeric_limits<double>::infinity();
@@ -73,8 +73,8 @@ template <class Host>
 std::vector<ReferenceTracer::Segment> segmentsOn(Host host, const glm::dvec3& originVoxel,
                                                  const glm::dvec3& worldDirection) {
     std::vector<ReferenceTracer::Segment> segments;
-    auto walk = host.startWalk(typename Host::vec3(originVoxel),
-                               host.voxelsPerMm(typename Host::vec3(worldDirection)));
+    auto walk = host.startEyeWalk(typename Host::vec3(originVoxel),
+                                  host.voxelsPerMm(typename Host::vec3(worldDirection)));
     int rounds = 0;
     while (host.nextSegment(walk, rounds)) {
         segments.push_back({double(walk.distanceMm), double(walk.segmentEndMm), double(walk.majorant)});

@@ -5,9 +5,54 @@
 
 namespace macula::trace {
 
+namespace {
+
+// Voxel coordinates have integers at faces: centres are half a voxel on.
+glm::vec4 planeInVoxels(const HalfSpace& side, const glm::dmat4& worldFromVoxel) {
+    const glm::dvec3 origin = transformPoint(worldFromVoxel, glm::dvec3(-0.5));
+    return glm::dvec4(glm::transpose(glm::dmat3(worldFromVoxel)) * side.normal,
+                      glm::dot(side.normal, origin) - side.offsetMm);
+}
+
+void writeClip(const Clip& clip, const Volume& volume, shared::TraceParams& params) {
+    const glm::dmat4& worldFromVoxel = volume.worldFromVoxel();
+    int next = 0;
+    const auto add = [&](const auto& sides) {
+        for (const HalfSpace& side : sides) params.clipPlanes[next++] = planeInVoxels(side, worldFromVoxel);
+        return static_cast<int>(sides.size());
+    };
+    params.clipKeepCount = add(clip.planes);
+    if (clip.box && clip.ofBox == Keep::inside) params.clipKeepCount += add(sidesOf(*clip.box));
+    if (clip.box && clip.ofBox == Keep::outside) params.clipBoxCount = add(sidesOf(*clip.box));
+    if (clip.cut) params.clipCornerCount = add(sidesOf(*clip.cut));
+    if (clip.ball) {
+        params.clipBall = clip.ofBall == Keep::inside ? shared::kClipKeepBall : shared::kClipCutBall;
+        params.clipBallCentre = transformPoint(glm::inverse(worldFromVoxel), clip.ball->centreMm) + 0.5;
+        params.clipBallX = glm::dvec3(worldFromVoxel[0]) / clip.ball->radiusMm;
+        params.clipBallY = glm::dvec3(worldFromVoxel[1]) / clip.ball->radiusMm;
+        params.clipBallZ = glm::dvec3(worldFromVoxel[2]) / clip.ball->radiusMm;
+    }
+    params.clipShadows = clip.removedCastsShadow ? 1 : 0;
+    if (!clip.greyFaces || clip.isNothing()) return;
+    // PS3.3 C.11.2.1.2: LINEAR is white one unit before the end of the window.
+    const DisplayWindow& window = *clip.greyFaces;
+    const bool isExact = window.width <= 1.0 || window.function == "LINEAR_EXACT";
+    const double low = window.center - window.width / 2.0;
+    const double high = window.center + window.width / 2.0 - (isExact ? 0.0 : 1.0);
+    const UnitsFromStored units = volume.unitsFromStored();
+    const int firstStored = entryMapOf(volume).low;
+    const auto entry = [&](double value) { return (value - units.intercept) / units.slope - firstStored; };
+    params.greyFaces = 1;
+    params.greyLow = static_cast<float>(entry(low));
+    params.greyHigh = static_cast<float>(std::max(entry(high), entry(low) + 1e-3));
+}
+
+}  // namespace
+
 Result<shared::TraceParams> makeTraceParams(const Volume& volume, const Medium& medium,
                                             const Environment& environment, const View& view,
-                                            const Settings& settings) {
+                                            const Settings& settings, const Clip& clip) {
+    MACULA_TRY_VOID(validate(clip));
     MACULA_TRY(const CameraBasis eye, basis(view.camera));
     if (view.width < 1 || view.height < 1 || view.width > kMaxPictureSide || view.height > kMaxPictureSide) {
         return Error{ErrorCode::usage,
@@ -52,7 +97,14 @@ Result<shared::TraceParams> makeTraceParams(const Volume& volume, const Medium& 
     params.anisotropy = medium.anisotropy;
     const glm::dvec3 spacing = volume.spacingMm();
     params.marchStepMm = static_cast<float>(0.5 * std::min({spacing.x, spacing.y, spacing.z}));
+    writeClip(clip, volume, params);
+    params.exposure = static_cast<float>(settings.exposure);
     return params;
+}
+
+bool isClipped(const shared::TraceParams& params) {
+    return params.clipKeepCount + params.clipBoxCount + params.clipCornerCount > 0 ||
+           params.clipBall != shared::kClipNoBall;
 }
 
 }  // namespace macula::trace

@@ -8,6 +8,7 @@
 #include "base/volume.h"
 #include "pipeline/trace/environment.h"
 #include "pipeline/trace/settings.h"
+#include "pipeline/volume/clip.h"
 #include "pipeline/volume/medium.h"
 #include "shared/trace_params.h"
 
@@ -17,6 +18,9 @@ namespace macula::trace {
 // costs no precision. Fails with usage when the camera, the size of the picture or a setting is not usable.
 Result<shared::TraceParams> makeTraceParams(const Volume& volume, const Medium& medium,
                                             const Environment& environment, const View& view,
-                                            const Settings& settings);
+                                            const Settings& settings, const Clip& clip = {});
+
+// Whether rays have to be clipped at all.
+bool isClipped(const shared::TraceParams& params);
 
 }  // namespace macula::trace

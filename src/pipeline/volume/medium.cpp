@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/parallel.h"
 #include "pipeline/volume/range_max.h"
 
 namespace macula {
@@ -51,6 +52,25 @@ std::vector<int> distanceToOccupied(const BrickGrid& grid, const std::vector<flo
     return distance;
 }
 
+// A voxel more than the brick on all sides, so that rounding in the shaders cannot look into it.
+Box roomOf(int x, int y, int z) {
+    const glm::dvec3 low = double(kBrickVoxels) * glm::dvec3(x, y, z) - 1.5;
+    return {low, low + double(kBrickVoxels) + 2.0};
+}
+
+void emptyRemoved(Medium& medium, const BrickGrid& grid, const Volume& volume, const Clip& clip) {
+    if (clip.isNothing() || clip.removedCastsShadow) return;
+    parallelFor(std::size_t(grid.size.z), [&](std::size_t layer) {
+        const int z = static_cast<int>(layer);
+        for (int y = 0; y < grid.size.y; ++y) {
+            for (int x = 0; x < grid.size.x; ++x) {
+                float& bound = medium.bounds[grid.index(x, y, z)];
+                if (bound > 0.0f && removesAll(clip, volume.worldFromVoxel(), roomOf(x, y, z))) bound = 0.0f;
+            }
+        }
+    });
+}
+
 }  // namespace
 
 std::size_t Medium::visibleBricks() const {
@@ -58,7 +78,8 @@ std::size_t Medium::visibleBricks() const {
         std::count_if(bounds.begin(), bounds.end(), [](float b) { return b > 0.0f; }));
 }
 
-Medium makeMedium(const Volume& volume, const BrickGrid& grid, const TransferFunction& function) {
+Medium makeMedium(const Volume& volume, const BrickGrid& grid, const TransferFunction& function,
+                  const Clip& clip) {
     const EntryMap map = entryMapOf(volume);
     const UnitsFromStored units = volume.unitsFromStored();
 
@@ -83,6 +104,7 @@ Medium makeMedium(const Volume& volume, const BrickGrid& grid, const TransferFun
     for (std::size_t brick = 0; brick < grid.ranges.size(); ++brick) {
         medium.bounds[brick] = largest(grid.ranges[brick].low, grid.ranges[brick].high) * kOutward;
     }
+    emptyRemoved(medium, grid, volume, clip);
     const std::vector<int> distance = distanceToOccupied(grid, medium.bounds);
     for (std::size_t brick = 0; brick < medium.bounds.size(); ++brick) {
         if (distance[brick] > 0) medium.bounds[brick] = -static_cast<float>(distance[brick]);

@@ -8,6 +8,7 @@
 
 #include "base/volume.h"
 #include "pipeline/volume/brick_grid.h"
+#include "pipeline/volume/clip.h"
 #include "pipeline/volume/entry_map.h"
 #include "pipeline/volume/transfer_function.h"
 
@@ -26,7 +27,9 @@ struct Medium {
     std::size_t visibleBricks() const;
 };
 
-// `function` is used as it is: fit it to the volume before.
-Medium makeMedium(const Volume& volume, const BrickGrid& grid, const TransferFunction& function);
+// `function` is used as it is: fit it to the volume before. Bricks of which a clip without shadow leaves
+// nothing are empty.
+Medium makeMedium(const Volume& volume, const BrickGrid& grid, const TransferFunction& function,
+                  const Clip& clip = {});
 
 }  // namespace macula
