@@ -46,6 +46,19 @@ TEST_F(RecorderTest, timesItsSections) {
     EXPECT_LT(timings[1].milliseconds, 60'000.0);
 }
 
+TEST_F(RecorderTest, updatesABufferInOrderWithWhatReadsIt) {
+    const Buffer source = expectOk(Buffer::create(device(), {.label = "source", .bytes = 8}));
+    const Buffer seen = expectOk(Buffer::create(device(), {.label = "seen", .bytes = 24}));
+    for (std::uint32_t i = 0; i < 3; ++i) {  // nothing waits in between
+        const std::uint32_t values[] = {10 + i, 20 + i};
+        auto recorder = expectOk(Recorder::create(device(), "update"));
+        recorder.update(source, std::as_bytes(std::span(values)));
+        recorder.copy(source, 0, seen, 8 * i, 8);
+        expectOk(recorder.submit());
+    }
+    EXPECT_EQ(expectOk(read<std::uint32_t>(seen)), (std::vector<std::uint32_t>{10, 20, 11, 21, 12, 22}));
+}
+
 TEST_F(RecorderTest, copiesAnImageToABuffer) {
     const Image image = expectOk(Image::create(device(), {.label = "image", .width = 9, .height = 4}));
     const Buffer buffer = expectOk(Buffer::create(

@@ -80,6 +80,24 @@ TEST_F(ResourcesTest, bytesGoThereAndBackInEveryKindOfMemory) {
     }
 }
 
+// A graphics card has memory of its own; a CPU device is asked to behave like one.
+TEST_F(ResourcesTest, bytesGoThereAndBackWhereTheDeviceHasMemoryOfItsOwn) {
+    const auto card = expectOk(Device::create(*instance_, {.separateMemory = true}));
+    EXPECT_FALSE(card->hasUnifiedMemory());
+    std::vector<std::uint32_t> values((40u << 20) / 4 +
+                                      3);  // more than one piece of staging, and no whole number
+    std::iota(values.begin(), values.end(), 1u);
+    const Buffer buffer = expectOk(Buffer::create(card, {.label = "card", .bytes = values.size() * 4}));
+    EXPECT_TRUE(buffer.mapped().empty());
+    expectOk(uploadTo<std::uint32_t>(buffer, values));
+    EXPECT_EQ(expectOk(read<std::uint32_t>(buffer)), values);
+    const TexelBuffer texels =
+        expectOk(TexelBuffer::create(card, {.label = "texels", .elements = 7, .format = VK_FORMAT_R16_UINT}));
+    const std::vector<std::uint16_t> odd{1, 2, 3, 4, 5, 6, 7};
+    expectOk(uploadTo(texels.buffer(), 0, std::as_bytes(std::span(odd))));
+    EXPECT_EQ(expectOk(read<std::uint16_t>(texels.buffer())), odd);
+}
+
 // While the device is busy an upload takes the way by staging buffers, also on a CPU device.
 TEST_F(ResourcesTest, uploadsInChunksBehindWorkInFlight) {
     std::vector<std::uint32_t> values((40u << 20) / 4 + 3);

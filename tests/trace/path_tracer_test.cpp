@@ -212,6 +212,36 @@ TEST_F(PathTracerTest, InterruptionsDoNotChangeThePicture) {
     EXPECT_EQ(*whole.readDisplay(glm::vec3(0.0f)), *pieces.readDisplay(glm::vec3(0.0f)));
 }
 
+// A graphics card has memory of its own: other ways for the volume, the tables and the picture, the same
+// picture. And the view may change while the device still shows the last one.
+TEST_F(PathTracerTest, ADeviceWithMemoryOfItsOwnTracesTheSamePicture) {
+    const auto volume = std::make_shared<const Volume>(
+        phantom::make({.size = {63, 57, 41}, .spacingMm = {4.8, 4.8, 7.5}}));  // an odd number of voxels
+    TransferFunction bone = scenes::homogeneous(1.0);
+    bone.opacity = {{150, 0.0}, {400, 0.8}};
+    const Environment sky = Environment::fromRig(twoLights());
+    const View view = front(*volume, 72);
+    PathTracer usual = tracer(volume, bone, sky, view, {});
+    ASSERT_TRUE(*usual.trace(3));
+
+    const auto card = *gpu::Device::create(instance(), {.separateMemory = true});
+    auto made = PathTracer::create(card);
+    PathTracer t = std::move(made).value();
+    ASSERT_TRUE(t.setVolume(volume).ok());
+    ASSERT_TRUE(t.setTransferFunction(bone).ok());
+    ASSERT_TRUE(t.setEnvironment(sky).ok());
+    ASSERT_TRUE(t.setView(front(*volume, 72, ViewDirection::left)).ok());
+    ASSERT_TRUE(*t.trace(1));
+    ASSERT_TRUE(t.display(glm::vec3(0.0f)).ok());
+    ASSERT_TRUE(t.setView(view).ok());
+    ASSERT_TRUE(*t.trace(3));
+    const auto expected = usual.readback();
+    const auto image = t.readback();
+    EXPECT_EQ(image->radiance, expected->radiance);
+    EXPECT_EQ(image->depthMm, expected->depthMm);
+    EXPECT_EQ(*t.readDisplay(glm::vec3(0.1f)), *usual.readDisplay(glm::vec3(0.1f)));
+}
+
 TEST_F(PathTracerTest, AnyChangeStartsANewPicture) {
     const auto [volume, view] = scenes::slab(10.0, 16);
     PathTracer t = tracer(volume, scenes::homogeneous(0.2), Environment::constant(glm::vec3(1.0f)), view, {});

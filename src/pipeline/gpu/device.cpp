@@ -89,6 +89,7 @@ Result<void> Device::initialise(const Instance& instance, const DeviceOptions& o
     instanceState_ = instance.state_;
     instance_ = instance.handle();
     MACULA_TRY(info_, chosen(instance, options));
+    unifiedMemory_ = (isCpu() || info_.type == DeviceType::integrated) && !options.separateMemory;
     queueFamily_ = *universalQueueFamily(info_.physical);
 
     std::vector<const char*> extensions = options.extensions;

@@ -31,6 +31,7 @@ struct DeviceOptions {
     // (xrCreateVulkanDeviceKHR).
     VkPhysicalDevice physical = VK_NULL_HANDLE;
     std::function<VkResult(VkPhysicalDevice, const VkDeviceCreateInfo&, VkDevice*)> createDevice;
+    bool separateMemory = false;  // as on a graphics card, also where it is not so: for tests
 };
 
 // A VkDevice with one queue for everything (compute, transfer, graphics where there is any).
@@ -54,6 +55,8 @@ class Device : public std::enable_shared_from_this<Device> {
 
     const DeviceInfo& info() const { return info_; }
     bool isCpu() const { return info_.type == DeviceType::cpu; }
+    // Device-local memory is host memory, and mapped.
+    bool hasUnifiedMemory() const { return unifiedMemory_; }
     VkInstance instance() const;
     VkPhysicalDevice physical() const { return info_.physical; }
     VkDevice handle() const { return device_; }
@@ -116,6 +119,7 @@ class Device : public std::enable_shared_from_this<Device> {
     std::shared_ptr<void> instanceState_;
     VkInstance instance_ = VK_NULL_HANDLE;
     DeviceInfo info_;
+    bool unifiedMemory_ = false;
     VkDevice device_ = VK_NULL_HANDLE;
     VkQueue queue_ = VK_NULL_HANDLE;
     std::uint32_t queueFamily_ = 0;

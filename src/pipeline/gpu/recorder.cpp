@@ -223,6 +223,15 @@ void Recorder::copy(const Buffer& from, std::uint64_t fromOffset, const Image& t
     vkCmdCopyBufferToImage(commands_.buffer, from.handle(), to.handle(), VK_IMAGE_LAYOUT_GENERAL, 1, &region);
 }
 
+void Recorder::update(const Buffer& buffer, std::span<const std::byte> bytes, Order order) {
+    checkRange(buffer, 0, bytes.size());
+    MACULA_CHECK_LE(bytes.size(), kMaxUpdateBytes);
+    MACULA_CHECK_EQ(bytes.size() % 4, 0u);
+    if (bytes.empty()) return;
+    begin(order);
+    vkCmdUpdateBuffer(commands_.buffer, buffer.handle(), 0, bytes.size(), bytes.data());
+}
+
 void Recorder::fill(const Buffer& buffer, std::uint32_t value, Order order) {
     MACULA_CHECK_EQ(buffer.bytes() % 4, 0u);
     begin(order);

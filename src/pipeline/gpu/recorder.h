@@ -138,6 +138,9 @@ class Recorder {
               Order order = Order::afterPrevious);
     void copy(const Buffer& from, std::uint64_t fromOffset, const Image& to,
               Order order = Order::afterPrevious);
+    // What is small, from the command buffer itself: at most kMaxUpdateBytes, a multiple of 4. So nobody
+    // needs to wait until the device has read what was there before.
+    void update(const Buffer& buffer, std::span<const std::byte> bytes, Order order = Order::afterPrevious);
     void fill(const Buffer& buffer, std::uint32_t value, Order order = Order::afterPrevious);  // all of it
     void clear(const Image& image, const VkClearColorValue& value, Order order = Order::afterPrevious);
 
@@ -153,6 +156,7 @@ class Recorder {
     [[nodiscard]] Scope timed(std::string_view name);  // a label that is timed; at most kMaxTimers
 
     static constexpr int kMaxTimers = 64;
+    static constexpr std::size_t kMaxUpdateBytes = 65536;  // Vulkan's own limit
 
     // For what this class does not offer. Put barrier() before and after.
     VkCommandBuffer commands() const { return commands_.buffer; }

@@ -36,10 +36,9 @@ std::optional<std::uint32_t> memoryTypeFor(const Device& device,
     constexpr VkMemoryPropertyFlags kHost =
         VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
     constexpr VkMemoryPropertyFlags kCached = kHost | VK_MEMORY_PROPERTY_HOST_CACHED_BIT;
-    const bool unified = device.isCpu() || device.info().type == DeviceType::integrated;
     switch (kind) {
         case MemoryKind::deviceLocal:
-            return unified
+            return device.hasUnifiedMemory()
                        ? findMemoryType(memory, allowedTypes, {kLocal | kCached, kLocal | kHost, kLocal, 0})
                        : findMemoryType(memory, allowedTypes, {kLocal, 0});
         case MemoryKind::upload:
@@ -124,9 +123,8 @@ Result<Buffer> Buffer::create(const std::shared_ptr<Device>& device, const Buffe
 
     constexpr VkMemoryPropertyFlags kMappable =
         VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
-    const bool unified = device->isCpu() || info.type == DeviceType::integrated;
-    const bool map =
-        (allocation.flags & kMappable) == kMappable && (unified || options.memory != MemoryKind::deviceLocal);
+    const bool map = (allocation.flags & kMappable) == kMappable &&
+                     (device->hasUnifiedMemory() || options.memory != MemoryKind::deviceLocal);
     if (map) {
         void* data = nullptr;
         if (const VkResult status = vkMapMemory(device->handle(), memory, 0, VK_WHOLE_SIZE, 0, &data);

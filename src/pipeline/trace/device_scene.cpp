@@ -1,10 +1,10 @@
 #include "pipeline/trace/device_scene.h"
 
 #include <algorithm>
-#include <cstring>
 #include <limits>
 #include <span>
 
+#include "pipeline/gpu/recorder.h"
 #include "pipeline/gpu/transfer.h"
 #include "pipeline/trace/scene.h"
 
@@ -55,9 +55,9 @@ Result<gpu::TexelBuffer> makeEntryTexels(const std::shared_ptr<gpu::Device>& dev
 }  // namespace
 
 Result<DeviceScene> DeviceScene::create(std::shared_ptr<gpu::Device> device) {
-    MACULA_TRY(gpu::Buffer params, gpu::Buffer::create(device, {.label = "trace params",
-                                                                .bytes = sizeof(shared::TraceParams),
-                                                                .memory = gpu::MemoryKind::upload}));
+    // On the device, not in memory for uploads: a graphics card would read that over its bus, for every path.
+    MACULA_TRY(gpu::Buffer params,
+               gpu::Buffer::create(device, {.label = "trace params", .bytes = sizeof(shared::TraceParams)}));
     return DeviceScene(std::move(device), std::move(params));
 }
 
@@ -122,8 +122,9 @@ Result<void> DeviceScene::look(const View& view, const Settings& settings) {
     MACULA_CHECK(isComplete());
     MACULA_TRY(const shared::TraceParams params,
                makeTraceParams(*volume_, medium_, *environment_, view, settings, clip_));
-    MACULA_TRY_VOID(device_->waitForAll());
-    std::memcpy(params_.mapped().data(), &params, sizeof(params));
+    MACULA_TRY(auto recorder, gpu::Recorder::create(device_, "look"));
+    recorder.update(params_, std::as_bytes(std::span(&params, 1)));
+    MACULA_TRY([[maybe_unused]] const gpu::Ticket ticket, recorder.submit());
     return {};
 }
 

@@ -34,7 +34,8 @@ class DeviceScene {
 
     bool isComplete() const;
 
-    // When complete. Waits for the device, and writes the parameters: see makeTraceParams.
+    // When complete. Writes the parameters, see makeTraceParams; what was submitted before still reads the
+    // last ones.
     Result<void> look(const View& view, const Settings& settings);
 
     // When complete, and looked at: bindings 0 to 6 of shaders/trace/host.glsl.
