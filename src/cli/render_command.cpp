@@ -10,6 +10,7 @@
 
 #include "base/progress_bar.h"
 #include "cli/camera_file.h"
+#include "cli/clip_choice.h"
 #include "cli/command.h"
 #include "cli/interrupt.h"
 #include "cli/lights_choice.h"
@@ -38,6 +39,7 @@ struct Options {
     std::uint32_t samplesPerPixel = 64;
     trace::Settings settings;
     std::string lights = kDefaultLights;
+    std::string clip;
     std::string device;
     std::filesystem::path statistics;
 };
@@ -109,6 +111,10 @@ Result<void> render(const Options& options) {
     MACULA_TRY(const glm::ivec2 size, parseSize(options.size));
     MACULA_TRY(const trace::Environment environment, chooseLights(options.lights));
     if (!options.preset.empty()) MACULA_TRY_VOID(choosePreset(options.preset));
+    ClipPreset clip;
+    if (!options.clip.empty()) {
+        MACULA_TRY(clip, chooseClip(options.clip));
+    }
     if (!options.camera.empty()) MACULA_TRY_VOID(chooseCamera(options, nullptr, size));
     MACULA_TRY(const gpu::Instance instance, gpu::Instance::create());
     gpu::DeviceOptions deviceOptions;
@@ -134,6 +140,7 @@ Result<void> render(const Options& options) {
     record.seriesDigest = study.seriesDigest;
     record.preset = publicPresetName(presetName);
     record.lights = publicLightsName(options.lights);
+    record.clip = publicClipName(options.clip);
     record.device = gpu::describe(device->info());
     record.width = size.x;
     record.height = size.y;
@@ -144,6 +151,7 @@ Result<void> render(const Options& options) {
     MACULA_TRY(trace::PathTracer tracer, trace::PathTracer::create(device));
     MACULA_TRY_VOID(tracer.setVolume(study.volume));
     MACULA_TRY_VOID(tracer.setTransferFunction(preset));
+    MACULA_TRY_VOID(tracer.setClip(clipFor(clip, *study.volume)));
     MACULA_TRY_VOID(tracer.setEnvironment(environment));
     MACULA_TRY_VOID(tracer.setSettings(options.settings));
     MACULA_TRY_VOID(tracer.setView({record.camera, size.x, size.y}));
@@ -205,6 +213,8 @@ void addRender(CLI::App& app, Action& action) {
                         "Of the random numbers; the same seed gives the same picture");
     command->add_option("--lights", o.lights,
                         "Name from macula presets, light rig JSON, or HDR or EXR panorama");
+    command->add_option("--clip", o.clip,
+                        "Name from macula presets, or JSON file: what is shown of the volume");
     command->add_option("--device", o.device, "Number or part of the name, see macula devices");
     command->add_option("--json", o.statistics, "Write what was done and how long it took; - for stdout");
     command->callback([options, &action] { action = [options] { return render(*options); }; });

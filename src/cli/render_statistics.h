@@ -17,6 +17,7 @@ struct RenderRecord {
     std::string seriesDigest;
     std::string preset;
     std::string lights;
+    std::string clip;
     std::string device;
     Camera camera;
     int width = 0;

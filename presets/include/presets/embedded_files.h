@@ -1,5 +1,5 @@
-// The files of presets/transfer and presets/lights, carried inside the program: it needs no data files to
-// run.
+// The files of presets/transfer, presets/lights and presets/clip, carried inside the program: it needs no
+// data files to run.
 #pragma once
 
 #include <span>
@@ -15,5 +15,6 @@ struct EmbeddedFile {
 // Sorted by name.
 std::span<const EmbeddedFile> transferFiles();
 std::span<const EmbeddedFile> lightFiles();
+std::span<const EmbeddedFile> clipFiles();
 
 }  // namespace macula::presets

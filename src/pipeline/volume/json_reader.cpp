@@ -111,6 +111,10 @@ std::vector<double> JsonNode::numbers(std::size_t count, JsonRange range) const 
     return values;
 }
 
+bool JsonNode::isText() const {
+    return value_ != nullptr && value_->is_string();
+}
+
 std::string JsonNode::text() const {
     if (value_->is_string()) return value_->get<std::string>();
     fail("a text in quotes");

@@ -38,6 +38,7 @@ class JsonNode {
     double number(JsonRange range = {}) const;
     std::vector<double> numbers(std::size_t count, JsonRange range = {}) const;
     std::string text() const;
+    bool isText() const;
     bool boolean() const;
 
     // Remembers "PATH: expected EXPECTED".

@@ -1,0 +1,124 @@
+#include "pipeline/volume/clip_json.h"
+
+#include <algorithm>
+
+#include "pipeline/volume/json_reader.h"
+
+namespace macula {
+
+namespace {
+
+constexpr JsonRange kFraction{-10.0, 10.0};
+constexpr JsonRange kPositive{1e-9, 1e9};
+
+glm::dvec3 point(const JsonNode& node) {
+    const std::vector<double> p = node.numbers(3, kFraction);
+    return {p[0], p[1], p[2]};
+}
+
+Keep keep(const JsonNode& node) {
+    const std::string text = node.text();
+    if (text != "inside" && text != "outside") node.fail("\"inside\" or \"outside\"");
+    return text == "outside" ? Keep::outside : Keep::inside;
+}
+
+OrientedBox box(const JsonNode& node) {
+    node.allowOnly({"low", "high", "keep"});
+    const glm::dvec3 low = point(node["low"]);
+    const glm::dvec3 high = point(node["high"]);
+    if (!glm::all(glm::lessThan(low, high))) node.fail("\"low\" below \"high\" on each axis");
+    return {.centreMm = 0.5 * (low + high), .halfSizeMm = 0.5 * (high - low)};
+}
+
+Octant octant(const JsonNode& node) {
+    node.allowOnly({"at", "towards"});
+    const JsonNode letters = node["towards"];
+    const std::string text = letters.text();
+    const auto sign = [&](std::size_t axis, char positive, char negative) {
+        const char letter = axis < text.size() ? text[axis] : ' ';
+        if (letter != positive && letter != negative)
+            letters.fail("L or R, then A or P, then S or I, such as \"LAS\"");
+        return letter == negative ? -1.0 : 1.0;
+    };
+    if (text.size() != 3) letters.fail("three letters, such as \"LAS\"");
+    return {.pointMm = point(node["at"]),
+            .towards = {sign(0, 'L', 'R'), sign(1, 'P', 'A'), sign(2, 'S', 'I')}};
+}
+
+}  // namespace
+
+Result<ClipPreset> clipPresetFromJson(std::string_view text, const std::string& where) {
+    const JsonDocument document(text, where);
+    MACULA_TRY_VOID(document.status());
+    const JsonNode root = document.root();
+    root.allowOnly(
+        {"version", "name", "title", "box", "planes", "cut", "ball", "removedCastsShadow", "greyFaces"});
+    if (root["version"].number() != 1.0) root["version"].fail("version 1; newer ones need a newer Macula");
+
+    ClipPreset preset{.name = root["name"].text(), .title = root["title"].text(), .clip = {}, .planesAt = {}};
+    Clip& clip = preset.clip;
+    if (const auto node = root.find("box")) {
+        clip.box = box(*node);
+        clip.ofBox = keep((*node)["keep"]);
+    }
+    if (const auto nodes = root.find("planes")) {
+        for (const JsonNode& node : nodes->items(0, Clip::kMostPlanes)) {
+            node.allowOnly({"normal", "at"});
+            const glm::dvec3 normal = point(node["normal"]);
+            if (glm::length(normal) < 1e-6) node["normal"].fail("a direction, not all zeros");
+            clip.planes.push_back({glm::normalize(normal), 0.0});
+            preset.planesAt.push_back(point(node["at"]));
+        }
+    }
+    if (const auto node = root.find("cut")) clip.cut = octant(*node);
+    if (const auto node = root.find("ball")) {
+        node->allowOnly({"centre", "radius", "keep"});
+        clip.ball = Ball{point((*node)["centre"]), (*node)["radius"].number({1e-9, 10.0})};
+        clip.ofBall = keep((*node)["keep"]);
+    }
+    if (const auto node = root.find("removedCastsShadow")) clip.removedCastsShadow = node->boolean();
+    if (const auto node = root.find("greyFaces")) {
+        preset.greyFacesOfSeries = node->isText();
+        if (preset.greyFacesOfSeries) {
+            if (node->text() != "series") node->fail("\"series\", or center and width");
+        } else {
+            node->allowOnly({"center", "width"});
+            clip.greyFaces = DisplayWindow{.center = (*node)["center"].number(),
+                                           .width = (*node)["width"].number(kPositive),
+                                           .explanation = {},
+                                           .function = {}};
+        }
+    }
+    MACULA_TRY_VOID(document.status());
+    return preset;
+}
+
+Clip clipFor(const ClipPreset& preset, const Volume& volume) {
+    const Box box = volume.worldBox();
+    const glm::dvec3 size = box.high - box.low;
+    const auto world = [&](const glm::dvec3& fraction) { return box.low + fraction * size; };
+    Clip clip = preset.clip;
+    if (clip.box) {
+        clip.box->centreMm = world(clip.box->centreMm);
+        clip.box->halfSizeMm *= size;
+    }
+    for (std::size_t i = 0; i < clip.planes.size(); ++i)
+        clip.planes[i].offsetMm = glm::dot(clip.planes[i].normal, world(preset.planesAt[i]));
+    if (clip.cut) clip.cut->pointMm = world(clip.cut->pointMm);
+    if (clip.ball) {
+        clip.ball->centreMm = world(clip.ball->centreMm);
+        clip.ball->radiusMm *= std::min({size.x, size.y, size.z});
+    }
+    if (!preset.greyFacesOfSeries) return clip;
+    if (!volume.windows().empty()) {
+        clip.greyFaces = volume.windows().front();
+    } else if (const auto range = volume.valueRange()) {
+        clip.greyFaces = DisplayWindow{.center = 0.5 * (range->low + range->high),
+                                       .width = std::max(range->high - range->low, 1e-3),
+                                       .explanation = {},
+                                       .function = "LINEAR_EXACT"};
+    }
+    return clip;
+}
+
+}  // namespace macula
