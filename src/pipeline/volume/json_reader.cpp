@@ -47,6 +47,28 @@ std::string lineAndColumn(std::string_view text, std::size_t byte) {
     return fmt::format("line {}, column {}", line, column);
 }
 
+// Where brackets outside of texts are more than kMaxDepth deep; npos where they are not. Comments count as
+// text that is there: at worst a file with 65 brackets in a comment is refused.
+constexpr int kMaxDepth = 64;
+std::size_t tooDeepAt(std::string_view text) {
+    int depth = 0;
+    bool quoted = false;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        if (quoted) {
+            if (c == '\\') ++i;
+            if (c == '"') quoted = false;
+        } else if (c == '"') {
+            quoted = true;
+        } else if (c == '[' || c == '{') {
+            if (++depth > kMaxDepth) return i;
+        } else if (c == ']' || c == '}') {
+            --depth;
+        }
+    }
+    return std::string_view::npos;
+}
+
 }  // namespace
 
 JsonNode JsonNode::operator[](std::string_view key) const {
@@ -112,13 +134,21 @@ std::vector<double> JsonNode::numbers(std::size_t count, JsonRange range) const 
 }
 
 bool JsonNode::isText() const {
-    return value_ != nullptr && value_->is_string();
+    return value_->is_string();
 }
 
 std::string JsonNode::text() const {
     if (value_->is_string()) return value_->get<std::string>();
     fail("a text in quotes");
     return {};
+}
+
+bool JsonNode::isNumber() const {
+    return value_->is_number();
+}
+
+bool JsonNode::isList() const {
+    return value_->is_array();
 }
 
 bool JsonNode::boolean() const {
@@ -132,11 +162,25 @@ void JsonNode::fail(std::string_view expected) const {
                  fmt::format("Expected {}.", expected));
 }
 
-JsonDocument::JsonDocument(std::string_view text, std::string where)
-    : state_(std::make_shared<JsonNode::State>()) {
+JsonDocument::JsonDocument(std::string where) : state_(std::make_shared<JsonNode::State>()) {
     state_->where = std::move(where);
+}
+
+JsonDocument JsonDocument::of(const nlohmann::json& value, std::string where) {
+    JsonDocument document(std::move(where));
+    document.state_->document = value;
+    return document;
+}
+
+JsonDocument::JsonDocument(std::string_view text, std::string where, JsonComments comments)
+    : JsonDocument(std::move(where)) {
+    if (const std::size_t deep = tooDeepAt(text); deep != std::string_view::npos) {
+        state_->fail(fmt::format("The file is nested too deeply at {}.", lineAndColumn(text, deep + 1)),
+                     fmt::format("Give a file that is nested at most {} deep.", kMaxDepth));
+        return;
+    }
     try {
-        state_->document = nlohmann::json::parse(text);
+        state_->document = nlohmann::json::parse(text, nullptr, true, comments == JsonComments::ignored);
     } catch (const nlohmann::json::parse_error& error) {
         state_->fail(fmt::format("The file is no valid JSON from {} on.", lineAndColumn(text, error.byte)),
                      "Look for a missing comma, quote or bracket there or just before.");

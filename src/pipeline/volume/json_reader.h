@@ -38,7 +38,9 @@ class JsonNode {
     double number(JsonRange range = {}) const;
     std::vector<double> numbers(std::size_t count, JsonRange range = {}) const;
     std::string text() const;
-    bool isText() const;
+    bool isText() const;  // these three never fail
+    bool isNumber() const;
+    bool isList() const;
     bool boolean() const;
 
     // Remembers "PATH: expected EXPECTED".
@@ -56,16 +58,23 @@ class JsonNode {
     std::string path_;
 };
 
+enum class JsonComments { refused, ignored };
+
 class JsonDocument {
   public:
     // `where` is the file for error messages. Text that is no JSON shows as the error of status(), with line
-    // and column.
-    JsonDocument(std::string_view text, std::string where);
+    // and column; so does JSON that is nested more than 64 deep, which no file of ours needs and which would
+    // exhaust the stack of whoever walks it.
+    JsonDocument(std::string_view text, std::string where, JsonComments comments = JsonComments::refused);
+    // For what was no JSON, but was made into it.
+    static JsonDocument of(const nlohmann::json& value, std::string where);
 
     JsonNode root() const;
     Result<void> status() const;
 
   private:
+    explicit JsonDocument(std::string where);
+
     std::shared_ptr<JsonNode::State> state_;
 };
 

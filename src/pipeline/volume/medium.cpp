@@ -80,6 +80,7 @@ std::size_t Medium::visibleBricks() const {
 
 Medium makeMedium(const Volume& volume, const BrickGrid& grid, const TransferFunction& function,
                   const Clip& clip) {
+    MACULA_CHECK(!usesGradientOpacity(function));
     const EntryMap map = entryMapOf(volume);
     const UnitsFromStored units = volume.unitsFromStored();
 

@@ -11,6 +11,7 @@
 #include "pipeline/volume/clip.h"
 #include "pipeline/volume/entry_map.h"
 #include "pipeline/volume/transfer_function.h"
+#include "pipeline/volume/volume_fit.h"
 
 namespace macula {
 
@@ -27,8 +28,8 @@ struct Medium {
     std::size_t visibleBricks() const;
 };
 
-// `function` is used as it is: fit it to the volume before. Bricks of which a clip without shadow leaves
-// nothing are empty.
+// `function` is used as it is: fit it to the volume before (fitted). It must be valid (validate). Bricks of
+// which a clip without shadow leaves nothing are empty.
 Medium makeMedium(const Volume& volume, const BrickGrid& grid, const TransferFunction& function,
                   const Clip& clip = {});
 

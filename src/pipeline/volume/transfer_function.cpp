@@ -1,8 +1,9 @@
 #include "pipeline/volume/transfer_function.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+
+#include "pipeline/volume/curve_blend.h"
 
 namespace macula {
 
@@ -29,6 +30,13 @@ Piece pieceAt(const std::vector<Point>& points, double value) {
     return {from, to, (value - points[from].value) / (points[to].value - points[from].value)};
 }
 
+double heightAt(const std::vector<OpacityPoint>& points, double value) {
+    const Piece piece = pieceAt(points, value);
+    const OpacityPoint& from = points[piece.from];
+    return std::lerp(from.opacity, points[piece.to].opacity,
+                     blendedFraction(piece.fraction, from.midpoint, from.sharpness));
+}
+
 template <class Point>
 bool isSortedAndFinite(const std::vector<Point>& points) {
     return !points.empty() &&
@@ -41,17 +49,43 @@ bool isFraction(double x) {
     return x >= 0.0 && x <= 1.0;
 }
 
+bool isInRange(const OpacityPoint& point) {
+    return isFraction(point.opacity) && isFraction(point.midpoint) && isFraction(point.sharpness);
+}
+
 }  // namespace
 
 double opacityAt(const TransferFunction& function, double value) {
-    const Piece piece = pieceAt(function.opacity, value);
-    return std::lerp(function.opacity[piece.from].opacity, function.opacity[piece.to].opacity,
-                     piece.fraction);
+    return heightAt(function.opacity, value);
+}
+
+double gradientOpacityAt(const TransferFunction& function, double unitsPerMm) {
+    return function.gradientOpacity.empty() ? 1.0 : heightAt(function.gradientOpacity, unitsPerMm);
+}
+
+bool usesGradientOpacity(const TransferFunction& function) {
+    // Between points a curve stays between their heights: it is 1 everywhere if it is 1 at 0 and at each
+    // point beyond.
+    return gradientOpacityAt(function, 0.0) != 1.0 ||
+           std::any_of(function.gradientOpacity.begin(), function.gradientOpacity.end(),
+                       [](const OpacityPoint& point) { return point.value >= 0.0 && point.opacity != 1.0; });
 }
 
 glm::dvec3 colourAt(const TransferFunction& function, double value) {
-    const Piece piece = pieceAt(function.colour, value);
-    return glm::mix(function.colour[piece.from].colour, function.colour[piece.to].colour, piece.fraction);
+    const std::vector<ColourPoint>& points = function.colour;
+    if (function.colourSpace == ColourSpace::step) {
+        const auto end = std::lower_bound(points.begin(), points.end(), value,
+                                          [](const ColourPoint& point, double v) { return point.value < v; });
+        return end == points.end() ? points.back().colour : end->colour;
+    }
+    const Piece piece = pieceAt(points, value);
+    const ColourPoint& from = points[piece.from];
+    // Where a piece is a line in height, Moreland's curve is one too; VTK bends it by the warp only.
+    const double fraction = function.colourSpace == ColourSpace::diverging
+                                ? warpedFraction(piece.fraction, from.midpoint, from.sharpness)
+                                : blendedFraction(piece.fraction, from.midpoint, from.sharpness);
+    if (fraction <= 0.0 || piece.from == piece.to) return from.colour;
+    return mixColours(function.colourSpace, from.colour, points[piece.to].colour, fraction);
 }
 
 double extinctionPerMm(const TransferFunction& function, double value) {
@@ -59,7 +93,7 @@ double extinctionPerMm(const TransferFunction& function, double value) {
     return -std::log1p(-opacity) / function.unitDistanceMm * function.density;
 }
 
-Result<void> validate(const TransferFunction& function) {
+Result<void> checkCurves(const TransferFunction& function) {
     const auto fail = [&](std::string message) {
         return Error{ErrorCode::inputNotUsable, std::move(message), function.name, "Correct the preset."};
     };
@@ -67,12 +101,16 @@ Result<void> validate(const TransferFunction& function) {
         return fail("The preset's opacity points are missing, not finite, or not sorted by value.");
     if (!isSortedAndFinite(function.colour))
         return fail("The preset's colour points are missing, not finite, or not sorted by value.");
-    for (const OpacityPoint& point : function.opacity) {
-        if (!isFraction(point.opacity)) return fail("An opacity of the preset lies outside 0 to 1.");
+    if (!function.gradientOpacity.empty() && !isSortedAndFinite(function.gradientOpacity))
+        return fail("The preset's gradient opacity points are not finite or not sorted by value.");
+    if (!std::all_of(function.opacity.begin(), function.opacity.end(), isInRange) ||
+        !std::all_of(function.gradientOpacity.begin(), function.gradientOpacity.end(), isInRange)) {
+        return fail("An opacity of the preset, a midpoint or a sharpness lies outside 0 to 1.");
     }
     for (const ColourPoint& point : function.colour) {
-        if (!isFraction(point.colour.r) || !isFraction(point.colour.g) || !isFraction(point.colour.b)) {
-            return fail("A colour of the preset lies outside 0 to 1.");
+        if (!isFraction(point.colour.r) || !isFraction(point.colour.g) || !isFraction(point.colour.b) ||
+            !isFraction(point.midpoint) || !isFraction(point.sharpness)) {
+            return fail("A colour of the preset, a midpoint or a sharpness lies outside 0 to 1.");
         }
     }
     if (!(function.unitDistanceMm > 0.0 && std::isfinite(function.unitDistanceMm)))
@@ -88,50 +126,21 @@ Result<void> validate(const TransferFunction& function) {
     return {};
 }
 
-bool suits(const TransferFunction& function, Unit unit) {
-    return function.unit == unit ||
-           (function.unit == Unit::raw && function.fitToVolume && unit != Unit::hounsfield);
+Result<void> validate(const TransferFunction& function) {
+    MACULA_TRY_VOID(checkCurves(function));
+    if (usesGradientOpacity(function)) {
+        return Error{ErrorCode::inputNotUsable,
+                     "The preset makes opacity depend on the gradient, which Macula cannot draw yet.",
+                     function.name, "Choose another preset, or remove its gradientOpacity."};
+    }
+    return {};
 }
 
-TransferFunction fitted(const TransferFunction& function, const Volume& volume) {
-    if (!function.fitToVolume) return function;
-    constexpr double kLowPercentile = 0.02;
-    constexpr double kHighPercentile = 0.98;
-
-    // Foreground: above the mean of all voxels that are not padding. Air makes the lowest and largest peak of
-    // every MR histogram, and the mean lies above it.
-    std::vector<std::uint64_t> histogram(65536, 0);
-    for (const std::uint16_t stored : volume.voxels()) ++histogram[stored];
-    if (volume.padding()) {
-        for (int v = volume.padding()->low; v <= volume.padding()->high; ++v) histogram[std::size_t(v)] = 0;
-    }
-    double count = 0.0;
-    double sum = 0.0;
-    for (std::size_t v = 0; v < histogram.size(); ++v) {
-        count += double(histogram[v]);
-        sum += double(histogram[v]) * double(v);
-    }
-    const auto threshold = static_cast<std::size_t>(count > 0.0 ? sum / count : 0.0);
-    double foreground = 0.0;
-    for (std::size_t v = threshold; v < histogram.size(); ++v) foreground += double(histogram[v]);
-    const auto percentile = [&](double fraction) {
-        double below = 0.0;
-        std::size_t v = threshold;
-        while (v + 1 < histogram.size() && (below += double(histogram[v])) < fraction * foreground) ++v;
-        return volume.unitsFromStored()(double(v));
-    };
-    const double low = percentile(kLowPercentile);
-    const double high = std::max(percentile(kHighPercentile), low + volume.unitsFromStored().slope);
-
-    TransferFunction result = function;
-    const auto stretch = [&](double value) {
-        return low + (value - function.fitToVolume->low) /
-                         (function.fitToVolume->high - function.fitToVolume->low) * (high - low);
-    };
-    for (OpacityPoint& point : result.opacity) point.value = stretch(point.value);
-    for (ColourPoint& point : result.colour) point.value = stretch(point.value);
-    result.fitToVolume.reset();
-    return result;
+bool suits(const TransferFunction& function, Unit unit) {
+    if (function.unit == unit) return true;
+    if (!function.fitToVolume) return false;
+    return function.fitToVolume->to == TransferFunction::Fit::To::valueRange ||
+           (function.unit == Unit::raw && unit != Unit::hounsfield);
 }
 
 }  // namespace macula

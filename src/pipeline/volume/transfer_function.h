@@ -7,21 +7,45 @@
 #include <vector>
 
 #include "base/volume.h"
+#include "pipeline/volume/colour_space.h"
 
 namespace macula {
 
+// `midpoint` and `sharpness` shape the way from this point to the next, as vtkPiecewiseFunction defines them
+// (curve_blend.h); 0.5 and 0 are a straight line.
 struct OpacityPoint {
-    double value = 0.0;    // in units of the volume
-    double opacity = 0.0;  // 0 to 1, of a layer `unitDistanceMm` thick
+    double value = 0.0;      // in units of the volume; of a gradient opacity, in units per mm
+    double opacity = 0.0;    // 0 to 1, of a layer `unitDistanceMm` thick
+    double midpoint = 0.5;   // 0 to 1: how far to the next point the half value lies
+    double sharpness = 0.0;  // 0 to 1: 0 is a line, 1 a step at the midpoint
+
+    bool operator==(const OpacityPoint&) const = default;
 };
 
 struct ColourPoint {
     double value = 0.0;
     glm::dvec3 colour{1.0};  // sRGB-encoded, 0 to 1, as picked on a screen
+    double midpoint = 0.5;
+    double sharpness = 0.0;
+
+    bool operator==(const ColourPoint&) const = default;
 };
 
-// Piecewise-linear curves over values, constant beyond their first and last point. Colours are interpolated
-// as encoded, as the tools do that presets come from, and made linear afterwards. Two points at the same
+// Phong's coefficients, as the tools that presets come from use them.
+struct Lighting {
+    bool shade = true;
+    double ambient = 0.1;
+    double diffuse = 0.9;
+    double specular = 0.2;
+    double specularPower = 10.0;
+
+    bool operator==(const Lighting&) const = default;
+};
+
+enum class Interpolation { nearest, linear, cubic };
+
+// Curves over values, constant beyond their first and last point. Colours are interpolated as encoded, in
+// `colourSpace`, as the tools do that presets come from, and made linear afterwards. Two points at the same
 // value are a step: the later one holds from that value on.
 struct TransferFunction {
     std::string name;   // key, as in `--preset ct-bone`
@@ -34,32 +58,57 @@ struct TransferFunction {
     double density = 1.0;     // multiplies extinction
     double albedo = 1.0;      // multiplies the linear colour; 1 loses no light
     double anisotropy = 0.0;  // Henyey-Greenstein g, -1 < g < 1
-    // When set, the curves are stretched so that this interval of their values falls on the 2nd and 98th
-    // percentile of the volume's foreground: MR values mean nothing across scanners.
+    // When set, the curves are stretched so that this interval of their values falls on an interval of the
+    // volume's (volume_fit.h): MR values mean nothing across scanners.
     struct Fit {
+        enum class To {
+            foreground,  // the 2nd and 98th percentile of what is not background
+            valueRange,  // the smallest and largest value
+        };
         double low = 0.0;
         double high = 1.0;
+        To to = To::foreground;
+
+        bool operator==(const Fit&) const = default;
     };
-    std::optional<Fit> fitToVolume;
+    std::optional<Fit> fitToVolume = {};
+    ColourSpace colourSpace = ColourSpace::rgb;
+    // Over the length of the gradient in units per mm, sorted; multiplies the opacity. Empty: 1 everywhere.
+    std::vector<OpacityPoint> gradientOpacity = {};
+    std::optional<ValueRange> effectiveRange = {};  // the values that matter: where sliders end
+    // The tracer does not use these two; other programs that read what toJson writes do.
+    Lighting lighting = {};
+    Interpolation interpolation = Interpolation::linear;
+    std::optional<int> number = {};  // place in a list: 1 to 31 are 3D Slicer's, Macula's own begin at 101
+    std::string source = {};         // the program that the numbers come from: "3D Slicer"
+    // The JSON file that this was read from; toJson writes into it, so that keys which mean nothing to Macula
+    // survive. Empty when there is none.
+    std::string document = {};
 };
 
-// 0 to 1, at a value.
+// 0 to 1, at a value. Exact: curved pieces are evaluated, not approximated.
 double opacityAt(const TransferFunction& function, double value);
 // sRGB-encoded, 0 to 1, at a value.
 glm::dvec3 colourAt(const TransferFunction& function, double value);
+// 0 to 1, at the length of the gradient, which is 0 or above.
+double gradientOpacityAt(const TransferFunction& function, double unitsPerMm);
+
+// Whether the gradient opacity is other than 1 anywhere at 0 or above, where gradients are.
+bool usesGradientOpacity(const TransferFunction& function);
 
 // sigma = -ln(1 - min(opacity, 0.999)) / unitDistanceMm * density, per millimetre. Opacity 1
 // would be infinite; with the clamp, density 1 and 1 mm the densest matter has a mean free path of 0.14 mm.
 double extinctionPerMm(const TransferFunction& function, double value);
 
 // Fails with inputNotUsable when a curve is empty, not sorted, not finite, or out of its range.
+Result<void> checkCurves(const TransferFunction& function);
+
+// Fails with inputNotUsable when the function cannot be rendered as it is: as checkCurves, or because it
+// needs gradient opacity, which the tracer does not have yet. A preset never renders as something else.
 Result<void> validate(const TransferFunction& function);
 
 // The curves mean something on values of this unit: they are over the same unit, or are fitted to whatever
 // numbers there are.
 bool suits(const TransferFunction& function, Unit unit);
-
-// The function with its curves stretched to the volume, or itself when it has no fit.
-TransferFunction fitted(const TransferFunction& function, const Volume& volume);
 
 }  // namespace macula

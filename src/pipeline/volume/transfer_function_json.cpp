@@ -1,75 +1,55 @@
 #include "pipeline/volume/transfer_function_json.h"
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 #include <limits>
 #include <nlohmann/json.hpp>
 
 #include "pipeline/volume/json_reader.h"
+#include "pipeline/volume/json_writer.h"
 
 namespace macula {
 
 namespace {
 
+using Json = nlohmann::ordered_json;
+using Fit = TransferFunction::Fit;
+
 constexpr std::size_t kMaxPoints = 4096;
 constexpr JsonRange kFraction{0.0, 1.0};
 constexpr JsonRange kPositive{1e-6, 1e6};
+constexpr JsonRange kPhong{0.0, 1e3};
+constexpr JsonRange kValue{-1e9, 1e9};
+constexpr std::array<const char*, 3> kInterpolations{"nearest", "linear", "cubic"};
 
-// How far between its two ends a segment has come at u in [0, 1]: vtkPiecewiseFunction's rule, whose midpoint
-// and sharpness the file format borrows. 0.5 and 0 give a straight line.
-double blend(double u, double midpoint, double sharpness) {
-    midpoint = std::clamp(midpoint, 0.00001, 0.99999);
-    u = u < midpoint ? 0.5 * u / midpoint : 0.5 + 0.5 * (u - midpoint) / (1.0 - midpoint);
-    if (sharpness > 0.99) return u < 0.5 ? 0.0 : 1.0;
-    if (sharpness < 0.01) return u;
-    const double power = 1.0 + 10.0 * sharpness;
-    u = u < 0.5 ? 0.5 * std::pow(2.0 * u, power) : 1.0 - 0.5 * std::pow(2.0 * (1.0 - u), power);
-    const double tangents = (1.0 - sharpness) * (2.0 * u * u * u - 3.0 * u * u + u);
-    return std::clamp(3.0 * u * u - 2.0 * u * u * u + tangents, 0.0, 1.0);
-}
-
-// One node of a curve in the file; `y` is an opacity or an RGB colour.
-template <class Y>
-struct FilePoint {
-    double x = 0.0;
-    Y y{};
-    double midpoint = 0.5;
-    double sharpness = 0.0;
-};
-
-template <class Y, class ReadY>
-std::vector<FilePoint<Y>> readPoints(const JsonNode& curve, const ReadY& readY) {
-    std::vector<FilePoint<Y>> points;
+template <class Point, class ReadHeight>
+std::vector<Point> readPoints(const JsonNode& curve, const ReadHeight& readHeight) {
+    std::vector<Point> points;
     double last = std::numeric_limits<double>::lowest();
     for (const JsonNode& node : curve["points"].items(1, kMaxPoints)) {
-        FilePoint<Y> point;
-        point.x = node["x"].number({-1e9, 1e9});
-        point.y = readY(node);
+        Point point;
+        point.value = node["x"].number(kValue);
+        readHeight(node, point);
         if (const auto midpoint = node.find("midpoint")) point.midpoint = midpoint->number(kFraction);
         if (const auto sharpness = node.find("sharpness")) point.sharpness = sharpness->number(kFraction);
-        if (point.x < last) node["x"].fail(fmt::format("points sorted by x: not below {}", last));
-        last = point.x;
+        if (point.value < last) node["x"].fail(fmt::format("points sorted by x: not below {}", last));
+        last = point.value;
         points.push_back(point);
     }
     return points;
 }
 
-// Calls add(x, y) for each point of the piecewise-linear curve that stands for `points`.
-template <class Y, class Add>
-void straighten(const std::vector<FilePoint<Y>>& points, const Add& add) {
-    constexpr int kPieces = 32;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        const FilePoint<Y>& from = points[i];
-        add(from.x, from.y);
-        const bool straight = from.midpoint == 0.5 && from.sharpness == 0.0;
-        if (straight || i + 1 == points.size() || points[i + 1].x <= from.x) continue;
-        const FilePoint<Y>& to = points[i + 1];
-        for (int piece = 1; piece < kPieces; ++piece) {
-            const double u = static_cast<double>(piece) / kPieces;
-            add(from.x + u * (to.x - from.x),
-                from.y + blend(u, from.midpoint, from.sharpness) * (to.y - from.y));
-        }
-    }
+std::vector<OpacityPoint> readOpacity(const JsonNode& curve) {
+    return readPoints<OpacityPoint>(curve, [](const JsonNode& node, OpacityPoint& point) {
+        point.opacity = node["y"].number(kFraction);
+    });
+}
+
+std::vector<ColourPoint> readColour(const JsonNode& curve) {
+    return readPoints<ColourPoint>(curve, [](const JsonNode& node, ColourPoint& point) {
+        const std::vector<double> rgb = node["color"].numbers(3, kFraction);
+        point.colour = {rgb[0], rgb[1], rgb[2]};
+    });
 }
 
 Unit unitFrom(const JsonNode& node) {
@@ -88,6 +68,14 @@ std::string nameFrom(const JsonNode& node) {
     return name;
 }
 
+// false, true, "foreground" (the same as true) or "valueRange".
+std::optional<Fit::To> fitFrom(const JsonNode& node) {
+    if (!node.isText()) return node.boolean() ? std::optional(Fit::To::foreground) : std::nullopt;
+    const std::string to = node.text();
+    if (to != "foreground" && to != "valueRange") node.fail("true, false, \"foreground\" or \"valueRange\"");
+    return to == "valueRange" ? Fit::To::valueRange : Fit::To::foreground;
+}
+
 void readVendorPart(const JsonNode& node, const JsonNode& property, TransferFunction& function) {
     if (node["version"].number() != 1.0) node["version"].fail("version 1; newer ones need a newer Macula");
     function.name = nameFrom(node["name"]);
@@ -96,13 +84,167 @@ void readVendorPart(const JsonNode& node, const JsonNode& property, TransferFunc
     for (const JsonNode& modality : node["modality"].items(0, 64))
         function.modalities.push_back(modality.text());
     function.unit = unitFrom(node["unit"]);
+    if (const auto number = node.find("number")) function.number = static_cast<int>(number->number({1, 1e6}));
+    if (const auto source = node.find("source")) function.source = source->text();
     if (const auto albedo = node.find("albedo")) function.albedo = albedo->number(kFraction);
     if (const auto density = node.find("density")) function.density = density->number({1e-6, 1000.0});
-    if (const auto fit = node.find("fitToVolume"); fit && fit->boolean()) {
-        const std::vector<double> range = property["effectiveRange"].numbers(2);
-        if (!(range[0] < range[1])) property["effectiveRange"].fail("two ascending numbers");
-        function.fitToVolume = TransferFunction::Fit{range[0], range[1]};
+    if (const auto space = node.find("colorSpace")) {
+        const std::optional<ColourSpace> known = colourSpaceNamed(space->text());
+        if (!known) space->fail("\"rgb\", \"hsv\", \"hsvWrap\", \"lab\", \"diverging\" or \"step\"");
+        function.colourSpace = known.value_or(ColourSpace::rgb);
     }
+    if (const auto fit = node.find("fitToVolume")) {
+        if (const auto to = fitFrom(*fit)) {
+            const std::vector<double> range = property["effectiveRange"].numbers(2);
+            if (!(range[0] < range[1])) property["effectiveRange"].fail("two ascending numbers");
+            function.fitToVolume = Fit{range[0], range[1], *to};
+        }
+    }
+}
+
+void readProperty(const JsonNode& property, TransferFunction& function) {
+    if (const auto g = property.find("scatteringAnisotropy")) function.anisotropy = g->number({-0.99, 0.99});
+    if (const auto type = property.find("interpolationType")) {
+        const auto* const known = std::find(kInterpolations.begin(), kInterpolations.end(), type->text());
+        if (known == kInterpolations.end()) return type->fail("\"nearest\", \"linear\" or \"cubic\"");
+        function.interpolation = static_cast<Interpolation>(known - kInterpolations.begin());
+    }
+    if (const auto node = property.find("effectiveRange")) {
+        const std::vector<double> range = node->numbers(2, kValue);
+        // 3D Slicer writes [0, -1] where there is none.
+        if (range[0] < range[1]) function.effectiveRange = ValueRange{range[0], range[1]};
+    }
+}
+
+void readComponent(const JsonNode& component, TransferFunction& function) {
+    if (const auto distance = component.find("scalarOpacityUnitDistance")) {
+        function.unitDistanceMm = distance->number(kPositive);
+    }
+    if (const auto shade = component.find("shade")) function.lighting.shade = shade->boolean();
+    if (const auto lighting = component.find("lighting")) {
+        Lighting& light = function.lighting;
+        if (const auto ambient = lighting->find("ambient")) light.ambient = ambient->number(kPhong);
+        if (const auto diffuse = lighting->find("diffuse")) light.diffuse = diffuse->number(kPhong);
+        if (const auto specular = lighting->find("specular")) light.specular = specular->number(kPhong);
+        if (const auto power = lighting->find("specularPower"))
+            light.specularPower = power->number({0.0, 1e6});
+    }
+    const auto disabled = component.find("disableGradientOpacity");
+    if (!disabled || !disabled->boolean()) {
+        const auto gradient = component.find("gradientOpacity");
+        // An empty list is what some programs write for none.
+        if (gradient && !(*gradient)["points"].items(0, kMaxPoints).empty())
+            function.gradientOpacity = readOpacity(*gradient);
+    }
+    function.opacity = readOpacity(component["scalarOpacity"]);
+    function.colour = readColour(component["rgbTransferFunction"]);
+}
+
+// Leaves a value that says the same as it is: 1024 is not rewritten to 1024.0.
+void put(Json& object, const char* key, Json value) {
+    if (const auto found = object.find(key); found != object.end() && *found == value) return;
+    object[key] = std::move(value);
+}
+
+// For keys that may be missing: left out when nobody wrote them and they say nothing.
+void putUnless(bool isDefault, Json& object, const char* key, Json value) {
+    if (!isDefault || object.contains(key)) put(object, key, std::move(value));
+}
+
+Json& child(Json& object, const char* key) {
+    Json& value = object[key];
+    if (!value.is_object()) value = Json::object();
+    return value;
+}
+
+Json& firstOf(Json& object, const char* key) {
+    Json& list = object[key];
+    if (!list.is_array() || list.empty() || !list.front().is_object()) list = Json::array({Json::object()});
+    return list.front();
+}
+
+// The points as a list; whatever else a point of the old list said stays with the point at its place if that
+// did not move.
+template <class Point, class PutHeight>
+void putPoints(Json& curve, const char* type, const std::vector<Point>& points, const PutHeight& putHeight) {
+    if (!curve.contains("type")) curve["type"] = type;
+    Json& old = curve["points"];
+    Json list = Json::array();
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const Point& point = points[i];
+        const bool stayed = old.is_array() && i < old.size() && old[i].is_object() && old[i].contains("x") &&
+                            old[i]["x"] == point.value;
+        Json node = stayed ? old[i] : Json::object();
+        put(node, "x", point.value);
+        putHeight(node, point);
+        put(node, "midpoint", point.midpoint);
+        put(node, "sharpness", point.sharpness);
+        list.push_back(std::move(node));
+    }
+    old = std::move(list);
+}
+
+void putOpacity(Json& curve, const std::vector<OpacityPoint>& points) {
+    putPoints(curve, "piecewiseLinearFunction", points,
+              [](Json& node, const OpacityPoint& point) { put(node, "y", point.opacity); });
+}
+
+void putVendorPart(Json& macula, const TransferFunction& function) {
+    put(macula, "version", 1);
+    put(macula, "name", function.name);
+    put(macula, "title", function.title);
+    if (function.number) {
+        put(macula, "number", *function.number);
+    } else {
+        macula.erase("number");
+    }
+    putUnless(function.source.empty(), macula, "source", function.source);
+    put(macula, "modality", function.modalities);
+    put(macula, "unit", function.unit == Unit::hounsfield ? "HU" : "raw");
+    putUnless(function.colourSpace == ColourSpace::rgb, macula, "colorSpace",
+              std::string(colourSpaceName(function.colourSpace)));
+    putUnless(function.albedo == 1.0, macula, "albedo", function.albedo);
+    putUnless(function.density == 1.0, macula, "density", function.density);
+    const auto& fit = function.fitToVolume;
+    Json wanted = fit.has_value();
+    if (fit && fit->to == Fit::To::valueRange) wanted = "valueRange";
+    const bool spelledOut =
+        fit && fit->to == Fit::To::foreground && macula.value("fitToVolume", Json()) == "foreground";
+    if (!spelledOut) putUnless(!fit, macula, "fitToVolume", std::move(wanted));
+}
+
+void putProperty(Json& property, const TransferFunction& function) {
+    std::optional<ValueRange> range = function.effectiveRange;
+    if (function.fitToVolume) range = ValueRange{function.fitToVolume->low, function.fitToVolume->high};
+    if (range) {
+        put(property, "effectiveRange", {range->low, range->high});
+    } else if (const auto old = property.find("effectiveRange");
+               old == property.end() || !old->is_array() || old->size() != 2 || (*old)[0] < (*old)[1]) {
+        property["effectiveRange"] = {0.0, -1.0};
+    }
+    if (!property.contains("isoSurfaceValues")) property["isoSurfaceValues"] = Json::array();
+    if (!property.contains("independentComponents")) property["independentComponents"] = true;
+    put(property, "interpolationType", kInterpolations.at(static_cast<std::size_t>(function.interpolation)));
+    put(property, "scatteringAnisotropy", function.anisotropy);
+}
+
+void putComponent(Json& component, const TransferFunction& function) {
+    if (!component.contains("componentWeight")) component["componentWeight"] = 1.0;
+    put(component, "shade", function.lighting.shade);
+    Json& lighting = child(component, "lighting");
+    put(lighting, "ambient", function.lighting.ambient);
+    put(lighting, "diffuse", function.lighting.diffuse);
+    put(lighting, "specular", function.lighting.specular);
+    put(lighting, "specularPower", function.lighting.specularPower);
+    put(component, "disableGradientOpacity", function.gradientOpacity.empty());
+    put(component, "scalarOpacityUnitDistance", function.unitDistanceMm);
+    putOpacity(child(component, "scalarOpacity"), function.opacity);
+    if (!function.gradientOpacity.empty())
+        putOpacity(child(component, "gradientOpacity"), function.gradientOpacity);
+    putPoints(child(component, "rgbTransferFunction"), "colorTransferFunction", function.colour,
+              [](Json& node, const ColourPoint& point) {
+                  put(node, "color", {point.colour.r, point.colour.g, point.colour.b});
+              });
 }
 
 }  // namespace
@@ -116,30 +258,19 @@ Result<TransferFunction> transferFunctionFromJson(std::string_view text, const s
     function.name = fallbackName;
     function.title = fallbackName;
     function.modalities = {"CT"};
+    function.document = text;
 
     const std::vector<JsonNode> properties = root["volumeProperties"].items(1, 64);
     MACULA_TRY_VOID(document.status());
     const JsonNode& property = properties.front();
     const std::vector<JsonNode> components = property["components"].items(1, 64);
     MACULA_TRY_VOID(document.status());
-    const JsonNode& component = components.front();
 
+    readProperty(property, function);
     if (const auto vendor = root.find("macula")) readVendorPart(*vendor, property, function);
-    if (const auto g = property.find("scatteringAnisotropy")) function.anisotropy = g->number({-0.99, 0.99});
-    if (const auto distance = component.find("scalarOpacityUnitDistance")) {
-        function.unitDistanceMm = distance->number(kPositive);
-    }
-    const auto opacity = readPoints<double>(component["scalarOpacity"],
-                                            [](const JsonNode& node) { return node["y"].number(kFraction); });
-    const auto colour = readPoints<glm::dvec3>(component["rgbTransferFunction"], [](const JsonNode& node) {
-        const std::vector<double> rgb = node["color"].numbers(3, kFraction);
-        return glm::dvec3(rgb[0], rgb[1], rgb[2]);
-    });
+    readComponent(components.front(), function);
     MACULA_TRY_VOID(document.status());
-
-    straighten(opacity, [&](double x, double y) { function.opacity.push_back({x, y}); });
-    straighten(colour, [&](double x, const glm::dvec3& y) { function.colour.push_back({x, y}); });
-    if (auto valid = validate(function); !valid) {
+    if (auto valid = checkCurves(function); !valid) {
         Error error = valid.error();
         error.where = where;
         return error;
@@ -148,51 +279,19 @@ Result<TransferFunction> transferFunctionFromJson(std::string_view text, const s
 }
 
 std::string toJson(const TransferFunction& function) {
-    using Json = nlohmann::ordered_json;
-    Json opacity = Json::array();
-    for (const OpacityPoint& point : function.opacity) {
-        opacity.push_back({{"x", point.value}, {"y", point.opacity}, {"midpoint", 0.5}, {"sharpness", 0.0}});
+    Json document = Json::object();
+    if (!function.document.empty()) document = Json::parse(function.document, nullptr, false);
+    if (!document.is_object()) document = Json::object();
+    if (!document.contains("@schema")) {
+        document["@schema"] =
+            "https://raw.githubusercontent.com/slicer/slicer/main/Modules/Loadable/VolumeRendering/"
+            "Resources/Schema/volume-property-schema-v1.0.0.json#";
     }
-    Json colour = Json::array();
-    for (const ColourPoint& point : function.colour) {
-        colour.push_back({{"x", point.value},
-                          {"color", {point.colour.r, point.colour.g, point.colour.b}},
-                          {"midpoint", 0.5},
-                          {"sharpness", 0.0}});
-    }
-    Json macula = {{"version", 1},
-                   {"name", function.name},
-                   {"title", function.title},
-                   {"modality", function.modalities},
-                   {"unit", function.unit == Unit::hounsfield ? "HU" : "raw"},
-                   {"fitToVolume", function.fitToVolume.has_value()},
-                   {"albedo", function.albedo},
-                   {"density", function.density}};
-    Json component = {
-        {"componentWeight", 1.0},
-        {"shade", true},
-        {"lighting", {{"diffuse", 0.9}, {"ambient", 0.1}, {"specular", 0.2}, {"specularPower", 10.0}}},
-        {"disableGradientOpacity", true},
-        {"scalarOpacityUnitDistance", function.unitDistanceMm},
-        {"scalarOpacity", {{"type", "piecewiseLinearFunction"}, {"points", opacity}}},
-        {"rgbTransferFunction", {{"type", "colorTransferFunction"}, {"points", colour}}}};
-    const double low = function.fitToVolume ? function.fitToVolume->low : function.opacity.front().value;
-    const double high = function.fitToVolume ? function.fitToVolume->high : function.opacity.back().value;
-    Json property = {{"effectiveRange", {low, high}},
-                     {"isoSurfaceValues", {0.0}},
-                     {"independentComponents", true},
-                     {"interpolationType", "linear"},
-                     {"useClippedVoxelIntensity", false},
-                     {"clippedVoxelIntensity", -1e10},
-                     {"scatteringAnisotropy", function.anisotropy},
-                     {"components", Json::array({component})}};
-    const Json document = {
-        {"@schema",
-         "https://raw.githubusercontent.com/slicer/slicer/main/Modules/Loadable/VolumeRendering/"
-         "Resources/Schema/volume-property-schema-v1.0.0.json#"},
-        {"macula", macula},
-        {"volumeProperties", Json::array({property})}};
-    return document.dump(4) + "\n";
+    putVendorPart(child(document, "macula"), function);
+    Json& property = firstOf(document, "volumeProperties");
+    putProperty(property, function);
+    putComponent(firstOf(property, "components"), function);
+    return prettyJson(document);
 }
 
 }  // namespace macula

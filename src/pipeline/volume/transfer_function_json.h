@@ -11,12 +11,14 @@
 namespace macula {
 
 // A file without the macula object is taken for a CT preset of 3D Slicer: Hounsfield units, named
-// `fallbackName`. Curved segments (midpoint, sharpness) become short linear ones. Fails with inputNotUsable;
+// `fallbackName`. Of several volume properties or components the first is read. Fails with inputNotUsable;
 // the message tells the line or the key, the hint what was expected. `where` is the file, for the error.
 Result<TransferFunction> transferFunctionFromJson(std::string_view text, const std::string& where,
                                                   const std::string& fallbackName = {});
 
-// Readable by 3D Slicer. Reading it back gives an equal function.
+// Readable by 3D Slicer. Written into the document that the function was read from: keys that mean nothing to
+// Macula stay, and so does whatever still says the same. Reading it back gives an equal function, and writing
+// that the same text, bit for bit.
 std::string toJson(const TransferFunction& function);
 
 }  // namespace macula
