@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "pipeline/trace/light_rig_json.h"
-#include "pipeline/volume/transfer_function_json.h"
+#include "presets/catalogue.h"
 #include "presets/default_preset.h"
 #include "presets/embedded_files.h"
 
@@ -38,10 +38,11 @@ Result<std::shared_ptr<const Item>> findOrExplain(const std::vector<std::shared_
 
 Result<Catalogue> builtInCatalogue() {
     Catalogue catalogue;
-    for (const presets::EmbeddedFile& file : presets::transferFiles()) {
-        const std::string name(file.name);
-        MACULA_TRY(TransferFunction function, transferFunctionFromJson(file.text, name, name));
-        catalogue.presets.push_back(std::make_shared<const TransferFunction>(std::move(function)));
+    MACULA_TRY(const std::vector<TransferFunction> presets, presets::builtInPresets());
+    for (const TransferFunction& function : presets) {
+        // Offered is what can be drawn as it is meant.
+        if (validate(function))
+            catalogue.presets.push_back(std::make_shared<const TransferFunction>(function));
     }
     for (const presets::EmbeddedFile& file : presets::lightFiles()) {
         MACULA_TRY(trace::LightRig rig, trace::lightRigFromJson(file.text, std::string(file.name)));
@@ -53,6 +54,9 @@ Result<Catalogue> builtInCatalogue() {
 
 Result<std::shared_ptr<const TransferFunction>> findPreset(const Catalogue& catalogue,
                                                            std::string_view name) {
+    for (const auto& preset : catalogue.presets) {
+        if (presets::isMeant(*preset, name)) return preset;
+    }
     return findOrExplain(catalogue.presets, name, "preset");
 }
 

@@ -17,10 +17,10 @@ struct Catalogue {
     std::vector<std::shared_ptr<const trace::LightRig>> lights;    // never empty
 };
 
-// Those that are built in.
+// Those that are built in, Macula's own first.
 Result<Catalogue> builtInCatalogue();
 
-// By name. usage when there is none; the hint lists the names.
+// By name, presets by number too. usage when there is none; the hint lists the names.
 Result<std::shared_ptr<const TransferFunction>> findPreset(const Catalogue& catalogue, std::string_view name);
 Result<std::shared_ptr<const trace::LightRig>> findLights(const Catalogue& catalogue, std::string_view name);
 

@@ -12,7 +12,7 @@ function(table function folder)
     file(APPEND ${OUT}.part "${text}")
 endfunction()
 
-file(WRITE ${OUT}.part "// Made by presets/embed.cmake.\n#include \"presets/embedded_files.h\"\n\nnamespace macula::presets {\n\n")
+file(WRITE ${OUT}.part "// Made by src/presets/embed.cmake.\n#include \"presets/embedded_files.h\"\n\nnamespace macula::presets {\n\n")
 table(transferFiles transfer)
 table(lightFiles lights)
 table(clipFiles clip)

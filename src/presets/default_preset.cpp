@@ -35,8 +35,8 @@ bool hasLungs(const Volume& volume) {
 }  // namespace
 
 std::string defaultTransfer(const Volume& volume) {
-    if (volume.unit() != Unit::hounsfield) return "mr-default";
-    return hasLungs(volume) ? "ct-chest" : "ct-bone";
+    if (volume.unit() != Unit::hounsfield) return "cinematic-mr";
+    return hasLungs(volume) ? "cinematic-chest" : "cinematic-bone";
 }
 
 }  // namespace macula::presets

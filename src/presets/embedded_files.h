@@ -8,7 +8,7 @@
 namespace macula::presets {
 
 struct EmbeddedFile {
-    std::string_view name;  // without folder and extension: "ct-bone"
+    std::string_view name;  // without folder and extension: "cinematic-bone"
     std::string_view text;  // JSON
 };
 

@@ -1,0 +1,18 @@
+// The presets that are built in: Macula's own and 3D Slicer's.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "base/result.h"
+#include "pipeline/volume/transfer_function.h"
+
+namespace macula::presets {
+
+// Macula's own, then 3D Slicer's, each by their number.
+Result<std::vector<TransferFunction>> builtInPresets();
+
+// Whether what somebody typed means this preset: its name in any case ("CT-Bone", "ct-bone"), or its number.
+bool isMeant(const TransferFunction& preset, std::string_view typed);
+
+}  // namespace macula::presets

@@ -1,0 +1,28 @@
+// What an importer makes of one preset of another program.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/result.h"
+#include "pipeline/volume/transfer_function.h"
+
+namespace macula::presets {
+
+struct ImportedPreset {
+    TransferFunction function;
+    std::vector<std::string> notes;  // sentences: what was assumed, changed or left out
+};
+
+// In the order of the file; never empty.
+using ImportedPresets = std::vector<ImportedPreset>;
+
+// What every importer is given.
+struct PresetText {
+    std::string_view text;
+    std::string where;         // the file, for errors
+    std::string fallbackName;  // for formats that name nothing: the file's name without folder and extension
+};
+
+}  // namespace macula::presets

@@ -1,0 +1,17 @@
+// What is left of a 3D Slicer volume property beside its curves, from text.
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "pipeline/volume/transfer_function.h"
+
+namespace macula::presets {
+
+// Whether `text` is a number from 0 to `most`, which then is in `out`.
+bool readLight(std::string_view text, double most, double& out);
+
+// "0" nearest, "1" linear, "2" cubic.
+std::optional<Interpolation> interpolationFrom(std::string_view text);
+
+}  // namespace macula::presets

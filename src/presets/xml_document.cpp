@@ -1,0 +1,64 @@
+#include "presets/xml_document.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace macula::presets {
+
+namespace {
+
+constexpr int kMaxDepth = 64;
+
+// Depth of the deepest element, walked without recursion.
+bool isTooDeep(pugi::xml_node root) {
+    int depth = 0;
+    pugi::xml_node node = root.first_child();
+    while (node) {
+        if (depth > kMaxDepth) return true;
+        if (node.first_child()) {
+            node = node.first_child();
+            ++depth;
+            continue;
+        }
+        while (node && node != root && !node.next_sibling()) {
+            node = node.parent();
+            --depth;
+        }
+        if (!node || node == root) return false;
+        node = node.next_sibling();
+    }
+    return false;
+}
+
+}  // namespace
+
+Result<XmlDocument> XmlDocument::parse(std::string_view text, const std::string& where) {
+    const auto fail = [&](std::string message, std::string hint) {
+        return Error{ErrorCode::inputNotUsable, std::move(message), where, std::move(hint)};
+    };
+    // In whatever encoding the file is: UTF-16 has a zero beside each letter.
+    std::string letters;
+    std::copy_if(text.begin(), text.end(), std::back_inserter(letters), [](char c) { return c != '\0'; });
+    if (letters.find("<!ENTITY") != std::string::npos) {
+        return fail("The XML file declares entities, which no preset needs.",
+                    "Remove the DOCTYPE from the file, or take another one.");
+    }
+    XmlDocument result;
+    const pugi::xml_parse_result parsed = result.document_->load_buffer(text.data(), text.size());
+    if (parsed.status == pugi::status_no_document_element)
+        return fail("The file holds no XML element.", "Check that it is complete.");
+    if (!parsed) {
+        const auto end = text.begin() + std::clamp<std::ptrdiff_t>(parsed.offset, 0, std::ssize(text));
+        return fail(
+            fmt::format("The file is no valid XML around line {}.", 1 + std::count(text.begin(), end, '\n')),
+            "Check that it is complete, and look for a missing bracket or quote there.");
+    }
+    if (isTooDeep(result.root())) {
+        return fail("The XML file is nested too deeply.",
+                    fmt::format("Give a file that is nested at most {} deep.", kMaxDepth));
+    }
+    return result;
+}
+
+}  // namespace macula::presets
