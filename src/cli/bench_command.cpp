@@ -67,7 +67,8 @@ Result<void> benchTrace(Options options) {
     bringTo16Bits(study);
     const std::string preset =
         options.preset.empty() ? presets::defaultTransfer(*study.volume) : options.preset;
-    MACULA_TRY(const TransferFunction function, choosePreset(preset));
+    MACULA_TRY(const presets::ImportedPreset chosen, choosePreset(preset));
+    const TransferFunction& function = chosen.function;
     MACULA_TRY(const trace::Environment environment, chooseLights(options.lights));
     MACULA_TRY(const gpu::Instance instance, gpu::Instance::create());
     gpu::DeviceOptions deviceOptions;
@@ -116,7 +117,7 @@ void addBench(CLI::App& app, Action& action) {
         bench->add_subcommand("trace", "The path tracer beside the scalar C++ reference, as JSON");
     command->add_option("path", options->path, "Folder or file with DICOM; the built-in phantom when absent");
     command->add_option("--series", options->series, "Which series: its number in `macula info`, or its UID");
-    command->add_option("--preset", options->preset, "Preset by name or file; default by modality");
+    command->add_option("--preset", options->preset, "Preset by name, number or file; default by modality");
     command->add_option("--lights", options->lights, "Light rig by name or file")->capture_default_str();
     command->add_option("--size", options->size, "Width and height in pixels")
         ->capture_default_str()

@@ -3,42 +3,41 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "base/atomic_file.h"
-#include "pipeline/volume/transfer_function_json.h"
-#include "presets/embedded_files.h"
+#include "presets/catalogue.h"
+#include "presets/preset_file.h"
 
 namespace macula::cli {
 
-Result<std::vector<TransferFunction>> builtInPresets() {
-    std::vector<TransferFunction> presets;
-    for (const auto& file : presets::transferFiles()) {
-        MACULA_TRY(TransferFunction preset, transferFunctionFromJson(file.text, std::string(file.name)));
-        presets.push_back(std::move(preset));
-    }
-    return presets;
+namespace {
+
+std::optional<TransferFunction> builtIn(const std::string& typed) {
+    Result<std::vector<TransferFunction>> all = presets::builtInPresets();
+    if (!all) return std::nullopt;
+    const auto found = std::find_if(all->begin(), all->end(), [&](const TransferFunction& preset) {
+        return presets::isMeant(preset, typed);
+    });
+    if (found == all->end()) return std::nullopt;
+    return std::move(*found);
 }
 
-Result<TransferFunction> choosePreset(const std::string& nameOrFile) {
-    std::string names;
-    for (const auto& file : presets::transferFiles()) {
-        if (file.name == nameOrFile) return transferFunctionFromJson(file.text, std::string(file.name));
-        names += (names.empty() ? "" : ", ") + std::string(file.name);
-    }
-    const std::filesystem::path path = nameOrFile;
+}  // namespace
+
+Result<presets::ImportedPreset> choosePreset(const std::string& typed) {
+    if (std::optional<TransferFunction> preset = builtIn(typed))
+        return presets::ImportedPreset{std::move(*preset), {}};
+    const std::filesystem::path path = typed.substr(0, typed.find('#'));
     std::error_code error;
-    if (!path.has_extension() && !std::filesystem::exists(path, error)) {
-        return Error{ErrorCode::usage, "There is no such preset.", nameOrFile,
-                     "Use one of " + names + ", or the path of a JSON file."};
+    if (!path.has_extension() && !std::filesystem::exists(typed, error) &&
+        !std::filesystem::exists(path, error)) {
+        return Error{ErrorCode::usage, "There is no such preset.", typed,
+                     "Use a name or number from macula presets, or the path of a preset file."};
     }
-    MACULA_TRY(const std::string text, readText(path));
-    return transferFunctionFromJson(text, path.string(), "custom");
+    return presets::readPresetFrom(typed);
 }
 
-std::string publicPresetName(const std::string& nameOrFile) {
-    const auto files = presets::transferFiles();
-    const bool builtIn =
-        std::any_of(files.begin(), files.end(), [&](const auto& file) { return file.name == nameOrFile; });
-    return builtIn ? nameOrFile : "custom";
+std::string publicPresetName(const std::string& typed) {
+    const std::optional<TransferFunction> preset = builtIn(typed);
+    return preset ? preset->name : "custom";
 }
 
 }  // namespace macula::cli

@@ -2,21 +2,18 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "base/result.h"
-#include "pipeline/volume/transfer_function.h"
+#include "presets/imported_preset.h"
 
 namespace macula::cli {
 
-// All built-in ones, by name.
-Result<std::vector<TransferFunction>> builtInPresets();
-
-// A built-in name, or a JSON file. usage when it is neither; inputNotUsable when the file is malformed.
-Result<TransferFunction> choosePreset(const std::string& nameOrFile);
+// A built-in preset by name or number, or a file of any known format, "FILE#NAME" where it holds several.
+// usage when it is none of these; inputNotUsable when the file is malformed.
+Result<presets::ImportedPreset> choosePreset(const std::string& typed);
 
 // What may be told of that choice in a picture or a report: a built-in name, else "custom", as the name of a
 // user's file may say whose it is.
-std::string publicPresetName(const std::string& nameOrFile);
+std::string publicPresetName(const std::string& typed);
 
 }  // namespace macula::cli

@@ -1,11 +1,20 @@
-// macula presets: the built-in transfer functions and light rigs.
+// macula presets: the built-in transfer functions and light rigs, and presets of other programs as ours.
 #include <CLI/App.hpp>
+#include <CLI/Option.hpp>
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <set>
 
+#include "base/atomic_file.h"
 #include "cli/command.h"
 #include "cli/lights_choice.h"
+#include "cli/output_file.h"
 #include "cli/preset_choice.h"
+#include "cli/report.h"
+#include "pipeline/volume/transfer_function_json.h"
+#include "presets/catalogue.h"
+#include "presets/preset_file.h"
 
 namespace macula::cli {
 
@@ -13,41 +22,157 @@ namespace {
 
 struct Options {
     bool json = false;
+    std::string preset;            // show, export
+    std::filesystem::path input;   // import
+    std::filesystem::path output;  // import, export
 };
 
+std::string unitOf(const TransferFunction& preset) {
+    return preset.unit == Unit::hounsfield ? "HU" : "raw";
+}
+
+nlohmann::ordered_json describeAsJson(const TransferFunction& preset) {
+    nlohmann::ordered_json json = {{"name", preset.name},
+                                   {"title", preset.title},
+                                   {"number", nullptr},
+                                   {"modality", preset.modalities},
+                                   {"unit", unitOf(preset)},
+                                   {"source", preset.source},
+                                   {"fitted", preset.fitToVolume.has_value()},
+                                   {"drawable", validate(preset).ok()}};
+    if (preset.number) json["number"] = *preset.number;
+    return json;
+}
+
 Result<void> listAll(const Options& options) {
-    MACULA_TRY(const std::vector<TransferFunction> presets, builtInPresets());
+    MACULA_TRY(const std::vector<TransferFunction> presets, presets::builtInPresets());
     MACULA_TRY(const std::vector<trace::LightRig> rigs, builtInLights());
     if (options.json) {
         nlohmann::ordered_json list = {{"presets", nlohmann::json::array()},
                                        {"lights", nlohmann::json::array()}};
-        for (const TransferFunction& preset : presets) {
-            list["presets"].push_back({{"name", preset.name},
-                                       {"title", preset.title},
-                                       {"modality", preset.modalities},
-                                       {"unit", preset.unit == Unit::hounsfield ? "HU" : "raw"}});
-        }
+        for (const TransferFunction& preset : presets) list["presets"].push_back(describeAsJson(preset));
         for (const trace::LightRig& rig : rigs)
             list["lights"].push_back({{"name", rig.name}, {"title", rig.title}});
         fmt::print("{}\n", list.dump(4));
         return {};
     }
-    fmt::print("Presets (--preset)\n");
+    fmt::print("Presets (--preset NAME or NUMBER)\n");
     for (const TransferFunction& preset : presets) {
-        fmt::print("  {:<22}{} ({})\n", preset.name, preset.title, fmt::join(preset.modalities, ", "));
+        fmt::print("  {:>3}  {:<28}{:<8}{:<11}{}{}\n", preset.number.value_or(0), preset.name,
+                   fmt::join(preset.modalities, ", "), preset.source, preset.title,
+                   validate(preset).ok() ? "" : " (not drawable yet)");
     }
     fmt::print("Lights (--lights)\n");
-    for (const trace::LightRig& rig : rigs) fmt::print("  {:<22}{}\n", rig.name, rig.title);
+    for (const trace::LightRig& rig : rigs) fmt::print("       {:<28}{}\n", rig.name, rig.title);
     return {};
+}
+
+void printOpacity(std::string_view title, const std::vector<OpacityPoint>& points) {
+    fmt::print("{}\n", title);
+    for (const OpacityPoint& point : points) {
+        fmt::print("  {:>12.9g}  {:<9.6g}", point.value, point.opacity);
+        if (point.midpoint != 0.5 || point.sharpness != 0.0)
+            fmt::print("  midpoint {:g}, sharpness {:g}", point.midpoint, point.sharpness);
+        fmt::print("\n");
+    }
+}
+
+Result<void> show(const Options& options) {
+    MACULA_TRY(const presets::ImportedPreset chosen, choosePreset(options.preset));
+    const TransferFunction& preset = chosen.function;
+    for (const std::string& note : chosen.notes) printNote(note);
+    if (options.json) {
+        fmt::print("{}", toJson(preset));
+        return {};
+    }
+    fmt::print("{} ({})\n", preset.title, preset.name);
+    if (preset.number) fmt::print("number             {}\n", *preset.number);
+    fmt::print("source             {}\n", preset.source.empty() ? "unknown" : preset.source);
+    fmt::print("modality           {}\n", fmt::join(preset.modalities, ", "));
+    fmt::print("values             {}\n", unitOf(preset));
+    if (preset.effectiveRange)
+        fmt::print("effective range    {:g} to {:g}\n", preset.effectiveRange->low,
+                   preset.effectiveRange->high);
+    if (preset.fitToVolume) fmt::print("fitted             to each volume\n");
+    if (const auto drawable = validate(preset); !drawable)
+        fmt::print("drawable           no: {}\n", drawable.error().message);
+    printOpacity("opacity of " + fmt::format("{:g} mm", preset.unitDistanceMm), preset.opacity);
+    if (!preset.gradientOpacity.empty()) printOpacity("gradient opacity (per mm)", preset.gradientOpacity);
+    fmt::print("colour ({})\n", colourSpaceName(preset.colourSpace));
+    for (const ColourPoint& point : preset.colour) {
+        fmt::print("  {:>12.9g}  {:.6g} {:.6g} {:.6g}\n", point.value, point.colour.r, point.colour.g,
+                   point.colour.b);
+    }
+    return {};
+}
+
+// The file that `preset` goes to: `output` itself, or a name of its own in that folder.
+Result<void> write(const TransferFunction& preset, const std::filesystem::path& output) {
+    MACULA_TRY_VOID(checkFolderOf(output));
+    return writeTextAtomically(output, toJson(preset));
+}
+
+Result<void> importFile(const Options& options) {
+    MACULA_TRY(const presets::ImportedPresets all, presets::readPresetFile(options.input));
+    std::error_code error;
+    const bool toFolder = std::filesystem::is_directory(options.output, error);
+    if (!toFolder && all.size() > 1) {
+        return Error{ErrorCode::usage, fmt::format("The file holds {} presets.", all.size()),
+                     options.input.string(),
+                     "Give -o a folder that exists, for one file each; or choose one: macula presets export "
+                     "FILE#NAME -o FILE.json."};
+    }
+    std::set<std::string> taken;
+    for (const presets::ImportedPreset& preset : all) {
+        for (const std::string& note : preset.notes) printNote(preset.function.title + ": " + note);
+        TransferFunction function = preset.function;
+        for (int copy = 2; !taken.insert(function.name).second; ++copy)
+            function.name = fmt::format("{}-{}", preset.function.name, copy);
+        MACULA_TRY_VOID(
+            write(function, toFolder ? options.output / (function.name + ".json") : options.output));
+    }
+    return {};
+}
+
+Result<void> exportPreset(const Options& options) {
+    MACULA_TRY(const presets::ImportedPreset chosen, choosePreset(options.preset));
+    for (const std::string& note : chosen.notes) printNote(note);
+    return write(chosen.function, options.output);
 }
 
 }  // namespace
 
 void addPresets(CLI::App& app, Action& action) {
     auto options = std::make_shared<Options>();
-    auto* command = app.add_subcommand("presets", "List the built-in presets and lights");
-    command->add_flag("--json", options->json, "Print JSON");
-    command->callback([options, &action] { action = [options] { return listAll(*options); }; });
+    Options& o = *options;
+    auto* command = app.add_subcommand("presets", "List, show and convert presets; list lights");
+    command->add_flag("--json", o.json, "Print JSON");
+    command->require_subcommand(0, 1);
+    command->callback([options, &action] {
+        if (!action) action = [options] { return listAll(*options); };
+    });
+
+    auto* list = command->add_subcommand("list", "Built-in presets and lights; the same as no verb");
+    list->add_flag("--json", o.json, "Print JSON");
+    list->callback([options, &action] { action = [options] { return listAll(*options); }; });
+
+    const std::string which = "Name or number, or file; FILE#NAME when it holds several";
+    auto* one = command->add_subcommand("show", "The numbers of a preset");
+    one->add_option("PRESET", o.preset, which)->required();
+    one->add_flag("--json", o.json, "Print it as export writes it");
+    one->callback([options, &action] { action = [options] { return show(*options); }; });
+
+    auto* from =
+        command->add_subcommand("import", "Convert a file of 3D Slicer, ParaView, VolView, MITK or Horos");
+    from->add_option("FILE", o.input, "presets.xml, .mrml, .vp, .vp.json, .json, .xml, .plist")->required();
+    from->add_option("-o,--output", o.output, "JSON file, or folder that gets a file for each preset")
+        ->required();
+    from->callback([options, &action] { action = [options] { return importFile(*options); }; });
+
+    auto* to = command->add_subcommand("export", "Write a preset as JSON that 3D Slicer reads too");
+    to->add_option("PRESET", o.preset, which)->required();
+    to->add_option("-o,--output", o.output, "JSON file to write")->required();
+    to->callback([options, &action] { action = [options] { return exportPreset(*options); }; });
 }
 
 }  // namespace macula::cli

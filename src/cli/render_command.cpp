@@ -21,6 +21,7 @@
 #include "cli/study_input.h"
 #include "pipeline/gpu/device.h"
 #include "pipeline/trace/path_tracer.h"
+#include "pipeline/volume/volume_fit.h"
 #include "presets/default_preset.h"
 
 namespace macula::cli {
@@ -32,6 +33,7 @@ struct Options {
     std::filesystem::path output;
     std::string series;
     std::string preset;
+    bool fit = false;
     ViewDirection view = ViewDirection::anterior;
     std::filesystem::path camera;
     double fovDeg = 0.0;  // 0: not given
@@ -75,6 +77,16 @@ Result<Camera> chooseCamera(const Options& options, const Volume* volume, const 
                     static_cast<double>(size.x) / size.y);
 }
 
+// Fails for a preset that could only be drawn as something else.
+Result<presets::ImportedPreset> presetFor(const Options& options, const std::string& typed) {
+    MACULA_TRY(presets::ImportedPreset preset, choosePreset(typed));
+    MACULA_TRY_VOID(validate(preset.function));
+    if (options.fit) {
+        MACULA_TRY(preset.function, withFit(std::move(preset.function)));
+    }
+    return preset;
+}
+
 Result<void> traceAll(trace::PathTracer& tracer, std::uint32_t samplesPerPixel, Progress& progress) {
     // Small portions, so that progress moves and Ctrl-C is quick.
     const std::uint32_t portion = std::clamp<std::uint32_t>(samplesPerPixel / 64, 1, 16);
@@ -110,7 +122,7 @@ Result<void> render(const Options& options) {
         MACULA_TRY_VOID(checkFolderOf(options.statistics));
     MACULA_TRY(const glm::ivec2 size, parseSize(options.size));
     MACULA_TRY(const trace::Environment environment, chooseLights(options.lights));
-    if (!options.preset.empty()) MACULA_TRY_VOID(choosePreset(options.preset));
+    if (!options.preset.empty()) MACULA_TRY_VOID(presetFor(options, options.preset));
     ClipPreset clip;
     if (!options.clip.empty()) {
         MACULA_TRY(clip, chooseClip(options.clip));
@@ -131,7 +143,16 @@ Result<void> render(const Options& options) {
 
     const std::string presetName =
         options.preset.empty() ? presets::defaultTransfer(*study.volume) : options.preset;
-    MACULA_TRY(const TransferFunction preset, choosePreset(presetName));
+    MACULA_TRY(const presets::ImportedPreset chosen, presetFor(options, presetName));
+    const TransferFunction& preset = chosen.function;
+    for (const std::string& note : chosen.notes) {
+        study.notes.push_back(note);
+        printNote(note);
+    }
+    if (const std::optional<VolumeFit> fit = fitOf(preset, *study.volume)) {
+        study.notes.push_back(fitMessage(*fit).sentence);
+        printNote(study.notes.back());
+    }
     if (!suits(preset, study.volume->unit())) {
         study.notes.emplace_back("The preset is made for other units than those of the series.");
         printNote(study.notes.back());
@@ -193,8 +214,11 @@ void addRender(CLI::App& app, Action& action) {
         ->required();
     command->add_option("--series", o.series,
                         "Place in the list of macula info, or series UID (default: the best)");
-    command->add_option("--preset", o.preset,
-                        "Name from macula presets, or JSON file (default: by what the series shows)");
+    command->add_option(
+        "--preset", o.preset,
+        "Name or number from macula presets, or preset file (default: by what the series shows)");
+    command->add_flag("--fit", o.fit,
+                      "Stretch the preset's range to the series, for MR: see docs/presets.md");
     auto* view = command->add_option("--view", o.view, "Where the viewer stands (default: anterior)")
                      ->transform(CLI::CheckedTransformer(kViews))
                      ->option_text("anterior|posterior|left|right|superior|inferior");
