@@ -42,7 +42,7 @@ TEST_F(Render, PhantomToPng) {
     EXPECT_EQ(statistics["nonFiniteSamples"], 0);
     EXPECT_EQ(statistics["abandonedSamples"], 0);
     EXPECT_EQ(statistics["series"], "phantom");
-    EXPECT_EQ(statistics["preset"], "ct-chest");
+    EXPECT_EQ(statistics["preset"], "cinematic-chest");
 }
 
 TEST_F(Render, EveryPresetAndRigShowsSomething) {
@@ -87,7 +87,7 @@ TEST_F(Render, FilesInsteadOfNames) {
         "up": [0, 0, 1], "verticalFovDeg": 25})");
     std::string hdr = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 2 +X 4\n";
     for (int i = 0; i < 8; ++i) hdr += std::string("\x80\x80\x80\x82", 4);
-    const std::string preset = std::string(MACULA_SOURCE_DIR) + "/presets/transfer/ct-bone.json";
+    const std::string preset = std::string(MACULA_SOURCE_DIR) + "/presets/transfer/cinematic-bone.json";
     const image::Image image =
         render("a.png", {"--camera", camera, "--lights", write("sky.hdr", hdr), "--preset", preset});
     EXPECT_GT(meanBrightness(image), 0.01);
@@ -106,7 +106,7 @@ TEST_F(Render, MetadataSaysWhatMadeItAndNotWho) {
         ASSERT_EQ(metadata->size(), 4u) << name;
         EXPECT_TRUE((*metadata)[0].second.starts_with("Macula "));
         EXPECT_EQ((*metadata)[1].second.size(), 64u);
-        EXPECT_EQ((*metadata)[2].second, "ct-chest");
+        EXPECT_EQ((*metadata)[2].second, "cinematic-chest");
         EXPECT_EQ((*metadata)[3].second, "9");
         const std::string bytes = readAll(at(name));
         for (const std::string& secret :
@@ -117,7 +117,7 @@ TEST_F(Render, MetadataSaysWhatMadeItAndNotWho) {
 }
 
 TEST_F(Render, TheNameOfAUsersFileIsNotRepeated) {
-    std::filesystem::copy_file(std::string(MACULA_SOURCE_DIR) + "/presets/transfer/ct-bone.json",
+    std::filesystem::copy_file(std::string(MACULA_SOURCE_DIR) + "/presets/transfer/cinematic-bone.json",
                                at("DOE_JANE"));
     render("a.png", {"--preset", at("DOE_JANE"), "--json", at("a.json")});
     EXPECT_EQ(readAll(at("a.png")).find("DOE_JANE"), std::string::npos);

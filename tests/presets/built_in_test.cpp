@@ -2,9 +2,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <set>
 
 #include "pipeline/trace/light_rig_json.h"
 #include "pipeline/volume/transfer_function_json.h"
+#include "presets/catalogue.h"
 #include "presets/embedded_files.h"
 
 namespace macula {
@@ -22,14 +24,17 @@ TransferFunction builtIn(std::string_view name) {
 }
 
 TEST(PresetFiles, AllAreReadAndNamedAsTheirFile) {
-    EXPECT_GE(presets::transferFiles().size(), 5u);
+    EXPECT_EQ(presets::transferFiles().size(), 31u + 6u);
+    std::set<int> numbers{0};
     for (const auto& file : presets::transferFiles()) {
         const auto preset = transferFunctionFromJson(file.text, std::string(file.name));
         ASSERT_TRUE(preset.ok()) << file.name << ": " << preset.error().message << " " << preset.error().hint;
         EXPECT_EQ(preset->name, file.name);
         EXPECT_FALSE(preset->title.empty());
         EXPECT_FALSE(preset->modalities.empty());
-        EXPECT_EQ(preset->fitToVolume.has_value(), preset->unit == Unit::raw) << file.name;
+        EXPECT_FALSE(preset->source.empty());
+        EXPECT_TRUE(numbers.insert(preset->number.value_or(0)).second)
+            << file.name << ": the number is taken";
     }
     EXPECT_GE(presets::lightFiles().size(), 4u);
     for (const auto& file : presets::lightFiles()) {
@@ -41,11 +46,11 @@ TEST(PresetFiles, AllAreReadAndNamedAsTheirFile) {
 
 // What each preset is for, in values a radiologist knows.
 TEST(PresetFiles, ShowWhatTheyAreFor) {
-    const TransferFunction bone = builtIn("ct-bone");
+    const TransferFunction bone = builtIn("cinematic-bone");
     EXPECT_EQ(opacityAt(bone, 60.0), 0.0) << "muscle hides bone";
     EXPECT_GT(opacityAt(bone, 700.0), 0.8);
 
-    const TransferFunction vessels = builtIn("ct-contrast-vessels");
+    const TransferFunction vessels = builtIn("cinematic-vessels");
     EXPECT_EQ(opacityAt(vessels, 60.0), 0.0);
     EXPECT_GT(opacityAt(vessels, 300.0), 0.5);
     const glm::dvec3 blood = colourAt(vessels, 250.0);
@@ -53,31 +58,48 @@ TEST(PresetFiles, ShowWhatTheyAreFor) {
     const glm::dvec3 cortex = colourAt(vessels, 700.0);
     EXPECT_LT(cortex.r, 1.2 * cortex.b) << "bone is ivory";
 
-    const TransferFunction skin = builtIn("ct-soft-tissue");
+    const TransferFunction skin = builtIn("cinematic-soft-tissue");
     EXPECT_GT(opacityAt(skin, 40.0), 0.2);
     EXPECT_EQ(opacityAt(skin, -900.0), 0.0);
 
-    const TransferFunction lung = builtIn("ct-lung");
+    const TransferFunction lung = builtIn("cinematic-lung");
     EXPECT_EQ(opacityAt(lung, -1000.0), 0.0) << "air around the patient is fog";
     EXPECT_GT(opacityAt(lung, -800.0), 0.0);
     EXPECT_EQ(opacityAt(lung, 40.0), 0.0) << "soft tissue hides the lung";
 }
 
-TEST(PresetFiles, WritingAndReadingGivesTheSame) {
+// Only one of 3D Slicer's presets needs the gradient, and it is refused instead of drawn without.
+TEST(PresetFiles, AllButOneCanBeDrawnAsTheyAre) {
+    std::vector<std::string> refused;
     for (const auto& file : presets::transferFiles()) {
-        const TransferFunction preset = builtIn(file.name);
-        const auto again = transferFunctionFromJson(toJson(preset), "again");
-        ASSERT_TRUE(again.ok()) << again.error().message;
-        EXPECT_EQ(toJson(*again), toJson(preset));
-        EXPECT_EQ(again->albedo, preset.albedo);
-        EXPECT_EQ(again->anisotropy, preset.anisotropy);
-        EXPECT_EQ(again->fitToVolume.has_value(), preset.fitToVolume.has_value());
-        ASSERT_EQ(again->opacity.size(), preset.opacity.size());
-        for (std::size_t i = 0; i < preset.opacity.size(); ++i) {
-            EXPECT_EQ(again->opacity[i].value, preset.opacity[i].value);
-            EXPECT_EQ(again->opacity[i].opacity, preset.opacity[i].opacity);
-        }
+        const auto drawable = validate(builtIn(file.name));
+        if (drawable) continue;
+        refused.emplace_back(file.name);
+        EXPECT_NE(drawable.error().message.find("gradient"), std::string::npos) << drawable.error().message;
+        EXPECT_FALSE(drawable.error().hint.empty());
     }
+    EXPECT_EQ(refused, std::vector<std::string>{"uct-skull"});
+}
+
+TEST(PresetFiles, AreFoundByNameInAnyCaseAndByNumber) {
+    const auto all = presets::builtInPresets();
+    ASSERT_TRUE(all.ok());
+    EXPECT_EQ(all->front().source, "Macula");
+    const auto found = [&](std::string_view typed) {
+        std::string names;
+        for (const TransferFunction& preset : *all) {
+            if (presets::isMeant(preset, typed)) names += preset.name;
+        }
+        return names;
+    };
+    EXPECT_EQ(found("CT-Bone"), "ct-bone");
+    EXPECT_EQ(found("ct-bone"), "ct-bone");
+    EXPECT_EQ(found("3"), "ct-bone");
+    EXPECT_EQ(found("uCT-Skull"), "uct-skull");
+    EXPECT_EQ(found("101"), "cinematic-bone");
+    EXPECT_EQ(found("CT-Bon"), "");
+    EXPECT_EQ(found("03"), "");
+    EXPECT_EQ(found(""), "");
 }
 
 }  // namespace
