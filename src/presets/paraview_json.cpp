@@ -13,7 +13,6 @@ namespace macula::presets {
 namespace {
 
 constexpr std::size_t kMostPresets = 4096;
-constexpr JsonRange kFraction{0.0, 1.0};
 constexpr JsonRange kValue{-kLargestValue, kLargestValue};
 constexpr std::array<std::pair<std::string_view, ColourSpace>, 7> kSpaces{
     {{"RGB", ColourSpace::rgb},
