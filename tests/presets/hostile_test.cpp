@@ -99,6 +99,10 @@ TEST(Hostile, DeepNesting) {
             R"({"volumeProperties": [], "x": )" + std::string(depth, '[') + std::string(depth, ']') + "}",
             "nested");
     }
+    // A quote in a comment hides nothing.
+    expectRefused("// \"\n" + std::string(200, '['), "nested");
+    expectRefused("/* \" */" + std::string(200, '['), "nested");
+    EXPECT_EQ(only("// " + std::string(200, '[') + "\n" + goodFiles()[3].second).function.name, "ct-a");
     // Brackets in texts are no nesting.
     expectRefused(R"({"a": ")" + std::string(1000, '[') + R"(\"[["})", "volumeProperties");
 }

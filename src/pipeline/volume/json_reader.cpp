@@ -47,8 +47,7 @@ std::string lineAndColumn(std::string_view text, std::size_t byte) {
     return fmt::format("line {}, column {}", line, column);
 }
 
-// Where brackets outside of texts are more than kMaxDepth deep; npos where they are not. Comments count as
-// text that is there: at worst a file with 65 brackets in a comment is refused.
+// Where brackets outside of texts and comments are more than kMaxDepth deep; npos where they are not.
 constexpr int kMaxDepth = 64;
 std::size_t tooDeepAt(std::string_view text) {
     int depth = 0;
@@ -60,6 +59,10 @@ std::size_t tooDeepAt(std::string_view text) {
             if (c == '"') quoted = false;
         } else if (c == '"') {
             quoted = true;
+        } else if (text.substr(i, 2) == "//") {
+            i = std::min(text.find('\n', i), text.size());
+        } else if (text.substr(i, 2) == "/*") {
+            i = std::min(text.find("*/", i + 2), text.size()) + 1;  // at its slash
         } else if (c == '[' || c == '{') {
             if (++depth > kMaxDepth) return i;
         } else if (c == ']' || c == '}') {
