@@ -186,6 +186,10 @@ bool extendPath(INOUT(Path) path, INOUT(Rng) rng) {
 vec3 eyeDirection(vec2 pixel) {
     vec2 p = vec2(float(2.0) * pixel.x / float(params.imageSize.x) - float(1.0),
                   float(1.0) - float(2.0) * pixel.y / float(params.imageSize.y));
+    if (params.foveaMagnification > float(1.0)) {
+        Fovea fovea = Fovea(params.planeHalfSize, params.gaze, params.foveaRadius, params.foveaMagnification);
+        p = seenFromStored(fovea, p * params.planeHalfSize) / params.planeHalfSize;
+    }
     return normalize(params.forward + params.right * p.x + params.up * p.y);
 }
 

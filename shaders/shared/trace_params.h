@@ -45,6 +45,12 @@ struct TraceParams {
     float greyLow;    // table entry that is black there
     float greyHigh;   // and white
     float exposure;   // that will be applied: grey is divided by it
+
+    // Where the picture is stored larger, see shaders/lib/fovea.glsl; magnification 1: nowhere.
+    vec2 planeHalfSize;
+    vec2 gaze;
+    float foveaRadius;
+    float foveaMagnification;
 };
 
 // The blocks of 8 x 8 pixels of a picture are visited in the order (i * blockStride) mod blockCount,

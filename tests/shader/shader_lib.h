@@ -11,6 +11,7 @@
 namespace macula {
 
 struct ShaderLibSingle : trace::GlslInCpp<float> {
+#include "lib/fovea.glsl"
 #include "lib/phase.glsl"
 #include "lib/picture.glsl"
 #include "lib/rng.glsl"
@@ -18,6 +19,7 @@ struct ShaderLibSingle : trace::GlslInCpp<float> {
 
 struct ShaderLibTwofold : trace::GlslInCpp<double> {
 #define float double
+#include "lib/fovea.glsl"
 #include "lib/phase.glsl"
 #include "lib/picture.glsl"
 #include "lib/rng.glsl"

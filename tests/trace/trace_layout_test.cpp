@@ -44,7 +44,11 @@ const std::vector<LaidOutField> kTraceParams{MACULA_FIELD(TraceParams, originVox
                                              MACULA_FIELD(TraceParams, greyFaces),
                                              MACULA_FIELD(TraceParams, greyLow),
                                              MACULA_FIELD(TraceParams, greyHigh),
-                                             MACULA_FIELD(TraceParams, exposure)};
+                                             MACULA_FIELD(TraceParams, exposure),
+                                             MACULA_FIELD(TraceParams, planeHalfSize),
+                                             MACULA_FIELD(TraceParams, gaze),
+                                             MACULA_FIELD(TraceParams, foveaRadius),
+                                             MACULA_FIELD(TraceParams, foveaMagnification)};
 const std::vector<LaidOutField> kPathPush{
     MACULA_FIELD(PathPush, firstBlock), MACULA_FIELD(PathPush, blockCount),
     MACULA_FIELD(PathPush, blockStride), MACULA_FIELD(PathPush, firstSample),

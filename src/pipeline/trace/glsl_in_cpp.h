@@ -49,6 +49,7 @@ struct GlslInCpp {
     static Real cos(Real x) { return std::cos(x); }
     static Real acos(Real x) { return std::acos(x); }
     static Real atan(Real y, Real x) { return std::atan2(y, x); }
+    static Real dot(const vec2& a, const vec2& b) { return glm::dot(a, b); }
     static Real dot(const vec3& a, const vec3& b) { return glm::dot(a, b); }
     static vec3 normalize(const vec3& x) { return glm::normalize(x); }
     static bvec3 greaterThanEqual(const vec3& a, const vec3& b) { return glm::greaterThanEqual(a, b); }

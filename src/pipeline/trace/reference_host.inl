@@ -26,10 +26,12 @@ struct MACULA_HOST : GlslInCpp<MACULA_REAL> {
         vec3 clipBallCentre, clipBallX, clipBallY, clipBallZ;
         int clipKeepCount, clipBoxCount, clipCornerCount, clipBall, clipShadows, greyFaces;
         Real greyLow, greyHigh, exposure;
+        vec2 planeHalfSize, gaze;
+        Real foveaRadius, foveaMagnification;
     };
     // A field added to the shared block must be added above and below.
     static_assert(sizeof(shared::TraceParams) ==
-                  4 * (10 * 3 + 2 * 3 + 2 * 2 + 4 + 4 * shared::kMaxClipPlanes + 4 * 3 + 6 + 3));
+                  4 * (10 * 3 + 2 * 3 + 2 * 2 + 4 + 4 * shared::kMaxClipPlanes + 4 * 3 + 6 + 3 + 2 * 2 + 2));
 
     MACULA_HOST(const ReferenceTracer::Tables& tables, const shared::TraceParams& p, Filter filter)
         : params{p.originVoxel, p.right, p.up, p.forward, p.voxelFromWorldX, p.voxelFromWorldY,
@@ -37,7 +39,8 @@ struct MACULA_HOST : GlslInCpp<MACULA_REAL> {
                  p.volumeSize, p.gridSize, p.imageSize, p.environmentSize, p.bounces, p.seed,
                  Real(p.anisotropy), Real(p.marchStepMm), {}, p.clipBallCentre, p.clipBallX, p.clipBallY,
                  p.clipBallZ, p.clipKeepCount, p.clipBoxCount, p.clipCornerCount, p.clipBall, p.clipShadows,
-                 p.greyFaces, Real(p.greyLow), Real(p.greyHigh), Real(p.exposure)},
+                 p.greyFaces, Real(p.greyLow), Real(p.greyHigh), Real(p.exposure), p.planeHalfSize,
+                 p.gaze, Real(p.foveaRadius), Real(p.foveaMagnification)},
           entries_(tables.entries.data()),
           extinction_(tables.extinctionPerMm.data()),
           albedo_(tables.albedo.data()),

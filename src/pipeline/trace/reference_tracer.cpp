@@ -73,6 +73,13 @@ std::vector<ReferenceTracer::Segment> ReferenceTracer::segments(const shared::Tr
     });
 }
 
+double ReferenceTracer::seenSolidAngle(const shared::TraceParams& params, const glm::dvec2& stored) const {
+    reference::HostTwofold host(*tables_, params, Filter::trilinear);
+    return host.seenSolidAngle({host.params.planeHalfSize, host.params.gaze, host.params.foveaRadius,
+                                host.params.foveaMagnification},
+                               stored);
+}
+
 std::vector<ReferenceTracer::Light> ReferenceTracer::sampleEnvironment(const shared::TraceParams& params,
                                                                        std::uint32_t samples) const {
     return reference::withHost(*tables_, params, Filter::trilinear, Precision::twofold,

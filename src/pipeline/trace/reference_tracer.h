@@ -48,6 +48,9 @@ class ReferenceTracer {
     std::vector<Segment> segments(const shared::TraceParams& params, Precision precision,
                                   const glm::dvec3& originVoxel, const glm::dvec3& worldDirection) const;
 
+    // Steradians that a unit of area of the stored picture shows: see shaders/lib/fovea.glsl.
+    double seenSolidAngle(const shared::TraceParams& params, const glm::dvec2& stored) const;
+
     struct Light {
         glm::dvec3 direction{0.0};
         glm::dvec3 radiance{0.0};

@@ -47,7 +47,41 @@ void writeClip(const Clip& clip, const Volume& volume, shared::TraceParams& para
     params.greyHigh = static_cast<float>(std::max(entry(high), entry(low) + 1e-3));
 }
 
+bool isUsable(const Foveation& foveation) {
+    return std::abs(foveation.gaze.x) <= 1.0 && std::abs(foveation.gaze.y) <= 1.0 &&
+           foveation.fieldDeg > 0.0 && foveation.fieldDeg < 170.0 && foveation.magnification >= 1.0 &&
+           foveation.magnification <= 16.0;
+}
+
 }  // namespace
+
+FoveaInPlane foveaInPlane(const View& view) {
+    FoveaInPlane fovea;
+    fovea.halfSize.y = std::tan(glm::radians(view.camera.verticalFovDeg) / 2.0);
+    fovea.halfSize.x = fovea.halfSize.y * double(view.width) / double(view.height);
+    if (!view.foveation) return fovea;
+    // A gaze on the border would leave no room between the fovea and it.
+    constexpr double kInside = 0.98;
+    constexpr double kMostOfRoom = 0.8;
+    fovea.gaze = glm::clamp(view.foveation->gaze, glm::dvec2(-kInside), glm::dvec2(kInside)) * fovea.halfSize;
+    const glm::dvec2 room = fovea.halfSize - glm::abs(fovea.gaze);
+    fovea.magnification = view.foveation->magnification;
+    fovea.radius = std::min(fovea.magnification * std::tan(glm::radians(view.foveation->fieldDeg) / 2.0),
+                            kMostOfRoom * std::min(room.x, room.y));
+    return fovea;
+}
+
+Result<View> fovealWindow(const View& view, const glm::dvec2& gaze, double fieldDeg, int pixels) {
+    MACULA_TRY(const CameraBasis eye, basis(view.camera));
+    const glm::dvec2 inPlane = gaze * foveaInPlane(view).halfSize;
+    View window{.camera = view.camera, .width = pixels, .height = pixels};
+    window.camera.targetMm =
+        view.camera.positionMm + (eye.forward + eye.right * inPlane.x + eye.up * inPlane.y) *
+                                     glm::length(view.camera.targetMm - view.camera.positionMm);
+    window.camera.verticalFovDeg = fieldDeg;
+    MACULA_TRY([[maybe_unused]] const CameraBasis usable, basis(window.camera));
+    return window;
+}
 
 Result<shared::TraceParams> makeTraceParams(const Volume& volume, const Medium& medium,
                                             const Environment& environment, const View& view,
@@ -66,15 +100,21 @@ Result<shared::TraceParams> makeTraceParams(const Volume& volume, const Medium& 
                      {},
                      fmt::format("Choose 1 to {}.", kMaxBounces)};
     }
+    if (view.foveation && !isUsable(*view.foveation)) {
+        return Error{
+            ErrorCode::usage,
+            "The foveation is not usable.",
+            {},
+            "Give a gaze inside the picture, a field above 0 and below 170 degrees, and 1 to 16 times."};
+    }
     const glm::dmat4 voxelFromWorld = glm::inverse(volume.worldFromVoxel());
-    const double halfHeight = std::tan(glm::radians(view.camera.verticalFovDeg) / 2.0);
-    const double halfWidth = halfHeight * double(view.width) / double(view.height);
+    const FoveaInPlane fovea = foveaInPlane(view);
 
     shared::TraceParams params{};
     params.originVoxel =
         transformPoint(voxelFromWorld, view.camera.positionMm) + 0.5;  // from centres to faces
-    params.right = eye.right * halfWidth;
-    params.up = eye.up * halfHeight;
+    params.right = eye.right * fovea.halfSize.x;
+    params.up = eye.up * fovea.halfSize.y;
     params.forward = eye.forward;
     params.voxelFromWorldX = glm::dvec3(voxelFromWorld[0]);
     params.voxelFromWorldY = glm::dvec3(voxelFromWorld[1]);
@@ -99,6 +139,10 @@ Result<shared::TraceParams> makeTraceParams(const Volume& volume, const Medium& 
     params.marchStepMm = static_cast<float>(0.5 * std::min({spacing.x, spacing.y, spacing.z}));
     writeClip(clip, volume, params);
     params.exposure = static_cast<float>(settings.exposure);
+    params.planeHalfSize = fovea.halfSize;
+    params.gaze = fovea.gaze;
+    params.foveaRadius = static_cast<float>(fovea.radius);
+    params.foveaMagnification = static_cast<float>(fovea.magnification);
     return params;
 }
 

@@ -20,6 +20,15 @@ Result<shared::TraceParams> makeTraceParams(const Volume& volume, const Medium& 
                                             const Environment& environment, const View& view,
                                             const Settings& settings, const Clip& clip = {});
 
+// Of a usable view: what is stored where, for shaders/lib/fovea.glsl.
+struct FoveaInPlane {
+    glm::dvec2 halfSize{1.0};  // of the picture, at distance 1
+    glm::dvec2 gaze{0.0};
+    double radius = 0.0;
+    double magnification = 1.0;
+};
+FoveaInPlane foveaInPlane(const View& view);
+
 // Whether rays have to be clipped at all.
 bool isClipped(const shared::TraceParams& params);
 

@@ -3,7 +3,10 @@
 
 #include <cstdint>
 
+#include <optional>
+
 #include "base/camera.h"
+#include "base/result.h"
 
 namespace macula::trace {
 
@@ -23,11 +26,24 @@ struct Settings {
     double exposure = 1.0;
 };
 
+// A picture that is stored larger where the eye looks: see shaders/lib/fovea.glsl.
+struct Foveation {
+    glm::dvec2 gaze{0.0};        // in the picture: -1 to 1, right and up are positive
+    double fieldDeg = 15.0;      // of view, of what is magnified; smaller where there is no room for it
+    double magnification = 2.5;  // 1 to 16: how many times more pixels along each side
+};
+
 // What one picture shows.
 struct View {
     Camera camera;
     int width = 512;  // pixels, 1 to kMaxPictureSide
     int height = 512;
+    std::optional<Foveation> foveation = {};
 };
+
+// A plain picture of what lies around a point of another view's picture: `gaze` as in Foveation, `fieldDeg`
+// the field of view of a square of `pixels` on each side. Same eye, same up. The point is of the picture as
+// seen.
+Result<View> fovealWindow(const View& view, const glm::dvec2& gaze, double fieldDeg = 20.0, int pixels = 512);
 
 }  // namespace macula::trace
