@@ -5,6 +5,11 @@
 // extinction anywhere in the brick, per mm; at or below 0 the brick is empty, and so are all bricks closer than minus
 // that number (Chebyshev distance in bricks), which the walk leaps over.
 
+// Bricks reach from one voxel centre to another, half a voxel beside the faces of voxels, and the first one begins before the
+// volume: brick b holds the cells between centres 8b - 1 and 8b + 7, so that what is interpolated in it touches only few
+// blocks of voxels (src/pipeline/volume/brick_grid.h).
+#define BRICK_SHIFT 0.5
+
 struct BrickWalk {
     vec3 origin;         // in bricks
     vec3 direction;      // bricks per mm, so that distances along the ray are mm
@@ -31,11 +36,11 @@ void leap(INOUT(BrickWalk) walk, float distanceMm) {
 // endMm <= distanceMm.
 BrickWalk startWalk(vec3 originVoxel, vec3 directionVoxel, ClipSpans spans) {
     BrickWalk walk;
-    walk.origin = originVoxel * float(1.0 / BRICK);
+    walk.origin = (originVoxel + vec3(BRICK_SHIFT)) * float(1.0 / BRICK);
     walk.direction = directionVoxel * float(1.0 / BRICK);
     walk.inverse = vec3(safeInverse(walk.direction.x), safeInverse(walk.direction.y), safeInverse(walk.direction.z));
-    vec3 toLow = -walk.origin * walk.inverse;
-    vec3 toHigh = (vec3(params.volumeSize) * float(1.0 / BRICK) - walk.origin) * walk.inverse;
+    vec3 toLow = (vec3(BRICK_SHIFT / BRICK) - walk.origin) * walk.inverse;
+    vec3 toHigh = ((vec3(params.volumeSize) + vec3(BRICK_SHIFT)) * float(1.0 / BRICK) - walk.origin) * walk.inverse;
     vec3 enter = min(toLow, toHigh);
     vec3 leave = max(toLow, toHigh);
     walk.endMm = min(min(min(leave.x, leave.y), leave.z), spans.to);
@@ -49,7 +54,9 @@ BrickWalk startWalk(vec3 originVoxel, vec3 directionVoxel, ClipSpans spans) {
 // a face or a corner a segment may have no length. False at the end.
 // `rounds` counts the rounds of its loop.
 bool nextSegment(INOUT(BrickWalk) walk, INOUT(int) rounds) {
-    vec3 stride = vec3(float(1.0), float(params.gridSize.x), float(params.gridSize.x * params.gridSize.y));
+    // In floats up to the plane, which is faster; beyond, the bricks of the largest volumes are too many for them.
+    float row = float(params.gridSize.x);
+    int plane = params.gridSize.x * params.gridSize.y;
     int lastBrick = params.gridSize.x * params.gridSize.y * params.gridSize.z - 1;
     vec3 forward = vec3(walk.direction.x < float(0.0) ? float(0.0) : float(1.0),
                         walk.direction.y < float(0.0) ? float(0.0) : float(1.0),
@@ -59,7 +66,7 @@ bool nextSegment(INOUT(BrickWalk) walk, INOUT(int) rounds) {
     while (walk.distanceMm < walk.endMm) {
         rounds += 1;
         // At its very end, rounding may put the walk one brick outside: then any bound is as good as another.
-        float bound = fetchBound(clamp(int(dot(walk.cell, stride)), 0, lastBrick));
+        float bound = fetchBound(clamp(int(walk.cell.y * row + walk.cell.x) + int(walk.cell.z) * plane, 0, lastBrick));
         float reach = max(-bound, float(1.0));
 
         // The faces of the cube of empty bricks around this one, or of this one alone.
@@ -103,7 +110,10 @@ bool nextTentative(INOUT(BrickWalk) walk, INOUT(Rng) rng, INOUT(int) rounds) {
     return false;
 }
 
-// Voxel coordinates.
+// A point of the ray, in voxel coordinates.
+vec3 walkPositionAt(BrickWalk walk, float distanceMm) {
+    return (walk.origin + walk.direction * distanceMm) * float(BRICK) - vec3(BRICK_SHIFT);
+}
 vec3 walkPosition(BrickWalk walk) {
-    return (walk.origin + walk.direction * walk.distanceMm) * float(BRICK);
+    return walkPositionAt(walk, walk.distanceMm);
 }

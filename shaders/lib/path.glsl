@@ -31,8 +31,7 @@ float halfTransmittanceDistance(INOUT(BrickWalk) walk, float stepMm) {
         float step = length / float(steps);
         for (int i = 0; i < steps && found < float(0.0); ++i) {
             float atMm = walk.distanceMm + (float(i) + float(0.5)) * step;
-            vec3 at = (walk.origin + walk.direction * atMm) * float(BRICK);
-            float depth = extinctionOfEntry(trilinearEntry(at)) * step;
+            float depth = extinctionOfEntry(trilinearEntry(walkPositionAt(walk, atMm))) * step;
             if (depth >= remaining) {
                 found = walk.distanceMm + (float(i) + remaining / depth) * step;
             } else {

@@ -7,7 +7,7 @@
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(binding = 7, scalar) writeonly buffer Distances {
+layout(binding = 8, scalar) writeonly buffer Distances {
     float distanceMm[];
 };
 void main() {

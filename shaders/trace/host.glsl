@@ -14,15 +14,59 @@ layout(constant_id = 2) const bool kClip = false;
 layout(binding = 0, scalar) readonly buffer Params {
     TraceParams params;
 };
-layout(binding = 1) uniform usamplerBuffer entryTexels;       // voxels, as positions in the tables
+layout(binding = 1) uniform usamplerBuffer poolTexels;        // blocks of voxels, as positions in the tables
 layout(binding = 2) uniform samplerBuffer extinctionTexels;   // per mm, by entry
 layout(binding = 3) uniform samplerBuffer albedoTexels;       // by entry
 layout(binding = 4) uniform samplerBuffer boundTexels;        // by brick
 layout(binding = 5) uniform samplerBuffer environmentTexels;  // radiance and pdf per steradian, by texel
 layout(binding = 6) uniform samplerBuffer aliasTexels;        // probability to stay, and the other texel
+layout(binding = 7) uniform usamplerBuffer blockTexels;       // where they are
 
-float fetchStored(int voxel) {
-    return float(texelFetch(entryTexels, voxel).x);
+// Voxels are kept in blocks of 8 x 8 x 8. A word says at which level one is kept, 0 to 3 halvings of its edge (bits 30 and
+// 31), and where in the pool, in units of 8 values; or, at level 3, its one value. What no visible brick touches has such a
+// value too: one of its own, so that even where rounding carries a point across a face there is nothing to be met
+// (src/pipeline/volume/voxel_blocks.h).
+float valueIn(uint word, ivec3 within) {
+    int level = int(word >> 30);
+    int rest = int(word & 0x3fffffffu);
+    ivec3 cell = within >> level;
+    int inside = (((cell.z << (3 - level)) | cell.y) << (3 - level)) | cell.x;
+    uint value = texelFetch(poolTexels, level == 3 ? 0 : (rest << 3) + inside).x;
+    return float(level == 3 ? uint(rest) : value);
+}
+
+// The table has four words in a texel, which costs little more than one: for brick (x, y) those of the blocks
+// (x - 1, y - 1), (x, y - 1), (x - 1, y), (x, y), in layers of blocks along z.
+int tableIndex(ivec2 brick, int layer) {
+    return (layer * params.gridSize.y + brick.y) * params.gridSize.x + brick.x;
+}
+
+float fetchStored(ivec3 voxel) {
+    ivec3 block = voxel >> 3;
+    return valueIn(texelFetch(blockTexels, tableIndex(block.xy, block.z)).w, voxel & ivec3(7));
+}
+
+void fetchCorners(ivec3 low, ivec3 high, out vec4 near, out vec4 far) {
+    ivec2 brick = (low.xy + ivec2(1)) >> 3;
+    uvec4 nearWords = texelFetch(blockTexels, tableIndex(brick, low.z >> 3));
+    uvec4 farWords = texelFetch(blockTexels, tableIndex(brick, high.z >> 3));
+    // A low corner may lie in the block before. A high one never does: where the volume ends, both words are the same.
+    ivec3 inLow = low & ivec3(7);
+    ivec3 inHigh = high & ivec3(7);
+    if (inLow.x < 7) {
+        nearWords.xz = nearWords.yw;
+        farWords.xz = farWords.yw;
+    }
+    if (inLow.y < 7) {
+        nearWords.xy = nearWords.zw;
+        farWords.xy = farWords.zw;
+    }
+    near = vec4(valueIn(nearWords.x, inLow), valueIn(nearWords.y, ivec3(inHigh.x, inLow.y, inLow.z)),
+                valueIn(nearWords.z, ivec3(inLow.x, inHigh.y, inLow.z)),
+                valueIn(nearWords.w, ivec3(inHigh.x, inHigh.y, inLow.z)));
+    far = vec4(valueIn(farWords.x, ivec3(inLow.x, inLow.y, inHigh.z)),
+               valueIn(farWords.y, ivec3(inHigh.x, inLow.y, inHigh.z)),
+               valueIn(farWords.z, ivec3(inLow.x, inHigh.y, inHigh.z)), valueIn(farWords.w, inHigh));
 }
 float fetchExtinction(int entry) {
     return texelFetch(extinctionTexels, entry).x;

@@ -76,7 +76,7 @@ TEST(Medium, BoundIsAboveTheExtinctionEverywhereForRandomBandPassCurves) {
             const auto low = static_cast<std::size_t>(entry);
             const double extinction = std::lerp(double(medium.extinctionPerMm[low]),
                                                 double(medium.extinctionPerMm[low + 1]), entry - double(low));
-            const glm::ivec3 brick = glm::ivec3(p) / kBrickVoxels;
+            const glm::ivec3 brick = grid.brickAt(p);
             const double bound = std::max(medium.bounds[grid.index(brick.x, brick.y, brick.z)], 0.0f);
             ASSERT_GE(bound, extinction);
             if (bound > 0.0) tightest = std::max(tightest, extinction / bound);

@@ -326,26 +326,6 @@ TEST_F(PathTracerTest, NothingVisibleIsEmptyNotAnError) {
     for (const glm::vec4& pixel : image->radiance) EXPECT_EQ(pixel, glm::vec4(0.0f));
 }
 
-TEST_F(PathTracerTest, AVolumeAboveTheDevicesLimitIsRefusedAndAnotherOneStillOpens) {
-    const std::uint64_t limit = device()->info().maxTexelBufferElements;
-    if (limit > (std::uint64_t(1) << 28))
-        GTEST_SKIP() << "this device takes volumes larger than this test should make";
-    const int slices = int(limit / (512 * 512)) + 1;
-    std::vector<std::uint16_t> voxels(std::size_t(512) * 512 * std::size_t(slices), 1);
-    auto big =
-        Volume::create({.size = {512, 512, slices}, .worldFromVoxel = glm::dmat4(1.0)}, std::move(voxels));
-    auto made = PathTracer::create(device());
-    const auto refused = made->setVolume(std::make_shared<const Volume>(std::move(big).value()));
-    ASSERT_FALSE(refused.ok());
-    EXPECT_EQ(refused.error().code, ErrorCode::outOfMemory);
-    const auto [volume, view] = scenes::slab(10.0, 8);
-    ASSERT_TRUE(made->setVolume(volume).ok());
-    ASSERT_TRUE(made->setTransferFunction(scenes::homogeneous(0.2)).ok());
-    ASSERT_TRUE(made->setEnvironment(Environment::constant(glm::vec3(1.0f))).ok());
-    ASSERT_TRUE(made->setView(view).ok());
-    EXPECT_TRUE(made->trace(1).ok());
-}
-
 TEST_F(PathTracerTest, NothingSetIsAnErrorNotACrash) {
     auto made = PathTracer::create(device());
     ASSERT_TRUE(made.ok());

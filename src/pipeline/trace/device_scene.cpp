@@ -7,6 +7,7 @@
 #include "pipeline/gpu/recorder.h"
 #include "pipeline/gpu/transfer.h"
 #include "pipeline/trace/scene.h"
+#include "pipeline/volume/clip_bricks.h"
 
 namespace macula::trace {
 
@@ -21,53 +22,22 @@ Result<gpu::TexelBuffer> makeTexels(const std::shared_ptr<gpu::Device>& device, 
     return texels;
 }
 
-Result<gpu::TexelBuffer> makeEntryTexels(const std::shared_ptr<gpu::Device>& device, const Volume& volume) {
-    const EntryMap map = entryMapOf(volume);
-    const std::size_t count = volume.voxels().size();
-    if (count > std::size_t(std::numeric_limits<std::int32_t>::max())) {  // shaders index voxels with 31 bits
-        return Error{
-            ErrorCode::outOfMemory,
-            fmt::format("A volume of {} million voxels is more than can be traced.", count / 1000000),
-            {},
-            "Open a smaller series."};
-    }
-    // Uploads to memory that is not mapped go by words of 4 bytes.
-    MACULA_TRY(auto texels,
-               gpu::TexelBuffer::create(
-                   device, {.label = "voxels", .elements = count + count % 2, .format = VK_FORMAT_R16_UINT}));
-    const std::span<std::byte> mapped = texels.buffer().mapped();
-    if (!mapped.empty()) {
-        writeEntries(volume, map, 0, {reinterpret_cast<std::uint16_t*>(mapped.data()), count});
-        return texels;
-    }
-    constexpr std::size_t kChunk = std::size_t{8} << 20;
-    std::vector<std::uint16_t> chunk;
-    for (std::size_t first = 0; first < count; first += kChunk) {
-        const std::size_t size = std::min(kChunk, count - first);
-        chunk.assign(size + size % 2, 0);
-        writeEntries(volume, map, first, std::span(chunk).first(size));
-        MACULA_TRY_VOID(
-            gpu::uploadTo(texels.buffer(), first * sizeof(std::uint16_t), std::as_bytes(std::span(chunk))));
-    }
-    return texels;
-}
-
 }  // namespace
 
-Result<DeviceScene> DeviceScene::create(std::shared_ptr<gpu::Device> device) {
+Result<DeviceScene> DeviceScene::create(std::shared_ptr<gpu::Device> device, const MemoryLimits& limits) {
     // On the device, not in memory for uploads: a graphics card would read that over its bus, for every path.
     MACULA_TRY(gpu::Buffer params,
                gpu::Buffer::create(device, {.label = "trace params", .bytes = sizeof(shared::TraceParams)}));
-    return DeviceScene(std::move(device), std::move(params));
+    return DeviceScene(std::move(device), limits, std::move(params));
 }
 
 Result<void> DeviceScene::setVolume(std::shared_ptr<const Volume> volume) {
     MACULA_CHECK(volume != nullptr);
-    entries_.reset();
+    voxels_.reset();
     extinction_.reset();
     volume_.reset();
-    MACULA_TRY(entries_, makeEntryTexels(device_, *volume));
     grid_ = makeBrickGrid(*volume);
+    MACULA_TRY(voxels_, DeviceVolume::create(device_, volume, grid_, limits_));
     volume_ = std::move(volume);
     return {};
 }
@@ -90,6 +60,9 @@ Result<void> DeviceScene::makeTables() {
     extinction_.reset();  // all or none: tables of different length must never meet
     albedo_.reset();
     bounds_.reset();
+    MACULA_TRY_VOID(voxels_->show(grid_, medium_.bounds, bricksAtGreyFaces(clip_, *volume_, grid_),
+                                  medium_.extinctionPerMm));
+    if (voxels_->isCoarse()) coverCoarseBlocks(medium_, grid_, voxels_->levels());
     MACULA_TRY(extinction_,
                makeTexels<float>(device_, "extinction", VK_FORMAT_R32_SFLOAT, medium_.extinctionPerMm));
     MACULA_TRY(albedo_,
@@ -115,7 +88,8 @@ Result<void> DeviceScene::setEnvironment(const Environment& environment) {
 }
 
 bool DeviceScene::isComplete() const {
-    return entries_ && extinction_ && albedo_ && bounds_ && environmentTexels_ && aliasTexels_;
+    return voxels_ && voxels_->isShown() && extinction_ && albedo_ && bounds_ && environmentTexels_ &&
+           aliasTexels_;
 }
 
 Result<void> DeviceScene::look(const View& view, const Settings& settings) {
@@ -128,9 +102,19 @@ Result<void> DeviceScene::look(const View& view, const Settings& settings) {
     return {};
 }
 
+VoxelMemory DeviceScene::voxelMemory() const {
+    return voxels_ ? voxels_->memory() : VoxelMemory{};
+}
+
+std::vector<Message> DeviceScene::messages() const {
+    if (!voxels_ || !voxels_->message()) return {};
+    return {*voxels_->message()};
+}
+
 std::vector<gpu::Binding> DeviceScene::bindings() const {
     MACULA_CHECK(isComplete());
-    return {params_, *entries_, *extinction_, *albedo_, *bounds_, *environmentTexels_, *aliasTexels_};
+    return {params_,  voxels_->pool(),     *extinction_,  *albedo_,
+            *bounds_, *environmentTexels_, *aliasTexels_, voxels_->table()};
 }
 
 }  // namespace macula::trace

@@ -9,6 +9,7 @@
 #include "base/volume.h"
 #include "pipeline/gpu/recorder.h"
 #include "pipeline/gpu/resources.h"
+#include "pipeline/trace/device_volume.h"
 #include "pipeline/trace/environment.h"
 #include "pipeline/trace/settings.h"
 #include "pipeline/volume/medium.h"
@@ -20,11 +21,13 @@ namespace macula::trace {
 // one of it is ever there: after a setter has failed the scene is not complete.
 class DeviceScene {
   public:
-    static Result<DeviceScene> create(std::shared_ptr<gpu::Device> device);
+    static Result<DeviceScene> create(std::shared_ptr<gpu::Device> device, const MemoryLimits& limits = {});
 
-    // outOfMemory when the device cannot hold the volume. The transfer function has to be set again.
+    // Voxels are uploaded when it is known which of them can be seen. outOfMemory when the device cannot hold
+    // the grid of the volume. The transfer function has to be set again.
     Result<void> setVolume(std::shared_ptr<const Volume> volume);
-    // After setVolume. Rebuilds the tables and the bound on extinction of every brick.
+    // After setVolume. Rebuilds the tables and the bound on extinction of every brick, and uploads the voxels
+    // that have become visible. outOfMemory when the device cannot hold even the coarsest.
     Result<void> setTransferFunction(const TransferFunction& function);
     Result<void> setEnvironment(const Environment& environment);
 
@@ -38,22 +41,29 @@ class DeviceScene {
     // last ones.
     Result<void> look(const View& view, const Settings& settings);
 
-    // When complete, and looked at: bindings 0 to 6 of shaders/trace/host.glsl.
+    // What the voxels take; nothing without a volume.
+    VoxelMemory voxelMemory() const;
+    // What a person has to know about what is shown.
+    std::vector<Message> messages() const;
+
+    // When complete, and looked at: bindings 0 to 7 of shaders/trace/host.glsl.
     std::vector<gpu::Binding> bindings() const;
 
   private:
     Result<void> makeTables();
-    DeviceScene(std::shared_ptr<gpu::Device> device, gpu::Buffer params)
-        : device_(std::move(device)), params_(std::move(params)) {}
+    DeviceScene(std::shared_ptr<gpu::Device> device, const MemoryLimits& limits, gpu::Buffer params)
+        : device_(std::move(device)), limits_(limits), params_(std::move(params)) {}
 
     std::shared_ptr<gpu::Device> device_;
+    MemoryLimits limits_;
     gpu::Buffer params_;
     std::shared_ptr<const Volume> volume_;
     BrickGrid grid_;
     Medium medium_;
     std::optional<TransferFunction> function_;  // as it was given
     Clip clip_;
-    std::optional<gpu::TexelBuffer> entries_, extinction_, albedo_, bounds_;
+    std::optional<DeviceVolume> voxels_;
+    std::optional<gpu::TexelBuffer> extinction_, albedo_, bounds_;
     std::optional<Environment> environment_;
     std::optional<gpu::TexelBuffer> environmentTexels_, aliasTexels_;
 };

@@ -90,8 +90,8 @@ PathTracer::PathTracer(PathTracer&&) noexcept = default;
 PathTracer& PathTracer::operator=(PathTracer&&) noexcept = default;
 PathTracer::~PathTracer() = default;
 
-Result<PathTracer> PathTracer::create(std::shared_ptr<gpu::Device> device) {
-    MACULA_TRY(DeviceScene scene, DeviceScene::create(device));
+Result<PathTracer> PathTracer::create(std::shared_ptr<gpu::Device> device, const MemoryLimits& limits) {
+    MACULA_TRY(DeviceScene scene, DeviceScene::create(device, limits));
     auto impl = std::make_unique<Impl>(std::move(device), std::move(scene));
     MACULA_TRY(impl->displayKernel, gpu::Kernel::create(impl->device, shaders::trace_display_comp));
     return PathTracer(std::move(impl));
@@ -296,11 +296,12 @@ Result<TracedImage> PathTracer::readback() {
 
 Result<Statistics> PathTracer::statistics() const {
     const Impl& t = *impl_;
-    Statistics statistics{.samplesPerPixel = t.samplesDone,
-                          .nonFiniteSamples = 0,
-                          .abandonedSamples = 0,
-                          .deviceMs = t.deviceMs};
-    if (t.paramsStale) return Statistics{};
+    Statistics statistics;
+    statistics.voxels = t.scene.voxelMemory();
+    statistics.messages = t.scene.messages();
+    if (t.paramsStale) return statistics;
+    statistics.samplesPerPixel = t.samplesDone;
+    statistics.deviceMs = t.deviceMs;
     if (t.samplesDone > 0 || t.passBlock > 0) {
         MACULA_TRY(const auto faults, t.film->faults());
         statistics.nonFiniteSamples = faults.nonFinite;

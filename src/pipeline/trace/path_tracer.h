@@ -17,6 +17,7 @@
 #include "pipeline/gpu/resources.h"
 #include "pipeline/trace/environment.h"
 #include "pipeline/trace/settings.h"
+#include "pipeline/trace/voxel_memory.h"
 #include "pipeline/volume/clip.h"
 #include "pipeline/volume/transfer_function.h"
 
@@ -27,6 +28,8 @@ struct Statistics {
     std::uint64_t nonFiniteSamples = 0;  // dropped from the picture, never hidden
     std::uint64_t abandonedSamples = 0;  // likewise: paths too long for the device
     double deviceMs = 0.0;               // spent tracing since the last change
+    VoxelMemory voxels;
+    std::vector<Message> messages;  // what a person has to know about what is shown
 };
 
 // Row 0 on top. Linear, premultiplied; depth is the distance in mm from the camera to the point where
@@ -45,14 +48,16 @@ enum class Smoothing { none = 0, slight = 1, strong = 2 };  // radius in pixels
 // Used by one thread at a time, the one that uses the device. Setters upload; trace() accumulates.
 class PathTracer {
   public:
-    static Result<PathTracer> create(std::shared_ptr<gpu::Device> device);
+    static Result<PathTracer> create(std::shared_ptr<gpu::Device> device, const MemoryLimits& limits = {});
     PathTracer(PathTracer&&) noexcept;
     PathTracer& operator=(PathTracer&&) noexcept;
     ~PathTracer();
 
-    // outOfMemory when the device cannot hold the volume.
+    // outOfMemory when the device cannot hold the grid of the volume; its voxels are uploaded when they
+    // become visible.
     Result<void> setVolume(std::shared_ptr<const Volume> volume);
-    // After setVolume. Rebuilds the tables and the bound on extinction of every brick.
+    // After setVolume. Rebuilds the tables and the bound on extinction of every brick, and uploads the voxels
+    // that have become visible; coarsely, and with a message in statistics(), where not all fit.
     Result<void> setTransferFunction(const TransferFunction& function);
     Result<void> setEnvironment(const Environment& environment);
     // What is shown of the volume; stays until it is set again.

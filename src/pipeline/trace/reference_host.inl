@@ -54,7 +54,19 @@ struct MACULA_HOST : GlslInCpp<MACULA_REAL> {
 
     Params params;
 
-    Real fetchStored(int voxel) const { return Real(entries_[voxel]); }
+    // Every voxel, whatever the device keeps: the truth it is held to.
+    Real fetchStored(const ivec3& voxel) const {
+        const ivec3& size = params.volumeSize;
+        return Real(entries_[(std::size_t(voxel.z) * std::size_t(size.y) + std::size_t(voxel.y)) *
+                                 std::size_t(size.x) +
+                             std::size_t(voxel.x)]);
+    }
+    void fetchCorners(const ivec3& low, const ivec3& high, vec4& near, vec4& far) const {
+        near = {fetchStored(low), fetchStored({high.x, low.y, low.z}), fetchStored({low.x, high.y, low.z}),
+                fetchStored({high.x, high.y, low.z})};
+        far = {fetchStored({low.x, low.y, high.z}), fetchStored({high.x, low.y, high.z}),
+               fetchStored({low.x, high.y, high.z}), fetchStored(high)};
+    }
     Real fetchExtinction(int entry) const { return Real(extinction_[entry]); }
     vec3 fetchAlbedo(int entry) const { return vec3(glm::vec3(albedo_[entry])); }
     Real fetchBound(int brick) const { return Real(bounds_[brick]); }
@@ -72,6 +84,7 @@ struct MACULA_HOST : GlslInCpp<MACULA_REAL> {
 #undef BRICK
 #undef PARALLEL
 #undef FAR_MM
+#undef BRICK_SHIFT
 #undef ROULETTE_BELOW
 #undef STRIDE
 

@@ -1,4 +1,9 @@
-// The volume cut into bricks of 8 x 8 x 8 voxels, with the range of values that can be met in each.
+// The volume cut twice, with the range of values that can be met in each part: into bricks of 8 x 8 x 8 cells
+// between voxel centres, which light walks through, and into blocks of 8 x 8 x 8 voxels, which are stored.
+//
+// Brick b covers [8b - 1, 8b + 7) along each axis, in voxel coordinates with integers at centres. So what is
+// interpolated inside it needs voxels 8b - 1 to 8b + 7 and no others: block b, and the last layer of block b
+// - 1.
 #pragma once
 
 #include <cstdint>
@@ -15,17 +20,32 @@ inline constexpr int kBrickVoxels = 8;  // BRICK in shaders/lib
 struct EntryRange {
     std::uint16_t low = 0;
     std::uint16_t high = 0;
+
+    bool operator==(const EntryRange&) const = default;
 };
 
 struct BrickGrid {
-    glm::ivec3 size{0};  // bricks
-    std::vector<EntryRange>
-        ranges;  // x fastest; over the brick and one voxel around it: what interpolation can reach
+    glm::ivec3 size{0};                   // bricks
+    std::vector<EntryRange> ranges;       // by brick, x fastest: what interpolation can reach in it
+    glm::ivec3 blocks{0};                 // at most as many as bricks, at least one less, along each axis
+    std::vector<EntryRange> blockRanges;  // by block, x fastest: of its voxels
 
     std::size_t index(int x, int y, int z) const {
         return (std::size_t(z) * std::size_t(size.y) + std::size_t(y)) * std::size_t(size.x) + std::size_t(x);
     }
+    std::size_t blockIndex(int x, int y, int z) const {
+        return (std::size_t(z) * std::size_t(blocks.y) + std::size_t(y)) * std::size_t(blocks.x) +
+               std::size_t(x);
+    }
+    // The brick that holds a point within the volume, given with integers at voxel faces.
+    glm::ivec3 brickAt(const glm::dvec3& point) const {
+        return glm::ivec3(glm::floor((point + 0.5) / double(kBrickVoxels)));
+    }
 };
+
+// Bricks and blocks of a volume of `voxels`.
+glm::ivec3 brickCount(glm::ivec3 voxels);
+glm::ivec3 blockCount(glm::ivec3 voxels);
 
 // Padding counts as air. On all cores.
 BrickGrid makeBrickGrid(const Volume& volume);

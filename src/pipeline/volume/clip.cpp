@@ -31,6 +31,45 @@ bool isInsideAll(const Sides& sides, const glm::dvec3& point) {
     return std::all_of(sides.begin(), sides.end(), [&](const HalfSpace& s) { return isInside(s, point); });
 }
 
+// Of a box, in the world. All of them beyond one side of a region: the box is outside of it; all inside a
+// convex one: it is in it.
+class Corners {
+  public:
+    Corners(const glm::dmat4& worldFromFrame, const Box& box) {
+        for (std::size_t c = 0; c < points_.size(); ++c) {
+            const glm::dvec3 corner((c & 1) ? box.high.x : box.low.x, (c & 2) ? box.high.y : box.low.y,
+                                    (c & 4) ? box.high.z : box.low.z);
+            points_[c] = transformPoint(worldFromFrame, corner);
+        }
+    }
+
+    bool areBeyond(const HalfSpace& side) const {
+        return std::none_of(points_.begin(), points_.end(),
+                            [&](const glm::dvec3& p) { return isInside(side, p); });
+    }
+    template <class Sides>
+    bool areWithin(const Sides& sides) const {
+        return std::all_of(points_.begin(), points_.end(),
+                           [&](const glm::dvec3& p) { return isInsideAll(sides, p); });
+    }
+    // No point of a box is nearer than its centre less half its diagonal.
+    bool areBeyond(const Ball& ball) const {
+        glm::dvec3 centre(0.0);
+        for (const glm::dvec3& p : points_) centre += p / double(points_.size());
+        double reach = 0.0;
+        for (const glm::dvec3& p : points_) reach = std::max(reach, glm::length(p - centre));
+        return glm::length(centre - ball.centreMm) - reach > ball.radiusMm;
+    }
+    bool areWithin(const Ball& ball) const {
+        return std::all_of(points_.begin(), points_.end(), [&](const glm::dvec3& p) {
+            return glm::length(p - ball.centreMm) < ball.radiusMm;
+        });
+    }
+
+  private:
+    std::array<glm::dvec3, 8> points_;
+};
+
 }  // namespace
 
 std::array<HalfSpace, 6> sidesOf(const OrientedBox& box) {
@@ -38,8 +77,8 @@ std::array<HalfSpace, 6> sidesOf(const OrientedBox& box) {
     for (int axis = 0; axis < 3; ++axis) {
         const glm::dvec3 normal = box.axes[axis];
         const double centre = glm::dot(normal, box.centreMm);
-        sides[std::size_t(2 * axis)] = {normal, centre - box.halfSizeMm[axis]};
-        sides[std::size_t(2 * axis + 1)] = {-normal, -centre - box.halfSizeMm[axis]};
+        sides[2 * std::size_t(axis)] = {normal, centre - box.halfSizeMm[axis]};
+        sides[2 * std::size_t(axis) + 1] = {-normal, -centre - box.halfSizeMm[axis]};
     }
     return sides;
 }
@@ -91,41 +130,36 @@ Result<void> validate(const Clip& clip) {
 }
 
 bool removesAll(const Clip& clip, const glm::dmat4& worldFromFrame, const Box& boxInFrame) {
-    std::array<glm::dvec3, 8> corners;
-    for (std::size_t c = 0; c < 8; ++c) {
-        const glm::dvec3 corner((c & 1) ? boxInFrame.high.x : boxInFrame.low.x,
-                                (c & 2) ? boxInFrame.high.y : boxInFrame.low.y,
-                                (c & 4) ? boxInFrame.high.z : boxInFrame.low.z);
-        corners[c] = transformPoint(worldFromFrame, corner);
-    }
-    // All corners beyond one side of a region are outside of it; all corners inside a convex one are in it.
-    const auto isBeyond = [&](const HalfSpace& side) {
-        return std::none_of(corners.begin(), corners.end(),
-                            [&](const glm::dvec3& p) { return isInside(side, p); });
-    };
-    const auto isWithin = [&](const auto& sides) {
-        return std::all_of(corners.begin(), corners.end(),
-                           [&](const glm::dvec3& p) { return isInsideAll(sides, p); });
-    };
+    const Corners corners(worldFromFrame, boxInFrame);
+    const auto isBeyond = [&](const HalfSpace& side) { return corners.areBeyond(side); };
     if (std::any_of(clip.planes.begin(), clip.planes.end(), isBeyond)) return true;
     if (clip.box) {
         const auto sides = sidesOf(*clip.box);
-        if (clip.ofBox == Keep::inside ? std::any_of(sides.begin(), sides.end(), isBeyond) : isWithin(sides))
-            return true;
+        const bool all = clip.ofBox == Keep::inside ? std::any_of(sides.begin(), sides.end(), isBeyond)
+                                                    : corners.areWithin(sides);
+        if (all) return true;
     }
-    if (clip.cut && isWithin(sidesOf(*clip.cut))) return true;
+    if (clip.cut && corners.areWithin(sidesOf(*clip.cut))) return true;
     if (!clip.ball) return false;
-    const auto distance = [&](const glm::dvec3& p) { return glm::length(p - clip.ball->centreMm); };
-    if (clip.ofBall == Keep::outside) {
-        return std::all_of(corners.begin(), corners.end(),
-                           [&](const glm::dvec3& p) { return distance(p) < clip.ball->radiusMm; });
+    return clip.ofBall == Keep::inside ? corners.areBeyond(*clip.ball) : corners.areWithin(*clip.ball);
+}
+
+bool removesNothing(const Clip& clip, const glm::dmat4& worldFromFrame, const Box& boxInFrame) {
+    const Corners corners(worldFromFrame, boxInFrame);
+    const auto isBeyond = [&](const HalfSpace& side) { return corners.areBeyond(side); };
+    if (!corners.areWithin(clip.planes)) return false;
+    if (clip.box) {
+        const auto sides = sidesOf(*clip.box);
+        const bool all = clip.ofBox == Keep::inside ? corners.areWithin(sides)
+                                                    : std::any_of(sides.begin(), sides.end(), isBeyond);
+        if (!all) return false;
     }
-    // No point of a box is nearer than its centre less half its diagonal.
-    glm::dvec3 centre(0.0);
-    for (const glm::dvec3& p : corners) centre += p / 8.0;
-    double reach = 0.0;
-    for (const glm::dvec3& p : corners) reach = std::max(reach, glm::length(p - centre));
-    return distance(centre) - reach > clip.ball->radiusMm;
+    if (clip.cut) {
+        const auto sides = sidesOf(*clip.cut);
+        if (std::none_of(sides.begin(), sides.end(), isBeyond)) return false;
+    }
+    if (!clip.ball) return true;
+    return clip.ofBall == Keep::inside ? corners.areWithin(*clip.ball) : corners.areBeyond(*clip.ball);
 }
 
 bool shows(const Clip& clip, const glm::dvec3& pointMm) {

@@ -67,6 +67,9 @@ Result<void> validate(const Clip& clip);
 // Nothing of this box (of any frame) is shown. Conservative: may be false of boxes of which nothing is.
 bool removesAll(const Clip& clip, const glm::dmat4& worldFromFrame, const Box& boxInFrame);
 
+// All of this box is shown. Conservative likewise.
+bool removesNothing(const Clip& clip, const glm::dmat4& worldFromFrame, const Box& boxInFrame);
+
 // Whether the point is shown.
 bool shows(const Clip& clip, const glm::dvec3& pointMm);
 

@@ -3,8 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/check.h"
 #include "base/parallel.h"
+#include "pipeline/volume/clip_bricks.h"
+#include "pipeline/volume/empty_space.h"
 #include "pipeline/volume/range_max.h"
+#include "pipeline/volume/voxel_blocks.h"
 
 namespace macula {
 
@@ -12,62 +16,18 @@ namespace {
 
 // Interpolating two entries in floating point can come out a few parts in 10^7 above both.
 constexpr float kOutward = 1.0f + 1e-6f;
-constexpr int kMaxReach = 255;
 
 double linearFromSrgb(double encoded) {
     return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
 }
 
-// Chebyshev distance of each empty brick to the nearest occupied one, in place: 0 becomes a positive
-// distance. Two sweeps over the 26 neighbours are exact for this metric (Rosenfeld and Pfaltz 1966). Outside
-// the grid is empty.
-std::vector<int> distanceToOccupied(const BrickGrid& grid, const std::vector<float>& bounds) {
-    const glm::ivec3 size = grid.size;
-    std::vector<int> distance(bounds.size());
-    for (std::size_t i = 0; i < bounds.size(); ++i) distance[i] = bounds[i] > 0.0f ? 0 : kMaxReach;
-    const auto relax = [&](int x, int y, int z, int direction) {
-        int& here = distance[grid.index(x, y, z)];
-        for (int dz = -1; dz <= 1; ++dz) {
-            for (int dy = -1; dy <= 1; ++dy) {
-                for (int dx = -1; dx <= 1; ++dx) {
-                    if ((dz * 9 + dy * 3 + dx) * direction >= 0) continue;  // not yet swept
-                    const glm::ivec3 n{x + dx, y + dy, z + dz};
-                    if (n.x < 0 || n.y < 0 || n.z < 0 || n.x >= size.x || n.y >= size.y || n.z >= size.z)
-                        continue;
-                    here = std::min(here, distance[grid.index(n.x, n.y, n.z)] + 1);
-                }
-            }
-        }
-    };
-    for (int z = 0; z < size.z; ++z) {
-        for (int y = 0; y < size.y; ++y) {
-            for (int x = 0; x < size.x; ++x) relax(x, y, z, 1);
-        }
-    }
-    for (int z = size.z - 1; z >= 0; --z) {
-        for (int y = size.y - 1; y >= 0; --y) {
-            for (int x = size.x - 1; x >= 0; --x) relax(x, y, z, -1);
-        }
-    }
-    return distance;
-}
-
-// A voxel more than the brick on all sides, so that rounding in the shaders cannot look into it.
-Box roomOf(int x, int y, int z) {
-    const glm::dvec3 low = double(kBrickVoxels) * glm::dvec3(x, y, z) - 1.5;
-    return {low, low + double(kBrickVoxels) + 2.0};
-}
-
-void emptyRemoved(Medium& medium, const BrickGrid& grid, const Volume& volume, const Clip& clip) {
-    if (clip.isNothing() || clip.removedCastsShadow) return;
-    parallelFor(std::size_t(grid.size.z), [&](std::size_t layer) {
-        const int z = static_cast<int>(layer);
-        for (int y = 0; y < grid.size.y; ++y) {
-            for (int x = 0; x < grid.size.x; ++x) {
-                float& bound = medium.bounds[grid.index(x, y, z)];
-                if (bound > 0.0f && removesAll(clip, volume.worldFromVoxel(), roomOf(x, y, z))) bound = 0.0f;
-            }
-        }
+// Calls body(x, y, z) for every brick, rows on all cores.
+template <class Body>
+void forEachBrick(glm::ivec3 size, const Body& body) {
+    parallelFor(std::size_t(size.y) * std::size_t(size.z), [&](std::size_t row) {
+        const int y = static_cast<int>(row) % size.y;
+        const int z = static_cast<int>(row) / size.y;
+        for (int x = 0; x < size.x; ++x) body(x, y, z);
     });
 }
 
@@ -102,15 +62,36 @@ Medium makeMedium(const Volume& volume, const BrickGrid& grid, const TransferFun
     const RangeMax largest(medium.extinctionPerMm);
     medium.gridSize = grid.size;
     medium.bounds.resize(grid.ranges.size());
-    for (std::size_t brick = 0; brick < grid.ranges.size(); ++brick) {
+    forEachBrick(grid.size, [&](int x, int y, int z) {
+        const std::size_t brick = grid.index(x, y, z);
         medium.bounds[brick] = largest(grid.ranges[brick].low, grid.ranges[brick].high) * kOutward;
-    }
-    emptyRemoved(medium, grid, volume, clip);
-    const std::vector<int> distance = distanceToOccupied(grid, medium.bounds);
-    for (std::size_t brick = 0; brick < medium.bounds.size(); ++brick) {
-        if (distance[brick] > 0) medium.bounds[brick] = -static_cast<float>(distance[brick]);
-    }
+    });
+    emptyRemovedBricks(clip, volume, grid, medium.bounds);
+    measureEmptySpace(grid.size, medium.bounds);
     return medium;
+}
+
+void coverCoarseBlocks(Medium& medium, const BrickGrid& grid, std::span<const std::uint8_t> levels) {
+    MACULA_CHECK_EQ(levels.size(), grid.blockRanges.size());
+    const RangeMax largest(medium.extinctionPerMm);
+    forEachBrick(grid.size, [&](int x, int y, int z) {
+        float& bound = medium.bounds[grid.index(x, y, z)];
+        if (!(bound > 0.0f)) return;
+        EntryRange range = grid.ranges[grid.index(x, y, z)];
+        const glm::ivec3 low = glm::max(glm::ivec3(x, y, z) - 1, glm::ivec3(0));
+        const glm::ivec3 high = glm::min(glm::ivec3(x, y, z), grid.blocks - 1);
+        for (int k = low.z; k <= high.z; ++k) {
+            for (int j = low.y; j <= high.y; ++j) {
+                for (int i = low.x; i <= high.x; ++i) {
+                    const std::size_t block = grid.blockIndex(i, j, k);
+                    if (levels[block] == 0 || levels[block] == kAbsent) continue;
+                    range.low = std::min(range.low, grid.blockRanges[block].low);
+                    range.high = std::max(range.high, grid.blockRanges[block].high);
+                }
+            }
+        }
+        bound = largest(range.low, range.high) * kOutward;
+    });
 }
 
 }  // namespace macula

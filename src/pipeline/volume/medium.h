@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <span>
 #include <vector>
 
 #include "base/volume.h"
@@ -29,8 +30,13 @@ struct Medium {
 };
 
 // `function` is used as it is: fit it to the volume before (fitted). It must be valid (validate). Bricks of
-// which a clip without shadow leaves nothing are empty.
+// which a clip without shadow leaves nothing are empty. On all cores.
 Medium makeMedium(const Volume& volume, const BrickGrid& grid, const TransferFunction& function,
                   const Clip& clip = {});
+
+// Makes the bounds of visible bricks true also where blocks are stored coarsely, by level (voxel_blocks.h):
+// the average of a few voxels across a brick's face may lie outside of what the brick itself holds. Empty
+// bricks stay empty.
+void coverCoarseBlocks(Medium& medium, const BrickGrid& grid, std::span<const std::uint8_t> levels);
 
 }  // namespace macula

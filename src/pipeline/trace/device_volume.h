@@ -1,0 +1,87 @@
+// The voxels of a volume on the device: only the blocks that visible bricks touch.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "base/result.h"
+#include "base/volume.h"
+#include "pipeline/gpu/resources.h"
+#include "pipeline/trace/voxel_memory.h"
+#include "pipeline/volume/block_pool.h"
+#include "pipeline/volume/brick_grid.h"
+#include "pipeline/volume/coarsening.h"
+
+namespace macula::trace {
+
+// Used by one thread at a time, the one that uses the device.
+//
+// A pool holds blocks, a table says where each of them is: see fetchStored in shaders/trace/host.glsl. What
+// is no longer visible stays in the pool until its room is needed, so that going back costs nothing; the pool
+// grows with what is visible, and never beyond what is allowed.
+class DeviceVolume {
+  public:
+    // Nothing is shown yet. `grid` is of the volume. outOfMemory when the device cannot hold the table.
+    static Result<DeviceVolume> create(std::shared_ptr<gpu::Device> device,
+                                       std::shared_ptr<const Volume> volume, const BrickGrid& grid,
+                                       const MemoryLimits& limits);
+
+    // Uploads what blocksToShow(grid, bounds, alsoShown) names and is not there yet, coarsely where
+    // not all fits: then, and only then, levels() are not all kFullLevel, kSingle or kAbsent, and message()
+    // says so. On all cores; waits for the device. After a failure nothing is shown, and the next call begins
+    // anew.
+    Result<void> show(const BrickGrid& grid, std::span<const float> bounds,
+                      std::span<const std::uint8_t> alsoShown, std::span<const float> extinctionPerMm);
+
+    bool isShown() const { return pool_.has_value(); }
+    // What shaders/trace/host.glsl reads by fetchCorners: R16_UINT, when shown; and words of blocks,
+    // RGBA32_UINT.
+    const gpu::TexelBuffer& pool() const { return *pool_; }
+    const gpu::TexelBuffer& table() const { return table_; }
+
+    std::span<const std::uint8_t> levels() const { return plan_.levels; }  // by block
+    bool isCoarse() const { return plan_.coarse > 0; }
+    const std::optional<Message>& message() const { return message_; }
+    VoxelMemory memory() const;
+
+  private:
+    struct Upload {
+        std::size_t block = 0;
+        std::uint32_t unit = 0;  // of 8 values
+        std::uint8_t level = kAbsent;
+    };
+
+    DeviceVolume(std::shared_ptr<gpu::Device> device, std::shared_ptr<const Volume> volume,
+                 MemoryLimits limits, gpu::TexelBuffer table)
+        : device_(std::move(device)), volume_(std::move(volume)), limits_(limits), table_(std::move(table)) {}
+
+    Result<void> bring(const BrickGrid& grid, std::uint64_t slotsAllowed);
+    Result<void> makeRoom(const BrickGrid& grid, std::uint64_t slotsAllowed);
+    Result<void> growPool(std::uint64_t slots);
+    bool placeAll(const BrickGrid& grid, std::vector<Upload>& uploads);
+    void leave(const BrickGrid& grid, std::size_t block);
+    void forgetAll(const BrickGrid& grid);
+    void setWord(std::size_t block, std::uint32_t word);
+    Result<void> uploadBlocks(const BrickGrid& grid, std::span<const Upload> uploads);
+    Result<void> uploadStaged(const BrickGrid& grid, std::span<const Upload> uploads);
+    Result<void> uploadTable(const BrickGrid& grid);
+
+    std::shared_ptr<gpu::Device> device_;
+    std::shared_ptr<const Volume> volume_;
+    MemoryLimits limits_;
+    gpu::TexelBuffer table_;
+    std::optional<gpu::TexelBuffer> pool_;
+    BlockPool room_;                      // of pool_
+    std::vector<std::uint8_t> resident_;  // by block: its level in the pool, or kAbsent
+    std::vector<std::uint32_t> words_;    // what table_ has, or is to have
+    std::size_t firstStale_ = 0;          // of words_; none when not before endStale_
+    std::size_t endStale_ = 0;
+    Coarsening plan_;
+    std::optional<Message> message_;
+    VoxelMemory memory_;
+};
+
+}  // namespace macula::trace

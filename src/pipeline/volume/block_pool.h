@@ -1,0 +1,40 @@
+// Who has which part of the pool of voxels: book-keeping only, the voxels are on the device.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "pipeline/volume/coarsening.h"
+
+namespace macula {
+
+// A pool is a row of slots; a slot is free, or holds blocks of one level. So nothing has to be moved
+// together, and an emptied slot serves any level again.
+class BlockPool {
+  public:
+    std::uint64_t slots() const { return slots_.size(); }
+    std::uint64_t freeSlots() const { return free_.size(); }
+
+    // More slots, behind the others.
+    void grow(std::uint64_t slots);
+
+    // Where the block begins, in units of 8 values; nothing when there is no room. `level` below kSingle.
+    std::optional<std::uint32_t> allocate(std::uint8_t level);
+    // What allocate() gave, at the same level.
+    void release(std::uint8_t level, std::uint32_t unit);
+
+  private:
+    struct Slot {
+        std::uint8_t level = kAbsent;  // kAbsent: free
+        std::uint64_t used = 0;        // a bit for each block
+    };
+
+    std::vector<Slot> slots_;
+    std::vector<std::uint32_t> free_;  // the last is used next
+    // By level, slots that may have room: looked at before they are believed.
+    std::array<std::vector<std::uint32_t>, kSingle> partial_;
+};
+
+}  // namespace macula

@@ -1,0 +1,48 @@
+#include "pipeline/volume/clip_bricks.h"
+
+#include "base/check.h"
+#include "base/parallel.h"
+
+namespace macula {
+
+namespace {
+
+// A voxel more than the brick on all sides, so that rounding in the shaders cannot look into it.
+Box roomOf(const glm::ivec3& brick) {
+    const glm::dvec3 low = double(kBrickVoxels) * glm::dvec3(brick) - 2.0;
+    return {low, low + double(kBrickVoxels) + 2.0};
+}
+
+// Calls body(index, room) for every brick, layers on all cores.
+template <class Body>
+void forEachRoom(const BrickGrid& grid, const Body& body) {
+    parallelFor(std::size_t(grid.size.z), [&](std::size_t layer) {
+        const int z = static_cast<int>(layer);
+        for (int y = 0; y < grid.size.y; ++y) {
+            for (int x = 0; x < grid.size.x; ++x) body(grid.index(x, y, z), roomOf({x, y, z}));
+        }
+    });
+}
+
+}  // namespace
+
+void emptyRemovedBricks(const Clip& clip, const Volume& volume, const BrickGrid& grid,
+                        std::span<float> bounds) {
+    MACULA_CHECK_EQ(bounds.size(), grid.ranges.size());
+    if (clip.isNothing() || clip.removedCastsShadow) return;
+    forEachRoom(grid, [&](std::size_t brick, const Box& room) {
+        if (bounds[brick] > 0.0f && removesAll(clip, volume.worldFromVoxel(), room)) bounds[brick] = 0.0f;
+    });
+}
+
+std::vector<std::uint8_t> bricksAtGreyFaces(const Clip& clip, const Volume& volume, const BrickGrid& grid) {
+    if (clip.isNothing() || !clip.greyFaces) return {};
+    std::vector<std::uint8_t> faces(grid.ranges.size());
+    forEachRoom(grid, [&](std::size_t brick, const Box& room) {
+        const glm::dmat4& worldFromVoxel = volume.worldFromVoxel();
+        faces[brick] = !removesAll(clip, worldFromVoxel, room) && !removesNothing(clip, worldFromVoxel, room);
+    });
+    return faces;
+}
+
+}  // namespace macula

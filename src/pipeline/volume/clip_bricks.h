@@ -1,0 +1,22 @@
+// What a clip means for bricks.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "base/volume.h"
+#include "pipeline/volume/brick_grid.h"
+#include "pipeline/volume/clip.h"
+
+namespace macula {
+
+// Bounds (by brick) become 0 where a clip without shadow leaves nothing of a brick. On all cores.
+void emptyRemovedBricks(const Clip& clip, const Volume& volume, const BrickGrid& grid,
+                        std::span<float> bounds);
+
+// By brick: 1 where a face of the clip that shows values may pass through, whatever is visible there; empty
+// when no face shows any. On all cores.
+std::vector<std::uint8_t> bricksAtGreyFaces(const Clip& clip, const Volume& volume, const BrickGrid& grid);
+
+}  // namespace macula

@@ -1,0 +1,47 @@
+// Voxels as they are kept on the device: only in the blocks that light can reach, and coarsely where there is
+// no room. Blocks are those of brick_grid.h; lists by block are x fastest.
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <span>
+#include <vector>
+
+#include "base/volume.h"
+#include "pipeline/volume/brick_grid.h"
+#include "pipeline/volume/entry_map.h"
+
+namespace macula {
+
+// How a block is kept: 0 every voxel, 1 averages of 2 x 2 x 2, 2 of 4 x 4 x 4, and kSingle one average of
+// all.
+inline constexpr std::uint8_t kFullLevel = 0;
+inline constexpr std::uint8_t kSingle = 3;
+inline constexpr std::uint8_t kAbsent = 255;  // not kept: no visible brick touches it
+
+// Values a block takes in the pool: 512, 64, 8. A single value takes none, it lies in the table (see
+// blockWord).
+constexpr std::uint32_t poolValues(std::uint8_t level) {
+    return level < kSingle ? 512u >> (3 * level) : 0u;
+}
+
+// What the shaders read of a block, in lib/medium.glsl: the level above, below either where its values begin
+// in the pool, in units of 8 values, or the single value.
+constexpr std::uint32_t blockWord(std::uint8_t level, std::uint32_t unitOrValue) {
+    return (std::uint32_t(level) << 30) | unitOrValue;
+}
+
+// By block: 1 where a brick touches it that is visible (`bounds` above 0, by brick) or of `alsoShown` (by
+// brick, or empty: none), 0 elsewhere. On all cores.
+std::vector<std::uint8_t> blocksToShow(const BrickGrid& grid, std::span<const float> bounds,
+                                       std::span<const std::uint8_t> alsoShown = {});
+
+// Writes a block's entries at a level below kSingle, x fastest, poolValues(level) of them. Averages are of
+// entries, rounded to the nearest. Beyond the volume values are 0, and never read.
+void writeBlock(const Volume& volume, const EntryMap& map, glm::ivec3 block, std::uint8_t level,
+                std::span<std::uint16_t> values);
+
+// The average of a whole block.
+std::uint16_t singleValue(const Volume& volume, const EntryMap& map, glm::ivec3 block);
+
+}  // namespace macula
