@@ -40,6 +40,7 @@ struct Options {
     std::string size = "768x768";
     std::uint32_t samplesPerPixel = 64;
     trace::Settings settings;
+    trace::MemoryLimits memory;
     std::string lights = kDefaultLights;
     std::string clip;
     std::string device;
@@ -169,16 +170,20 @@ Result<void> render(const Options& options) {
     record.notes = study.notes;
 
     start = std::chrono::steady_clock::now();
-    MACULA_TRY(trace::PathTracer tracer, trace::PathTracer::create(device));
+    MACULA_TRY(trace::PathTracer tracer, trace::PathTracer::create(device, options.memory));
     MACULA_TRY_VOID(tracer.setVolume(study.volume));
+    MACULA_TRY_VOID(tracer.setClip(clipFor(clip, *study.volume)));  // first: what it hides is not uploaded
     MACULA_TRY_VOID(tracer.setTransferFunction(preset));
-    MACULA_TRY_VOID(tracer.setClip(clipFor(clip, *study.volume)));
     MACULA_TRY_VOID(tracer.setEnvironment(environment));
     MACULA_TRY_VOID(tracer.setSettings(options.settings));
     MACULA_TRY_VOID(tracer.setView({record.camera, size.x, size.y}));
     MACULA_TRY_VOID(traceAll(tracer, options.samplesPerPixel, progress));
     record.traceSeconds = secondsSince(start);
     MACULA_TRY(record.statistics, tracer.statistics());
+    for (const Message& message : record.statistics.messages) {
+        record.notes.push_back(message.sentence);
+        printNote(fmt::format("{} {}", message.sentence, message.action));
+    }
     if (record.statistics.nonFiniteSamples > 0) {
         record.notes.push_back(fmt::format("{} samples were not finite and were dropped; please report this.",
                                            record.statistics.nonFiniteSamples));
@@ -239,6 +244,11 @@ void addRender(CLI::App& app, Action& action) {
                         "Name from macula presets, light rig JSON, or HDR or EXR panorama");
     command->add_option("--clip", o.clip,
                         "Name from macula presets, or JSON file: what is shown of the volume");
+    command
+        ->add_option_function<std::uint64_t>(
+            "--voxel-memory", [&o](std::uint64_t mebibytes) { o.memory.voxelBytes = mebibytes << 20; },
+            "At most so many MiB of the device for voxels (default: what is free)")
+        ->check(CLI::Range(1, 1 << 20));
     command->add_option("--device", o.device, "Number or part of the name, see macula devices");
     command->add_option("--json", o.statistics, "Write what was done and how long it took; - for stdout");
     command->callback([options, &action] { action = [options] { return render(*options); }; });

@@ -311,7 +311,8 @@ Result<void> FrameRenderer::showPicture() {
                            .sampleLimit = input_.sampleLimit,
                            .framesPerSecond = framesPerSecond(),
                            .latencyMs = millisecondsBetween(input_.published, now),
-                           .samplesLeftOut = statistics.nonFiniteSamples + statistics.abandonedSamples};
+                           .samplesLeftOut = statistics.nonFiniteSamples + statistics.abandonedSamples,
+                           .messages = statistics.messages};
     // The presenter has kept a picture that could not be shown now, and shows it when the window comes back.
     unreported_ = visible ? std::nullopt : std::optional(frame);
     if (visible) listener_(frame);

@@ -227,12 +227,20 @@ void MainWindow::showStudy(const LoadedStudy& study) {
     }
     for (const std::string& message : study_.messages) notes << QString::fromStdString(message);
     messages_->hide();
+    studyNotes_ = notes;
+    pictureNote_.clear();
+    showNotes();
+    emit studyShown();
+}
+
+void MainWindow::showNotes() {
+    QStringList notes = studyNotes_;
+    if (!pictureNote_.isEmpty()) notes << pictureNote_;
     if (notes.isEmpty()) {
         notes_->hide();
     } else {
         notes_->showNote(notes.join(QLatin1Char(' ')));
     }
-    emit studyShown();
 }
 
 void MainWindow::setStudyTexts(const LoadedStudy& study) {
@@ -291,6 +299,15 @@ void MainWindow::onFrame(const FrameShown& frame) {
             break;
     }
     if (frame.samplesLeftOut > 0) text += tr(", %1 samples left out").arg(frame.samplesLeftOut);
+    QStringList about;
+    for (const Message& message : frame.messages)
+        about << QString::fromStdString(message.sentence) << QString::fromStdString(message.action);
+    if (!about.isEmpty()) text += tr(", less than the full resolution");  // also when the note is dismissed
+    // Only when it is news: who has dismissed it has read it.
+    if (const QString note = about.join(QLatin1Char(' ')); note != pictureNote_) {
+        pictureNote_ = note;
+        showNotes();
+    }
     fidelity_->setFullText(text);
     pictureText_->setFullText(
         tr("%1×%2, %3/s").arg(frame.width).arg(frame.height).arg(frame.framesPerSecond, 0, 'f', 1));

@@ -5,6 +5,7 @@
 
 #include <QComboBox>
 #include <QMainWindow>
+#include <QStringList>
 #include <memory>
 #include <optional>
 #include <string>
@@ -68,13 +69,16 @@ class MainWindow : public QMainWindow {
     void onFrame(const FrameShown& frame);
     void setStudyTexts(const LoadedStudy& study);
     void clearStudyTexts();
+    void showNotes();
     void showKeys();
     void showAbout();
     void triggerShortcut(QKeyEvent* event);
 
     MainWindowOptions options_;
     StudyLoader loader_;
-    LoadedStudy study_;  // open; nothing of it is told before its picture is on screen
+    LoadedStudy study_;       // open; nothing of it is told before its picture is on screen
+    QStringList studyNotes_;  // what is to be known about it
+    QString pictureNote_;     // and about what the device shows of it
     QString lastFolder_;
 
     Viewport* viewport_ = nullptr;

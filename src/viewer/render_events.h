@@ -5,7 +5,9 @@
 #include <functional>
 #include <string>
 #include <variant>
+#include <vector>
 
+#include "base/message.h"
 #include "base/result.h"
 #include "viewer/orbit_camera.h"
 
@@ -41,6 +43,7 @@ struct FrameShown {
     double framesPerSecond = 0.0;      // of pictures shown lately; 0 when there was only one
     double latencyMs = 0.0;            // from publishing the input to showing this picture
     std::uint64_t samplesLeftOut = 0;  // not finite, or of paths too long for the device
+    std::vector<Message> messages{};   // what a person has to know about it
 };
 
 // What was shown has been taken off the screen, as far as the device still can do that, and nothing more is
