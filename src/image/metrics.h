@@ -1,0 +1,34 @@
+// How far a picture is from another, as an eye or a number sees it. Pictures are display-encoded (sRGB), of
+// one size; the first one or three channels count, alpha does not. Values outside 0 to 1 are clamped. All
+// fail with usage when the pictures cannot be compared: other size, no pixel, linear light, a value that is
+// no number.
+#pragma once
+
+#include <vector>
+
+#include "base/result.h"
+#include "image/image.h"
+
+namespace macula::image {
+
+// Peak signal-to-noise ratio in dB, of the mean squared error over pixels and channels; +infinity when equal.
+Result<double> psnr(const Image& reference, const Image& test);
+
+// Structural similarity (Wang et al. 2004, "Image quality assessment: from error visibility to structural
+// similarity"): Gaussian window of 11 x 11 with sigma 1.5, K1 0.01, K2 0.03; mean over pixels and channels.
+// Windows that reach over the edge are cut, and weighted anew. 1 when equal.
+Result<double> ssim(const Image& reference, const Image& test);
+
+struct FlipOptions {
+    // Of the eye: a 0.7 m wide screen of 3840 pixels seen from 0.7 m, as in the paper.
+    double pixelsPerDegree = 67.0206;
+};
+struct Flip {
+    double mean = 0.0;            // 0 (equal) to 1
+    std::vector<float> perPixel;  // row 0 on top
+};
+// FLIP for pictures of low dynamic range (Andersson et al. 2020, "FLIP: A difference evaluator for
+// alternating images"): the difference that is seen when the two are shown in turn at one place.
+Result<Flip> flip(const Image& reference, const Image& test, const FlipOptions& options = {});
+
+}  // namespace macula::image
