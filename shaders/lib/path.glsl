@@ -18,31 +18,6 @@ vec3 worldFromEnvironment(vec3 direction) {
 // Below this a ray or path goes on only with a probability in proportion, and its weight is made good.
 #define ROULETTE_BELOW 0.1
 
-// Visitor: the distance in mm at which transmittance falls to one half, by a deterministic march of `stepMm`; negative
-// when it does not.
-float halfTransmittanceDistance(INOUT(BrickWalk) walk, float stepMm) {
-    float remaining = float(0.69314718055994531);  // optical depth of one half
-    float found = float(-1.0);
-    int rounds = 0;
-    bool inside = nextSegment(walk, rounds);
-    while (inside && found < float(0.0)) {
-        float length = walk.segmentEndMm - walk.distanceMm;
-        int steps = max(int(ceil(length / stepMm)), 1);
-        float step = length / float(steps);
-        for (int i = 0; i < steps && found < float(0.0); ++i) {
-            float atMm = walk.distanceMm + (float(i) + float(0.5)) * step;
-            float depth = extinctionOfEntry(trilinearEntry(walkPositionAt(walk, atMm))) * step;
-            if (depth >= remaining) {
-                found = walk.distanceMm + (float(i) + remaining / depth) * step;
-            } else {
-                remaining -= depth;
-            }
-        }
-        inside = nextSegment(walk, rounds);
-    }
-    return found;
-}
-
 // A path under way. It is a chain of rays: flights to the next collision, and after each a shadow ray to the light. Both
 // are followed by the same few lines, a stride at a time, so that the lanes of a GPU stay together while one flies, its
 // neighbour looks for light, and a third has started its next sample.

@@ -12,3 +12,4 @@
 #include "lib/environment.glsl"
 #include "lib/picture.glsl"
 #include "lib/path.glsl"
+#include "lib/guides.glsl"

@@ -67,6 +67,7 @@ struct DisplayPush {
     vec3 background;  // linear
     float exposure;
     int smoothing;  // radius in pixels of the binomial filter over the means
+    int denoised;   // 1: the sums are means, and the counts do not count
 };
 
 MACULA_SHARED_END

@@ -41,7 +41,7 @@ void main() {
             ivec2 at = clamp(pixel + ivec2(dx, dy), ivec2(0), size - 1);
             int index = at.y * size.x + at.x;
             float weight = binomial(dx) * binomial(dy);
-            sum += weight * sums[index] / float(max(counts[index], 1u));
+            sum += weight * sums[index] / (push.denoised == 1 ? 1.0 : float(max(counts[index], 1u)));
             total += weight;
         }
     }

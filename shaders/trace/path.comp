@@ -19,6 +19,9 @@ layout(binding = 11, scalar) buffer Faults {
     uint nonFinite;  // samples that were not a number
     uint abandoned;  // paths that would have taken too many rounds
 };
+layout(binding = 12, scalar) buffer Squares {
+    vec2 squares[];  // sum of squares of luminance, and its compensation. Coverage is 0 or 1, and its own square.
+};
 
 // lavapipe (Mesa 22.3) ends every loop after 65535 rounds of all loops together, and says nothing. It counts for the eight
 // lanes of a group as one, which run up to 3.4 times the rounds of each (measured on the phantom): the host sets a limit well
@@ -38,6 +41,7 @@ void main() {
     int index = pixel.y * params.imageSize.x + pixel.x;
     vec4 sum = sums[index];
     vec4 compensation = lost[index];
+    vec2 square = squares[index];
     uint finite = 0u;
     uint done = 0u;
     int rounds = 0;  // of the samples done
@@ -49,6 +53,7 @@ void main() {
             vec4 value = vec4(path.radiance, path.coverage);
             if (isFinite(value) && isFinite(sum + value)) {
                 accumulate(sum, compensation, value);
+                accumulate(square, squareOfLuminance(path.radiance));
                 finite += 1u;
             }
             done += 1u;
@@ -58,6 +63,7 @@ void main() {
     }
     sums[index] = sum;
     lost[index] = compensation;
+    squares[index] = square;
     counts[index] += finite;
     if (finite < done) atomicAdd(nonFinite, done - finite);
     if (done < push.sampleCount) atomicAdd(abandoned, push.sampleCount - done);

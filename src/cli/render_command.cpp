@@ -238,6 +238,9 @@ void addRender(CLI::App& app, Action& action) {
         ->check(CLI::Range(1, 1 << 20));
     command->add_option("--bounces", o.settings.bounces, "Scattering events per path (default: 4)")
         ->check(CLI::Range(1, trace::kMaxBounces));
+    command->add_flag_callback(
+        "--denoise", [&o] { o.settings.denoising = trace::Denoising::on; },
+        "Filter the noise out, guided by what is seen; the picture says that it is denoised");
     command->add_option("--seed", o.settings.seed,
                         "Of the random numbers; the same seed gives the same picture");
     command->add_option("--lights", o.lights,

@@ -23,6 +23,7 @@ image::Metadata metadata(const RenderRecord& record) {
             {"macula:samples", fmt::to_string(record.statistics.samplesPerPixel)},
             {"macula:bounces", fmt::to_string(record.settings.bounces)},
             {"macula:seed", fmt::to_string(record.settings.seed)},
+            {"macula:denoised", record.statistics.denoised ? "yes" : "no"},
             {"macula:device", record.device}};
 }
 
@@ -45,6 +46,7 @@ Result<void> writeStatistics(const RenderRecord& record, const std::filesystem::
         {"height", record.height},
         {"bounces", record.settings.bounces},
         {"seed", record.settings.seed},
+        {"denoised", record.statistics.denoised},
         {"samplesPerPixel", record.statistics.samplesPerPixel},
         {"nonFiniteSamples", record.statistics.nonFiniteSamples},
         {"abandonedSamples", record.statistics.abandonedSamples},

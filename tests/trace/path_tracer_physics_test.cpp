@@ -167,18 +167,5 @@ INSTANTIATE_TEST_SUITE_P(Filters, PathTracerPhysics, ::testing::Values(Filter::t
                              return p.param == Filter::trilinear ? "Trilinear" : "Stochastic";
                          });
 
-using PathTracerDepth = DeviceTest;
-
-TEST_F(PathTracerDepth, IsWhereTransmittanceFallsToOneHalf) {
-    const auto [volume, view] = scenes::slab(10.0, 8);
-    PathTracer t = tracer(volume, scenes::homogeneous(0.2), Environment::constant(glm::vec3(1.0f)), view, {});
-    const auto image = t.readback();
-    ASSERT_TRUE(image.ok());
-    for (const float mm : image->depthMm) EXPECT_NEAR(mm, 3000 - 5 + std::log(2.0) / 0.2, 0.01);
-    ASSERT_TRUE(t.setTransferFunction(scenes::homogeneous(0.05)).ok());
-    const auto thin = t.readback();
-    for (const float mm : thin->depthMm) EXPECT_TRUE(std::isinf(mm));
-}
-
 }  // namespace
 }  // namespace macula::trace

@@ -105,22 +105,6 @@ INSTANTIATE_TEST_SUITE_P(All, Reference,
                                     (std::get<1>(p.param) == Filter::trilinear ? "Trilinear" : "Stochastic");
                          });
 
-TEST(ReferenceDepth, HalfTransmittanceOfASlabIsWhereTheFormulaSays) {
-    const auto [volume, view] = scenes::slab(10.0, 4);
-    const Environment sky = Environment::constant(glm::vec3(1.0f));
-    const Medium medium = makeMedium(*volume, makeBrickGrid(*volume), scenes::homogeneous(0.2));
-    const auto params = makeTraceParams(*volume, medium, sky, view, {});
-    for (const double distance :
-         ReferenceTracer(*volume, medium, sky).halfTransmittanceDistance(*params, Precision::twofold)) {
-        EXPECT_NEAR(distance, 3000 - 5 + std::log(2.0) / 0.2, 0.002);
-    }
-    const Medium thin = makeMedium(*volume, makeBrickGrid(*volume), scenes::homogeneous(0.05));
-    for (const double distance :
-         ReferenceTracer(*volume, thin, sky).halfTransmittanceDistance(*params, Precision::twofold)) {
-        EXPECT_TRUE(std::isinf(distance));
-    }
-}
-
 TEST(ReferencePrecision, FloatAndDoubleSeeTheSamePhantom) {
     const Volume volume = phantom::make({.size = {64, 56, 40}, .spacingMm = {4.8, 4.8, 7.5}});
     TransferFunction bone = scenes::homogeneous(1.0);

@@ -4,6 +4,8 @@
 #include "gpu/shared_layout.h"
 #include "pipeline/gpu/spirv_reflection.h"
 #include "shaders/trace.h"
+#include "shared/denoise_params.h"
+#include "shared/guide_params.h"
 #include "shared/trace_params.h"
 
 namespace macula {
@@ -55,7 +57,7 @@ const std::vector<LaidOutField> kPathPush{
     MACULA_FIELD(PathPush, sampleCount)};
 
 TEST(TraceLayout, ParametersAndPushConstantsAgreeInEveryKernel) {
-    for (const auto& code : {shaders::trace_path_comp, shaders::trace_depth_comp}) {
+    for (const auto& code : {shaders::trace_path_comp, shaders::trace_guides_comp}) {
         const auto reflection = gpu::reflectSpirv(code.words);
         ASSERT_TRUE(reflection.ok());
         const auto* params = reflection->bindings.front().block.find("params");
@@ -66,12 +68,31 @@ TEST(TraceLayout, ParametersAndPushConstantsAgreeInEveryKernel) {
     ASSERT_TRUE(path.ok());
     ASSERT_TRUE(path->pushConstants.has_value());
     expectLayoutMatches<PathPush>(*path->pushConstants->block.find("push"), kPathPush);
+    const auto guides = gpu::reflectSpirv(shaders::trace_guides_comp.words);
+    ASSERT_TRUE(guides.ok());
+    expectLayoutMatches<shared::GuidePush>(
+        *guides->pushConstants->block.find("push"),
+        {MACULA_FIELD(shared::GuidePush, oursMm), MACULA_FIELD(shared::GuidePush, right),
+         MACULA_FIELD(shared::GuidePush, up), MACULA_FIELD(shared::GuidePush, forward),
+         MACULA_FIELD(shared::GuidePush, planeHalfSize), MACULA_FIELD(shared::GuidePush, gaze),
+         MACULA_FIELD(shared::GuidePush, foveaRadius), MACULA_FIELD(shared::GuidePush, foveaMagnification),
+         MACULA_FIELD(shared::GuidePush, firstRow)});
+    for (const auto& code :
+         {shaders::denoise_gather_comp, shaders::denoise_prepare_comp, shaders::denoise_filter_comp}) {
+        const auto denoise = gpu::reflectSpirv(code.words);
+        ASSERT_TRUE(denoise.ok());
+        expectLayoutMatches<shared::DenoisePush>(
+            *denoise->pushConstants->block.find("denoise"),
+            {MACULA_FIELD(shared::DenoisePush, imageSize), MACULA_FIELD(shared::DenoisePush, stride),
+             MACULA_FIELD(shared::DenoisePush, last), MACULA_FIELD(shared::DenoisePush, pixelAngle),
+             MACULA_FIELD(shared::DenoisePush, historySamples)});
+    }
     const auto display = gpu::reflectSpirv(shaders::trace_display_comp.words);
     ASSERT_TRUE(display.ok());
     expectLayoutMatches<DisplayPush>(
         *display->pushConstants->block.find("push"),
         {MACULA_FIELD(DisplayPush, background), MACULA_FIELD(DisplayPush, exposure),
-         MACULA_FIELD(DisplayPush, smoothing)});
+         MACULA_FIELD(DisplayPush, smoothing), MACULA_FIELD(DisplayPush, denoised)});
 }
 
 }  // namespace

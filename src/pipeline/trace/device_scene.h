@@ -33,6 +33,7 @@ class DeviceScene {
 
     // Shows all of it again when the clip is nothing. After setVolume it stays.
     Result<void> setClip(const Clip& clip);
+    LightFrame lightFrame() const { return environment_ ? environment_->frame() : LightFrame::patient; }
     bool isClipped() const { return !clip_.isNothing(); }
 
     bool isComplete() const;

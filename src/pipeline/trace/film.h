@@ -20,12 +20,16 @@ class Film {
     int height() const { return height_; }
 
     void clear(gpu::Recorder& recorder) const;
-    // Bindings 8 to 11 of shaders/trace/path.comp.
+    // Bindings 8 to 12 of shaders/trace/path.comp.
     void appendTo(std::vector<gpu::Binding>& bindings) const;
 
     const gpu::Buffer& sums() const { return sums_; }       // vec4: premultiplied radiance and coverage
     const gpu::Buffer& counts() const { return counts_; }   // uint: finite samples
     const gpu::Image& picture() const { return picture_; }  // RGBA8, what display() makes of it
+
+    const gpu::Buffer& squares() const {
+        return squares_;
+    }  // vec2: sum of squares of luminance, its rounding
 
     struct Faults {
         std::uint32_t nonFinite = 0;  // samples that were not a number
@@ -35,7 +39,7 @@ class Film {
 
   private:
     Film(int width, int height, gpu::Buffer sums, gpu::Buffer lost, gpu::Buffer counts, gpu::Buffer faults,
-         gpu::Image picture);
+         gpu::Buffer squares, gpu::Image picture);
 
     int width_;
     int height_;
@@ -43,6 +47,7 @@ class Film {
     gpu::Buffer lost_;  // vec4: what rounding took from the sums
     gpu::Buffer counts_;
     gpu::Buffer faults_;
+    gpu::Buffer squares_;
     gpu::Image picture_;
 };
 

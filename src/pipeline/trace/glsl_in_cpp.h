@@ -24,13 +24,20 @@ struct GlslInCpp {
     static Real min(Real a, Real b) { return b < a ? b : a; }
     static int min(int a, int b) { return b < a ? b : a; }
     static vec3 min(const vec3& a, const vec3& b) { return glm::min(a, b); }
+    static vec4 min(const vec4& a, const vec4& b) { return glm::min(a, b); }
     static ivec3 min(const ivec3& a, const ivec3& b) { return glm::min(a, b); }
     static Real max(Real a, Real b) { return a < b ? b : a; }
     static int max(int a, int b) { return a < b ? b : a; }
+    static vec4 max(const vec4& a, const vec4& b) { return glm::max(a, b); }
     static vec3 max(const vec3& a, const vec3& b) { return glm::max(a, b); }
     static Real clamp(Real x, Real low, Real high) { return min(max(x, low), high); }
     static int clamp(int x, int low, int high) { return min(max(x, low), high); }
     static vec3 clamp(const vec3& x, const vec3& low, const vec3& high) { return glm::clamp(x, low, high); }
+    static vec2 clamp(const vec2& x, const vec2& low, const vec2& high) { return glm::clamp(x, low, high); }
+    static vec4 clamp(const vec4& x, const vec4& low, const vec4& high) { return glm::clamp(x, low, high); }
+    static ivec2 clamp(const ivec2& x, const ivec2& low, const ivec2& high) {
+        return glm::clamp(x, low, high);
+    }
     static ivec3 clamp(const ivec3& x, const ivec3& low, const ivec3& high) {
         return glm::clamp(x, low, high);
     }
@@ -39,6 +46,7 @@ struct GlslInCpp {
     static Real abs(Real x) { return std::abs(x); }
     static vec4 abs(const vec4& x) { return glm::abs(x); }
     static Real floor(Real x) { return std::floor(x); }
+    static vec2 floor(const vec2& x) { return {std::floor(x.x), std::floor(x.y)}; }
     static vec3 floor(const vec3& x) { return {std::floor(x.x), std::floor(x.y), std::floor(x.z)}; }
     static Real ceil(Real x) { return std::ceil(x); }
     static Real sqrt(Real x) { return std::sqrt(x); }

@@ -9,6 +9,7 @@
 #include "pipeline/gpu/kernel.h"
 #include "pipeline/gpu/recorder.h"
 #include "pipeline/gpu/transfer.h"
+#include "pipeline/trace/denoiser.h"
 #include "pipeline/trace/device_scene.h"
 #include "pipeline/trace/film.h"
 #include "shaders/trace.h"
@@ -32,6 +33,15 @@ constexpr int kMaxVerticesPerDispatch = 64;
 constexpr int kMaxRoundsCpu = 16000;
 constexpr int kMaxRoundsGpu = 1 << 24;  // no limit is known: only so that nothing runs for ever
 
+// A gaze that jumps asks for detail where the picture before had little.
+constexpr double kFarthestGaze = 0.1;
+
+const glm::dvec3 kLuminance(0.2126, 0.7152, 0.0722);  // Rec. 709
+
+// A view that turned by more shows other sides of things: nothing is gained from the one before.
+constexpr double kMostTurnDeg = 20.0;
+constexpr double kMostTurnWithLightsDeg = 1.0;
+
 // A step through `blocks` that visits each once and spreads any few of them evenly: near the golden section,
 // coprime, and small enough that the shader's product does not overflow.
 std::uint32_t spreadingStride(std::uint32_t blocks) {
@@ -40,6 +50,27 @@ std::uint32_t spreadingStride(std::uint32_t blocks) {
     stride = std::max(stride, 1u);
     while (std::gcd(stride, blocks) != 1) ++stride;
     return stride;
+}
+
+// With the gaze within `farthest`, in half widths and half heights of the picture.
+bool sameFovea(const std::optional<Foveation>& a, const std::optional<Foveation>& b, double farthest) {
+    if (!a || !b) return !a && !b;
+    return a->fieldDeg == b->fieldDeg && a->magnification == b->magnification &&
+           glm::distance(a->gaze, b->gaze) <= farthest;
+}
+
+bool sameView(const View& a, const View& b) {
+    return a.width == b.width && a.height == b.height && a.camera.positionMm == b.camera.positionMm &&
+           a.camera.targetMm == b.camera.targetMm && a.camera.up == b.camera.up &&
+           a.camera.verticalFovDeg == b.camera.verticalFovDeg && sameFovea(a.foveation, b.foveation, 0.0);
+}
+
+// Of luminance and of coverage, which is 0 or 1 in each sample and so its own square.
+glm::vec2 varianceOfMean(const glm::vec4& sums, float squares, std::uint32_t count) {
+    if (count < 2) return glm::vec2(std::numeric_limits<float>::infinity());
+    const glm::dvec2 mean = glm::dvec2(glm::dot(glm::dvec3(sums), kLuminance), sums.w) / double(count);
+    const glm::dvec2 meanSquare = glm::dvec2(squares, sums.w) / double(count);
+    return glm::max(meanSquare - mean * mean, glm::dvec2(0.0)) / double(count - 1);
 }
 
 // Something was never set, or could not be: why is told by the error of that call.
@@ -60,9 +91,9 @@ struct PathTracer::Impl {
 
     // How.
     std::map<std::pair<Filter, bool>, gpu::Kernel> pathKernels;  // by filter, and whether there is a clip
-    std::map<bool, gpu::Kernel> depthKernels;                    // by whether there is a clip
     std::optional<gpu::Kernel> displayKernel;
     bool paramsStale = true;  // something above has changed: accumulation starts again
+    bool restarting = false;  // nothing has: only the portions were too large
     std::map<std::pair<Filter, int>, double> blockSamplesPerMs;  // by filter and bounces
     bool warm = false;  // the first dispatch of a kernel compiles it, and says nothing about speed
 
@@ -72,12 +103,26 @@ struct PathTracer::Impl {
     std::uint32_t passSamples = 0;  // that the pass in progress adds
     std::uint32_t passBlock = 0;    // where it goes on
     double deviceMs = 0.0;
+
+    // What it shows, and what the view before showed.
+    std::optional<Guides> guides, guidesBefore;
+    std::optional<Denoiser> denoiser;
+    bool guidesStale = true;
+    std::optional<View> filmView;  // what the film has samples of
+    std::uint32_t filmSeed = 0;
+    View viewBefore;                               // what it had samples of before
+    bool matterChanged = true;                     // or its light: no earlier view shows the same
+    std::optional<std::uint32_t> denoisedSamples;  // of the film, when the denoiser ran
+
     std::uint32_t mostSamples = UINT32_MAX;  // of one dispatch; lowered when paths turn out too long
 
     Result<void> prepare();
+    Result<void> prepareGuides();
+    void turnPage();
+    bool continues(const View& from, const View& to) const;
+    Result<void> denoise();
     Result<bool> tooLong();
     Result<const gpu::Kernel*> pathKernel();
-    Result<const gpu::Kernel*> depthKernel();
     std::uint32_t blocks() const;  // of the picture
     double& rate() {
         return blockSamplesPerMs.try_emplace({settings.filter, settings.bounces}, kFirstRate).first->second;
@@ -99,29 +144,42 @@ Result<PathTracer> PathTracer::create(std::shared_ptr<gpu::Device> device, const
 
 Result<void> PathTracer::setVolume(std::shared_ptr<const Volume> volume) {
     impl_->mostSamples = UINT32_MAX;
+    impl_->matterChanged = true;
     impl_->paramsStale = true;
     return impl_->scene.setVolume(std::move(volume));
 }
 
 Result<void> PathTracer::setTransferFunction(const TransferFunction& function) {
     impl_->mostSamples = UINT32_MAX;
+    impl_->matterChanged = true;
     impl_->paramsStale = true;
     return impl_->scene.setTransferFunction(function);
 }
 
 Result<void> PathTracer::setEnvironment(const Environment& environment) {
+    impl_->matterChanged = true;
     impl_->paramsStale = true;
     return impl_->scene.setEnvironment(environment);
 }
 
 Result<void> PathTracer::setClip(const Clip& clip) {
     MACULA_TRY_VOID(impl_->scene.setClip(clip));
+    impl_->matterChanged = true;
     impl_->paramsStale = true;
     return {};
 }
 
 Result<void> PathTracer::setSettings(const Settings& settings) {
+    Settings same = settings;
+    same.denoising = impl_->settings.denoising;
+    const bool changed =
+        settings.bounces != impl_->settings.bounces || settings.filter != impl_->settings.filter;
+    const bool onlyDenoising = same.denoising != settings.denoising && !changed &&
+                               settings.seed == impl_->settings.seed &&
+                               settings.exposure == impl_->settings.exposure;
     impl_->settings = settings;
+    if (onlyDenoising) return {};
+    impl_->matterChanged = impl_->matterChanged || changed;
     impl_->paramsStale = true;
     return {};
 }
@@ -146,18 +204,13 @@ Result<const gpu::Kernel*> PathTracer::Impl::pathKernel() {
                 .first->second;
 }
 
-Result<const gpu::Kernel*> PathTracer::Impl::depthKernel() {
-    const auto found = depthKernels.find(scene.isClipped());
-    if (found != depthKernels.end()) return &found->second;
-    MACULA_TRY(gpu::Kernel kernel, gpu::Kernel::create(device, shaders::trace_depth_comp,
-                                                       {.specializations = {{"kClip", scene.isClipped()}}}));
-    return &depthKernels.emplace(scene.isClipped(), std::move(kernel)).first->second;
-}
-
 // Brings the device up to what was set, and starts a new accumulation when anything changed.
 Result<void> PathTracer::Impl::prepare() {
     if (!scene.isComplete()) return nothingToTrace();
     if (!paramsStale) return {};
+    if (!restarting) turnPage();
+    restarting = false;
+    denoisedSamples.reset();
     MACULA_TRY_VOID(scene.look(view, settings));
     if (!film || film->width() != view.width || film->height() != view.height) {
         film.reset();  // first, so that only one is ever on the device
@@ -177,7 +230,74 @@ Result<void> PathTracer::Impl::prepare() {
     passSamples = 0;
     passBlock = 0;
     deviceMs = 0.0;
+    guidesStale = true;
     paramsStale = false;
+    return {};
+}
+
+// Whether `to` can use what `from` has shown: it is as large and as wide, and the light stayed where it was.
+bool PathTracer::Impl::continues(const View& from, const View& to) const {
+    if (from.width != to.width || from.height != to.height ||
+        from.camera.verticalFovDeg != to.camera.verticalFovDeg ||
+        !sameFovea(from.foveation, to.foveation, kFarthestGaze)) {
+        return false;
+    }
+    const auto eyeFrom = basis(from.camera);
+    const auto eyeTo = basis(to.camera);
+    if (!eyeFrom || !eyeTo) return false;
+    // What turns with the camera lights matter otherwise from degree to degree.
+    const double turned =
+        std::min(glm::dot(eyeFrom->forward, eyeTo->forward), glm::dot(eyeFrom->up, eyeTo->up));
+    const bool lightsTurn = scene.lightFrame() == LightFrame::camera;
+    return turned >= std::cos(glm::radians(lightsTurn ? kMostTurnWithLightsDeg : kMostTurnDeg));
+}
+
+// What the film shows becomes what the view before showed; if nobody has seen it, there was none.
+void PathTracer::Impl::turnPage() {
+    const bool again = filmView && samplesDone > 0 && filmSeed == settings.seed && sameView(*filmView, view);
+    if (filmView && samplesDone > 0) {
+        const bool known = denoiser && denoisedSamples && !guidesStale;
+        if (known) {
+            std::swap(guides, guidesBefore);
+            denoiser->advance();
+        } else if (denoiser) {
+            denoiser->forget();
+        }
+        viewBefore = *filmView;
+    }
+    if (!filmView || matterChanged) viewBefore = view;
+    // The same random numbers once more would tell nothing new.
+    if (denoiser && (matterChanged || again || !continues(viewBefore, view))) denoiser->forget();
+    filmView = view;
+    filmSeed = settings.seed;
+    matterChanged = false;
+}
+
+Result<void> PathTracer::Impl::prepareGuides() {
+    MACULA_TRY_VOID(prepare());
+    if (!guidesStale) return {};
+    if (!guides || guides->width() != view.width || guides->height() != view.height) {
+        guides.reset();
+        MACULA_TRY(guides, Guides::create(device, view.width, view.height));
+    }
+    MACULA_TRY(const shared::GuidePush push, guidePush(view, viewBefore));
+    MACULA_TRY_VOID(guides->compute(scene, push));
+    guidesStale = false;
+    return {};
+}
+
+// Makes the denoiser's result that of the samples so far.
+Result<void> PathTracer::Impl::denoise() {
+    MACULA_TRY_VOID(prepareGuides());
+    if (denoisedSamples == samplesDone && passBlock == 0) return {};
+    if (!denoiser || denoiser->width() != view.width || denoiser->height() != view.height) {
+        denoiser.reset();
+        MACULA_TRY(denoiser, Denoiser::create(device, view.width, view.height));
+    }
+    const double pixelAngle = 2.0 * std::tan(glm::radians(view.camera.verticalFovDeg) / 2.0) / view.height;
+    MACULA_TRY_VOID(denoiser->run(*film, *guides, guidesBefore ? &*guidesBefore : nullptr,
+                                  static_cast<float>(pixelAngle)));
+    denoisedSamples = samplesDone;
     return {};
 }
 
@@ -238,6 +358,7 @@ Result<bool> PathTracer::trace(std::uint32_t samplesPerPixel, const std::functio
             if (again) {
                 t.mostSamples = t.passSamples / 2;
                 t.paramsStale = true;
+                t.restarting = true;
                 MACULA_TRY_VOID(t.prepare());
             } else {
                 t.samplesDone += t.passSamples;
@@ -252,13 +373,17 @@ Result<bool> PathTracer::trace(std::uint32_t samplesPerPixel, const std::functio
 Result<const gpu::Image*> PathTracer::display(const glm::vec3& background, Smoothing smoothing) {
     Impl& t = *impl_;
     MACULA_TRY_VOID(t.prepare());
+    const bool denoised = t.settings.denoising == Denoising::on;
+    if (denoised) MACULA_TRY_VOID(t.denoise());
     MACULA_TRY(auto recorder, gpu::Recorder::create(t.device, "display"));
     const shared::DisplayPush push{.background = background,
                                    .exposure = static_cast<float>(t.settings.exposure),
-                                   .smoothing = static_cast<int>(smoothing)};
-    recorder.dispatch(*t.displayKernel,
-                      {static_cast<std::uint32_t>(t.view.width), static_cast<std::uint32_t>(t.view.height)},
-                      push, {t.film->sums(), t.film->counts(), t.film->picture()});
+                                   .smoothing = denoised ? 0 : static_cast<int>(smoothing),
+                                   .denoised = denoised ? 1 : 0};
+    recorder.dispatch(
+        *t.displayKernel,
+        {static_cast<std::uint32_t>(t.view.width), static_cast<std::uint32_t>(t.view.height)}, push,
+        {denoised ? t.denoiser->result() : t.film->sums(), t.film->counts(), t.film->picture()});
     MACULA_TRY([[maybe_unused]] const gpu::Ticket ticket, recorder.submit());
     return &t.film->picture();
 }
@@ -268,28 +393,38 @@ Result<std::vector<std::uint8_t>> PathTracer::readDisplay(const glm::vec3& backg
     return gpu::read<std::uint8_t>(*picture);
 }
 
+Result<const Guides*> PathTracer::guides() {
+    MACULA_TRY_VOID(impl_->prepareGuides());
+    return &*impl_->guides;
+}
+
+Result<std::vector<GuidePixel>> PathTracer::readGuides() {
+    MACULA_TRY(const Guides* computed, guides());
+    return computed->read();
+}
+
 Result<TracedImage> PathTracer::readback() {
     Impl& t = *impl_;
-    MACULA_TRY_VOID(t.prepare());
-    const std::size_t pixels = std::size_t(t.view.width) * std::size_t(t.view.height);
-    MACULA_TRY(const gpu::Buffer distances,
-               gpu::Buffer::create(t.device, {.label = "distances", .bytes = pixels * sizeof(float)}));
-    MACULA_TRY(const gpu::Kernel* depthKernel, t.depthKernel());
-    MACULA_TRY(auto recorder, gpu::Recorder::create(t.device, "depth"));
-    std::vector<gpu::Binding> bindings = t.scene.bindings();
-    bindings.emplace_back(distances);
-    recorder.dispatch(*depthKernel,
-                      {static_cast<std::uint32_t>(t.view.width), static_cast<std::uint32_t>(t.view.height)},
-                      bindings);
-    MACULA_TRY([[maybe_unused]] const gpu::Ticket ticket, recorder.submit());
-
-    TracedImage image{.width = t.view.width, .height = t.view.height, .radiance = {}, .depthMm = {}};
+    MACULA_TRY(const std::vector<GuidePixel> pixels, readGuides());
+    TracedImage image{.width = t.view.width,
+                      .height = t.view.height,
+                      .radiance = {},
+                      .depthMm = {},
+                      .variance = {},
+                      .denoised = t.settings.denoising == Denoising::on};
+    if (image.denoised) MACULA_TRY_VOID(t.denoise());
     MACULA_TRY(image.radiance, gpu::read<glm::vec4>(t.film->sums()));
-    MACULA_TRY(image.depthMm, gpu::read<float>(distances));
     MACULA_TRY(const auto counts, gpu::read<std::uint32_t>(t.film->counts()));
-    for (std::size_t i = 0; i < pixels; ++i) {
+    MACULA_TRY(const auto squares, gpu::read<glm::vec2>(t.film->squares()));
+    image.depthMm.resize(pixels.size(), std::numeric_limits<float>::infinity());
+    image.variance.resize(pixels.size(), glm::vec2(std::numeric_limits<float>::infinity()));
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+        image.variance[i] = varianceOfMean(image.radiance[i], squares[i].x, counts[i]);
         image.radiance[i] /= static_cast<float>(std::max(counts[i], 1u));
-        if (image.depthMm[i] < 0.0f) image.depthMm[i] = std::numeric_limits<float>::infinity();
+        if (pixels[i].depthMm >= 0.0f) image.depthMm[i] = pixels[i].depthMm;
+    }
+    if (image.denoised) {
+        MACULA_TRY(image.radiance, gpu::read<glm::vec4>(t.denoiser->result()));
     }
     return image;
 }
@@ -299,6 +434,7 @@ Result<Statistics> PathTracer::statistics() const {
     Statistics statistics;
     statistics.voxels = t.scene.voxelMemory();
     statistics.messages = t.scene.messages();
+    statistics.denoised = t.settings.denoising == Denoising::on;
     if (t.paramsStale) return statistics;
     statistics.samplesPerPixel = t.samplesDone;
     statistics.deviceMs = t.deviceMs;

@@ -16,6 +16,7 @@
 #include "pipeline/gpu/device.h"
 #include "pipeline/gpu/resources.h"
 #include "pipeline/trace/environment.h"
+#include "pipeline/trace/guides.h"
 #include "pipeline/trace/settings.h"
 #include "pipeline/trace/voxel_memory.h"
 #include "pipeline/volume/clip.h"
@@ -27,6 +28,7 @@ struct Statistics {
     std::uint64_t samplesPerPixel = 0;
     std::uint64_t nonFiniteSamples = 0;  // dropped from the picture, never hidden
     std::uint64_t abandonedSamples = 0;  // likewise: paths too long for the device
+    bool denoised = false;               // whether display() and readback() give a filtered picture
     double deviceMs = 0.0;               // spent tracing since the last change
     VoxelMemory voxels;
     std::vector<Message> messages;  // what a person has to know about what is shown
@@ -39,10 +41,14 @@ struct TracedImage {
     int height = 0;
     std::vector<glm::vec4> radiance;
     std::vector<float> depthMm;
+    // Of the mean over the samples of this view, as it was before any denoising: of its luminance (Rec. 709)
+    // and of its coverage; +infinity for fewer than two samples.
+    std::vector<glm::vec2> variance;
+    bool denoised = false;  // then `radiance` is filtered, and may use what earlier views knew
 };
 
-// For previews of few samples: a binomial filter over the means of neighbouring pixels, before the tone map.
-// It trades sharpness for noise and is never part of readback().
+// For previews of few samples that are not denoised: a binomial filter over the means of neighbouring pixels,
+// before the tone map. It trades sharpness for noise and is never part of readback().
 enum class Smoothing { none = 0, slight = 1, strong = 2 };  // radius in pixels
 
 // Used by one thread at a time, the one that uses the device. Setters upload; trace() accumulates.
@@ -73,6 +79,11 @@ class PathTracer {
     // The tone-mapped picture so far, display-encoded RGBA8, premultiplied over `background` (linear). Stays
     // on the device, in layout GENERAL, size of the view, valid until the next setView.
     Result<const gpu::Image*> display(const glm::vec3& background, Smoothing smoothing = Smoothing::none);
+
+    // Of the view that was set last, on the device: valid until the next call. Motion is towards the last
+    // view before it that was traced.
+    Result<const Guides*> guides();
+    Result<std::vector<GuidePixel>> readGuides();  // row 0 on top; waits
 
     Result<TracedImage> readback();                                              // waits
     Result<std::vector<std::uint8_t>> readDisplay(const glm::vec3& background);  // RGBA8, opaque; waits

@@ -87,6 +87,11 @@ struct MACULA_HOST : GlslInCpp<MACULA_REAL> {
 #undef BRICK_SHIFT
 #undef ROULETTE_BELOW
 #undef STRIDE
+#undef DEPTH_3_4
+#undef DEPTH_1_2
+#undef DEPTH_1_4
+#undef DEPTH_OPAQUE
+#undef FINE
 
   private:
     const std::uint16_t* entries_;

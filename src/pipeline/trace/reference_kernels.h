@@ -1,8 +1,6 @@
 // The reference tracer's loops over pixels, over one precision's host. Internal to reference_tracer*.cpp.
 #pragma once
 
-#include <limits>
-
 #include "base/parallel.h"
 #include "pipeline/trace/glsl_in_cpp.h"
 #include "pipeline/trace/reference_tracer.h"
@@ -52,21 +50,29 @@ ReferenceTracer::Moments transmittanceOn(Host host, const glm::dvec3& originVoxe
 }
 
 template <class Host>
-std::vector<double> halfDistanceOn(Host prototype) {
+std::vector<GuideOf<double>> guidesOn(Host prototype, const shared::GuidePush& before) {
     using Real = typename Host::Real;
     const int width = prototype.params.imageSize.x;
-    std::vector<double> distances(std::size_t(width) * std::size_t(prototype.params.imageSize.y));
+    std::vector<GuideOf<double>> pixels(std::size_t(width) * std::size_t(prototype.params.imageSize.y));
     parallelFor(std::size_t(prototype.params.imageSize.y), [&, host = prototype](std::size_t row) mutable {
+        const typename Host::Eye eye{
+            before.oursMm,
+            before.right,
+            before.up,
+            before.forward,
+            {before.planeHalfSize, before.gaze, Real(before.foveaRadius), Real(before.foveaMagnification)}};
         for (int x = 0; x < width; ++x) {
-            const auto direction =
-                host.eyeDirection(typename Host::vec2(Real(x) + Real(0.5), Real(row) + Real(0.5)));
-            auto walk = host.startEyeWalk(host.params.originVoxel, host.voxelsPerMm(direction));
-            const double found = double(host.halfTransmittanceDistance(walk, host.params.marchStepMm));
-            distances[row * std::size_t(width) + std::size_t(x)] =
-                found >= 0.0 ? found : std::numeric_limits<double>::infinity();
+            const auto guide = host.guideOf({Real(x) + Real(0.5), Real(row) + Real(0.5)}, eye);
+            pixels[row * std::size_t(width) + std::size_t(x)] = {.depthMm = double(guide.depthMm),
+                                                                 .confidence = double(guide.confidence),
+                                                                 .coverage = double(guide.coverage),
+                                                                 .beforeMm = double(guide.beforeMm),
+                                                                 .albedo = guide.albedo,
+                                                                 .normal = guide.normal,
+                                                                 .motion = guide.motion};
         }
     });
-    return distances;
+    return pixels;
 }
 
 template <class Host>

@@ -58,10 +58,11 @@ ReferenceTracer::Moments ReferenceTracer::transmittance(const shared::TraceParam
     });
 }
 
-std::vector<double> ReferenceTracer::halfTransmittanceDistance(const shared::TraceParams& params,
-                                                               Precision precision) const {
+std::vector<GuideOf<double>> ReferenceTracer::guides(const shared::TraceParams& params,
+                                                     const shared::GuidePush& before,
+                                                     Precision precision) const {
     return reference::withHost(*tables_, params, Filter::trilinear, precision,
-                               [](auto host) { return reference::halfDistanceOn(host); });
+                               [&](auto host) { return reference::guidesOn(host, before); });
 }
 
 std::vector<ReferenceTracer::Segment> ReferenceTracer::segments(const shared::TraceParams& params,

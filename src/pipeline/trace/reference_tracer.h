@@ -7,6 +7,7 @@
 #include <memory>
 #include <vector>
 
+#include "pipeline/trace/guide_pixel.h"
 #include "pipeline/trace/path_tracer.h"
 #include "pipeline/trace/scene.h"
 
@@ -34,10 +35,9 @@ class ReferenceTracer {
                           const glm::dvec3& originVoxel, const glm::dvec3& worldDirection,
                           std::uint32_t samples) const;
 
-    // Distance in mm to transmittance one half along the centre ray of each pixel; +infinity where there is
-    // none.
-    std::vector<double> halfTransmittanceDistance(const shared::TraceParams& params,
-                                                  Precision precision) const;
+    // Of the centre ray of each pixel, row 0 on top.
+    std::vector<GuideOf<double>> guides(const shared::TraceParams& params, const shared::GuidePush& before,
+                                        Precision precision) const;
 
     struct Segment {
         double beginMm = 0.0;

@@ -16,6 +16,9 @@ enum class Filter {
     stochastic,  // one voxel drawn with the trilinear weights: faster; blends optics instead of values
 };
 
+// Whether what is shown and read is filtered, see denoiser.h. It never changes what is traced.
+enum class Denoising { off, on };
+
 inline constexpr int kMaxBounces = 1024;
 inline constexpr int kMaxPictureSide = 16384;
 
@@ -24,6 +27,7 @@ struct Settings {
     std::uint32_t seed = 0;
     Filter filter = Filter::trilinear;
     double exposure = 1.0;
+    Denoising denoising = Denoising::off;
 };
 
 // A picture that is stored larger where the eye looks: see shaders/lib/fovea.glsl.

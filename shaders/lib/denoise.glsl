@@ -1,0 +1,32 @@
+// Denoising of a traced picture: a temporal mean along the motion, then an edge-avoiding a-trous filter (Dammertz et al.
+// 2010) whose reach is set by variance (Schied et al. 2017, "Spatiotemporal variance-guided filtering"), with two
+// differences. What is exchanged between two pixels is a flow, as much given as taken: so the filter keeps the sum of
+// light and of coverage exactly, whatever its weights are. And what is compared and exchanged is the light per coverage
+// and albedo of the deterministic guides, so that their detail stays. Flow from q to p with weight w, per channel:
+//
+//     w(p, q) min(D(p), D(q)) (L(q) / D(q) - L(p) / D(p)),   D = coverage * albedo, w symmetric, sum of w at most 1.
+//
+// Alpha likewise, with D = coverage, and weights and variance of its own. Nothing flows to or from a pixel that the guides
+// say is empty. The weights shrink with the variance, so the picture goes over into the plain mean.
+//
+// Three kernels: denoise_gather.glsl, denoise_prepare.glsl, and denoise_filter.glsl once for each pass.
+//
+// Needs from its host: denoise (DenoisePush).
+
+// Light above this is taken as this, so that its square over the smallest mass squared is a number.
+#define MOST_LIGHT 1e12
+// A pixel with less coverage or albedo takes no part.
+#define LEAST_MASS 1e-3
+
+int indexOf(ivec2 pixel) {
+    return pixel.y * denoise.imageSize.x + pixel.x;
+}
+
+bool isInside(ivec2 pixel) {
+    return pixel.x >= 0 && pixel.y >= 0 && pixel.x < denoise.imageSize.x && pixel.y < denoise.imageSize.y;
+}
+
+// Mass: coverage * albedo, and coverage.
+float massOfLight(vec4 mass) {
+    return luminance(vec3(mass.x, mass.y, mass.z));
+}

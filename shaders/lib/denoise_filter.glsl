@@ -1,0 +1,84 @@
+// Third step of denoising, several times with growing stride: exchange between pixels that show the same.
+//
+// Needs from its host, by index of a pixel: fetchColour and fetchNoise (the mean and preparePixel, then the pass before),
+// fetchMass, fetchSurface.
+
+// What a unit of difference costs, in the exponent of a weight.
+#define DEPTH_STOP 0.15    // of the depth that slope and spread explain, squared
+#define NORMAL_STOP 2.0    // of 1 - cosine
+#define COVERAGE_STOP 8.0  // of coverage, squared
+#define LIGHT_STOP 0.1    // of the variance of a difference: 1 at two standard deviations
+
+struct Filtered {
+    vec4 colour;
+    vec2 variance;
+};
+
+// How much of alpha's noise there can be: all at a coverage of 1/2, none where the guides know that a sample always, or
+// never, meets matter.
+float chanceOf(float coverage) {
+    return clamp(float(4.0) * coverage * (float(1.0) - coverage), float(0.0), float(1.0));
+}
+
+// One pass: eight taps denoise.stride apart, with the weights of a binomial filter; what no tap takes stays.
+Filtered filterPixel(ivec2 pixel) {
+    int index = indexOf(pixel);
+    vec4 colour = fetchColour(index);
+    vec4 mass = fetchMass(index);
+    vec4 noise = fetchNoise(index);
+    vec4 surface = fetchSurface(index);
+    vec3 normal = vec3(surface.x, surface.y, surface.z);
+    vec4 inverse = vec4(float(1.0)) / max(mass, vec4(LEAST_MASS));
+    vec4 ratio = colour * inverse;
+    float light = luminance(vec3(colour.x, colour.y, colour.z)) / max(massOfLight(mass), float(LEAST_MASS));
+
+    vec4 flow = vec4(0.0);
+    vec2 given = vec2(0.0);
+    vec2 variance = vec2(0.0);
+    for (int y = -1; y <= 1; ++y) {
+        for (int x = -1; x <= 1; ++x) {
+            ivec2 at = pixel + ivec2(x, y) * denoise.stride;
+            bool inside = isInside(at) && !(x == 0 && y == 0);
+            int q = indexOf(clamp(at, ivec2(0), denoise.imageSize - ivec2(1)));
+            vec4 colourQ = fetchColour(q);
+            vec4 massQ = fetchMass(q);
+            vec4 noiseQ = fetchNoise(q);
+            vec4 surfaceQ = fetchSurface(q);
+
+            float apart = sqrt(float(x * x + y * y)) * float(denoise.stride);
+            float toleranceMm = float(0.5) * ((noise.z + noiseQ.z) * apart + noise.w + noiseQ.w);
+            bool depths = surface.w >= float(0.0) && surfaceQ.w >= float(0.0);
+            float deviation = (surface.w - surfaceQ.w) / max(toleranceMm, float(1e-6));
+            float stop = depths ? float(DEPTH_STOP) * deviation * deviation : float(0.0);
+            vec3 across = normal - vec3(surfaceQ.x, surfaceQ.y, surfaceQ.z);
+            stop += depths ? float(0.5 * NORMAL_STOP) * dot(across, across) : float(0.0);
+            float thicker = mass.w - massQ.w;
+            stop += float(COVERAGE_STOP) * thicker * thicker;
+
+            vec4 inverseQ = vec4(float(1.0)) / max(massQ, vec4(LEAST_MASS));
+            vec4 difference = colourQ * inverseQ - ratio;
+            difference.w = (colourQ.w - massQ.w) - (colour.w - mass.w);
+            float brighter =
+                luminance(vec3(colourQ.x, colourQ.y, colourQ.z)) / max(massOfLight(massQ), float(LEAST_MASS)) - light;
+            float stopLight = float(LIGHT_STOP) * (brighter * brighter / max(noise.x + noiseQ.x, float(1e-30)));
+            float stopAlpha = float(LIGHT_STOP) * (difference.w * difference.w / max(noise.y + noiseQ.y, float(1e-30)));
+
+            float kernel = x == 0 || y == 0 ? float(1.0 / 6.0) : float(1.0 / 12.0);
+            kernel = inside ? kernel : float(0.0);
+            vec2 weight = vec2(exp(-min(stop + stopLight, float(80.0))), exp(-min(stop + stopAlpha, float(80.0)))) * kernel;
+            vec4 both = min(mass, massQ);
+            both = vec4(both.x < float(LEAST_MASS) ? float(0.0) : both.x, both.y < float(LEAST_MASS) ? float(0.0) : both.y,
+                        both.z < float(LEAST_MASS) ? float(0.0) : both.z, min(chanceOf(mass.w), chanceOf(massQ.w)));
+            flow += difference * both * vec4(weight.x, weight.x, weight.x, weight.y);
+            vec2 share = vec2(weight.x * massOfLight(both) / max(massOfLight(mass), float(LEAST_MASS)), weight.y * both.w);
+            given += share;
+            variance += share * share * vec2(noiseQ.x, noiseQ.y);
+        }
+    }
+    Filtered filtered;
+    filtered.colour = colour + flow;
+    vec2 left = vec2(float(1.0)) - given;
+    filtered.variance = left * left * vec2(noise.x, noise.y) + variance;
+    if (denoise.last == 1) filtered.colour = clamp(filtered.colour, vec4(0.0), vec4(vec3(MOST_LIGHT), float(1.0)));
+    return filtered;
+}

@@ -1,0 +1,104 @@
+// Second step of denoising: what light and alpha are measured by, and how noisy they are.
+//
+// Needs from its host, by index of a pixel: fetchMean and fetchMoments (of gatherPixel), fetchSurface, fetchMatter,
+// fetchMotion.
+
+// From so many samples on, a pixel's own variance counts more than that of its neighbours.
+#define SAMPLES_TRUSTED 16.0
+
+struct Prepared {
+    vec4 mass;   // coverage * albedo, coverage: what light and alpha are measured by
+    vec4 noise;  // variance of luminance per mass and of alpha per coverage; slope of depth in mm per pixel; its spread
+};
+
+// Coverage over the area of a pixel, from that of the centres around: linear between them.
+vec4 massAround(ivec2 pixel) {
+    vec4 sum = vec4(0.0);
+    for (int y = -1; y <= 1; ++y) {
+        for (int x = -1; x <= 1; ++x) {
+            ivec2 at = clamp(pixel + ivec2(x, y), ivec2(0), denoise.imageSize - ivec2(1));
+            vec4 matter = fetchMatter(indexOf(at));
+            float weight = (x == 0 ? float(0.75) : float(0.125)) * (y == 0 ? float(0.75) : float(0.125));
+            sum += vec4(matter.x * matter.w, matter.y * matter.w, matter.z * matter.w, matter.w) * weight;
+        }
+    }
+    return sum;
+}
+
+// The smaller of the steps of depth to both sides: at an edge, that along the surface.
+float slopeAlong(ivec2 pixel, float depth, ivec2 side) {
+    ivec2 last = denoise.imageSize - ivec2(1);
+    float before = fetchSurface(indexOf(clamp(pixel - side, ivec2(0), last))).w;
+    float after = fetchSurface(indexOf(clamp(pixel + side, ivec2(0), last))).w;
+    float none = float(1e30);
+    bool hasBefore = before >= float(0.0) && isInside(pixel - side);
+    bool hasAfter = after >= float(0.0) && isInside(pixel + side);
+    float slope = min(hasBefore ? abs(depth - before) : none, hasAfter ? abs(after - depth) : none);
+    return slope < none ? slope : float(0.0);
+}
+
+// Variance of the mean by the samples themselves, of this pixel and of those around; where no pixel has two samples, by
+// how much the pixels differ from each other.
+Prepared preparePixel(ivec2 pixel) {
+    int index = indexOf(pixel);
+    vec2 moments = fetchMoments(index);
+    vec4 surface = fetchSurface(index);
+    float confidence = fetchMotion(index).z;
+    Prepared prepared;
+    prepared.mass = massAround(pixel);
+
+    float light = float(0.0);
+    float mass = float(0.0);
+    float masses = float(0.0);
+    float lights = float(0.0);
+    float cross = float(0.0);
+    float variances = float(0.0);
+    float variance = float(0.0);
+    for (int y = -2; y <= 2; ++y) {
+        for (int x = -2; x <= 2; ++x) {
+            ivec2 at = clamp(pixel + ivec2(x, y), ivec2(0), denoise.imageSize - ivec2(1));
+            int q = indexOf(at);
+            vec4 meanQ = fetchMean(q);
+            vec2 momentsQ = fetchMoments(q);
+            vec4 matterQ = fetchMatter(q);
+            float l = luminance(vec3(meanQ.x, meanQ.y, meanQ.z));
+            float d = luminance(vec3(matterQ.x, matterQ.y, matterQ.z)) * matterQ.w;
+            // Of samples; clamped, since a mean of squares and a square of means are rounded each on its own.
+            float own = max(momentsQ.x - l * l, float(0.0)) / max(momentsQ.y - float(1.0), float(1.0));
+            light += l;
+            mass += d;
+            masses += d * d;
+            lights += l * l;
+            cross += l * d;
+            variances += own;
+            variance = x == 0 && y == 0 ? own : variance;
+        }
+    }
+    float perMass = float(1.0) / max(masses, float(25.0 * LEAST_MASS * LEAST_MASS));
+    float level = light / max(mass, float(25.0 * LEAST_MASS));
+    float between = max(lights - float(2.0) * level * cross + level * level * masses, float(0.0)) * perMass;
+    float pooled = moments.y > float(1.5) ? variances * perMass : between;
+    float d = max(massOfLight(prepared.mass), float(LEAST_MASS));
+    float known = max(moments.y - float(1.0), float(0.0));
+    float light2 = (float(SAMPLES_TRUSTED) * pooled + known * variance / (d * d)) / (float(SAMPLES_TRUSTED) + known);
+
+    // Whether a sample meets matter is a coin whose odds the guides know.
+    float coverage = prepared.mass.w;
+    float alpha2 = max(coverage * (float(1.0) - coverage), float(0.002)) / max(moments.y, float(1.0));
+
+    // The more is known of a picture, the less is left to neighbours: bias has to fall faster than noise.
+    float caution = float(1.0) / (float(1.0) + moments.y * float(1.0 / 32.0));
+    light2 *= caution;
+    alpha2 *= caution;
+
+    float slope = float(0.0);
+    float spread = float(0.0);
+    if (surface.w >= float(0.0)) {
+        float footprintMm = denoise.pixelAngle * surface.w;
+        slope = max(slopeAlong(pixel, surface.w, ivec2(1, 0)), slopeAlong(pixel, surface.w, ivec2(0, 1)));
+        slope = max(slope, float(0.5) * footprintMm);
+        spread = float(4.0) * footprintMm * (float(1.0) / max(confidence, float(0.02)) - float(1.0));
+    }
+    prepared.noise = vec4(light2, alpha2, slope, spread);
+    return prepared;
+}

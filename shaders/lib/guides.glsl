@@ -1,0 +1,175 @@
+// What a pixel shows, found without chance: a march along its centre ray through the one walk. Depth, coverage, colour
+// of the first visible matter, surface normal, and where all that was in the view before. A random path would give noise
+// of centimetres in translucent matter.
+//
+// Needs what path.glsl needs.
+
+// Optical depths at which transmittance is 3/4, 1/2 and 1/4, and where a march ends: what is behind 255/256 of opacity
+// is not seen.
+#define DEPTH_3_4 0.28768207245178085
+#define DEPTH_1_2 0.69314718055994531
+#define DEPTH_1_4 1.3862943611198906
+#define DEPTH_OPAQUE 5.5451774444795625
+
+struct Guide {
+    float depthMm;     // along the ray to transmittance 1/2; negative when it does not fall so far
+    float confidence;  // of the depth, 0 to 1: see guideOf
+    float coverage;    // 1 - transmittance of all there is; what is above 255/256 is not told apart
+    vec3 albedo;       // mean over the matter down to transmittance 1/2, by what each part adds to the opacity; 0 if none
+    vec3 normal;       // world, unit, towards the eye: of the surface of equal value at the depth; 0 where there is none
+    vec2 motion;       // pixels: where this was in the view before, minus where it is now; 0 when it was not in front
+    float beforeMm;    // its distance from the eye before; negative when there is nothing, or it was not in front
+};
+
+// Another eye: where ours is relative to it in world mm, and the axes of its picture as in TraceParams.
+struct Eye {
+    vec3 oursMm;
+    vec3 right;
+    vec3 up;
+    vec3 forward;
+    Fovea fovea;
+};
+
+// The inverse of eyeDirection for any eye: where the direction `v` (world, any length) meets its picture, in pixels.
+// False when it is behind the eye; then `pixel` is 0.
+bool pixelOfDirection(vec3 v, Eye eye, OUT(vec2) pixel) {
+    pixel = vec2(0.0);
+    float along = dot(v, eye.forward);
+    if (!(along * along > float(1e-8) * dot(v, v)) || along < float(0.0)) return false;
+    float x = dot(v, eye.right) / (along * dot(eye.right, eye.right));
+    float y = dot(v, eye.up) / (along * dot(eye.up, eye.up));
+    if (eye.fovea.magnification > float(1.0)) {
+        vec2 stored = storedFromSeen(eye.fovea, vec2(x, y) * eye.fovea.halfSize) / eye.fovea.halfSize;
+        x = stored.x;
+        y = stored.y;
+    }
+    pixel = vec2((float(0.5) + float(0.5) * x) * float(params.imageSize.x),
+                 (float(0.5) - float(0.5) * y) * float(params.imageSize.y));
+    return true;
+}
+
+struct March {
+    float opticalDepth;
+    float nearMm;  // where transmittance is 3/4, 1/2, 1/4; negative when it does not fall so far
+    float halfMm;
+    float farMm;
+    float endMm;   // where the last matter was
+    float seen;    // opacity gathered down to transmittance 1/2
+    float seenMm;  // and the sums of distance and albedo, weighted with it
+    vec3 albedo;
+};
+
+// Visitor: steps of a voxel, and where one of them alone takes away more than FINE of the light, quarters of it; each of
+// constant extinction.
+#define FINE 0.1
+March march(INOUT(BrickWalk) walk) {
+    March m = March(float(0.0), float(-1.0), float(-1.0), float(-1.0), float(0.0), float(0.0), float(0.0), vec3(0.0));
+    vec3 perMm = max(walk.direction, -walk.direction);
+    float coarseMm = float(1.0) / (float(BRICK) * max(max(perMm.x, perMm.y), perMm.z));
+    float fineMm = float(0.25) * coarseMm;
+    float tinyMm = float(1e-3) * coarseMm;  // what is left of a brick that rounding makes
+    float stepMm = coarseMm;
+    float fineToMm = float(-1.0);
+    float entryMm = walk.distanceMm;
+    int rounds = 0;
+    bool inside = nextSegment(walk, rounds);
+    while (inside && m.opticalDepth < float(DEPTH_OPAQUE)) {
+        float fromMm = walk.distanceMm;
+        while (fromMm + tinyMm < walk.segmentEndMm && m.opticalDepth < float(DEPTH_OPAQUE)) {
+            float step = min(stepMm, walk.segmentEndMm - fromMm);
+            float middleMm = fromMm + float(0.5) * step;
+            float entry = trilinearEntry(walkPositionAt(walk, middleMm));
+            float extinction = extinctionOfEntry(entry);
+            if (useClip()) extinction = endOfCut(walk.cutFrom, walk.cutTo, middleMm) < float(0.0) ? extinction : float(0.0);
+            float added = extinction * step;
+            bool again = added > float(FINE) && step > fineMm;
+            float before = m.opticalDepth;
+            float after = again ? before : before + added;
+            float perDepth = float(1.0) / max(extinction, float(1e-20));
+            if (before < float(DEPTH_3_4) && after >= float(DEPTH_3_4)) m.nearMm = fromMm + (float(DEPTH_3_4) - before) * perDepth;
+            if (before < float(DEPTH_1_2) && after >= float(DEPTH_1_2)) m.halfMm = fromMm + (float(DEPTH_1_2) - before) * perDepth;
+            if (before < float(DEPTH_1_4) && after >= float(DEPTH_1_4)) m.farMm = fromMm + (float(DEPTH_1_4) - before) * perDepth;
+            float seen = max(exp(-before) - exp(-min(after, float(DEPTH_1_2))), float(0.0));
+            m.seen += seen;
+            m.seenMm += seen * middleMm;
+            m.albedo += fetchAlbedo(int(entry + float(0.5))) * seen;
+            m.endMm = after > before ? fromMm + step : m.endMm;
+            m.opticalDepth = after;
+            // Matter began after the middle of the step before, where there was none.
+            fineToMm = again ? fromMm + step : fineToMm;
+            fromMm = again ? max(fromMm - float(0.5) * coarseMm, entryMm) : fromMm + step;
+            stepMm = fromMm < fineToMm || added > float(0.25 * FINE) ? fineMm : coarseMm;
+        }
+        inside = nextSegment(walk, rounds);
+    }
+    return m;
+}
+
+// A grey face of the clip is behind all that was marched through: opaque, and as bright as its grey.
+void endAtFace(INOUT(March) m, float faceMm, float grey) {
+    float seen = max(exp(-m.opticalDepth) - float(0.5), float(0.0));
+    m.seen += seen;
+    m.seenMm += seen * faceMm;
+    m.albedo += vec3(grey) * seen;
+    m.nearMm = m.nearMm >= float(0.0) ? m.nearMm : faceMm;
+    m.halfMm = m.halfMm >= float(0.0) ? m.halfMm : faceMm;
+    m.farMm = m.farMm >= float(0.0) ? m.farMm : faceMm;
+    m.endMm = faceMm;
+    m.opticalDepth = max(m.opticalDepth, float(100.0));
+}
+
+// Unit normal of the surface of equal value, towards the eye; 0 where the values around are all the same.
+vec3 surfaceNormal(vec3 at, vec3 worldDirection) {
+    vec3 x = vec3(float(1.0), float(0.0), float(0.0));
+    vec3 y = vec3(float(0.0), float(1.0), float(0.0));
+    vec3 z = vec3(float(0.0), float(0.0), float(1.0));
+    vec3 gradient = vec3(trilinearEntry(at + x) - trilinearEntry(at - x), trilinearEntry(at + y) - trilinearEntry(at - y),
+                         trilinearEntry(at + z) - trilinearEntry(at - z));
+    // A twentieth of a stored value over two voxels is rounding of large values, no surface.
+    if (!(dot(gradient, gradient) > float(0.0025))) return vec3(0.0);
+    // A gradient in voxels becomes one in mm by the transpose of the map from mm to voxels.
+    vec3 world = vec3(dot(params.voxelFromWorldX, gradient), dot(params.voxelFromWorldY, gradient),
+                      dot(params.voxelFromWorldZ, gradient));
+    return normalize(dot(world, worldDirection) > float(0.0) ? -world : world);
+}
+
+// The guide of the ray through a point of the picture, in pixels.
+//
+// Confidence tells how well one depth stands for what is seen: f / (f + s), where s is the length over which
+// transmittance falls from 3/4 to 1/4 and f the width of four pixels there. It fades to 0 as coverage falls from 3/4 to
+// 1/2, below which there is no depth.
+Guide guideOf(vec2 pixel, Eye before) {
+    vec3 direction = eyeDirection(pixel);
+    vec3 directionVoxel = voxelsPerMm(direction);
+    BrickWalk walk = startEyeWalk(params.originVoxel, directionVoxel);
+    float face = float(0.0);
+    if (useClip() && params.greyFaces != 0) face = stopAtFace(walk, params.originVoxel, directionVoxel);
+    March m = march(walk);
+    if (face > float(0.0)) endAtFace(m, walk.endMm, clamp(face * params.exposure, float(0.0), float(1.0)));
+
+    Guide guide;
+    guide.depthMm = m.halfMm;
+    guide.coverage = float(1.0) - exp(-m.opticalDepth);
+    guide.albedo = m.albedo / max(m.seen, float(1e-20));
+    guide.confidence = float(0.0);
+    guide.normal = vec3(0.0);
+    if (m.halfMm >= float(0.0)) {
+        vec3 aside = eyeDirection(pixel + vec2(float(1.0), float(0.0))) - direction;
+        vec3 below = eyeDirection(pixel + vec2(float(0.0), float(1.0))) - direction;
+        float footprintMm = m.halfMm * sqrt(max(dot(aside, aside), dot(below, below)));
+        float spreadMm = (m.farMm >= float(0.0) ? m.farMm : m.endMm) - m.nearMm;
+        guide.confidence = float(4.0) * footprintMm / (float(4.0) * footprintMm + max(spreadMm, float(1e-6)));
+        guide.confidence *= clamp(float(4.0) * guide.coverage - float(2.0), float(0.0), float(1.0));
+        guide.normal = surfaceNormal(params.originVoxel + directionVoxel * m.halfMm, direction);
+    }
+    // What is too thin for a depth moves like the middle of what it adds.
+    vec3 fromBefore = before.oursMm + direction * (m.halfMm >= float(0.0) ? m.halfMm : m.seenMm / max(m.seen, float(1e-20)));
+    vec2 pixelBefore;
+    guide.motion = vec2(0.0);
+    guide.beforeMm = float(-1.0);
+    if (m.seen > float(0.0) && pixelOfDirection(fromBefore, before, pixelBefore)) {
+        guide.motion = pixelBefore - pixel;
+        guide.beforeMm = sqrt(dot(fromBefore, fromBefore));
+    }
+    return guide;
+}

@@ -1,0 +1,16 @@
+// What a dispatch of shaders/denoise is told.
+#ifndef MACULA_SHARED_DENOISE_PARAMS_H
+#define MACULA_SHARED_DENOISE_PARAMS_H
+#include "shared/shared.h"
+MACULA_SHARED_BEGIN
+
+struct DenoisePush {
+    ivec2 imageSize;       // pixels
+    int stride;            // pixels between the taps of this pass
+    int last;              // 1: the pass whose result is shown
+    float pixelAngle;      // width of a pixel at distance 1
+    float historySamples;  // what the view before may count for, at most; 0: there is none
+};
+
+MACULA_SHARED_END
+#endif

@@ -1,0 +1,128 @@
+#include "pipeline/trace/denoise_reference.h"
+
+#include "base/parallel.h"
+#include "pipeline/trace/glsl_in_cpp.h"
+
+namespace macula::trace {
+
+namespace {
+
+#define OUT(type) type&
+#define INOUT(type) type&
+#define PRECISE
+
+// A class, because the shader functions read their tables as globals.
+struct Host : GlslInCpp<double> {
+    explicit Host(const shared::DenoisePush& push)
+        : denoise{push.imageSize, push.stride, push.last, double(push.pixelAngle),
+                  double(push.historySamples)} {}
+
+    struct {
+        ivec2 imageSize;
+        int stride;
+        int last;
+        double pixelAngle;
+        double historySamples;
+    } denoise;
+    const DenoiseFilm* film = nullptr;
+    const DenoiseGuides* now = nullptr;
+    const DenoiseGuides* before = nullptr;
+    const DenoiseRecord* memory = nullptr;
+    const DenoiseRecord* record = nullptr;
+    const DenoiseState* state = nullptr;
+    const std::vector<glm::dvec4>* masses = nullptr;
+
+    static std::size_t at(int pixel) { return static_cast<std::size_t>(pixel); }
+    vec4 fetchSums(int pixel) const { return film->sums[at(pixel)]; }
+    uint fetchCount(int pixel) const { return film->counts[at(pixel)]; }
+    double fetchSquares(int pixel) const { return film->squares[at(pixel)]; }
+    vec4 fetchSurface(int pixel) const { return now->surfaces[at(pixel)]; }
+    vec4 fetchMatter(int pixel) const { return now->matters[at(pixel)]; }
+    vec4 fetchMotion(int pixel) const { return now->motions[at(pixel)]; }
+    vec4 fetchOldSurface(int pixel) const { return before->surfaces[at(pixel)]; }
+    vec4 fetchOldMatter(int pixel) const { return before->matters[at(pixel)]; }
+    vec4 fetchOldMean(int pixel) const { return memory->means[at(pixel)]; }
+    vec2 fetchOldMoments(int pixel) const { return memory->moments[at(pixel)]; }
+    vec4 fetchMean(int pixel) const { return record->means[at(pixel)]; }
+    vec2 fetchMoments(int pixel) const { return record->moments[at(pixel)]; }
+    vec4 fetchColour(int pixel) const { return state->colours[at(pixel)]; }
+    vec4 fetchNoise(int pixel) const { return state->noises[at(pixel)]; }
+    vec4 fetchMass(int pixel) const { return (*masses)[at(pixel)]; }
+
+#define float double
+#include "lib/denoise.glsl"
+#include "lib/denoise_filter.glsl"
+#include "lib/denoise_gather.glsl"
+#include "lib/denoise_prepare.glsl"
+#include "lib/picture.glsl"
+#undef float
+};
+
+#undef OUT
+#undef INOUT
+#undef PRECISE
+
+// body(host, pixel, index) for each pixel.
+template <class Body>
+void forEachPixel(const Host& prototype, const Body& body) {
+    parallelFor(static_cast<std::size_t>(prototype.denoise.imageSize.y), [&](std::size_t row) {
+        Host host = prototype;
+        for (int x = 0; x < host.denoise.imageSize.x; ++x) {
+            const glm::ivec2 pixel(x, int(row));
+            body(host, pixel, Host::at(host.indexOf(pixel)));
+        }
+    });
+}
+
+}  // namespace
+
+DenoiseRecord denoiseGather(const shared::DenoisePush& push, const DenoiseFilm& film,
+                            const DenoiseGuides& now, const DenoiseGuides& before,
+                            const DenoiseRecord& memory) {
+    Host prototype(push);
+    prototype.film = &film;
+    prototype.now = &now;
+    prototype.before = &before;
+    prototype.memory = &memory;
+    DenoiseRecord record{std::vector<glm::dvec4>(film.sums.size()),
+                         std::vector<glm::dvec2>(film.sums.size())};
+    forEachPixel(prototype, [&](Host& host, const glm::ivec2& pixel, std::size_t index) {
+        const auto gathered = host.gatherPixel(pixel);
+        record.means[index] = gathered.mean;
+        record.moments[index] = {gathered.square, gathered.samples};
+    });
+    return record;
+}
+
+DenoiseState denoisePrepare(const shared::DenoisePush& push, const DenoiseRecord& record,
+                            const DenoiseGuides& now, std::vector<glm::dvec4>& masses) {
+    Host prototype(push);
+    prototype.record = &record;
+    prototype.now = &now;
+    masses.resize(record.means.size());
+    DenoiseState state{record.means, std::vector<glm::dvec4>(record.means.size())};
+    forEachPixel(prototype, [&](Host& host, const glm::ivec2& pixel, std::size_t index) {
+        const auto prepared = host.preparePixel(pixel);
+        masses[index] = prepared.mass;
+        state.noises[index] = prepared.noise;
+    });
+    return state;
+}
+
+DenoiseState denoiseFilter(const shared::DenoisePush& push, const DenoiseState& state,
+                           const DenoiseGuides& now, const std::vector<glm::dvec4>& masses) {
+    Host prototype(push);
+    prototype.state = &state;
+    prototype.now = &now;
+    prototype.masses = &masses;
+    DenoiseState next = state;
+    forEachPixel(prototype, [&](Host& host, const glm::ivec2& pixel, std::size_t index) {
+        const auto filtered = host.filterPixel(pixel);
+        next.colours[index] = filtered.colour;
+        next.noises[index].x = filtered.variance.x;
+        next.noises[index].y = filtered.variance.y;
+    });
+    return next;
+}
+
+}  // namespace macula::trace

@@ -1,0 +1,69 @@
+// Noise out of a traced picture, without light being lost: what shaders/lib/denoise.glsl says, on the device.
+//
+// In space an a-trous filter (Dammertz et al. 2010), over time a mean along the motion (Schied et al. 2017),
+// both steered by variance and by the guides. Light and coverage each keep their sum over the picture, but
+// for what is clamped to 0 to 1 of alpha. The noisier a pixel, the farther the filter reaches; as samples
+// come in it goes over into the plain mean.
+#pragma once
+
+#include <array>
+#include <memory>
+
+#include "base/result.h"
+#include "pipeline/gpu/kernel.h"
+#include "pipeline/gpu/resources.h"
+#include "pipeline/trace/film.h"
+#include "pipeline/trace/guides.h"
+
+namespace macula::trace {
+
+// Of one size of picture. Used by one thread at a time, the one that uses the device.
+class Denoiser {
+  public:
+    // outOfMemory when the device cannot hold 136 bytes for each pixel.
+    static Result<Denoiser> create(const std::shared_ptr<gpu::Device>& device, int width, int height);
+
+    int width() const { return width_; }
+    int height() const { return height_; }
+
+    // `pixelAngle` is the width of a pixel at distance 1. `before` are the guides of the view before, which
+    // must be those of the run that advance() kept; null when there are none. All of one size.
+    Result<void> run(const Film& film, const Guides& now, const Guides* before, float pixelAngle);
+
+    // What the last run gathered is now what the view before knew. When nothing ran since, that is nothing.
+    void advance();
+    // The next picture shows other matter, other light, or is seen from elsewhere altogether.
+    void forget();
+    bool remembers() const { return remembers_; }
+
+    // vec4 for each pixel: linear premultiplied radiance and alpha, row 0 on top; of the last run.
+    const gpu::Buffer& result() const { return result_; }
+
+  private:
+    struct Record {
+        gpu::TexelBuffer means;    // vec4: premultiplied radiance and coverage
+        gpu::TexelBuffer moments;  // vec2: mean square of luminance, samples
+    };
+    struct Kernels {
+        gpu::Kernel gather;
+        gpu::Kernel prepare;
+        gpu::Kernel filter;
+    };
+    Denoiser(int width, int height, Kernels kernels, std::array<Record, 2> records, gpu::TexelBuffer masses,
+             std::array<gpu::TexelBuffer, 2> noises, std::array<gpu::TexelBuffer, 2> colours,
+             gpu::Buffer result);
+
+    int width_;
+    int height_;
+    Kernels kernels_;
+    std::array<Record, 2> records_;  // of this view and of the one before, which is which changes
+    std::size_t current_ = 0;
+    bool ran_ = false;
+    bool remembers_ = false;
+    gpu::TexelBuffer masses_;
+    std::array<gpu::TexelBuffer, 2> noises_;
+    std::array<gpu::TexelBuffer, 2> colours_;
+    gpu::Buffer result_;
+};
+
+}  // namespace macula::trace

@@ -1,0 +1,84 @@
+#include "pipeline/trace/guides.h"
+
+#include <algorithm>
+
+#include "pipeline/gpu/recorder.h"
+#include "pipeline/gpu/transfer.h"
+#include "shaders/trace.h"
+
+namespace macula::trace {
+
+namespace {
+
+// Rows of one dispatch on a CPU device, where a pixel takes about a microsecond: short enough for a cancel.
+constexpr int kPixelsPerDispatchCpu = 1 << 15;
+
+Result<gpu::TexelBuffer> makeTexels(const std::shared_ptr<gpu::Device>& device, const char* label,
+                                    std::uint64_t pixels) {
+    return gpu::TexelBuffer::create(
+        device, {.label = label,
+                 .elements = pixels,
+                 .format = VK_FORMAT_R32G32B32A32_SFLOAT,
+                 .usage = VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT | VK_BUFFER_USAGE_STORAGE_BUFFER_BIT});
+}
+
+}  // namespace
+
+Guides::Guides(int width, int height, gpu::TexelBuffer surfaces, gpu::TexelBuffer matters,
+               gpu::TexelBuffer motions)
+    : width_(width),
+      height_(height),
+      surfaces_(std::move(surfaces)),
+      matters_(std::move(matters)),
+      motions_(std::move(motions)) {}
+
+Result<Guides> Guides::create(const std::shared_ptr<gpu::Device>& device, int width, int height) {
+    const std::uint64_t pixels = std::uint64_t(width) * std::uint64_t(height);
+    MACULA_TRY(gpu::TexelBuffer surfaces, makeTexels(device, "surfaces", pixels));
+    MACULA_TRY(gpu::TexelBuffer matters, makeTexels(device, "matters", pixels));
+    MACULA_TRY(gpu::TexelBuffer motions, makeTexels(device, "motions", pixels));
+    return Guides(width, height, std::move(surfaces), std::move(matters), std::move(motions));
+}
+
+Result<void> Guides::compute(const DeviceScene& scene, const shared::GuidePush& before) {
+    const auto& device = surfaces_.buffer().device();
+    std::optional<gpu::Kernel>& kernel = scene.isClipped() ? clippedKernel_ : kernel_;
+    if (!kernel) {
+        MACULA_TRY(kernel, gpu::Kernel::create(device, shaders::trace_guides_comp,
+                                               {.specializations = {{"kClip", scene.isClipped()}}}));
+    }
+    int rows = height_;
+    if (device->isCpu()) rows = std::clamp(kPixelsPerDispatchCpu / width_ / 8 * 8, 8, height_ + 7);
+    shared::GuidePush push = before;
+    for (push.firstRow = 0; push.firstRow < height_; push.firstRow += rows) {
+        MACULA_TRY(auto recorder, gpu::Recorder::create(device, "guides"));
+        std::vector<gpu::Binding> bindings = scene.bindings();
+        for (const gpu::TexelBuffer* texels : {&surfaces_, &matters_, &motions_})
+            bindings.emplace_back(texels->buffer());
+        recorder.dispatch(*kernel,
+                          {static_cast<std::uint32_t>(width_),
+                           static_cast<std::uint32_t>(std::min(rows, height_ - push.firstRow))},
+                          push, bindings);
+        MACULA_TRY([[maybe_unused]] const gpu::Ticket ticket, recorder.submit());
+    }
+    return {};
+}
+
+Result<std::vector<GuidePixel>> Guides::read() const {
+    MACULA_TRY(const auto surfaces, gpu::read<glm::vec4>(surfaces_.buffer()));
+    MACULA_TRY(const auto matters, gpu::read<glm::vec4>(matters_.buffer()));
+    MACULA_TRY(const auto motions, gpu::read<glm::vec4>(motions_.buffer()));
+    std::vector<GuidePixel> pixels(surfaces.size());
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+        pixels[i] = {.depthMm = surfaces[i].w,
+                     .confidence = motions[i].z,
+                     .coverage = matters[i].w,
+                     .beforeMm = motions[i].w,
+                     .albedo = glm::vec3(matters[i]),
+                     .normal = glm::vec3(surfaces[i]),
+                     .motion = glm::vec2(motions[i])};
+    }
+    return pixels;
+}
+
+}  // namespace macula::trace

@@ -1,0 +1,47 @@
+// What a picture shows, beside its light: for denoising it, for warping it to another eye, for measuring in
+// it.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "base/result.h"
+#include "pipeline/gpu/kernel.h"
+#include "pipeline/gpu/resources.h"
+#include "pipeline/trace/device_scene.h"
+#include "pipeline/trace/guide_pixel.h"
+
+namespace macula::trace {
+
+// On the device; row 0 on top. Used by one thread at a time, the one that uses the device.
+class Guides {
+  public:
+    static Result<Guides> create(const std::shared_ptr<gpu::Device>& device, int width, int height);
+
+    int width() const { return width_; }
+    int height() const { return height_; }
+
+    // Of what the scene looks at. Motion is towards `before`; the picture's own view gives none.
+    Result<void> compute(const DeviceScene& scene, const shared::GuidePush& before);
+
+    // vec4 for each pixel, as buffers and as texels.
+    const gpu::TexelBuffer& surfaces() const { return surfaces_; }  // normal, depth
+    const gpu::TexelBuffer& matters() const { return matters_; }    // albedo, coverage
+    const gpu::TexelBuffer& motions() const { return motions_; }    // motion, confidence, distance before
+
+    Result<std::vector<GuidePixel>> read() const;  // waits
+
+  private:
+    Guides(int width, int height, gpu::TexelBuffer surfaces, gpu::TexelBuffer matters,
+           gpu::TexelBuffer motions);
+
+    int width_;
+    int height_;
+    std::optional<gpu::Kernel> clippedKernel_, kernel_;  // for scenes with and without a clip
+    gpu::TexelBuffer surfaces_;
+    gpu::TexelBuffer matters_;
+    gpu::TexelBuffer motions_;
+};
+
+}  // namespace macula::trace

@@ -1,0 +1,125 @@
+// Pictures with a known truth, for the denoiser's tests.
+#pragma once
+
+#include <functional>
+#include <random>
+
+#include "pipeline/trace/denoise_reference.h"
+
+namespace macula::trace {
+
+// What one pixel truly is. Samples meet matter with probability `coverage`, and then bring light around
+// `light`, exponentially distributed as that of a path is, roughly.
+struct TruePixel {
+    double coverage = 1.0;
+    glm::dvec3 albedo{0.8, 0.7, 0.6};
+    glm::dvec3 light{1.0};
+    double depthMm = 100.0;
+    glm::dvec3 normal{0, -1, 0};
+};
+
+struct TruePicture {
+    int width = 0;
+    int height = 0;
+    std::vector<TruePixel> pixels;
+
+    TruePicture(int w, int h, const std::function<TruePixel(int, int)>& pixel) : width(w), height(h) {
+        for (int y = 0; y < h; ++y)
+            for (int x = 0; x < w; ++x) pixels.push_back(pixel(x, y));
+    }
+
+    glm::dvec4 truth(std::size_t i) const {
+        const TruePixel& p = pixels[i];
+        return {p.coverage * p.albedo * p.light, p.coverage};
+    }
+    DenoiseGuides guides() const {
+        DenoiseGuides result;
+        for (const TruePixel& p : pixels) {
+            const bool depth = p.coverage >= 0.5;
+            result.surfaces.emplace_back(depth ? p.normal : glm::dvec3(0.0), depth ? p.depthMm : -1.0);
+            result.matters.emplace_back(p.coverage > 0.0 ? p.albedo : glm::dvec3(0.0), p.coverage);
+            result.motions.emplace_back(0.0, 0.0, depth ? 0.9 : 0.0, p.coverage > 0.0 ? p.depthMm : -1.0);
+        }
+        return result;
+    }
+    DenoiseFilm film(std::uint32_t samples, std::uint32_t seed) const {
+        std::mt19937 random(seed);
+        std::uniform_real_distribution<double> uniform(0.0, 1.0);
+        std::exponential_distribution<double> brightness(1.0);
+        DenoiseFilm result;
+        for (const TruePixel& p : pixels) {
+            glm::dvec4 sum(0.0);
+            double squares = 0.0;
+            for (std::uint32_t s = 0; s < samples; ++s) {
+                if (uniform(random) >= p.coverage) continue;
+                const glm::dvec3 light = p.albedo * p.light * brightness(random);
+                sum += glm::dvec4(light, 1.0);
+                const double l = glm::dot(light, glm::dvec3(0.2126, 0.7152, 0.0722));
+                squares += l * l;
+            }
+            result.sums.push_back(sum);
+            result.counts.push_back(samples);
+            result.squares.push_back(squares);
+        }
+        return result;
+    }
+    shared::DenoisePush push() const {
+        return {.imageSize = {width, height},
+                .stride = 1,
+                .last = 0,
+                .pixelAngle = 0.001f,
+                .historySamples = 0.0f};
+    }
+};
+
+// A bright and a dark half, an edge in depth, a thin veil, a slanted edge of coverage, and nothing around.
+inline TruePicture scenery(int size) {
+    return {size, size, [size](int x, int y) {
+                const double u = (x + 0.5) / size;
+                const double v = (y + 0.5) / size;
+                TruePixel p;
+                p.light = glm::dvec3(v < 0.5 ? 1.0 : 0.3) + 0.3 * u;
+                p.depthMm = u < 0.4 ? 100.0 + 5.0 * v : 130.0;
+                if (u > 0.7) p.albedo = {0.9, 0.2, 0.1};
+                if (v > 0.75) p.coverage = 0.2;
+                if (u < 0.15) p.coverage = 0.0;
+                if (u + v > 1.7) p.coverage = 0.0;
+                return p;
+            }};
+}
+
+// The whole of the denoiser, in double.
+inline std::vector<glm::dvec4> denoised(const shared::DenoisePush& push, const DenoiseRecord& record,
+                                        const DenoiseGuides& guides) {
+    std::vector<glm::dvec4> masses;
+    DenoiseState state = denoisePrepare(push, record, guides, masses);
+    shared::DenoisePush pass = push;
+    for (int i = 0; i < 9; ++i) {
+        pass.stride = 1 << (i % 5);
+        pass.last = i == 8 ? 1 : 0;
+        state = denoiseFilter(pass, state, guides, masses);
+    }
+    return state.colours;
+}
+inline std::vector<glm::dvec4> denoised(const TruePicture& picture, const DenoiseFilm& film) {
+    const DenoiseGuides guides = picture.guides();
+    return denoised(picture.push(), denoiseGather(picture.push(), film, guides, guides, {}), guides);
+}
+
+inline double meanSquaredError(const TruePicture& picture, const std::vector<glm::dvec4>& pixels) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+        const glm::dvec4 off = pixels[i] - picture.truth(i);
+        sum += glm::dot(off, off);
+    }
+    return sum / double(pixels.size());
+}
+
+inline std::vector<glm::dvec4> means(const DenoiseFilm& film) {
+    std::vector<glm::dvec4> result;
+    for (std::size_t i = 0; i < film.sums.size(); ++i)
+        result.push_back(film.sums[i] / double(std::max(film.counts[i], 1u)));
+    return result;
+}
+
+}  // namespace macula::trace
