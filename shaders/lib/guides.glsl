@@ -70,11 +70,17 @@ March march(INOUT(BrickWalk) walk) {
     float tinyMm = float(1e-3) * coarseMm;  // what is left of a brick that rounding makes
     float stepMm = coarseMm;
     float fineToMm = float(-1.0);
-    float entryMm = walk.distanceMm;
+    float runMm = float(0.0);     // where bricks with matter, one after the other, began: before is nothing to be sampled
+    float runToMm = float(-1.0);  // and have come to
     int rounds = 0;
     bool inside = nextSegment(walk, rounds);
     while (inside && m.opticalDepth < float(DEPTH_OPAQUE)) {
         float fromMm = walk.distanceMm;
+        bool anew = fromMm > runToMm + tinyMm;
+        runMm = anew ? fromMm : runMm;
+        runToMm = walk.segmentEndMm;
+        fineToMm = anew ? fromMm + float(0.5) * coarseMm : fineToMm;
+        stepMm = anew ? fineMm : stepMm;
         while (fromMm + tinyMm < walk.segmentEndMm && m.opticalDepth < float(DEPTH_OPAQUE)) {
             float step = min(stepMm, walk.segmentEndMm - fromMm);
             float middleMm = fromMm + float(0.5) * step;
@@ -97,8 +103,8 @@ March march(INOUT(BrickWalk) walk) {
             m.opticalDepth = after;
             // Matter began after the middle of the step before, where there was none.
             fineToMm = again ? fromMm + step : fineToMm;
-            fromMm = again ? max(fromMm - float(0.5) * coarseMm, entryMm) : fromMm + step;
-            stepMm = fromMm < fineToMm || added > float(0.25 * FINE) ? fineMm : coarseMm;
+            fromMm = again ? max(fromMm - float(0.5) * coarseMm, runMm) : fromMm + step;
+            stepMm = fromMm + tinyMm < fineToMm || added > float(0.25 * FINE) ? fineMm : coarseMm;
         }
         inside = nextSegment(walk, rounds);
     }
