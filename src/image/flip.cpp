@@ -178,7 +178,7 @@ Features features(const Plane& achromatic, double pixelsPerDegree) {
     std::vector<double> first;
     std::vector<double> second;
     for (int k = -radius; k <= radius; ++k) {
-        const double weight = smooth[std::size_t(k + radius)];
+        const double weight = smooth[first.size()];
         first.push_back(-double(k) * weight);
         second.push_back((double(k) * k / (sigma * sigma) - 1.0) * weight);
     }

@@ -18,8 +18,9 @@ void filterLine(const double* in, double* out, int count, std::ptrdiff_t stride,
     for (int i = 0; i < count; ++i) {
         double sum = 0.0;
         double used = 0.0;
-        for (int k = -radius; k <= radius; ++k) {
-            const double weight = weights[static_cast<std::size_t>(k + radius)];
+        int k = -radius - 1;
+        for (const double weight : weights) {
+            ++k;
             if (edge == Edge::cut && (i + k < 0 || i + k >= count)) continue;
             used += weight;
             sum += weight * in[std::clamp(i + k, 0, count - 1) * stride];

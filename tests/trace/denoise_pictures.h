@@ -4,7 +4,7 @@
 #include <functional>
 #include <random>
 
-#include "pipeline/trace/denoise_reference.h"
+#include "pipeline/trace/reference_denoiser.h"
 
 namespace macula::trace {
 

@@ -1,4 +1,4 @@
-#include "pipeline/trace/denoise_reference.h"
+#include "pipeline/trace/reference_denoiser.h"
 
 #include "base/parallel.h"
 #include "pipeline/trace/glsl_in_cpp.h"
