@@ -1,6 +1,6 @@
 #include "dicom/itk_image_file.h"
 
-#include "dicom/itk_for_clang.h"
+#include "base/itk_for_clang.h"
 
 #include <itkMetaImageIO.h>
 #include <itkNrrdImageIO.h>

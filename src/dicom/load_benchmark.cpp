@@ -1,6 +1,6 @@
 #include "dicom/load_benchmark.h"
 
-#include "dicom/itk_for_clang.h"
+#include "base/itk_for_clang.h"
 
 // DCMTK before ITK: both have macros of their own for the same platform.
 #include <dcmtk/config/osconfig.h>

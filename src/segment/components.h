@@ -1,0 +1,29 @@
+// Connected parts of a mask, and their shapes.
+#pragma once
+
+#include "base/result.h"
+#include "segment/coarse_grid.h"
+
+namespace macula::segment {
+
+struct Part {
+    std::size_t blocks = 0;
+    glm::ivec3 low{0};           // block
+    glm::ivec3 high{0};          // block, within
+    float depthMm = 0.0f;        // the largest of any block: radius of the largest ball in it
+    bool touches = false;        // for whom divides
+    std::size_t persistent = 0;  // blocks of columns along c that the part fills over most of its length
+};
+
+struct Parts {
+    std::vector<std::uint32_t> labels;  // 0: none; else 1 + its place among `parts`
+    std::vector<Part> parts;
+};
+
+// Connected over faces, edges and corners when `corners`, else over faces only. `depthMm` may be empty.
+Result<Parts> partsOf(const Grid& grid, const Mask& mask, bool corners, const std::vector<float>& depthMm);
+
+// Counts Part::persistent.
+void countPersistent(const Grid& grid, Parts& parts);
+
+}  // namespace macula::segment

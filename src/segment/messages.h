@@ -1,0 +1,35 @@
+// What is worth telling about a patient that was told from the table: the catalogue of docs/table-removal.md.
+// Keys never change meaning. Sentences and actions hold no patient data.
+#pragma once
+
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "base/message.h"
+
+namespace macula::segment {
+
+struct CatalogueEntry {
+    std::string_view key;
+    Severity severity = Severity::info;
+    std::string_view sentence;  // fmt syntax; its {names} are the arguments, each of which has to be given
+    std::string_view action;    // what to do; empty when there is nothing
+};
+
+std::span<const CatalogueEntry> catalogue();
+
+// `key` is one of the catalogue's, and `arguments` has every name its sentence mentions; others are kept for
+// programs.
+Message message(std::string_view key, std::vector<MessageArgument> arguments = {});
+
+namespace key {
+inline constexpr std::string_view kTableRemoved = "table-removed";
+inline constexpr std::string_view kPartsRemoved = "parts-removed";
+inline constexpr std::string_view kNothingToRemove = "nothing-to-remove";
+inline constexpr std::string_view kTableTouchesPatient = "table-touches-patient";
+inline constexpr std::string_view kPatientUncertain = "patient-uncertain";
+inline constexpr std::string_view kNoPatient = "no-patient";
+}  // namespace key
+
+}  // namespace macula::segment

@@ -1,0 +1,343 @@
+#include "segment/patient.h"
+
+#include <algorithm>
+#include <cmath>
+#include <new>
+
+#include "base/parallel.h"
+#include "segment/coarse_grid.h"
+#include "segment/components.h"
+#include "segment/distance.h"
+#include "segment/enclosed.h"
+#include "segment/messages.h"
+#include "segment/table_surface.h"
+
+namespace macula::segment {
+
+namespace {
+
+constexpr double kThickMm = 3.5;       // radius of a ball that fits into a patient, and into no sheet
+constexpr double kRimMm = 4.5;         // what opening takes off the patient's own edge
+constexpr double kSkinMm = 4.0;        // of air kept around the patient, with hair and the edge of the skin
+constexpr double kAppendageMl = 20.0;  // ears and fingers are smaller, sheets and tubes larger
+constexpr double kAppendageMm = 80.0;
+constexpr double kAttachedMm = 8.0;
+constexpr double kLeastDepthMm = 8.0;  // radius of the largest ball in a patient: in a child's wrist
+constexpr double kBodyDepthMm = 12.0;
+constexpr double kDeepestMm = 16.0;  // nothing asks for more
+constexpr double kLeastPatientMl = 5.0;
+constexpr double kReportedMl = 1.0;
+constexpr std::size_t kSteps = 8;
+
+Error cancelledError() {
+    return {ErrorCode::cancelled, "Telling the patient from the table was cancelled.", {}, {}};
+}
+
+// The thick parts of a mask, with what they enclose.
+struct Thick {
+    Mask mask;
+    Parts parts;
+};
+
+Result<Thick> thickOf(const CoarseGrid& coarse, const Mask& dense, const CancelToken& token) {
+    std::vector<float> depthMm;
+    Mask mask = opened(coarse.grid, dense, kThickMm, kDeepestMm, depthMm);
+    fillEnclosed(coarse.grid, coarse.outside, mask, token);
+    MACULA_TRY(Parts parts, partsOf(coarse.grid, mask, false, depthMm));
+    return Thick{std::move(mask), std::move(parts)};
+}
+
+const Part* largestOf(const Parts& parts) {
+    const auto largest = std::max_element(parts.parts.begin(), parts.parts.end(),
+                                          [](const Part& a, const Part& b) { return a.blocks < b.blocks; });
+    return largest == parts.parts.end() ? nullptr : &*largest;
+}
+
+// Flat and the same along the couch: a board, a rail.
+bool isFurniture(const Grid& grid, const Part& part) {
+    constexpr double kLongMm = 80.0;
+    constexpr double kBoardMm = 100.0;
+    constexpr double kFlat = 0.2;  // of its width
+    constexpr double kPersistent = 0.7;
+    const glm::dvec3 extentMm = glm::dvec3(part.high - part.low + 1) * grid.spacingMm;
+    const double wide = std::max(extentMm.x, extentMm.y);
+    const double crossMm2 =
+        double(part.blocks) * grid.spacingMm.x * grid.spacingMm.y / std::max(1, part.high.z - part.low.z + 1);
+    const bool flat = wide >= kBoardMm && crossMm2 < kFlat * wide * wide;
+    const bool constant =
+        extentMm.z >= kLongMm && double(part.persistent) >= kPersistent * double(part.blocks);
+    return flat && (constant || part.depthMm < kBodyDepthMm);
+}
+
+// The parts with `isKept`, as a mask.
+Mask maskOf(const Parts& parts, const std::vector<char>& isKept) {
+    Mask mask(parts.labels.size());
+    for (std::size_t n = 0; n < mask.size(); ++n)
+        mask[n] = parts.labels[n] != 0 && isKept[parts.labels[n] - 1] != 0 ? 1 : 0;
+    return mask;
+}
+
+std::vector<char> patientParts(const CoarseGrid& coarse, Parts& parts) {
+    countPersistent(coarse.grid, parts);
+    constexpr double kLeastSecondMl = 10.0;
+    const Part* largest = nullptr;
+    for (const Part& part : parts.parts) {
+        if (part.depthMm < kLeastDepthMm || isFurniture(coarse.grid, part)) continue;
+        if (largest == nullptr || part.blocks > largest->blocks) largest = &part;
+    }
+    std::vector<char> kept(parts.parts.size());
+    if (largest == nullptr || double(largest->blocks) * coarse.blockMl < kLeastPatientMl) return kept;
+    for (std::size_t n = 0; n < kept.size(); ++n) {
+        const Part& part = parts.parts[n];
+        const bool second = part.depthMm >= std::max(kLeastDepthMm, 0.25 * double(largest->depthMm)) &&
+                            double(part.blocks) * coarse.blockMl >= kLeastSecondMl &&
+                            !isFurniture(coarse.grid, part);
+        kept[n] = &part == largest || second ? 1 : 0;
+    }
+    return kept;
+}
+
+// An ear, a finger; not a sheet, and no tube either.
+bool isAppendage(const CoarseGrid& coarse, const Part& part) {
+    const glm::dvec3 extentMm = glm::dvec3(part.high - part.low + 1) * coarse.grid.spacingMm;
+    return std::max({extentMm.x, extentMm.y, extentMm.z}) <= kAppendageMm &&
+           double(part.blocks) * coarse.blockMl <= kAppendageMl;
+}
+
+// Adds to the thick parts of the patient what opening took away: the edge, and thin things that stand out.
+Result<void> addThinParts(const CoarseGrid& coarse, const Mask& solid, const Mask& beyond, Mask& patient) {
+    const std::vector<float> toCore = distanceTo(coarse.grid, patient, kAttachedMm);
+    Mask thin(patient.size());
+    for (std::size_t n = 0; n < patient.size(); ++n) {
+        if (solid[n] == 0 || patient[n] != 0 || (!beyond.empty() && beyond[n] != 0)) continue;
+        if (toCore[n] <= float(kRimMm)) {
+            patient[n] = 1;
+        } else {
+            thin[n] = 1;
+        }
+    }
+    MACULA_TRY(Parts parts, partsOf(coarse.grid, thin, true, {}));
+    for (std::size_t n = 0; n < thin.size(); ++n) {
+        if (parts.labels[n] != 0 && toCore[n] <= float(kAttachedMm))
+            parts.parts[parts.labels[n] - 1].touches = true;
+    }
+    for (std::size_t n = 0; n < thin.size(); ++n) {
+        if (parts.labels[n] == 0) continue;
+        const Part& part = parts.parts[parts.labels[n] - 1];
+        if (part.touches && isAppendage(coarse, part)) patient[n] = 1;
+    }
+    return {};
+}
+
+// Widens the patient into the air around, up to half way to anything else.
+Mask withSkin(const CoarseGrid& coarse, const Mask& patient, const Mask& other, const Mask& beyond) {
+    const std::vector<float> toPatient = distanceTo(coarse.grid, patient, kSkinMm);
+    const std::vector<float> toOther = distanceTo(coarse.grid, other, kSkinMm);
+    Mask mask(patient.size());
+    for (std::size_t n = 0; n < mask.size(); ++n) {
+        const bool near = toPatient[n] <= float(kSkinMm) && toPatient[n] <= toOther[n] &&
+                          (beyond.empty() || beyond[n] == 0);
+        mask[n] = patient[n] != 0 || near ? 1 : 0;
+    }
+    return mask;
+}
+
+// To the voxels. Nothing removed when `mask` is empty.
+Result<LabelMap> labelsOf(const Volume& volume, const CoarseGrid& coarse, const Mask& mask,
+                          const std::vector<Message>& messages, const CancelToken& token) {
+    const glm::ivec3 size = volume.size();
+    std::vector<std::uint16_t> labels(volume.voxelCount(), mask.empty() ? PatientMask::kPatient : 0);
+    if (!mask.empty()) {
+        parallelFor(
+            std::size_t(size.z),
+            [&](std::size_t k) {
+                const auto [fi, fj, fk] = coarse.factor;
+                for (int j = 0; j < size.y; ++j) {
+                    const std::uint8_t* row = mask.data() + k / std::size_t(fk) * coarse.stride[2] +
+                                              std::size_t(j / fj) * coarse.stride[1];
+                    std::uint16_t* out =
+                        labels.data() + (k * std::size_t(size.y) + std::size_t(j)) * std::size_t(size.x);
+                    for (int i = 0; i < size.x; i += fi, row += coarse.stride[0]) {
+                        if (*row != 0)
+                            std::fill(out + i, out + std::min(i + fi, size.x), PatientMask::kPatient);
+                    }
+                }
+            },
+            token);
+    }
+    if (token.cancelled()) return cancelledError();
+    return LabelMap::create(size, volume.worldFromVoxel(),
+                            {{.number = PatientMask::kPatient,
+                              .label = "Patient",
+                              .description = "All but the table and what lies apart from the patient",
+                              .algorithm = "AUTOMATIC",
+                              .algorithmName = "Macula table removal"}},
+                            std::move(labels), messages);
+}
+
+Result<PatientMask> allOf(const Volume& volume, const CoarseGrid& coarse, std::string_view key,
+                          const CancelToken& token) {
+    const std::vector<Message> messages{message(key)};
+    MACULA_TRY(LabelMap map, labelsOf(volume, coarse, {}, messages, token));
+    const auto confidence = key == key::kNothingToRemove ? Confidence::high : Confidence::none;
+    return PatientMask{.map = std::move(map), .messages = messages, .confidence = confidence};
+}
+
+class Search {
+  public:
+    Search(const Volume& volume, Progress& progress) : volume_(volume), progress_(progress) {}
+
+    Result<PatientMask> run() {
+        progress_.beginStage("Telling the patient from the table", kSteps);
+        coarse_ = makeCoarseGrid(volume_, token());
+        MACULA_TRY_VOID(step());
+        readSolid();
+        MACULA_TRY(Thick thick, thickOf(coarse_, dense_, token()));
+        MACULA_TRY_VOID(step());
+        MACULA_TRY_VOID(findTable(thick));
+        MACULA_TRY_VOID(step());
+        const std::vector<char> kept = patientParts(coarse_, thick.parts);
+        if (std::find(kept.begin(), kept.end(), 1) == kept.end()) return whole(key::kNoPatient);
+
+        Mask patient = maskOf(thick.parts, kept);
+        MACULA_TRY_VOID(addThinParts(coarse_, solid_, surface_.beyond, patient));
+        MACULA_TRY_VOID(step());
+        fillEnclosed(coarse_.grid, coarse_.outside, patient, token());
+        return finish(patient);
+    }
+
+  private:
+    const CancelToken& token() const { return progress_.token(); }
+    Result<void> step() {
+        progress_.advance();
+        if (token().cancelled()) return cancelledError();
+        return {};
+    }
+    Result<PatientMask> whole(std::string_view key) { return allOf(volume_, coarse_, key, token()); }
+
+    void readSolid() {
+        solid_.resize(coarse_.solid.size());
+        faint_.resize(coarse_.solid.size());
+        dense_.resize(coarse_.solid.size());
+        for (std::size_t n = 0; n < solid_.size(); ++n) {
+            solid_[n] = coarse_.solid[n] >= 38 ? 1 : 0;  // 15 %: a sheet that fills part of a block
+            faint_[n] = coarse_.faint[n] >= 38 ? 1 : 0;
+            dense_[n] = coarse_.solid[n] >= 128 ? 1 : 0;  // half
+        }
+    }
+
+    // Cuts off what lies beyond the surface of a table, and takes the thick parts of what remains.
+    Result<void> findTable(Thick& thick) {
+        const Part* largest = largestOf(thick.parts);
+        if (largest == nullptr) return {};
+        std::vector<char> isBody(thick.parts.parts.size());
+        for (std::size_t n = 0; n < isBody.size(); ++n) {
+            const Part& part = thick.parts.parts[n];
+            isBody[n] = part.depthMm >= kBodyDepthMm && 10 * part.blocks >= largest->blocks ? 1 : 0;
+        }
+        const std::vector<float> toThick = distanceTo(coarse_.grid, thick.mask, kAttachedMm);
+        MACULA_TRY_VOID(step());
+        surface_ = findTableSurface(coarse_.grid, faint_, maskOf(thick.parts, isBody), toThick, token());
+        if (!surface_.found()) {
+            surface_.beyond.clear();
+            return {};
+        }
+        for (std::size_t n = 0; n < dense_.size(); ++n) dense_[n] = surface_.beyond[n] != 0 ? 0 : dense_[n];
+        MACULA_TRY(thick, thickOf(coarse_, dense_, token()));
+        return {};
+    }
+
+    Result<PatientMask> finish(const Mask& patient) {
+        Mask other(patient.size());
+        std::size_t patientBlocks = 0;
+        for (std::size_t n = 0; n < other.size(); ++n) {
+            other[n] = solid_[n] != 0 && patient[n] == 0 ? 1 : 0;
+            patientBlocks += patient[n];
+        }
+        const Mask mask = withSkin(coarse_, patient, other, surface_.beyond);
+        MACULA_TRY_VOID(step());
+        // What is reported is what goes: solid, and not in the mask.
+        std::transform(other.begin(), other.end(), mask.begin(), other.begin(),
+                       [](std::uint8_t in, std::uint8_t kept) { return std::uint8_t(kept != 0 ? 0 : in); });
+        MACULA_TRY(Parts removed, partsOf(coarse_.grid, other, true, {}));
+        countPersistent(coarse_.grid, removed);
+        MACULA_TRY_VOID(step());
+
+        int parts = 0;
+        double removedMl = 0.0;
+        bool furniture = false;
+        for (const Part& part : removed.parts) {
+            const double ml = double(part.blocks) * coarse_.blockMl;
+            removedMl += ml;
+            parts += ml >= kReportedMl ? 1 : 0;
+            furniture = furniture || (ml >= kReportedMl && isFurniture(coarse_.grid, part));
+        }
+        const double patientMl = double(patientBlocks) * coarse_.blockMl;
+        if (parts == 0) return whole(key::kNothingToRemove);
+        if (removedMl > patientMl) return whole(key::kPatientUncertain);
+
+        const int slices = coarse_.grid.size.z;
+        const bool table = furniture || 4 * surface_.slices >= slices;
+        const auto confidence = table && 10 * surface_.touchingSlices < slices && removedMl < 0.5 * patientMl
+                                    ? Confidence::high
+                                    : Confidence::moderate;
+        std::vector<Message> messages{message(table ? key::kTableRemoved : key::kPartsRemoved,
+                                              {{"parts", std::int64_t(parts)},
+                                               {"volumeMl", removedMl},
+                                               {"patientMl", patientMl},
+                                               {"confidence", std::string(nameOf(confidence))}})};
+        if (surface_.touchingSlices > 0) {
+            messages.push_back(message(
+                key::kTableTouchesPatient,
+                {{"slices", std::int64_t(surface_.touchingSlices)}, {"total", std::int64_t(slices)}}));
+        }
+        MACULA_TRY(LabelMap map, labelsOf(volume_, coarse_, mask, messages, token()));
+        progress_.advance();
+        return PatientMask{.map = std::move(map),
+                           .messages = std::move(messages),
+                           .tableFound = table,
+                           .removedParts = parts,
+                           .removedMl = removedMl,
+                           .patientMl = patientMl,
+                           .confidence = confidence};
+    }
+
+    const Volume& volume_;
+    Progress& progress_;
+    CoarseGrid coarse_;
+    Mask solid_;  // anything denser than foam, also where it fills a small part of a block
+    Mask faint_;  // and the covers of mattresses
+    Mask dense_;
+    TableSurface surface_;
+};
+
+}  // namespace
+
+std::string_view nameOf(Confidence confidence) {
+    switch (confidence) {
+        case Confidence::none:
+            return "none";
+        case Confidence::moderate:
+            return "moderate";
+        case Confidence::high:
+            return "high";
+    }
+    return "none";
+}
+
+Result<PatientMask> findPatient(const Volume& volume, Progress& progress) try {
+    if (volume.unit() != Unit::hounsfield) {
+        return Error{ErrorCode::usage,
+                     "The table can be left out of CT in Hounsfield units only.",
+                     {},
+                     "Show these images with the table, or cut it away with a clip plane or box."};
+    }
+    return Search(volume, progress).run();
+} catch (const std::bad_alloc&) {
+    return Error{ErrorCode::outOfMemory,
+                 "There is not enough memory to tell the patient from the table.",
+                 {},
+                 "Close other programs, or show the volume with the table."};
+}
+
+}  // namespace macula::segment
