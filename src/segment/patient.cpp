@@ -21,7 +21,7 @@ constexpr double kRimMm = 4.5;         // what opening takes off the patient's o
 constexpr double kSkinMm = 4.0;        // of air kept around the patient, with hair and the edge of the skin
 constexpr double kAppendageMl = 20.0;  // ears and fingers are smaller, sheets and tubes larger
 constexpr double kAppendageMm = 80.0;
-constexpr double kAttachedMm = 8.0;
+constexpr double kNearThickMm = 8.0;
 constexpr double kLeastDepthMm = 8.0;  // radius of the largest ball in a patient: in a child's wrist
 constexpr double kBodyDepthMm = 12.0;
 constexpr double kDeepestMm = 16.0;  // nothing asks for more
@@ -106,19 +106,29 @@ bool isAppendage(const CoarseGrid& coarse, const Part& part) {
 
 // Adds to the thick parts of the patient what opening took away: the edge, and thin things that stand out.
 Result<void> addThinParts(const CoarseGrid& coarse, const Mask& solid, const Mask& beyond, Mask& patient) {
-    const std::vector<float> toCore = distanceTo(coarse.grid, patient, kAttachedMm);
-    Mask thin(patient.size());
+    const auto isFree = [&](std::size_t n) {
+        return solid[n] != 0 && patient[n] == 0 && (beyond.empty() || beyond[n] == 0);
+    };
+    // The edge hangs together with the rest; a cover that lies close to the skin does not.
+    const std::vector<float> toCore = distanceTo(coarse.grid, patient, kRimMm);
+    Mask withRim = patient;
     for (std::size_t n = 0; n < patient.size(); ++n) {
-        if (solid[n] == 0 || patient[n] != 0 || (!beyond.empty() && beyond[n] != 0)) continue;
-        if (toCore[n] <= float(kRimMm)) {
-            patient[n] = 1;
-        } else {
-            thin[n] = 1;
-        }
+        if (isFree(n) && toCore[n] <= float(kRimMm)) withRim[n] = 1;
     }
+    MACULA_TRY(Parts joined, partsOf(coarse.grid, withRim, false, {}));
+    for (std::size_t n = 0; n < patient.size(); ++n) {
+        if (patient[n] != 0) joined.parts[joined.labels[n] - 1].touches = true;
+    }
+    for (std::size_t n = 0; n < patient.size(); ++n)
+        patient[n] = joined.labels[n] != 0 && joined.parts[joined.labels[n] - 1].touches ? 1 : 0;
+
+    const double besideMm = 1.5 * std::min(coarse.grid.spacingMm.x, coarse.grid.spacingMm.y);
+    const std::vector<float> toPatient = distanceTo(coarse.grid, patient, besideMm);
+    Mask thin(patient.size());
+    for (std::size_t n = 0; n < patient.size(); ++n) thin[n] = isFree(n) ? 1 : 0;
     MACULA_TRY(Parts parts, partsOf(coarse.grid, thin, true, {}));
     for (std::size_t n = 0; n < thin.size(); ++n) {
-        if (parts.labels[n] != 0 && toCore[n] <= float(kAttachedMm))
+        if (parts.labels[n] != 0 && toPatient[n] <= float(besideMm))
             parts.parts[parts.labels[n] - 1].touches = true;
     }
     for (std::size_t n = 0; n < thin.size(); ++n) {
@@ -235,7 +245,7 @@ class Search {
             const Part& part = thick.parts.parts[n];
             isBody[n] = part.depthMm >= kBodyDepthMm && 10 * part.blocks >= largest->blocks ? 1 : 0;
         }
-        const std::vector<float> toThick = distanceTo(coarse_.grid, thick.mask, kAttachedMm);
+        const std::vector<float> toThick = distanceTo(coarse_.grid, thick.mask, kNearThickMm);
         MACULA_TRY_VOID(step());
         surface_ = findTableSurface(coarse_.grid, faint_, maskOf(thick.parts, isBody), toThick, token());
         if (!surface_.found()) {

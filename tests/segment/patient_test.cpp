@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
+#include <iterator>
+
 #include "base/phantom.h"
 #include "scene.h"
 #include "segment/messages.h"
@@ -28,7 +31,6 @@ TEST_P(OnTable, PatientStaysAndTableGoes) {
     const double table = tableRemoved(made, found);
     RecordProperty("dice", std::to_string(body));
     RecordProperty("tableRemoved", std::to_string(table));
-    std::printf("  %-28s dice %.4f, table removed %.4f\n", GetParam().name, body, table);
     EXPECT_GT(body, 0.99);
     EXPECT_GT(table, 0.95);
     EXPECT_TRUE(found.tableFound);
@@ -114,6 +116,16 @@ TEST(Patient, AirAroundTheSkinStays) {
     while (made.volume.value(i, j, k) < -500.0) ++j;
     EXPECT_EQ(found.map.label(i, j - 2, k), PatientMask::kPatient);
     EXPECT_EQ(found.map.label(i, j - 8, k), 0);
+}
+
+TEST(Patient, EachMessageIsDocumented) {
+    std::ifstream file(MACULA_SOURCE_DIR "/docs/table-removal.md");
+    const std::string text((std::istreambuf_iterator<char>(file)), {});
+    for (const CatalogueEntry& entry : catalogue()) {
+        const std::string severity = entry.severity == Severity::warning ? "warning" : "info";
+        EXPECT_NE(text.find(fmt::format("| `{}` | {} |", entry.key, severity)), std::string::npos)
+            << entry.key;
+    }
 }
 
 TEST(Patient, TouchingIsReported) {
