@@ -163,12 +163,12 @@ Result<LabelMap> labelsOf(const Volume& volume, const CoarseGrid& coarse, const 
             [&](std::size_t k) {
                 const auto [fi, fj, fk] = coarse.factor;
                 for (int j = 0; j < size.y; ++j) {
-                    const std::uint8_t* row = mask.data() + k / std::size_t(fk) * coarse.stride[2] +
-                                              std::size_t(j / fj) * coarse.stride[1];
+                    std::size_t block =
+                        k / std::size_t(fk) * coarse.stride[2] + std::size_t(j / fj) * coarse.stride[1];
                     std::uint16_t* out =
                         labels.data() + (k * std::size_t(size.y) + std::size_t(j)) * std::size_t(size.x);
-                    for (int i = 0; i < size.x; i += fi, row += coarse.stride[0]) {
-                        if (*row != 0)
+                    for (int i = 0; i < size.x; i += fi, block += coarse.stride[0]) {
+                        if (mask[block] != 0)
                             std::fill(out + i, out + std::min(i + fi, size.x), PatientMask::kPatient);
                     }
                 }

@@ -68,8 +68,9 @@ std::vector<SurfaceProfile::Run> SurfaceProfile::runs() const {
 // Where the body hides the upper sheet of a table, the lower one may be seen alone.
 void SurfaceProfile::dropWhatLiesBehind() {
     const std::vector<Run> all = runs();
+    const std::vector<std::optional<double>> before = top_;
     for (std::size_t n = 1; n + 1 < all.size(); ++n) {
-        const auto at = [&](int u) { return *top_[std::size_t(u)]; };
+        const auto at = [&](int u) { return *before[std::size_t(u)]; };
         const double step = kStepMm / vMm_;
         if (at(all[n].first) - at(all[n - 1].last) <= step) continue;
         if (at(all[n].last) - at(all[n + 1].first) <= step) continue;
