@@ -134,6 +134,7 @@ void addBench(CLI::App& app, Action& action) {
     command->add_option("--device", options->device, "Device by number or part of its name");
     command->add_option("--baseline", options->baseline, "Output of an earlier run to compare ratios with");
     command->callback([options, &action] { action = [options] { return benchTrace(*options); }; });
+    addBenchTradeoff(*bench, action);
     addBenchLoad(*bench, action);
 }
 

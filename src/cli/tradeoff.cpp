@@ -1,0 +1,162 @@
+#include "cli/tradeoff.h"
+
+#include <chrono>
+#include <cmath>
+#include <limits>
+
+#include "image/metrics.h"
+
+namespace macula::cli {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double msSince(Clock::time_point start) {
+    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+image::Image imageOf(int width, int height, const std::vector<std::uint8_t>& rgba) {
+    image::Image image{.width = width, .height = height, .channels = 3, .encoding = image::Encoding::display};
+    image.pixels.reserve(rgba.size() / 4 * 3);
+    for (std::size_t i = 0; i < rgba.size(); i += 4) {
+        for (std::size_t c = 0; c < 3; ++c) image.pixels.push_back(static_cast<float>(rgba[i + c]) / 255.0f);
+    }
+    return image;
+}
+
+// Over the pixels of the mask; background is right in every picture, and would flatter them all.
+double maskedPsnr(const image::Image& reference, const image::Image& test, const std::vector<bool>& mask) {
+    double squares = 0.0;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < mask.size(); ++i) {
+        if (!mask[i]) continue;
+        for (std::size_t c = 0; c < 3; ++c) {
+            const double d = double(reference.pixels[3 * i + c]) - double(test.pixels[3 * i + c]);
+            squares += d * d;
+        }
+        count += 3;
+    }
+    if (count == 0) return std::numeric_limits<double>::quiet_NaN();
+    return -10.0 * std::log10(squares / static_cast<double>(count));
+}
+
+class Bench {
+  public:
+    Bench(const std::shared_ptr<gpu::Device>& device, const std::shared_ptr<const Volume>& volume,
+          const TransferFunction& function, const trace::Environment& environment, const TradeoffOptions& options)
+        : device_(device), volume_(volume), function_(function), environment_(environment), options_(options) {}
+
+    // A tracer of its own for each run: what one has seen of the view must not help the next.
+    Result<trace::PathTracer> tracer(const trace::Settings& settings) const {
+        MACULA_TRY(trace::PathTracer tracer, trace::PathTracer::create(device_));
+        MACULA_TRY_VOID(tracer.setVolume(volume_));
+        MACULA_TRY_VOID(tracer.setTransferFunction(function_));
+        MACULA_TRY_VOID(tracer.setEnvironment(environment_));
+        MACULA_TRY_VOID(tracer.setView(options_.view));
+        MACULA_TRY_VOID(tracer.setSettings(settings));
+        return tracer;
+    }
+    Result<image::Image> shown(trace::PathTracer& tracer) const {
+        MACULA_TRY(const auto rgba, tracer.readDisplay(glm::vec3(0.0f)));
+        return imageOf(options_.view.width, options_.view.height, rgba);
+    }
+
+    Result<void> converge(Tradeoff& result, std::vector<bool>& mask, Progress& progress) const {
+        const trace::Settings settings{.bounces = options_.convergedBounces,
+                                       .seed = 12345,
+                                       .filter = trace::Filter::trilinear,
+                                       .exposure = options_.exposure};
+        MACULA_TRY(trace::PathTracer truth, tracer(settings));
+        const auto start = Clock::now();
+        image::Image half;
+        constexpr std::uint32_t kPortion = 16;
+        for (std::uint32_t done = 0; done < options_.convergedSamples;) {
+            const std::uint32_t count = std::min(kPortion, options_.convergedSamples - done);
+            MACULA_TRY(const bool whole, truth.trace(count, [&] { return !progress.cancelled(); }));
+            if (!whole || progress.cancelled()) return Error{ErrorCode::cancelled, "The benchmark was cancelled.", {}, {}};
+            const bool passesHalf = done < options_.convergedSamples / 2 && done + count >= options_.convergedSamples / 2;
+            done += count;
+            if (passesHalf) {
+                MACULA_TRY(half, shown(truth));
+            }
+            progress.advance(count);
+        }
+        result.convergedMs = msSince(start);
+        MACULA_TRY(result.converged, shown(truth));
+        MACULA_TRY(const image::Flip left, image::flip(result.converged, half));
+        result.convergedFlip = left.mean;
+        MACULA_TRY(const trace::TracedImage traced, truth.readback());
+        for (const glm::vec4& pixel : traced.radiance) mask.push_back(pixel.a > 0.0f);
+        return {};
+    }
+
+    Result<void> run(trace::Filter filter, trace::Denoising denoising, int bounces, const std::vector<bool>& mask,
+                     Tradeoff& result, Progress& progress) const {
+        const trace::Settings settings{.bounces = bounces,
+                                       .seed = 1,
+                                       .filter = filter,
+                                       .exposure = options_.exposure,
+                                       .denoising = denoising};
+        {
+            // Compiles the kernels, which is done once in the life of a program.
+            MACULA_TRY(trace::PathTracer warmUp, tracer(settings));
+            MACULA_TRY([[maybe_unused]] const bool whole, warmUp.trace(1));
+            MACULA_TRY([[maybe_unused]] const image::Image ignored, shown(warmUp));
+        }
+        MACULA_TRY(trace::PathTracer tracer, this->tracer(settings));
+        double traceMs = 0.0;
+        std::uint32_t done = 0;
+        for (const std::uint32_t samples : options_.samples) {
+            auto start = Clock::now();
+            MACULA_TRY(const bool whole, tracer.trace(samples - done, [&] { return !progress.cancelled(); }));
+            if (!whole || progress.cancelled()) return Error{ErrorCode::cancelled, "The benchmark was cancelled.", {}, {}};
+            traceMs += msSince(start);
+            done = samples;
+            start = Clock::now();
+            MACULA_TRY(const image::Image picture, shown(tracer));
+            TradeoffPoint point{.filter = filter,
+                                .denoising = denoising,
+                                .bounces = bounces,
+                                .samples = samples,
+                                .traceMs = traceMs,
+                                .displayMs = msSince(start)};
+            point.psnrDb = maskedPsnr(result.converged, picture, mask);
+            MACULA_TRY(point.ssim, image::ssim(result.converged, picture));
+            MACULA_TRY(const image::Flip flip, image::flip(result.converged, picture));
+            point.flip = flip.mean;
+            result.points.push_back(point);
+            progress.advance();
+        }
+        return {};
+    }
+
+  private:
+    const std::shared_ptr<gpu::Device>& device_;
+    const std::shared_ptr<const Volume>& volume_;
+    const TransferFunction& function_;
+    const trace::Environment& environment_;
+    const TradeoffOptions& options_;
+};
+
+}  // namespace
+
+Result<Tradeoff> measureTradeoff(const std::shared_ptr<gpu::Device>& device, const std::shared_ptr<const Volume>& volume,
+                                 const TransferFunction& function, const trace::Environment& environment,
+                                 const TradeoffOptions& options, Progress& progress) {
+    const Bench bench(device, volume, function, environment, options);
+    Tradeoff result;
+    std::vector<bool> mask;
+    progress.beginStage("Tracing the converged picture", options.convergedSamples);
+    MACULA_TRY_VOID(bench.converge(result, mask, progress));
+    progress.beginStage("Measuring", 4 * options.bounces.size() * options.samples.size());
+    for (const trace::Filter filter : {trace::Filter::stochastic, trace::Filter::trilinear}) {
+        for (const trace::Denoising denoising : {trace::Denoising::off, trace::Denoising::on}) {
+            for (const int bounces : options.bounces)
+                MACULA_TRY_VOID(bench.run(filter, denoising, bounces, mask, result, progress));
+        }
+    }
+    return result;
+}
+
+}  // namespace macula::cli

@@ -1,0 +1,53 @@
+// What speed costs in accuracy: the error of a traced picture against a converged one, and the time it took, over the
+// settings that trade one for the other.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "base/progress.h"
+#include "base/result.h"
+#include "base/volume.h"
+#include "image/image.h"
+#include "pipeline/gpu/device.h"
+#include "pipeline/trace/path_tracer.h"
+
+namespace macula::cli {
+
+struct TradeoffOptions {
+    trace::View view;
+    double exposure = 1.0;
+    std::vector<std::uint32_t> samples{1, 2, 4, 8, 16, 32};  // ascending
+    std::vector<int> bounces{1, 2, 4, 8};
+    // Of the picture that counts as the truth: trilinear, not denoised.
+    std::uint32_t convergedSamples = 1024;
+    int convergedBounces = 64;
+};
+
+struct TradeoffPoint {
+    trace::Filter filter = trace::Filter::trilinear;
+    trace::Denoising denoising = trace::Denoising::off;
+    int bounces = 1;
+    std::uint32_t samples = 1;
+    double traceMs = 0.0;    // for all samples
+    double displayMs = 0.0;  // guides and denoising, if any, and the tone map
+    // Against the converged picture, display-encoded over black. PSNR over the pixels that show matter in it.
+    double psnrDb = 0.0;
+    double ssim = 0.0;
+    double flip = 0.0;
+};
+
+struct Tradeoff {
+    std::vector<TradeoffPoint> points;
+    image::Image converged;
+    double convergedMs = 0.0;
+    // What chance leaves in the converged picture: FLIP between its two halves of the samples, each half as good.
+    double convergedFlip = 0.0;
+};
+
+Result<Tradeoff> measureTradeoff(const std::shared_ptr<gpu::Device>& device, const std::shared_ptr<const Volume>& volume,
+                                 const TransferFunction& function, const trace::Environment& environment,
+                                 const TradeoffOptions& options, Progress& progress);
+
+}  // namespace macula::cli
