@@ -123,6 +123,8 @@ Result<void> validate(const Clip& clip) {
     if (clip.ball &&
         (!isFinite(clip.ball->centreMm) || !std::isfinite(clip.ball->radiusMm) || clip.ball->radiusMm <= 0.0))
         return notUsable("the ball has no size", "Give a centre and a positive radius in mm.");
+    if (clip.mask && clip.mask->labels == nullptr)
+        return notUsable("there is no segmentation to mask with", "Give one.");
     if (clip.greyFaces && !(std::isfinite(clip.greyFaces->center) && clip.greyFaces->width > 0.0 &&
                             std::isfinite(clip.greyFaces->width)))
         return notUsable("the window of its faces has no width", "Give a centre and a positive width.");

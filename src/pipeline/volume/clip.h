@@ -2,10 +2,13 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "base/frames.h"
+#include "base/label_map.h"
 #include "base/result.h"
 #include "base/volume.h"
 
@@ -37,6 +40,14 @@ struct Ball {
     double radiusMm = 1.0;
 };
 
+// Voxels by what they belong to. On another grid than the volume's the nearest label counts; what lies
+// outside of the map's grid belongs to nothing.
+struct Mask {
+    std::shared_ptr<const LabelMap> labels;
+    std::vector<std::uint16_t> numbers;  // of segments; empty: any but 0
+    Keep keep = Keep::inside;
+};
+
 // Everything together: what is shown is what each part leaves.
 struct Clip {
     static constexpr std::size_t kMostPlanes = 6;
@@ -47,13 +58,14 @@ struct Clip {
     std::optional<Octant> cut;      // is removed
     std::optional<Ball> ball;
     Keep ofBall = Keep::inside;
+    std::optional<Mask> mask;
 
     // What is removed is hidden from the eye only, and shades and reflects as before.
     bool removedCastsShadow = false;
     // The faces of the clip show the values themselves through this window, opaque above its low end.
     std::optional<DisplayWindow> greyFaces;
 
-    bool isNothing() const { return !box && planes.empty() && !cut && !ball; }
+    bool isNothing() const { return !box && planes.empty() && !cut && !ball && !mask; }
 };
 
 // The half-spaces whose common part it is.
@@ -64,13 +76,14 @@ std::array<HalfSpace, 3> sidesOf(const Octant& octant);
 // there are too many planes.
 Result<void> validate(const Clip& clip);
 
-// Nothing of this box (of any frame) is shown. Conservative: may be false of boxes of which nothing is.
+// Nothing of this box (of any frame) is shown, whatever the mask says. Conservative: may be false of boxes of
+// which nothing is.
 bool removesAll(const Clip& clip, const glm::dmat4& worldFromFrame, const Box& boxInFrame);
 
 // All of this box is shown. Conservative likewise.
 bool removesNothing(const Clip& clip, const glm::dmat4& worldFromFrame, const Box& boxInFrame);
 
-// Whether the point is shown.
+// Whether the point is shown, as far as box, planes, corner and ball go.
 bool shows(const Clip& clip, const glm::dvec3& pointMm);
 
 }  // namespace macula

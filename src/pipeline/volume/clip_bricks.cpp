@@ -35,6 +35,22 @@ void emptyRemovedBricks(const Clip& clip, const Volume& volume, const BrickGrid&
     });
 }
 
+void emptyMaskedBricks(const MaskBits& mask, const BrickGrid& grid, std::span<float> bounds) {
+    MACULA_CHECK_EQ(bounds.size(), grid.ranges.size());
+    parallelFor(std::size_t(grid.size.z), [&](std::size_t layer) {
+        for (int y = 0; y < grid.size.y; ++y) {
+            for (int x = 0; x < grid.size.x; ++x) {
+                float& bound = bounds[grid.index(x, y, static_cast<int>(layer))];
+                if (!(bound > 0.0f)) continue;
+                const glm::ivec3 brick(x, y, static_cast<int>(layer));
+                const glm::ivec3 low = glm::max(brick * kBrickVoxels - 1, glm::ivec3(0));
+                const glm::ivec3 high = glm::min(brick * kBrickVoxels + kBrickVoxels - 1, mask.size - 1);
+                if (!mask.showsAny(low, high)) bound = 0.0f;
+            }
+        }
+    });
+}
+
 std::vector<std::uint8_t> bricksAtGreyFaces(const Clip& clip, const Volume& volume, const BrickGrid& grid) {
     if (clip.isNothing() || !clip.greyFaces) return {};
     std::vector<std::uint8_t> faces(grid.ranges.size());

@@ -39,7 +39,7 @@ std::size_t Medium::visibleBricks() const {
 }
 
 Medium makeMedium(const Volume& volume, const BrickGrid& grid, const TransferFunction& function,
-                  const Clip& clip) {
+                  const Clip& clip, const MaskBits* mask) {
     MACULA_CHECK(!usesGradientOpacity(function));
     const EntryMap map = entryMapOf(volume);
     const UnitsFromStored units = volume.unitsFromStored();
@@ -67,6 +67,7 @@ Medium makeMedium(const Volume& volume, const BrickGrid& grid, const TransferFun
         medium.bounds[brick] = largest(grid.ranges[brick].low, grid.ranges[brick].high) * kOutward;
     });
     emptyRemovedBricks(clip, volume, grid, medium.bounds);
+    if (mask != nullptr && !clip.removedCastsShadow) emptyMaskedBricks(*mask, grid, medium.bounds);
     measureEmptySpace(grid.size, medium.bounds);
     return medium;
 }

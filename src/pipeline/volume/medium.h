@@ -11,6 +11,7 @@
 #include "pipeline/volume/brick_grid.h"
 #include "pipeline/volume/clip.h"
 #include "pipeline/volume/entry_map.h"
+#include "pipeline/volume/mask_bits.h"
 #include "pipeline/volume/transfer_function.h"
 #include "pipeline/volume/volume_fit.h"
 
@@ -32,7 +33,7 @@ struct Medium {
 // `function` is used as it is: fit it to the volume before (fitted). It must be valid (validate). Bricks of
 // which a clip without shadow leaves nothing are empty. On all cores.
 Medium makeMedium(const Volume& volume, const BrickGrid& grid, const TransferFunction& function,
-                  const Clip& clip = {});
+                  const Clip& clip = {}, const MaskBits* mask = nullptr);
 
 // Makes the bounds of visible bricks true also where blocks are stored coarsely, by level (voxel_blocks.h):
 // the average of a few voxels across a brick's face may lie outside of what the brick itself holds. Empty
