@@ -127,9 +127,13 @@ TEST_P(EveryPreset, PhantomLooksAsTheReferenceSays) {
     }
 }
 
+// Ours, and of 3D Slicer's those whose curves are of another kind: bands, several humps, steps. That each of them is
+// drawn as its numbers say is tested elsewhere, against a dense march.
 std::vector<std::string> presetNames() {
-    std::vector<std::string> names;
-    for (const auto& file : presets::transferFiles()) names.emplace_back(file.name);
+    std::vector<std::string> names{"ct-aaa", "ct-lung", "ct-fat", "ct-muscle"};
+    for (const auto& file : presets::transferFiles()) {
+        if (file.name.starts_with("cinematic-")) names.emplace_back(file.name);
+    }
     return names;
 }
 
