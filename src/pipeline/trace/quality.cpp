@@ -1,0 +1,37 @@
+#include "pipeline/trace/quality.h"
+
+#include <cmath>
+
+#include "pipeline/volume/json_reader.h"
+
+namespace macula::trace {
+
+namespace {
+
+double whole(const JsonNode& node, double low, double high) {
+    const double number = node.number({low, high});
+    if (number != std::floor(number)) node.fail("a whole number");
+    return number;
+}
+
+}  // namespace
+
+Result<Quality> qualityFromJson(std::string_view text, const std::string& where) {
+    const JsonDocument document(text, where);
+    MACULA_TRY_VOID(document.status());
+    const JsonNode root = document.root();
+    root.allowOnly({"version", "name", "title", "samplesPerPixel", "bounces", "filter", "denoise"});
+    if (root["version"].number() != 1.0) root["version"].fail("version 1; newer ones need a newer Macula");
+    const std::string filter = root["filter"].text();
+    if (filter != "trilinear" && filter != "stochastic") root["filter"].fail("\"trilinear\" or \"stochastic\"");
+    const Quality quality{.name = root["name"].text(),
+                          .title = root["title"].text(),
+                          .samplesPerPixel = static_cast<std::uint32_t>(whole(root["samplesPerPixel"], 1, 1 << 20)),
+                          .bounces = static_cast<int>(whole(root["bounces"], 1, kMaxBounces)),
+                          .filter = filter == "stochastic" ? Filter::stochastic : Filter::trilinear,
+                          .denoising = root["denoise"].boolean() ? Denoising::on : Denoising::off};
+    MACULA_TRY_VOID(document.status());
+    return quality;
+}
+
+}  // namespace macula::trace
