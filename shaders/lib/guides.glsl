@@ -86,6 +86,7 @@ March march(INOUT(BrickWalk) walk) {
             float middleMm = fromMm + float(0.5) * step;
             float entry = trilinearEntry(walkPositionAt(walk, middleMm));
             float extinction = extinctionOfEntry(entry);
+            if (isMasked(walkPositionAt(walk, middleMm))) extinction = float(0.0);
             if (useClip()) extinction = endOfCut(walk.cutFrom, walk.cutTo, middleMm) < float(0.0) ? extinction : float(0.0);
             float added = extinction * step;
             bool again = added > float(FINE) && step > fineMm;

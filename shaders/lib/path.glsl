@@ -99,6 +99,8 @@ bool follow(INOUT(Path) path, INOUT(Rng) rng) {
         if (!nextTentative(path.walk, rng, path.rounds)) return true;
         path.entry = entryAt(walkPosition(path.walk), rng);
         float real = min(extinctionOfEntry(path.entry) / path.walk.majorant, float(1.0));
+        bool seesAll = params.clipShadows != 0 && (path.shadow || path.vertices > 0);
+        if (useMask() && !seesAll && isMasked(walkPosition(path.walk))) real = float(0.0);
         float chance = random01(rng);
         if (path.shadow) {
             path.transmittance *= float(1.0) - real;

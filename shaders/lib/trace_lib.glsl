@@ -6,6 +6,7 @@
 #include "lib/rng.glsl"
 #include "lib/phase.glsl"
 #include "lib/medium.glsl"
+#include "lib/mask.glsl"
 #include "lib/fovea.glsl"
 #include "lib/clip.glsl"
 #include "lib/brick_walk.glsl"

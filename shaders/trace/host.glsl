@@ -8,6 +8,7 @@
 
 layout(constant_id = 0) const bool kTrilinear = true;
 layout(constant_id = 2) const bool kClip = false;
+layout(constant_id = 3) const bool kMask = false;
 
 // Not a uniform block: lavapipe (Mesa 22.3) compiles a uniform that decides a branch into the shader, and so would compile
 // anew, for a tenth of a second, whenever the camera moves.
@@ -21,6 +22,7 @@ layout(binding = 4) uniform samplerBuffer boundTexels;        // by brick
 layout(binding = 5) uniform samplerBuffer environmentTexels;  // radiance and pdf per steradian, by texel
 layout(binding = 6) uniform samplerBuffer aliasTexels;        // probability to stay, and the other texel
 layout(binding = 7) uniform usamplerBuffer blockTexels;       // where they are
+layout(binding = 8) uniform usamplerBuffer maskTexels;        // a bit for each voxel: whether the mask shows it
 
 // Voxels are kept in blocks of 8 x 8 x 8. A word says at which level one is kept, 0 to 3 halvings of its edge (bits 30 and
 // 31), and where in the pool, in units of 8 values; or, at level 3, its one value. What no visible brick touches has such a
@@ -88,6 +90,13 @@ bool useTrilinear() {
 }
 bool useClip() {
     return kClip;
+}
+bool useMask() {
+    return kMask;
+}
+float fetchMask(ivec3 voxel) {
+    int n = (voxel.z * params.volumeSize.y + voxel.y) * params.volumeSize.x + voxel.x;
+    return float((texelFetch(maskTexels, n >> 5).x >> (n & 31)) & 1u);
 }
 
 #include "lib/trace_lib.glsl"

@@ -6,20 +6,20 @@
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(binding = 8, scalar) buffer Sums {
+layout(binding = 9, scalar) buffer Sums {
     vec4 sums[];  // premultiplied radiance and coverage
 };
-layout(binding = 9, scalar) buffer Lost {
+layout(binding = 10, scalar) buffer Lost {
     vec4 lost[];  // compensation of the sums
 };
-layout(binding = 10, scalar) buffer Counts {
+layout(binding = 11, scalar) buffer Counts {
     uint counts[];  // finite samples
 };
-layout(binding = 11, scalar) buffer Faults {
+layout(binding = 12, scalar) buffer Faults {
     uint nonFinite;  // samples that were not a number
     uint abandoned;  // paths that would have taken too many rounds
 };
-layout(binding = 12, scalar) buffer Squares {
+layout(binding = 13, scalar) buffer Squares {
     vec2 squares[];  // sum of squares of luminance, and its compensation. Coverage is 0 or 1, and its own square.
 };
 

@@ -90,5 +90,65 @@ TEST_F(ClipOnDevice, facesAreExactlyGrey) {
     }
 }
 
+// A ball of a label map, kept or hidden: on the device as in the reference, and as large as it should be.
+TEST_F(ClipOnDevice, masksAsTheReferenceDoes) {
+    const glm::ivec3 size(40, 36, 32);
+    const glm::dmat4 grid = affine({1, 0, 0}, {0, 1, 0}, {0, 0, 1.2}, {-19.5, -17.5, -18.6});
+    const auto volume = scenes::volumeOf(size, grid, [](int, int, int) { return std::uint16_t(1); });
+    std::vector<std::uint16_t> labels;
+    for (int k = 0; k < size.z; ++k) {
+        for (int j = 0; j < size.y; ++j) {
+            for (int i = 0; i < size.x; ++i)
+                labels.push_back(glm::length(transformPoint(grid, {i, j, k})) < 12.0 ? 7 : 2);
+        }
+    }
+    const auto map = std::make_shared<const LabelMap>(
+        std::move(
+            LabelMap::create(size, grid, {{.number = 2, .label = "a"}, {.number = 7, .label = "b"}}, labels))
+            .value());
+    const Environment sky = Environment::constant(glm::vec3(0.8f, 0.9f, 1.0f));
+    constexpr int kSize = 32;
+    constexpr std::uint32_t kSamples = 8;
+    const View view{.camera = {.positionMm = {0, -2000, 0}, .targetMm = {0, 0, 0}, .verticalFovDeg = 1.2},
+                    .width = kSize,
+                    .height = kSize};
+    const TransferFunction opaque = scenes::homogeneous(50.0);
+    for (const Filter filter : {Filter::trilinear, Filter::stochastic}) {
+        const Settings settings{.bounces = 2, .seed = 9, .filter = filter};
+        PathTracer t = tracer(volume, opaque, sky, view, settings);
+        for (const bool casts : {false, true}) {
+            Clip clip{.mask = Mask{map, {7}, Keep::inside}};
+            clip.removedCastsShadow = casts;
+            ASSERT_TRUE(t.setClip(clip).ok());
+            ASSERT_TRUE(*t.trace(kSamples));
+            const auto image = t.readback();
+            ASSERT_TRUE(image.ok()) << image.error().message;
+            const MaskBits bits = maskBits(*clip.mask, *volume);
+            const Medium medium = makeMedium(*volume, makeBrickGrid(*volume), opaque, clip, &bits);
+            const auto params = makeTraceParams(*volume, medium, sky, view, settings, clip);
+            const auto sums = ReferenceTracer(*volume, medium, sky, &bits)
+                                  .trace(*params, filter, Precision::single, 0, kSamples);
+            int different = 0;
+            double coverage = 0.0;
+            double light = 0.0;
+            for (std::size_t i = 0; i < sums.size(); ++i) {
+                different +=
+                    glm::length(glm::dvec4(image->radiance[i]) - sums[i] / double(kSamples)) > 1e-3 ? 1 : 0;
+                coverage += double(image->radiance[i].a) / double(sums.size());
+                light += double(image->radiance[i].g) / double(sums.size());
+            }
+            EXPECT_LT(different, int(sums.size()) / 20);
+            const double side = 2.0 * 2000.0 * std::tan(glm::radians(0.6));
+            EXPECT_NEAR(coverage * side * side, 3.14159265 * 12.0 * 12.0, 15.0);
+            // All around it is opaque: the ball is seen, and no light comes to it.
+            if (casts) {
+                EXPECT_LT(light, 0.01);
+            } else {
+                EXPECT_GT(light, 0.05);
+            }
+        }
+    }
+}
+
 }  // namespace
 }  // namespace macula::trace

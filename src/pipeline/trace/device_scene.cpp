@@ -35,6 +35,8 @@ Result<void> DeviceScene::setVolume(std::shared_ptr<const Volume> volume) {
     MACULA_CHECK(volume != nullptr);
     voxels_.reset();
     extinction_.reset();
+    mask_.reset();
+    maskBits_.reset();
     volume_.reset();
     grid_ = makeBrickGrid(*volume);
     MACULA_TRY(voxels_, DeviceVolume::create(device_, volume, grid_, limits_));
@@ -52,11 +54,35 @@ Result<void> DeviceScene::setTransferFunction(const TransferFunction& function) 
 Result<void> DeviceScene::setClip(const Clip& clip) {
     MACULA_TRY_VOID(validate(clip));
     clip_ = clip;
+    mask_.reset();
+    maskBits_.reset();
     return extinction_ ? makeTables() : Result<void>();
 }
 
+// A mask is one word of nothing when there is none.
+Result<void> DeviceScene::makeMask() {
+    if (mask_) return {};
+    if (clip_.mask) {
+        const glm::dvec3 size(volume_->size());
+        if (size.x * size.y * size.z > double(std::numeric_limits<std::int32_t>::max())) {
+            return Error{ErrorCode::outOfMemory,
+                         "A volume of more than 2147 million voxels cannot be masked.",
+                         {},
+                         "Show it without a mask."};
+        }
+        maskBits_ = maskBits(*clip_.mask, *volume_);
+    }
+    const std::uint32_t none = 0;
+    MACULA_TRY(mask_, makeTexels<std::uint32_t>(device_, "mask", VK_FORMAT_R32_UINT,
+                                                maskBits_ ? std::span<const std::uint32_t>(maskBits_->words)
+                                                          : std::span(&none, 1)));
+    return {};
+}
+
 Result<void> DeviceScene::makeTables() {
-    medium_ = makeMedium(*volume_, grid_, fitted(*function_, *volume_), clip_);
+    MACULA_TRY_VOID(makeMask());
+    medium_ =
+        makeMedium(*volume_, grid_, fitted(*function_, *volume_), clip_, maskBits_ ? &*maskBits_ : nullptr);
     extinction_.reset();  // all or none: tables of different length must never meet
     albedo_.reset();
     bounds_.reset();
@@ -88,8 +114,8 @@ Result<void> DeviceScene::setEnvironment(const Environment& environment) {
 }
 
 bool DeviceScene::isComplete() const {
-    return voxels_ && voxels_->isShown() && extinction_ && albedo_ && bounds_ && environmentTexels_ &&
-           aliasTexels_;
+    return voxels_ && voxels_->isShown() && mask_ && extinction_ && albedo_ && bounds_ &&
+           environmentTexels_ && aliasTexels_;
 }
 
 Result<void> DeviceScene::look(const View& view, const Settings& settings) {
@@ -113,8 +139,8 @@ std::vector<Message> DeviceScene::messages() const {
 
 std::vector<gpu::Binding> DeviceScene::bindings() const {
     MACULA_CHECK(isComplete());
-    return {params_,  voxels_->pool(),     *extinction_,  *albedo_,
-            *bounds_, *environmentTexels_, *aliasTexels_, voxels_->table()};
+    return {params_,       voxels_->pool(),  *extinction_, *albedo_, *bounds_, *environmentTexels_,
+            *aliasTexels_, voxels_->table(), *mask_};
 }
 
 }  // namespace macula::trace

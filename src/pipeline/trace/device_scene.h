@@ -34,7 +34,9 @@ class DeviceScene {
     // Shows all of it again when the clip is nothing. After setVolume it stays.
     Result<void> setClip(const Clip& clip);
     LightFrame lightFrame() const { return environment_ ? environment_->frame() : LightFrame::patient; }
-    bool isClipped() const { return !clip_.isNothing(); }
+    // What kernels are specialised for.
+    bool isClipped() const { return clip_.hasShape(); }
+    bool isMasked() const { return clip_.mask.has_value(); }
 
     bool isComplete() const;
 
@@ -47,10 +49,11 @@ class DeviceScene {
     // What a person has to know about what is shown.
     std::vector<Message> messages() const;
 
-    // When complete, and looked at: bindings 0 to 7 of shaders/trace/host.glsl.
+    // When complete, and looked at: bindings 0 to 8 of shaders/trace/host.glsl.
     std::vector<gpu::Binding> bindings() const;
 
   private:
+    Result<void> makeMask();
     Result<void> makeTables();
     DeviceScene(std::shared_ptr<gpu::Device> device, const MemoryLimits& limits, gpu::Buffer params)
         : device_(std::move(device)), limits_(limits), params_(std::move(params)) {}
@@ -64,7 +67,8 @@ class DeviceScene {
     std::optional<TransferFunction> function_;  // as it was given
     Clip clip_;
     std::optional<DeviceVolume> voxels_;
-    std::optional<gpu::TexelBuffer> extinction_, albedo_, bounds_;
+    std::optional<gpu::TexelBuffer> extinction_, albedo_, bounds_, mask_;
+    std::optional<MaskBits> maskBits_;  // of the clip, on the grid of the volume
     std::optional<Environment> environment_;
     std::optional<gpu::TexelBuffer> environmentTexels_, aliasTexels_;
 };

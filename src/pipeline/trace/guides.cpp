@@ -42,10 +42,11 @@ Result<Guides> Guides::create(const std::shared_ptr<gpu::Device>& device, int wi
 
 Result<void> Guides::compute(const DeviceScene& scene, const shared::GuidePush& before) {
     const auto& device = surfaces_.buffer().device();
-    std::optional<gpu::Kernel>& kernel = scene.isClipped() ? clippedKernel_ : kernel_;
+    std::optional<gpu::Kernel>& kernel = kernels_[{scene.isClipped(), scene.isMasked()}];
     if (!kernel) {
         MACULA_TRY(kernel, gpu::Kernel::create(device, shaders::trace_guides_comp,
-                                               {.specializations = {{"kClip", scene.isClipped()}}}));
+                                               {.specializations = {{"kClip", scene.isClipped()},
+                                                                    {"kMask", scene.isMasked()}}}));
     }
     int rows = height_;
     if (device->isCpu()) rows = std::clamp(kPixelsPerDispatchCpu / width_ / 8 * 8, 8, height_ + 7);

@@ -2,8 +2,10 @@
 // it.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "base/result.h"
@@ -38,7 +40,8 @@ class Guides {
 
     int width_;
     int height_;
-    std::optional<gpu::Kernel> clippedKernel_, kernel_;  // for scenes with and without a clip
+    std::map<std::pair<bool, bool>, std::optional<gpu::Kernel>>
+        kernels_;  // by whether there is a clip, and a mask
     gpu::TexelBuffer surfaces_;
     gpu::TexelBuffer matters_;
     gpu::TexelBuffer motions_;

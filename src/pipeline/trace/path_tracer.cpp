@@ -90,7 +90,7 @@ struct PathTracer::Impl {
     View view;
 
     // How.
-    std::map<std::pair<Filter, bool>, gpu::Kernel> pathKernels;  // by filter, and whether there is a clip
+    std::map<std::tuple<Filter, bool, bool>, gpu::Kernel> pathKernels;  // by filter, clip, mask
     std::optional<gpu::Kernel> displayKernel;
     bool paramsStale = true;  // something above has changed: accumulation starts again
     bool restarting = false;  // nothing has: only the portions were too large
@@ -191,16 +191,18 @@ Result<void> PathTracer::setView(const View& view) {
 }
 
 Result<const gpu::Kernel*> PathTracer::Impl::pathKernel() {
-    const auto found = pathKernels.find({settings.filter, scene.isClipped()});
+    const auto found = pathKernels.find({settings.filter, scene.isClipped(), scene.isMasked()});
     if (found != pathKernels.end()) return &found->second;
     MACULA_TRY(gpu::Kernel kernel,
                gpu::Kernel::create(
                    device, shaders::trace_path_comp,
                    {.specializations = {{"kTrilinear", settings.filter == Filter::trilinear},
                                         {"kClip", scene.isClipped()},
+                                        {"kMask", scene.isMasked()},
                                         {"kMaxRounds", device->isCpu() ? kMaxRoundsCpu : kMaxRoundsGpu}}}));
     warm = false;
-    return &pathKernels.emplace(std::pair(settings.filter, scene.isClipped()), std::move(kernel))
+    return &pathKernels
+                .emplace(std::tuple(settings.filter, scene.isClipped(), scene.isMasked()), std::move(kernel))
                 .first->second;
 }
 

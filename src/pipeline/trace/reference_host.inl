@@ -50,6 +50,7 @@ struct MACULA_HOST : GlslInCpp<MACULA_REAL> {
           trilinear_(filter == Filter::trilinear) {
         for (std::size_t i = 0; i < params.clipPlanes.size(); ++i) params.clipPlanes[i] = p.clipPlanes[i];
         clip_ = isClipped(p);
+        mask_ = tables.mask;
     }
 
     Params params;
@@ -76,6 +77,13 @@ struct MACULA_HOST : GlslInCpp<MACULA_REAL> {
     vec2 fetchAlias(int texel) const { return {Real(alias_[texel].keep), Real(alias_[texel].other)}; }
     bool useTrilinear() const { return trilinear_; }
     bool useClip() const { return clip_; }
+    bool useMask() const { return !mask_.empty(); }
+    Real fetchMask(const ivec3& voxel) const {
+        const std::size_t n = (std::size_t(voxel.z) * std::size_t(params.volumeSize.y) + std::size_t(voxel.y)) *
+                                  std::size_t(params.volumeSize.x) +
+                              std::size_t(voxel.x);
+        return Real(mask_[n / 32] >> (n % 32) & 1u);
+    }
 
 #define float MACULA_REAL
 #include "lib/trace_lib.glsl"
@@ -102,6 +110,7 @@ struct MACULA_HOST : GlslInCpp<MACULA_REAL> {
     const AliasEntry* alias_;
     bool trilinear_;
     bool clip_;
+    std::span<const std::uint32_t> mask_;
 };
 
 #undef OUT

@@ -28,7 +28,8 @@ auto withHost(const ReferenceTracer::Tables& tables, const shared::TraceParams& 
 }  // namespace
 }  // namespace reference
 
-ReferenceTracer::ReferenceTracer(const Volume& volume, const Medium& medium, const Environment& environment) {
+ReferenceTracer::ReferenceTracer(const Volume& volume, const Medium& medium, const Environment& environment,
+                                 const MaskBits* mask) {
     auto tables = std::make_shared<Tables>();
     tables->entries.resize(volume.voxels().size());
     writeEntries(volume, entryMapOf(volume), 0, tables->entries);
@@ -37,6 +38,7 @@ ReferenceTracer::ReferenceTracer(const Volume& volume, const Medium& medium, con
     tables->bounds = medium.bounds;
     tables->environment.assign(environment.texels().begin(), environment.texels().end());
     tables->alias.assign(environment.alias().begin(), environment.alias().end());
+    if (mask != nullptr) tables->mask = mask->words;
     tables_ = std::move(tables);
 }
 

@@ -19,7 +19,8 @@ enum class Precision { single, twofold };
 class ReferenceTracer {
   public:
     // Keeps a copy of the voxels, the tables and the environment.
-    ReferenceTracer(const Volume& volume, const Medium& medium, const Environment& environment);
+    ReferenceTracer(const Volume& volume, const Medium& medium, const Environment& environment,
+                    const MaskBits* mask = nullptr);
 
     // Sum over samples [firstSample, firstSample + sampleCount) of premultiplied radiance and coverage, for
     // each pixel, row 0 on top; the same samples the device draws. On all cores.
@@ -66,6 +67,7 @@ class ReferenceTracer {
         std::vector<float> bounds;
         std::vector<EnvironmentTexel> environment;
         std::vector<AliasEntry> alias;
+        std::vector<std::uint32_t> mask;  // empty: none
     };
 
   private:

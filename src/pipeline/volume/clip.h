@@ -65,7 +65,8 @@ struct Clip {
     // The faces of the clip show the values themselves through this window, opaque above its low end.
     std::optional<DisplayWindow> greyFaces;
 
-    bool isNothing() const { return !box && planes.empty() && !cut && !ball && !mask; }
+    bool hasShape() const { return box || !planes.empty() || cut || ball; }
+    bool isNothing() const { return !hasShape() && !mask; }
 };
 
 // The half-spaces whose common part it is.
