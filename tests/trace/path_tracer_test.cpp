@@ -1,4 +1,6 @@
 // The device against the C++ reference, and the tracer as its users meet it.
+#include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <limits>
 
@@ -127,8 +129,8 @@ TEST_P(EveryPreset, PhantomLooksAsTheReferenceSays) {
     }
 }
 
-// Ours, and of 3D Slicer's those whose curves are of another kind: bands, several humps, steps. That each of them is
-// drawn as its numbers say is tested elsewhere, against a dense march.
+// Ours, and of 3D Slicer's those whose curves are of another kind: bands, several humps, steps. That each of
+// them is drawn as its numbers say is tested elsewhere, against a dense march.
 std::vector<std::string> presetNames() {
     std::vector<std::string> names{"ct-aaa", "ct-lung", "ct-fat", "ct-muscle"};
     for (const auto& file : presets::transferFiles()) {
@@ -162,6 +164,44 @@ TEST_F(PathTracerTest, DrawsTheSamplesTheReferenceDraws) {
         if (glm::length(glm::dvec4(image->radiance[i]) - sums[i] / 8.0) > 1e-3) ++different;
     }
     EXPECT_LT(different, int(sums.size() / 50));
+}
+
+// The same picture whichever way its samples are asked for, and none of the time goes by unused.
+TEST_F(PathTracerTest, ABudgetIsKeptAndGoesOnWhereItStopped) {
+    const auto volume = smallPhantom();
+    TransferFunction bone = scenes::homogeneous(1.0);
+    bone.opacity = {{150, 0.0}, {400, 0.8}};
+    const Environment sky = Environment::fromRig(twoLights());
+    PathTracer t = tracer(volume, bone, sky, front(*volume, 128), {.seed = 9});
+    ASSERT_TRUE(*t.trace(2));  // compiles, and learns how fast the device is
+    std::vector<double> over;
+    for (const double budgetMs : {30.0, 60.0, 100.0, 150.0, 60.0, 30.0, 100.0}) {
+        const auto start = std::chrono::steady_clock::now();
+        ASSERT_TRUE(t.traceFor(budgetMs).ok());
+        over.push_back(
+            std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count() -
+            budgetMs);
+    }
+    std::sort(over.begin(), over.end());
+    // Of a machine that does other things besides, only what is usual can be asked.
+    EXPECT_LT(over[over.size() / 2], 60.0);
+    EXPECT_GT(over.front(), -6.0) << "time was left unused";
+    RecordProperty("medianOverMs", std::to_string(over[over.size() / 2]));
+
+    const std::uint64_t done = t.statistics()->samplesPerPixel;
+    EXPECT_GT(done, 2u);
+    ASSERT_TRUE(*t.trace(1));  // finishes the pass under way
+    const auto image = t.readback();
+    PathTracer again = tracer(volume, bone, sky, front(*volume, 128), {.seed = 9});
+    ASSERT_TRUE(*again.trace(std::uint32_t(t.statistics()->samplesPerPixel)));
+    const auto expected = again.readback();
+    for (std::size_t i = 0; i < image->radiance.size(); ++i)
+        ASSERT_LT(glm::length(image->radiance[i] - expected->radiance[i]), 1e-5f) << i;
+
+    // Stopped from outside.
+    int asked = 0;
+    ASSERT_TRUE(t.traceFor(10000.0, [&] { return ++asked < 3; }).ok());
+    EXPECT_EQ(asked, 3);
 }
 
 TEST_F(PathTracerTest, TheLeftMarkerIsOnThePatientsLeftAndThePictureIsUpright) {

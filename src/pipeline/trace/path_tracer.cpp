@@ -23,6 +23,7 @@ using Clock = std::chrono::steady_clock;
 
 // A dispatch is this long or shorter: a cancel is quick, and no watchdog fires.
 constexpr double kDispatchMs = 40.0;
+constexpr double kLeastDispatchMs = 4.0;     // less is mostly overhead
 constexpr int kBlock = 8;                    // pixels; a work group is a square of them
 constexpr std::uint32_t kMaxBlocks = 65535;  // of one dispatch: what every device allows
 constexpr std::uint32_t kMinBlocks = 4;      // so that no thread of a CPU device is idle
@@ -128,6 +129,7 @@ struct PathTracer::Impl {
         return blockSamplesPerMs.try_emplace({settings.filter, settings.bounces}, kFirstRate).first->second;
     }
     Result<void> traceBlocks(std::uint32_t count);
+    Result<void> step(std::uint32_t samples, double ms);
 };
 
 PathTracer::PathTracer(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -339,34 +341,54 @@ Result<bool> PathTracer::Impl::tooLong() {
     return seen.abandoned > 0;
 }
 
+// One dispatch: of the pass under way, or of a new one of at most `samples`. It takes about `ms`.
+Result<void> PathTracer::Impl::step(std::uint32_t samples, double ms) {
+    if (passSamples == 0) {
+        const auto most = static_cast<std::uint32_t>(std::max(kMaxVerticesPerDispatch / settings.bounces, 1));
+        passSamples = std::max(std::min({most, mostSamples, samples}), 1u);
+        passBlock = 0;
+    }
+    const double affordable = std::clamp(rate() * ms / passSamples, double(kMinBlocks), double(kMaxBlocks));
+    MACULA_TRY_VOID(traceBlocks(std::min(static_cast<std::uint32_t>(affordable), blocks() - passBlock)));
+    if (passBlock < blocks()) return {};
+    MACULA_TRY(const bool again, tooLong());
+    if (again) {
+        mostSamples = passSamples / 2;
+        paramsStale = true;
+        restarting = true;
+        return prepare();
+    }
+    samplesDone += passSamples;
+    passSamples = 0;
+    return {};
+}
+
 Result<bool> PathTracer::trace(std::uint32_t samplesPerPixel, const std::function<bool()>& keepGoing) {
     Impl& t = *impl_;
     MACULA_TRY_VOID(t.prepare());
     // A pass that was interrupted is part of what was asked for.
     const std::uint32_t target = t.samplesDone + std::max(samplesPerPixel, t.passSamples);
     while (t.samplesDone < target) {
-        if (t.passSamples == 0) {
-            const auto most =
-                static_cast<std::uint32_t>(std::max(kMaxVerticesPerDispatch / t.settings.bounces, 1));
-            t.passSamples = std::min({most, t.mostSamples, target - t.samplesDone});
-            t.passBlock = 0;
-        }
-        const double affordable =
-            std::clamp(t.rate() * kDispatchMs / t.passSamples, double(kMinBlocks), double(kMaxBlocks));
-        MACULA_TRY_VOID(
-            t.traceBlocks(std::min(static_cast<std::uint32_t>(affordable), t.blocks() - t.passBlock)));
-        if (t.passBlock >= t.blocks()) {
-            MACULA_TRY(const bool again, t.tooLong());
-            if (again) {
-                t.mostSamples = t.passSamples / 2;
-                t.paramsStale = true;
-                t.restarting = true;
-                MACULA_TRY_VOID(t.prepare());
-            } else {
-                t.samplesDone += t.passSamples;
-                t.passSamples = 0;
-            }
-        }
+        MACULA_TRY_VOID(t.step(target - t.samplesDone, kDispatchMs));
+        if (keepGoing && !keepGoing()) break;
+    }
+    return t.passSamples == 0;
+}
+
+Result<bool> PathTracer::traceFor(double budgetMs, const std::function<bool()>& keepGoing) {
+    Impl& t = *impl_;
+    const Clock::time_point start = Clock::now();
+    MACULA_TRY_VOID(t.prepare());
+    for (bool first = true;; first = false) {
+        const double leftMs =
+            budgetMs - std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+        if (leftMs < kLeastDispatchMs && !first) break;
+        // As many samples as the time that is left has for every pixel; the first picture comes soonest with
+        // one.
+        const double fitting = t.samplesDone == 0 ? 1.0 : t.rate() * leftMs / t.blocks();
+        const auto samples =
+            static_cast<std::uint32_t>(std::clamp(fitting, 1.0, double(kMaxVerticesPerDispatch)));
+        MACULA_TRY_VOID(t.step(samples, std::clamp(leftMs, kLeastDispatchMs, kDispatchMs)));
         if (keepGoing && !keepGoing()) break;
     }
     return t.passSamples == 0;

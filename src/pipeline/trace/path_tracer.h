@@ -76,6 +76,12 @@ class PathTracer {
     // every pixel now has the same number of samples.
     Result<bool> trace(std::uint32_t samplesPerPixel, const std::function<bool()>& keepGoing = {});
 
+    // Adds samples for about `budgetMs`, at least one dispatch, and stops within 20 ms of it on the slowest
+    // device once its kernels are compiled (the first dispatch of a kind compiles one). A pass over the
+    // picture that is not finished leaves some pixels with more samples than others; the next call goes on
+    // with it. Returns as trace().
+    Result<bool> traceFor(double budgetMs, const std::function<bool()>& keepGoing = {});
+
     // The tone-mapped picture so far, display-encoded RGBA8, premultiplied over `background` (linear). Stays
     // on the device, in layout GENERAL, size of the view, valid until the next setView.
     Result<const gpu::Image*> display(const glm::vec3& background, Smoothing smoothing = Smoothing::none);
