@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 
 #include "base/progress_bar.h"
 #include "cli/camera_file.h"
@@ -16,6 +17,7 @@
 #include "cli/lights_choice.h"
 #include "cli/output_file.h"
 #include "cli/preset_choice.h"
+#include "cli/quality_choice.h"
 #include "cli/render_statistics.h"
 #include "cli/report.h"
 #include "cli/study_input.h"
@@ -38,7 +40,10 @@ struct Options {
     std::filesystem::path camera;
     double fovDeg = 0.0;  // 0: not given
     std::string size = "768x768";
-    std::uint32_t samplesPerPixel = 64;
+    std::string quality;
+    std::optional<std::uint32_t> samplesPerPixel;  // what is given itself counts more than the quality
+    std::optional<int> bounces;
+    bool denoise = false;
     trace::Settings settings;
     trace::MemoryLimits memory;
     std::string lights = kDefaultLights;
@@ -115,6 +120,26 @@ Result<void> writePicture(trace::PathTracer& tracer, const Options& options, con
                            metadata(record));
 }
 
+// What the options come to.
+struct Effort {
+    std::uint32_t samplesPerPixel = 64;
+    trace::Settings settings;
+};
+Result<Effort> effortOf(const Options& options) {
+    Effort effort{.settings = options.settings};
+    if (!options.quality.empty()) {
+        MACULA_TRY(const trace::Quality quality, chooseQuality(options.quality));
+        effort.samplesPerPixel = quality.samplesPerPixel;
+        effort.settings.bounces = quality.bounces;
+        effort.settings.filter = quality.filter;
+        effort.settings.denoising = quality.denoising;
+    }
+    effort.samplesPerPixel = options.samplesPerPixel.value_or(effort.samplesPerPixel);
+    effort.settings.bounces = options.bounces.value_or(effort.settings.bounces);
+    if (options.denoise) effort.settings.denoising = trace::Denoising::on;
+    return effort;
+}
+
 Result<void> render(const Options& options) {
     // All that can be wrong on the command line first, then the device, then the study: the slowest comes
     // last.
@@ -122,6 +147,7 @@ Result<void> render(const Options& options) {
     if (!options.statistics.empty() && options.statistics != "-")
         MACULA_TRY_VOID(checkFolderOf(options.statistics));
     MACULA_TRY(const glm::ivec2 size, parseSize(options.size));
+    MACULA_TRY(const Effort effort, effortOf(options));
     MACULA_TRY(const trace::Environment environment, chooseLights(options.lights));
     if (!options.preset.empty()) MACULA_TRY_VOID(presetFor(options, options.preset));
     ClipPreset clip;
@@ -166,7 +192,7 @@ Result<void> render(const Options& options) {
     record.device = gpu::describe(device->info());
     record.width = size.x;
     record.height = size.y;
-    record.settings = options.settings;
+    record.settings = effort.settings;
     record.notes = study.notes;
 
     start = std::chrono::steady_clock::now();
@@ -175,9 +201,9 @@ Result<void> render(const Options& options) {
     MACULA_TRY_VOID(tracer.setClip(clipFor(clip, *study.volume)));  // first: what it hides is not uploaded
     MACULA_TRY_VOID(tracer.setTransferFunction(preset));
     MACULA_TRY_VOID(tracer.setEnvironment(environment));
-    MACULA_TRY_VOID(tracer.setSettings(options.settings));
+    MACULA_TRY_VOID(tracer.setSettings(effort.settings));
     MACULA_TRY_VOID(tracer.setView({record.camera, size.x, size.y}));
-    MACULA_TRY_VOID(traceAll(tracer, options.samplesPerPixel, progress));
+    MACULA_TRY_VOID(traceAll(tracer, effort.samplesPerPixel, progress));
     record.traceSeconds = secondsSince(start);
     MACULA_TRY(record.statistics, tracer.statistics());
     for (const Message& message : record.statistics.messages) {
@@ -234,13 +260,15 @@ void addRender(CLI::App& app, Action& action) {
     command->add_option("--fov", o.fovDeg, "Vertical field of view in degrees (default: 30)")
         ->check(CLI::Range(0.1, 170.0));
     command->add_option("--size", o.size, "Picture size in pixels (default: 768x768)")->option_text("WxH");
+    command->add_option(
+        "--quality", o.quality,
+        "draft, normal, high, reference, or JSON file: samples, bounces, filter and denoising at once");
     command->add_option("--spp", o.samplesPerPixel, "Samples per pixel (default: 64)")
         ->check(CLI::Range(1, 1 << 20));
-    command->add_option("--bounces", o.settings.bounces, "Scattering events per path (default: 4)")
+    command->add_option("--bounces", o.bounces, "Scattering events per path (default: 4)")
         ->check(CLI::Range(1, trace::kMaxBounces));
-    command->add_flag_callback(
-        "--denoise", [&o] { o.settings.denoising = trace::Denoising::on; },
-        "Filter the noise out, guided by what is seen; the picture says that it is denoised");
+    command->add_flag("--denoise", o.denoise,
+                      "Filter the noise out, guided by what is seen; the picture says that it is denoised");
     command->add_option("--seed", o.settings.seed,
                         "Of the random numbers; the same seed gives the same picture");
     command->add_option("--lights", o.lights,

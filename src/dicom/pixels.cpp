@@ -49,7 +49,7 @@ std::vector<std::uint64_t> extendedOffsets(const ElementTree& tree) {
     if (element == nullptr) return {};
     const std::string_view value = tree.value(*element);
     std::vector<std::uint64_t> offsets(value.size() / sizeof(std::uint64_t));
-    std::memcpy(offsets.data(), value.data(), offsets.size() * sizeof(std::uint64_t));
+    if (!offsets.empty()) std::memcpy(offsets.data(), value.data(), offsets.size() * sizeof(std::uint64_t));
     return offsets;
 }
 

@@ -16,5 +16,6 @@ file(WRITE ${OUT}.part "// Made by src/presets/embed.cmake.\n#include \"presets/
 table(transferFiles transfer)
 table(lightFiles lights)
 table(clipFiles clip)
+table(qualityFiles quality)
 file(APPEND ${OUT}.part "}  // namespace macula::presets\n")
 file(RENAME ${OUT}.part ${OUT})

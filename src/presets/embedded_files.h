@@ -1,4 +1,4 @@
-// The files of presets/transfer, presets/lights and presets/clip, carried inside the program: it needs no
+// The files of presets/transfer, lights, clip and quality, carried inside the program: it needs no
 // data files to run.
 #pragma once
 
@@ -16,5 +16,6 @@ struct EmbeddedFile {
 std::span<const EmbeddedFile> transferFiles();
 std::span<const EmbeddedFile> lightFiles();
 std::span<const EmbeddedFile> clipFiles();
+std::span<const EmbeddedFile> qualityFiles();
 
 }  // namespace macula::presets
