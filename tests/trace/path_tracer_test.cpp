@@ -121,6 +121,13 @@ TEST_P(EveryPreset, PhantomLooksAsTheReferenceSays) {
             squares += deviate * deviate;
             ++counted;
         }
+        // A band that no voxel is in shows nothing where single voxels are drawn: then on both.
+        const bool bandIsEmpty =
+            std::all_of(expected.sum.begin(), expected.sum.end(), [](double v) { return v == 0.0; });
+        if (filter == Filter::stochastic && bandIsEmpty) {
+            EXPECT_EQ(counted, 0);
+            continue;
+        }
         ASSERT_GT(counted, 50);
         // The mean square of Student's t with 30 degrees of freedom is 30/28; the four channels of a part are
         // nearly one. A bias of two standard errors everywhere would make it 5.
