@@ -25,6 +25,7 @@
 #include "pipeline/trace/path_tracer.h"
 #include "pipeline/volume/volume_fit.h"
 #include "presets/default_preset.h"
+#include "segment/patient.h"
 
 namespace macula::cli {
 
@@ -48,6 +49,7 @@ struct Options {
     trace::MemoryLimits memory;
     std::string lights = kDefaultLights;
     std::string clip;
+    bool removeTable = false;
     std::string device;
     std::filesystem::path statistics;
 };
@@ -198,7 +200,17 @@ Result<void> render(const Options& options) {
     start = std::chrono::steady_clock::now();
     MACULA_TRY(trace::PathTracer tracer, trace::PathTracer::create(device, options.memory));
     MACULA_TRY_VOID(tracer.setVolume(study.volume));
-    MACULA_TRY_VOID(tracer.setClip(clipFor(clip, *study.volume)));  // first: what it hides is not uploaded
+    Clip shown = clipFor(clip, *study.volume);
+    if (options.removeTable) {
+        MACULA_TRY(segment::PatientMask patient, segment::findPatient(*study.volume, progress));
+        for (const Message& message : patient.messages) {
+            record.notes.push_back(message.sentence);
+            printNote(message.sentence);
+        }
+        shown.mask = Mask{.labels = std::make_shared<const LabelMap>(std::move(patient.map)),
+                          .numbers = {segment::PatientMask::kPatient}};
+    }
+    MACULA_TRY_VOID(tracer.setClip(shown));  // first: what it hides is not uploaded
     MACULA_TRY_VOID(tracer.setTransferFunction(preset));
     MACULA_TRY_VOID(tracer.setEnvironment(environment));
     MACULA_TRY_VOID(tracer.setSettings(effort.settings));
@@ -273,6 +285,9 @@ void addRender(CLI::App& app, Action& action) {
                         "Of the random numbers; the same seed gives the same picture");
     command->add_option("--lights", o.lights,
                         "Name from macula presets, light rig JSON, or HDR or EXR panorama");
+    command->add_flag(
+        "--remove-table", o.removeTable,
+        "Leave out the table and what else lies beside the patient; CT only. What went is said");
     command->add_option("--clip", o.clip,
                         "Name from macula presets, or JSON file: what is shown of the volume");
     command
