@@ -4,6 +4,7 @@
 
 #include "pipeline/gpu/recorder.h"
 #include "pipeline/gpu/transfer.h"
+#include "pipeline/trace/device_scene.h"
 #include "shaders/trace.h"
 
 namespace macula::trace {

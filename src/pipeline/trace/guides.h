@@ -10,11 +10,13 @@
 
 #include "base/result.h"
 #include "pipeline/gpu/kernel.h"
+#include "pipeline/gpu/recorder.h"
 #include "pipeline/gpu/resources.h"
-#include "pipeline/trace/device_scene.h"
 #include "pipeline/trace/guide_pixel.h"
 
 namespace macula::trace {
+
+class DeviceScene;
 
 // On the device; row 0 on top. Used by one thread at a time, the one that uses the device.
 class Guides {
