@@ -84,9 +84,10 @@ March march(INOUT(BrickWalk) walk) {
         while (fromMm + tinyMm < walk.segmentEndMm && m.opticalDepth < float(DEPTH_OPAQUE)) {
             float step = min(stepMm, walk.segmentEndMm - fromMm);
             float middleMm = fromMm + float(0.5) * step;
-            float entry = trilinearEntry(walkPositionAt(walk, middleMm));
-            float extinction = extinctionOfEntry(entry);
-            if (isMasked(walkPositionAt(walk, middleMm))) extinction = float(0.0);
+            vec3 at = walkPositionAt(walk, middleMm);
+            float entry = trilinearEntry(at);
+            float extinction = extinctionAt(at, entry);
+            if (isMasked(at)) extinction = float(0.0);
             if (useClip()) extinction = endOfCut(walk.cutFrom, walk.cutTo, middleMm) < float(0.0) ? extinction : float(0.0);
             float added = extinction * step;
             bool again = added > float(FINE) && step > fineMm;

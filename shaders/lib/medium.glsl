@@ -1,20 +1,34 @@
 // The optical medium at a point. Positions are in voxel coordinates with integers at voxel faces: the volume fills
 // [0, size]; beyond the outermost centres the outer voxel goes on.
 //
-// Needs from its host: params.volumeSize, fetchStored(voxel) in table entries, fetchCorners(low, high, near, far): the same
-// for the eight corners between two voxels that are at most 1 apart, fetchExtinction(entry) per mm, and useTrilinear(), a
-// constant.
+// Needs from its host: params.volumeSize, fetchStored(voxel) in table entries, fetchCorners(low, high,
+// near, far): the same for the eight corners between two voxels that are at most 1 apart, fetchExtinction(entry) per mm, and
+// useTrilinear(), a constant.
+
+// The eight voxels around a point, and where between them it lies.
+struct Corners {
+    vec4 near;      // at the low end of z: (low, low), (high, low), (low, high), (high, high) along x and y
+    vec4 far;       // at its high end
+    vec3 fraction;  // 0 to 1
+};
+
+Corners cornersAround(vec3 p) {
+    vec3 q = clamp(p - vec3(0.5), vec3(0.0), vec3(params.volumeSize - ivec3(1)));
+    ivec3 low = ivec3(q);
+    Corners c;
+    c.fraction = q - vec3(low);
+    fetchCorners(low, min(low + ivec3(1), params.volumeSize - ivec3(1)), c.near, c.far);
+    return c;
+}
+
+float interpolated(Corners c) {
+    return mix(mix(mix(c.near.x, c.near.y, c.fraction.x), mix(c.near.z, c.near.w, c.fraction.x), c.fraction.y),
+               mix(mix(c.far.x, c.far.y, c.fraction.x), mix(c.far.z, c.far.w, c.fraction.x), c.fraction.y), c.fraction.z);
+}
 
 // The value at a point, as a continuous position in the tables.
 float trilinearEntry(vec3 p) {
-    vec3 q = clamp(p - vec3(0.5), vec3(0.0), vec3(params.volumeSize - ivec3(1)));
-    ivec3 low = ivec3(q);
-    vec3 f = q - vec3(low);
-    vec4 near;  // at low.z: (low, low), (high, low), (low, high), (high, high) along x and y
-    vec4 far;   // at high.z
-    fetchCorners(low, min(low + ivec3(1), params.volumeSize - ivec3(1)), near, far);
-    return mix(mix(mix(near.x, near.y, f.x), mix(near.z, near.w, f.x), f.y),
-               mix(mix(far.x, far.y, f.x), mix(far.z, far.w, f.x), f.y), f.z);
+    return interpolated(cornersAround(p));
 }
 
 // One of the eight voxels around, drawn with its trilinear weight.

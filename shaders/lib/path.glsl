@@ -3,7 +3,7 @@
 // vertices.
 //
 // Needs, beside medium, walk, phase and environment: fetchAlbedo(entry), params.voxelFromWorld*, params.worldFrom*,
-// params.bounces, params.anisotropy.
+// params.bounces, params.anisotropy, params.lightStrength.
 
 vec3 voxelsPerMm(vec3 worldDirection) {
     return params.voxelFromWorldX * worldDirection.x + params.voxelFromWorldY * worldDirection.y +
@@ -97,10 +97,11 @@ bool follow(INOUT(Path) path, INOUT(Rng) rng) {
     for (int i = 0; i < STRIDE; ++i) {
         path.rounds += 1;
         if (!nextTentative(path.walk, rng, path.rounds)) return true;
-        path.entry = entryAt(walkPosition(path.walk), rng);
-        float real = min(extinctionOfEntry(path.entry) / path.walk.majorant, float(1.0));
+        vec3 at = walkPosition(path.walk);
+        path.entry = entryAt(at, rng);
+        float real = min(extinctionAt(at, path.entry) / path.walk.majorant, float(1.0));
         bool seesAll = params.clipShadows != 0 && (path.shadow || path.vertices > 0);
-        if (useMask() && !seesAll && isMasked(walkPosition(path.walk))) real = float(0.0);
+        if (useMask() && !seesAll && isMasked(at)) real = float(0.0);
         float chance = random01(rng);
         if (path.shadow) {
             path.transmittance *= float(1.0) - real;
@@ -145,7 +146,7 @@ bool decide(INOUT(Path) path, INOUT(Rng) rng) {
         EnvironmentSample light = sampleEnvironment(rng);
         direction = worldFromEnvironment(light.direction);
         float phase = phaseHenyeyGreenstein(dot(path.direction, direction), params.anisotropy);
-        path.pending = light.pdfPerSr > float(0.0) ? path.throughput * light.radiance * (phase / light.pdfPerSr) : vec3(0.0);
+        path.pending = light.pdfPerSr > float(0.0) ? path.throughput * light.radiance * (params.lightStrength * phase / light.pdfPerSr) : vec3(0.0);
     }
     path.walk = startLightWalk(path.origin, voxelsPerMm(direction));
     path.transmittance = float(1.0);

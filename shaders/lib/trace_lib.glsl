@@ -7,6 +7,7 @@
 #include "lib/phase.glsl"
 #include "lib/medium.glsl"
 #include "lib/mask.glsl"
+#include "lib/gradient.glsl"
 #include "lib/fovea.glsl"
 #include "lib/clip.glsl"
 #include "lib/brick_walk.glsl"
@@ -14,3 +15,4 @@
 #include "lib/picture.glsl"
 #include "lib/path.glsl"
 #include "lib/guides.glsl"
+#include "lib/cast.glsl"

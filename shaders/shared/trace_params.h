@@ -9,6 +9,12 @@ MACULA_SHARED_CONST int kClipNoBall = 0;
 MACULA_SHARED_CONST int kClipKeepBall = 1;
 MACULA_SHARED_CONST int kClipCutBall = 2;
 
+// What is cast: matter, or a projection of values.
+MACULA_SHARED_CONST int kCastMatter = 0;
+MACULA_SHARED_CONST int kCastMaximum = 1;
+MACULA_SHARED_CONST int kCastMinimum = 2;
+MACULA_SHARED_CONST int kCastMean = 3;
+
 // Voxel coordinates here have integers at voxel faces: the volume fills [0, volumeSize].
 struct TraceParams {
     vec3 originVoxel;      // the eye
@@ -51,6 +57,20 @@ struct TraceParams {
     vec2 gaze;
     float foveaRadius;
     float foveaMagnification;
+
+    float lightStrength;  // multiplies what the environment sends
+    // Gradient opacity, see shaders/lib/gradient.glsl.
+    float gradientScale;  // steps of its table per (entry per mm)
+    int gradientLast;     // index of its last step; 0: none
+    float unitDepthMm;    // unit distance of the opacities, divided by the density
+    // Ray casting, see shaders/lib/cast.glsl.
+    int entryCount;      // of the tables
+    float windowLow;     // entry that is black
+    float windowHigh;    // and white
+    float paddingEntry;  // what padding became; -1: there is none
+    float stepsPerEntry;  // over so many entries, one step
+    float ambient;        // of a headlight
+    float diffuse;
 };
 
 // The blocks of 8 x 8 pixels of a picture are visited in the order (i * blockStride) mod blockCount,

@@ -9,6 +9,9 @@
 layout(constant_id = 0) const bool kTrilinear = true;
 layout(constant_id = 2) const bool kClip = false;
 layout(constant_id = 3) const bool kMask = false;
+layout(constant_id = 4) const bool kGradientOpacity = false;
+layout(constant_id = 5) const bool kShading = false;
+layout(constant_id = 6) const int kCast = 0;
 
 // Not a uniform block: lavapipe (Mesa 22.3) compiles a uniform that decides a branch into the shader, and so would compile
 // anew, for a tenth of a second, whenever the camera moves.
@@ -16,7 +19,7 @@ layout(binding = 0, scalar) readonly buffer Params {
     TraceParams params;
 };
 layout(binding = 1) uniform usamplerBuffer poolTexels;        // blocks of voxels, as positions in the tables
-layout(binding = 2) uniform samplerBuffer extinctionTexels;   // per mm, by entry
+layout(binding = 2) uniform samplerBuffer extinctionTexels;   // per mm, by entry; after them the gradient opacity
 layout(binding = 3) uniform samplerBuffer albedoTexels;       // by entry
 layout(binding = 4) uniform samplerBuffer boundTexels;        // by brick
 layout(binding = 5) uniform samplerBuffer environmentTexels;  // radiance and pdf per steradian, by texel
@@ -73,6 +76,9 @@ void fetchCorners(ivec3 low, ivec3 high, out vec4 near, out vec4 far) {
 float fetchExtinction(int entry) {
     return texelFetch(extinctionTexels, entry).x;
 }
+float fetchGradientOpacity(int step) {
+    return texelFetch(extinctionTexels, params.entryCount + step).x;
+}
 vec3 fetchAlbedo(int entry) {
     return texelFetch(albedoTexels, entry).xyz;
 }
@@ -97,6 +103,15 @@ bool useMask() {
 float fetchMask(ivec3 voxel) {
     int n = (voxel.z * params.volumeSize.y + voxel.y) * params.volumeSize.x + voxel.x;
     return float((texelFetch(maskTexels, n >> 5).x >> (n & 31)) & 1u);
+}
+bool useGradientOpacity() {
+    return kGradientOpacity;
+}
+bool useShading() {
+    return kShading;
+}
+int castLook() {
+    return kCast;
 }
 
 #include "lib/trace_lib.glsl"

@@ -6,22 +6,7 @@
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(binding = 9, scalar) buffer Sums {
-    vec4 sums[];  // premultiplied radiance and coverage
-};
-layout(binding = 10, scalar) buffer Lost {
-    vec4 lost[];  // compensation of the sums
-};
-layout(binding = 11, scalar) buffer Counts {
-    uint counts[];  // finite samples
-};
-layout(binding = 12, scalar) buffer Faults {
-    uint nonFinite;  // samples that were not a number
-    uint abandoned;  // paths that would have taken too many rounds
-};
-layout(binding = 13, scalar) buffer Squares {
-    vec2 squares[];  // sum of squares of luminance, and its compensation. Coverage is 0 or 1, and its own square.
-};
+#include "trace/film.glsl"
 
 // lavapipe (Mesa 22.3) ends every loop after 65535 rounds of all loops together, and says nothing. It counts for the eight
 // lanes of a group as one, which run up to 3.4 times the rounds of each (measured on the phantom): the host sets a limit well

@@ -61,13 +61,15 @@ std::vector<Plot> plotsOf(const Tradeoff& tradeoff, const TradeoffOptions& optio
         psnr.logarithmicY = false;
         for (const bool denoised : {false, true}) {
             for (const int bounces : options.bounces) {
-                Curve curve{.name = fmt::format("{} bounce{}{}", bounces, bounces == 1 ? "" : "s", denoised ? ", denoised" : ""),
+                Curve curve{.name = fmt::format("{} bounce{}{}", bounces, bounces == 1 ? "" : "s",
+                                                denoised ? ", denoised" : ""),
                             .x = {},
                             .y = {},
                             .dashed = denoised};
                 Curve inDb = curve;
                 for (const TradeoffPoint& point : tradeoff.points) {
-                    if (point.filter != filter || point.bounces != bounces || isDenoised(point) != denoised) continue;
+                    if (point.filter != filter || point.bounces != bounces || isDenoised(point) != denoised)
+                        continue;
                     curve.x.push_back(totalMs(point));
                     curve.y.push_back(point.flip);
                     inDb.x.push_back(totalMs(point));
@@ -84,10 +86,14 @@ std::vector<Plot> plotsOf(const Tradeoff& tradeoff, const TradeoffOptions& optio
 }
 
 nlohmann::ordered_json toJson(const TradeoffPoint& point) {
-    return {{"filter", nameOf(point.filter)}, {"denoised", isDenoised(point)},
-            {"bounces", point.bounces},       {"samples", point.samples},
-            {"traceMs", point.traceMs},       {"displayMs", point.displayMs},
-            {"psnrDb", point.psnrDb},         {"ssim", point.ssim},
+    return {{"filter", nameOf(point.filter)},
+            {"denoised", isDenoised(point)},
+            {"bounces", point.bounces},
+            {"samples", point.samples},
+            {"traceMs", point.traceMs},
+            {"displayMs", point.displayMs},
+            {"psnrDb", point.psnrDb},
+            {"ssim", point.ssim},
             {"flip", point.flip}};
 }
 
@@ -96,7 +102,8 @@ Result<void> benchTradeoff(Options options) {
     Progress progress(terminalProgressBar(), interruptToken());
     MACULA_TRY(StudyInput study, loadStudy(options.path, options.series, progress));
     bringTo16Bits(study);
-    const std::string preset = options.preset.empty() ? presets::defaultTransfer(*study.volume) : options.preset;
+    const std::string preset =
+        options.preset.empty() ? presets::defaultTransfer(*study.volume) : options.preset;
     MACULA_TRY(const presets::ImportedPreset chosen, choosePreset(preset));
     MACULA_TRY(const trace::Environment environment, chooseLights(options.lights));
     MACULA_TRY(const gpu::Instance instance, gpu::Instance::create());
@@ -106,17 +113,18 @@ Result<void> benchTradeoff(Options options) {
     options.tradeoff.view = {.camera = frameBox(study.volume->worldBox(), ViewDirection::anterior, 30.0, 1.0),
                              .width = options.size,
                              .height = options.size};
-    MACULA_TRY(const Tradeoff tradeoff,
-               measureTradeoff(device, study.volume, chosen.function, environment, options.tradeoff, progress));
+    MACULA_TRY(const Tradeoff tradeoff, measureTradeoff(device, study.volume, chosen.function, environment,
+                                                        options.tradeoff, progress));
 
     if (!options.plot.empty())
         MACULA_TRY_VOID(writeTextAtomically(options.plot, toSvg(plotsOf(tradeoff, options.tradeoff))));
     if (!options.json) {
-        fmt::print("{:>10} {:>8} {:>7} {:>7} {:>9} {:>8} {:>7} {:>6}\n", "filter", "denoised", "bounces", "samples", "ms",
-                   "PSNR dB", "SSIM", "FLIP");
+        fmt::print("{:>10} {:>8} {:>7} {:>7} {:>9} {:>8} {:>7} {:>6}\n", "filter", "denoised", "bounces",
+                   "samples", "ms", "PSNR dB", "SSIM", "FLIP");
         for (const TradeoffPoint& p : tradeoff.points) {
             fmt::print("{:>10} {:>8} {:>7} {:>7} {:>9.1f} {:>8.2f} {:>7.4f} {:>6.4f}\n", nameOf(p.filter),
-                       isDenoised(p) ? "yes" : "no", p.bounces, p.samples, totalMs(p), p.psnrDb, p.ssim, p.flip);
+                       isDenoised(p) ? "yes" : "no", p.bounces, p.samples, totalMs(p), p.psnrDb, p.ssim,
+                       p.flip);
         }
         return {};
     }
@@ -143,15 +151,20 @@ Result<void> benchTradeoff(Options options) {
 void addBenchTradeoff(CLI::App& bench, Action& action) {
     auto options = std::make_shared<Options>();
     Options& o = *options;
-    auto* command = bench.add_subcommand("trace-tradeoff",
-                                         "Error against a converged picture, and time, over samples, bounces, denoising and "
-                                         "filtering");
+    auto* command = bench.add_subcommand(
+        "trace-tradeoff",
+        "Error against a converged picture, and time, over samples, bounces, denoising and "
+        "filtering");
     command->add_option("path", o.path, "Folder or file with DICOM; the built-in phantom when absent");
     command->add_option("--series", o.series, "Which series: its number in `macula info`, or its UID");
     command->add_option("--preset", o.preset, "Preset by name, number or file; default by modality");
     command->add_option("--lights", o.lights, "Light rig by name or file")->capture_default_str();
-    command->add_option("--size", o.size, "Width and height in pixels")->capture_default_str()->check(CLI::Range(16, 4096));
-    command->add_option("--converged-spp", o.tradeoff.convergedSamples, "Samples of the picture that counts as the truth")
+    command->add_option("--size", o.size, "Width and height in pixels")
+        ->capture_default_str()
+        ->check(CLI::Range(16, 4096));
+    command
+        ->add_option("--converged-spp", o.tradeoff.convergedSamples,
+                     "Samples of the picture that counts as the truth")
         ->capture_default_str()
         ->check(CLI::Range(64, 1 << 20));
     command->add_option("--device", o.device, "Device by number or part of its name");

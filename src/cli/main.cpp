@@ -19,6 +19,7 @@ int run(int argc, char** argv) {
     cli::Action action;
     cli::addInfo(app, action);
     cli::addRender(app, action);
+    cli::addSheet(app, action);
     cli::addExport(app, action);
     cli::addPresets(app, action);
     cli::addDevices(app, action);

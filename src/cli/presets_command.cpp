@@ -38,8 +38,7 @@ nlohmann::ordered_json describeAsJson(const TransferFunction& preset) {
                                    {"modality", preset.modalities},
                                    {"unit", unitOf(preset)},
                                    {"source", preset.source},
-                                   {"fitted", preset.fitToVolume.has_value()},
-                                   {"drawable", validate(preset).ok()}};
+                                   {"fitted", preset.fitToVolume.has_value()}};
     if (preset.number) json["number"] = *preset.number;
     return json;
 }
@@ -58,9 +57,8 @@ Result<void> listAll(const Options& options) {
     }
     fmt::print("Presets (--preset NAME or NUMBER)\n");
     for (const TransferFunction& preset : presets) {
-        fmt::print("  {:>3}  {:<28}{:<8}{:<11}{}{}\n", preset.number.value_or(0), preset.name,
-                   fmt::join(preset.modalities, ", "), preset.source, preset.title,
-                   validate(preset).ok() ? "" : " (not drawable yet)");
+        fmt::print("  {:>3}  {:<28}{:<8}{:<11}{}\n", preset.number.value_or(0), preset.name,
+                   fmt::join(preset.modalities, ", "), preset.source, preset.title);
     }
     fmt::print("Lights (--lights)\n");
     for (const trace::LightRig& rig : rigs) fmt::print("       {:<28}{}\n", rig.name, rig.title);
@@ -94,10 +92,9 @@ Result<void> show(const Options& options) {
         fmt::print("effective range    {:g} to {:g}\n", preset.effectiveRange->low,
                    preset.effectiveRange->high);
     if (preset.fitToVolume) fmt::print("fitted             to each volume\n");
-    if (const auto drawable = validate(preset); !drawable)
-        fmt::print("drawable           no: {}\n", drawable.error().message);
     printOpacity("opacity of " + fmt::format("{:g} mm", preset.unitDistanceMm), preset.opacity);
-    if (!preset.gradientOpacity.empty()) printOpacity("gradient opacity (per mm)", preset.gradientOpacity);
+    if (!preset.gradientOpacity.empty())
+        printOpacity("gradient opacity (units per voxel)", preset.gradientOpacity);
     fmt::print("colour ({})\n", colourSpaceName(preset.colourSpace));
     for (const ColourPoint& point : preset.colour) {
         fmt::print("  {:>12.9g}  {:.6g} {:.6g} {:.6g}\n", point.value, point.colour.r, point.colour.g,

@@ -4,6 +4,7 @@
 #include <CLI/Validators.hpp>
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -23,6 +24,7 @@
 #include "cli/study_input.h"
 #include "pipeline/gpu/device.h"
 #include "pipeline/trace/path_tracer.h"
+#include "pipeline/trace/scene.h"
 #include "pipeline/volume/volume_fit.h"
 #include "presets/default_preset.h"
 #include "segment/patient.h"
@@ -45,9 +47,10 @@ struct Options {
     std::optional<std::uint32_t> samplesPerPixel;  // what is given itself counts more than the quality
     std::optional<int> bounces;
     bool denoise = false;
+    std::string window;
     trace::Settings settings;
     trace::MemoryLimits memory;
-    std::string lights = kDefaultLights;
+    std::string lights;  // empty: not given
     std::string clip;
     bool removeTable = false;
     std::string device;
@@ -73,6 +76,39 @@ Result<glm::ivec2> parseSize(const std::string& text) {
             fmt::format("Give --size as WIDTHxHEIGHT in pixels, each from 1 to {}.", trace::kMaxPictureSide)};
     }
     return size;
+}
+
+// Centre and width, as DICOM has them but exactly: black at centre - width / 2, white at centre + width / 2.
+Result<DisplayWindow> parseWindow(const std::string& text) {
+    DisplayWindow window{.center = 0.0, .width = 0.0, .explanation = {}, .function = "LINEAR_EXACT"};
+    int used = 0;
+    const bool read = std::sscanf(text.c_str(), "%lf,%lf%n", &window.center, &window.width, &used) == 2 &&
+                      used == static_cast<int>(text.size());
+    if (!read || !std::isfinite(window.center) || !(window.width > 0.0) || !std::isfinite(window.width)) {
+        return Error{ErrorCode::usage, "The window is not usable.", text,
+                     "Give --window as CENTRE,WIDTH in units of the series, the width above 0."};
+    }
+    return window;
+}
+
+// What of the values projections show: what was asked for; or the range of a preset that was asked for,
+// fitted as the preset is; else what the series says.
+Result<std::optional<DisplayWindow>> chooseWindow(const Options& options, const TransferFunction& preset,
+                                                  const Volume& volume) {
+    if (!options.window.empty()) {
+        MACULA_TRY(const DisplayWindow window, parseWindow(options.window));
+        return std::optional(window);
+    }
+    const std::optional<ValueRange> range = fitted(preset, volume).effectiveRange;
+    if (options.preset.empty() || !range || !(range->low < range->high))
+        return std::optional<DisplayWindow>();
+    return std::optional(trace::windowOver(*range));
+}
+
+// Soft light from everywhere shows shape by shadow alone, and nothing glares: that is the clear look.
+std::string lightsOf(const Options& options) {
+    if (!options.lights.empty()) return options.lights;
+    return options.settings.look == trace::Look::clear ? "even" : kDefaultLights;
 }
 
 Result<Camera> chooseCamera(const Options& options, const Volume* volume, const glm::ivec2& size) {
@@ -129,6 +165,8 @@ struct Effort {
 };
 Result<Effort> effortOf(const Options& options) {
     Effort effort{.settings = options.settings};
+    // Chance needs many samples; what has none needs a few for smooth edges.
+    if (!trace::isPathTraced(options.settings.look)) effort.samplesPerPixel = 8;
     if (!options.quality.empty()) {
         MACULA_TRY(const trace::Quality quality, chooseQuality(options.quality));
         effort.samplesPerPixel = quality.samplesPerPixel;
@@ -150,7 +188,8 @@ Result<void> render(const Options& options) {
         MACULA_TRY_VOID(checkFolderOf(options.statistics));
     MACULA_TRY(const glm::ivec2 size, parseSize(options.size));
     MACULA_TRY(const Effort effort, effortOf(options));
-    MACULA_TRY(const trace::Environment environment, chooseLights(options.lights));
+    MACULA_TRY(const trace::Environment environment, chooseLights(lightsOf(options)));
+    if (!options.window.empty()) MACULA_TRY_VOID(parseWindow(options.window));
     if (!options.preset.empty()) MACULA_TRY_VOID(presetFor(options, options.preset));
     ClipPreset clip;
     if (!options.clip.empty()) {
@@ -189,12 +228,13 @@ Result<void> render(const Options& options) {
     MACULA_TRY(record.camera, chooseCamera(options, study.volume.get(), size));
     record.seriesDigest = study.seriesDigest;
     record.preset = publicPresetName(presetName);
-    record.lights = publicLightsName(options.lights);
+    record.lights = publicLightsName(lightsOf(options));
     record.clip = publicClipName(options.clip);
     record.device = gpu::describe(device->info());
     record.width = size.x;
     record.height = size.y;
     record.settings = effort.settings;
+    MACULA_TRY(record.settings.window, chooseWindow(options, preset, *study.volume));
     record.notes = study.notes;
 
     start = std::chrono::steady_clock::now();
@@ -213,7 +253,7 @@ Result<void> render(const Options& options) {
     MACULA_TRY_VOID(tracer.setClip(shown));  // first: what it hides is not uploaded
     MACULA_TRY_VOID(tracer.setTransferFunction(preset));
     MACULA_TRY_VOID(tracer.setEnvironment(environment));
-    MACULA_TRY_VOID(tracer.setSettings(effort.settings));
+    MACULA_TRY_VOID(tracer.setSettings(record.settings));
     MACULA_TRY_VOID(tracer.setView({record.camera, size.x, size.y}));
     MACULA_TRY_VOID(traceAll(tracer, effort.samplesPerPixel, progress));
     record.traceSeconds = secondsSince(start);
@@ -242,12 +282,18 @@ const std::map<std::string, ViewDirection> kViews{
     {"left", ViewDirection::left},         {"right", ViewDirection::right},
     {"superior", ViewDirection::superior}, {"inferior", ViewDirection::inferior}};
 
+std::map<std::string, trace::Look> looksByName() {
+    std::map<std::string, trace::Look> looks;
+    for (const trace::LookName& look : trace::kLooks) looks.emplace(look.name, look.look);
+    return looks;
+}
+
 }  // namespace
 
 void addRender(CLI::App& app, Action& action) {
     auto options = std::make_shared<Options>();
     Options& o = *options;
-    auto* command = app.add_subcommand("render", "Path trace a series to a picture");
+    auto* command = app.add_subcommand("render", "Draw a series to a picture");
     command->add_option(
         "PATH", o.path,
         "Folder with DICOM files, volume file (NIfTI, NRRD, MetaImage), or phantom: (default)");
@@ -272,12 +318,25 @@ void addRender(CLI::App& app, Action& action) {
     command->add_option("--fov", o.fovDeg, "Vertical field of view in degrees (default: 30)")
         ->check(CLI::Range(0.1, 170.0));
     command->add_option("--size", o.size, "Picture size in pixels (default: 768x768)")->option_text("WxH");
+    command
+        ->add_option("--look", o.settings.look, "How it is drawn, see docs/presets.md (default: cinematic)")
+        ->transform(CLI::CheckedTransformer(looksByName()))
+        ->option_text("cinematic|clear|dvr|mip|minip|average");
+    command
+        ->add_option("--window", o.window,
+                     "Of mip, minip and average (default: range of --preset, else window of the series)")
+        ->option_text("CENTRE,WIDTH");
+    command->add_flag_callback(
+        "--shading", [&o] { o.settings.shading = trace::Shading::headlight; },
+        "Light dvr from the eye, with the preset's ambient and diffuse parts");
     command->add_option(
         "--quality", o.quality,
         "draft, normal, high, reference, or JSON file: samples, bounces, filter and denoising at once");
-    command->add_option("--spp", o.samplesPerPixel, "Samples per pixel (default: 64)")
+    command
+        ->add_option("--spp", o.samplesPerPixel,
+                     "Samples per pixel (default: 64, or 8 for looks without chance)")
         ->check(CLI::Range(1, 1 << 20));
-    command->add_option("--bounces", o.bounces, "Scattering events per path (default: 4)")
+    command->add_option("--bounces", o.bounces, "Scattering events per path of cinematic (default: 4)")
         ->check(CLI::Range(1, trace::kMaxBounces));
     command->add_flag("--denoise", o.denoise,
                       "Filter the noise out, guided by what is seen; the picture says that it is denoised");
@@ -285,6 +344,16 @@ void addRender(CLI::App& app, Action& action) {
                         "Of the random numbers; the same seed gives the same picture");
     command->add_option("--lights", o.lights,
                         "Name from macula presets, light rig JSON, or HDR or EXR panorama");
+    command
+        ->add_option("--light-rotation", o.settings.lightRotationDeg,
+                     "Degrees to turn the lights about the vertical, towards the patient's left")
+        ->check(CLI::Range(-360.0, 360.0));
+    command->add_option("--light-strength", o.settings.lightStrength, "Multiplies the lights (default: 1)")
+        ->check(CLI::Range(0.0, trace::kMaxGain));
+    command
+        ->add_option("--exposure", o.settings.exposure,
+                     "Multiplies the picture before the tone map (default: 1)")
+        ->check(CLI::Range(1e-6, trace::kMaxGain));
     command->add_flag(
         "--remove-table", o.removeTable,
         "Leave out the table and what else lies beside the patient; CT only. What went is said");

@@ -17,6 +17,7 @@ nlohmann::ordered_json toJson(const glm::dvec3& vector) {
 image::Metadata metadata(const RenderRecord& record) {
     return {{"Software", "Macula " MACULA_VERSION},
             {"macula:series", record.seriesDigest},
+            {"macula:look", std::string(trace::nameOf(record.settings.look))},
             {"macula:preset", record.preset},
             {"macula:lights", record.lights},
             {"macula:clip", record.clip},
@@ -33,8 +34,12 @@ Result<void> writeStatistics(const RenderRecord& record, const std::filesystem::
     const nlohmann::ordered_json json = {
         {"version", MACULA_VERSION},
         {"series", record.seriesDigest},
+        {"look", trace::nameOf(record.settings.look)},
         {"preset", record.preset},
         {"lights", record.lights},
+        {"lightRotationDeg", record.settings.lightRotationDeg},
+        {"lightStrength", record.settings.lightStrength},
+        {"exposure", record.settings.exposure},
         {"clip", record.clip},
         {"device", record.device},
         {"camera",

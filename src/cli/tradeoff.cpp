@@ -44,8 +44,13 @@ double maskedPsnr(const image::Image& reference, const image::Image& test, const
 class Bench {
   public:
     Bench(const std::shared_ptr<gpu::Device>& device, const std::shared_ptr<const Volume>& volume,
-          const TransferFunction& function, const trace::Environment& environment, const TradeoffOptions& options)
-        : device_(device), volume_(volume), function_(function), environment_(environment), options_(options) {}
+          const TransferFunction& function, const trace::Environment& environment,
+          const TradeoffOptions& options)
+        : device_(device),
+          volume_(volume),
+          function_(function),
+          environment_(environment),
+          options_(options) {}
 
     // A tracer of its own for each run: what one has seen of the view must not help the next.
     Result<trace::PathTracer> tracer(const trace::Settings& settings) const {
@@ -74,8 +79,10 @@ class Bench {
         for (std::uint32_t done = 0; done < options_.convergedSamples;) {
             const std::uint32_t count = std::min(kPortion, options_.convergedSamples - done);
             MACULA_TRY(const bool whole, truth.trace(count, [&] { return !progress.cancelled(); }));
-            if (!whole || progress.cancelled()) return Error{ErrorCode::cancelled, "The benchmark was cancelled.", {}, {}};
-            const bool passesHalf = done < options_.convergedSamples / 2 && done + count >= options_.convergedSamples / 2;
+            if (!whole || progress.cancelled())
+                return Error{ErrorCode::cancelled, "The benchmark was cancelled.", {}, {}};
+            const bool passesHalf =
+                done < options_.convergedSamples / 2 && done + count >= options_.convergedSamples / 2;
             done += count;
             if (passesHalf) {
                 MACULA_TRY(half, shown(truth));
@@ -91,8 +98,8 @@ class Bench {
         return {};
     }
 
-    Result<void> run(trace::Filter filter, trace::Denoising denoising, int bounces, const std::vector<bool>& mask,
-                     Tradeoff& result, Progress& progress) const {
+    Result<void> run(trace::Filter filter, trace::Denoising denoising, int bounces,
+                     const std::vector<bool>& mask, Tradeoff& result, Progress& progress) const {
         const trace::Settings settings{.bounces = bounces,
                                        .seed = 1,
                                        .filter = filter,
@@ -110,7 +117,8 @@ class Bench {
         for (const std::uint32_t samples : options_.samples) {
             auto start = Clock::now();
             MACULA_TRY(const bool whole, tracer.trace(samples - done, [&] { return !progress.cancelled(); }));
-            if (!whole || progress.cancelled()) return Error{ErrorCode::cancelled, "The benchmark was cancelled.", {}, {}};
+            if (!whole || progress.cancelled())
+                return Error{ErrorCode::cancelled, "The benchmark was cancelled.", {}, {}};
             traceMs += msSince(start);
             done = samples;
             start = Clock::now();
@@ -141,7 +149,8 @@ class Bench {
 
 }  // namespace
 
-Result<Tradeoff> measureTradeoff(const std::shared_ptr<gpu::Device>& device, const std::shared_ptr<const Volume>& volume,
+Result<Tradeoff> measureTradeoff(const std::shared_ptr<gpu::Device>& device,
+                                 const std::shared_ptr<const Volume>& volume,
                                  const TransferFunction& function, const trace::Environment& environment,
                                  const TradeoffOptions& options, Progress& progress) {
     const Bench bench(device, volume, function, environment, options);

@@ -136,7 +136,7 @@ Result<ImportedPresets> presetsFromParaviewJson(const PresetText& file) {
     }
     MACULA_TRY_VOID(document.status());
     for (const ImportedPreset& preset : presets) {
-        if (auto valid = checkCurves(preset.function); !valid) {
+        if (auto valid = validate(preset.function); !valid) {
             Error error = valid.error();
             error.where = file.where;
             return error;

@@ -50,6 +50,14 @@ TEST_F(BadInput, Options) {
     expectRefused(2, "--bounces", with("--bounces", "0"));
     expectRefused(2, "--fov", with("--fov", "180"));
     expectRefused(2, "--view", with("--view", "sideways"));
+    expectRefused(2, "--look", with("--look", "pretty"));
+    expectRefused(2, "--window", with("--window", "40"));
+    expectRefused(2, "--window", with("--window", "40,0"));
+    expectRefused(2, "--window", with("--window", "40,400,8"));
+    expectRefused(2, "--window", with("--window", "nan,400"));
+    expectRefused(2, "--light-rotation", with("--light-rotation", "sideways"));
+    expectRefused(2, "--light-strength", with("--light-strength", "-1"));
+    expectRefused(2, "--exposure", with("--exposure", "0"));
     expectRefused(2, "no such preset", with("--preset", "ct-unicorn"));
     expectRefused(2, "no such lights", with("--lights", "disco"));
     expectRefused(2, "macula: ", with("--device", "no such device"));

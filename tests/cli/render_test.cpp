@@ -62,6 +62,30 @@ TEST_F(Render, EveryPresetAndRigShowsSomething) {
     }
 }
 
+TEST_F(Render, EveryLook) {
+    for (const char* look : {"cinematic", "clear", "dvr", "mip", "minip", "average"}) {
+        const image::Image image =
+            render("l.png", {"--look", look, "--window", "0,2200", "--json", at("l.json")});
+        EXPECT_GT(meanBrightness(image), std::string(look) == "minip" ? -1.0 : 0.005) << look;
+        const auto statistics = nlohmann::json::parse(readAll(at("l.json")));
+        EXPECT_EQ(statistics["look"], look);
+        EXPECT_EQ(statistics["samplesPerPixel"], 4);
+        EXPECT_EQ(statistics["lights"], std::string(look) == "clear" ? "even" : "studio");
+    }
+}
+
+// In linear light, so that twice the light is twice the number; exposure is of the display alone.
+TEST_F(Render, LightsExposureAndShading) {
+    const double plain = meanBrightness(render("a.exr", {}));
+    EXPECT_NEAR(meanBrightness(render("b.exr", {"--light-strength", "2"})) / plain, 2.0, 1e-3);
+    EXPECT_NEAR(meanBrightness(render("c.exr", {"--exposure", "2"})) / plain, 1.0, 1e-6);
+    EXPECT_GT(meanBrightness(render("d.png", {"--exposure", "2"})),
+              1.1 * meanBrightness(render("a.png", {})));
+    EXPECT_NE(meanBrightness(render("e.exr", {"--light-rotation", "90"})), plain);
+    EXPECT_LT(meanBrightness(render("f.exr", {"--look", "dvr", "--shading"})),
+              meanBrightness(render("g.exr", {"--look", "dvr"})));
+}
+
 TEST_F(Render, ExrHoldsLightAndDepth) {
     const image::Image image = render("a.exr", {"--view", "posterior"});
     ASSERT_EQ(image.channels, 5);

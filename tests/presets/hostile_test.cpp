@@ -40,7 +40,7 @@ void expectHarmless(std::string_view text, const std::string& name) {
         return;
     }
     for (const ImportedPreset& preset : *read) {
-        ASSERT_TRUE(checkCurves(preset.function).ok()) << name;
+        ASSERT_TRUE(validate(preset.function).ok()) << name;
         for (const double x : {-1e9, 0.0, 0.3, 5.0, 1e9}) {
             const double opacity = opacityAt(preset.function, x);
             EXPECT_TRUE(opacity >= 0.0 && opacity <= 1.0) << text;

@@ -50,14 +50,25 @@ const std::vector<LaidOutField> kTraceParams{MACULA_FIELD(TraceParams, originVox
                                              MACULA_FIELD(TraceParams, planeHalfSize),
                                              MACULA_FIELD(TraceParams, gaze),
                                              MACULA_FIELD(TraceParams, foveaRadius),
-                                             MACULA_FIELD(TraceParams, foveaMagnification)};
+                                             MACULA_FIELD(TraceParams, foveaMagnification),
+                                             MACULA_FIELD(TraceParams, lightStrength),
+                                             MACULA_FIELD(TraceParams, gradientScale),
+                                             MACULA_FIELD(TraceParams, gradientLast),
+                                             MACULA_FIELD(TraceParams, unitDepthMm),
+                                             MACULA_FIELD(TraceParams, entryCount),
+                                             MACULA_FIELD(TraceParams, windowLow),
+                                             MACULA_FIELD(TraceParams, windowHigh),
+                                             MACULA_FIELD(TraceParams, paddingEntry),
+                                             MACULA_FIELD(TraceParams, stepsPerEntry),
+                                             MACULA_FIELD(TraceParams, ambient),
+                                             MACULA_FIELD(TraceParams, diffuse)};
 const std::vector<LaidOutField> kPathPush{
     MACULA_FIELD(PathPush, firstBlock), MACULA_FIELD(PathPush, blockCount),
     MACULA_FIELD(PathPush, blockStride), MACULA_FIELD(PathPush, firstSample),
     MACULA_FIELD(PathPush, sampleCount)};
 
 TEST(TraceLayout, ParametersAndPushConstantsAgreeInEveryKernel) {
-    for (const auto& code : {shaders::trace_path_comp, shaders::trace_guides_comp}) {
+    for (const auto& code : {shaders::trace_path_comp, shaders::trace_cast_comp, shaders::trace_guides_comp}) {
         const auto reflection = gpu::reflectSpirv(code.words);
         ASSERT_TRUE(reflection.ok());
         const auto* params = reflection->bindings.front().block.find("params");

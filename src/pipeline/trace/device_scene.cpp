@@ -22,6 +22,22 @@ Result<gpu::TexelBuffer> makeTexels(const std::shared_ptr<gpu::Device>& device, 
     return texels;
 }
 
+// What a look needs of the scene beside its transfer function.
+std::optional<Projection> projectionOf(Look look) {
+    if (look == Look::mip) return Projection::maximum;
+    if (look == Look::minip) return Projection::minimum;
+    if (look == Look::average) return Projection::mean;
+    return std::nullopt;
+}
+
+// Gradients reach a voxel beyond what can be seen: into the next bricks.
+void addNeighbours(std::span<const float> bounds, std::vector<std::uint8_t>& alsoShown) {
+    alsoShown.resize(bounds.size(), 0);
+    for (std::size_t brick = 0; brick < bounds.size(); ++brick) {
+        if (bounds[brick] == -1.0f) alsoShown[brick] = 1;
+    }
+}
+
 }  // namespace
 
 Result<DeviceScene> DeviceScene::create(std::shared_ptr<gpu::Device> device, const MemoryLimits& limits) {
@@ -81,16 +97,19 @@ Result<void> DeviceScene::makeMask() {
 
 Result<void> DeviceScene::makeTables() {
     MACULA_TRY_VOID(makeMask());
-    medium_ =
-        makeMedium(*volume_, grid_, fitted(*function_, *volume_), clip_, maskBits_ ? &*maskBits_ : nullptr);
+    const MaskBits* mask = maskBits_ ? &*maskBits_ : nullptr;
+    medium_ = projection_ ? makeMedium(*volume_, grid_, *projection_, clip_, mask)
+                          : makeMedium(*volume_, grid_, fitted(*function_, *volume_), clip_, mask);
     extinction_.reset();  // all or none: tables of different length must never meet
     albedo_.reset();
     bounds_.reset();
-    MACULA_TRY_VOID(voxels_->show(grid_, medium_.bounds, bricksAtGreyFaces(clip_, *volume_, grid_),
-                                  medium_.extinctionPerMm));
+    std::vector<std::uint8_t> alsoShown = bricksAtGreyFaces(clip_, *volume_, grid_);
+    if (shading_ || hasGradientOpacity()) addNeighbours(medium_.bounds, alsoShown);
+    MACULA_TRY_VOID(voxels_->show(grid_, medium_.bounds, alsoShown, medium_.extinctionPerMm));
     if (voxels_->isCoarse()) coverCoarseBlocks(medium_, grid_, voxels_->levels());
-    MACULA_TRY(extinction_,
-               makeTexels<float>(device_, "extinction", VK_FORMAT_R32_SFLOAT, medium_.extinctionPerMm));
+    std::vector<float> opacities = medium_.extinctionPerMm;
+    opacities.insert(opacities.end(), medium_.gradientOpacity.begin(), medium_.gradientOpacity.end());
+    MACULA_TRY(extinction_, makeTexels<float>(device_, "extinction", VK_FORMAT_R32_SFLOAT, opacities));
     MACULA_TRY(albedo_,
                makeTexels<glm::vec4>(device_, "albedo", VK_FORMAT_R32G32B32A32_SFLOAT, medium_.albedo));
     MACULA_TRY(bounds_, makeTexels<float>(device_, "bounds", VK_FORMAT_R32_SFLOAT, medium_.bounds));
@@ -120,6 +139,13 @@ bool DeviceScene::isComplete() const {
 
 Result<void> DeviceScene::look(const View& view, const Settings& settings) {
     MACULA_CHECK(isComplete());
+    const auto projection = projectionOf(settings.look);
+    const bool shading = settings.look == Look::dvr && settings.shading == Shading::headlight;
+    if (projection != projection_ || shading != shading_) {
+        projection_ = projection;
+        shading_ = shading;
+        MACULA_TRY_VOID(makeTables());
+    }
     MACULA_TRY(const shared::TraceParams params,
                makeTraceParams(*volume_, medium_, *environment_, view, settings, clip_));
     MACULA_TRY(auto recorder, gpu::Recorder::create(device_, "look"));

@@ -38,10 +38,13 @@ class DeviceScene {
     bool isClipped() const { return clip_.hasShape(); }
     bool isMasked() const { return clip_.mask.has_value(); }
 
+    // Of the look that was looked at last.
+    bool hasGradientOpacity() const { return !medium_.gradientOpacity.empty(); }
+
     bool isComplete() const;
 
-    // When complete. Writes the parameters, see makeTraceParams; what was submitted before still reads the
-    // last ones.
+    // When complete. Sees to the tables and bounds of the look, and writes the parameters, see
+    // makeTraceParams; what was submitted before still reads the last ones.
     Result<void> look(const View& view, const Settings& settings);
 
     // What the voxels take; nothing without a volume.
@@ -64,6 +67,8 @@ class DeviceScene {
     std::shared_ptr<const Volume> volume_;
     BrickGrid grid_;
     Medium medium_;
+    std::optional<Projection> projection_;      // what medium_ is for; nothing: matter
+    bool shading_ = false;                      // whether it needs gradients
     std::optional<TransferFunction> function_;  // as it was given
     Clip clip_;
     std::optional<DeviceVolume> voxels_;

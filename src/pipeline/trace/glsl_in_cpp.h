@@ -59,6 +59,7 @@ struct GlslInCpp {
     static Real atan(Real y, Real x) { return std::atan2(y, x); }
     static Real dot(const vec2& a, const vec2& b) { return glm::dot(a, b); }
     static Real dot(const vec3& a, const vec3& b) { return glm::dot(a, b); }
+    static Real dot(const vec4& a, const vec4& b) { return glm::dot(a, b); }
     static vec3 normalize(const vec3& x) { return glm::normalize(x); }
     static bvec3 greaterThanEqual(const vec3& a, const vec3& b) { return glm::greaterThanEqual(a, b); }
     static bvec3 lessThanEqual(const vec3& a, const vec3& b) { return glm::lessThanEqual(a, b); }

@@ -43,11 +43,16 @@ Result<Guides> Guides::create(const std::shared_ptr<gpu::Device>& device, int wi
 
 Result<void> Guides::compute(const DeviceScene& scene, const shared::GuidePush& before) {
     const auto& device = surfaces_.buffer().device();
-    std::optional<gpu::Kernel>& kernel = kernels_[{scene.isClipped(), scene.isMasked()}];
-    if (!kernel) {
-        MACULA_TRY(kernel, gpu::Kernel::create(device, shaders::trace_guides_comp,
-                                               {.specializations = {{"kClip", scene.isClipped()},
-                                                                    {"kMask", scene.isMasked()}}}));
+    const std::tuple kind(scene.isClipped(), scene.isMasked(), scene.hasGradientOpacity());
+    auto kernel = kernels_.find(kind);
+    if (kernel == kernels_.end()) {
+        MACULA_TRY(
+            gpu::Kernel made,
+            gpu::Kernel::create(device, shaders::trace_guides_comp,
+                                {.specializations = {{"kClip", scene.isClipped()},
+                                                     {"kMask", scene.isMasked()},
+                                                     {"kGradientOpacity", scene.hasGradientOpacity()}}}));
+        kernel = kernels_.emplace(kind, std::move(made)).first;
     }
     int rows = height_;
     if (device->isCpu()) rows = std::clamp(kPixelsPerDispatchCpu / width_ / 8 * 8, 8, height_ + 7);
@@ -57,7 +62,7 @@ Result<void> Guides::compute(const DeviceScene& scene, const shared::GuidePush& 
         std::vector<gpu::Binding> bindings = scene.bindings();
         for (const gpu::TexelBuffer* texels : {&surfaces_, &matters_, &motions_})
             bindings.emplace_back(texels->buffer());
-        recorder.dispatch(*kernel,
+        recorder.dispatch(kernel->second,
                           {static_cast<std::uint32_t>(width_),
                            static_cast<std::uint32_t>(std::min(rows, height_ - push.firstRow))},
                           push, bindings);

@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -42,8 +43,8 @@ class Guides {
 
     int width_;
     int height_;
-    std::map<std::pair<bool, bool>, std::optional<gpu::Kernel>>
-        kernels_;  // by whether there is a clip, and a mask
+    std::map<std::tuple<bool, bool, bool>, gpu::Kernel>
+        kernels_;  // by whether there is a clip, a mask, and gradient opacity
     gpu::TexelBuffer surfaces_;
     gpu::TexelBuffer matters_;
     gpu::TexelBuffer motions_;

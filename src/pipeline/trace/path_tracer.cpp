@@ -12,6 +12,7 @@
 #include "pipeline/trace/denoiser.h"
 #include "pipeline/trace/device_scene.h"
 #include "pipeline/trace/film.h"
+#include "pipeline/trace/trace_kernels.h"
 #include "shaders/trace.h"
 #include "shared/trace_params.h"
 
@@ -31,8 +32,7 @@ constexpr double kFirstRate = 0.5;           // block samples per ms, before any
 // Several samples of a pixel in one dispatch keep a lane busy while its neighbours' paths are longer. Not too
 // many vertices in all: see kMaxRounds in path.comp.
 constexpr int kMaxVerticesPerDispatch = 64;
-constexpr int kMaxRoundsCpu = 16000;
-constexpr int kMaxRoundsGpu = 1 << 24;  // no limit is known: only so that nothing runs for ever
+constexpr std::uint32_t kMaxRaysPerDispatch = 4;  // of a pixel that is cast; a ray is as long as it is
 
 // A gaze that jumps asks for detail where the picture before had little.
 constexpr double kFarthestGaze = 0.1;
@@ -82,7 +82,8 @@ Error nothingToTrace() {
 }  // namespace
 
 struct PathTracer::Impl {
-    Impl(std::shared_ptr<gpu::Device> d, DeviceScene s) : device(std::move(d)), scene(std::move(s)) {}
+    Impl(std::shared_ptr<gpu::Device> d, DeviceScene s)
+        : device(std::move(d)), scene(std::move(s)), kernels(device) {}
 
     std::shared_ptr<gpu::Device> device;
 
@@ -91,11 +92,11 @@ struct PathTracer::Impl {
     View view;
 
     // How.
-    std::map<std::tuple<Filter, bool, bool>, gpu::Kernel> pathKernels;  // by filter, clip, mask
+    TraceKernels kernels;
     std::optional<gpu::Kernel> displayKernel;
     bool paramsStale = true;  // something above has changed: accumulation starts again
     bool restarting = false;  // nothing has: only the portions were too large
-    std::map<std::pair<Filter, int>, double> blockSamplesPerMs;  // by filter and bounces
+    std::map<std::pair<TraceVariant, int>, double> blockSamplesPerMs;  // by kernel and bounces
     bool warm = false;  // the first dispatch of a kernel compiles it, and says nothing about speed
 
     // What has been traced.
@@ -123,10 +124,15 @@ struct PathTracer::Impl {
     bool continues(const View& from, const View& to) const;
     Result<void> denoise();
     Result<bool> tooLong();
-    Result<const gpu::Kernel*> pathKernel();
-    std::uint32_t blocks() const;  // of the picture
+    TraceVariant variant() const {
+        return variantOf(settings, {.clip = scene.isClipped(),
+                                    .mask = scene.isMasked(),
+                                    .gradientOpacity = scene.hasGradientOpacity()});
+    }
+    std::uint32_t mostPerDispatch() const;  // samples of a pixel
+    std::uint32_t blocks() const;           // of the picture
     double& rate() {
-        return blockSamplesPerMs.try_emplace({settings.filter, settings.bounces}, kFirstRate).first->second;
+        return blockSamplesPerMs.try_emplace({variant(), settings.bounces}, kFirstRate).first->second;
     }
     Result<void> traceBlocks(std::uint32_t count);
     Result<void> step(std::uint32_t samples, double ms);
@@ -172,10 +178,12 @@ Result<void> PathTracer::setClip(const Clip& clip) {
 }
 
 Result<void> PathTracer::setSettings(const Settings& settings) {
+    // What may differ while the light that arrives from each point stays what it was.
     Settings same = settings;
+    same.seed = impl_->settings.seed;
+    same.exposure = impl_->settings.exposure;
     same.denoising = impl_->settings.denoising;
-    const bool changed =
-        settings.bounces != impl_->settings.bounces || settings.filter != impl_->settings.filter;
+    const bool changed = same != impl_->settings;
     const bool onlyDenoising = same.denoising != settings.denoising && !changed &&
                                settings.seed == impl_->settings.seed &&
                                settings.exposure == impl_->settings.exposure;
@@ -192,20 +200,10 @@ Result<void> PathTracer::setView(const View& view) {
     return {};
 }
 
-Result<const gpu::Kernel*> PathTracer::Impl::pathKernel() {
-    const auto found = pathKernels.find({settings.filter, scene.isClipped(), scene.isMasked()});
-    if (found != pathKernels.end()) return &found->second;
-    MACULA_TRY(gpu::Kernel kernel,
-               gpu::Kernel::create(
-                   device, shaders::trace_path_comp,
-                   {.specializations = {{"kTrilinear", settings.filter == Filter::trilinear},
-                                        {"kClip", scene.isClipped()},
-                                        {"kMask", scene.isMasked()},
-                                        {"kMaxRounds", device->isCpu() ? kMaxRoundsCpu : kMaxRoundsGpu}}}));
-    warm = false;
-    return &pathKernels
-                .emplace(std::tuple(settings.filter, scene.isClipped(), scene.isMasked()), std::move(kernel))
-                .first->second;
+std::uint32_t PathTracer::Impl::mostPerDispatch() const {
+    if (!isPathTraced(settings.look)) return kMaxRaysPerDispatch;
+    const int bounces = settings.look == Look::clear ? 1 : settings.bounces;
+    return static_cast<std::uint32_t>(std::max(kMaxVerticesPerDispatch / bounces, 1));
 }
 
 // Brings the device up to what was set, and starts a new accumulation when anything changed.
@@ -312,7 +310,8 @@ std::uint32_t PathTracer::Impl::blocks() const {
 
 // Adds the samples of the pass to the next blocks, waits, and learns how fast the device is.
 Result<void> PathTracer::Impl::traceBlocks(std::uint32_t count) {
-    MACULA_TRY(const gpu::Kernel* kernel, pathKernel());
+    MACULA_TRY(const TraceKernels::Found found, kernels.samples(variant()));
+    if (found.isNew) warm = false;
     const shared::PathPush push{.firstBlock = passBlock,
                                 .blockCount = blocks(),
                                 .blockStride = spreadingStride(blocks()),
@@ -321,7 +320,7 @@ Result<void> PathTracer::Impl::traceBlocks(std::uint32_t count) {
     MACULA_TRY(auto recorder, gpu::Recorder::create(device, "trace"));
     std::vector<gpu::Binding> bindings = scene.bindings();
     film->appendTo(bindings);
-    recorder.dispatch(*kernel, {count * kBlock, kBlock}, push, bindings);
+    recorder.dispatch(*found.kernel, {count * kBlock, kBlock}, push, bindings);
     const auto begin = Clock::now();
     MACULA_TRY(const gpu::Ticket ticket, recorder.submit());
     MACULA_TRY([[maybe_unused]] const bool done, device->waitFor(ticket));
@@ -344,8 +343,7 @@ Result<bool> PathTracer::Impl::tooLong() {
 // One dispatch: of the pass under way, or of a new one of at most `samples`. It takes about `ms`.
 Result<void> PathTracer::Impl::step(std::uint32_t samples, double ms) {
     if (passSamples == 0) {
-        const auto most = static_cast<std::uint32_t>(std::max(kMaxVerticesPerDispatch / settings.bounces, 1));
-        passSamples = std::max(std::min({most, mostSamples, samples}), 1u);
+        passSamples = std::max(std::min({mostPerDispatch(), mostSamples, samples}), 1u);
         passBlock = 0;
     }
     const double affordable = std::clamp(rate() * ms / passSamples, double(kMinBlocks), double(kMaxBlocks));
@@ -397,7 +395,7 @@ Result<bool> PathTracer::traceFor(double budgetMs, const std::function<bool()>& 
 Result<const gpu::Image*> PathTracer::display(const glm::vec3& background, Smoothing smoothing) {
     Impl& t = *impl_;
     MACULA_TRY_VOID(t.prepare());
-    const bool denoised = t.settings.denoising == Denoising::on;
+    const bool denoised = isDenoised(t.settings);
     if (denoised) MACULA_TRY_VOID(t.denoise());
     MACULA_TRY(auto recorder, gpu::Recorder::create(t.device, "display"));
     const shared::DisplayPush push{.background = background,
@@ -435,7 +433,7 @@ Result<TracedImage> PathTracer::readback() {
                       .radiance = {},
                       .depthMm = {},
                       .variance = {},
-                      .denoised = t.settings.denoising == Denoising::on};
+                      .denoised = isDenoised(t.settings)};
     if (image.denoised) MACULA_TRY_VOID(t.denoise());
     MACULA_TRY(image.radiance, gpu::read<glm::vec4>(t.film->sums()));
     MACULA_TRY(const auto counts, gpu::read<std::uint32_t>(t.film->counts()));
@@ -445,7 +443,7 @@ Result<TracedImage> PathTracer::readback() {
     for (std::size_t i = 0; i < pixels.size(); ++i) {
         image.variance[i] = varianceOfMean(image.radiance[i], squares[i].x, counts[i]);
         image.radiance[i] /= static_cast<float>(std::max(counts[i], 1u));
-        if (pixels[i].depthMm >= 0.0f) image.depthMm[i] = pixels[i].depthMm;
+        if (pixels[i].depthMm >= 0.0f && !isProjection(t.settings.look)) image.depthMm[i] = pixels[i].depthMm;
     }
     if (image.denoised) {
         MACULA_TRY(image.radiance, gpu::read<glm::vec4>(t.denoiser->result()));
@@ -458,7 +456,7 @@ Result<Statistics> PathTracer::statistics() const {
     Statistics statistics;
     statistics.voxels = t.scene.voxelMemory();
     statistics.messages = t.scene.messages();
-    statistics.denoised = t.settings.denoising == Denoising::on;
+    statistics.denoised = isDenoised(t.settings);
     if (t.paramsStale) return statistics;
     statistics.samplesPerPixel = t.samplesDone;
     statistics.deviceMs = t.deviceMs;

@@ -1,8 +1,10 @@
-// Volumetric path tracing on the device: delta tracking through a bounded grid, lit by an environment.
+// Pictures of a volume, made on the device in one of the looks of look.h. Most are volumetric path tracing:
+// delta tracking through a bounded grid, lit by an environment.
 //
 // The estimator follows Woodcock tracking for free flights and ratio tracking for shadow rays (Novak et al.
 // 2018, "Monte Carlo methods for volumetric light transport simulation"), with next-event estimation to the
-// environment at every vertex. It is unbiased for paths of up to `bounces` vertices.
+// environment at every vertex. It is unbiased for paths of up to `bounces` vertices. The other looks march
+// along each ray without chance (shaders/lib/cast.glsl); their samples differ in where in the pixel they lie.
 #pragma once
 
 #include <cstdint>
@@ -35,7 +37,8 @@ struct Statistics {
 };
 
 // Row 0 on top. Linear, premultiplied; depth is the distance in mm from the camera to the point where
-// transmittance falls to one half, +infinity where it does not.
+// transmittance falls to one half, +infinity where it does not, and everywhere for
+// projections, which show no surface.
 struct TracedImage {
     int width = 0;
     int height = 0;

@@ -23,13 +23,15 @@ Result<Quality> qualityFromJson(std::string_view text, const std::string& where)
     root.allowOnly({"version", "name", "title", "samplesPerPixel", "bounces", "filter", "denoise"});
     if (root["version"].number() != 1.0) root["version"].fail("version 1; newer ones need a newer Macula");
     const std::string filter = root["filter"].text();
-    if (filter != "trilinear" && filter != "stochastic") root["filter"].fail("\"trilinear\" or \"stochastic\"");
-    const Quality quality{.name = root["name"].text(),
-                          .title = root["title"].text(),
-                          .samplesPerPixel = static_cast<std::uint32_t>(whole(root["samplesPerPixel"], 1, 1 << 20)),
-                          .bounces = static_cast<int>(whole(root["bounces"], 1, kMaxBounces)),
-                          .filter = filter == "stochastic" ? Filter::stochastic : Filter::trilinear,
-                          .denoising = root["denoise"].boolean() ? Denoising::on : Denoising::off};
+    if (filter != "trilinear" && filter != "stochastic")
+        root["filter"].fail("\"trilinear\" or \"stochastic\"");
+    const Quality quality{
+        .name = root["name"].text(),
+        .title = root["title"].text(),
+        .samplesPerPixel = static_cast<std::uint32_t>(whole(root["samplesPerPixel"], 1, 1 << 20)),
+        .bounces = static_cast<int>(whole(root["bounces"], 1, kMaxBounces)),
+        .filter = filter == "stochastic" ? Filter::stochastic : Filter::trilinear,
+        .denoising = root["denoise"].boolean() ? Denoising::on : Denoising::off};
     MACULA_TRY_VOID(document.status());
     return quality;
 }

@@ -12,6 +12,10 @@ struct MACULA_HOST : GlslInCpp<MACULA_REAL> {
     using Real = MACULA_REAL;
     static constexpr int kClipKeepBall = shared::kClipKeepBall;
     static constexpr int kClipCutBall = shared::kClipCutBall;
+    static constexpr int kCastMatter = shared::kCastMatter;
+    static constexpr int kCastMaximum = shared::kCastMaximum;
+    static constexpr int kCastMinimum = shared::kCastMinimum;
+    static constexpr int kCastMean = shared::kCastMean;
 
     struct Params {
         vec3 originVoxel, right, up, forward;
@@ -28,10 +32,15 @@ struct MACULA_HOST : GlslInCpp<MACULA_REAL> {
         Real greyLow, greyHigh, exposure;
         vec2 planeHalfSize, gaze;
         Real foveaRadius, foveaMagnification;
+        Real lightStrength, gradientScale;
+        int gradientLast;
+        Real unitDepthMm;
+        int entryCount;
+        Real windowLow, windowHigh, paddingEntry, stepsPerEntry, ambient, diffuse;
     };
     // A field added to the shared block must be added above and below.
     static_assert(sizeof(shared::TraceParams) ==
-                  4 * (10 * 3 + 2 * 3 + 2 * 2 + 4 + 4 * shared::kMaxClipPlanes + 4 * 3 + 6 + 3 + 2 * 2 + 2));
+                  4 * (10 * 3 + 2 * 3 + 2 * 2 + 4 + 4 * shared::kMaxClipPlanes + 4 * 3 + 6 + 3 + 2 * 2 + 2 + 11));
 
     MACULA_HOST(const ReferenceTracer::Tables& tables, const shared::TraceParams& p, Filter filter)
         : params{p.originVoxel, p.right, p.up, p.forward, p.voxelFromWorldX, p.voxelFromWorldY,
@@ -40,9 +49,12 @@ struct MACULA_HOST : GlslInCpp<MACULA_REAL> {
                  Real(p.anisotropy), Real(p.marchStepMm), {}, p.clipBallCentre, p.clipBallX, p.clipBallY,
                  p.clipBallZ, p.clipKeepCount, p.clipBoxCount, p.clipCornerCount, p.clipBall, p.clipShadows,
                  p.greyFaces, Real(p.greyLow), Real(p.greyHigh), Real(p.exposure), p.planeHalfSize,
-                 p.gaze, Real(p.foveaRadius), Real(p.foveaMagnification)},
+                 p.gaze, Real(p.foveaRadius), Real(p.foveaMagnification), Real(p.lightStrength),
+                 Real(p.gradientScale), p.gradientLast, Real(p.unitDepthMm), p.entryCount, Real(p.windowLow),
+                 Real(p.windowHigh), Real(p.paddingEntry), Real(p.stepsPerEntry), Real(p.ambient), Real(p.diffuse)},
           entries_(tables.entries.data()),
           extinction_(tables.extinctionPerMm.data()),
+          gradientOpacity_(tables.gradientOpacity.data()),
           albedo_(tables.albedo.data()),
           bounds_(tables.bounds.data()),
           environment_(tables.environment.data()),
@@ -51,6 +63,7 @@ struct MACULA_HOST : GlslInCpp<MACULA_REAL> {
         for (std::size_t i = 0; i < params.clipPlanes.size(); ++i) params.clipPlanes[i] = p.clipPlanes[i];
         clip_ = isClipped(p);
         mask_ = tables.mask;
+        hasGradientOpacity_ = !tables.gradientOpacity.empty();
     }
 
     Params params;
@@ -69,6 +82,7 @@ struct MACULA_HOST : GlslInCpp<MACULA_REAL> {
                fetchStored({low.x, high.y, high.z}), fetchStored(high)};
     }
     Real fetchExtinction(int entry) const { return Real(extinction_[entry]); }
+    Real fetchGradientOpacity(int step) const { return Real(gradientOpacity_[step]); }
     vec3 fetchAlbedo(int entry) const { return vec3(glm::vec3(albedo_[entry])); }
     Real fetchBound(int brick) const { return Real(bounds_[brick]); }
     vec4 fetchEnvironment(int texel) const {
@@ -84,6 +98,11 @@ struct MACULA_HOST : GlslInCpp<MACULA_REAL> {
                               std::size_t(voxel.x);
         return Real(mask_[n / 32] >> (n % 32) & 1u);
     }
+    bool useGradientOpacity() const { return hasGradientOpacity_; }
+    bool useShading() const { return cast.shading; }
+    int castLook() const { return cast.kind; }
+
+    ReferenceTracer::Cast cast;  // what castSample() does
 
 #define float MACULA_REAL
 #include "lib/trace_lib.glsl"
@@ -100,10 +119,15 @@ struct MACULA_HOST : GlslInCpp<MACULA_REAL> {
 #undef DEPTH_1_4
 #undef DEPTH_OPAQUE
 #undef FINE
+#undef CAST_STEPS
+#undef CAST_STEPS_LATE
+#undef MANY_ROUNDS
+#undef CAST_OPAQUE
 
   private:
     const std::uint16_t* entries_;
     const float* extinction_;
+    const float* gradientOpacity_;
     const glm::vec4* albedo_;
     const float* bounds_;
     const EnvironmentTexel* environment_;
@@ -111,6 +135,7 @@ struct MACULA_HOST : GlslInCpp<MACULA_REAL> {
     bool trilinear_;
     bool clip_;
     std::span<const std::uint32_t> mask_;
+    bool hasGradientOpacity_;
 };
 
 #undef OUT

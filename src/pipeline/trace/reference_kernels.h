@@ -32,6 +32,26 @@ std::vector<glm::dvec4> traceOn(Host prototype, std::uint32_t firstSample, std::
     return sums;
 }
 
+// Mirrors shaders/trace/cast.comp.
+template <class Host>
+std::vector<glm::dvec4> castOn(Host prototype, const ReferenceTracer::Cast& what, std::uint32_t firstSample,
+                               std::uint32_t sampleCount) {
+    const int width = prototype.params.imageSize.x;
+    const int height = prototype.params.imageSize.y;
+    prototype.cast = what;
+    std::vector<glm::dvec4> sums(std::size_t(width) * std::size_t(height));
+    parallelFor(std::size_t(height), [&, host = prototype](std::size_t row) mutable {
+        for (int x = 0; x < width; ++x) {
+            glm::dvec4 sum(0.0);
+            int rounds = 0;
+            for (std::uint32_t s = firstSample; s < firstSample + sampleCount; ++s)
+                sum += glm::dvec4(host.castSample({x, int(row)}, s, rounds));
+            sums[row * std::size_t(width) + std::size_t(x)] = sum;
+        }
+    });
+    return sums;
+}
+
 template <class Host>
 ReferenceTracer::Moments transmittanceOn(Host host, const glm::dvec3& originVoxel,
                                          const glm::dvec3& worldDirection, std::uint32_t samples) {

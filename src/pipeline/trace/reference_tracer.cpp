@@ -34,6 +34,7 @@ ReferenceTracer::ReferenceTracer(const Volume& volume, const Medium& medium, con
     tables->entries.resize(volume.voxels().size());
     writeEntries(volume, entryMapOf(volume), 0, tables->entries);
     tables->extinctionPerMm = medium.extinctionPerMm;
+    tables->gradientOpacity = medium.gradientOpacity;
     tables->albedo = medium.albedo;
     tables->bounds = medium.bounds;
     tables->environment.assign(environment.texels().begin(), environment.texels().end());
@@ -49,6 +50,14 @@ std::vector<glm::dvec4> ReferenceTracer::trace(const shared::TraceParams& params
         return reference::traceSingle(*tables_, params, filter, firstSample, sampleCount);
     }
     return reference::traceOn(reference::HostTwofold(*tables_, params, filter), firstSample, sampleCount);
+}
+
+std::vector<glm::dvec4> ReferenceTracer::cast(const shared::TraceParams& params, const Cast& what,
+                                              Precision precision, std::uint32_t firstSample,
+                                              std::uint32_t sampleCount) const {
+    return reference::withHost(*tables_, params, Filter::trilinear, precision, [&](auto host) {
+        return reference::castOn(host, what, firstSample, sampleCount);
+    });
 }
 
 ReferenceTracer::Moments ReferenceTracer::transmittance(const shared::TraceParams& params, Filter filter,

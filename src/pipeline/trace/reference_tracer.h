@@ -27,6 +27,14 @@ class ReferenceTracer {
     std::vector<glm::dvec4> trace(const shared::TraceParams& params, Filter filter, Precision precision,
                                   std::uint32_t firstSample, std::uint32_t sampleCount) const;
 
+    // The same for ray casting. The medium must be of that kind.
+    struct Cast {
+        int kind = shared::kCastMatter;  // of trace_params.h
+        bool shading = false;
+    };
+    std::vector<glm::dvec4> cast(const shared::TraceParams& params, const Cast& what, Precision precision,
+                                 std::uint32_t firstSample, std::uint32_t sampleCount) const;
+
     // Sum over `samples` of the ratio-tracked transmittance along one ray, and of its square.
     struct Moments {
         double sum = 0.0;
@@ -63,6 +71,7 @@ class ReferenceTracer {
     struct Tables {
         std::vector<std::uint16_t> entries;  // voxels, as positions in the tables
         std::vector<float> extinctionPerMm;
+        std::vector<float> gradientOpacity;  // may be empty
         std::vector<glm::vec4> albedo;
         std::vector<float> bounds;
         std::vector<EnvironmentTexel> environment;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
+#include <utility>
 
 namespace macula::trace {
 
@@ -12,6 +14,18 @@ glm::vec4 planeInVoxels(const HalfSpace& side, const glm::dmat4& worldFromVoxel)
     const glm::dvec3 origin = transformPoint(worldFromVoxel, glm::dvec3(-0.5));
     return glm::dvec4(glm::transpose(glm::dmat3(worldFromVoxel)) * side.normal,
                       glm::dot(side.normal, origin) - side.offsetMm);
+}
+
+// Black and white of a window, as positions in the tables. PS3.3 C.11.2.1.2: LINEAR is white one unit before
+// the end of the window. A SIGMOID is drawn as the line that its centre and width tell.
+std::pair<float, float> entriesOf(const DisplayWindow& window, const Volume& volume) {
+    const bool isExact = window.width <= 1.0 || window.function == "LINEAR_EXACT";
+    const double low = window.center - window.width / 2.0;
+    const double high = window.center + window.width / 2.0 - (isExact ? 0.0 : 1.0);
+    const UnitsFromStored units = volume.unitsFromStored();
+    const int firstStored = entryMapOf(volume).low;
+    const auto entry = [&](double value) { return (value - units.intercept) / units.slope - firstStored; };
+    return {static_cast<float>(entry(low)), static_cast<float>(std::max(entry(high), entry(low) + 1e-3))};
 }
 
 void writeClip(const Clip& clip, const Volume& volume, shared::TraceParams& params) {
@@ -34,17 +48,63 @@ void writeClip(const Clip& clip, const Volume& volume, shared::TraceParams& para
     }
     params.clipShadows = clip.removedCastsShadow ? 1 : 0;
     if (!clip.greyFaces || clip.isNothing()) return;
-    // PS3.3 C.11.2.1.2: LINEAR is white one unit before the end of the window.
-    const DisplayWindow& window = *clip.greyFaces;
-    const bool isExact = window.width <= 1.0 || window.function == "LINEAR_EXACT";
-    const double low = window.center - window.width / 2.0;
-    const double high = window.center + window.width / 2.0 - (isExact ? 0.0 : 1.0);
-    const UnitsFromStored units = volume.unitsFromStored();
-    const int firstStored = entryMapOf(volume).low;
-    const auto entry = [&](double value) { return (value - units.intercept) / units.slope - firstStored; };
     params.greyFaces = 1;
-    params.greyLow = static_cast<float>(entry(low));
-    params.greyHigh = static_cast<float>(std::max(entry(high), entry(low) + 1e-3));
+    std::tie(params.greyLow, params.greyHigh) = entriesOf(*clip.greyFaces, volume);
+}
+
+void writeGradientOpacity(const Medium& medium, const Volume& volume, shared::TraceParams& params) {
+    params.unitDepthMm = static_cast<float>(medium.unitDepthMm);
+    if (medium.gradientOpacity.empty()) return;
+    params.gradientLast = static_cast<int>(medium.gradientOpacity.size()) - 1;
+    params.gradientScale = static_cast<float>(volume.unitsFromStored().slope / medium.gradientStep);
+}
+
+void writeCast(const Settings& settings, const Medium& medium, const Volume& volume,
+               shared::TraceParams& params) {
+    const EntryMap map = entryMapOf(volume);
+    params.entryCount = static_cast<int>(map.tableSize());
+    params.paddingEntry = map.padding ? static_cast<float>(map.air - map.low) : -1.0f;
+    std::tie(params.windowLow, params.windowHigh) =
+        entriesOf(settings.window.value_or(seriesWindow(volume)), volume);
+    params.stepsPerEntry = static_cast<float>(volume.unitsFromStored().slope / medium.featureUnits);
+    params.ambient = medium.ambient;
+    params.diffuse = medium.diffuse;
+}
+
+// The lights of a panorama or a rig, turned about their own up axis.
+void writeLights(const LightFrame frame, const CameraBasis& eye, const Settings& settings,
+                 shared::TraceParams& params) {
+    glm::dmat3 worldFromLights(glm::dvec3(1, 0, 0), glm::dvec3(0, 0, 1), glm::dvec3(0, -1, 0));  // (L, S, A)
+    if (frame == LightFrame::camera) worldFromLights = glm::dmat3(eye.right, eye.up, -eye.forward);
+    const double angle = glm::radians(std::remainder(settings.lightRotationDeg, 360.0));
+    const glm::dmat3 turn(glm::dvec3(std::cos(angle), 0, -std::sin(angle)), glm::dvec3(0, 1, 0),
+                          glm::dvec3(std::sin(angle), 0, std::cos(angle)));
+    const glm::dmat3 turned = worldFromLights * turn;
+    params.worldFromEnvironmentX = turned[0];
+    params.worldFromEnvironmentY = turned[1];
+    params.worldFromEnvironmentZ = turned[2];
+    params.lightStrength = static_cast<float>(settings.lightStrength);
+}
+
+Result<void> checkSettings(const Settings& settings) {
+    const auto fail = [](std::string message, std::string hint) {
+        return Error{ErrorCode::usage, std::move(message), {}, std::move(hint)};
+    };
+    if (settings.bounces < 1 || settings.bounces > kMaxBounces)
+        return fail(fmt::format("{} bounces cannot be traced.", settings.bounces),
+                    fmt::format("Choose 1 to {}.", kMaxBounces));
+    if (!(settings.exposure > 0.0 && settings.exposure <= kMaxGain))
+        return fail("The exposure is not usable.",
+                    fmt::format("Choose a number above 0, up to {}.", kMaxGain));
+    if (!(settings.lightStrength >= 0.0 && settings.lightStrength <= kMaxGain))
+        return fail("The strength of the lights is not usable.",
+                    fmt::format("Choose a number from 0 to {}.", kMaxGain));
+    if (!std::isfinite(settings.lightRotationDeg))
+        return fail("The rotation of the lights is not usable.", "Choose an angle in degrees.");
+    if (settings.window && !(settings.window->width > 0.0 && std::isfinite(settings.window->width) &&
+                             std::isfinite(settings.window->center)))
+        return fail("The window is not usable.", "Give a centre, and a width above 0.");
+    return {};
 }
 
 bool isUsable(const Foveation& foveation) {
@@ -54,6 +114,19 @@ bool isUsable(const Foveation& foveation) {
 }
 
 }  // namespace
+
+DisplayWindow seriesWindow(const Volume& volume) {
+    if (!volume.windows().empty()) return volume.windows().front();
+    const ValueRange all = volume.valueRange().value_or(ValueRange{0.0, 1.0});
+    return windowOver(all);
+}
+
+DisplayWindow windowOver(const ValueRange& range) {
+    return {.center = (range.low + range.high) / 2.0,
+            .width = std::max(range.high - range.low, 1e-6),
+            .explanation = {},
+            .function = "LINEAR_EXACT"};
+}
 
 FoveaInPlane foveaInPlane(const View& view) {
     FoveaInPlane fovea;
@@ -94,12 +167,7 @@ Result<shared::TraceParams> makeTraceParams(const Volume& volume, const Medium& 
                      {},
                      fmt::format("Choose a size from 1 to {} on each side.", kMaxPictureSide)};
     }
-    if (settings.bounces < 1 || settings.bounces > kMaxBounces) {
-        return Error{ErrorCode::usage,
-                     fmt::format("{} bounces cannot be traced.", settings.bounces),
-                     {},
-                     fmt::format("Choose 1 to {}.", kMaxBounces)};
-    }
+    MACULA_TRY_VOID(checkSettings(settings));
     if (view.foveation && !isUsable(*view.foveation)) {
         return Error{
             ErrorCode::usage,
@@ -119,25 +187,19 @@ Result<shared::TraceParams> makeTraceParams(const Volume& volume, const Medium& 
     params.voxelFromWorldX = glm::dvec3(voxelFromWorld[0]);
     params.voxelFromWorldY = glm::dvec3(voxelFromWorld[1]);
     params.voxelFromWorldZ = glm::dvec3(voxelFromWorld[2]);
-    if (environment.frame() == LightFrame::camera) {
-        params.worldFromEnvironmentX = eye.right;
-        params.worldFromEnvironmentY = eye.up;
-        params.worldFromEnvironmentZ = -eye.forward;
-    } else {  // (Left, Superior, Anterior)
-        params.worldFromEnvironmentX = {1, 0, 0};
-        params.worldFromEnvironmentY = {0, 0, 1};
-        params.worldFromEnvironmentZ = {0, -1, 0};
-    }
+    writeLights(environment.frame(), eye, settings, params);
     params.volumeSize = volume.size();
     params.gridSize = medium.gridSize;
     params.imageSize = {view.width, view.height};
     params.environmentSize = {environment.width(), environment.height()};
-    params.bounces = settings.bounces;
+    params.bounces = settings.look == Look::clear ? 1 : settings.bounces;
     params.seed = settings.seed;
     params.anisotropy = medium.anisotropy;
     const glm::dvec3 spacing = volume.spacingMm();
     params.marchStepMm = static_cast<float>(0.5 * std::min({spacing.x, spacing.y, spacing.z}));
     writeClip(clip, volume, params);
+    writeGradientOpacity(medium, volume, params);
+    writeCast(settings, medium, volume, params);
     params.exposure = static_cast<float>(settings.exposure);
     params.planeHalfSize = fovea.halfSize;
     params.gaze = fovea.gaze;

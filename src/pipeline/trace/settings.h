@@ -7,6 +7,8 @@
 
 #include "base/camera.h"
 #include "base/result.h"
+#include "base/volume.h"
+#include "pipeline/trace/look.h"
 
 namespace macula::trace {
 
@@ -16,19 +18,42 @@ enum class Filter {
     stochastic,  // one voxel drawn with the trilinear weights: faster; blends optics instead of values
 };
 
-// Whether what is shown and read is filtered, see denoiser.h. It never changes what is traced.
+// Whether what is shown and read is filtered, see denoiser.h. It never changes what is traced, and looks
+// without chance have no noise to filter.
 enum class Denoising { off, on };
 
+// Of ray casting, which has no lights.
+enum class Shading {
+    none,       // colours as the preset has them
+    headlight,  // times ambient + diffuse |cos| to the gradient, with the preset's coefficients
+};
+
 inline constexpr int kMaxBounces = 1024;
+inline constexpr double kMaxGain = 1e6;  // of exposure and strength of light
 inline constexpr int kMaxPictureSide = 16384;
 
 struct Settings {
     int bounces = 4;  // vertices per path, 1 to kMaxBounces
     std::uint32_t seed = 0;
     Filter filter = Filter::trilinear;
-    double exposure = 1.0;
+    double exposure = 1.0;  // above 0; multiplies radiance before the tone map; projections undo it
     Denoising denoising = Denoising::off;
+    Look look = Look::cinematic;
+    // Turns the lights about their own up axis: what was at azimuth 0 is then at this azimuth, positive
+    // towards the patient's left or, for lights that hang on the camera, towards the right of the picture.
+    double lightRotationDeg = 0.0;
+    double lightStrength = 1.0;       // 0 or above; multiplies the light
+    Shading shading = Shading::none;  // of Look::dvr
+    // What projections are seen through; else the series' first window, else all of its values.
+    std::optional<DisplayWindow> window = {};
+
+    bool operator==(const Settings&) const = default;
 };
+
+// Whether the picture of these settings is denoised.
+constexpr bool isDenoised(const Settings& settings) {
+    return settings.denoising == Denoising::on && isPathTraced(settings.look);
+}
 
 // A picture that is stored larger where the eye looks: see shaders/lib/fovea.glsl.
 struct Foveation {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/check.h"
 #include "base/parallel.h"
@@ -16,6 +17,7 @@ namespace {
 
 // Interpolating two entries in floating point can come out a few parts in 10^7 above both.
 constexpr float kOutward = 1.0f + 1e-6f;
+constexpr int kGradientSteps = 4096;
 
 double linearFromSrgb(double encoded) {
     return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
@@ -31,6 +33,51 @@ void forEachBrick(glm::ivec3 size, const Body& body) {
     });
 }
 
+// What follows from the extinction by entry.
+void boundBricks(Medium& medium, const Volume& volume, const BrickGrid& grid, const Clip& clip,
+                 const MaskBits* mask) {
+    const RangeMax largest(medium.extinctionPerMm);
+    medium.gridSize = grid.size;
+    medium.bounds.resize(grid.ranges.size());
+    forEachBrick(grid.size, [&](int x, int y, int z) {
+        const std::size_t brick = grid.index(x, y, z);
+        medium.bounds[brick] = largest(grid.ranges[brick].low, grid.ranges[brick].high) * kOutward;
+    });
+    emptyRemovedBricks(clip, volume, grid, medium.bounds);
+    if (mask != nullptr && !clip.removedCastsShadow) emptyMaskedBricks(*mask, grid, medium.bounds);
+    measureEmptySpace(grid.size, medium.bounds);
+}
+
+// Not below one stored value, where the tables end.
+double featureOf(const TransferFunction& function, double leastUnits) {
+    double narrowest = std::numeric_limits<double>::infinity();
+    const auto look = [&](const auto& points) {
+        for (std::size_t i = 1; i < points.size(); ++i) {
+            const double width =
+                (points[i].value - points[i - 1].value) * (1.0 - 0.9 * points[i - 1].sharpness);
+            if (width > 0.0) narrowest = std::min(narrowest, width);
+        }
+    };
+    look(function.opacity);
+    look(function.colour);
+    return std::max(narrowest / 4.0, leastUnits);
+}
+
+// The preset's gradients are per voxel, of mean edge, as VTK has them: see docs/presets.md.
+void tabulateGradientOpacity(const TransferFunction& function, const Volume& volume, Medium& medium) {
+    const glm::dvec3 spacing = volume.spacingMm();
+    const double voxelMm = (spacing.x + spacing.y + spacing.z) / 3.0;
+    // Beyond its last point the curve is constant: so is the table. A curve that ends at 0 is all end.
+    const double last = std::max(function.gradientOpacity.back().value, 1e-6);
+    medium.gradientOpacity.resize(kGradientSteps + 1);
+    for (int step = 0; step <= kGradientSteps; ++step) {
+        medium.gradientOpacity[std::size_t(step)] =
+            static_cast<float>(gradientOpacityAt(function, last * step / kGradientSteps));
+    }
+    medium.gradientStep = last / kGradientSteps / voxelMm;
+    if (function.density > 0.0) medium.unitDepthMm = function.unitDistanceMm / function.density;
+}
+
 }  // namespace
 
 std::size_t Medium::visibleBricks() const {
@@ -40,12 +87,15 @@ std::size_t Medium::visibleBricks() const {
 
 Medium makeMedium(const Volume& volume, const BrickGrid& grid, const TransferFunction& function,
                   const Clip& clip, const MaskBits* mask) {
-    MACULA_CHECK(!usesGradientOpacity(function));
     const EntryMap map = entryMapOf(volume);
     const UnitsFromStored units = volume.unitsFromStored();
 
     Medium medium;
     medium.anisotropy = static_cast<float>(function.anisotropy);
+    medium.ambient = static_cast<float>(function.lighting.ambient);
+    medium.diffuse = static_cast<float>(function.lighting.diffuse);
+    medium.featureUnits = featureOf(function, units.slope);
+    if (usesGradientOpacity(function)) tabulateGradientOpacity(function, volume, medium);
     medium.extinctionPerMm.resize(map.tableSize());
     medium.albedo.resize(map.tableSize());
     for (std::size_t entry = 0; entry + 1 < map.tableSize(); ++entry) {
@@ -58,17 +108,24 @@ Medium makeMedium(const Volume& volume, const BrickGrid& grid, const TransferFun
     }
     medium.extinctionPerMm.back() = medium.extinctionPerMm[map.tableSize() - 2];
     medium.albedo.back() = medium.albedo[map.tableSize() - 2];
+    boundBricks(medium, volume, grid, clip, mask);
+    return medium;
+}
 
-    const RangeMax largest(medium.extinctionPerMm);
-    medium.gridSize = grid.size;
-    medium.bounds.resize(grid.ranges.size());
-    forEachBrick(grid.size, [&](int x, int y, int z) {
-        const std::size_t brick = grid.index(x, y, z);
-        medium.bounds[brick] = largest(grid.ranges[brick].low, grid.ranges[brick].high) * kOutward;
-    });
-    emptyRemovedBricks(clip, volume, grid, medium.bounds);
-    if (mask != nullptr && !clip.removedCastsShadow) emptyMaskedBricks(*mask, grid, medium.bounds);
-    measureEmptySpace(grid.size, medium.bounds);
+Medium makeMedium(const Volume& volume, const BrickGrid& grid, Projection projection, const Clip& clip,
+                  const MaskBits* mask) {
+    const EntryMap map = entryMapOf(volume);
+    const std::size_t count = map.tableSize();
+    Medium medium;
+    medium.albedo.resize(count, glm::vec4(1.0f));
+    medium.extinctionPerMm.resize(count, 1.0f);
+    for (std::size_t entry = 0; entry < count; ++entry) {
+        if (projection == Projection::maximum) medium.extinctionPerMm[entry] = static_cast<float>(entry + 1);
+        if (projection == Projection::minimum)
+            medium.extinctionPerMm[entry] = static_cast<float>(count - entry);
+    }
+    if (map.padding) medium.extinctionPerMm[std::size_t(map.air - map.low)] = 0.0f;
+    boundBricks(medium, volume, grid, clip, mask);
     return medium;
 }
 

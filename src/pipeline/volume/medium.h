@@ -26,6 +26,15 @@ struct Medium {
     // 255.
     std::vector<float> bounds;
     float anisotropy = 0.0f;
+    // Over the length of the gradient of values, in steps of `gradientStep` units per mm from 0; empty when
+    // it is 1 everywhere.
+    std::vector<float> gradientOpacity;
+    double gradientStep = 0.0;
+    double unitDepthMm = 1.0;  // of the preset: unit distance divided by density
+    // Values this far apart may have quite different optics: a quarter of the narrowest piece of the curves.
+    double featureUnits = 1.0;
+    float ambient = 1.0f;  // of the preset's lighting
+    float diffuse = 0.0f;
 
     std::size_t visibleBricks() const;
 };
@@ -39,5 +48,13 @@ Medium makeMedium(const Volume& volume, const BrickGrid& grid, const TransferFun
 // the average of a few voxels across a brick's face may lie outside of what the brick itself holds. Empty
 // bricks stay empty.
 void coverCoarseBlocks(Medium& medium, const BrickGrid& grid, std::span<const std::uint8_t> levels);
+
+enum class Projection { maximum, minimum, mean };
+
+// For rays that gather values and not light: everything but padding can be seen. A brick's bound tells how
+// much it can change the answer: one more than its largest entry; the number of entries minus its smallest;
+// the same for all bricks.
+Medium makeMedium(const Volume& volume, const BrickGrid& grid, Projection projection, const Clip& clip = {},
+                  const MaskBits* mask = nullptr);
 
 }  // namespace macula

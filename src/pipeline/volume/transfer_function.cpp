@@ -59,8 +59,8 @@ double opacityAt(const TransferFunction& function, double value) {
     return heightAt(function.opacity, value);
 }
 
-double gradientOpacityAt(const TransferFunction& function, double unitsPerMm) {
-    return function.gradientOpacity.empty() ? 1.0 : heightAt(function.gradientOpacity, unitsPerMm);
+double gradientOpacityAt(const TransferFunction& function, double unitsPerVoxel) {
+    return function.gradientOpacity.empty() ? 1.0 : heightAt(function.gradientOpacity, unitsPerVoxel);
 }
 
 bool usesGradientOpacity(const TransferFunction& function) {
@@ -93,7 +93,7 @@ double extinctionPerMm(const TransferFunction& function, double value) {
     return -std::log1p(-opacity) / function.unitDistanceMm * function.density;
 }
 
-Result<void> checkCurves(const TransferFunction& function) {
+Result<void> validate(const TransferFunction& function) {
     const auto fail = [&](std::string message) {
         return Error{ErrorCode::inputNotUsable, std::move(message), function.name, "Correct the preset."};
     };
@@ -122,16 +122,6 @@ Result<void> checkCurves(const TransferFunction& function) {
         return fail("The preset's scattering anisotropy must lie between -1 and 1.");
     if (function.fitToVolume && !(function.fitToVolume->low < function.fitToVolume->high)) {
         return fail("The preset's range to fit to the volume is empty.");
-    }
-    return {};
-}
-
-Result<void> validate(const TransferFunction& function) {
-    MACULA_TRY_VOID(checkCurves(function));
-    if (usesGradientOpacity(function)) {
-        return Error{ErrorCode::inputNotUsable,
-                     "The preset makes opacity depend on the gradient, which Macula cannot draw yet.",
-                     function.name, "Choose another preset, or remove its gradientOpacity."};
     }
     return {};
 }

@@ -14,7 +14,7 @@ namespace macula {
 // `midpoint` and `sharpness` shape the way from this point to the next, as vtkPiecewiseFunction defines them
 // (curve_blend.h); 0.5 and 0 are a straight line.
 struct OpacityPoint {
-    double value = 0.0;      // in units of the volume; of a gradient opacity, in units per mm
+    double value = 0.0;      // in units of the volume; of a gradient opacity, see there
     double opacity = 0.0;    // 0 to 1, of a layer `unitDistanceMm` thick
     double midpoint = 0.5;   // 0 to 1: how far to the next point the half value lies
     double sharpness = 0.0;  // 0 to 1: 0 is a line, 1 a step at the midpoint
@@ -73,7 +73,8 @@ struct TransferFunction {
     };
     std::optional<Fit> fitToVolume = {};
     ColourSpace colourSpace = ColourSpace::rgb;
-    // Over the length of the gradient in units per mm, sorted; multiplies the opacity. Empty: 1 everywhere.
+    // Over the length of the gradient in units per voxel of mean edge, that is per mm times the mean of the
+    // three spacings, as VTK has it; sorted. Multiplies the opacity. Empty: 1 everywhere.
     std::vector<OpacityPoint> gradientOpacity = {};
     std::optional<ValueRange> effectiveRange = {};  // the values that matter: where sliders end
     // The tracer does not use these two; other programs that read what toJson writes do.
@@ -91,7 +92,7 @@ double opacityAt(const TransferFunction& function, double value);
 // sRGB-encoded, 0 to 1, at a value.
 glm::dvec3 colourAt(const TransferFunction& function, double value);
 // 0 to 1, at the length of the gradient, which is 0 or above.
-double gradientOpacityAt(const TransferFunction& function, double unitsPerMm);
+double gradientOpacityAt(const TransferFunction& function, double unitsPerVoxel);
 
 // Whether the gradient opacity is other than 1 anywhere at 0 or above, where gradients are.
 bool usesGradientOpacity(const TransferFunction& function);
@@ -101,10 +102,6 @@ bool usesGradientOpacity(const TransferFunction& function);
 double extinctionPerMm(const TransferFunction& function, double value);
 
 // Fails with inputNotUsable when a curve is empty, not sorted, not finite, or out of its range.
-Result<void> checkCurves(const TransferFunction& function);
-
-// Fails with inputNotUsable when the function cannot be rendered as it is: as checkCurves, or because it
-// needs gradient opacity, which the tracer does not have yet. A preset never renders as something else.
 Result<void> validate(const TransferFunction& function);
 
 // The curves mean something on values of this unit: they are over the same unit, or are fitted to whatever

@@ -270,7 +270,7 @@ Result<TransferFunction> transferFunctionFromJson(std::string_view text, const s
     if (const auto vendor = root.find("macula")) readVendorPart(*vendor, property, function);
     readComponent(components.front(), function);
     MACULA_TRY_VOID(document.status());
-    if (auto valid = checkCurves(function); !valid) {
+    if (auto valid = validate(function); !valid) {
         Error error = valid.error();
         error.where = where;
         return error;

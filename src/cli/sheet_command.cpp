@@ -1,0 +1,145 @@
+// macula sheet PATH -o FILE.png: every preset in every look on one sheet, to be judged at a glance.
+#include <CLI/App.hpp>
+#include <CLI/Validators.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <memory>
+
+#include "base/progress_bar.h"
+#include "cli/command.h"
+#include "cli/interrupt.h"
+#include "cli/lights_choice.h"
+#include "cli/output_file.h"
+#include "cli/report.h"
+#include "cli/study_input.h"
+#include "image/image_file.h"
+#include "pipeline/gpu/device.h"
+#include "pipeline/trace/path_tracer.h"
+#include "pipeline/trace/scene.h"
+#include "pipeline/volume/volume_fit.h"
+#include "presets/catalogue.h"
+
+namespace macula::cli {
+
+namespace {
+
+struct Options {
+    std::filesystem::path path;
+    std::filesystem::path output;
+    std::string series;
+    std::string device;
+    int tile = 160;  // pixels
+    int panels = 3;  // beside each other, each with its share of the presets
+    ViewDirection view = ViewDirection::anterior;
+    std::uint32_t samplesPerPixel = 24;
+};
+
+constexpr std::uint32_t kSamplesOfCast = 4;
+
+struct Sheet {
+    int tile = 0;
+    int columns = 0;
+    std::vector<std::uint8_t> rgba;
+
+    void paste(int column, int row, const std::vector<std::uint8_t>& picture) {
+        const auto line = static_cast<std::size_t>(tile) * 4;
+        const auto width = line * static_cast<std::size_t>(columns);
+        for (int y = 0; y < tile; ++y) {
+            std::copy_n(picture.begin() + static_cast<std::ptrdiff_t>(line) * y, line,
+                        rgba.begin() + static_cast<std::ptrdiff_t>(width) * (row * tile + y) +
+                            static_cast<std::ptrdiff_t>(line) * column);
+        }
+    }
+};
+
+// Presets are drawn as --preset NAME draws them; what is made for other units looks as it does there.
+Result<void> drawRow(trace::PathTracer& tracer, const StudyInput& study, const TransferFunction& preset,
+                     const Options& options, int column, int row, Sheet& sheet) {
+    MACULA_TRY_VOID(tracer.setTransferFunction(preset));
+    for (const trace::LookName& look : trace::kLooks) {
+        MACULA_TRY(const trace::Environment lights,
+                   chooseLights(look.look == trace::Look::clear ? "even" : kDefaultLights));
+        MACULA_TRY_VOID(tracer.setEnvironment(lights));
+        trace::Settings settings{.look = look.look};
+        const std::optional<ValueRange> range = fitted(preset, *study.volume).effectiveRange;
+        if (range && range->low < range->high) settings.window = trace::windowOver(*range);
+        MACULA_TRY_VOID(tracer.setSettings(settings));
+        MACULA_TRY(const bool whole,
+                   tracer.trace(isPathTraced(look.look) ? options.samplesPerPixel : kSamplesOfCast,
+                                [] { return !interruptToken().cancelled(); }));
+        if (!whole) return Error{ErrorCode::cancelled, "Stopped; nothing was written.", {}, {}};
+        MACULA_TRY(const std::vector<std::uint8_t> picture, tracer.readDisplay(glm::vec3(0.0f)));
+        sheet.paste(column++, row, picture);
+    }
+    return {};
+}
+
+Result<void> makeSheet(const Options& options) {
+    MACULA_TRY_VOID(checkOutput(options.output));
+    if (isExr(options.output))
+        return Error{ErrorCode::usage, "A sheet is for the eye.", options.output.string(),
+                     "Choose a .png file."};
+    MACULA_TRY(const std::vector<TransferFunction> presets, presets::builtInPresets());
+    MACULA_TRY(const gpu::Instance instance, gpu::Instance::create());
+    gpu::DeviceOptions deviceOptions;
+    deviceOptions.preferred = options.device;
+    MACULA_TRY(const std::shared_ptr<gpu::Device> device, gpu::Device::create(instance, deviceOptions));
+    Progress progress(terminalProgressBar(), interruptToken());
+    MACULA_TRY(StudyInput study, loadStudy(options.path, options.series, progress));
+    bringTo16Bits(study);
+
+    const Camera camera = frameBox(study.volume->worldBox(), options.view, 30.0, 1.0);
+    MACULA_TRY(trace::PathTracer tracer, trace::PathTracer::create(device));
+    MACULA_TRY_VOID(tracer.setVolume(study.volume));
+    MACULA_TRY_VOID(tracer.setView({.camera = camera, .width = options.tile, .height = options.tile}));
+    const int looks = static_cast<int>(trace::kLooks.size());
+    Sheet sheet{.tile = options.tile, .columns = looks * options.panels, .rgba = {}};
+    const int rows = (static_cast<int>(presets.size()) + options.panels - 1) / options.panels;
+    sheet.rgba.resize(4 * static_cast<std::size_t>(options.tile * sheet.columns) *
+                      static_cast<std::size_t>(options.tile * rows));
+    progress.beginStage("Drawing", presets.size());
+    for (int i = 0; i < static_cast<int>(presets.size()); ++i) {
+        MACULA_TRY_VOID(drawRow(tracer, study, presets[static_cast<std::size_t>(i)], options,
+                                i / rows * looks, i % rows, sheet));
+        progress.advance(1);
+    }
+    MACULA_TRY_VOID(image::writePng(options.output, options.tile * sheet.columns, options.tile * rows,
+                                    sheet.rgba, {{"Software", "Macula " MACULA_VERSION}}));
+    fmt::print("columns");
+    for (const trace::LookName& look : trace::kLooks) fmt::print("  {}", look.name);
+    fmt::print("\n");
+    for (int i = 0; i < static_cast<int>(presets.size()); ++i)
+        fmt::print("panel {} row {:>2}  {}\n", i / rows + 1, i % rows + 1,
+                   presets[static_cast<std::size_t>(i)].name);
+    return {};
+}
+
+}  // namespace
+
+void addSheet(CLI::App& app, Action& action) {
+    auto options = std::make_shared<Options>();
+    Options& o = *options;
+    auto* command = app.add_subcommand("sheet", "Draw every preset in every look on one sheet");
+    command->add_option("PATH", o.path, "As of render (default: the phantom)");
+    command->add_option("-o,--output", o.output, "Picture to write: OUT.png")->required();
+    command->add_option("--series", o.series, "As of render");
+    command->add_option("--tile", o.tile, "Size of each picture in pixels (default: 160)")
+        ->check(CLI::Range(16, 512));
+    command->add_option("--panels", o.panels, "Columns of presets (default: 3)")->check(CLI::Range(1, 8));
+    command->add_option("--view", o.view, "Where the viewer stands (default: anterior)")
+        ->transform(CLI::CheckedTransformer(
+            std::map<std::string, ViewDirection>{{"anterior", ViewDirection::anterior},
+                                                 {"posterior", ViewDirection::posterior},
+                                                 {"left", ViewDirection::left},
+                                                 {"right", ViewDirection::right},
+                                                 {"superior", ViewDirection::superior},
+                                                 {"inferior", ViewDirection::inferior}}))
+        ->option_text("anterior|posterior|left|right|superior|inferior");
+    command->add_option("--spp", o.samplesPerPixel, "Samples per pixel of light paths (default: 24)")
+        ->check(CLI::Range(1, 4096));
+    command->add_option("--device", o.device, "Number or part of the name, see macula devices");
+    command->callback([options, &action] { action = [options] { return makeSheet(*options); }; });
+}
+
+}  // namespace macula::cli

@@ -1,0 +1,47 @@
+#include "pipeline/trace/trace_kernels.h"
+
+#include "shaders/trace.h"
+#include "shared/trace_params.h"
+
+namespace macula::trace {
+
+namespace {
+
+constexpr int kMaxRoundsCpu = 16000;    // see path.comp
+constexpr int kMaxRoundsGpu = 1 << 24;  // no limit is known: only so that nothing runs for ever
+
+int castOf(Look look) {
+    if (look == Look::mip) return shared::kCastMaximum;
+    if (look == Look::minip) return shared::kCastMinimum;
+    if (look == Look::average) return shared::kCastMean;
+    return shared::kCastMatter;
+}
+
+}  // namespace
+
+TraceVariant variantOf(const Settings& settings, SceneKind scene) {
+    if (isPathTraced(settings.look)) return {.filter = settings.filter, .scene = scene};
+    scene.gradientOpacity = scene.gradientOpacity && settings.look == Look::dvr;
+    return {.look = settings.look,
+            .shading = settings.look == Look::dvr && settings.shading == Shading::headlight,
+            .scene = scene};
+}
+
+Result<TraceKernels::Found> TraceKernels::samples(const TraceVariant& variant) {
+    if (const auto found = samples_.find(variant); found != samples_.end())
+        return Found{&found->second, false};
+    const auto& code = isPathTraced(variant.look) ? shaders::trace_path_comp : shaders::trace_cast_comp;
+    MACULA_TRY(gpu::Kernel kernel,
+               gpu::Kernel::create(
+                   device_, code,
+                   {.specializations = {{"kTrilinear", variant.filter == Filter::trilinear},
+                                        {"kMaxRounds", device_->isCpu() ? kMaxRoundsCpu : kMaxRoundsGpu},
+                                        {"kClip", variant.scene.clip},
+                                        {"kMask", variant.scene.mask},
+                                        {"kGradientOpacity", variant.scene.gradientOpacity},
+                                        {"kShading", variant.shading},
+                                        {"kCast", castOf(variant.look)}}}));
+    return Found{&samples_.emplace(variant, std::move(kernel)).first->second, true};
+}
+
+}  // namespace macula::trace

@@ -1,0 +1,54 @@
+// The kernels that add samples to a picture, compiled when they are first needed.
+#pragma once
+
+#include <compare>
+#include <map>
+#include <memory>
+
+#include "base/result.h"
+#include "pipeline/gpu/device.h"
+#include "pipeline/gpu/kernel.h"
+#include "pipeline/trace/settings.h"
+
+namespace macula::trace {
+
+// What the scene asks of a kernel.
+struct SceneKind {
+    bool clip = false;
+    bool mask = false;
+    bool gradientOpacity = false;
+
+    auto operator<=>(const SceneKind&) const = default;
+};
+
+// What a kernel is compiled for.
+struct TraceVariant {
+    Look look = Look::cinematic;
+    Filter filter = Filter::trilinear;
+    bool shading = false;
+    SceneKind scene = {};
+
+    auto operator<=>(const TraceVariant&) const = default;
+};
+
+// As few different ones as there are kernels for: looks that differ only in parameters are one.
+TraceVariant variantOf(const Settings& settings, SceneKind scene);
+
+// Used by one thread at a time, the one that uses the device.
+class TraceKernels {
+  public:
+    explicit TraceKernels(std::shared_ptr<gpu::Device> device) : device_(std::move(device)) {}
+
+    struct Found {
+        const gpu::Kernel* kernel = nullptr;  // stays where it is
+        bool isNew = false;                   // its first dispatch compiles it
+    };
+    // path.comp or cast.comp.
+    Result<Found> samples(const TraceVariant& variant);
+
+  private:
+    std::shared_ptr<gpu::Device> device_;
+    std::map<TraceVariant, gpu::Kernel> samples_;
+};
+
+}  // namespace macula::trace
