@@ -53,13 +53,14 @@ BrickWalk startLightWalk(vec3 originVoxel, vec3 directionVoxel) {
 float stopAtFace(INOUT(BrickWalk) walk, vec3 originVoxel, vec3 directionVoxel) {
     ClipSpans spans = clipSpans(originVoxel, directionVoxel);
     float face = max(walk.distanceMm, float(0.0));
-    bool first = spans.from >= walk.distanceMm;  // else the ray enters the volume through its own side
+    float slack = float(1e-3) + float(1e-6) * face;  // a float of a far eye has no thousandth of a mm
+    bool first = spans.from >= walk.distanceMm - slack;  // else the ray enters the volume through its own side
     float grey = float(0.0);
     for (int i = 0; i < 4 && grey <= float(0.0); ++i) {
-        face = nextFace(spans, first && i == 0 ? face - float(1e-3) : face);
+        face = nextFace(spans, first && i == 0 ? face - slack : face);
         if (face >= walk.endMm) break;
         vec3 at = originVoxel + directionVoxel * face;
-        grey = clamp((trilinearEntry(at) - params.greyLow) / (params.greyHigh - params.greyLow), float(0.0), float(1.0));
+        if (!isMasked(at)) grey = clamp((trilinearEntry(at) - params.greyLow) / (params.greyHigh - params.greyLow), float(0.0), float(1.0));
     }
     if (grey <= float(0.0)) return float(0.0);
     walk.endMm = face;

@@ -135,8 +135,14 @@ Result<void> exportSeries(const Options& options) {
     }
     MACULA_TRY(const dicom::Scan scan, dicom::scanFolder(options.path, progress));
     const dicom::Series* series = findSeries(scan, options.series);
-    if (series != nullptr && isSegmentationSeries(*series))
+    if (series != nullptr && isSegmentationSeries(*series)) {
+        if (dicom::findAllSeries(scan, options.series).empty() &&
+            options.series.find('.') != std::string::npos) {
+            return Error{ErrorCode::usage, "The series holds segmentations, and has no stacks.",
+                         options.series, "Give its place alone, and which segmentation with --volume."};
+        }
         return exportSegmentation(options, scan, *series, progress);
+    }
     MACULA_TRY(const StudyInput study,
                loadStudy(scan, options.path, options.series, progress, options.volume));
     return exportVolume(options, study, secondsSince(start), progress);

@@ -7,10 +7,12 @@
 #include <set>
 
 #include "base/atomic_file.h"
+#include "cli/clip_choice.h"
 #include "cli/command.h"
 #include "cli/lights_choice.h"
 #include "cli/output_file.h"
 #include "cli/preset_choice.h"
+#include "cli/quality_choice.h"
 #include "cli/report.h"
 #include "pipeline/volume/transfer_function_json.h"
 #include "presets/catalogue.h"
@@ -46,12 +48,22 @@ nlohmann::ordered_json describeAsJson(const TransferFunction& preset) {
 Result<void> listAll(const Options& options) {
     MACULA_TRY(const std::vector<TransferFunction> presets, presets::builtInPresets());
     MACULA_TRY(const std::vector<trace::LightRig> rigs, builtInLights());
+    MACULA_TRY(const std::vector<ClipPreset> clips, builtInClips());
+    MACULA_TRY(const std::vector<trace::Quality> qualities, builtInQualities());
     if (options.json) {
         nlohmann::ordered_json list = {{"presets", nlohmann::json::array()},
                                        {"lights", nlohmann::json::array()}};
         for (const TransferFunction& preset : presets) list["presets"].push_back(describeAsJson(preset));
         for (const trace::LightRig& rig : rigs)
             list["lights"].push_back({{"name", rig.name}, {"title", rig.title}});
+        for (const ClipPreset& clip : clips)
+            list["clips"].push_back({{"name", clip.name}, {"title", clip.title}});
+        for (const trace::Quality& quality : qualities) {
+            list["qualities"].push_back({{"name", quality.name},
+                                         {"title", quality.title},
+                                         {"samplesPerPixel", quality.samplesPerPixel},
+                                         {"bounces", quality.bounces}});
+        }
         fmt::print("{}\n", list.dump(4));
         return {};
     }
@@ -62,6 +74,13 @@ Result<void> listAll(const Options& options) {
     }
     fmt::print("Lights (--lights)\n");
     for (const trace::LightRig& rig : rigs) fmt::print("       {:<28}{}\n", rig.name, rig.title);
+    fmt::print("Clips (--clip)\n");
+    for (const ClipPreset& clip : clips) fmt::print("       {:<28}{}\n", clip.name, clip.title);
+    fmt::print("Qualities (--quality)\n");
+    for (const trace::Quality& quality : qualities) {
+        fmt::print("       {:<28}{} samples, {} bounces{}\n", quality.name, quality.samplesPerPixel,
+                   quality.bounces, quality.denoising == trace::Denoising::on ? ", denoised" : "");
+    }
     return {};
 }
 

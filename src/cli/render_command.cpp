@@ -247,6 +247,7 @@ Result<void> render(const Options& options) {
             record.notes.push_back(message.sentence);
             printNote(message.sentence);
         }
+        record.tableRemoved = true;
         shown.mask = Mask{.labels = std::make_shared<const LabelMap>(std::move(patient.map)),
                           .numbers = {segment::PatientMask::kPatient}};
     }

@@ -18,6 +18,7 @@ struct RenderRecord {
     std::string preset;
     std::string lights;
     std::string clip;
+    bool tableRemoved = false;
     std::string device;
     Camera camera;
     int width = 0;

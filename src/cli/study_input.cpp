@@ -60,7 +60,10 @@ Result<dicom::Choice> chooseStack(const dicom::Series& series, std::optional<std
 
 const dicom::Series* findSeries(const dicom::Scan& scan, const std::string& wanted) {
     if (!dicom::findAllSeries(scan, wanted).empty()) return dicom::findSeries(scan, wanted);
-    const auto place = wholeNumber(std::string_view(wanted).substr(0, wanted.find('.')));
+    const std::size_t point = wanted.find('.');
+    const auto place = wholeNumber(std::string_view(wanted).substr(0, point));
+    if (point != std::string::npos && !wholeNumber(std::string_view(wanted).substr(point + 1)))
+        return nullptr;
     return place ? atPlace(scan, *place) : nullptr;
 }
 

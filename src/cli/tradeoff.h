@@ -1,5 +1,5 @@
-// What speed costs in accuracy: the error of a traced picture against a converged one, and the time it took, over the
-// settings that trade one for the other.
+// What speed costs in accuracy: the error of a traced picture against a converged one, and the time it took,
+// over the settings that trade one for the other.
 #pragma once
 
 #include <cstdint>
@@ -42,11 +42,12 @@ struct Tradeoff {
     std::vector<TradeoffPoint> points;
     image::Image converged;
     double convergedMs = 0.0;
-    // What chance leaves in the converged picture: FLIP between its two halves of the samples, each half as good.
+    // What chance leaves in the converged picture: FLIP of its first half of the samples to all of them.
     double convergedFlip = 0.0;
 };
 
-Result<Tradeoff> measureTradeoff(const std::shared_ptr<gpu::Device>& device, const std::shared_ptr<const Volume>& volume,
+Result<Tradeoff> measureTradeoff(const std::shared_ptr<gpu::Device>& device,
+                                 const std::shared_ptr<const Volume>& volume,
                                  const TransferFunction& function, const trace::Environment& environment,
                                  const TradeoffOptions& options, Progress& progress);
 

@@ -210,6 +210,35 @@ TEST(Clip, greyFacesShowTheWindow) {
               0.0);
 }
 
+// What a mask hides is no slice either.
+TEST(Clip, greyFacesShowNothingOfWhatAMaskHides) {
+    const glm::ivec3 size(16, 16, 16);
+    const glm::dmat4 grid = affine({1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {-7.5, -7.5, -7.5});
+    const auto volume = scenes::volumeOf(size, grid, [](int, int, int) { return std::uint16_t(100); });
+    std::vector<std::uint16_t> labels(16 * 16 * 16, 0);
+    for (std::size_t n = 0; n < labels.size(); ++n)
+        labels[n] = n % 16 < 8 ? 1 : 0;  // the patient's right half
+    TransferFunction unseen = scenes::homogeneous(2.0);
+    unseen.opacity = {{1000, 0.0}, {1001, 1.0}};
+    Clip clip{.planes = {{{0, 1, 0}, 0.0}}};
+    clip.mask = Mask{std::make_shared<const LabelMap>(
+        std::move(LabelMap::create(size, grid, {{.number = 1, .label = "a"}}, labels)).value())};
+    clip.greyFaces =
+        DisplayWindow{.center = 100, .width = 100, .explanation = {}, .function = "LINEAR_EXACT"};
+    const View view{.camera = {.positionMm = {0, -3000, 0}, .targetMm = {0, 0, 0}, .verticalFovDeg = 0.2},
+                    .width = 8,
+                    .height = 8};
+    const MaskBits bits = maskBits(*clip.mask, *volume);
+    const Medium medium = makeMedium(*volume, makeBrickGrid(*volume), unseen, clip, &bits);
+    const auto params = makeTraceParams(*volume, medium, sky(), view, {}, clip);
+    const auto sums = ReferenceTracer(*volume, medium, sky(), &bits)
+                          .trace(*params, Filter::trilinear, Precision::single, 0, 1);
+    for (int y = 0; y < 8; ++y) {
+        EXPECT_EQ(sums[std::size_t(y * 8 + 1)].a, 1.0);  // the patient's right is on the left
+        EXPECT_EQ(sums[std::size_t(y * 8 + 6)].a, 0.0);
+    }
+}
+
 TEST(Clip, refusesWhatIsNone) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     EXPECT_TRUE(validate(Clip{}));

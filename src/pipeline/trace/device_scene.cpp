@@ -53,6 +53,7 @@ Result<void> DeviceScene::setVolume(std::shared_ptr<const Volume> volume) {
     extinction_.reset();
     mask_.reset();
     maskBits_.reset();
+    function_.reset();
     volume_.reset();
     grid_ = makeBrickGrid(*volume);
     MACULA_TRY(voxels_, DeviceVolume::create(device_, volume, grid_, limits_));
@@ -72,7 +73,7 @@ Result<void> DeviceScene::setClip(const Clip& clip) {
     clip_ = clip;
     mask_.reset();
     maskBits_.reset();
-    return extinction_ ? makeTables() : Result<void>();
+    return volume_ && function_ ? makeTables() : Result<void>();
 }
 
 // A mask is one word of nothing when there is none.

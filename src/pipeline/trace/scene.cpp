@@ -25,7 +25,7 @@ std::pair<float, float> entriesOf(const DisplayWindow& window, const Volume& vol
     const UnitsFromStored units = volume.unitsFromStored();
     const int firstStored = entryMapOf(volume).low;
     const auto entry = [&](double value) { return (value - units.intercept) / units.slope - firstStored; };
-    return {static_cast<float>(entry(low)), static_cast<float>(std::max(entry(high), entry(low) + 1e-3))};
+    return {static_cast<float>(entry(low)), static_cast<float>(std::max(entry(high), entry(low) + 0.02))};
 }
 
 void writeClip(const Clip& clip, const Volume& volume, shared::TraceParams& params) {

@@ -83,10 +83,10 @@ Result<ClipPreset> clipPresetFromJson(std::string_view text, const std::string& 
             if (node->text() != "series") node->fail("\"series\", or center and width");
         } else {
             node->allowOnly({"center", "width"});
-            clip.greyFaces = DisplayWindow{.center = (*node)["center"].number(),
+            clip.greyFaces = DisplayWindow{.center = (*node)["center"].number({-1e9, 1e9}),
                                            .width = (*node)["width"].number(kPositive),
                                            .explanation = {},
-                                           .function = {}};
+                                           .function = "LINEAR_EXACT"};
         }
     }
     MACULA_TRY_VOID(document.status());
