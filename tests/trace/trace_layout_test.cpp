@@ -68,7 +68,8 @@ const std::vector<LaidOutField> kPathPush{
     MACULA_FIELD(PathPush, sampleCount)};
 
 TEST(TraceLayout, ParametersAndPushConstantsAgreeInEveryKernel) {
-    for (const auto& code : {shaders::trace_path_comp, shaders::trace_cast_comp, shaders::trace_guides_comp}) {
+    for (const auto& code :
+         {shaders::trace_path_comp, shaders::trace_cast_comp, shaders::trace_guides_comp}) {
         const auto reflection = gpu::reflectSpirv(code.words);
         ASSERT_TRUE(reflection.ok());
         const auto* params = reflection->bindings.front().block.find("params");
