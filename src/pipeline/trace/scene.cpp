@@ -9,6 +9,11 @@ namespace macula::trace {
 
 namespace {
 
+// Of light that is scattered once, a deep white wall under an even sky of 1 returns (1 - ln 2) / 2 = 0.15
+// along its normal; with all that follows it would be near 1. Three times the light makes the clear look
+// about as bright as the cinematic one.
+constexpr double kClearGain = 3.0;
+
 // Voxel coordinates have integers at faces: centres are half a voxel on.
 glm::vec4 planeInVoxels(const HalfSpace& side, const glm::dmat4& worldFromVoxel) {
     const glm::dvec3 origin = transformPoint(worldFromVoxel, glm::dvec3(-0.5));
@@ -83,7 +88,8 @@ void writeLights(const LightFrame frame, const CameraBasis& eye, const Settings&
     params.worldFromEnvironmentX = turned[0];
     params.worldFromEnvironmentY = turned[1];
     params.worldFromEnvironmentZ = turned[2];
-    params.lightStrength = static_cast<float>(settings.lightStrength);
+    const double gain = settings.look == Look::clear ? kClearGain : 1.0;
+    params.lightStrength = static_cast<float>(gain * settings.lightStrength);
 }
 
 Result<void> checkSettings(const Settings& settings) {

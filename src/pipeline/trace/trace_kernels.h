@@ -1,9 +1,9 @@
 // The kernels that add samples to a picture, compiled when they are first needed.
 #pragma once
 
-#include <compare>
 #include <map>
 #include <memory>
+#include <tuple>
 
 #include "base/result.h"
 #include "pipeline/gpu/device.h"
@@ -18,7 +18,9 @@ struct SceneKind {
     bool mask = false;
     bool gradientOpacity = false;
 
-    auto operator<=>(const SceneKind&) const = default;
+    bool operator<(const SceneKind& b) const {
+        return std::tie(clip, mask, gradientOpacity) < std::tie(b.clip, b.mask, b.gradientOpacity);
+    }
 };
 
 // What a kernel is compiled for.
@@ -28,7 +30,9 @@ struct TraceVariant {
     bool shading = false;
     SceneKind scene = {};
 
-    auto operator<=>(const TraceVariant&) const = default;
+    bool operator<(const TraceVariant& b) const {
+        return std::tie(look, filter, shading, scene) < std::tie(b.look, b.filter, b.shading, b.scene);
+    }
 };
 
 // As few different ones as there are kernels for: looks that differ only in parameters are one.
