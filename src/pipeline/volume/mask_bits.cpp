@@ -38,8 +38,9 @@ MaskBits maskBits(const Mask& mask, const Volume& volume) {
     parallelFor((bits.words.size() + kWords - 1) / kWords, [&](std::size_t portion) {
         const std::size_t end = std::min(voxels, (portion + 1) * kWords * 32);
         for (std::size_t n = portion * kWords * 32; n < end; ++n) {
-            const glm::dvec3 voxel(double(n % row), double(n / row % std::size_t(size.y)),
-                                   double(n / row / std::size_t(size.y)));
+            const std::size_t j = n / row % std::size_t(size.y);
+            const std::size_t k = n / row / std::size_t(size.y);
+            const glm::dvec3 voxel(double(n % row), double(j), double(k));
             const glm::ivec3 at = glm::ivec3(glm::floor(transformPoint(labelFromVoxel, voxel) + 0.5));
             const bool inMap =
                 glm::all(glm::greaterThanEqual(at, glm::ivec3(0))) && glm::all(glm::lessThan(at, mapSize));
