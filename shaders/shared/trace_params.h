@@ -33,8 +33,7 @@ struct TraceParams {
     ivec2 environmentSize;  // texels
     int bounces;            // vertices of a path
     uint seed;
-    float anisotropy;   // Henyey-Greenstein g
-    float marchStepMm;  // of the deterministic march for depth
+    float anisotropy;  // Henyey-Greenstein g
 
     // What is clipped, see shaders/lib/clip.glsl. A plane keeps dot(xyz, p) + w >= 0, p in voxel coordinates.
     vec4 clipPlanes[kMaxClipPlanes];  // of the region that is kept, of a box that is cut out, of a corner
@@ -64,10 +63,10 @@ struct TraceParams {
     int gradientLast;     // index of its last step; 0: none
     float unitDepthMm;    // unit distance of the opacities, divided by the density
     // Ray casting, see shaders/lib/cast.glsl.
-    int entryCount;      // of the tables
-    float windowLow;     // entry that is black
-    float windowHigh;    // and white
-    float paddingEntry;  // what padding became; -1: there is none
+    int entryCount;       // of the tables
+    float windowLow;      // entry that is black
+    float windowHigh;     // and white
+    float paddingEntry;   // what padding became; -1: there is none
     float stepsPerEntry;  // over so many entries, one step
     float ambient;        // of a headlight
     float diffuse;

@@ -37,10 +37,6 @@ nlohmann::ordered_json toJson(const trace::BenchmarkReport::Contender& contender
             {"cpuMsPerPicture", contender.cpuMsPerPicture}};
 }
 
-const char* nameOf(trace::Filter filter) {
-    return filter == trace::Filter::trilinear ? "trilinear" : "stochastic";
-}
-
 // How the ratios stand against those of an earlier run, by filter; nothing when that file has none.
 Result<void> compare(const std::filesystem::path& baseline, nlohmann::ordered_json& results) {
     MACULA_TRY(const std::string text, readText(baseline));
@@ -96,7 +92,7 @@ Result<void> benchTrace(Options options) {
                                 {"repetitions", options.benchmark.repetitions},
                                 {"results", nlohmann::ordered_json::array()}};
     for (const trace::BenchmarkReport& report : reports) {
-        json["results"].push_back({{"filter", nameOf(report.filter)},
+        json["results"].push_back({{"filter", trace::nameOf(report.filter)},
                                    {"device", toJson(report.device)},
                                    {"reference", toJson(report.reference)},
                                    {"wallRatio", report.wallRatio},

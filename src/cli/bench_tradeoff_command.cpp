@@ -33,10 +33,6 @@ struct Options {
     TradeoffOptions tradeoff;
 };
 
-const char* nameOf(trace::Filter filter) {
-    return filter == trace::Filter::trilinear ? "trilinear" : "stochastic";
-}
-
 bool isDenoised(const TradeoffPoint& point) {
     return point.denoising == trace::Denoising::on;
 }
@@ -49,14 +45,14 @@ double totalMs(const TradeoffPoint& point) {
 std::vector<Plot> plotsOf(const Tradeoff& tradeoff, const TradeoffOptions& options) {
     std::vector<Plot> plots;
     for (const trace::Filter filter : {trace::Filter::stochastic, trace::Filter::trilinear}) {
-        Plot flip{.title = fmt::format("Error against time, {} filtering", nameOf(filter)),
+        Plot flip{.title = fmt::format("Error against time, {} filtering", trace::nameOf(filter)),
                   .xTitle = "ms, for tracing and display",
                   .yTitle = "FLIP to the converged picture",
                   .logarithmicX = true,
                   .logarithmicY = true,
                   .curves = {}};
         Plot psnr = flip;
-        psnr.title = fmt::format("PSNR against time, {} filtering", nameOf(filter));
+        psnr.title = fmt::format("PSNR against time, {} filtering", trace::nameOf(filter));
         psnr.yTitle = "PSNR in dB, where matter is";
         psnr.logarithmicY = false;
         for (const bool denoised : {false, true}) {
@@ -86,7 +82,7 @@ std::vector<Plot> plotsOf(const Tradeoff& tradeoff, const TradeoffOptions& optio
 }
 
 nlohmann::ordered_json toJson(const TradeoffPoint& point) {
-    return {{"filter", nameOf(point.filter)},
+    return {{"filter", trace::nameOf(point.filter)},
             {"denoised", isDenoised(point)},
             {"bounces", point.bounces},
             {"samples", point.samples},
@@ -122,9 +118,9 @@ Result<void> benchTradeoff(Options options) {
         fmt::print("{:>10} {:>8} {:>7} {:>7} {:>9} {:>8} {:>7} {:>6}\n", "filter", "denoised", "bounces",
                    "samples", "ms", "PSNR dB", "SSIM", "FLIP");
         for (const TradeoffPoint& p : tradeoff.points) {
-            fmt::print("{:>10} {:>8} {:>7} {:>7} {:>9.1f} {:>8.2f} {:>7.4f} {:>6.4f}\n", nameOf(p.filter),
-                       isDenoised(p) ? "yes" : "no", p.bounces, p.samples, totalMs(p), p.psnrDb, p.ssim,
-                       p.flip);
+            fmt::print("{:>10} {:>8} {:>7} {:>7} {:>9.1f} {:>8.2f} {:>7.4f} {:>6.4f}\n",
+                       trace::nameOf(p.filter), isDenoised(p) ? "yes" : "no", p.bounces, p.samples,
+                       totalMs(p), p.psnrDb, p.ssim, p.flip);
         }
         return {};
     }

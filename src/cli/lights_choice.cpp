@@ -1,12 +1,11 @@
 #include "cli/lights_choice.h"
 
-#include <algorithm>
 #include <filesystem>
 
 #include "base/atomic_file.h"
+#include "cli/built_in_choice.h"
 #include "image/image_file.h"
 #include "pipeline/trace/light_rig_json.h"
-#include "presets/embedded_files.h"
 
 namespace macula::cli {
 
@@ -53,12 +52,7 @@ Result<trace::Environment> fromPicture(const fs::path& path) {
 }  // namespace
 
 Result<std::vector<trace::LightRig>> builtInLights() {
-    std::vector<trace::LightRig> rigs;
-    for (const auto& file : presets::lightFiles()) {
-        MACULA_TRY(trace::LightRig rig, trace::lightRigFromJson(file.text, std::string(file.name)));
-        rigs.push_back(std::move(rig));
-    }
-    return rigs;
+    return parseAll<trace::LightRig>(presets::lightFiles(), trace::lightRigFromJson);
 }
 
 Result<trace::Environment> chooseLights(const std::string& nameOrFile) {
@@ -85,10 +79,7 @@ Result<trace::Environment> chooseLights(const std::string& nameOrFile) {
 }
 
 std::string publicLightsName(const std::string& nameOrFile) {
-    const auto files = presets::lightFiles();
-    const bool builtIn =
-        std::any_of(files.begin(), files.end(), [&](const auto& file) { return file.name == nameOrFile; });
-    return builtIn ? nameOrFile : "custom";
+    return publicName(presets::lightFiles(), nameOrFile);
 }
 
 }  // namespace macula::cli

@@ -26,6 +26,7 @@
 #include "pipeline/trace/path_tracer.h"
 #include "pipeline/trace/scene.h"
 #include "pipeline/volume/volume_fit.h"
+#include "pipeline/volume/window.h"
 #include "presets/default_preset.h"
 #include "segment/patient.h"
 
@@ -102,7 +103,7 @@ Result<std::optional<DisplayWindow>> chooseWindow(const Options& options, const 
     const std::optional<ValueRange> range = fitted(preset, volume).effectiveRange;
     if (options.preset.empty() || !range || !(range->low < range->high))
         return std::optional<DisplayWindow>();
-    return std::optional(trace::windowOver(*range));
+    return std::optional(windowOver(*range));
 }
 
 // Soft light from everywhere shows shape by shadow alone, and nothing glares: that is the clear look.
@@ -247,7 +248,7 @@ Result<void> render(const Options& options) {
             record.notes.push_back(message.sentence);
             printNote(message.sentence);
         }
-        record.tableRemoved = true;
+        record.tableRemoved = patient.removedMl > 0.0;  // where it was not sure, nothing went
         shown.mask = Mask{.labels = std::make_shared<const LabelMap>(std::move(patient.map)),
                           .numbers = {segment::PatientMask::kPatient}};
     }

@@ -12,10 +12,6 @@ nlohmann::ordered_json toJson(const glm::dvec3& vector) {
     return {vector.x, vector.y, vector.z};
 }
 
-const char* nameOf(trace::Filter filter) {
-    return filter == trace::Filter::trilinear ? "trilinear" : "stochastic";
-}
-
 }  // namespace
 
 image::Metadata metadata(const RenderRecord& record) {
@@ -26,7 +22,7 @@ image::Metadata metadata(const RenderRecord& record) {
             {"macula:lights", record.lights},
             {"macula:clip", record.clip},
             {"macula:tableRemoved", record.tableRemoved ? "yes" : "no"},
-            {"macula:filter", nameOf(record.settings.filter)},
+            {"macula:filter", std::string(trace::nameOf(record.settings.filter))},
             {"macula:samples", fmt::to_string(record.statistics.samplesPerPixel)},
             {"macula:bounces", fmt::to_string(record.settings.bounces)},
             {"macula:seed", fmt::to_string(record.settings.seed)},
@@ -48,7 +44,7 @@ Result<void> writeStatistics(const RenderRecord& record, const std::filesystem::
         {"exposure", record.settings.exposure},
         {"clip", record.clip},
         {"tableRemoved", record.tableRemoved},
-        {"filter", nameOf(record.settings.filter)},
+        {"filter", trace::nameOf(record.settings.filter)},
         {"device", record.device},
         {"camera",
          {{"positionMm", toJson(record.camera.positionMm)},

@@ -18,7 +18,7 @@ struct RenderRecord {
     std::string preset;
     std::string lights;
     std::string clip;
-    bool tableRemoved = false;
+    bool tableRemoved = false;  // the table, or other things beside the patient, were found and left out
     std::string device;
     Camera camera;
     int width = 0;

@@ -18,6 +18,7 @@
 #include "pipeline/trace/path_tracer.h"
 #include "pipeline/trace/scene.h"
 #include "pipeline/volume/volume_fit.h"
+#include "pipeline/volume/window.h"
 #include "presets/catalogue.h"
 
 namespace macula::cli {
@@ -63,7 +64,7 @@ Result<void> drawRow(trace::PathTracer& tracer, const StudyInput& study, const T
         MACULA_TRY_VOID(tracer.setEnvironment(lights));
         trace::Settings settings{.look = look.look};
         const std::optional<ValueRange> range = fitted(preset, *study.volume).effectiveRange;
-        if (range && range->low < range->high) settings.window = trace::windowOver(*range);
+        if (range && range->low < range->high) settings.window = windowOver(*range);
         MACULA_TRY_VOID(tracer.setSettings(settings));
         MACULA_TRY(const bool whole,
                    tracer.trace(isPathTraced(look.look) ? options.samplesPerPixel : kSamplesOfCast,

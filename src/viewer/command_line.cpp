@@ -75,7 +75,9 @@ Result<CommandLine> parseCommandLine(const QStringList& arguments) {
     if (!parser.parse(arguments)) return usage(parser.errorText() + QLatin1Char('.'));
     CommandLine result;
     if (parser.isSet(help)) {
-        result.print = parser.helpText();
+        // Before there is a QCoreApplication, Qt does not know the name.
+        result.print =
+            parser.helpText().replace(QLatin1String("<executable_name>"), QLatin1String("macula-viewer"));
         return result;
     }
     if (parser.isSet(version)) {

@@ -32,7 +32,6 @@ const std::vector<LaidOutField> kTraceParams{MACULA_FIELD(TraceParams, originVox
                                              MACULA_FIELD(TraceParams, bounces),
                                              MACULA_FIELD(TraceParams, seed),
                                              MACULA_FIELD(TraceParams, anisotropy),
-                                             MACULA_FIELD(TraceParams, marchStepMm),
                                              MACULA_FIELD(TraceParams, clipPlanes),
                                              MACULA_FIELD(TraceParams, clipBallCentre),
                                              MACULA_FIELD(TraceParams, clipBallX),

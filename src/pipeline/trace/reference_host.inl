@@ -25,7 +25,7 @@ struct MACULA_HOST : GlslInCpp<MACULA_REAL> {
         ivec2 imageSize, environmentSize;
         int bounces;
         uint seed;
-        Real anisotropy, marchStepMm;
+        Real anisotropy;
         std::array<vec4, shared::kMaxClipPlanes> clipPlanes;
         vec3 clipBallCentre, clipBallX, clipBallY, clipBallZ;
         int clipKeepCount, clipBoxCount, clipCornerCount, clipBall, clipShadows, greyFaces;
@@ -40,13 +40,13 @@ struct MACULA_HOST : GlslInCpp<MACULA_REAL> {
     };
     // A field added to the shared block must be added above and below.
     static_assert(sizeof(shared::TraceParams) ==
-                  4 * (10 * 3 + 2 * 3 + 2 * 2 + 4 + 4 * shared::kMaxClipPlanes + 4 * 3 + 6 + 3 + 2 * 2 + 2 + 11));
+                  4 * (10 * 3 + 2 * 3 + 2 * 2 + 3 + 4 * shared::kMaxClipPlanes + 4 * 3 + 6 + 3 + 2 * 2 + 2 + 11));
 
     MACULA_HOST(const ReferenceTracer::Tables& tables, const shared::TraceParams& p, Filter filter)
         : params{p.originVoxel, p.right, p.up, p.forward, p.voxelFromWorldX, p.voxelFromWorldY,
                  p.voxelFromWorldZ, p.worldFromEnvironmentX, p.worldFromEnvironmentY, p.worldFromEnvironmentZ,
                  p.volumeSize, p.gridSize, p.imageSize, p.environmentSize, p.bounces, p.seed,
-                 Real(p.anisotropy), Real(p.marchStepMm), {}, p.clipBallCentre, p.clipBallX, p.clipBallY,
+                 Real(p.anisotropy), {}, p.clipBallCentre, p.clipBallX, p.clipBallY,
                  p.clipBallZ, p.clipKeepCount, p.clipBoxCount, p.clipCornerCount, p.clipBall, p.clipShadows,
                  p.greyFaces, Real(p.greyLow), Real(p.greyHigh), Real(p.exposure), p.planeHalfSize,
                  p.gaze, Real(p.foveaRadius), Real(p.foveaMagnification), Real(p.lightStrength),

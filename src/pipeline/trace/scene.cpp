@@ -5,6 +5,8 @@
 #include <tuple>
 #include <utility>
 
+#include "pipeline/volume/window.h"
+
 namespace macula::trace {
 
 namespace {
@@ -121,19 +123,6 @@ bool isUsable(const Foveation& foveation) {
 
 }  // namespace
 
-DisplayWindow seriesWindow(const Volume& volume) {
-    if (!volume.windows().empty()) return volume.windows().front();
-    const ValueRange all = volume.valueRange().value_or(ValueRange{0.0, 1.0});
-    return windowOver(all);
-}
-
-DisplayWindow windowOver(const ValueRange& range) {
-    return {.center = (range.low + range.high) / 2.0,
-            .width = std::max(range.high - range.low, 1e-6),
-            .explanation = {},
-            .function = "LINEAR_EXACT"};
-}
-
 FoveaInPlane foveaInPlane(const View& view) {
     FoveaInPlane fovea;
     fovea.halfSize.y = std::tan(glm::radians(view.camera.verticalFovDeg) / 2.0);
@@ -201,8 +190,6 @@ Result<shared::TraceParams> makeTraceParams(const Volume& volume, const Medium& 
     params.bounces = settings.look == Look::clear ? 1 : settings.bounces;
     params.seed = settings.seed;
     params.anisotropy = medium.anisotropy;
-    const glm::dvec3 spacing = volume.spacingMm();
-    params.marchStepMm = static_cast<float>(0.5 * std::min({spacing.x, spacing.y, spacing.z}));
     writeClip(clip, volume, params);
     writeGradientOpacity(medium, volume, params);
     writeCast(settings, medium, volume, params);

@@ -29,11 +29,6 @@ struct FoveaInPlane {
 };
 FoveaInPlane foveaInPlane(const View& view);
 
-// What projections are seen through when nobody says: the first window of the series, else all of its values.
-DisplayWindow seriesWindow(const Volume& volume);
-// Black at the low end, white at the high one.
-DisplayWindow windowOver(const ValueRange& range);
-
 // Whether rays have to be clipped at all.
 bool isClipped(const shared::TraceParams& params);
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <cstdint>
-
 #include <optional>
+#include <string_view>
 
 #include "base/camera.h"
 #include "base/result.h"
@@ -17,6 +17,11 @@ enum class Filter {
     trilinear,   // eight voxels, then the transfer function: the value a radiologist expects at an edge
     stochastic,  // one voxel drawn with the trilinear weights: faster; blends optics instead of values
 };
+
+// As in files and reports: "trilinear", "stochastic".
+constexpr std::string_view nameOf(Filter filter) {
+    return filter == Filter::trilinear ? "trilinear" : "stochastic";
+}
 
 // Whether what is shown and read is filtered, see denoiser.h. It never changes what is traced, and looks
 // without chance have no noise to filter.

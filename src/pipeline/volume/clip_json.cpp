@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "pipeline/volume/json_reader.h"
+#include "pipeline/volume/window.h"
 
 namespace macula {
 
@@ -109,15 +110,7 @@ Clip clipFor(const ClipPreset& preset, const Volume& volume) {
         clip.ball->centreMm = world(clip.ball->centreMm);
         clip.ball->radiusMm *= std::min({size.x, size.y, size.z});
     }
-    if (!preset.greyFacesOfSeries) return clip;
-    if (!volume.windows().empty()) {
-        clip.greyFaces = volume.windows().front();
-    } else if (const auto range = volume.valueRange()) {
-        clip.greyFaces = DisplayWindow{.center = 0.5 * (range->low + range->high),
-                                       .width = std::max(range->high - range->low, 1e-3),
-                                       .explanation = {},
-                                       .function = "LINEAR_EXACT"};
-    }
+    if (preset.greyFacesOfSeries) clip.greyFaces = seriesWindow(volume);
     return clip;
 }
 

@@ -22,8 +22,7 @@ struct ClipPreset {
 // the file, for the error.
 Result<ClipPreset> clipPresetFromJson(std::string_view text, const std::string& where);
 
-// The clip for this volume, in patient LPS mm. The window of the series is its first, or its range of values
-// when it names none.
+// The clip for this volume, in patient LPS mm. The window of the series is seriesWindow.
 Clip clipFor(const ClipPreset& preset, const Volume& volume);
 
 }  // namespace macula
