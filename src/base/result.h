@@ -14,7 +14,8 @@ namespace macula {
 enum class ErrorCode {
     usage,            // the caller asked for something that does not exist: an unknown preset, a bad option
     inputNotUsable,   // missing, unreadable, malformed or unsupported input
-    deviceNotUsable,  // no Vulkan driver, no such device, device lost
+    deviceNotUsable,  // no Vulkan driver, no such device
+    deviceLost,       // it stopped responding; another one may be made, see gpu::LastingDevice
     outOfMemory,      // host or device memory, or a limit of the device
     outputNotWritable,
     cancelled,

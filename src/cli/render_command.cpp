@@ -16,13 +16,13 @@
 #include "cli/command.h"
 #include "cli/interrupt.h"
 #include "cli/lights_choice.h"
+#include "cli/open_device.h"
 #include "cli/output_file.h"
 #include "cli/preset_choice.h"
 #include "cli/quality_choice.h"
 #include "cli/render_statistics.h"
 #include "cli/report.h"
 #include "cli/study_input.h"
-#include "pipeline/gpu/device.h"
 #include "pipeline/trace/path_tracer.h"
 #include "pipeline/trace/scene.h"
 #include "pipeline/volume/volume_fit.h"
@@ -148,12 +148,52 @@ Result<void> traceAll(trace::PathTracer& tracer, std::uint32_t samplesPerPixel, 
     return {};
 }
 
-Result<void> writePicture(trace::PathTracer& tracer, const Options& options, const RenderRecord& record) {
-    if (!isExr(options.output)) {
-        MACULA_TRY(const std::vector<std::uint8_t> rgba, tracer.readDisplay(kBackground));
-        return image::writePng(options.output, record.width, record.height, rgba, metadata(record));
+// What is drawn, and with what.
+struct Scene {
+    std::shared_ptr<const Volume> volume;
+    Clip clip;
+    TransferFunction preset;
+    trace::Environment environment;
+    trace::View view;
+    trace::Settings settings;
+    std::uint32_t samplesPerPixel = 0;
+};
+
+// What the device has made of it, brought to the host: a lost device takes nothing of it along.
+struct Drawn {
+    std::string device;
+    double seconds = 0.0;
+    trace::Statistics statistics;
+    std::vector<std::uint8_t> rgba;            // for the eye, or
+    std::optional<trace::TracedImage> traced;  // linear
+};
+
+Result<Drawn> draw(const std::shared_ptr<gpu::Device>& device, const Scene& scene,
+                   const trace::MemoryLimits& memory, bool linear, Progress& progress) {
+    const auto start = std::chrono::steady_clock::now();
+    Drawn drawn{.device = gpu::describe(device->info())};
+    MACULA_TRY(trace::PathTracer tracer, trace::PathTracer::create(device, memory));
+    MACULA_TRY_VOID(tracer.setVolume(scene.volume));
+    MACULA_TRY_VOID(tracer.setClip(scene.clip));  // first: what it hides is not uploaded
+    MACULA_TRY_VOID(tracer.setTransferFunction(scene.preset));
+    MACULA_TRY_VOID(tracer.setEnvironment(scene.environment));
+    MACULA_TRY_VOID(tracer.setSettings(scene.settings));
+    MACULA_TRY_VOID(tracer.setView(scene.view));
+    MACULA_TRY_VOID(traceAll(tracer, scene.samplesPerPixel, progress));
+    drawn.seconds = secondsSince(start);
+    MACULA_TRY(drawn.statistics, tracer.statistics());
+    if (linear) {
+        MACULA_TRY(drawn.traced, tracer.readback());
+    } else {
+        MACULA_TRY(drawn.rgba, tracer.readDisplay(kBackground));
     }
-    MACULA_TRY(const trace::TracedImage traced, tracer.readback());
+    return drawn;
+}
+
+Result<void> writePicture(const Drawn& drawn, const Options& options, const RenderRecord& record) {
+    if (!drawn.traced)
+        return image::writePng(options.output, record.width, record.height, drawn.rgba, metadata(record));
+    const trace::TracedImage& traced = *drawn.traced;
     const std::span<const float> rgba(&traced.radiance.front().x, traced.radiance.size() * 4);
     return image::writeExr(options.output, record.width, record.height, rgba, traced.depthMm,
                            metadata(record));
@@ -197,10 +237,7 @@ Result<void> render(const Options& options) {
         MACULA_TRY(clip, chooseClip(options.clip));
     }
     if (!options.camera.empty()) MACULA_TRY_VOID(chooseCamera(options, nullptr, size));
-    MACULA_TRY(const gpu::Instance instance, gpu::Instance::create());
-    gpu::DeviceOptions deviceOptions;
-    deviceOptions.preferred = options.device;
-    MACULA_TRY(const std::shared_ptr<gpu::Device> device, gpu::Device::create(instance, deviceOptions));
+    MACULA_TRY(gpu::LastingDevice device, openDevice(options.device));
 
     Progress progress(terminalProgressBar(), interruptToken());
     auto start = std::chrono::steady_clock::now();
@@ -231,16 +268,12 @@ Result<void> render(const Options& options) {
     record.preset = publicPresetName(presetName);
     record.lights = publicLightsName(lightsOf(options));
     record.clip = publicClipName(options.clip);
-    record.device = gpu::describe(device->info());
     record.width = size.x;
     record.height = size.y;
     record.settings = effort.settings;
     MACULA_TRY(record.settings.window, chooseWindow(options, preset, *study.volume));
     record.notes = study.notes;
 
-    start = std::chrono::steady_clock::now();
-    MACULA_TRY(trace::PathTracer tracer, trace::PathTracer::create(device, options.memory));
-    MACULA_TRY_VOID(tracer.setVolume(study.volume));
     Clip shown = clipFor(clip, *study.volume);
     if (options.removeTable) {
         MACULA_TRY(segment::PatientMask patient, segment::findPatient(*study.volume, progress));
@@ -252,14 +285,22 @@ Result<void> render(const Options& options) {
         shown.mask = Mask{.labels = std::make_shared<const LabelMap>(std::move(patient.map)),
                           .numbers = {segment::PatientMask::kPatient}};
     }
-    MACULA_TRY_VOID(tracer.setClip(shown));  // first: what it hides is not uploaded
-    MACULA_TRY_VOID(tracer.setTransferFunction(preset));
-    MACULA_TRY_VOID(tracer.setEnvironment(environment));
-    MACULA_TRY_VOID(tracer.setSettings(record.settings));
-    MACULA_TRY_VOID(tracer.setView({record.camera, size.x, size.y}));
-    MACULA_TRY_VOID(traceAll(tracer, effort.samplesPerPixel, progress));
-    record.traceSeconds = secondsSince(start);
-    MACULA_TRY(record.statistics, tracer.statistics());
+    const Scene scene{.volume = study.volume,
+                      .clip = std::move(shown),
+                      .preset = preset,
+                      .environment = environment,
+                      .view = {record.camera, size.x, size.y},
+                      .settings = record.settings,
+                      .samplesPerPixel = effort.samplesPerPixel};
+    Drawn drawn;
+    const auto drawOn = [&](const std::shared_ptr<gpu::Device>& on) -> Result<void> {
+        MACULA_TRY(drawn, draw(on, scene, options.memory, isExr(options.output), progress));
+        return {};
+    };
+    MACULA_TRY_VOID(device.run(drawOn));
+    record.device = drawn.device;
+    record.traceSeconds = drawn.seconds;
+    record.statistics = drawn.statistics;
     for (const Message& message : record.statistics.messages) {
         record.notes.push_back(message.sentence);
         printNote(fmt::format("{} {}", message.sentence, message.action));
@@ -274,7 +315,7 @@ Result<void> render(const Options& options) {
                                            record.statistics.abandonedSamples));
         printNote(record.notes.back());
     }
-    MACULA_TRY_VOID(writePicture(tracer, options, record));
+    MACULA_TRY_VOID(writePicture(drawn, options, record));
     if (!options.statistics.empty()) MACULA_TRY_VOID(writeStatistics(record, options.statistics));
     return {};
 }

@@ -24,6 +24,7 @@ int exitCode(ErrorCode code) {
         case ErrorCode::inputNotUsable:
             return 3;
         case ErrorCode::deviceNotUsable:
+        case ErrorCode::deviceLost:
         case ErrorCode::outOfMemory:
             return 4;
         case ErrorCode::cancelled:

@@ -10,11 +10,11 @@
 #include "cli/command.h"
 #include "cli/interrupt.h"
 #include "cli/lights_choice.h"
+#include "cli/open_device.h"
 #include "cli/output_file.h"
 #include "cli/report.h"
 #include "cli/study_input.h"
 #include "image/image_file.h"
-#include "pipeline/gpu/device.h"
 #include "pipeline/trace/path_tracer.h"
 #include "pipeline/trace/scene.h"
 #include "pipeline/volume/volume_fit.h"
@@ -82,29 +82,30 @@ Result<void> makeSheet(const Options& options) {
         return Error{ErrorCode::usage, "A sheet is for the eye.", options.output.string(),
                      "Choose a .png file."};
     MACULA_TRY(const std::vector<TransferFunction> presets, presets::builtInPresets());
-    MACULA_TRY(const gpu::Instance instance, gpu::Instance::create());
-    gpu::DeviceOptions deviceOptions;
-    deviceOptions.preferred = options.device;
-    MACULA_TRY(const std::shared_ptr<gpu::Device> device, gpu::Device::create(instance, deviceOptions));
+    MACULA_TRY(gpu::LastingDevice device, openDevice(options.device));
     Progress progress(terminalProgressBar(), interruptToken());
     MACULA_TRY(StudyInput study, loadStudy(options.path, options.series, progress));
     bringTo16Bits(study);
 
-    const Camera camera = frameBox(study.volume->worldBox(), options.view, 30.0, 1.0);
-    MACULA_TRY(trace::PathTracer tracer, trace::PathTracer::create(device));
-    MACULA_TRY_VOID(tracer.setVolume(study.volume));
-    MACULA_TRY_VOID(tracer.setView({.camera = camera, .width = options.tile, .height = options.tile}));
     const int looks = static_cast<int>(trace::kLooks.size());
     Sheet sheet{.tile = options.tile, .columns = looks * options.panels, .rgba = {}};
     const int rows = (static_cast<int>(presets.size()) + options.panels - 1) / options.panels;
     sheet.rgba.resize(4 * static_cast<std::size_t>(options.tile * sheet.columns) *
                       static_cast<std::size_t>(options.tile * rows));
-    progress.beginStage("Drawing", presets.size());
-    for (int i = 0; i < static_cast<int>(presets.size()); ++i) {
-        MACULA_TRY_VOID(drawRow(tracer, study, presets[static_cast<std::size_t>(i)], options,
-                                i / rows * looks, i % rows, sheet));
-        progress.advance(1);
-    }
+    const auto drawAll = [&](const std::shared_ptr<gpu::Device>& on) -> Result<void> {
+        const Camera camera = frameBox(study.volume->worldBox(), options.view, 30.0, 1.0);
+        MACULA_TRY(trace::PathTracer tracer, trace::PathTracer::create(on));
+        MACULA_TRY_VOID(tracer.setVolume(study.volume));
+        MACULA_TRY_VOID(tracer.setView({.camera = camera, .width = options.tile, .height = options.tile}));
+        progress.beginStage("Drawing", presets.size());
+        for (int i = 0; i < static_cast<int>(presets.size()); ++i) {
+            MACULA_TRY_VOID(drawRow(tracer, study, presets[static_cast<std::size_t>(i)], options,
+                                    i / rows * looks, i % rows, sheet));
+            progress.advance(1);
+        }
+        return {};
+    };
+    MACULA_TRY_VOID(device.run(drawAll));
     MACULA_TRY_VOID(image::writePng(options.output, options.tile * sheet.columns, options.tile * rows,
                                     sheet.rgba, {{"Software", "Macula " MACULA_VERSION}}));
     fmt::print("columns");

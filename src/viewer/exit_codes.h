@@ -19,6 +19,7 @@ constexpr int exitCodeOf(ErrorCode code) {
         case ErrorCode::inputNotUsable:
             return kExitInput;
         case ErrorCode::deviceNotUsable:
+        case ErrorCode::deviceLost:
         case ErrorCode::outOfMemory:
             return kExitDevice;
         case ErrorCode::cancelled:

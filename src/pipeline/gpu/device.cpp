@@ -164,15 +164,20 @@ std::uint64_t Device::memoryAvailableBytes() const {
 
 Ticket Device::completedTicket() const {
     Ticket value = 0;
+    if (!lost()) {
+        const VkResult result = vkGetSemaphoreCounterValue(device_, timeline_, &value);
+        if (result == VK_ERROR_DEVICE_LOST)
+            loseIt();
+        else if (result < 0)
+            return 0;  // nobody knows
+    }
     // A lost device runs nothing any more: all is as done as it will ever be.
-    if (lost() || vkGetSemaphoreCounterValue(device_, timeline_, &value) != VK_SUCCESS)
-        return submitted_.load();
-    return value;
+    return lost() ? submitted_.load() : value;
 }
 
 Result<bool> Device::waitFor(Ticket ticket, std::uint64_t timeoutNs) {
     MACULA_CHECK_LE(ticket, submitted_.load());
-    if (lost()) return failed(VK_ERROR_DEVICE_LOST, "wait for the graphics device");
+    MACULA_TRY_VOID(checkNotLost("wait for the graphics device"));
     VkSemaphoreWaitInfo info{VK_STRUCTURE_TYPE_SEMAPHORE_WAIT_INFO};
     info.semaphoreCount = 1;
     info.pSemaphores = &timeline_;
@@ -234,9 +239,20 @@ void Device::setName(VkObjectType type, std::uint64_t object, std::string_view n
     functions_.setObjectName(device_, &info);
 }
 
-Error Device::failed(VkResult result, std::string_view doing) {
-    if (result == VK_ERROR_DEVICE_LOST) lost_.store(true);
-    return vulkanError(result, doing);
+void Device::loseIt() const {
+    // What it was doing when it was lost may still be on its way out; nothing is to be freed under it. This
+    // returns in finite time on a lost device, too.
+    if (!lost_.exchange(true)) vkDeviceWaitIdle(device_);
+}
+
+Result<void> Device::checkNotLost(std::string_view doing) const {
+    if (lost()) return vulkanError(VK_ERROR_DEVICE_LOST, doing);
+    return {};
+}
+
+Error Device::failed(VkResult result, std::string_view doing) const {
+    if (result == VK_ERROR_DEVICE_LOST) loseIt();
+    return vulkanError(lost() ? VK_ERROR_DEVICE_LOST : result, doing);
 }
 
 Result<Device::Commands> Device::makeCommands() {
@@ -269,7 +285,7 @@ Result<Device::Commands> Device::makeCommands() {
 }
 
 Result<Device::Commands> Device::takeCommands() {
-    if (lost()) return failed(VK_ERROR_DEVICE_LOST, "prepare work for the graphics device");
+    MACULA_TRY_VOID(checkNotLost("prepare work for the graphics device"));
     collect();
     const Ticket completed = completedTicket();
     const auto idle = std::find_if(freeCommands_.begin(), freeCommands_.end(),
@@ -292,7 +308,7 @@ void Device::giveCommandsBack(const Commands& commands) {
 }
 
 Result<Ticket> Device::submit(VkCommandBuffer commands, VkSemaphore wait, VkSemaphore signal) {
-    if (lost()) return failed(VK_ERROR_DEVICE_LOST, "submit work to the graphics device");
+    MACULA_TRY_VOID(checkNotLost("submit work to the graphics device"));
     const auto semaphoreInfo = [](VkSemaphore semaphore, std::uint64_t value) {
         VkSemaphoreSubmitInfo info{VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO};
         info.semaphore = semaphore;

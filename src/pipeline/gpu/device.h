@@ -40,8 +40,8 @@ struct DeviceOptions {
 // rule: one thread at a time uses a Device, its recorders and its resources; only dropping resources is free
 // of that rule.
 //
-// Lost: after a driver reset every call gives the error deviceNotUsable, and lost() is true. To recover, drop
-// all that is on the device and create another one.
+// Lost: after a driver reset every call gives the error deviceLost at once, and lost() is true. To recover,
+// drop all that is on the device and create another one: recovery.h.
 class Device : public std::enable_shared_from_this<Device> {
   public:
     // Prints the chosen device on stderr, always: who reads a picture or a timing must know what made it.
@@ -73,6 +73,8 @@ class Device : public std::enable_shared_from_this<Device> {
     Result<bool> waitFor(Ticket ticket, std::uint64_t timeoutNs = kForever);
     Result<void> waitForAll();
     bool lost() const { return lost_.load(); }
+    // deviceLost when it is; asked before anything is made or moved. `doing` as in vulkanError.
+    Result<void> checkNotLost(std::string_view doing) const;
 
     // Destroys what was dropped and is no longer in use. Submitting and waiting do it as well.
     void collect();
@@ -81,8 +83,9 @@ class Device : public std::enable_shared_from_this<Device> {
     // Names an object for validation messages and debuggers; nothing where debug utils are missing.
     void setName(VkObjectType type, std::uint64_t object, std::string_view name) const;
 
-    // Turns a failed call into an Error, and remembers a lost device.
-    Error failed(VkResult result, std::string_view doing);
+    // Turns a failed call into an Error, and remembers a lost device: whatever fails on one, fails because of
+    // that.
+    Error failed(VkResult result, std::string_view doing) const;
 
   private:
     friend class Recorder;
@@ -113,6 +116,7 @@ class Device : public std::enable_shared_from_this<Device> {
     Result<Commands> takeCommands();
     Result<Commands> makeCommands();
     void giveCommandsBack(const Commands& commands);
+    void loseIt() const;
     void recorderClosed();
     Result<Ticket> submit(VkCommandBuffer commands, VkSemaphore wait, VkSemaphore signal);
 
@@ -130,7 +134,7 @@ class Device : public std::enable_shared_from_this<Device> {
     VkSemaphore timeline_ = VK_NULL_HANDLE;
     std::vector<Commands> freeCommands_;
     std::atomic<Ticket> submitted_{0};
-    std::atomic<bool> lost_{false};
+    mutable std::atomic<bool> lost_{false};  // a question may find it out, too
 
     mutable std::mutex droppedMutex_;  // guards the two below: resources are dropped on any thread
     std::vector<Dropped> dropped_;

@@ -30,6 +30,7 @@ Result<Kernel> Kernel::create(const std::shared_ptr<Device>& device, const Shade
     MACULA_TRY(kernel.reflection_, reflectSpirv(code.words));
     const Reflection& reflection = kernel.reflection_;
     const std::string doing = fmt::format("prepare the shader {}", code.name);
+    MACULA_TRY_VOID(device->checkNotLost(doing));
 
     std::vector<std::uint32_t> values;
     std::vector<VkSpecializationMapEntry> entries;

@@ -94,6 +94,7 @@ Result<Buffer> Buffer::create(const std::shared_ptr<Device>& device, const Buffe
     MACULA_CHECK(options.bytes > 0);
     const DeviceInfo& info = device->info();
     const std::string what = fmt::format("buffer \"{}\"", options.label);
+    MACULA_TRY_VOID(device->checkNotLost(fmt::format("create the {}", what)));
     std::uint64_t limit = info.maxAllocationBytes;
     if (options.usage & VK_BUFFER_USAGE_STORAGE_BUFFER_BIT)
         limit = std::min<std::uint64_t>(limit, info.maxStorageBufferBytes);
@@ -180,6 +181,7 @@ Result<Image> Image::create(const std::shared_ptr<Device>& device, const ImageOp
     const bool isVolume = options.shape == ImageShape::volume;
     MACULA_CHECK(isVolume || options.depth == 1);
     const std::string what = fmt::format("image \"{}\"", options.label);
+    MACULA_TRY_VOID(device->checkNotLost(fmt::format("create the {}", what)));
     const DeviceInfo& info = device->info();
     const std::uint32_t edge = std::max({options.width, options.height, options.depth});
     const std::uint32_t maxEdge = isVolume ? info.maxImageEdge3D : info.maxImageEdge2D;
@@ -258,6 +260,7 @@ Result<Image> Image::create(const std::shared_ptr<Device>& device, const ImageOp
 
 Result<Sampler> Sampler::create(const std::shared_ptr<Device>& device, const SamplerOptions& options) {
     MACULA_CHECK(device != nullptr);
+    MACULA_TRY_VOID(device->checkNotLost(fmt::format("create the sampler \"{}\"", options.label)));
     VkSamplerCreateInfo info{VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO};
     info.magFilter = options.filter;
     info.minFilter = options.filter;

@@ -2,7 +2,7 @@
 //
 // All may be dropped at any time, on any thread, also while the GPU uses them. Creation fails with
 // outOfMemory, and a sentence that has the numbers, when the memory or a limit of the device does not
-// suffice.
+// suffice; with deviceLost on a lost device.
 #pragma once
 
 #include <vulkan/vulkan_core.h>

@@ -73,6 +73,7 @@ Result<Handle<VkSemaphore>> Swapchain::makeSemaphore() const {
 }
 
 Result<void> Swapchain::resize(VkExtent2D extent) {
+    MACULA_TRY_VOID(device_->checkNotLost("resize the window"));
     if (const VkResult result = vkDeviceWaitIdle(device_->handle()); result < 0)
         return device_->failed(result, "resize the window");
 
@@ -135,6 +136,7 @@ Result<void> Swapchain::resize(VkExtent2D extent) {
 }
 
 Result<Swapchain::Frame> Swapchain::acquire(std::uint64_t timeoutNs) {
+    MACULA_TRY_VOID(device_->checkNotLost("get an image of the window"));
     Frame frame;
     if (extent_.width == 0) {
         frame.status = Status::hidden;
@@ -177,6 +179,7 @@ Result<Swapchain::Frame> Swapchain::acquire(std::uint64_t timeoutNs) {
 
 Result<Swapchain::Status> Swapchain::present(const Frame& frame, Ticket rendered) {
     MACULA_CHECK(frame.usable());
+    MACULA_TRY_VOID(device_->checkNotLost("show the image in the window"));
     slots_[currentSlot_].usedBy = rendered;
     const VkSwapchainKHR swapchain = swapchain_.get();
     VkPresentInfoKHR info{VK_STRUCTURE_TYPE_PRESENT_INFO_KHR};

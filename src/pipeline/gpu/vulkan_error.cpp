@@ -61,12 +61,11 @@ Error vulkanError(VkResult result, std::string_view doing) {
                 "Close other programs that draw in 3D, open a smaller series, or choose another device with "
                 "MACULA_DEVICE."};
         case VK_ERROR_DEVICE_LOST:
-            return {ErrorCode::deviceNotUsable,
-                    fmt::format("Could not {}: the graphics device stopped responding and was reset.", doing),
-                    "",
-                    "Open the study again. If this comes back, update the graphics driver, or choose another "
-                    "device "
-                    "with MACULA_DEVICE."};
+            return {
+                ErrorCode::deviceLost,
+                fmt::format("Could not {}: the graphics device stopped responding and was reset.", doing), "",
+                "Try again. If this comes back, update the graphics driver, or choose another device with "
+                "MACULA_DEVICE."};
         case VK_ERROR_SURFACE_LOST_KHR:
             return {ErrorCode::deviceNotUsable,
                     fmt::format("Could not {}: the window system took the window away.", doing), "",

@@ -13,7 +13,7 @@ namespace macula::gpu {
 std::string_view vkResultName(VkResult result);
 
 // `doing` completes "Could not ...": "create the buffer 'volume' of 2.0 GiB". Lack of memory becomes
-// outOfMemory, all else deviceNotUsable.
+// outOfMemory, a lost device deviceLost, all else deviceNotUsable.
 Error vulkanError(VkResult result, std::string_view doing);
 
 // "512 bytes", "16.0 KiB", "1.5 GiB".

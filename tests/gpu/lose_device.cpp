@@ -1,0 +1,179 @@
+#include "gpu/lose_device.h"
+
+#include <dlfcn.h>
+#include <vulkan/vulkan.h>
+
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <map>
+#include <mutex>
+
+namespace macula::test {
+namespace {
+
+constexpr std::array kNames{"submit", "wait", "query", "allocate", "compile", "acquire", "present"};
+
+struct State {
+    std::mutex mutex;
+    VulkanCall call = VulkanCall::submit;
+    int every = 0;
+    int left = 0;
+    int timesLeft = 0;
+    int lost = 0;
+    int callsAfter = 0;
+    std::array<int, kNames.size()> counts{};
+    VkDevice lostDevice = VK_NULL_HANDLE;
+    std::map<VkQueue, VkDevice> queues;
+
+    void arm(VulkanCall which, int nth, int times) {
+        call = which;
+        every = left = nth;
+        timesLeft = times;
+        lost = callsAfter = 0;
+    }
+
+    State() {
+        const char* wanted = std::getenv("MACULA_TEST_LOSE");
+        char name[16] = "";
+        int nth = 0;
+        int times = 1;
+        if (wanted == nullptr || std::sscanf(wanted, "%15[a-z]:%d:%d", name, &nth, &times) < 2) return;
+        for (std::size_t i = 0; i < kNames.size(); ++i) {
+            if (std::strcmp(name, kNames[i]) == 0) arm(VulkanCall(i), nth, times);
+        }
+    }
+};
+
+State& state() {
+    static State instance;
+    return instance;
+}
+
+// Whether this call reports the loss.
+bool isLost(VkDevice device, VulkanCall call) {
+    State& s = state();
+    const std::lock_guard lock(s.mutex);
+    ++s.counts[std::size_t(call)];
+    if (device == s.lostDevice) {
+        ++s.callsAfter;
+        return true;
+    }
+    if (s.timesLeft == 0 || call != s.call || --s.left > 0) return false;
+    s.left = s.every;
+    --s.timesLeft;
+    ++s.lost;
+    s.lostDevice = device;
+    return true;
+}
+
+VkDevice deviceOf(VkQueue queue) {
+    State& s = state();
+    const std::lock_guard lock(s.mutex);
+    return s.queues[queue];
+}
+
+template <class Function>
+Function next(Function, const char* name) {
+    return reinterpret_cast<Function>(dlsym(RTLD_NEXT, name));
+}
+
+}  // namespace
+
+void loseDeviceAt(VulkanCall call, int nth, int times) {
+    State& s = state();
+    const std::lock_guard lock(s.mutex);
+    s.arm(call, nth, times);
+}
+
+int devicesLost() {
+    State& s = state();
+    const std::lock_guard lock(s.mutex);
+    return s.lost;
+}
+
+int callsOfLostDevice() {
+    State& s = state();
+    const std::lock_guard lock(s.mutex);
+    return s.callsAfter;
+}
+
+int countOf(VulkanCall call) {
+    State& s = state();
+    const std::lock_guard lock(s.mutex);
+    return s.counts[std::size_t(call)];
+}
+
+}  // namespace macula::test
+
+using macula::test::VulkanCall;
+
+#define MACULA_NEXT(function) macula::test::next(&function, #function)
+
+extern "C" {
+
+VKAPI_ATTR void VKAPI_CALL vkGetDeviceQueue(VkDevice device, uint32_t family, uint32_t index,
+                                            VkQueue* queue) {
+    MACULA_NEXT(vkGetDeviceQueue)(device, family, index, queue);
+    auto& s = macula::test::state();
+    const std::lock_guard lock(s.mutex);
+    s.queues[*queue] = device;
+}
+
+VKAPI_ATTR void VKAPI_CALL vkDestroyDevice(VkDevice device, const VkAllocationCallbacks* callbacks) {
+    {
+        auto& s = macula::test::state();
+        const std::lock_guard lock(s.mutex);
+        if (s.lostDevice == device) s.lostDevice = VK_NULL_HANDLE;  // the next may have the same address
+    }
+    MACULA_NEXT(vkDestroyDevice)(device, callbacks);
+}
+
+VKAPI_ATTR VkResult VKAPI_CALL vkQueueSubmit2(VkQueue queue, uint32_t count, const VkSubmitInfo2* submits,
+                                              VkFence fence) {
+    if (macula::test::isLost(macula::test::deviceOf(queue), VulkanCall::submit)) return VK_ERROR_DEVICE_LOST;
+    return MACULA_NEXT(vkQueueSubmit2)(queue, count, submits, fence);
+}
+
+VKAPI_ATTR VkResult VKAPI_CALL vkWaitSemaphores(VkDevice device, const VkSemaphoreWaitInfo* info,
+                                                uint64_t timeout) {
+    if (macula::test::isLost(device, VulkanCall::wait)) return VK_ERROR_DEVICE_LOST;
+    return MACULA_NEXT(vkWaitSemaphores)(device, info, timeout);
+}
+
+VKAPI_ATTR VkResult VKAPI_CALL vkGetSemaphoreCounterValue(VkDevice device, VkSemaphore semaphore,
+                                                          uint64_t* value) {
+    if (macula::test::isLost(device, VulkanCall::query)) return VK_ERROR_DEVICE_LOST;
+    return MACULA_NEXT(vkGetSemaphoreCounterValue)(device, semaphore, value);
+}
+
+VKAPI_ATTR VkResult VKAPI_CALL vkAllocateMemory(VkDevice device, const VkMemoryAllocateInfo* info,
+                                                const VkAllocationCallbacks* callbacks,
+                                                VkDeviceMemory* memory) {
+    if (macula::test::isLost(device, VulkanCall::allocate)) return VK_ERROR_DEVICE_LOST;
+    return MACULA_NEXT(vkAllocateMemory)(device, info, callbacks, memory);
+}
+
+VKAPI_ATTR VkResult VKAPI_CALL vkCreateComputePipelines(VkDevice device, VkPipelineCache cache,
+                                                        uint32_t count,
+                                                        const VkComputePipelineCreateInfo* infos,
+                                                        const VkAllocationCallbacks* callbacks,
+                                                        VkPipeline* pipelines) {
+    if (macula::test::isLost(device, VulkanCall::compile)) return VK_ERROR_DEVICE_LOST;
+    return MACULA_NEXT(vkCreateComputePipelines)(device, cache, count, infos, callbacks, pipelines);
+}
+
+VKAPI_ATTR VkResult VKAPI_CALL vkAcquireNextImageKHR(VkDevice device, VkSwapchainKHR swapchain,
+                                                     uint64_t timeout, VkSemaphore semaphore, VkFence fence,
+                                                     uint32_t* index) {
+    if (macula::test::isLost(device, VulkanCall::acquire)) return VK_ERROR_DEVICE_LOST;
+    return MACULA_NEXT(vkAcquireNextImageKHR)(device, swapchain, timeout, semaphore, fence, index);
+}
+
+VKAPI_ATTR VkResult VKAPI_CALL vkQueuePresentKHR(VkQueue queue, const VkPresentInfoKHR* info) {
+    if (macula::test::isLost(macula::test::deviceOf(queue), VulkanCall::present)) return VK_ERROR_DEVICE_LOST;
+    return MACULA_NEXT(vkQueuePresentKHR)(queue, info);
+}
+
+}  // extern "C"
