@@ -14,36 +14,37 @@ namespace {
 
 using std::chrono::duration;
 using std::chrono::milliseconds;
-using std::chrono::seconds;
 
 double millisecondsBetween(std::chrono::steady_clock::time_point from,
                            std::chrono::steady_clock::time_point to) {
     return duration<double, std::milli>(to - from).count();
 }
 
-constexpr double kMotionBudgetMs = 110.0;  // 9 pictures a second; 5 are still left on a machine half as fast
+constexpr double kMotionBudgetMs = 100.0;  // 10 pictures a second; 5 are still left on a machine half as fast
 constexpr double kNsPerPixelGuessCpu = 4000.0;
 constexpr double kNsPerPixelGuessGpu = 50.0;
 // In motion light may bounce this often. With fewer, bone turns from ivory to grey: its colour is made by
 // many bounces, and the picture would change its look each time a hand lets go.
 constexpr int kMotionBounces = 4;
-// Of each pixel before a picture in motion is shown. With fewer the picture could be larger, but would be
-// a cloud of dots: an eye reads a soft picture more easily than a sparse one.
-constexpr std::uint32_t kMotionSamples = 2;
-// And an eye follows a soft picture more easily than a grainy one.
-constexpr trace::Smoothing kMotionSmoothing = trace::Smoothing::slight;
+// Of each pixel before a picture in motion is shown. Denoised, one is enough: the view before helps, and what
+// a second costs is better spent on pixels. A picture that is not would be a cloud of dots.
+constexpr std::uint32_t kMotionSamples = 1;
+constexpr std::uint32_t kPlainMotionSamples = 2;
+constexpr trace::Smoothing kPlainMotionSmoothing = trace::Smoothing::slight;
 constexpr std::uint64_t kMotionSampleLimit = 64;  // while a hand holds still
 // After the last change the small picture is refined for so long before the full one starts: it stays on
 // screen during the long first pass of that, and should not be the noisiest of all.
 constexpr milliseconds kSettle{300};
 constexpr milliseconds kShowInterval{100};  // while converging; nobody sees more, and each costs a copy
 constexpr milliseconds kRateWindow{2000};
-// A device that is lost twice within this time is not tried a third time.
-constexpr seconds kBetweenLosses{30};
-
-bool sameSettings(const trace::Settings& a, const trace::Settings& b) {
-    return a.bounces == b.bounces && a.seed == b.seed && a.filter == b.filter && a.exposure == b.exposure;
-}
+// The full picture is denoised while it has few samples: each time they have doubled, as the filter takes as
+// long as a sample or two. What has more is shown as it is.
+constexpr std::uint64_t kFirstDenoised = 2;
+constexpr std::uint64_t kDenoisedBelow = 64;
+// A hand that moves on waits for the filter. Where a full picture would take longer it is not denoised, and
+// the small one, which is, stays until the full one is no longer a cloud of dots.
+constexpr double kMostFilterMs = 1000.0;
+constexpr std::uint64_t kFirstPlain = 4;
 
 bool sameCamera(const Camera& a, const Camera& b) {
     return a.positionMm == b.positionMm && a.targetMm == b.targetMm && a.up == b.up &&
@@ -52,8 +53,13 @@ bool sameCamera(const Camera& a, const Camera& b) {
 
 bool samePicture(const FrameInput& a, const FrameInput& b) {
     return a.volume == b.volume && a.transferFunction == b.transferFunction && a.lights == b.lights &&
-           sameSettings(a.settings, b.settings) && sameCamera(a.camera, b.camera) && a.width == b.width &&
+           a.settings == b.settings && sameCamera(a.camera, b.camera) && a.width == b.width &&
            a.height == b.height && a.surface == b.surface;
+}
+
+trace::Settings denoised(trace::Settings settings, bool isDenoised) {
+    settings.denoising = isDenoised ? trace::Denoising::on : trace::Denoising::off;
+    return settings;
 }
 
 trace::Settings motionSettings(trace::Settings settings, std::uint32_t frame) {
@@ -166,7 +172,9 @@ Result<void> FrameRenderer::ensureDevice() {
     MACULA_TRY(trace::PathTracer tracer, trace::PathTracer::create(device));
     device_ = std::move(device);
     tracer_.emplace(std::move(tracer));
-    kernelsAreWarm_ = false;
+    warmWidth_ = 0;
+    filterFits_ = true;
+    filterNsPerPixel_ = 0.0;
     applied_ = {};
     restart_ = true;
     motionScale_.emplace(kMotionBudgetMs, device_->isCpu() ? kNsPerPixelGuessCpu : kNsPerPixelGuessGpu);
@@ -182,6 +190,7 @@ Result<void> FrameRenderer::ensurePresenter() {
         restart_ = true;
     } else if (applied_.window.width != window.width || applied_.window.height != window.height) {
         MACULA_TRY_VOID(presenter_->resize(window));
+        filterFits_ = true;  // perhaps, now
     }
     applied_.window = window;
     if (applied_.exposures != input_.exposures) {
@@ -232,14 +241,14 @@ Result<bool> FrameRenderer::applyScene(const Interrupts& interrupts) {
 }
 
 Result<void> FrameRenderer::applySettings(const trace::Settings& settings) {
-    if (applied_.settings && sameSettings(*applied_.settings, settings)) return {};
+    if (applied_.settings && *applied_.settings == settings) return {};
     MACULA_TRY_VOID(tracer_->setSettings(settings));
     applied_.settings = settings;
     return {};
 }
 
 Result<void> FrameRenderer::startMoving() {
-    MACULA_TRY_VOID(applySettings(motionSettings(input_.settings, ++motionFrame_)));
+    MACULA_TRY_VOID(applySettings(denoised(motionSettings(input_.settings, ++motionFrame_), mayDenoise())));
     scale_ = motionScale_->choose(input_.width, input_.height);
     view_ = {.camera = input_.camera,
              .width = scaledEdge(input_.width, scale_),
@@ -253,7 +262,10 @@ Result<void> FrameRenderer::startMoving() {
 }
 
 Result<void> FrameRenderer::startConverging() {
-    MACULA_TRY_VOID(applySettings(input_.settings));
+    stillIsDenoised_ =
+        mayDenoise() && filterNsPerPixel_ * 1e-6 * input_.width * input_.height <= kMostFilterMs;
+    showFrom_ = stillIsDenoised_ ? kFirstDenoised : kFirstPlain;
+    MACULA_TRY_VOID(applySettings(denoised(input_.settings, stillIsDenoised_)));
     scale_ = 1;
     view_ = {.camera = input_.camera, .width = input_.width, .height = input_.height};
     MACULA_TRY_VOID(tracer_->setView(view_));
@@ -265,18 +277,26 @@ Result<void> FrameRenderer::stepMoving(const Interrupts& interrupts) {
     if (!input_.interacting && movingSamples_ > 0 && Clock::now() - movingSince_ >= kSettle) {
         return startConverging();
     }
+    const std::uint32_t samples = mayDenoise() ? kMotionSamples : kPlainMotionSamples;
     const Clock::time_point start = Clock::now();
-    MACULA_TRY(const bool complete, tracer_->trace(kMotionSamples, [&] { return !interrupts.stopping(); }));
+    MACULA_TRY(const bool complete, tracer_->trace(samples, [&] { return !interrupts.stopping(); }));
     if (!complete) return {};
     const Clock::time_point traced = Clock::now();
-    movingSamples_ += kMotionSamples;
-    MACULA_TRY_VOID(showPicture());
+    MACULA_TRY(const gpu::Image* picture, develop());
+    MACULA_TRY_VOID(device_->waitForAll());
+    const Clock::time_point developed = Clock::now();
+    MACULA_TRY_VOID(show(*picture));
     // One picture in flight: a longer queue would show where the hand was, not where it is.
     MACULA_TRY_VOID(device_->waitForAll());
-    // The first picture also compiles the kernels, and says nothing about the next.
-    if (!std::exchange(kernelsAreWarm_, true)) return {};
-    motionScale_->observe(view_.width, view_.height, millisecondsBetween(start, traced),
-                          millisecondsBetween(traced, Clock::now()));
+    const bool first = movingSamples_ == 0;
+    movingSamples_ += samples;
+    // The first picture of a size also compiles kernels, and later ones of a view have its guides: they say
+    // nothing about the next.
+    if (std::exchange(warmWidth_, view_.width) != view_.width || !first) return {};
+    filterNsPerPixel_ =
+        millisecondsBetween(traced, developed) * 1e6 / (double(view_.width) * double(view_.height));
+    motionScale_->observe(view_.width, view_.height, millisecondsBetween(start, developed),
+                          millisecondsBetween(developed, Clock::now()));
     return {};
 }
 
@@ -288,14 +308,41 @@ Result<void> FrameRenderer::stepConverging(const Interrupts& interrupts) {
     const std::uint64_t samples = statistics.samplesPerPixel;
     const bool last = samples >= input_.sampleLimit;
     if (last) stage_ = Stage::converged;
-    const bool due = shown_.empty() || Clock::now() - shown_.back() >= kShowInterval;
-    return last || samples == 1 || due ? showPicture() : Result<void>{};
+    if (stillIsDenoised_ && samples >= kDenoisedBelow) {
+        stillIsDenoised_ = false;
+        MACULA_TRY_VOID(applySettings(denoised(input_.settings, false)));
+    }
+    const bool early = samples < showFrom_;
+    const bool rested = shown_.empty() || Clock::now() - shown_.back() >= kShowInterval;
+    if (!last && (early || !rested)) return {};
+    if (stillIsDenoised_) showFrom_ = 2 * samples;
+    return showPicture();
+}
+
+bool FrameRenderer::mayDenoise() const {
+    return filterFits_ && trace::isPathTraced(input_.settings.look);
+}
+
+// The picture of the samples so far, on the device. What is too large for the filter is shown without.
+Result<const gpu::Image*> FrameRenderer::develop() {
+    const auto smoothing =
+        stage_ == Stage::moving && !mayDenoise() ? kPlainMotionSmoothing : trace::Smoothing::none;
+    auto picture = tracer_->display(input_.background, smoothing);
+    if (picture.ok() || picture.error().code != ErrorCode::outOfMemory || !filterFits_) return picture;
+    log::warning("There is no room on the device to denoise a picture of this size.");
+    filterFits_ = false;
+    stillIsDenoised_ = false;
+    MACULA_TRY_VOID(applySettings(denoised(*applied_.settings, false)));
+    return tracer_->display(input_.background, smoothing);
 }
 
 Result<void> FrameRenderer::showPicture() {
-    const auto smoothing = stage_ == Stage::moving ? kMotionSmoothing : trace::Smoothing::none;
-    MACULA_TRY(const gpu::Image* picture, tracer_->display(input_.background, smoothing));
-    MACULA_TRY(const bool visible, presenter_->show(*picture));
+    MACULA_TRY(const gpu::Image* picture, develop());
+    return show(*picture);
+}
+
+Result<void> FrameRenderer::show(const gpu::Image& picture) {
+    MACULA_TRY(const bool visible, presenter_->show(picture));
     const Clock::time_point now = Clock::now();
     if (visible) shown_.push_back(now);
     while (!shown_.empty() && now - shown_.front() > kRateWindow) shown_.pop_front();
@@ -309,6 +356,7 @@ Result<void> FrameRenderer::showPicture() {
                            .scale = scale_,
                            .samplesPerPixel = statistics.samplesPerPixel,
                            .sampleLimit = input_.sampleLimit,
+                           .denoised = statistics.denoised,
                            .framesPerSecond = framesPerSecond(),
                            .latencyMs = millisecondsBetween(input_.published, now),
                            .samplesLeftOut = statistics.nonFiniteSamples + statistics.abandonedSamples,
@@ -325,17 +373,15 @@ double FrameRenderer::framesPerSecond() const {
     return spanMs > 0.0 ? 1000.0 * double(shown_.size() - 1) / spanMs : 0.0;
 }
 
-void FrameRenderer::handle(const Error& error) {
-    const bool lost = device_ && device_->lost();
-    if (lost) {
-        const Clock::time_point now = Clock::now();
-        const bool again = lastLoss_ && now - *lastLoss_ < kBetweenLosses;
-        lastLoss_ = now;
+void FrameRenderer::handle(Error error) {
+    if (device_ && device_->lost()) {
         dropDevice();
-        if (!again) {
+        if (losses_.mayGoOn()) {
             log::warning("The graphics device was lost; starting it again.");
+            listener_(DeviceRestarting{});
             return;  // hasWork() is true without a device: the next step makes a new one
         }
+        error = gpu::lostTooOften();
     }
     halted_ = true;
     clear_ = true;

@@ -10,6 +10,7 @@
 
 #include "pipeline/gpu/device.h"
 #include "pipeline/gpu/instance.h"
+#include "pipeline/gpu/recovery.h"
 #include "pipeline/trace/path_tracer.h"
 #include "viewer/frame_input.h"
 #include "viewer/motion_scale.h"
@@ -24,10 +25,13 @@ struct Interrupts {
     std::function<bool()> stopping;
 };
 
-// Owns the device and all that is on it. A picture has up to three stages: while something moves, two samples
-// per pixel of a smaller picture that always gets finished, or the view would never follow a steady hand;
-// then all pixels, given up at once when a new input comes; then rest, when all samples are there. The
-// smaller picture stays on screen until the full one has a sample everywhere.
+// Owns the device and all that is on it. A device that is lost is replaced, and the picture made anew from
+// the input; who listens is told, and when it is lost again and again it is left at that.
+//
+// A picture has up to three stages: while something moves, a smaller
+// picture of one denoised sample per pixel that always gets finished, or the view would never follow a steady
+// hand; then all pixels, given up at once when a new input comes; then rest, when all samples are there. The
+// smaller picture stays on screen until the full one is better.
 //
 // Used by one thread, the render thread.
 class FrameRenderer {
@@ -60,8 +64,11 @@ class FrameRenderer {
     Result<void> startConverging();
     Result<void> stepMoving(const Interrupts& interrupts);
     Result<void> stepConverging(const Interrupts& interrupts);
+    bool mayDenoise() const;
+    Result<const gpu::Image*> develop();
+    Result<void> show(const gpu::Image& picture);
     Result<void> showPicture();
-    void handle(const Error& error);
+    void handle(Error error);
     void dropDevice();
     double framesPerSecond() const;
 
@@ -92,12 +99,16 @@ class FrameRenderer {
     int scale_ = 1;
     trace::View view_;
     std::optional<MotionScale> motionScale_;
-    bool kernelsAreWarm_ = false;
+    int warmWidth_ = 0;              // of the picture in motion before
+    bool filterFits_ = true;         // the device has room to denoise
+    double filterNsPerPixel_ = 0.0;  // what that took lately, guides included
+    bool stillIsDenoised_ = false;
+    std::uint64_t showFrom_ = 0;  // samples: the full picture is not shown with fewer
     Clock::time_point movingSince_{};
     std::uint64_t movingSamples_ = 0;
     std::uint32_t motionFrame_ = 0;
     std::deque<Clock::time_point> shown_;
-    std::optional<Clock::time_point> lastLoss_;
+    gpu::LossCount losses_;
     std::optional<FrameShown> unreported_;  // of the picture that the presenter keeps, while nobody sees it
 };
 

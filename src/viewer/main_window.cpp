@@ -158,7 +158,7 @@ void MainWindow::makeStatusBar() {
     deviceText_ = new ElidingLabel(tr("Device"));
     // How far the picture can be trusted is the last thing to be cut short.
     fidelity_->setMinimumWidth(
-        fontMetrics().horizontalAdvance(tr("Path traced, %1 of %1 samples, converging").arg(8888)));
+        fontMetrics().horizontalAdvance(tr("Path traced, %1 of %1 samples, denoised, converging").arg(8888)));
     statusBar()->addWidget(loading_);
     statusBar()->addWidget(fidelity_, 1);
     statusBar()->addPermanentWidget(pictureText_);
@@ -273,6 +273,11 @@ void MainWindow::onRendered(const RenderEvent& event) {
     } else if (const auto* ready = std::get_if<DeviceReady>(&event)) {
         deviceText_->setFullText(QString::fromStdString(ready->name));
         deviceText_->setToolTip(QString::fromStdString(ready->description));
+    } else if (std::holds_alternative<DeviceRestarting>(event)) {
+        fidelity_->setFullText(tr("Starting the graphics device again…"));
+        messages_->showNote(
+            tr("The graphics device stopped responding and is started again; the picture is "
+               "made anew. If this comes back, update the graphics driver."));
     } else if (const auto* preparing = std::get_if<Preparing>(&event)) {
         fidelity_->setFullText(QString::fromStdString(preparing->what) + QStringLiteral("…"));
     } else if (const auto* failure = std::get_if<RenderFailure>(&event)) {
@@ -285,11 +290,11 @@ void MainWindow::onRendered(const RenderEvent& event) {
 
 void MainWindow::onFrame(const FrameShown& frame) {
     QString text = tr("Path traced, %1 of %2 samples, ").arg(frame.samplesPerPixel).arg(frame.sampleLimit);
+    if (frame.denoised) text += tr("denoised, ");
     switch (frame.stage) {
         case Stage::moving:
-            text = frame.scale > 1
-                       ? tr("Path traced preview, smoothed, 1/%1 of the pixels each way").arg(frame.scale)
-                       : tr("Path traced preview, smoothed");
+            text = frame.denoised ? tr("Path traced preview, denoised") : tr("Path traced preview, smoothed");
+            if (frame.scale > 1) text += tr(", 1/%1 of the pixels each way").arg(frame.scale);
             break;
         case Stage::converging:
             text += tr("converging");

@@ -78,6 +78,7 @@ void OrbitScript::onFrame(const FrameShown& frame) {
             shownAtMs_.push_back(double(orbiting_.nsecsElapsed()) / 1e6);
             latenciesMs_.push_back(frame.latencyMs);
             scales_.push_back(frame.scale);
+            if (frame.denoised) ++denoised_;
             break;
         case Phase::converging:
             if (frame.stage != Stage::converged) break;
@@ -163,6 +164,7 @@ void OrbitScript::report() {
         {"orbitLatency95thMs", percentile(latenciesMs_, 0.95)},
         {"orbitScaleFinest", scales_.empty() ? 0 : *finest},
         {"orbitScaleCoarsest", scales_.empty() ? 0 : *coarsest},
+        {"orbitDenoisedFrames", denoised_},
         {"longestUiStallMs", heartbeat_.longestStallMs()},
         {"uiBeats", qint64(heartbeat_.beats())},
         {"samplesPerPixel", qint64(samplesAtEnd_)},

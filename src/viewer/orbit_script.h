@@ -61,6 +61,7 @@ class OrbitScript : public QObject {
     std::vector<double> shownAtMs_;  // since the orbit began
     std::vector<double> latenciesMs_;
     std::vector<int> scales_;
+    int denoised_ = 0;  // of the pictures in motion
     std::uint64_t lastSequence_ = 0;
     std::uint64_t samplesAtEnd_ = 0;
     QString device_;

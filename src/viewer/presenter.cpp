@@ -94,6 +94,7 @@ Result<bool> Presenter::showColour(const VkClearColorValue& colour) {
 Result<void> Presenter::release(std::optional<Presenter> presenter) {
     if (!presenter) return {};
     const std::shared_ptr<gpu::Device> device = presenter->device_;
+    if (device->lost()) return {};  // dropping the swapchain is all that is left to do
     MACULA_TRY_VOID(device->waitForAll());
     presenter.reset();
     // Dropping only queued the destruction; the surface may go only after the swapchain is really gone.

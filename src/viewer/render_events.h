@@ -18,6 +18,9 @@ struct DeviceReady {
     std::string description;  // one line with type, memory and driver
 };
 
+// The device stopped responding. Another one is being started, and what was shown is made anew.
+struct DeviceRestarting {};
+
 // Some seconds may pass: a volume is being brought to the device.
 struct Preparing {
     std::string what;  // "Preparing the volume". No patient data.
@@ -40,6 +43,7 @@ struct FrameShown {
     int scale = 1;
     std::uint64_t samplesPerPixel = 0;
     std::uint64_t sampleLimit = 0;
+    bool denoised = false;             // filtered: smooth, and not quite what was traced
     double framesPerSecond = 0.0;      // of pictures shown lately; 0 when there was only one
     double latencyMs = 0.0;            // from publishing the input to showing this picture
     std::uint64_t samplesLeftOut = 0;  // not finite, or of paths too long for the device
@@ -52,7 +56,7 @@ struct RenderFailure {
     Error error;
 };
 
-using RenderEvent = std::variant<DeviceReady, Preparing, FrameShown, RenderFailure>;
+using RenderEvent = std::variant<DeviceReady, DeviceRestarting, Preparing, FrameShown, RenderFailure>;
 using RenderListener = std::function<void(RenderEvent)>;
 
 }  // namespace macula::viewer

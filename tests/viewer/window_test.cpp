@@ -17,10 +17,15 @@
 #include <optional>
 #include <vector>
 
+#include "gpu/lose_device.h"
 #include "viewer/display.h"
 
 namespace macula::viewer {
 namespace {
+
+using macula::test::devicesLost;
+using macula::test::loseDeviceAt;
+using macula::test::VulkanCall;
 
 template <class Done>
 bool waitUntil(Done done, int seconds = 120) {
@@ -56,6 +61,7 @@ class WindowTest : public testing::Test {
         window_->show();
     }
     void TearDown() override {
+        loseDeviceAt(VulkanCall::submit, 1, 0);
         window_.reset();
         application_.reset();
     }
@@ -67,13 +73,15 @@ class WindowTest : public testing::Test {
     }
     static LoadedStudy studyThatCannotBeShown() { return smallStudy(Unit::raw); }
     // What a person sees there.
-    qsizetype coloursInTheMiddle() {
+    QImage middle() {
         VulkanWindow& target = window_->viewport().window();
         const QPoint corner = target.mapToGlobal(QPoint(target.width() / 4, target.height() / 4));
-        const QImage picture =
-            target.screen()
-                ->grabWindow(0, corner.x(), corner.y(), target.width() / 2, target.height() / 2)
-                .toImage();
+        return target.screen()
+            ->grabWindow(0, corner.x(), corner.y(), target.width() / 2, target.height() / 2)
+            .toImage();
+    }
+    qsizetype coloursInTheMiddle() {
+        const QImage picture = middle();
         QSet<QRgb> colours;
         for (int y = 0; y < picture.height(); ++y) {
             for (int x = 0; x < picture.width(); ++x) colours.insert(picture.pixel(x, y));
@@ -252,6 +260,49 @@ TEST_F(WindowTest, HidingAndShowingKeepsThePicture) {
     window_->resize(window_->size() + QSize(64, 32));
     EXPECT_TRUE(waitForConverged());
     EXPECT_EQ(last_->width, window_->viewport().pictureSize().width());
+}
+
+TEST_F(WindowTest, ALostDeviceIsReplacedAndThePictureComesBack) {
+    window_->open(std::nullopt);
+    ASSERT_TRUE(waitForConverged());
+    const auto look = [&](int key) {
+        pressKey(key);
+        EXPECT_TRUE(waitForConverged());
+    };
+    loseDeviceAt(VulkanCall::wait, 3);
+    look(Qt::Key_L);
+    EXPECT_EQ(devicesLost(), 1);
+    EXPECT_TRUE(window_->message().contains(QStringLiteral("stopped responding")));
+    EXPECT_FALSE(window_->description().isEmpty());
+    EXPECT_GT(coloursInTheMiddle(), 100);
+    loseDeviceAt(VulkanCall::present, 2);
+    look(Qt::Key_A);
+    EXPECT_EQ(devicesLost(), 1);
+    EXPECT_EQ(window_->viewport().letters().left, "R");
+    const QImage afterALoss = middle();
+    // The same without one, in the window that the message has made smaller.
+    look(Qt::Key_L);
+    look(Qt::Key_A);
+    EXPECT_TRUE(middle() == afterALoss);
+}
+
+TEST_F(WindowTest, ADeviceThatIsLostAgainAndAgainIsGivenUpAndSaidToBe) {
+    window_->open(std::nullopt);
+    ASSERT_TRUE(waitForConverged());
+    std::optional<Error> error;
+    QObject::connect(&*window_, &MainWindow::failed, &*window_, [&](const Error& e) { error = e; });
+    loseDeviceAt(VulkanCall::submit, 5, 1000);
+    pressKey(Qt::Key_L);
+    ASSERT_TRUE(waitUntil([&] { return error.has_value(); }));
+    EXPECT_EQ(error->code, ErrorCode::deviceLost);
+    EXPECT_EQ(devicesLost(), 3);
+    EXPECT_TRUE(window_->message().contains(QStringLiteral("driver")));
+    EXPECT_TRUE(window_->viewport().letters().left.empty());
+    // Whoever moves on tries again.
+    loseDeviceAt(VulkanCall::submit, 1, 0);
+    pressKey(Qt::Key_A);
+    ASSERT_TRUE(waitForConverged());
+    EXPECT_GT(coloursInTheMiddle(), 100);
 }
 
 TEST_F(WindowTest, MayBeClosedAtAnyMoment) {
