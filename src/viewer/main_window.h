@@ -46,6 +46,7 @@ class MainWindow : public QMainWindow {
     QString message() const { return messages_->isVisible() ? messages_->text() : QString(); }
     QString notes() const { return notes_->isVisible() ? notes_->text() : QString(); }
     QString description() const { return description_->fullText(); }  // of the study on screen
+    QString fidelity() const { return fidelity_->fullText(); }        // how true the picture is
     bool hasStudy() const { return study_.volume != nullptr; }
 
   signals:

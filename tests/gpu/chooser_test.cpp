@@ -73,7 +73,7 @@ TEST(VulkanError, turnsResultsIntoSentences) {
     EXPECT_EQ(vulkanError(VK_ERROR_OUT_OF_DEVICE_MEMORY, "get 2.0 GiB").code, ErrorCode::outOfMemory);
     EXPECT_EQ(vulkanError(VK_ERROR_OUT_OF_HOST_MEMORY, "get 2.0 GiB").code, ErrorCode::outOfMemory);
     const Error lost = vulkanError(VK_ERROR_DEVICE_LOST, "wait for the graphics device");
-    EXPECT_EQ(lost.code, ErrorCode::deviceNotUsable);
+    EXPECT_EQ(lost.code, ErrorCode::deviceLost);
     EXPECT_EQ(
         lost.message,
         "Could not wait for the graphics device: the graphics device stopped responding and was reset.");

