@@ -8,25 +8,17 @@
 #include "base/atomic_file.h"
 #include "base/parallel.h"
 #include "base/progress_bar.h"
+#include "cli/bench_study.h"
 #include "cli/command.h"
 #include "cli/interrupt.h"
-#include "cli/lights_choice.h"
-#include "cli/preset_choice.h"
-#include "cli/study_input.h"
 #include "pipeline/trace/benchmark.h"
-#include "presets/default_preset.h"
 
 namespace macula::cli {
 
 namespace {
 
 struct Options {
-    std::filesystem::path path;
-    std::string series;
-    std::string preset;
-    std::string lights = kDefaultLights;
-    std::string device;
-    int size = 512;
+    BenchStudyOptions study;
     std::filesystem::path baseline;
     trace::BenchmarkOptions benchmark;
 };
@@ -59,38 +51,17 @@ Result<void> compare(const std::filesystem::path& baseline, nlohmann::ordered_js
 
 Result<void> benchTrace(Options options) {
     Progress progress(terminalProgressBar(), interruptToken());
-    MACULA_TRY(StudyInput study, loadStudy(options.path, options.series, progress));
-    bringTo16Bits(study);
-    const std::string preset =
-        options.preset.empty() ? presets::defaultTransfer(*study.volume) : options.preset;
-    MACULA_TRY(const presets::ImportedPreset chosen, choosePreset(preset));
-    const TransferFunction& function = chosen.function;
-    MACULA_TRY(const trace::Environment environment, chooseLights(options.lights));
-    MACULA_TRY(const gpu::Instance instance, gpu::Instance::create());
-    gpu::DeviceOptions deviceOptions;
-    deviceOptions.preferred = options.device;
-    MACULA_TRY(const auto device, gpu::Device::create(instance, deviceOptions));
-    options.benchmark.view = {
-        .camera = frameBox(study.volume->worldBox(), ViewDirection::anterior, 30.0, 1.0),
-        .width = options.size,
-        .height = options.size};
-    MACULA_TRY(const auto reports,
-               trace::benchmark(device, study.volume, function, environment, options.benchmark, progress));
+    MACULA_TRY(const BenchStudy study, openBenchStudy(options.study, progress));
+    options.benchmark.view = study.view;
+    MACULA_TRY(const auto reports, trace::benchmark(study.device, study.volume, study.function,
+                                                    study.environment, options.benchmark, progress));
 
-    const glm::ivec3 voxels = study.volume->size();
-    nlohmann::ordered_json json{{"benchmark", "trace"},
-                                {"version", MACULA_VERSION},
-                                {"device", device->info().name},
-                                {"driver", device->info().driver},
-                                {"referenceThreads", coreCount()},
-                                {"study", study.seriesDigest},
-                                {"voxels", {voxels.x, voxels.y, voxels.z}},
-                                {"preset", publicPresetName(preset)},
-                                {"picture", {options.size, options.size}},
-                                {"bounces", options.benchmark.settings.bounces},
-                                {"samplesPerPixel", options.benchmark.samplesPerPixel},
-                                {"repetitions", options.benchmark.repetitions},
-                                {"results", nlohmann::ordered_json::array()}};
+    nlohmann::ordered_json json = describe("trace", study);
+    json["referenceThreads"] = coreCount();
+    json["bounces"] = options.benchmark.settings.bounces;
+    json["samplesPerPixel"] = options.benchmark.samplesPerPixel;
+    json["repetitions"] = options.benchmark.repetitions;
+    json["results"] = nlohmann::ordered_json::array();
     for (const trace::BenchmarkReport& report : reports) {
         json["results"].push_back({{"filter", trace::nameOf(report.filter)},
                                    {"device", toJson(report.device)},
@@ -111,13 +82,7 @@ void addBench(CLI::App& app, Action& action) {
     bench->require_subcommand(1);
     auto* command =
         bench->add_subcommand("trace", "The path tracer beside the scalar C++ reference, as JSON");
-    command->add_option("path", options->path, "Folder or file with DICOM; the built-in phantom when absent");
-    command->add_option("--series", options->series, "Which series: its number in `macula info`, or its UID");
-    command->add_option("--preset", options->preset, "Preset by name, number or file; default by modality");
-    command->add_option("--lights", options->lights, "Light rig by name or file")->capture_default_str();
-    command->add_option("--size", options->size, "Width and height in pixels")
-        ->capture_default_str()
-        ->check(CLI::Range(8, 4096));
+    addBenchStudyOptions(*command, options->study, 512);
     command->add_option("--spp", options->benchmark.samplesPerPixel, "Samples per pixel of one turn")
         ->capture_default_str()
         ->check(CLI::Range(1, 4096));
@@ -127,9 +92,9 @@ void addBench(CLI::App& app, Action& action) {
     command->add_option("--repetitions", options->benchmark.repetitions, "Turns; medians are printed")
         ->capture_default_str()
         ->check(CLI::Range(1, 1000));
-    command->add_option("--device", options->device, "Device by number or part of its name");
     command->add_option("--baseline", options->baseline, "Output of an earlier run to compare ratios with");
     command->callback([options, &action] { action = [options] { return benchTrace(*options); }; });
+    addBenchFoveal(*bench, action);
     addBenchTradeoff(*bench, action);
     addBenchLoad(*bench, action);
 }

@@ -16,15 +16,6 @@ double msSince(Clock::time_point start) {
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
-image::Image imageOf(int width, int height, const std::vector<std::uint8_t>& rgba) {
-    image::Image image{.width = width, .height = height, .channels = 3, .encoding = image::Encoding::display};
-    image.pixels.reserve(rgba.size() / 4 * 3);
-    for (std::size_t i = 0; i < rgba.size(); i += 4) {
-        for (std::size_t c = 0; c < 3; ++c) image.pixels.push_back(static_cast<float>(rgba[i + c]) / 255.0f);
-    }
-    return image;
-}
-
 // Over the pixels of the mask; background is right in every picture, and would flatter them all.
 double maskedPsnr(const image::Image& reference, const image::Image& test, const std::vector<bool>& mask) {
     double squares = 0.0;
@@ -43,36 +34,15 @@ double maskedPsnr(const image::Image& reference, const image::Image& test, const
 
 class Bench {
   public:
-    Bench(const std::shared_ptr<gpu::Device>& device, const std::shared_ptr<const Volume>& volume,
-          const TransferFunction& function, const trace::Environment& environment,
-          const TradeoffOptions& options)
-        : device_(device),
-          volume_(volume),
-          function_(function),
-          environment_(environment),
-          options_(options) {}
-
-    // A tracer of its own for each run: what one has seen of the view must not help the next.
-    Result<trace::PathTracer> tracer(const trace::Settings& settings) const {
-        MACULA_TRY(trace::PathTracer tracer, trace::PathTracer::create(device_));
-        MACULA_TRY_VOID(tracer.setVolume(volume_));
-        MACULA_TRY_VOID(tracer.setTransferFunction(function_));
-        MACULA_TRY_VOID(tracer.setEnvironment(environment_));
-        MACULA_TRY_VOID(tracer.setView(options_.view));
-        MACULA_TRY_VOID(tracer.setSettings(settings));
-        return tracer;
-    }
-    Result<image::Image> shown(trace::PathTracer& tracer) const {
-        MACULA_TRY(const auto rgba, tracer.readDisplay(glm::vec3(0.0f)));
-        return imageOf(options_.view.width, options_.view.height, rgba);
-    }
+    Bench(const BenchStudy& study, const TradeoffOptions& options) : study_(study), options_(options) {}
 
     Result<void> converge(Tradeoff& result, std::vector<bool>& mask, Progress& progress) const {
         const trace::Settings settings{.bounces = options_.convergedBounces,
                                        .seed = 12345,
                                        .filter = trace::Filter::trilinear,
                                        .exposure = options_.exposure};
-        MACULA_TRY(trace::PathTracer truth, tracer(settings));
+        MACULA_TRY(trace::PathTracer truth, study_.makeTracer());
+        MACULA_TRY_VOID(truth.setSettings(settings));
         const auto start = Clock::now();
         image::Image half;
         constexpr std::uint32_t kPortion = 16;
@@ -85,16 +55,18 @@ class Bench {
                 done < options_.convergedSamples / 2 && done + count >= options_.convergedSamples / 2;
             done += count;
             if (passesHalf) {
-                MACULA_TRY(half, shown(truth));
+                MACULA_TRY(half, study_.readShown(truth));
             }
             progress.advance(count);
         }
         result.convergedMs = msSince(start);
-        MACULA_TRY(result.converged, shown(truth));
+        MACULA_TRY(result.converged, study_.readShown(truth));
         MACULA_TRY(const image::Flip left, image::flip(result.converged, half));
         result.convergedFlip = left.mean;
         MACULA_TRY(const trace::TracedImage traced, truth.readback());
         for (const glm::vec4& pixel : traced.radiance) mask.push_back(pixel.a > 0.0f);
+        MACULA_TRY(const trace::Statistics statistics, truth.statistics());
+        result.convergedLost = statistics.nonFiniteSamples + statistics.abandonedSamples;
         return {};
     }
 
@@ -105,13 +77,13 @@ class Bench {
                                        .filter = filter,
                                        .exposure = options_.exposure,
                                        .denoising = denoising};
-        {
-            // Compiles the kernels, which is done once in the life of a program.
-            MACULA_TRY(trace::PathTracer warmUp, tracer(settings));
-            MACULA_TRY([[maybe_unused]] const bool whole, warmUp.trace(1));
-            MACULA_TRY([[maybe_unused]] const image::Image ignored, shown(warmUp));
-        }
-        MACULA_TRY(trace::PathTracer tracer, this->tracer(settings));
+        // A tracer of its own for each run: what one has seen of the view must not help the next. The first
+        // picture makes the kernels, which happens once in the life of a program, and is then forgotten.
+        MACULA_TRY(trace::PathTracer tracer, study_.makeTracer());
+        MACULA_TRY_VOID(tracer.setSettings(settings));
+        MACULA_TRY([[maybe_unused]] const bool warm, tracer.trace(1));
+        MACULA_TRY([[maybe_unused]] const image::Image ignored, study_.readShown(tracer));
+        MACULA_TRY_VOID(tracer.setTransferFunction(study_.function));
         double traceMs = 0.0;
         std::uint32_t done = 0;
         for (const std::uint32_t samples : options_.samples) {
@@ -122,7 +94,7 @@ class Bench {
             traceMs += msSince(start);
             done = samples;
             start = Clock::now();
-            MACULA_TRY(const image::Image picture, shown(tracer));
+            MACULA_TRY(const image::Image picture, study_.readShown(tracer));
             TradeoffPoint point{.filter = filter,
                                 .denoising = denoising,
                                 .bounces = bounces,
@@ -140,20 +112,15 @@ class Bench {
     }
 
   private:
-    const std::shared_ptr<gpu::Device>& device_;
-    const std::shared_ptr<const Volume>& volume_;
-    const TransferFunction& function_;
-    const trace::Environment& environment_;
+    const BenchStudy& study_;
     const TradeoffOptions& options_;
 };
 
 }  // namespace
 
-Result<Tradeoff> measureTradeoff(const std::shared_ptr<gpu::Device>& device,
-                                 const std::shared_ptr<const Volume>& volume,
-                                 const TransferFunction& function, const trace::Environment& environment,
-                                 const TradeoffOptions& options, Progress& progress) {
-    const Bench bench(device, volume, function, environment, options);
+Result<Tradeoff> measureTradeoff(const BenchStudy& study, const TradeoffOptions& options,
+                                 Progress& progress) {
+    const Bench bench(study, options);
     Tradeoff result;
     std::vector<bool> mask;
     progress.beginStage("Tracing the converged picture", options.convergedSamples);

@@ -3,20 +3,16 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <vector>
 
 #include "base/progress.h"
 #include "base/result.h"
-#include "base/volume.h"
+#include "cli/bench_study.h"
 #include "image/image.h"
-#include "pipeline/gpu/device.h"
-#include "pipeline/trace/path_tracer.h"
 
 namespace macula::cli {
 
 struct TradeoffOptions {
-    trace::View view;
     double exposure = 1.0;
     std::vector<std::uint32_t> samples{1, 2, 4, 8, 16, 32};  // ascending
     std::vector<int> bounces{1, 2, 4, 8};
@@ -44,11 +40,10 @@ struct Tradeoff {
     double convergedMs = 0.0;
     // What chance leaves in the converged picture: FLIP of its first half of the samples to all of them.
     double convergedFlip = 0.0;
+    // Samples the converged picture left out: not a number, or too long for the device.
+    std::uint64_t convergedLost = 0;
 };
 
-Result<Tradeoff> measureTradeoff(const std::shared_ptr<gpu::Device>& device,
-                                 const std::shared_ptr<const Volume>& volume,
-                                 const TransferFunction& function, const trace::Environment& environment,
-                                 const TradeoffOptions& options, Progress& progress);
+Result<Tradeoff> measureTradeoff(const BenchStudy& study, const TradeoffOptions& options, Progress& progress);
 
 }  // namespace macula::cli

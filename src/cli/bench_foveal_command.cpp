@@ -1,0 +1,88 @@
+// macula bench foveal [PATH]: one picture for the fovea, its time and its way to a given error, as JSON.
+#include <CLI/App.hpp>
+#include <CLI/Option.hpp>
+#include <CLI/Validators.hpp>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "base/parallel.h"
+#include "base/progress_bar.h"
+#include "cli/bench_study.h"
+#include "cli/command.h"
+#include "cli/foveal_benchmark.h"
+#include "cli/interrupt.h"
+#include "pipeline/trace/settings.h"
+
+namespace macula::cli {
+
+namespace {
+
+struct Options {
+    BenchStudyOptions study;
+    FovealOptions foveal;
+};
+
+nlohmann::ordered_json toJson(const TimeToError& time) {
+    if (!time.reached) return {{"reached", false}, {"samples", time.samples}, {"flip", time.flip}};
+    return {{"reached", true}, {"samples", time.samples}, {"ms", time.ms}, {"flip", time.flip}};
+}
+
+Result<void> benchFoveal(const Options& options) {
+    Progress progress(terminalProgressBar(), interruptToken());
+    MACULA_TRY(const BenchStudy study, openBenchStudy(options.study, progress));
+    MACULA_TRY(const FovealReport report, measureFoveal(study, options.foveal, progress));
+    nlohmann::ordered_json json = describe("foveal", study);
+    json["referenceThreads"] = coreCount();
+    json["bounces"] = options.foveal.bounces;
+    json["samplesPerPixel"] = options.foveal.samples;
+    json["repetitions"] = options.foveal.repetitions;
+    json["times"] = {{"traceMs", report.times.traceMs},
+                     {"guidesMs", report.times.guidesMs},
+                     {"denoiseAndDisplayMs", report.times.displayMs},
+                     {"totalMs", report.totalMs},
+                     {"referenceTraceMs", report.times.referenceTraceMs},
+                     {"totalOverReferenceTrace", report.ratio}};
+    if (options.foveal.convergedSamples > 0) {
+        json["timeToError"] = {{"flip", options.foveal.flip},
+                               {"convergedSamples", options.foveal.convergedSamples},
+                               {"flipOfItsHalf", report.convergedFlip},
+                               {"plain", toJson(report.plain)},
+                               {"denoised", toJson(report.denoised)}};
+        if (report.plain.reached && report.denoised.reached)
+            json["timeToError"]["denoisedOverPlain"] = report.denoised.ms / report.plain.ms;
+    }
+    fmt::print("{}\n", json.dump(4));
+    return {};
+}
+
+}  // namespace
+
+void addBenchFoveal(CLI::App& bench, Action& action) {
+    auto options = std::make_shared<Options>();
+    FovealOptions& o = options->foveal;
+    auto* command = bench.add_subcommand(
+        "foveal",
+        "One picture for the fovea, with guides and denoising, beside the scalar C++ reference; and the time "
+        "to a given error; as JSON");
+    addBenchStudyOptions(*command, options->study, 512);
+    command->add_option("--spp", o.samples, "Samples per pixel")
+        ->capture_default_str()
+        ->check(CLI::Range(1, 4096));
+    command->add_option("--bounces", o.bounces, "Vertices of a path")
+        ->capture_default_str()
+        ->check(CLI::Range(1, trace::kMaxBounces));
+    command->add_option("--repetitions", o.repetitions, "Turns; medians are printed")
+        ->capture_default_str()
+        ->check(CLI::Range(1, 1000));
+    command->add_option("--flip", o.flip, "The error to be reached, against the converged picture")
+        ->capture_default_str()
+        ->check(CLI::Range(0.001, 1.0));
+    command
+        ->add_option("--converged-spp", o.convergedSamples,
+                     "Samples of the picture that counts as converged; 0: only the times")
+        ->capture_default_str()
+        ->check(CLI::Range(0, 1 << 20));
+    command->callback([options, &action] { action = [options] { return benchFoveal(*options); }; });
+}
+
+}  // namespace macula::cli

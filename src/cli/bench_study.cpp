@@ -1,0 +1,87 @@
+#include "cli/bench_study.h"
+
+#include <fmt/format.h>
+
+#include <CLI/Option.hpp>
+#include <CLI/Validators.hpp>
+
+#include "cli/lights_choice.h"
+#include "cli/preset_choice.h"
+#include "cli/study_input.h"
+#include "presets/default_preset.h"
+
+namespace macula::cli {
+
+void addBenchStudyOptions(CLI::App& command, BenchStudyOptions& options, int size) {
+    options.size = size;
+    options.lights = kDefaultLights;
+    command.add_option("path", options.path, "Folder or file with DICOM; the built-in phantom when absent");
+    command.add_option("--series", options.series, "Which series: its number in `macula info`, or its UID");
+    command.add_option("--preset", options.preset, "Preset by name, number or file; default by modality");
+    command.add_option("--lights", options.lights, "Light rig by name or file")->capture_default_str();
+    command.add_option("--size", options.size, "Width and height in pixels")
+        ->capture_default_str()
+        ->check(CLI::Range(8, 4096));
+    command.add_option("--device", options.device, "Device by number or part of its name");
+}
+
+Result<trace::PathTracer> BenchStudy::makeTracer() const {
+    MACULA_TRY(trace::PathTracer tracer, trace::PathTracer::create(device));
+    MACULA_TRY_VOID(tracer.setVolume(volume));
+    MACULA_TRY_VOID(tracer.setTransferFunction(function));
+    MACULA_TRY_VOID(tracer.setEnvironment(environment));
+    MACULA_TRY_VOID(tracer.setView(view));
+    return tracer;
+}
+
+Result<BenchStudy> openBenchStudy(const BenchStudyOptions& options, Progress& progress) {
+    MACULA_TRY(StudyInput study, loadStudy(options.path, options.series, progress));
+    bringTo16Bits(study);
+    for (const std::string& note : study.notes) fmt::print(stderr, "{}\n", note);
+    const std::string preset =
+        options.preset.empty() ? presets::defaultTransfer(*study.volume) : options.preset;
+    MACULA_TRY(const presets::ImportedPreset chosen, choosePreset(preset));
+    MACULA_TRY(trace::Environment environment, chooseLights(options.lights));
+    MACULA_TRY(const gpu::Instance instance, gpu::Instance::create());
+    gpu::DeviceOptions deviceOptions;
+    deviceOptions.preferred = options.device;
+    MACULA_TRY(auto device, gpu::Device::create(instance, deviceOptions));
+    return BenchStudy{
+        .volume = study.volume,
+        .function = chosen.function,
+        .environment = std::move(environment),
+        .device = std::move(device),
+        .view = {.camera = frameBox(study.volume->worldBox(), ViewDirection::anterior, 30.0, 1.0),
+                 .width = options.size,
+                 .height = options.size},
+        .seriesDigest = study.seriesDigest,
+        .preset = publicPresetName(preset)};
+}
+
+Result<image::Image> BenchStudy::readShown(trace::PathTracer& tracer) const {
+    MACULA_TRY(const std::vector<std::uint8_t> rgba, tracer.readDisplay(glm::vec3(0.0f)));
+    image::Image image{.width = view.width,
+                       .height = view.height,
+                       .channels = 3,
+                       .encoding = image::Encoding::display,
+                       .pixels = {}};
+    image.pixels.reserve(rgba.size() / 4 * 3);
+    for (std::size_t i = 0; i < rgba.size(); i += 4) {
+        for (std::size_t c = 0; c < 3; ++c) image.pixels.push_back(static_cast<float>(rgba[i + c]) / 255.0f);
+    }
+    return image;
+}
+
+nlohmann::ordered_json describe(const std::string& benchmark, const BenchStudy& study) {
+    const glm::ivec3 voxels = study.volume->size();
+    return {{"benchmark", benchmark},
+            {"version", MACULA_VERSION},
+            {"device", study.device->info().name},
+            {"driver", study.device->info().driver},
+            {"study", study.seriesDigest},
+            {"voxels", {voxels.x, voxels.y, voxels.z}},
+            {"preset", study.preset},
+            {"picture", {study.view.width, study.view.height}}};
+}
+
+}  // namespace macula::cli

@@ -1,0 +1,53 @@
+// What the benchmarks of the tracer have in common: what is traced, how it is seen, and on which device.
+#pragma once
+
+#include <CLI/App.hpp>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "base/progress.h"
+#include "base/result.h"
+#include "base/volume.h"
+#include "image/image.h"
+#include "pipeline/gpu/device.h"
+#include "pipeline/trace/environment.h"
+#include "pipeline/trace/path_tracer.h"
+#include "pipeline/volume/transfer_function.h"
+
+namespace macula::cli {
+
+struct BenchStudyOptions {
+    std::filesystem::path path;
+    std::string series;
+    std::string preset;
+    std::string lights;
+    std::string device;
+    int size = 512;  // of the picture, which is square
+};
+
+// All of the above as options of the command line; `size` is the default.
+void addBenchStudyOptions(CLI::App& command, BenchStudyOptions& options, int size);
+
+struct BenchStudy {
+    std::shared_ptr<const Volume> volume;
+    TransferFunction function;
+    trace::Environment environment;
+    std::shared_ptr<gpu::Device> device;
+    trace::View view;  // from the front, all of the volume in it
+    std::string seriesDigest;
+    std::string preset;  // a name that may be told
+
+    // With its study set; the settings are the caller's.
+    Result<trace::PathTracer> makeTracer() const;
+    // What such a tracer shows so far, over black; waits.
+    Result<image::Image> readShown(trace::PathTracer& tracer) const;
+};
+
+// Tells on stderr what there is to say about the study and the preset.
+Result<BenchStudy> openBenchStudy(const BenchStudyOptions& options, Progress& progress);
+
+// What a report begins with.
+nlohmann::ordered_json describe(const std::string& benchmark, const BenchStudy& study);
+
+}  // namespace macula::cli
