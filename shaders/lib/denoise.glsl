@@ -30,3 +30,15 @@ bool isInside(ivec2 pixel) {
 float massOfLight(vec4 mass) {
     return luminance(vec3(mass.x, mass.y, mass.z));
 }
+
+// How much of alpha's noise there can be: all at a coverage of 1/2, none where the guides know that a sample always, or
+// never, meets matter.
+float chanceOf(float coverage) {
+    return clamp(float(4.0) * coverage * (float(1.0) - coverage), float(0.0), float(1.0));
+}
+
+// Whether nothing flows to or from a pixel. Its loops over neighbours then have no round, which is what makes background
+// cheap: on a CPU device a branch around a loop is not.
+bool isEmpty(vec4 mass) {
+    return max(mass.x, max(mass.y, mass.z)) < float(LEAST_MASS) && chanceOf(mass.w) <= float(0.0);
+}

@@ -14,12 +14,6 @@ struct Filtered {
     vec2 variance;
 };
 
-// How much of alpha's noise there can be: all at a coverage of 1/2, none where the guides know that a sample always, or
-// never, meets matter.
-float chanceOf(float coverage) {
-    return clamp(float(4.0) * coverage * (float(1.0) - coverage), float(0.0), float(1.0));
-}
-
 // One pass: eight taps denoise.stride apart, with the weights of a binomial filter; what no tap takes stays.
 Filtered filterPixel(ivec2 pixel) {
     int index = indexOf(pixel);
@@ -35,45 +29,47 @@ Filtered filterPixel(ivec2 pixel) {
     vec4 flow = vec4(0.0);
     vec2 given = vec2(0.0);
     vec2 variance = vec2(0.0);
-    for (int y = -1; y <= 1; ++y) {
-        for (int x = -1; x <= 1; ++x) {
-            ivec2 at = pixel + ivec2(x, y) * denoise.stride;
-            bool inside = isInside(at) && !(x == 0 && y == 0);
-            int q = indexOf(clamp(at, ivec2(0), denoise.imageSize - ivec2(1)));
-            vec4 colourQ = fetchColour(q);
-            vec4 massQ = fetchMass(q);
-            vec4 noiseQ = fetchNoise(q);
-            vec4 surfaceQ = fetchSurface(q);
+    int taps = isEmpty(mass) ? 0 : 8;
+    for (int tap = 0; tap < taps; ++tap) {
+        int place = tap < 4 ? tap : tap + 1;  // of nine, row by row, without the one in the middle
+        int y = place / 3 - 1;
+        int x = place - 3 * (y + 1) - 1;
+        ivec2 at = pixel + ivec2(x, y) * denoise.stride;
+        bool inside = isInside(at);
+        int q = indexOf(clamp(at, ivec2(0), denoise.imageSize - ivec2(1)));
+        vec4 colourQ = fetchColour(q);
+        vec4 massQ = fetchMass(q);
+        vec4 noiseQ = fetchNoise(q);
+        vec4 surfaceQ = fetchSurface(q);
 
-            float apart = sqrt(float(x * x + y * y)) * float(denoise.stride);
-            float toleranceMm = float(0.5) * ((noise.z + noiseQ.z) * apart + noise.w + noiseQ.w);
-            bool depths = surface.w >= float(0.0) && surfaceQ.w >= float(0.0);
-            float deviation = (surface.w - surfaceQ.w) / max(toleranceMm, float(1e-6));
-            float stop = depths ? float(DEPTH_STOP) * deviation * deviation : float(0.0);
-            vec3 across = normal - vec3(surfaceQ.x, surfaceQ.y, surfaceQ.z);
-            stop += depths ? float(0.5 * NORMAL_STOP) * dot(across, across) : float(0.0);
-            float thicker = mass.w - massQ.w;
-            stop += float(COVERAGE_STOP) * thicker * thicker;
+        float apart = sqrt(float(x * x + y * y)) * float(denoise.stride);
+        float toleranceMm = float(0.5) * ((noise.z + noiseQ.z) * apart + noise.w + noiseQ.w);
+        bool depths = surface.w >= float(0.0) && surfaceQ.w >= float(0.0);
+        float deviation = (surface.w - surfaceQ.w) / max(toleranceMm, float(1e-6));
+        float stop = depths ? float(DEPTH_STOP) * deviation * deviation : float(0.0);
+        vec3 across = normal - vec3(surfaceQ.x, surfaceQ.y, surfaceQ.z);
+        stop += depths ? float(0.5 * NORMAL_STOP) * dot(across, across) : float(0.0);
+        float thicker = mass.w - massQ.w;
+        stop += float(COVERAGE_STOP) * thicker * thicker;
 
-            vec4 inverseQ = vec4(float(1.0)) / max(massQ, vec4(LEAST_MASS));
-            vec4 difference = colourQ * inverseQ - ratio;
-            difference.w = (colourQ.w - massQ.w) - (colour.w - mass.w);
-            float brighter =
-                luminance(vec3(colourQ.x, colourQ.y, colourQ.z)) / max(massOfLight(massQ), float(LEAST_MASS)) - light;
-            float stopLight = float(LIGHT_STOP) * (brighter * brighter / max(noise.x + noiseQ.x, float(1e-30)));
-            float stopAlpha = float(LIGHT_STOP) * (difference.w * difference.w / max(noise.y + noiseQ.y, float(1e-30)));
+        vec4 inverseQ = vec4(float(1.0)) / max(massQ, vec4(LEAST_MASS));
+        vec4 difference = colourQ * inverseQ - ratio;
+        difference.w = (colourQ.w - massQ.w) - (colour.w - mass.w);
+        float brighter =
+            luminance(vec3(colourQ.x, colourQ.y, colourQ.z)) / max(massOfLight(massQ), float(LEAST_MASS)) - light;
+        float stopLight = float(LIGHT_STOP) * (brighter * brighter / max(noise.x + noiseQ.x, float(1e-30)));
+        float stopAlpha = float(LIGHT_STOP) * (difference.w * difference.w / max(noise.y + noiseQ.y, float(1e-30)));
 
-            float kernel = x == 0 || y == 0 ? float(1.0 / 6.0) : float(1.0 / 12.0);
-            kernel = inside ? kernel : float(0.0);
-            vec2 weight = vec2(exp(-min(stop + stopLight, float(80.0))), exp(-min(stop + stopAlpha, float(80.0)))) * kernel;
-            vec4 both = min(mass, massQ);
-            both = vec4(both.x < float(LEAST_MASS) ? float(0.0) : both.x, both.y < float(LEAST_MASS) ? float(0.0) : both.y,
-                        both.z < float(LEAST_MASS) ? float(0.0) : both.z, min(chanceOf(mass.w), chanceOf(massQ.w)));
-            flow += difference * both * vec4(weight.x, weight.x, weight.x, weight.y);
-            vec2 share = vec2(weight.x * massOfLight(both) / max(massOfLight(mass), float(LEAST_MASS)), weight.y * both.w);
-            given += share;
-            variance += share * share * vec2(noiseQ.x, noiseQ.y);
-        }
+        float kernel = x == 0 || y == 0 ? float(1.0 / 6.0) : float(1.0 / 12.0);
+        kernel = inside ? kernel : float(0.0);
+        vec2 weight = vec2(exp(-min(stop + stopLight, float(80.0))), exp(-min(stop + stopAlpha, float(80.0)))) * kernel;
+        vec4 both = min(mass, massQ);
+        both = vec4(both.x < float(LEAST_MASS) ? float(0.0) : both.x, both.y < float(LEAST_MASS) ? float(0.0) : both.y,
+                    both.z < float(LEAST_MASS) ? float(0.0) : both.z, min(chanceOf(mass.w), chanceOf(massQ.w)));
+        flow += difference * both * vec4(weight.x, weight.x, weight.x, weight.y);
+        vec2 share = vec2(weight.x * massOfLight(both) / max(massOfLight(mass), float(LEAST_MASS)), weight.y * both.w);
+        given += share;
+        variance += share * share * vec2(noiseQ.x, noiseQ.y);
     }
     Filtered filtered;
     filtered.colour = colour + flow;

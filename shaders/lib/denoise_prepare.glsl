@@ -54,25 +54,26 @@ Prepared preparePixel(ivec2 pixel) {
     float cross = float(0.0);
     float variances = float(0.0);
     float variance = float(0.0);
-    for (int y = -2; y <= 2; ++y) {
-        for (int x = -2; x <= 2; ++x) {
-            ivec2 at = clamp(pixel + ivec2(x, y), ivec2(0), denoise.imageSize - ivec2(1));
-            int q = indexOf(at);
-            vec4 meanQ = fetchMean(q);
-            vec2 momentsQ = fetchMoments(q);
-            vec4 matterQ = fetchMatter(q);
-            float l = luminance(vec3(meanQ.x, meanQ.y, meanQ.z));
-            float d = luminance(vec3(matterQ.x, matterQ.y, matterQ.z)) * matterQ.w;
-            // Of samples; clamped, since a mean of squares and a square of means are rounded each on its own.
-            float own = max(momentsQ.x - l * l, float(0.0)) / max(momentsQ.y - float(1.0), float(1.0));
-            light += l;
-            mass += d;
-            masses += d * d;
-            lights += l * l;
-            cross += l * d;
-            variances += own;
-            variance = x == 0 && y == 0 ? own : variance;
-        }
+    int taps = isEmpty(prepared.mass) ? 0 : 25;
+    for (int tap = 0; tap < taps; ++tap) {
+        int y = tap / 5;
+        int x = tap - 5 * y;
+        ivec2 at = clamp(pixel + ivec2(x - 2, y - 2), ivec2(0), denoise.imageSize - ivec2(1));
+        int q = indexOf(at);
+        vec4 meanQ = fetchMean(q);
+        vec2 momentsQ = fetchMoments(q);
+        vec4 matterQ = fetchMatter(q);
+        float l = luminance(vec3(meanQ.x, meanQ.y, meanQ.z));
+        float d = luminance(vec3(matterQ.x, matterQ.y, matterQ.z)) * matterQ.w;
+        // Of samples; clamped, since a mean of squares and a square of means are rounded each on its own.
+        float own = max(momentsQ.x - l * l, float(0.0)) / max(momentsQ.y - float(1.0), float(1.0));
+        light += l;
+        mass += d;
+        masses += d * d;
+        lights += l * l;
+        cross += l * d;
+        variances += own;
+        variance = tap == 12 ? own : variance;
     }
     float perMass = float(1.0) / max(masses, float(25.0 * LEAST_MASS * LEAST_MASS));
     float level = light / max(mass, float(25.0 * LEAST_MASS));
