@@ -112,7 +112,8 @@ vec3 albedoOfEntry(float entry) {
 }
 
 // Emission and absorption: the integral over the ray of transmittance * extinction * colour, premultiplied, and one minus
-// the transmittance. A cell is crossed in as many steps as the transfer function needs over the values in it. Exact where
+// the transmittance. A cell is crossed in as many steps as the transfer function needs over the values in it, and as what is
+// left of the light deserves. Exact where
 // extinction and colour are constant over each step; `phase`, 0 to 1, is where in its step a value is taken, and the mean
 // over all phases has no bias of first order.
 vec4 castMatter(vec3 worldDirection, float phase, INOUT(int) rounds) {
@@ -133,7 +134,7 @@ vec4 castMatter(vec3 worldDirection, float phase, INOUT(int) rounds) {
             float middle = valueIn(cells, corners, float(0.5));
             float change = abs(valueIn(cells, corners, float(0.0)) - middle) + abs(valueIn(cells, corners, float(1.0)) - middle);
             int most = rounds < MANY_ROUNDS ? CAST_STEPS : CAST_STEPS_LATE;
-            int steps = clamp(int(ceil(min(change * params.stepsPerEntry, float(CAST_STEPS)))), least, most);
+            int steps = clamp(int(ceil(min(change * params.stepsPerEntry * transmittance, float(CAST_STEPS)))), least, most);
             float step = (cells.toMm - cells.fromMm) / float(steps);
             for (int i = 0; i < steps && transmittance >= float(CAST_OPAQUE); ++i) {
                 rounds += 1;

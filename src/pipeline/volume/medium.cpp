@@ -60,7 +60,7 @@ double featureOf(const TransferFunction& function, double leastUnits) {
     };
     look(function.opacity);
     look(function.colour);
-    return std::max(narrowest / 4.0, leastUnits);
+    return std::max(narrowest / 3.0, leastUnits);
 }
 
 // The preset's gradients are per voxel, of mean edge, as VTK has them: see docs/presets.md.

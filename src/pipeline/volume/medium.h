@@ -31,7 +31,7 @@ struct Medium {
     std::vector<float> gradientOpacity;
     double gradientStep = 0.0;
     double unitDepthMm = 1.0;  // of the preset: unit distance divided by density
-    // Values this far apart may have quite different optics: a quarter of the narrowest piece of the curves.
+    // Values this far apart may have quite different optics: a third of the narrowest piece of the curves.
     double featureUnits = 1.0;
     float ambient = 1.0f;  // of the preset's lighting
     float diffuse = 0.0f;
