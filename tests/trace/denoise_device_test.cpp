@@ -46,7 +46,8 @@ TEST_F(DenoiseOnDevice, IsThatOfTheReference) {
         first.sums[first.sums.size() / 2] = glm::dvec4(4e6, 4e6, 4e6, 4);  // a firefly
         first.squares[first.sums.size() / 2] = 1.6e13;
 
-        Denoiser denoiser = std::move(*Denoiser::create(device(), width, height));
+        Denoiser denoiser =
+            std::move(*Denoiser::create(device(), *DenoiseKernels::create(device()), width, height));
         const Film film = std::move(*Film::create(device(), width, height));
         const Guides before = std::move(*Guides::create(device(), width, height));
         const Guides now = std::move(*Guides::create(device(), width, height));
@@ -78,7 +79,7 @@ TEST_F(DenoiseOnDevice, IsThatOfTheReference) {
 
 TEST_F(DenoiseOnDevice, TakesWhateverAFilmMayHold) {
     const TruePicture picture = scenery(24);
-    Denoiser denoiser = std::move(*Denoiser::create(device(), 24, 24));
+    Denoiser denoiser = std::move(*Denoiser::create(device(), *DenoiseKernels::create(device()), 24, 24));
     const Film film = std::move(*Film::create(device(), 24, 24));
     const Guides guides = std::move(*Guides::create(device(), 24, 24));
     upload(guides, picture.guides());

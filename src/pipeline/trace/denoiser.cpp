@@ -29,9 +29,19 @@ Result<gpu::TexelBuffer> makeTexels(const std::shared_ptr<gpu::Device>& device, 
 
 }  // namespace
 
-Denoiser::Denoiser(int width, int height, Kernels kernels, std::array<Record, 2> records,
-                   gpu::TexelBuffer masses, std::array<gpu::TexelBuffer, 2> noises,
-                   std::array<gpu::TexelBuffer, 2> colours, gpu::Buffer result)
+Result<std::shared_ptr<const DenoiseKernels>> DenoiseKernels::create(
+    const std::shared_ptr<gpu::Device>& device) {
+    MACULA_TRY(gpu::Kernel gather, gpu::Kernel::create(device, shaders::denoise_gather_comp));
+    MACULA_TRY(gpu::Kernel prepare, gpu::Kernel::create(device, shaders::denoise_prepare_comp));
+    MACULA_TRY(gpu::Kernel filter, gpu::Kernel::create(device, shaders::denoise_filter_comp));
+    return std::make_shared<const DenoiseKernels>(
+        DenoiseKernels{std::move(gather), std::move(prepare), std::move(filter)});
+}
+
+Denoiser::Denoiser(int width, int height, std::shared_ptr<const DenoiseKernels> kernels,
+                   std::array<Record, 2> records, gpu::TexelBuffer masses,
+                   std::array<gpu::TexelBuffer, 2> noises, std::array<gpu::TexelBuffer, 2> colours,
+                   gpu::Buffer result)
     : width_(width),
       height_(height),
       kernels_(std::move(kernels)),
@@ -41,11 +51,9 @@ Denoiser::Denoiser(int width, int height, Kernels kernels, std::array<Record, 2>
       colours_(std::move(colours)),
       result_(std::move(result)) {}
 
-Result<Denoiser> Denoiser::create(const std::shared_ptr<gpu::Device>& device, int width, int height) {
+Result<Denoiser> Denoiser::create(const std::shared_ptr<gpu::Device>& device,
+                                  std::shared_ptr<const DenoiseKernels> kernels, int width, int height) {
     const std::uint64_t pixels = std::uint64_t(width) * std::uint64_t(height);
-    MACULA_TRY(gpu::Kernel gather, gpu::Kernel::create(device, shaders::denoise_gather_comp));
-    MACULA_TRY(gpu::Kernel prepare, gpu::Kernel::create(device, shaders::denoise_prepare_comp));
-    MACULA_TRY(gpu::Kernel filter, gpu::Kernel::create(device, shaders::denoise_filter_comp));
     const auto makeRecord = [&]() -> Result<Record> {
         MACULA_TRY(gpu::TexelBuffer means, makeTexels(device, "means", pixels));
         MACULA_TRY(gpu::TexelBuffer moments, makeTexels(device, "moments", pixels, VK_FORMAT_R32G32_SFLOAT));
@@ -60,10 +68,9 @@ Result<Denoiser> Denoiser::create(const std::shared_ptr<gpu::Device>& device, in
     MACULA_TRY(gpu::TexelBuffer colour1, makeTexels(device, "filtered", pixels));
     MACULA_TRY(gpu::Buffer result,
                gpu::Buffer::create(device, {.label = "denoised", .bytes = pixels * sizeof(glm::vec4)}));
-    return Denoiser(width, height, {std::move(gather), std::move(prepare), std::move(filter)},
-                    {std::move(first), std::move(second)}, std::move(masses),
-                    {std::move(noise0), std::move(noise1)}, {std::move(colour0), std::move(colour1)},
-                    std::move(result));
+    return Denoiser(width, height, std::move(kernels), {std::move(first), std::move(second)},
+                    std::move(masses), {std::move(noise0), std::move(noise1)},
+                    {std::move(colour0), std::move(colour1)}, std::move(result));
 }
 
 Result<void> Denoiser::run(const Film& film, const Guides& now, const Guides* before, float pixelAngle) {
@@ -83,11 +90,11 @@ Result<void> Denoiser::run(const Film& film, const Guides& now, const Guides* be
                              .historySamples = history ? kHistorySamples : 0.0f};
 
     MACULA_TRY(auto recorder, gpu::Recorder::create(result_.device(), "denoise"));
-    recorder.dispatch(kernels_.gather, threads, push,
+    recorder.dispatch(kernels_->gather, threads, push,
                       {film.sums(), film.counts(), film.squares(), now.surfaces(), now.matters(),
                        now.motions(), memory.means, memory.moments, old.surfaces(), old.matters(),
                        record.means.buffer(), record.moments.buffer()});
-    recorder.dispatch(kernels_.prepare, threads, push,
+    recorder.dispatch(kernels_->prepare, threads, push,
                       {record.means, record.moments, now.surfaces(), now.matters(), now.motions(),
                        masses_.buffer(), noises_[0].buffer()});
     for (std::size_t pass = 0; pass < kStrides.size(); ++pass) {
@@ -95,7 +102,7 @@ Result<void> Denoiser::run(const Film& film, const Guides& now, const Guides* be
         push.stride = kStrides[pass];
         push.last = pass + 1 == kStrides.size() ? 1 : 0;
         recorder.dispatch(
-            kernels_.filter, threads, push,
+            kernels_->filter, threads, push,
             {pass == 0 ? record.means : colours_[from], noises_[from], masses_, now.surfaces(),
              push.last == 1 ? result_ : colours_[1 - from].buffer(), noises_[1 - from].buffer()});
     }

@@ -17,11 +17,21 @@
 
 namespace macula::trace {
 
+// Of pictures of any size.
+struct DenoiseKernels {
+    gpu::Kernel gather;
+    gpu::Kernel prepare;
+    gpu::Kernel filter;
+
+    static Result<std::shared_ptr<const DenoiseKernels>> create(const std::shared_ptr<gpu::Device>& device);
+};
+
 // Of one size of picture. Used by one thread at a time, the one that uses the device.
 class Denoiser {
   public:
     // outOfMemory when the device cannot hold 136 bytes for each pixel.
-    static Result<Denoiser> create(const std::shared_ptr<gpu::Device>& device, int width, int height);
+    static Result<Denoiser> create(const std::shared_ptr<gpu::Device>& device,
+                                   std::shared_ptr<const DenoiseKernels> kernels, int width, int height);
 
     int width() const { return width_; }
     int height() const { return height_; }
@@ -44,18 +54,13 @@ class Denoiser {
         gpu::TexelBuffer means;    // vec4: premultiplied radiance and coverage
         gpu::TexelBuffer moments;  // vec2: mean square of luminance, samples
     };
-    struct Kernels {
-        gpu::Kernel gather;
-        gpu::Kernel prepare;
-        gpu::Kernel filter;
-    };
-    Denoiser(int width, int height, Kernels kernels, std::array<Record, 2> records, gpu::TexelBuffer masses,
-             std::array<gpu::TexelBuffer, 2> noises, std::array<gpu::TexelBuffer, 2> colours,
-             gpu::Buffer result);
+    Denoiser(int width, int height, std::shared_ptr<const DenoiseKernels> kernels,
+             std::array<Record, 2> records, gpu::TexelBuffer masses, std::array<gpu::TexelBuffer, 2> noises,
+             std::array<gpu::TexelBuffer, 2> colours, gpu::Buffer result);
 
     int width_;
     int height_;
-    Kernels kernels_;
+    std::shared_ptr<const DenoiseKernels> kernels_;
     std::array<Record, 2> records_;  // of this view and of the one before, which is which changes
     std::size_t current_ = 0;
     bool ran_ = false;

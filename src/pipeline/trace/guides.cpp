@@ -5,7 +5,6 @@
 #include "pipeline/gpu/recorder.h"
 #include "pipeline/gpu/transfer.h"
 #include "pipeline/trace/device_scene.h"
-#include "shaders/trace.h"
 
 namespace macula::trace {
 
@@ -41,19 +40,9 @@ Result<Guides> Guides::create(const std::shared_ptr<gpu::Device>& device, int wi
     return Guides(width, height, std::move(surfaces), std::move(matters), std::move(motions));
 }
 
-Result<void> Guides::compute(const DeviceScene& scene, const shared::GuidePush& before) {
+Result<void> Guides::compute(const DeviceScene& scene, const gpu::Kernel& kernel,
+                             const shared::GuidePush& before) {
     const auto& device = surfaces_.buffer().device();
-    const std::tuple kind(scene.isClipped(), scene.isMasked(), scene.hasGradientOpacity());
-    auto kernel = kernels_.find(kind);
-    if (kernel == kernels_.end()) {
-        MACULA_TRY(
-            gpu::Kernel made,
-            gpu::Kernel::create(device, shaders::trace_guides_comp,
-                                {.specializations = {{"kClip", scene.isClipped()},
-                                                     {"kMask", scene.isMasked()},
-                                                     {"kGradientOpacity", scene.hasGradientOpacity()}}}));
-        kernel = kernels_.emplace(kind, std::move(made)).first;
-    }
     int rows = height_;
     if (device->isCpu()) rows = std::clamp(kPixelsPerDispatchCpu / width_ / 8 * 8, 8, height_ + 7);
     shared::GuidePush push = before;
@@ -62,7 +51,7 @@ Result<void> Guides::compute(const DeviceScene& scene, const shared::GuidePush& 
         std::vector<gpu::Binding> bindings = scene.bindings();
         for (const gpu::TexelBuffer* texels : {&surfaces_, &matters_, &motions_})
             bindings.emplace_back(texels->buffer());
-        recorder.dispatch(kernel->second,
+        recorder.dispatch(kernel,
                           {static_cast<std::uint32_t>(width_),
                            static_cast<std::uint32_t>(std::min(rows, height_ - push.firstRow))},
                           push, bindings);

@@ -2,11 +2,7 @@
 // it.
 #pragma once
 
-#include <map>
 #include <memory>
-#include <optional>
-#include <tuple>
-#include <utility>
 #include <vector>
 
 #include "base/result.h"
@@ -27,8 +23,10 @@ class Guides {
     int width() const { return width_; }
     int height() const { return height_; }
 
-    // Of what the scene looks at. Motion is towards `before`; the picture's own view gives none.
-    Result<void> compute(const DeviceScene& scene, const shared::GuidePush& before);
+    // Of what the scene looks at, by guides.comp as compiled for it (TraceKernels). Motion is towards
+    // `before`; the picture's own view gives none.
+    Result<void> compute(const DeviceScene& scene, const gpu::Kernel& kernel,
+                         const shared::GuidePush& before);
 
     // vec4 for each pixel, as buffers and as texels.
     const gpu::TexelBuffer& surfaces() const { return surfaces_; }  // normal, depth
@@ -43,8 +41,6 @@ class Guides {
 
     int width_;
     int height_;
-    std::map<std::tuple<bool, bool, bool>, gpu::Kernel>
-        kernels_;  // by whether there is a clip, a mask, and gradient opacity
     gpu::TexelBuffer surfaces_;
     gpu::TexelBuffer matters_;
     gpu::TexelBuffer motions_;

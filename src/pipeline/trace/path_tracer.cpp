@@ -124,11 +124,12 @@ struct PathTracer::Impl {
     bool continues(const View& from, const View& to) const;
     Result<void> denoise();
     Result<bool> tooLong();
-    TraceVariant variant() const {
-        return variantOf(settings, {.clip = scene.isClipped(),
-                                    .mask = scene.isMasked(),
-                                    .gradientOpacity = scene.hasGradientOpacity()});
+    SceneKind sceneKind() const {
+        return {.clip = scene.isClipped(),
+                .mask = scene.isMasked(),
+                .gradientOpacity = scene.hasGradientOpacity()};
     }
+    TraceVariant variant() const { return variantOf(settings, sceneKind()); }
     std::uint32_t mostPerDispatch() const;  // samples of a pixel
     std::uint32_t blocks() const;           // of the picture
     double& rate() {
@@ -283,7 +284,8 @@ Result<void> PathTracer::Impl::prepareGuides() {
         MACULA_TRY(guides, Guides::create(device, view.width, view.height));
     }
     MACULA_TRY(const shared::GuidePush push, guidePush(view, viewBefore));
-    MACULA_TRY_VOID(guides->compute(scene, push));
+    MACULA_TRY(const gpu::Kernel* kernel, kernels.guides(sceneKind()));
+    MACULA_TRY_VOID(guides->compute(scene, *kernel, push));
     guidesStale = false;
     return {};
 }
@@ -294,7 +296,8 @@ Result<void> PathTracer::Impl::denoise() {
     if (denoisedSamples == samplesDone && passBlock == 0) return {};
     if (!denoiser || denoiser->width() != view.width || denoiser->height() != view.height) {
         denoiser.reset();
-        MACULA_TRY(denoiser, Denoiser::create(device, view.width, view.height));
+        MACULA_TRY(auto filters, kernels.denoising());
+        MACULA_TRY(denoiser, Denoiser::create(device, std::move(filters), view.width, view.height));
     }
     const double pixelAngle = 2.0 * std::tan(glm::radians(view.camera.verticalFovDeg) / 2.0) / view.height;
     MACULA_TRY_VOID(denoiser->run(*film, *guides, guidesBefore ? &*guidesBefore : nullptr,

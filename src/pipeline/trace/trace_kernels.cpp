@@ -44,4 +44,21 @@ Result<TraceKernels::Found> TraceKernels::samples(const TraceVariant& variant) {
     return Found{&samples_.emplace(variant, std::move(kernel)).first->second, true};
 }
 
+Result<const gpu::Kernel*> TraceKernels::guides(SceneKind scene) {
+    if (const auto found = guides_.find(scene); found != guides_.end()) return &found->second;
+    MACULA_TRY(gpu::Kernel kernel,
+               gpu::Kernel::create(device_, shaders::trace_guides_comp,
+                                   {.specializations = {{"kClip", scene.clip},
+                                                        {"kMask", scene.mask},
+                                                        {"kGradientOpacity", scene.gradientOpacity}}}));
+    return &guides_.emplace(scene, std::move(kernel)).first->second;
+}
+
+Result<std::shared_ptr<const DenoiseKernels>> TraceKernels::denoising() {
+    if (!denoising_) {
+        MACULA_TRY(denoising_, DenoiseKernels::create(device_));
+    }
+    return denoising_;
+}
+
 }  // namespace macula::trace

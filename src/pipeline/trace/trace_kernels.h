@@ -1,4 +1,4 @@
-// The kernels that add samples to a picture, compiled when they are first needed.
+// The kernels of pictures of any size, compiled when they are first needed.
 #pragma once
 
 #include <map>
@@ -8,6 +8,7 @@
 #include "base/result.h"
 #include "pipeline/gpu/device.h"
 #include "pipeline/gpu/kernel.h"
+#include "pipeline/trace/denoiser.h"
 #include "pipeline/trace/settings.h"
 
 namespace macula::trace {
@@ -49,10 +50,14 @@ class TraceKernels {
     };
     // path.comp or cast.comp.
     Result<Found> samples(const TraceVariant& variant);
+    Result<const gpu::Kernel*> guides(SceneKind scene);
+    Result<std::shared_ptr<const DenoiseKernels>> denoising();
 
   private:
     std::shared_ptr<gpu::Device> device_;
     std::map<TraceVariant, gpu::Kernel> samples_;
+    std::map<SceneKind, gpu::Kernel> guides_;
+    std::shared_ptr<const DenoiseKernels> denoising_;
 };
 
 }  // namespace macula::trace
