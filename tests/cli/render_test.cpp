@@ -5,7 +5,9 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/run_command.h"
+#include "dicom/series_writer.h"
 #include "image/image_file.h"
+#include "segment/scene.h"
 
 namespace macula::cli {
 namespace {
@@ -151,6 +153,30 @@ TEST_F(Render, TheNameOfAUsersFileIsNotRepeated) {
     EXPECT_EQ(readAll(at("a.png")).find("DOE_JANE"), std::string::npos);
     EXPECT_EQ(readAll(at("a.json")).find("DOE_JANE"), std::string::npos);
     EXPECT_NE(readAll(at("a.json")).find("custom"), std::string::npos);
+}
+
+// A picture says that a table was removed only when one was, and where none is, nothing else goes.
+TEST_F(Render, OfATableSaysWhetherOneWasRemoved) {
+    const std::array<std::string, 1> key{"macula:tableRemoved"};
+    const auto without = render("without.png", {"--json", at("without.json")});
+    const auto asked = render("asked.png", {"--remove-table", "--json", at("asked.json")});
+    EXPECT_EQ(asked.pixels, without.pixels);
+    for (const std::string name : {"without", "asked"}) {
+        EXPECT_EQ(nlohmann::json::parse(readAll(at(name + ".json")))["tableRemoved"], false) << name;
+        EXPECT_EQ((*image::readMetadata(at(name + ".png"), key)).front().second, "no") << name;
+    }
+
+    Progress progress;
+    const auto lying = segment::test::make({.size = {330, 280, 24}});
+    ASSERT_TRUE(dicom::writeSeries(lying.volume, at("study"), {}, progress).ok());
+    const std::vector<std::string> below{at("study"), "--view", "posterior", "--json", at("table.json")};
+    const auto shown = render("table.png", below);
+    EXPECT_EQ(nlohmann::json::parse(readAll(at("table.json")))["tableRemoved"], false);
+    std::vector<std::string> removing = below;
+    removing.emplace_back("--remove-table");
+    EXPECT_NE(render("table.png", removing).pixels, shown.pixels);
+    EXPECT_EQ(nlohmann::json::parse(readAll(at("table.json")))["tableRemoved"], true);
+    EXPECT_EQ((*image::readMetadata(at("table.png"), key)).front().second, "yes");
 }
 
 TEST_F(Render, AStatisticsFileThatCannotBeWrittenIsNoticedBeforeTheWork) {
