@@ -1,0 +1,156 @@
+// The truth about scattered light, in double: one part integrates along rays light that is scattered once,
+// the other walks at random in the plainest way there is.
+#pragma once
+
+#include <numbers>
+#include <random>
+
+#include "trace/dense_scene.h"
+#include "trace/small_scenes.h"
+
+namespace macula::scenes {
+
+class DenseLight : DenseScene {
+  public:
+    // `gain` multiplies the light.
+    DenseLight(const SmallScene& scene, trace::Filter filter, double gain)
+        : DenseScene(*scene.volume, scene.function, scene.clip, scene.view, filter),
+          sky_(scene.sky),
+          gain_(gain),
+          rotation_(glm::radians(scene.lightRotationDeg)) {
+        double power = 0.0;
+        for (int row = 0; row < sky_.height; ++row) {
+            const double solidAngle = (edge(row) - edge(row + 1)) * 2.0 * std::numbers::pi / sky_.width;
+            for (int column = 0; column < sky_.width; ++column) {
+                const glm::dvec3 radiance(sky_.radiance[std::size_t(row * sky_.width + column)]);
+                power += (radiance.r + radiance.g + radiance.b) * solidAngle;
+                powers_.push_back(power);
+            }
+        }
+    }
+
+    // What the numbers of scatteredOnce() decide.
+    enum Choice { kEyeStep, kDepth, kLight, kLightRow, kLightColumn, kLightStep };
+    static constexpr int kVertices = 4;
+
+    // Light scattered once, and coverage, of the eye ray through the point (x, y) of the picture, 0 to 1
+    // each. Rays are marched in steps of `stepVoxels`; light is scattered at kVertices places, one in each
+    // part of the opacity. number(vertex, choice) is in [0, 1).
+    template <class Number>
+    glm::dvec4 scatteredOnce(double x, double y, double stepVoxels, const Number& number) const {
+        const glm::dvec3 direction = eyeDirection(x, y);
+        const glm::dvec3 origin = view_.camera.positionMm;
+        const Marched ray = march(origin, direction, false, stepVoxels, number(0, kEyeStep), true);
+        const double coverage = -std::expm1(-ray.depth);
+        glm::dvec3 light(0.0);
+        for (int vertex = 0; vertex < kVertices && coverage > 0.0; ++vertex) {
+            const double depth = -std::log1p(-coverage * (vertex + number(vertex, kDepth)) / kVertices);
+            const auto next = std::upper_bound(ray.depths.begin(), ray.depths.end(), depth);
+            if (next == ray.depths.end()) continue;  // rounding
+            const auto step = double(next - ray.depths.begin());
+            const glm::dvec3 point = origin + direction * (ray.firstMm + ray.stepMm * step);
+            const Beam beam =
+                towardsLight(number(vertex, kLight), number(vertex, kLightRow), number(vertex, kLightColumn));
+            const Marched shadow =
+                march(point, beam.direction, true, stepVoxels, number(vertex, kLightStep), false);
+            light += albedoAt(voxelOf(point)) * beam.light *
+                     (std::exp(-shadow.depth) * phase(glm::dot(direction, beam.direction)) / kVertices);
+        }
+        return {coverage * gain_ * light, coverage};
+    }
+
+    // Light of a path that scatters up to `bounces` times, and whether it met matter: flights through matter
+    // made uniform by collisions that change nothing, at each vertex one look towards a light, seen or not.
+    glm::dvec4 walked(double x, double y, int bounces, std::mt19937_64& engine) const {
+        const auto random = [&] { return double(engine() >> 11) * 0x1p-53; };
+        glm::dvec3 direction = eyeDirection(x, y);
+        glm::dvec3 point = view_.camera.positionMm;
+        glm::dvec3 throughput(1.0);
+        glm::dvec4 sum(0.0);
+        for (int vertex = 0; vertex < bounces; ++vertex) {
+            if (!fly(point, direction, vertex > 0, random)) return sum;
+            sum.a = 1.0;
+            throughput *= albedoSeen(voxelOf(point), random);
+            const Beam beam = towardsLight(random(), random(), random());
+            glm::dvec3 towards = point;
+            if (!fly(towards, beam.direction, true, random))
+                sum += glm::dvec4(
+                    throughput * beam.light * (gain_ * phase(glm::dot(direction, beam.direction))), 0.0);
+            direction = scattered(direction, random);
+        }
+        return sum;
+    }
+
+  private:
+    struct Beam {
+        glm::dvec3 direction;  // towards the light, world
+        glm::dvec3 light;      // radiance divided by the probability per steradian
+    };
+
+    double edge(int row) const { return std::cos(std::numbers::pi * row / sky_.height); }
+
+    // To the next collision. False when the ray leaves first.
+    template <class Random>
+    bool fly(glm::dvec3& pointMm, const glm::dvec3& direction, bool light, Random&& random) const {
+        const glm::dvec2 span = inside(pointMm, direction);
+        const bool seesAll = light && clip_.removedCastsShadow;
+        double at = span.x;
+        while (true) {
+            at -= std::log1p(-random()) / most_;
+            if (at >= span.y) return false;
+            const glm::dvec3 mm = pointMm + direction * at;
+            const glm::dvec3 voxel = voxelOf(mm);
+            const Around a = around(voxel);
+            if (!seesAll && isHidden(mm, a)) continue;
+            if (random() * most_ >= extinctionAt(voxel, a)) continue;
+            pointMm = mm;
+            return true;
+        }
+    }
+
+    double phase(double cosine) const {
+        const double g = function_.anisotropy;
+        return (1.0 - g * g) / (4.0 * std::numbers::pi * std::pow(1.0 + g * g - 2.0 * g * cosine, 1.5));
+    }
+    // By rejection from directions of all kinds: no inversion to be wrong in.
+    template <class Random>
+    glm::dvec3 scattered(const glm::dvec3& direction, Random&& random) const {
+        const double highest = phase(function_.anisotropy < 0.0 ? -1.0 : 1.0);
+        while (true) {
+            const double z = 2.0 * random() - 1.0;
+            const double azimuth = 2.0 * std::numbers::pi * random();
+            const double radius = std::sqrt(1.0 - z * z);
+            const glm::dvec3 way(radius * std::cos(azimuth), radius * std::sin(azimuth), z);
+            if (random() * highest < phase(glm::dot(way, direction))) return way;
+        }
+    }
+
+    // A texel of the sky by what it gives, and a direction in it.
+    Beam towardsLight(double which, double u, double v) const {
+        const auto chosen = std::upper_bound(powers_.begin(), powers_.end() - 1, which * powers_.back());
+        const int texel = int(chosen - powers_.begin());
+        const int row = texel / sky_.width;
+        const int column = texel % sky_.width;
+        // As a panorama seen from inside: the middle looks along z, columns grow towards -x.
+        const double up = edge(row) + (edge(row + 1) - edge(row)) * u;
+        const double azimuth = rotation_ - 2.0 * std::numbers::pi * ((column + v) / sky_.width - 0.5);
+        const double level = std::sqrt(std::max(0.0, 1.0 - up * up));
+        const glm::dvec3 local(level * std::sin(azimuth), up, level * std::cos(azimuth));
+        Beam beam{};
+        beam.direction = sky_.frame == trace::LightFrame::camera
+                             ? eye_.right * local.x + eye_.up * local.y - eye_.forward * local.z
+                             : glm::dvec3(local.x, -local.z, local.y);  // left, superior, anterior
+        const double power =
+            powers_[std::size_t(texel)] - (texel == 0 ? 0.0 : powers_[std::size_t(texel - 1)]);
+        const double solidAngle = (edge(row) - edge(row + 1)) * 2.0 * std::numbers::pi / sky_.width;
+        beam.light = glm::dvec3(sky_.radiance[std::size_t(texel)]) * (solidAngle * powers_.back() / power);
+        return beam;
+    }
+
+    const Sky& sky_;
+    double gain_;
+    double rotation_;
+    std::vector<double> powers_;  // up to and with each texel
+};
+
+}  // namespace macula::scenes

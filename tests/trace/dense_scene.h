@@ -1,0 +1,241 @@
+// A volume as it is shown, point by point, in double: from the volume, the transfer function and the clip
+// themselves. It shares with the tracers none of shaders/lib, no table and no bound.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "pipeline/trace/scene.h"
+#include "trace/dense_cast.h"
+
+namespace macula::scenes {
+
+// Keeps references to what it is made of. Values from 0 to 1000.
+class DenseScene {
+  public:
+    DenseScene(const Volume& volume, const TransferFunction& function, const Clip& clip,
+               const trace::View& view, trace::Filter filter)
+        : volume_(volume),
+          function_(function),
+          clip_(clip),
+          view_(view),
+          eye_(*basis(view.camera)),
+          voxelFromWorld_(glm::inverse(volume.worldFromVoxel())),
+          stochastic_(filter == trace::Filter::stochastic),
+          gradients_(usesGradientOpacity(function)) {
+        // By whole values, linear between them.
+        for (int value = 0; value <= 1001; ++value) {
+            const glm::dvec3 encoded = colourAt(function_, value);
+            optics_.push_back({extinctionPerMm(function_, value),
+                               function_.albedo * glm::dvec3(linearOf(encoded.r), linearOf(encoded.g),
+                                                             linearOf(encoded.b))});
+            most_ = std::max(most_, optics_.back().extinction);
+        }
+        const glm::ivec3 size = volume_.size();
+        for (int k = 0; k < size.z; ++k) {
+            for (int j = 0; j < size.y; ++j) {
+                for (int i = 0; i < size.x; ++i) {
+                    values_.push_back(volume_.value(i, j, k));
+                    shown_.push_back(!clip_.mask || isShown(i, j, k) ? 1.0 : 0.0);
+                }
+            }
+        }
+    }
+
+    // The eight voxels around a point, as what clamping leaves of them, and their weights.
+    struct Around {
+        std::array<std::size_t, 8> voxel;
+        std::array<double, 8> weight;
+    };
+    struct Marched {
+        double depth = 0.0;
+        double firstMm = 0.0;  // where the first step was looked at
+        double stepMm = 0.0;
+        std::vector<double> depths;  // after each step
+    };
+
+    // Unit, world, through a point of the picture, 0 to 1 from its top left corner.
+    glm::dvec3 eyeDirection(double x, double y) const {
+        const trace::FoveaInPlane fovea = trace::foveaInPlane(view_);
+        glm::dvec2 p = glm::dvec2(2.0 * x - 1.0, 1.0 - 2.0 * y) * fovea.halfSize;
+        if (fovea.magnification > 1.0) {
+            // Plain up to the radius; beyond, a parabola that ends on the border.
+            const glm::dvec2 offset = p - fovea.gaze;
+            const double r = glm::length(offset);
+            double seen = r / fovea.magnification;
+            if (r > fovea.radius) {
+                double border = 1e9;
+                for (int axis = 0; axis < 2; ++axis) {
+                    const double side =
+                        (offset[axis] < 0.0 ? -1.0 : 1.0) * fovea.halfSize[axis] - fovea.gaze[axis];
+                    if (std::abs(offset[axis]) > 1e-12) border = std::min(border, side / offset[axis] * r);
+                }
+                const double share = (r - fovea.radius) / (border - fovea.radius);
+                seen += border * (1.0 - 1.0 / fovea.magnification) * share * share;
+            }
+            p = fovea.gaze + offset * (seen / std::max(r, 1e-12));
+        }
+        return glm::normalize(eye_.forward + eye_.right * p.x + eye_.up * p.y);
+    }
+
+    glm::dvec3 voxelOf(const glm::dvec3& mm) const { return transformPoint(voxelFromWorld_, mm); }
+    Around around(const glm::dvec3& voxel) const {
+        const glm::ivec3 size = volume_.size();
+        const glm::dvec3 clamped = glm::clamp(voxel, glm::dvec3(0.0), glm::dvec3(size - 1));
+        const glm::ivec3 low = glm::min(glm::ivec3(clamped), size - 2);
+        const glm::dvec3 t = clamped - glm::dvec3(low);
+        Around result{};
+        for (int c = 0; c < 8; ++c) {
+            const glm::ivec3 up(c & 1, c >> 1 & 1, c >> 2 & 1);
+            const glm::ivec3 at = low + up;
+            result.voxel[std::size_t(c)] = std::size_t((at.z * size.y + at.y) * size.x + at.x);
+            result.weight[std::size_t(c)] =
+                (up.x == 1 ? t.x : 1.0 - t.x) * (up.y == 1 ? t.y : 1.0 - t.y) * (up.z == 1 ? t.z : 1.0 - t.z);
+        }
+        return result;
+    }
+    static double blend(const Around& a, const std::vector<double>& of) {
+        double sum = 0.0;
+        for (std::size_t c = 0; c < 8; ++c) sum += a.weight[c] * of[a.voxel[c]];
+        return sum;
+    }
+    double valueOf(const Around& a) const { return blend(a, values_); }
+    // Central differences over a voxel to either side, world.
+    glm::dvec3 gradientPerMm(const glm::dvec3& voxel) const {
+        glm::dvec3 perVoxel(0.0);
+        for (int axis = 0; axis < 3; ++axis) {
+            glm::dvec3 step(0.0);
+            step[axis] = 1.0;
+            perVoxel[axis] = 0.5 * (valueOf(around(voxel + step)) - valueOf(around(voxel - step)));
+        }
+        return glm::transpose(glm::dmat3(voxelFromWorld_)) * perVoxel;
+    }
+
+    bool isMasked(const Around& a) const { return clip_.mask && blend(a, shown_) < 0.5; }
+    bool isHidden(const glm::dvec3& mm, const Around& a) const {
+        return (clip_.hasShape() && !shows(clip_, mm)) || isMasked(a);
+    }
+
+    // Per mm. What is drawn from single voxels blends what they do.
+    double extinctionAt(const glm::dvec3& voxel, const Around& a) const {
+        const double gradient = gradientOpacity(voxel);
+        if (!stochastic_) return thinned(extinctionOf(blend(a, values_)), gradient);
+        double sum = 0.0;
+        for (std::size_t c = 0; c < 8; ++c)
+            sum += a.weight[c] * thinned(extinctionOf(values_[a.voxel[c]]), gradient);
+        return sum;
+    }
+    // Of what scatters there.
+    glm::dvec3 albedoAt(const glm::dvec3& voxel) const {
+        const Around a = around(voxel);
+        if (!stochastic_) return albedoOf(blend(a, values_));
+        const double gradient = gradientOpacity(voxel);
+        glm::dvec3 sum(0.0);
+        double total = 0.0;
+        for (std::size_t c = 0; c < 8; ++c) {
+            const double value = values_[a.voxel[c]];
+            const double extinction = a.weight[c] * thinned(extinctionOf(value), gradient);
+            sum += extinction * albedoOf(value);
+            total += extinction;
+        }
+        return total > 0.0 ? sum / total : glm::dvec3(0.0);
+    }
+    // The same by chance: one of the voxels that may have scattered.
+    template <class Random>
+    glm::dvec3 albedoSeen(const glm::dvec3& voxel, Random&& random) const {
+        const Around a = around(voxel);
+        if (!stochastic_) return albedoOf(blend(a, values_));
+        const double gradient = gradientOpacity(voxel);
+        std::array<double, 8> upTo{};
+        double total = 0.0;
+        for (std::size_t c = 0; c < 8; ++c)
+            upTo[c] = total += a.weight[c] * thinned(extinctionOf(values_[a.voxel[c]]), gradient);
+        const auto chosen = std::upper_bound(upTo.begin(), upTo.end() - 1, random() * total) - upTo.begin();
+        return albedoOf(values_[a.voxel[std::size_t(chosen)]]);
+    }
+
+    // Where a ray is inside of the volume, mm.
+    glm::dvec2 inside(const glm::dvec3& originMm, const glm::dvec3& direction) const {
+        const glm::dvec3 origin = voxelOf(originMm);
+        const glm::dvec3 along = transformVector(voxelFromWorld_, direction);
+        glm::dvec2 span(0.0, 1e9);
+        for (int axis = 0; axis < 3; ++axis) {
+            const double slope = std::abs(along[axis]) < 1e-12 ? 1e-12 : along[axis];
+            const double a = (-0.5 - origin[axis]) / slope;
+            const double b = (volume_.size()[axis] - 0.5 - origin[axis]) / slope;
+            span = {std::max(span.x, std::min(a, b)), std::min(span.y, std::max(a, b))};
+        }
+        return span;
+    }
+
+    Marched march(const glm::dvec3& originMm, const glm::dvec3& direction, bool light, double stepVoxels,
+                  double jitter, bool keep) const {
+        Marched result;
+        const glm::dvec2 span = inside(originMm, direction);
+        if (span.y <= span.x) return result;
+        const glm::dvec3 along = transformVector(voxelFromWorld_, direction);
+        const double voxelsPerMm = std::max({std::abs(along.x), std::abs(along.y), std::abs(along.z)});
+        const int steps = std::max(4, int(std::ceil((span.y - span.x) * voxelsPerMm / stepVoxels)));
+        const bool seesAll = light && clip_.removedCastsShadow;
+        result.stepMm = (span.y - span.x) / steps;
+        result.firstMm = span.x + jitter * result.stepMm;
+        for (int i = 0; i < steps; ++i) {
+            const glm::dvec3 mm = originMm + direction * (result.firstMm + i * result.stepMm);
+            const glm::dvec3 voxel = voxelOf(mm);
+            const Around a = around(voxel);
+            if (seesAll || !isHidden(mm, a)) result.depth += extinctionAt(voxel, a) * result.stepMm;
+            if (keep) result.depths.push_back(result.depth);
+        }
+        return result;
+    }
+
+  protected:
+    struct Optics {
+        double extinction;
+        glm::dvec3 albedo;
+    };
+
+    bool isShown(int i, int j, int k) const {
+        const std::uint16_t label = clip_.mask->labels->label(i, j, k);
+        const auto& numbers = clip_.mask->numbers;
+        const bool in = std::find(numbers.begin(), numbers.end(), label) != numbers.end();
+        return in == (clip_.mask->keep == Keep::inside);
+    }
+    double extinctionOf(double value) const {
+        const auto low = std::size_t(value);
+        const double t = value - double(low);
+        return optics_[low].extinction * (1.0 - t) + optics_[low + 1].extinction * t;
+    }
+    const glm::dvec3& albedoOf(double value) const { return optics_[std::size_t(value + 0.5)].albedo; }
+
+    double gradientOpacity(const glm::dvec3& voxel) const {
+        if (!gradients_) return 1.0;
+        const glm::dvec3 spacing = volume_.spacingMm();
+        return gradientOpacityAt(
+            function_, glm::length(gradientPerMm(voxel)) * (spacing.x + spacing.y + spacing.z) / 3.0);
+    }
+
+    // Opacities of a layer multiply.
+    double thinned(double extinction, double gradientOpacity) const {
+        if (gradientOpacity == 1.0) return extinction;
+        const double unitMm = function_.unitDistanceMm / function_.density;
+        return -std::log1p(gradientOpacity * std::expm1(-extinction * unitMm)) / unitMm;
+    }
+
+    const Volume& volume_;
+    const TransferFunction& function_;
+    const Clip& clip_;
+    const trace::View& view_;
+    CameraBasis eye_;
+    glm::dmat4 voxelFromWorld_;
+    bool stochastic_;
+    bool gradients_;
+    std::vector<Optics> optics_;
+    std::vector<double> values_;
+    std::vector<double> shown_;
+    double most_ = 0.0;
+};
+
+}  // namespace macula::scenes
