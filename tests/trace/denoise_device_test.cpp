@@ -1,5 +1,6 @@
 // The denoiser on the device against its maths in double, and denoising as users of the tracer meet it.
 #include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
 
 #include "base/phantom.h"
 #include "pipeline/gpu/transfer.h"
@@ -124,6 +125,13 @@ double squaredError(const TracedImage& image, const TracedImage& truth) {
     return sum;
 }
 
+double alphaError(const TracedImage& image, const TracedImage& truth) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < truth.radiance.size(); ++i)
+        sum += std::pow(double(image.radiance[i].a) - double(truth.radiance[i].a), 2.0);
+    return sum;
+}
+
 TEST_F(DenoiseOnDevice, OfATracedPictureKeepsItsLightAndIsNearerToTheTruth) {
     const Scene scene;
     const Environment sky = Environment::constant(glm::vec3(1.0f));
@@ -150,6 +158,63 @@ TEST_F(DenoiseOnDevice, OfATracedPictureKeepsItsLightAndIsNearerToTheTruth) {
     ASSERT_TRUE(t.setSettings({.seed = 2}).ok());
     EXPECT_NE(*shown, *t.readDisplay(glm::vec3(0.0f)));
     EXPECT_EQ(t.readback()->radiance, noisy->radiance);  // nothing was lost
+}
+
+// Whatever is seen, from one sample to many, and whatever the random numbers: the filtered picture is nearer
+// to the truth than the plain one, in light and in alpha, and as bright.
+TEST_F(DenoiseOnDevice, IsNeverWorseThanThePlainPicture) {
+    constexpr int kSeeds = 3;
+    LightRig lamp;
+    lamp.ambientHorizon = {0.2, 0.2, 0.25};
+    lamp.lights = {{.azimuthDeg = 40, .elevationDeg = 30, .angularRadiusDeg = 8, .radiance = 20}};
+    struct Case {
+        const char* name;
+        TransferFunction function;
+        Environment environment;
+        Clip clip;
+    };
+    const Scene scene;
+    TransferFunction soft = scenes::homogeneous(1.0, 0.95);
+    soft.opacity = {{-200, 0.0}, {50, 0.01}, {200, 0.03}, {800, 0.3}};
+    soft.colour = {{-200, {0.9, 0.5, 0.4}}, {100, {0.8, 0.3, 0.2}}, {400, {1, 0.95, 0.85}}};
+    Clip open{.planes = {{{0, 1, 0}, -20.0}}};
+    open.greyFaces = DisplayWindow{.center = 40, .width = 400, .explanation = {}, .function = {}};
+    const Case cases[] = {{"bone, even light", scene.bone, Environment::constant(glm::vec3(1.0f)), {}},
+                          {"soft, a lamp", soft, Environment::fromRig(lamp), {}},
+                          {"soft, cut open, grey faces", soft, Environment::fromRig(lamp), open}};
+    View view = scene.view;
+    view.width = view.height = 40;
+    PathTracer t = tracer(scene.volume, scene.bone, cases[0].environment, view, {});
+    for (const Case& seen : cases) {
+        SCOPED_TRACE(seen.name);
+        ASSERT_TRUE(t.setTransferFunction(seen.function).ok());
+        ASSERT_TRUE(t.setEnvironment(seen.environment).ok());
+        ASSERT_TRUE(t.setClip(seen.clip).ok());
+        ASSERT_TRUE(t.setSettings({.seed = 1000}).ok());
+        ASSERT_TRUE(*t.trace(160));
+        const auto truth = t.readback();
+        for (const std::uint32_t samples : {1u, 4u, 64u}) {
+            for (std::uint32_t seed = 0; seed < kSeeds; ++seed) {
+                SCOPED_TRACE(fmt::format("{} samples, seed {}", samples, seed));
+                ASSERT_TRUE(t.setTransferFunction(seen.function).ok());  // nothing is known from before
+                ASSERT_TRUE(t.setSettings({.seed = seed}).ok());
+                ASSERT_TRUE(*t.trace(samples));
+                const auto plain = t.readback();
+                ASSERT_TRUE(t.setSettings({.seed = seed, .denoising = Denoising::on}).ok());
+                const auto filtered = t.readback();
+                // The truth is noisy too, as much for both. With many samples there is little to gain; of
+                // grey faces, which have sharp detail that albedo does not tell where they are brighter than
+                // 1, a little is lost.
+                const bool many = samples == 64;
+                const double most = !many ? 0.85 : seen.clip.greyFaces ? 1.15 : 0.9;
+                EXPECT_LT(squaredError(*filtered, *truth), most * squaredError(*plain, *truth));
+                EXPECT_LT(alphaError(*filtered, *truth), (many ? 1.02 : 0.85) * alphaError(*plain, *truth));
+                const glm::dvec4 kept = total(filtered->radiance) / total(plain->radiance);
+                for (int c = 0; c < 3; ++c) EXPECT_NEAR(kept[c], 1.0, 1e-4);
+                EXPECT_NEAR(kept.a, 1.0, 0.003);  // it is clamped to 0 to 1
+            }
+        }
+    }
 }
 
 TEST_F(DenoiseOnDevice, ASeriesUsesTheViewBeforeAndAnyChangeOfMatterOrLightForgetsIt) {
@@ -188,6 +253,74 @@ TEST_F(DenoiseOnDevice, ASeriesUsesTheViewBeforeAndAnyChangeOfMatterOrLightForge
                  })
                   .radiance,
               alone.radiance);
+}
+
+// A gaze that wanders shows the same things, stored elsewhere; one that jumps looks where little was known.
+// So do a turn, and settings that change the light.
+TEST_F(DenoiseOnDevice, ASmallMoveOfTheGazeKeepsWhatWasKnownAndAJumpForgetsIt) {
+    const Scene scene;
+    const Environment sky = Environment::constant(glm::vec3(1.0f));
+    View first = scene.view;
+    first.width = first.height = 40;
+    first.foveation = Foveation{.gaze = {0.1, 0.0}, .fieldDeg = 8.0, .magnification = 2.0};
+    const Settings plain{.seed = 2, .denoising = Denoising::on};
+    PathTracer t = tracer(scene.volume, scene.bone, sky, first, plain);
+    // The first picture of one sample of what is asked for, after a picture of eight from `first`, or after
+    // none.
+    const auto after = [&](bool before, const View& view, const Settings& settings, const Clip& clip = {}) {
+        Settings other = plain;
+        other.seed = 1;
+        EXPECT_TRUE(t.setClip({}).ok() && t.setView(first).ok() && t.setSettings(other).ok());
+        EXPECT_TRUE(t.setTransferFunction(scene.bone).ok());  // forgets
+        EXPECT_TRUE(*t.trace(8));
+        EXPECT_TRUE(t.display(glm::vec3(0.0f)).ok());
+        if (!before) {
+            EXPECT_TRUE(t.setTransferFunction(scene.bone).ok());
+        }
+        if (!clip.isNothing()) {
+            EXPECT_TRUE(t.setClip(clip).ok());
+        }
+        EXPECT_TRUE(t.setView(view).ok() && t.setSettings(settings).ok());
+        EXPECT_TRUE(*t.trace(1));
+        return *t.readback();
+    };
+    View near = first;
+    near.foveation->gaze = {0.15, 0.03};
+    const TracedImage known = after(true, near, plain);
+    const TracedImage alone = after(false, near, plain);
+    ASSERT_TRUE(t.setSettings({.seed = 5}).ok());
+    ASSERT_TRUE(*t.trace(160));
+    const auto truth = t.readback();
+    EXPECT_LT(squaredError(known, *truth), 0.8 * squaredError(alone, *truth));
+
+    View jumped = first;
+    jumped.foveation->gaze = {0.1, 0.4};
+    View elsewhere = first;  // the same gaze in a picture turned by 30 degrees
+    elsewhere.camera.positionMm =
+        glm::dvec3(glm::rotate(glm::dmat4(1.0), glm::radians(30.0), glm::dvec3(0, 0, 1)) *
+                   glm::dvec4(first.camera.positionMm - first.camera.targetMm, 0.0)) +
+        first.camera.targetMm;
+    View unfoveated = first;
+    unfoveated.foveation = {};
+    for (const View& view : {jumped, elsewhere, unfoveated})
+        EXPECT_EQ(after(true, view, plain).radiance, after(false, view, plain).radiance);
+
+    Settings brighter = plain;
+    brighter.lightStrength = 1.2;
+    Settings fewer = plain;
+    fewer.bounces = 2;
+    Settings turned = plain;
+    turned.lightRotationDeg = 20.0;
+    Settings clear = plain;
+    clear.look = Look::clear;
+    for (const Settings& settings : {brighter, fewer, turned, clear})
+        EXPECT_EQ(after(true, near, settings).radiance, after(false, near, settings).radiance);
+    const Clip clip{.planes = {{{0, 1, 0}, 0.0}}};
+    EXPECT_EQ(after(true, near, plain, clip).radiance, after(false, near, plain, clip).radiance);
+    // Exposure is of the display alone, and changes nothing that was known.
+    Settings exposed = plain;
+    exposed.exposure = 2.0;
+    EXPECT_EQ(after(true, near, exposed).radiance, known.radiance);
 }
 
 // The variance that the film reports is that of means over many pictures.
