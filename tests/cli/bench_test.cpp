@@ -1,0 +1,65 @@
+// macula bench: that the benchmarks of the tracer run to their end and say what they promise. How fast
+// anything is, is not tested.
+#include <nlohmann/json.hpp>
+
+#include "cli/run_command.h"
+
+namespace macula::cli {
+namespace {
+
+using Bench = CommandTest;
+using nlohmann::json;
+
+TEST_F(Bench, FovealTellsTheTimesAndTheWayToAnError) {
+    const Ran ran = runMacula(
+        {"bench", "foveal", "--size", "16", "--repetitions", "1", "--converged-spp", "32", "--flip", "0.2"});
+    ASSERT_EQ(ran.exitCode, 0) << ran.err;
+    const json report = json::parse(ran.out);
+    EXPECT_EQ(report["benchmark"], "foveal");
+    EXPECT_EQ(report["picture"], json::array({16, 16}));
+    const json& times = report["times"];
+    for (const char* part : {"traceMs", "guidesMs", "denoiseAndDisplayMs", "referenceTraceMs"})
+        EXPECT_GT(times[part].get<double>(), 0.0) << part;
+    // One turn: its median is itself.
+    EXPECT_NEAR(times["totalMs"].get<double>(),
+                times["traceMs"].get<double>() + times["guidesMs"].get<double>() +
+                    times["denoiseAndDisplayMs"].get<double>(),
+                1e-6);
+    const json& way = report["timeToError"];
+    ASSERT_TRUE(way["plain"]["reached"].get<bool>()) << ran.out;
+    ASSERT_TRUE(way["denoised"]["reached"].get<bool>()) << ran.out;
+    EXPECT_LE(way["plain"]["flip"].get<double>(), 0.2);
+    EXPECT_LE(way["denoised"]["samples"].get<int>(), way["plain"]["samples"].get<int>());
+}
+
+TEST_F(Bench, FovealSaysWhenAnErrorIsOutOfReach) {
+    const Ran ran = runMacula(
+        {"bench", "foveal", "--size", "16", "--repetitions", "1", "--converged-spp", "2", "--flip", "0.001"});
+    ASSERT_EQ(ran.exitCode, 0) << ran.err;
+    const json way = json::parse(ran.out)["timeToError"];
+    EXPECT_FALSE(way["plain"]["reached"].get<bool>());
+    EXPECT_FALSE(way.contains("denoisedOverPlain"));
+}
+
+TEST_F(Bench, TradeoffTellsWhatItMeasuredAlsoWhenThePlotCannotBeWritten) {
+    const std::string folder = at("plot.svg");
+    std::filesystem::create_directory(folder);
+    const Ran ran = runMacula(
+        {"bench", "trace-tradeoff", "--size", "16", "--converged-spp", "64", "--json", "--plot", folder});
+    EXPECT_NE(ran.exitCode, 0);
+    EXPECT_EQ(ran.errorLines(), 1u) << ran.err;
+    const json report = json::parse(ran.out);
+    EXPECT_EQ(report["converged"]["lost"], 0);
+    ASSERT_EQ(report["results"].size(), 2u * 2u * 4u * 6u);
+    // Samples of one setting come in order, and so does the time for them.
+    EXPECT_LT(report["results"][0]["traceMs"].get<double>(), report["results"][5]["traceMs"].get<double>());
+}
+
+TEST_F(Bench, BadNumbersAreUsageErrors) {
+    EXPECT_EQ(runMacula({"bench", "foveal", "--flip", "0"}).exitCode, 2);
+    EXPECT_EQ(runMacula({"bench", "foveal", "--size", "0"}).exitCode, 2);
+    EXPECT_EQ(runMacula({"bench", "trace", "--preset", "no-such-preset"}).exitCode, 2);
+}
+
+}  // namespace
+}  // namespace macula::cli
