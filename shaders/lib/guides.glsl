@@ -153,7 +153,7 @@ Guide guideOf(vec2 pixel, Eye before) {
     float face = float(0.0);
     if (useClip() && params.greyFaces != 0) face = stopAtFace(walk, params.originVoxel, directionVoxel);
     March m = march(walk);
-    if (face > float(0.0)) endAtFace(m, walk.endMm, clamp(face * params.exposure, float(0.0), float(1.0)));
+    if (face > float(0.0)) endAtFace(m, walk.endMm, face * params.exposure);
 
     Guide guide;
     guide.depthMm = m.halfMm;

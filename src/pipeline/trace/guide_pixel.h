@@ -17,7 +17,9 @@ struct GuideOf {
                          // the width of four pixels there; fades to 0 as coverage falls from 3/4 to 1/2
     Real coverage{0};    // 1 - transmittance of the whole ray
     Real beforeMm{-1};   // distance of the same point from the eye before; negative when there is none
-    glm::vec<3, Real> albedo{Real(0)};  // mean over the matter down to transmittance 1/2
+    // Mean over the matter down to transmittance 1/2. A grey face of a clip counts with the light it sends at
+    // exposure 1, which near white is above 1.
+    glm::vec<3, Real> albedo{Real(0)};
     glm::vec<3, Real> normal{Real(0)};  // unit, towards the eye; 0 where the values around are all the same
     glm::vec<2, Real> motion{Real(0)};  // pixels: where it was in the view before, minus where it is
 };
