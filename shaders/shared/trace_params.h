@@ -72,14 +72,26 @@ struct TraceParams {
     float diffuse;
 };
 
-// The blocks of 8 x 8 pixels of a picture are visited in the order (i * blockStride) mod blockCount,
-// blockStride coprime to blockCount: any run of them is spread over the whole picture.
-struct PathPush {
-    uint firstBlock;  // i of the first block of this dispatch
-    uint blockCount;  // of the picture
-    uint blockStride;
-    uint firstSample;  // index of the first sample of this dispatch, for the random sequence
+MACULA_SHARED_CONST int kBlockEdge = 8;  // pixels; a work group traces such a square of the picture
+
+// What a work group does in a dispatch, see src/pipeline/trace/sampling_plan.h. Blocks are numbered row by row.
+struct PlannedBlock {
+    uint block;
+    uint firstSample;  // index of its first sample, for the random sequence
     uint sampleCount;
+};
+
+// How noisy a block is as it is shown, see shaders/lib/noise.glsl.
+struct BlockNoise {
+    float squaredError;  // mean over its pixels
+    uint isSeen;         // 1: some sample of it met matter or light
+};
+
+struct NoisePush {
+    ivec2 imageSize;
+    uint firstBlock;
+    float exposure;
+    float backdrop;  // see noise.glsl
 };
 
 struct DisplayPush {

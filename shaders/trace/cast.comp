@@ -11,12 +11,9 @@ layout(local_size_x = 8, local_size_y = 8) in;
 // See path.comp. A ray takes some thousand rounds, and neighbours about as many.
 layout(constant_id = 1) const int kMaxRounds = 16000;
 
-layout(push_constant, scalar) uniform Push {
-    PathPush push;
-};
-
 void main() {
-    int block = int(((push.firstBlock + gl_WorkGroupID.x) * push.blockStride) % push.blockCount);
+    PlannedBlock plan = planned[gl_WorkGroupID.x];
+    int block = int(plan.block);
     int columns = (params.imageSize.x + 7) / 8;
     ivec2 pixel = 8 * ivec2(block % columns, block / columns) + ivec2(gl_LocalInvocationID.xy);
     if (any(greaterThanEqual(pixel, params.imageSize))) return;
@@ -28,8 +25,8 @@ void main() {
     uint finite = 0u;
     uint done = 0u;
     int rounds = 0;
-    while (done < push.sampleCount && rounds < kMaxRounds) {
-        vec4 value = castSample(pixel, push.firstSample + done, rounds);
+    while (done < plan.sampleCount && rounds < kMaxRounds) {
+        vec4 value = castSample(pixel, plan.firstSample + done, rounds);
         if (isFinite(value) && isFinite(sum + value)) {
             accumulate(sum, compensation, value);
             accumulate(square, squareOfLuminance(value.xyz));
@@ -42,5 +39,5 @@ void main() {
     squares[index] = square;
     counts[index] += finite;
     if (finite < done) atomicAdd(nonFinite, done - finite);
-    if (done < push.sampleCount) atomicAdd(abandoned, push.sampleCount - done);
+    if (done < plan.sampleCount) atomicAdd(abandoned, plan.sampleCount - done);
 }

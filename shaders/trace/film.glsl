@@ -15,3 +15,6 @@ layout(binding = 12, scalar) buffer Faults {
 layout(binding = 13, scalar) buffer Squares {
     vec2 squares[];  // sum of squares of luminance, and its compensation. Coverage is 0 or 1, and its own square.
 };
+layout(binding = 14, scalar) readonly buffer Plan {
+    PlannedBlock planned[];  // by work group
+};

@@ -13,12 +13,10 @@ layout(local_size_x = 8, local_size_y = 8) in;
 // below a quarter there, and takes smaller portions when it is met.
 layout(constant_id = 1) const int kMaxRounds = 16000;
 
-layout(push_constant, scalar) uniform Push {
-    PathPush push;
-};
-
 void main() {
-    int block = int(((push.firstBlock + gl_WorkGroupID.x) * push.blockStride) % push.blockCount);
+    // Not push constants: lavapipe would compile each number of samples into the shader.
+    PlannedBlock plan = planned[gl_WorkGroupID.x];
+    int block = int(plan.block);
     int columns = (params.imageSize.x + 7) / 8;
     ivec2 pixel = 8 * ivec2(block % columns, block / columns) + ivec2(gl_LocalInvocationID.xy);
     if (any(greaterThanEqual(pixel, params.imageSize))) return;
@@ -31,8 +29,8 @@ void main() {
     uint done = 0u;
     int rounds = 0;  // of the samples done
     Rng rng;
-    Path path = startSample(pixel, push.firstSample, rng);
-    while (done < push.sampleCount && rounds + path.rounds < kMaxRounds) {
+    Path path = startSample(pixel, plan.firstSample, rng);
+    while (done < plan.sampleCount && rounds + path.rounds < kMaxRounds) {
         rounds += 1;
         if (!extendPath(path, rng)) {
             vec4 value = vec4(path.radiance, path.coverage);
@@ -43,7 +41,7 @@ void main() {
             }
             done += 1u;
             rounds += path.rounds;
-            path = startSample(pixel, push.firstSample + done, rng);
+            path = startSample(pixel, plan.firstSample + done, rng);
         }
     }
     sums[index] = sum;
@@ -51,5 +49,5 @@ void main() {
     squares[index] = square;
     counts[index] += finite;
     if (finite < done) atomicAdd(nonFinite, done - finite);
-    if (done < push.sampleCount) atomicAdd(abandoned, push.sampleCount - done);
+    if (done < plan.sampleCount) atomicAdd(abandoned, plan.sampleCount - done);
 }

@@ -9,6 +9,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "base/progress_bar.h"
 #include "cli/camera_file.h"
@@ -46,6 +47,7 @@ struct Options {
     std::string size = "768x768";
     std::string quality;
     std::optional<std::uint32_t> samplesPerPixel;  // what is given itself counts more than the quality
+    double error = 0.0;                            // 0: not given
     std::optional<int> bounces;
     bool denoise = false;
     std::string window;
@@ -60,6 +62,7 @@ struct Options {
 
 constexpr double kDefaultFovDeg = 30.0;
 const glm::vec3 kBackground(0.0f);
+constexpr std::uint32_t kMostSamples = 1 << 20;
 
 double secondsSince(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -148,6 +151,28 @@ Result<void> traceAll(trace::PathTracer& tracer, std::uint32_t samplesPerPixel, 
     return {};
 }
 
+// As many samples as it takes, and where they are needed. Ctrl-C ends it with the picture as it is then.
+Result<void> traceUntilConverged(trace::PathTracer& tracer, double error, std::uint32_t mostSamples,
+                                 Progress& progress) {
+    constexpr double kPortionMs = 200.0;
+    constexpr std::size_t kSteps = 1000;
+    progress.beginStage("Tracing until the noise is gone", kSteps);
+    std::size_t shown = 0;
+    for (;;) {
+        MACULA_TRY_VOID(tracer.traceFor(kPortionMs, [&] { return !progress.cancelled(); }));
+        MACULA_TRY(const trace::Statistics statistics, tracer.statistics());
+        if (statistics.converged) return {};
+        if (progress.cancelled() && statistics.samplesPerPixel == 0)
+            return Error{ErrorCode::cancelled, "Stopped; nothing was written.", {}, {}};
+        if (progress.cancelled() || statistics.meanSamplesPerPixel >= mostSamples) break;
+        // Noise falls with the root of the samples.
+        const double left = statistics.estimatedError / error;
+        const auto done = static_cast<std::size_t>(double(kSteps) / std::max(left * left, 1.0));
+        if (done > shown) progress.advance(done - std::exchange(shown, done));
+    }
+    return {};
+}
+
 // What is drawn, and with what.
 struct Scene {
     std::shared_ptr<const Volume> volume;
@@ -179,8 +204,11 @@ Result<Drawn> draw(const std::shared_ptr<gpu::Device>& device, const Scene& scen
     MACULA_TRY_VOID(tracer.setEnvironment(scene.environment));
     MACULA_TRY_VOID(tracer.setSettings(scene.settings));
     MACULA_TRY_VOID(tracer.setView(scene.view));
-    MACULA_TRY_VOID(traceAll(tracer, scene.samplesPerPixel, progress));
+    const double error = scene.settings.errorThreshold;
+    MACULA_TRY_VOID(error > 0.0 ? traceUntilConverged(tracer, error, scene.samplesPerPixel, progress)
+                                : traceAll(tracer, scene.samplesPerPixel, progress));
     drawn.seconds = secondsSince(start);
+    MACULA_TRY_VOID(tracer.estimateError());
     MACULA_TRY(drawn.statistics, tracer.statistics());
     if (linear) {
         MACULA_TRY(drawn.traced, tracer.readback());
@@ -218,6 +246,8 @@ Result<Effort> effortOf(const Options& options) {
     effort.samplesPerPixel = options.samplesPerPixel.value_or(effort.samplesPerPixel);
     effort.settings.bounces = options.bounces.value_or(effort.settings.bounces);
     if (options.denoise) effort.settings.denoising = trace::Denoising::on;
+    effort.settings.errorThreshold = options.error;
+    if (options.error > 0.0) effort.samplesPerPixel = options.samplesPerPixel.value_or(kMostSamples);
     return effort;
 }
 
@@ -301,6 +331,10 @@ Result<void> render(const Options& options) {
     record.device = drawn.device;
     record.traceSeconds = drawn.seconds;
     record.statistics = drawn.statistics;
+    if (options.error > 0.0 && !record.statistics.converged) {
+        record.notes.emplace_back("The picture is noisier than was asked for.");
+        printNote(record.notes.back());
+    }
     for (const Message& message : record.statistics.messages) {
         record.notes.push_back(message.sentence);
         printNote(fmt::format("{} {}", message.sentence, message.action));
@@ -378,7 +412,11 @@ void addRender(CLI::App& app, Action& action) {
     command
         ->add_option("--spp", o.samplesPerPixel,
                      "Samples per pixel (default: 64, or 8 for looks without chance)")
-        ->check(CLI::Range(1, 1 << 20));
+        ->check(CLI::Range(1u, kMostSamples));
+    command
+        ->add_option("--error", o.error,
+                     "Trace until noise is this small, 0.01 of black to white; then --spp is the most")
+        ->check(CLI::Range(1e-4, 1.0));
     command->add_option("--bounces", o.bounces, "Scattering events per path of cinematic (default: 4)")
         ->check(CLI::Range(1, trace::kMaxBounces));
     command->add_flag("--denoise", o.denoise,

@@ -23,7 +23,7 @@ image::Metadata metadata(const RenderRecord& record) {
             {"macula:clip", record.clip},
             {"macula:tableRemoved", record.tableRemoved ? "yes" : "no"},
             {"macula:filter", std::string(trace::nameOf(record.settings.filter))},
-            {"macula:samples", fmt::to_string(record.statistics.samplesPerPixel)},
+            {"macula:samples", fmt::format("{:.6g}", record.statistics.meanSamplesPerPixel)},
             {"macula:bounces", fmt::to_string(record.settings.bounces)},
             {"macula:seed", fmt::to_string(record.settings.seed)},
             {"macula:denoised", record.statistics.denoised ? "yes" : "no"},
@@ -32,7 +32,7 @@ image::Metadata metadata(const RenderRecord& record) {
 
 Result<void> writeStatistics(const RenderRecord& record, const std::filesystem::path& path) {
     const double pixelSamples =
-        static_cast<double>(record.statistics.samplesPerPixel) * record.width * record.height;
+        record.statistics.meanSamplesPerPixel * record.width * record.height;
     const nlohmann::ordered_json json = {
         {"version", MACULA_VERSION},
         {"series", record.seriesDigest},
@@ -57,6 +57,9 @@ Result<void> writeStatistics(const RenderRecord& record, const std::filesystem::
         {"seed", record.settings.seed},
         {"denoised", record.statistics.denoised},
         {"samplesPerPixel", record.statistics.samplesPerPixel},
+        {"meanSamplesPerPixel", record.statistics.meanSamplesPerPixel},
+        {"estimatedError", record.statistics.estimatedError},  // null: not known
+        {"converged", record.statistics.converged},
         {"nonFiniteSamples", record.statistics.nonFiniteSamples},
         {"abandonedSamples", record.statistics.abandonedSamples},
         {"voxels",

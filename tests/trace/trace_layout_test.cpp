@@ -12,7 +12,7 @@ namespace macula {
 namespace {
 
 using shared::DisplayPush;
-using shared::PathPush;
+using shared::PlannedBlock;
 using shared::TraceParams;
 
 const std::vector<LaidOutField> kTraceParams{MACULA_FIELD(TraceParams, originVoxel),
@@ -61,10 +61,9 @@ const std::vector<LaidOutField> kTraceParams{MACULA_FIELD(TraceParams, originVox
                                              MACULA_FIELD(TraceParams, stepsPerEntry),
                                              MACULA_FIELD(TraceParams, ambient),
                                              MACULA_FIELD(TraceParams, diffuse)};
-const std::vector<LaidOutField> kPathPush{
-    MACULA_FIELD(PathPush, firstBlock), MACULA_FIELD(PathPush, blockCount),
-    MACULA_FIELD(PathPush, blockStride), MACULA_FIELD(PathPush, firstSample),
-    MACULA_FIELD(PathPush, sampleCount)};
+const std::vector<LaidOutField> kPlannedBlock{MACULA_FIELD(PlannedBlock, block),
+                                              MACULA_FIELD(PlannedBlock, firstSample),
+                                              MACULA_FIELD(PlannedBlock, sampleCount)};
 
 TEST(TraceLayout, ParametersAndPushConstantsAgreeInEveryKernel) {
     for (const auto& code :
@@ -75,10 +74,22 @@ TEST(TraceLayout, ParametersAndPushConstantsAgreeInEveryKernel) {
         ASSERT_NE(params, nullptr) << code.name;
         expectLayoutMatches<TraceParams>(*params, kTraceParams);
     }
-    const auto path = gpu::reflectSpirv(shaders::trace_path_comp.words);
-    ASSERT_TRUE(path.ok());
-    ASSERT_TRUE(path->pushConstants.has_value());
-    expectLayoutMatches<PathPush>(*path->pushConstants->block.find("push"), kPathPush);
+    for (const auto& code : {shaders::trace_path_comp, shaders::trace_cast_comp}) {
+        const auto reflection = gpu::reflectSpirv(code.words);
+        ASSERT_TRUE(reflection.ok());
+        const auto* planned = reflection->bindings.back().block.find("planned");
+        ASSERT_NE(planned, nullptr) << code.name;
+        expectLayoutMatches<PlannedBlock>(*planned, kPlannedBlock);
+    }
+    const auto noise = gpu::reflectSpirv(shaders::trace_noise_comp.words);
+    ASSERT_TRUE(noise.ok());
+    expectLayoutMatches<shared::BlockNoise>(*noise->bindings.back().block.find("noises"),
+                                            {MACULA_FIELD(shared::BlockNoise, squaredError),
+                                             MACULA_FIELD(shared::BlockNoise, isSeen)});
+    expectLayoutMatches<shared::NoisePush>(
+        *noise->pushConstants->block.find("push"),
+        {MACULA_FIELD(shared::NoisePush, imageSize), MACULA_FIELD(shared::NoisePush, firstBlock),
+         MACULA_FIELD(shared::NoisePush, exposure), MACULA_FIELD(shared::NoisePush, backdrop)});
     const auto guides = gpu::reflectSpirv(shaders::trace_guides_comp.words);
     ASSERT_TRUE(guides.ok());
     expectLayoutMatches<shared::GuidePush>(

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstring>
 #include <limits>
 #include <map>
-#include <numeric>
+#include <span>
+#include <tuple>
 
 #include "pipeline/gpu/kernel.h"
 #include "pipeline/gpu/recorder.h"
@@ -12,6 +14,8 @@
 #include "pipeline/trace/denoiser.h"
 #include "pipeline/trace/device_scene.h"
 #include "pipeline/trace/film.h"
+#include "pipeline/trace/noise_map.h"
+#include "pipeline/trace/sampling_plan.h"
 #include "pipeline/trace/trace_kernels.h"
 #include "shaders/trace.h"
 #include "shared/trace_params.h"
@@ -25,14 +29,16 @@ using Clock = std::chrono::steady_clock;
 // A dispatch is this long or shorter: a cancel is quick, and no watchdog fires.
 constexpr double kDispatchMs = 40.0;
 constexpr double kLeastDispatchMs = 4.0;     // less is mostly overhead
-constexpr int kBlock = 8;                    // pixels; a work group is a square of them
 constexpr std::uint32_t kMaxBlocks = 65535;  // of one dispatch: what every device allows
 constexpr std::uint32_t kMinBlocks = 4;      // so that no thread of a CPU device is idle
 constexpr double kFirstRate = 0.5;           // block samples per ms, before anything is known: a slow CPU
+constexpr double kDenser = 0.5;  // of the rate of even passes: the blocks that noise chooses take longer
 // Several samples of a pixel in one dispatch keep a lane busy while its neighbours' paths are longer. Not too
 // many vertices in all: see kMaxRounds in path.comp.
 constexpr int kMaxVerticesPerDispatch = 64;
 constexpr std::uint32_t kMaxRaysPerDispatch = 4;  // of a pixel that is cast; a ray is as long as it is
+// A pass that adapts adds so much to the samples there are: then it is time to look again where noise is.
+constexpr double kGrowth = 0.5;
 
 // A gaze that jumps asks for detail where the picture before had little.
 constexpr double kFarthestGaze = 0.1;
@@ -42,16 +48,6 @@ const glm::dvec3 kLuminance(0.2126, 0.7152, 0.0722);  // Rec. 709
 // A view that turned by more shows other sides of things: nothing is gained from the one before.
 constexpr double kMostTurnDeg = 20.0;
 constexpr double kMostTurnWithLightsDeg = 1.0;
-
-// A step through `blocks` that visits each once and spreads any few of them evenly: near the golden section,
-// coprime, and small enough that the shader's product does not overflow.
-std::uint32_t spreadingStride(std::uint32_t blocks) {
-    constexpr double kGolden = 0.6180339887;
-    auto stride = static_cast<std::uint32_t>(std::min(kGolden * blocks, 4294967295.0 / blocks - 64.0));
-    stride = std::max(stride, 1u);
-    while (std::gcd(stride, blocks) != 1) ++stride;
-    return stride;
-}
 
 // With the gaze within `farthest`, in half widths and half heights of the picture.
 bool sameFovea(const std::optional<Foveation>& a, const std::optional<Foveation>& b, double farthest) {
@@ -96,15 +92,22 @@ struct PathTracer::Impl {
     std::optional<gpu::Kernel> displayKernel;
     bool paramsStale = true;  // something above has changed: accumulation starts again
     bool restarting = false;  // nothing has: only the portions were too large
-    std::map<std::pair<TraceVariant, int>, double> blockSamplesPerMs;  // by kernel and bounces
+    // By kernel and bounces, and whether the passes adapt.
+    std::map<std::tuple<TraceVariant, int, bool>, double> blockSamplesPerMs;
     bool warm = false;  // the first dispatch of a kernel compiles it, and says nothing about speed
 
     // What has been traced.
     std::optional<Film> film;
-    std::uint32_t samplesDone = 0;  // of every pixel
-    std::uint32_t passSamples = 0;  // that the pass in progress adds
-    std::uint32_t passBlock = 0;    // where it goes on
+    std::optional<gpu::Buffer> planned;  // PlannedBlock: what the dispatch under way does
+    SamplingPlan plan;
+    std::uint64_t edition = 0;  // of the film: grows whenever something is added to it, or it is cleared
     double deviceMs = 0.0;
+
+    // How noisy it is.
+    std::optional<NoiseMap> noiseMap;
+    std::uint64_t measuredEdition = 0;  // of the film, that the map is of, or is being made of
+    std::vector<shared::BlockNoise> noises;
+    std::optional<ErrorEstimate> estimate;  // of this accumulation, the last one made
 
     // What it shows, and what the view before showed.
     std::optional<Guides> guides, guidesBefore;
@@ -114,7 +117,7 @@ struct PathTracer::Impl {
     std::uint32_t filmSeed = 0;
     View viewBefore;                               // what it had samples of before
     bool matterChanged = true;                     // or its light: no earlier view shows the same
-    std::optional<std::uint32_t> denoisedSamples;  // of the film, when the denoiser ran
+    std::optional<std::uint64_t> denoisedEdition;  // of the film, when the denoiser ran
 
     std::uint32_t mostSamples = UINT32_MAX;  // of one dispatch; lowered when paths turn out too long
 
@@ -131,12 +134,17 @@ struct PathTracer::Impl {
     }
     TraceVariant variant() const { return variantOf(settings, sceneKind()); }
     std::uint32_t mostPerDispatch() const;  // samples of a pixel
-    std::uint32_t blocks() const;           // of the picture
-    double& rate() {
-        return blockSamplesPerMs.try_emplace({variant(), settings.bounces}, kFirstRate).first->second;
+    double& rate(bool adaptive) {
+        const double first = adaptive ? kDenser * rate(false) : kFirstRate;
+        return blockSamplesPerMs.try_emplace({variant(), settings.bounces, adaptive}, first).first->second;
     }
-    Result<void> traceBlocks(std::uint32_t count);
-    Result<void> step(std::uint32_t samples, double ms);
+    Result<void> traceBlocks(std::span<const shared::PlannedBlock> blocks);
+    Result<void> step(double ms);
+    void beginEvenPass(double samples);
+    bool needsEstimate() const;
+    Result<void> measureSome();
+    bool converged() const { return estimate && isConverged(*estimate, settings.errorThreshold); }
+    Result<void> stepFor(double leftMs);
 };
 
 PathTracer::PathTracer(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -184,12 +192,15 @@ Result<void> PathTracer::setSettings(const Settings& settings) {
     same.seed = impl_->settings.seed;
     same.exposure = impl_->settings.exposure;
     same.denoising = impl_->settings.denoising;
+    same.errorThreshold = impl_->settings.errorThreshold;
     const bool changed = same != impl_->settings;
-    const bool onlyDenoising = same.denoising != settings.denoising && !changed &&
-                               settings.seed == impl_->settings.seed &&
-                               settings.exposure == impl_->settings.exposure;
+    // What is shown of the samples, and how many are enough.
+    const bool onlyAfterwards =
+        !changed && settings.seed == impl_->settings.seed && settings.exposure == impl_->settings.exposure &&
+        (settings.denoising != impl_->settings.denoising ||
+         settings.errorThreshold != impl_->settings.errorThreshold);
     impl_->settings = settings;
-    if (onlyDenoising) return {};
+    if (onlyAfterwards) return {};
     impl_->matterChanged = impl_->matterChanged || changed;
     impl_->paramsStale = true;
     return {};
@@ -202,9 +213,10 @@ Result<void> PathTracer::setView(const View& view) {
 }
 
 std::uint32_t PathTracer::Impl::mostPerDispatch() const {
-    if (!isPathTraced(settings.look)) return kMaxRaysPerDispatch;
+    if (!isPathTraced(settings.look)) return std::max(std::min(kMaxRaysPerDispatch, mostSamples), 1u);
     const int bounces = settings.look == Look::clear ? 1 : settings.bounces;
-    return static_cast<std::uint32_t>(std::max(kMaxVerticesPerDispatch / bounces, 1));
+    const auto most = static_cast<std::uint32_t>(std::max(kMaxVerticesPerDispatch / bounces, 1));
+    return std::max(std::min(most, mostSamples), 1u);
 }
 
 // Brings the device up to what was set, and starts a new accumulation when anything changed.
@@ -213,7 +225,7 @@ Result<void> PathTracer::Impl::prepare() {
     if (!paramsStale) return {};
     if (!restarting) turnPage();
     restarting = false;
-    denoisedSamples.reset();
+    denoisedEdition.reset();
     MACULA_TRY_VOID(scene.look(view, settings));
     if (!film || film->width() != view.width || film->height() != view.height) {
         film.reset();  // first, so that only one is ever on the device
@@ -225,13 +237,21 @@ Result<void> PathTracer::Impl::prepare() {
             return error;
         }
         film.emplace(std::move(*made));
+        noiseMap.reset();
+        planned.reset();
+    }
+    plan = SamplingPlan(view.width, view.height);
+    if (!planned) {
+        const std::uint64_t most = std::min(plan.blockCount(), kMaxBlocks);
+        MACULA_TRY(planned, gpu::Buffer::create(device, {.label = "planned blocks",
+                                                         .bytes = most * sizeof(shared::PlannedBlock),
+                                                         .memory = gpu::MemoryKind::upload}));
     }
     MACULA_TRY(auto recorder, gpu::Recorder::create(device, "start accumulation"));
     film->clear(recorder);
     MACULA_TRY([[maybe_unused]] const gpu::Ticket ticket, recorder.submit());
-    samplesDone = 0;
-    passSamples = 0;
-    passBlock = 0;
+    ++edition;
+    estimate.reset();
     deviceMs = 0.0;
     guidesStale = true;
     paramsStale = false;
@@ -257,9 +277,10 @@ bool PathTracer::Impl::continues(const View& from, const View& to) const {
 
 // What the film shows becomes what the view before showed; if nobody has seen it, there was none.
 void PathTracer::Impl::turnPage() {
-    const bool again = filmView && samplesDone > 0 && filmSeed == settings.seed && sameView(*filmView, view);
-    if (filmView && samplesDone > 0) {
-        const bool known = denoiser && denoisedSamples && !guidesStale;
+    const bool traced = filmView && plan.leastSamples() > 0;
+    const bool again = traced && filmSeed == settings.seed && sameView(*filmView, view);
+    if (traced) {
+        const bool known = denoiser && denoisedEdition && !guidesStale;
         if (known) {
             std::swap(guides, guidesBefore);
             denoiser->advance();
@@ -293,7 +314,7 @@ Result<void> PathTracer::Impl::prepareGuides() {
 // Makes the denoiser's result that of the samples so far.
 Result<void> PathTracer::Impl::denoise() {
     MACULA_TRY_VOID(prepareGuides());
-    if (denoisedSamples == samplesDone && passBlock == 0) return {};
+    if (denoisedEdition == edition) return {};
     if (!denoiser || denoiser->width() != view.width || denoiser->height() != view.height) {
         denoiser.reset();
         MACULA_TRY(auto filters, kernels.denoising());
@@ -302,97 +323,137 @@ Result<void> PathTracer::Impl::denoise() {
     const double pixelAngle = 2.0 * std::tan(glm::radians(view.camera.verticalFovDeg) / 2.0) / view.height;
     MACULA_TRY_VOID(denoiser->run(*film, *guides, guidesBefore ? &*guidesBefore : nullptr,
                                   static_cast<float>(pixelAngle)));
-    denoisedSamples = samplesDone;
+    denoisedEdition = edition;
     return {};
 }
 
-std::uint32_t PathTracer::Impl::blocks() const {
-    return static_cast<std::uint32_t>((film->width() + kBlock - 1) / kBlock) *
-           static_cast<std::uint32_t>((film->height() + kBlock - 1) / kBlock);
-}
-
-// Adds the samples of the pass to the next blocks, waits, and learns how fast the device is.
-Result<void> PathTracer::Impl::traceBlocks(std::uint32_t count) {
+// Adds the samples that are planned, waits, and learns how fast the device is.
+Result<void> PathTracer::Impl::traceBlocks(std::span<const shared::PlannedBlock> blocks) {
     MACULA_TRY(const TraceKernels::Found found, kernels.samples(variant()));
     if (found.isNew) warm = false;
-    const shared::PathPush push{.firstBlock = passBlock,
-                                .blockCount = blocks(),
-                                .blockStride = spreadingStride(blocks()),
-                                .firstSample = samplesDone,
-                                .sampleCount = passSamples};
+    // Nothing reads it now: each dispatch is waited for.
+    std::memcpy(planned->mapped().data(), blocks.data(), blocks.size_bytes());
     MACULA_TRY(auto recorder, gpu::Recorder::create(device, "trace"));
     std::vector<gpu::Binding> bindings = scene.bindings();
     film->appendTo(bindings);
-    recorder.dispatch(*found.kernel, {count * kBlock, kBlock}, push, bindings);
+    bindings.emplace_back(*planned);
+    recorder.dispatch(*found.kernel, {static_cast<std::uint32_t>(blocks.size()) * shared::kBlockEdge,
+                                      shared::kBlockEdge},
+                      bindings);
     const auto begin = Clock::now();
     MACULA_TRY(const gpu::Ticket ticket, recorder.submit());
     MACULA_TRY([[maybe_unused]] const bool done, device->waitFor(ticket));
     const double ms = std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
-    if (warm) rate() = 0.5 * (rate() + double(count) * passSamples / std::max(ms, 1e-3));
+    double samples = 0.0;
+    for (const shared::PlannedBlock& block : blocks) samples += block.sampleCount;
+    double& known = rate(plan.isAdaptive());
+    if (warm) known = 0.5 * (known + samples / std::max(ms, 1e-3));
     warm = true;
     deviceMs += ms;
-    passBlock += count;
+    ++edition;
     return {};
 }
 
 // Whether paths were lost to the device's limit that smaller portions would keep. Then the picture is begun
 // again: to leave out long paths only, which are those through dense matter, would darken it.
 Result<bool> PathTracer::Impl::tooLong() {
-    if (!device->isCpu() || passSamples < 2) return false;
+    if (!device->isCpu() || plan.passMost() < 2) return false;
     MACULA_TRY(const auto seen, film->faults());
     return seen.abandoned > 0;
 }
 
-// One dispatch: of the pass under way, or of a new one of at most `samples`. It takes about `ms`.
-Result<void> PathTracer::Impl::step(std::uint32_t samples, double ms) {
-    if (passSamples == 0) {
-        passSamples = std::max(std::min({mostPerDispatch(), mostSamples, samples}), 1u);
-        passBlock = 0;
-    }
-    const double affordable = std::clamp(rate() * ms / passSamples, double(kMinBlocks), double(kMaxBlocks));
-    MACULA_TRY_VOID(traceBlocks(std::min(static_cast<std::uint32_t>(affordable), blocks() - passBlock)));
-    if (passBlock < blocks()) return {};
+void PathTracer::Impl::beginEvenPass(double samples) {
+    plan.beginEven(static_cast<std::uint32_t>(std::clamp(samples, 1.0, double(mostPerDispatch()))));
+}
+
+// One dispatch of the pass under way, which takes about `ms`.
+Result<void> PathTracer::Impl::step(double ms) {
+    const double affordable = rate(plan.isAdaptive()) * ms;
+    // Where it fails, nobody knows what the film holds.
+    paramsStale = true;
+    MACULA_TRY_VOID(traceBlocks(plan.next(affordable, kMinBlocks, kMaxBlocks)));
+    paramsStale = false;
+    if (plan.hasPass()) return {};
     MACULA_TRY(const bool again, tooLong());
-    if (again) {
-        mostSamples = passSamples / 2;
-        paramsStale = true;
-        restarting = true;
-        return prepare();
-    }
-    samplesDone += passSamples;
-    passSamples = 0;
-    return {};
+    if (!again) return {};
+    mostSamples = plan.passMost() / 2;
+    paramsStale = true;
+    restarting = true;
+    return prepare();
 }
 
 Result<bool> PathTracer::trace(std::uint32_t samplesPerPixel, const std::function<bool()>& keepGoing) {
     Impl& t = *impl_;
     MACULA_TRY_VOID(t.prepare());
+    if (t.plan.isAdaptive()) t.plan.dropPass();
     // A pass that was interrupted is part of what was asked for.
-    const std::uint32_t target = t.samplesDone + std::max(samplesPerPixel, t.passSamples);
-    while (t.samplesDone < target) {
-        MACULA_TRY_VOID(t.step(target - t.samplesDone, kDispatchMs));
+    const std::uint32_t underWay = t.plan.hasPass() ? t.plan.passMost() : 0;
+    const std::uint32_t target = t.plan.leastSamples() + std::max(samplesPerPixel, underWay);
+    while (t.plan.leastSamples() < target) {
+        if (!t.plan.hasPass()) t.beginEvenPass(target - t.plan.leastSamples());
+        MACULA_TRY_VOID(t.step(kDispatchMs));
         if (keepGoing && !keepGoing()) break;
     }
-    return t.passSamples == 0;
+    return !t.plan.hasPass();
+}
+
+// Noise decides about the next pass, or about whether there is one.
+bool PathTracer::Impl::needsEstimate() const {
+    if (plan.leastSamples() < kEvenSamples || (estimate && measuredEdition == edition)) return false;
+    return isPathTraced(settings.look) || settings.errorThreshold > 0.0;
+}
+
+// One dispatch.
+Result<void> PathTracer::Impl::measureSome() {
+    if (!noiseMap) {
+        MACULA_TRY(noiseMap, NoiseMap::create(device, view.width, view.height));
+    }
+    if (measuredEdition != edition) noiseMap->begin();
+    measuredEdition = edition;
+    estimate.reset();
+    MACULA_TRY_VOID(noiseMap->measureSome(*film, settings));
+    if (!noiseMap->isWhole()) return {};
+    MACULA_TRY(noises, noiseMap->read());
+    estimate = estimateOf(noises);
+    return {};
+}
+
+// One dispatch of whatever comes next.
+Result<void> PathTracer::Impl::stepFor(double leftMs) {
+    if (!plan.hasPass()) {
+        if (needsEstimate()) return measureSome();
+        const std::uint32_t least = plan.leastSamples();
+        if (least < kEvenSamples || !isPathTraced(settings.look)) {
+            // As many samples as the time that is left has for every pixel; the first picture comes soonest
+            // with one.
+            const double fitting = least == 0 ? 1.0 : rate(false) * leftMs / plan.blockCount();
+            beginEvenPass(least < kEvenSamples ? std::min(fitting, double(kEvenSamples - least)) : fitting);
+        } else {
+            plan.beginAdaptive(noises, kGrowth * plan.meanSamples(), mostPerDispatch());
+        }
+    }
+    return step(std::clamp(leftMs, kLeastDispatchMs, kDispatchMs));
 }
 
 Result<bool> PathTracer::traceFor(double budgetMs, const std::function<bool()>& keepGoing) {
     Impl& t = *impl_;
     const Clock::time_point start = Clock::now();
     MACULA_TRY_VOID(t.prepare());
-    for (bool first = true;; first = false) {
+    for (bool first = true; !t.converged(); first = false) {
         const double leftMs =
             budgetMs - std::chrono::duration<double, std::milli>(Clock::now() - start).count();
         if (leftMs < kLeastDispatchMs && !first) break;
-        // As many samples as the time that is left has for every pixel; the first picture comes soonest with
-        // one.
-        const double fitting = t.samplesDone == 0 ? 1.0 : t.rate() * leftMs / t.blocks();
-        const auto samples =
-            static_cast<std::uint32_t>(std::clamp(fitting, 1.0, double(kMaxVerticesPerDispatch)));
-        MACULA_TRY_VOID(t.step(samples, std::clamp(leftMs, kLeastDispatchMs, kDispatchMs)));
+        MACULA_TRY_VOID(t.stepFor(leftMs));
         if (keepGoing && !keepGoing()) break;
     }
-    return t.passSamples == 0;
+    return !t.plan.hasPass();
+}
+
+Result<ErrorEstimate> PathTracer::estimateError() {
+    Impl& t = *impl_;
+    MACULA_TRY_VOID(t.prepare());
+    while (!t.estimate || t.measuredEdition != t.edition) MACULA_TRY_VOID(t.measureSome());
+    return *t.estimate;
 }
 
 Result<const gpu::Image*> PathTracer::display(const glm::vec3& background, Smoothing smoothing) {
@@ -442,6 +503,7 @@ Result<TracedImage> PathTracer::readback() {
     MACULA_TRY(const auto counts, gpu::read<std::uint32_t>(t.film->counts()));
     MACULA_TRY(const auto squares, gpu::read<glm::vec2>(t.film->squares()));
     image.depthMm.resize(pixels.size(), std::numeric_limits<float>::infinity());
+    image.samples = counts;
     image.variance.resize(pixels.size(), glm::vec2(std::numeric_limits<float>::infinity()));
     for (std::size_t i = 0; i < pixels.size(); ++i) {
         image.variance[i] = varianceOfMean(image.radiance[i], squares[i].x, counts[i]);
@@ -461,9 +523,12 @@ Result<Statistics> PathTracer::statistics() const {
     statistics.messages = t.scene.messages();
     statistics.denoised = isDenoised(t.settings);
     if (t.paramsStale) return statistics;
-    statistics.samplesPerPixel = t.samplesDone;
+    statistics.samplesPerPixel = t.plan.leastSamples();
+    statistics.meanSamplesPerPixel = t.plan.meanSamples();
+    if (t.estimate) statistics.estimatedError = t.estimate->rms;
+    statistics.converged = t.converged();
     statistics.deviceMs = t.deviceMs;
-    if (t.samplesDone > 0 || t.passBlock > 0) {
+    if (statistics.meanSamplesPerPixel > 0.0) {
         MACULA_TRY(const auto faults, t.film->faults());
         statistics.nonFiniteSamples = faults.nonFinite;
         statistics.abandonedSamples = faults.abandoned;

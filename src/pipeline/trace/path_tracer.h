@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <functional>
 #include <glm/glm.hpp>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -19,6 +20,7 @@
 #include "pipeline/gpu/resources.h"
 #include "pipeline/trace/environment.h"
 #include "pipeline/trace/guides.h"
+#include "pipeline/trace/sampling_plan.h"
 #include "pipeline/trace/settings.h"
 #include "pipeline/trace/voxel_memory.h"
 #include "pipeline/volume/clip.h"
@@ -27,7 +29,12 @@
 namespace macula::trace {
 
 struct Statistics {
-    std::uint64_t samplesPerPixel = 0;
+    std::uint64_t samplesPerPixel = 0;  // that every pixel has, see traceFor()
+    double meanSamplesPerPixel = 0.0;   // what they have on average
+    // Standard error of what is shown, display-encoded, 0 to 1, RMS over the parts of the picture that show
+    // something; as of the last pass of traceFor() or estimateError(). +infinity before.
+    double estimatedError = std::numeric_limits<double>::infinity();
+    bool converged = false;  // it is below Settings::errorThreshold, and nowhere far above
     std::uint64_t nonFiniteSamples = 0;  // dropped from the picture, never hidden
     std::uint64_t abandonedSamples = 0;  // likewise: paths too long for the device
     bool denoised = false;               // whether display() and readback() give a filtered picture
@@ -47,6 +54,7 @@ struct TracedImage {
     // Of the mean over the samples of this view, as it was before any denoising: of its luminance (Rec. 709)
     // and of its coverage; +infinity for fewer than two samples.
     std::vector<glm::vec2> variance;
+    std::vector<std::uint32_t> samples;  // of each pixel, finite ones
     bool denoised = false;  // then `radiance` is filtered, and may use what earlier views knew
 };
 
@@ -76,14 +84,20 @@ class PathTracer {
 
     // Adds `samplesPerPixel` samples to every pixel, in short dispatches; `keepGoing` (may be empty) is asked
     // between dispatches, and a picture that was interrupted is finished by the next call. Returns whether
-    // every pixel now has the same number of samples.
+    // all of these samples were added.
     Result<bool> trace(std::uint32_t samplesPerPixel, const std::function<bool()>& keepGoing = {});
 
-    // Adds samples for about `budgetMs`, at least one dispatch, and stops within 20 ms of it on the slowest
-    // device once its kernels are compiled (the first dispatch of a kind compiles one). A pass over the
-    // picture that is not finished leaves some pixels with more samples than others; the next call goes on
-    // with it. Returns as trace().
+    // Adds samples for about `budgetMs` (may be infinite), at least one dispatch, and stops within 20 ms of it
+    // on the slowest device once its kernels are compiled (the first dispatch of a kind compiles one); earlier
+    // when the picture has converged, see Settings::errorThreshold, and does nothing then. After a few even
+    // samples light paths go where the picture is noisiest (sampling_plan.h), so that pixels have different
+    // numbers of samples; rays that are cast, which have no noise, stay even. A pass that is not finished is
+    // gone on with by the next call. Returns whether none is left unfinished.
     Result<bool> traceFor(double budgetMs, const std::function<bool()>& keepGoing = {});
+
+    // How noisy the picture is so far; what traceFor() decides by, for whoever adds samples by trace(). Of rays
+    // that are cast it is an upper bound: their samples are spread more evenly than chance would.
+    Result<ErrorEstimate> estimateError();  // waits
 
     // The tone-mapped picture so far, display-encoded RGBA8, premultiplied over `background` (linear). Stays
     // on the device, in layout GENERAL, size of the view, valid until the next setView.

@@ -49,6 +49,9 @@ struct Settings {
     double lightRotationDeg = 0.0;
     double lightStrength = 1.0;       // 0 or above; multiplies the light
     Shading shading = Shading::none;  // of Look::dvr
+    // traceFor() stops when the standard error of what is shown (display-encoded, 0 to 1) is estimated to be
+    // at most this; 0: never.
+    double errorThreshold = 0.0;
     // What projections are seen through; else the series' first window, else all of its values.
     std::optional<DisplayWindow> window = {};
 

@@ -1,0 +1,75 @@
+// How noisy a picture is where it is looked at: the standard error of each pixel's mean, as the display shows it.
+//
+// Needs picture.glsl, and from its host: fetchSums, fetchCount and fetchSquares, by index of a pixel.
+
+// What is not finite, or brighter than any display, is taken as this.
+#define MOST_VARIANCE 1e12
+// From so many samples on, a pixel's own variance counts more than that of its block.
+#define SAMPLES_OF_ITS_OWN 16.0
+
+struct PixelNoise {
+    float light;     // exposed luminance of the mean
+    float variance;  // of one sample
+    float samples;
+};
+
+// Coverage is noise too where something else will show through: `backdrop` is the luminance that is expected there. In
+// light paths coverage is 0 or 1 in each sample, and so its own square.
+PixelNoise pixelNoise(vec4 sum, uint count, float squares, float exposure, float backdrop) {
+    PixelNoise noise;
+    noise.samples = float(count);
+    float share = float(1.0) / max(noise.samples, float(1.0));
+    float light = luminance(vec3(sum.x, sum.y, sum.z)) * share;
+    float coverage = clamp(sum.w * share, float(0.0), float(1.0));
+    float ofLight = max(squares * share - light * light, float(0.0)) * exposure * exposure;
+    float ofCoverage = coverage * (float(1.0) - coverage) * backdrop * backdrop;
+    float variance = (ofLight + ofCoverage) * noise.samples / max(noise.samples - float(1.0), float(1.0));
+    noise.variance = isFinite(vec4(variance)) ? min(variance, float(MOST_VARIANCE)) : float(MOST_VARIANCE);
+    noise.light = isFinite(vec4(light * exposure)) ? min(max(light * exposure, float(0.0)), float(1e6)) : float(1e6);
+    return noise;
+}
+
+float shownGrey(float light) {
+    vec3 mapped = toneMapNeutral(vec3(light));
+    return encodeSrgb(mapped.x);
+}
+
+// Not by the slope of the curve, which says nothing of noise as large as the picture: half of what lies between one
+// standard error less and one more.
+float shownError(float light, float standardError) {
+    return float(0.5) * (shownGrey(light + standardError) - shownGrey(max(light - standardError, float(0.0))));
+}
+
+// Mean square of the error of the pixels of a block, and 1 where some sample met something. With few samples a pixel may
+// have none of the bright ones: it is taken to vary as those around it do. A pixel with fewer than two samples is not
+// known at all.
+vec2 noiseOfBlock(ivec2 block, ivec2 imageSize, float exposure, float backdrop) {
+    float pixels = float(0.0);
+    float pooled = float(0.0);
+    float seen = float(0.0);
+    for (int i = 0; i < 64; ++i) {
+        ivec2 pixel = block * 8 + ivec2(i & 7, i >> 3);
+        ivec2 inside = clamp(pixel, ivec2(0), imageSize - ivec2(1));
+        float weight = pixel.x == inside.x && pixel.y == inside.y ? float(1.0) : float(0.0);
+        int index = inside.y * imageSize.x + inside.x;
+        vec4 sum = fetchSums(index);
+        PixelNoise noise = pixelNoise(sum, fetchCount(index), fetchSquares(index), exposure, backdrop);
+        pixels += weight;
+        pooled += weight * noise.variance;
+        seen = max(seen, sum.x != float(0.0) || sum.y != float(0.0) || sum.z != float(0.0) || sum.w != float(0.0) ? weight : float(0.0));
+    }
+    pooled /= max(pixels, float(1.0));
+    float squares = float(0.0);
+    for (int i = 0; i < 64; ++i) {
+        ivec2 pixel = block * 8 + ivec2(i & 7, i >> 3);
+        ivec2 inside = clamp(pixel, ivec2(0), imageSize - ivec2(1));
+        float weight = pixel.x == inside.x && pixel.y == inside.y ? float(1.0) : float(0.0);
+        int index = inside.y * imageSize.x + inside.x;
+        PixelNoise noise = pixelNoise(fetchSums(index), fetchCount(index), fetchSquares(index), exposure, backdrop);
+        float more = max(noise.samples - float(1.0), float(0.0));
+        float variance = (float(SAMPLES_OF_ITS_OWN) * pooled + more * noise.variance) / (float(SAMPLES_OF_ITS_OWN) + more);
+        float error = noise.samples < float(1.5) ? float(1.0) : shownError(noise.light, sqrt(variance / noise.samples));
+        squares += weight * error * error;
+    }
+    return vec2(squares / max(pixels, float(1.0)), seen);
+}

@@ -1,0 +1,49 @@
+// How noisy each block of a picture is so far, measured on the device from what its samples say.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "base/result.h"
+#include "pipeline/gpu/kernel.h"
+#include "pipeline/gpu/resources.h"
+#include "pipeline/trace/film.h"
+#include "pipeline/trace/settings.h"
+#include "shared/trace_params.h"
+
+namespace macula::trace {
+
+// Of one size of picture. Used by one thread at a time, the one that uses the device.
+class NoiseMap {
+  public:
+    static Result<NoiseMap> create(const std::shared_ptr<gpu::Device>& device, int width, int height);
+
+    int width() const { return width_; }
+    int height() const { return height_; }
+
+    // Measures again, from the first block; what was measured is no more of use.
+    void begin() { measured_ = 0; }
+    bool isWhole() const { return measured_ == blocks_; }
+    // One short dispatch: the next blocks, all that are left on a graphics card. Waits.
+    Result<void> measureSome(const Film& film, const Settings& settings);
+    // Of the blocks of the picture, row by row; waits. Only when whole.
+    Result<std::vector<shared::BlockNoise>> read() const;
+
+  private:
+    NoiseMap(int width, int height, std::uint32_t blocks, gpu::Kernel kernel, gpu::Buffer noises)
+        : width_(width),
+          height_(height),
+          blocks_(blocks),
+          kernel_(std::move(kernel)),
+          noises_(std::move(noises)) {}
+
+    int width_;
+    int height_;
+    std::uint32_t blocks_;
+    std::uint32_t measured_ = 0;
+    gpu::Kernel kernel_;
+    gpu::Buffer noises_;  // BlockNoise
+};
+
+}  // namespace macula::trace

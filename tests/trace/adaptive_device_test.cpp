@@ -1,0 +1,320 @@
+// Samples where noise is, until there is little left: on the device, as users of the tracer meet it.
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <set>
+
+#include "base/phantom.h"
+#include "pipeline/gpu/transfer.h"
+#include "shader/statistics.h"
+#include "trace/gpu_scene.h"
+#include "trace/scenes.h"
+
+namespace macula::trace {
+namespace {
+
+constexpr double kForever = std::numeric_limits<double>::infinity();
+
+std::shared_ptr<const Volume> smallPhantom() {
+    static const auto volume = std::make_shared<const Volume>(
+        phantom::make({.size = {96, 84, 60}, .spacingMm = {3.2, 3.2, 5.0}}));
+    return volume;
+}
+
+TransferFunction bone() {
+    TransferFunction function = scenes::homogeneous(1.0);
+    function.opacity = {{150, 0.0}, {400, 0.8}};
+    return function;
+}
+
+// Light that is soft, or comes from one lamp so small and strong that few samples meet it: fireflies.
+Environment sky(bool fireflies) {
+    LightRig rig;
+    rig.ambientHorizon = {0.4, 0.4, 0.45};
+    rig.lights = {{.azimuthDeg = 30,
+                   .elevationDeg = 40,
+                   .angularRadiusDeg = fireflies ? 3.0 : 15.0,
+                   .colour = {1, 0.9, 0.8},
+                   .radiance = fireflies ? 300.0 : 8.0}};
+    return Environment::fromRig(rig);
+}
+
+View front(int size) {
+    return {.camera = frameBox(smallPhantom()->worldBox(), ViewDirection::anterior, 30, 1.0),
+            .width = size,
+            .height = size};
+}
+
+class Adaptive : public DeviceTest {
+  protected:
+    // A dispatch at a time to the end of a pass, so that the picture does not depend on the machine.
+    static void traceAbout(PathTracer& t, double samples) {
+        for (bool whole = false; !whole || t.statistics()->meanSamplesPerPixel < samples;) {
+            const auto traced = t.traceFor(0.0);
+            ASSERT_TRUE(traced.ok());
+            whole = *traced;
+        }
+    }
+    static PathTracer phantomTracer(int size, const Settings& settings, bool fireflies = false) {
+        return tracer(smallPhantom(), bone(), sky(fireflies), front(size), settings);
+    }
+    // Display-encoded values of black to white, over the blocks that show something.
+    static double errorOf(PathTracer& t, const std::vector<std::uint8_t>& truth, int size) {
+        const auto shown = *t.readDisplay(glm::vec3(0.0f));
+        const auto image = t.readback();
+        std::set<int> seen;
+        for (int i = 0; i < size * size; ++i) {
+            if (image->radiance[std::size_t(i)].a > 0.0f) seen.insert(i / size / 8 * size + i % size / 8);
+        }
+        double squares = 0.0;
+        double count = 0.0;
+        for (int i = 0; i < size * size; ++i) {
+            if (!seen.contains(i / size / 8 * size + i % size / 8)) continue;
+            for (std::size_t c = 0; c < 3; ++c) {
+                const double d = (double(shown[4 * std::size_t(i) + c]) - truth[4 * std::size_t(i) + c]) / 255.0;
+                squares += d * d;
+                count += 1.0;
+            }
+        }
+        return std::sqrt(squares / count);
+    }
+};
+
+// No sample is drawn twice and none is left out, however the passes went.
+TEST_F(Adaptive, EachPixelHasTheFirstOfItsSamples) {
+    constexpr int kSize = 60;  // blocks are cut at two sides
+    PathTracer t = phantomTracer(kSize, {.seed = 9});
+    traceAbout(t, 20.0);
+    const auto image = t.readback();
+    std::map<std::uint32_t, int> pixels;
+    for (const std::uint32_t count : image->samples) ++pixels[count];
+    ASSERT_GT(pixels.size(), 3u);
+    EXPECT_EQ(t.statistics()->samplesPerPixel, pixels.begin()->first);
+    EXPECT_LT(pixels.begin()->first, 20u);
+    EXPECT_GT(pixels.rbegin()->first, 20u);
+    double sum = 0.0;
+    for (const auto& [count, number] : pixels) sum += double(count) * number;
+    EXPECT_NEAR(t.statistics()->meanSamplesPerPixel, sum / (kSize * kSize), 1e-9);
+
+    PathTracer even = phantomTracer(kSize, {.seed = 9});
+    std::uint32_t done = 0;
+    int compared = 0;
+    for (const auto& [count, number] : pixels) {
+        ASSERT_TRUE(*even.trace(count - done));
+        done = count;
+        const auto expected = even.readback();
+        for (std::size_t i = 0; i < image->samples.size(); ++i) {
+            if (image->samples[i] != count) continue;
+            ++compared;
+            ASSERT_LT(glm::length(image->radiance[i] - expected->radiance[i]), 1e-5f) << i;
+            ASSERT_LE(glm::length(image->variance[i] - expected->variance[i]),
+                      1e-5f + 1e-3f * glm::length(expected->variance[i]));
+        }
+    }
+    EXPECT_EQ(compared, kSize * kSize);
+
+    // And then exactly as many more as are asked for, for every pixel; what was planned is dropped.
+    ASSERT_TRUE(t.traceFor(0.0).ok());
+    const auto before = t.readback()->samples;
+    ASSERT_TRUE(*t.trace(3));
+    const auto after = t.readback()->samples;
+    for (std::size_t i = 0; i < before.size(); ++i) ASSERT_EQ(after[i], before[i] + 3);
+}
+
+// The more noise, the more samples; and with as many in all, less error than even ones have.
+TEST_F(Adaptive, SamplesFollowNoiseAndAreWorthMore) {
+    constexpr int kSize = 96;
+    PathTracer converged = phantomTracer(kSize, {.seed = 1});
+    ASSERT_TRUE(*converged.trace(384));
+    const auto truth = *converged.readDisplay(glm::vec3(0.0f));
+    PathTracer t = phantomTracer(kSize, {.seed = 2});
+    traceAbout(t, 32.0);
+    const double mean = t.statistics()->meanSamplesPerPixel;
+    const auto samples = t.readback()->samples;
+    EXPECT_LT(samples.front(), 0.6 * mean) << "a corner, where nothing is";
+    PathTracer even = phantomTracer(kSize, {.seed = 3});
+    ASSERT_TRUE(*even.trace(std::uint32_t(std::ceil(mean))));
+    const double adaptiveError = errorOf(t, truth, kSize);
+    const double evenError = errorOf(even, truth, kSize);
+    EXPECT_LT(adaptiveError, 0.95 * evenError);
+    RecordProperty("adaptiveError", std::to_string(adaptiveError));
+    RecordProperty("evenError", std::to_string(evenError));
+}
+
+// What is said of the error is true: of soft light, of fireflies, of few samples and of many.
+TEST_F(Adaptive, TheEstimateIsHonest) {
+    constexpr int kSize = 72;
+    for (const bool fireflies : {false, true}) {
+        PathTracer converged = phantomTracer(kSize, {.seed = 1}, fireflies);
+        ASSERT_TRUE(*converged.trace(1024));
+        const auto truth = *converged.readDisplay(glm::vec3(0.0f));
+        for (const std::uint32_t count : {4u, 8u, 32u}) {
+            PathTracer t = phantomTracer(kSize, {.seed = 2}, fireflies);
+            ASSERT_TRUE(*t.trace(count));
+            const double ratio = t.estimateError()->rms / errorOf(t, truth, kSize);
+            EXPECT_NEAR(std::log(ratio), 0.0, std::log(1.25)) << fireflies << " " << count;
+            RecordProperty((fireflies ? "fireflies" : "soft") + std::to_string(count), std::to_string(ratio));
+        }
+        PathTracer t = phantomTracer(kSize, {.seed = 3}, fireflies);
+        traceAbout(t, 24.0);
+        const double ratio = t.estimateError()->rms / errorOf(t, truth, kSize);
+        EXPECT_NEAR(std::log(ratio), 0.0, std::log(1.25)) << fireflies;
+        RecordProperty(fireflies ? "firefliesAdaptive" : "softAdaptive", std::to_string(ratio));
+    }
+}
+
+// Samples decide where the next ones go, which must not lean on the mean: pictures of many seeds against one
+// of even samples, by parts of 8 x 8 pixels. Thresholds: see shader/statistics.h.
+TEST_F(Adaptive, IsNotBiased) {
+    constexpr int kSize = 32;
+    constexpr int kSeeds = 64;
+    constexpr std::size_t kParts = kSize * kSize / 64;
+    const auto add = [](const TracedImage& image, std::vector<double>& sums, std::vector<double>& squares) {
+        std::vector<double> parts(kParts + 1, 0.0);  // the last is the whole
+        for (std::size_t i = 0; i < image.radiance.size(); ++i) {
+            const double light = double(image.radiance[i].g);
+            parts[i / kSize / 8 * (kSize / 8) + i % kSize / 8] += light;
+            parts[kParts] += light;
+        }
+        for (std::size_t i = 0; i <= kParts; ++i) {
+            sums[i] += parts[i];
+            squares[i] += parts[i] * parts[i];
+        }
+    };
+    std::vector<double> sums(kParts + 1), squares(kParts + 1), trueSums(kParts + 1), trueSquares(kParts + 1);
+    constexpr int kTruths = 16;
+    PathTracer t = phantomTracer(kSize, {}, true);
+    for (int seed = 0; seed < kSeeds; ++seed) {
+        ASSERT_TRUE(t.setSettings({.seed = std::uint32_t(100 + seed)}).ok());
+        traceAbout(t, 20.0);
+        add(*t.readback(), sums, squares);
+    }
+    for (int seed = 0; seed < kTruths; ++seed) {
+        ASSERT_TRUE(t.setSettings({.seed = std::uint32_t(1000 + seed)}).ok());
+        ASSERT_TRUE(*t.trace(160));
+        add(*t.readback(), trueSums, trueSquares);
+    }
+    const auto varianceOfMean = [](double sum, double square, int n) {
+        return (square / n - sum / n * sum / n) / (n - 1);
+    };
+    double chi = 0.0;
+    int counted = 0;
+    for (std::size_t i = 0; i <= kParts; ++i) {
+        const double variance = varianceOfMean(sums[i], squares[i], kSeeds) +
+                                varianceOfMean(trueSums[i], trueSquares[i], kTruths);
+        if (variance < 1e-12) continue;
+        const double deviate = (sums[i] / kSeeds - trueSums[i] / kTruths) / std::sqrt(variance);
+        EXPECT_LT(std::abs(deviate), statistics::kDeviateLimit + 1.0) << i;  // Student's t
+        if (i == kParts) {
+            RecordProperty("deviateOfAll", std::to_string(deviate));
+            RecordProperty("relative", std::to_string(sums[i] / kSeeds / (trueSums[i] / kTruths)));
+            RecordProperty("relativeError",
+                           std::to_string(std::sqrt(variance) / (trueSums[i] / kTruths)));
+            continue;
+        }
+        chi += deviate * deviate;
+        ++counted;
+    }
+    ASSERT_GT(counted, 8);
+    EXPECT_LT(chi / counted, 1.15 + statistics::kDeviateLimit * std::sqrt(2.0 / counted));
+}
+
+TEST_F(Adaptive, StopsWhenItHasConvergedAndGoesOnWhenMoreIsAsked) {
+    Settings settings{.seed = 4, .errorThreshold = 0.05};
+    PathTracer t = phantomTracer(48, settings);
+    EXPECT_FALSE(t.statistics()->converged);
+    ASSERT_TRUE(*t.traceFor(kForever));
+    const Statistics coarse = *t.statistics();
+    EXPECT_TRUE(coarse.converged);
+    EXPECT_LE(coarse.estimatedError, 0.05);
+    EXPECT_GE(coarse.samplesPerPixel, 8u);
+    ASSERT_TRUE(*t.traceFor(kForever));  // nothing is left to do
+    EXPECT_EQ(t.statistics()->meanSamplesPerPixel, coarse.meanSamplesPerPixel);
+
+    settings.errorThreshold = 0.025;
+    ASSERT_TRUE(t.setSettings(settings).ok());
+    EXPECT_FALSE(t.statistics()->converged);
+    EXPECT_EQ(t.statistics()->meanSamplesPerPixel, coarse.meanSamplesPerPixel) << "began again";
+    ASSERT_TRUE(*t.traceFor(kForever));
+    const Statistics fine = *t.statistics();
+    EXPECT_TRUE(fine.converged);
+    EXPECT_LE(fine.estimatedError, 0.025);
+    // A quarter of the variance takes four times the samples, but for the whole passes.
+    EXPECT_GT(fine.meanSamplesPerPixel, 2.0 * coarse.meanSamplesPerPixel);
+    EXPECT_LT(fine.meanSamplesPerPixel, 12.0 * coarse.meanSamplesPerPixel);
+    ASSERT_TRUE(t.setView(front(40)).ok());
+    EXPECT_FALSE(t.statistics()->converged);
+    EXPECT_EQ(t.statistics()->estimatedError, kForever);
+}
+
+// Without chance there is nothing to adapt to.
+TEST_F(Adaptive, WhatIsCastStaysEvenAndConvergesToo) {
+    for (const Look look : {Look::dvr, Look::mip}) {
+        PathTracer t = phantomTracer(48, {.look = look, .errorThreshold = 0.02});
+        ASSERT_TRUE(*t.traceFor(kForever));
+        EXPECT_TRUE(t.statistics()->converged);
+        EXPECT_EQ(t.statistics()->meanSamplesPerPixel, double(t.statistics()->samplesPerPixel));
+        EXPECT_LT(t.statistics()->samplesPerPixel, 300u);
+    }
+}
+
+TEST_F(Adaptive, NothingVisibleConvergesAtOnce) {
+    const auto volume = scenes::volumeOf({1, 1, 1}, glm::dmat4(1.0), [](int, int, int) { return 0; });
+    PathTracer t = tracer(volume, scenes::homogeneous(1.0), Environment::constant(glm::vec3(1.0f)),
+                          {.camera = frameBox(volume->worldBox(), ViewDirection::anterior, 30, 1.0),
+                           .width = 9,
+                           .height = 1},
+                          {.errorThreshold = 1e-6});
+    ASSERT_TRUE(*t.traceFor(kForever));
+    EXPECT_TRUE(t.statistics()->converged);
+    EXPECT_EQ(t.statistics()->samplesPerPixel, 8u);
+    EXPECT_EQ(t.statistics()->estimatedError, 0.0);
+}
+
+// What is filtered is the film as it is, in the middle of a pass too.
+TEST_F(Adaptive, DenoisingSeesEverySample) {
+    PathTracer t = phantomTracer(48, {.seed = 5, .denoising = Denoising::on});
+    traceAbout(t, 12.0);
+    const auto before = t.readback();
+    EXPECT_EQ(t.readback()->radiance, before->radiance);
+    while (t.readback()->samples == before->samples) ASSERT_TRUE(t.traceFor(0.0).ok());
+    const auto after = t.readback();
+    EXPECT_TRUE(after->denoised);
+    EXPECT_NE(after->radiance, before->radiance);
+}
+
+// Whoever lets go of a picture waits for one dispatch, and that is short: where paths are as long as they can
+// be, where the picture is large, and when the kernel has to be compiled first.
+TEST_F(Adaptive, IsCancelledAfterOneShortDispatch) {
+    using Clock = std::chrono::steady_clock;
+    TransferFunction dense = scenes::homogeneous(1.0);
+    dense.opacity = {{-50, 0.0}, {0, 0.0}, {300, 0.9}};
+    dense.density = 20.0;
+    PathTracer t = tracer(smallPhantom(), dense, sky(false), front(1024), {.bounces = kMaxBounces});
+    std::vector<double> ms;
+    for (const bool budget : {false, true}) {
+        Clock::time_point asked = Clock::now();
+        int times = 0;
+        const auto keepGoing = [&] {
+            const Clock::time_point now = Clock::now();
+            ms.push_back(std::chrono::duration<double, std::milli>(now - asked).count());
+            asked = now;
+            return ++times < 12;
+        };
+        const auto traced = budget ? t.traceFor(kForever, keepGoing) : t.trace(1000, keepGoing);
+        ASSERT_TRUE(traced.ok());
+        EXPECT_FALSE(*traced);
+        EXPECT_EQ(times, 12) << "one dispatch for each question";
+    }
+    std::string all;
+    for (const double one : ms) all += std::to_string(int(one)) + " ";
+    RecordProperty("ms", all);
+    std::sort(ms.begin(), ms.end());
+    // Of a machine that does other things besides, only what is usual can be asked.
+    EXPECT_LT(ms[ms.size() / 2], 100.0) << all;
+}
+
+}  // namespace
+}  // namespace macula::trace
