@@ -415,7 +415,7 @@ void addRender(CLI::App& app, Action& action) {
         ->check(CLI::Range(1u, kMostSamples));
     command
         ->add_option("--error", o.error,
-                     "Trace until noise is this small, 0.01 of black to white; then --spp is the most")
+                     "Trace until noise is this small, 0.01 of black to white; then --spp is about the most")
         ->check(CLI::Range(1e-4, 1.0));
     command->add_option("--bounces", o.bounces, "Scattering events per path of cinematic (default: 4)")
         ->check(CLI::Range(1, trace::kMaxBounces));

@@ -39,7 +39,7 @@ struct FrameInput {
     Camera camera{};
     EdgeLetters letters{};            // of this camera; they come back with its pictures
     glm::vec3 background{0.02f};      // linear
-    std::uint32_t sampleLimit = 512;  // per pixel; then the picture counts as converged
+    std::uint32_t sampleLimit = 512;  // per pixel; then it counts as converged, if noise is not gone before
     bool interacting = false;         // a hand is moving something: stay fast
 };
 

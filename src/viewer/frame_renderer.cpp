@@ -45,6 +45,8 @@ constexpr std::uint64_t kDenoisedBelow = 64;
 // the small one, which is, stays until the full one is no longer a cloud of dots.
 constexpr double kMostFilterMs = 1000.0;
 constexpr std::uint64_t kFirstPlain = 4;
+// Standard error of what is shown: one step of eight bits, which nobody sees.
+constexpr double kConverged = 1.0 / 255.0;
 
 bool sameCamera(const Camera& a, const Camera& b) {
     return a.positionMm == b.positionMm && a.targetMm == b.targetMm && a.up == b.up &&
@@ -85,6 +87,7 @@ FrameRenderer::~FrameRenderer() {
 }
 
 void FrameRenderer::accept(FrameInput input) {
+    input.settings.errorThreshold = kConverged;
     if (input.surface != input_.surface) releaseSurface();
     if (input.study != input_.study || input.volume != input_.volume) {
         // Nobody may take the picture of one patient for that of the next, not even while this one is
@@ -301,12 +304,19 @@ Result<void> FrameRenderer::stepMoving(const Interrupts& interrupts) {
 }
 
 Result<void> FrameRenderer::stepConverging(const Interrupts& interrupts) {
-    MACULA_TRY(const bool complete,
-               tracer_->trace(1, [&] { return !interrupts.newInput() && !interrupts.stopping(); }));
-    if (!complete) return {};
+    const auto keepGoing = [&] { return !interrupts.newInput() && !interrupts.stopping(); };
+    MACULA_TRY(const trace::Statistics before, tracer_->statistics());
+    if (before.samplesPerPixel < trace::kEvenSamples) {
+        // One at a time: each of the first is seen.
+        MACULA_TRY(const bool complete, tracer_->trace(1, keepGoing));
+        if (!complete) return {};
+    } else {
+        MACULA_TRY_VOID(tracer_->traceFor(double(kShowInterval.count()), keepGoing));
+        if (!keepGoing()) return {};
+    }
     MACULA_TRY(const trace::Statistics statistics, tracer_->statistics());
-    const std::uint64_t samples = statistics.samplesPerPixel;
-    const bool last = samples >= input_.sampleLimit;
+    const auto samples = static_cast<std::uint64_t>(statistics.meanSamplesPerPixel);
+    const bool last = statistics.converged || statistics.meanSamplesPerPixel >= input_.sampleLimit;
     if (last) stage_ = Stage::converged;
     if (stillIsDenoised_ && samples >= kDenoisedBelow) {
         stillIsDenoised_ = false;
@@ -354,7 +364,7 @@ Result<void> FrameRenderer::show(const gpu::Image& picture) {
                            .width = view_.width,
                            .height = view_.height,
                            .scale = scale_,
-                           .samplesPerPixel = statistics.samplesPerPixel,
+                           .samplesPerPixel = static_cast<std::uint64_t>(statistics.meanSamplesPerPixel),
                            .sampleLimit = input_.sampleLimit,
                            .denoised = statistics.denoised,
                            .framesPerSecond = framesPerSecond(),

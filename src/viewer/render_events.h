@@ -41,7 +41,7 @@ struct FrameShown {
     int width = 0;  // of the traced picture; the window's, divided by `scale`
     int height = 0;
     int scale = 1;
-    std::uint64_t samplesPerPixel = 0;
+    std::uint64_t samplesPerPixel = 0;  // on average: noise decides where they go
     std::uint64_t sampleLimit = 0;
     bool denoised = false;             // filtered: smooth, and not quite what was traced
     double framesPerSecond = 0.0;      // of pictures shown lately; 0 when there was only one

@@ -46,6 +46,8 @@ TEST_F(BadInput, Options) {
     expectRefused(2, "--size", with("--size", "0x100"));
     expectRefused(2, "--size", with("--size", "640x480garbage"));
     expectRefused(2, "--spp", with("--spp", "0"));
+    expectRefused(2, "--error", with("--error", "0"));
+    expectRefused(2, "--error", with("--error", "nan"));
     expectRefused(2, "--spp", with("--spp", "many"));
     expectRefused(2, "--bounces", with("--bounces", "0"));
     expectRefused(2, "--fov", with("--fov", "180"));

@@ -41,10 +41,31 @@ TEST_F(Render, PhantomToPng) {
     EXPECT_EQ(fileCount(), 2u);
     const auto statistics = nlohmann::json::parse(readAll(at("a.json")));
     EXPECT_EQ(statistics["samplesPerPixel"], 4);
+    EXPECT_EQ(statistics["meanSamplesPerPixel"], 4.0);
+    EXPECT_GT(statistics["estimatedError"], 0.01);
+    EXPECT_EQ(statistics["converged"], false);  // nothing was asked for
     EXPECT_EQ(statistics["nonFiniteSamples"], 0);
     EXPECT_EQ(statistics["abandonedSamples"], 0);
     EXPECT_EQ(statistics["series"], "phantom");
     EXPECT_EQ(statistics["preset"], "cinematic-chest");
+}
+
+TEST_F(Render, UntilNoiseIsGone) {
+    const Ran ran = runMacula(
+        {"render", "-o", at("a.png"), "--size", "48x40", "--error", "0.06", "--json", at("a.json")});
+    ASSERT_EQ(ran.exitCode, 0) << ran.err;
+    auto statistics = nlohmann::json::parse(readAll(at("a.json")));
+    EXPECT_EQ(statistics["converged"], true);
+    EXPECT_LE(statistics["estimatedError"], 0.06);
+    EXPECT_GE(statistics["samplesPerPixel"], 8);
+    EXPECT_GT(statistics["meanSamplesPerPixel"], statistics["samplesPerPixel"]);
+    // Then --spp is the most that it may take.
+    render("b.png", {"--error", "0.0001", "--json", at("b.json")});
+    statistics = nlohmann::json::parse(readAll(at("b.json")));
+    EXPECT_EQ(statistics["converged"], false);
+    EXPECT_GE(statistics["meanSamplesPerPixel"], 4);
+    EXPECT_LT(statistics["meanSamplesPerPixel"], 200);
+    EXPECT_EQ(statistics["notes"].back(), "The picture is noisier than was asked for.");
 }
 
 TEST_F(Render, EveryPresetAndRigShowsSomething) {

@@ -21,8 +21,8 @@ struct NoiseHost : GlslInCpp<double> {
     uint fetchCount(int pixel) const { return counts_[std::size_t(pixel)]; }
     double fetchSquares(int pixel) const { return squares_[std::size_t(pixel)]; }
 #define float double
-#include "lib/picture.glsl"
 #include "lib/noise.glsl"
+#include "lib/picture.glsl"
 #undef float
 
     explicit NoiseHost(std::size_t pixels)

@@ -83,8 +83,7 @@ TEST(SamplingPlan, WeightsAreWhatTheHeaderSays) {
                         mean += weight;
                         ++seenCount;
                     } else if (pass == 1) {
-                        const double expected =
-                            std::clamp(weight, (seen ? 0.25 : 0.0625) * mean, 8.0 * mean);
+                        const double expected = std::clamp(weight, (seen ? 0.25 : 0.0625) * mean, 8.0 * mean);
                         EXPECT_NEAR(weights[std::size_t(y * blocks.x + x)], expected, 1e-5 * expected);
                     }
                 }
@@ -122,7 +121,8 @@ TEST(SamplingPlan, EvenPassesGiveEachBlockTheSameInAnOrderThatIsSpread) {
 }
 
 TEST(SamplingPlan, SamplesComeToBeInProportionToNoise) {
-    constexpr int kEdge = 24;  // blocks; noise grows from left to right, smoothly, so that pooling changes little
+    constexpr int kEdge =
+        24;  // blocks; noise grows from left to right, smoothly, so that pooling changes little
     const auto deviation = [](int x) { return 0.02f * (1.0f + 3.0f * float(x) / (kEdge - 1)); };
     SamplingPlan plan(8 * kEdge, 8 * kEdge);
     plan.beginEven(8);
@@ -179,7 +179,8 @@ TEST(SamplingPlan, TakesWhateverNoiseThereIs) {
                     SamplingPlan plan(size, 3);
                     plan.beginEven(8);
                     givenBy(plan);
-                    std::vector<BlockNoise> noises(plan.blockCount(), {.squaredError = error, .isSeen = seen});
+                    std::vector<BlockNoise> noises(plan.blockCount(),
+                                                   {.squaredError = error, .isSeen = seen});
                     noises.front().squaredError = 1e-6f;
                     plan.beginAdaptive(noises, 4.0, most);
                     ASSERT_TRUE(plan.hasPass());
@@ -202,7 +203,8 @@ TEST(SamplingPlan, AnEstimateIsOfWhatIsSeen) {
     EXPECT_TRUE(isConverged(estimateOf(noises), 0.0101));
     EXPECT_FALSE(isConverged(estimateOf(noises), 0.0099));
     EXPECT_FALSE(isConverged(estimateOf(noises), 0.0));
-    for (int i = 0; i < 10; ++i) noises[std::size_t(i)].squaredError = 9e-4f;  // a tenth is three times as noisy
+    for (int i = 0; i < 10; ++i)
+        noises[std::size_t(i)].squaredError = 9e-4f;  // a tenth is three times as noisy
     EXPECT_NEAR(estimateOf(noises).rms, std::sqrt(1.8e-4), 1e-6);
     EXPECT_NEAR(estimateOf(noises).nearlyWorst, 0.03, 1e-6);
     EXPECT_FALSE(isConverged(estimateOf(noises), 0.0145));

@@ -31,8 +31,9 @@ constexpr double kDispatchMs = 40.0;
 constexpr double kLeastDispatchMs = 4.0;     // less is mostly overhead
 constexpr std::uint32_t kMaxBlocks = 65535;  // of one dispatch: what every device allows
 constexpr std::uint32_t kMinBlocks = 4;      // so that no thread of a CPU device is idle
-constexpr double kFirstRate = 0.5;           // block samples per ms, before anything is known: a slow CPU
-constexpr double kDenser = 0.5;  // of the rate of even passes: the blocks that noise chooses take longer
+constexpr double kFirstRate = 0.1;  // block samples per ms, before anything is known: a very slow CPU
+constexpr double kFaster = 2.0;     // at most so much larger is a dispatch than the one before
+constexpr double kDenser = 0.5;     // of the rate of even passes: the blocks that noise chooses take longer
 // Several samples of a pixel in one dispatch keep a lane busy while its neighbours' paths are longer. Not too
 // many vertices in all: see kMaxRounds in path.comp.
 constexpr int kMaxVerticesPerDispatch = 64;
@@ -195,10 +196,10 @@ Result<void> PathTracer::setSettings(const Settings& settings) {
     same.errorThreshold = impl_->settings.errorThreshold;
     const bool changed = same != impl_->settings;
     // What is shown of the samples, and how many are enough.
-    const bool onlyAfterwards =
-        !changed && settings.seed == impl_->settings.seed && settings.exposure == impl_->settings.exposure &&
-        (settings.denoising != impl_->settings.denoising ||
-         settings.errorThreshold != impl_->settings.errorThreshold);
+    const bool onlyAfterwards = !changed && settings.seed == impl_->settings.seed &&
+                                settings.exposure == impl_->settings.exposure &&
+                                (settings.denoising != impl_->settings.denoising ||
+                                 settings.errorThreshold != impl_->settings.errorThreshold);
     impl_->settings = settings;
     if (onlyAfterwards) return {};
     impl_->matterChanged = impl_->matterChanged || changed;
@@ -337,8 +338,8 @@ Result<void> PathTracer::Impl::traceBlocks(std::span<const shared::PlannedBlock>
     std::vector<gpu::Binding> bindings = scene.bindings();
     film->appendTo(bindings);
     bindings.emplace_back(*planned);
-    recorder.dispatch(*found.kernel, {static_cast<std::uint32_t>(blocks.size()) * shared::kBlockEdge,
-                                      shared::kBlockEdge},
+    recorder.dispatch(*found.kernel,
+                      {static_cast<std::uint32_t>(blocks.size()) * shared::kBlockEdge, shared::kBlockEdge},
                       bindings);
     const auto begin = Clock::now();
     MACULA_TRY(const gpu::Ticket ticket, recorder.submit());
@@ -346,8 +347,10 @@ Result<void> PathTracer::Impl::traceBlocks(std::span<const shared::PlannedBlock>
     const double ms = std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
     double samples = 0.0;
     for (const shared::PlannedBlock& block : blocks) samples += block.sampleCount;
+    // Slower is believed at once, faster only by and by: a few blocks may be empty, and the next ones not.
     double& known = rate(plan.isAdaptive());
-    if (warm) known = 0.5 * (known + samples / std::max(ms, 1e-3));
+    const double measured = samples / std::max(ms, 1e-3);
+    if (warm) known = measured < known ? measured : std::min(0.5 * (known + measured), kFaster * known);
     warm = true;
     deviceMs += ms;
     ++edition;

@@ -62,7 +62,9 @@ struct TracedImage {
 // before the tone map. It trades sharpness for noise and is never part of readback().
 enum class Smoothing { none = 0, slight = 1, strong = 2 };  // radius in pixels
 
-// Used by one thread at a time, the one that uses the device. Setters upload; trace() accumulates.
+// Used by one thread at a time, the one that uses the device. Setters upload; trace() accumulates. Whoever
+// cancels waits for one dispatch, at most some 40 ms once it is known how fast the device is, and for the
+// compiling of a kernel when it is the first of its kind: 50 to 100 ms on lavapipe.
 class PathTracer {
   public:
     static Result<PathTracer> create(std::shared_ptr<gpu::Device> device, const MemoryLimits& limits = {});

@@ -162,8 +162,8 @@ void SamplingPlan::beginAdaptive(std::span<const shared::BlockNoise> noises, dou
     }
     counts_.resize(samples_.size());
     for (std::size_t i = 0; i < weights.size(); ++i)
-        counts_[i] = static_cast<std::uint16_t>(
-            visit(high * double(weights[i]) - samples_[i], worthIt, limit));
+        counts_[i] =
+            static_cast<std::uint16_t>(visit(high * double(weights[i]) - samples_[i], worthIt, limit));
     passMost_ = *std::max_element(counts_.begin(), counts_.end());
     position_ = 0;
 }
@@ -182,8 +182,7 @@ std::vector<shared::PlannedBlock> SamplingPlan::next(double blockSamples, std::u
         sum += count;
     }
     // What is left may be nothing at all: then the pass is over.
-    while (hasPass() && !counts_.empty() &&
-           counts_[std::uint64_t(position_) * stride_ % blockCount()] == 0) {
+    while (hasPass() && !counts_.empty() && counts_[std::uint64_t(position_) * stride_ % blockCount()] == 0) {
         ++position_;
     }
     return planned;

@@ -53,7 +53,8 @@ class SamplingPlan {
 
     // A pass under way is dropped: what it has done stays.
     void beginEven(std::uint32_t samples);
-    // About `mean` samples for each block, but not so many that `most` for one of them leaves no room to adapt.
+    // About `mean` samples for each block, but not so many that `most` for one of them leaves no room to
+    // adapt.
     void beginAdaptive(std::span<const shared::BlockNoise> noises, double mean, std::uint32_t most);
     void dropPass() { position_ = blockCount(); }
 
