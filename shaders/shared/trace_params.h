@@ -74,7 +74,8 @@ struct TraceParams {
 
 MACULA_SHARED_CONST int kBlockEdge = 8;  // pixels; a work group traces such a square of the picture
 
-// What a work group does in a dispatch, see src/pipeline/trace/sampling_plan.h. Blocks are numbered row by row.
+// What a work group does in a dispatch, see src/pipeline/trace/sampling_plan.h. Blocks are numbered row by
+// row.
 struct PlannedBlock {
     uint block;
     uint firstSample;  // index of its first sample, for the random sequence

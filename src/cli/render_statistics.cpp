@@ -31,8 +31,7 @@ image::Metadata metadata(const RenderRecord& record) {
 }
 
 Result<void> writeStatistics(const RenderRecord& record, const std::filesystem::path& path) {
-    const double pixelSamples =
-        record.statistics.meanSamplesPerPixel * record.width * record.height;
+    const double pixelSamples = record.statistics.meanSamplesPerPixel * record.width * record.height;
     const nlohmann::ordered_json json = {
         {"version", MACULA_VERSION},
         {"series", record.seriesDigest},

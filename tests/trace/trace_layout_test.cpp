@@ -83,9 +83,9 @@ TEST(TraceLayout, ParametersAndPushConstantsAgreeInEveryKernel) {
     }
     const auto noise = gpu::reflectSpirv(shaders::trace_noise_comp.words);
     ASSERT_TRUE(noise.ok());
-    expectLayoutMatches<shared::BlockNoise>(*noise->bindings.back().block.find("noises"),
-                                            {MACULA_FIELD(shared::BlockNoise, squaredError),
-                                             MACULA_FIELD(shared::BlockNoise, isSeen)});
+    expectLayoutMatches<shared::BlockNoise>(
+        *noise->bindings.back().block.find("noises"),
+        {MACULA_FIELD(shared::BlockNoise, squaredError), MACULA_FIELD(shared::BlockNoise, isSeen)});
     expectLayoutMatches<shared::NoisePush>(
         *noise->pushConstants->block.find("push"),
         {MACULA_FIELD(shared::NoisePush, imageSize), MACULA_FIELD(shared::NoisePush, firstBlock),

@@ -34,7 +34,7 @@ struct Statistics {
     // Standard error of what is shown, display-encoded, 0 to 1, RMS over the parts of the picture that show
     // something; as of the last pass of traceFor() or estimateError(). +infinity before.
     double estimatedError = std::numeric_limits<double>::infinity();
-    bool converged = false;  // it is below Settings::errorThreshold, and nowhere far above
+    bool converged = false;              // it is below Settings::errorThreshold, and nowhere far above
     std::uint64_t nonFiniteSamples = 0;  // dropped from the picture, never hidden
     std::uint64_t abandonedSamples = 0;  // likewise: paths too long for the device
     bool denoised = false;               // whether display() and readback() give a filtered picture
@@ -55,7 +55,7 @@ struct TracedImage {
     // and of its coverage; +infinity for fewer than two samples.
     std::vector<glm::vec2> variance;
     std::vector<std::uint32_t> samples;  // of each pixel, finite ones
-    bool denoised = false;  // then `radiance` is filtered, and may use what earlier views knew
+    bool denoised = false;               // then `radiance` is filtered, and may use what earlier views knew
 };
 
 // For previews of few samples that are not denoised: a binomial filter over the means of neighbouring pixels,
@@ -89,16 +89,16 @@ class PathTracer {
     // all of these samples were added.
     Result<bool> trace(std::uint32_t samplesPerPixel, const std::function<bool()>& keepGoing = {});
 
-    // Adds samples for about `budgetMs` (may be infinite), at least one dispatch, and stops within 20 ms of it
-    // on the slowest device once its kernels are compiled (the first dispatch of a kind compiles one); earlier
-    // when the picture has converged, see Settings::errorThreshold, and does nothing then. After a few even
-    // samples light paths go where the picture is noisiest (sampling_plan.h), so that pixels have different
-    // numbers of samples; rays that are cast, which have no noise, stay even. A pass that is not finished is
-    // gone on with by the next call. Returns whether none is left unfinished.
+    // Adds samples for about `budgetMs` (may be infinite), at least one dispatch, and stops within 20 ms of
+    // it on the slowest device once its kernels are compiled (the first dispatch of a kind compiles one);
+    // earlier when the picture has converged, see Settings::errorThreshold, and does nothing then. After a
+    // few even samples light paths go where the picture is noisiest (sampling_plan.h), so that pixels have
+    // different numbers of samples; rays that are cast, which have no noise, stay even. A pass that is not
+    // finished is gone on with by the next call. Returns whether none is left unfinished.
     Result<bool> traceFor(double budgetMs, const std::function<bool()>& keepGoing = {});
 
-    // How noisy the picture is so far; what traceFor() decides by, for whoever adds samples by trace(). Of rays
-    // that are cast it is an upper bound: their samples are spread more evenly than chance would.
+    // How noisy the picture is so far; what traceFor() decides by, for whoever adds samples by trace(). Of
+    // rays that are cast it is an upper bound: their samples are spread more evenly than chance would.
     Result<ErrorEstimate> estimateError();  // waits
 
     // The tone-mapped picture so far, display-encoded RGBA8, premultiplied over `background` (linear). Stays
