@@ -246,6 +246,8 @@ Result<Effort> effortOf(const Options& options) {
     effort.samplesPerPixel = options.samplesPerPixel.value_or(effort.samplesPerPixel);
     effort.settings.bounces = options.bounces.value_or(effort.settings.bounces);
     if (options.denoise) effort.settings.denoising = trace::Denoising::on;
+    if (std::isnan(options.error))  // which is neither below nor above any limit
+        return Error{ErrorCode::usage, "The error is not usable.", {}, "Give --error from 0.0001 to 1."};
     effort.settings.errorThreshold = options.error;
     if (options.error > 0.0) effort.samplesPerPixel = options.samplesPerPixel.value_or(kMostSamples);
     return effort;
