@@ -36,6 +36,10 @@ std::uint32_t spreadingStride(std::uint32_t blocks) {
     return stride;
 }
 
+std::size_t indexOf(glm::ivec2 blocks, int x, int y) {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(blocks.x) + static_cast<std::size_t>(x);
+}
+
 double known(float squaredError) {
     return squaredError >= 0.0f && squaredError <= 1.0f ? static_cast<double>(squaredError) : 1.0;
 }
@@ -76,12 +80,12 @@ std::vector<float> samplingWeights(glm::ivec2 blocks, std::span<const shared::Bl
     std::size_t seenCount = 0;
     for (int y = 0; y < blocks.y; ++y) {
         for (int x = 0; x < blocks.x; ++x) {
-            const auto here = static_cast<std::size_t>(y * blocks.x + x);
+            const auto here = indexOf(blocks, x, y);
             double variance = 0.0;  // of one sample
             int neighbours = 0;
             for (int v = std::max(y - 1, 0); v <= std::min(y + 1, blocks.y - 1); ++v) {
                 for (int u = std::max(x - 1, 0); u <= std::min(x + 1, blocks.x - 1); ++u) {
-                    const auto at = static_cast<std::size_t>(v * blocks.x + u);
+                    const auto at = indexOf(blocks, u, v);
                     variance += known(noises[at].squaredError) * samples[at];
                     seen[here] = seen[here] || noises[at].isSeen != 0;
                     ++neighbours;
@@ -121,7 +125,7 @@ double SamplingPlan::meanSamples() const {
         const int rows = std::min(kBlock, size_.y - kBlock * y);
         for (int x = 0; x < blocks_.x; ++x) {
             const int columns = std::min(kBlock, size_.x - kBlock * x);
-            sum += double(samples_[static_cast<std::size_t>(y * blocks_.x + x)]) * rows * columns;
+            sum += double(samples_[indexOf(blocks_, x, y)]) * rows * columns;
         }
     }
     return samples_.empty() ? 0.0 : sum / (double(size_.x) * size_.y);
