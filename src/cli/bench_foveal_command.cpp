@@ -43,13 +43,15 @@ Result<void> benchFoveal(const Options& options) {
                      {"referenceTraceMs", report.times.referenceTraceMs},
                      {"totalOverReferenceTrace", report.ratio}};
     if (options.foveal.convergedSamples > 0) {
-        json["timeToError"] = {{"flip", options.foveal.flip},
-                               {"convergedSamples", options.foveal.convergedSamples},
-                               {"flipOfItsHalf", report.convergedFlip},
-                               {"plain", toJson(report.plain)},
-                               {"denoised", toJson(report.denoised)}};
-        if (report.plain.reached && report.denoised.reached)
-            json["timeToError"]["denoisedOverPlain"] = report.denoised.ms / report.plain.ms;
+        json["timeToError"] = {
+            {"flip", options.foveal.flip},           {"convergedSamples", options.foveal.convergedSamples},
+            {"flipOfItsHalf", report.convergedFlip}, {"plain", toJson(report.plain)},
+            {"denoised", toJson(report.denoised)},   {"adaptiveDenoised", toJson(report.adaptive)}};
+        const auto ratio = [&](const char* name, const TimeToError& time) {
+            if (time.reached && report.plain.reached) json["timeToError"][name] = time.ms / report.plain.ms;
+        };
+        ratio("denoisedOverPlain", report.denoised);
+        ratio("adaptiveDenoisedOverPlain", report.adaptive);
     }
     fmt::print("{}\n", json.dump(4));
     return {};

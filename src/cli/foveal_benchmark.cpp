@@ -32,6 +32,8 @@ double median(std::vector<double> values) {
     return *middle;
 }
 
+enum class Sampling { even, adaptive };
+
 class Bench {
   public:
     Bench(const BenchStudy& study, const FovealOptions& options, Progress& progress)
@@ -57,6 +59,23 @@ class Bench {
         MACULA_TRY(const bool whole, tracer.trace(samples, [&] { return !progress_.cancelled(); }));
         if (!whole || progress_.cancelled()) return cancelled();
         return {};
+    }
+
+    Result<void> traceMore(trace::PathTracer& tracer, Sampling sampling) const {
+        if (sampling == Sampling::even) return trace(tracer, 1);
+        constexpr double kPortionMs = 100.0;
+        MACULA_TRY_VOID(tracer.traceFor(kPortionMs, [&] { return !progress_.cancelled(); }));
+        return progress_.cancelled() ? Result<void>(cancelled()) : Result<void>();
+    }
+
+    Result<void> guides(trace::PathTracer& tracer) const {
+        MACULA_TRY([[maybe_unused]] const trace::Guides* computed, tracer.guides());
+        return study_.device->waitForAll();
+    }
+
+    Result<void> display(trace::PathTracer& tracer) const {
+        MACULA_TRY([[maybe_unused]] const gpu::Image* picture, tracer.display(glm::vec3(0.0f)));
+        return study_.device->waitForAll();
     }
 
     // `samples` more, guides if they are new, and the picture as it is shown; each waited for.
@@ -123,29 +142,25 @@ class Bench {
         return converged;
     }
 
-    // Sample by sample until the picture is near enough. Only what a viewer would do counts: all tracing, the
-    // guides once, and the denoising and display of the last picture.
-    Result<TimeToError> timeToError(trace::Denoising denoising, const image::Image& converged) const {
+    // A little more each time until the picture is near enough. Only what a viewer would do counts: all
+    // tracing, the guides once, and the denoising and display of the last picture.
+    Result<TimeToError> timeToError(trace::Denoising denoising, Sampling sampling,
+                                    const image::Image& converged) const {
         MACULA_TRY(trace::PathTracer tracer, warmTracer(settings(denoising, 1)));
         TimeToError result;
         double traceMs = 0.0;
         double guidesMs = 0.0;
         while (!result.reached && result.samples < options_.convergedSamples) {
-            MACULA_TRY(const double ms, timedMs([&] { return trace(tracer, 1); }));
+            MACULA_TRY(const double ms, timedMs([&] { return traceMore(tracer, sampling); }));
             traceMs += ms;
-            if (denoising == trace::Denoising::on && result.samples == 0) {
-                MACULA_TRY(const FovealTimes guides, show(tracer, 0));
-                guidesMs = guides.guidesMs;
+            if (denoising == trace::Denoising::on && guidesMs == 0.0) {
+                MACULA_TRY(guidesMs, timedMs([&] { return guides(tracer); }));
             }
-            image::Image picture;
-            MACULA_TRY(const double displayMs, timedMs([&]() -> Result<void> {
-                           MACULA_TRY([[maybe_unused]] const gpu::Image* shown,
-                                      tracer.display(glm::vec3(0.0f)));
-                           return study_.device->waitForAll();
-                       }));
-            MACULA_TRY(picture, study_.readShown(tracer));
+            MACULA_TRY(const double displayMs, timedMs([&] { return display(tracer); }));
+            MACULA_TRY(const image::Image picture, study_.readShown(tracer));
             MACULA_TRY(const image::Flip flip, image::flip(converged, picture));
-            result.samples += 1;
+            MACULA_TRY(const trace::Statistics statistics, tracer.statistics());
+            result.samples = statistics.meanSamplesPerPixel;
             result.ms = traceMs + guidesMs + displayMs;
             result.flip = flip.mean;
             result.reached = flip.mean <= options_.flip;
@@ -181,9 +196,11 @@ Result<FovealReport> measureFoveal(const BenchStudy& study, const FovealOptions&
     if (options.convergedSamples == 0) return report;
     progress.beginStage("Tracing the converged picture", options.convergedSamples);
     MACULA_TRY(const image::Image converged, bench.converge(report));
-    progress.beginStage("Measuring the time to an error", 2);
-    MACULA_TRY(report.plain, bench.timeToError(trace::Denoising::off, converged));
-    MACULA_TRY(report.denoised, bench.timeToError(trace::Denoising::on, converged));
+    progress.beginStage("Measuring the time to an error", 3);
+    using enum trace::Denoising;
+    MACULA_TRY(report.plain, bench.timeToError(off, Sampling::even, converged));
+    MACULA_TRY(report.denoised, bench.timeToError(on, Sampling::even, converged));
+    MACULA_TRY(report.adaptive, bench.timeToError(on, Sampling::adaptive, converged));
     return report;
 }
 

@@ -33,8 +33,8 @@ struct FovealTimes {
 // The first number of samples whose picture is as near as was asked for.
 struct TimeToError {
     bool reached = false;  // with the samples of the converged picture at most
-    std::uint32_t samples = 0;
-    double ms = 0.0;  // for these samples, and for showing them once; guides and denoising with it
+    double samples = 0.0;  // of a pixel, on average
+    double ms = 0.0;       // for these samples, and for showing them once; guides and denoising with it
     double flip = 0.0;
 };
 
@@ -43,8 +43,9 @@ struct FovealReport {
     double totalMs = 0.0;        // median of the sums
     double ratio = 0.0;          // of the sum over the reference; median of the ratios of each turn
     double convergedFlip = 0.0;  // what chance leaves: FLIP of the first half of the samples to all of them
-    TimeToError plain;
-    TimeToError denoised;
+    TimeToError plain;           // even samples, as they come
+    TimeToError denoised;        // the same, filtered
+    TimeToError adaptive;        // samples where noise is, filtered
 };
 
 Result<FovealReport> measureFoveal(const BenchStudy& study, const FovealOptions& options, Progress& progress);

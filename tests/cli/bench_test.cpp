@@ -29,7 +29,8 @@ TEST_F(Bench, FovealTellsTheTimesAndTheWayToAnError) {
     ASSERT_TRUE(way["plain"]["reached"].get<bool>()) << ran.out;
     ASSERT_TRUE(way["denoised"]["reached"].get<bool>()) << ran.out;
     EXPECT_LE(way["plain"]["flip"].get<double>(), 0.2);
-    EXPECT_LE(way["denoised"]["samples"].get<int>(), way["plain"]["samples"].get<int>());
+    EXPECT_LE(way["denoised"]["samples"].get<double>(), way["plain"]["samples"].get<double>());
+    EXPECT_TRUE(way["adaptiveDenoised"]["reached"].get<bool>()) << ran.out;
 }
 
 TEST_F(Bench, FovealSaysWhenAnErrorIsOutOfReach) {
