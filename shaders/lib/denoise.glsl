@@ -17,6 +17,8 @@
 #define MOST_LIGHT 1e12
 // A pixel with less coverage or albedo takes no part.
 #define LEAST_MASS 1e-3
+// Of one colour of a pixel that takes part: no division by nothing where that colour is not scattered.
+#define LEAST_OF_CHANNEL 1e-6
 
 int indexOf(ivec2 pixel) {
     return pixel.y * denoise.imageSize.x + pixel.x;
@@ -40,5 +42,5 @@ float chanceOf(float coverage) {
 // Whether nothing flows to or from a pixel. Its loops over neighbours then have no round, which is what makes background
 // cheap: on a CPU device a branch around a loop is not.
 bool isEmpty(vec4 mass) {
-    return max(mass.x, max(mass.y, mass.z)) < float(LEAST_MASS) && chanceOf(mass.w) <= float(0.0);
+    return massOfLight(mass) < float(LEAST_MASS) && chanceOf(mass.w) <= float(0.0);
 }

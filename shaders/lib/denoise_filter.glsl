@@ -22,7 +22,7 @@ Filtered filterPixel(ivec2 pixel) {
     vec4 noise = fetchNoise(index);
     vec4 surface = fetchSurface(index);
     vec3 normal = vec3(surface.x, surface.y, surface.z);
-    vec4 inverse = vec4(float(1.0)) / max(mass, vec4(LEAST_MASS));
+    vec4 inverse = vec4(float(1.0)) / max(mass, vec4(LEAST_OF_CHANNEL));
     vec4 ratio = colour * inverse;
     float light = luminance(vec3(colour.x, colour.y, colour.z)) / max(massOfLight(mass), float(LEAST_MASS));
 
@@ -52,7 +52,7 @@ Filtered filterPixel(ivec2 pixel) {
         float thicker = mass.w - massQ.w;
         stop += float(COVERAGE_STOP) * thicker * thicker;
 
-        vec4 inverseQ = vec4(float(1.0)) / max(massQ, vec4(LEAST_MASS));
+        vec4 inverseQ = vec4(float(1.0)) / max(massQ, vec4(LEAST_OF_CHANNEL));
         vec4 difference = colourQ * inverseQ - ratio;
         difference.w = (colourQ.w - massQ.w) - (colour.w - mass.w);
         float brighter =
@@ -63,9 +63,9 @@ Filtered filterPixel(ivec2 pixel) {
         float kernel = x == 0 || y == 0 ? float(1.0 / 6.0) : float(1.0 / 12.0);
         kernel = inside ? kernel : float(0.0);
         vec2 weight = vec2(exp(-min(stop + stopLight, float(80.0))), exp(-min(stop + stopAlpha, float(80.0)))) * kernel;
-        vec4 both = min(mass, massQ);
-        both = vec4(both.x < float(LEAST_MASS) ? float(0.0) : both.x, both.y < float(LEAST_MASS) ? float(0.0) : both.y,
-                    both.z < float(LEAST_MASS) ? float(0.0) : both.z, min(chanceOf(mass.w), chanceOf(massQ.w)));
+        // All colours go, or none: what stays behind would have another hue.
+        vec4 both = min(mass, massQ) * (min(massOfLight(mass), massOfLight(massQ)) < float(LEAST_MASS) ? float(0.0) : float(1.0));
+        both.w = min(chanceOf(mass.w), chanceOf(massQ.w));
         flow += difference * both * vec4(weight.x, weight.x, weight.x, weight.y);
         vec2 share = vec2(weight.x * massOfLight(both) / max(massOfLight(mass), float(LEAST_MASS)), weight.y * both.w);
         given += share;

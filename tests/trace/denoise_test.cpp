@@ -118,6 +118,28 @@ TEST(Denoise, WhereNothingIsNothingComes) {
     for (const glm::dvec4& pixel : denoised(nothing, nothing.film(4, 1))) EXPECT_EQ(pixel, glm::dvec4(0.0));
 }
 
+// A sample in matter so thin that hardly any meets it is a bright pixel among dark ones. Where it goes, all
+// of its colours go: what stays must not glow in red.
+TEST(Denoise, TheHueOfThinMatterStays) {
+    const glm::dvec3 albedo(0.15, 0.3, 0.9);
+    const TruePicture picture(64, 32, [&](int x, int) {
+        TruePixel p;
+        p.coverage = 0.02 * x / 64.0;
+        p.albedo = albedo;
+        return p;
+    });
+    const DenoiseFilm film = picture.film(8, 5);
+    int spread = 0;
+    const auto pixels = denoised(picture, film);
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+        const glm::dvec3 light = glm::dvec3(pixels[i]) / albedo;
+        EXPECT_NEAR(light.r, light.b, 1e-3 * light.b + 1e-9) << i;
+        EXPECT_NEAR(light.g, light.b, 1e-3 * light.b + 1e-9) << i;
+        spread += film.sums[i].w == 0.0 && pixels[i].b > 0.0 ? 1 : 0;
+    }
+    EXPECT_GT(spread, 200);
+}
+
 TEST(Denoise, TakesWhateverAFilmMayHold) {
     const TruePicture picture = scenery(24);
     for (const double value : {std::numeric_limits<double>::quiet_NaN(),
