@@ -13,7 +13,7 @@
 namespace macula::test {
 namespace {
 
-constexpr std::array kNames{"submit", "wait", "query", "allocate", "compile", "acquire", "present"};
+constexpr std::array kNames{"submit", "wait", "query", "allocate", "compile", "acquire", "present", "create"};
 
 struct State {
     std::mutex mutex;
@@ -46,6 +46,8 @@ struct State {
     }
 };
 
+thread_local int lossesHere = 0;
+
 State& state() {
     static State instance;
     return instance;
@@ -56,7 +58,7 @@ bool isLost(VkDevice device, VulkanCall call) {
     State& s = state();
     const std::lock_guard lock(s.mutex);
     ++s.counts[std::size_t(call)];
-    if (device == s.lostDevice) {
+    if (device != VK_NULL_HANDLE && device == s.lostDevice) {
         ++s.callsAfter;
         return true;
     }
@@ -64,7 +66,8 @@ bool isLost(VkDevice device, VulkanCall call) {
     s.left = s.every;
     --s.timesLeft;
     ++s.lost;
-    s.lostDevice = device;
+    ++lossesHere;
+    if (device != VK_NULL_HANDLE) s.lostDevice = device;
     return true;
 }
 
@@ -93,6 +96,10 @@ int devicesLost() {
     return s.lost;
 }
 
+int lossesOnThisThread() {
+    return lossesHere;
+}
+
 int callsOfLostDevice() {
     State& s = state();
     const std::lock_guard lock(s.mutex);
@@ -112,6 +119,12 @@ using macula::test::VulkanCall;
 #define MACULA_NEXT(function) macula::test::next(&function, #function)
 
 extern "C" {
+
+VKAPI_ATTR VkResult VKAPI_CALL vkCreateDevice(VkPhysicalDevice physical, const VkDeviceCreateInfo* info,
+                                              const VkAllocationCallbacks* callbacks, VkDevice* device) {
+    if (macula::test::isLost(VK_NULL_HANDLE, VulkanCall::create)) return VK_ERROR_DEVICE_LOST;
+    return MACULA_NEXT(vkCreateDevice)(physical, info, callbacks, device);
+}
 
 VKAPI_ATTR void VKAPI_CALL vkGetDeviceQueue(VkDevice device, uint32_t family, uint32_t index,
                                             VkQueue* queue) {

@@ -10,14 +10,15 @@
 
 namespace macula::test {
 
-enum class VulkanCall { submit, wait, query, allocate, compile, acquire, present };
+enum class VulkanCall { submit, wait, query, allocate, compile, acquire, present, create };
 
 // At the `nth` such call from now, the first being 1, of any device; then `times` - 1 times more, counted
 // anew each time. Replaces what was said before; 0 times: never.
 void loseDeviceAt(VulkanCall call, int nth, int times = 1);
 
-int devicesLost();        // since the last loseDeviceAt
-int callsOfLostDevice();  // likewise: of replaced functions, on a device that had been lost
+int devicesLost();         // since the last loseDeviceAt
+int callsOfLostDevice();   // likewise: of replaced functions, on a device that had been lost
+int lossesOnThisThread();  // reported to it, ever
 
 // How many such calls there have been since the program began.
 int countOf(VulkanCall call);

@@ -17,28 +17,42 @@ Error lostTooOften() {
             "MACULA_DEVICE takes one. The processor (llvmpipe) is slow but always there."};
 }
 
-LastingDevice::LastingDevice(Instance instance, DeviceOptions options, Tell tell,
-                             std::shared_ptr<Device> device)
-    : instance_(std::move(instance)),
-      options_(std::move(options)),
-      tell_(std::move(tell)),
-      device_(std::move(device)) {}
+LastingDevice::LastingDevice(Instance instance, DeviceOptions options, Tell tell)
+    : instance_(std::move(instance)), options_(std::move(options)), tell_(std::move(tell)) {}
 
 Result<LastingDevice> LastingDevice::open(Instance instance, DeviceOptions options, Tell tell) {
-    MACULA_TRY(std::shared_ptr<Device> device, Device::create(instance, options));
-    return LastingDevice(std::move(instance), std::move(options), std::move(tell), std::move(device));
+    LastingDevice lasting(std::move(instance), std::move(options), std::move(tell));
+    MACULA_TRY_VOID(lasting.ensureDevice());
+    return lasting;
+}
+
+Result<void> LastingDevice::ensureDevice() {
+    while (!device_) {
+        Result<std::shared_ptr<Device>> made = Device::create(instance_, options_);
+        if (made.ok()) {
+            device_ = *std::move(made);
+        } else if (made.error().code != ErrorCode::deviceLost) {
+            return made.error();
+        } else {
+            MACULA_TRY_VOID(countLoss());
+        }
+    }
+    return {};
+}
+
+Result<void> LastingDevice::countLoss() {
+    device_.reset();  // some drivers allow no new one before the old one is gone
+    if (!losses_.mayGoOn()) return lostTooOften();
+    tell_("The graphics device stopped responding; the work begins anew on a new one.");
+    return {};
 }
 
 Result<void> LastingDevice::run(const Use& use) {
     while (true) {
-        if (!device_) {
-            MACULA_TRY(device_, Device::create(instance_, options_));
-        }
+        MACULA_TRY_VOID(ensureDevice());
         Result<void> done = use(device_);
         if (done.ok() || !device_->lost()) return done;
-        if (!losses_.mayGoOn()) return lostTooOften();
-        tell_("The graphics device stopped responding; the work begins anew on a new one.");
-        device_.reset();  // first: some drivers allow no new one before the old one is gone
+        MACULA_TRY_VOID(countLoss());
     }
 }
 

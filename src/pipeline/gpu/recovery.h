@@ -37,21 +37,24 @@ class LastingDevice {
     using Use = std::function<Result<void>(const std::shared_ptr<Device>&)>;
     using Tell = std::function<void(std::string_view sentence)>;
 
-    // `tell` hears of each loss that is made good, in one sentence. Errors: those of Device::create.
+    // `tell` hears of each loss that is made good, in one sentence. Errors: those of Device::create, but for
+    // losses, and lostTooOften.
     static Result<LastingDevice> open(Instance instance, DeviceOptions options, Tell tell);
 
     // Runs `use`, and again on another device if the one it had was lost. When `use` returns nothing may be
-    // left on the device. Errors: those of `use`, of Device::create, and lostTooOften.
+    // left on the device. Errors: those of `use` and of open().
     Result<void> run(const Use& use);
 
   private:
-    LastingDevice(Instance instance, DeviceOptions options, Tell tell, std::shared_ptr<Device> device);
+    LastingDevice(Instance instance, DeviceOptions options, Tell tell);
+    Result<void> ensureDevice();
+    Result<void> countLoss();  // lostTooOften when it was one too many
 
     Instance instance_;
     DeviceOptions options_;
     Tell tell_;
     LossCount losses_;
-    std::shared_ptr<Device> device_;  // null after one that could not be made
+    std::shared_ptr<Device> device_;  // null until it is made, and after a loss
 };
 
 }  // namespace macula::gpu
