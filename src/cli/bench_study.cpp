@@ -6,9 +6,8 @@
 #include <CLI/Validators.hpp>
 
 #include "cli/lights_choice.h"
-#include "cli/preset_choice.h"
 #include "cli/study_input.h"
-#include "presets/default_preset.h"
+#include "cli/study_preset.h"
 
 namespace macula::cli {
 
@@ -37,10 +36,7 @@ Result<trace::PathTracer> BenchStudy::makeTracer() const {
 Result<BenchStudy> openBenchStudy(const BenchStudyOptions& options, Progress& progress) {
     MACULA_TRY(StudyInput study, loadStudy(options.path, options.series, progress));
     bringTo16Bits(study);
-    for (const std::string& note : study.notes) fmt::print(stderr, "{}\n", note);
-    const std::string preset =
-        options.preset.empty() ? presets::defaultTransfer(*study.volume) : options.preset;
-    MACULA_TRY(const presets::ImportedPreset chosen, choosePreset(preset));
+    MACULA_TRY(StudyPreset preset, choosePresetFor(study, options.preset));
     MACULA_TRY(trace::Environment environment, chooseLights(options.lights));
     MACULA_TRY(const gpu::Instance instance, gpu::Instance::create());
     gpu::DeviceOptions deviceOptions;
@@ -48,14 +44,15 @@ Result<BenchStudy> openBenchStudy(const BenchStudyOptions& options, Progress& pr
     MACULA_TRY(auto device, gpu::Device::create(instance, deviceOptions));
     return BenchStudy{
         .volume = study.volume,
-        .function = chosen.function,
+        .function = std::move(preset.function),
         .environment = std::move(environment),
         .device = std::move(device),
         .view = {.camera = frameBox(study.volume->worldBox(), ViewDirection::anterior, 30.0, 1.0),
                  .width = options.size,
                  .height = options.size},
         .seriesDigest = study.seriesDigest,
-        .preset = publicPresetName(preset)};
+        .preset = std::move(preset.publicName),
+        .lights = publicLightsName(options.lights)};
 }
 
 Result<image::Image> BenchStudy::readShown(trace::PathTracer& tracer) const {
@@ -81,6 +78,7 @@ nlohmann::ordered_json describe(const std::string& benchmark, const BenchStudy& 
             {"study", study.seriesDigest},
             {"voxels", {voxels.x, voxels.y, voxels.z}},
             {"preset", study.preset},
+            {"lights", study.lights},
             {"picture", {study.view.width, study.view.height}}};
 }
 

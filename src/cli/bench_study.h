@@ -2,6 +2,7 @@
 #pragma once
 
 #include <CLI/App.hpp>
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -36,7 +37,8 @@ struct BenchStudy {
     std::shared_ptr<gpu::Device> device;
     trace::View view;  // from the front, all of the volume in it
     std::string seriesDigest;
-    std::string preset;  // a name that may be told
+    std::string preset;  // names that may be told
+    std::string lights;
 
     // With its study set; the settings are the caller's.
     Result<trace::PathTracer> makeTracer() const;

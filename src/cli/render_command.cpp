@@ -19,16 +19,15 @@
 #include "cli/lights_choice.h"
 #include "cli/open_device.h"
 #include "cli/output_file.h"
-#include "cli/preset_choice.h"
 #include "cli/quality_choice.h"
 #include "cli/render_statistics.h"
 #include "cli/report.h"
 #include "cli/study_input.h"
+#include "cli/study_preset.h"
 #include "pipeline/trace/path_tracer.h"
 #include "pipeline/trace/scene.h"
 #include "pipeline/volume/volume_fit.h"
 #include "pipeline/volume/window.h"
-#include "presets/default_preset.h"
 #include "segment/patient.h"
 
 namespace macula::cli {
@@ -49,7 +48,7 @@ struct Options {
     std::optional<std::uint32_t> samplesPerPixel;  // what is given itself counts more than the quality
     double error = 0.0;                            // 0: not given
     std::optional<int> bounces;
-    bool denoise = false;
+    std::optional<bool> denoise;
     std::string window;
     trace::Settings settings;
     trace::MemoryLimits memory;
@@ -123,16 +122,6 @@ Result<Camera> chooseCamera(const Options& options, const Volume* volume, const 
     }
     return frameBox(volume->worldBox(), options.view, options.fovDeg > 0.0 ? options.fovDeg : kDefaultFovDeg,
                     static_cast<double>(size.x) / size.y);
-}
-
-// Fails for a preset that could only be drawn as something else.
-Result<presets::ImportedPreset> presetFor(const Options& options, const std::string& typed) {
-    MACULA_TRY(presets::ImportedPreset preset, choosePreset(typed));
-    MACULA_TRY_VOID(validate(preset.function));
-    if (options.fit) {
-        MACULA_TRY(preset.function, withFit(std::move(preset.function)));
-    }
-    return preset;
 }
 
 Result<void> traceAll(trace::PathTracer& tracer, std::uint32_t samplesPerPixel, Progress& progress) {
@@ -245,7 +234,8 @@ Result<Effort> effortOf(const Options& options) {
     }
     effort.samplesPerPixel = options.samplesPerPixel.value_or(effort.samplesPerPixel);
     effort.settings.bounces = options.bounces.value_or(effort.settings.bounces);
-    if (options.denoise) effort.settings.denoising = trace::Denoising::on;
+    if (options.denoise)
+        effort.settings.denoising = *options.denoise ? trace::Denoising::on : trace::Denoising::off;
     if (std::isnan(options.error))  // which is neither below nor above any limit
         return Error{ErrorCode::usage, "The error is not usable.", {}, "Give --error from 0.0001 to 1."};
     effort.settings.errorThreshold = options.error;
@@ -263,7 +253,7 @@ Result<void> render(const Options& options) {
     MACULA_TRY(const Effort effort, effortOf(options));
     MACULA_TRY(const trace::Environment environment, chooseLights(lightsOf(options)));
     if (!options.window.empty()) MACULA_TRY_VOID(parseWindow(options.window));
-    if (!options.preset.empty()) MACULA_TRY_VOID(presetFor(options, options.preset));
+    if (!options.preset.empty()) MACULA_TRY_VOID(presetToDraw(options.preset, options.fit));
     ClipPreset clip;
     if (!options.clip.empty()) {
         MACULA_TRY(clip, chooseClip(options.clip));
@@ -277,33 +267,20 @@ Result<void> render(const Options& options) {
     bringTo16Bits(study);
     RenderRecord record;
     record.loadSeconds = secondsSince(start);
-    for (const std::string& note : study.notes) printNote(note);
-
-    const std::string presetName =
-        options.preset.empty() ? presets::defaultTransfer(*study.volume) : options.preset;
-    MACULA_TRY(const presets::ImportedPreset chosen, presetFor(options, presetName));
-    const TransferFunction& preset = chosen.function;
-    for (const std::string& note : chosen.notes) {
-        study.notes.push_back(note);
-        printNote(note);
-    }
-    if (const std::optional<VolumeFit> fit = fitOf(preset, *study.volume)) {
-        study.notes.push_back(fitMessage(*fit).sentence);
-        printNote(study.notes.back());
-    }
-    if (!suits(preset, study.volume->unit())) {
-        study.notes.emplace_back("The preset is made for other units than those of the series.");
+    MACULA_TRY(const StudyPreset preset, choosePresetFor(study, options.preset, options.fit));
+    if (options.denoise.value_or(false) && !trace::isPathTraced(effort.settings.look)) {
+        study.notes.emplace_back("This look is never denoised: --denoise does nothing.");
         printNote(study.notes.back());
     }
     MACULA_TRY(record.camera, chooseCamera(options, study.volume.get(), size));
     record.seriesDigest = study.seriesDigest;
-    record.preset = publicPresetName(presetName);
+    record.preset = preset.publicName;
     record.lights = publicLightsName(lightsOf(options));
     record.clip = publicClipName(options.clip);
     record.width = size.x;
     record.height = size.y;
     record.settings = effort.settings;
-    MACULA_TRY(record.settings.window, chooseWindow(options, preset, *study.volume));
+    MACULA_TRY(record.settings.window, chooseWindow(options, preset.function, *study.volume));
     record.notes = study.notes;
 
     Clip shown = clipFor(clip, *study.volume);
@@ -319,7 +296,7 @@ Result<void> render(const Options& options) {
     }
     const Scene scene{.volume = study.volume,
                       .clip = std::move(shown),
-                      .preset = preset,
+                      .preset = preset.function,
                       .environment = environment,
                       .view = {record.camera, size.x, size.y},
                       .settings = record.settings,
@@ -421,8 +398,9 @@ void addRender(CLI::App& app, Action& action) {
         ->check(CLI::Range(1e-4, 1.0));
     command->add_option("--bounces", o.bounces, "Scattering events per path of cinematic (default: 4)")
         ->check(CLI::Range(1, trace::kMaxBounces));
-    command->add_flag("--denoise", o.denoise,
-                      "Filter the noise out, guided by what is seen; the picture says that it is denoised");
+    command->add_flag_function(
+        "--denoise,!--no-denoise", [&o](std::int64_t count) { o.denoise = count > 0; },
+        "Filter the noise out, guided by what is seen, or not; the picture says that it is denoised");
     command->add_option("--seed", o.settings.seed,
                         "Of the random numbers; the same seed gives the same picture");
     command->add_option("--lights", o.lights,

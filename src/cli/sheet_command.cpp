@@ -14,6 +14,7 @@
 #include "cli/output_file.h"
 #include "cli/report.h"
 #include "cli/study_input.h"
+#include "cli/study_preset.h"
 #include "image/image_file.h"
 #include "pipeline/trace/path_tracer.h"
 #include "pipeline/trace/scene.h"
@@ -86,6 +87,7 @@ Result<void> makeSheet(const Options& options) {
     Progress progress(terminalProgressBar(), interruptToken());
     MACULA_TRY(StudyInput study, loadStudy(options.path, options.series, progress));
     bringTo16Bits(study);
+    for (const std::string& note : study.notes) printNote(note);
 
     const int looks = static_cast<int>(trace::kLooks.size());
     Sheet sheet{.tile = options.tile, .columns = looks * options.panels, .rgba = {}};
@@ -111,9 +113,12 @@ Result<void> makeSheet(const Options& options) {
     fmt::print("columns");
     for (const trace::LookName& look : trace::kLooks) fmt::print("  {}", look.name);
     fmt::print("\n");
-    for (int i = 0; i < static_cast<int>(presets.size()); ++i)
-        fmt::print("panel {} row {:>2}  {}\n", i / rows + 1, i % rows + 1,
-                   presets[static_cast<std::size_t>(i)].name);
+    for (int i = 0; i < static_cast<int>(presets.size()); ++i) {
+        const TransferFunction& preset = presets[static_cast<std::size_t>(i)];
+        fmt::print("panel {} row {:>2}  {}\n", i / rows + 1, i % rows + 1, preset.name);
+        for (const std::string& note : notesOf({preset, {}}, *study.volume))
+            fmt::print("                {}\n", note);
+    }
     return {};
 }
 

@@ -1,5 +1,6 @@
 #include "cli/tradeoff.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <limits>

@@ -85,6 +85,23 @@ TEST_F(Render, EveryPresetAndRigShowsSomething) {
     }
 }
 
+TEST_F(Render, WhatIsGivenItselfCountsMoreThanTheQuality) {
+    const auto denoised = [&](const std::vector<std::string>& words) {
+        std::vector<std::string> all = words;
+        all.insert(all.end(), {"--json", at("q.json")});
+        const image::Image image = render("q.png", all);
+        return std::pair(nlohmann::json::parse(readAll(at("q.json")))["denoised"].get<bool>(), image.pixels);
+    };
+    const auto plain = denoised({"--bounces", "8"});
+    EXPECT_FALSE(plain.first);
+    const auto normal = denoised({"--quality", "normal"});
+    EXPECT_TRUE(normal.first);
+    EXPECT_NE(normal.second, plain.second);
+    // The same picture otherwise: four samples and eight bounces.
+    EXPECT_EQ(denoised({"--quality", "normal", "--no-denoise"}), plain);
+    EXPECT_EQ(denoised({"--bounces", "8", "--denoise"}), normal);
+}
+
 TEST_F(Render, EveryLook) {
     for (const char* look : {"cinematic", "clear", "dvr", "mip", "minip", "average"}) {
         const image::Image image =

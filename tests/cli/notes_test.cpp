@@ -1,0 +1,97 @@
+// What one verb tells of a study and its preset, every verb that draws tells.
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "cli/run_command.h"
+
+namespace macula::cli {
+namespace {
+
+constexpr std::string_view kOtherUnits = "The preset is made for other units than those of the series.";
+constexpr std::string_view kStretched = "The preset was stretched to this volume";
+
+std::vector<std::string> notesOf(const Ran& ran) {
+    EXPECT_EQ(ran.exitCode, 0) << ran.err;
+    std::vector<std::string> notes;
+    std::istringstream lines(ran.err);
+    for (std::string line; std::getline(lines, line);) {
+        if (line.starts_with("macula: note: ")) notes.push_back(line);
+    }
+    return notes;
+}
+bool tells(const std::vector<std::string>& notes, std::string_view what) {
+    return std::any_of(notes.begin(), notes.end(),
+                       [&](const std::string& note) { return note.find(what) != std::string::npos; });
+}
+
+class Notes : public CommandTest {
+  protected:
+    // A cube of eight voxels a side whose values have no unit, as those of MR.
+    std::string unitless() const {
+        std::string text =
+            "NRRD0004\ntype: short\ndimension: 3\nspace: left-posterior-superior\nsizes: 8 8 8\n"
+            "space directions: (1,0,0) (0,1,0) (0,0,1)\nspace origin: (0,0,0)\nencoding: ascii\n\n";
+        for (int i = 0; i < 512; ++i) text += std::to_string(i) + "\n";
+        return write("unitless.nrrd", text);
+    }
+    std::vector<std::string> ofRender(const std::vector<std::string>& more) const {
+        std::vector<std::string> words{"render", unitless(), "-o",    at("a.png"),
+                                       "--size", "16x16",    "--spp", "1"};
+        words.insert(words.end(), more.begin(), more.end());
+        return notesOf(runMacula(words));
+    }
+};
+
+TEST_F(Notes, OfBenchAreThoseOfRender) {
+    const std::vector<std::string> common{"--size", "16", "--repetitions", "1"};
+    for (const std::vector<std::string>& preset :
+         {std::vector<std::string>{}, std::vector<std::string>{"--preset", "ct-bone"}}) {
+        const std::vector<std::string> notes = ofRender(preset);
+        EXPECT_TRUE(tells(notes, preset.empty() ? kStretched : kOtherUnits));
+        for (const std::vector<std::string>& bench :
+             {std::vector<std::string>{"bench", "foveal", unitless(), "--converged-spp", "0"},
+              std::vector<std::string>{"bench", "trace", unitless(), "--spp", "1", "--lights", "even"}}) {
+            std::vector<std::string> words = bench;
+            words.insert(words.end(), common.begin(), common.end());
+            words.insert(words.end(), preset.begin(), preset.end());
+            const Ran ran = runMacula(words);
+            EXPECT_EQ(notesOf(ran), notes) << bench[1];
+            const auto report = nlohmann::json::parse(ran.out);
+            EXPECT_EQ(report["lights"], bench[1] == "trace" ? "even" : "studio");
+            EXPECT_EQ(report["preset"], preset.empty() ? "cinematic-mr" : "ct-bone");
+        }
+    }
+}
+
+TEST_F(Notes, OfASheetStandBelowThePreset) {
+    const Ran ran = runMacula({"sheet", unitless(), "-o", at("s.png"), "--tile", "16", "--spp", "1"});
+    ASSERT_EQ(ran.exitCode, 0) << ran.err;
+    std::istringstream lines(ran.out);
+    std::string preset;
+    std::size_t made = 0;
+    std::size_t stretched = 0;
+    for (std::string line; std::getline(lines, line);) {
+        if (line.starts_with("panel")) preset = line.substr(line.rfind(' ') + 1);
+        if (line.find(kStretched) != std::string::npos) {
+            EXPECT_EQ(preset, "cinematic-mr");
+            ++stretched;
+        }
+        if (line.find(kOtherUnits) == std::string::npos) continue;
+        EXPECT_TRUE(preset.starts_with("ct-") || preset.starts_with("cinematic-") || preset == "uct-skull")
+            << preset;
+        ++made;
+    }
+    EXPECT_EQ(stretched, 1u);
+    EXPECT_GT(made, 20u);
+}
+
+TEST_F(Notes, SayThatALookIsNeverDenoised) {
+    const std::string_view said = "--denoise does nothing";
+    EXPECT_TRUE(tells(ofRender({"--look", "mip", "--denoise"}), said));
+    EXPECT_FALSE(tells(ofRender({"--look", "mip"}), said));
+    EXPECT_FALSE(tells(ofRender({"--denoise"}), said));
+}
+
+}  // namespace
+}  // namespace macula::cli
