@@ -113,9 +113,8 @@ vec3 albedoOfEntry(float entry) {
 
 // Emission and absorption: the integral over the ray of transmittance * extinction * colour, premultiplied, and one minus
 // the transmittance. A cell is crossed in as many steps as the transfer function needs over the values in it, and as what is
-// left of the light deserves. Exact where
-// extinction and colour are constant over each step; `phase`, 0 to 1, is where in its step a value is taken, and the mean
-// over all phases has no bias of first order.
+// left of the light deserves. Exact where extinction and colour are constant over each step; `phase`, 0 to 1, is where in its
+// step a value is taken, and the mean over all phases has no bias of first order.
 vec4 castMatter(vec3 worldDirection, float phase, INOUT(int) rounds) {
     vec3 directionVoxel = voxelsPerMm(worldDirection);
     BrickWalk walk = startEyeWalk(params.originVoxel, directionVoxel);

@@ -28,10 +28,10 @@ struct Interrupts {
 // Owns the device and all that is on it. A device that is lost is replaced, and the picture made anew from
 // the input; who listens is told, and when it is lost again and again it is left at that.
 //
-// A picture has up to three stages: while something moves, a smaller
-// picture of one denoised sample per pixel that always gets finished, or the view would never follow a steady
-// hand; then all pixels, given up at once when a new input comes; then rest, when all samples are there. The
-// smaller picture stays on screen until the full one is better.
+// A picture has up to three stages: while something moves, a smaller picture of one denoised sample per pixel
+// that always gets finished, or the view would never follow a steady hand; then all pixels, given up at once
+// when a new input comes; then rest, when all samples are there. The smaller picture stays on screen until
+// the full one is better.
 //
 // Used by one thread, the render thread.
 class FrameRenderer {
