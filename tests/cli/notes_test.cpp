@@ -30,9 +30,9 @@ class Notes : public CommandTest {
     // A cube of eight voxels a side whose values have no unit, as those of MR.
     std::string unitless() const {
         std::string text =
-            "NRRD0004\ntype: short\ndimension: 3\nspace: left-posterior-superior\nsizes: 8 8 8\n"
-            "space directions: (1,0,0) (0,1,0) (0,0,1)\nspace origin: (0,0,0)\nencoding: ascii\n\n";
-        for (int i = 0; i < 512; ++i) text += std::to_string(i) + "\n";
+            "NRRD0004\ntype: uint16\ndimension: 3\nspace: left-posterior-superior\nsizes: 8 8 8\n"
+            "space directions: (1,0,0) (0,1,0) (0,0,1)\nspace origin: (0,0,0)\nencoding: raw\nendian: little\n\n";
+        for (int i = 0; i < 512; ++i) text += {static_cast<char>(i & 0xff), static_cast<char>(i >> 8)};
         return write("unitless.nrrd", text);
     }
     std::vector<std::string> ofRender(const std::vector<std::string>& more) const {

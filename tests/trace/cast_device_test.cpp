@@ -1,5 +1,5 @@
-// The looks on the device: against the reference, and every preset against a dense march that shares nothing
-// with it.
+// The looks on the device: against the reference, and every preset against a dense march that shares
+// with it only voxels, curves and clip.
 #include <algorithm>
 #include <numeric>
 

@@ -1,6 +1,11 @@
 // A volume as it is shown, point by point, in double: from the volume, the transfer function and the clip
-// themselves. It shares with the tracers none of shaders/lib, no table and no bound.
+// themselves. It shares with the tracers none of shaders/lib, no table and no bound; curves, extinction and
+// the fovea are written anew here. What it does share: voxels and their places (base/volume.h), the axes of a
+// camera (base/camera.h), and whether shapes of a clip show a point (shows, pipeline/volume/clip.h). Those
+// have tests of their own.
 #pragma once
+
+#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
@@ -24,11 +29,15 @@ class DenseScene {
           eye_(*basis(view.camera)),
           voxelFromWorld_(glm::inverse(volume.worldFromVoxel())),
           stochastic_(filter == trace::Filter::stochastic),
-          gradients_(usesGradientOpacity(function)) {
+          fovea_(foveaOf(view)) {
+        expectStraight(function.opacity);
+        expectStraight(function.gradientOpacity);
+        expectStraight(function.colour);
+        EXPECT_EQ(function.colourSpace, ColourSpace::rgb);
         // By whole values, linear between them.
         for (int value = 0; value <= 1001; ++value) {
-            const glm::dvec3 encoded = colourAt(function_, value);
-            optics_.push_back({extinctionPerMm(function_, value),
+            const glm::dvec3 encoded = heightAt(function_.colour, value, &ColourPoint::colour);
+            optics_.push_back({extinctionOf(function_, value),
                                function_.albedo * glm::dvec3(linearOf(encoded.r), linearOf(encoded.g),
                                                              linearOf(encoded.b))});
             most_ = std::max(most_, optics_.back().extinction);
@@ -58,24 +67,23 @@ class DenseScene {
 
     // Unit, world, through a point of the picture, 0 to 1 from its top left corner.
     glm::dvec3 eyeDirection(double x, double y) const {
-        const trace::FoveaInPlane fovea = trace::foveaInPlane(view_);
-        glm::dvec2 p = glm::dvec2(2.0 * x - 1.0, 1.0 - 2.0 * y) * fovea.halfSize;
-        if (fovea.magnification > 1.0) {
+        glm::dvec2 p = glm::dvec2(2.0 * x - 1.0, 1.0 - 2.0 * y) * fovea_.halfSize;
+        if (fovea_.magnification > 1.0) {
             // Plain up to the radius; beyond, a parabola that ends on the border.
-            const glm::dvec2 offset = p - fovea.gaze;
+            const glm::dvec2 offset = p - fovea_.gaze;
             const double r = glm::length(offset);
-            double seen = r / fovea.magnification;
-            if (r > fovea.radius) {
+            double seen = r / fovea_.magnification;
+            if (r > fovea_.radius) {
                 double border = 1e9;
                 for (int axis = 0; axis < 2; ++axis) {
                     const double side =
-                        (offset[axis] < 0.0 ? -1.0 : 1.0) * fovea.halfSize[axis] - fovea.gaze[axis];
+                        (offset[axis] < 0.0 ? -1.0 : 1.0) * fovea_.halfSize[axis] - fovea_.gaze[axis];
                     if (std::abs(offset[axis]) > 1e-12) border = std::min(border, side / offset[axis] * r);
                 }
-                const double share = (r - fovea.radius) / (border - fovea.radius);
-                seen += border * (1.0 - 1.0 / fovea.magnification) * share * share;
+                const double share = (r - fovea_.radius) / (border - fovea_.radius);
+                seen += border * (1.0 - 1.0 / fovea_.magnification) * share * share;
             }
-            p = fovea.gaze + offset * (seen / std::max(r, 1e-12));
+            p = fovea_.gaze + offset * (seen / std::max(r, 1e-12));
         }
         return glm::normalize(eye_.forward + eye_.right * p.x + eye_.up * p.y);
     }
@@ -196,6 +204,48 @@ class DenseScene {
         double extinction;
         glm::dvec3 albedo;
     };
+    struct Fovea {
+        glm::dvec2 halfSize;  // of the picture, at distance 1, as all of it
+        glm::dvec2 gaze{0.0};
+        double magnification = 1.0;
+        double radius = 0.0;  // of what is magnified, in the picture as it is stored
+    };
+
+    static Fovea foveaOf(const trace::View& view) {
+        const double half = std::tan(glm::radians(view.camera.verticalFovDeg) / 2.0);
+        Fovea fovea{.halfSize = {half * view.width / view.height, half}};
+        if (!view.foveation) return fovea;
+        fovea.gaze = view.foveation->gaze * fovea.halfSize;
+        fovea.magnification = view.foveation->magnification;
+        fovea.radius = fovea.magnification * std::tan(glm::radians(view.foveation->fieldDeg) / 2.0);
+        // Fields that have no room are made smaller; there is no such rule here.
+        const glm::dvec2 room = fovea.halfSize - glm::abs(fovea.gaze);
+        EXPECT_LT(fovea.radius, 0.8 * std::min(room.x, room.y));
+        return fovea;
+    }
+
+    template <class Point>
+    static void expectStraight(const std::vector<Point>& curve) {
+        for (const Point& point : curve) EXPECT_TRUE(point.midpoint == 0.5 && point.sharpness == 0.0);
+    }
+    // Straight lines between points, level beyond them.
+    template <class Point, class Height>
+    static Height heightAt(const std::vector<Point>& curve, double at, Height Point::*height) {
+        if (at <= curve.front().value) return curve.front().*height;
+        for (std::size_t i = 1; i < curve.size(); ++i) {
+            const Point& a = curve[i - 1];
+            const Point& b = curve[i];
+            if (at < b.value)
+                return a.*height + (b.*height - a.*height) * ((at - a.value) / (b.value - a.value));
+        }
+        return curve.back().*height;
+    }
+    // A layer as thick as the unit distance lets 1 - opacity through, at density 1. No opacity is above 0.999
+    // (docs/numerical-limits.md).
+    static double extinctionOf(const TransferFunction& function, double value) {
+        const double opacity = std::min(heightAt(function.opacity, value, &OpacityPoint::opacity), 0.999);
+        return std::log(1.0 / (1.0 - opacity)) * function.density / function.unitDistanceMm;
+    }
 
     bool isShown(int i, int j, int k) const {
         const std::uint16_t label = clip_.mask->labels->label(i, j, k);
@@ -211,10 +261,11 @@ class DenseScene {
     const glm::dvec3& albedoOf(double value) const { return optics_[std::size_t(value + 0.5)].albedo; }
 
     double gradientOpacity(const glm::dvec3& voxel) const {
-        if (!gradients_) return 1.0;
+        if (function_.gradientOpacity.empty()) return 1.0;
         const glm::dvec3 spacing = volume_.spacingMm();
-        return gradientOpacityAt(
-            function_, glm::length(gradientPerMm(voxel)) * (spacing.x + spacing.y + spacing.z) / 3.0);
+        return heightAt(function_.gradientOpacity,
+                        glm::length(gradientPerMm(voxel)) * (spacing.x + spacing.y + spacing.z) / 3.0,
+                        &OpacityPoint::opacity);
     }
 
     // Opacities of a layer multiply.
@@ -231,7 +282,7 @@ class DenseScene {
     CameraBasis eye_;
     glm::dmat4 voxelFromWorld_;
     bool stochastic_;
-    bool gradients_;
+    Fovea fovea_;
     std::vector<Optics> optics_;
     std::vector<double> values_;
     std::vector<double> shown_;

@@ -1,5 +1,5 @@
 // Guides where a clip cuts through matter, with bare cuts and with faces that show grey: the device and the
-// reference against a march in double that shares no code with them.
+// reference against a march in double (what it shares with them: dense_scene.h).
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
@@ -19,9 +19,8 @@ struct DenseGuide {
     double coverage = 0.0;
     glm::dvec3 albedo{0.0};
     glm::dvec3 normal{0.0};
-    bool isCut = false,
-         isBare =
-             false;  // the depth is that of a face of the clip, and matter before it hides less than 0.45
+    bool isCut = false;   // the depth is that of a face of the clip: matter before it hides less than 0.45
+    bool isBare = false;  // a face with next to no matter before it
 };
 
 // The linear light that the tone map and the display's curve turn into `encoded`: in the middle of its range
