@@ -102,10 +102,7 @@ Result<std::optional<DisplayWindow>> chooseWindow(const Options& options, const 
         MACULA_TRY(const DisplayWindow window, parseWindow(options.window));
         return std::optional(window);
     }
-    const std::optional<ValueRange> range = fitted(preset, volume).effectiveRange;
-    if (options.preset.empty() || !range || !(range->low < range->high))
-        return std::optional<DisplayWindow>();
-    return std::optional(windowOver(*range));
+    return options.preset.empty() ? std::optional<DisplayWindow>() : presetWindow(preset, volume);
 }
 
 // Soft light from everywhere shows shape by shadow alone, and nothing glares: that is the clear look.

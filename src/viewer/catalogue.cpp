@@ -13,6 +13,7 @@ namespace macula::viewer {
 namespace {
 
 constexpr std::string_view kLights = "studio";
+constexpr std::string_view kLightsOfClear = "even";
 
 template <class Item>
 std::shared_ptr<const Item> byName(const std::vector<std::shared_ptr<const Item>>& items,
@@ -48,6 +49,10 @@ Result<Catalogue> builtInCatalogue() {
         MACULA_TRY(trace::LightRig rig, trace::lightRigFromJson(file.text, std::string(file.name)));
         catalogue.lights.push_back(std::make_shared<const trace::LightRig>(std::move(rig)));
     }
+    for (const presets::EmbeddedFile& file : presets::clipFiles()) {
+        MACULA_TRY(ClipPreset clip, clipPresetFromJson(file.text, std::string(file.name)));
+        catalogue.clips.push_back(std::make_shared<const ClipPreset>(std::move(clip)));
+    }
     MACULA_CHECK(!catalogue.presets.empty() && !catalogue.lights.empty());
     return catalogue;
 }
@@ -70,8 +75,9 @@ std::shared_ptr<const TransferFunction> presetFor(const Catalogue& catalogue, co
     return preset;
 }
 
-std::shared_ptr<const trace::LightRig> defaultLights(const Catalogue& catalogue) {
-    if (auto lights = byName(catalogue.lights, kLights)) return lights;
+std::shared_ptr<const trace::LightRig> defaultLights(const Catalogue& catalogue, trace::Look look) {
+    const bool clear = look == trace::Look::clear;
+    if (auto lights = byName(catalogue.lights, clear ? kLightsOfClear : kLights)) return lights;
     return catalogue.lights.front();
 }
 

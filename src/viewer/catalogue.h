@@ -1,4 +1,4 @@
-// The presets and light rigs that the window offers.
+// The presets, light rigs and clips that the window offers.
 #pragma once
 
 #include <memory>
@@ -8,6 +8,8 @@
 
 #include "base/result.h"
 #include "pipeline/trace/environment.h"
+#include "pipeline/trace/look.h"
+#include "pipeline/volume/clip_json.h"
 #include "pipeline/volume/transfer_function.h"
 
 namespace macula::viewer {
@@ -15,6 +17,7 @@ namespace macula::viewer {
 struct Catalogue {
     std::vector<std::shared_ptr<const TransferFunction>> presets;  // never empty
     std::vector<std::shared_ptr<const trace::LightRig>> lights;    // never empty
+    std::vector<std::shared_ptr<const ClipPreset>> clips;
 };
 
 // Those that are built in, Macula's own first.
@@ -26,6 +29,7 @@ Result<std::shared_ptr<const trace::LightRig>> findLights(const Catalogue& catal
 
 // What a volume is shown with when nobody chose: presets::defaultTransfer, as in the `macula` command.
 std::shared_ptr<const TransferFunction> presetFor(const Catalogue& catalogue, const Volume& volume);
-std::shared_ptr<const trace::LightRig> defaultLights(const Catalogue& catalogue);
+// Likewise, by look.
+std::shared_ptr<const trace::LightRig> defaultLights(const Catalogue& catalogue, trace::Look look);
 
 }  // namespace macula::viewer

@@ -7,15 +7,28 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <memory>
+#include <string>
 
 #include "base/camera.h"
 #include "base/volume.h"
 #include "pipeline/trace/environment.h"
 #include "pipeline/trace/path_tracer.h"
+#include "pipeline/volume/clip.h"
 #include "pipeline/volume/transfer_function.h"
 #include "viewer/orbit_camera.h"
 
 namespace macula::viewer {
+
+// How a volume is drawn, and what of it.
+struct Drawing {
+    std::shared_ptr<const TransferFunction> transferFunction{};
+    std::shared_ptr<const trace::LightRig> lights{};
+    std::shared_ptr<const Clip> clip{};  // null: all of the volume is shown
+    trace::Settings settings{};
+    std::string remarks{};  // what has to be said of pictures of it; no patient data
+
+    bool operator==(const Drawing&) const = default;
+};
 
 // Everything that decides what is on the screen. The UI thread publishes a whole new one after each change;
 // the render thread takes the newest and looks for itself what is different. Nothing in it is ever changed
@@ -33,9 +46,7 @@ struct FrameInput {
 
     std::uint64_t study = 0;                 // grows with each volume
     std::shared_ptr<const Volume> volume{};  // null: nothing is open
-    std::shared_ptr<const TransferFunction> transferFunction{};
-    std::shared_ptr<const trace::LightRig> lights{};
-    trace::Settings settings{};
+    Drawing drawing{};
     Camera camera{};
     EdgeLetters letters{};            // of this camera; they come back with its pictures
     glm::vec3 background{0.02f};      // linear

@@ -32,6 +32,8 @@ constexpr std::uint32_t kMotionSamples = 1;
 constexpr std::uint32_t kPlainMotionSamples = 2;
 constexpr trace::Smoothing kPlainMotionSmoothing = trace::Smoothing::slight;
 constexpr std::uint64_t kMotionSampleLimit = 64;  // while a hand holds still
+// Cast rays have no noise: more samples only make edges smoother. As many as `macula render` takes.
+constexpr std::uint64_t kCastSampleLimit = 8;
 // After the last change the small picture is refined for so long before the full one starts: it stays on
 // screen during the long first pass of that, and should not be the noisiest of all.
 constexpr milliseconds kSettle{300};
@@ -54,9 +56,8 @@ bool sameCamera(const Camera& a, const Camera& b) {
 }
 
 bool samePicture(const FrameInput& a, const FrameInput& b) {
-    return a.volume == b.volume && a.transferFunction == b.transferFunction && a.lights == b.lights &&
-           a.settings == b.settings && sameCamera(a.camera, b.camera) && a.width == b.width &&
-           a.height == b.height && a.surface == b.surface;
+    return a.volume == b.volume && a.drawing == b.drawing && sameCamera(a.camera, b.camera) &&
+           a.width == b.width && a.height == b.height && a.surface == b.surface;
 }
 
 trace::Settings denoised(trace::Settings settings, bool isDenoised) {
@@ -87,7 +88,7 @@ FrameRenderer::~FrameRenderer() {
 }
 
 void FrameRenderer::accept(FrameInput input) {
-    input.settings.errorThreshold = kConverged;
+    input.drawing.settings.errorThreshold = kConverged;
     if (input.surface != input_.surface) releaseSurface();
     if (input.study != input_.study || input.volume != input_.volume) {
         // Nobody may take the picture of one patient for that of the next, not even while this one is
@@ -114,7 +115,8 @@ bool FrameRenderer::hasWork() const {
         return true;
     }
     if (!input_.volume || stage_ == Stage::converged) return false;
-    return stage_ != Stage::moving || !input_.interacting || movingSamples_ < kMotionSampleLimit;
+    return stage_ != Stage::moving || !input_.interacting ||
+           movingSamples_ < std::min(kMotionSampleLimit, sampleLimit());
 }
 
 void FrameRenderer::step(const Interrupts& interrupts) {
@@ -136,6 +138,7 @@ void FrameRenderer::fail(ErrorCode code, const char* message, const char* hint) 
     applied_.volume = nullptr;
     applied_.transferFunction = nullptr;
     applied_.lights = nullptr;
+    applied_.clip.reset();
     applied_.settings.reset();
     try {
         handle({code, message, {}, hint});
@@ -148,7 +151,7 @@ Result<void> FrameRenderer::tryStep(const Interrupts& interrupts) {
     MACULA_TRY_VOID(ensureDevice());
     MACULA_TRY_VOID(ensurePresenter());
     if (halted_) return {};  // it was only to paint the window again
-    if (!input_.volume || !input_.transferFunction || !input_.lights) {
+    if (!input_.volume || !input_.drawing.transferFunction || !input_.drawing.lights) {
         restart_ = redisplay_ = false;
         stage_ = Stage::converged;
         return clearWindow();
@@ -216,6 +219,7 @@ Result<void> FrameRenderer::clearWindow() {
 }
 
 Result<bool> FrameRenderer::applyScene(const Interrupts& interrupts) {
+    const Drawing& drawing = input_.drawing;
     // Each part may take long. Whoever waits for the surface, or has changed something, waits for one of
     // them; what is done stays done, so that a hand that never rests does not keep the scene from being
     // applied.
@@ -229,16 +233,24 @@ Result<bool> FrameRenderer::applyScene(const Interrupts& interrupts) {
         applied_.volume = input_.volume;
         if (interrupted()) return false;
     }
-    if (applied_.transferFunction != input_.transferFunction) {
-        applied_.transferFunction = nullptr;
-        MACULA_TRY_VOID(tracer_->setTransferFunction(*input_.transferFunction));
-        applied_.transferFunction = input_.transferFunction;
+    // Before the transfer function: what is hidden is not brought to the device.
+    if (applied_.clip != drawing.clip) {
+        if (applied_.transferFunction) listener_(Preparing{"Preparing what is shown"});
+        applied_.clip.reset();
+        MACULA_TRY_VOID(tracer_->setClip(drawing.clip ? *drawing.clip : Clip{}));
+        applied_.clip = drawing.clip;
         if (interrupted()) return false;
     }
-    if (applied_.lights != input_.lights) {
+    if (applied_.transferFunction != drawing.transferFunction) {
+        applied_.transferFunction = nullptr;
+        MACULA_TRY_VOID(tracer_->setTransferFunction(*drawing.transferFunction));
+        applied_.transferFunction = drawing.transferFunction;
+        if (interrupted()) return false;
+    }
+    if (applied_.lights != drawing.lights) {
         applied_.lights = nullptr;
-        MACULA_TRY_VOID(tracer_->setEnvironment(trace::Environment::fromRig(*input_.lights)));
-        applied_.lights = input_.lights;
+        MACULA_TRY_VOID(tracer_->setEnvironment(trace::Environment::fromRig(*drawing.lights)));
+        applied_.lights = drawing.lights;
     }
     return true;
 }
@@ -251,7 +263,8 @@ Result<void> FrameRenderer::applySettings(const trace::Settings& settings) {
 }
 
 Result<void> FrameRenderer::startMoving() {
-    MACULA_TRY_VOID(applySettings(denoised(motionSettings(input_.settings, ++motionFrame_), mayDenoise())));
+    MACULA_TRY_VOID(
+        applySettings(denoised(motionSettings(input_.drawing.settings, ++motionFrame_), mayDenoise())));
     scale_ = motionScale_->choose(input_.width, input_.height);
     view_ = {.camera = input_.camera,
              .width = scaledEdge(input_.width, scale_),
@@ -267,8 +280,8 @@ Result<void> FrameRenderer::startMoving() {
 Result<void> FrameRenderer::startConverging() {
     stillIsDenoised_ =
         mayDenoise() && filterNsPerPixel_ * 1e-6 * input_.width * input_.height <= kMostFilterMs;
-    showFrom_ = stillIsDenoised_ ? kFirstDenoised : kFirstPlain;
-    MACULA_TRY_VOID(applySettings(denoised(input_.settings, stillIsDenoised_)));
+    showFrom_ = !hasNoise() ? 1 : stillIsDenoised_ ? kFirstDenoised : kFirstPlain;
+    MACULA_TRY_VOID(applySettings(denoised(input_.drawing.settings, stillIsDenoised_)));
     scale_ = 1;
     view_ = {.camera = input_.camera, .width = input_.width, .height = input_.height};
     MACULA_TRY_VOID(tracer_->setView(view_));
@@ -280,7 +293,7 @@ Result<void> FrameRenderer::stepMoving(const Interrupts& interrupts) {
     if (!input_.interacting && movingSamples_ > 0 && Clock::now() - movingSince_ >= kSettle) {
         return startConverging();
     }
-    const std::uint32_t samples = mayDenoise() ? kMotionSamples : kPlainMotionSamples;
+    const std::uint32_t samples = mayDenoise() || !hasNoise() ? kMotionSamples : kPlainMotionSamples;
     const Clock::time_point start = Clock::now();
     MACULA_TRY(const bool complete, tracer_->trace(samples, [&] { return !interrupts.stopping(); }));
     if (!complete) return {};
@@ -296,8 +309,10 @@ Result<void> FrameRenderer::stepMoving(const Interrupts& interrupts) {
     // The first picture of a size also compiles kernels, and later ones of a view have its guides: they say
     // nothing about the next.
     if (std::exchange(warmWidth_, view_.width) != view_.width || !first) return {};
-    filterNsPerPixel_ =
-        millisecondsBetween(traced, developed) * 1e6 / (double(view_.width) * double(view_.height));
+    if (mayDenoise()) {
+        filterNsPerPixel_ =
+            millisecondsBetween(traced, developed) * 1e6 / (double(view_.width) * double(view_.height));
+    }
     motionScale_->observe(view_.width, view_.height, millisecondsBetween(start, developed),
                           millisecondsBetween(developed, Clock::now()));
     return {};
@@ -316,11 +331,11 @@ Result<void> FrameRenderer::stepConverging(const Interrupts& interrupts) {
     }
     MACULA_TRY(const trace::Statistics statistics, tracer_->statistics());
     const auto samples = static_cast<std::uint64_t>(statistics.meanSamplesPerPixel);
-    const bool last = statistics.converged || statistics.meanSamplesPerPixel >= input_.sampleLimit;
+    const bool last = statistics.converged || statistics.meanSamplesPerPixel >= double(sampleLimit());
     if (last) stage_ = Stage::converged;
     if (stillIsDenoised_ && samples >= kDenoisedBelow) {
         stillIsDenoised_ = false;
-        MACULA_TRY_VOID(applySettings(denoised(input_.settings, false)));
+        MACULA_TRY_VOID(applySettings(denoised(input_.drawing.settings, false)));
     }
     const bool early = samples < showFrom_;
     const bool rested = shown_.empty() || Clock::now() - shown_.back() >= kShowInterval;
@@ -329,14 +344,22 @@ Result<void> FrameRenderer::stepConverging(const Interrupts& interrupts) {
     return showPicture();
 }
 
+bool FrameRenderer::hasNoise() const {
+    return trace::isPathTraced(input_.drawing.settings.look);
+}
+
 bool FrameRenderer::mayDenoise() const {
-    return filterFits_ && trace::isPathTraced(input_.settings.look);
+    return filterFits_ && hasNoise();
+}
+
+std::uint64_t FrameRenderer::sampleLimit() const {
+    return hasNoise() ? input_.sampleLimit : std::min<std::uint64_t>(input_.sampleLimit, kCastSampleLimit);
 }
 
 // The picture of the samples so far, on the device. What is too large for the filter is shown without.
 Result<const gpu::Image*> FrameRenderer::develop() {
-    const auto smoothing =
-        stage_ == Stage::moving && !mayDenoise() ? kPlainMotionSmoothing : trace::Smoothing::none;
+    const auto smoothing = stage_ == Stage::moving && hasNoise() && !mayDenoise() ? kPlainMotionSmoothing
+                                                                                  : trace::Smoothing::none;
     auto picture = tracer_->display(input_.background, smoothing);
     if (picture.ok() || picture.error().code != ErrorCode::outOfMemory || !filterFits_) return picture;
     log::warning("There is no room on the device to denoise a picture of this size.");
@@ -365,8 +388,10 @@ Result<void> FrameRenderer::show(const gpu::Image& picture) {
                            .height = view_.height,
                            .scale = scale_,
                            .samplesPerPixel = static_cast<std::uint64_t>(statistics.meanSamplesPerPixel),
-                           .sampleLimit = input_.sampleLimit,
+                           .sampleLimit = sampleLimit(),
                            .denoised = statistics.denoised,
+                           .look = input_.drawing.settings.look,
+                           .remarks = input_.drawing.remarks,
                            .framesPerSecond = framesPerSecond(),
                            .latencyMs = millisecondsBetween(input_.published, now),
                            .samplesLeftOut = statistics.nonFiniteSamples + statistics.abandonedSamples,

@@ -64,7 +64,9 @@ class FrameRenderer {
     Result<void> startConverging();
     Result<void> stepMoving(const Interrupts& interrupts);
     Result<void> stepConverging(const Interrupts& interrupts);
+    bool hasNoise() const;
     bool mayDenoise() const;
+    std::uint64_t sampleLimit() const;
     Result<const gpu::Image*> develop();
     Result<void> show(const gpu::Image& picture);
     Result<void> showPicture();
@@ -86,6 +88,7 @@ class FrameRenderer {
         std::shared_ptr<const Volume> volume;
         std::shared_ptr<const TransferFunction> transferFunction;
         std::shared_ptr<const trace::LightRig> lights;
+        std::optional<std::shared_ptr<const Clip>> clip;  // none: nobody knows which
         std::optional<trace::Settings> settings;
         VkExtent2D window{};
         std::uint64_t exposures = 0;

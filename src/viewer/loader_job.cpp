@@ -1,6 +1,5 @@
 #include "viewer/loader_job.h"
 
-#include <QMetaObject>
 #include <algorithm>
 #include <exception>
 #include <new>
@@ -109,52 +108,24 @@ Result<LoadedStudy> loadStudy(const StudySource& source, Progress& progress) {
     }
 }
 
-StudyLoader::StudyLoader(QObject* parent) : QObject(parent) {}
-
-StudyLoader::~StudyLoader() {
-    for (const Job& job : jobs_) job.token.cancel();
-    jobs_.clear();
-}
+StudyLoader::StudyLoader(QObject* parent)
+    : QObject(parent),
+      job_(this, {.progressed =
+                      [this](const ProgressUpdate& update) {
+                          emit progressed(QString::fromStdString(update.stage), update.fraction);
+                      },
+                  .ended = [this](const Result<LoadedStudy>& outcome) { tellOutcome(outcome); }}) {}
 
 void StudyLoader::open(StudySource source) {
-    for (const Job& job : jobs_) job.token.cancel();
-    const std::uint64_t id = ++lastId_;
-    current_ = id;
+    job_.start([source = std::move(source)](Progress& progress) { return loadStudy(source, progress); });
     emit began();
-
-    Job& job = jobs_.emplace_back();
-    job.id = id;
-    job.thread = std::jthread([this, id, token = job.token, source = std::move(source)] {
-        Progress progress(
-            [this, id](const ProgressUpdate& update) {
-                QMetaObject::invokeMethod(
-                    this,
-                    [this, id, update] {
-                        if (id == current_) {
-                            emit progressed(QString::fromStdString(update.stage), update.fraction);
-                        }
-                    },
-                    Qt::QueuedConnection);
-            },
-            token);
-        Result<LoadedStudy> outcome = loadStudy(source, progress);
-        QMetaObject::invokeMethod(
-            this, [this, id, outcome = std::move(outcome)] { finish(id, outcome); }, Qt::QueuedConnection);
-    });
 }
 
 void StudyLoader::cancel() {
-    if (!loading()) return;
-    for (const Job& job : jobs_) job.token.cancel();
-    current_ = 0;
-    emit cancelled();
+    if (job_.cancel()) emit cancelled();
 }
 
-void StudyLoader::finish(std::uint64_t id, const Result<LoadedStudy>& outcome) {
-    // Posting this was the last thing its thread did: joining it takes no time.
-    jobs_.remove_if([id](const Job& job) { return job.id == id; });
-    if (id != current_) return;
-    current_ = 0;
+void StudyLoader::tellOutcome(const Result<LoadedStudy>& outcome) {
     if (outcome) {
         emit loaded(*outcome);
     } else if (outcome.error().code == ErrorCode::cancelled) {

@@ -3,19 +3,16 @@
 
 #include <QObject>
 #include <QString>
-#include <cstdint>
 #include <filesystem>
-#include <functional>
-#include <list>
 #include <memory>
 #include <optional>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "base/progress.h"
 #include "base/result.h"
 #include "base/volume.h"
+#include "viewer/background_job.h"
 
 namespace macula::viewer {
 
@@ -41,13 +38,11 @@ class StudyLoader : public QObject {
 
   public:
     explicit StudyLoader(QObject* parent = nullptr);
-    // Cancels, and waits for the threads to notice.
-    ~StudyLoader() override;
 
     void open(StudySource source);
     void cancel();  // `cancelled` follows
-    bool loading() const { return current_ != 0; }
-    bool atRest() const { return jobs_.empty(); }  // cancelled ones have noticed, too
+    bool loading() const { return job_.running(); }
+    bool atRest() const { return job_.atRest(); }  // cancelled ones have noticed, too
 
   signals:
     void began();
@@ -57,17 +52,9 @@ class StudyLoader : public QObject {
     void cancelled();
 
   private:
-    struct Job {
-        std::uint64_t id = 0;
-        CancelToken token;
-        std::jthread thread;
-    };
+    void tellOutcome(const Result<LoadedStudy>& outcome);
 
-    void finish(std::uint64_t id, const Result<LoadedStudy>& outcome);
-
-    std::list<Job> jobs_;  // the current one, and cancelled ones that have not noticed yet
-    std::uint64_t current_ = 0;
-    std::uint64_t lastId_ = 0;
+    BackgroundJob<LoadedStudy> job_;
 };
 
 }  // namespace macula::viewer

@@ -6,7 +6,6 @@
 #include <QFileDialog>
 #include <QKeyEvent>
 #include <QMenuBar>
-#include <QMessageBox>
 #include <QMimeData>
 #include <QStatusBar>
 #include <QToolBar>
@@ -15,6 +14,9 @@
 #include <array>
 #include <utility>
 #include <variant>
+
+#include "pipeline/volume/clip_json.h"
+#include "viewer/help_boxes.h"
 
 namespace macula::viewer {
 
@@ -33,6 +35,17 @@ constexpr std::array kStandardViews{
     StandardView{ViewDirection::superior, QT_TRANSLATE_NOOP("View", "Superior"), "S"},
     StandardView{ViewDirection::inferior, QT_TRANSLATE_NOOP("View", "Inferior"), "I"},
 };
+
+QString asText(std::string_view text) {
+    return QString::fromUtf8(text.data(), qsizetype(text.size()));
+}
+
+// How a picture was made, in the status line.
+QString lookText(trace::Look look) {
+    if (look == trace::Look::cinematic) return QApplication::translate("Look", "Path traced");
+    if (look == trace::Look::clear) return QApplication::translate("Look", "Path traced, clear");
+    return asText(trace::kLooks.at(std::size_t(look)).title);
+}
 
 QString titleOr(const std::string& title, const std::string& name) {
     return QString::fromStdString(title.empty() ? name : title);
@@ -60,10 +73,11 @@ MainWindow::MainWindow(gpu::Instance instance, MainWindowOptions options)
       viewport_(new Viewport(std::move(instance), options_.device)),
       notes_(new MessageBar),
       messages_(new MessageBar),
-      loading_(new LoadingBar) {
+      loading_(new WorkBar),
+      table_(new TableRemoval(this)),
+      searching_(new WorkBar) {
     setWindowTitle(QStringLiteral("Macula"));
     setAcceptDrops(true);
-    if (!options_.lights) options_.lights = defaultLights(options_.catalogue);
 
     auto* centre = new QWidget(this);
     auto* column = new QVBoxLayout(centre);
@@ -77,13 +91,14 @@ MainWindow::MainWindow(gpu::Instance instance, MainWindowOptions options)
     makeToolBar();
     makeStatusBar();
     connectLoader();
+    connectTable();
 
     connect(viewport_, &Viewport::rendered, this, &MainWindow::onRendered);
     connect(viewport_, &Viewport::pathDropped, this,
             [this](const QString& path) { open(path.toStdString()); });
     connect(viewport_, &Viewport::keyNotHandled, this, &MainWindow::triggerShortcut);
     viewport_->setSampleLimit(options_.sampleLimit);
-    viewport_->setLights(options_.lights);
+    redraw();
     viewport_->setPictureSizeHint(options_.pictureSize);
     resize(sizeHint());
     viewport_->setFocus();
@@ -111,25 +126,71 @@ void MainWindow::makeMenus() {
     view->addSeparator();
     view->addAction(tr("Fit the whole volume\tF"), this, [this] { viewport_->fit(); });
 
+    makeLookMenu();
+    makeClipMenu();
+
     QMenu* help = menuBar()->addMenu(tr("&Help"));
-    help->addAction(tr("&Keys and Mouse"), this, &MainWindow::showKeys)
+    help->addAction(tr("&Keys and Mouse"), this, [this] { showKeys(this); })
         ->setShortcut(QKeySequence(Qt::Key_F1));
-    help->addAction(tr("&About Macula"), this, &MainWindow::showAbout);
+    help->addAction(tr("&About Macula"), this, [this] { showAbout(this); });
+}
+
+void MainWindow::makeLookMenu() {
+    looks_ = new ChoiceMenu(tr("&Look"), this);
+    menuBar()->addMenu(looks_);
+    int key = Qt::Key_1;
+    for (const trace::LookName& look : trace::kLooks) {
+        looks_->addChoice(asText(look.title), QStringLiteral("look-") + asText(look.name))
+            ->setShortcut(QKeySequence(Qt::CTRL | Qt::Key(key++)));
+    }
+    looks_->addSeparator();
+    shading_ = looks_->addAction(tr("&Shade Ray Cast"));
+    shading_->setObjectName(QStringLiteral("shade-ray-cast"));
+    shading_->setCheckable(true);
+    shading_->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_0));
+    shading_->setToolTip(tr("Light ray casts from the eye, as much as the preset says"));
+    shading_->setChecked(true);
+    QAction* window = looks_->addAction(tr("Reset &Window"), this, [this] {
+        windows_.forget(lookChosen());
+        redraw();
+    });
+    window->setObjectName(QStringLiteral("reset-window"));
+    window->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_R));
+    window->setToolTip(
+        tr("Of the values: that of the preset, where one was chosen, else that of the series"));
+    resetWindow_ = window;
+    connect(viewport_, &Viewport::windowDragged, this, [this](QPointF byHeights) {
+        if (const auto from = drawing().settings.window) windows_.drag(lookChosen(), *from, byHeights);
+        redraw();
+    });
+    connect(looks_, &ChoiceMenu::changed, this, &MainWindow::redraw);
+    connect(shading_, &QAction::triggered, this, &MainWindow::redraw);
+}
+
+void MainWindow::makeClipMenu() {
+    clips_ = new ChoiceMenu(tr("&Clip"), this);
+    menuBar()->addMenu(clips_);
+    clips_->addAction(&table_->action());
+    clips_->addSeparator();
+    clips_->addChoice(tr("&No Clip"), QStringLiteral("no-clip"))
+        ->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_U));
+    for (const auto& clip : options_.catalogue.clips) {
+        clips_->addChoice(titleOr(clip->title, clip->name),
+                          QStringLiteral("clip-") + QString::fromStdString(clip->name));
+    }
+    connect(clips_, &ChoiceMenu::changed, this, &MainWindow::updateClip);
 }
 
 void MainWindow::makeToolBar() {
     QToolBar* bar = addToolBar(tr("Look"));
     bar->setMovable(false);
     presets_ = new QComboBox(bar);
-    presets_->setToolTip(tr("What is seen, and in which colours"));
     presets_->setAccessibleName(tr("Preset"));
     fill(*presets_, options_.catalogue.presets);
     presets_->setCurrentIndex(-1);
     lights_ = new QComboBox(bar);
-    lights_->setToolTip(tr("Where the light comes from"));
     lights_->setAccessibleName(tr("Lights"));
     fill(*lights_, options_.catalogue.lights);
-    select(*lights_, options_.catalogue.lights, options_.lights);
     bar->addWidget(new QLabel(tr(" Preset "), bar));
     bar->addWidget(presets_);
     bar->addWidget(new QLabel(tr("  Lights "), bar));
@@ -141,12 +202,14 @@ void MainWindow::makeToolBar() {
 
     connect(presets_, &QComboBox::activated, this, [this](int index) {
         options_.preset = options_.catalogue.presets[std::size_t(index)];  // kept for the next study
-        viewport_->setTransferFunction(options_.preset);
+        preset_ = options_.preset;
+        windows_.forgetAll();
+        redraw();
         viewport_->setFocus();
     });
     connect(lights_, &QComboBox::activated, this, [this](int index) {
         options_.lights = options_.catalogue.lights[std::size_t(index)];
-        viewport_->setLights(options_.lights);
+        redraw();
         viewport_->setFocus();
     });
 }
@@ -157,9 +220,10 @@ void MainWindow::makeStatusBar() {
     volumeText_ = new ElidingLabel(tr("Voxels and their size"));
     deviceText_ = new ElidingLabel(tr("Device"));
     // How far the picture can be trusted is the last thing to be cut short.
-    fidelity_->setMinimumWidth(
-        fontMetrics().horizontalAdvance(tr("Path traced, %1 of %1 samples, denoised, converging").arg(8888)));
+    fidelity_->setMinimumWidth(fontMetrics().horizontalAdvance(
+        tr("Path traced, table left out, %1 of %1 samples, denoised, complete").arg(888)));
     statusBar()->addWidget(loading_);
+    statusBar()->addWidget(searching_);
     statusBar()->addWidget(fidelity_, 1);
     statusBar()->addPermanentWidget(pictureText_);
     statusBar()->addPermanentWidget(volumeText_);
@@ -170,10 +234,10 @@ void MainWindow::makeStatusBar() {
 void MainWindow::connectLoader() {
     connect(&loader_, &StudyLoader::began, this, [this] {
         messages_->hide();
-        loading_->begin();
+        loading_->begin(tr("Opening"));
     });
-    connect(&loader_, &StudyLoader::progressed, loading_, &LoadingBar::setProgress);
-    connect(loading_, &LoadingBar::cancelClicked, &loader_, &StudyLoader::cancel);
+    connect(&loader_, &StudyLoader::progressed, loading_, &WorkBar::setProgress);
+    connect(loading_, &WorkBar::cancelClicked, &loader_, &StudyLoader::cancel);
     connect(&loader_, &StudyLoader::loaded, this, [this](const LoadedStudy& study) {
         loading_->hide();
         showStudy(study);
@@ -187,6 +251,82 @@ void MainWindow::connectLoader() {
         loading_->hide();
         emit loadingCancelled();
     });
+}
+
+void MainWindow::connectTable() {
+    connect(table_, &TableRemoval::began, this, [this] {
+        messages_->hide();
+        searching_->begin(tr("Looking for the table"));
+    });
+    connect(table_, &TableRemoval::progressed, searching_, &WorkBar::setProgress);
+    connect(searching_, &WorkBar::cancelClicked, table_, &TableRemoval::cancel);
+    connect(table_, &TableRemoval::ended, searching_, &QWidget::hide);
+    connect(table_, &TableRemoval::changed, this, [this] {
+        updateClip();
+        showNotes();
+    });
+    connect(table_, &TableRemoval::failed, this, [this](const Error& error) {
+        messages_->showError(error);
+        emit failed(error);
+    });
+}
+
+trace::Look MainWindow::lookChosen() const {
+    return trace::kLooks.at(std::size_t(looks_->chosen())).look;
+}
+
+// Everything that was chosen, for the study that is open.
+Drawing MainWindow::drawing() const {
+    const trace::Look look = lookChosen();
+    Drawing drawing{.transferFunction = preset_,
+                    .lights = options_.lights ? options_.lights : defaultLights(options_.catalogue, look),
+                    .clip = clip_};
+    drawing.settings.look = look;
+    QStringList remarks;
+    if (look == trace::Look::dvr && shading_->isChecked() && preset_ && preset_->lighting.shade) {
+        drawing.settings.shading = trace::Shading::headlight;
+        remarks << tr("shaded");
+    }
+    if (trace::isProjection(look) && study_.volume) {
+        const Volume& volume = *study_.volume;
+        // A preset that was found for the study says nothing about windows.
+        const bool isChosen = preset_ && preset_ == options_.preset;
+        drawing.settings.window = windows_.of(look, volume, isChosen ? preset_.get() : nullptr);
+        remarks << windowText(*drawing.settings.window, volume.unitName());
+    }
+    if (clip_ && clip_->mask) remarks << tr("table left out");
+    if (clip_ && clip_->hasShape()) remarks << tr("clipped");
+    drawing.remarks = remarks.join(QStringLiteral(", ")).toStdString();
+    return drawing;
+}
+
+void MainWindow::redraw() {
+    Drawing now = drawing();
+    const trace::Look look = now.settings.look;
+    select(*lights_, options_.catalogue.lights, now.lights);
+    lights_->setEnabled(trace::isPathTraced(look));
+    lights_->setToolTip(trace::isPathTraced(look) ? tr("Where the light comes from")
+                                                  : tr("Only Cinematic and Clear have lights"));
+    presets_->setToolTip(trace::isProjection(look)
+                             ? tr("In this look a preset that is chosen gives the window only")
+                             : tr("What is seen, and in which colours"));
+    shading_->setEnabled(look == trace::Look::dvr);
+    resetWindow_->setEnabled(trace::isProjection(look));
+    viewport_->setDrawing(std::move(now));
+}
+
+void MainWindow::updateClip() {
+    clip_.reset();
+    if (study_.volume) {
+        Clip clip;
+        // Number 0 is no clip.
+        if (clips_->chosen() > 0) {
+            clip = clipFor(*options_.catalogue.clips.at(std::size_t(clips_->chosen()) - 1), *study_.volume);
+        }
+        clip.mask = table_->mask();
+        if (!clip.isNothing()) clip_ = std::make_shared<const Clip>(std::move(clip));
+    }
+    redraw();
 }
 
 void MainWindow::open(StudySource source) {
@@ -219,8 +359,14 @@ void MainWindow::showStudy(const LoadedStudy& study) {
         }
     }
     select(*presets_, options_.catalogue.presets, preset);
+    preset_ = preset;
+    // What was hidden of the study before may be what matters in this one.
+    table_->setVolume(study_.volume);
+    clips_->choose(0);
+    windows_.forgetAll();
+    clip_.reset();
     clearStudyTexts();
-    viewport_->setStudy(study_.volume, preset, options_.firstView);
+    viewport_->setStudy(study_.volume, drawing(), options_.firstView);
 
     for (const std::string& assumption : volume.provenance().assumptions) {
         notes << QString::fromStdString(assumption);
@@ -234,7 +380,7 @@ void MainWindow::showStudy(const LoadedStudy& study) {
 }
 
 void MainWindow::showNotes() {
-    QStringList notes = studyNotes_;
+    QStringList notes = studyNotes_ + table_->notes();
     if (!pictureNote_.isEmpty()) notes << pictureNote_;
     if (notes.isEmpty()) {
         notes_->hide();
@@ -289,18 +435,24 @@ void MainWindow::onRendered(const RenderEvent& event) {
 }
 
 void MainWindow::onFrame(const FrameShown& frame) {
-    QString text = tr("Path traced, %1 of %2 samples, ").arg(frame.samplesPerPixel).arg(frame.sampleLimit);
-    if (frame.denoised) text += tr("denoised, ");
+    QString text = lookText(frame.look);
+    if (!frame.remarks.empty()) text += QStringLiteral(", ") + QString::fromStdString(frame.remarks);
+    if (frame.stage == Stage::converging) {
+        text += tr(", %1 of %2 samples").arg(frame.samplesPerPixel).arg(frame.sampleLimit);
+    } else if (frame.stage == Stage::converged) {
+        text += tr(", %1 samples").arg(frame.samplesPerPixel);
+    }
     switch (frame.stage) {
         case Stage::moving:
-            text = frame.denoised ? tr("Path traced preview, denoised") : tr("Path traced preview, smoothed");
+            text += tr(", preview");
+            if (trace::isPathTraced(frame.look)) text += frame.denoised ? tr(", denoised") : tr(", smoothed");
             if (frame.scale > 1) text += tr(", 1/%1 of the pixels each way").arg(frame.scale);
             break;
         case Stage::converging:
-            text += tr("converging");
+            text += (frame.denoised ? tr(", denoised") : QString()) + tr(", converging");
             break;
         case Stage::converged:
-            text += tr("complete");
+            text += (frame.denoised ? tr(", denoised") : QString()) + tr(", complete");
             break;
     }
     if (frame.samplesLeftOut > 0) text += tr(", %1 samples left out").arg(frame.samplesLeftOut);
@@ -343,37 +495,6 @@ void MainWindow::dropEvent(QDropEvent* event) {
     if (path.isEmpty()) return;
     event->acceptProposedAction();
     open(path.toStdString());
-}
-
-void MainWindow::showKeys() {
-    auto* box = new QMessageBox(QMessageBox::NoIcon, tr("Keys and Mouse"),
-                                tr("<table cellspacing='6'>"
-                                   "<tr><td>Left drag, arrows</td><td>Walk around the patient</td></tr>"
-                                   "<tr><td>Middle drag, Shift + left drag, Shift + arrows</td><td>Move "
-                                   "sideways</td></tr>"
-                                   "<tr><td>Wheel, right drag, Ctrl + left drag, + and −</td><td>Closer, "
-                                   "farther</td></tr>"
-                                   "<tr><td>A, P, L, R, S, I</td><td>Look from anterior, posterior, left, "
-                                   "right, superior, inferior</td></tr>"
-                                   "<tr><td>F</td><td>Fit the whole volume</td></tr>"
-                                   "<tr><td>Ctrl + O, or drop a folder</td><td>Open a study</td></tr>"
-                                   "</table>"),
-                                QMessageBox::Close, this);
-    box->setAttribute(Qt::WA_DeleteOnClose);
-    box->setModal(false);
-    box->show();
-}
-
-void MainWindow::showAbout() {
-    auto* box = new QMessageBox(
-        QMessageBox::NoIcon, tr("About Macula"),
-        tr("<p><b>Macula %1</b></p><p>Path-traced anatomy from DICOM.</p>"
-           "<p>Not a medical device, and <b>not for primary diagnosis</b>.</p><p>Licence: Apache-2.0.</p>")
-            .arg(QApplication::applicationVersion()),
-        QMessageBox::Close, this);
-    box->setAttribute(Qt::WA_DeleteOnClose);
-    box->setModal(false);
-    box->show();
 }
 
 }  // namespace macula::viewer

@@ -11,8 +11,11 @@
 #include <string>
 
 #include "viewer/catalogue.h"
+#include "viewer/choice_menu.h"
 #include "viewer/loader_job.h"
+#include "viewer/projection_windows.h"
 #include "viewer/status_widgets.h"
+#include "viewer/table_removal.h"
 
 namespace macula::viewer {
 
@@ -20,7 +23,7 @@ struct MainWindowOptions {
     Catalogue catalogue;
     std::string device = {};                              // as in gpu::chooseDevice
     std::shared_ptr<const TransferFunction> preset = {};  // null: by the volume's modality
-    std::shared_ptr<const trace::LightRig> lights = {};   // null: the default
+    std::shared_ptr<const trace::LightRig> lights = {};   // null: by look
     ViewDirection firstView = ViewDirection::anterior;
     QSize pictureSize{960, 720};
     std::uint32_t sampleLimit = 512;
@@ -39,6 +42,7 @@ class MainWindow : public QMainWindow {
     void showStudy(const LoadedStudy& study);
     void cancelLoading() { loader_.cancel(); }
     bool loading() const { return loader_.loading(); }
+    bool searchingTable() const { return table_->searching(); }
     bool loaderAtRest() const { return loader_.atRest(); }
 
     Viewport& viewport() { return *viewport_; }
@@ -48,6 +52,7 @@ class MainWindow : public QMainWindow {
     QString description() const { return description_->fullText(); }  // of the study on screen
     QString fidelity() const { return fidelity_->fullText(); }        // how true the picture is
     bool hasStudy() const { return study_.volume != nullptr; }
+    bool hidesSomething() const { return clip_ != nullptr; }
 
   signals:
     void frameShown(const macula::viewer::FrameShown& frame);
@@ -62,17 +67,22 @@ class MainWindow : public QMainWindow {
 
   private:
     void makeMenus();
+    void makeLookMenu();
+    void makeClipMenu();
     void makeToolBar();
     void makeStatusBar();
     void connectLoader();
+    void connectTable();
+    trace::Look lookChosen() const;
+    Drawing drawing() const;
+    void redraw();      // what was chosen has changed
+    void updateClip();  // what is hidden has
     void askForFolder();
     void onRendered(const RenderEvent& event);
     void onFrame(const FrameShown& frame);
     void setStudyTexts(const LoadedStudy& study);
     void clearStudyTexts();
     void showNotes();
-    void showKeys();
-    void showAbout();
     void triggerShortcut(QKeyEvent* event);
 
     MainWindowOptions options_;
@@ -80,12 +90,21 @@ class MainWindow : public QMainWindow {
     LoadedStudy study_;       // open; nothing of it is told before its picture is on screen
     QStringList studyNotes_;  // what is to be known about it
     QString pictureNote_;     // and about what the device shows of it
+    std::shared_ptr<const TransferFunction> preset_;  // of the study, which need not be the one asked for
+    std::shared_ptr<const Clip> clip_;                // null: nothing is hidden
+    ProjectionWindows windows_;
     QString lastFolder_;
 
     Viewport* viewport_ = nullptr;
     MessageBar* notes_ = nullptr;  // stay while other studies are loaded, and when that fails
     MessageBar* messages_ = nullptr;
-    LoadingBar* loading_ = nullptr;
+    WorkBar* loading_ = nullptr;
+    TableRemoval* table_ = nullptr;
+    WorkBar* searching_ = nullptr;  // for the table
+    ChoiceMenu* looks_ = nullptr;
+    QAction* shading_ = nullptr;
+    QAction* resetWindow_ = nullptr;
+    ChoiceMenu* clips_ = nullptr;
     QComboBox* presets_ = nullptr;
     QComboBox* lights_ = nullptr;
     ElidingLabel* description_ = nullptr;

@@ -9,6 +9,7 @@
 
 #include "base/message.h"
 #include "base/result.h"
+#include "pipeline/trace/look.h"
 #include "viewer/orbit_camera.h"
 
 namespace macula::viewer {
@@ -43,7 +44,9 @@ struct FrameShown {
     int scale = 1;
     std::uint64_t samplesPerPixel = 0;  // on average: noise decides where they go
     std::uint64_t sampleLimit = 0;
-    bool denoised = false;             // filtered: smooth, and not quite what was traced
+    bool denoised = false;  // filtered: smooth, and not quite what was traced
+    trace::Look look{};
+    std::string remarks{};             // of the drawing it was made from
     double framesPerSecond = 0.0;      // of pictures shown lately; 0 when there was only one
     double latencyMs = 0.0;            // from publishing the input to showing this picture
     std::uint64_t samplesLeftOut = 0;  // not finite, or of paths too long for the device

@@ -84,7 +84,7 @@ void MessageBar::show(const QString& text, bool isError) {
     setVisible(true);
 }
 
-LoadingBar::LoadingBar(QWidget* parent)
+WorkBar::WorkBar(QWidget* parent)
     : QWidget(parent),
       stage_(new QLabel(this)),
       bar_(new QProgressBar(this)),
@@ -92,8 +92,8 @@ LoadingBar::LoadingBar(QWidget* parent)
     bar_->setMaximumHeight(fontMetrics().height() + 4);
     bar_->setMinimumWidth(120);
     cancel_->setText(tr("Cancel"));
-    cancel_->setToolTip(tr("Stop loading; what is shown now stays"));
-    connect(cancel_, &QPushButton::clicked, this, &LoadingBar::cancelClicked);
+    cancel_->setToolTip(tr("Stop; what is shown now stays"));
+    connect(cancel_, &QPushButton::clicked, this, &WorkBar::cancelClicked);
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
     row->addWidget(stage_);
@@ -102,13 +102,13 @@ LoadingBar::LoadingBar(QWidget* parent)
     hide();
 }
 
-void LoadingBar::begin() {
-    stage_->setText(tr("Opening"));
+void WorkBar::begin(const QString& stage) {
+    stage_->setText(stage);
     bar_->setRange(0, 0);  // busy: nobody knows yet how much there is
     setVisible(true);
 }
 
-void LoadingBar::setProgress(const QString& stage, double fraction) {
+void WorkBar::setProgress(const QString& stage, double fraction) {
     stage_->setText(stage);
     bar_->setRange(0, kProgressSteps);
     bar_->setValue(int(std::clamp(fraction, 0.0, 1.0) * kProgressSteps));

@@ -53,14 +53,14 @@ class MessageBar : public QWidget {
     QLabel* text_ = nullptr;
 };
 
-// What a load is doing, how far it is, and a way out.
-class LoadingBar : public QWidget {
+// What work in the background is doing, how far it is, and a way out.
+class WorkBar : public QWidget {
     Q_OBJECT
 
   public:
-    explicit LoadingBar(QWidget* parent = nullptr);
+    explicit WorkBar(QWidget* parent = nullptr);
 
-    void begin();
+    void begin(const QString& stage);
     void setProgress(const QString& stage, double fraction);
 
   signals:

@@ -183,11 +183,10 @@ void Viewport::connectWindow() {
     connect(window_, &VulkanWindow::pathDropped, this, &Viewport::pathDropped);
 }
 
-void Viewport::setStudy(std::shared_ptr<const Volume> volume,
-                        std::shared_ptr<const TransferFunction> function, ViewDirection from) {
+void Viewport::setStudy(std::shared_ptr<const Volume> volume, Drawing drawing, ViewDirection from) {
     ++input_.study;
     input_.volume = std::move(volume);
-    input_.transferFunction = std::move(function);
+    input_.drawing = std::move(drawing);
     setLetters({});
     if (input_.volume) {
         showFrom(from);
@@ -196,13 +195,9 @@ void Viewport::setStudy(std::shared_ptr<const Volume> volume,
     }
 }
 
-void Viewport::setTransferFunction(std::shared_ptr<const TransferFunction> function) {
-    input_.transferFunction = std::move(function);
-    publish();
-}
-
-void Viewport::setLights(std::shared_ptr<const trace::LightRig> lights) {
-    input_.lights = std::move(lights);
+void Viewport::setDrawing(Drawing drawing) {
+    if (drawing == input_.drawing) return;
+    input_.drawing = std::move(drawing);
     publish();
 }
 
@@ -280,6 +275,12 @@ void Viewport::applyDrag(VulkanWindow::Drag drag, QPointF byPixels) {
             return setCamera(orbitedByDrag(camera_, byPixels.x(), byPixels.y(), height));
         case VulkanWindow::Drag::pan:
             return setCamera(pannedByDrag(camera_, byPixels.x(), byPixels.y(), height));
+        case VulkanWindow::Drag::windowOrZoom:
+            if (trace::isProjection(input_.drawing.settings.look)) {
+                emit windowDragged(byPixels / std::max(height, 1.0));
+                return;
+            }
+            [[fallthrough]];
         case VulkanWindow::Drag::zoom:
             return setCamera(zoomed(camera_,
                                     std::pow(kDragZoomPerHeight, -byPixels.y() / std::max(height, 1.0)),

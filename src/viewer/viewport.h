@@ -28,13 +28,11 @@ class Viewport : public QWidget {
     Viewport(gpu::Instance instance, std::string preferredDevice, QWidget* parent = nullptr);
     ~Viewport() override;
 
-    // A new study, with the camera framing it from `from`: all at once, so that no volume is ever drawn with
-    // the optics of another. What was shown goes off the screen before the first picture of it comes, and the
+    // A new study, with the camera framing it from `from`: all at once, so that no volume is ever drawn as
+    // another. What was shown goes off the screen before the first picture of it comes, and the
     // letters at the edges with it. A null volume shows nothing.
-    void setStudy(std::shared_ptr<const Volume> volume, std::shared_ptr<const TransferFunction> function,
-                  ViewDirection from);
-    void setTransferFunction(std::shared_ptr<const TransferFunction> function);
-    void setLights(std::shared_ptr<const trace::LightRig> lights);
+    void setStudy(std::shared_ptr<const Volume> volume, Drawing drawing, ViewDirection from);
+    void setDrawing(Drawing drawing);
     void setSampleLimit(std::uint32_t samplesPerPixel);
     void setPictureSizeHint(QSize pixels);
 
@@ -51,6 +49,7 @@ class Viewport : public QWidget {
 
   signals:
     void rendered(const macula::viewer::RenderEvent& event);
+    void windowDragged(QPointF byHeights);  // with the right button, in projections: see ProjectionWindows
     void pathDropped(const QString& path);
     void keyNotHandled(QKeyEvent* event);
 

@@ -102,7 +102,7 @@ void VulkanWindow::mousePressEvent(QMouseEvent* event) {
             drag_ = Drag::pan;
             break;
         case Qt::RightButton:
-            drag_ = Drag::zoom;
+            drag_ = Drag::windowOrZoom;
             break;
         default:
             return;

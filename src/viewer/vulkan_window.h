@@ -18,7 +18,8 @@ class VulkanWindow : public QWindow {
     Q_OBJECT
 
   public:
-    enum class Drag { orbit, pan, zoom };
+    // Of the last, the picture decides.
+    enum class Drag { orbit, pan, zoom, windowOrZoom };
 
     // `instance` must outlive the window.
     explicit VulkanWindow(QVulkanInstance* instance);

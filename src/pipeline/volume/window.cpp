@@ -2,11 +2,19 @@
 
 #include <algorithm>
 
+#include "pipeline/volume/volume_fit.h"
+
 namespace macula {
 
 DisplayWindow seriesWindow(const Volume& volume) {
     if (!volume.windows().empty()) return volume.windows().front();
     return windowOver(volume.valueRange().value_or(ValueRange{0.0, 1.0}));
+}
+
+std::optional<DisplayWindow> presetWindow(const TransferFunction& preset, const Volume& volume) {
+    const std::optional<ValueRange> range = fitted(preset, volume).effectiveRange;
+    if (!range || !(range->low < range->high)) return std::nullopt;
+    return windowOver(*range);
 }
 
 DisplayWindow windowOver(const ValueRange& range) {

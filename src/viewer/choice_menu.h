@@ -1,0 +1,31 @@
+// Menus in which one of several things is chosen.
+#pragma once
+
+#include <QActionGroup>
+#include <QMenu>
+#include <QString>
+
+namespace macula::viewer {
+
+// Entries of a menu of which exactly one is checked, numbered from 0 in the order they were added. The menu
+// may hold other things too.
+class ChoiceMenu : public QMenu {
+    Q_OBJECT
+
+  public:
+    ChoiceMenu(const QString& title, QWidget* parent);
+
+    // The first one is chosen. `name` is the object name of the action, for tests and scripts of a desktop.
+    QAction* addChoice(const QString& title, const QString& name);
+    int chosen() const { return chosen_; }
+    void choose(int index);  // tells nobody
+
+  signals:
+    void changed(int index);  // by a person
+
+  private:
+    QActionGroup group_;
+    int chosen_ = 0;
+};
+
+}  // namespace macula::viewer

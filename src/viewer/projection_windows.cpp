@@ -1,0 +1,50 @@
+#include "viewer/projection_windows.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "pipeline/volume/window.h"
+
+namespace macula::viewer {
+
+namespace {
+
+constexpr double kWidthPerHeight = 20.0;  // times wider for a drag over the height of the picture
+constexpr double kNarrowest = 1e-3;       // of the volume's units
+constexpr double kWidest = 1e9;
+
+}  // namespace
+
+DisplayWindow ProjectionWindows::of(trace::Look look, const Volume& volume,
+                                    const TransferFunction* chosen) const {
+    if (const auto& byHand = byHand_.at(std::size_t(look))) return *byHand;
+    const auto ofPreset = chosen != nullptr ? presetWindow(*chosen, volume) : std::nullopt;
+    return ofPreset ? *ofPreset : seriesWindow(volume);
+}
+
+void ProjectionWindows::drag(trace::Look look, const DisplayWindow& from, QPointF byHeights) {
+    DisplayWindow window = from;
+    window.width = std::clamp(from.width * std::pow(kWidthPerHeight, byHeights.x()), kNarrowest, kWidest);
+    window.center = std::clamp(from.center + byHeights.y() * from.width, -kWidest, kWidest);
+    byHand_.at(std::size_t(look)) = window;
+}
+
+void ProjectionWindows::forget(trace::Look look) {
+    byHand_.at(std::size_t(look)).reset();
+}
+
+QString windowText(const DisplayWindow& window, const std::string& unit) {
+    const int decimals = window.width >= 100.0 ? 0 : window.width >= 1.0 ? 1 : 4;
+    const auto number = [&](double value) {
+        // Whole numbers are written as such, and nothing as -0.
+        const double scale = std::pow(10.0, decimals);
+        const double rounded = std::round(value * scale) / scale;
+        return rounded == std::round(rounded) ? QString::number(std::llround(rounded))
+                                              : QString::number(rounded, 'f', decimals);
+    };
+    return QStringLiteral("W %1 L %2 %3")
+        .arg(number(window.width), number(window.center), QString::fromStdString(unit))
+        .trimmed();
+}
+
+}  // namespace macula::viewer

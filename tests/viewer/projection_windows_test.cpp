@@ -1,0 +1,66 @@
+#include "viewer/projection_windows.h"
+
+#include <gtest/gtest.h>
+
+namespace macula::viewer {
+namespace {
+
+using trace::Look;
+
+Volume volumeWith(std::vector<DisplayWindow> windows) {
+    auto volume = Volume::create({.size = glm::ivec3(2),
+                                  .unitsFromStored = {.slope = 1.0, .intercept = -1000.0},
+                                  .unit = Unit::hounsfield,
+                                  .modality = "CT",
+                                  .windows = std::move(windows)},
+                                 {0, 100, 200, 300, 400, 500, 600, 2000});
+    return *std::move(volume);
+}
+
+TEST(ProjectionWindows, ByHandComesBeforeThePresetAndThatBeforeTheSeries) {
+    const Volume plain = volumeWith({});
+    const Volume named = volumeWith({{.center = 40.0, .width = 400.0, .explanation = {}, .function = {}}});
+    TransferFunction preset;
+    ProjectionWindows windows;
+    EXPECT_EQ(windowText(windows.of(Look::mip, plain, nullptr), "HU"), QStringLiteral("W 2000 L 0 HU"));
+    EXPECT_EQ(windowText(windows.of(Look::mip, named, nullptr), "HU"), QStringLiteral("W 400 L 40 HU"));
+    // A preset without a range has none to give.
+    EXPECT_EQ(windows.of(Look::mip, named, &preset), windows.of(Look::mip, named, nullptr));
+    preset.effectiveRange = ValueRange{150.0, 1500.0};
+    EXPECT_EQ(windowText(windows.of(Look::mip, named, &preset), {}), QStringLiteral("W 1350 L 825"));
+
+    windows.drag(Look::mip, windows.of(Look::mip, named, &preset), {0.0, -0.1});
+    EXPECT_DOUBLE_EQ(windows.of(Look::mip, named, &preset).center, 825.0 - 135.0);  // up: brighter
+    EXPECT_DOUBLE_EQ(windows.of(Look::mip, named, &preset).width, 1350.0);
+    EXPECT_DOUBLE_EQ(windows.of(Look::average, named, &preset).center, 825.0);  // has its own
+    windows.forget(Look::mip);
+    EXPECT_DOUBLE_EQ(windows.of(Look::mip, named, &preset).center, 825.0);
+}
+
+TEST(ProjectionWindows, DraggingThereAndBackIsTheSameWindowAndNoneIsEverEmpty) {
+    const DisplayWindow first{.center = 40.0, .width = 400.0, .explanation = {}, .function = {}};
+    const Volume volume = volumeWith({first});
+    ProjectionWindows windows;
+    windows.drag(Look::minip, first, {0.5, 0.0});
+    EXPECT_GT(windows.of(Look::minip, volume, nullptr).width, 1000.0);
+    windows.drag(Look::minip, windows.of(Look::minip, volume, nullptr), {-0.5, 0.0});
+    EXPECT_NEAR(windows.of(Look::minip, volume, nullptr).width, 400.0, 1e-9);
+    windows.drag(Look::minip, first, {-1000.0, 0.0});
+    EXPECT_GT(windows.of(Look::minip, volume, nullptr).width, 0.0);
+    windows.drag(Look::minip, first, {1000.0, 1000.0});
+    EXPECT_TRUE(std::isfinite(windows.of(Look::minip, volume, nullptr).width));
+    windows.forgetAll();
+    EXPECT_EQ(windows.of(Look::minip, volume, nullptr), first);
+}
+
+TEST(ProjectionWindows, NumbersAreAsExactAsTheWindowIsWide) {
+    const auto text = [](double width, double center) {
+        return windowText({.center = center, .width = width, .explanation = {}, .function = {}}, "HU");
+    };
+    EXPECT_EQ(text(1500.4, -600.2), QStringLiteral("W 1500 L -600 HU"));
+    EXPECT_EQ(text(8.26, -0.04), QStringLiteral("W 8.3 L 0 HU"));
+    EXPECT_EQ(text(0.25, 0.125), QStringLiteral("W 0.2500 L 0.1250 HU"));
+}
+
+}  // namespace
+}  // namespace macula::viewer

@@ -1,0 +1,109 @@
+// A main window on a display, in this process.
+#pragma once
+
+#include "viewer/main_window.h"  // before Qt, see vulkan_window.h
+
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QElapsedTimer>
+#include <QImage>
+#include <QMouseEvent>
+#include <QPixmap>
+#include <QScreen>
+#include <QSet>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "gpu/lose_device.h"
+#include "viewer/display.h"
+
+namespace macula::viewer {
+
+template <class Done>
+bool waitUntil(Done done, int seconds = 120) {
+    QElapsedTimer waited;
+    waited.start();
+    while (!done()) {
+        if (waited.elapsed() > 1000 * seconds) return false;
+        QCoreApplication::processEvents(QEventLoop::AllEvents, 10);
+    }
+    return true;
+}
+
+class WindowTest : public testing::Test {
+  protected:
+    void SetUp() override {
+        if (const std::string why = test::ensureDisplay(); !why.empty()) GTEST_SKIP() << why;
+        application_.emplace(argc_, argv_);
+        auto instance = createInstanceForWindows();
+        if (!instance) FAIL() << "packaging/bootstrap installs a Vulkan driver: " << instance.error().message;
+        auto catalogue = builtInCatalogue();
+        ASSERT_TRUE(catalogue.ok()) << catalogue.error().message;
+        MainWindowOptions options{.catalogue = *catalogue};
+        // Not used for CT; and refused by the device's side of the program for all else.
+        options.preset =
+            std::make_shared<const TransferFunction>(TransferFunction{.name = "empty", .unit = Unit::raw});
+        options.pictureSize = QSize(320, 240);
+        options.sampleLimit = 2;
+        window_.emplace(*std::move(instance), std::move(options));
+        QObject::connect(&*window_, &MainWindow::frameShown, &*window_, [this](const FrameShown& frame) {
+            last_ = frame;
+            ++frames_;
+        });
+        window_->show();
+    }
+    void TearDown() override {
+        macula::test::loseDeviceAt(macula::test::VulkanCall::submit, 1, 0);
+        window_.reset();
+        application_.reset();
+    }
+
+    static LoadedStudy smallStudy(Unit unit) {
+        auto volume = Volume::create({.size = glm::ivec3(8), .unit = unit, .modality = "CT"},
+                                     std::vector<std::uint16_t>(512, 1000));
+        return {.volume = std::make_shared<const Volume>(*std::move(volume)), .description = "Second"};
+    }
+    static LoadedStudy studyThatCannotBeShown() { return smallStudy(Unit::raw); }
+    // What a person sees there.
+    QImage middle() {
+        VulkanWindow& target = window_->viewport().window();
+        const QPoint corner = target.mapToGlobal(QPoint(target.width() / 4, target.height() / 4));
+        return target.screen()
+            ->grabWindow(0, corner.x(), corner.y(), target.width() / 2, target.height() / 2)
+            .toImage();
+    }
+    qsizetype coloursInTheMiddle() {
+        const QImage picture = middle();
+        QSet<QRgb> colours;
+        for (int y = 0; y < picture.height(); ++y) {
+            for (int x = 0; x < picture.width(); ++x) colours.insert(picture.pixel(x, y));
+        }
+        return colours.size();
+    }
+
+    bool waitForConverged() {
+        last_.reset();
+        return waitUntil([&] { return last_ && last_->stage == Stage::converged; });
+    }
+    void sendMouse(QEvent::Type type, QPointF at, Qt::MouseButton button, Qt::MouseButtons held) {
+        VulkanWindow& target = window_->viewport().window();
+        QMouseEvent event(type, at, target.mapToGlobal(at), button, held, Qt::NoModifier);
+        QCoreApplication::sendEvent(&target, &event);
+    }
+    void pressKey(int key, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
+        QKeyEvent event(QEvent::KeyPress, key, modifiers);
+        QCoreApplication::sendEvent(&window_->viewport().window(), &event);
+    }
+
+    int argc_ = 1;
+    char name_[5] = "test";
+    char* argv_[2] = {name_, nullptr};
+    std::optional<QApplication> application_;
+    std::optional<MainWindow> window_;
+    std::optional<FrameShown> last_;
+    int frames_ = 0;
+};
+
+}  // namespace macula::viewer
