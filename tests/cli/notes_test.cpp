@@ -31,7 +31,8 @@ class Notes : public CommandTest {
     std::string unitless() const {
         std::string text =
             "NRRD0004\ntype: uint16\ndimension: 3\nspace: left-posterior-superior\nsizes: 8 8 8\n"
-            "space directions: (1,0,0) (0,1,0) (0,0,1)\nspace origin: (0,0,0)\nencoding: raw\nendian: little\n\n";
+            "space directions: (1,0,0) (0,1,0) (0,0,1)\nspace origin: (0,0,0)\nencoding: raw\nendian: "
+            "little\n\n";
         for (int i = 0; i < 512; ++i) text += {static_cast<char>(i & 0xff), static_cast<char>(i >> 8)};
         return write("unitless.nrrd", text);
     }
