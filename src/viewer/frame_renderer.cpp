@@ -97,6 +97,12 @@ void FrameRenderer::accept(FrameInput input) {
         if (presenter_) presenter_->forget();
         unreported_.reset();
     }
+    // What else is on the device leaves another room; and nobody knows how much.
+    if (input.volume != input_.volume || input.drawing.transferFunction != input_.drawing.transferFunction ||
+        input.drawing.clip != input_.drawing.clip || input.width != input_.width ||
+        input.height != input_.height) {
+        pixelsRefused_ = kNoneRefused;
+    }
     if (!samePicture(input, input_)) {
         restart_ = true;
         halted_ = false;
@@ -169,17 +175,17 @@ Result<void> FrameRenderer::tryStep(const Interrupts& interrupts) {
 }
 
 Result<void> FrameRenderer::ensureDevice() {
-    if (device_) return {};
+    if (device_ && tracer_) return {};
     listener_(Preparing{"Starting the graphics device"});
-    gpu::DeviceOptions options;
-    options.preferred = preferredDevice_;
-    options.extensions.push_back(VK_KHR_SWAPCHAIN_EXTENSION_NAME);
-    MACULA_TRY(std::shared_ptr<gpu::Device> device, gpu::Device::create(instance_, options));
-    MACULA_TRY(trace::PathTracer tracer, trace::PathTracer::create(device));
-    device_ = std::move(device);
-    tracer_.emplace(std::move(tracer));
+    if (!device_) {
+        gpu::DeviceOptions options;
+        options.preferred = preferredDevice_;
+        options.extensions.push_back(VK_KHR_SWAPCHAIN_EXTENSION_NAME);
+        MACULA_TRY(device_, gpu::Device::create(instance_, options));
+    }
+    MACULA_TRY(tracer_, trace::PathTracer::create(device_));
     warmWidth_ = 0;
-    filterFits_ = true;
+    pixelsRefused_ = kNoneRefused;
     filterNsPerPixel_ = 0.0;
     applied_ = {};
     restart_ = true;
@@ -196,7 +202,6 @@ Result<void> FrameRenderer::ensurePresenter() {
         restart_ = true;
     } else if (applied_.window.width != window.width || applied_.window.height != window.height) {
         MACULA_TRY_VOID(presenter_->resize(window));
-        filterFits_ = true;  // perhaps, now
     }
     applied_.window = window;
     if (applied_.exposures != input_.exposures) {
@@ -263,12 +268,12 @@ Result<void> FrameRenderer::applySettings(const trace::Settings& settings) {
 }
 
 Result<void> FrameRenderer::startMoving() {
-    MACULA_TRY_VOID(
-        applySettings(denoised(motionSettings(input_.drawing.settings, ++motionFrame_), mayDenoise())));
     scale_ = motionScale_->choose(input_.width, input_.height);
     view_ = {.camera = input_.camera,
              .width = scaledEdge(input_.width, scale_),
              .height = scaledEdge(input_.height, scale_)};
+    MACULA_TRY_VOID(
+        applySettings(denoised(motionSettings(input_.drawing.settings, ++motionFrame_), mayDenoise())));
     MACULA_TRY_VOID(tracer_->setView(view_));
     movingSince_ = Clock::now();
     movingSamples_ = 0;
@@ -278,12 +283,12 @@ Result<void> FrameRenderer::startMoving() {
 }
 
 Result<void> FrameRenderer::startConverging() {
+    scale_ = 1;
+    view_ = {.camera = input_.camera, .width = input_.width, .height = input_.height};
     stillIsDenoised_ =
         mayDenoise() && filterNsPerPixel_ * 1e-6 * input_.width * input_.height <= kMostFilterMs;
     showFrom_ = !hasNoise() ? 1 : stillIsDenoised_ ? kFirstDenoised : kFirstPlain;
     MACULA_TRY_VOID(applySettings(denoised(input_.drawing.settings, stillIsDenoised_)));
-    scale_ = 1;
-    view_ = {.camera = input_.camera, .width = input_.width, .height = input_.height};
     MACULA_TRY_VOID(tracer_->setView(view_));
     stage_ = Stage::converging;
     return {};
@@ -349,7 +354,7 @@ bool FrameRenderer::hasNoise() const {
 }
 
 bool FrameRenderer::mayDenoise() const {
-    return filterFits_ && hasNoise();
+    return std::int64_t(view_.width) * view_.height < pixelsRefused_ && hasNoise();
 }
 
 std::uint64_t FrameRenderer::sampleLimit() const {
@@ -361,9 +366,9 @@ Result<const gpu::Image*> FrameRenderer::develop() {
     const auto smoothing = stage_ == Stage::moving && hasNoise() && !mayDenoise() ? kPlainMotionSmoothing
                                                                                   : trace::Smoothing::none;
     auto picture = tracer_->display(input_.background, smoothing);
-    if (picture.ok() || picture.error().code != ErrorCode::outOfMemory || !filterFits_) return picture;
+    if (picture.ok() || picture.error().code != ErrorCode::outOfMemory || !mayDenoise()) return picture;
     log::warning("There is no room on the device to denoise a picture of this size.");
-    filterFits_ = false;
+    pixelsRefused_ = std::int64_t(view_.width) * view_.height;
     stillIsDenoised_ = false;
     MACULA_TRY_VOID(applySettings(denoised(*applied_.settings, false)));
     return tracer_->display(input_.background, smoothing);
@@ -409,12 +414,15 @@ double FrameRenderer::framesPerSecond() const {
 }
 
 void FrameRenderer::handle(Error error) {
-    if (device_ && device_->lost()) {
+    // An error of another kind may have come of the loss; and what is lost while it is made is not there to
+    // be asked.
+    if ((device_ && device_->lost()) || error.code == ErrorCode::deviceLost) {
         dropDevice();
         if (losses_.mayGoOn()) {
+            halted_ = false;  // hasWork() is true without a device: the next step makes a new one
             log::warning("The graphics device was lost; starting it again.");
             listener_(DeviceRestarting{});
-            return;  // hasWork() is true without a device: the next step makes a new one
+            return;
         }
         error = gpu::lostTooOften();
     }

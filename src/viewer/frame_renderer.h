@@ -2,8 +2,10 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <deque>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -53,6 +55,7 @@ class FrameRenderer {
 
   private:
     using Clock = std::chrono::steady_clock;
+    static constexpr std::int64_t kNoneRefused = std::numeric_limits<std::int64_t>::max();
 
     Result<void> tryStep(const Interrupts& interrupts);
     Result<void> ensureDevice();
@@ -65,7 +68,7 @@ class FrameRenderer {
     Result<void> stepMoving(const Interrupts& interrupts);
     Result<void> stepConverging(const Interrupts& interrupts);
     bool hasNoise() const;
-    bool mayDenoise() const;
+    bool mayDenoise() const;  // the picture of view_
     std::uint64_t sampleLimit() const;
     Result<const gpu::Image*> develop();
     Result<void> show(const gpu::Image& picture);
@@ -102,8 +105,9 @@ class FrameRenderer {
     int scale_ = 1;
     trace::View view_;
     std::optional<MotionScale> motionScale_;
-    int warmWidth_ = 0;              // of the picture in motion before
-    bool filterFits_ = true;         // the device has room to denoise
+    int warmWidth_ = 0;  // of the picture in motion before
+    // A picture of so many was too large to denoise for the room there was.
+    std::int64_t pixelsRefused_ = kNoneRefused;
     double filterNsPerPixel_ = 0.0;  // what that took lately, guides included
     bool stillIsDenoised_ = false;
     std::uint64_t showFrom_ = 0;  // samples: the full picture is not shown with fewer
