@@ -220,8 +220,7 @@ void MainWindow::makeStatusBar() {
     volumeText_ = new ElidingLabel(tr("Voxels and their size"));
     deviceText_ = new ElidingLabel(tr("Device"));
     // How far the picture can be trusted is the last thing to be cut short.
-    fidelity_->setMinimumWidth(fontMetrics().horizontalAdvance(
-        tr("Path traced, table left out, %1 of %1 samples, denoised, complete").arg(888)));
+    fidelity_->keepLongest();
     statusBar()->addWidget(loading_);
     statusBar()->addWidget(searching_);
     statusBar()->addWidget(fidelity_, 1);
@@ -375,6 +374,7 @@ void MainWindow::showStudy(const LoadedStudy& study) {
     messages_->hide();
     studyNotes_ = notes;
     pictureNote_.clear();
+    if (deviceIsBack_) deviceNote_.clear();
     showNotes();
     emit studyShown();
 }
@@ -382,6 +382,7 @@ void MainWindow::showStudy(const LoadedStudy& study) {
 void MainWindow::showNotes() {
     QStringList notes = studyNotes_ + table_->notes();
     if (!pictureNote_.isEmpty()) notes << pictureNote_;
+    if (!deviceNote_.isEmpty()) notes << deviceNote_;
     if (notes.isEmpty()) {
         notes_->hide();
     } else {
@@ -421,13 +422,19 @@ void MainWindow::onRendered(const RenderEvent& event) {
         deviceText_->setToolTip(QString::fromStdString(ready->description));
     } else if (std::holds_alternative<DeviceRestarting>(event)) {
         fidelity_->setFullText(tr("Starting the graphics device again…"));
-        messages_->showNote(
-            tr("The graphics device stopped responding and is started again; the picture is "
-               "made anew. If this comes back, update the graphics driver."));
+        deviceNote_ =
+            tr("The graphics device stopped responding and is started again; the picture is made "
+               "anew. If this comes back, update the graphics driver.");
+        deviceIsBack_ = false;
+        showNotes();
     } else if (const auto* preparing = std::get_if<Preparing>(&event)) {
         fidelity_->setFullText(QString::fromStdString(preparing->what) + QStringLiteral("…"));
     } else if (const auto* failure = std::get_if<RenderFailure>(&event)) {
         clearStudyTexts();
+        if (!std::exchange(deviceIsBack_, true)) {
+            deviceNote_.clear();  // the error says what became of it
+            showNotes();
+        }
         fidelity_->setFullText(tr("No picture"));
         messages_->showError(failure->error);
         emit failed(failure->error);
@@ -464,6 +471,12 @@ void MainWindow::onFrame(const FrameShown& frame) {
     if (const QString note = about.join(QLatin1Char(' ')); note != pictureNote_) {
         pictureNote_ = note;
         showNotes();
+    }
+    if (!std::exchange(deviceIsBack_, true)) {
+        deviceNote_ =
+            tr("The graphics device stopped responding and was started again. If this comes back, "
+               "update the graphics driver.");
+        if (notes_->isVisible()) showNotes();  // else it was read and dismissed
     }
     fidelity_->setFullText(text);
     pictureText_->setFullText(

@@ -90,6 +90,8 @@ class MainWindow : public QMainWindow {
     LoadedStudy study_;       // open; nothing of it is told before its picture is on screen
     QStringList studyNotes_;  // what is to be known about it
     QString pictureNote_;     // and about what the device shows of it
+    QString deviceNote_;      // and about the device
+    bool deviceIsBack_ = true;
     std::shared_ptr<const TransferFunction> preset_;  // of the study, which need not be the one asked for
     std::shared_ptr<const Clip> clip_;                // null: nothing is hidden
     ProjectionWindows windows_;

@@ -10,6 +10,8 @@ namespace macula::viewer {
 namespace {
 
 constexpr int kNarrowestLabelPx = 40;
+constexpr int kBetweenPx = 8;       // at most, in any style
+constexpr double kMostOfRow = 0.6;  // for the label that is kept longest
 constexpr int kProgressSteps = 1000;
 
 }  // namespace
@@ -36,11 +38,29 @@ QSize ElidingLabel::sizeHint() const {
 }
 
 QSize ElidingLabel::minimumSizeHint() const {
-    return {kNarrowestLabelPx, QLabel::minimumSizeHint().height()};
+    const int wanted = isKeptLongest_ ? std::min(sizeHint().width(), roomPx()) : 0;
+    return {std::max(kNarrowestLabelPx, wanted), QLabel::minimumSizeHint().height()};
+}
+
+void ElidingLabel::keepLongest() {
+    isKeptLongest_ = true;
+    updateGeometry();
+}
+
+// Never all that its parent has: that could then not be made narrower any more.
+int ElidingLabel::roomPx() const {
+    const QWidget* row = parentWidget();
+    if (row == nullptr) return 0;
+    int left = row->width();
+    for (const QWidget* other : row->findChildren<QWidget*>(Qt::FindDirectChildrenOnly)) {
+        if (other != this && other->isVisible()) left -= other->minimumSizeHint().width() + kBetweenPx;
+    }
+    return std::min(left, int(kMostOfRow * row->width()));
 }
 
 void ElidingLabel::resizeEvent(QResizeEvent*) {
     elide();
+    if (isKeptLongest_) updateGeometry();
 }
 
 void ElidingLabel::elide() {

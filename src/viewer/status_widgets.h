@@ -21,6 +21,8 @@ class ElidingLabel : public QLabel {
     // `more` is told by the tool tip only.
     void setFullText(const QString& text, const QString& more = {});
     QString fullText() const { return full_; }
+    // The labels beside it give way first, until it has most of their parent's width.
+    void keepLongest();
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
 
@@ -29,7 +31,9 @@ class ElidingLabel : public QLabel {
 
   private:
     void elide();
+    int roomPx() const;
 
+    bool isKeptLongest_ = false;
     QString what_;
     QString full_;
     QString more_;

@@ -83,9 +83,9 @@ class WindowTest : public testing::Test {
         return colours.size();
     }
 
-    bool waitForConverged() {
+    bool waitForConverged(int seconds = 120) {
         last_.reset();
-        return waitUntil([&] { return last_ && last_->stage == Stage::converged; });
+        return waitUntil([&] { return last_ && last_->stage == Stage::converged; }, seconds);
     }
     void sendMouse(QEvent::Type type, QPointF at, Qt::MouseButton button, Qt::MouseButtons held) {
         VulkanWindow& target = window_->viewport().window();

@@ -3,16 +3,16 @@
 
 #include <QDropEvent>
 #include <QMimeData>
+#include <QStatusBar>
 #include <QUrl>
+#include <algorithm>
+#include <cstdlib>
+#include <vector>
 
 #include "viewer/window_fixture.h"
 
 namespace macula::viewer {
 namespace {
-
-using macula::test::devicesLost;
-using macula::test::loseDeviceAt;
-using macula::test::VulkanCall;
 
 TEST_F(WindowTest, ThePhantomConvergesThenStopsAndStartsAgainWhenDragged) {
     window_->open(std::nullopt);
@@ -167,51 +167,42 @@ TEST_F(WindowTest, HidingAndShowingKeepsThePicture) {
     EXPECT_EQ(last_->width, window_->viewport().pictureSize().width());
 }
 
-TEST_F(WindowTest, ALostDeviceIsReplacedAndThePictureComesBack) {
-    window_->open(std::nullopt);
-    ASSERT_TRUE(waitForConverged());
-    const auto look = [&](int key) {
-        pressKey(key);
-        EXPECT_TRUE(waitForConverged());
-    };
-    loseDeviceAt(VulkanCall::wait, 3);
-    look(Qt::Key_L);
-    EXPECT_EQ(devicesLost(), 1);
-    EXPECT_TRUE(window_->message().contains(QStringLiteral("stopped responding")));
-    EXPECT_FALSE(window_->description().isEmpty());
-    EXPECT_GT(coloursInTheMiddle(), 100);
-    loseDeviceAt(VulkanCall::present, 2);
-    look(Qt::Key_A);
-    EXPECT_EQ(devicesLost(), 1);
-    EXPECT_EQ(window_->viewport().letters().left, "R");
-    const QImage afterALoss = middle();
-    const bool denoised = last_->denoised;
-    // The same without one, in the window that the message has made smaller.
-    look(Qt::Key_L);
-    look(Qt::Key_A);
-    // A machine that is busy with other things now and then has no time to denoise.
-    if (last_->denoised == denoised) {
-        EXPECT_TRUE(middle() == afterALoss);
+TEST_F(WindowTest, StatusTextsKeepApartInANarrowWindow) {
+    ASSERT_TRUE(waitUntil([&] { return window_->viewport().window().isExposed(); }));
+    QStatusBar& bar = *window_->statusBar();
+    ElidingLabel* fidelity = nullptr;
+    std::vector<QWidget*> shown;
+    for (QWidget* child : bar.findChildren<QWidget*>(Qt::FindDirectChildrenOnly)) {
+        if (child->isVisible()) shown.push_back(child);
+        auto* label = qobject_cast<ElidingLabel*>(child);
+        if (!label) continue;
+        if (label->fullText() == window_->fidelity()) {
+            fidelity = label;
+        } else {
+            label->setFullText(QStringLiteral("CT 512×512×300, 0.70×0.70×1.00 mm"));
+        }
     }
-}
-
-TEST_F(WindowTest, ADeviceThatIsLostAgainAndAgainIsGivenUpAndSaidToBe) {
-    window_->open(std::nullopt);
-    ASSERT_TRUE(waitForConverged());
-    std::optional<Error> error;
-    QObject::connect(&*window_, &MainWindow::failed, &*window_, [&](const Error& e) { error = e; });
-    loseDeviceAt(VulkanCall::submit, 5, 1000);
-    pressKey(Qt::Key_L);
-    ASSERT_TRUE(waitUntil([&] { return error.has_value(); }));
-    EXPECT_EQ(error->code, ErrorCode::deviceLost);
-    EXPECT_EQ(devicesLost(), 3);
-    EXPECT_TRUE(window_->message().contains(QStringLiteral("driver")));
-    EXPECT_TRUE(window_->viewport().letters().left.empty());
-    // Whoever moves on tries again.
-    loseDeviceAt(VulkanCall::submit, 1, 0);
-    pressKey(Qt::Key_A);
-    ASSERT_TRUE(waitForConverged());
-    EXPECT_GT(coloursInTheMiddle(), 100);
+    ASSERT_TRUE(fidelity);
+    ASSERT_GE(shown.size(), 4u);
+    const QString longest =
+        QStringLiteral("Cinematic, table left out, clipped, preview, denoised, 1/10 of the pixels each way");
+    fidelity->setFullText(longest);
+    const auto expectApart = [&] {
+        for (std::size_t i = 0; i < shown.size(); ++i) {
+            EXPECT_TRUE(bar.rect().contains(shown[i]->geometry())) << i << " of " << bar.width();
+            for (std::size_t k = 0; k < i; ++k) {
+                EXPECT_FALSE(shown[i]->geometry().intersects(shown[k]->geometry())) << i << " and " << k;
+            }
+        }
+    };
+    for (const int width : {400, 1100, 360}) {
+        window_->resize(width, window_->height());
+        ASSERT_TRUE(waitUntil([&] { return std::abs(window_->width() - width) <= 40; }, 5));
+        EXPECT_TRUE(waitUntil(
+            [&] { return fidelity->width() >= std::min(fidelity->sizeHint().width(), bar.width() / 2 - 40); },
+            5));
+        expectApart();
+    }
 }
 
 TEST_F(WindowTest, MayBeClosedAtAnyMoment) {
