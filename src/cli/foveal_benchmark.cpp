@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <functional>
+#include <iterator>
 
 #include "image/metrics.h"
 #include "pipeline/trace/reference_tracer.h"

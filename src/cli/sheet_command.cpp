@@ -18,7 +18,6 @@
 #include "image/image_file.h"
 #include "pipeline/trace/path_tracer.h"
 #include "pipeline/trace/scene.h"
-#include "pipeline/volume/volume_fit.h"
 #include "pipeline/volume/window.h"
 #include "presets/catalogue.h"
 
@@ -63,10 +62,8 @@ Result<void> drawRow(trace::PathTracer& tracer, const StudyInput& study, const T
         MACULA_TRY(const trace::Environment lights,
                    chooseLights(look.look == trace::Look::clear ? "even" : kDefaultLights));
         MACULA_TRY_VOID(tracer.setEnvironment(lights));
-        trace::Settings settings{.look = look.look};
-        const std::optional<ValueRange> range = fitted(preset, *study.volume).effectiveRange;
-        if (range && range->low < range->high) settings.window = windowOver(*range);
-        MACULA_TRY_VOID(tracer.setSettings(settings));
+        MACULA_TRY_VOID(
+            tracer.setSettings({.look = look.look, .window = presetWindow(preset, *study.volume)}));
         MACULA_TRY(const bool whole,
                    tracer.trace(isPathTraced(look.look) ? options.samplesPerPixel : kSamplesOfCast,
                                 [] { return !interruptToken().cancelled(); }));

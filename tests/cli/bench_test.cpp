@@ -52,8 +52,11 @@ TEST_F(Bench, TradeoffTellsWhatItMeasuredAlsoWhenThePlotCannotBeWritten) {
     const json report = json::parse(ran.out);
     EXPECT_EQ(report["converged"]["lost"], 0);
     ASSERT_EQ(report["results"].size(), 2u * 2u * 4u * 6u);
-    // Samples of one setting come in order, and so does the time for them.
+    // Of one setting, with 1 to 32 samples.
+    EXPECT_EQ(report["results"][5]["samples"], 32);
     EXPECT_LT(report["results"][0]["traceMs"].get<double>(), report["results"][5]["traceMs"].get<double>());
+    EXPECT_GT(report["results"][5]["psnrDb"].get<double>(),
+              report["results"][0]["psnrDb"].get<double>() + 3.0);
 }
 
 TEST_F(Bench, BadNumbersAreUsageErrors) {

@@ -20,7 +20,7 @@ class Film {
     int height() const { return height_; }
 
     void clear(gpu::Recorder& recorder) const;
-    // Bindings 8 to 12 of shaders/trace/path.comp.
+    // Bindings 9 to 13 of shaders/trace/film.glsl.
     void appendTo(std::vector<gpu::Binding>& bindings) const;
 
     const gpu::Buffer& sums() const { return sums_; }       // vec4: premultiplied radiance and coverage
