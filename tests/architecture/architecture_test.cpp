@@ -28,6 +28,7 @@ const std::map<std::string, Names> kArrows{
     {"pipeline/gpu", {"base"}},
     {"pipeline/volume", {"base", "pipeline/gpu"}},
     {"pipeline/trace", {"base", "pipeline/gpu", "pipeline/volume"}},
+    {"pipeline/splat", {"base", "pipeline/gpu"}},
     {"presets", {"base", "pipeline/volume"}},
     {"viewer",
      {"base", "dicom", "segment", "image", "presets", "pipeline/gpu", "pipeline/volume", "pipeline/trace"}},
@@ -41,7 +42,9 @@ struct Library {
 };
 const std::vector<Library> kLibraries{
     {"Qt", {"Q", "Qt"}, {"viewer"}},
-    {"Vulkan", {"vulkan/", "vk_"}, {"pipeline/gpu", "pipeline/volume", "pipeline/trace", "viewer"}},
+    {"Vulkan",
+     {"vulkan/", "vk_"},
+     {"pipeline/gpu", "pipeline/volume", "pipeline/trace", "pipeline/splat", "viewer"}},
     {"DCMTK", {"dcmtk/"}, {"dicom"}},
     {"OpenJPEG", {"openjpeg"}, {"dicom"}},
     {"ITK", {"itk", "ITK"}, {"dicom", "segment"}},
@@ -146,6 +149,7 @@ TEST(Architecture, RulesFire) {
     EXPECT_NE(whyForbidden("src/pipeline/gpu/a.cpp", "#include \"pipeline/trace/path_tracer.h\""), "");
     EXPECT_NE(whyForbidden("src/pipeline/volume/a.cpp", "# include \"pipeline/trace/environment.h\""), "");
     EXPECT_NE(whyForbidden("src/pipeline/trace/a.cpp", "#include <QImage>"), "");
+    EXPECT_NE(whyForbidden("src/pipeline/splat/a.cpp", "#include \"pipeline/trace/film.h\""), "");
     EXPECT_NE(whyForbidden("src/pipeline/trace/a.cpp", "#include <dcmtk/dcmdata/dctk.h>"), "");
     EXPECT_NE(whyForbidden("src/viewer/a.cpp", "#include <OpenImageIO/imageio.h>"), "");
     EXPECT_NE(whyForbidden("src/viewer/a.cpp", "#include \"cli/report.h\""), "");

@@ -1,0 +1,98 @@
+// The peripheral model: a set of 3D Gaussians (splats), as Kerbl et al. 2023 (3DGS) describe them.
+//
+// Axes are those of the world, patient LPS in mm, unless the model came from elsewhere and does not say.
+// Positions are float32 relative to originMm, so a model keeps its precision however far it lies from the
+// world's origin.
+#pragma once
+
+#include <cstddef>
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "base/frames.h"
+#include "base/result.h"
+
+namespace macula::splat {
+
+// The space in which the colours of a model blend: linear radiance, tone mapped afterwards (ours), or what
+// is displayed (models made elsewhere).
+enum class ColourSpace { linear, display };
+
+// What the coordinates mean. `unknown`: a model made elsewhere that does not say; nothing may be measured in
+// it, nor laid over anatomy.
+enum class Axes { patientLps, unknown };
+
+// How a projected splat is kept from falling between pixels. `compensated`: widened, and its opacity lowered
+// in proportion, so that it keeps its energy (Mip-Splatting, Yu et al. 2024; ours). `classic`: widened by
+// 0.3 px^2 only (3DGS, models made elsewhere).
+enum class LowPass { compensated, classic };
+
+inline constexpr int kMaxShDegree = 3;
+
+// Coefficients by channel beyond the constant one: 0, 3, 8, 15.
+constexpr std::size_t shCount(int degree) {
+    return static_cast<std::size_t>((degree + 1) * (degree + 1) - 1);
+}
+
+// Beyond these nothing more can be seen of a scale (ln of mm: 2e-9 mm, 5e8 mm) or of an opacity (2e-9). The
+// model may hold larger finite values; who draws it clamps to them, and so does repair.
+inline constexpr float kMaxLogScale = 20.0f;
+inline constexpr float kMaxOpacityLogit = 20.0f;
+
+// Structure of arrays: entry i of each is splat i, of `sh` the shCount(shDegree) entries from
+// i * shCount(shDegree).
+//
+// Colour along the unit direction d = (x, y, z) from the eye to the splat, in the axes of the model, for each
+// channel: max(0, 0.5 + 0.28209479 dc + sum of sh[k] Y[k](d)), with the real spherical harmonics
+//   degree 1: 0.48860251 * { -y, z, -x }
+//   degree 2: { 1.09254843 xy, -1.09254843 yz, 0.31539157 (2zz - xx - yy), -1.09254843 xz,
+//               0.54627422 (xx - yy) }
+//   degree 3: { -0.59004359 y (3xx - yy), 2.89061144 xyz, -0.45704580 y (4zz - xx - yy),
+//               0.37317633 z (2zz - 3xx - 3yy), -0.45704580 x (4zz - xx - yy), 1.44530572 z (xx - yy),
+//               -0.59004359 x (xx - 3yy) }
+struct Splats {
+    glm::dvec3 originMm{0.0};
+    Axes axes = Axes::patientLps;
+    ColourSpace colourSpace = ColourSpace::linear;
+    LowPass lowPass = LowPass::compensated;
+    int shDegree = 0;  // 0 to kMaxShDegree; what we train has 0 or 1
+
+    std::vector<glm::vec3> position;  // mm, relative to originMm
+    std::vector<glm::vec3> logScale;  // ln of the standard deviation in mm along the splat's own axes
+    std::vector<glm::vec4> rotation;  // quaternion, model from splat, in the order w, x, y, z: [0] is w. Of
+                                      // any length but 0; normalised on use
+    std::vector<float> opacityLogit;  // ln(o / (1 - o))
+    std::vector<glm::vec3> dc;        // red, green, blue
+    std::vector<glm::vec3> sh;
+
+    std::size_t size() const { return position.size(); }
+
+    // New splats lie at the origin, 1 mm, unrotated, half opaque, grey. Changes of shDegree are made with
+    // setShDegree.
+    void resize(std::size_t count);
+
+    // Keeps the bands that both degrees have; new ones are 0.
+    void setShDegree(int degree);
+
+    // Fails with inputNotUsable when the arrays disagree in size, the degree or the origin make no sense, or
+    // any splat is bad: a number that is not finite, a quaternion whose squared length is 0 or overflows. It
+    // says how many are bad. A model without splats is valid.
+    Result<void> validate() const;
+};
+
+// What repair did.
+struct Repair {
+    std::size_t dropped = 0;  // splats removed
+    std::size_t clamped = 0;  // splats changed, and kept
+};
+
+// Makes a model valid. Log scales are clamped to +-kMaxLogScale and logits to +-kMaxOpacityLogit, infinite
+// ones too (a flat splat has the log scale -inf, an opaque one the logit +inf); then bad splats are removed.
+// Others keep their order and every bit. Fails where validate would for the model as a whole.
+Result<Repair> repair(Splats& splats);
+
+// Of the splats' centres, in mm of the world (originMm added). Empty, low > high, for no splats. The model
+// must be valid.
+Box boundingBox(const Splats& splats);
+
+}  // namespace macula::splat
