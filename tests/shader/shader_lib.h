@@ -1,7 +1,7 @@
 // shaders/lib in C++ without tables, in float and in double, for tests of its pure functions.
 #pragma once
 
-#include "pipeline/trace/glsl_in_cpp.h"
+#include "base/glsl_in_cpp.h"
 
 #define OUT(type) type&
 #define INOUT(type) type&
@@ -10,14 +10,14 @@
 
 namespace macula {
 
-struct ShaderLibSingle : trace::GlslInCpp<float> {
+struct ShaderLibSingle : GlslInCpp<float> {
 #include "lib/fovea.glsl"
 #include "lib/phase.glsl"
 #include "lib/picture.glsl"
 #include "lib/rng.glsl"
 };
 
-struct ShaderLibTwofold : trace::GlslInCpp<double> {
+struct ShaderLibTwofold : GlslInCpp<double> {
 #define float double
 #include "lib/fovea.glsl"
 #include "lib/phase.glsl"

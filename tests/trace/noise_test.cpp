@@ -5,7 +5,7 @@
 #include <limits>
 #include <random>
 
-#include "pipeline/trace/glsl_in_cpp.h"
+#include "base/glsl_in_cpp.h"
 
 namespace macula::trace {
 namespace {

@@ -1,7 +1,7 @@
 #include "pipeline/trace/reference_denoiser.h"
 
+#include "base/glsl_in_cpp.h"
 #include "base/parallel.h"
-#include "pipeline/trace/glsl_in_cpp.h"
 
 namespace macula::trace {
 

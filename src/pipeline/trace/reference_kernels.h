@@ -1,8 +1,8 @@
 // The reference tracer's loops over pixels, over one precision's host. Internal to reference_tracer*.cpp.
 #pragma once
 
+#include "base/glsl_in_cpp.h"
 #include "base/parallel.h"
-#include "pipeline/trace/glsl_in_cpp.h"
 #include "pipeline/trace/reference_tracer.h"
 
 namespace macula::trace::reference {

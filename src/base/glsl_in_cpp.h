@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 
-namespace macula::trace {
+namespace macula {
 
 template <class Real>
 struct GlslInCpp {
@@ -67,4 +67,4 @@ struct GlslInCpp {
     static bool all(const bvec3& x) { return x.x && x.y && x.z; }
 };
 
-}  // namespace macula::trace
+}  // namespace macula
