@@ -1,0 +1,56 @@
+// Structural similarity (Wang et al. 2004) of two pictures x and y by the sum u = x + y and difference v = x - y.
+//
+// So written that equal pictures are equal to the last bit (v is 0), and that nothing is lost where both are bright and
+// alike: with S = mean u, D = mean v, U and V the variances of u and v in the window,
+//   SSIM = ((S^2 - D^2)/2 + C1) / ((S^2 + D^2)/2 + C1) * ((U - V)/2 + C2) / ((U + V)/2 + C2)
+
+#define SSIM_C1 0.0001  // (0.01 L)^2 with the range L = 1
+#define SSIM_C2 0.0009  // (0.03 L)^2
+
+// Taps of the window: Gaussian of standard deviation 1.5 pixels, 11 taps, sum 1.
+float ssimTap(int distance) {
+    int d = abs(distance);
+    return d == 0   ? float(0.26601172486179436)
+           : d == 1 ? float(0.2130055377112537)
+           : d == 2 ? float(0.10936068950970002)
+           : d == 3 ? float(0.03600077212843083)
+           : d == 4 ? float(0.007598758135239185)
+           : d == 5 ? float(0.00102838008447911)
+                    : float(0.0);
+}
+
+// Of one window: 1 - SSIM, and what a pixel in it must know of its gradient, which with respect to that pixel's x is
+// tap * (plain + ofSum u + ofDifference v).
+struct SsimWindow {
+    vec4 dissimilarity;
+    vec4 plain;
+    vec4 ofSum;
+    vec4 ofDifference;
+};
+
+// Weighted means over the window, of u, v, u^2 and v^2.
+SsimWindow ssimWindow(vec4 u, vec4 v, vec4 uu, vec4 vv) {
+    vec4 c1 = vec4(SSIM_C1);
+    vec4 c2 = vec4(SSIM_C2);
+    vec4 s = u * u;
+    vec4 d = v * v;
+    vec4 varU = max(uu - s, vec4(0.0)) * float(0.5);
+    vec4 varV = max(vv - d, vec4(0.0)) * float(0.5);
+    vec4 bottom1 = (s + d) * float(0.5) + c1;
+    vec4 bottom2 = varU + varV + c2;
+    vec4 luminances = vec4(1.0) - d / bottom1;
+    vec4 structures = vec4(1.0) - (varV + varV) / bottom2;
+    SsimWindow window;
+    window.dissimilarity = d / bottom1 + luminances * ((varV + varV) / bottom2);
+    // By the variances, then by the means.
+    window.ofSum = -luminances * (varV / bottom2) / bottom2;
+    window.ofDifference = luminances * ((varU + c2) / bottom2) / bottom2;
+    vec4 byU = -structures * u * (d / bottom1) / bottom1;
+    vec4 byV = structures * v * ((s + c1 + c1) / bottom1) / bottom1;
+    // d(var) = d(mean of squares) - 2 mean d(mean), and the mean of squares has the derivative 2 u; the 2 and the half of
+    // the variance cancel.
+    window.ofSum = window.ofSum * float(2.0);
+    window.ofDifference = window.ofDifference * float(2.0);
+    window.plain = byU + byV - window.ofSum * u - window.ofDifference * v;
+    return window;
+}

@@ -1,0 +1,31 @@
+// First step of the loss: sum and difference of the two pictures, as they are compared. What is not finite in either is
+// taken to be equal, and black if it is in the target.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "splat/loss_setup.glsl"
+
+layout(constant_id = 1) const bool kDisplay = false;
+
+layout(binding = 1) uniform samplerBuffer rendered;
+layout(binding = 2) uniform samplerBuffer targets;
+layout(binding = 3) uniform samplerBuffer windows;  // 0 where the target is not finite
+layout(binding = 4, scalar) writeonly buffer Sums {
+    vec4 sums[];
+};
+layout(binding = 5, scalar) writeonly buffer Differences {
+    vec4 differences[];
+};
+
+void main() {
+    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+    if (any(greaterThanEqual(pixel, params.imageSize))) return;
+    int index = pixel.y * params.imageSize.x + pixel.x;
+    bool known = texelFetch(windows, index).x > 0.0;
+    vec4 truth = known ? texelFetch(targets, index) : vec4(0.0);
+    vec4 render = known ? texelFetch(rendered, index) : vec4(0.0);
+    render = isFinite(render) ? render : truth;
+    vec4 x = comparedPixel(render, params.background, params.exposure, kDisplay).value;
+    vec4 y = comparedPixel(truth, params.background, params.exposure, kDisplay).value;
+    sums[index] = known ? x + y : vec4(0.0);
+    differences[index] = known ? x - y : vec4(0.0);
+}

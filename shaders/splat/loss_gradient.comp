@@ -1,0 +1,62 @@
+// Last step of the loss: along rows too, then from what is compared back to the premultiplied pixel. A thread for each strip
+// of a row.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "splat/loss_setup.glsl"
+
+layout(constant_id = 1) const bool kDisplay = false;
+
+layout(binding = 1) uniform samplerBuffer summed;
+layout(binding = 2) uniform samplerBuffer sums;
+layout(binding = 3) uniform samplerBuffer differences;
+layout(binding = 4) uniform samplerBuffer windows;
+layout(binding = 5) uniform samplerBuffer rendered;
+layout(binding = 6, scalar) writeonly buffer Gradients {
+    vec4 gradients[];
+};
+layout(binding = 7, scalar) writeonly buffer Parts {
+    vec2 parts[];  // |difference| summed over a strip; pixels of the render that are not finite
+};
+
+void main() {
+    ivec2 size = params.imageSize;
+    int first = int(gl_GlobalInvocationID.x) * kOutputs;
+    int y = int(gl_GlobalInvocationID.y);
+    if (first >= size.x || y >= size.y) return;
+    int plane = size.x * size.y;
+    vec4 a[kOutputs], b[kOutputs], c[kOutputs];
+    [[unroll]] for (int n = 0; n < kOutputs; ++n) a[n] = b[n] = c[n] = vec4(0.0);
+    [[unroll]] for (int j = 0; j < kOutputs + 10; ++j) {
+        int x = first + j - 5;
+        float inside = x >= 0 && x < size.x ? 1.0 : 0.0;
+        int index = y * size.x + clamp(x, 0, size.x - 1);
+        vec4 ta = texelFetch(summed, index) * inside;
+        vec4 tb = texelFetch(summed, plane + index) * inside;
+        vec4 tc = texelFetch(summed, 2 * plane + index) * inside;
+        [[unroll]] for (int n = 0; n < kOutputs; ++n) {
+            float tap = ssimTap(j - n - 5);
+            if (tap > 0.0) {
+                a[n] += tap * ta;
+                b[n] += tap * tb;
+                c[n] += tap * tc;
+            }
+        }
+    }
+    vec2 part = vec2(0.0);
+    [[unroll]] for (int n = 0; n < kOutputs; ++n) {
+        if (first + n < size.x) {
+            int index = y * size.x + first + n;
+            vec4 render = texelFetch(rendered, index);
+            vec4 difference = texelFetch(differences, index);
+            bool finite = isFinite(render);
+            bool known = texelFetch(windows, index).x > 0.0 && finite;
+            vec4 back = params.l1Scale * sign(difference) +
+                        params.dssimScale * (a[n] + b[n] * texelFetch(sums, index) + c[n] * difference);
+            vec3 over = comparedPixel(render, params.background, params.exposure, kDisplay).over;
+            vec4 gradient = comparedPixelBack(over, back, params.background, params.exposure, kDisplay);
+            gradients[index] = known ? gradient : vec4(0.0);
+            part += vec2(dot(abs(difference), vec4(1.0)), finite ? 0.0 : 1.0);
+        }
+    }
+    parts[y * ((size.x + kOutputs - 1) / kOutputs) + int(gl_GlobalInvocationID.x)] = part;
+}

@@ -1,0 +1,33 @@
+// How fast each kind of parameter is learnt: the same for the device (optimizer.h) and the reference
+// (reference_optimizer.h).
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace macula::splat {
+
+// Step sizes of Adam (Kingma and Ba 2015): how far a parameter moves in a step while its gradients agree. The
+// rates and their decay are those of the hybrid system that the peripheral model follows (700 steps from 12
+// to 16 views).
+struct OptimizerOptions {
+    double extentMm =
+        0.0;  // of the model: half the diagonal of its box, say. Above 0; has no default that fits
+    double position = 1.6e-4;  // of extentMm, at the first step
+    double positionAtLast =
+        1.6e-6;  // of extentMm, from positionSteps on; between them its logarithm is linear
+    std::uint64_t positionSteps = 700;
+    double logScale = 0.007;
+    double rotation = 0.002;
+    double opacityLogit = 0.05;
+    double dc = 0.0025;
+    double sh = 0.0025 / 20.0;
+    double beta1 = 0.9;      // 0 to below 1
+    double beta2 = 0.999;    // 0 to below 1
+    double epsilon = 1e-15;  // 1e-30 to 1
+};
+
+// By component (shared/splat_layout.h), for the step after `stepsDone` of the whole model.
+std::vector<float> learningRates(const OptimizerOptions& options, int shDegree, std::uint64_t stepsDone);
+
+}  // namespace macula::splat
