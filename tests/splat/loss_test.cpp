@@ -64,8 +64,9 @@ TEST(Loss, OfEqualPicturesIsNothingAndWantsNothing) {
 }
 
 TEST(Loss, GradientsAreThoseOfCentralDifferences) {
-    for (const auto& [width, height] :
-         {std::pair(1, 1), std::pair(1, 9), std::pair(7, 5), std::pair(14, 13)}) {
+    for (const glm::ivec2 size : {glm::ivec2(1, 1), {1, 9}, {7, 5}, {14, 13}}) {
+        const int width = size.x;
+        const int height = size.y;
         for (const LossEncoding encode : {LossEncoding::none, LossEncoding::display}) {
             for (const float dssim : {0.0f, 0.2f, 1.0f}) {
                 const auto seed = static_cast<std::uint32_t>(width * 8 + height);

@@ -106,8 +106,10 @@ TEST_F(OptimizerOnDevice, TheFirstStepIsAsLongAsTheRateWheneverItComes) {
     Training training(2, 2, 1, options);
     const std::vector<float> rates = learningRates(options, 1, 0);
     std::vector<float> gradients(46);
-    for (std::size_t i = 0; i < 46; ++i)
-        gradients[i] = (i % 2 == 0 ? 1.0f : -1.0f) * std::pow(10.0f, float(i / 2) - 9.0f);
+    for (std::size_t k = 0; k < 23; ++k) {
+        gradients[2 * k] = std::pow(10.0f, float(k) - 9.0f);
+        gradients[2 * k + 1] = -gradients[2 * k];
+    }
     for (int step = 0; step < 2000; ++step) {
         if (step == 0 || step == 1999) {
             training.step(gradients, {step == 0 ? 1u : 0u, step == 0 ? 0u : 1u});
