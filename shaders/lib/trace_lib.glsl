@@ -16,3 +16,4 @@
 #include "lib/path.glsl"
 #include "lib/guides.glsl"
 #include "lib/cast.glsl"
+#include "lib/surface.glsl"

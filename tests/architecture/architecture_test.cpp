@@ -29,11 +29,13 @@ const std::map<std::string, Names> kArrows{
     {"pipeline/volume", {"base", "pipeline/gpu"}},
     {"pipeline/trace", {"base", "pipeline/gpu", "pipeline/volume"}},
     {"pipeline/splat", {"base", "pipeline/gpu"}},
+    {"pipeline/hybrid", {"base", "pipeline/gpu", "pipeline/volume", "pipeline/trace", "pipeline/splat"}},
     {"presets", {"base", "pipeline/volume"}},
     {"viewer",
      {"base", "dicom", "segment", "image", "presets", "pipeline/gpu", "pipeline/volume", "pipeline/trace"}},
     {"cli",
-     {"base", "dicom", "segment", "image", "presets", "pipeline/gpu", "pipeline/volume", "pipeline/trace"}}};
+     {"base", "dicom", "segment", "image", "presets", "pipeline/gpu", "pipeline/volume", "pipeline/trace",
+      "pipeline/splat", "pipeline/hybrid"}}};
 
 struct Library {
     std::string name;
@@ -44,7 +46,7 @@ const std::vector<Library> kLibraries{
     {"Qt", {"Q", "Qt"}, {"viewer"}},
     {"Vulkan",
      {"vulkan/", "vk_"},
-     {"pipeline/gpu", "pipeline/volume", "pipeline/trace", "pipeline/splat", "viewer"}},
+     {"pipeline/gpu", "pipeline/volume", "pipeline/trace", "pipeline/splat", "pipeline/hybrid", "viewer"}},
     {"DCMTK", {"dcmtk/"}, {"dicom"}},
     {"OpenJPEG", {"openjpeg"}, {"dicom"}},
     {"ITK", {"itk", "ITK"}, {"dicom", "segment"}},

@@ -6,6 +6,7 @@
 #include "shaders/trace.h"
 #include "shared/denoise_params.h"
 #include "shared/guide_params.h"
+#include "shared/surface_params.h"
 #include "shared/trace_params.h"
 
 namespace macula {
@@ -66,8 +67,8 @@ const std::vector<LaidOutField> kPlannedBlock{MACULA_FIELD(PlannedBlock, block),
                                               MACULA_FIELD(PlannedBlock, sampleCount)};
 
 TEST(TraceLayout, ParametersAndPushConstantsAgreeInEveryKernel) {
-    for (const auto& code :
-         {shaders::trace_path_comp, shaders::trace_cast_comp, shaders::trace_guides_comp}) {
+    for (const auto& code : {shaders::trace_path_comp, shaders::trace_cast_comp, shaders::trace_guides_comp,
+                             shaders::trace_candidates_comp, shaders::trace_surface_points_comp}) {
         const auto reflection = gpu::reflectSpirv(code.words);
         ASSERT_TRUE(reflection.ok());
         const auto* params = reflection->bindings.front().block.find("params");
@@ -115,6 +116,27 @@ TEST(TraceLayout, ParametersAndPushConstantsAgreeInEveryKernel) {
         *display->pushConstants->block.find("push"),
         {MACULA_FIELD(DisplayPush, background), MACULA_FIELD(DisplayPush, exposure),
          MACULA_FIELD(DisplayPush, smoothing), MACULA_FIELD(DisplayPush, denoised)});
+}
+
+TEST(TraceLayout, OfSurfacePoints) {
+    using shared::CandidatePush, shared::SurfacePush, shared::SurfaceSums;
+    const auto candidates = gpu::reflectSpirv(shaders::trace_candidates_comp.words);
+    ASSERT_TRUE(candidates.ok());
+    expectLayoutMatches<CandidatePush>(
+        *candidates->pushConstants->block.find("push"),
+        {MACULA_FIELD(CandidatePush, first), MACULA_FIELD(CandidatePush, count),
+         MACULA_FIELD(CandidatePush, perBrick), MACULA_FIELD(CandidatePush, round),
+         MACULA_FIELD(CandidatePush, directions)});
+    const auto points = gpu::reflectSpirv(shaders::trace_surface_points_comp.words);
+    ASSERT_TRUE(points.ok());
+    expectLayoutMatches<SurfacePush>(*points->pushConstants->block.find("push"),
+                                     {MACULA_FIELD(SurfacePush, first), MACULA_FIELD(SurfacePush, count),
+                                      MACULA_FIELD(SurfacePush, paths)});
+    expectLayoutMatches<SurfaceSums>(
+        *points->bindings.back().block.find("sums"),
+        {MACULA_FIELD(SurfaceSums, radiance), MACULA_FIELD(SurfaceSums, coverage),
+         MACULA_FIELD(SurfaceSums, taps), MACULA_FIELD(SurfaceSums, mass), MACULA_FIELD(SurfaceSums, first),
+         MACULA_FIELD(SurfaceSums, diagonal), MACULA_FIELD(SurfaceSums, offAxis)});
 }
 
 }  // namespace

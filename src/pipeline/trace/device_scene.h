@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "base/result.h"
@@ -42,6 +43,9 @@ class DeviceScene {
     bool hasGradientOpacity() const { return !medium_.gradientOpacity.empty(); }
 
     bool isComplete() const;
+    // Of the look that was looked at last, and of what it shows.
+    std::span<const float> bounds() const { return medium_.bounds; }
+    const std::shared_ptr<const Volume>& volume() const { return volume_; }
 
     // When complete. Sees to the tables and bounds of the look, and writes the parameters, see
     // makeTraceParams; what was submitted before still reads the last ones.

@@ -492,6 +492,13 @@ Result<std::vector<GuidePixel>> PathTracer::readGuides() {
     return computed->read();
 }
 
+Result<SurfacePoints> PathTracer::surfacePoints(const SurfacePointOptions& options,
+                                                const std::function<bool()>& keepGoing) {
+    MACULA_TRY_VOID(impl_->prepare());
+    return findSurfacePoints(impl_->device, impl_->scene, impl_->kernels, impl_->sceneKind(), options,
+                             keepGoing);
+}
+
 Result<TracedImage> PathTracer::readback() {
     Impl& t = *impl_;
     MACULA_TRY(const std::vector<GuidePixel> pixels, readGuides());

@@ -22,6 +22,7 @@
 #include "pipeline/trace/guides.h"
 #include "pipeline/trace/sampling_plan.h"
 #include "pipeline/trace/settings.h"
+#include "pipeline/trace/surface_points.h"
 #include "pipeline/trace/voxel_memory.h"
 #include "pipeline/volume/clip.h"
 #include "pipeline/volume/transfer_function.h"
@@ -110,6 +111,11 @@ class PathTracer {
     // view before it that was traced.
     Result<const Guides*> guides();
     Result<std::vector<GuidePixel>> readGuides();  // row 0 on top; waits
+
+    // Of all that can be seen from anywhere, lit as it is for this view; the samples traced so far stay.
+    // Waits; `cancelled` when `keepGoing` (may be empty) says no between two dispatches.
+    Result<SurfacePoints> surfacePoints(const SurfacePointOptions& options = {},
+                                        const std::function<bool()>& keepGoing = {});
 
     Result<TracedImage> readback();                                              // waits
     Result<std::vector<std::uint8_t>> readDisplay(const glm::vec3& background);  // RGBA8, opaque; waits

@@ -113,6 +113,7 @@ struct MACULA_HOST : GlslInCpp<MACULA_REAL> {
 #undef FAR_MM
 #undef BRICK_SHIFT
 #undef ROULETTE_BELOW
+#undef SEEN_ENOUGH
 #undef STRIDE
 #undef DEPTH_3_4
 #undef DEPTH_1_2

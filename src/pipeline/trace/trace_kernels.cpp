@@ -45,13 +45,29 @@ Result<TraceKernels::Found> TraceKernels::samples(const TraceVariant& variant) {
 }
 
 Result<const gpu::Kernel*> TraceKernels::guides(SceneKind scene) {
-    if (const auto found = guides_.find(scene); found != guides_.end()) return &found->second;
-    MACULA_TRY(gpu::Kernel kernel,
-               gpu::Kernel::create(device_, shaders::trace_guides_comp,
-                                   {.specializations = {{"kClip", scene.clip},
-                                                        {"kMask", scene.mask},
-                                                        {"kGradientOpacity", scene.gradientOpacity}}}));
-    return &guides_.emplace(scene, std::move(kernel)).first->second;
+    return find(guides_, shaders::trace_guides_comp, scene);
+}
+
+Result<const gpu::Kernel*> TraceKernels::candidates(SceneKind scene) {
+    return find(candidates_, shaders::trace_candidates_comp, scene);
+}
+
+Result<const gpu::Kernel*> TraceKernels::surfacePoints(SceneKind scene) {
+    return find(surfacePoints_, shaders::trace_surface_points_comp, scene,
+                gpu::Specialization("kMaxRounds", device_->isCpu() ? kMaxRoundsCpu : kMaxRoundsGpu));
+}
+
+// As compiled for the scene, and with `more` if it is given.
+Result<const gpu::Kernel*> TraceKernels::find(std::map<SceneKind, gpu::Kernel>& kernels,
+                                              const gpu::ShaderCode& code, SceneKind scene,
+                                              std::optional<gpu::Specialization> more) {
+    if (const auto found = kernels.find(scene); found != kernels.end()) return &found->second;
+    gpu::KernelOptions options{.specializations = {{"kClip", scene.clip},
+                                                   {"kMask", scene.mask},
+                                                   {"kGradientOpacity", scene.gradientOpacity}}};
+    if (more) options.specializations.push_back(*more);
+    MACULA_TRY(gpu::Kernel kernel, gpu::Kernel::create(device_, code, options));
+    return &kernels.emplace(scene, std::move(kernel)).first->second;
 }
 
 Result<std::shared_ptr<const DenoiseKernels>> TraceKernels::denoising() {

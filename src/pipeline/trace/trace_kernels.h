@@ -3,6 +3,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <tuple>
 
 #include "base/result.h"
@@ -51,12 +52,17 @@ class TraceKernels {
     // path.comp or cast.comp.
     Result<Found> samples(const TraceVariant& variant);
     Result<const gpu::Kernel*> guides(SceneKind scene);
+    Result<const gpu::Kernel*> candidates(SceneKind scene);
+    Result<const gpu::Kernel*> surfacePoints(SceneKind scene);
     Result<std::shared_ptr<const DenoiseKernels>> denoising();
 
   private:
+    Result<const gpu::Kernel*> find(std::map<SceneKind, gpu::Kernel>& kernels, const gpu::ShaderCode& code,
+                                    SceneKind scene, std::optional<gpu::Specialization> more = {});
+
     std::shared_ptr<gpu::Device> device_;
     std::map<TraceVariant, gpu::Kernel> samples_;
-    std::map<SceneKind, gpu::Kernel> guides_;
+    std::map<SceneKind, gpu::Kernel> guides_, candidates_, surfacePoints_;
     std::shared_ptr<const DenoiseKernels> denoising_;
 };
 

@@ -1,0 +1,96 @@
+#include "pipeline/hybrid/initial_splats.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/gtc/quaternion.hpp>
+
+namespace macula::hybrid {
+
+namespace {
+
+constexpr double kC0 = 0.28209479177387814;  // of spherical harmonics, see splats.h
+
+// Of the standard deviation over that of the matter around: neighbours overlap so that there is no gap, and
+// no more. This, and the two below, are where the error of the first picture of the phantom and of a chest CT
+// is least, docs/peripheral-model.md.
+constexpr double kWidth = 1.2;
+// A splat lies so far from its point towards the middle of the matter, so that its outer half does not stand
+// out of the surface.
+constexpr double kInwards = 0.8;
+// Splats stand for what is seen only; they have to hide what nobody sees behind them, too.
+constexpr double kDenser = 2.0;
+// No splat is thinner than this part of the distance to its neighbours: as an edge of a voxel is soft.
+constexpr double kThinnest = 0.1;
+
+// How far the centre of a half-filled ball lies from the middle, in radii.
+constexpr double kHalfFilled = 0.375;
+
+// Optical depth through the middle of a splat that stands for its share of matter of extinction 1 / radius:
+// radius^3 of it over the area 2 pi s^2 with s = kWidth * radius / sqrt(5).
+constexpr double kDepthPerRadius = 5.0 / (2.0 * 3.14159265358979 * kWidth * kWidth);
+
+double logit(double opacity) {
+    return std::log(opacity / (1.0 - opacity));
+}
+
+}  // namespace
+
+PrincipalAxes principalAxes(const glm::dmat3& symmetric) {
+    glm::dmat3 a = symmetric;
+    glm::dmat3 axes(1.0);
+    constexpr int kSweeps = 12;  // convergence is quadratic; five are enough for any matrix of three rows
+    for (int sweep = 0; sweep < kSweeps; ++sweep) {
+        for (const int left : {2, 1, 0}) {
+            const int p = left == 0 ? 1 : 0;
+            const int q = left == 2 ? 1 : 2;
+            if (a[p][q] == 0.0) continue;
+            const double theta = 0.5 * (a[q][q] - a[p][p]) / a[p][q];
+            const double t = std::copysign(1.0, theta) / (std::abs(theta) + std::hypot(theta, 1.0));
+            const double c = 1.0 / std::hypot(t, 1.0);
+            glm::dmat3 turn(1.0);
+            turn[p][p] = turn[q][q] = c;
+            turn[q][p] = t * c;
+            turn[p][q] = -t * c;
+            a = glm::transpose(turn) * a * turn;
+            a[p][q] = a[q][p] = 0.0;
+            axes = axes * turn;
+        }
+    }
+    std::array<int, 3> order{0, 1, 2};
+    std::sort(order.begin(), order.end(), [&](int i, int j) { return a[i][i] > a[j][j]; });
+    PrincipalAxes result;
+    for (int i = 0; i < 3; ++i) {
+        result.axes[i] = axes[order[std::size_t(i)]];
+        result.variance[i] = std::max(a[order[std::size_t(i)]][order[std::size_t(i)]], 0.0);
+    }
+    if (glm::determinant(result.axes) < 0.0) result.axes[2] = -result.axes[2];
+    return result;
+}
+
+splat::Splats initialSplats(const trace::SurfacePoints& points) {
+    splat::Splats splats;
+    splats.originMm = points.originMm;
+    splats.resize(points.points.size());
+    for (std::size_t i = 0; i < points.points.size(); ++i) {
+        const trace::SurfacePoint& point = points.points[i];
+        const double radius = double(point.radiusMm);
+        const PrincipalAxes principal = principalAxes(glm::dmat3(point.spreadMm2));
+        const glm::dvec3 scale =
+            glm::max(kWidth * glm::sqrt(principal.variance), glm::dvec3(kThinnest * radius));
+        const glm::dquat turn = glm::normalize(glm::quat_cast(principal.axes));
+        // Of the matter itself: the mean over the ball has the air around it, too.
+        const double filled =
+            1.0 / (1.0 + std::min(double(glm::length(point.centreMm)) / (kHalfFilled * radius), 1.0));
+        const double depth = kDenser * kDepthPerRadius * radius * double(point.extinctionPerMm) / filled;
+        const double opacity = std::clamp(-std::expm1(-depth), 0.005, 0.995);
+        splats.position[i] = point.positionMm + static_cast<float>(kInwards) * point.centreMm;
+        splats.logScale[i] = glm::vec3(glm::log(scale));
+        splats.rotation[i] = glm::vec4(turn.w, turn.x, turn.y, turn.z);
+        splats.opacityLogit[i] = static_cast<float>(logit(opacity));
+        splats.dc[i] = (point.radiance - 0.5f) / static_cast<float>(kC0);
+    }
+    return splats;
+}
+
+}  // namespace macula::hybrid
