@@ -1,0 +1,85 @@
+// One splat in one pixel, front to back, premultiplied; and the derivative, front to back as well. All state is one or two
+// numbers by pixel, so that a thread may hold several pixels in registers. There are no branches: a splat that is not in a
+// pixel, or comes after the pixel is finished, has alpha 0 and changes nothing.
+//
+// A pixel is finished once less than minTransmittance shines through. The splat that makes it so still counts in full, unlike
+// in 3DGS, which leaves it out: there two splats of alpha 0.99 stop at T = 0.01 or not by the last bit of a float, here what
+// such a bit decides is never more than minTransmittance.
+//
+// At its border a splat fades out: alpha is at most fringe (alpha - minAlpha). With fringe 2 that changes what lies between
+// minAlpha and twice that, and nowhere is there a step. A very large fringe gives the step of 3DGS.
+//
+// Needs splat_types.glsl.
+
+// From this fringe on the edge is a step, which has no derivative: as in 3DGS, that of raw alpha is taken.
+#define HARD_EDGE 1000.0
+
+// q / 2 at an offset from the mean.
+float powerAt(vec3 conic, vec2 offset) {
+    float u = offset.x + conic.y * offset.y;
+    return float(0.5) * (conic.x * u * u + conic.z * offset.y * offset.y);
+}
+
+// Before limits.
+float rawAlphaAt(ScreenSplat screen, vec2 pixel) {
+    return screen.opacity * exp(-powerAt(screen.conic, pixel - screen.mean));
+}
+
+float limitedAlpha(float raw, SplatView view) {
+    return max(min(min(raw, view.maxAlpha), view.fringe * (raw - view.minAlpha)), float(0.0));
+}
+
+// The derivative of limitedAlpha by `raw`.
+float alphaSlope(float raw, SplatView view) {
+    float faded = view.fringe * (raw - view.minAlpha);
+    if (!(faded > float(0.0)) || (raw >= view.maxAlpha && faded >= view.maxAlpha)) return float(0.0);
+    return faded < raw && view.fringe < float(HARD_EDGE) ? view.fringe : float(1.0);
+}
+
+// Of a splat that hides `alpha`: its weight in the pixel, to be multiplied by its colour and its depth and added up. The sum of
+// weights is the coverage, 1 - transmittance.
+float takeWeight(INOUT(float) transmittance, float alpha, SplatView view) {
+    float weight = transmittance < view.minTransmittance ? float(0.0) : alpha * transmittance;
+    transmittance -= weight;
+    return weight;
+}
+
+// The derivative of the loss by what a pixel shows. For a picture that is laid over a background b and then has the derivative
+// g, rgba is (g, -dot(b, g)) (and the derivative by b is (1 - coverage) g).
+struct PixelGradient {
+    vec4 rgba;  // a: by the coverage
+    float depth;
+};
+
+// What a weight of 1 of a splat is worth.
+float worthOf(vec3 colour, float depthMm, PixelGradient pixel) {
+    return dot(vec4(colour, float(1.0)), pixel.rgba) + depthMm * pixel.depth;
+}
+
+// Before the first splat, `transmittance` is 1 and `remaining` the worth of the whole pixel: dot(rgba, g.rgba) + (sum of depths)
+// g.depth. After each it is that of the splats behind. Calls must be in the order of the forward pass. Adds to `sum`.
+//
+// d/d alpha = T worth - remaining / (1 - alpha), where 1 - alpha is not below 1 - maxAlpha.
+void addPixelGradient(ScreenSplat screen, vec3 colour, vec2 pixel, PixelGradient g, SplatView view, INOUT(float) transmittance,
+                      INOUT(float) remaining, INOUT(ScreenGradient) sum) {
+    vec2 offset = pixel - screen.mean;
+    float u = offset.x + screen.conic.y * offset.y;
+    float power = float(0.5) * (screen.conic.x * u * u + screen.conic.z * offset.y * offset.y);
+    float fall = exp(-power);
+    float raw = screen.opacity * fall;
+    float alpha = transmittance < view.minTransmittance ? float(0.0) : limitedAlpha(raw, view);
+    float worth = worthOf(colour, screen.depthMm, g);
+    float weight = alpha * transmittance;
+    remaining -= weight * worth;
+    float byAlpha = transmittance * worth - remaining / (float(1.0) - alpha);
+    float byRaw = alpha > float(0.0) ? byAlpha * alphaSlope(raw, view) : float(0.0);
+    transmittance -= weight;
+
+    float byPower = -byRaw * raw;
+    vec2 byOffset = vec2(screen.conic.x * u, screen.conic.x * u * screen.conic.y + screen.conic.z * offset.y) * byPower;
+    sum.mean -= byOffset;
+    sum.conic += vec3(float(0.5) * u * u, screen.conic.x * u * offset.y, float(0.5) * offset.y * offset.y) * byPower;
+    sum.opacity += byRaw * fall;
+    sum.colour += vec3(g.rgba.x, g.rgba.y, g.rgba.z) * weight;
+    sum.depthMm += g.depth * weight;
+}

@@ -1,0 +1,141 @@
+// From a Gaussian in space to one in the picture: EWA splatting (Zwicker et al. 2001). The perspective map is replaced by its
+// linear part at the centre, J, so that the covariance in the picture is J S J^T + s I, s the low-pass; opacity is lowered by
+// sqrt(det(J S J^T) / det(J S J^T + s I)), so that a splat smaller than a pixel keeps its sum over pixels (Mip-Splatting, Yu
+// et al. 2024).
+//
+// Where a centre lies far outside of the picture, J grows with the tangent of its angle, and the splat would be smeared over
+// all of the picture. So J is taken at the centre's direction clamped to the picture widened by 0.15 of its size on each side
+// (1.3 times the tangent of half the field of view, as 3DGS does). The mean is not clamped. This is continuous; beyond the
+// border the clamped coordinate has the derivative 0 by position (splat_projection_backward.glsl).
+//
+// Determinants are made of squares only. The area A = sqrt(det(J S J^T)) is the length of the cross product of J's rows,
+// scaled to the splat's axes, and that cross product has a closed form: so a disc seen edge-on and a needle lose no digits.
+//
+// Needs splat_types.glsl, splat_shape.glsl, picture.glsl.
+
+#define BEYOND_PICTURE 0.15
+
+// What the projection and its derivative share.
+struct SplatSight {
+    vec3 inCamera;      // mm; along x, y, z of the camera
+    vec2 slope;         // x/z, y/z
+    vec2 slopeClamped;  // where J is taken
+    vec3 rowX;          // J's rows in world axes: px per mm
+    vec3 rowY;
+    vec3 normal;        // their cross product: px^2 per mm^2
+    SplatAxes axes;
+    vec3 deviations;    // mm
+    vec3 spreadX;       // px of the splat's three deviations along x, and along y
+    vec3 spreadY;
+    vec3 areas;         // px^2 of pairs of deviations: (y, z), (z, x), (x, y)
+    float area;         // A, px^2
+    float xx;           // px^2, the covariance with the low-pass
+    float xy;
+    float yy;
+    float height;       // det / yy
+};
+
+float lengthOf(vec3 v) {
+    float most = max(max(abs(v.x), abs(v.y)), abs(v.z));
+    if (!(most > float(1e-30))) return float(0.0);
+    vec3 scaled = v / most;
+    return most * sqrt(dot(scaled, scaled));
+}
+
+vec2 lowestSlope(SplatView view) {
+    return -(view.principalPx + vec2(view.sizePx) * float(BEYOND_PICTURE)) / view.focalPx;
+}
+vec2 highestSlope(SplatView view) {
+    return (vec2(view.sizePx) * float(1.0 + BEYOND_PICTURE) - view.principalPx) / view.focalPx;
+}
+
+vec3 inCamera(vec3 position, SplatView view) {
+    vec3 fromEye = position - view.eyeMm;
+    return vec3(dot(view.right, fromEye), dot(view.down, fromEye), dot(view.forward, fromEye));
+}
+
+// Of a splat in front of the eye.
+SplatSight sightOf(Splat splat, SplatView view) {
+    SplatSight sight;
+    sight.inCamera = inCamera(splat.position, view);
+    float z = sight.inCamera.z;
+    sight.slope = vec2(sight.inCamera.x, sight.inCamera.y) / z;
+    sight.slopeClamped = clamp(sight.slope, lowestSlope(view), highestSlope(view));
+    vec2 scale = view.focalPx / z;
+    sight.rowX = (view.right - view.forward * sight.slopeClamped.x) * scale.x;
+    sight.rowY = (view.down - view.forward * sight.slopeClamped.y) * scale.y;
+    sight.normal = (view.forward + view.right * sight.slopeClamped.x + view.down * sight.slopeClamped.y) * (scale.x * scale.y);
+
+    sight.axes = axesOf(unitQuaternion(splat.rotation));
+    sight.deviations = deviationsMm(splat.logScale);
+    vec3 d = sight.deviations;
+    sight.spreadX = alongAxes(sight.axes, sight.rowX) * d;
+    sight.spreadY = alongAxes(sight.axes, sight.rowY) * d;
+    sight.areas = alongAxes(sight.axes, sight.normal) * vec3(d.y * d.z, d.z * d.x, d.x * d.y);
+    sight.area = lengthOf(sight.areas);
+
+    float s = view.lowPassPx2;
+    float xx = dot(sight.spreadX, sight.spreadX);
+    float yy = dot(sight.spreadY, sight.spreadY);
+    sight.xx = xx + s;
+    sight.yy = yy + s;
+    sight.xy = dot(sight.spreadX, sight.spreadY);
+    // det = A^2 + s (xx + yy) + s^2. In this order it does not overflow.
+    sight.height = sight.area * (sight.area / sight.yy) + s * ((xx + sight.yy) / sight.yy);
+    return sight;
+}
+
+// Share of the opacity that the low-pass leaves.
+float compensationOf(SplatSight sight, SplatView view) {
+    if (view.compensated == 0) return float(1.0);
+    return min(sight.area / (sqrt(sight.height) * sqrt(sight.yy)), float(1.0));
+}
+
+ScreenSplat noSplat() {
+    ScreenSplat none;
+    none.mean = vec2(float(0.0));
+    none.conic = vec3(float(1.0), float(0.0), float(1.0));
+    none.opacity = float(0.0);
+    none.depthMm = float(0.0);
+    none.extent = vec2(float(0.0));
+    return none;
+}
+
+// Opacity 0 for what has numbers that are not finite, lies before the near plane, is too faint, or reaches no centre of a pixel.
+ScreenSplat projectSplat(Splat splat, SplatView view) {
+    ScreenSplat screen = noSplat();
+    if (!isFinite(vec4(splat.position, splat.opacityLogit)) || !isFinite(vec4(splat.logScale, float(0.0))) ||
+        !isFinite(splat.rotation))
+        return screen;
+    float z = inCamera(splat.position, view).z;
+    if (!(z >= view.nearMm)) return screen;
+
+    SplatSight sight = sightOf(splat, view);
+    float opacity = opacityOf(splat.opacityLogit) * compensationOf(sight, view);
+    vec2 mean = sight.slope * view.focalPx + view.principalPx;
+    if (!(opacity > view.minAlpha)) return screen;
+
+    // A little more than exact, for rounding here and where alpha is computed.
+    float reach = sqrt(float(2.0) * log(opacity / view.minAlpha)) * float(1.0001) + float(0.001);
+    vec2 extent = vec2(sqrt(sight.xx), sqrt(sight.yy)) * reach;
+    vec2 last = vec2(view.sizePx) - vec2(float(0.5));
+    if (!(mean.x + extent.x >= float(0.5) && mean.y + extent.y >= float(0.5) && mean.x - extent.x <= last.x &&
+          mean.y - extent.y <= last.y))
+        return screen;
+
+    screen.mean = mean;
+    screen.conic = vec3(float(1.0) / sight.height, -sight.xy / sight.yy, float(1.0) / sight.yy);
+    screen.opacity = opacity;
+    screen.depthMm = z;
+    screen.extent = extent;
+    return screen;
+}
+
+// Columns and rows that a visible splat may touch: first <= pixel < end.
+void pixelsOf(ScreenSplat screen, ivec2 sizePx, OUT(ivec2) first, OUT(ivec2) end) {
+    vec2 size = vec2(sizePx);
+    vec2 low = clamp(screen.mean - screen.extent - vec2(float(0.5)), vec2(float(0.0)), size);
+    vec2 high = clamp(screen.mean + screen.extent + vec2(float(0.5)), vec2(float(0.0)), size);
+    first = ivec2(int(ceil(low.x)), int(ceil(low.y)));
+    end = ivec2(int(floor(high.x)), int(floor(high.y)));
+}

@@ -1,0 +1,83 @@
+// The derivative of splat_projection.glsl: from that by what is in the picture to that by what is trained. The extent has none.
+//
+// Needs splat_projection.glsl.
+
+struct SplatGradient {
+    vec3 position;
+    vec3 logScale;
+    vec4 rotation;
+    float opacityLogit;
+};
+
+SplatGradient noSplatGradient() {
+    SplatGradient g;
+    g.position = vec3(float(0.0));
+    g.logScale = vec3(float(0.0));
+    g.rotation = vec4(float(0.0));
+    g.opacityLogit = float(0.0);
+    return g;
+}
+
+// `screen` is projectSplat(splat, view), and its opacity is above 0; the colour in `g` is not looked at: see splat_colour.glsl.
+SplatGradient projectionGradient(Splat splat, SplatView view, ScreenSplat screen, ScreenGradient g) {
+    float two = float(2.0);
+    SplatSight sight = sightOf(splat, view);
+    float s = view.lowPassPx2;
+    SplatGradient result;
+
+    // Opacity.
+    float compensation = compensationOf(sight, view);
+    result.opacityLogit = g.opacity * compensation * opacitySlope(splat.opacityLogit);
+    float byCompensation = view.compensated == 0 ? float(0.0) : g.opacity * opacityOf(splat.opacityLogit);
+
+    // Conic and compensation as functions of xx, xy, yy and the area A, with det = A^2 + s (xx + yy) + s^2 where the low-pass
+    // is not in xx and yy. conic = (yy / det, -xy / yy, 1 / yy), compensation = A / sqrt(det).
+    float perYy = screen.conic.z;
+    float perDet = screen.conic.x * perYy;
+    float perRootDet = sqrt(screen.conic.x) * sqrt(perYy);
+    float byDet = -(g.conic.x * screen.conic.x + float(0.5) * byCompensation * compensation) * perDet;
+    float byArea = byCompensation * perRootDet + two * sight.area * byDet;
+    float byXx = s * byDet;
+    float byYy = s * byDet + g.conic.x * perDet - (g.conic.y * screen.conic.y + g.conic.z * perYy) * perYy;
+    float byXy = -g.conic.y * perYy;
+
+    vec3 bySpreadX = sight.spreadX * (two * byXx) + sight.spreadY * byXy;
+    vec3 bySpreadY = sight.spreadY * (two * byYy) + sight.spreadX * byXy;
+    // At area 0 (a splat without volume, seen along its plane) the length has no derivative; 0 is one of its subgradients.
+    vec3 byAreas = sight.area > float(0.0) ? sight.areas * (byArea / sight.area) : vec3(float(0.0));
+
+    // Scale: each spread has one deviation as its factor, each area two.
+    vec3 ofAreas = byAreas * sight.areas;
+    vec3 byLog = bySpreadX * sight.spreadX + bySpreadY * sight.spreadY +
+                 vec3(ofAreas.y + ofAreas.z, ofAreas.z + ofAreas.x, ofAreas.x + ofAreas.y);
+    result.logScale = vec3(gateOfLogScale(splat.logScale.x, byLog.x), gateOfLogScale(splat.logScale.y, byLog.y),
+                           gateOfLogScale(splat.logScale.z, byLog.z));
+
+    // Rotation: the rows of J and their normal, taken along the splat's axes.
+    vec3 d = sight.deviations;
+    vec3 byAlongX = bySpreadX * d;
+    vec3 byAlongY = bySpreadY * d;
+    vec3 byAlongN = byAreas * vec3(d.y * d.z, d.z * d.x, d.x * d.y);
+    SplatAxes byAxes;
+    byAxes.x = sight.rowX * byAlongX.x + sight.rowY * byAlongY.x + sight.normal * byAlongN.x;
+    byAxes.y = sight.rowX * byAlongX.y + sight.rowY * byAlongY.y + sight.normal * byAlongN.y;
+    byAxes.z = sight.rowX * byAlongX.z + sight.rowY * byAlongY.z + sight.normal * byAlongN.z;
+    result.rotation = quaternionGradient(splat.rotation, byAxes);
+
+    // Position: through J, through the mean, through the depth.
+    vec3 byRowX = fromAxes(sight.axes, byAlongX);
+    vec3 byRowY = fromAxes(sight.axes, byAlongY);
+    vec3 byNormal = fromAxes(sight.axes, byAlongN);
+    float z = sight.inCamera.z;
+    vec2 scale = view.focalPx / z;
+    float bySlopeX = scale.x * (scale.y * dot(view.right, byNormal) - dot(view.forward, byRowX));
+    float bySlopeY = scale.y * (scale.x * dot(view.down, byNormal) - dot(view.forward, byRowY));
+    if (sight.slope.x != sight.slopeClamped.x) bySlopeX = float(0.0);
+    if (sight.slope.y != sight.slopeClamped.y) bySlopeY = float(0.0);
+    bySlopeX += g.mean.x * view.focalPx.x;
+    bySlopeY += g.mean.y * view.focalPx.y;
+    float byZ = g.depthMm - (dot(sight.rowX, byRowX) + dot(sight.rowY, byRowY) + two * dot(sight.normal, byNormal) +
+                             sight.slope.x * bySlopeX + sight.slope.y * bySlopeY) / z;
+    result.position = view.right * (bySlopeX / z) + view.down * (bySlopeY / z) + view.forward * byZ;
+    return result;
+}

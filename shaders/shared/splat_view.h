@@ -1,0 +1,29 @@
+// What splats are drawn with: the eye, the picture, and how they blend. Made by
+// src/pipeline/splat/raster_view.h.
+#ifndef MACULA_SHARED_SPLAT_VIEW_H
+#define MACULA_SHARED_SPLAT_VIEW_H
+#include "shared/shared.h"
+MACULA_SHARED_BEGIN
+
+// The camera has x to the right, y down, z forward; pixel (column, row) has its centre at (column + 0.5, row
+// + 0.5), row 0 on top. A field added here must be added to the struct of the same name in
+// src/pipeline/splat/reference_host.inl.
+struct SplatView {
+    vec3 right;  // axes of the camera in the world: orthonormal
+    vec3 down;
+    vec3 forward;
+    vec3 eyeMm;  // relative to the model's origin
+    vec2 focalPx;
+    vec2 principalPx;
+    ivec2 sizePx;
+    float nearMm;            // a splat whose centre is nearer along z is not drawn
+    float lowPassPx2;        // added to the variance in the picture, along x and y
+    int compensated;         // 1: opacity is lowered as the low-pass widens; 0: it is not
+    float maxAlpha;          // no splat hides more of a pixel than this
+    float minAlpha;          // what hides no more than this is not drawn
+    float fringe;            // alpha is at most fringe * (alpha - minAlpha): above 1; very large: a hard edge
+    float minTransmittance;  // a pixel that less shines through is finished
+};
+
+MACULA_SHARED_END
+#endif

@@ -1,0 +1,48 @@
+// The class that shaders/lib/splat_*.glsl becomes in C++. Included twice, with MACULA_HOST its name and MACULA_REAL float or
+// double: by inclusion and not as a template, because `float` in the shaders must mean MACULA_REAL.
+//
+// No include guard, no namespace: the including file gives both.
+
+#define OUT(type) type&
+#define INOUT(type) type&
+#define PRECISE
+
+struct MACULA_HOST : GlslInCpp<MACULA_REAL> {
+    using Real = MACULA_REAL;
+
+    struct SplatView {
+        vec3 right, down, forward, eyeMm;
+        vec2 focalPx, principalPx;
+        ivec2 sizePx;
+        Real nearMm, lowPassPx2;
+        int compensated;
+        Real maxAlpha, minAlpha, fringe, minTransmittance;
+    };
+    // A field added to the shared block must be added above and below.
+    static_assert(sizeof(shared::SplatView) == 4 * (4 * 3 + 2 * 2 + 2 + 2 + 1 + 4));
+
+    MACULA_HOST(const RasterView& raster, const Blending& blending)
+        : frame{glm::transpose(raster.cameraFromWorld)[0], glm::transpose(raster.cameraFromWorld)[1],
+               glm::transpose(raster.cameraFromWorld)[2], raster.eyeMm,
+               raster.focalPx,           raster.principalPx,
+               raster.sizePx,            Real(raster.nearMm),
+               Real(blending.lowPassPx2), blending.compensated ? 1 : 0,
+               Real(blending.maxAlpha),  Real(blending.minAlpha),
+               Real(blending.fringe),    Real(blending.minTransmittance)} {}
+
+    SplatView frame;
+
+#define float MACULA_REAL
+#include "lib/splat_lib.glsl"
+#undef float
+#undef MAX_LOG_SCALE
+#undef MIN_QUATERNION
+#undef BEYOND_PICTURE
+#undef SH_0
+#undef SH_1
+#undef HARD_EDGE
+};
+
+#undef OUT
+#undef INOUT
+#undef PRECISE
