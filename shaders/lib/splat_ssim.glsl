@@ -36,21 +36,22 @@ SsimWindow ssimWindow(vec4 u, vec4 v, vec4 uu, vec4 vv) {
     vec4 d = v * v;
     vec4 varU = max(uu - s, vec4(0.0)) * float(0.5);
     vec4 varV = max(vv - d, vec4(0.0)) * float(0.5);
-    vec4 bottom1 = (s + d) * float(0.5) + c1;
-    vec4 bottom2 = varU + varV + c2;
-    vec4 luminances = vec4(1.0) - d / bottom1;
-    vec4 structures = vec4(1.0) - (varV + varV) / bottom2;
+    vec4 inverse1 = vec4(1.0) / ((s + d) * float(0.5) + c1);
+    vec4 inverse2 = vec4(1.0) / (varU + varV + c2);
+    vec4 unlikeMean = d * inverse1;
+    vec4 unlikeStructure = (varV + varV) * inverse2;
+    vec4 luminances = vec4(1.0) - unlikeMean;
     SsimWindow window;
-    window.dissimilarity = d / bottom1 + luminances * ((varV + varV) / bottom2);
+    window.dissimilarity = unlikeMean + luminances * unlikeStructure;
     // By the variances, then by the means.
-    window.ofSum = -luminances * (varV / bottom2) / bottom2;
-    window.ofDifference = luminances * ((varU + c2) / bottom2) / bottom2;
-    vec4 byU = -structures * u * (d / bottom1) / bottom1;
-    vec4 byV = structures * v * ((s + c1 + c1) / bottom1) / bottom1;
+    vec4 slope = luminances * inverse2;
+    window.ofSum = -slope * unlikeStructure;
+    window.ofDifference = slope * ((varU + c2) * inverse2) * float(2.0);
+    vec4 structures = (vec4(1.0) - unlikeStructure) * inverse1;
+    vec4 byU = -structures * u * unlikeMean;
+    vec4 byV = structures * v * ((s + c1 + c1) * inverse1);
     // d(var) = d(mean of squares) - 2 mean d(mean), and the mean of squares has the derivative 2 u; the 2 and the half of
     // the variance cancel.
-    window.ofSum = window.ofSum * float(2.0);
-    window.ofDifference = window.ofDifference * float(2.0);
     window.plain = byU + byV - window.ofSum * u - window.ofDifference * v;
     return window;
 }

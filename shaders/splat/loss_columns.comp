@@ -3,10 +3,9 @@
 #extension GL_GOOGLE_include_directive : require
 #include "splat/loss_setup.glsl"
 
-layout(binding = 1) uniform samplerBuffer sums;
-layout(binding = 2) uniform samplerBuffer differences;
-layout(binding = 3, scalar) writeonly buffer Means {
-    vec4 means[];  // of u, v, u^2, v^2: one picture after the other
+layout(binding = 1) uniform samplerBuffer pairs;
+layout(binding = 2, scalar) writeonly buffer Means {
+    vec4 means[];  // of u, v, u^2, v^2, for each pixel
 };
 
 void main() {
@@ -20,8 +19,8 @@ void main() {
         int y = first + j - 5;
         float inside = y >= 0 && y < size.y ? 1.0 : 0.0;
         int index = clamp(y, 0, size.y - 1) * size.x + x;
-        vec4 s = texelFetch(sums, index) * inside;
-        vec4 d = texelFetch(differences, index) * inside;
+        vec4 s = texelFetch(pairs, 2 * index) * inside;
+        vec4 d = texelFetch(pairs, 2 * index + 1) * inside;
         vec4 ss = s * s;
         vec4 dd = d * d;
         [[unroll]] for (int n = 0; n < kOutputs; ++n) {
@@ -34,14 +33,13 @@ void main() {
             }
         }
     }
-    int plane = size.x * size.y;
     [[unroll]] for (int n = 0; n < kOutputs; ++n) {
         if (first + n < size.y) {
             int index = (first + n) * size.x + x;
-            means[index] = u[n];
-            means[plane + index] = v[n];
-            means[2 * plane + index] = uu[n];
-            means[3 * plane + index] = vv[n];
+            means[4 * index] = u[n];
+            means[4 * index + 1] = v[n];
+            means[4 * index + 2] = uu[n];
+            means[4 * index + 3] = vv[n];
         }
     }
 }

@@ -9,11 +9,8 @@ layout(constant_id = 1) const bool kDisplay = false;
 layout(binding = 1) uniform samplerBuffer rendered;
 layout(binding = 2) uniform samplerBuffer targets;
 layout(binding = 3) uniform samplerBuffer windows;  // 0 where the target is not finite
-layout(binding = 4, scalar) writeonly buffer Sums {
-    vec4 sums[];
-};
-layout(binding = 5, scalar) writeonly buffer Differences {
-    vec4 differences[];
+layout(binding = 4, scalar) writeonly buffer Pairs {
+    vec4 pairs[];  // sum, difference
 };
 
 void main() {
@@ -26,6 +23,6 @@ void main() {
     render = isFinite(render) ? render : truth;
     vec4 x = comparedPixel(render, params.background, params.exposure, kDisplay).value;
     vec4 y = comparedPixel(truth, params.background, params.exposure, kDisplay).value;
-    sums[index] = known ? x + y : vec4(0.0);
-    differences[index] = known ? x - y : vec4(0.0);
+    pairs[2 * index] = known ? x + y : vec4(0.0);
+    pairs[2 * index + 1] = known ? x - y : vec4(0.0);
 }

@@ -7,14 +7,13 @@
 layout(constant_id = 1) const bool kDisplay = false;
 
 layout(binding = 1) uniform samplerBuffer summed;
-layout(binding = 2) uniform samplerBuffer sums;
-layout(binding = 3) uniform samplerBuffer differences;
-layout(binding = 4) uniform samplerBuffer windows;
-layout(binding = 5) uniform samplerBuffer rendered;
-layout(binding = 6, scalar) writeonly buffer Gradients {
+layout(binding = 2) uniform samplerBuffer pairs;
+layout(binding = 3) uniform samplerBuffer windows;
+layout(binding = 4) uniform samplerBuffer rendered;
+layout(binding = 5, scalar) writeonly buffer Gradients {
     vec4 gradients[];
 };
-layout(binding = 7, scalar) writeonly buffer Parts {
+layout(binding = 6, scalar) writeonly buffer Parts {
     vec2 parts[];  // |difference| summed over a strip; pixels of the render that are not finite
 };
 
@@ -23,16 +22,15 @@ void main() {
     int first = int(gl_GlobalInvocationID.x) * kOutputs;
     int y = int(gl_GlobalInvocationID.y);
     if (first >= size.x || y >= size.y) return;
-    int plane = size.x * size.y;
     vec4 a[kOutputs], b[kOutputs], c[kOutputs];
     [[unroll]] for (int n = 0; n < kOutputs; ++n) a[n] = b[n] = c[n] = vec4(0.0);
     [[unroll]] for (int j = 0; j < kOutputs + 10; ++j) {
         int x = first + j - 5;
         float inside = x >= 0 && x < size.x ? 1.0 : 0.0;
         int index = y * size.x + clamp(x, 0, size.x - 1);
-        vec4 ta = texelFetch(summed, index) * inside;
-        vec4 tb = texelFetch(summed, plane + index) * inside;
-        vec4 tc = texelFetch(summed, 2 * plane + index) * inside;
+        vec4 ta = texelFetch(summed, 3 * index) * inside;
+        vec4 tb = texelFetch(summed, 3 * index + 1) * inside;
+        vec4 tc = texelFetch(summed, 3 * index + 2) * inside;
         [[unroll]] for (int n = 0; n < kOutputs; ++n) {
             float tap = ssimTap(j - n - 5);
             if (tap > 0.0) {
@@ -47,11 +45,11 @@ void main() {
         if (first + n < size.x) {
             int index = y * size.x + first + n;
             vec4 render = texelFetch(rendered, index);
-            vec4 difference = texelFetch(differences, index);
+            vec4 difference = texelFetch(pairs, 2 * index + 1);
             bool finite = isFinite(render);
             bool known = texelFetch(windows, index).x > 0.0 && finite;
             vec4 back = params.l1Scale * sign(difference) +
-                        params.dssimScale * (a[n] + b[n] * texelFetch(sums, index) + c[n] * difference);
+                        params.dssimScale * (a[n] + b[n] * texelFetch(pairs, 2 * index) + c[n] * difference);
             vec3 over = comparedPixel(render, params.background, params.exposure, kDisplay).over;
             vec4 gradient = comparedPixelBack(over, back, params.background, params.exposure, kDisplay);
             gradients[index] = known ? gradient : vec4(0.0);

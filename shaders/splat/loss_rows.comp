@@ -7,7 +7,7 @@
 layout(binding = 1) uniform samplerBuffer means;
 layout(binding = 2) uniform samplerBuffer windows;  // 1 / the taps on known pixels; 0 where the pixel is unknown
 layout(binding = 3, scalar) writeonly buffer Terms {
-    vec4 terms[];  // plain, of the sum, of the difference: one picture after the other, each divided by its window's taps
+    vec4 terms[];  // plain, of the sum, of the difference, for each pixel, divided by its window's taps
 };
 layout(binding = 4, scalar) writeonly buffer Parts {
     float parts[];  // 1 - SSIM, summed over a strip
@@ -18,17 +18,16 @@ void main() {
     int first = int(gl_GlobalInvocationID.x) * kOutputs;
     int y = int(gl_GlobalInvocationID.y);
     if (first >= size.x || y >= size.y) return;
-    int plane = size.x * size.y;
     vec4 u[kOutputs], v[kOutputs], uu[kOutputs], vv[kOutputs];
     [[unroll]] for (int n = 0; n < kOutputs; ++n) u[n] = v[n] = uu[n] = vv[n] = vec4(0.0);
     [[unroll]] for (int j = 0; j < kOutputs + 10; ++j) {
         int x = first + j - 5;
         float inside = x >= 0 && x < size.x ? 1.0 : 0.0;
         int index = y * size.x + clamp(x, 0, size.x - 1);
-        vec4 s = texelFetch(means, index) * inside;
-        vec4 d = texelFetch(means, plane + index) * inside;
-        vec4 ss = texelFetch(means, 2 * plane + index) * inside;
-        vec4 dd = texelFetch(means, 3 * plane + index) * inside;
+        vec4 s = texelFetch(means, 4 * index) * inside;
+        vec4 d = texelFetch(means, 4 * index + 1) * inside;
+        vec4 ss = texelFetch(means, 4 * index + 2) * inside;
+        vec4 dd = texelFetch(means, 4 * index + 3) * inside;
         [[unroll]] for (int n = 0; n < kOutputs; ++n) {
             float tap = ssimTap(j - n - 5);
             if (tap > 0.0) {
@@ -46,9 +45,9 @@ void main() {
             float window = texelFetch(windows, index).x;
             SsimWindow ssim = ssimWindow(u[n] * window, v[n] * window, uu[n] * window, vv[n] * window);
             part += window > 0.0 ? dot(ssim.dissimilarity, vec4(1.0)) : 0.0;
-            terms[index] = ssim.plain * window;
-            terms[plane + index] = ssim.ofSum * window;
-            terms[2 * plane + index] = ssim.ofDifference * window;
+            terms[3 * index] = ssim.plain * window;
+            terms[3 * index + 1] = ssim.ofSum * window;
+            terms[3 * index + 2] = ssim.ofDifference * window;
         }
     }
     parts[y * ((size.x + kOutputs - 1) / kOutputs) + int(gl_GlobalInvocationID.x)] = part;

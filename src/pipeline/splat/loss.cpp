@@ -11,9 +11,8 @@ namespace macula::splat {
 
 namespace {
 
-// Pixels of a strip, see shaders/splat/loss_setup.glsl. On lavapipe by measurement: 4 and 8 take 28 ms at 512
-// x 512. 16 in rows are 1 ms faster, and 0.5 s longer to compile; on a GPU as many sums as its registers
-// hold.
+// Pixels of a strip, see shaders/splat/loss_setup.glsl. On lavapipe by measurement: 20 ms at 512 x 512; 16 in
+// rows are 1 ms faster, and 0.5 s longer to compile. On a GPU as many sums as its registers hold.
 constexpr int kColumnOutputs = 4;
 constexpr int kRowOutputsCpu = 8;
 constexpr int kRowOutputsGpu = 4;
@@ -96,15 +95,14 @@ Result<std::uint64_t> LossTarget::unknownPixels() const {
 }
 
 Loss::Loss(std::shared_ptr<const LossKernels> kernels, gpu::Buffer params,
-           std::array<gpu::TexelBuffer, 6> scratch, DevicePicture gradient, gpu::Buffer result)
+           std::array<gpu::TexelBuffer, 5> scratch, DevicePicture gradient, gpu::Buffer result)
     : kernels_(std::move(kernels)),
       params_(std::move(params)),
-      sums_(std::move(scratch[0])),
-      differences_(std::move(scratch[1])),
-      means_(std::move(scratch[2])),
-      terms_(std::move(scratch[3])),
-      ssimParts_(std::move(scratch[4])),
-      l1Parts_(std::move(scratch[5])),
+      pairs_(std::move(scratch[0])),
+      means_(std::move(scratch[1])),
+      terms_(std::move(scratch[2])),
+      ssimParts_(std::move(scratch[3])),
+      l1Parts_(std::move(scratch[4])),
       gradient_(std::move(gradient)),
       result_(std::move(result)) {}
 
@@ -119,8 +117,7 @@ Result<Loss> Loss::create(const std::shared_ptr<gpu::Device>& device,
             device, {.label = label, .elements = elements, .format = format, .usage = kReadAndWritten});
     };
     constexpr VkFormat kFour = VK_FORMAT_R32G32B32A32_SFLOAT;
-    MACULA_TRY(gpu::TexelBuffer sums, make("sums of pictures", pixels, kFour));
-    MACULA_TRY(gpu::TexelBuffer differences, make("differences of pictures", pixels, kFour));
+    MACULA_TRY(gpu::TexelBuffer pairs, make("sums and differences", 2 * pixels, kFour));
     MACULA_TRY(gpu::TexelBuffer means, make("means over windows", 4 * pixels, kFour));
     MACULA_TRY(gpu::TexelBuffer terms, make("terms of windows", 3 * pixels, kFour));
     MACULA_TRY(gpu::TexelBuffer ssimParts, make("parts of SSIM", strips, VK_FORMAT_R32_SFLOAT));
@@ -128,10 +125,10 @@ Result<Loss> Loss::create(const std::shared_ptr<gpu::Device>& device,
     MACULA_TRY(gpu::Buffer params, makeParams(device));
     MACULA_TRY(gpu::Buffer result,
                gpu::Buffer::create(device, {.label = "loss", .bytes = sizeof(shared::SplatLossResult)}));
-    return Loss(std::move(kernels), std::move(params),
-                {std::move(sums), std::move(differences), std::move(means), std::move(terms),
-                 std::move(ssimParts), std::move(l1Parts)},
-                std::move(gradient), std::move(result));
+    return Loss(
+        std::move(kernels), std::move(params),
+        {std::move(pairs), std::move(means), std::move(terms), std::move(ssimParts), std::move(l1Parts)},
+        std::move(gradient), std::move(result));
 }
 
 void Loss::record(gpu::Recorder& recorder, const DevicePicture& render, const LossTarget& target,
@@ -159,15 +156,14 @@ void Loss::record(gpu::Recorder& recorder, const DevicePicture& render, const Lo
 
     const auto label = recorder.label("loss");
     recorder.dispatch(kernels_->compare[encode], pixels,
-                      {params_, render.texels, target.picture().texels, target.windows(), sums_.buffer(),
-                       differences_.buffer()});
-    recorder.dispatch(kernels_->columns, columns, {params_, sums_, differences_, means_.buffer()});
+                      {params_, render.texels, target.picture().texels, target.windows(), pairs_.buffer()});
+    recorder.dispatch(kernels_->columns, columns, {params_, pairs_, means_.buffer()});
     recorder.dispatch(kernels_->rows, rows,
                       {params_, means_, target.windows(), terms_.buffer(), ssimParts_.buffer()});
     recorder.dispatch(kernels_->backColumns, columns, {params_, terms_, means_.buffer()});
     recorder.dispatch(kernels_->gradient[encode], rows,
-                      {params_, means_, sums_, differences_, target.windows(), render.texels,
-                       gradient_.texels.buffer(), l1Parts_.buffer()});
+                      {params_, means_, pairs_, target.windows(), render.texels, gradient_.texels.buffer(),
+                       l1Parts_.buffer()});
     recorder.dispatch(kernels_->total, {1}, {params_, ssimParts_, l1Parts_, result_});
 }
 

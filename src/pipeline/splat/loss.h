@@ -71,15 +71,14 @@ class Loss {
 
   private:
     Loss(std::shared_ptr<const LossKernels> kernels, gpu::Buffer params,
-         std::array<gpu::TexelBuffer, 6> scratch, DevicePicture gradient, gpu::Buffer result);
+         std::array<gpu::TexelBuffer, 5> scratch, DevicePicture gradient, gpu::Buffer result);
 
     std::shared_ptr<const LossKernels> kernels_;
     gpu::Buffer params_;
-    gpu::TexelBuffer sums_;         // vec4: render + target, as compared
-    gpu::TexelBuffer differences_;  // vec4: render - target
-    gpu::TexelBuffer means_;        // 4 vec4, and then 3
-    gpu::TexelBuffer terms_;        // 3 vec4
-    gpu::TexelBuffer ssimParts_;    // by strip
+    gpu::TexelBuffer pairs_;      // 2 vec4 for each pixel: render + target as compared, and render - target
+    gpu::TexelBuffer means_;      // 4 vec4, and then 3
+    gpu::TexelBuffer terms_;      // 3 vec4
+    gpu::TexelBuffer ssimParts_;  // by strip
     gpu::TexelBuffer l1Parts_;
     DevicePicture gradient_;
     gpu::Buffer result_;
