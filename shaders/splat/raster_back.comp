@@ -1,0 +1,83 @@
+// The derivative of a loss by the splats in the picture: for each pair of a tile and a splat in it the sum over the tile's
+// pixels, in a place of its own. Nothing is added to by two, so that the sums are the same each time.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_KHR_shader_subgroup_basic : require
+#extension GL_KHR_shader_subgroup_shuffle : require
+
+#include "splat/frame.glsl"
+#include "splat/screen.glsl"
+#include "splat/tiles.glsl"
+
+layout(constant_id = 3) const int kSlots = 1;  // subgroups of a tile
+
+layout(binding = 4) uniform samplerBuffer pictureTexels;   // as raster.comp has drawn it
+layout(binding = 5) uniform samplerBuffer gradientTexels;  // of the loss by the picture
+layout(binding = 6, scalar) writeonly buffer Pairs {
+    float pairs[];
+};
+
+// Of eight values the sums over the lanes: lane j of each eight gets that of value j.
+float sumsOfEight(float v[8]) {
+    uint lane = gl_SubgroupInvocationID;
+    bool high4 = (lane & 4u) != 0u;
+    bool high2 = (lane & 2u) != 0u;
+    bool high1 = (lane & 1u) != 0u;
+    float four[4];
+    [[unroll]] for (int i = 0; i < 4; ++i)
+        four[i] = (high4 ? v[i + 4] : v[i]) + subgroupShuffleXor(high4 ? v[i] : v[i + 4], 4u);
+    float two[2];
+    [[unroll]] for (int i = 0; i < 2; ++i)
+        two[i] = (high2 ? four[i + 2] : four[i]) + subgroupShuffleXor(high2 ? four[i] : four[i + 2], 2u);
+    float sum = (high1 ? two[1] : two[0]) + subgroupShuffleXor(high1 ? two[0] : two[1], 1u);
+    if (gl_SubgroupSize > 8u) sum += subgroupShuffleXor(sum, 8u);
+    if (gl_SubgroupSize > 16u) sum += subgroupShuffleXor(sum, 16u);
+    return sum;
+}
+
+// Of two values, to all lanes of each eight.
+vec2 sumOfTwo(vec2 v) {
+    v += vec2(subgroupShuffleXor(v.x, 1u), subgroupShuffleXor(v.y, 1u));
+    v += vec2(subgroupShuffleXor(v.x, 2u), subgroupShuffleXor(v.y, 2u));
+    v += vec2(subgroupShuffleXor(v.x, 4u), subgroupShuffleXor(v.y, 4u));
+    if (gl_SubgroupSize > 8u) v += vec2(subgroupShuffleXor(v.x, 8u), subgroupShuffleXor(v.y, 8u));
+    if (gl_SubgroupSize > 16u) v += vec2(subgroupShuffleXor(v.x, 16u), subgroupShuffleXor(v.y, 16u));
+    return v;
+}
+
+void main() {
+    SplatView view = frame.view;
+    ivec2 first = firstPixel();
+    vec2 centre = vec2(first) + vec2(0.5);
+    PixelGradient gradient[kRows];
+    float transmittance[kRows];
+    float remaining[kRows];
+    [[unroll]] for (int row = 0; row < kRows; ++row) {
+        bool inside = first.x < view.sizePx.x && first.y + row < view.sizePx.y;
+        int pixel = inside ? (first.y + row) * view.sizePx.x + first.x : 0;
+        vec4 g = texelFetch(gradientTexels, pixel) * (inside ? 1.0 : 0.0);
+        gradient[row] = PixelGradient(g, 0.0);
+        transmittance[row] = inside ? 1.0 : 0.0;
+        remaining[row] = dot(texelFetch(pictureTexels, pixel), g);
+    }
+    uvec2 range = entriesOfTile();
+    for (uint at = range.x; at < range.y; ++at) {
+        uvec2 entry = texelFetch(entryTexels, int(at)).xy;
+        Shown shown = fetchShown(int(entry.x));
+        ScreenGradient sum = noGradient();
+        float weight = 0.0;
+        [[unroll]] for (int row = 0; row < kRows; ++row) {
+            weight += transmittance[row];
+            addPixelGradient(shown.screen, shown.colour, centre + vec2(0.0, float(row)), gradient[row], view,
+                             transmittance[row], remaining[row], sum);
+            weight -= transmittance[row];
+        }
+        float values[8] = float[8](sum.mean.x, sum.mean.y, sum.conic.x, sum.conic.y, sum.conic.z, sum.opacity, sum.colour.x,
+                                   sum.colour.y);
+        float eight = sumsOfEight(values);
+        vec2 two = sumOfTwo(vec2(sum.colour.z, weight));
+        uint place = (entry.y * uint(kSlots) + gl_SubgroupID) * uint(kPairValues);
+        if (gl_SubgroupInvocationID < 8u) pairs[place + gl_SubgroupInvocationID] = eight;
+        if (gl_SubgroupInvocationID < 2u) pairs[place + 8u + gl_SubgroupInvocationID] = gl_SubgroupInvocationID == 0u ? two.x : two.y;
+    }
+}

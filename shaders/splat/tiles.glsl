@@ -1,0 +1,18 @@
+// Which splats a tile shows, front to back, and the pixels of a thread: kRows of one column, one below the other. On a CPU a
+// thread has all rows of its column, so that eight lanes are the eight columns of a tile and what a splat costs is shared by
+// all of its rows; on a graphics card a few, so that there are enough threads.
+layout(constant_id = 1) const int kRows = 8;
+layout(local_size_x = 8, local_size_y_id = 2) in;
+
+layout(binding = 2) uniform usamplerBuffer rangeTexels;  // of a tile: first entry, and one after the last
+layout(binding = 3) uniform usamplerBuffer entryTexels;  // splat; number of this pair of splat and tile
+
+uvec2 entriesOfTile() {
+    return texelFetch(rangeTexels, int(gl_WorkGroupID.y) * frame.tiles.x + int(gl_WorkGroupID.x)).xy;
+}
+
+// The first of the thread's.
+ivec2 firstPixel() {
+    return ivec2(int(gl_WorkGroupID.x) * kTileColumns + int(gl_LocalInvocationID.x),
+                 int(gl_WorkGroupID.y) * frame.tileRows + int(gl_LocalInvocationID.y) * kRows);
+}

@@ -1,0 +1,93 @@
+// Draws splats on the device, and finds how each parameter would have to change for the picture to change:
+// the same kernels for showing a model and for training it. What a picture of splats is exactly is told by
+// shaders/lib/splat_projection.glsl and splat_blend.glsl; reference_rasterizer.h is the slow form of the
+// same.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+#include "base/result.h"
+#include "pipeline/gpu/kernel.h"
+#include "pipeline/gpu/recorder.h"
+#include "pipeline/gpu/resources.h"
+#include "pipeline/splat/device_picture.h"
+#include "pipeline/splat/raster_view.h"
+#include "pipeline/splat/splat_buffer.h"
+#include "pipeline/splat/tile_lists.h"
+#include "shared/splat_frame.h"
+
+namespace macula::splat {
+
+// How a tile is shared out. Zeros: what is fast on the device.
+struct RasterShape {
+    int tileRows = 0;       // pixels, a multiple of rowsPerThread
+    int rowsPerThread = 0;  // pixels of one column
+};
+
+// Used by one thread at a time, the one that uses the device.
+class Rasterizer {
+  public:
+    // For models of that capacity and degree.
+    static Result<Rasterizer> create(const std::shared_ptr<gpu::Device>& device, std::uint32_t capacity,
+                                     int shDegree, const RasterShape& shape = {});
+
+    // Draws the first `count` splats. The view and the blending must be valid. Waits for the projection,
+    // whose result is sorted on the host; the picture is done when what was submitted is. outOfMemory when
+    // there are too many pairs of splats and tiles.
+    Result<void> draw(const SplatBuffer& parameters, std::uint32_t count, const RasterView& view,
+                      const Blending& blending);
+
+    // Of the last view, until the next is drawn. Premultiplied; a is the coverage.
+    const DevicePicture& picture() const { return *picture_; }
+    // Float for each pixel: sum of weight times depth of the centre in mm; over a, the mean depth.
+    const gpu::Buffer& depths() const { return *depths_; }
+    // Pairs of splats and tiles in it.
+    std::uint64_t pairCount() const { return lists_.entries.size(); }
+
+    // After draw, of the same parameters: the derivative by each, from that by the picture (its rgb, and its
+    // coverage in a), of splats that show; those of others stay what they were. Of degree 0 or 1.
+    Result<void> recordBackward(gpu::Recorder& recorder, const SplatBuffer& parameters,
+                                const DevicePicture& gradient, SplatBuffer& gradients);
+    // A uint for each splat, not 0 for those that showed when recordBackward was last done.
+    const gpu::Buffer& visible() const { return visible_; }
+    // SplatStatistics for each splat, summed by every recordBackward since they were cleared.
+    const gpu::Buffer& statistics() const { return statistics_; }
+    void clearStatistics(gpu::Recorder& recorder) { recorder.fill(statistics_, 0u); }
+
+  private:
+    struct Kernels {
+        gpu::Kernel project;
+        gpu::Kernel raster;
+        std::optional<gpu::Kernel> rasterBack;  // not of degrees that are only drawn
+        std::optional<gpu::Kernel> gather;
+    };
+    Rasterizer(std::shared_ptr<gpu::Device> device, std::uint32_t capacity, RasterShape shape, int slots,
+               Kernels kernels, gpu::Buffer frame, gpu::TexelBuffer screen, gpu::TexelBuffer pairRanges,
+               gpu::Buffer visible, gpu::Buffer statistics);
+
+    Result<void> project(const SplatBuffer& parameters, std::uint32_t count, const RasterView& view,
+                         const Blending& blending);
+    Result<void> uploadLists();
+    Result<void> makePicture(glm::ivec2 sizePx);
+
+    std::shared_ptr<gpu::Device> device_;
+    std::uint32_t capacity_;
+    RasterShape shape_;
+    int slots_;  // of a pair: subgroups that work on a tile
+    Kernels kernels_;
+    gpu::Buffer frame_;
+    gpu::TexelBuffer screen_;
+    gpu::TexelBuffer pairRanges_;
+    gpu::Buffer visible_;
+    gpu::Buffer statistics_;
+    std::optional<gpu::TexelBuffer> ranges_, entries_;  // grow with the picture and with the pairs
+    std::optional<gpu::TexelBuffer> pairs_;
+    std::optional<DevicePicture> picture_;
+    std::optional<gpu::Buffer> depths_;
+    std::uint32_t count_ = 0;
+    TileLists lists_;
+};
+
+}  // namespace macula::splat

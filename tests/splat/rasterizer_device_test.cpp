@@ -1,0 +1,189 @@
+// The rasterizer on the device against the reference: pictures, depths and derivatives.
+#include <cmath>
+
+#include "gpu/shared_layout.h"
+#include "pipeline/gpu/spirv_reflection.h"
+#include "pipeline/gpu/transfer.h"
+#include "pipeline/splat/rasterizer.h"
+#include "pipeline/splat/reference_rasterizer.h"
+#include "shaders/splat.h"
+#include "splat/device_test.h"
+#include "splat/reference_scenes.h"
+
+namespace macula::splat {
+namespace {
+
+// What the device holds, in double.
+Splats singleOf(const ReferenceSplats& model) {
+    Splats splats;
+    splats.resize(model.size());
+    splats.setShDegree(model.shDegree);
+    for (std::size_t i = 0; i < model.size(); ++i) {
+        splats.position[i] = model.position[i];
+        splats.logScale[i] = model.logScale[i];
+        splats.rotation[i] = model.rotation[i];
+        splats.opacityLogit[i] = static_cast<float>(model.opacityLogit[i]);
+        splats.dc[i] = model.dc[i];
+    }
+    for (std::size_t k = 0; k < model.sh.size(); ++k) splats.sh[k] = model.sh[k];
+    return splats;
+}
+
+class RasterizerOnDevice : public DeviceTest {
+  protected:
+    struct Drawn {
+        SplatBuffer parameters;
+        Rasterizer rasterizer;
+    };
+    static Drawn draw(const Splats& splats, const RasterView& view, const Blending& blending,
+                      const RasterShape& shape = {}) {
+        const auto count = static_cast<std::uint32_t>(splats.size());
+        SplatBuffer parameters =
+            std::move(*SplatBuffer::create(device(), "parameters", std::max(count, 1u), splats.shDegree));
+        EXPECT_TRUE(parameters.upload(componentsOf(splats)).ok());
+        Rasterizer rasterizer =
+            std::move(*Rasterizer::create(device(), std::max(count, 1u), splats.shDegree, shape));
+        EXPECT_TRUE(rasterizer.draw(parameters, count, view, blending).ok());
+        return {std::move(parameters), std::move(rasterizer)};
+    }
+};
+
+double worstOf(const std::vector<glm::vec4>& device, const RasterImage& reference) {
+    double worst = 0.0;
+    for (std::size_t i = 0; i < device.size(); ++i) {
+        const glm::dvec4 off = glm::abs(glm::dvec4(device[i]) - reference.rgba[i]);
+        worst = std::max({worst, off.x, off.y, off.z, off.w});
+    }
+    return worst;
+}
+
+TEST_F(RasterizerOnDevice, PicturesAreThoseOfTheReference) {
+    for (const auto& shape : {RasterShape{}, RasterShape{16, 16}, RasterShape{8, 2}}) {
+        for (const int degree : {0, 1, 2, 3}) {
+            const Splats splats = singleOf(randomModel(17 + std::uint32_t(degree), 300, degree));
+            const RasterView view = frontView({61, 47}, 14.0);
+            const Drawn drawn = draw(splats, view, {}, shape);
+            const RasterImage expected = rasterize(ReferenceSplats(splats), view, {}, Precision::twofold);
+            const auto pixels = drawn.rasterizer.picture().read();
+            ASSERT_TRUE(pixels.ok());
+            EXPECT_LT(worstOf(*pixels, expected), 1e-4) << degree;
+            const auto depths = gpu::read<float>(drawn.rasterizer.depths());
+            ASSERT_TRUE(depths.ok());
+            for (std::size_t i = 0; i < depths->size(); ++i)
+                EXPECT_NEAR(double((*depths)[i]), expected.depth[i], 1e-4 * 500.0);
+        }
+    }
+}
+
+TEST_F(RasterizerOnDevice, DerivativesAreThoseOfTheReference) {
+    for (const auto& shape : {RasterShape{}, RasterShape{8, 4}}) {
+        for (const int degree : {0, 1}) {
+            const Splats splats = singleOf(randomModel(5 + std::uint32_t(degree), 200, degree));
+            const RasterView view = frontView({61, 47}, 14.0);
+            Drawn drawn = draw(splats, view, {}, shape);
+            const std::size_t pixels = 61 * 47;
+            Dice dice(3);
+            RasterGradient gradient{.rgba = std::vector<glm::dvec4>(pixels),
+                                    .depth = std::vector<double>(pixels)};
+            std::vector<glm::vec4> single(pixels);
+            for (std::size_t i = 0; i < pixels; ++i) {
+                single[i] = glm::vec4(dice.vec3(-1, 1), dice.uniform(-1, 1));
+                gradient.rgba[i] = single[i];
+            }
+            const auto uploaded = DevicePicture::upload(device(), "gradient", 61, 47, single);
+            ASSERT_TRUE(uploaded.ok());
+            SplatBuffer gradients =
+                std::move(*SplatBuffer::create(device(), "gradients", drawn.parameters.capacity(), degree));
+            auto recorder = std::move(*gpu::Recorder::create(device(), "test"));
+            ASSERT_TRUE(
+                drawn.rasterizer.recordBackward(recorder, drawn.parameters, *uploaded, gradients).ok());
+            ASSERT_TRUE(recorder.submit().ok());
+            const auto found = gradients.download(drawn.parameters.capacity());
+            ASSERT_TRUE(found.ok());
+
+            const ReferenceSplats model(splats);
+            const RasterImage image = rasterize(model, view, {}, Precision::twofold);
+            const ReferenceSplats expected =
+                rasterizeBackward(model, view, {}, image, gradient, Precision::twofold);
+            const std::vector<float> reference = componentsOf(singleOf(expected));
+            ASSERT_EQ(found->size(), reference.size());
+            for (int k = 0; k < componentCount(degree); ++k) {
+                double most = 0.0;
+                double off = 0.0;
+                for (std::size_t i = 0; i < splats.size(); ++i) {
+                    const std::size_t n = std::size_t(k) * splats.size() + i;
+                    most = std::max(most, std::abs(double(reference[n])));
+                    off = std::max(off, std::abs(double((*found)[n]) - double(reference[n])));
+                }
+                EXPECT_LT(off, 1e-3 * most) << "component " << k;
+            }
+        }
+    }
+}
+
+TEST_F(RasterizerOnDevice, NothingToDrawIsAnEmptyPicture) {
+    const RasterView view = frontView({20, 9}, 14.0);
+    for (const std::size_t count : {0u, 1u}) {
+        Splats splats = singleOf(emptyModel(count));
+        for (glm::vec3& p : splats.position) p.y = -1000.0f;  // behind the eye
+        const Drawn drawn = draw(splats, view, {});
+        const auto pixels = drawn.rasterizer.picture().read();
+        ASSERT_TRUE(pixels.ok());
+        for (const glm::vec4& pixel : *pixels) EXPECT_EQ(pixel, glm::vec4(0.0f));
+        EXPECT_EQ(drawn.rasterizer.pairCount(), 0u);
+    }
+}
+
+TEST_F(RasterizerOnDevice, ASplatThatDoesNotShowKeepsWhatWasThere) {
+    Splats splats = singleOf(randomModel(8, 4, 0));
+    splats.position[2] = {0.0f, -1000.0f, 0.0f};
+    const RasterView view = frontView({20, 9}, 14.0);
+    Drawn drawn = draw(splats, view, {});
+    SplatBuffer gradients = std::move(*SplatBuffer::create(device(), "gradients", 4, 0));
+    const std::vector<float> before(std::size_t(4 * gradients.components()), 7.0f);
+    ASSERT_TRUE(gradients.upload(before).ok());
+    const auto gradient =
+        DevicePicture::upload(device(), "gradient", 20, 9, std::vector<glm::vec4>(180, glm::vec4(0.5f)));
+    for (int turn = 0; turn < 2; ++turn) {
+        auto recorder = std::move(*gpu::Recorder::create(device(), "test"));
+        ASSERT_TRUE(drawn.rasterizer.recordBackward(recorder, drawn.parameters, *gradient, gradients).ok());
+        ASSERT_TRUE(recorder.submit().ok());
+    }
+    const auto visible = gpu::read<std::uint32_t>(drawn.rasterizer.visible());
+    ASSERT_TRUE(visible.ok());
+    EXPECT_EQ(*visible, (std::vector<std::uint32_t>{1, 1, 0, 1}));
+    const auto after = gradients.download(4);
+    ASSERT_TRUE(after.ok());
+    for (int k = 0; k < gradients.components(); ++k) {
+        EXPECT_EQ((*after)[std::size_t(4 * k + 2)], 7.0f);
+        EXPECT_NE((*after)[std::size_t(4 * k)], 7.0f);
+    }
+    const auto statistics = gpu::read<shared::SplatStatistics>(drawn.rasterizer.statistics());
+    ASSERT_TRUE(statistics.ok());
+    EXPECT_EQ((*statistics)[0].views, 2.0f);
+    EXPECT_FLOAT_EQ((*statistics)[0].weight, 2.0f * (*statistics)[0].mostWeight);
+    EXPECT_EQ((*statistics)[2].views, 0.0f);
+}
+
+TEST(RasterizerLayout, IsThatOfTheKernels) {
+    using shared::SplatFrame, shared::SplatView, shared::SplatStatistics;
+    for (const auto& code : {shaders::splat_project_comp, shaders::splat_raster_comp,
+                             shaders::splat_raster_back_comp, shaders::splat_gather_comp}) {
+        const auto reflection = gpu::reflectSpirv(code.words);
+        ASSERT_TRUE(reflection.ok());
+        const auto* frame = reflection->bindings.front().block.find("frame");
+        ASSERT_NE(frame, nullptr) << code.name;
+        expectLayoutMatches<SplatFrame>(*frame,
+                                        {MACULA_FIELD(SplatFrame, view), MACULA_FIELD(SplatFrame, count),
+                                         MACULA_FIELD(SplatFrame, capacity), MACULA_FIELD(SplatFrame, tiles),
+                                         MACULA_FIELD(SplatFrame, tileRows)});
+    }
+    const auto gather = gpu::reflectSpirv(shaders::splat_gather_comp.words);
+    expectLayoutMatches<SplatStatistics>(
+        *gather->bindings.back().block.find("statistics"),
+        {MACULA_FIELD(SplatStatistics, views), MACULA_FIELD(SplatStatistics, weight),
+         MACULA_FIELD(SplatStatistics, meanGradient), MACULA_FIELD(SplatStatistics, mostWeight)});
+}
+
+}  // namespace
+}  // namespace macula::splat
