@@ -1,0 +1,207 @@
+#include "pipeline/splat/trainer.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <random>
+
+#include "base/check.h"
+
+namespace macula::splat {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr int kLeastSide = 16;  // pixels: smaller pictures have no room for a window of the loss
+
+// Random numbers of a step, the same whenever it is done.
+class Dice {
+  public:
+    Dice(std::uint32_t seed, std::uint64_t step, std::uint32_t purpose) {
+        std::seed_seq sequence{seed, static_cast<std::uint32_t>(step), static_cast<std::uint32_t>(step >> 32),
+                               purpose};
+        engine_.seed(sequence);
+    }
+    double operator()() { return (engine_() + 0.5) / 4294967296.0; }  // 0 to 1
+
+  private:
+    std::mt19937 engine_;
+};
+
+RasterView scaled(RasterView view, const glm::ivec2& sizePx) {
+    const glm::dvec2 scale = glm::dvec2(sizePx) / glm::dvec2(view.sizePx);
+    view.focalPx *= scale;
+    view.principalPx *= scale;
+    view.sizePx = sizePx;
+    return view;
+}
+
+}  // namespace
+
+Trainer::Trainer(std::shared_ptr<gpu::Device> device, TrainerOptions options, Splats like,
+                 std::shared_ptr<const LossKernels> lossKernels, SplatBuffer parameters,
+                 SplatBuffer gradients, Rasterizer rasterizer, Optimizer optimizer)
+    : device_(std::move(device)),
+      options_(std::move(options)),
+      like_(std::move(like)),
+      lossKernels_(std::move(lossKernels)),
+      parameters_(std::move(parameters)),
+      gradients_(std::move(gradients)),
+      rasterizer_(std::move(rasterizer)),
+      optimizer_(std::move(optimizer)) {}
+
+Result<Trainer> Trainer::create(const std::shared_ptr<gpu::Device>& device, const Splats& model,
+                                const TrainerOptions& options) {
+    MACULA_TRY_VOID(model.validate());
+    if (model.shDegree > 1) {
+        return Error{ErrorCode::usage,
+                     "Models of this degree of colour can be shown, but not trained.",
+                     {},
+                     "Reduce the model to degree 1."};
+    }
+    const auto count = static_cast<std::uint32_t>(model.size());
+    const std::uint32_t capacity = std::max({options.capacity, count, 1u});
+    const int degree = model.shDegree;
+    MACULA_TRY(auto lossKernels, LossKernels::create(device));
+    MACULA_TRY(SplatBuffer parameters, SplatBuffer::create(device, "splats", capacity, degree));
+    MACULA_TRY(SplatBuffer gradients, SplatBuffer::create(device, "derivatives", capacity, degree));
+    MACULA_TRY(Rasterizer rasterizer, Rasterizer::create(device, capacity, degree));
+    MACULA_TRY(Optimizer optimizer, Optimizer::create(device, capacity, degree, options.optimizer));
+    MACULA_TRY_VOID(parameters.upload(componentsOf(model)));
+    Splats like = model;
+    like.resize(0);
+    Trainer trainer(device, options, std::move(like), std::move(lossKernels), std::move(parameters),
+                    std::move(gradients), std::move(rasterizer), std::move(optimizer));
+    trainer.count_ = count;
+    return trainer;
+}
+
+Result<void> Trainer::addView(const TrainingView& given) {
+    MACULA_TRY_VOID(validate(given.view));
+    const glm::ivec2 size = given.view.sizePx;
+    const auto isFinite = [](const glm::vec4& p) {
+        return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z) && std::isfinite(p.w);
+    };
+    if (given.pixels.size() != static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) ||
+        std::none_of(given.pixels.begin(), given.pixels.end(), isFinite) || !(given.weight > 0.0f) ||
+        !std::isfinite(given.weight)) {
+        return Error{ErrorCode::inputNotUsable,
+                     "A picture to learn from is empty or not of its view's size.",
+                     {},
+                     "Make it again."};
+    }
+    MACULA_TRY(DevicePicture picture,
+               DevicePicture::upload(device_, "picture to learn from", size.x, size.y, given.pixels));
+    MACULA_TRY(LossTarget target, LossTarget::create(*lossKernels_, std::move(picture)));
+    View view;
+    view.weight = given.weight;
+    view.levels.push_back({given.view, std::move(target)});
+    views_.push_back(std::move(view));
+    return {};
+}
+
+Result<const Trainer::Level*> Trainer::levelOf(View& view, int halvings) {
+    while (static_cast<int>(view.levels.size()) <= halvings) {
+        const Level& larger = view.levels.back();
+        const glm::ivec2 size = (larger.view.sizePx + 1) / 2;
+        if (std::min(size.x, size.y) < kLeastSide) break;
+        MACULA_TRY(DevicePicture picture, DevicePicture::create(device_, "smaller picture", size.x, size.y));
+        MACULA_TRY(auto recorder, gpu::Recorder::create(device_, "make smaller"));
+        recordDownsample(recorder, *lossKernels_, larger.target.picture(), picture);
+        MACULA_TRY([[maybe_unused]] const gpu::Ticket ticket, recorder.submit());
+        MACULA_TRY(LossTarget target, LossTarget::create(*lossKernels_, std::move(picture)));
+        const RasterView smaller = scaled(view.levels.front().view, size);
+        view.levels.push_back({smaller, std::move(target)});
+    }
+    const auto last = static_cast<int>(view.levels.size()) - 1;
+    return &view.levels[static_cast<std::size_t>(std::min(halvings, last))];
+}
+
+Result<Loss*> Trainer::lossOf(glm::ivec2 sizePx) {
+    const auto key = std::pair(sizePx.x, sizePx.y);
+    const auto found = losses_.find(key);
+    if (found != losses_.end()) return &found->second;
+    MACULA_TRY(Loss loss, Loss::create(device_, lossKernels_, sizePx.x, sizePx.y));
+    return &losses_.emplace(key, std::move(loss)).first->second;
+}
+
+int Trainer::halvingsNow() const {
+    int halvings = 0;
+    for (const TrainingStage& stage : options_.stages)
+        if (stage.firstStep <= steps_) halvings = stage.halvings;
+    return halvings;
+}
+
+// One that was never drawn, else half of the time any, and half of the time one by its loss.
+std::size_t Trainer::nextView() const {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < views_.size(); ++i) {
+        if (views_[i].loss < 0.0) return i;
+        sum += views_[i].loss;
+    }
+    Dice dice(options_.seed, steps_, 0);
+    const double share = dice();
+    if (dice() < 0.5 || !(sum > 0.0))
+        return std::min(static_cast<std::size_t>(share * double(views_.size())), views_.size() - 1);
+    double left = share * sum;
+    std::size_t i = 0;
+    while (i + 1 < views_.size() && left >= views_[i].loss) left -= views_[i++].loss;
+    return i;
+}
+
+Result<void> Trainer::oneStep() {
+    View& view = views_[nextView()];
+    MACULA_TRY(const Level* level, levelOf(view, halvingsNow()));
+    MACULA_TRY(Loss * loss, lossOf(level->view.sizePx));
+    Dice dice(options_.seed, steps_, 1);
+    const double red = dice();
+    const double green = dice();
+    const LossStep over{.background = glm::vec3(red, green, dice()), .viewWeight = view.weight};
+
+    MACULA_TRY_VOID(rasterizer_.draw(parameters_, count_, level->view, blendingOf(like_.lowPass)));
+    MACULA_TRY(auto recorder, gpu::Recorder::create(device_, "training step"));
+    loss->record(recorder, rasterizer_.picture(), level->target, options_.loss, over);
+    MACULA_TRY_VOID(rasterizer_.recordBackward(recorder, parameters_, loss->gradient(), gradients_));
+    optimizer_.record(recorder, parameters_, gradients_, rasterizer_.visible(), count_);
+    MACULA_TRY([[maybe_unused]] const gpu::Ticket ticket, recorder.submit());
+    MACULA_TRY(const shared::SplatLossResult result, loss->read());
+    view.loss = double(result.loss);
+    view.l1 = double(result.l1);
+    ++steps_;
+    return {};
+}
+
+Result<TrainingReport> Trainer::step(std::uint64_t steps, const std::function<bool()>& keepGoing) {
+    if (views_.empty())
+        return Error{ErrorCode::usage, "There is no picture to learn from.", {}, "Add views first."};
+    for (std::uint64_t i = 0; i < steps; ++i) {
+        MACULA_TRY_VOID(oneStep());
+        if (keepGoing && !keepGoing()) break;
+    }
+    return report();
+}
+
+Result<TrainingReport> Trainer::stepFor(double budgetMs) {
+    const auto start = Clock::now();
+    return step(UINT64_MAX, [&] {
+        return std::chrono::duration<double, std::milli>(Clock::now() - start).count() < budgetMs;
+    });
+}
+
+Result<Splats> Trainer::snapshot() const {
+    MACULA_TRY(const std::vector<float> components, parameters_.download(count_));
+    return splatsOf(components, like_);
+}
+
+TrainingReport Trainer::report() const {
+    TrainingReport report{.steps = steps_, .splats = count_};
+    for (const View& view : views_) {
+        if (view.loss < 0.0) return report;
+        report.loss += view.loss / double(views_.size());
+        report.l1 += view.l1 / double(views_.size());
+    }
+    return report;
+}
+
+}  // namespace macula::splat

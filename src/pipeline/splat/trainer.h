@@ -1,0 +1,108 @@
+// Makes a model look like pictures of the same thing, step by step, for as long as one wants.
+//
+// A step draws one view, compares it with its picture over a random background, and moves every splat that
+// showed a little (Kerbl et al. 2023). It begins with small pictures: they cost little, and what is far from
+// right is far from right in them too. Which view is next, and over what, is a function of the seed and the
+// number of the step, so training that was stopped goes on as if it had not been.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "base/result.h"
+#include "pipeline/gpu/device.h"
+#include "pipeline/splat/loss.h"
+#include "pipeline/splat/optimizer.h"
+#include "pipeline/splat/rasterizer.h"
+#include "pipeline/splat/training_view.h"
+
+namespace macula::splat {
+
+// From step `firstStep` on pictures are 2^halvings times smaller.
+struct TrainingStage {
+    std::uint64_t firstStep = 0;
+    int halvings = 0;
+};
+
+struct TrainerOptions {
+    std::uint32_t capacity = 0;  // splats there is room for; 0: as many as the model has
+    std::uint32_t seed = 0;
+    OptimizerOptions optimizer;
+    LossOptions loss;
+    std::vector<TrainingStage> stages{{.firstStep = 0, .halvings = 2},
+                                      {.firstStep = 300, .halvings = 1},
+                                      {.firstStep = 600, .halvings = 0}};
+};
+
+struct TrainingReport {
+    std::uint64_t steps = 0;  // since the start
+    double loss = 0.0;        // of the views, each when it was last drawn; 0 before all were
+    double l1 = 0.0;          // mean of |render - picture|, as compared
+    std::uint32_t splats = 0;
+};
+
+// Used by one thread at a time, the one that uses the device. A model that a step has failed on is as it was
+// after the step before: nothing is moved by numbers that are not finite.
+class Trainer {
+  public:
+    // The model must be valid and of degree 0 or 1.
+    static Result<Trainer> create(const std::shared_ptr<gpu::Device>& device, const Splats& model,
+                                  const TrainerOptions& options);
+
+    // Takes part from the next step on. inputNotUsable when the picture is not of the view's size, or has
+    // not one finite pixel.
+    Result<void> addView(const TrainingView& view);
+    std::size_t viewCount() const { return views_.size(); }
+
+    // `steps` steps; fewer when `keepGoing` (may be empty), which is asked after each, says no. usage without
+    // views.
+    Result<TrainingReport> step(std::uint64_t steps, const std::function<bool()>& keepGoing = {});
+    // As many steps as fit, at least one.
+    Result<TrainingReport> stepFor(double budgetMs);
+
+    // The model as it is now. Waits.
+    Result<Splats> snapshot() const;
+    TrainingReport report() const;
+
+  private:
+    // A view in all sizes that were asked for so far: 0 as it was given, each other half of the one before.
+    struct Level {
+        RasterView view;
+        LossTarget target;
+    };
+    struct View {
+        std::vector<Level> levels;
+        float weight = 1.0f;
+        double loss = -1.0;  // when it was drawn last; below 0: never
+        double l1 = 0.0;
+    };
+
+    Trainer(std::shared_ptr<gpu::Device> device, TrainerOptions options, Splats like,
+            std::shared_ptr<const LossKernels> lossKernels, SplatBuffer parameters, SplatBuffer gradients,
+            Rasterizer rasterizer, Optimizer optimizer);
+
+    Result<void> oneStep();
+    int halvingsNow() const;
+    std::size_t nextView() const;
+    Result<const Level*> levelOf(View& view, int halvings);
+    Result<Loss*> lossOf(glm::ivec2 sizePx);
+
+    std::shared_ptr<gpu::Device> device_;
+    TrainerOptions options_;
+    Splats like_;  // without splats: origin, axes, colours
+    std::uint32_t count_ = 0;
+    std::uint64_t steps_ = 0;
+    std::shared_ptr<const LossKernels> lossKernels_;
+    SplatBuffer parameters_;
+    SplatBuffer gradients_;
+    Rasterizer rasterizer_;
+    Optimizer optimizer_;
+    std::vector<View> views_;
+    std::map<std::pair<int, int>, Loss> losses_;  // by size
+};
+
+}  // namespace macula::splat

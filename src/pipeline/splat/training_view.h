@@ -1,0 +1,17 @@
+// A picture that a model is to look like: from where, and how good it is.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "pipeline/splat/raster_view.h"
+
+namespace macula::splat {
+
+struct TrainingView {
+    RasterView view;                // relative to the model's origin
+    std::vector<glm::vec4> pixels;  // premultiplied RGBA in the model's colour space, row 0 on top
+    float weight = 1.0f;            // of its loss beside those of others, above 0
+};
+
+}  // namespace macula::splat
