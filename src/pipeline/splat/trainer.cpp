@@ -6,6 +6,7 @@
 #include <random>
 
 #include "base/check.h"
+#include "pipeline/gpu/transfer.h"
 
 namespace macula::splat {
 
@@ -169,6 +170,44 @@ Result<void> Trainer::oneStep() {
     view.loss = double(result.loss);
     view.l1 = double(result.l1);
     ++steps_;
+    if (isTimeToRegroup()) MACULA_TRY_VOID(regroupSplats());
+    return {};
+}
+
+bool Trainer::isTimeToRegroup() const {
+    const DensityOptions& density = options_.density;
+    return steps_ >= density.firstStep && steps_ <= density.lastStep &&
+           (steps_ - density.firstStep) % density.every == 0;
+}
+
+// Splats that stay keep what the optimiser knows of them.
+Result<void> Trainer::regroupSplats() {
+    MACULA_TRY(const Splats before, snapshot());
+    MACULA_TRY(auto statistics, gpu::read<shared::SplatStatistics>(rasterizer_.statistics()));
+    statistics.resize(count_);
+    MACULA_TRY(const OptimizerState known, optimizer_.download(count_));
+    const Regrouped regrouped = regroup(before, statistics, options_.density, parameters_.capacity());
+    const std::size_t count = regrouped.source.size();
+    const auto components = static_cast<std::size_t>(parameters_.components());
+    OptimizerState state{.stepsDone = known.stepsDone,
+                         .steps = std::vector<std::uint32_t>(count, 0),
+                         .first = std::vector<float>(count * components, 0.0f),
+                         .second = std::vector<float>(count * components, 0.0f)};
+    for (std::size_t i = 0; i < count; ++i) {
+        if (regrouped.isNew[i] != 0) continue;
+        const std::size_t from = regrouped.source[i];
+        state.steps[i] = known.steps[from];
+        for (std::size_t k = 0; k < components; ++k) {
+            state.first[k * count + i] = known.first[k * count_ + from];
+            state.second[k * count + i] = known.second[k * count_ + from];
+        }
+    }
+    MACULA_TRY_VOID(optimizer_.upload(state));
+    MACULA_TRY_VOID(parameters_.upload(componentsOf(regrouped.splats)));
+    count_ = static_cast<std::uint32_t>(count);
+    MACULA_TRY(auto recorder, gpu::Recorder::create(device_, "clear statistics"));
+    rasterizer_.clearStatistics(recorder);
+    MACULA_TRY([[maybe_unused]] const gpu::Ticket ticket, recorder.submit());
     return {};
 }
 

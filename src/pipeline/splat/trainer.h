@@ -15,6 +15,7 @@
 
 #include "base/result.h"
 #include "pipeline/gpu/device.h"
+#include "pipeline/splat/density_control.h"
 #include "pipeline/splat/loss.h"
 #include "pipeline/splat/optimizer.h"
 #include "pipeline/splat/rasterizer.h"
@@ -33,6 +34,7 @@ struct TrainerOptions {
     std::uint32_t seed = 0;
     OptimizerOptions optimizer;
     LossOptions loss;
+    DensityOptions density;
     std::vector<TrainingStage> stages{{.firstStep = 0, .halvings = 2},
                                       {.firstStep = 300, .halvings = 1},
                                       {.firstStep = 600, .halvings = 0}};
@@ -86,6 +88,8 @@ class Trainer {
             Rasterizer rasterizer, Optimizer optimizer);
 
     Result<void> oneStep();
+    bool isTimeToRegroup() const;
+    Result<void> regroupSplats();
     int halvingsNow() const;
     std::size_t nextView() const;
     Result<const Level*> levelOf(View& view, int halvings);
