@@ -1,0 +1,72 @@
+#include "pipeline/splat/byte_planes.h"
+
+#include <zlib.h>
+
+#include <limits>
+
+#include "base/check.h"
+
+namespace macula::splat {
+
+namespace {
+
+constexpr int kRawDeflate = -MAX_WBITS;
+constexpr int kMemoryLevel = 9;
+
+// zlib takes what it only reads without const.
+Bytef* bytesOf(std::span<const std::byte> data) {
+    return reinterpret_cast<Bytef*>(const_cast<std::byte*>(data.data()));
+}
+
+}  // namespace
+
+Result<std::vector<std::byte>> packPlanes(std::span<const std::byte> data, std::uint32_t stride) {
+    MACULA_CHECK_LE(data.size(), std::numeric_limits<uInt>::max());
+    MACULA_CHECK_LT(0u, stride);
+    MACULA_CHECK_EQ(data.size() % stride, 0u);
+    const std::size_t elements = data.size() / stride;
+    std::vector<std::byte> planes(data.size());
+    for (std::size_t b = 0; b < stride; ++b)
+        for (std::size_t i = 0; i < elements; ++i) planes[b * elements + i] = data[i * stride + b];
+
+    const Error noMemory{
+        ErrorCode::outOfMemory, "There is no memory to pack the model.", {}, "Close other programs."};
+    z_stream stream{};
+    if (deflateInit2(&stream, Z_BEST_SPEED, Z_DEFLATED, kRawDeflate, kMemoryLevel, Z_RLE) != Z_OK)
+        return noMemory;
+    std::vector<std::byte> packed(deflateBound(&stream, static_cast<uLong>(planes.size())));
+    MACULA_CHECK_LE(packed.size(), std::numeric_limits<uInt>::max());
+    stream.next_in = bytesOf(planes);
+    stream.avail_in = static_cast<uInt>(planes.size());
+    stream.next_out = reinterpret_cast<Bytef*>(packed.data());
+    stream.avail_out = static_cast<uInt>(packed.size());
+    const int status = deflate(&stream, Z_FINISH);
+    packed.resize(packed.size() - stream.avail_out);
+    deflateEnd(&stream);
+    if (status != Z_STREAM_END) return noMemory;
+    return packed;
+}
+
+bool unpackPlanes(std::span<const std::byte> packed, std::uint32_t stride, std::span<std::byte> data) {
+    constexpr std::size_t kMost = std::numeric_limits<uInt>::max();
+    if (packed.size() > kMost || data.size() > kMost || stride == 0 || data.size() % stride != 0)
+        return false;
+    z_stream stream{};
+    if (inflateInit2(&stream, kRawDeflate) != Z_OK) return false;
+    std::vector<std::byte> planes(data.size());
+    std::byte none{};  // zlib wants a place even for nothing
+    stream.next_in = bytesOf(packed);
+    stream.avail_in = static_cast<uInt>(packed.size());
+    stream.next_out = reinterpret_cast<Bytef*>(planes.empty() ? &none : planes.data());
+    stream.avail_out = static_cast<uInt>(planes.size());
+    const int status = inflate(&stream, Z_FINISH);
+    const bool exact = status == Z_STREAM_END && stream.avail_in == 0 && stream.avail_out == 0;
+    inflateEnd(&stream);
+    if (!exact) return false;
+    const std::size_t elements = data.size() / stride;
+    for (std::size_t b = 0; b < stride; ++b)
+        for (std::size_t i = 0; i < elements; ++i) data[i * stride + b] = planes[b * elements + i];
+    return true;
+}
+
+}  // namespace macula::splat

@@ -1,0 +1,92 @@
+// A file of named chunks, each with a checksum: what .macula files (training_file.h) are made of.
+//
+// Numbers are little-endian.
+//   8 bytes  "MACULA", 0x1a, 0x0a: a file that was sent as text is told by it
+//   u32      version of the format of what the chunks hold
+//   u32      number of chunks
+// and then for each chunk, one behind the other up to the end of the file:
+//   8 bytes  name in ASCII, filled up with zeros
+//   u64      bytes in the file
+//   u64      bytes unpacked
+//   u32      stride: 0: not packed; else packed in planes of that stride, see byte_planes.h
+//   u32      CRC-32 (that of zlib and gzip) of the bytes in the file
+//   u32      CRC-32 of the 32 bytes of this head so far
+//   u32      0
+//   the bytes
+// So nothing but the version can change unseen in a single byte, and what is wanted can be found without
+// reading the rest.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <istream>
+#include <ostream>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/result.h"
+
+namespace macula::splat {
+
+inline constexpr std::string_view kChunkFileMagic("MACULA\x1a\n", 8);
+
+struct Chunk {
+    std::string name;                  // 1 to 8 characters; need not be the only one of this name
+    std::span<const std::byte> bytes;  // whole elements of the stride, below 4 GiB when packed
+    std::uint32_t stride = 0;
+};
+
+// Packs on all cores. outOfMemory; outputNotWritable when the stream fails.
+Result<void> writeChunks(std::ostream& stream, std::uint32_t version, std::span<const Chunk> chunks);
+
+struct ChunkEntry {
+    std::string name;
+    std::uint64_t offset = 0;  // of its bytes in the file
+    std::uint64_t storedBytes = 0;
+    std::uint64_t plainBytes = 0;
+    std::uint32_t stride = 0;
+    std::uint32_t crc = 0;
+};
+
+// All fail with inputNotUsable when the file is damaged or cut off, and ask for no more memory than a file of
+// that size can fill.
+class ChunkFile {
+  public:
+    // Reads the heads. The stream, of so many bytes, must outlive this. Also fails when the file is of
+    // another kind or version; the sentence names both versions.
+    static Result<ChunkFile> open(std::istream& stream, std::uint64_t size, std::uint32_t version);
+
+    const std::vector<ChunkEntry>& entries() const { return entries_; }
+
+    // As they are in the file.
+    Result<std::vector<std::byte>> stored(const ChunkEntry& entry);
+    // Of what stored() gave; on any thread. outOfMemory.
+    static Result<std::vector<std::byte>> unpacked(const ChunkEntry& entry, std::vector<std::byte> stored);
+
+    // The only chunk of that name, unpacked, of exactly `bytes`.
+    Result<std::vector<std::byte>> read(std::string_view name, std::uint64_t bytes);
+    // Likewise, of any size.
+    Result<std::string> readText(std::string_view name);
+
+  private:
+    ChunkFile(std::istream& stream, std::vector<ChunkEntry> entries)
+        : stream_(&stream), entries_(std::move(entries)) {}
+    Result<const ChunkEntry*> only(std::string_view name) const;
+
+    std::istream* stream_;
+    std::vector<ChunkEntry> entries_;
+};
+
+// body(i) for each, on all cores where `bytes` of data in all are worth that.
+void forEachChunk(std::size_t count, std::uint64_t bytes, const std::function<void(std::size_t)>& body);
+
+// CRC-32, that of zlib and gzip.
+std::uint32_t checksum(std::span<const std::byte> bytes);
+
+// What every damage is told as.
+Error damagedModel();
+
+}  // namespace macula::splat
