@@ -13,22 +13,6 @@
 namespace macula::splat {
 namespace {
 
-// What the device holds, in double.
-Splats singleOf(const ReferenceSplats& model) {
-    Splats splats;
-    splats.resize(model.size());
-    splats.setShDegree(model.shDegree);
-    for (std::size_t i = 0; i < model.size(); ++i) {
-        splats.position[i] = model.position[i];
-        splats.logScale[i] = model.logScale[i];
-        splats.rotation[i] = model.rotation[i];
-        splats.opacityLogit[i] = static_cast<float>(model.opacityLogit[i]);
-        splats.dc[i] = model.dc[i];
-    }
-    for (std::size_t k = 0; k < model.sh.size(); ++k) splats.sh[k] = model.sh[k];
-    return splats;
-}
-
 class RasterizerOnDevice : public DeviceTest {
   protected:
     struct Drawn {

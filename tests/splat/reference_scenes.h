@@ -64,6 +64,22 @@ inline ReferenceSplats randomModel(std::uint32_t seed, std::size_t count, int de
     return splats;
 }
 
+// The same in the precision of models.
+inline Splats singleOf(const ReferenceSplats& model) {
+    Splats splats;
+    splats.resize(model.size());
+    splats.setShDegree(model.shDegree);
+    for (std::size_t i = 0; i < model.size(); ++i) {
+        splats.position[i] = model.position[i];
+        splats.logScale[i] = model.logScale[i];
+        splats.rotation[i] = model.rotation[i];
+        splats.opacityLogit[i] = static_cast<float>(model.opacityLogit[i]);
+        splats.dc[i] = model.dc[i];
+    }
+    for (std::size_t k = 0; k < model.sh.size(); ++k) splats.sh[k] = model.sh[k];
+    return splats;
+}
+
 inline const glm::dvec4& at(const RasterImage& image, int column, int row) {
     return image.rgba[static_cast<std::size_t>(row) * static_cast<std::size_t>(image.sizePx.x) +
                       static_cast<std::size_t>(column)];

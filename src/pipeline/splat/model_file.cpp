@@ -5,8 +5,10 @@
 #include <string_view>
 
 #include "base/atomic_file.h"
+#include "pipeline/splat/chunk_file.h"
 #include "pipeline/splat/ply.h"
 #include "pipeline/splat/spz.h"
+#include "pipeline/splat/training_file.h"
 
 namespace macula::splat {
 
@@ -37,14 +39,15 @@ Result<ModelFile> readByContent(const fs::path& path, BadSplats bad) {
     const std::uint64_t size = fs::file_size(path, error);
     std::ifstream stream(path, std::ios::binary);
     if (error || !stream) return unreadable(path);
-    std::array<char, 4> start{};
+    std::array<char, kChunkFileMagic.size()> start{};
     stream.read(start.data(), start.size());
     const std::string_view begin(start.data(), static_cast<std::size_t>(stream.gcount()));
     stream.clear();
     stream.seekg(0);
     if (begin.starts_with("ply")) return readPly(stream, size, bad);
-    if (!looksLikeSpz(begin))
-        return Error{ErrorCode::inputNotUsable, "The file is neither a PLY nor an SPZ model.", path.string(),
+    if (looksLikeTraining(begin)) return readTrainedModel(stream, size, bad);
+    if (!looksLikeSpz(begin.substr(0, 4)))
+        return Error{ErrorCode::inputNotUsable, "The file is no PLY, SPZ or .macula model.", path.string(),
                      "Choose a model of Gaussians, or convert it to PLY."};
     if (size > kMostSpzBytes)
         return Error{ErrorCode::inputNotUsable, "The file is larger than any SPZ model.", path.string(),

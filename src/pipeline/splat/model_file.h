@@ -1,4 +1,5 @@
-// Models in files: PLY (exact) and SPZ (small). See ply.h and spz.h for what each keeps.
+// Models in files: PLY (exact), SPZ (small), and the splats of .macula files (a training that can go on). See
+// ply.h, spz.h and training_file.h for what each keeps.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +18,7 @@ struct ModelFile {
     Repair repaired;
 };
 
-// The format is known by content, not by name. Fails with inputNotUsable when the file is missing, of neither
+// The format is known by content, not by name. Fails with inputNotUsable when the file is missing, of no such
 // format, damaged, cut off, without splats, or has bad ones that are refused; with outOfMemory when the model
 // does not fit. No more memory is asked for than a file of that size can fill.
 Result<ModelFile> readModel(const std::filesystem::path& path, BadSplats bad = BadSplats::refuse);

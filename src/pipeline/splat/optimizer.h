@@ -7,24 +7,16 @@
 
 #include <cstdint>
 #include <memory>
-#include <vector>
 
 #include "base/result.h"
 #include "pipeline/gpu/kernel.h"
 #include "pipeline/gpu/recorder.h"
 #include "pipeline/gpu/resources.h"
 #include "pipeline/splat/optimizer_options.h"
+#include "pipeline/splat/optimizer_state.h"
 #include "pipeline/splat/splat_buffer.h"
 
 namespace macula::splat {
-
-// All that an optimiser knows beside its options: with it and the parameters training goes on bit for bit.
-struct OptimizerState {
-    std::uint64_t stepsDone = 0;       // of the model: the position's rate decays by it
-    std::vector<std::uint32_t> steps;  // by splat
-    std::vector<float> first;          // moments; component k of splat i at k * steps.size() + i
-    std::vector<float> second;
-};
 
 // Used by one thread at a time, the one that uses the device.
 class Optimizer {

@@ -14,6 +14,11 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+double millisecondsSince(Clock::time_point time) {
+    return std::chrono::duration<double, std::milli>(Clock::now() - time).count();
+}
+
+constexpr int kMostHalvings = 15;
 constexpr int kLeastSide = 16;  // pixels: smaller pictures have no room for a window of the loss
 
 // Random numbers of a step, the same whenever it is done.
@@ -38,6 +43,24 @@ RasterView scaled(RasterView view, const glm::ivec2& sizePx) {
     return view;
 }
 
+Result<void> check(const TrainerOptions& o) {
+    const bool stages = std::all_of(o.stages.begin(), o.stages.end(), [](const TrainingStage& stage) {
+        return stage.halvings >= 0 && stage.halvings <= kMostHalvings;
+    });
+    const auto isShare = [](double share) { return share >= 0.0 && share <= 1.0; };
+    const bool density =
+        o.density.every > 0 && isShare(o.density.unseenShare) && isShare(o.density.splitShare);
+    if (stages && density && o.loss.dssimWeight >= 0.0f && o.loss.dssimWeight <= 1.0f &&
+        o.loss.exposure > 0.0f && std::isfinite(o.loss.exposure))
+        return {};
+    return Error{
+        ErrorCode::usage,
+        "The settings of the training make no sense.",
+        {},
+        "Pictures are halved 0 to 15 times, the weight of D-SSIM and the shares of splats are 0 to 1, the "
+        "exposure and the steps between density control above 0."};
+}
+
 }  // namespace
 
 Trainer::Trainer(std::shared_ptr<gpu::Device> device, TrainerOptions options, Splats like,
@@ -54,6 +77,7 @@ Trainer::Trainer(std::shared_ptr<gpu::Device> device, TrainerOptions options, Sp
 
 Result<Trainer> Trainer::create(const std::shared_ptr<gpu::Device>& device, const Splats& model,
                                 const TrainerOptions& options) {
+    MACULA_TRY_VOID(check(options));
     MACULA_TRY_VOID(model.validate());
     if (model.shDegree > 1) {
         return Error{ErrorCode::usage,
@@ -75,29 +99,37 @@ Result<Trainer> Trainer::create(const std::shared_ptr<gpu::Device>& device, cons
     Trainer trainer(device, options, std::move(like), std::move(lossKernels), std::move(parameters),
                     std::move(gradients), std::move(rasterizer), std::move(optimizer));
     trainer.count_ = count;
+    trainer.options_.capacity = capacity;
+    MACULA_TRY_VOID(trainer.keep());
     return trainer;
 }
 
-Result<void> Trainer::addView(const TrainingView& given) {
-    MACULA_TRY_VOID(validate(given.view));
-    const glm::ivec2 size = given.view.sizePx;
+Result<void> Trainer::addView(TrainingView view) {
+    return addView(std::make_shared<const TrainingView>(std::move(view)));
+}
+
+Result<void> Trainer::addView(std::shared_ptr<const TrainingView> given) {
+    MACULA_TRY_VOID(validate(given->view));
+    const glm::ivec2 size = given->view.sizePx;
+    const std::vector<glm::vec4>& pixels = given->pixels;
     const auto isFinite = [](const glm::vec4& p) {
         return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z) && std::isfinite(p.w);
     };
-    if (given.pixels.size() != static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) ||
-        std::none_of(given.pixels.begin(), given.pixels.end(), isFinite) || !(given.weight > 0.0f) ||
-        !std::isfinite(given.weight)) {
+    if (pixels.size() != static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) ||
+        std::none_of(pixels.begin(), pixels.end(), isFinite) ||
+        !(given->weight > 0.0f && given->weight <= kMaxViewWeight)) {
         return Error{ErrorCode::inputNotUsable,
                      "A picture to learn from is empty or not of its view's size.",
                      {},
                      "Make it again."};
     }
     MACULA_TRY(DevicePicture picture,
-               DevicePicture::upload(device_, "picture to learn from", size.x, size.y, given.pixels));
+               DevicePicture::upload(device_, "picture to learn from", size.x, size.y, pixels));
     MACULA_TRY(LossTarget target, LossTarget::create(*lossKernels_, std::move(picture)));
     View view;
-    view.weight = given.weight;
-    view.levels.push_back({given.view, std::move(target)});
+    view.levels.push_back({given->view, std::move(target)});
+    lastGood_.views.push_back({.given = given});
+    view.given = std::move(given);
     views_.push_back(std::move(view));
     return {};
 }
@@ -158,7 +190,7 @@ Result<void> Trainer::oneStep() {
     Dice dice(options_.seed, steps_, 1);
     const double red = dice();
     const double green = dice();
-    const LossStep over{.background = glm::vec3(red, green, dice()), .viewWeight = view.weight};
+    const LossStep over{.background = glm::vec3(red, green, dice()), .viewWeight = view.given->weight};
 
     MACULA_TRY_VOID(rasterizer_.draw(parameters_, count_, level->view, blendingOf(like_.lowPass)));
     MACULA_TRY(auto recorder, gpu::Recorder::create(device_, "training step"));
@@ -216,6 +248,7 @@ Result<TrainingReport> Trainer::step(std::uint64_t steps, const std::function<bo
         return Error{ErrorCode::usage, "There is no picture to learn from.", {}, "Add views first."};
     for (std::uint64_t i = 0; i < steps; ++i) {
         MACULA_TRY_VOID(oneStep());
+        if (!(millisecondsSince(keptAt_) < options_.keepEveryMs)) MACULA_TRY_VOID(keep());
         if (keepGoing && !keepGoing()) break;
     }
     return report();
@@ -223,9 +256,7 @@ Result<TrainingReport> Trainer::step(std::uint64_t steps, const std::function<bo
 
 Result<TrainingReport> Trainer::stepFor(double budgetMs) {
     const auto start = Clock::now();
-    return step(UINT64_MAX, [&] {
-        return std::chrono::duration<double, std::milli>(Clock::now() - start).count() < budgetMs;
-    });
+    return step(UINT64_MAX, [&] { return millisecondsSince(start) < budgetMs; });
 }
 
 Result<Splats> Trainer::snapshot() const {
@@ -235,8 +266,9 @@ Result<Splats> Trainer::snapshot() const {
 
 TrainingReport Trainer::report() const {
     TrainingReport report{.steps = steps_, .splats = count_};
+    if (std::any_of(views_.begin(), views_.end(), [](const View& view) { return view.loss < 0.0; }))
+        return report;
     for (const View& view : views_) {
-        if (view.loss < 0.0) return report;
         report.loss += view.loss / double(views_.size());
         report.l1 += view.l1 / double(views_.size());
     }

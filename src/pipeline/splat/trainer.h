@@ -3,9 +3,10 @@
 // A step draws one view, compares it with its picture over a random background, and moves every splat that
 // showed a little (Kerbl et al. 2023). It begins with small pictures: they cost little, and what is far from
 // right is far from right in them too. Which view is next, and over what, is a function of the seed and the
-// number of the step, so training that was stopped goes on as if it had not been.
+// number of the step, so training that was stopped goes on as if it had not been: see training_state.h.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -19,26 +20,11 @@
 #include "pipeline/splat/loss.h"
 #include "pipeline/splat/optimizer.h"
 #include "pipeline/splat/rasterizer.h"
+#include "pipeline/splat/trainer_options.h"
+#include "pipeline/splat/training_state.h"
 #include "pipeline/splat/training_view.h"
 
 namespace macula::splat {
-
-// From step `firstStep` on pictures are 2^halvings times smaller.
-struct TrainingStage {
-    std::uint64_t firstStep = 0;
-    int halvings = 0;
-};
-
-struct TrainerOptions {
-    std::uint32_t capacity = 0;  // splats there is room for; 0: as many as the model has
-    std::uint32_t seed = 0;
-    OptimizerOptions optimizer;
-    LossOptions loss;
-    DensityOptions density;
-    std::vector<TrainingStage> stages{{.firstStep = 0, .halvings = 2},
-                                      {.firstStep = 300, .halvings = 1},
-                                      {.firstStep = 600, .halvings = 0}};
-};
 
 struct TrainingReport {
     std::uint64_t steps = 0;  // since the start
@@ -48,16 +34,21 @@ struct TrainingReport {
 };
 
 // Used by one thread at a time, the one that uses the device. A model that a step has failed on is as it was
-// after the step before: nothing is moved by numbers that are not finite.
+// after the step before: nothing is moved by numbers that are not finite. When the device is lost, lastGood()
+// is what is left, and resume() on another device goes on with it.
 class Trainer {
   public:
-    // The model must be valid and of degree 0 or 1.
+    // The model must be valid and of degree 0 or 1; usage when an option is out of its range.
     static Result<Trainer> create(const std::shared_ptr<gpu::Device>& device, const Splats& model,
                                   const TrainerOptions& options);
+    // Goes on with it: the same bits as if it had never stopped, on the same device. inputNotUsable as
+    // TrainingState::validate and addView.
+    static Result<Trainer> resume(const std::shared_ptr<gpu::Device>& device, const TrainingState& state);
 
     // Takes part from the next step on. inputNotUsable when the picture is not of the view's size, or has
-    // not one finite pixel.
-    Result<void> addView(const TrainingView& view);
+    // not one finite pixel, or a weight that is not above 0 and at most kMaxViewWeight. The picture stays on
+    // the host as well, and is shared with states.
+    Result<void> addView(TrainingView view);
     std::size_t viewCount() const { return views_.size(); }
 
     // `steps` steps; fewer when `keepGoing` (may be empty), which is asked after each, says no. usage without
@@ -68,6 +59,11 @@ class Trainer {
 
     // The model as it is now. Waits.
     Result<Splats> snapshot() const;
+    // All that resume needs. Waits.
+    Result<TrainingState> state() const;
+    // A copy of the state, at most TrainerOptions::keepEveryMs and a step old while steps are made, with all
+    // views added since; from create or resume on. It is on the host: no loss of the device takes it away.
+    const TrainingState& lastGood() const { return lastGood_; }
     TrainingReport report() const;
 
   private:
@@ -78,7 +74,7 @@ class Trainer {
     };
     struct View {
         std::vector<Level> levels;
-        float weight = 1.0f;
+        std::shared_ptr<const TrainingView> given;
         double loss = -1.0;  // when it was drawn last; below 0: never
         double l1 = 0.0;
     };
@@ -87,6 +83,8 @@ class Trainer {
             std::shared_ptr<const LossKernels> lossKernels, SplatBuffer parameters, SplatBuffer gradients,
             Rasterizer rasterizer, Optimizer optimizer);
 
+    Result<void> addView(std::shared_ptr<const TrainingView> given);
+    Result<void> keep();
     Result<void> oneStep();
     bool isTimeToRegroup() const;
     Result<void> regroupSplats();
@@ -107,6 +105,8 @@ class Trainer {
     Optimizer optimizer_;
     std::vector<View> views_;
     std::map<std::pair<int, int>, Loss> losses_;  // by size
+    TrainingState lastGood_;
+    std::chrono::steady_clock::time_point keptAt_;
 };
 
 }  // namespace macula::splat

@@ -8,10 +8,12 @@
 
 namespace macula::splat {
 
+inline constexpr float kMaxViewWeight = 1e6f;
+
 struct TrainingView {
     RasterView view;                // relative to the model's origin
     std::vector<glm::vec4> pixels;  // premultiplied RGBA in the model's colour space, row 0 on top
-    float weight = 1.0f;            // of its loss beside those of others, above 0
+    float weight = 1.0f;            // of its loss beside those of others, 0 to kMaxViewWeight, not 0
 };
 
 }  // namespace macula::splat

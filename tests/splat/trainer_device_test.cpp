@@ -1,0 +1,228 @@
+// What the trainer learns, and what it is asked to learn from.
+#include <chrono>
+#include <limits>
+
+#include "splat/training_scene.h"
+
+namespace macula::splat {
+namespace {
+
+class TrainerOnDevice : public TrainingTest {};
+
+// In a picture that it has not seen, too.
+TEST_F(TrainerOnDevice, Learns) {
+    Trainer trained = trainer(start(), options(30), truthViews());
+    const auto early = trained.step(kViews);
+    ASSERT_TRUE(early.ok());
+    const double before = psnrOf(start());
+    const auto late = trained.step(55);
+    ASSERT_TRUE(late.ok());
+    const double after = psnrOf(*trained.snapshot());
+    EXPECT_EQ(late->steps, 60u);
+    EXPECT_EQ(late->splats, kNumber);
+    EXPECT_LT(late->loss, 0.35 * early->loss);
+    EXPECT_LT(late->l1, 0.35 * early->l1);
+    EXPECT_GT(after, before + 6.0) << before << " dB before";
+}
+
+TEST_F(TrainerOnDevice, LearnsColourByDirection) {
+    Trainer trained = trainer(start(1), options(30), views(truth(1)));
+    ASSERT_TRUE(trained.step(60).ok());
+    const Splats with = *trained.snapshot();
+    Splats without = with;
+    without.setShDegree(0);
+    without.setShDegree(1);
+    EXPECT_GT(psnrOf(with), psnrOf(start(1)) + 4.0);
+}
+
+// Black on black: only what shines through tells.
+TEST_F(TrainerOnDevice, LearnsCoverageByItself) {
+    Splats target = truth();
+    for (glm::vec3& dc : target.dc) dc = glm::vec3(-0.5f / 0.28209479f);
+    Splats model = target;
+    for (float& logit : model.opacityLogit) logit -= 1.5f;
+    const auto coverage = [](const std::vector<glm::vec4>& pixels) {
+        double sum = 0.0;
+        for (const glm::vec4& pixel : pixels) sum += double(pixel.a);
+        return sum;
+    };
+    const std::vector<TrainingView> seen = views(target);
+    for (const glm::vec4& pixel : seen.front().pixels) ASSERT_LT(glm::length(glm::vec3(pixel)), 1e-6f);
+    Trainer trained = trainer(model, options(0), seen);
+    ASSERT_TRUE(trained.step(60).ok());
+    const double right = coverage(draw(target, heldOut()));
+    const double before = coverage(draw(model, heldOut()));
+    const double after = coverage(draw(*trained.snapshot(), heldOut()));
+    EXPECT_LT(before, 0.8 * right);
+    EXPECT_NEAR(after, right, 0.05 * right);
+}
+
+// Two pictures from the same place that contradict each other.
+TEST_F(TrainerOnDevice, TheHeavierPictureCountsMore) {
+    Splats between = truth();
+    for (glm::vec3& dc : between.dc) dc = glm::vec3(-1.0f);
+    const auto brightness = [&](float weightOfBright) {
+        std::vector<TrainingView> both(2, truthViews().front());
+        both[0].weight = weightOfBright;
+        both[1].weight = 1.0f / weightOfBright;
+        for (glm::vec4& pixel : both[1].pixels) pixel *= glm::vec4(0.0f, 0.0f, 0.0f, 1.0f);
+        Trainer trained = trainer(between, options(0), both);
+        EXPECT_TRUE(trained.step(20).ok());
+        double sum = 0.0;
+        for (const glm::vec4& pixel : draw(*trained.snapshot(), both[0].view)) sum += double(pixel.g);
+        return sum;
+    };
+    EXPECT_GT(brightness(3.0f), 1.5 * brightness(1.0f / 3.0f));
+}
+
+TEST_F(TrainerOnDevice, PicturesThatTellNothingAreRefused) {
+    const float nan = std::nanf("");
+    Trainer trained = std::move(Trainer::create(device(), start(), options())).value();
+    EXPECT_EQ(trained.step(1).error().code, ErrorCode::usage);
+    EXPECT_EQ(trained.stepFor(1.0).error().code, ErrorCode::usage);
+    const TrainingView good = truthViews().front();
+    const auto refused = [&](TrainingView view, ErrorCode code) {
+        const auto added = trained.addView(std::move(view));
+        ASSERT_FALSE(added.ok());
+        EXPECT_EQ(added.error().code, code);
+        EXPECT_EQ(trained.viewCount(), 0u);
+        EXPECT_TRUE(trained.lastGood().views.empty());
+    };
+    TrainingView bad = good;
+    bad.pixels.assign(bad.pixels.size(), glm::vec4(nan));
+    refused(bad, ErrorCode::inputNotUsable);
+    bad = good;
+    bad.pixels.pop_back();
+    refused(bad, ErrorCode::inputNotUsable);
+    bad.pixels.clear();
+    refused(bad, ErrorCode::inputNotUsable);
+    for (const float weight : {0.0f, -1.0f, nan, std::numeric_limits<float>::infinity(), 2e6f}) {
+        bad = good;
+        bad.weight = weight;
+        refused(bad, ErrorCode::inputNotUsable);
+    }
+    bad = good;
+    bad.view.focalPx.x = 0.0;
+    refused(bad, ErrorCode::usage);
+    EXPECT_EQ(trained.step(1).error().code, ErrorCode::usage);
+    ASSERT_TRUE(trained.addView(good).ok());
+    EXPECT_TRUE(trained.step(1).ok());
+}
+
+// Pixels that are no numbers are unknown: the rest is learnt.
+TEST_F(TrainerOnDevice, LearnsAroundUnknownPixels) {
+    std::vector<TrainingView> holed = truthViews();
+    for (std::size_t v = 0; v < holed.size(); ++v) {
+        for (std::size_t i = v; i < holed[v].pixels.size(); i += 7)
+            holed[v].pixels[i][int(i % 4)] =
+                v % 2 == 0 ? std::nanf("") : std::numeric_limits<float>::infinity();
+    }
+    Trainer trained = trainer(start(), options(30), holed);
+    const auto report = trained.step(60);
+    ASSERT_TRUE(report.ok());
+    EXPECT_TRUE(std::isfinite(report->loss));
+    const Splats learnt = *trained.snapshot();
+    ASSERT_TRUE(learnt.validate().ok());
+    EXPECT_GT(psnrOf(learnt), psnrOf(start()) + 5.0);
+}
+
+TEST_F(TrainerOnDevice, WhatIsNowhereFades) {
+    std::vector<TrainingView> empty = truthViews();
+    for (TrainingView& view : empty) view.pixels.assign(view.pixels.size(), glm::vec4(0.0f));
+    Trainer trained = trainer(start(), options(0), empty);
+    const auto early = trained.step(kViews);
+    ASSERT_TRUE(early.ok());
+    const auto late = trained.step(35);
+    ASSERT_TRUE(late.ok());
+    EXPECT_LT(late->loss, 0.5 * early->loss);
+    EXPECT_TRUE(trained.snapshot()->validate().ok());
+}
+
+TEST_F(TrainerOnDevice, WhatIsNotInAViewStays) {
+    Splats behind = start();
+    for (glm::vec3& position : behind.position) position.y -= 2000.0f;
+    Trainer trained = trainer(behind, options(), {truthViews().front()});
+    ASSERT_TRUE(trained.step(3).ok());
+    EXPECT_TRUE(testing::sameBits(*trained.snapshot(), behind));
+}
+
+TEST_F(TrainerOnDevice, AModelWithoutSplatsStaysOne) {
+    for (const std::uint32_t capacity : {0u, 10u}) {
+        TrainerOptions o = options();
+        o.capacity = capacity;
+        Trainer trained = trainer(Splats{}, o, truthViews());
+        const auto report = trained.step(kViews);
+        ASSERT_TRUE(report.ok()) << report.error().message;
+        EXPECT_EQ(report->splats, 0u);
+        EXPECT_GT(report->loss, 0.0);
+        EXPECT_EQ(trained.snapshot()->size(), 0u);
+        if (capacity == 0) continue;
+        const auto state = trained.state();
+        ASSERT_TRUE(state.ok());
+        EXPECT_TRUE(Trainer::resume(device(), *state)->step(1).ok());
+    }
+}
+
+TEST_F(TrainerOnDevice, ModelsItCannotTrainAreRefused) {
+    EXPECT_EQ(Trainer::create(device(), truth(2), options()).error().code, ErrorCode::usage);
+    Splats bad = start();
+    bad.dc[3].x = std::nanf("");
+    EXPECT_EQ(Trainer::create(device(), bad, options()).error().code, ErrorCode::inputNotUsable);
+    EXPECT_EQ(Trainer::create(device(), start(), {}).error().code, ErrorCode::usage);  // no extent
+    std::vector<TrainerOptions> senseless(6, options());
+    senseless[0].stages[1].halvings = -1;
+    senseless[1].stages[1].halvings = 40;
+    senseless[2].loss.dssimWeight = 1.5f;
+    senseless[3].loss.exposure = std::nanf("");
+    senseless[4].density.every = 0;
+    senseless[5].density.splitShare = std::nan("");
+    for (const TrainerOptions& o : senseless)
+        EXPECT_EQ(Trainer::create(device(), start(), o).error().code, ErrorCode::usage);
+}
+
+TEST_F(TrainerOnDevice, RoomForMoreChangesNothing) {
+    TrainerOptions roomy = options(4);
+    roomy.capacity = 1000;
+    Trainer tight = trainer(start(), options(4), truthViews());
+    Trainer wide = trainer(start(), roomy, truthViews());
+    ASSERT_TRUE(tight.step(8).ok());
+    ASSERT_TRUE(wide.step(8).ok());
+    EXPECT_TRUE(testing::sameBits(*tight.snapshot(), *wide.snapshot()));
+    EXPECT_EQ(tight.report().loss, wide.report().loss);
+}
+
+TEST_F(TrainerOnDevice, ItsSeedDecides) {
+    const auto after = [](std::uint32_t seed) {
+        TrainerOptions o = options(4);
+        o.seed = seed;
+        Trainer trained = trainer(start(), o, truthViews());
+        EXPECT_TRUE(trained.step(8).ok());
+        return *trained.snapshot();
+    };
+    const Splats first = after(1);
+    EXPECT_TRUE(testing::sameBits(first, after(1)));
+    EXPECT_FALSE(testing::sameBits(first, after(2)));
+}
+
+TEST_F(TrainerOnDevice, StopsWhenAsked) {
+    Trainer trained = trainer(start(), options(), truthViews());
+    int asked = 0;
+    const auto three = trained.step(10, [&] { return ++asked < 3; });
+    ASSERT_TRUE(three.ok());
+    EXPECT_EQ(three->steps, 3u);
+    EXPECT_EQ(three->loss, 0.0);  // not all views were drawn
+    EXPECT_EQ(trained.step(0)->steps, 3u);
+    EXPECT_EQ(trained.stepFor(0.0)->steps, 4u);
+    EXPECT_EQ(trained.stepFor(-1.0)->steps, 5u);
+    const auto begin = std::chrono::steady_clock::now();
+    const auto timed = trained.stepFor(60.0);
+    const double tookMs =
+        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+    ASSERT_TRUE(timed.ok());
+    EXPECT_GE(tookMs, 60.0);
+    EXPECT_LT(tookMs, 5000.0);  // a step takes milliseconds; others may be busy
+    EXPECT_GT(timed->steps, 5u);
+}
+
+}  // namespace
+}  // namespace macula::splat
