@@ -51,7 +51,7 @@ inline TrainingState randomState(std::size_t splats, int degree, std::size_t vie
     state.steps = (std::uint64_t(1) << 40) + 3;
     state.options.capacity = static_cast<std::uint32_t>(splats) + 5;
     state.options.seed = 0xfedcba98u;
-    state.options.key = "line one\nline two, with \0 in it";
+    state.options.key = "line one\nline two, and a zero: ";
     state.options.key.push_back('\0');
     state.options.keepEveryMs = 1.0 / 3.0;
     state.options.density = {.firstStep = 1, .every = 2, .lastStep = 3, .unseenShare = 1.0 / 7.0};
