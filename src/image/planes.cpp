@@ -21,7 +21,7 @@ void filterLine(const double* in, double* out, int count, std::ptrdiff_t stride,
         int k = -radius - 1;
         for (const double weight : weights) {
             ++k;
-            if (edge == Edge::cut && (i + k < 0 || i + k >= count)) continue;
+            if (edge != Edge::repeat && (i + k < 0 || i + k >= count)) continue;
             used += weight;
             sum += weight * in[std::clamp(i + k, 0, count - 1) * stride];
         }

@@ -23,6 +23,7 @@ struct Plane {
 enum class Edge {
     repeat,  // the outermost pixel goes on
     cut,     // nothing is there, and the weights that are left are made to add up to the same
+    zero,    // nothing is there, and that is black
 };
 
 // Weights for offsets -r to r, r = size / 2, along x and along y.

@@ -1,0 +1,135 @@
+#include "image/masked_metrics.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/check.h"
+#include "image/planes.h"
+#include "image/ssim.h"
+
+namespace macula::image {
+
+namespace {
+
+// What becomes 1 of 255 or more when it is rounded.
+constexpr double kLeast = 0.5 / 255.0;
+
+Result<void> fits(const Image& reference, const Image& test, const Mask& mask) {
+    MACULA_TRY_VOID(comparable(reference, test));
+    MACULA_CHECK_EQ(mask.size(), std::size_t(reference.width) * std::size_t(reference.height));
+    return {};
+}
+
+std::size_t countOf(const Mask& mask) {
+    return mask.size() - static_cast<std::size_t>(std::count(mask.begin(), mask.end(), 0));
+}
+
+double decoded(double encoded) {
+    return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
+}
+
+// Sum of luminance over the mask.
+double lightOf(const Image& image, const Mask& mask) {
+    const auto planes = colourPlanes(image);
+    constexpr double kRec709[] = {0.2126, 0.7152, 0.0722};
+    double sum = 0.0;
+    for (std::size_t c = 0; c < planes.size(); ++c) {
+        const double weight = planes.size() == 1 ? 1.0 : kRec709[c];
+        for (std::size_t i = 0; i < mask.size(); ++i) {
+            if (mask[i] != 0) sum += weight * decoded(planes[c].values[i]);
+        }
+    }
+    return sum;
+}
+
+}  // namespace
+
+Result<Mask> litMask(const Image& reference, const Image& test) {
+    MACULA_TRY_VOID(comparable(reference, test));
+    Mask mask(std::size_t(reference.width) * std::size_t(reference.height), 0);
+    for (const Image* image : {&reference, &test}) {
+        for (const Plane& plane : colourPlanes(*image)) {
+            for (std::size_t i = 0; i < mask.size(); ++i) {
+                if (plane.values[i] >= kLeast) mask[i] = 1;
+            }
+        }
+    }
+    return mask;
+}
+
+Mask coveredMask(std::span<const float> coverage) {
+    Mask mask(coverage.size());
+    std::transform(coverage.begin(), coverage.end(), mask.begin(),
+                   [](float c) { return static_cast<std::uint8_t>(double(c) >= kLeast); });
+    return mask;
+}
+
+Mask unionOf(const Mask& a, const Mask& b) {
+    MACULA_CHECK_EQ(a.size(), b.size());
+    Mask either(a.size());
+    for (std::size_t i = 0; i < a.size(); ++i) either[i] = a[i] != 0 || b[i] != 0 ? 1 : 0;
+    return either;
+}
+
+Result<std::optional<double>> maskedPsnr(const Image& reference, const Image& test, const Mask& mask) {
+    MACULA_TRY_VOID(fits(reference, test, mask));
+    const std::size_t count = countOf(mask);
+    if (count == 0) return std::optional<double>();
+    const auto a = colourPlanes(reference);
+    const auto b = colourPlanes(test);
+    double squares = 0.0;
+    for (std::size_t c = 0; c < a.size(); ++c) {
+        for (std::size_t i = 0; i < mask.size(); ++i) {
+            const double difference = mask[i] != 0 ? a[c].values[i] - b[c].values[i] : 0.0;
+            squares += difference * difference;
+        }
+    }
+    if (squares == 0.0) return std::optional(std::numeric_limits<double>::infinity());
+    return std::optional(-10.0 * std::log10(squares / double(a.size() * count)));
+}
+
+Result<std::optional<double>> maskedSsim(const Image& reference, const Image& test, const Mask& mask) {
+    MACULA_TRY_VOID(fits(reference, test, mask));
+    const std::size_t count = countOf(mask);
+    if (count == 0) return std::optional<double>();
+    const auto maps = ssimMaps(reference, test, Edge::zero);
+    double sum = 0.0;
+    for (const Plane& map : maps) {
+        for (std::size_t i = 0; i < mask.size(); ++i) sum += mask[i] != 0 ? map.values[i] : 0.0;
+    }
+    return std::optional(sum / double(maps.size() * count));
+}
+
+Result<std::optional<double>> luminanceRatio(const Image& reference, const Image& test, const Mask& mask) {
+    MACULA_TRY_VOID(fits(reference, test, mask));
+    const double light = lightOf(reference, mask);
+    if (!(light > 0.0)) return std::optional<double>();
+    return std::optional(lightOf(test, mask) / light);
+}
+
+std::optional<double> coverageError(std::span<const float> reference, std::span<const float> test,
+                                    const Mask& mask) {
+    MACULA_CHECK_EQ(reference.size(), mask.size());
+    MACULA_CHECK_EQ(test.size(), mask.size());
+    const std::size_t count = countOf(mask);
+    if (count == 0) return {};
+    double sum = 0.0;
+    for (std::size_t i = 0; i < mask.size(); ++i) {
+        if (mask[i] != 0) sum += std::abs(double(test[i]) - double(reference[i]));
+    }
+    return sum / double(count);
+}
+
+double percentile(std::vector<double> values, double fraction) {
+    MACULA_CHECK(!values.empty());
+    std::sort(values.begin(), values.end());
+    const double place = std::clamp(fraction, 0.0, 1.0) * double(values.size() - 1);
+    const auto below = static_cast<std::size_t>(place);
+    const double beyond = place - double(below);
+    // Nothing is added where nothing lies between: a place beside infinity is not half of it.
+    if (beyond == 0.0 || values[below] == values[below + 1]) return values[below];
+    return values[below] + beyond * (values[below + 1] - values[below]);
+}
+
+}  // namespace macula::image

@@ -1,0 +1,48 @@
+// How far a picture of something over black is from another, where there is something: as Kleinbeck et al.
+// (IEEE VR 2026) measure, so that a large black background makes no picture better. Pictures are as in
+// metrics.h, and so are the errors; a mask has a byte for each pixel, 0 where it does not count.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "base/result.h"
+#include "image/image.h"
+
+namespace macula::image {
+
+using Mask = std::vector<std::uint8_t>;
+
+// Where any channel of either picture is above 0 once it is rounded to 8 bits.
+Result<Mask> litMask(const Image& reference, const Image& test);
+
+// Where a coverage is above 0 once it is rounded to 8 bits: one stray sample of a thousand is not there.
+Mask coveredMask(std::span<const float> coverage);
+// Where either is. The same size.
+Mask unionOf(const Mask& a, const Mask& b);
+
+// The answers of an empty mask are nothing: there is nothing to compare.
+
+// As psnr, over masked pixels; +infinity where these are equal.
+Result<std::optional<double>> maskedPsnr(const Image& reference, const Image& test, const Mask& mask);
+
+// The map of SSIM over the whole pictures, its 11 x 11 windows filled up with black beyond the edge, averaged
+// over masked pixels and channels.
+Result<std::optional<double>> maskedSsim(const Image& reference, const Image& test, const Mask& mask);
+
+// Light that leaves the screen in `test`, in parts of that in `reference`, over masked pixels: sums of the
+// luminance (Rec. 709) of decoded values. 1 when nothing is too dark or too bright on the whole; nothing when
+// the reference is black there.
+Result<std::optional<double>> luminanceRatio(const Image& reference, const Image& test, const Mask& mask);
+
+// Mean of |test - reference| over masked pixels. All of one size.
+std::optional<double> coverageError(std::span<const float> reference, std::span<const float> test,
+                                    const Mask& mask);
+
+// The value that `fraction` (0 to 1) of them are below, linear between neighbours in order as NumPy's default
+// is: (count - 1) * fraction is its place. At least one value, none of them NaN.
+double percentile(std::vector<double> values, double fraction);
+
+}  // namespace macula::image
