@@ -1,0 +1,16 @@
+// Where in the world there is anything to see.
+#pragma once
+
+#include "base/volume.h"
+#include "pipeline/volume/brick_grid.h"
+#include "pipeline/volume/medium.h"
+
+namespace macula {
+
+// The smallest box along the patient's axes, LPS mm, that holds every brick in which `medium` has matter:
+// wider than the matter itself by less than a brick on each side, and never beyond the volume. Empty, low >
+// high, when there is none. `medium` must be made of this volume and grid, by a function or a projection;
+// where a clip casts shadow, bricks that it removes are in the box too.
+Box visibleBoxMm(const Volume& volume, const BrickGrid& grid, const Medium& medium);
+
+}  // namespace macula
