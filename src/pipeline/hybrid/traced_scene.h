@@ -1,0 +1,47 @@
+// What pictures are traced of, as the host has it: to know where there is anything to see, and to tell by a
+// digest whether a picture that was kept is of the same.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "base/result.h"
+#include "base/volume.h"
+#include "pipeline/trace/environment.h"
+#include "pipeline/trace/settings.h"
+#include "pipeline/volume/clip.h"
+#include "pipeline/volume/medium.h"
+#include "pipeline/volume/transfer_function.h"
+
+namespace macula::hybrid {
+
+class TracedScene {
+  public:
+    // The volume must be stored16. The function is fitted to it, as the tracer does. Fails where the function
+    // or the clip is not valid.
+    static Result<TracedScene> create(std::shared_ptr<const Volume> volume, const TransferFunction& function,
+                                      const Clip& clip, const trace::Environment& environment);
+
+    // See visibleBoxMm; of what an eye sees, whatever of it casts shadow.
+    const Box& seenMm() const { return seenMm_; }
+
+    // SHA-256, 64 hexadecimal digits, over all that such a picture depends on: the volume's fingerprint and
+    // the range of values in each of its bricks, the optics by value, clip, mask, lights, camera, size,
+    // settings, samples, and the compiled kernel itself. No patient data. Of path-traced looks.
+    Result<std::string> pictureKey(const trace::View& view, const trace::Settings& settings,
+                                   std::uint32_t samplesPerPixel) const;
+
+  private:
+    TracedScene(std::shared_ptr<const Volume> volume, const Clip& clip, const trace::Environment& environment)
+        : volume_(std::move(volume)), clip_(clip), environment_(environment) {}
+
+    std::shared_ptr<const Volume> volume_;
+    Clip clip_;
+    trace::Environment environment_;
+    Medium medium_;
+    Box seenMm_;
+    std::string digest_;  // of all but view, settings and samples
+};
+
+}  // namespace macula::hybrid

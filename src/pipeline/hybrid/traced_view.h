@@ -1,0 +1,18 @@
+// What a peripheral model learns from, and is judged by: a picture, and where it was seen from.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "base/camera.h"
+
+namespace macula::hybrid {
+
+struct TracedView {
+    Camera camera;
+    glm::ivec2 sizePx{0};         // columns, rows
+    std::vector<glm::vec4> rgba;  // linear, premultiplied; row 0 on top
+    double samplesPerPixel = 0.0;
+};
+
+}  // namespace macula::hybrid

@@ -1,0 +1,67 @@
+#include "pipeline/hybrid/traced_views.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace macula::hybrid {
+
+namespace {
+
+Error cancelled() {
+    return {ErrorCode::cancelled, "Stopped.", {}, {}};
+}
+
+}  // namespace
+
+Result<TracedView> traceView(trace::PathTracer& tracer, const trace::View& view,
+                             const trace::Settings& settings, std::uint32_t samplesPerPixel,
+                             Progress& progress) {
+    constexpr std::uint32_t kPortion = 8;  // small, so that progress moves
+    MACULA_TRY_VOID(tracer.setSettings(settings));
+    MACULA_TRY_VOID(tracer.setView(view));
+    for (std::uint32_t done = 0; done < samplesPerPixel;) {
+        const std::uint32_t count = std::min(kPortion, samplesPerPixel - done);
+        MACULA_TRY(const bool whole, tracer.trace(count, [&] { return !progress.cancelled(); }));
+        if (!whole || progress.cancelled()) return cancelled();
+        done += count;
+        progress.advance(count);
+    }
+    MACULA_TRY(trace::TracedImage image, tracer.readback());
+    return TracedView{.camera = view.camera,
+                      .sizePx = {view.width, view.height},
+                      .rgba = std::move(image.radiance),
+                      .samplesPerPixel = double(samplesPerPixel)};
+}
+
+Result<std::vector<TracedView>> traceViews(trace::PathTracer& tracer, std::span<const Camera> cameras,
+                                           const ViewTracing& options, Progress& progress) {
+    progress.beginStage("Tracing views", cameras.size() * options.samplesPerPixel);
+    std::vector<TracedView> views;
+    for (const Camera& camera : cameras) {
+        trace::Settings settings = options.settings;
+        settings.seed += static_cast<std::uint32_t>(views.size());
+        const trace::View view{.camera = camera, .width = options.sizePx.x, .height = options.sizePx.y};
+        MACULA_TRY(TracedView traced, traceView(tracer, view, settings, options.samplesPerPixel, progress));
+        views.push_back(std::move(traced));
+    }
+    return views;
+}
+
+ViewAcceptance showsEnough(trace::PathTracer& tracer, double radiusMm, const ViewLimits& limits,
+                           const Progress& progress) {
+    return [&tracer, &progress, radiusMm, limits](const Camera& camera) -> Result<bool> {
+        if (progress.cancelled()) return cancelled();
+        MACULA_TRY_VOID(tracer.setView({.camera = camera, .width = limits.sizePx, .height = limits.sizePx}));
+        MACULA_TRY(const std::vector<trace::GuidePixel> pixels, tracer.readGuides());
+        double coverage = 0.0;
+        std::size_t near = 0;
+        for (const trace::GuidePixel& pixel : pixels) {
+            coverage += double(pixel.coverage);
+            if (pixel.depthMm >= 0.0f && double(pixel.depthMm) < limits.nearRadii * radiusMm) ++near;
+        }
+        const auto count = double(pixels.size());
+        return coverage >= limits.leastCoverage * count && double(near) <= limits.mostNear * count;
+    };
+}
+
+}  // namespace macula::hybrid

@@ -1,0 +1,50 @@
+// Pictures that the path tracer makes for the peripheral model.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "base/progress.h"
+#include "base/result.h"
+#include "pipeline/hybrid/traced_view.h"
+#include "pipeline/hybrid/view_sampling.h"
+#include "pipeline/trace/path_tracer.h"
+
+namespace macula::hybrid {
+
+// All of these use a tracer that has its volume, transfer function, environment and clip, and leave it with
+// other settings and another view. They wait, and give `cancelled` when `progress` says so.
+
+struct ViewTracing {
+    glm::ivec2 sizePx{512};
+    std::uint32_t samplesPerPixel = 8;
+    // Of the seed, each view takes the next: the same noise in all views would be learnt as if it were there.
+    trace::Settings settings = {.denoising = trace::Denoising::on};
+};
+
+// One view, in small portions; a step of `progress` for each sample.
+Result<TracedView> traceView(trace::PathTracer& tracer, const trace::View& view,
+                             const trace::Settings& settings, std::uint32_t samplesPerPixel,
+                             Progress& progress);
+
+// One sample after the other for each camera, evenly; nothing is carried over from the view before.
+// `progress` gets a stage, a step for each sample of a view.
+Result<std::vector<TracedView>> traceViews(trace::PathTracer& tracer, std::span<const Camera> cameras,
+                                           const ViewTracing& options, Progress& progress);
+
+// When a view shows enough, from far enough.
+struct ViewLimits {
+    double leastCoverage = 0.04;  // mean over the picture; 0.06 for ground truth
+    // At most this part of the picture is nearer than so many half-diagonals of what is seen. The paper's
+    // distance is in its own units; this is about what it comes to in its scenes.
+    double mostNear = 0.2;
+    double nearRadii = 0.1;
+    int sizePx = 64;  // of the picture that is looked at, which has guides only: no chance decides
+};
+
+// For sampleViews. `tracer` and `progress` must outlive it.
+ViewAcceptance showsEnough(trace::PathTracer& tracer, double radiusMm, const ViewLimits& limits,
+                           const Progress& progress);
+
+}  // namespace macula::hybrid

@@ -1,0 +1,173 @@
+// Views that the tracer makes, truth that is kept, models that are drawn, on the device.
+#include "pipeline/hybrid/traced_views.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+
+#include "pipeline/hybrid/display_picture.h"
+#include "pipeline/hybrid/drawn_views.h"
+#include "pipeline/hybrid/initial_splats.h"
+#include "pipeline/hybrid/truth_pictures.h"
+#include "pipeline/splat/reference_rasterizer.h"
+#include "trace/extreme_scenes.h"
+#include "trace/gpu_scene.h"
+
+namespace macula::hybrid {
+namespace {
+
+constexpr glm::ivec3 kSize{24, 24, 24};
+
+class Views : public trace::DeviceTest {
+  protected:
+    const std::shared_ptr<const Volume> volume_ =
+        scenes::volumeOf(kSize, scenes::grid(glm::dvec3(1.0), kSize), scenes::blob(kSize, 1000));
+    const TransferFunction function_ = scenes::ramp(100, 500, 0.6, 1.0);
+    const trace::Environment lights_ = trace::Environment::constant(glm::vec3(1.0f));
+
+    trace::PathTracer tracer() const {
+        return trace::DeviceTest::tracer(volume_, function_, lights_, scenes::lookAt(*volume_), {});
+    }
+    TracedScene scene() const { return *TracedScene::create(volume_, function_, {}, lights_); }
+    std::vector<Camera> cameras(std::size_t count) const {
+        std::vector<Camera> cameras;
+        const auto views = sampleViews(scene().seenMm(), initialTraining(count));
+        for (const SampledView& view : *views) cameras.push_back(view.camera);
+        return cameras;
+    }
+};
+
+double meanDifference(const std::vector<glm::vec4>& a, const std::vector<glm::vec4>& b) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        const glm::vec4 off = glm::abs(a[i] - b[i]);
+        sum += double(off.x + off.y + off.z + off.w) / 4.0;
+    }
+    return sum / double(a.size());
+}
+
+bool same(const std::vector<glm::vec4>& a, const std::vector<glm::vec4>& b) {
+    return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(glm::vec4)) == 0;
+}
+
+TEST_F(Views, AreThoseOfTheTracerAndOfNoOtherView) {
+    trace::PathTracer tracer = this->tracer();
+    Progress progress;
+    const ViewTracing options{.sizePx = {24, 20}, .samplesPerPixel = 9};
+    const std::vector<Camera> cameras = this->cameras(2);
+    const auto both = traceViews(tracer, cameras, options, progress);
+    ASSERT_TRUE(both.ok());
+    ASSERT_EQ(both->size(), 2u);
+    EXPECT_EQ((*both)[1].sizePx, glm::ivec2(24, 20));
+    EXPECT_EQ((*both)[1].rgba.size(), 480u);
+    EXPECT_EQ((*both)[1].samplesPerPixel, 9.0);
+    EXPECT_EQ((*both)[1].camera.positionMm, cameras[1].positionMm);
+
+    // The second by itself, by a tracer that has seen nothing else.
+    trace::PathTracer fresh = this->tracer();
+    trace::Settings settings = options.settings;
+    settings.seed += 1;
+    const auto alone =
+        traceView(fresh, {.camera = cameras[1], .width = 24, .height = 20}, settings, 9, progress);
+    ASSERT_TRUE(alone.ok());
+    EXPECT_TRUE(same((*both)[1].rgba, alone->rgba));
+
+    Progress stopped({}, [] {
+        CancelToken token;
+        token.cancel();
+        return token;
+    }());
+    const auto none = traceViews(tracer, cameras, options, stopped);
+    ASSERT_FALSE(none.ok());
+    EXPECT_EQ(none.error().code, ErrorCode::cancelled);
+}
+
+// The ball of 8.4 mm in a box of 24 mm: a picture that it fills shows enough, one beside it does not, and one
+// from within is too near.
+TEST_F(Views, AreAcceptedForWhatTheyShow) {
+    trace::PathTracer tracer = this->tracer();
+    const Progress progress;
+    const ViewAcceptance accept = showsEnough(tracer, 20.0, {.sizePx = 16}, progress);
+    const auto from = [](const glm::dvec3& eye, const glm::dvec3& target) {
+        return Camera{.positionMm = eye, .targetMm = target, .verticalFovDeg = 20.0};
+    };
+    EXPECT_TRUE(*accept(from({0, -60, 0}, {})));
+    EXPECT_FALSE(*accept(from({0, -60, 0}, {0, -120, 0}))) << "nothing in it";
+    EXPECT_FALSE(*accept(from({0, 0, 0}, {0, 60, 0}))) << "too near";
+    EXPECT_FALSE(*accept(from({0, -600, 0}, {}))) << "too small";
+}
+
+TEST_F(Views, TruthIsKeptAndComesBackBitForBit) {
+    const auto folder = std::filesystem::temp_directory_path() / fmt::format("macula-truth-{}", getpid());
+    std::filesystem::remove_all(folder);
+    const PictureCache cache(folder);
+    trace::PathTracer tracer = this->tracer();
+    Progress progress;
+    const std::vector<Camera> cameras = this->cameras(2);
+    const TruthOptions options{.sizePx = glm::ivec2(16), .samplesPerPixel = 12};
+    const auto first = truthPictures(tracer, scene(), std::span(cameras).first(1), options, cache, progress);
+    ASSERT_TRUE(first.ok());
+    EXPECT_FALSE(first->front().fromCache);
+    EXPECT_GT(first->front().noise, 0.0);
+    EXPECT_LT(first->front().noise, 0.2);
+    const auto both = truthPictures(tracer, scene(), cameras, options, cache, progress);
+    ASSERT_TRUE(both.ok());
+    EXPECT_TRUE((*both)[0].fromCache);
+    EXPECT_FALSE((*both)[1].fromCache);
+    EXPECT_EQ((*both)[0].noise, first->front().noise);
+    EXPECT_TRUE(same((*both)[0].view.rgba, first->front().view.rgba));
+    const auto more = truthPictures(tracer, scene(), cameras,
+                                    {.sizePx = glm::ivec2(16), .samplesPerPixel = 13}, cache, progress);
+    ASSERT_TRUE(more.ok());
+    EXPECT_FALSE(more->front().fromCache);
+    std::filesystem::remove_all(folder);
+}
+
+TEST_F(Views, TheHostDisplaysAsTheDeviceDoes) {
+    trace::PathTracer tracer = this->tracer();
+    ASSERT_TRUE(tracer.trace(4).ok());
+    const auto linear = tracer.readback();
+    const auto device = tracer.readDisplay(glm::vec3(0.0f));
+    ASSERT_TRUE(linear.ok() && device.ok());
+    const std::vector<std::uint8_t> host = displayed(linear->radiance);
+    ASSERT_EQ(host.size() / 3, device->size() / 4);
+    int brightest = 0;
+    for (std::size_t i = 0; i < host.size(); ++i) {
+        const int onDevice = (*device)[i / 3 * 4 + i % 3];
+        EXPECT_LE(std::abs(int(host[i]) - onDevice), 1);  // a value between two may be rounded either way
+        brightest = std::max(brightest, onDevice);
+    }
+    EXPECT_GT(brightest, 100);
+}
+
+TEST_F(Views, ModelsAreDrawnAsTheReferenceDoes) {
+    trace::PathTracer tracer = this->tracer();
+    const auto points = tracer.surfacePoints({.count = 100, .paths = 8});
+    ASSERT_TRUE(points.ok());
+    const splat::Splats splats = initialSplats(*points);
+    ASSERT_GT(splats.size(), 50u);
+    const std::vector<Camera> cameras = this->cameras(2);
+    const auto drawn = drawViews(device(), splats, cameras, {24, 20});
+    ASSERT_TRUE(drawn.ok());
+    ASSERT_EQ(drawn->pictures.size(), 2u);
+    ASSERT_EQ(drawn->milliseconds.size(), 2u);
+    for (std::size_t i = 0; i < 2; ++i) {
+        const auto view = splat::rasterView(cameras[i], {24, 20}, splats.originMm);
+        ASSERT_TRUE(view.ok());
+        const splat::RasterImage reference =
+            splat::rasterize(splat::ReferenceSplats(splats), *view, splat::blendingOf(splats.lowPass),
+                             splat::Precision::single);
+        std::vector<glm::vec4> expected(reference.rgba.begin(), reference.rgba.end());
+        EXPECT_LT(meanDifference(drawn->pictures[i], expected), 1e-5);
+        EXPECT_GT(meanDifference(drawn->pictures[i], std::vector<glm::vec4>(480, glm::vec4(0.0f))), 0.05);
+    }
+    const auto nothing = drawViews(device(), splat::Splats{}, cameras, {8, 8});
+    ASSERT_TRUE(nothing.ok());
+    EXPECT_EQ(nothing->pictures[0], std::vector<glm::vec4>(64, glm::vec4(0.0f)));
+}
+
+}  // namespace
+}  // namespace macula::hybrid
