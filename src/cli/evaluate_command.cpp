@@ -1,0 +1,230 @@
+// macula evaluate init [PATH...]: how good peripheral models are, by the protocol of
+// docs/peripheral-model.md.
+#include <CLI/App.hpp>
+#include <CLI/Option.hpp>
+#include <CLI/Validators.hpp>
+#include <filesystem>
+#include <memory>
+#include <utility>
+
+#include "base/atomic_file.h"
+#include "base/progress_bar.h"
+#include "cli/clip_choice.h"
+#include "cli/command.h"
+#include "cli/evaluation_report.h"
+#include "cli/initial_evaluation.h"
+#include "cli/interrupt.h"
+#include "cli/lights_choice.h"
+#include "cli/open_device.h"
+#include "cli/output_file.h"
+#include "cli/report.h"
+#include "cli/study_input.h"
+#include "cli/study_preset.h"
+#include "image/image_file.h"
+#include "pipeline/trace/settings.h"
+#include "segment/patient.h"
+
+namespace macula::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Options {
+    std::vector<fs::path> paths;
+    std::vector<std::string> series;   // for each path, or none
+    std::vector<std::string> presets;  // each for each path
+    bool fit = false;
+    std::string clip;
+    bool removeTable = false;
+    std::string lights = kDefaultLights;
+    std::string device;
+    int truthSizePx = 0;  // 0: as the views
+    InitialEvaluationOptions evaluation;
+    fs::path json;
+    fs::path pictures;
+};
+
+// All that can be wrong on the command line, before anything takes time.
+Result<void> check(const Options& options) {
+    if (options.evaluation.iterations > 0 && options.evaluation.views == 0)
+        return Error{ErrorCode::usage,
+                     "Nothing can be learnt without views.",
+                     {},
+                     "Give --views above 0, or --iterations 0."};
+    if (!options.series.empty() && options.series.size() != options.paths.size())
+        return Error{
+            ErrorCode::usage, "There is not one series for each path.", {}, "Give --series once for each."};
+    for (const std::string& preset : options.presets) MACULA_TRY_VOID(presetToDraw(preset, options.fit));
+    MACULA_TRY(const trace::Environment lights, chooseLights(options.lights));
+    if (lights.frame() == trace::LightFrame::camera)
+        return Error{ErrorCode::usage, "These lights hang on the camera.", options.lights,
+                     "A peripheral model holds light that stays where it is: choose lights of the patient."};
+    if (!options.clip.empty()) MACULA_TRY_VOID(chooseClip(options.clip));
+    if (!options.json.empty() && options.json != "-") MACULA_TRY_VOID(checkFolderOf(options.json));
+    std::error_code error;
+    if (!options.pictures.empty() && !fs::is_directory(options.pictures, error))
+        return Error{ErrorCode::outputNotWritable, "The folder for pictures does not exist.",
+                     options.pictures.string(), "Create it, or choose another one."};
+    return {};
+}
+
+struct Study {
+    StudyInput input;
+    Clip clip;
+    bool tableRemoved = false;
+};
+
+Result<Study> openStudy(const Options& options, std::size_t place, Progress& progress) {
+    Study study;
+    MACULA_TRY(study.input, loadStudy(options.paths[place],
+                                      options.series.empty() ? "" : options.series[place], progress));
+    bringTo16Bits(study.input);
+    if (!options.clip.empty()) {
+        MACULA_TRY(const ClipPreset clip, chooseClip(options.clip));
+        study.clip = clipFor(clip, *study.input.volume);
+    }
+    if (options.removeTable) {
+        MACULA_TRY(segment::PatientMask patient, segment::findPatient(*study.input.volume, progress));
+        for (const Message& message : patient.messages) printNote(message.sentence);
+        study.tableRemoved = patient.removedMl > 0.0;  // where it was not sure, nothing went
+        study.clip.mask = Mask{.labels = std::make_shared<const LabelMap>(std::move(patient.map)),
+                               .numbers = {segment::PatientMask::kPatient}};
+    }
+    return study;
+}
+
+// Numbered, because a name may say whose it is.
+Result<void> writePictures(const Options& options, std::size_t scene, const SceneEvaluation& evaluation) {
+    const glm::ivec2 size = options.evaluation.truth.sizePx;
+    for (std::size_t view = 0; view < evaluation.pictures.size(); ++view) {
+        const fs::path path = options.pictures / fmt::format("scene{:02}-view{:02}.png", scene, view);
+        MACULA_TRY_VOID(image::writePng(path, 2 * size.x, size.y, evaluation.pictures[view]));
+    }
+    return {};
+}
+
+Result<void> tell(const EvaluationReport& report, const fs::path& json) {
+    const std::string text = toJson(report).dump(4) + "\n";
+    if (json == "-") {
+        fmt::print("{}", text);
+        return {};
+    }
+    fmt::print("{}", tableOf(report));
+    return json.empty() ? Result<void>() : writeTextAtomically(json, text);
+}
+
+Result<void> evaluate(Options options) {
+    MACULA_TRY_VOID(check(options));
+    InitialEvaluationOptions& evaluation = options.evaluation;
+    evaluation.truth.sizePx = glm::ivec2(options.truthSizePx > 0 ? options.truthSizePx : evaluation.sizePx);
+    if (options.paths.empty()) options.paths.emplace_back();
+    if (options.presets.empty()) options.presets.emplace_back();
+    MACULA_TRY(const trace::Environment lights, chooseLights(options.lights));
+    MACULA_TRY(gpu::LastingDevice device, openDevice(options.device));
+    Progress progress(terminalProgressBar(), interruptToken());
+
+    EvaluationReport report{.device = {},
+                            .lights = publicLightsName(options.lights),
+                            .clip = publicClipName(options.clip),
+                            .options = evaluation,
+                            .scenes = {}};
+    for (std::size_t place = 0; place < options.paths.size(); ++place) {
+        MACULA_TRY(Study study, openStudy(options, place, progress));
+        for (const std::string& typed : options.presets) {
+            MACULA_TRY(StudyPreset preset, choosePresetFor(study.input, typed, options.fit));
+            study.input.notes.clear();  // were told, once
+            const EvaluatedScene scene{.volume = study.input.volume,
+                                       .function = std::move(preset.function),
+                                       .clip = study.clip,
+                                       .environment = lights};
+            EvaluatedStudy evaluated{.studyDigest = study.input.seriesDigest,
+                                     .preset = preset.publicName,
+                                     .voxels = study.input.volume->size(),
+                                     .tableRemoved = study.tableRemoved,
+                                     .evaluation = {}};
+            const auto use = [&](const std::shared_ptr<gpu::Device>& on) -> Result<void> {
+                report.device = gpu::describe(on->info());
+                MACULA_TRY(evaluated.evaluation, evaluateInitial(on, scene, evaluation, progress));
+                return {};
+            };
+            MACULA_TRY_VOID(device.run(use));
+            if (!options.pictures.empty())
+                MACULA_TRY_VOID(writePictures(options, report.scenes.size(), evaluated.evaluation));
+            evaluated.evaluation.pictures.clear();
+            report.scenes.push_back(std::move(evaluated));
+        }
+    }
+    return tell(report, options.json);
+}
+
+void addProtocolOptions(CLI::App& command, Options& o) {
+    InitialEvaluationOptions& e = o.evaluation;
+    command.add_option("--points", e.points.count, "Points that the model begins with")
+        ->capture_default_str()
+        ->check(CLI::Range(1u, trace::kMaxSurfacePoints));
+    command.add_option("--point-paths", e.points.paths, "Paths of light for each of them")
+        ->capture_default_str()
+        ->check(CLI::Range(1, 4096));
+    command.add_option("--views", e.views, "Views that are traced for training")
+        ->capture_default_str()
+        ->check(CLI::Range(0, 4096));
+    command.add_option("--spp", e.samplesPerPixel, "Samples per pixel of these; they are denoised")
+        ->capture_default_str()
+        ->check(CLI::Range(1, 1 << 16));
+    command.add_option("--iterations", e.iterations, "Steps of training; 0: the model of points is judged")
+        ->capture_default_str()
+        ->check(CLI::Range(0, 1 << 24));
+    command.add_option("--trial", e.trial, "Another draw of the views for training")
+        ->capture_default_str()
+        ->check(CLI::Range(0, 1 << 20));
+    command.add_option("--size", e.sizePx, "Width and height of pictures in pixels")
+        ->capture_default_str()
+        ->check(CLI::Range(16, 4096));
+    command.add_option("--truth-views", e.truthViews, "Views that are compared")
+        ->capture_default_str()
+        ->check(CLI::Range(1, 4096));
+    e.truth.samplesPerPixel = 256;
+    command
+        .add_option("--truth-spp", e.truth.samplesPerPixel,
+                    "Samples per pixel of what is compared with; the protocol wants 1024")
+        ->capture_default_str()
+        ->check(CLI::Range(1, 1 << 20));
+    command.add_option("--truth-size", o.truthSizePx, "Its width and height in pixels (default: as --size)")
+        ->check(CLI::Range(16, 4096));
+    command.add_option("--bounces", e.truth.bounces, "Vertices of a path, of both")
+        ->capture_default_str()
+        ->check(CLI::Range(1, trace::kMaxBounces));
+    command.add_option("--cache", e.cache,
+                       "Folder to keep what is compared with, and to go on from; it shows the patient");
+}
+
+}  // namespace
+
+void addEvaluate(CLI::App& app, Action& action) {
+    auto* evaluateApp = app.add_subcommand("evaluate", "Measure how good peripheral models are");
+    evaluateApp->require_subcommand(1);
+    auto options = std::make_shared<Options>();
+    Options& o = *options;
+    auto* command = evaluateApp->add_subcommand(
+        "init", "First models: made of a few views, compared with traced pictures from elsewhere");
+    command->add_option("PATH", o.paths,
+                        "Folders with DICOM files, volume files, or phantom: (default), each a scene");
+    command->add_option("--series", o.series,
+                        "Place in the list of macula info, or series UID: once for each PATH");
+    command->add_option("--preset", o.presets,
+                        "Name, number or file; several times: every PATH with every preset");
+    command->add_flag("--fit", o.fit, "Stretch the presets' range to the series, for MR");
+    command->add_option("--clip", o.clip, "Name from macula presets, or JSON file");
+    command->add_flag("--remove-table", o.removeTable, "Leave out the table; CT only");
+    command->add_option("--lights", o.lights, "Name from macula presets, light rig JSON, or panorama")
+        ->capture_default_str();
+    addProtocolOptions(*command, o);
+    command->add_option("--pictures", o.pictures,
+                        "Folder for what was compared: the truth, and beside it the model");
+    command->add_option("--json", o.json, "File for all numbers; - for stdout, without the table");
+    command->add_option("--device", o.device, "Number or part of the name, see macula devices");
+    command->callback([options, &action] { action = [options] { return evaluate(*options); }; });
+}
+
+}  // namespace macula::cli

@@ -1,0 +1,169 @@
+#include "cli/initial_evaluation.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <iterator>
+#include <span>
+#include <utility>
+
+#include "image/masked_metrics.h"
+#include "pipeline/hybrid/display_picture.h"
+#include "pipeline/hybrid/drawn_views.h"
+#include "pipeline/hybrid/initial_splats.h"
+#include "pipeline/hybrid/initial_training.h"
+#include "pipeline/hybrid/traced_views.h"
+#include "pipeline/hybrid/view_sampling.h"
+
+namespace macula::cli {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double secondsSince(Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+constexpr double kLeastCoverageOfTruth = 0.06;
+
+class Evaluation {
+  public:
+    Evaluation(std::shared_ptr<gpu::Device> device, const InitialEvaluationOptions& options,
+               trace::PathTracer& tracer, const hybrid::TracedScene& scene, Progress& progress)
+        : device_(std::move(device)),
+          options_(options),
+          tracer_(tracer),
+          scene_(scene),
+          progress_(progress) {}
+
+    Result<SceneEvaluation> run() {
+        report_.seenMm = scene_.seenMm();
+        MACULA_TRY(const auto truthCameras,
+                   choose(hybrid::groundTruth(options_.truthViews), kLeastCoverageOfTruth));
+        MACULA_TRY(const splat::Splats model, makeModel(truthCameras));
+        auto start = Clock::now();
+        MACULA_TRY(const auto truth, hybrid::truthPictures(tracer_, scene_, truthCameras, options_.truth,
+                                                           hybrid::PictureCache(options_.cache), progress_));
+        report_.truthSeconds = secondsSince(start);
+        MACULA_TRY_VOID(compare(model, truth));
+        return std::move(report_);
+    }
+
+  private:
+    Result<std::vector<Camera>> choose(const hybrid::ViewSampling& sampling, double leastCoverage) {
+        const double radiusMm = 0.5 * scene_.seenMm().diagonal();
+        MACULA_TRY(const auto views,
+                   hybrid::sampleViews(
+                       scene_.seenMm(), sampling,
+                       hybrid::showsEnough(tracer_, radiusMm, {.leastCoverage = leastCoverage}, progress_)));
+        std::vector<Camera> cameras;
+        for (const hybrid::SampledView& view : views) {
+            cameras.push_back(view.camera);
+            if (!view.accepted) ++report_.viewsGivenUp;
+        }
+        return cameras;
+    }
+
+    Result<splat::Splats> makeModel(const std::vector<Camera>& anywhere) {
+        auto start = Clock::now();
+        progress_.beginStage("Finding points", 1);
+        MACULA_TRY_VOID(tracer_.setView({.camera = anywhere.front(), .width = 64, .height = 64}));
+        MACULA_TRY(const trace::SurfacePoints points,
+                   tracer_.surfacePoints(options_.points, [&] { return !progress_.cancelled(); }));
+        splat::Splats model = hybrid::initialSplats(points);
+        report_.pointsSeconds = secondsSince(start);
+        progress_.advance();
+        if (model.size() == 0)
+            return Error{ErrorCode::inputNotUsable,
+                         "Nothing of the series can be seen.",
+                         {},
+                         "Choose another preset or clip."};
+
+        start = Clock::now();
+        MACULA_TRY(const auto cameras, choose(hybrid::initialTraining(options_.views, options_.trial),
+                                              hybrid::ViewLimits().leastCoverage));
+        hybrid::ViewTracing traced{.sizePx = glm::ivec2(options_.sizePx),
+                                   .samplesPerPixel = options_.samplesPerPixel};
+        traced.settings.bounces = options_.truth.bounces;
+        MACULA_TRY(const auto views, hybrid::traceViews(tracer_, cameras, traced, progress_));
+        report_.viewsSeconds = secondsSince(start);
+
+        start = Clock::now();
+        progress_.beginStage("Training", 1);
+        MACULA_TRY(model, hybrid::trainInitial(device_, model, views, 0.5 * scene_.seenMm().diagonal(),
+                                               options_.iterations, [&] { return !progress_.cancelled(); }));
+        report_.trainSeconds = secondsSince(start);
+        report_.splats = model.size();
+        return model;
+    }
+
+    Result<void> compare(const splat::Splats& model, const std::vector<hybrid::TruthPicture>& truth) {
+        progress_.beginStage("Comparing", truth.size());
+        const glm::ivec2 size = options_.truth.sizePx;
+        std::vector<Camera> cameras;
+        std::transform(truth.begin(), truth.end(), std::back_inserter(cameras),
+                       [](const hybrid::TruthPicture& picture) { return picture.view.camera; });
+        MACULA_TRY(const hybrid::DrawnViews drawn, hybrid::drawViews(device_, model, cameras, size));
+        report_.drawMs = image::percentile(drawn.milliseconds, 0.5);
+        double squares = 0.0;
+        for (const hybrid::TruthPicture& picture : truth) {
+            if (progress_.cancelled()) return Error{ErrorCode::cancelled, "Stopped.", {}, {}};
+            const std::vector<glm::vec4>& rgba = drawn.pictures[report_.scores.size()];
+            MACULA_TRY(const ViewScores scores, scoresOf(picture.view, rgba));
+            report_.scores.push_back(scores);
+            report_.pictures.push_back(besideEachOther(size, picture.view.rgba, rgba));
+            squares += picture.noise * picture.noise;
+            report_.truthFromCache += picture.fromCache ? 1 : 0;
+            progress_.advance();
+        }
+        report_.truthNoise = std::sqrt(squares / double(std::max<std::size_t>(truth.size(), 1)));
+        return {};
+    }
+
+    static std::vector<std::uint8_t> besideEachOther(const glm::ivec2& size, std::span<const glm::vec4> left,
+                                                     std::span<const glm::vec4> right) {
+        std::vector<std::uint8_t> rgba;
+        rgba.reserve(left.size() * 8);
+        const auto a = hybrid::displayed(left);
+        const auto b = hybrid::displayed(right);
+        const auto width = static_cast<std::size_t>(size.x);
+        for (std::size_t y = 0; y < static_cast<std::size_t>(size.y); ++y) {
+            for (const std::vector<std::uint8_t>* half : {&a, &b}) {
+                for (std::size_t i = y * width; i < (y + 1) * width; ++i) {
+                    rgba.insert(rgba.end(), {(*half)[3 * i], (*half)[3 * i + 1], (*half)[3 * i + 2], 255});
+                }
+            }
+        }
+        return rgba;
+    }
+
+    std::shared_ptr<gpu::Device> device_;
+    const InitialEvaluationOptions& options_;
+    trace::PathTracer& tracer_;
+    const hybrid::TracedScene& scene_;
+    Progress& progress_;
+    SceneEvaluation report_;
+};
+
+}  // namespace
+
+Result<SceneEvaluation> evaluateInitial(const std::shared_ptr<gpu::Device>& device,
+                                        const EvaluatedScene& scene, const InitialEvaluationOptions& options,
+                                        Progress& progress) {
+    MACULA_TRY(const hybrid::TracedScene traced,
+               hybrid::TracedScene::create(scene.volume, scene.function, scene.clip, scene.environment));
+    if (!(traced.seenMm().low.x <= traced.seenMm().high.x))
+        return Error{ErrorCode::inputNotUsable,
+                     "Nothing of the series can be seen.",
+                     {},
+                     "Choose another preset or clip."};
+    MACULA_TRY(trace::PathTracer tracer, trace::PathTracer::create(device));
+    MACULA_TRY_VOID(tracer.setVolume(scene.volume));
+    MACULA_TRY_VOID(tracer.setClip(scene.clip));
+    MACULA_TRY_VOID(tracer.setTransferFunction(scene.function));
+    MACULA_TRY_VOID(tracer.setEnvironment(scene.environment));
+    return Evaluation(device, options, tracer, traced, progress).run();
+}
+
+}  // namespace macula::cli

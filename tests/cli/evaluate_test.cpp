@@ -1,0 +1,90 @@
+// macula evaluate: that the protocol runs to its end, says what was measured, and goes on from what it kept.
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "cli/run_command.h"
+
+namespace macula::cli {
+namespace {
+
+using Evaluate = CommandTest;
+using nlohmann::json;
+
+// So small that it takes a second; numbers of such pictures mean little. What is given later counts.
+std::vector<std::string> small(const std::vector<std::string>& more) {
+    std::map<std::string, std::string> once{{"--size", "32"},
+                                            {"--points", "300"},
+                                            {"--point-paths", "8"},
+                                            {"--views", "1"},
+                                            {"--preset", "cinematic-bone"},
+                                            {"--spp", "1"},
+                                            {"--truth-views", "2"},
+                                            {"--truth-spp", "64"},
+                                            {"--iterations", "0"}};
+    for (const std::string& given : more) once.erase(given);
+    std::vector<std::string> arguments{"evaluate", "init", "phantom:"};
+    for (const auto& [option, value] : once) arguments.insert(arguments.end(), {option, value});
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return arguments;
+}
+
+TEST_F(Evaluate, TellsHowNearTheModelComesAndGoesOnFromWhatItKept) {
+    const std::string cache = at("cache");
+    std::filesystem::create_directory(at("pictures"));
+    const Ran ran = runMacula(small({"--cache", cache, "--json", "-", "--pictures", at("pictures")}));
+    ASSERT_EQ(ran.exitCode, 0) << ran.err;
+    const json report = json::parse(ran.out);
+    EXPECT_EQ(report["truth"]["samplesPerPixel"], 64);
+    EXPECT_EQ(report["model"]["iterations"], 0);
+    ASSERT_EQ(report["scenes"].size(), 1u);
+    const json& scene = report["scenes"][0];
+    EXPECT_EQ(scene["study"], "phantom");
+    EXPECT_GT(scene["splats"].get<int>(), 100);
+    EXPECT_LE(scene["splats"].get<int>(), 300);
+    EXPECT_EQ(scene["truthFromCache"], 0);
+    ASSERT_EQ(scene["views"].size(), 2u);
+    // What is drawn is where it is and as bright as it is: of no model at all all coverage would be missing.
+    const json& scores = scene["scores"];
+    EXPECT_LT(scores["coverageError"]["p50"].get<double>(), 0.15) << ran.out;
+    EXPECT_NEAR(scores["luminanceRatio"]["p50"].get<double>(), 1.0, 0.35) << ran.out;
+    const json& psnr = scores["psnrDb"];
+    EXPECT_LE(psnr["p10"].get<double>(), psnr["p50"].get<double>());
+    EXPECT_LE(psnr["p50"].get<double>(), psnr["p90"].get<double>());
+    EXPECT_EQ(report["overScenes"]["psnrDb"]["p50"], psnr["mean"]);
+    EXPECT_EQ(fileCount("cache"), 2u);
+    EXPECT_EQ(fileCount("pictures"), 2u);
+
+    // The same truth, and a model that has learnt.
+    const Ran again = runMacula(small({"--cache", cache, "--json", at("report.json"), "--iterations", "100",
+                                       "--views", "6", "--spp", "16"}));
+    ASSERT_EQ(again.exitCode, 0) << again.err;
+    EXPECT_NE(again.out.find("masked PSNR"), std::string::npos) << "a table";
+    const json trained = json::parse(readAll(at("report.json")))["scenes"][0];
+    EXPECT_EQ(trained["truthFromCache"], 2);
+    EXPECT_EQ(trained["truthNoise"], scene["truthNoise"]);
+    EXPECT_LE(trained["splats"].get<int>(), 300);
+    EXPECT_GT(trained["scores"]["maskedPsnrDb"]["mean"].get<double>(),
+              scores["maskedPsnrDb"]["mean"].get<double>() + 0.2);
+}
+
+TEST_F(Evaluate, WhatCannotBeIsAnError) {
+    EXPECT_EQ(runMacula({"evaluate"}).exitCode, 2);
+    EXPECT_EQ(runMacula({"evaluate", "init", "--views", "0"}).exitCode, 2);
+    EXPECT_EQ(runMacula(small({"--series", "1", "--series", "2"})).exitCode, 2);
+    EXPECT_EQ(runMacula(small({"--preset", "no-such-preset"})).exitCode, 2);
+    EXPECT_EQ(runMacula(small({"--pictures", at("nowhere")})).exitCode, 2);
+    EXPECT_EQ(runMacula(small({"--json", at("nowhere/report.json")})).exitCode, 2);
+    const Ran hanging = runMacula(small({"--lights", "headlight"}));
+    EXPECT_EQ(hanging.exitCode, 2);
+    EXPECT_NE(hanging.err.find("camera"), std::string::npos) << hanging.err;
+    // Nothing of the phantom is so dense.
+    const std::string preset = write("none.vp.json", R"({"volumeProperties": [{"components": [{
+        "rgbTransferFunction": {"type": "colorTransferFunction", "points": [{"x": 0, "color": [1, 1, 1]}]},
+        "scalarOpacity": {"type": "piecewiseLinearFunction", "points": [{"x": 20000, "y": 0}, {"x": 30000, "y": 1}]}}]}]})");
+    const Ran nothing = runMacula(small({"--preset", preset}));
+    EXPECT_EQ(nothing.exitCode, 3) << nothing.err;
+    EXPECT_NE(nothing.err.find("Nothing of the series can be seen"), std::string::npos) << nothing.err;
+}
+
+}  // namespace
+}  // namespace macula::cli
