@@ -20,6 +20,7 @@ void addPhantom(CLI::App& app, Action& action);
 void addExport(CLI::App& app, Action& action);
 void addBench(CLI::App& app, Action& action);
 void addEvaluate(CLI::App& app, Action& action);
+void addTrain(CLI::App& app, Action& action);
 void addBenchFoveal(CLI::App& bench, Action& action);    // a subcommand of bench
 void addBenchLoad(CLI::App& bench, Action& action);      // likewise
 void addBenchTradeoff(CLI::App& bench, Action& action);  // likewise

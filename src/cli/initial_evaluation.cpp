@@ -10,8 +10,7 @@
 #include "image/masked_metrics.h"
 #include "pipeline/hybrid/display_picture.h"
 #include "pipeline/hybrid/drawn_views.h"
-#include "pipeline/hybrid/initial_splats.h"
-#include "pipeline/hybrid/initial_training.h"
+#include "pipeline/hybrid/first_model.h"
 #include "pipeline/hybrid/traced_views.h"
 #include "pipeline/hybrid/view_sampling.h"
 
@@ -41,7 +40,7 @@ class Evaluation {
         report_.seenMm = scene_.seenMm();
         MACULA_TRY(const auto truthCameras,
                    choose(hybrid::groundTruth(options_.truthViews), kLeastCoverageOfTruth));
-        MACULA_TRY(const splat::Splats model, makeModel(truthCameras));
+        MACULA_TRY(const splat::Splats model, makeModel());
         auto start = Clock::now();
         MACULA_TRY(const auto truth, hybrid::truthPictures(tracer_, scene_, truthCameras, options_.truth,
                                                            hybrid::PictureCache(options_.cache), progress_));
@@ -65,37 +64,23 @@ class Evaluation {
         return cameras;
     }
 
-    Result<splat::Splats> makeModel(const std::vector<Camera>& anywhere) {
-        auto start = Clock::now();
-        progress_.beginStage("Finding points", 1);
-        MACULA_TRY_VOID(tracer_.setView({.camera = anywhere.front(), .width = 64, .height = 64}));
-        MACULA_TRY(const trace::SurfacePoints points,
-                   tracer_.surfacePoints(options_.points, [&] { return !progress_.cancelled(); }));
-        splat::Splats model = hybrid::initialSplats(points);
-        report_.pointsSeconds = secondsSince(start);
-        progress_.advance();
-        if (model.size() == 0)
-            return Error{ErrorCode::inputNotUsable,
-                         "Nothing of the series can be seen.",
-                         {},
-                         "Choose another preset or clip."};
-
-        start = Clock::now();
-        MACULA_TRY(const auto cameras, choose(hybrid::initialTraining(options_.views, options_.trial),
-                                              hybrid::ViewLimits().leastCoverage));
-        hybrid::ViewTracing traced{.sizePx = glm::ivec2(options_.sizePx),
-                                   .samplesPerPixel = options_.samplesPerPixel};
-        traced.settings.bounces = options_.truth.bounces;
-        MACULA_TRY(const auto views, hybrid::traceViews(tracer_, cameras, traced, progress_));
-        report_.viewsSeconds = secondsSince(start);
-
-        start = Clock::now();
-        progress_.beginStage("Training", 1);
-        MACULA_TRY(model, hybrid::trainInitial(device_, model, views, 0.5 * scene_.seenMm().diagonal(),
-                                               options_.iterations, [&] { return !progress_.cancelled(); }));
-        report_.trainSeconds = secondsSince(start);
-        report_.splats = model.size();
-        return model;
+    Result<splat::Splats> makeModel() {
+        const hybrid::FirstModelOptions wanted{.points = options_.points,
+                                               .views = options_.views,
+                                               .samplesPerPixel = options_.samplesPerPixel,
+                                               .sizePx = options_.sizePx,
+                                               .bounces = options_.truth.bounces,
+                                               .trial = options_.trial,
+                                               .iterations = options_.iterations};
+        MACULA_TRY(const hybrid::FirstModel model,
+                   hybrid::makeFirstModel(device_, tracer_, scene_.seenMm(), wanted, progress_));
+        report_.pointsSeconds = model.pointsSeconds;
+        report_.viewsSeconds = model.viewsSeconds;
+        report_.trainSeconds = model.trainSeconds;
+        report_.viewsGivenUp += model.viewsGivenUp;
+        MACULA_TRY(splat::Splats splats, model.trainer.snapshot());
+        report_.splats = splats.size();
+        return splats;
     }
 
     Result<void> compare(const splat::Splats& model, const std::vector<hybrid::TruthPicture>& truth) {

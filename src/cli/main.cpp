@@ -25,6 +25,7 @@ int run(int argc, char** argv) {
     cli::addDevices(app, action);
     cli::addPhantom(app, action);
     cli::addBench(app, action);
+    cli::addTrain(app, action);
     cli::addEvaluate(app, action);
 
     try {

@@ -56,15 +56,15 @@ TEST_F(Evaluate, TellsHowNearTheModelComesAndGoesOnFromWhatItKept) {
 
     // The same truth, and a model that has learnt.
     const Ran again = runMacula(small({"--cache", cache, "--json", at("report.json"), "--iterations", "100",
-                                       "--views", "6", "--spp", "16"}));
+                                       "--views", "16", "--spp", "8"}));
     ASSERT_EQ(again.exitCode, 0) << again.err;
     EXPECT_NE(again.out.find("masked PSNR"), std::string::npos) << "a table";
     const json trained = json::parse(readAll(at("report.json")))["scenes"][0];
     EXPECT_EQ(trained["truthFromCache"], 2);
     EXPECT_EQ(trained["truthNoise"], scene["truthNoise"]);
-    EXPECT_LE(trained["splats"].get<int>(), 300);
+    EXPECT_LE(trained["splats"].get<int>(), 330);
     EXPECT_GT(trained["scores"]["maskedPsnrDb"]["mean"].get<double>(),
-              scores["maskedPsnrDb"]["mean"].get<double>() + 0.2);
+              scores["maskedPsnrDb"]["mean"].get<double>() + 1.0);
 }
 
 TEST_F(Evaluate, WhatCannotBeIsAnError) {

@@ -1,0 +1,51 @@
+// From a volume to its first peripheral model: points on what can be seen, views of it, and training.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <memory>
+
+#include "base/frames.h"
+#include "base/progress.h"
+#include "base/result.h"
+#include "pipeline/gpu/device.h"
+#include "pipeline/splat/trainer.h"
+#include "pipeline/trace/path_tracer.h"
+
+namespace macula::hybrid {
+
+struct FirstModelOptions {
+    trace::SurfacePointOptions points;
+    // Of as many paths of light, those of many views with few samples each teach more than those of few views
+    // with many: what a model has not seen from somewhere it does not know. docs/peripheral-model.md.
+    std::size_t views = 48;
+    std::uint32_t samplesPerPixel = 2;  // denoised
+    int sizePx = 512;
+    int bounces = 4;
+    std::uint64_t trial = 0;  // another draw of the views, and of all else that is left to chance
+    std::uint64_t iterations = 700;
+    double budgetMs = std::numeric_limits<double>::infinity();  // of training; what comes first ends it
+    std::uint32_t capacity = 11000;                             // splats, at least as many as points
+    int shDegree = 0;
+};
+
+struct FirstModel {
+    splat::Trainer trainer;  // can go on, and take more views
+    // Of the wall, kernels compiled on the way included.
+    double pointsSeconds = 0.0;
+    double viewsSeconds = 0.0;  // choosing and tracing them
+    double trainSeconds = 0.0;
+    std::size_t viewsGivenUp = 0;  // none of the tries showed enough, and the last one was taken
+};
+
+// `tracer` has its volume, transfer function, environment and clip, and is left with other settings and
+// another view; `seenMm` is the box of what can be seen (TracedScene). Fails with inputNotUsable when nothing
+// can be, with usage for lights that hang on the camera, of which a model knows nothing, and with `cancelled`
+// when `progress` says so.
+Result<FirstModel> makeFirstModel(const std::shared_ptr<gpu::Device>& device, trace::PathTracer& tracer,
+                                  const Box& seenMm, const FirstModelOptions& options, Progress& progress);
+
+// How such models are trained: `spacingMm` is the distance between neighbouring points.
+splat::TrainerOptions trainerOptions(const FirstModelOptions& options, double spacingMm);
+
+}  // namespace macula::hybrid
