@@ -23,10 +23,14 @@ float leastPowerIn(vec3 conic, vec2 low, vec2 high) {
     return min(onColumn, onRow);
 }
 
+// Where the power is above this, a splat whose opacity is above 0 shows nothing.
+float mostPower(ScreenSplat screen, SplatView view) {
+    return log(screen.opacity / view.minAlpha) * float(1.00001) + float(1e-5);
+}
+
 // Pixels first <= pixel < end, at least one; of a splat whose opacity is above 0.
 bool showsIn(ScreenSplat screen, ivec2 first, ivec2 end, SplatView view) {
     vec2 low = vec2(first) + vec2(float(0.5)) - screen.mean;
     vec2 high = vec2(end) - vec2(float(0.5)) - screen.mean;
-    float most = log(screen.opacity / view.minAlpha);
-    return leastPowerIn(screen.conic, low, high) <= most * float(1.00001) + float(1e-5);
+    return leastPowerIn(screen.conic, low, high) <= mostPower(screen, view);
 }

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstring>
 #include <fstream>
 
 #include "splat/model_support.h"
@@ -71,6 +72,31 @@ TEST_F(ModelFileTest, BadFilesSayWhich) {
     for (const char* text : {"", "x", "plx", "ply", "NGSP", "\x1f\x8b", "a letter"}) {
         std::ofstream(folder_ / "bad") << text;
         refused(folder_ / "bad", ErrorCode::inputNotUsable);
+    }
+}
+
+TEST_F(ModelFileTest, AnEmptyModelIsReadOnlyWhereItIsAskedFor) {
+    // One splat, at a place that is no number; none at all.
+    Splats splats = testing::randomModel(1, 0, 7);
+    ASSERT_TRUE(writeModel(folder_ / "one.ply", splats).ok());
+    std::string bytes;
+    {
+        std::ifstream file(folder_ / "one.ply", std::ios::binary);
+        bytes.assign(std::istreambuf_iterator<char>(file), {});
+    }
+    const std::size_t header = bytes.find("end_header\n") + 11;
+    const float nan = std::nanf("");
+    std::string bad = bytes;
+    std::memcpy(&bad[header], &nan, sizeof(nan));
+    std::string none = bytes.substr(0, header);
+    none.replace(none.find("vertex 1"), 8, "vertex 0");
+    for (const std::string& content : {bad, none}) {
+        std::ofstream(folder_ / "a.ply", std::ios::binary) << content;
+        EXPECT_FALSE(readModel(folder_ / "a.ply").ok());
+        EXPECT_FALSE(readModel(folder_ / "a.ply", BadSplats::repair).ok());
+        const auto read = readModel(folder_ / "a.ply", BadSplats::repairOrNone);
+        ASSERT_TRUE(read.ok());
+        EXPECT_EQ(read->splats.size(), 0u);
     }
 }
 

@@ -101,12 +101,12 @@ Result<std::size_t> writeModel(const fs::path& path, const Splats& splats) {
 
 Result<ModelFile> finishModel(Splats splats, BadSplats bad) {
     ModelFile model{std::move(splats), {}};
-    if (bad == BadSplats::repair) {
+    if (bad != BadSplats::refuse) {
         MACULA_TRY(model.repaired, repair(model.splats));
     } else {
         MACULA_TRY_VOID(model.splats.validate());
     }
-    if (model.splats.size() == 0)
+    if (model.splats.size() == 0 && bad != BadSplats::repairOrNone)
         return Error{ErrorCode::inputNotUsable,
                      model.repaired.dropped > 0 ? "None of the model's splats can be used."
                                                 : "The model holds no splats.",

@@ -10,11 +10,12 @@
 
 namespace macula::splat {
 
-// What a reader does with splats that validate would refuse. `repair` also clamps, see repair().
-enum class BadSplats { refuse, repair };
+// What a reader does with splats that validate would refuse. `repair` also clamps, see repair();
+// `repairOrNone` likewise, and a model of which nothing is left, or which was empty, is no error.
+enum class BadSplats { refuse, repair, repairOrNone };
 
 struct ModelFile {
-    Splats splats;  // valid, and at least one
+    Splats splats;  // valid, and at least one but for repairOrNone
     Repair repaired;
 };
 

@@ -18,17 +18,33 @@ constexpr VkBufferUsageFlags kBothUses =
     VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT | VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
 
 RasterShape chosenShape(const RasterShape& asked, const gpu::Device& device) {
-    if (asked.tileRows > 0) return asked;
+    RasterShape shape = asked;
+    if (shape.tileRows > 0) return shape;
     // A tile of a graphics card is as many threads as it runs together: 8 x 4.
-    return device.isCpu() ? RasterShape{.tileRows = 16, .rowsPerThread = 16}
-                          : RasterShape{.tileRows = 8, .rowsPerThread = 2};
+    shape.tileRows = device.isCpu() ? 16 : 8;
+    shape.rowsPerThread = device.isCpu() ? 16 : 2;
+    return shape;
+}
+
+Error tooMany() {
+    return {ErrorCode::outOfMemory,
+            "The splats of this model are too large and too many for this device.",
+            {},
+            "Draw a smaller picture, or a model of fewer splats."};
 }
 
 // One that has room for `elements`: the same, or a larger one.
 Result<void> makeRoom(std::optional<gpu::TexelBuffer>& texels, const std::shared_ptr<gpu::Device>& device,
                       const char* label, VkFormat format, std::uint64_t elements, VkBufferUsageFlags usage) {
     if (texels && texels->elements() >= elements) return {};
-    const std::uint64_t room = std::max<std::uint64_t>(elements + elements / 2, 1024);
+    const gpu::DeviceInfo& info = device->info();
+    std::uint64_t bytes = info.maxAllocationBytes;
+    if (usage & VK_BUFFER_USAGE_STORAGE_BUFFER_BIT)
+        bytes = std::min<std::uint64_t>(bytes, info.maxStorageBufferBytes);
+    const std::uint64_t limit =
+        std::min<std::uint64_t>(info.maxTexelBufferElements, bytes / gpu::bytesPerTexel(format));
+    if (elements > limit) return tooMany();
+    const std::uint64_t room = std::min(std::max<std::uint64_t>(elements + elements / 2, 1024), limit);
     texels.reset();
     MACULA_TRY(texels, gpu::TexelBuffer::create(
                            device, {.label = label, .elements = room, .format = format, .usage = usage}));
@@ -105,14 +121,20 @@ Result<Rasterizer> Rasterizer::create(const std::shared_ptr<gpu::Device>& device
     return rasterizer;
 }
 
+shared::SplatFrame Rasterizer::frameOf(const RasterView& view, const Blending& blending) const {
+    const glm::ivec2 tileSize(shared::kTileColumns, shape_.tileRows);
+    return {.view = splatView(view, blending),
+            .count = 0,
+            .capacity = capacity_,
+            .tiles = (view.sizePx + tileSize - 1) / tileSize,
+            .tileRows = shape_.tileRows};
+}
+
 Result<void> Rasterizer::project(const SplatBuffer& parameters, std::uint32_t count, const RasterView& view,
                                  const Blending& blending) {
-    const glm::ivec2 tileSize(shared::kTileColumns, shape_.tileRows);
-    const shared::SplatFrame frame{.view = splatView(view, blending),
-                                   .count = count,
-                                   .capacity = parameters.capacity(),
-                                   .tiles = (view.sizePx + tileSize - 1) / tileSize,
-                                   .tileRows = shape_.tileRows};
+    shared::SplatFrame frame = frameOf(view, blending);
+    frame.count = count;
+    frame.capacity = parameters.capacity();
     MACULA_TRY(auto recorder, gpu::Recorder::create(device_, "project splats"));
     recorder.update(frame_, std::as_bytes(std::span(&frame, 1)));
     if (count > 0)
@@ -129,7 +151,7 @@ Result<void> Rasterizer::uploadLists() {
     MACULA_TRY_VOID(gpu::uploadTo<glm::uvec2>(ranges_->buffer(), lists_.ranges));
     if (!lists_.entries.empty())
         MACULA_TRY_VOID(gpu::uploadTo<glm::uvec2>(entries_->buffer(), lists_.entries));
-    if (!lists_.pairs.empty()) MACULA_TRY_VOID(gpu::uploadTo<glm::uvec2>(pairRanges_.buffer(), lists_.pairs));
+    if (count_ > 0) MACULA_TRY_VOID(gpu::uploadTo<glm::uvec2>(pairRanges_.buffer(), lists_.pairs));
     return {};
 }
 
@@ -137,6 +159,16 @@ Result<void> Rasterizer::makePicture(glm::ivec2 sizePx) {
     if (picture_ && picture_->width == sizePx.x && picture_->height == sizePx.y) return {};
     picture_.reset();
     depths_.reset();
+    const std::uint64_t bytes = std::uint64_t(sizePx.x) * std::uint64_t(sizePx.y) * sizeof(glm::vec4);
+    const std::uint64_t most =
+        std::min<std::uint64_t>(device_->info().maxStorageBufferBytes, device_->info().maxAllocationBytes);
+    if (bytes > most)
+        return Error{
+            ErrorCode::outOfMemory,
+            fmt::format("A picture of {} x {} pixels is too large for this device.", sizePx.x, sizePx.y),
+            {},
+            fmt::format("Choose one of at most {:.1f} million pixels.",
+                        static_cast<double>(most / sizeof(glm::vec4)) / 1e6)};
     MACULA_TRY(picture_, DevicePicture::create(device_, "picture of splats", sizePx.x, sizePx.y));
     MACULA_TRY(depths_, gpu::Buffer::create(device_, {.label = "depths of splats",
                                                       .bytes = std::uint64_t(sizePx.x) *
@@ -144,26 +176,62 @@ Result<void> Rasterizer::makePicture(glm::ivec2 sizePx) {
     return {};
 }
 
+// Of a CPU device it is read where it lies: for a million splats that saves as much as sorting takes.
+Result<std::span<const glm::vec4>> Rasterizer::readScreen(std::uint32_t count) {
+    const std::size_t texels = std::size_t(count) * kScreenTexels;
+    const gpu::Buffer& buffer = screen_.buffer();
+    if (!buffer.mapped().empty() && buffer.hostCached()) {
+        MACULA_TRY_VOID(device_->waitForAll());
+        return std::span(reinterpret_cast<const glm::vec4*>(buffer.mapped().data()), texels);
+    }
+    screenCopy_.resize(texels);
+    if (count > 0) MACULA_TRY_VOID(gpu::readInto(buffer, 0, std::as_writable_bytes(std::span(screenCopy_))));
+    return std::span<const glm::vec4>(screenCopy_);
+}
+
 Result<void> Rasterizer::draw(const SplatBuffer& parameters, std::uint32_t count, const RasterView& view,
                               const Blending& blending) {
     MACULA_CHECK_LE(count, capacity_);
     MACULA_CHECK_LE(count, parameters.capacity());
-    count_ = count;
+    count_ = 0;
     MACULA_TRY_VOID(makePicture(view.sizePx));
     MACULA_TRY_VOID(project(parameters, count, view, blending));
-    std::vector<glm::vec4> screen(std::size_t(count) * kScreenTexels);
-    if (count > 0)
-        MACULA_TRY_VOID(gpu::readInto(screen_.buffer(), 0, std::as_writable_bytes(std::span(screen))));
-    // Each pair takes kPairValues floats in the backward pass.
-    const std::uint64_t mostPairs =
-        device_->info().maxTexelBufferElements / (std::uint64_t(kPairValues) * std::uint64_t(slots_));
-    MACULA_TRY_VOID(sortIntoTiles(screen, view, blending, shape_.tileRows, mostPairs, lists_));
+    MACULA_TRY(const std::span<const glm::vec4> screen, readScreen(count));
+    count_ = count;
+    Result<void> drawn = sortAndRaster(screen, screen_, view, blending);
+    if (!drawn) count_ = 0;  // nothing can be differentiated
+    return drawn;
+}
+
+Result<void> Rasterizer::drawProjected(std::span<const glm::vec4> screen, const RasterView& view,
+                                       const Blending& blending) {
+    count_ = 0;
+    MACULA_TRY_VOID(makePicture(view.sizePx));
+    MACULA_TRY_VOID(makeRoom(hostScreen_, device_, "splats projected on the host",
+                             VK_FORMAT_R32G32B32A32_SFLOAT, screen.size(),
+                             VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT));
+    if (!screen.empty()) MACULA_TRY_VOID(gpu::uploadTo<glm::vec4>(hostScreen_->buffer(), screen));
+    const shared::SplatFrame frame = frameOf(view, blending);
+    MACULA_TRY(auto recorder, gpu::Recorder::create(device_, "frame of splats"));
+    recorder.update(frame_, std::as_bytes(std::span(&frame, 1)));
+    MACULA_TRY([[maybe_unused]] const gpu::Ticket ticket, recorder.submit());
+    return sortAndRaster(screen, *hostScreen_, view, blending);
+}
+
+Result<void> Rasterizer::sortAndRaster(std::span<const glm::vec4> screen,
+                                       const gpu::TexelBuffer& screenTexels, const RasterView& view,
+                                       const Blending& blending) {
+    // What a tile's list can hold; the backward pass needs more, and asks for it then.
+    std::uint64_t mostPairs = std::min<std::uint64_t>(
+        device_->info().maxTexelBufferElements, device_->info().maxAllocationBytes / sizeof(glm::uvec2));
+    if (shape_.mostPairs > 0) mostPairs = std::min(mostPairs, shape_.mostPairs);
+    if (!sortIntoTiles(screen, view, blending, shape_.tileRows, mostPairs, lists_)) return tooMany();
     MACULA_TRY_VOID(uploadLists());
     MACULA_TRY(auto recorder, gpu::Recorder::create(device_, "draw splats"));
     recorder.dispatch(kernels_.raster,
                       {static_cast<std::uint32_t>(lists_.tiles.x * shared::kTileColumns),
                        static_cast<std::uint32_t>(lists_.tiles.y * shape_.tileRows / shape_.rowsPerThread)},
-                      {frame_, screen_, *ranges_, *entries_, picture_->texels.buffer(), *depths_});
+                      {frame_, screenTexels, *ranges_, *entries_, picture_->texels.buffer(), *depths_});
     MACULA_TRY([[maybe_unused]] const gpu::Ticket ticket, recorder.submit());
     return {};
 }

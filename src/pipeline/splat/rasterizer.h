@@ -22,8 +22,9 @@ namespace macula::splat {
 
 // How a tile is shared out. Zeros: what is fast on the device.
 struct RasterShape {
-    int tileRows = 0;       // pixels, a multiple of rowsPerThread
-    int rowsPerThread = 0;  // pixels of one column
+    int tileRows = 0;             // pixels, a multiple of rowsPerThread
+    int rowsPerThread = 0;        // pixels of one column
+    std::uint64_t mostPairs = 0;  // of splats and tiles in a picture
 };
 
 // Used by one thread at a time, the one that uses the device.
@@ -35,9 +36,14 @@ class Rasterizer {
 
     // Draws the first `count` splats. The view and the blending must be valid. Waits for the projection,
     // whose result is sorted on the host; the picture is done when what was submitted is. outOfMemory when
-    // there are too many pairs of splats and tiles.
+    // there are too many pairs of splats and tiles, or the picture is too large; then there is no picture
+    // until the next draw that succeeds.
     Result<void> draw(const SplatBuffer& parameters, std::uint32_t count, const RasterView& view,
                       const Blending& blending);
+
+    // The same of what projectOnHost made. Nothing can be differentiated then.
+    Result<void> drawProjected(std::span<const glm::vec4> screen, const RasterView& view,
+                               const Blending& blending);
 
     // Of the last view, until the next is drawn. Premultiplied; a is the coverage.
     const DevicePicture& picture() const { return *picture_; }
@@ -67,8 +73,12 @@ class Rasterizer {
                Kernels kernels, gpu::Buffer frame, gpu::TexelBuffer screen, gpu::TexelBuffer pairRanges,
                gpu::Buffer visible, gpu::Buffer statistics);
 
+    shared::SplatFrame frameOf(const RasterView& view, const Blending& blending) const;
     Result<void> project(const SplatBuffer& parameters, std::uint32_t count, const RasterView& view,
                          const Blending& blending);
+    Result<std::span<const glm::vec4>> readScreen(std::uint32_t count);
+    Result<void> sortAndRaster(std::span<const glm::vec4> screen, const gpu::TexelBuffer& screenTexels,
+                               const RasterView& view, const Blending& blending);
     Result<void> uploadLists();
     Result<void> makePicture(glm::ivec2 sizePx);
 
@@ -82,10 +92,12 @@ class Rasterizer {
     gpu::TexelBuffer pairRanges_;
     gpu::Buffer visible_;
     gpu::Buffer statistics_;
+    std::optional<gpu::TexelBuffer> hostScreen_;        // what was projected on the host
     std::optional<gpu::TexelBuffer> ranges_, entries_;  // grow with the picture and with the pairs
     std::optional<gpu::TexelBuffer> pairs_;
     std::optional<DevicePicture> picture_;
     std::optional<gpu::Buffer> depths_;
+    std::vector<glm::vec4> screenCopy_;  // where the host cannot read the device's
     std::uint32_t count_ = 0;
     TileLists lists_;
 };

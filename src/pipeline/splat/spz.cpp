@@ -176,7 +176,6 @@ Result<void> check(const Header& header, std::size_t packedBytes) {
                                     header.shDegree, kMaxShDegree),
                         "Export it with a lower degree.");
     if (header.version > 1 && header.fractionalBits > kMostFractionalBitsRead) return damaged();
-    if (header.count == 0) return unusable("The model holds no splats.", "Export or train it again.");
     if (header.count > kMostSplats)
         return unusable(fmt::format("The SPZ file counts {} splats; no more than {} are read.", header.count,
                                     kMostSplats));

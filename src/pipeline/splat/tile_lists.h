@@ -20,11 +20,18 @@ struct TileLists {
     std::vector<glm::uvec2> ranges;   // by tile, row by row: first entry, and one after the last
     std::vector<glm::uvec2> entries;  // by tile, front to back: splat, number of the pair
     std::vector<glm::uvec2> pairs;    // by splat: first pair, and how many
+
+    // What sorting needs besides, kept so that the next picture allocates nothing.
+    struct Scratch {
+        std::vector<glm::uvec2> keys, otherKeys;     // bits of the depth, splat
+        std::vector<std::vector<glm::uvec2>> pairs;  // by part of the splats: tile, splat
+        std::vector<std::uint32_t> counts;           // by part and digit, or by part and tile
+    } scratch;
 };
 
 // `screen` is what shaders/splat/project.comp writes, kScreenTexels for each splat; of equally deep ones
-// the one with the lower index is in front. Reuses what `lists` holds. outOfMemory when there are more than
-// `mostPairs`.
+// the one with the lower index is in front. On all cores; what comes out does not depend on them. Reuses what
+// `lists` holds. outOfMemory when there are more than `mostPairs`.
 Result<void> sortIntoTiles(std::span<const glm::vec4> screen, const RasterView& view,
                            const Blending& blending, int tileRows, std::uint64_t mostPairs, TileLists& lists);
 
