@@ -13,6 +13,7 @@ using Action = std::function<Result<void>()>;
 
 void addInfo(CLI::App& app, Action& action);
 void addRender(CLI::App& app, Action& action);
+void addSplatRender(CLI::App& app, Action& action);
 void addSheet(CLI::App& app, Action& action);
 void addDevices(CLI::App& app, Action& action);
 void addPresets(CLI::App& app, Action& action);

@@ -20,6 +20,7 @@ int run(int argc, char** argv) {
     cli::addInfo(app, action);
     cli::addRender(app, action);
     cli::addSheet(app, action);
+    cli::addSplatRender(app, action);
     cli::addExport(app, action);
     cli::addPresets(app, action);
     cli::addDevices(app, action);

@@ -19,6 +19,7 @@
 #include "cli/lights_choice.h"
 #include "cli/open_device.h"
 #include "cli/output_file.h"
+#include "cli/picture_size.h"
 #include "cli/quality_choice.h"
 #include "cli/render_statistics.h"
 #include "cli/report.h"
@@ -65,20 +66,6 @@ constexpr std::uint32_t kMostSamples = 1 << 20;
 
 double secondsSince(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-Result<glm::ivec2> parseSize(const std::string& text) {
-    glm::ivec2 size(0);
-    int used = 0;
-    // %n tells how much was read: "640x480garbage" is no size.
-    const bool read = std::sscanf(text.c_str(), "%6dx%6d%n", &size.x, &size.y, &used) == 2 &&
-                      used == static_cast<int>(text.size());
-    if (!read || std::min(size.x, size.y) < 1 || std::max(size.x, size.y) > trace::kMaxPictureSide) {
-        return Error{
-            ErrorCode::usage, "The size of the picture is not usable.", text,
-            fmt::format("Give --size as WIDTHxHEIGHT in pixels, each from 1 to {}.", trace::kMaxPictureSide)};
-    }
-    return size;
 }
 
 // Centre and width, as DICOM has them but exactly: black at centre - width / 2, white at centre + width / 2.

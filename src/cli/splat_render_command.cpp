@@ -1,0 +1,250 @@
+// macula splat-render MODEL --cameras FILE -o DIR: pictures of a model of Gaussians, ours or another's.
+#include <CLI/App.hpp>
+#include <CLI/Option.hpp>
+#include <CLI/Validators.hpp>
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "base/progress_bar.h"
+#include "cli/command.h"
+#include "cli/interrupt.h"
+#include "cli/open_device.h"
+#include "cli/picture_names.h"
+#include "cli/picture_size.h"
+#include "cli/report.h"
+#include "cli/splat_cameras.h"
+#include "image/image_file.h"
+#include "pipeline/splat/displayed.h"
+#include "pipeline/splat/model_file.h"
+#include "pipeline/splat/model_painter.h"
+
+namespace macula::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Options {
+    fs::path model;
+    std::vector<std::string> camera;
+    fs::path cameras;
+    fs::path output;
+    std::string background = "0,0,0";
+    std::string size;
+    std::optional<double> near;  // in the unit of the model
+    std::optional<double> exposure;
+    bool antialiased = false;
+    bool depth = false;
+    bool overwrite = false;
+    std::string device;
+};
+
+// As 3DGS has it, in whatever unit its models are.
+constexpr double kForeignNear = 0.2;
+
+Result<glm::vec3> parseBackground(const std::string& text) {
+    glm::vec3 colour(-1.0f);
+    int used = 0;
+    const bool read = std::sscanf(text.c_str(), "%f,%f,%f%n", &colour.x, &colour.y, &colour.z, &used) == 3 &&
+                      used == static_cast<int>(text.size());
+    const auto isShare = [](float v) { return v >= 0.0f && v <= 1.0f; };
+    if (!read || !isShare(colour.x) || !isShare(colour.y) || !isShare(colour.z)) {
+        return Error{ErrorCode::usage, "The background is not usable.", text,
+                     "Give --background as R,G,B, each from 0 to 1: 1,1,1 is white."};
+    }
+    return colour;
+}
+
+struct Shot {
+    std::string name;
+    splat::RasterView view;
+    fs::path png;
+    fs::path exr;  // empty: not wanted
+};
+
+Result<std::vector<SplatCamera>> readCameras(const Options& options) {
+    std::optional<glm::ivec2> size;
+    if (!options.size.empty()) {
+        MACULA_TRY(size, parseSize(options.size));
+    }
+    if (!options.cameras.empty()) return readSplatCameras(options.cameras, size);
+    std::vector<SplatCamera> cameras;
+    for (const std::string& path : options.camera) {
+        MACULA_TRY(SplatCamera camera, readSplatCamera(path, size));
+        cameras.push_back(std::move(camera));
+    }
+    return cameras;
+}
+
+Result<std::vector<Shot>> shotsOf(const std::vector<SplatCamera>& cameras, const Options& options) {
+    std::vector<std::string> wishes;
+    for (const SplatCamera& camera : cameras) wishes.push_back(camera.name);
+    const std::vector<std::string> names = pictureNames(wishes);
+    std::vector<Shot> shots;
+    std::error_code error;
+    for (std::size_t i = 0; i < cameras.size(); ++i) {
+        Shot shot{.name = names[i],
+                  .view = cameras[i].view,
+                  .png = options.output / (names[i] + ".png"),
+                  .exr = options.depth ? options.output / (names[i] + ".exr") : fs::path()};
+        for (const fs::path& file : {shot.png, shot.exr}) {
+            if (!options.overwrite && !file.empty() && fs::exists(file, error))
+                return Error{ErrorCode::outputNotWritable, "A picture of that name is there already.",
+                             file.string(), "Choose another folder, or give --overwrite."};
+        }
+        shots.push_back(std::move(shot));
+    }
+    return shots;
+}
+
+Result<void> makeFolder(const fs::path& folder) {
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (error || !fs::is_directory(folder, error))
+        return Error{ErrorCode::outputNotWritable, "The folder for the pictures cannot be made.",
+                     folder.string(), "Check the permissions, or choose another place."};
+    return {};
+}
+
+// The model as it is to be drawn, and a word about what a person would not expect.
+Result<splat::Splats> loadModel(const Options& options) {
+    MACULA_TRY(splat::ModelFile file, splat::readModel(options.model, splat::BadSplats::repairOrNone));
+    splat::Splats& splats = file.splats;
+    if (file.repaired.dropped > 0)
+        printNote(fmt::format("{} of the model's splats hold what is no number or no rotation: left out.",
+                              file.repaired.dropped));
+    if (splats.size() == 0) printNote("The model holds no splats: the pictures are empty.");
+    if (options.antialiased) splats.lowPass = splat::LowPass::compensated;
+    if (options.exposure && splats.colourSpace == splat::ColourSpace::display)
+        printNote("The colours of this model are those of the display: --exposure does nothing.");
+    return splats;
+}
+
+image::Metadata metadata(const Options& options, const splat::Splats& splats, const std::string& device) {
+    const bool linear = splats.colourSpace == splat::ColourSpace::linear;
+    return {{"Software", "Macula " MACULA_VERSION},
+            {"macula:look", "splats"},
+            {"macula:splats", fmt::to_string(splats.size())},
+            {"macula:colours", linear ? "linear" : "display"},
+            {"macula:exposure", linear ? fmt::format("{:.6g}", options.exposure.value_or(1.0)) : "none"},
+            {"macula:background", options.background},
+            {"macula:device", device}};
+}
+
+Result<void> write(const Shot& shot, const splat::SplatPicture& picture, splat::ColourSpace space,
+                   const splat::DisplayOptions& display, const image::Metadata& about) {
+    const glm::ivec2 size = shot.view.sizePx;
+    if (!shot.exr.empty()) {
+        const std::vector<glm::vec4> radiance = splat::linearRadiance(picture.rgba, space);
+        MACULA_TRY_VOID(image::writeExr(shot.exr, size.x, size.y,
+                                        std::span(&radiance.front().x, radiance.size() * 4),
+                                        splat::meanDepthsMm(picture.rgba, picture.depthSums), about));
+    }
+    return image::writePng(shot.png, size.x, size.y, splat::displayed(picture.rgba, space, display), about);
+}
+
+bool isEmpty(const splat::SplatPicture& picture) {
+    return std::none_of(picture.rgba.begin(), picture.rgba.end(),
+                        [](const glm::vec4& pixel) { return pixel.w > 0.0f; });
+}
+
+Result<void> splatRender(const Options& options) {
+    if (options.camera.empty() && options.cameras.empty())
+        return Error{ErrorCode::usage, "There is no camera.", {}, "Give --cameras or --camera."};
+    // NaN is neither below nor above any limit.
+    if (std::isnan(options.near.value_or(1.0)) || std::isnan(options.exposure.value_or(1.0)))
+        return Error{ErrorCode::usage, "That is no number.", {}, "Give --near and --exposure as numbers."};
+    MACULA_TRY(const glm::vec3 background, parseBackground(options.background));
+    MACULA_TRY(const std::vector<SplatCamera> cameras, readCameras(options));
+    MACULA_TRY(std::vector<Shot> shots, shotsOf(cameras, options));
+    MACULA_TRY(const splat::Splats splats, loadModel(options));
+    const double near = options.near.value_or(
+        splats.axes == splat::Axes::unknown ? kForeignNear : splat::RasterView{}.nearMm);
+    for (Shot& shot : shots) {
+        shot.view.eyeMm -= splats.originMm;
+        shot.view.nearMm = near;
+        MACULA_TRY_VOID(splat::validate(shot.view));
+    }
+    MACULA_TRY(gpu::LastingDevice device, openDevice(options.device));
+    MACULA_TRY_VOID(makeFolder(options.output));
+
+    Progress progress(terminalProgressBar(), interruptToken());
+    progress.beginStage("Drawing", shots.size());
+    const splat::DisplayOptions display{background, static_cast<float>(options.exposure.value_or(1.0))};
+    std::size_t done = 0;
+    std::vector<std::string> empty;
+    const auto drawRest = [&](const std::shared_ptr<gpu::Device>& on) -> Result<void> {
+        MACULA_TRY(splat::ModelPainter painter, splat::ModelPainter::create(on, splats));
+        for (; done < shots.size(); ++done) {
+            if (progress.cancelled())
+                return Error{ErrorCode::cancelled,
+                             fmt::format("Stopped; {} of {} pictures were written.", done, shots.size()),
+                             {},
+                             {}};
+            MACULA_TRY(const splat::SplatPicture picture, painter.draw(shots[done].view));
+            MACULA_TRY_VOID(write(shots[done], picture, splats.colourSpace, display,
+                                  metadata(options, splats, gpu::describe(on->info()))));
+            if (splats.size() > 0 && isEmpty(picture)) empty.push_back(shots[done].name);
+            progress.advance();
+        }
+        return {};
+    };
+    MACULA_TRY_VOID(device.run(drawRest));
+    if (!empty.empty())
+        printNote(
+            fmt::format("Nothing of the model is in {} of {} pictures ({} first): check that camera and "
+                        "model have the same axes and unit, and --near.",
+                        empty.size(), shots.size(), empty.front()));
+    return {};
+}
+
+}  // namespace
+
+void addSplatRender(CLI::App& app, Action& action) {
+    auto options = std::make_shared<Options>();
+    Options& o = *options;
+    auto* command = app.add_subcommand("splat-render", "Draw a model of 3D Gaussians, Macula's or another's");
+    command->add_option("MODEL", o.model, "PLY file in the manner of 3DGS, or SPZ file")->required();
+    auto* camera =
+        command
+            ->add_option("--camera", o.camera,
+                         "JSON file: positionMm, targetMm, up, verticalFovDeg; in the model's axes and unit. "
+                         "May be repeated")
+            ->allow_extra_args(false);  // one each: what follows is the model
+    command
+        ->add_option("--cameras", o.cameras,
+                     "cameras.json as trainers write it beside a model; one picture for each")
+        ->excludes(camera);
+    command
+        ->add_option(
+            "-o,--output", o.output,
+            "Folder for the pictures, named by img_name or by the camera file; made if it is not there")
+        ->required();
+    command->add_flag("--overwrite", o.overwrite, "Replace pictures that are there already");
+    command->add_option("--background", o.background, "As displayed, each 0 to 1 (default: 0,0,0)")
+        ->option_text("R,G,B");
+    command
+        ->add_option("--size", o.size,
+                     "Picture size, same vertical field of view (default: the camera's, or 768x768)")
+        ->option_text("WxH");
+    command
+        ->add_option("--near", o.near,
+                     "What is nearer to the eye is not drawn; in the model's unit (default: 0.2, or 2 mm for "
+                     "Macula's models)")
+        ->check(CLI::Range(1e-3, 1e6));
+    command->add_flag("--antialiased", o.antialiased,
+                      "The model was trained with antialiasing (Mip-Splatting), which PLY does not tell");
+    command
+        ->add_option("--exposure", o.exposure,
+                     "Multiplies the picture before the tone map (default: 1); Macula's models only")
+        ->check(CLI::Range(1e-6, 1e6));
+    command->add_flag("--depth", o.depth,
+                      "Write NAME.exr too: linear premultiplied radiance, and mean depth along the view (Z)");
+    command->add_option("--device", o.device, "Number or part of the name, see macula devices");
+    command->callback([options, &action] { action = [options] { return splatRender(*options); }; });
+}
+
+}  // namespace macula::cli
