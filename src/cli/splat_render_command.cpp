@@ -146,6 +146,12 @@ Result<void> write(const Shot& shot, const splat::SplatPicture& picture, splat::
     return image::writePng(shot.png, size.x, size.y, splat::displayed(picture.rgba, space, display), about);
 }
 
+Error aboutShot(Error error, const Shot& shot) {
+    if (error.code == ErrorCode::outOfMemory) error.hint += " --size sets it for all cameras.";
+    if (error.where.empty()) error.where = shot.name;
+    return error;
+}
+
 bool isEmpty(const splat::SplatPicture& picture) {
     return std::none_of(picture.rgba.begin(), picture.rgba.end(),
                         [](const glm::vec4& pixel) { return pixel.w > 0.0f; });
@@ -169,7 +175,6 @@ Result<void> splatRender(const Options& options) {
         MACULA_TRY_VOID(splat::validate(shot.view));
     }
     MACULA_TRY(gpu::LastingDevice device, openDevice(options.device));
-    MACULA_TRY_VOID(makeFolder(options.output));
 
     Progress progress(terminalProgressBar(), interruptToken());
     progress.beginStage("Drawing", shots.size());
@@ -184,7 +189,10 @@ Result<void> splatRender(const Options& options) {
                              fmt::format("Stopped; {} of {} pictures were written.", done, shots.size()),
                              {},
                              {}};
-            MACULA_TRY(const splat::SplatPicture picture, painter.draw(shots[done].view));
+            Result<splat::SplatPicture> drawn = painter.draw(shots[done].view);
+            if (!drawn) return aboutShot(drawn.error(), shots[done]);
+            const splat::SplatPicture picture = std::move(*drawn);
+            MACULA_TRY_VOID(makeFolder(options.output));  // not before there is something to put in
             MACULA_TRY_VOID(write(shots[done], picture, splats.colourSpace, display,
                                   metadata(options, splats, gpu::describe(on->info()))));
             if (splats.size() > 0 && isEmpty(picture)) empty.push_back(shots[done].name);

@@ -66,13 +66,19 @@ class SplatRender : public CommandTest {
     Ran ran_;
 };
 
+const float* pixelOf(const image::Image& image, int column, int row) {
+    const std::size_t pixel = static_cast<std::size_t>(row) * static_cast<std::size_t>(image.width) +
+                              static_cast<std::size_t>(column);
+    return &image.pixels[pixel * static_cast<std::size_t>(image.channels)];
+}
+
 // Centre of mass of one channel, in pixels with their centres at 0.5.
 glm::dvec2 centreOf(const image::Image& image, int channel) {
     glm::dvec2 sum(0.0);
     double mass = 0.0;
     for (int y = 0; y < image.height; ++y) {
         for (int x = 0; x < image.width; ++x) {
-            const double v = image.pixels[std::size_t((y * image.width + x) * image.channels + channel)];
+            const double v = pixelOf(image, x, y)[channel];
             sum += v * glm::dvec2(x + 0.5, y + 0.5);
             mass += v;
         }
@@ -149,7 +155,7 @@ TEST_F(SplatRender, ColoursAndBackground) {
     const std::string cameras = write("cameras.json", "[" + cameraJson("a", "[0, 0, -10]", kAlongZ) + "]");
     const std::string foreign = write("foreign.ply", foreignPly({{{0, 0, 0}, {0.2, 0.5, 0.9}, 1000.0f}}));
     const auto middle = [](const image::Image& image) {
-        const float* p = &image.pixels[std::size_t((24 * image.width + 32) * image.channels)];
+        const float* p = pixelOf(image, 32, 24);
         return glm::dvec3(p[0], p[1], p[2]) * 255.0;
     };
     const image::Image shown =
@@ -179,7 +185,7 @@ TEST_F(SplatRender, ColoursAndBackground) {
     EXPECT_LT(glm::distance(middle(away), 255.0 * glm::dvec3(0.95, 0.5, 0.25)), 1.8);
 
     const image::Image exr = *image::readImage(at("o/a.exr"));
-    const float* p = &exr.pixels[std::size_t((24 * exr.width + 32) * exr.channels)];
+    const float* p = pixelOf(exr, 32, 24);
     EXPECT_NEAR(p[0], 0.99 * 0.5, 1e-5);  // not exposed
     ASSERT_EQ(exr.channels, 5);
     EXPECT_NEAR(p[4], 10.0, 1e-4);
@@ -251,6 +257,10 @@ TEST_F(SplatRender, BadInput) {
     expectRefused(2, "--near", plus("--near", "nan"));
     expectRefused(2, "--exposure", plus("--exposure", "nan"));
     expectRefused(2, "macula: ", plus("--device", "no such device"));
+    // The names of cameras may be anything; a picture that the device cannot hold says whose it is.
+    std::string large = cameraJson("huge", "[0, 0, -10]", kAlongZ);
+    large.replace(large.find("64"), 2, "16384").replace(large.find("48"), 2, "16384");
+    expectRefused(4, "(huge)", with("[" + large + "]"));
     write("file", "");
     expectRefused(2, "cannot be made", {model, "--cameras", good, "-o", at("file")});
 }
