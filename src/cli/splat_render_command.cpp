@@ -215,7 +215,8 @@ void addSplatRender(CLI::App& app, Action& action) {
     auto options = std::make_shared<Options>();
     Options& o = *options;
     auto* command = app.add_subcommand("splat-render", "Draw a model of 3D Gaussians, Macula's or another's");
-    command->add_option("MODEL", o.model, "PLY file in the manner of 3DGS, SPZ file, or .macula file")->required();
+    command->add_option("MODEL", o.model, "PLY file in the manner of 3DGS, SPZ file, or .macula file")
+        ->required();
     auto* camera =
         command
             ->add_option("--camera", o.camera,

@@ -230,7 +230,7 @@ TEST_F(SplatRender, BadInput) {
     };
     write("c.json", "");
     expectRefused(3, "does not exist", {at("no.ply"), "--cameras", good, "-o", at("out")});
-    expectRefused(3, "neither a PLY nor an SPZ", {good, "--cameras", good, "-o", at("out")});
+    expectRefused(3, "no PLY, SPZ or .macula model", {good, "--cameras", good, "-o", at("out")});
     expectRefused(3, "macula: ", {model, "--cameras", at("no.json"), "-o", at("out")});
     expectRefused(2, "no camera", {model, "-o", at("out")});
     expectRefused(2, "--output", {model, "--cameras", good});
