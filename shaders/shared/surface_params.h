@@ -4,28 +4,44 @@
 #include "shared/shared.h"
 MACULA_SHARED_BEGIN
 
+// Dispatches are of whole groups of so many threads: what a kernel does depends on no push constant, for each value of which
+// lavapipe would compile it again.
+MACULA_SHARED_CONST uint kSurfaceGroup = 64u;
+
 // So many threads share the work of one point.
 MACULA_SHARED_CONST uint kSurfaceLanes = 8u;
+// Paths of each, of a pass.
+MACULA_SHARED_CONST uint kSurfacePaths = 4u;
 
-// Of candidates.comp: a thread for each candidate, those of a brick one after the other.
+// A box that rays are sent through, voxel coordinates with integers at voxel faces.
+struct SurfaceCell {
+    vec3 low;
+    vec3 high;
+};
+
 struct CandidatePush {
-    uint first;  // candidate of this dispatch
-    uint count;  // and how many
-    uint perBrick;
+    uint first;  // ray of this dispatch
     uint round;  // of random numbers
-    int directions;
+};
+
+// See Candidate in shaders/lib/surface.glsl.
+struct SurfaceCandidate {
+    vec3 at;
+    float weight;
+    float density;
 };
 
 struct SurfacePush {
     uint first;  // point of this dispatch
-    uint count;
-    uint paths;  // of each thread
+    uint base;   // number of point 0, for its random numbers
+    uint pass;
 };
 
-// What one of the threads of a point has found: sums over its paths and its taps.
+// What one of the threads of a point has found in a pass: sums over its paths and its taps.
 struct SurfaceSums {
     vec3 radiance;   // that leaves towards where it is seen from
     float coverage;  // of the same paths
+    float lost;      // paths too long for the device, or not finite
     float taps;      // around the point, within its radius
     float mass;      // of extinction per mm
     vec3 first;      // times where, in mm from the point

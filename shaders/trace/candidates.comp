@@ -1,31 +1,33 @@
-// Points inside of bricks with matter, and how much of what can be seen is at each: what surface points are chosen from.
+// Places that can be seen, by rays from all sides, and how much of what is seen each stands for: what surface points are
+// chosen from.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 
+#define OF_SURFACE_POINTS
 #include "trace/host.glsl"
 #include "shared/surface_params.h"
 
 layout(local_size_x = 64) in;
 
-layout(binding = 9, scalar) readonly buffer Bricks {
-    uint bricks[];
+const int kDirections = 8;  // that a place is looked at from
+
+layout(binding = 9, scalar) readonly buffer Cells {
+    SurfaceCell cells[];
 };
-layout(binding = 10, scalar) writeonly buffer Candidates {
-    vec4 candidates[];  // voxel coordinates, and the weight
+layout(binding = 10, scalar) readonly buffer Rays {
+    uint cellOfRay[];
+};
+layout(binding = 11, scalar) writeonly buffer Candidates {
+    SurfaceCandidate candidates[];
 };
 layout(push_constant, scalar) uniform Push {
     CandidatePush push;
 };
 
 void main() {
-    if (gl_GlobalInvocationID.x >= push.count) return;
-    uint candidate = push.first + gl_GlobalInvocationID.x;
-    uint brick = bricks[candidate / push.perBrick];
-    Rng rng = makeRng(candidate % push.perBrick, brick, push.round, params.seed);
-    ivec3 size = params.gridSize;
-    ivec3 cell = ivec3(int(brick) % size.x, int(brick) / size.x % size.y, int(brick) / (size.x * size.y));
-    float x = random01(rng);
-    float y = random01(rng);
-    vec3 at = (vec3(cell) + vec3(x, y, random01(rng))) * float(BRICK) - vec3(BRICK_SHIFT);
-    candidates[candidate] = vec4(at, weightOfPoint(at, push.directions, rng));
+    uint ray = push.first + gl_GlobalInvocationID.x;
+    SurfaceCell cell = cells[cellOfRay[ray]];
+    Rng rng = makeRng(ray, push.round, 2u, params.seed ^ 0x3c6ef372u);
+    Candidate found = findCandidate(cell.low, cell.high, kDirections, rng);
+    candidates[ray] = SurfaceCandidate(found.at, found.weight, found.density);
 }

@@ -12,6 +12,11 @@ layout(constant_id = 3) const bool kMask = false;
 layout(constant_id = 4) const bool kGradientOpacity = false;
 layout(constant_id = 5) const bool kShading = false;
 layout(constant_id = 6) const int kCast = 0;
+#ifdef OF_SURFACE_POINTS
+layout(constant_id = 7) const bool kGreyFaces = false;
+#else
+const bool kGreyFaces = false;  // not asked for
+#endif
 
 // Not a uniform block: lavapipe (Mesa 22.3) compiles a uniform that decides a branch into the shader, and so would compile
 // anew, for a tenth of a second, whenever the camera moves.
@@ -112,6 +117,9 @@ bool useShading() {
 }
 int castLook() {
     return kCast;
+}
+bool hasGreyFaces() {
+    return kGreyFaces;
 }
 
 #include "lib/trace_lib.glsl"

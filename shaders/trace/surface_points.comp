@@ -2,6 +2,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 
+#define OF_SURFACE_POINTS
 #include "trace/host.glsl"
 #include "shared/surface_params.h"
 
@@ -10,10 +11,11 @@ layout(local_size_x = 64) in;
 // As in path.comp.
 layout(constant_id = 1) const int kMaxRounds = 16000;
 
-const int kTaps = 8;  // of a thread
+const int kTaps = 8;            // of a thread
+const float kFaceDepth = 20.0;  // of a face, in a radius: nothing shines through
 
 layout(binding = 9, scalar) readonly buffer Points {
-    vec4 points[];  // voxel coordinates; radius of what lies around, mm
+    vec4 points[];  // voxel coordinates; radius of what lies around, mm, below 0: on a face of grey values
 };
 layout(binding = 10, scalar) writeonly buffer Sums {
     SurfaceSums sums[];
@@ -23,34 +25,44 @@ layout(push_constant, scalar) uniform Push {
 };
 
 void main() {
-    if (gl_GlobalInvocationID.x >= push.count * kSurfaceLanes) return;
     uint index = push.first * kSurfaceLanes + gl_GlobalInvocationID.x;
     uint lane = index % kSurfaceLanes;
     vec4 point = points[index / kSurfaceLanes];
-    Rng rng = makeRng(index / kSurfaceLanes, lane, 1u, params.seed ^ 0x5f0f1e5du);
+    float radius = abs(point.w);
+    bool onFace = point.w < 0.0;
+    Rng rng = makeRng(push.base + index / kSurfaceLanes, lane, 8u + push.pass, params.seed ^ 0x5f0f1e5du);
     SurfaceSums found;
     found.radiance = vec3(0.0);
     found.coverage = 0.0;
 
     uint done = 0u;
+    uint finite = 0u;
     int rounds = 0;  // of the paths done
     float weight;
-    Path path = startTowards(point.xyz, point.w, rng, rounds, weight);
-    while (done < push.paths && rounds + path.rounds < kMaxRounds) {
+    Path path;
+    path.rounds = 0;
+    bool complete = true;
+    while (done < kSurfacePaths && rounds + path.rounds < kMaxRounds) {
         rounds += 1;
+        while (complete) {  // a loop, not an if: those are not skipped on lavapipe
+            rounds += path.rounds;
+            path = startTowards(point.xyz, radius, onFace, rng, rounds, weight);
+            complete = false;
+        }
         if (!extendPath(path, rng)) {
             vec4 value = vec4(path.radiance, path.coverage) * weight;
             if (isFinite(value)) {
                 found.radiance += value.xyz;
                 found.coverage += value.w;
+                finite += 1u;
             }
             done += 1u;
-            rounds += path.rounds;
-            path = startTowards(point.xyz, point.w, rng, rounds, weight);
+            complete = true;
         }
     }
+    found.lost = float(kSurfacePaths - finite);
 
-    // Evenly in the ball: shells of equal volume, directions a golden angle apart.
+    // Evenly in the ball: shells of equal volume, by the R2 sequence (Roberts 2018). Behind a face all is as dense as the face.
     const int all = kTaps * int(kSurfaceLanes);
     found.taps = float(kTaps);
     found.mass = 0.0;
@@ -60,9 +72,11 @@ void main() {
     for (int i = 0; i < kTaps; ++i) {
         int tap = i * int(kSurfaceLanes) + int(lane);
         float shell = fract((float(tap) + 0.5) * 0.754877666);
-        vec3 offset = directionOnSphere(1.0 - (2.0 * float(tap) + 1.0) / float(all), float(tap) * 0.61803398875);
-        offset *= point.w * pow(shell, 1.0 / 3.0);
-        float extinction = shownExtinctionAt(point.xyz + voxelsPerMm(offset));
+        vec3 offset = directionOnSphere(1.0 - (2.0 * float(tap) + 1.0) / float(all), float(tap) * 0.569840291);
+        offset *= radius * pow(shell, 1.0 / 3.0);
+        vec3 at = point.xyz + voxelsPerMm(offset);
+        float extinction = onFace ? kFaceDepth / radius : extinctionAt(at, trilinearEntry(at));
+        if (!isShown(at)) extinction = 0.0;
         found.mass += extinction;
         found.first += extinction * offset;
         found.diagonal += extinction * offset * offset;

@@ -119,24 +119,30 @@ TEST(TraceLayout, ParametersAndPushConstantsAgreeInEveryKernel) {
 }
 
 TEST(TraceLayout, OfSurfacePoints) {
-    using shared::CandidatePush, shared::SurfacePush, shared::SurfaceSums;
+    using shared::CandidatePush, shared::SurfaceCandidate, shared::SurfaceCell, shared::SurfacePush,
+        shared::SurfaceSums;
     const auto candidates = gpu::reflectSpirv(shaders::trace_candidates_comp.words);
     ASSERT_TRUE(candidates.ok());
     expectLayoutMatches<CandidatePush>(
         *candidates->pushConstants->block.find("push"),
-        {MACULA_FIELD(CandidatePush, first), MACULA_FIELD(CandidatePush, count),
-         MACULA_FIELD(CandidatePush, perBrick), MACULA_FIELD(CandidatePush, round),
-         MACULA_FIELD(CandidatePush, directions)});
+        {MACULA_FIELD(CandidatePush, first), MACULA_FIELD(CandidatePush, round)});
+    expectLayoutMatches<SurfaceCell>(*candidates->bindings[9].block.find("cells"),
+                                     {MACULA_FIELD(SurfaceCell, low), MACULA_FIELD(SurfaceCell, high)});
+    expectLayoutMatches<SurfaceCandidate>(
+        *candidates->bindings.back().block.find("candidates"),
+        {MACULA_FIELD(SurfaceCandidate, at), MACULA_FIELD(SurfaceCandidate, weight),
+         MACULA_FIELD(SurfaceCandidate, density)});
     const auto points = gpu::reflectSpirv(shaders::trace_surface_points_comp.words);
     ASSERT_TRUE(points.ok());
-    expectLayoutMatches<SurfacePush>(*points->pushConstants->block.find("push"),
-                                     {MACULA_FIELD(SurfacePush, first), MACULA_FIELD(SurfacePush, count),
-                                      MACULA_FIELD(SurfacePush, paths)});
+    expectLayoutMatches<SurfacePush>(
+        *points->pushConstants->block.find("push"),
+        {MACULA_FIELD(SurfacePush, first), MACULA_FIELD(SurfacePush, base), MACULA_FIELD(SurfacePush, pass)});
     expectLayoutMatches<SurfaceSums>(
         *points->bindings.back().block.find("sums"),
         {MACULA_FIELD(SurfaceSums, radiance), MACULA_FIELD(SurfaceSums, coverage),
-         MACULA_FIELD(SurfaceSums, taps), MACULA_FIELD(SurfaceSums, mass), MACULA_FIELD(SurfaceSums, first),
-         MACULA_FIELD(SurfaceSums, diagonal), MACULA_FIELD(SurfaceSums, offAxis)});
+         MACULA_FIELD(SurfaceSums, lost), MACULA_FIELD(SurfaceSums, taps), MACULA_FIELD(SurfaceSums, mass),
+         MACULA_FIELD(SurfaceSums, first), MACULA_FIELD(SurfaceSums, diagonal),
+         MACULA_FIELD(SurfaceSums, offAxis)});
 }
 
 }  // namespace

@@ -11,24 +11,20 @@ namespace {
 
 constexpr double kC0 = 0.28209479177387814;  // of spherical harmonics, see splats.h
 
-// Of the standard deviation over that of the matter around: neighbours overlap so that there is no gap, and
-// no more. This, and the two below, are where the error of the first picture of the phantom and of a chest CT
-// is least, docs/peripheral-model.md.
-constexpr double kWidth = 1.2;
-// A splat lies so far from its point towards the middle of the matter, so that its outer half does not stand
-// out of the surface.
-constexpr double kInwards = 0.8;
-// Splats stand for what is seen only; they have to hide what nobody sees behind them, too.
-constexpr double kDenser = 2.0;
-// No splat is thinner than this part of the distance to its neighbours: as an edge of a voxel is soft.
-constexpr double kThinnest = 0.1;
+// Of what the points say, whatever it is: of a radius in mm, and of light, which is 1 for white.
+constexpr double kLeastRadius = 1e-6;
+constexpr double kMostRadius = 1e6;
+constexpr float kMostRadiance = 1e6f;
 
 // How far the centre of a half-filled ball lies from the middle, in radii.
 constexpr double kHalfFilled = 0.375;
 
 // Optical depth through the middle of a splat that stands for its share of matter of extinction 1 / radius:
-// radius^3 of it over the area 2 pi s^2 with s = kWidth * radius / sqrt(5).
-constexpr double kDepthPerRadius = 5.0 / (2.0 * 3.14159265358979 * kWidth * kWidth);
+// radius^3 of it over the area 2 pi s^2 with s = width * radius / sqrt(5).
+double depthPerRadius(double width) {
+    constexpr double kPi = 3.14159265358979;
+    return 5.0 / (2.0 * kPi * width * width);
+}
 
 double logit(double opacity) {
     return std::log(opacity / (1.0 - opacity));
@@ -68,27 +64,32 @@ PrincipalAxes principalAxes(const glm::dmat3& symmetric) {
     return result;
 }
 
-splat::Splats initialSplats(const trace::SurfacePoints& points) {
+splat::Splats initialSplats(const trace::SurfacePoints& points, const InitialSplatOptions& options) {
     splat::Splats splats;
     splats.originMm = points.originMm;
     splats.resize(points.points.size());
     for (std::size_t i = 0; i < points.points.size(); ++i) {
         const trace::SurfacePoint& point = points.points[i];
-        const double radius = double(point.radiusMm);
+        const double radius = std::clamp(double(point.radiusMm), kLeastRadius, kMostRadius);
         const PrincipalAxes principal = principalAxes(glm::dmat3(point.spreadMm2));
-        const glm::dvec3 scale =
-            glm::max(kWidth * glm::sqrt(principal.variance), glm::dvec3(kThinnest * radius));
+        const glm::dvec3 deviation =
+            glm::min(glm::sqrt(principal.variance), glm::dvec3(radius));  // of what lies within it
+        const glm::dvec3 scale = glm::max(options.width * deviation, glm::dvec3(options.thinnest * radius));
         const glm::dquat turn = glm::normalize(glm::quat_cast(principal.axes));
         // Of the matter itself: the mean over the ball has the air around it, too.
-        const double filled =
-            1.0 / (1.0 + std::min(double(glm::length(point.centreMm)) / (kHalfFilled * radius), 1.0));
-        const double depth = kDenser * kDepthPerRadius * radius * double(point.extinctionPerMm) / filled;
+        const glm::dvec3 centre(point.centreMm);
+        const double offset = std::min(glm::length(centre) / (kHalfFilled * radius), 1.0);
+        const double extinction = double(point.extinctionPerMm) * (1.0 + offset);
+        const double depth = options.denser * depthPerRadius(options.width) * radius * extinction;
         const double opacity = std::clamp(-std::expm1(-depth), 0.005, 0.995);
-        splats.position[i] = point.positionMm + static_cast<float>(kInwards) * point.centreMm;
+        const double inwards =
+            options.inwards * std::min(1.0, radius / std::max(glm::length(centre), radius));
+        splats.position[i] = glm::vec3(glm::dvec3(point.positionMm) + inwards * centre);
         splats.logScale[i] = glm::vec3(glm::log(scale));
         splats.rotation[i] = glm::vec4(turn.w, turn.x, turn.y, turn.z);
         splats.opacityLogit[i] = static_cast<float>(logit(opacity));
-        splats.dc[i] = (point.radiance - 0.5f) / static_cast<float>(kC0);
+        const glm::vec3 radiance = glm::clamp(point.radiance, 0.0f, kMostRadiance);
+        splats.dc[i] = (radiance - 0.5f) / static_cast<float>(kC0);
     }
     return splats;
 }

@@ -38,6 +38,7 @@ class DeviceScene {
     // What kernels are specialised for.
     bool isClipped() const { return clip_.hasShape(); }
     bool isMasked() const { return clip_.mask.has_value(); }
+    bool hasGreyFaces() const { return clip_.hasShape() && clip_.greyFaces.has_value(); }
 
     // Of the look that was looked at last.
     bool hasGradientOpacity() const { return !medium_.gradientOpacity.empty(); }

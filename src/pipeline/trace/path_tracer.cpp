@@ -495,8 +495,9 @@ Result<std::vector<GuidePixel>> PathTracer::readGuides() {
 Result<SurfacePoints> PathTracer::surfacePoints(const SurfacePointOptions& options,
                                                 const std::function<bool()>& keepGoing) {
     MACULA_TRY_VOID(impl_->prepare());
-    return findSurfacePoints(impl_->device, impl_->scene, impl_->kernels, impl_->sceneKind(), options,
-                             keepGoing);
+    SceneKind kind = impl_->sceneKind();
+    kind.greyFaces = impl_->scene.hasGreyFaces();
+    return findSurfacePoints(impl_->device, impl_->scene, impl_->kernels, kind, options, keepGoing);
 }
 
 Result<TracedImage> PathTracer::readback() {

@@ -14,7 +14,7 @@ struct GatheredLight {
 };
 
 // Writes the radiance of each point. Neighbours that face the same way show nearly the same light, and share
-// their paths: on a surface a dozen points do. `gathered` has one entry for each point.
+// their paths: on a surface two dozen points do. `gathered` has one entry for each point.
 void shareLight(std::span<SurfacePoint> points, std::span<const GatheredLight> gathered);
 
 }  // namespace macula::trace

@@ -101,6 +101,7 @@ struct MACULA_HOST : GlslInCpp<MACULA_REAL> {
     bool useGradientOpacity() const { return hasGradientOpacity_; }
     bool useShading() const { return cast.shading; }
     int castLook() const { return cast.kind; }
+    bool hasGreyFaces() const { return clip_ && params.greyFaces != 0; }
 
     ReferenceTracer::Cast cast;  // what castSample() does
 
@@ -114,6 +115,8 @@ struct MACULA_HOST : GlslInCpp<MACULA_REAL> {
 #undef BRICK_SHIFT
 #undef ROULETTE_BELOW
 #undef SEEN_ENOUGH
+#undef FACE_WEIGHT
+#undef MANY_SURFACE_ROUNDS
 #undef STRIDE
 #undef DEPTH_3_4
 #undef DEPTH_1_2

@@ -1,56 +1,26 @@
 #include "pipeline/trace/surface_points.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <numeric>
 
 #include "base/frames.h"
 #include "pipeline/gpu/recorder.h"
 #include "pipeline/gpu/transfer.h"
 #include "pipeline/trace/device_scene.h"
 #include "pipeline/trace/point_light.h"
-#include "pipeline/volume/brick_grid.h"
+#include "pipeline/trace/surface_candidates.h"
 #include "shared/surface_params.h"
 
 namespace macula::trace {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
+using shared::kSurfaceGroup;
 using shared::kSurfaceLanes;
+using shared::SurfaceCandidate;
 
-constexpr int kDirections = 8;  // that a candidate is looked at from
-constexpr std::uint32_t kPerBrick = 8;
-constexpr int kMostRounds = 16;                      // of candidates
-constexpr std::uint64_t kMostCandidates = 1u << 22;  // of a round: 64 MiB
-
-constexpr double kDispatchMs = 40.0;
-constexpr std::uint32_t kFirstPortion = 1u << 12;  // threads, before anything is known of the device
-
-Error cancelled() {
-    return {ErrorCode::cancelled, "The search for points on the surface was cancelled.", {}, {}};
-}
-
-// Cuts `count` items into dispatches of about kDispatchMs; each is waited for.
-Result<void> inPortions(gpu::Device& device, std::uint32_t count, std::uint32_t threadsPerItem,
-                        const std::function<bool()>& keepGoing,
-                        const std::function<Result<gpu::Ticket>(std::uint32_t, std::uint32_t)>& submit) {
-    std::uint32_t portion = std::max(kFirstPortion / threadsPerItem, 1u);
-    for (std::uint32_t first = 0; first < count;) {
-        const std::uint32_t now = std::min(portion, count - first);
-        const auto begin = Clock::now();
-        MACULA_TRY(const gpu::Ticket ticket, submit(first, now));
-        MACULA_TRY([[maybe_unused]] const bool done, device.waitFor(ticket));
-        const double ms = std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
-        first += now;
-        // The first one compiles, and tells little.
-        const double ratio = kDispatchMs / std::max(ms, 0.1);
-        portion = std::max(static_cast<std::uint32_t>(portion * std::clamp(ratio, 0.5, 2.0)), 64u);
-        if (keepGoing && !keepGoing()) return cancelled();
-    }
-    return {};
-}
+constexpr std::uint32_t kFirstPoints = 1u << 9;    // of a dispatch, before anything is known of the device
+constexpr std::uint32_t kPointsAtOnce = 1u << 16;  // 38 MiB of sums
 
 // Interleaves the bits of three numbers of ten bits: neighbours in this order are neighbours in space.
 std::uint32_t morton(const glm::uvec3& p) {
@@ -65,22 +35,27 @@ std::uint32_t morton(const glm::uvec3& p) {
 
 // Every `step` of the summed weight along a curve through space one candidate, so that they are spread as
 // evenly as the weight is.
-std::vector<glm::vec4> chosen(std::vector<glm::vec4> seen, const glm::vec3& size, std::uint32_t count) {
+std::vector<SurfaceCandidate> chosen(const std::vector<SurfaceCandidate>& seen, const Volume& volume,
+                                     std::uint32_t count) {
+    const glm::dmat3 mm(volume.worldFromVoxel());
+    const glm::vec3 spacing(glm::length(mm[0]), glm::length(mm[1]), glm::length(mm[2]));
+    const glm::vec3 size = spacing * glm::vec3(volume.size());
+    const glm::vec3 toCurve = spacing * (1024.0f / std::max({size.x, size.y, size.z}));
     std::vector<std::pair<std::uint32_t, std::uint32_t>> order(seen.size());
+    double total = 0.0;
     for (std::uint32_t i = 0; i < seen.size(); ++i) {
-        const glm::vec3 at = glm::clamp(glm::vec3(seen[i]) / size * 1024.0f, 0.0f, 1023.0f);
+        const glm::vec3 at = glm::clamp(seen[i].at * toCurve, 0.0f, 1023.0f);
         order[i] = {morton(glm::uvec3(at)), i};
+        total += double(seen[i].weight);
     }
     std::sort(order.begin(), order.end());
-    double total = 0.0;
-    for (const glm::vec4& candidate : seen) total += candidate.w;
     const double step = total / count;
-    std::vector<glm::vec4> result;
+    std::vector<SurfaceCandidate> result;
     result.reserve(count);
     double sum = 0.0;
     double next = 0.5 * step;
     for (const auto& entry : order) {
-        sum += seen[entry.second].w;
+        sum += double(seen[entry.second].weight);
         if (sum <= next) continue;
         result.push_back(seen[entry.second]);
         next += step * std::ceil((sum - next) / step);  // one that is worth several is one all the same
@@ -88,133 +63,104 @@ std::vector<glm::vec4> chosen(std::vector<glm::vec4> seen, const glm::vec3& size
     return result;
 }
 
-class Search {
+// Sums over the lanes and passes of a point.
+struct PointSums {
+    GatheredLight light;
+    double lost = 0.0, taps = 0.0, mass = 0.0;
+    glm::dvec3 first{0.0}, diagonal{0.0}, offAxis{0.0};
+
+    void add(const shared::SurfaceSums& s) {
+        light.radiance += glm::dvec3(s.radiance);
+        light.coverage += double(s.coverage);
+        lost += double(s.lost);
+        taps += double(s.taps);
+        mass += double(s.mass);
+        first += glm::dvec3(s.first);
+        diagonal += glm::dvec3(s.diagonal);
+        offAxis += glm::dvec3(s.offAxis);
+    }
+};
+
+class Measurement {
   public:
-    Search(std::shared_ptr<gpu::Device> device, const DeviceScene& scene,
-           const std::function<bool()>& keepGoing)
-        : device_(std::move(device)), scene_(scene), keepGoing_(keepGoing) {
-        const Volume& volume = *scene.volume();
-        voxelMm3_ = std::abs(glm::determinant(glm::dmat3(volume.worldFromVoxel())));
-    }
+    Measurement(std::shared_ptr<gpu::Device> device, const DeviceScene& scene, const gpu::Kernel& kernel,
+                const std::function<bool()>& keepGoing)
+        : device_(std::move(device)),
+          scene_(scene),
+          kernel_(kernel),
+          portions_(*device_, kFirstPoints, keepGoing) {}
 
-    // Candidates with weight, and what area they are on.
-    Result<std::vector<glm::vec4>> candidates(const gpu::Kernel& kernel, double wanted, double& areaMm2) {
-        std::vector<std::uint32_t> bricks;
-        const std::span<const float> bounds = scene_.bounds();
-        for (std::uint32_t i = 0; i < bounds.size(); ++i)
-            if (bounds[i] > 0.0f) bricks.push_back(i);
-        std::vector<glm::vec4> seen;
-        areaMm2 = 0.0;
-        if (bricks.empty()) return seen;
-        const auto perBrick = static_cast<std::uint32_t>(
-            std::clamp<std::uint64_t>(kMostCandidates / bricks.size(), 1u, kPerBrick));
-        const auto count = static_cast<std::uint32_t>(bricks.size()) * perBrick;
-        MACULA_TRY(gpu::Buffer brickList,
-                   gpu::Buffer::create(device_, {.label = "bricks", .bytes = bricks.size() * 4}));
-        MACULA_TRY_VOID(gpu::uploadTo<std::uint32_t>(brickList, bricks));
-        MACULA_TRY(gpu::Buffer found,
-                   gpu::Buffer::create(device_, {.label = "candidates", .bytes = count * sizeof(glm::vec4)}));
-        double sum = 0.0;
-        double squares = 0.0;
-        int round = 0;
-        // So many as there were if all weighed the same.
-        const auto enough = [&] { return sum * sum >= wanted * squares; };
-        do {
-            MACULA_TRY_VOID(
-                inPortions(*device_, count, 1, keepGoing_,
-                           [&](std::uint32_t first, std::uint32_t now) -> Result<gpu::Ticket> {
-                               MACULA_TRY(auto recorder, gpu::Recorder::create(device_, "candidates"));
-                               std::vector<gpu::Binding> bindings = scene_.bindings();
-                               bindings.emplace_back(brickList);
-                               bindings.emplace_back(found);
-                               const shared::CandidatePush push{.first = first,
-                                                                .count = now,
-                                                                .perBrick = perBrick,
-                                                                .round = static_cast<std::uint32_t>(round),
-                                                                .directions = kDirections};
-                               recorder.dispatch(kernel, {now}, push, bindings);
-                               return recorder.submit();
-                           }));
-            MACULA_TRY(const auto values, gpu::read<glm::vec4>(found));
-            for (const glm::vec4& value : values) {
-                if (!(value.w > 0.0f) || !std::isfinite(value.w)) continue;
-                seen.push_back(value);
-                sum += value.w;
-                squares += double(value.w) * value.w;
-            }
-            ++round;
-        } while (round < kMostRounds && sum > 0.0 && !enough());
-        constexpr double kVoxels = double(kBrickVoxels) * kBrickVoxels * kBrickVoxels;
-        areaMm2 = sum * voxelMm3_ * kVoxels / (double(perBrick) * round);
-        return seen;
-    }
-
-    Result<void> measure(const gpu::Kernel& kernel, const std::vector<glm::vec4>& at, std::uint32_t paths,
+    Result<void> measure(const std::vector<SurfaceCandidate>& at, std::uint32_t paths,
                          SurfacePoints& result) {
-        const auto count = static_cast<std::uint32_t>(at.size());
-        std::vector<glm::vec4> points = at;
-        for (glm::vec4& point : points) point.w = radiusMm(result.areaMm2, point.w);
-        MACULA_TRY(gpu::Buffer places,
-                   gpu::Buffer::create(device_, {.label = "points", .bytes = count * sizeof(glm::vec4)}));
-        MACULA_TRY_VOID(gpu::uploadTo<glm::vec4>(places, points));
-        MACULA_TRY(gpu::Buffer sums,
-                   gpu::Buffer::create(device_, {.label = "sums of points",
-                                                 .bytes = std::uint64_t(count) * kSurfaceLanes *
-                                                          sizeof(shared::SurfaceSums)}));
-        MACULA_TRY_VOID(inPortions(
-            *device_, count, kSurfaceLanes, keepGoing_,
-            [&](std::uint32_t first, std::uint32_t now) -> Result<gpu::Ticket> {
-                MACULA_TRY(auto recorder, gpu::Recorder::create(device_, "surface points"));
-                std::vector<gpu::Binding> bindings = scene_.bindings();
-                bindings.emplace_back(places);
-                bindings.emplace_back(sums);
-                const shared::SurfacePush push{
-                    .first = first, .count = now, .paths = (paths + kSurfaceLanes - 1) / kSurfaceLanes};
-                recorder.dispatch(kernel, {now * kSurfaceLanes}, push, bindings);
-                return recorder.submit();
-            }));
-        MACULA_TRY(const auto found, gpu::read<shared::SurfaceSums>(sums));
-        std::vector<GatheredLight> gathered;
-        for (std::size_t i = 0; i < points.size(); ++i) {
-            const auto sumsOf = std::span(found).subspan(i * kSurfaceLanes, kSurfaceLanes);
-            result.points.push_back(pointOf(points[i], sumsOf, result));
-            GatheredLight& light = gathered.emplace_back();
-            for (const shared::SurfaceSums& s : sumsOf) {
-                light.radiance += glm::dvec3(s.radiance);
-                light.coverage += double(s.coverage);
+        const auto passes = (paths - 1) / (kSurfaceLanes * shared::kSurfacePaths) + 1;
+        std::vector<PointSums> sums(at.size());
+        for (std::uint32_t base = 0; base < at.size(); base += kPointsAtOnce) {
+            const auto count = std::min(kPointsAtOnce, static_cast<std::uint32_t>(at.size()) - base);
+            // Whole groups: those beyond the last one are measured for nothing.
+            constexpr std::uint32_t kGrain = kSurfaceGroup / kSurfaceLanes;
+            const std::uint32_t padded = (count + kGrain - 1) / kGrain * kGrain;
+            std::vector<glm::vec4> places;
+            for (std::uint32_t i = 0; i < padded; ++i)
+                places.push_back(placeOf(at[base + std::min(i, count - 1)], result.areaMm2));
+            MACULA_TRY(
+                gpu::Buffer placeBuffer,
+                gpu::Buffer::create(device_, {.label = "points", .bytes = padded * sizeof(glm::vec4)}));
+            MACULA_TRY_VOID(gpu::uploadTo<glm::vec4>(placeBuffer, places));
+            MACULA_TRY(gpu::Buffer found,
+                       gpu::Buffer::create(device_, {.label = "sums of points",
+                                                     .bytes = std::uint64_t(padded) * kSurfaceLanes *
+                                                              sizeof(shared::SurfaceSums)}));
+            for (std::uint32_t pass = 0; pass < passes; ++pass) {
+                const auto submit = [&](std::uint32_t first, std::uint32_t now) -> Result<gpu::Ticket> {
+                    MACULA_TRY(auto recorder, gpu::Recorder::create(device_, "surface points"));
+                    std::vector<gpu::Binding> bindings = scene_.bindings();
+                    bindings.emplace_back(placeBuffer);
+                    bindings.emplace_back(found);
+                    const shared::SurfacePush push{.first = first, .base = base, .pass = pass};
+                    recorder.dispatch(kernel_, {now * kSurfaceLanes}, push, bindings);
+                    return recorder.submit();
+                };
+                MACULA_TRY_VOID(portions_.run(padded, kGrain, submit));
+                MACULA_TRY(const auto values, gpu::read<shared::SurfaceSums>(found));
+                for (std::size_t i = 0; i < std::size_t(count) * kSurfaceLanes; ++i)
+                    sums[base + i / kSurfaceLanes].add(values[i]);
             }
         }
+        std::vector<GatheredLight> gathered;
+        double lost = 0.0;
+        for (std::size_t i = 0; i < at.size(); ++i) {
+            result.points.push_back(pointOf(placeOf(at[i], result.areaMm2), sums[i], result));
+            gathered.push_back(sums[i].light);
+            lost += sums[i].lost;
+        }
+        result.lostPaths = static_cast<std::uint64_t>(lost);
         shareLight(result.points, gathered);
         return {};
     }
 
   private:
-    // As far as to its neighbours: on a surface, or in matter so thin that they lie behind one another too.
-    static float radiusMm(double areaMm2, float weight) {
-        return static_cast<float>(std::max(std::sqrt(areaMm2), std::cbrt(areaMm2 / double(weight))));
+    // With the radius as far as to its neighbours: on a surface, or in matter so thin that they lie behind
+    // one another too; in no case as far as the volume is large.
+    glm::vec4 placeOf(const SurfaceCandidate& at, double areaMm2) const {
+        double radius = std::sqrt(areaMm2);
+        if (at.density >= 0.0f)
+            radius = std::clamp(std::cbrt(areaMm2 / double(at.density)), radius,
+                                std::max(radius, 0.1 * scene_.volume()->worldBox().diagonal()));
+        return {at.at, at.density < 0.0f ? -radius : radius};
     }
 
-    SurfacePoint pointOf(const glm::vec4& place, std::span<const shared::SurfaceSums> sums,
-                         const SurfacePoints& all) const {
-        glm::dvec3 first(0.0), diagonal(0.0), offAxis(0.0);
-        double taps = 0.0, mass = 0.0;
-        for (const shared::SurfaceSums& s : sums) {
-            taps += double(s.taps);
-            mass += double(s.mass);
-            first += glm::dvec3(s.first);
-            diagonal += glm::dvec3(s.diagonal);
-            offAxis += glm::dvec3(s.offAxis);
-        }
-        SurfacePoint point{.radiusMm = place.w};
+    SurfacePoint pointOf(const glm::vec4& place, const PointSums& sums, const SurfacePoints& all) const {
+        SurfacePoint point{.radiusMm = std::abs(place.w)};
         // The tracer's voxel coordinates have integers at faces, those of a volume at centres.
         const glm::dvec3 at = transformPoint(scene_.volume()->worldFromVoxel(), glm::dvec3(place) - 0.5);
         point.positionMm = glm::vec3(at - all.originMm);
-        point.extinctionPerMm = static_cast<float>(mass / taps);
-        if (!(mass > 0.0)) return point;
-        const glm::dvec3 centre = first / mass;
-        glm::dmat3 spread(diagonal.x, offAxis.x, offAxis.z, offAxis.x, diagonal.y, offAxis.y, offAxis.z,
-                          offAxis.y, diagonal.z);
-        spread = spread / mass - glm::outerProduct(centre, centre);
+        point.extinctionPerMm = static_cast<float>(sums.mass / sums.taps);
+        if (!(sums.mass > 0.0)) return point;
+        const glm::dvec3 centre = sums.first / sums.mass;
+        const glm::dvec3& d = sums.diagonal;
+        const glm::dvec3& o = sums.offAxis;
+        const glm::dmat3 around(d.x, o.x, o.z, o.x, d.y, o.y, o.z, o.y, d.z);
+        const glm::dmat3 spread = around / sums.mass - glm::outerProduct(centre, centre);
         point.centreMm = glm::vec3(centre);
         point.spreadMm2 = glm::mat3(spread);
         return point;
@@ -222,8 +168,8 @@ class Search {
 
     std::shared_ptr<gpu::Device> device_;
     const DeviceScene& scene_;
-    const std::function<bool()>& keepGoing_;
-    double voxelMm3_ = 1.0;
+    const gpu::Kernel& kernel_;
+    Portions portions_;
 };
 
 }  // namespace
@@ -239,19 +185,19 @@ Result<SurfacePoints> findSurfacePoints(const std::shared_ptr<gpu::Device>& devi
                      {},
                      "Ask for 1 to " + std::to_string(kMaxSurfacePoints) + " points, with 1 path or more."};
     }
-    Search search(device, scene, keepGoing);
     SurfacePoints result;
-    const glm::dvec3 size(scene.volume()->size());
-    result.originMm = transformPoint(scene.volume()->worldFromVoxel(), 0.5 * size - 0.5);
+    const Volume& volume = *scene.volume();
+    result.originMm = transformPoint(volume.worldFromVoxel(), 0.5 * glm::dvec3(volume.size()) - 0.5);
     MACULA_TRY(const gpu::Kernel* candidates, kernels.candidates(kind));
-    double areaMm2 = 0.0;
-    MACULA_TRY(std::vector<glm::vec4> seen,
-               search.candidates(*candidates, double(options.count) * options.candidatesPerPoint, areaMm2));
-    if (seen.empty()) return result;
-    const std::vector<glm::vec4> at = chosen(std::move(seen), glm::vec3(size), options.count);
-    result.areaMm2 = areaMm2 / double(at.size());
+    MACULA_TRY(const SurfaceCandidates seen,
+               findCandidates(device, scene, *candidates, double(options.count) * options.candidatesPerPoint,
+                              keepGoing));
+    if (seen.found.empty()) return result;
+    const std::vector<SurfaceCandidate> at = chosen(seen.found, volume, options.count);
+    result.areaMm2 = seen.areaMm2 / double(at.size());
     MACULA_TRY(const gpu::Kernel* points, kernels.surfacePoints(kind));
-    MACULA_TRY_VOID(search.measure(*points, at, options.paths, result));
+    Measurement measurement(device, scene, *points, keepGoing);
+    MACULA_TRY_VOID(measurement.measure(at, options.paths, result));
     return result;
 }
 

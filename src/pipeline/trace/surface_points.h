@@ -1,8 +1,14 @@
 // Points spread evenly over what can be seen of a volume: what the peripheral model is begun with.
 //
-// They are chosen on the matter itself and not on rays: a place has points in proportion to its extinction,
-// as far as it is seen from an eighth of all directions or more. So each point stands for the same area of an
-// opaque surface, whichever way that faces, and for as much of translucent matter as has the same effect.
+// A place has points in proportion to its extinction times min(4 s, 1), where s is the part of all directions
+// that it is seen from, as clip and mask leave it. So each point stands for the same area of an opaque surface,
+// whichever way that faces (0.9 of its area count, as what lies deep is seen less), and for as much of
+// translucent matter as has the same effect; what is seen from less than a quarter of all directions has fewer.
+//
+// They are drawn by rays even over all lines through the matter, which meet a place with a probability in
+// proportion to extinction times s already. A weight makes good the rest, and of many candidates one is taken
+// at even steps of weight along a curve through space. Faces of a clip that show grey values have as many
+// points as the surface of dense matter, and these show that grey.
 #pragma once
 
 #include <cstdint>
@@ -19,8 +25,8 @@ class DeviceScene;
 
 struct SurfacePointOptions {
     std::uint32_t count = 10000;           // 1 to kMaxSurfacePoints
-    std::uint32_t paths = 32;              // of light, for each point; rounded up to a multiple of 8
-    std::uint32_t candidatesPerPoint = 8;  // that are seen, to choose from; more are more evenly spread
+    std::uint32_t paths = 32;              // of light, for each point; rounded up to a multiple of 32
+    std::uint32_t candidatesPerPoint = 4;  // to choose from; more are more evenly spread
 };
 
 inline constexpr std::uint32_t kMaxSurfacePoints = 1u << 20;
@@ -40,10 +46,13 @@ struct SurfacePoints {
     glm::dvec3 originMm{0.0};  // centre of the volume
     double areaMm2 = 0.0;      // what each point stands for
     std::vector<SurfacePoint> points;
+    std::uint64_t lostPaths = 0;  // too long for the device, or not finite: their light is missing
 };
 
-// Of what `scene` looks at, as an eye is shown it; at most `count`, none when nothing can be seen. Waits.
-// `keepGoing` (may be empty) is asked between dispatches of some 40 ms; cancelled when it says no.
+// Of what `scene` looks at, as an eye is shown it; at most `count`: fewer of what is so faint or so small
+// that of 32 rays for each candidate too few meet it, none when nothing can be seen. The same for the same
+// seed on the same device. Waits. `keepGoing` (may be empty) is asked between dispatches of some 40 ms;
+// cancelled when it says no.
 Result<SurfacePoints> findSurfacePoints(const std::shared_ptr<gpu::Device>& device, const DeviceScene& scene,
                                         TraceKernels& kernels, SceneKind kind,
                                         const SurfacePointOptions& options,

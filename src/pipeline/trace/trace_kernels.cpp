@@ -49,23 +49,24 @@ Result<const gpu::Kernel*> TraceKernels::guides(SceneKind scene) {
 }
 
 Result<const gpu::Kernel*> TraceKernels::candidates(SceneKind scene) {
-    return find(candidates_, shaders::trace_candidates_comp, scene);
+    return find(candidates_, shaders::trace_candidates_comp, scene, {{"kGreyFaces", scene.greyFaces}});
 }
 
 Result<const gpu::Kernel*> TraceKernels::surfacePoints(SceneKind scene) {
-    return find(surfacePoints_, shaders::trace_surface_points_comp, scene,
-                gpu::Specialization("kMaxRounds", device_->isCpu() ? kMaxRoundsCpu : kMaxRoundsGpu));
+    return find(
+        surfacePoints_, shaders::trace_surface_points_comp, scene,
+        {{"kMaxRounds", device_->isCpu() ? kMaxRoundsCpu : kMaxRoundsGpu}, {"kGreyFaces", scene.greyFaces}});
 }
 
-// As compiled for the scene, and with `more` if it is given.
+// As compiled for the scene, and with `more`.
 Result<const gpu::Kernel*> TraceKernels::find(std::map<SceneKind, gpu::Kernel>& kernels,
                                               const gpu::ShaderCode& code, SceneKind scene,
-                                              std::optional<gpu::Specialization> more) {
+                                              const std::vector<gpu::Specialization>& more) {
     if (const auto found = kernels.find(scene); found != kernels.end()) return &found->second;
     gpu::KernelOptions options{.specializations = {{"kClip", scene.clip},
                                                    {"kMask", scene.mask},
                                                    {"kGradientOpacity", scene.gradientOpacity}}};
-    if (more) options.specializations.push_back(*more);
+    options.specializations.insert(options.specializations.end(), more.begin(), more.end());
     MACULA_TRY(gpu::Kernel kernel, gpu::Kernel::create(device_, code, options));
     return &kernels.emplace(scene, std::move(kernel)).first->second;
 }

@@ -3,8 +3,8 @@
 
 #include <map>
 #include <memory>
-#include <optional>
 #include <tuple>
+#include <vector>
 
 #include "base/result.h"
 #include "pipeline/gpu/device.h"
@@ -19,9 +19,11 @@ struct SceneKind {
     bool clip = false;
     bool mask = false;
     bool gradientOpacity = false;
+    bool greyFaces = false;  // of a clip; counts for surface points only
 
     bool operator<(const SceneKind& b) const {
-        return std::tie(clip, mask, gradientOpacity) < std::tie(b.clip, b.mask, b.gradientOpacity);
+        return std::tie(clip, mask, gradientOpacity, greyFaces) <
+               std::tie(b.clip, b.mask, b.gradientOpacity, b.greyFaces);
     }
 };
 
@@ -58,7 +60,7 @@ class TraceKernels {
 
   private:
     Result<const gpu::Kernel*> find(std::map<SceneKind, gpu::Kernel>& kernels, const gpu::ShaderCode& code,
-                                    SceneKind scene, std::optional<gpu::Specialization> more = {});
+                                    SceneKind scene, const std::vector<gpu::Specialization>& more = {});
 
     std::shared_ptr<gpu::Device> device_;
     std::map<TraceVariant, gpu::Kernel> samples_;

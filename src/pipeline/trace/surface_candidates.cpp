@@ -1,0 +1,190 @@
+#include "pipeline/trace/surface_candidates.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <numeric>
+
+#include "pipeline/gpu/transfer.h"
+#include "pipeline/trace/device_scene.h"
+#include "pipeline/volume/brick_grid.h"
+
+namespace macula::trace {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using shared::kSurfaceGroup;
+using shared::SurfaceCandidate;
+using shared::SurfaceCell;
+
+constexpr double kDispatchMs = 40.0;
+constexpr std::uint32_t kFirstRays = 1u << 12;  // of a dispatch, before anything is known of the device
+constexpr std::uint32_t kMostRays = 1u << 20;   // of a round: 20 MiB of candidates
+constexpr double kRaysPerWanted = 32.0;         // then what is seen is too faint, or too small
+// Rays through small cells have a way before them, too: they have to be fewer by as much.
+constexpr double kSmallerPays = 0.6;
+
+glm::dvec3 faceAreas(const glm::dmat3& worldFromVoxel) {
+    return {glm::length(glm::cross(worldFromVoxel[1], worldFromVoxel[2])),
+            glm::length(glm::cross(worldFromVoxel[2], worldFromVoxel[0])),
+            glm::length(glm::cross(worldFromVoxel[0], worldFromVoxel[1]))};
+}
+
+glm::ivec3 brickOf(std::size_t index, const glm::ivec3& grid) {
+    const auto plane = std::size_t(grid.x) * std::size_t(grid.y);
+    const auto inPlane = static_cast<int>(index % plane);
+    return {inPlane % grid.x, inPlane / grid.x, static_cast<int>(index / plane)};
+}
+
+// Cells of `edge` bricks, tight around those with matter.
+std::vector<SurfaceCell> cellsOf(std::span<const std::size_t> bricks, const glm::ivec3& grid, int edge,
+                                 const glm::ivec3& voxels) {
+    const glm::ivec3 groups = (grid + edge - 1) / edge;
+    const auto count = std::size_t(groups.x) * std::size_t(groups.y) * std::size_t(groups.z);
+    std::vector<glm::ivec3> low(count, grid);
+    std::vector<glm::ivec3> high(count, glm::ivec3(0));
+    for (const std::size_t index : bricks) {
+        const glm::ivec3 brick = brickOf(index, grid);
+        const glm::ivec3 group = brick / edge;
+        const auto g =
+            (std::size_t(group.z) * std::size_t(groups.y) + std::size_t(group.y)) * std::size_t(groups.x) +
+            std::size_t(group.x);
+        low[g] = glm::min(low[g], brick);
+        high[g] = glm::max(high[g], brick + 1);
+    }
+    std::vector<SurfaceCell> cells;
+    for (std::size_t g = 0; g < count; ++g) {
+        if (high[g].x <= low[g].x) continue;
+        const auto corner = [&](const glm::ivec3& brick) {  // bricks begin half a voxel before the volume
+            return glm::clamp(glm::vec3(brick * kBrickVoxels) - 0.5f, glm::vec3(0.0f), glm::vec3(voxels));
+        };
+        cells.push_back({corner(low[g]), corner(high[g])});
+    }
+    return cells;
+}
+
+}  // namespace
+
+Result<void> Portions::run(std::uint32_t count, std::uint32_t grain,
+                           const std::function<Result<gpu::Ticket>(std::uint32_t, std::uint32_t)>& submit) {
+    for (std::uint32_t first = 0; first < count;) {
+        const std::uint32_t whole = std::max(items_ / grain, 1u) * grain;
+        const std::uint32_t now = std::min(whole, count - first);
+        const auto begin = Clock::now();
+        MACULA_TRY(const gpu::Ticket ticket, submit(first, now));
+        MACULA_TRY([[maybe_unused]] const bool done, device_.waitFor(ticket));
+        const double ms = std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
+        first += now;
+        // The first one compiles, and tells little; the last of a round is short.
+        const double ratio = std::clamp(kDispatchMs / std::max(ms, 0.1), 0.5, 2.0);
+        if (now == whole || ratio < 1.0) items_ = std::max(static_cast<std::uint32_t>(items_ * ratio), grain);
+        if (keepGoing_ && !keepGoing_())
+            return Error{ErrorCode::cancelled, "The search for points on the surface was cancelled.", {}, {}};
+    }
+    return {};
+}
+
+std::vector<double> areasOf(std::span<const SurfaceCell> cells, const glm::dmat3& worldFromVoxel) {
+    const glm::dvec3 face = faceAreas(worldFromVoxel);
+    std::vector<double> areas;
+    for (const SurfaceCell& cell : cells) {
+        const glm::dvec3 size = glm::dvec3(cell.high) - glm::dvec3(cell.low);
+        areas.push_back(2.0 *
+                        (face.x * size.y * size.z + face.y * size.z * size.x + face.z * size.x * size.y));
+    }
+    return areas;
+}
+
+std::vector<SurfaceCell> matterCells(std::span<const float> bounds, const glm::ivec3& voxels,
+                                     const glm::dmat3& worldFromVoxel) {
+    const glm::ivec3 grid = brickCount(voxels);
+    std::vector<std::size_t> bricks;
+    for (std::size_t i = 0; i < bounds.size(); ++i)
+        if (bounds[i] > 0.0f) bricks.push_back(i);
+    if (bricks.empty()) return {};
+    std::vector<SurfaceCell> best;
+    double least = 0.0;
+    int edge = 1;
+    while (edge < std::max({grid.x, grid.y, grid.z})) edge *= 2;
+    for (; edge > 0; edge /= 2) {
+        std::vector<SurfaceCell> cells = cellsOf(bricks, grid, edge, voxels);
+        const std::vector<double> areas = areasOf(cells, worldFromVoxel);
+        const double area = std::accumulate(areas.begin(), areas.end(), 0.0);
+        if (!best.empty() && !(area < kSmallerPays * least)) continue;
+        best = std::move(cells);
+        least = area;
+    }
+    return best;
+}
+
+Result<SurfaceCandidates> findCandidates(const std::shared_ptr<gpu::Device>& device, const DeviceScene& scene,
+                                         const gpu::Kernel& kernel, double wanted,
+                                         const std::function<bool()>& keepGoing) {
+    const Volume& volume = *scene.volume();
+    const glm::dmat3 worldFromVoxel(volume.worldFromVoxel());
+    std::vector<SurfaceCell> cells = matterCells(scene.bounds(), volume.size(), worldFromVoxel);
+    // A face shows values wherever it is.
+    if (scene.hasGreyFaces()) cells = {{glm::vec3(0.0f), glm::vec3(volume.size())}};
+    SurfaceCandidates result;
+    if (cells.empty()) return result;
+    const std::vector<double> areas = areasOf(cells, worldFromVoxel);
+    const double area = std::accumulate(areas.begin(), areas.end(), 0.0);
+    MACULA_TRY(gpu::Buffer cellBuffer,
+               gpu::Buffer::create(device, {.label = "cells", .bytes = cells.size() * sizeof(SurfaceCell)}));
+    MACULA_TRY_VOID(gpu::uploadTo<SurfaceCell>(cellBuffer, cells));
+
+    Portions portions(*device, kFirstRays, keepGoing);
+    double sum = 0.0;
+    double squares = 0.0;
+    double sent = 0.0;
+    double next = wanted;
+    for (std::uint32_t round = 0;; ++round) {
+        const auto groups =
+            static_cast<std::uint32_t>(std::clamp(next, 1.0, double(kMostRays))) / kSurfaceGroup + 1;
+        const std::uint32_t rays = groups * kSurfaceGroup;
+        // As many for each as it has surface.
+        std::vector<std::uint32_t> cellOfRay(rays);
+        const double offset = std::fmod(0.5 + 0.6180339887498949 * round, 1.0);
+        double end = areas[0];
+        for (std::uint32_t ray = 0, cell = 0; ray < rays; ++ray) {
+            while (area * ((ray + offset) / rays) > end && cell + 1 < cells.size()) end += areas[++cell];
+            cellOfRay[ray] = cell;
+        }
+        MACULA_TRY(gpu::Buffer rayBuffer,
+                   gpu::Buffer::create(device, {.label = "rays", .bytes = std::uint64_t(rays) * 4}));
+        MACULA_TRY_VOID(gpu::uploadTo<std::uint32_t>(rayBuffer, cellOfRay));
+        MACULA_TRY(gpu::Buffer found,
+                   gpu::Buffer::create(device, {.label = "candidates",
+                                                .bytes = std::uint64_t(rays) * sizeof(SurfaceCandidate)}));
+        MACULA_TRY_VOID(portions.run(
+            rays, kSurfaceGroup, [&](std::uint32_t first, std::uint32_t now) -> Result<gpu::Ticket> {
+                MACULA_TRY(auto recorder, gpu::Recorder::create(device, "candidates"));
+                std::vector<gpu::Binding> bindings = scene.bindings();
+                bindings.emplace_back(cellBuffer);
+                bindings.emplace_back(rayBuffer);
+                bindings.emplace_back(found);
+                recorder.dispatch(kernel, {now}, shared::CandidatePush{.first = first, .round = round},
+                                  bindings);
+                return recorder.submit();
+            }));
+        MACULA_TRY(const auto values, gpu::read<SurfaceCandidate>(found));
+        for (const SurfaceCandidate& value : values) {
+            if (!(value.weight > 0.0f) || !std::isfinite(value.weight)) continue;
+            result.found.push_back(value);
+            sum += double(value.weight);
+            squares += double(value.weight) * double(value.weight);
+        }
+        sent += rays;
+        // So many as there were if all weighed the same.
+        const double effective = squares > 0.0 ? sum * sum / squares : 0.0;
+        if (effective >= wanted || sent >= kRaysPerWanted * wanted) break;
+        const double missing = 1.05 * (wanted - effective) * sent / std::max(effective, 1.0);
+        next = std::clamp(missing, 1.0, std::min(4.0 * sent, kRaysPerWanted * wanted - sent));
+    }
+    result.areaMm2 = sum * 0.25 * area / sent;
+    return result;
+}
+
+}  // namespace macula::trace
