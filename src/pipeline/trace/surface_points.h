@@ -1,9 +1,10 @@
 // Points spread evenly over what can be seen of a volume: what the peripheral model is begun with.
 //
 // A place has points in proportion to its extinction times min(4 s, 1), where s is the part of all directions
-// that it is seen from, as clip and mask leave it. So each point stands for the same area of an opaque surface,
-// whichever way that faces (0.9 of its area count, as what lies deep is seen less), and for as much of
-// translucent matter as has the same effect; what is seen from less than a quarter of all directions has fewer.
+// that it is seen from, as clip and mask leave it. So each point stands for the same area of an opaque
+// surface, whichever way that faces (0.9 of its area count, as what lies deep is seen less), and for as much
+// of translucent matter as has the same effect; what is seen from less than a quarter of all directions has
+// fewer.
 //
 // They are drawn by rays even over all lines through the matter, which meet a place with a probability in
 // proportion to extinction times s already. A weight makes good the rest, and of many candidates one is taken
