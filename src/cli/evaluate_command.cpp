@@ -18,11 +18,11 @@
 #include "cli/open_device.h"
 #include "cli/output_file.h"
 #include "cli/report.h"
+#include "cli/shown_clip.h"
 #include "cli/study_input.h"
 #include "cli/study_preset.h"
 #include "image/image_file.h"
 #include "pipeline/trace/settings.h"
-#include "segment/patient.h"
 
 namespace macula::cli {
 
@@ -56,10 +56,7 @@ Result<void> check(const Options& options) {
         return Error{
             ErrorCode::usage, "There is not one series for each path.", {}, "Give --series once for each."};
     for (const std::string& preset : options.presets) MACULA_TRY_VOID(presetToDraw(preset, options.fit));
-    MACULA_TRY(const trace::Environment lights, chooseLights(options.lights));
-    if (lights.frame() == trace::LightFrame::camera)
-        return Error{ErrorCode::usage, "These lights hang on the camera.", options.lights,
-                     "A peripheral model holds light that stays where it is: choose lights of the patient."};
+    MACULA_TRY_VOID(choosePatientLights(options.lights));
     if (!options.clip.empty()) MACULA_TRY_VOID(chooseClip(options.clip));
     if (!options.json.empty() && options.json != "-") MACULA_TRY_VOID(checkFolderOf(options.json));
     std::error_code error;
@@ -80,17 +77,13 @@ Result<Study> openStudy(const Options& options, std::size_t place, Progress& pro
     MACULA_TRY(study.input, loadStudy(options.paths[place],
                                       options.series.empty() ? "" : options.series[place], progress));
     bringTo16Bits(study.input);
+    ClipPreset clip;
     if (!options.clip.empty()) {
-        MACULA_TRY(const ClipPreset clip, chooseClip(options.clip));
-        study.clip = clipFor(clip, *study.input.volume);
+        MACULA_TRY(clip, chooseClip(options.clip));
     }
-    if (options.removeTable) {
-        MACULA_TRY(segment::PatientMask patient, segment::findPatient(*study.input.volume, progress));
-        for (const Message& message : patient.messages) printNote(message.sentence);
-        study.tableRemoved = patient.removedMl > 0.0;  // where it was not sure, nothing went
-        study.clip.mask = Mask{.labels = std::make_shared<const LabelMap>(std::move(patient.map)),
-                               .numbers = {segment::PatientMask::kPatient}};
-    }
+    MACULA_TRY(ShownClip shown, shownClip(clip, options.removeTable, *study.input.volume, progress));
+    study.clip = std::move(shown.clip);
+    study.tableRemoved = shown.tableRemoved;
     return study;
 }
 

@@ -8,11 +8,11 @@
 #include <utility>
 
 #include "image/masked_metrics.h"
-#include "pipeline/hybrid/display_picture.h"
 #include "pipeline/hybrid/drawn_views.h"
 #include "pipeline/hybrid/first_model.h"
 #include "pipeline/hybrid/traced_views.h"
 #include "pipeline/hybrid/view_sampling.h"
+#include "pipeline/splat/displayed.h"
 
 namespace macula::cli {
 
@@ -110,15 +110,12 @@ class Evaluation {
                                                      std::span<const glm::vec4> right) {
         std::vector<std::uint8_t> rgba;
         rgba.reserve(left.size() * 8);
-        const auto a = hybrid::displayed(left);
-        const auto b = hybrid::displayed(right);
-        const auto width = static_cast<std::size_t>(size.x);
-        for (std::size_t y = 0; y < static_cast<std::size_t>(size.y); ++y) {
-            for (const std::vector<std::uint8_t>* half : {&a, &b}) {
-                for (std::size_t i = y * width; i < (y + 1) * width; ++i) {
-                    rgba.insert(rgba.end(), {(*half)[3 * i], (*half)[3 * i + 1], (*half)[3 * i + 2], 255});
-                }
-            }
+        const auto a = splat::displayed(left, splat::ColourSpace::linear, {});
+        const auto b = splat::displayed(right, splat::ColourSpace::linear, {});
+        const auto rowBytes = 4 * static_cast<std::ptrdiff_t>(size.x);
+        for (std::ptrdiff_t y = 0; y < size.y; ++y) {
+            for (const auto* half : {&a, &b})
+                rgba.insert(rgba.end(), half->begin() + y * rowBytes, half->begin() + (y + 1) * rowBytes);
         }
         return rgba;
     }

@@ -82,4 +82,12 @@ std::string publicLightsName(const std::string& nameOrFile) {
     return publicName(presets::lightFiles(), nameOrFile);
 }
 
+Result<trace::Environment> choosePatientLights(const std::string& nameOrFile) {
+    MACULA_TRY(trace::Environment lights, chooseLights(nameOrFile));
+    if (lights.frame() == trace::LightFrame::camera)
+        return Error{ErrorCode::usage, "These lights hang on the camera.", nameOrFile,
+                     "A peripheral model holds light that stays where it is: choose lights of the patient."};
+    return lights;
+}
+
 }  // namespace macula::cli

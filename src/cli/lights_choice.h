@@ -21,4 +21,8 @@ Result<trace::Environment> chooseLights(const std::string& nameOrFile);
 // As publicPresetName.
 std::string publicLightsName(const std::string& nameOrFile);
 
+// The same, for what holds light that stays where it is, as a peripheral model does: usage also for lights
+// that hang on the camera.
+Result<trace::Environment> choosePatientLights(const std::string& nameOrFile);
+
 }  // namespace macula::cli

@@ -23,13 +23,13 @@
 #include "cli/quality_choice.h"
 #include "cli/render_statistics.h"
 #include "cli/report.h"
+#include "cli/shown_clip.h"
 #include "cli/study_input.h"
 #include "cli/study_preset.h"
 #include "pipeline/trace/path_tracer.h"
 #include "pipeline/trace/scene.h"
 #include "pipeline/volume/volume_fit.h"
 #include "pipeline/volume/window.h"
-#include "segment/patient.h"
 
 namespace macula::cli {
 
@@ -267,19 +267,11 @@ Result<void> render(const Options& options) {
     MACULA_TRY(record.settings.window, chooseWindow(options, preset.function, *study.volume));
     record.notes = study.notes;
 
-    Clip shown = clipFor(clip, *study.volume);
-    if (options.removeTable) {
-        MACULA_TRY(segment::PatientMask patient, segment::findPatient(*study.volume, progress));
-        for (const Message& message : patient.messages) {
-            record.notes.push_back(message.sentence);
-            printNote(message.sentence);
-        }
-        record.tableRemoved = patient.removedMl > 0.0;  // where it was not sure, nothing went
-        shown.mask = Mask{.labels = std::make_shared<const LabelMap>(std::move(patient.map)),
-                          .numbers = {segment::PatientMask::kPatient}};
-    }
+    MACULA_TRY(ShownClip shown, shownClip(clip, options.removeTable, *study.volume, progress));
+    record.notes.insert(record.notes.end(), shown.notes.begin(), shown.notes.end());
+    record.tableRemoved = shown.tableRemoved;
     const Scene scene{.volume = study.volume,
-                      .clip = std::move(shown),
+                      .clip = std::move(shown.clip),
                       .preset = preset.function,
                       .environment = environment,
                       .view = {record.camera, size.x, size.y},

@@ -18,6 +18,7 @@
 #include "cli/open_device.h"
 #include "cli/output_file.h"
 #include "cli/report.h"
+#include "cli/shown_clip.h"
 #include "cli/study_input.h"
 #include "cli/study_preset.h"
 #include "pipeline/hybrid/first_model.h"
@@ -25,7 +26,6 @@
 #include "pipeline/splat/model_file.h"
 #include "pipeline/splat/training_file.h"
 #include "pipeline/trace/settings.h"
-#include "segment/patient.h"
 
 namespace macula::cli {
 
@@ -69,25 +69,7 @@ Result<trace::Environment> check(const Options& options) {
     if (!options.json.empty() && options.json != "-") MACULA_TRY_VOID(checkFolderOf(options.json));
     if (!options.preset.empty()) MACULA_TRY_VOID(presetToDraw(options.preset, options.fit));
     if (!options.clip.empty()) MACULA_TRY_VOID(chooseClip(options.clip));
-    MACULA_TRY(trace::Environment lights, chooseLights(options.lights));
-    if (lights.frame() == trace::LightFrame::camera)
-        return Error{ErrorCode::usage, "These lights hang on the camera.", options.lights,
-                     "A peripheral model holds light that stays where it is: choose lights of the patient."};
-    return lights;
-}
-
-Result<Clip> clipOf(const Options& options, const Volume& volume, Progress& progress) {
-    Clip clip;
-    if (!options.clip.empty()) {
-        MACULA_TRY(const ClipPreset preset, chooseClip(options.clip));
-        clip = clipFor(preset, volume);
-    }
-    if (!options.removeTable) return clip;
-    MACULA_TRY(segment::PatientMask patient, segment::findPatient(volume, progress));
-    for (const Message& message : patient.messages) printNote(message.sentence);
-    clip.mask = Mask{.labels = std::make_shared<const LabelMap>(std::move(patient.map)),
-                     .numbers = {segment::PatientMask::kPatient}};
-    return clip;
+    return choosePatientLights(options.lights);
 }
 
 // What is on the host when the device is done: a lost device takes nothing of it along.
@@ -126,7 +108,7 @@ Result<Trained> trainOn(const std::shared_ptr<gpu::Device>& device,
 }
 
 nlohmann::ordered_json toJson(const Trained& trained, const StudyInput& study, const std::string& preset,
-                              const Options& options) {
+                              bool tableRemoved, const Options& options) {
     const hybrid::FirstModelOptions& m = options.model;
     return {{"version", MACULA_VERSION},
             {"device", trained.device},
@@ -134,6 +116,7 @@ nlohmann::ordered_json toJson(const Trained& trained, const StudyInput& study, c
             {"preset", preset},
             {"lights", publicLightsName(options.lights)},
             {"clip", publicClipName(options.clip)},
+            {"tableRemoved", tableRemoved},
             {"points", m.points.count},
             {"views", m.views},
             {"viewsGivenUp", trained.viewsGivenUp},
@@ -167,11 +150,16 @@ Result<void> train(const Options& options) {
     MACULA_TRY(StudyInput study, loadStudy(options.path, options.series, progress));
     bringTo16Bits(study);
     MACULA_TRY(const StudyPreset preset, choosePresetFor(study, options.preset, options.fit));
-    MACULA_TRY(const Clip clip, clipOf(options, *study.volume, progress));
+    ClipPreset clip;
+    if (!options.clip.empty()) {
+        MACULA_TRY(clip, chooseClip(options.clip));
+    }
+    MACULA_TRY(const ShownClip shown, shownClip(clip, options.removeTable, *study.volume, progress));
 
     Trained trained;
     MACULA_TRY_VOID(device.run([&](const std::shared_ptr<gpu::Device>& on) -> Result<void> {
-        MACULA_TRY(trained, trainOn(on, study.volume, preset.function, clip, lights, options, progress));
+        MACULA_TRY(trained,
+                   trainOn(on, study.volume, preset.function, shown.clip, lights, options, progress));
         return {};
     }));
     if (trained.viewsGivenUp > 0)
@@ -180,7 +168,8 @@ Result<void> train(const Options& options) {
                         "better was found.",
                         trained.viewsGivenUp, options.model.views));
     MACULA_TRY_VOID(write(options.output, trained.state));
-    const std::string text = toJson(trained, study, preset.publicName, options).dump(4) + "\n";
+    const std::string text =
+        toJson(trained, study, preset.publicName, shown.tableRemoved, options).dump(4) + "\n";
     if (options.json == "-") fmt::print("{}", text);
     if (!options.json.empty() && options.json != "-")
         MACULA_TRY_VOID(writeTextAtomically(options.json, text));

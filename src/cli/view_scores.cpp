@@ -6,7 +6,7 @@
 
 #include "image/masked_metrics.h"
 #include "image/metrics.h"
-#include "pipeline/hybrid/display_picture.h"
+#include "pipeline/splat/displayed.h"
 
 namespace macula::cli {
 
@@ -33,10 +33,10 @@ image::Image displayImage(const glm::ivec2& sizePx, std::span<const glm::vec4> r
                        .channels = 3,
                        .encoding = image::Encoding::display,
                        .pixels = {}};
-    const std::vector<std::uint8_t> bytes = hybrid::displayed(rgba);
-    image.pixels.reserve(bytes.size());
-    std::transform(bytes.begin(), bytes.end(), std::back_inserter(image.pixels),
-                   [](std::uint8_t byte) { return static_cast<float>(byte) / 255.0f; });
+    const std::vector<std::uint8_t> shown = splat::displayed(rgba, splat::ColourSpace::linear, {});
+    image.pixels.reserve(shown.size() / 4 * 3);
+    for (std::size_t i = 0; i < shown.size(); i += 4)
+        for (std::size_t c = 0; c < 3; ++c) image.pixels.push_back(static_cast<float>(shown[i + c]) / 255.0f);
     return image;
 }
 

@@ -25,6 +25,7 @@ TEST_F(Train, WritesAModelAndTellsWhatWasDone) {
     ASSERT_EQ(ran.exitCode, 0) << ran.err;
     const json report = json::parse(ran.out);
     EXPECT_EQ(report["study"], "phantom");
+    EXPECT_EQ(report["tableRemoved"], false);
     EXPECT_EQ(report["iterations"], 12);
     EXPECT_GT(report["loss"].get<double>(), 0.0);
     const auto model = splat::readModel(at("model.ply"));

@@ -40,8 +40,8 @@ struct FirstModel {
 
 // `tracer` has its volume, transfer function, environment and clip, and is left with other settings and
 // another view; `seenMm` is the box of what can be seen (TracedScene). Fails with inputNotUsable when nothing
-// can be, with usage for lights that hang on the camera, of which a model knows nothing, and with `cancelled`
-// when `progress` says so.
+// can be, and with `cancelled` when `progress` says so. Lights must be the patient's: of those that hang on
+// the camera a model knows nothing.
 Result<FirstModel> makeFirstModel(const std::shared_ptr<gpu::Device>& device, trace::PathTracer& tracer,
                                   const Box& seenMm, const FirstModelOptions& options, Progress& progress);
 
