@@ -97,6 +97,7 @@ void addBench(CLI::App& app, Action& action) {
     addBenchFoveal(*bench, action);
     addBenchTradeoff(*bench, action);
     addBenchLoad(*bench, action);
+    addBenchTrain(*bench, action);
 }
 
 }  // namespace macula::cli

@@ -25,5 +25,6 @@ void addTrain(CLI::App& app, Action& action);
 void addBenchFoveal(CLI::App& bench, Action& action);    // a subcommand of bench
 void addBenchLoad(CLI::App& bench, Action& action);      // likewise
 void addBenchTradeoff(CLI::App& bench, Action& action);  // likewise
+void addBenchTrain(CLI::App& bench, Action& action);     // likewise
 
 }  // namespace macula::cli

@@ -1,5 +1,6 @@
 // macula bench: that the benchmarks of the tracer run to their end and say what they promise. How fast
 // anything is, is not tested.
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "cli/run_command.h"
@@ -59,7 +60,55 @@ TEST_F(Bench, TradeoffTellsWhatItMeasuredAlsoWhenThePlotCannotBeWritten) {
               report["results"][0]["psnrDb"].get<double>() + 3.0);
 }
 
+TEST_F(Bench, TrainTellsEachStageBesideTheReference) {
+    const std::vector<std::string> command{"bench", "train",         "--size", "32",           "--splats",
+                                           "300",   "--repetitions", "1",      "--from-volume"};
+    std::vector<std::string> asJson = command;
+    asJson.emplace_back("--json");
+    const Ran ran = runMacula(asJson);
+    ASSERT_EQ(ran.exitCode, 0) << ran.err;
+    const json report = json::parse(ran.out);
+    EXPECT_EQ(report["benchmark"], "train");
+    EXPECT_EQ(report["splats"], 300);
+    ASSERT_EQ(report["results"].size(), 2u);
+    EXPECT_EQ(report["results"][1]["picture"], json::array({16, 16}));
+    for (const json& result : report["results"]) {
+        EXPECT_GT(result["pairs"], 10);
+        const json& stages = result["stages"];
+        double sum = 0.0;
+        for (const char* name : {"project", "raster", "loss", "backward", "adam"}) {
+            EXPECT_GT(stages[name]["device"]["wallMs"], 0.0) << name;
+            sum += stages[name]["reference"]["wallMs"].get<double>();
+        }
+        EXPECT_GT(stages["lists"]["device"]["wallMs"], 0.0);
+        EXPECT_TRUE(stages["lists"]["reference"].is_null());
+        // One turn: medians are itself.
+        const json& step = stages["step"];
+        EXPECT_NEAR(step["reference"]["wallMs"].get<double>(), sum, 1e-6);
+        EXPECT_NEAR(step["wallRatio"].get<double>(), step["device"]["wallMs"].get<double>() / sum, 1e-6);
+        EXPECT_NEAR(result["stepsPerSecond"].get<double>() * step["device"]["wallMs"].get<double>(), 1000.0,
+                    1e-6);
+    }
+    const json& fromVolume = report["fromVolume"];
+    for (const char* what : {"firstSplatsMs", "firstPictureMs", "tracedViewMs"})
+        EXPECT_GT(fromVolume[what], 0.0) << what;
+
+    // Beside itself as a baseline: what it had of each stage.
+    std::ofstream(at("baseline.json")) << ran.out;
+    const std::vector<std::string> again{
+        "bench", "train",         "--size", "32",         "--splats",
+        "300",   "--repetitions", "1",      "--baseline", at("baseline.json")};
+    const Ran second = runMacula(again);
+    ASSERT_EQ(second.exitCode, 0) << second.err;
+    const json loss = json::parse(second.out)["results"][0]["stages"]["loss"];
+    EXPECT_NEAR(loss["cpuRatioOverBaseline"].get<double>() *
+                    report["results"][0]["stages"]["loss"]["cpuRatio"].get<double>(),
+                loss["cpuRatio"].get<double>(), 1e-9);
+}
+
 TEST_F(Bench, BadNumbersAreUsageErrors) {
+    EXPECT_EQ(runMacula({"bench", "train", "--splats", "0"}).exitCode, 2);
+    EXPECT_EQ(runMacula({"bench", "train", "--degree", "2"}).exitCode, 2);
     EXPECT_EQ(runMacula({"bench", "foveal", "--flip", "0"}).exitCode, 2);
     EXPECT_EQ(runMacula({"bench", "foveal", "--size", "0"}).exitCode, 2);
     EXPECT_EQ(runMacula({"bench", "trace", "--preset", "no-such-preset"}).exitCode, 2);

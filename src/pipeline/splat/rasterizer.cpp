@@ -190,15 +190,16 @@ Result<std::span<const glm::vec4>> Rasterizer::readScreen(std::uint32_t count) {
 }
 
 Result<void> Rasterizer::draw(const SplatBuffer& parameters, std::uint32_t count, const RasterView& view,
-                              const Blending& blending) {
+                              const Blending& blending, const Submitted& submitted) {
     MACULA_CHECK_LE(count, capacity_);
     MACULA_CHECK_LE(count, parameters.capacity());
     count_ = 0;
     MACULA_TRY_VOID(makePicture(view.sizePx));
     MACULA_TRY_VOID(project(parameters, count, view, blending));
+    if (submitted) MACULA_TRY_VOID(submitted(DrawStage::project));
     MACULA_TRY(const std::span<const glm::vec4> screen, readScreen(count));
     count_ = count;
-    Result<void> drawn = sortAndRaster(screen, screen_, view, blending);
+    Result<void> drawn = sortAndRaster(screen, screen_, view, blending, submitted);
     if (!drawn) count_ = 0;  // nothing can be differentiated
     return drawn;
 }
@@ -220,19 +221,21 @@ Result<void> Rasterizer::drawProjected(std::span<const glm::vec4> screen, const 
 
 Result<void> Rasterizer::sortAndRaster(std::span<const glm::vec4> screen,
                                        const gpu::TexelBuffer& screenTexels, const RasterView& view,
-                                       const Blending& blending) {
+                                       const Blending& blending, const Submitted& submitted) {
     // What a tile's list can hold; the backward pass needs more, and asks for it then.
     std::uint64_t mostPairs = std::min<std::uint64_t>(
         device_->info().maxTexelBufferElements, device_->info().maxAllocationBytes / sizeof(glm::uvec2));
     if (shape_.mostPairs > 0) mostPairs = std::min(mostPairs, shape_.mostPairs);
     if (!sortIntoTiles(screen, view, blending, shape_.tileRows, mostPairs, lists_)) return tooMany();
     MACULA_TRY_VOID(uploadLists());
+    if (submitted) MACULA_TRY_VOID(submitted(DrawStage::lists));
     MACULA_TRY(auto recorder, gpu::Recorder::create(device_, "draw splats"));
     recorder.dispatch(kernels_.raster,
                       {static_cast<std::uint32_t>(lists_.tiles.x * shared::kTileColumns),
                        static_cast<std::uint32_t>(lists_.tiles.y * shape_.tileRows / shape_.rowsPerThread)},
                       {frame_, screenTexels, *ranges_, *entries_, picture_->texels.buffer(), *depths_});
     MACULA_TRY([[maybe_unused]] const gpu::Ticket ticket, recorder.submit());
+    if (submitted) MACULA_TRY_VOID(submitted(DrawStage::raster));
     return {};
 }
 

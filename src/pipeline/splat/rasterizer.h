@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -27,6 +28,9 @@ struct RasterShape {
     std::uint64_t mostPairs = 0;  // of splats and tiles in a picture
 };
 
+// What a picture is made in.
+enum class DrawStage { project, lists, raster };
+
 // Used by one thread at a time, the one that uses the device.
 class Rasterizer {
   public:
@@ -37,9 +41,11 @@ class Rasterizer {
     // Draws the first `count` splats. The view and the blending must be valid. Waits for the projection,
     // whose result is sorted on the host; the picture is done when what was submitted is. outOfMemory when
     // there are too many pairs of splats and tiles, or the picture is too large; then there is no picture
-    // until the next draw that succeeds.
+    // until the next draw that succeeds. `submitted` (may be empty) is told after the work of each stage was
+    // submitted, to measure it: where it fails, so does this.
+    using Submitted = std::function<Result<void>(DrawStage)>;
     Result<void> draw(const SplatBuffer& parameters, std::uint32_t count, const RasterView& view,
-                      const Blending& blending);
+                      const Blending& blending, const Submitted& submitted = {});
 
     // The same of what projectOnHost made. Nothing can be differentiated then.
     Result<void> drawProjected(std::span<const glm::vec4> screen, const RasterView& view,
@@ -78,7 +84,8 @@ class Rasterizer {
                          const Blending& blending);
     Result<std::span<const glm::vec4>> readScreen(std::uint32_t count);
     Result<void> sortAndRaster(std::span<const glm::vec4> screen, const gpu::TexelBuffer& screenTexels,
-                               const RasterView& view, const Blending& blending);
+                               const RasterView& view, const Blending& blending,
+                               const Submitted& submitted = {});
     Result<void> uploadLists();
     Result<void> makePicture(glm::ivec2 sizePx);
 

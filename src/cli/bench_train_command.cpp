@@ -1,0 +1,253 @@
+// macula bench train [PATH]: the stages of training a peripheral model, beside the C++ reference in double.
+#include <CLI/App.hpp>
+#include <CLI/Option.hpp>
+#include <CLI/Validators.hpp>
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "base/atomic_file.h"
+#include "base/parallel.h"
+#include "base/progress_bar.h"
+#include "cli/bench_study.h"
+#include "cli/command.h"
+#include "cli/interrupt.h"
+#include "pipeline/hybrid/first_model.h"
+#include "pipeline/hybrid/initial_splats.h"
+#include "pipeline/hybrid/traced_views.h"
+#include "pipeline/splat/benchmark.h"
+#include "pipeline/splat/model_painter.h"
+
+namespace macula::cli {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Options {
+    BenchStudyOptions study;
+    std::filesystem::path baseline;
+    std::uint32_t splats = 10000;
+    int shDegree = 0;
+    int repetitions = 5;
+    bool fromVolume = false;
+    bool json = false;
+};
+
+// What macula train gives its views.
+constexpr std::uint32_t kSamplesPerPixel = 2;
+
+double millisecondsOf(const std::function<Result<void>()>& work, Result<void>& done) {
+    const auto start = std::chrono::steady_clock::now();
+    done = work();
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+// By name, in the order of a step.
+std::vector<std::pair<const char*, splat::StageBenchmark>> stagesOf(const splat::TrainingBenchmark& b) {
+    return {{"project", b.project},   {"lists", b.lists}, {"raster", b.raster}, {"loss", b.loss},
+            {"backward", b.backward}, {"adam", b.adam},   {"step", b.step}};
+}
+
+Json toJson(const splat::StageTime& time) {
+    return {{"wallMs", time.wallMs}, {"cpuMs", time.cpuMs}};
+}
+
+Json toJson(const splat::TrainingBenchmark& benchmark, const glm::ivec2& sizePx) {
+    Json stages = Json::object();
+    for (const auto& [name, stage] : stagesOf(benchmark)) {
+        stages[name] = {{"device", toJson(stage.device)},
+                        {"reference", stage.reference ? toJson(*stage.reference) : Json()},
+                        {"wallRatio", stage.reference ? Json(stage.wallRatio) : Json()},
+                        {"cpuRatio", stage.reference ? Json(stage.cpuRatio) : Json()}};
+    }
+    return {{"picture", {sizePx.x, sizePx.y}},
+            {"pairs", benchmark.pairs},
+            {"stages", std::move(stages)},
+            {"stepsPerSecond", 1000.0 / benchmark.step.device.wallMs}};
+}
+
+// How the ratios stand against those of an earlier run, by size and stage; nothing where it has none.
+Result<void> compare(const std::filesystem::path& baseline, Json& results) {
+    MACULA_TRY(const std::string text, readText(baseline));
+    const Json earlier = Json::parse(text, nullptr, false);
+    if (earlier.is_discarded() || !earlier.is_object() || earlier.value("benchmark", Json()) != "train" ||
+        !earlier.contains("results") || !earlier["results"].is_array()) {
+        return Error{ErrorCode::inputNotUsable, "The baseline is no output of macula bench train.",
+                     baseline.string(), "Make one with: macula bench train --json > baseline.json"};
+    }
+    for (Json& result : results) {
+        for (const Json& before : earlier["results"]) {
+            if (!before.is_object() || before.value("picture", Json()) != result["picture"]) continue;
+            for (auto& [name, stage] : result["stages"].items()) {
+                const Json ratio = before.value(Json::json_pointer("/stages/" + name + "/cpuRatio"), Json());
+                if (!ratio.is_number() || ratio.get<double>() <= 0.0 || !stage["cpuRatio"].is_number())
+                    continue;
+                stage["cpuRatioOverBaseline"] = stage["cpuRatio"].get<double>() / ratio.get<double>();
+            }
+        }
+    }
+    return {};
+}
+
+void print(const splat::TrainingBenchmark& benchmark, const glm::ivec2& sizePx) {
+    fmt::print("{} x {}, {} pairs of splats and tiles, {:.1f} steps a second\n", sizePx.x, sizePx.y,
+               benchmark.pairs, 1000.0 / benchmark.step.device.wallMs);
+    fmt::print("{:>10} {:>10} {:>10} {:>13} {:>13} {:>7}\n", "stage", "ms", "CPU ms", "reference ms",
+               "its CPU ms", "ratio");
+    for (const auto& [name, stage] : stagesOf(benchmark)) {
+        fmt::print("{:>10} {:>10.2f} {:>10.2f}", name, stage.device.wallMs, stage.device.cpuMs);
+        if (stage.reference)
+            fmt::print(" {:>13.1f} {:>13.1f} {:>7.4f}", stage.reference->wallMs, stage.reference->cpuMs,
+                       stage.cpuRatio);
+        fmt::print("\n");
+    }
+}
+
+// The median of `repetitions` turns, after one that compiles kernels.
+Result<double> medianMs(int repetitions, const std::function<Result<void>()>& work) {
+    Result<void> done = work();
+    std::vector<double> times;
+    for (int i = 0; i < repetitions && done; ++i) times.push_back(millisecondsOf(work, done));
+    if (!done) return done.error();
+    std::sort(times.begin(), times.end());
+    return times[times.size() / 2];
+}
+
+class Bench {
+  public:
+    Bench(const BenchStudy& study, const Options& options, trace::PathTracer tracer, Progress& progress)
+        : study_(study), options_(options), tracer_(std::move(tracer)), progress_(progress) {}
+
+    Result<Json> run() {
+        progress_.beginStage("Finding points", 1);
+        MACULA_TRY_VOID(findModel());
+        Json json = {{"splats", model_.size()}, {"results", Json::array()}};
+        const glm::ivec2 whole(options_.study.size);
+        // Small pictures come first in training.
+        for (const glm::ivec2& size : {whole, (whole + 1) / 2}) {
+            MACULA_TRY(const splat::TrainingBenchmark benchmark, measure(size));
+            if (!options_.json && options_.baseline.empty()) print(benchmark, size);
+            json["results"].push_back(toJson(benchmark, size));
+        }
+        if (options_.fromVolume) {
+            MACULA_TRY(json["fromVolume"], measureBeginning());
+        }
+        return json;
+    }
+
+  private:
+    Result<void> findModel() {
+        MACULA_TRY(const trace::SurfacePoints points,
+                   tracer_.surfacePoints({.count = options_.splats}, [&] { return !progress_.cancelled(); }));
+        if (points.points.empty())
+            return Error{ErrorCode::inputNotUsable,
+                         "Nothing of the series can be seen.",
+                         {},
+                         "Choose another preset."};
+        spacingMm_ = std::sqrt(points.areaMm2);
+        model_ = hybrid::initialSplats(points);
+        model_.setShDegree(options_.shDegree);
+        return {};
+    }
+
+    Result<hybrid::TracedView> traceOne(const glm::ivec2& sizePx) {
+        const trace::View view{.camera = study_.view.camera, .width = sizePx.x, .height = sizePx.y};
+        return hybrid::traceView(tracer_, view, {.denoising = trace::Denoising::on}, kSamplesPerPixel,
+                                 progress_);
+    }
+
+    Result<splat::TrainingBenchmark> measure(const glm::ivec2& sizePx) {
+        progress_.beginStage("Tracing the view", kSamplesPerPixel);
+        MACULA_TRY(hybrid::TracedView traced, traceOne(sizePx));
+        MACULA_TRY(const splat::RasterView view, splat::rasterView(traced.camera, sizePx, model_.originMm));
+        progress_.beginStage("Measuring", static_cast<std::size_t>(options_.repetitions));
+        return splat::benchmarkTraining(
+            study_.device, model_, {.view = view, .pixels = std::move(traced.rgba)},
+            {.trainer = hybrid::trainerOptions({}, spacingMm_), .repetitions = options_.repetitions},
+            progress_);
+    }
+
+    // From a volume that is on the device.
+    Result<Json> measureBeginning() {
+        progress_.beginStage("Measuring the beginning", 1);
+        MACULA_TRY(const splat::RasterView view,
+                   splat::rasterView(study_.view.camera, glm::ivec2(options_.study.size), model_.originMm));
+        const auto firstPicture = [&]() -> Result<void> {
+            MACULA_TRY_VOID(findModel());
+            MACULA_TRY(auto painter, splat::ModelPainter::create(study_.device, model_));
+            MACULA_TRY([[maybe_unused]] const auto picture, painter.draw(view));
+            return {};
+        };
+        const auto tracing = [&]() -> Result<void> {
+            MACULA_TRY([[maybe_unused]] const auto traced, traceOne(view.sizePx));
+            return {};
+        };
+        MACULA_TRY(const double pointsMs, medianMs(options_.repetitions, [&] { return findModel(); }));
+        MACULA_TRY(const double firstPictureMs, medianMs(options_.repetitions, firstPicture));
+        MACULA_TRY(const double viewMs, medianMs(options_.repetitions, tracing));
+        if (!options_.json && options_.baseline.empty())
+            fmt::print(
+                "From a volume on the device: splats from points after {:.0f} ms, their first picture after "
+                "{:.0f} ms; tracing a view ({} samples, denoised) takes {:.0f} ms\n",
+                pointsMs, firstPictureMs, kSamplesPerPixel, viewMs);
+        return Json{{"firstSplatsMs", pointsMs},
+                    {"firstPictureMs", firstPictureMs},
+                    {"tracedViewMs", viewMs},
+                    {"samplesPerPixel", kSamplesPerPixel}};
+    }
+
+    const BenchStudy& study_;
+    const Options& options_;
+    trace::PathTracer tracer_;
+    Progress& progress_;
+    splat::Splats model_;
+    double spacingMm_ = 1.0;
+};
+
+Result<void> benchTrain(const Options& options) {
+    Progress progress(terminalProgressBar(), interruptToken());
+    MACULA_TRY(const BenchStudy study, openBenchStudy(options.study, progress));
+    MACULA_TRY(trace::PathTracer tracer, study.makeTracer());
+    Bench bench(study, options, std::move(tracer), progress);
+    MACULA_TRY(Json measured, bench.run());
+    if (!options.baseline.empty()) MACULA_TRY_VOID(compare(options.baseline, measured["results"]));
+    if (!options.json && options.baseline.empty()) return {};
+    Json json = describe("train", study);
+    json["referenceThreads"] = coreCount();
+    json["repetitions"] = options.repetitions;
+    json["shDegree"] = options.shDegree;
+    json.update(measured);
+    fmt::print("{}\n", json.dump(4));
+    return {};
+}
+
+}  // namespace
+
+void addBenchTrain(CLI::App& bench, Action& action) {
+    auto options = std::make_shared<Options>();
+    Options& o = *options;
+    auto* command = bench.add_subcommand(
+        "train",
+        "The stages of training a peripheral model, in full and half size, beside the C++ reference in "
+        "double");
+    addBenchStudyOptions(*command, o.study, 512);
+    command->add_option("--splats", o.splats, "Of the model, made of as many points on what can be seen")
+        ->capture_default_str()
+        ->check(CLI::Range(1u, trace::kMaxSurfacePoints));
+    command->add_option("--degree", o.shDegree, "Of spherical harmonics")
+        ->capture_default_str()
+        ->check(CLI::Range(0, 1));
+    command->add_option("--repetitions", o.repetitions, "Turns; medians are printed")
+        ->capture_default_str()
+        ->check(CLI::Range(1, 1000));
+    command->add_flag("--from-volume", o.fromVolume,
+                      "Measure too how long the first splats, their first picture, and a traced view take");
+    command->add_flag("--json", o.json, "Print JSON instead of tables");
+    command->add_option("--baseline", o.baseline, "JSON output of an earlier run to compare ratios with");
+    command->callback([options, &action] { action = [options] { return benchTrain(*options); }; });
+}
+
+}  // namespace macula::cli

@@ -1,0 +1,57 @@
+// How fast a step of training is, stage by stage, beside the C++ reference of the same stage in double, in
+// the same run: a ratio means something on every machine, milliseconds only on one.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <memory>
+#include <optional>
+
+#include "base/progress.h"
+#include "base/result.h"
+#include "pipeline/gpu/device.h"
+#include "pipeline/splat/trainer_options.h"
+#include "pipeline/splat/training_view.h"
+
+namespace macula::splat {
+
+struct TrainingBenchmarkOptions {
+    TrainerOptions trainer;  // pictures in full size, no density control: these two are set
+    int repetitions = 5;     // device and reference take turns, so that a busy neighbour hits both
+};
+
+// Medians over the turns, until the work is done. CPU time is that of all threads of this process: on a CPU
+// device it hardly depends on who else is running; on a GPU it is only what host and driver used.
+struct StageTime {
+    double wallMs = 0.0;
+    double cpuMs = 0.0;
+};
+
+struct StageBenchmark {
+    StageTime device;
+    std::optional<StageTime> reference;  // of what the reference has as a stage of its own
+    double wallRatio = 0.0;              // device over reference; median of the ratios of each turn
+    double cpuRatio = 0.0;
+};
+
+struct TrainingBenchmark {
+    std::uint64_t pairs = 0;  // of splats and tiles in the picture
+    StageBenchmark project;
+    StageBenchmark lists;  // of tiles, until they are on the device; the reference has none
+    // Of the reference what rasterize takes, less what projectSplats does: its sorting is in it, and it has
+    // no tiles.
+    StageBenchmark raster;
+    StageBenchmark loss;      // and its derivative by the picture
+    StageBenchmark backward;  // to the parameters; of the reference less projectSplats, as above
+    StageBenchmark adam;
+    // Trainer::step, which also waits for each step and keeps a state now and then; of the reference the sum
+    // of the above.
+    StageBenchmark step;
+};
+
+// Of a model, and one view of it with its picture. The first turn, which compiles kernels, is not timed.
+// Fails as Rasterizer, Loss and Trainer do, and with `cancelled`; usage for a model without splats.
+Result<TrainingBenchmark> benchmarkTraining(const std::shared_ptr<gpu::Device>& device, const Splats& model,
+                                            const TrainingView& view, const TrainingBenchmarkOptions& options,
+                                            Progress& progress);
+
+}  // namespace macula::splat
