@@ -1,4 +1,4 @@
-// macula evaluate init [PATH...]: how good peripheral models are, by the protocol of
+// macula evaluate init, refine [PATH...]: how good peripheral models are, by the protocol of
 // docs/peripheral-model.md.
 #include <CLI/App.hpp>
 #include <CLI/Option.hpp>
@@ -12,9 +12,9 @@
 #include "cli/clip_choice.h"
 #include "cli/command.h"
 #include "cli/evaluation_report.h"
-#include "cli/initial_evaluation.h"
 #include "cli/interrupt.h"
 #include "cli/lights_choice.h"
+#include "cli/model_evaluation.h"
 #include "cli/open_device.h"
 #include "cli/output_file.h"
 #include "cli/report.h"
@@ -40,7 +40,7 @@ struct Options {
     std::string lights = kDefaultLights;
     std::string device;
     int truthSizePx = 0;  // 0: as the views
-    InitialEvaluationOptions evaluation;
+    EvaluationOptions evaluation;
     fs::path json;
     fs::path pictures;
 };
@@ -109,7 +109,7 @@ Result<void> tell(const EvaluationReport& report, const fs::path& json) {
 
 Result<void> evaluate(Options options) {
     MACULA_TRY_VOID(check(options));
-    InitialEvaluationOptions& evaluation = options.evaluation;
+    EvaluationOptions& evaluation = options.evaluation;
     evaluation.truth.sizePx = glm::ivec2(options.truthSizePx > 0 ? options.truthSizePx : evaluation.sizePx);
     if (options.paths.empty()) options.paths.emplace_back();
     if (options.presets.empty()) options.presets.emplace_back();
@@ -138,7 +138,7 @@ Result<void> evaluate(Options options) {
                                      .evaluation = {}};
             const auto use = [&](const std::shared_ptr<gpu::Device>& on) -> Result<void> {
                 report.device = gpu::describe(on->info());
-                MACULA_TRY(evaluated.evaluation, evaluateInitial(on, scene, evaluation, progress));
+                MACULA_TRY(evaluated.evaluation, evaluateModel(on, scene, evaluation, progress));
                 return {};
             };
             MACULA_TRY_VOID(device.run(use));
@@ -152,7 +152,7 @@ Result<void> evaluate(Options options) {
 }
 
 void addProtocolOptions(CLI::App& command, Options& o) {
-    InitialEvaluationOptions& e = o.evaluation;
+    EvaluationOptions& e = o.evaluation;
     command.add_option("--points", e.points.count, "Points that the model begins with")
         ->capture_default_str()
         ->check(CLI::Range(1u, trace::kMaxSurfacePoints));
@@ -192,15 +192,29 @@ void addProtocolOptions(CLI::App& command, Options& o) {
                        "Folder to keep what is compared with, and to go on from; it shows the patient");
 }
 
-}  // namespace
+void addRefinementOptions(CLI::App& command, RefinementPlan& plan) {
+    command.add_option("--more-views", plan.views, "Views that are traced for going on")
+        ->capture_default_str()
+        ->check(CLI::Range(1, 4096));
+    command.add_option("--more-spp", plan.samplesPerPixel, "Samples per pixel of these; they are denoised")
+        ->capture_default_str()
+        ->check(CLI::Range(1, 1 << 16));
+    command.add_option("--more-iterations", plan.iterations, "Steps of training that follow")
+        ->capture_default_str()
+        ->check(CLI::Range(1, 1 << 24));
+    command.add_option("--snapshot-every", plan.snapshotEvery, "Steps after which the model is compared")
+        ->capture_default_str()
+        ->check(CLI::Range(1, 1 << 24));
+    command.add_option("--splats", plan.capacity, "Most splats that it may come to have")
+        ->capture_default_str()
+        ->check(CLI::Range(1u, trace::kMaxSurfacePoints));
+}
 
-void addEvaluate(CLI::App& app, Action& action) {
-    auto* evaluateApp = app.add_subcommand("evaluate", "Measure how good peripheral models are");
-    evaluateApp->require_subcommand(1);
-    auto options = std::make_shared<Options>();
+// What init and refine have in common.
+CLI::App* addVerb(CLI::App& evaluateApp, const std::string& name, const std::string& help,
+                  const std::shared_ptr<Options>& options, Action& action) {
     Options& o = *options;
-    auto* command = evaluateApp->add_subcommand(
-        "init", "First models: made of a few views, compared with traced pictures from elsewhere");
+    auto* command = evaluateApp.add_subcommand(name, help);
     command->add_option("PATH", o.paths,
                         "Folders with DICOM files, volume files, or phantom: (default), each a scene");
     command->add_option("--series", o.series,
@@ -218,6 +232,24 @@ void addEvaluate(CLI::App& app, Action& action) {
     command->add_option("--json", o.json, "File for all numbers; - for stdout, without the table");
     command->add_option("--device", o.device, "Number or part of the name, see macula devices");
     command->callback([options, &action] { action = [options] { return evaluate(*options); }; });
+    return command;
+}
+
+}  // namespace
+
+void addEvaluate(CLI::App& app, Action& action) {
+    auto* evaluateApp = app.add_subcommand("evaluate", "Measure how good peripheral models are");
+    evaluateApp->require_subcommand(1);
+    addVerb(*evaluateApp, "init",
+            "First models: made of a few views, compared with traced pictures from elsewhere",
+            std::make_shared<Options>(), action);
+    auto refined = std::make_shared<Options>();
+    RefinementPlan& plan = refined->evaluation.refinement.emplace();
+    auto* refine =
+        addVerb(*evaluateApp, "refine",
+                "Models that go on: a first one, then more views and more splats, compared on the way",
+                refined, action);
+    addRefinementOptions(*refine, plan);
 }
 
 }  // namespace macula::cli

@@ -2,10 +2,11 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "cli/initial_evaluation.h"
+#include "cli/model_evaluation.h"
 
 namespace macula::cli {
 
@@ -22,9 +23,13 @@ struct EvaluationReport {
     std::string device;
     std::string lights;
     std::string clip;
-    InitialEvaluationOptions options;
+    EvaluationOptions options;
     std::vector<EvaluatedStudy> scenes;
 };
+
+// Of each scene the mean over its views, as the protocol has it.
+std::optional<Spread> spreadOverScenes(const EvaluationReport& report,
+                                       std::optional<double> ViewScores::*value);
 
 nlohmann::ordered_json toJson(const EvaluationReport& report);
 std::string tableOf(const EvaluationReport& report);  // lines of text

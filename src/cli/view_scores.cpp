@@ -75,4 +75,11 @@ std::optional<Spread> spreadOf(std::span<const std::optional<double>> values) {
                   .p90 = image::percentile(known, 0.9)};
 }
 
+std::optional<Spread> spreadOf(std::span<const ViewScores> views, std::optional<double> ViewScores::*value) {
+    std::vector<std::optional<double>> values;
+    std::transform(views.begin(), views.end(), std::back_inserter(values),
+                   [&](const ViewScores& scores) { return scores.*value; });
+    return spreadOf(values);
+}
+
 }  // namespace macula::cli

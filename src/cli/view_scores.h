@@ -56,5 +56,7 @@ struct Spread {
 };
 // Nothing when none has a number. Percentiles as NumPy's.
 std::optional<Spread> spreadOf(std::span<const std::optional<double>> values);
+// Of one number over views.
+std::optional<Spread> spreadOf(std::span<const ViewScores> views, std::optional<double> ViewScores::*value);
 
 }  // namespace macula::cli

@@ -11,7 +11,7 @@ using Evaluate = CommandTest;
 using nlohmann::json;
 
 // So small that it takes a second; numbers of such pictures mean little. What is given later counts.
-std::vector<std::string> small(const std::vector<std::string>& more) {
+std::vector<std::string> small(const std::vector<std::string>& more, const std::string& verb = "init") {
     std::map<std::string, std::string> once{{"--size", "32"},
                                             {"--points", "300"},
                                             {"--point-paths", "8"},
@@ -22,7 +22,7 @@ std::vector<std::string> small(const std::vector<std::string>& more) {
                                             {"--truth-spp", "64"},
                                             {"--iterations", "0"}};
     for (const std::string& given : more) once.erase(given);
-    std::vector<std::string> arguments{"evaluate", "init", "phantom:"};
+    std::vector<std::string> arguments{"evaluate", verb, "phantom:"};
     for (const auto& [option, value] : once) arguments.insert(arguments.end(), {option, value});
     arguments.insert(arguments.end(), more.begin(), more.end());
     return arguments;
@@ -67,6 +67,35 @@ TEST_F(Evaluate, TellsHowNearTheModelComesAndGoesOnFromWhatItKept) {
               scores["maskedPsnrDb"]["mean"].get<double>() + 0.5);
 }
 
+TEST_F(Evaluate, TellsHowAModelGoesOn) {
+    const Ran ran =
+        runMacula(small({"--iterations", "10", "--more-views", "12", "--more-spp", "4", "--more-iterations",
+                         "250", "--snapshot-every", "125", "--splats", "350", "--json", at("report.json")},
+                        "refine"));
+    ASSERT_EQ(ran.exitCode, 0) << ran.err;
+    EXPECT_NE(ran.out.find("greatest fall"), std::string::npos) << "a table";
+    const json report = json::parse(readAll(at("report.json")));
+    EXPECT_EQ(report["evaluation"], "refine");
+    EXPECT_EQ(report["refinement"]["views"], 12);
+    const json& scene = report["scenes"][0];
+    const json& snapshots = scene["snapshots"];
+    ASSERT_EQ(snapshots.size(), 3u);
+    std::vector<double> db;
+    for (std::size_t i = 0; i < 3; ++i) {
+        EXPECT_EQ(snapshots[i]["iterations"], 10 + 125 * i);
+        EXPECT_LE(snapshots[i]["splats"].get<int>(), 350);
+        db.push_back(snapshots[i]["scores"]["maskedPsnrDb"]["mean"].get<double>());
+    }
+    // Views from all around teach what one did not.
+    EXPECT_GT(db[2], db[0] + 0.5);
+    EXPECT_LT(snapshots[0]["trainSeconds"], snapshots[1]["trainSeconds"]);
+    EXPECT_EQ(scene["scores"], snapshots[2]["scores"]);
+    EXPECT_EQ(scene["splats"], snapshots[2]["splats"]);
+    EXPECT_GT(scene["splats"].get<int>(), 300);
+    EXPECT_NEAR(scene["greatestFallDb"]["mean"].get<double>(), std::max({0.0, db[0] - db[1], db[1] - db[2]}),
+                1e-9);
+}
+
 TEST_F(Evaluate, WhatCannotBeIsAnError) {
     EXPECT_EQ(runMacula({"evaluate"}).exitCode, 2);
     EXPECT_EQ(runMacula({"evaluate", "init", "--views", "0"}).exitCode, 2);
@@ -74,6 +103,8 @@ TEST_F(Evaluate, WhatCannotBeIsAnError) {
     EXPECT_EQ(runMacula(small({"--preset", "no-such-preset"})).exitCode, 2);
     EXPECT_EQ(runMacula(small({"--pictures", at("nowhere")})).exitCode, 2);
     EXPECT_EQ(runMacula(small({"--json", at("nowhere/report.json")})).exitCode, 2);
+    EXPECT_EQ(runMacula({"evaluate", "refine", "--snapshot-every", "0"}).exitCode, 2);
+    EXPECT_EQ(runMacula({"evaluate", "init", "--more-views", "3"}).exitCode, 2);
     const Ran hanging = runMacula(small({"--lights", "headlight"}));
     EXPECT_EQ(hanging.exitCode, 2);
     EXPECT_NE(hanging.err.find("camera"), std::string::npos) << hanging.err;

@@ -26,6 +26,35 @@ TEST(LearningRates, AreByKindAndThatOfPositionsDecays) {
     EXPECT_EQ(learningRates(options, 0, 0).size(), 14u);
 }
 
+TEST(LearningRates, StayUntilTheyDecayAndOthersFallWithThem) {
+    const OptimizerOptions options{.extentMm = 2.0,
+                                   .position = 0.1,
+                                   .positionAtLast = 0.001,
+                                   .decayFrom = 100,
+                                   .positionSteps = 300,
+                                   .othersAtLast = 0.25,
+                                   .logScale = 1,
+                                   .rotation = 2,
+                                   .opacityLogit = 3,
+                                   .dc = 4,
+                                   .sh = 5};
+    struct Expected {
+        std::uint64_t step;
+        double position;
+        double others;
+    };
+    for (const auto& [step, position, others] :
+         {Expected{0, 0.2, 1}, {100, 0.2, 1}, {200, 0.02, 0.5}, {300, 0.002, 0.25}, {9999, 0.002, 0.25}}) {
+        const std::vector<float> rates = learningRates(options, 1, step);
+        EXPECT_NEAR(rates[shared::kSplatPosition], position, 1e-6) << step;
+        EXPECT_NEAR(rates[shared::kSplatLogScale], 1 * others, 1e-6) << step;
+        EXPECT_NEAR(rates[shared::kSplatRotation], 2 * others, 1e-6) << step;
+        EXPECT_NEAR(rates[shared::kSplatOpacity], 3 * others, 1e-6) << step;
+        EXPECT_NEAR(rates[shared::kSplatDc], 4 * others, 1e-6) << step;
+        EXPECT_NEAR(rates[shared::kSplatSh], 5 * others, 1e-6) << step;
+    }
+}
+
 // With a gradient that never changes each corrected moment is the gradient (or its square), so every step is
 // the rate.
 TEST(ReferenceOptimizer, MovesByTheRateWhileTheGradientStays) {

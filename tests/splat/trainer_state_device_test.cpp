@@ -125,6 +125,39 @@ TEST_F(TrainerState, DISABLED_NewProcess) {
     }
 }
 
+TEST_F(TrainerState, GoesOnInAnotherWayWithAllThatItKnows) {
+    Trainer whole = trainer(start(), threeSizes(), largerViews());
+    Trainer same = trainer(start(), threeSizes(), largerViews());
+    ASSERT_TRUE(whole.step(9).ok());
+    ASSERT_TRUE(same.step(9).ok());
+    ASSERT_TRUE(same.goOnWith(threeSizes()).ok());
+    expectSame(same.lastGood(), *whole.state(), "told the same again");
+    ASSERT_TRUE(whole.step(9).ok());
+    ASSERT_TRUE(same.step(9).ok());
+    expectSame(*same.state(), *whole.state(), "told the same again, later");
+
+    TrainerOptions roomier = threeSizes();
+    roomier.capacity = 90;
+    roomier.density = {.firstStep = 20, .every = 1, .lastStep = 22, .splitShare = 0.5};
+    ASSERT_TRUE(same.goOnWith(roomier).ok());
+    ASSERT_TRUE(same.step(1).ok());
+    const TrainingState state = *same.state();
+    ASSERT_TRUE(same.step(3).ok());
+    EXPECT_EQ(same.report().splats, 90u);
+    auto resumed = Trainer::resume(device(), state);
+    ASSERT_TRUE(resumed.ok());
+    ASSERT_TRUE(resumed->step(3).ok());
+    expectSame(*resumed->state(), *same.state(), "stopped after that");
+
+    // What makes no sense changes nothing.
+    TrainerOptions senseless = roomier;
+    senseless.density.every = 0;
+    EXPECT_EQ(same.goOnWith(senseless).error().code, ErrorCode::usage);
+    expectSame(*same.state(), *resumed->state(), "refused");
+    EXPECT_EQ(same.viewCount(), std::size_t(kViews));
+    EXPECT_TRUE(same.step(1).ok());
+}
+
 TEST_F(TrainerState, OfAnotherTrainerOrDamagedIsRefused) {
     Trainer trained = trainer(start(), threeSizes(), truthViews());
     const TrainingState good = *trained.state();

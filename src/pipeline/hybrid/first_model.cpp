@@ -5,8 +5,7 @@
 #include <cmath>
 
 #include "pipeline/hybrid/initial_splats.h"
-#include "pipeline/hybrid/traced_views.h"
-#include "pipeline/hybrid/view_sampling.h"
+#include "pipeline/hybrid/learnt_views.h"
 
 namespace macula::hybrid {
 
@@ -20,20 +19,6 @@ double secondsSince(Clock::time_point start) {
 
 Error cancelled() {
     return {ErrorCode::cancelled, "The training was cancelled.", {}, {}};
-}
-
-Result<std::vector<Camera>> chooseCameras(trace::PathTracer& tracer, const Box& seenMm,
-                                          const FirstModelOptions& options, Progress& progress,
-                                          std::size_t& givenUp) {
-    const double radiusMm = 0.5 * seenMm.diagonal();
-    MACULA_TRY(const auto views, sampleViews(seenMm, initialTraining(options.views, options.trial),
-                                             showsEnough(tracer, radiusMm, {}, progress)));
-    std::vector<Camera> cameras;
-    for (const SampledView& view : views) {
-        cameras.push_back(view.camera);
-        if (!view.accepted) ++givenUp;
-    }
-    return cameras;
 }
 
 Result<void> train(FirstModel& model, const FirstModelOptions& options, Progress& progress) {
@@ -97,21 +82,19 @@ Result<FirstModel> makeFirstModel(const std::shared_ptr<gpu::Device>& device, tr
     std::size_t givenUp = 0;
     std::vector<TracedView> views;
     if (options.views > 0) {
-        MACULA_TRY(const auto cameras, chooseCameras(tracer, seenMm, options, progress, givenUp));
+        MACULA_TRY(const ChosenViews chosen,
+                   chooseViews(tracer, seenMm, initialTraining(options.views, options.trial), {}, progress));
+        givenUp = chosen.givenUp;
         ViewTracing tracing{.sizePx = glm::ivec2(options.sizePx), .samplesPerPixel = options.samplesPerPixel};
         tracing.settings.bounces = options.bounces;
-        MACULA_TRY(views, traceViews(tracer, cameras, tracing, progress));
+        MACULA_TRY(views, traceViews(tracer, chosen.cameras, tracing, progress));
     }
     const double viewsSeconds = secondsSince(start);
 
     start = Clock::now();
     MACULA_TRY(splat::Trainer trainer,
                splat::Trainer::create(device, first, trainerOptions(options, std::sqrt(points.areaMm2))));
-    for (const TracedView& traced : views) {
-        MACULA_TRY(const splat::RasterView view,
-                   splat::rasterView(traced.camera, traced.sizePx, first.originMm));
-        MACULA_TRY_VOID(trainer.addView({.view = view, .pixels = traced.rgba}));
-    }
+    for (const TracedView& view : views) MACULA_TRY_VOID(learnFrom(trainer, view));
     FirstModel model{.trainer = std::move(trainer),
                      .pointsSeconds = pointsSeconds,
                      .viewsSeconds = viewsSeconds,

@@ -13,10 +13,12 @@ namespace macula::splat {
 struct OptimizerOptions {
     double extentMm =
         0.0;  // of the model: half the diagonal of its box, say. Above 0; has no default that fits
-    double position = 1.6e-4;  // of extentMm, at the first step
+    double position = 1.6e-4;  // of extentMm, up to step decayFrom
     double positionAtLast =
-        1.6e-6;  // of extentMm, from positionSteps on; between them its logarithm is linear
+        1.6e-6;  // of extentMm, from step positionSteps on; the logarithm is linear between
+    std::uint64_t decayFrom = 0;
     std::uint64_t positionSteps = 700;
+    double othersAtLast = 1.0;  // all other rates become that part of themselves, over the same steps
     double logScale = 0.007;
     double rotation = 0.002;
     double opacityLogit = 0.05;

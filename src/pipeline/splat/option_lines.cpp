@@ -19,12 +19,14 @@ void forEachOption(Options& options, const Visit& visit) {
     visit("seed", seed);
     visit("stages", stages);
     visit("keep-every-ms", keepEveryMs);
-    auto& [extentMm, position, positionAtLast, positionSteps, logScale, rotation, opacityLogit, dc, sh, beta1,
-           beta2, epsilon] = optimizer;
+    auto& [extentMm, position, positionAtLast, decayFrom, positionSteps, othersAtLast, logScale, rotation,
+           opacityLogit, dc, sh, beta1, beta2, epsilon] = optimizer;
     visit("optimizer.extent-mm", extentMm);
     visit("optimizer.position", position);
     visit("optimizer.position-at-last", positionAtLast);
+    visit("optimizer.decay-from", decayFrom);
     visit("optimizer.position-steps", positionSteps);
+    visit("optimizer.others-at-last", othersAtLast);
     visit("optimizer.log-scale", logScale);
     visit("optimizer.rotation", rotation);
     visit("optimizer.opacity-logit", opacityLogit);

@@ -10,19 +10,23 @@
 namespace macula::splat {
 
 std::vector<float> learningRates(const OptimizerOptions& options, int shDegree, std::uint64_t stepsDone) {
-    const double done =
-        options.positionSteps == 0 ? 1.0 : std::min(double(stepsDone) / double(options.positionSteps), 1.0);
+    const std::uint64_t from = std::min(options.decayFrom, options.positionSteps);
+    const double done = stepsDone >= options.positionSteps ? 1.0
+                        : stepsDone <= from                ? 0.0
+                                            : double(stepsDone - from) / double(options.positionSteps - from);
+    const double others = std::exp(std::log(options.othersAtLast) * done);
     const double position = options.extentMm * std::exp(std::log(options.position) * (1.0 - done) +
                                                         std::log(options.positionAtLast) * done);
-    std::vector<float> rates(std::size_t(shared::kSplatSh) + 3 * shCount(shDegree), float(options.sh));
+    std::vector<float> rates(std::size_t(shared::kSplatSh) + 3 * shCount(shDegree),
+                             float(options.sh * others));
     const auto set = [&](int first, int end, double rate) {
         std::fill(rates.begin() + first, rates.begin() + end, static_cast<float>(rate));
     };
     set(shared::kSplatPosition, shared::kSplatLogScale, position);
-    set(shared::kSplatLogScale, shared::kSplatRotation, options.logScale);
-    set(shared::kSplatRotation, shared::kSplatOpacity, options.rotation);
-    set(shared::kSplatOpacity, shared::kSplatDc, options.opacityLogit);
-    set(shared::kSplatDc, shared::kSplatSh, options.dc);
+    set(shared::kSplatLogScale, shared::kSplatRotation, options.logScale * others);
+    set(shared::kSplatRotation, shared::kSplatOpacity, options.rotation * others);
+    set(shared::kSplatOpacity, shared::kSplatDc, options.opacityLogit * others);
+    set(shared::kSplatDc, shared::kSplatSh, options.dc * others);
     return rates;
 }
 

@@ -45,6 +45,11 @@ class Trainer {
     // TrainingState::validate and addView.
     static Result<Trainer> resume(const std::shared_ptr<gpu::Device>& device, const TrainingState& state);
 
+    // From the next step on training is done in another way. All that was learnt stays: splats, what the
+    // optimiser knows, views, steps, statistics. Room for more splats is made here; there is never less than
+    // for those it has. usage as create; outOfMemory, and it goes on as before.
+    Result<void> goOnWith(const TrainerOptions& options);
+
     // Takes part from the next step on. inputNotUsable when the picture is not of the view's size, or has
     // not one finite pixel, or a weight that is not above 0 and at most kMaxViewWeight. The picture stays on
     // the host as well, and is shared with states.
@@ -84,6 +89,7 @@ class Trainer {
             Rasterizer rasterizer, Optimizer optimizer);
 
     Result<void> addView(std::shared_ptr<const TrainingView> given);
+    Result<void> restore(const TrainingState& state);  // all but views
     Result<void> keep();
     Result<void> oneStep();
     bool isTimeToRegroup() const;

@@ -24,21 +24,38 @@ Result<void> Trainer::keep() {
     return {};
 }
 
+Result<void> Trainer::restore(const TrainingState& state) {
+    MACULA_TRY_VOID(optimizer_.upload(state.optimizer));
+    if (!state.statistics.empty())
+        MACULA_TRY_VOID(gpu::uploadTo<shared::SplatStatistics>(rasterizer_.statistics(), state.statistics));
+    steps_ = state.steps;
+    return {};
+}
+
 Result<Trainer> Trainer::resume(const std::shared_ptr<gpu::Device>& device, const TrainingState& state) {
     MACULA_TRY_VOID(state.validate());
     MACULA_TRY(Trainer trainer, create(device, state.splats, state.options));
-    MACULA_TRY_VOID(trainer.optimizer_.upload(state.optimizer));
-    if (!state.statistics.empty())
-        MACULA_TRY_VOID(
-            gpu::uploadTo<shared::SplatStatistics>(trainer.rasterizer_.statistics(), state.statistics));
+    MACULA_TRY_VOID(trainer.restore(state));
     for (const TrainingState::View& view : state.views) {
         MACULA_TRY_VOID(trainer.addView(view.given));
         trainer.views_.back().loss = view.loss;
         trainer.views_.back().l1 = view.l1;
     }
-    trainer.steps_ = state.steps;
     trainer.lastGood_ = state;
     return trainer;
+}
+
+// Made anew but for the pictures, which may be most of what the device holds.
+Result<void> Trainer::goOnWith(const TrainerOptions& options) {
+    MACULA_TRY(TrainingState now, state());
+    MACULA_TRY(Trainer other, create(device_, now.splats, options));
+    MACULA_TRY_VOID(other.restore(now));
+    now.options = other.options_;
+    other.lastGood_ = std::move(now);
+    other.views_ = std::move(views_);
+    other.losses_ = std::move(losses_);
+    *this = std::move(other);
+    return {};
 }
 
 }  // namespace macula::splat

@@ -1,0 +1,23 @@
+#include "cli/evaluated_scene.h"
+
+#include <utility>
+
+namespace macula::cli {
+
+Result<SceneOnDevice> putOnDevice(const std::shared_ptr<gpu::Device>& device, const EvaluatedScene& scene) {
+    MACULA_TRY(hybrid::TracedScene traced,
+               hybrid::TracedScene::create(scene.volume, scene.function, scene.clip, scene.environment));
+    if (!(traced.seenMm().low.x <= traced.seenMm().high.x))
+        return Error{ErrorCode::inputNotUsable,
+                     "Nothing of the series can be seen.",
+                     {},
+                     "Choose another preset or clip."};
+    MACULA_TRY(trace::PathTracer tracer, trace::PathTracer::create(device));
+    MACULA_TRY_VOID(tracer.setVolume(scene.volume));
+    MACULA_TRY_VOID(tracer.setClip(scene.clip));
+    MACULA_TRY_VOID(tracer.setTransferFunction(scene.function));
+    MACULA_TRY_VOID(tracer.setEnvironment(scene.environment));
+    return SceneOnDevice{.traced = std::move(traced), .tracer = std::move(tracer)};
+}
+
+}  // namespace macula::cli

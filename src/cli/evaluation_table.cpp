@@ -1,0 +1,98 @@
+// The table of macula evaluate.
+#include <cmath>
+#include <functional>
+
+#include "cli/evaluation_report.h"
+
+namespace macula::cli {
+
+namespace {
+
+// "20.51 [18.20 20.40 22.90]": mean, and p10, p50, p90.
+std::string cell(const std::optional<Spread>& spread, int decimals) {
+    if (!spread) return "nothing to compare";
+    return fmt::format("{:.{}f} [{:.{}f} {:.{}f} {:.{}f}]", spread->mean, decimals, spread->p10, decimals,
+                       spread->p50, decimals, spread->p90, decimals);
+}
+
+using SpreadOf = std::function<std::optional<Spread>(std::optional<double> ViewScores::*)>;
+
+std::string rowOf(const std::string& name, const std::string& splats, const std::string& seconds,
+                  const SpreadOf& spread) {
+    return fmt::format("{:<32} {:>7} {:>7}  {:<27} {:<27} {:<27} {:<27} {:<27} {:<27}\n", name, splats,
+                       seconds, cell(spread(&ViewScores::psnrDb), 2),
+                       cell(spread(&ViewScores::maskedPsnrDb), 2), cell(spread(&ViewScores::maskedSsim), 3),
+                       cell(spread(&ViewScores::flip), 3), cell(spread(&ViewScores::luminanceRatio), 3),
+                       cell(spread(&ViewScores::coverageError), 3));
+}
+
+// The first line of a table.
+std::string headOf(const std::string& first) {
+    return fmt::format("{:<32} {:>7} {:>7}  {:<27} {:<27} {:<27} {:<27} {:<27} {:<27}\n", first, "splats",
+                       "s", "PSNR dB", "masked PSNR dB", "masked SSIM", "FLIP", "light / truth",
+                       "coverage error");
+}
+
+std::string nameOf(const EvaluatedStudy& scene) {
+    return fmt::format("{:.8} {}", scene.studyDigest, scene.preset);
+}
+
+std::string whatWasAsked(const EvaluationOptions& o) {
+    std::string text = fmt::format(
+        "Truth: {} views of {} x {} pixels, {} samples, {} bounces. Model: {} points, {} views of {} "
+        "samples, "
+        "{} iterations.",
+        o.truthViews, o.truth.sizePx.x, o.truth.sizePx.y, o.truth.samplesPerPixel, o.truth.bounces,
+        o.points.count, o.views, o.samplesPerPixel, o.iterations);
+    if (o.refinement)
+        text += fmt::format(" Then {} views of {} samples more, {} iterations, at most {} splats.",
+                            o.refinement->views, o.refinement->samplesPerPixel, o.refinement->iterations,
+                            o.refinement->capacity);
+    return text + "\nOf each number the mean over views, and [p10 p50 p90].\n\n";
+}
+
+// Seconds are of training.
+std::string snapshotsOf(const EvaluatedStudy& scene) {
+    std::string table = "\n" + headOf(nameOf(scene) + ", step");
+    for (const Snapshot& snapshot : scene.evaluation.snapshots)
+        table += rowOf(fmt::format("{}", snapshot.steps), fmt::format("{}", snapshot.splats),
+                       fmt::format("{:.1f}", snapshot.trainSeconds),
+                       [&](auto value) { return spreadOf(snapshot.scores, value); });
+    const GreatestFall fall = greatestFall(scene.evaluation.snapshots);
+    return table + fmt::format("greatest fall of masked PSNR: {:.2f} dB, of its median {:.2f} dB\n",
+                               fall.meanDb, fall.medianDb);
+}
+
+std::string timesOf(const EvaluatedStudy& scene, bool refined) {
+    const SceneEvaluation& e = scene.evaluation;
+    std::string text = fmt::format("\n{}: points {:.2f} s, views {:.2f} s, ", nameOf(scene), e.pointsSeconds,
+                                   e.viewsSeconds);
+    if (refined) text += fmt::format("more views {:.2f} s, ", e.moreViewsSeconds);
+    text += fmt::format("training {:.2f} s, drawing {:.0f} ms; the truth's own noise is {:.4f} ({:.1f} dB)",
+                        e.last().trainSeconds, e.drawMs, e.truthNoise,
+                        -20.0 * std::log10(std::max(e.truthNoise, 1e-6)));
+    if (e.viewsGivenUp > 0) text += fmt::format("; {} views show less than was asked for", e.viewsGivenUp);
+    return text + ".";
+}
+
+}  // namespace
+
+std::string tableOf(const EvaluationReport& report) {
+    const bool refined = report.options.refinement.has_value();
+    std::string table = whatWasAsked(report.options) + headOf("scene");
+    for (const EvaluatedStudy& scene : report.scenes) {
+        const SceneEvaluation& e = scene.evaluation;
+        const double seconds = e.pointsSeconds + e.viewsSeconds + e.moreViewsSeconds + e.last().trainSeconds;
+        table += rowOf(nameOf(scene), fmt::format("{}", e.last().splats), fmt::format("{:.1f}", seconds),
+                       [&](auto value) { return spreadOf(e.last().scores, value); });
+    }
+    if (report.scenes.size() > 1)
+        table += rowOf("over scenes, of their means", "", "",
+                       [&](auto value) { return spreadOverScenes(report, value); });
+    if (refined)
+        for (const EvaluatedStudy& scene : report.scenes) table += snapshotsOf(scene);
+    for (const EvaluatedStudy& scene : report.scenes) table += timesOf(scene, refined);
+    return table + "\n";
+}
+
+}  // namespace macula::cli

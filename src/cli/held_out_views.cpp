@@ -1,0 +1,81 @@
+#include "cli/held_out_views.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <iterator>
+#include <span>
+
+#include "image/masked_metrics.h"
+#include "pipeline/hybrid/drawn_views.h"
+#include "pipeline/hybrid/learnt_views.h"
+#include "pipeline/splat/displayed.h"
+
+namespace macula::cli {
+
+namespace {
+
+constexpr double kLeastCoverage = 0.06;
+
+std::vector<std::uint8_t> besideEachOther(const glm::ivec2& size, std::span<const glm::vec4> left,
+                                          std::span<const glm::vec4> right) {
+    std::vector<std::uint8_t> rgba;
+    rgba.reserve(left.size() * 8);
+    const auto a = splat::displayed(left, splat::ColourSpace::linear, {});
+    const auto b = splat::displayed(right, splat::ColourSpace::linear, {});
+    const auto rowBytes = 4 * static_cast<std::ptrdiff_t>(size.x);
+    for (std::ptrdiff_t y = 0; y < size.y; ++y) {
+        for (const auto* half : {&a, &b})
+            rgba.insert(rgba.end(), half->begin() + y * rowBytes, half->begin() + (y + 1) * rowBytes);
+    }
+    return rgba;
+}
+
+}  // namespace
+
+Result<HeldOutViews> HeldOutViews::trace(std::shared_ptr<gpu::Device> device, SceneOnDevice& scene,
+                                         std::size_t count, const hybrid::TruthOptions& options,
+                                         const std::filesystem::path& cache, Progress& progress) {
+    HeldOutViews views(std::move(device));
+    MACULA_TRY(const hybrid::ChosenViews chosen,
+               hybrid::chooseViews(scene.tracer, scene.traced.seenMm(), hybrid::groundTruth(count),
+                                   {.leastCoverage = kLeastCoverage}, progress));
+    const auto start = std::chrono::steady_clock::now();
+    MACULA_TRY(views.truth_, hybrid::truthPictures(scene.tracer, scene.traced, chosen.cameras, options,
+                                                   hybrid::PictureCache(cache), progress));
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    views.seconds_ = seconds.count();
+    views.sizePx_ = options.sizePx;
+    views.givenUp_ = chosen.givenUp;
+    return views;
+}
+
+Result<Comparison> HeldOutViews::compare(const splat::Splats& model, Progress& progress) const {
+    progress.beginStage("Comparing", truth_.size());
+    std::vector<Camera> cameras;
+    std::transform(truth_.begin(), truth_.end(), std::back_inserter(cameras),
+                   [](const hybrid::TruthPicture& picture) { return picture.view.camera; });
+    MACULA_TRY(const hybrid::DrawnViews drawn, hybrid::drawViews(device_, model, cameras, sizePx_));
+    Comparison comparison{.scores = {}, .drawMs = image::percentile(drawn.milliseconds, 0.5), .pictures = {}};
+    for (std::size_t i = 0; i < truth_.size(); ++i) {
+        if (progress.cancelled()) return Error{ErrorCode::cancelled, "Stopped.", {}, {}};
+        MACULA_TRY(const ViewScores scores, scoresOf(truth_[i].view, drawn.pictures[i]));
+        comparison.scores.push_back(scores);
+        comparison.pictures.push_back(besideEachOther(sizePx_, truth_[i].view.rgba, drawn.pictures[i]));
+        progress.advance();
+    }
+    return comparison;
+}
+
+double HeldOutViews::noise() const {
+    double squares = 0.0;
+    for (const hybrid::TruthPicture& picture : truth_) squares += picture.noise * picture.noise;
+    return std::sqrt(squares / double(std::max<std::size_t>(truth_.size(), 1)));
+}
+
+std::size_t HeldOutViews::fromCache() const {
+    return static_cast<std::size_t>(
+        std::count_if(truth_.begin(), truth_.end(), [](const auto& picture) { return picture.fromCache; }));
+}
+
+}  // namespace macula::cli

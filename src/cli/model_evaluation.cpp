@@ -1,0 +1,133 @@
+#include "cli/model_evaluation.h"
+
+#include <algorithm>
+#include <chrono>
+#include <iterator>
+#include <utility>
+
+#include "cli/held_out_views.h"
+#include "pipeline/hybrid/first_model.h"
+
+namespace macula::cli {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double secondsSince(Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+// Models are kept as they come, and compared when all are there: nothing runs between their steps.
+class Evaluation {
+  public:
+    Evaluation(std::shared_ptr<gpu::Device> device, const EvaluationOptions& options, SceneOnDevice& scene,
+               Progress& progress)
+        : device_(std::move(device)), options_(options), scene_(scene), progress_(progress) {}
+
+    Result<SceneEvaluation> run() {
+        report_.seenMm = scene_.traced.seenMm();
+        MACULA_TRY(hybrid::FirstModel model, firstModel());
+        MACULA_TRY_VOID(keep(model.trainer, model.trainSeconds));
+        if (options_.refinement) MACULA_TRY_VOID(refine(model, *options_.refinement));
+        MACULA_TRY(const HeldOutViews truth, HeldOutViews::trace(device_, scene_, options_.truthViews,
+                                                                 options_.truth, options_.cache, progress_));
+        report_.truthSeconds = truth.seconds();
+        report_.truthNoise = truth.noise();
+        report_.truthFromCache = truth.fromCache();
+        report_.viewsGivenUp += truth.givenUp();
+        for (std::size_t i = 0; i < models_.size(); ++i) {
+            MACULA_TRY(Comparison comparison, truth.compare(models_[i], progress_));
+            report_.snapshots[i].scores = std::move(comparison.scores);
+            report_.drawMs = comparison.drawMs;
+            report_.pictures = std::move(comparison.pictures);
+        }
+        return std::move(report_);
+    }
+
+  private:
+    Result<hybrid::FirstModel> firstModel() {
+        const hybrid::FirstModelOptions wanted{.points = options_.points,
+                                               .views = options_.views,
+                                               .samplesPerPixel = options_.samplesPerPixel,
+                                               .sizePx = options_.sizePx,
+                                               .bounces = options_.truth.bounces,
+                                               .trial = options_.trial,
+                                               .iterations = options_.iterations};
+        MACULA_TRY(hybrid::FirstModel model,
+                   hybrid::makeFirstModel(device_, scene_.tracer, scene_.traced.seenMm(), wanted, progress_));
+        report_.pointsSeconds = model.pointsSeconds;
+        report_.viewsSeconds = model.viewsSeconds;
+        report_.viewsGivenUp += model.viewsGivenUp;
+        return model;
+    }
+
+    Result<void> refine(hybrid::FirstModel& model, const RefinementPlan& plan) {
+        splat::Trainer& trainer = model.trainer;
+        const hybrid::RefinementOptions wanted{.views = plan.views,
+                                               .samplesPerPixel = plan.samplesPerPixel,
+                                               .sizePx = options_.sizePx,
+                                               .bounces = options_.truth.bounces,
+                                               .iterations = plan.iterations,
+                                               .capacity = plan.capacity};
+        MACULA_TRY(
+            const hybrid::MoreViews more,
+            hybrid::beginRefinement(trainer, scene_.tracer, scene_.traced.seenMm(), wanted, progress_));
+        report_.moreViewsSeconds = more.seconds;
+        report_.viewsGivenUp += more.givenUp;
+        progress_.beginStage("Refining", static_cast<std::size_t>(plan.iterations));
+        double seconds = model.trainSeconds;
+        for (std::uint64_t done = 0; done < plan.iterations;) {
+            const std::uint64_t count = std::min(plan.snapshotEvery, plan.iterations - done);
+            const auto start = Clock::now();
+            MACULA_TRY_VOID(trainer.step(count, [&] {
+                progress_.advance();
+                return !progress_.cancelled();
+            }));
+            if (progress_.cancelled()) return Error{ErrorCode::cancelled, "Stopped.", {}, {}};
+            seconds += secondsSince(start);
+            done += count;
+            MACULA_TRY_VOID(keep(trainer, seconds));
+        }
+        return {};
+    }
+
+    Result<void> keep(const splat::Trainer& trainer, double trainSeconds) {
+        MACULA_TRY(splat::Splats splats, trainer.snapshot());
+        report_.snapshots.push_back({.steps = trainer.report().steps,
+                                     .splats = splats.size(),
+                                     .trainSeconds = trainSeconds,
+                                     .scores = {}});
+        models_.push_back(std::move(splats));
+        return {};
+    }
+
+    std::shared_ptr<gpu::Device> device_;
+    const EvaluationOptions& options_;
+    SceneOnDevice& scene_;
+    Progress& progress_;
+    SceneEvaluation report_;
+    std::vector<splat::Splats> models_;  // by snapshot
+};
+
+}  // namespace
+
+Result<SceneEvaluation> evaluateModel(const std::shared_ptr<gpu::Device>& device, const EvaluatedScene& scene,
+                                      const EvaluationOptions& options, Progress& progress) {
+    MACULA_TRY(SceneOnDevice onDevice, putOnDevice(device, scene));
+    return Evaluation(device, options, onDevice, progress).run();
+}
+
+GreatestFall greatestFall(const std::vector<Snapshot>& snapshots) {
+    GreatestFall fall;
+    for (std::size_t i = 1; i < snapshots.size(); ++i) {
+        const auto before = spreadOf(snapshots[i - 1].scores, &ViewScores::maskedPsnrDb);
+        const auto after = spreadOf(snapshots[i].scores, &ViewScores::maskedPsnrDb);
+        if (!before || !after) continue;
+        fall.meanDb = std::max(fall.meanDb, before->mean - after->mean);
+        fall.medianDb = std::max(fall.medianDb, before->p50 - after->p50);
+    }
+    return fall;
+}
+
+}  // namespace macula::cli

@@ -1,0 +1,39 @@
+// A model that goes on learning: from more views, with room for more splats, and nothing of what it knows
+// given up.
+#pragma once
+
+#include <cstdint>
+
+#include "base/frames.h"
+#include "base/progress.h"
+#include "base/result.h"
+#include "pipeline/splat/trainer.h"
+#include "pipeline/trace/path_tracer.h"
+
+namespace macula::hybrid {
+
+struct RefinementOptions {
+    std::size_t views = 64;
+    std::uint32_t samplesPerPixel = 4;  // denoised
+    int sizePx = 512;
+    int bounces = 4;
+    std::uint64_t iterations = 2000;  // that are to follow: rates fall and splats become more over them
+    std::uint32_t capacity = 50000;   // splats; the model keeps those it has if they are more
+};
+
+struct MoreViews {
+    double seconds = 0.0;     // of the wall: choosing and tracing them
+    std::size_t givenUp = 0;  // none of the tries showed enough, and the last one was taken
+};
+
+// Traces the views (view_sampling.h: extension) and gives them to `trainer`, whose next
+// `options.iterations` steps are then as refinementTraining has them. `tracer` and `seenMm` as for
+// makeFirstModel, whose model this goes on with. `cancelled` when `progress` says so.
+Result<MoreViews> beginRefinement(splat::Trainer& trainer, trace::PathTracer& tracer, const Box& seenMm,
+                                  const RefinementOptions& options, Progress& progress);
+
+// How a model that was trained for `stepsDone` steps by `before` goes on.
+splat::TrainerOptions refinementTraining(splat::TrainerOptions before, std::uint64_t stepsDone,
+                                         const RefinementOptions& options);
+
+}  // namespace macula::hybrid
