@@ -47,8 +47,9 @@ double millisecondsOf(const std::function<Result<void>()>& work, Result<void>& d
 
 // By name, in the order of a step.
 std::vector<std::pair<const char*, splat::StageBenchmark>> stagesOf(const splat::TrainingBenchmark& b) {
-    return {{"project", b.project},   {"lists", b.lists}, {"raster", b.raster}, {"loss", b.loss},
-            {"backward", b.backward}, {"adam", b.adam},   {"step", b.step}};
+    return {{"project", b.project}, {"lists", b.lists}, {"deviceLists", b.deviceLists},
+            {"raster", b.raster},   {"loss", b.loss},   {"backward", b.backward},
+            {"adam", b.adam},       {"step", b.step}};
 }
 
 Json toJson(const splat::StageTime& time) {
@@ -95,10 +96,10 @@ Result<void> compare(const std::filesystem::path& baseline, Json& results) {
 void print(const splat::TrainingBenchmark& benchmark, const glm::ivec2& sizePx) {
     fmt::print("{} x {}, {} pairs of splats and tiles, {:.1f} steps a second\n", sizePx.x, sizePx.y,
                benchmark.pairs, 1000.0 / benchmark.step.device.wallMs);
-    fmt::print("{:>10} {:>10} {:>10} {:>13} {:>13} {:>7}\n", "stage", "ms", "CPU ms", "reference ms",
+    fmt::print("{:>11} {:>10} {:>10} {:>13} {:>13} {:>7}\n", "stage", "ms", "CPU ms", "reference ms",
                "its CPU ms", "ratio");
     for (const auto& [name, stage] : stagesOf(benchmark)) {
-        fmt::print("{:>10} {:>10.2f} {:>10.2f}", name, stage.device.wallMs, stage.device.cpuMs);
+        fmt::print("{:>11} {:>10.2f} {:>10.2f}", name, stage.device.wallMs, stage.device.cpuMs);
         if (stage.reference)
             fmt::print(" {:>13.1f} {:>13.1f} {:>7.4f}", stage.reference->wallMs, stage.reference->cpuMs,
                        stage.cpuRatio);

@@ -81,6 +81,7 @@ TEST_F(Bench, TrainTellsEachStageBesideTheReference) {
             sum += stages[name]["reference"]["wallMs"].get<double>();
         }
         EXPECT_GT(stages["lists"]["device"]["wallMs"], 0.0);
+        EXPECT_GT(stages["deviceLists"]["device"]["wallMs"], 0.0);
         EXPECT_TRUE(stages["lists"]["reference"].is_null());
         // One turn: medians are itself.
         const json& step = stages["step"];

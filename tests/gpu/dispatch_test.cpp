@@ -75,6 +75,28 @@ TEST_F(DispatchTest, specializesByNameAndById) {
     expectAffine(2.0f, -3.0f, -1.0f);
 }
 
+// As many groups as the device reads when it comes to it: here written by the command before.
+TEST_F(DispatchTest, groupsMayBeTheDevicesToKnow) {
+    const Kernel kernel =
+        expectOk(Kernel::create(device(), shaders::affine_comp, {.specializations = {{0, 64u}}}));
+    const Buffer groups = expectOk(Buffer::create(
+        device(), {.label = "groups",
+                   .bytes = 16,
+                   .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT}));
+    for (const std::uint32_t count : {5u, 0u, (kCount + 63u) / 64u}) {
+        auto recorder = expectOk(Recorder::create(device(), "affine"));
+        const std::uint32_t words[] = {99, count, 1, 1};
+        recorder.fill(*result_, 0);
+        recorder.update(groups, std::as_bytes(std::span(words)));
+        recorder.dispatch(kernel, Recorder::Groups{groups, 4}, Push{kCount, 0.25f},
+                          {*stored_, *table_, *result_});
+        expectOk(recorder.submit());
+        const auto values = expectOk(read<float>(*result_));
+        for (std::uint32_t i = 0; i < kCount; ++i) ASSERT_EQ(values[i] != 0.0f, i < 64u * count) << i;
+    }
+    expectAffine(0.25f, 0.5f, 1.0f);
+}
+
 // The first dispatch writes what the second reads, without a barrier by the caller.
 TEST_F(DispatchTest, dispatchesWaitForTheOnesBefore) {
     const Kernel kernel = expectOk(Kernel::create(device(), shaders::slow_comp));
@@ -135,6 +157,8 @@ TEST_F(DispatchDeathTest, refusesWhatDoesNotFitTheShader) {
     EXPECT_DEATH(recorder.dispatch(kernel, {1}, std::uint64_t{0} + 1.0f, {*stored_, *table_, *result_}),
                  "affine.comp: the shader has 8 bytes of push constants, the call 4");
     EXPECT_DEATH(recorder.dispatch(kernel, {1}, {*stored_, *table_, *result_}), "the call 0");
+    EXPECT_DEATH(recorder.dispatch(kernel, Recorder::Groups{*result_}, push, {*stored_, *table_, *result_}),
+                 "INDIRECT");
     EXPECT_DEATH(recorder.dispatch(kernel, {1}, push, {*stored_, *table_}),
                  "the shader has 3 bindings, the call 2");
     EXPECT_DEATH(recorder.dispatch(kernel, {1}, push, {*stored_, *result_, *result_}),

@@ -151,8 +151,8 @@ void Recorder::begin(Order order) {
     dirty_ = true;
 }
 
-void Recorder::dispatchBytes(const Kernel& kernel, Threads threads, std::span<const std::byte> push,
-                             std::span<const Binding> bindings, Order order) {
+void Recorder::bind(const Kernel& kernel, std::span<const std::byte> push, std::span<const Binding> bindings,
+                    Order order) {
     const Reflection& reflection = kernel.reflection();
     require(push.size() == kernel.pushConstantBytes(),
             fmt::format("{}: the shader has {} bytes of push constants, the call {}", kernel.name(),
@@ -186,7 +186,11 @@ void Recorder::dispatchBytes(const Kernel& kernel, Threads threads, std::span<co
     if (!push.empty())
         vkCmdPushConstants(commands_.buffer, kernel.layout(), VK_SHADER_STAGE_COMPUTE_BIT, 0,
                            static_cast<std::uint32_t>(push.size()), push.data());
+}
 
+void Recorder::dispatchBytes(const Kernel& kernel, Threads threads, std::span<const std::byte> push,
+                             std::span<const Binding> bindings, Order order) {
+    bind(kernel, push, bindings, order);
     const std::array<std::uint32_t, 3> wanted{threads.x, threads.y, threads.z};
     std::array<std::uint32_t, 3> groups{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -197,6 +201,15 @@ void Recorder::dispatchBytes(const Kernel& kernel, Threads threads, std::span<co
                             groups[axis], axis, device_->maxGroups_[axis]));
     }
     vkCmdDispatch(commands_.buffer, groups[0], groups[1], groups[2]);
+}
+
+void Recorder::dispatchIndirect(const Kernel& kernel, const Groups& groups, std::span<const std::byte> push,
+                                std::span<const Binding> bindings) {
+    MACULA_CHECK(groups.buffer.usage() & VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT);
+    MACULA_CHECK_EQ(groups.offset % 4, 0u);
+    checkRange(groups.buffer, groups.offset, sizeof(VkDispatchIndirectCommand));
+    bind(kernel, push, bindings, Order::afterPrevious);
+    vkCmdDispatchIndirect(commands_.buffer, groups.buffer.handle(), groups.offset);
 }
 
 void Recorder::copy(const Buffer& from, std::uint64_t fromOffset, const Buffer& to, std::uint64_t toOffset,

@@ -131,6 +131,23 @@ class Recorder {
     void dispatchBytes(const Kernel& kernel, Threads threads, std::span<const std::byte> push,
                        std::span<const Binding> bindings, Order order = Order::afterPrevious);
 
+    // As many groups (not threads) as a VkDispatchIndirectCommand, three uints, says when its turn comes, at
+    // a multiple of 4 bytes in a buffer with VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT. Who writes it keeps to the
+    // device's limits: every device allows 65535 groups along each axis.
+    struct Groups {
+        const Buffer& buffer;
+        std::uint64_t offset = 0;
+    };
+    template <class Push>
+    requires std::is_trivially_copyable_v<Push>
+    void dispatch(const Kernel& kernel, const Groups& groups, const Push& push,
+                  std::initializer_list<Binding> bindings) {
+        dispatchIndirect(kernel, groups, std::as_bytes(std::span(&push, 1)), bindings);
+    }
+    void dispatch(const Kernel& kernel, const Groups& groups, std::initializer_list<Binding> bindings) {
+        dispatchIndirect(kernel, groups, {}, bindings);
+    }
+
     // Ranges must lie within the buffers; offsets and sizes of fill are multiples of 4.
     void copy(const Buffer& from, std::uint64_t fromOffset, const Buffer& to, std::uint64_t toOffset,
               std::uint64_t bytes, Order order = Order::afterPrevious);
@@ -173,6 +190,10 @@ class Recorder {
     Recorder() = default;
     void require(bool fits, const std::string& what) const;
     void begin(Order order);
+    void dispatchIndirect(const Kernel& kernel, const Groups& groups, std::span<const std::byte> push,
+                          std::span<const Binding> bindings);
+    void bind(const Kernel& kernel, std::span<const std::byte> push, std::span<const Binding> bindings,
+              Order order);
     void endScope(int timer);
 
     static constexpr int kNoTimer = -1;

@@ -4,7 +4,6 @@
 #include <chrono>
 #include <ctime>
 #include <functional>
-#include <map>
 #include <utility>
 #include <vector>
 
@@ -50,7 +49,7 @@ StageTime operator-(const StageTime& a, const StageTime& b) {
 }
 
 struct Turn {
-    StageTime project, lists, raster, loss, backward, adam, step;
+    StageTime project, lists, deviceLists, raster, loss, backward, adam, step;
 };
 
 double median(std::vector<double> values) {
@@ -65,6 +64,7 @@ struct Tools {
     SplatBuffer gradients;
     SplatBuffer moved;  // by Adam; the model that is drawn stays as it is
     Rasterizer rasterizer;
+    Rasterizer deviceSorted;
     LossTarget target;
     Loss loss;
     Optimizer optimizer;
@@ -80,6 +80,8 @@ Result<Tools> makeTools(const std::shared_ptr<gpu::Device>& device, const Splats
     MACULA_TRY(SplatBuffer gradients, SplatBuffer::create(device, "derivatives", count, model.shDegree));
     MACULA_TRY(SplatBuffer moved, SplatBuffer::create(device, "moved splats", count, model.shDegree));
     MACULA_TRY(Rasterizer rasterizer, Rasterizer::create(device, count, model.shDegree));
+    MACULA_TRY(Rasterizer deviceSorted,
+               Rasterizer::create(device, count, model.shDegree, {.lists = ListMaker::device}));
     MACULA_TRY(const auto kernels, LossKernels::create(device));
     MACULA_TRY(DevicePicture picture,
                DevicePicture::upload(device, "picture to learn from", size.x, size.y, view.pixels));
@@ -92,6 +94,7 @@ Result<Tools> makeTools(const std::shared_ptr<gpu::Device>& device, const Splats
                  .gradients = std::move(gradients),
                  .moved = std::move(moved),
                  .rasterizer = std::move(rasterizer),
+                 .deviceSorted = std::move(deviceSorted),
                  .target = std::move(target),
                  .loss = std::move(loss),
                  .optimizer = std::move(optimizer),
@@ -117,17 +120,23 @@ class Bench {
         Turn turn;
         Tools& t = tools_;
         const auto count = static_cast<std::uint32_t>(model_.size());
-        const std::map<DrawStage, StageTime*> times{{DrawStage::project, &turn.project},
-                                                    {DrawStage::lists, &turn.lists},
-                                                    {DrawStage::raster, &turn.raster}};
         MACULA_TRY_VOID(device_->waitForAll());
         Watch watch;
-        const auto submitted = [&](DrawStage stage) -> Result<void> {
-            MACULA_TRY_VOID(device_->waitForAll());
-            *times.at(stage) = watch.lap();
-            return {};
+        const auto draw = [&](Rasterizer& rasterizer, Turn& into) {
+            watch.lap();
+            return rasterizer.draw(t.parameters, count, view_.view, blending_,
+                                   [&](DrawStage stage) -> Result<void> {
+                                       MACULA_TRY_VOID(device_->waitForAll());
+                                       (stage == DrawStage::project ? into.project
+                                        : stage == DrawStage::lists ? into.lists
+                                                                    : into.raster) = watch.lap();
+                                       return {};
+                                   });
         };
-        MACULA_TRY_VOID(t.rasterizer.draw(t.parameters, count, view_.view, blending_, submitted));
+        Turn sorted;
+        MACULA_TRY_VOID(draw(t.deviceSorted, sorted));
+        turn.deviceLists = sorted.lists;
+        MACULA_TRY_VOID(draw(t.rasterizer, turn));
         const auto timed = [&](StageTime& time,
                                const std::function<Result<void>(gpu::Recorder&)>& record) -> Result<void> {
             watch.lap();
@@ -270,14 +279,16 @@ Result<TrainingBenchmark> benchmarkTraining(const std::shared_ptr<gpu::Device>& 
         progress.advance();
     }
     const auto stage = [&](StageTime Turn::*which) { return compare(deviceTurns, referenceTurns, which); };
-    return TrainingBenchmark{.pairs = bench.pairs(),
-                             .project = stage(&Turn::project),
-                             .lists = {.device = medianOf(deviceTurns, &Turn::lists), .reference = {}},
-                             .raster = stage(&Turn::raster),
-                             .loss = stage(&Turn::loss),
-                             .backward = stage(&Turn::backward),
-                             .adam = stage(&Turn::adam),
-                             .step = stage(&Turn::step)};
+    return TrainingBenchmark{
+        .pairs = bench.pairs(),
+        .project = stage(&Turn::project),
+        .lists = {.device = medianOf(deviceTurns, &Turn::lists), .reference = {}},
+        .deviceLists = {.device = medianOf(deviceTurns, &Turn::deviceLists), .reference = {}},
+        .raster = stage(&Turn::raster),
+        .loss = stage(&Turn::loss),
+        .backward = stage(&Turn::backward),
+        .adam = stage(&Turn::adam),
+        .step = stage(&Turn::step)};
 }
 
 }  // namespace macula::splat

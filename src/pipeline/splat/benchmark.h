@@ -36,7 +36,8 @@ struct StageBenchmark {
 struct TrainingBenchmark {
     std::uint64_t pairs = 0;  // of splats and tiles in the picture
     StageBenchmark project;
-    StageBenchmark lists;  // of tiles, until they are on the device; the reference has none
+    StageBenchmark lists;        // of tiles, until they are on the device; the reference has none
+    StageBenchmark deviceLists;  // the same when the device makes them: on a CPU device the host does
     // Of the reference what rasterize takes, less what projectSplats does: its sorting is in it, and it has
     // no tiles.
     StageBenchmark raster;

@@ -32,6 +32,9 @@ class Optimizer {
     void record(gpu::Recorder& recorder, SplatBuffer& parameters, const SplatBuffer& gradients,
                 const gpu::Buffer& visible, std::uint32_t count);
 
+    // The step that was recorded last does not count: nothing was visible in it.
+    void takeBack() { --stepsDone_; }
+
     // How often a splat was left out since the start because of its gradient. Waits.
     Result<std::uint32_t> skipped() const;
 

@@ -14,9 +14,6 @@ namespace {
 using shared::kPairValues;
 using shared::kScreenTexels;
 
-constexpr VkBufferUsageFlags kBothUses =
-    VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT | VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
-
 RasterShape chosenShape(const RasterShape& asked, const gpu::Device& device) {
     RasterShape shape = asked;
     if (shape.tileRows > 0) return shape;
@@ -26,36 +23,17 @@ RasterShape chosenShape(const RasterShape& asked, const gpu::Device& device) {
     return shape;
 }
 
-Error tooMany() {
-    return {ErrorCode::outOfMemory,
-            "The splats of this model are too large and too many for this device.",
-            {},
-            "Draw a smaller picture, or a model of fewer splats."};
-}
-
-// One that has room for `elements`: the same, or a larger one.
-Result<void> makeRoom(std::optional<gpu::TexelBuffer>& texels, const std::shared_ptr<gpu::Device>& device,
-                      const char* label, VkFormat format, std::uint64_t elements, VkBufferUsageFlags usage) {
-    if (texels && texels->elements() >= elements) return {};
-    const gpu::DeviceInfo& info = device->info();
-    std::uint64_t bytes = info.maxAllocationBytes;
-    if (usage & VK_BUFFER_USAGE_STORAGE_BUFFER_BIT)
-        bytes = std::min<std::uint64_t>(bytes, info.maxStorageBufferBytes);
-    const std::uint64_t limit =
-        std::min<std::uint64_t>(info.maxTexelBufferElements, bytes / gpu::bytesPerTexel(format));
-    if (elements > limit) return tooMany();
-    const std::uint64_t room = std::min(std::max<std::uint64_t>(elements + elements / 2, 1024), limit);
-    texels.reset();
-    MACULA_TRY(texels, gpu::TexelBuffer::create(
-                           device, {.label = label, .elements = room, .format = format, .usage = usage}));
-    return {};
+bool makesLists(const gpu::Device& device, std::uint32_t capacity, ListMaker wanted) {
+    if (wanted == ListMaker::host || capacity > kMostSplatsInDeviceLists) return false;
+    return wanted == ListMaker::device || !device.isCpu();
 }
 
 }  // namespace
 
 Rasterizer::Rasterizer(std::shared_ptr<gpu::Device> device, std::uint32_t capacity, RasterShape shape,
                        int slots, Kernels kernels, gpu::Buffer frame, gpu::TexelBuffer screen,
-                       gpu::TexelBuffer pairRanges, gpu::Buffer visible, gpu::Buffer statistics)
+                       TileBuffers tileBuffers, std::optional<DeviceTileLists> deviceLists,
+                       gpu::Buffer visible, gpu::Buffer statistics)
     : device_(std::move(device)),
       capacity_(capacity),
       shape_(shape),
@@ -63,7 +41,8 @@ Rasterizer::Rasterizer(std::shared_ptr<gpu::Device> device, std::uint32_t capaci
       kernels_(std::move(kernels)),
       frame_(std::move(frame)),
       screen_(std::move(screen)),
-      pairRanges_(std::move(pairRanges)),
+      tileBuffers_(std::move(tileBuffers)),
+      deviceLists_(std::move(deviceLists)),
       visible_(std::move(visible)),
       statistics_(std::move(statistics)) {}
 
@@ -101,11 +80,15 @@ Result<Rasterizer> Rasterizer::create(const std::shared_ptr<gpu::Device>& device
                gpu::TexelBuffer::create(device, {.label = "splats in the picture",
                                                  .elements = std::uint64_t(capacity) * kScreenTexels,
                                                  .format = VK_FORMAT_R32G32B32A32_SFLOAT,
-                                                 .usage = kBothUses}));
-    MACULA_TRY(
-        gpu::TexelBuffer pairRanges,
-        gpu::TexelBuffer::create(
-            device, {.label = "pairs of splats", .elements = capacity, .format = VK_FORMAT_R32G32_UINT}));
+                                                 .usage = kReadAndWritten}));
+    const bool onDevice = makesLists(*device, capacity, shape.lists);
+    MACULA_TRY(TileBuffers tileBuffers,
+               TileBuffers::create(device, onDevice ? TileBuffers::Maker::device : TileBuffers::Maker::host,
+                                   capacity));
+    std::optional<DeviceTileLists> deviceLists;
+    if (onDevice) {
+        MACULA_TRY(deviceLists, DeviceTileLists::create(device, capacity, shape.mostPairs));
+    }
     MACULA_TRY(gpu::Buffer visible, gpu::Buffer::create(device, {.label = "visible splats",
                                                                  .bytes = std::uint64_t(capacity) * 4}));
     MACULA_TRY(
@@ -113,8 +96,8 @@ Result<Rasterizer> Rasterizer::create(const std::shared_ptr<gpu::Device>& device
         gpu::Buffer::create(device, {.label = "statistics of splats",
                                      .bytes = std::uint64_t(capacity) * sizeof(shared::SplatStatistics)}));
     Rasterizer rasterizer(device, capacity, shape, slots, std::move(kernels), std::move(frame),
-                          std::move(screen), std::move(pairRanges), std::move(visible),
-                          std::move(statistics));
+                          std::move(screen), std::move(tileBuffers), std::move(deviceLists),
+                          std::move(visible), std::move(statistics));
     MACULA_TRY(auto recorder, gpu::Recorder::create(device, "clear statistics"));
     rasterizer.clearStatistics(recorder);
     MACULA_TRY([[maybe_unused]] const gpu::Ticket ticket, recorder.submit());
@@ -130,29 +113,81 @@ shared::SplatFrame Rasterizer::frameOf(const RasterView& view, const Blending& b
             .tileRows = shape_.tileRows};
 }
 
-Result<void> Rasterizer::project(const SplatBuffer& parameters, std::uint32_t count, const RasterView& view,
-                                 const Blending& blending) {
-    shared::SplatFrame frame = frameOf(view, blending);
-    frame.count = count;
-    frame.capacity = parameters.capacity();
-    MACULA_TRY(auto recorder, gpu::Recorder::create(device_, "project splats"));
-    recorder.update(frame_, std::as_bytes(std::span(&frame, 1)));
-    if (count > 0)
-        recorder.dispatch(kernels_.project, {count}, {frame_, screen_.buffer(), parameters.values()});
+Result<void> Rasterizer::inOne(const char* label, const std::function<Result<void>(gpu::Recorder&)>& record) {
+    MACULA_TRY(auto recorder, gpu::Recorder::create(device_, label));
+    MACULA_TRY_VOID(record(recorder));
     MACULA_TRY([[maybe_unused]] const gpu::Ticket ticket, recorder.submit());
     return {};
 }
 
-Result<void> Rasterizer::uploadLists() {
-    MACULA_TRY_VOID(makeRoom(ranges_, device_, "tiles", VK_FORMAT_R32G32_UINT, lists_.ranges.size(),
-                             VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT));
-    MACULA_TRY_VOID(makeRoom(entries_, device_, "splats of tiles", VK_FORMAT_R32G32_UINT,
-                             lists_.entries.size(), VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT));
-    MACULA_TRY_VOID(gpu::uploadTo<glm::uvec2>(ranges_->buffer(), lists_.ranges));
-    if (!lists_.entries.empty())
-        MACULA_TRY_VOID(gpu::uploadTo<glm::uvec2>(entries_->buffer(), lists_.entries));
-    if (count_ > 0) MACULA_TRY_VOID(gpu::uploadTo<glm::uvec2>(pairRanges_.buffer(), lists_.pairs));
+void Rasterizer::recordProject(gpu::Recorder& recorder, const SplatBuffer& parameters, std::uint32_t count,
+                               const RasterView& view, const Blending& blending) {
+    shared::SplatFrame frame = frameOf(view, blending);
+    frame.count = count;
+    frame.capacity = parameters.capacity();
+    recorder.update(frame_, std::as_bytes(std::span(&frame, 1)));
+    if (count > 0)
+        recorder.dispatch(kernels_.project, {count}, {frame_, screen_.buffer(), parameters.values()});
+    tiles_ = frame.tiles;
+}
+
+Result<void> Rasterizer::recordLists(gpu::Recorder& recorder, std::uint32_t count, std::uint64_t mostPairs) {
+    settled_ = count == 0;
+    pairCount_ = 0;
+    pairRoom_ = std::min(mostPairs, deviceLists_->capacity());
+    mostPairs_ = mostPairs;
+    if (count > 0)
+        return deviceLists_->record(recorder, frame_, screen_, count, tiles_, mostPairs, tileBuffers_);
+    MACULA_TRY_VOID(
+        tileBuffers_.makeRoomFor(static_cast<std::uint64_t>(tiles_.x) * std::uint64_t(tiles_.y), 1));
+    recorder.fill(tileBuffers_.ranges->buffer(), 0);
     return {};
+}
+
+// Pairs whose derivatives there can be room for.
+std::uint64_t Rasterizer::mostDifferentiated() const {
+    if (!kernels_.gather) return kMostSorted;
+    const gpu::DeviceInfo& info = device_->info();
+    const std::uint64_t floats =
+        std::min({std::uint64_t(info.maxStorageBufferBytes) / sizeof(float),
+                  info.maxAllocationBytes / sizeof(float), std::uint64_t(info.maxTexelBufferElements)});
+    return floats / (std::uint64_t(kPairValues) * std::uint64_t(slots_));
+}
+
+void Rasterizer::recordRaster(gpu::Recorder& recorder, const gpu::TexelBuffer& screen) {
+    recorder.dispatch(
+        kernels_.raster,
+        {static_cast<std::uint32_t>(tiles_.x * shared::kTileColumns),
+         static_cast<std::uint32_t>(tiles_.y * shape_.tileRows / shape_.rowsPerThread)},
+        {frame_, screen, *tileBuffers_.ranges, *tileBuffers_.entries, picture_->texels.buffer(), *depths_});
+}
+
+Result<void> Rasterizer::recordDraw(gpu::Recorder& recorder, const SplatBuffer& parameters,
+                                    std::uint32_t count, const RasterView& view, const Blending& blending) {
+    MACULA_CHECK(listsOnDevice());
+    MACULA_CHECK_LE(count, capacity_);
+    MACULA_CHECK_LE(count, parameters.capacity());
+    count_ = 0;
+    MACULA_TRY_VOID(makePicture(view.sizePx));
+    recordProject(recorder, parameters, count, view, blending);
+    MACULA_TRY_VOID(recordLists(recorder, count, mostDifferentiated()));
+    recordRaster(recorder, screen_);
+    count_ = count;
+    return {};
+}
+
+Result<bool> Rasterizer::settle() {
+    if (settled_) return true;
+    settled_ = true;
+    MACULA_TRY(const std::uint64_t wanted, deviceLists_->wanted());
+    if (wanted <= pairRoom_) {
+        pairCount_ = pairRoom_ = wanted;
+        return true;
+    }
+    count_ = 0;  // nothing can be differentiated
+    if (wanted > mostPairs_) return tooManyPairs();
+    MACULA_TRY_VOID(deviceLists_->makeRoomForPairs(wanted));
+    return false;
 }
 
 Result<void> Rasterizer::makePicture(glm::ivec2 sizePx) {
@@ -193,15 +228,33 @@ Result<void> Rasterizer::draw(const SplatBuffer& parameters, std::uint32_t count
                               const Blending& blending, const Submitted& submitted) {
     MACULA_CHECK_LE(count, capacity_);
     MACULA_CHECK_LE(count, parameters.capacity());
-    count_ = 0;
-    MACULA_TRY_VOID(makePicture(view.sizePx));
-    MACULA_TRY_VOID(project(parameters, count, view, blending));
-    if (submitted) MACULA_TRY_VOID(submitted(DrawStage::project));
-    MACULA_TRY(const std::span<const glm::vec4> screen, readScreen(count));
-    count_ = count;
-    Result<void> drawn = sortAndRaster(screen, screen_, view, blending, submitted);
-    if (!drawn) count_ = 0;  // nothing can be differentiated
-    return drawn;
+    const auto tell = [&](DrawStage stage) { return submitted ? submitted(stage) : Result<void>(); };
+    for (bool settled = false; !settled;) {
+        count_ = 0;
+        MACULA_TRY_VOID(makePicture(view.sizePx));
+        MACULA_TRY_VOID(inOne("project splats", [&](gpu::Recorder& recorder) -> Result<void> {
+            recordProject(recorder, parameters, count, view, blending);
+            return {};
+        }));
+        MACULA_TRY_VOID(tell(DrawStage::project));
+        if (listsOnDevice()) {
+            MACULA_TRY_VOID(inOne("lists of tiles", [&](gpu::Recorder& recorder) {
+                return recordLists(recorder, count, kMostSorted);
+            }));
+        } else {
+            MACULA_TRY(const std::span<const glm::vec4> screen, readScreen(count));
+            MACULA_TRY_VOID(sortOnHost(screen, view, blending, count > 0));
+        }
+        MACULA_TRY_VOID(tell(DrawStage::lists));
+        MACULA_TRY_VOID(inOne("draw splats", [&](gpu::Recorder& recorder) -> Result<void> {
+            recordRaster(recorder, screen_);
+            return {};
+        }));
+        MACULA_TRY_VOID(tell(DrawStage::raster));
+        count_ = count;
+        MACULA_TRY(settled, settle());
+    }
+    return {};
 }
 
 Result<void> Rasterizer::drawProjected(std::span<const glm::vec4> screen, const RasterView& view,
@@ -212,30 +265,27 @@ Result<void> Rasterizer::drawProjected(std::span<const glm::vec4> screen, const 
                              VK_FORMAT_R32G32B32A32_SFLOAT, screen.size(),
                              VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT));
     if (!screen.empty()) MACULA_TRY_VOID(gpu::uploadTo<glm::vec4>(hostScreen_->buffer(), screen));
+    MACULA_TRY_VOID(sortOnHost(screen, view, blending, false));
     const shared::SplatFrame frame = frameOf(view, blending);
-    MACULA_TRY(auto recorder, gpu::Recorder::create(device_, "frame of splats"));
-    recorder.update(frame_, std::as_bytes(std::span(&frame, 1)));
-    MACULA_TRY([[maybe_unused]] const gpu::Ticket ticket, recorder.submit());
-    return sortAndRaster(screen, *hostScreen_, view, blending);
+    return inOne("draw splats", [&](gpu::Recorder& recorder) -> Result<void> {
+        recorder.update(frame_, std::as_bytes(std::span(&frame, 1)));
+        recordRaster(recorder, *hostScreen_);
+        return {};
+    });
 }
 
-Result<void> Rasterizer::sortAndRaster(std::span<const glm::vec4> screen,
-                                       const gpu::TexelBuffer& screenTexels, const RasterView& view,
-                                       const Blending& blending, const Submitted& submitted) {
+Result<void> Rasterizer::sortOnHost(std::span<const glm::vec4> screen, const RasterView& view,
+                                    const Blending& blending, bool withPairs) {
     // What a tile's list can hold; the backward pass needs more, and asks for it then.
     std::uint64_t mostPairs = std::min<std::uint64_t>(
         device_->info().maxTexelBufferElements, device_->info().maxAllocationBytes / sizeof(glm::uvec2));
     if (shape_.mostPairs > 0) mostPairs = std::min(mostPairs, shape_.mostPairs);
-    if (!sortIntoTiles(screen, view, blending, shape_.tileRows, mostPairs, lists_)) return tooMany();
-    MACULA_TRY_VOID(uploadLists());
-    if (submitted) MACULA_TRY_VOID(submitted(DrawStage::lists));
-    MACULA_TRY(auto recorder, gpu::Recorder::create(device_, "draw splats"));
-    recorder.dispatch(kernels_.raster,
-                      {static_cast<std::uint32_t>(lists_.tiles.x * shared::kTileColumns),
-                       static_cast<std::uint32_t>(lists_.tiles.y * shape_.tileRows / shape_.rowsPerThread)},
-                      {frame_, screenTexels, *ranges_, *entries_, picture_->texels.buffer(), *depths_});
-    MACULA_TRY([[maybe_unused]] const gpu::Ticket ticket, recorder.submit());
-    if (submitted) MACULA_TRY_VOID(submitted(DrawStage::raster));
+    settled_ = true;
+    pairCount_ = 0;
+    if (!sortIntoTiles(screen, view, blending, shape_.tileRows, mostPairs, lists_)) return tooManyPairs();
+    MACULA_TRY_VOID(tileBuffers_.upload(lists_, withPairs));
+    tiles_ = lists_.tiles;
+    pairCount_ = pairRoom_ = lists_.entries.size();
     return {};
 }
 
@@ -246,15 +296,15 @@ Result<void> Rasterizer::recordBackward(gpu::Recorder& recorder, const SplatBuff
     MACULA_CHECK_EQ(gradient.height, picture_->height);
     if (count_ == 0) return {};
     MACULA_TRY_VOID(makeRoom(pairs_, device_, "derivatives of pairs", VK_FORMAT_R32_SFLOAT,
-                             lists_.entries.size() * std::uint64_t(kPairValues) * std::uint64_t(slots_),
-                             kBothUses));
-    recorder.dispatch(
-        kernels_.rasterBack.value(),
-        {static_cast<std::uint32_t>(lists_.tiles.x * shared::kTileColumns),
-         static_cast<std::uint32_t>(lists_.tiles.y * shape_.tileRows / shape_.rowsPerThread)},
-        {frame_, screen_, *ranges_, *entries_, picture_->texels, gradient.texels, pairs_->buffer()});
+                             pairRoom_ * std::uint64_t(kPairValues) * std::uint64_t(slots_),
+                             kReadAndWritten));
+    recorder.dispatch(kernels_.rasterBack.value(),
+                      {static_cast<std::uint32_t>(tiles_.x * shared::kTileColumns),
+                       static_cast<std::uint32_t>(tiles_.y * shape_.tileRows / shape_.rowsPerThread)},
+                      {frame_, screen_, *tileBuffers_.ranges, *tileBuffers_.entries, picture_->texels,
+                       gradient.texels, pairs_->buffer()});
     recorder.dispatch(kernels_.gather.value(), {count_},
-                      {frame_, screen_, parameters.values(), pairRanges_, *pairs_,
+                      {frame_, screen_, parameters.values(), tileBuffers_.pairs, *pairs_,
                        gradients.values().buffer(), visible_, statistics_});
     return {};
 }

@@ -76,7 +76,7 @@ Trainer::Trainer(std::shared_ptr<gpu::Device> device, TrainerOptions options, Sp
       optimizer_(std::move(optimizer)) {}
 
 Result<Trainer> Trainer::create(const std::shared_ptr<gpu::Device>& device, const Splats& model,
-                                const TrainerOptions& options) {
+                                const TrainerOptions& options, ListMaker lists) {
     MACULA_TRY_VOID(check(options));
     MACULA_TRY_VOID(model.validate());
     if (model.shDegree > 1) {
@@ -91,7 +91,7 @@ Result<Trainer> Trainer::create(const std::shared_ptr<gpu::Device>& device, cons
     MACULA_TRY(auto lossKernels, LossKernels::create(device));
     MACULA_TRY(SplatBuffer parameters, SplatBuffer::create(device, "splats", capacity, degree));
     MACULA_TRY(SplatBuffer gradients, SplatBuffer::create(device, "derivatives", capacity, degree));
-    MACULA_TRY(Rasterizer rasterizer, Rasterizer::create(device, capacity, degree));
+    MACULA_TRY(Rasterizer rasterizer, Rasterizer::create(device, capacity, degree, {.lists = lists}));
     MACULA_TRY(Optimizer optimizer, Optimizer::create(device, capacity, degree, options.optimizer));
     MACULA_TRY_VOID(parameters.upload(componentsOf(model)));
     Splats like = model;
@@ -183,6 +183,23 @@ std::size_t Trainer::nextView() const {
     return i;
 }
 
+// False when there was no room for all that shows: then nothing has moved, and now there is.
+Result<bool> Trainer::tryStep(const Level& level, Loss& loss, const LossStep& over) {
+    const Blending blending = blendingOf(like_.lowPass);
+    if (!rasterizer_.listsOnDevice())
+        MACULA_TRY_VOID(rasterizer_.draw(parameters_, count_, level.view, blending));
+    MACULA_TRY(auto recorder, gpu::Recorder::create(device_, "training step"));
+    if (rasterizer_.listsOnDevice())
+        MACULA_TRY_VOID(rasterizer_.recordDraw(recorder, parameters_, count_, level.view, blending));
+    loss.record(recorder, rasterizer_.picture(), level.target, options_.loss, over);
+    MACULA_TRY_VOID(rasterizer_.recordBackward(recorder, parameters_, loss.gradient(), gradients_));
+    optimizer_.record(recorder, parameters_, gradients_, rasterizer_.visible(), count_);
+    MACULA_TRY([[maybe_unused]] const gpu::Ticket ticket, recorder.submit());
+    Result<bool> settled = rasterizer_.settle();
+    if (!settled || !*settled) optimizer_.takeBack();
+    return settled;
+}
+
 Result<void> Trainer::oneStep() {
     View& view = views_[nextView()];
     MACULA_TRY(const Level* level, levelOf(view, halvingsNow()));
@@ -192,12 +209,9 @@ Result<void> Trainer::oneStep() {
     const double green = dice();
     const LossStep over{.background = glm::vec3(red, green, dice()), .viewWeight = view.given->weight};
 
-    MACULA_TRY_VOID(rasterizer_.draw(parameters_, count_, level->view, blendingOf(like_.lowPass)));
-    MACULA_TRY(auto recorder, gpu::Recorder::create(device_, "training step"));
-    loss->record(recorder, rasterizer_.picture(), level->target, options_.loss, over);
-    MACULA_TRY_VOID(rasterizer_.recordBackward(recorder, parameters_, loss->gradient(), gradients_));
-    optimizer_.record(recorder, parameters_, gradients_, rasterizer_.visible(), count_);
-    MACULA_TRY([[maybe_unused]] const gpu::Ticket ticket, recorder.submit());
+    for (bool done = false; !done;) {
+        MACULA_TRY(done, tryStep(*level, *loss, over));
+    }
     MACULA_TRY(const shared::SplatLossResult result, loss->read());
     view.loss = double(result.loss);
     view.l1 = double(result.l1);

@@ -38,9 +38,10 @@ struct TrainingReport {
 // is what is left, and resume() on another device goes on with it.
 class Trainer {
   public:
-    // The model must be valid and of degree 0 or 1; usage when an option is out of its range.
+    // The model must be valid and of degree 0 or 1; usage when an option is out of its range. `lists`: where
+    // tiles are sorted, which changes nothing but time.
     static Result<Trainer> create(const std::shared_ptr<gpu::Device>& device, const Splats& model,
-                                  const TrainerOptions& options);
+                                  const TrainerOptions& options, ListMaker lists = ListMaker::fast);
     // Goes on with it: the same bits as if it had never stopped, on the same device. inputNotUsable as
     // TrainingState::validate and addView.
     static Result<Trainer> resume(const std::shared_ptr<gpu::Device>& device, const TrainingState& state);
@@ -92,6 +93,7 @@ class Trainer {
     Result<void> restore(const TrainingState& state);  // all but views
     Result<void> keep();
     Result<void> oneStep();
+    Result<bool> tryStep(const Level& level, Loss& loss, const LossStep& over);
     bool isTimeToRegroup() const;
     Result<void> regroupSplats();
     int halvingsNow() const;

@@ -1,0 +1,60 @@
+// The tiles of a splat, row by row. kTileParts threads share them, each some rows, because a splat may fill the picture.
+#include "splat/frame.glsl"
+#include "splat/screen.glsl"
+#include "splat/block_scan.glsl"
+
+layout(local_size_x = kListThreads) in;
+
+layout(binding = 2, scalar) readonly buffer Items {
+    uvec2 items[];  // key, splat; front to back
+};
+
+struct TileWalk {
+    ScreenSplat screen;
+    ivec2 first;  // tiles: first <= tile < end
+    ivec2 end;
+    bool one;     // there is one, and it is known to show something
+    float most;   // power
+};
+
+// The place in the order of depth that the thread works on.
+uint rankOfThread() {
+    return gl_GlobalInvocationID.x / kTileParts;
+}
+
+// Empty when the splat does not show.
+TileWalk walkOfThread(out uint splat) {
+    TileWalk walk;
+    uint rank = rankOfThread();
+    splat = items[min(rank, frame.count - 1u)].y;
+    walk.screen = fetchShown(int(splat)).screen;
+    ivec2 first;
+    ivec2 end;
+    pixelsOf(walk.screen, frame.view.sizePx, first, end);
+    bool shows = rank < frame.count && walk.screen.opacity > 0.0 && first.x < end.x && first.y < end.y;
+    ivec2 tile = ivec2(kTileColumns, frame.tileRows);
+    first = first / tile;
+    end = (end - 1) / tile + 1;
+    walk.one = end == first + 1;
+    walk.most = walk.one ? 0.0 : mostPower(walk.screen, frame.view);
+    int part = int(gl_GlobalInvocationID.x % kTileParts);
+    int rows = shows ? end.y - first.y : 0;
+    walk.first = ivec2(first.x, first.y + rows * part / int(kTileParts));
+    walk.end = ivec2(end.x, first.y + rows * (part + 1) / int(kTileParts));
+    return walk;
+}
+
+bool showsInTile(TileWalk walk, ivec2 tile) {
+    ivec2 size = ivec2(kTileColumns, frame.tileRows);
+    ivec2 low = tile * size;
+    ivec2 high = min(low + size, frame.view.sizePx);
+    // As showsIn, whose logarithm is the same for all tiles.
+    return walk.one || leastPowerIn(walk.screen.conic, vec2(low) + vec2(0.5) - walk.screen.mean,
+                                    vec2(high) - vec2(0.5) - walk.screen.mean) <= walk.most;
+}
+
+// The next of the same rows.
+ivec2 nextTile(TileWalk walk, ivec2 tile) {
+    ++tile.x;
+    return tile.x < walk.end.x ? tile : ivec2(walk.first.x, tile.y + 1);
+}

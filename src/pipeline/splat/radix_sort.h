@@ -1,0 +1,45 @@
+// A stable sort of pairs of numbers on the device, by the first of them: shaders/splat/sort_*.comp.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "base/result.h"
+#include "pipeline/gpu/kernel.h"
+#include "pipeline/gpu/recorder.h"
+#include "pipeline/gpu/resources.h"
+#include "shared/splat_lists.h"
+
+namespace macula::splat {
+
+inline constexpr std::uint64_t kMostSorted = 65535ull * shared::kSortBlock;
+
+class RadixSort {
+  public:
+    // Of at most `most` items, up to kMostSorted. outOfMemory when the device has no room for a byte for
+    // each.
+    static Result<RadixSort> create(const std::shared_ptr<gpu::Device>& device, std::uint64_t most);
+
+    // Room for as many; what was recorded before stays right.
+    Result<void> makeRoom(std::uint64_t most);
+
+    // Sorts the items (uvec2: key, value) by the lowest `bits` bits of their keys, the others being 0 or of
+    // no matter; equal ones keep their order. How many there are is read from `state`, a SplatListState that
+    // may also be used for indirect dispatches, when the turn comes. Returns where the result is: in `items`
+    // or in `other`, which has as much room.
+    const gpu::Buffer& record(gpu::Recorder& recorder, const gpu::Buffer& state, const gpu::Buffer& items,
+                              const gpu::Buffer& other, int bits) const;
+
+  private:
+    RadixSort(std::shared_ptr<gpu::Device> device, gpu::Kernel count, gpu::Kernel scan, gpu::Kernel scatter,
+              gpu::Buffer counts, gpu::Buffer totals);
+
+    std::shared_ptr<gpu::Device> device_;
+    gpu::Kernel count_;
+    gpu::Kernel scan_;
+    gpu::Kernel scatter_;
+    gpu::Buffer counts_;
+    gpu::Buffer totals_;
+};
+
+}  // namespace macula::splat
