@@ -19,15 +19,15 @@ MACULA_SHARED_CONST int kTileColumns = 8;  // pixels of a tile, from left to rig
 // extent.y.
 MACULA_SHARED_CONST int kScreenTexels = 3;
 
-// What a tile tells about a splat: mean, conic, opacity, colour as in ScreenGradient; the sum of its weights.
-MACULA_SHARED_CONST int kPairValues = 10;
+// What a tile tells about a splat: mean, conic, opacity, colour as in ScreenGradient; the sum of its weights; the sum over
+// pixels of how strongly each pulls at the mean, so that pixels that pull against each other do not cancel.
+MACULA_SHARED_CONST int kPairValues = 11;
 
 // What is gathered of a splat over views, for deciding where more are needed and which are not.
 struct SplatStatistics {
     float views;         // in which it was
     float weight;        // sum over pixels of what it shows there
-    float meanGradient;  // sum over views of the length of the derivative by its place in the picture, in
-                         // pixels
+    float pull;          // sum over pixels of the absolute derivatives by its place in the picture, in pixels
     float mostWeight;    // in one view
 };
 

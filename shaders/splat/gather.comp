@@ -78,7 +78,7 @@ void main() {
     SplatStatistics known = statistics[index];
     known.views += 1.0;
     known.weight += sums[9];
-    known.meanGradient += length(g.mean);
+    known.pull += sums[10];
     known.mostWeight = max(known.mostWeight, sums[9]);
     statistics[index] = known;
 }

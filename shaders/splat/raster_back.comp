@@ -35,13 +35,16 @@ float sumsOfEight(float v[8]) {
     return sum;
 }
 
-// Of two values, to all lanes of each eight.
-vec2 sumOfTwo(vec2 v) {
-    v += vec2(subgroupShuffleXor(v.x, 1u), subgroupShuffleXor(v.y, 1u));
-    v += vec2(subgroupShuffleXor(v.x, 2u), subgroupShuffleXor(v.y, 2u));
-    v += vec2(subgroupShuffleXor(v.x, 4u), subgroupShuffleXor(v.y, 4u));
-    if (gl_SubgroupSize > 8u) v += vec2(subgroupShuffleXor(v.x, 8u), subgroupShuffleXor(v.y, 8u));
-    if (gl_SubgroupSize > 16u) v += vec2(subgroupShuffleXor(v.x, 16u), subgroupShuffleXor(v.y, 16u));
+// Of three values, to all lanes of each eight.
+vec3 ofLane(vec3 v, uint mask) {
+    return vec3(subgroupShuffleXor(v.x, mask), subgroupShuffleXor(v.y, mask), subgroupShuffleXor(v.z, mask));
+}
+vec3 sumsOfThree(vec3 v) {
+    v += ofLane(v, 1u);
+    v += ofLane(v, 2u);
+    v += ofLane(v, 4u);
+    if (gl_SubgroupSize > 8u) v += ofLane(v, 8u);
+    if (gl_SubgroupSize > 16u) v += ofLane(v, 16u);
     return v;
 }
 
@@ -66,18 +69,21 @@ void main() {
         Shown shown = fetchShown(int(entry.x));
         ScreenGradient sum = noGradient();
         float weight = 0.0;
+        float pull = 0.0;
         [[unroll]] for (int row = 0; row < kRows; ++row) {
             weight += transmittance[row];
+            vec2 before = sum.mean;
             addPixelGradient(shown.screen, shown.colour, centre + vec2(0.0, float(row)), gradient[row], view,
                              transmittance[row], remaining[row], sum);
             weight -= transmittance[row];
+            pull += abs(sum.mean.x - before.x) + abs(sum.mean.y - before.y);
         }
         float values[8] = float[8](sum.mean.x, sum.mean.y, sum.conic.x, sum.conic.y, sum.conic.z, sum.opacity, sum.colour.x,
                                    sum.colour.y);
         float eight = sumsOfEight(values);
-        vec2 two = sumOfTwo(vec2(sum.colour.z, weight));
+        vec3 three = sumsOfThree(vec3(sum.colour.z, weight, pull));
         uint place = (entry.y * uint(kSlots) + gl_SubgroupID) * uint(kPairValues);
         if (gl_SubgroupInvocationID < 8u) pairs[place + gl_SubgroupInvocationID] = eight;
-        if (gl_SubgroupInvocationID < 2u) pairs[place + 8u + gl_SubgroupInvocationID] = gl_SubgroupInvocationID == 0u ? two.x : two.y;
+        if (gl_SubgroupInvocationID < 3u) pairs[place + 8u + gl_SubgroupInvocationID] = three[gl_SubgroupInvocationID];
     }
 }

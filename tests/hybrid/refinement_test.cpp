@@ -3,36 +3,52 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "pipeline/hybrid/first_model.h"
 
 namespace macula::hybrid {
 namespace {
 
-TEST(Refinement, GoesOnWithTheRatesOfTheLastStep) {
-    const FirstModelOptions first{.iterations = 700};
-    const splat::TrainerOptions before = trainerOptions(first, 2.5);
-    const splat::TrainerOptions after = refinementTraining(before, 700, {.iterations = 2000});
-    EXPECT_EQ(splat::learningRates(after.optimizer, 1, 700), splat::learningRates(before.optimizer, 1, 700));
-    const auto middle = splat::learningRates(after.optimizer, 1, 1700);
-    const auto last = splat::learningRates(after.optimizer, 1, 2700);
-    for (std::size_t i = 0; i < middle.size(); ++i) {
-        EXPECT_LE(middle[i], splat::learningRates(before.optimizer, 1, 700)[i]);
-        EXPECT_LE(last[i], middle[i]);
-        EXPECT_GT(last[i], 0.0f);
+const splat::TrainingReport kNow{.steps = 700, .splats = 10800};
+
+TEST(Refinement, NoRateIsFarFromTheLastOneAndAllFall) {
+    const splat::TrainerOptions before = trainerOptions({.iterations = 700}, 2.5);
+    const splat::TrainerOptions after = refinementTraining(before, kNow, {.iterations = 2000});
+    const auto last = splat::learningRates(before.optimizer, 0, 700);
+    const auto first = splat::learningRates(after.optimizer, 0, 700);
+    const auto middle = splat::learningRates(after.optimizer, 0, 1700);
+    const auto end = splat::learningRates(after.optimizer, 0, 2700);
+    for (std::size_t i = 0; i < last.size(); ++i) {
+        EXPECT_GE(first[i], last[i]);
+        EXPECT_LE(first[i], 3.001f * last[i]);
+        EXPECT_LT(middle[i], first[i]);
+        EXPECT_LT(end[i], middle[i]);
+        EXPECT_GT(end[i], 0.0f);
     }
 }
 
-TEST(Refinement, HasRoomForMoreAndTimeToUseIt) {
-    const splat::TrainerOptions after = refinementTraining(trainerOptions({}, 2.5), 700, {});
-    EXPECT_EQ(after.capacity, 50000u);
-    EXPECT_GT(after.density.firstStep, 700u);
-    EXPECT_LT(after.density.lastStep, 2700u);
-    // Room is filled before the last split.
-    const double regroups =
-        double(after.density.lastStep - after.density.firstStep) / double(after.density.every) + 1;
-    EXPECT_GT(11000.0 * std::pow(1.0 + after.density.splitShare, regroups), 50000.0);
-    ASSERT_EQ(after.stages.size(), 1u);
-    EXPECT_EQ(after.stages[0].halvings, 0);
+TEST(Refinement, FillsTheRoomThereIsWhileThereIsTime) {
+    for (const std::uint64_t iterations : {1000u, 2000u, 4000u}) {
+        const splat::TrainerOptions after =
+            refinementTraining(trainerOptions({}, 2.5), kNow, {.iterations = iterations});
+        const splat::DensityOptions& density = after.density;
+        EXPECT_EQ(after.capacity, 50000u);
+        EXPECT_GT(density.firstStep, 700u);
+        EXPECT_LT(density.lastStep, 700u + iterations);
+        const double splits = double((density.lastStep - density.firstStep) / density.every + 1);
+        EXPECT_GT(10800.0 * std::pow(1.0 + density.splitShare, splits), 50000.0);
+        EXPECT_LE(density.splitShare, 0.15);
+        ASSERT_EQ(after.stages.size(), 1u);
+        EXPECT_EQ(after.stages[0].halvings, 0);
+    }
+    // No room, no time, no splats: still options that make sense.
+    for (const auto& [splats, iterations] : {std::pair{60000u, 2000u}, {10u, 0u}, {0u, 1u}}) {
+        const splat::TrainerOptions after = refinementTraining(
+            trainerOptions({}, 2.5), {.steps = 700, .splats = splats}, {.iterations = iterations});
+        EXPECT_GT(after.density.splitShare, 0.0);
+        EXPECT_LE(after.density.splitShare, 0.15);
+    }
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ Splats lineOf(std::size_t count, int degree = 1) {
 }
 
 shared::SplatStatistics seen(float weight, float pull) {
-    return {.views = 2.0f, .weight = weight, .meanGradient = 2.0f * pull, .mostWeight = weight};
+    return {.views = 2.0f, .weight = weight, .pull = 2.0f * pull, .mostWeight = weight};
 }
 
 TEST(DensityControl, DropsWhatTogetherHardlyShows) {

@@ -149,6 +149,34 @@ TEST_F(RasterizerOnDevice, ASplatThatDoesNotShowKeepsWhatWasThere) {
     EXPECT_EQ((*statistics)[2].views, 0.0f);
 }
 
+// Pixels that pull a splat to opposite sides do not cancel in what is known about it.
+TEST_F(RasterizerOnDevice, PullsAddUp) {
+    Splats splats = singleOf(randomModel(8, 1, 0));
+    splats.position[0] = {0.0f, 0.0f, 0.0f};
+    const RasterView view = frontView({32, 32}, 14.0);
+    const auto pullOf = [&](const auto& takesPart) {
+        Drawn drawn = draw(splats, view, {});
+        SplatBuffer gradients = std::move(*SplatBuffer::create(device(), "gradients", 1, 0));
+        std::vector<glm::vec4> pixels;
+        for (int i = 0; i < 32 * 32; ++i)
+            pixels.push_back(takesPart(i % 32 < 16, i / 32 < 16) ? glm::vec4(0, 0, 0, 1) : glm::vec4(0));
+        const auto gradient = DevicePicture::upload(device(), "gradient", 32, 32, pixels);
+        auto recorder = std::move(*gpu::Recorder::create(device(), "test"));
+        EXPECT_TRUE(drawn.rasterizer.recordBackward(recorder, drawn.parameters, *gradient, gradients).ok());
+        EXPECT_TRUE(recorder.submit().ok());
+        return double(gpu::read<shared::SplatStatistics>(drawn.rasterizer.statistics())->front().pull);
+    };
+    const double whole = pullOf([](bool, bool) { return true; });
+    double quarters = 0.0;
+    for (const bool left : {false, true}) {
+        for (const bool top : {false, true}) {
+            quarters += pullOf([=](bool isLeft, bool isTop) { return isLeft == left && isTop == top; });
+        }
+    }
+    EXPECT_GT(whole, 0.01);
+    EXPECT_NEAR(quarters, whole, 1e-4 * whole);
+}
+
 TEST(RasterizerLayout, IsThatOfTheKernels) {
     using shared::SplatFrame, shared::SplatView, shared::SplatStatistics;
     for (const auto& code : {shaders::splat_project_comp, shaders::splat_raster_comp,
@@ -166,7 +194,7 @@ TEST(RasterizerLayout, IsThatOfTheKernels) {
     expectLayoutMatches<SplatStatistics>(
         *gather->bindings.back().block.find("statistics"),
         {MACULA_FIELD(SplatStatistics, views), MACULA_FIELD(SplatStatistics, weight),
-         MACULA_FIELD(SplatStatistics, meanGradient), MACULA_FIELD(SplatStatistics, mostWeight)});
+         MACULA_FIELD(SplatStatistics, pull), MACULA_FIELD(SplatStatistics, mostWeight)});
 }
 
 }  // namespace

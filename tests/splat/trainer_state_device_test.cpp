@@ -2,6 +2,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 
@@ -130,7 +131,7 @@ TEST_F(TrainerState, GoesOnInAnotherWayWithAllThatItKnows) {
     Trainer same = trainer(start(), threeSizes(), largerViews());
     ASSERT_TRUE(whole.step(9).ok());
     ASSERT_TRUE(same.step(9).ok());
-    ASSERT_TRUE(same.goOnWith(threeSizes()).ok());
+    ASSERT_TRUE(same.goOnWith(threeSizes(), 0).ok());
     expectSame(same.lastGood(), *whole.state(), "told the same again");
     ASSERT_TRUE(whole.step(9).ok());
     ASSERT_TRUE(same.step(9).ok());
@@ -139,11 +140,16 @@ TEST_F(TrainerState, GoesOnInAnotherWayWithAllThatItKnows) {
     TrainerOptions roomier = threeSizes();
     roomier.capacity = 90;
     roomier.density = {.firstStep = 20, .every = 1, .lastStep = 22, .splitShare = 0.5};
-    ASSERT_TRUE(same.goOnWith(roomier).ok());
+    ASSERT_TRUE(same.goOnWith(roomier, 1).ok());
+    EXPECT_TRUE(testing::sameBits(same.snapshot()->position, whole.snapshot()->position));
+    EXPECT_TRUE(testing::sameBits(draw(*same.snapshot(), heldOut()), draw(*whole.snapshot(), heldOut())));
     ASSERT_TRUE(same.step(1).ok());
     const TrainingState state = *same.state();
+    EXPECT_EQ(state.splats.shDegree, 1);
     ASSERT_TRUE(same.step(3).ok());
     EXPECT_EQ(same.report().splats, 90u);
+    EXPECT_TRUE(std::any_of(state.splats.sh.begin(), state.splats.sh.end(),
+                            [](const glm::vec3& sh) { return sh != glm::vec3(0.0f); }));
     auto resumed = Trainer::resume(device(), state);
     ASSERT_TRUE(resumed.ok());
     ASSERT_TRUE(resumed->step(3).ok());
@@ -152,7 +158,7 @@ TEST_F(TrainerState, GoesOnInAnotherWayWithAllThatItKnows) {
     // What makes no sense changes nothing.
     TrainerOptions senseless = roomier;
     senseless.density.every = 0;
-    EXPECT_EQ(same.goOnWith(senseless).error().code, ErrorCode::usage);
+    EXPECT_EQ(same.goOnWith(senseless, 1).error().code, ErrorCode::usage);
     expectSame(*same.state(), *resumed->state(), "refused");
     EXPECT_EQ(same.viewCount(), std::size_t(kViews));
     EXPECT_TRUE(same.step(1).ok());

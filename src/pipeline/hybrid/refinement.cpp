@@ -2,27 +2,49 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 
 #include "pipeline/hybrid/learnt_views.h"
 
 namespace macula::hybrid {
 
-// No rate jumps: those of the last step are the first ones. What each number is worth:
-// docs/peripheral-model.md.
-splat::TrainerOptions refinementTraining(splat::TrainerOptions before, std::uint64_t stepsDone,
+namespace {
+
+constexpr std::uint64_t kEvery = 50;  // steps between splits
+constexpr double kGrowing = 0.6;      // of the steps; then what there is settles
+constexpr double kMostAtOnce = 0.15;  // of the splats
+constexpr double kRatesAtLast = 0.1;  // of the first ones
+constexpr double kPositionsWarmer =
+    3.0;                            // than at the end of the first training: there is new room to move in
+constexpr double kShPerDc = 0.125;  // of rates
+
+// So that there are as many as there is room for at the last split, whatever is removed on the way.
+double splitShare(double splats, double capacity, double splits) {
+    if (!(splats > 0.0) || capacity <= splats) return 0.05;
+    return std::min(1.25 * (std::pow(capacity / splats, 1.0 / splits) - 1.0), kMostAtOnce);
+}
+
+}  // namespace
+
+// What each number is worth: docs/peripheral-model.md.
+splat::TrainerOptions refinementTraining(splat::TrainerOptions before, const splat::TrainingReport& now,
                                          const RefinementOptions& options) {
-    const std::uint64_t last = stepsDone + std::max<std::uint64_t>(options.iterations, 1);
+    const std::uint64_t steps = std::max<std::uint64_t>(options.iterations, 1);
+    splat::OptimizerOptions& rates = before.optimizer;
+    rates.position = kPositionsWarmer * rates.positionAtLast;
+    rates.positionAtLast = kRatesAtLast * rates.position;
+    rates.othersAtLast = kRatesAtLast;
+    rates.sh = kShPerDc * rates.dc;
+    rates.decayFrom = now.steps;
+    rates.positionSteps = now.steps + steps;
     before.capacity = options.capacity;
-    before.optimizer.position = before.optimizer.positionAtLast;
-    before.optimizer.positionAtLast = 0.1 * before.optimizer.position;
-    before.optimizer.othersAtLast = 0.1;
-    before.optimizer.decayFrom = stepsDone;
-    before.optimizer.positionSteps = last;
     before.stages = {{.firstStep = 0, .halvings = 0}};
-    before.density.firstStep = stepsDone + 100;
-    before.density.every = 100;
-    before.density.splitShare = 0.12;
-    before.density.lastStep = stepsDone + (options.iterations * 3) / 4;
+    const auto growing = static_cast<std::uint64_t>(kGrowing * double(steps));
+    before.density.every = kEvery;
+    before.density.firstStep = now.steps + kEvery;
+    before.density.lastStep = now.steps + growing;
+    before.density.splitShare = splitShare(double(now.splats), double(options.capacity),
+                                           double(std::max(growing / kEvery, std::uint64_t(1))));
     return before;
 }
 
@@ -37,8 +59,10 @@ Result<MoreViews> beginRefinement(splat::Trainer& trainer, trace::PathTracer& tr
     MACULA_TRY(const std::vector<TracedView> views, traceViews(tracer, chosen.cameras, tracing, progress));
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
     for (const TracedView& view : views) MACULA_TRY_VOID(learnFrom(trainer, view));
+    const splat::TrainerOptions training =
+        refinementTraining(trainer.lastGood().options, trainer.report(), options);
     MACULA_TRY_VOID(
-        trainer.goOnWith(refinementTraining(trainer.lastGood().options, trainer.report().steps, options)));
+        trainer.goOnWith(training, std::max(options.shDegree, trainer.lastGood().splats.shDegree)));
     return MoreViews{.seconds = seconds.count(), .givenUp = chosen.givenUp};
 }
 

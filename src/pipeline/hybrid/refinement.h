@@ -19,6 +19,7 @@ struct RefinementOptions {
     int bounces = 4;
     std::uint64_t iterations = 2000;  // that are to follow: rates fall and splats become more over them
     std::uint32_t capacity = 50000;   // splats; the model keeps those it has if they are more
+    int shDegree = 1;                 // more views can tell colours by direction; never less than it has
 };
 
 struct MoreViews {
@@ -32,8 +33,8 @@ struct MoreViews {
 Result<MoreViews> beginRefinement(splat::Trainer& trainer, trace::PathTracer& tracer, const Box& seenMm,
                                   const RefinementOptions& options, Progress& progress);
 
-// How a model that was trained for `stepsDone` steps by `before` goes on.
-splat::TrainerOptions refinementTraining(splat::TrainerOptions before, std::uint64_t stepsDone,
+// How a model goes on that `before` has trained up to `now`.
+splat::TrainerOptions refinementTraining(splat::TrainerOptions before, const splat::TrainingReport& now,
                                          const RefinementOptions& options);
 
 }  // namespace macula::hybrid

@@ -55,7 +55,7 @@ std::vector<std::uint8_t> unneeded(std::span<const shared::SplatStatistics> stat
 }
 
 double pullOf(const shared::SplatStatistics& s) {
-    return s.views > 0.0f ? double(s.meanGradient) / double(s.views) : 0.0;
+    return s.views > 0.0f ? double(s.pull) / double(s.views) : 0.0;
 }
 
 }  // namespace

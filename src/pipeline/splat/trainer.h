@@ -46,10 +46,11 @@ class Trainer {
     // TrainingState::validate and addView.
     static Result<Trainer> resume(const std::shared_ptr<gpu::Device>& device, const TrainingState& state);
 
-    // From the next step on training is done in another way. All that was learnt stays: splats, what the
-    // optimiser knows, views, steps, statistics. Room for more splats is made here; there is never less than
-    // for those it has. usage as create; outOfMemory, and it goes on as before.
-    Result<void> goOnWith(const TrainerOptions& options);
+    // From the next step on training is done in another way, and of that degree of colour (0 or 1; new
+    // coefficients begin at 0). All that was learnt stays: splats, what the optimiser knows, views, steps,
+    // statistics. Room for more splats is made here; there is never less than for those it has. usage as
+    // create; outOfMemory, and it goes on as before.
+    Result<void> goOnWith(const TrainerOptions& options, int shDegree);
 
     // Takes part from the next step on. inputNotUsable when the picture is not of the view's size, or has
     // not one finite pixel, or a weight that is not above 0 and at most kMaxViewWeight. The picture stays on

@@ -1,6 +1,7 @@
 // The trainer's state: out of it, and into another.
 #include "base/check.h"
 #include "pipeline/gpu/transfer.h"
+#include "pipeline/splat/splat_components.h"
 #include "pipeline/splat/trainer.h"
 
 namespace macula::splat {
@@ -46,8 +47,12 @@ Result<Trainer> Trainer::resume(const std::shared_ptr<gpu::Device>& device, cons
 }
 
 // Made anew but for the pictures, which may be most of what the device holds.
-Result<void> Trainer::goOnWith(const TrainerOptions& options) {
+Result<void> Trainer::goOnWith(const TrainerOptions& options, int shDegree) {
     MACULA_TRY(TrainingState now, state());
+    now.splats.setShDegree(shDegree);
+    const std::size_t numbers = now.splats.size() * static_cast<std::size_t>(componentCount(shDegree));
+    now.optimizer.first.resize(numbers, 0.0f);  // coefficients are the last components
+    now.optimizer.second.resize(numbers, 0.0f);
     MACULA_TRY(Trainer other, create(device_, now.splats, options));
     MACULA_TRY_VOID(other.restore(now));
     now.options = other.options_;

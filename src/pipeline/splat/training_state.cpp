@@ -25,7 +25,7 @@ Result<void> TrainingState::validate() const {
     const auto isMoment = [](float moment) { return std::isfinite(moment); };
     const auto isSquare = [](float moment) { return std::isfinite(moment) && moment >= 0.0f; };
     const auto isStatistic = [](const shared::SplatStatistics& s) {
-        return std::isfinite(s.views) && std::isfinite(s.weight) && std::isfinite(s.meanGradient) &&
+        return std::isfinite(s.views) && std::isfinite(s.weight) && std::isfinite(s.pull) &&
                std::isfinite(s.mostWeight);
     };
     if (optimizer.steps.size() != count || optimizer.first.size() != numbers ||
