@@ -1,6 +1,23 @@
 #include "pipeline/hybrid/learnt_views.h"
 
+#include <cmath>
+#include <utility>
+
 namespace macula::hybrid {
+
+namespace {
+
+Result<splat::TrainingView> trainingView(const splat::Trainer& trainer, const TracedView& view) {
+    const glm::dvec3 originMm = trainer.lastGood().splats.originMm;
+    MACULA_TRY(const splat::RasterView from, splat::rasterView(view.camera, view.sizePx, originMm));
+    return splat::TrainingView{.view = from, .pixels = view.rgba, .weight = weightOf(view.samplesPerPixel)};
+}
+
+glm::dvec3 forwardOf(const splat::RasterView& view) {
+    return glm::transpose(view.cameraFromWorld)[2];
+}
+
+}  // namespace
 
 Result<ChosenViews> chooseViews(trace::PathTracer& tracer, const Box& seenMm, const ViewSampling& sampling,
                                 const ViewLimits& limits, const Progress& progress) {
@@ -15,10 +32,38 @@ Result<ChosenViews> chooseViews(trace::PathTracer& tracer, const Box& seenMm, co
     return chosen;
 }
 
+float weightOf(double samplesPerPixel) {
+    constexpr double kUsual = 8.0;
+    return static_cast<float>(2.0 * samplesPerPixel / (samplesPerPixel + kUsual));
+}
+
 Result<void> learnFrom(splat::Trainer& trainer, const TracedView& view) {
-    const glm::dvec3 originMm = trainer.lastGood().splats.originMm;
-    MACULA_TRY(const splat::RasterView from, splat::rasterView(view.camera, view.sizePx, originMm));
-    return trainer.addView({.view = from, .pixels = view.rgba});
+    MACULA_TRY(splat::TrainingView learnt, trainingView(trainer, view));
+    return trainer.addView(std::move(learnt));
+}
+
+bool isSamePose(const splat::RasterView& a, const splat::RasterView& b, double radiusMm,
+                const AdmissionOptions& options) {
+    const double leastCosine = std::cos(glm::radians(options.newAngleDeg));
+    return glm::distance(a.eyeMm, b.eyeMm) <= options.newDistanceRadii * radiusMm &&
+           glm::dot(forwardOf(a), forwardOf(b)) >= leastCosine;
+}
+
+Result<Novelty> admit(splat::Trainer& trainer, const TracedView& view, double radiusMm,
+                      const AdmissionOptions& options) {
+    MACULA_TRY(splat::TrainingView learnt, trainingView(trainer, view));
+    Novelty novelty = Novelty::pose;
+    for (std::size_t i = 0; i < trainer.viewCount(); ++i) {
+        if (!isSamePose(learnt.view, trainer.view(i).view, radiusMm, options)) continue;
+        if (!trainer.wasDrawn(i)) return Novelty::none;
+        novelty = Novelty::picture;
+    }
+    if (novelty == Novelty::picture) {
+        MACULA_TRY(const double difference, trainer.differenceTo(learnt));
+        if (!(difference > options.newDifference * trainer.report().l1)) return Novelty::none;
+    }
+    MACULA_TRY_VOID(trainer.addView(std::move(learnt)));
+    return novelty;
 }
 
 }  // namespace macula::hybrid

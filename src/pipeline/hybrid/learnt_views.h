@@ -24,7 +24,32 @@ struct ChosenViews {
 Result<ChosenViews> chooseViews(trace::PathTracer& tracer, const Box& seenMm, const ViewSampling& sampling,
                                 const ViewLimits& limits, const Progress& progress);
 
-// Takes part in the training from its next step on. Fails as Trainer::addView.
+// Of a picture of so many samples beside others: 1 at 8, as many as the pictures have that a model begins
+// with; in proportion to them where there are few, at most 2, because what the denoiser blurs stays.
+float weightOf(double samplesPerPixel);
+
+// Takes part in the training from its next step on, with its weight. Fails as Trainer::addView.
 Result<void> learnFrom(splat::Trainer& trainer, const TracedView& view);
+
+// When a view tells a model something.
+struct AdmissionOptions {
+    // Seen from somewhere else than any view before: farther away than that, in half-diagonals of what is
+    // seen, or in another direction.
+    double newDistanceRadii = 0.05;
+    double newAngleDeg = 5.0;
+    // Or the model is worse there: mean difference, over that of the views it has.
+    double newDifference = 1.5;
+};
+enum class Novelty { none, pose, picture };
+
+// Whether both are seen from the same place in the same direction, or nearly. Roll and field of view are not
+// looked at.
+bool isSamePose(const splat::RasterView& a, const splat::RasterView& b, double radiusMm,
+                const AdmissionOptions& options = {});
+
+// learnFrom, if it shows something new; what that is. While the trainer has a view from there that it has not
+// come to yet, another picture is not new. Fails as Trainer::addView.
+Result<Novelty> admit(splat::Trainer& trainer, const TracedView& view, double radiusMm,
+                      const AdmissionOptions& options = {});
 
 }  // namespace macula::hybrid

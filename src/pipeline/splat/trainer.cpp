@@ -108,16 +108,16 @@ Result<void> Trainer::addView(TrainingView view) {
     return addView(std::make_shared<const TrainingView>(std::move(view)));
 }
 
-Result<void> Trainer::addView(std::shared_ptr<const TrainingView> given) {
-    MACULA_TRY_VOID(validate(given->view));
-    const glm::ivec2 size = given->view.sizePx;
-    const std::vector<glm::vec4>& pixels = given->pixels;
+Result<Trainer::Level> Trainer::wholeOf(const TrainingView& given) const {
+    MACULA_TRY_VOID(validate(given.view));
+    const glm::ivec2 size = given.view.sizePx;
+    const std::vector<glm::vec4>& pixels = given.pixels;
     const auto isFinite = [](const glm::vec4& p) {
         return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z) && std::isfinite(p.w);
     };
     if (pixels.size() != static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) ||
         std::none_of(pixels.begin(), pixels.end(), isFinite) ||
-        !(given->weight > 0.0f && given->weight <= kMaxViewWeight)) {
+        !(given.weight > 0.0f && given.weight <= kMaxViewWeight)) {
         return Error{ErrorCode::inputNotUsable,
                      "A picture to learn from is empty or not of its view's size.",
                      {},
@@ -126,8 +126,13 @@ Result<void> Trainer::addView(std::shared_ptr<const TrainingView> given) {
     MACULA_TRY(DevicePicture picture,
                DevicePicture::upload(device_, "picture to learn from", size.x, size.y, pixels));
     MACULA_TRY(LossTarget target, LossTarget::create(*lossKernels_, std::move(picture)));
+    return Level{given.view, std::move(target)};
+}
+
+Result<void> Trainer::addView(std::shared_ptr<const TrainingView> given) {
+    MACULA_TRY(Level whole, wholeOf(*given));
     View view;
-    view.levels.push_back({given->view, std::move(target)});
+    view.levels.push_back(std::move(whole));
     lastGood_.views.push_back({.given = given});
     view.given = std::move(given);
     views_.push_back(std::move(view));
@@ -198,6 +203,18 @@ Result<bool> Trainer::tryStep(const Level& level, Loss& loss, const LossStep& ov
     Result<bool> settled = rasterizer_.settle();
     if (!settled || !*settled) optimizer_.takeBack();
     return settled;
+}
+
+Result<double> Trainer::differenceTo(const TrainingView& view) {
+    MACULA_TRY(const Level level, wholeOf(view));
+    MACULA_TRY(Loss * loss, lossOf(level.view.sizePx));
+    MACULA_TRY_VOID(rasterizer_.draw(parameters_, count_, level.view, blendingOf(like_.lowPass)));
+    MACULA_TRY(auto recorder, gpu::Recorder::create(device_, "compare"));
+    loss->record(recorder, rasterizer_.picture(), level.target, options_.loss,
+                 {.background = glm::vec3(0.0f), .viewWeight = 1.0f});
+    MACULA_TRY([[maybe_unused]] const gpu::Ticket ticket, recorder.submit());
+    MACULA_TRY(const shared::SplatLossResult result, loss->read());
+    return double(result.l1);
 }
 
 Result<void> Trainer::oneStep() {
@@ -280,12 +297,17 @@ Result<Splats> Trainer::snapshot() const {
 
 TrainingReport Trainer::report() const {
     TrainingReport report{.steps = steps_, .splats = count_};
-    if (std::any_of(views_.begin(), views_.end(), [](const View& view) { return view.loss < 0.0; }))
-        return report;
+    double weights = 0.0;
+    double drawn = 0.0;
     for (const View& view : views_) {
-        report.loss += view.loss / double(views_.size());
-        report.l1 += view.l1 / double(views_.size());
+        if (view.loss < 0.0) continue;
+        report.loss += view.loss;
+        report.l1 += view.l1;
+        weights += double(view.given->weight);
+        drawn += 1.0;
     }
+    report.loss = drawn == double(views_.size()) && drawn > 0.0 ? report.loss / weights : 0.0;
+    report.l1 /= std::max(drawn, 1.0);
     return report;
 }
 

@@ -28,8 +28,8 @@ namespace macula::splat {
 
 struct TrainingReport {
     std::uint64_t steps = 0;  // since the start
-    double loss = 0.0;        // of the views, each when it was last drawn; 0 before all were
-    double l1 = 0.0;          // mean of |render - picture|, as compared
+    double loss = 0.0;        // of the views, each when it was last drawn, by weight; 0 before all were
+    double l1 = 0.0;          // mean of |render - picture|, as compared; of the views that were drawn
     std::uint32_t splats = 0;
 };
 
@@ -57,6 +57,13 @@ class Trainer {
     // the host as well, and is shared with states.
     Result<void> addView(TrainingView view);
     std::size_t viewCount() const { return views_.size(); }
+    // In the order in which they were added.
+    const TrainingView& view(std::size_t index) const { return *views_[index].given; }
+    bool wasDrawn(std::size_t index) const { return views_[index].loss >= 0.0; }
+
+    // Mean of |render - picture| of a view that it need not have, as compared, over black; nothing is learnt.
+    // Fails as addView.
+    Result<double> differenceTo(const TrainingView& view);
 
     // `steps` steps; fewer when `keepGoing` (may be empty), which is asked after each, says no. usage without
     // views.
@@ -91,6 +98,7 @@ class Trainer {
             Rasterizer rasterizer, Optimizer optimizer);
 
     Result<void> addView(std::shared_ptr<const TrainingView> given);
+    Result<Level> wholeOf(const TrainingView& given) const;
     Result<void> restore(const TrainingState& state);  // all but views
     Result<void> keep();
     Result<void> oneStep();
