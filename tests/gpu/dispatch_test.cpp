@@ -75,6 +75,26 @@ TEST_F(DispatchTest, specializesByNameAndById) {
     expectAffine(2.0f, -3.0f, -1.0f);
 }
 
+TEST_F(DispatchTest, theDeviceKeepsWhatItCompiled) {
+    const auto make = [&](float bias) {
+        return expectOk(
+            Kernel::create(device(), shaders::affine_comp, {.specializations = {{0, 64u}, {"kBias", bias}}}));
+    };
+    std::optional<Kernel> first = make(-3.0f);
+    const VkPipeline pipeline = first->pipeline();
+    EXPECT_NE(make(-4.0f).pipeline(), pipeline);
+    EXPECT_NE(expectOk(Kernel::create(device(), shaders::affine_comp)).pipeline(), pipeline);
+    first.reset();
+    const Kernel again = make(-3.0f);
+    EXPECT_EQ(again.pipeline(), pipeline);
+    auto recorder = expectOk(Recorder::create(device(), "affine"));
+    recorder.dispatch(again, {kCount}, Push{kCount, 2.0f}, {*stored_, *table_, *result_});
+    expectOk(recorder.submit());
+    expectAffine(2.0f, -3.0f, 1.0f);
+    const auto other = expectOk(Device::create(*instance_));
+    EXPECT_NE(expectOk(Kernel::create(other, shaders::affine_comp)).pipeline(), VkPipeline{});
+}
+
 // As many groups as the device reads when it comes to it: here written by the command before.
 TEST_F(DispatchTest, groupsMayBeTheDevicesToKnow) {
     const Kernel kernel =
@@ -135,7 +155,8 @@ TEST_F(DispatchTest, samplesAVolumeAndWritesAPicture) {
     const auto near = [](int value, double expected) { return std::abs(value - expected) <= 1.5; };
     for (int y = 0; y < 50; ++y) {
         for (int x = 0; x < 101; ++x) {
-            const std::uint8_t* pixel = &pixels[static_cast<std::size_t>(4 * (101 * y + x))];
+            const std::uint8_t* pixel =
+                &pixels[4 * (101 * static_cast<std::size_t>(y) + static_cast<std::size_t>(x))];
             const double u = (x + 0.5) / 101.0;
             const double v = (y + 0.5) / 50.0;
             const double linear = std::clamp(2.0 * u - 0.5, 0.0, 1.0);

@@ -110,7 +110,6 @@ class DeviceLists : public DeviceTest {
         const auto count = static_cast<std::uint32_t>(splats.size());
         const auto room = std::max(count, 1u);
         auto parameters = std::move(*SplatBuffer::create(device(), "parameters", room, splats.shDegree));
-        auto gradients = std::move(*SplatBuffer::create(device(), "gradients", room, splats.shDegree));
         EXPECT_TRUE(parameters.upload(componentsOf(splats)).ok());
         const auto drawn = rasterizer.draw(parameters, count, view, blending);
         EXPECT_TRUE(drawn.ok()) << (drawn.ok() ? "" : drawn.error().message);
@@ -124,6 +123,7 @@ class DeviceLists : public DeviceTest {
         seen.pairs = count > 0 ? firstOf(lists.pairs, count) : std::vector<glm::uvec2>();
         if (count > kMostDifferentiated) return seen;
 
+        auto gradients = std::move(*SplatBuffer::create(device(), "gradients", room, splats.shDegree));
         Dice dice(3);
         std::vector<glm::vec4> gradient(seen.picture.size());
         for (glm::vec4& g : gradient) g = glm::vec4(dice.vec3(-1, 1), dice.uniform(-1, 1));

@@ -150,6 +150,7 @@ Device::~Device() {
     if (!device_) return;
     vkDeviceWaitIdle(device_);  // a lost device is idle, too
     for (const Dropped& dropped : dropped_) dropped.destroy(device_, dropped.object);
+    kernels_.clear();
     for (const Commands& commands : freeCommands_) {
         vkDestroyQueryPool(device_, commands.queries, nullptr);
         vkDestroyCommandPool(device_, commands.pool, nullptr);

@@ -6,10 +6,12 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "base/result.h"
@@ -18,6 +20,8 @@
 #include "pipeline/gpu/instance.h"
 
 namespace macula::gpu {
+
+struct CompiledKernel;
 
 // The place of a submission on the device's timeline: 1, 2, 3, ... 0 is done from the start.
 using Ticket = std::uint64_t;
@@ -88,6 +92,7 @@ class Device : public std::enable_shared_from_this<Device> {
     Error failed(VkResult result, std::string_view doing) const;
 
   private:
+    friend class Kernel;
     friend class Recorder;
     friend class Swapchain;
     friend void destroyLater(Device& device, DestroyFunction destroy, std::uint64_t object);
@@ -132,6 +137,8 @@ class Device : public std::enable_shared_from_this<Device> {
     std::uint32_t maxGroups_[3] = {0, 0, 0};
     Functions functions_;
     VkSemaphore timeline_ = VK_NULL_HANDLE;
+    // By where the shader's words lie, which are static, and the constants it was specialized by, as text.
+    std::map<std::pair<const std::uint32_t*, std::string>, std::shared_ptr<const CompiledKernel>> kernels_;
     std::vector<Commands> freeCommands_;
     std::atomic<Ticket> submitted_{0};
     mutable std::atomic<bool> lost_{false};  // a question may find it out, too

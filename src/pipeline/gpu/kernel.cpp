@@ -20,17 +20,13 @@ std::uint32_t resolve(const Specialization& wanted, const Reflection& reflection
         fmt::format("the shader has no specialization constant \"{}\" (or id {})", wanted.name, wanted.id));
 }
 
-}  // namespace
-
-Result<Kernel> Kernel::create(const std::shared_ptr<Device>& device, const ShaderCode& code,
-                              const KernelOptions& options) {
-    MACULA_CHECK(device != nullptr);
-    Kernel kernel;
-    kernel.name_ = code.name;
-    MACULA_TRY(kernel.reflection_, reflectSpirv(code.words));
-    const Reflection& reflection = kernel.reflection_;
-    const std::string doing = fmt::format("prepare the shader {}", code.name);
-    MACULA_TRY_VOID(device->checkNotLost(doing));
+Result<std::shared_ptr<const CompiledKernel>> compile(const std::shared_ptr<Device>& device,
+                                                      const ShaderCode& code, const KernelOptions& options,
+                                                      const std::string& doing) {
+    const auto kernel = std::make_shared<CompiledKernel>(device->handle());
+    kernel->name = code.name;
+    MACULA_TRY(kernel->reflection, reflectSpirv(code.words));
+    const Reflection& reflection = kernel->reflection;
 
     std::vector<std::uint32_t> values;
     std::vector<VkSpecializationMapEntry> entries;
@@ -41,10 +37,10 @@ Result<Kernel> Kernel::create(const std::shared_ptr<Device>& device, const Shade
     }
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const LocalSize& size = reflection.localSize[axis];
-        kernel.localSize_[axis] = size.value;
+        kernel->localSize[axis] = size.value;
         for (std::size_t i = 0; i < entries.size(); ++i)
-            if (size.specializationId == entries[i].constantID) kernel.localSize_[axis] = values[i];
-        require(kernel.localSize_[axis] > 0, code.name, "a local size of 0");
+            if (size.specializationId == entries[i].constantID) kernel->localSize[axis] = values[i];
+        require(kernel->localSize[axis] > 0, code.name, "a local size of 0");
     }
 
     std::vector<VkDescriptorSetLayoutBinding> bindings;
@@ -60,26 +56,25 @@ Result<Kernel> Kernel::create(const std::shared_ptr<Device>& device, const Shade
     setInfo.flags = VK_DESCRIPTOR_SET_LAYOUT_CREATE_PUSH_DESCRIPTOR_BIT_KHR;
     setInfo.bindingCount = static_cast<std::uint32_t>(bindings.size());
     setInfo.pBindings = bindings.data();
-    VkDescriptorSetLayout setLayout = VK_NULL_HANDLE;
-    if (const VkResult result = vkCreateDescriptorSetLayout(device->handle(), &setInfo, nullptr, &setLayout);
+    if (const VkResult result =
+            vkCreateDescriptorSetLayout(device->handle(), &setInfo, nullptr, &kernel->setLayout);
         result < 0)
         return device->failed(result, doing);
-    kernel.setLayout_ = Handle(device, setLayout);
 
-    const VkPushConstantRange push{VK_SHADER_STAGE_COMPUTE_BIT, 0, kernel.pushConstantBytes()};
+    const std::uint32_t bytesOfPush = reflection.pushConstants ? reflection.pushConstants->block.bytes : 0;
+    const VkPushConstantRange push{VK_SHADER_STAGE_COMPUTE_BIT, 0, bytesOfPush};
     require(push.size % 4 == 0 && push.size <= device->info().maxPushConstantBytes, code.name,
             fmt::format("{} bytes of push constants, and the device allows {}", push.size,
                         device->info().maxPushConstantBytes));
     VkPipelineLayoutCreateInfo layoutInfo{VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO};
     layoutInfo.setLayoutCount = 1;
-    layoutInfo.pSetLayouts = &setLayout;
+    layoutInfo.pSetLayouts = &kernel->setLayout;
     layoutInfo.pushConstantRangeCount = push.size > 0 ? 1 : 0;
     layoutInfo.pPushConstantRanges = &push;
-    VkPipelineLayout layout = VK_NULL_HANDLE;
-    if (const VkResult result = vkCreatePipelineLayout(device->handle(), &layoutInfo, nullptr, &layout);
+    if (const VkResult result =
+            vkCreatePipelineLayout(device->handle(), &layoutInfo, nullptr, &kernel->layout);
         result < 0)
         return device->failed(result, doing);
-    kernel.layout_ = Handle(device, layout);
 
     VkShaderModuleCreateInfo moduleInfo{VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO};
     moduleInfo.codeSize = code.words.size_bytes();
@@ -98,15 +93,36 @@ Result<Kernel> Kernel::create(const std::shared_ptr<Device>& device, const Shade
     pipelineInfo.stage.module = rawModule;
     pipelineInfo.stage.pName = reflection.entryPoint.c_str();
     pipelineInfo.stage.pSpecializationInfo = &specialization;
-    pipelineInfo.layout = layout;
-    VkPipeline pipeline = VK_NULL_HANDLE;
-    if (const VkResult result =
-            vkCreateComputePipelines(device->handle(), VK_NULL_HANDLE, 1, &pipelineInfo, nullptr, &pipeline);
+    pipelineInfo.layout = kernel->layout;
+    if (const VkResult result = vkCreateComputePipelines(device->handle(), VK_NULL_HANDLE, 1, &pipelineInfo,
+                                                         nullptr, &kernel->pipeline);
         result < 0)
         return device->failed(result, doing);
-    kernel.pipeline_ = Handle(device, pipeline);
-    device->setName(VK_OBJECT_TYPE_PIPELINE, reinterpret_cast<std::uint64_t>(pipeline), code.name);
-    return kernel;
+    device->setName(VK_OBJECT_TYPE_PIPELINE, reinterpret_cast<std::uint64_t>(kernel->pipeline), code.name);
+    return std::shared_ptr<const CompiledKernel>(kernel);
+}
+
+}  // namespace
+
+CompiledKernel::~CompiledKernel() {
+    vkDestroyPipeline(device, pipeline, nullptr);
+    vkDestroyPipelineLayout(device, layout, nullptr);
+    vkDestroyDescriptorSetLayout(device, setLayout, nullptr);
+}
+
+Result<Kernel> Kernel::create(const std::shared_ptr<Device>& device, const ShaderCode& code,
+                              const KernelOptions& options) {
+    MACULA_CHECK(device != nullptr);
+    const std::string doing = fmt::format("prepare the shader {}", code.name);
+    MACULA_TRY_VOID(device->checkNotLost(doing));
+    std::string constants;
+    for (const Specialization& constant : options.specializations)
+        constants += fmt::format("{}/{}={};", constant.name, constant.id, constant.bits);
+    auto& compiled = device->kernels_[{code.words.data(), std::move(constants)}];
+    if (!compiled) {
+        MACULA_TRY(compiled, compile(device, code, options, doing));
+    }
+    return Kernel(device, *compiled);
 }
 
 }  // namespace macula::gpu

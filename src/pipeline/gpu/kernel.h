@@ -10,11 +10,11 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "base/result.h"
 #include "pipeline/gpu/device.h"
-#include "pipeline/gpu/handle.h"
 #include "pipeline/gpu/shader_code.h"
 #include "pipeline/gpu/spirv_reflection.h"
 
@@ -46,32 +46,46 @@ struct KernelOptions {
         specializations;  // a variant of the shader; a name it does not have is a failed check
 };
 
+// What a device compiled. It keeps it as long as it lives: who asks next for the same shader with the same
+// constants has it at once.
+struct CompiledKernel {
+    explicit CompiledKernel(VkDevice on) : device(on) {}
+    CompiledKernel(const CompiledKernel&) = delete;
+    CompiledKernel& operator=(const CompiledKernel&) = delete;
+    ~CompiledKernel();
+
+    VkDevice device;
+    std::string name;
+    Reflection reflection;
+    std::array<std::uint32_t, 3> localSize{1, 1, 1};
+    VkDescriptorSetLayout setLayout = VK_NULL_HANDLE;
+    VkPipelineLayout layout = VK_NULL_HANDLE;
+    VkPipeline pipeline = VK_NULL_HANDLE;
+};
+
 // Equivalent of a compute VkPipeline and its layouts, which come from reflection. All bindings are in set 0,
-// pushed at each dispatch, so there are no descriptor sets to manage. Movable; may be dropped at any time.
+// pushed at each dispatch, so there are no descriptor sets to manage. May be copied, and dropped at any time.
 class Kernel {
   public:
     static Result<Kernel> create(const std::shared_ptr<Device>& device, const ShaderCode& code,
                                  const KernelOptions& options = {});
 
-    const std::string& name() const { return name_; }
-    const std::array<std::uint32_t, 3>& localSize() const { return localSize_; }
-    const Reflection& reflection() const { return reflection_; }
+    const std::string& name() const { return compiled_->name; }
+    const std::array<std::uint32_t, 3>& localSize() const { return compiled_->localSize; }
+    const Reflection& reflection() const { return compiled_->reflection; }
     std::uint32_t pushConstantBytes() const {
-        return reflection_.pushConstants ? reflection_.pushConstants->block.bytes : 0;
+        return reflection().pushConstants ? reflection().pushConstants->block.bytes : 0;
     }
 
-    VkPipeline pipeline() const { return pipeline_.get(); }
-    VkPipelineLayout layout() const { return layout_.get(); }
+    VkPipeline pipeline() const { return compiled_->pipeline; }
+    VkPipelineLayout layout() const { return compiled_->layout; }
 
   private:
-    Kernel() = default;
+    Kernel(std::shared_ptr<Device> device, const CompiledKernel& compiled)
+        : device_(std::move(device)), compiled_(&compiled) {}
 
-    std::string name_;
-    Reflection reflection_;
-    std::array<std::uint32_t, 3> localSize_{1, 1, 1};
-    Handle<VkDescriptorSetLayout> setLayout_;
-    Handle<VkPipelineLayout> layout_;
-    Handle<VkPipeline> pipeline_;
+    std::shared_ptr<Device> device_;  // which owns the other
+    const CompiledKernel* compiled_;
 };
 
 }  // namespace macula::gpu
