@@ -20,7 +20,11 @@ using shared::SplatListState;
 
 constexpr std::uint64_t kItemBytes = 8;
 constexpr int kDepthBits = 32;
-constexpr std::uint64_t kFirstPairsOfSplat = 8;  // that there is room for, before any picture was drawn
+
+// Room before any picture was drawn, 28 bytes for each pair: the splats of large models are small.
+std::uint64_t firstRoom(std::uint64_t splats) {
+    return std::max({std::min<std::uint64_t>(8 * splats, 1u << 18), 2 * splats, std::uint64_t(4096)});
+}
 
 std::uint64_t mostPairsOn(const gpu::Device& device, std::uint64_t asked) {
     const gpu::DeviceInfo& info = device.info();
@@ -104,8 +108,7 @@ Result<DeviceTileLists> DeviceTileLists::create(const std::shared_ptr<gpu::Devic
          std::move(ranges)},
         {std::move(state), std::move(items), std::move(other), std::move(tileCounts), std::move(groupStarts)},
         std::move(pairs), std::move(splatSort), std::move(pairSort), std::move(pairState), std::move(wanted));
-    MACULA_TRY_VOID(lists.makeRoomForPairs(
-        std::min(std::max<std::uint64_t>(splats * kFirstPairsOfSplat, 4096), lists.mostPairs_)));
+    MACULA_TRY_VOID(lists.makeRoomForPairs(std::min(firstRoom(splats), lists.mostPairs_)));
     return lists;
 }
 
