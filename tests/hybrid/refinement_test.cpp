@@ -15,10 +15,10 @@ const splat::TrainingReport kNow{.steps = 700, .splats = 10800};
 TEST(Refinement, NoRateIsFarFromTheLastOneAndAllFall) {
     const splat::TrainerOptions before = trainerOptions({.iterations = 700}, 2.5);
     const splat::TrainerOptions after = refinementTraining(before, kNow, {.iterations = 2000});
-    const auto last = splat::learningRates(before.optimizer, 0, 700);
-    const auto first = splat::learningRates(after.optimizer, 0, 700);
-    const auto middle = splat::learningRates(after.optimizer, 0, 1700);
-    const auto end = splat::learningRates(after.optimizer, 0, 2700);
+    const auto last = splat::learningRates(before.optimizer, 1, 700);
+    const auto first = splat::learningRates(after.optimizer, 1, 700);
+    const auto middle = splat::learningRates(after.optimizer, 1, 1700);
+    const auto end = splat::learningRates(after.optimizer, 1, 2700);
     for (std::size_t i = 0; i < last.size(); ++i) {
         EXPECT_GE(first[i], last[i]);
         EXPECT_LE(first[i], 3.001f * last[i]);
@@ -36,8 +36,8 @@ TEST(Refinement, FillsTheRoomThereIsWhileThereIsTime) {
         EXPECT_EQ(after.capacity, 50000u);
         EXPECT_GT(density.firstStep, 700u);
         EXPECT_LT(density.lastStep, 700u + iterations);
-        const double splits = double((density.lastStep - density.firstStep) / density.every + 1);
-        EXPECT_GT(10800.0 * std::pow(1.0 + density.splitShare, splits), 50000.0);
+        const std::uint64_t splits = (density.lastStep - density.firstStep) / density.every + 1;
+        EXPECT_GT(10800.0 * std::pow(1.0 + density.splitShare, double(splits)), 50000.0);
         EXPECT_LE(density.splitShare, 0.15);
         ASSERT_EQ(after.stages.size(), 1u);
         EXPECT_EQ(after.stages[0].halvings, 0);

@@ -14,9 +14,8 @@ constexpr std::uint64_t kEvery = 50;  // steps between splits
 constexpr double kGrowing = 0.6;      // of the steps; then what there is settles
 constexpr double kMostAtOnce = 0.15;  // of the splats
 constexpr double kRatesAtLast = 0.1;  // of the first ones
-constexpr double kPositionsWarmer =
-    3.0;                            // than at the end of the first training: there is new room to move in
-constexpr double kShPerDc = 0.125;  // of rates
+// Than at the end of the first training: there is new room to move in.
+constexpr double kPositionsWarmer = 3.0;
 
 // So that there are as many as there is room for at the last split, whatever is removed on the way.
 double splitShare(double splats, double capacity, double splits) {
@@ -34,7 +33,6 @@ splat::TrainerOptions refinementTraining(splat::TrainerOptions before, const spl
     rates.position = kPositionsWarmer * rates.positionAtLast;
     rates.positionAtLast = kRatesAtLast * rates.position;
     rates.othersAtLast = kRatesAtLast;
-    rates.sh = kShPerDc * rates.dc;
     rates.decayFrom = now.steps;
     rates.positionSteps = now.steps + steps;
     before.capacity = options.capacity;
