@@ -6,19 +6,20 @@ MACULA_SHARED_BEGIN
 
 // In a storage buffer, because it changes with every step: see ARCHITECTURE.md, GPU.
 struct SplatLossParams {
-    ivec2 imageSize;   // pixels
-    vec3 background;   // in the space of the pictures; not exposed
-    float exposure;    // 1 where the pictures are compared as they are
-    float l1Scale;     // of a sum over pixels and channels, to the loss
-    float dssimScale;  // likewise
-    uint partCount;    // of sums over strips, for the sum of them all
+    ivec2 imageSize;    // pixels
+    vec3 background;    // in the space of the pictures; not exposed
+    float exposure;     // 1 where the pictures are compared as they are
+    float l1Scale;      // of a sum over pixels and channels, to the loss
+    float dssimScale;   // likewise
+    uint partCount;     // of sums over strips, for the sum of them all
+    uint coverageOnly;  // not 0: colours count as right, whatever they are
 };
 
 struct SplatLossResult {
-    float loss;         // weighted, what the gradient is of
-    float l1;           // mean of |render - target| over pixels and channels, as compared
-    float dssim;        // mean of 1 - SSIM likewise
-    uint badRendered;   // pixels of the render that are not finite
+    float loss;        // weighted, what the gradient is of
+    float l1;          // mean of |render - target| over pixels and channels, as compared
+    float dssim;       // mean of 1 - SSIM likewise
+    uint badRendered;  // pixels of the render that are not finite
 };
 
 struct SplatDownsamplePush {

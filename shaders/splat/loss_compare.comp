@@ -23,6 +23,7 @@ void main() {
     render = isFinite(render) ? render : truth;
     vec4 x = comparedPixel(render, params.background, params.exposure, kDisplay).value;
     vec4 y = comparedPixel(truth, params.background, params.exposure, kDisplay).value;
+    y.xyz = params.coverageOnly != 0u ? x.xyz : y.xyz;
     pairs[2 * index] = known ? x + y : vec4(0.0);
     pairs[2 * index + 1] = known ? x - y : vec4(0.0);
 }

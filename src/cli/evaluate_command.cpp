@@ -165,6 +165,12 @@ void addProtocolOptions(CLI::App& command, Options& o) {
     command.add_option("--spp", e.samplesPerPixel, "Samples per pixel of these; they are denoised")
         ->capture_default_str()
         ->check(CLI::Range(1, 1 << 16));
+    command
+        .add_option(
+            "--directions", e.directions,
+            "Sides in all to learn from: beyond --views, how much is in the way is found, without light")
+        ->capture_default_str()
+        ->check(CLI::Range(0, 4096));
     command.add_option("--iterations", e.iterations, "Steps of training; 0: the model of points is judged")
         ->capture_default_str()
         ->check(CLI::Range(0, 1 << 24));

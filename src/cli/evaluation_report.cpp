@@ -101,6 +101,7 @@ Json toJson(const EvaluationReport& report) {
                 {"pathsPerPoint", o.points.paths},
                 {"views", o.views},
                 {"samplesPerPixel", o.samplesPerPixel},
+                {"directions", o.directions},
                 {"sizePx", o.sizePx},
                 {"iterations", o.iterations},
                 {"trial", o.trial}}},

@@ -50,6 +50,7 @@ class Evaluation {
         const hybrid::FirstModelOptions wanted{.points = options_.points,
                                                .views = options_.views,
                                                .samplesPerPixel = options_.samplesPerPixel,
+                                               .directions = options_.directions,
                                                .sizePx = options_.sizePx,
                                                .bounces = options_.truth.bounces,
                                                .trial = options_.trial,

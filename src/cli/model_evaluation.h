@@ -31,6 +31,7 @@ struct EvaluationOptions {
     trace::SurfacePointOptions points;
     std::size_t views = 12;  // 0: none are traced
     std::uint32_t samplesPerPixel = 8;
+    std::size_t directions = 48;     // beyond the views only coverage is learnt
     int sizePx = 512;                // of a side of a view
     std::uint64_t iterations = 700;  // 0: the model of points is judged
     std::uint64_t trial = 0;         // another draw of views

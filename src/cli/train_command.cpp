@@ -119,6 +119,7 @@ nlohmann::ordered_json toJson(const Trained& trained, const StudyInput& study, c
             {"tableRemoved", tableRemoved},
             {"points", m.points.count},
             {"views", m.views},
+            {"directions", m.directions},
             {"viewsGivenUp", trained.viewsGivenUp},
             {"samplesPerPixel", m.samplesPerPixel},
             {"size", m.sizePx},
@@ -166,7 +167,7 @@ Result<void> train(const Options& options) {
         printNote(
             fmt::format("{} of the {} views show little of the anatomy, or from very near: nothing "
                         "better was found.",
-                        trained.viewsGivenUp, options.model.views));
+                        trained.viewsGivenUp, std::max(options.model.views, options.model.directions)));
     MACULA_TRY_VOID(write(options.output, trained.state));
     const std::string text =
         toJson(trained, study, preset.publicName, shown.tableRemoved, options).dump(4) + "\n";
@@ -184,6 +185,12 @@ void addModelOptions(CLI::App& command, Options& o) {
     command.add_option("--spp", m.samplesPerPixel, "Samples per pixel of these; they are denoised")
         ->capture_default_str()
         ->check(CLI::Range(1, 1 << 16));
+    command
+        .add_option(
+            "--directions", m.directions,
+            "Sides in all to learn from: beyond --views, how much is in the way is found, without light")
+        ->capture_default_str()
+        ->check(CLI::Range(0, 4096));
     command.add_option("--size", m.sizePx, "Their width and height in pixels")
         ->capture_default_str()
         ->check(CLI::Range(16, 1400));

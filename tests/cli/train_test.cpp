@@ -1,4 +1,5 @@
 // macula train: that a model comes out of a series, and what it says about it.
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "cli/run_command.h"
@@ -14,8 +15,9 @@ using nlohmann::json;
 // So small that it takes a second.
 std::vector<std::string> small(std::vector<std::string> more, const std::string& iterations = "12",
                                const std::string& views = "3") {
-    std::vector<std::string> arguments{"train", "phantom:", "--size",   "32",  "--views",      views,
-                                       "--spp", "1",        "--points", "300", "--iterations", iterations};
+    std::vector<std::string> arguments{
+        "train", "phantom:", "--size", "32",           "--views",  views,          "--spp",
+        "1",     "--points", "300",    "--iterations", iterations, "--directions", "5"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     return arguments;
 }
@@ -53,7 +55,9 @@ TEST_F(Train, ABudgetEndsItEarly) {
     ASSERT_TRUE(state.ok());
     EXPECT_EQ(state->splats.shDegree, 1);
     EXPECT_EQ(state->steps, report["iterations"].get<std::uint64_t>());
-    EXPECT_EQ(state->views.size(), 3u);
+    ASSERT_EQ(state->views.size(), 5u);
+    const auto isOutline = [](const splat::TrainingState::View& view) { return view.given->coverageOnly; };
+    EXPECT_EQ(std::count_if(state->views.begin(), state->views.end(), isOutline), 2);
 }
 
 TEST_F(Train, WhatCannotBeIsAnErrorAndWritesNothing) {

@@ -1,5 +1,7 @@
 // Which views tell a trained model something.
 #include "pipeline/hybrid/learnt_views.h"
+
+#include "pipeline/hybrid/coverage_views.h"
 #include "splat/training_scene.h"
 
 namespace macula::hybrid {
@@ -40,10 +42,16 @@ TEST_F(Admission, IsForWhatShowsSomethingNew) {
     EXPECT_EQ(trained.viewCount(), 6u);
     EXPECT_FLOAT_EQ(trained.lastGood().views.back().given->weight, weightOf(4.0));
 
+    TracedView outline = seenFrom(135.0);
+    ASSERT_TRUE(learnCoverageFrom(trained, outline).ok());
+    EXPECT_TRUE(trained.view(6).coverageOnly);
+    EXPECT_EQ(admitted(seenFrom(135.0)), Novelty::pose) << "an outline is no picture";
+    EXPECT_EQ(trained.viewCount(), 8u);
+
     TracedView bad = seenFrom(90.0);
     bad.rgba.pop_back();
     EXPECT_EQ(admit(trained, bad, kRadiusMm).error().code, ErrorCode::inputNotUsable);
-    EXPECT_EQ(trained.viewCount(), 6u);
+    EXPECT_EQ(trained.viewCount(), 8u);
 }
 
 TEST_F(Admission, LooksWithoutLearning) {

@@ -8,6 +8,7 @@
 #include <cstring>
 #include <filesystem>
 
+#include "pipeline/hybrid/coverage_views.h"
 #include "pipeline/hybrid/drawn_views.h"
 #include "pipeline/hybrid/initial_splats.h"
 #include "pipeline/hybrid/truth_pictures.h"
@@ -51,6 +52,38 @@ double meanDifference(const std::vector<glm::vec4>& a, const std::vector<glm::ve
 
 bool same(const std::vector<glm::vec4>& a, const std::vector<glm::vec4>& b) {
     return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(glm::vec4)) == 0;
+}
+
+// The tracer's own coverage, but for chance and for the edges of its pixels.
+TEST_F(Views, OfCoverageHaveNoLight) {
+    trace::PathTracer tracer = this->tracer();
+    Progress progress;
+    const std::vector<Camera> cameras = this->cameras(2);
+    const auto outlines = coverageViews(tracer, cameras, {24, 20}, progress);
+    ASSERT_TRUE(outlines.ok());
+    ASSERT_EQ(outlines->size(), 2u);
+    const ViewTracing options{.sizePx = {24, 20}, .samplesPerPixel = 64};
+    const auto traced = traceViews(tracer, cameras, options, progress);
+    ASSERT_TRUE(traced.ok());
+    for (std::size_t v = 0; v < 2; ++v) {
+        const TracedView& outline = (*outlines)[v];
+        EXPECT_EQ(outline.camera.positionMm, cameras[v].positionMm);
+        EXPECT_EQ(outline.sizePx, glm::ivec2(24, 20));
+        ASSERT_EQ(outline.rgba.size(), 480u);
+        double off = 0.0;
+        double shown = 0.0;
+        for (std::size_t i = 0; i < 480; ++i) {
+            EXPECT_EQ(glm::vec3(outline.rgba[i]), glm::vec3(0.0f));
+            off += std::abs(double(outline.rgba[i].w - (*traced)[v].rgba[i].w));
+            shown += double((*traced)[v].rgba[i].w);
+        }
+        EXPECT_GT(shown, 40.0);
+        EXPECT_LT(off, 0.1 * shown);
+    }
+    CancelToken stop;
+    stop.cancel();
+    Progress stopped({}, stop);
+    EXPECT_EQ(coverageViews(tracer, cameras, {24, 20}, stopped).error().code, ErrorCode::cancelled);
 }
 
 TEST_F(Views, AreThoseOfTheTracerAndOfNoOtherView) {

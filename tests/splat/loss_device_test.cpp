@@ -96,6 +96,28 @@ TEST_F(LossOnDevice, IsThatOfTheReferenceAtFullSizeAndOverAnyBackground) {
                           {.background = randomBackground(seed)});
 }
 
+// Whatever colours the target has; and the model's colours are not moved.
+TEST_F(LossOnDevice, OfCoverageAloneKnowsNoColours) {
+    const Pixels render = randomPicture(53, 41, 1);
+    Pixels target = randomPicture(53, 41, 2);
+    for (const LossEncoding encode : {LossEncoding::none, LossEncoding::display}) {
+        const LossOptions options{.encode = encode, .exposure = 1.3f};
+        const LossStep step{.background = {0.3f, 0.9f, 0.1f}, .viewWeight = 2.5f, .coverageOnly = true};
+        expectAsReference(53, 41, render, target, options, step);
+        const Outcome outcome = run(53, 41, render, target, options, step);
+        EXPECT_GT(outcome.result.l1, 0.0f);
+        double most = 0.0;
+        for (const glm::vec4& pixel : outcome.gradient) {
+            ASSERT_EQ(glm::vec3(pixel), glm::vec3(0.0f));
+            most = std::max(most, double(std::abs(pixel.w)));
+        }
+        EXPECT_GT(most, 0.0);
+        Pixels grey = target;
+        for (glm::dvec4& pixel : grey) pixel = glm::dvec4(glm::dvec3(0.5), pixel.w);
+        EXPECT_EQ(run(53, 41, render, grey, options, step).gradient, outcome.gradient);
+    }
+}
+
 TEST_F(LossOnDevice, OfEqualPicturesIsNothingToTheLastBit) {
     const Pixels picture = randomPicture(61, 33, 3);
     for (const LossEncoding encode : {LossEncoding::none, LossEncoding::display}) {

@@ -57,6 +57,31 @@ TEST_F(TrainerOnDevice, LearnsCoverageByItself) {
     EXPECT_NEAR(after, right, 0.05 * right);
 }
 
+// The colours that are given with it are wrong, and nothing comes of them.
+TEST_F(TrainerOnDevice, LearnsCoverageWithoutColours) {
+    Splats model = truth();
+    for (float& logit : model.opacityLogit) logit -= 1.5f;
+    std::vector<TrainingView> seen = truthViews();
+    for (TrainingView& view : seen) {
+        view.coverageOnly = true;
+        for (glm::vec4& pixel : view.pixels) pixel = glm::vec4(glm::vec3(7.0f), pixel.w);
+    }
+    const auto off = [&](const Splats& splats) {
+        const auto drawn = draw(splats, heldOut());
+        const auto right = draw(truth(), heldOut());
+        double sum = 0.0;
+        for (std::size_t i = 0; i < drawn.size(); ++i) sum += std::abs(double(drawn[i].w - right[i].w));
+        return sum;
+    };
+    Trainer trained = trainer(model, options(0), seen);
+    const auto report = trained.step(60);
+    ASSERT_TRUE(report.ok());
+    const Splats learnt = *trained.snapshot();
+    EXPECT_LT(off(learnt), 0.3 * off(model));
+    EXPECT_TRUE(testing::sameBits(learnt.dc, model.dc));
+    EXPECT_EQ(report->l1, 0.0) << "of no picture anything is known";
+}
+
 // Two pictures from the same place that contradict each other.
 TEST_F(TrainerOnDevice, TheHeavierPictureCountsMore) {
     Splats between = truth();

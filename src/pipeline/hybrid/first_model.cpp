@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <span>
 
+#include "pipeline/hybrid/coverage_views.h"
 #include "pipeline/hybrid/initial_splats.h"
 #include "pipeline/hybrid/learnt_views.h"
 
@@ -19,6 +21,18 @@ double secondsSince(Clock::time_point start) {
 
 Error cancelled() {
     return {ErrorCode::cancelled, "The training was cancelled.", {}, {}};
+}
+
+// In turn, because views that were never drawn come first, as they were given.
+Result<void> learnFromAll(splat::Trainer& trainer, std::span<const TracedView> views,
+                          std::span<const TracedView> outlines) {
+    std::size_t told = 0;
+    for (std::size_t i = 0; i < views.size(); ++i) {
+        MACULA_TRY_VOID(learnFrom(trainer, views[i]));
+        for (; told < (i + 1) * outlines.size() / views.size(); ++told)
+            MACULA_TRY_VOID(learnCoverageFrom(trainer, outlines[told]));
+    }
+    return {};
 }
 
 Result<void> train(FirstModel& model, const FirstModelOptions& options, Progress& progress) {
@@ -81,6 +95,7 @@ Result<FirstModel> makeFirstModel(const std::shared_ptr<gpu::Device>& device, tr
     start = Clock::now();
     std::size_t givenUp = 0;
     std::vector<TracedView> views;
+    std::vector<TracedView> outlines;
     if (options.views > 0) {
         MACULA_TRY(const ChosenViews chosen,
                    chooseViews(tracer, seenMm, initialTraining(options.views, options.trial), {}, progress));
@@ -88,13 +103,20 @@ Result<FirstModel> makeFirstModel(const std::shared_ptr<gpu::Device>& device, tr
         ViewTracing tracing{.sizePx = glm::ivec2(options.sizePx), .samplesPerPixel = options.samplesPerPixel};
         tracing.settings.bounces = options.bounces;
         MACULA_TRY(views, traceViews(tracer, chosen.cameras, tracing, progress));
+        if (options.directions > options.views) {
+            const std::size_t lacking = options.directions - options.views;
+            MACULA_TRY(const ChosenViews others,
+                       chooseViews(tracer, seenMm, coverageTraining(lacking, options.trial), {}, progress));
+            givenUp += others.givenUp;
+            MACULA_TRY(outlines, coverageViews(tracer, others.cameras, tracing.sizePx, progress));
+        }
     }
     const double viewsSeconds = secondsSince(start);
 
     start = Clock::now();
     MACULA_TRY(splat::Trainer trainer,
                splat::Trainer::create(device, first, trainerOptions(options, std::sqrt(points.areaMm2))));
-    for (const TracedView& view : views) MACULA_TRY_VOID(learnFrom(trainer, view));
+    MACULA_TRY_VOID(learnFromAll(trainer, views, outlines));
     FirstModel model{.trainer = std::move(trainer),
                      .pointsSeconds = pointsSeconds,
                      .viewsSeconds = viewsSeconds,

@@ -54,6 +54,7 @@ Result<Novelty> admit(splat::Trainer& trainer, const TracedView& view, double ra
     MACULA_TRY(splat::TrainingView learnt, trainingView(trainer, view));
     Novelty novelty = Novelty::pose;
     for (std::size_t i = 0; i < trainer.viewCount(); ++i) {
+        if (trainer.view(i).coverageOnly) continue;  // no picture of it was seen
         if (!isSamePose(learnt.view, trainer.view(i).view, radiusMm, options)) continue;
         if (!trainer.wasDrawn(i)) return Novelty::none;
         novelty = Novelty::picture;

@@ -75,6 +75,11 @@ ViewSampling initialTraining(std::size_t count, std::uint64_t trial) {
     return {.count = count, .seed = 42 + trial};
 }
 
+ViewSampling coverageTraining(std::size_t count, std::uint64_t trial) {
+    constexpr std::uint64_t kNoTrialHas = std::uint64_t(1) << 40;
+    return {.count = count, .seed = kNoTrialHas + trial};
+}
+
 ViewSampling groundTruth(std::size_t count) {
     return {.count = count, .startDistance = 3.0, .increment = 0.05, .mostVariability = 1.0, .seed = 777};
 }

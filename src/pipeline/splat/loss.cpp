@@ -152,7 +152,8 @@ void Loss::record(gpu::Recorder& recorder, const DevicePicture& render, const Lo
            .exposure = display ? options.exposure : 1.0f,
            .l1Scale = share * (1.0f - options.dssimWeight),
            .dssimScale = share * options.dssimWeight,
-           .partCount = rows.x * rows.y});
+           .partCount = rows.x * rows.y,
+           .coverageOnly = step.coverageOnly ? 1u : 0u});
 
     const auto label = recorder.label("loss");
     recorder.dispatch(kernels_->compare[encode], pixels,

@@ -44,6 +44,7 @@ struct LossOptions {
 struct LossStep {
     glm::vec3 background{0.0f};  // 0 to 1; for `display` linear, and not exposed, as in displayColour
     float viewWeight = 1.0f;
+    bool coverageOnly = false;  // the target's colours say nothing: as if the render's were right
 };
 
 }  // namespace macula::splat

@@ -154,6 +154,7 @@ ReferenceLoss referenceLoss(int width, int height, std::span<const glm::dvec4> r
         if (grid.known[i] == 0) continue;
         y[i] = referenceCompared(target[i], options, background);
         x[i] = finite ? referenceCompared(render[i], options, background) : y[i];
+        if (step.coverageOnly) y[i] = glm::dvec4(glm::dvec3(x[i]), y[i].w);
     }
 
     std::vector<Window> windows(count);

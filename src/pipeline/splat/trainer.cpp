@@ -211,7 +211,7 @@ Result<double> Trainer::differenceTo(const TrainingView& view) {
     MACULA_TRY_VOID(rasterizer_.draw(parameters_, count_, level.view, blendingOf(like_.lowPass)));
     MACULA_TRY(auto recorder, gpu::Recorder::create(device_, "compare"));
     loss->record(recorder, rasterizer_.picture(), level.target, options_.loss,
-                 {.background = glm::vec3(0.0f), .viewWeight = 1.0f});
+                 {.background = glm::vec3(0.0f), .viewWeight = 1.0f, .coverageOnly = view.coverageOnly});
     MACULA_TRY([[maybe_unused]] const gpu::Ticket ticket, recorder.submit());
     MACULA_TRY(const shared::SplatLossResult result, loss->read());
     return double(result.l1);
@@ -224,7 +224,9 @@ Result<void> Trainer::oneStep() {
     Dice dice(options_.seed, steps_, 1);
     const double red = dice();
     const double green = dice();
-    const LossStep over{.background = glm::vec3(red, green, dice()), .viewWeight = view.given->weight};
+    const LossStep over{.background = glm::vec3(red, green, dice()),
+                        .viewWeight = view.given->weight,
+                        .coverageOnly = view.given->coverageOnly};
 
     for (bool done = false; !done;) {
         MACULA_TRY(done, tryStep(*level, *loss, over));
@@ -299,14 +301,17 @@ TrainingReport Trainer::report() const {
     TrainingReport report{.steps = steps_, .splats = count_};
     double weights = 0.0;
     double drawn = 0.0;
+    double pictures = 0.0;
     for (const View& view : views_) {
+        if (view.given->coverageOnly) continue;
+        pictures += 1.0;
         if (view.loss < 0.0) continue;
         report.loss += view.loss;
         report.l1 += view.l1;
         weights += double(view.given->weight);
         drawn += 1.0;
     }
-    report.loss = drawn == double(views_.size()) && drawn > 0.0 ? report.loss / weights : 0.0;
+    report.loss = drawn == pictures && drawn > 0.0 ? report.loss / weights : 0.0;
     report.l1 /= std::max(drawn, 1.0);
     return report;
 }

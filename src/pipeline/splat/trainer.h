@@ -28,8 +28,9 @@ namespace macula::splat {
 
 struct TrainingReport {
     std::uint64_t steps = 0;  // since the start
-    double loss = 0.0;        // of the views, each when it was last drawn, by weight; 0 before all were
-    double l1 = 0.0;          // mean of |render - picture|, as compared; of the views that were drawn
+    // Of views with colours, each when it was last drawn.
+    double loss = 0.0;  // by weight; 0 before all were drawn
+    double l1 = 0.0;    // mean of |render - picture|, as compared; of those that were drawn
     std::uint32_t splats = 0;
 };
 

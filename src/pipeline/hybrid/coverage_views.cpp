@@ -1,0 +1,34 @@
+#include "pipeline/hybrid/coverage_views.h"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+namespace macula::hybrid {
+
+Result<std::vector<TracedView>> coverageViews(trace::PathTracer& tracer, std::span<const Camera> cameras,
+                                              const glm::ivec2& sizePx, Progress& progress) {
+    progress.beginStage("Finding outlines", cameras.size());
+    std::vector<TracedView> views;
+    for (const Camera& camera : cameras) {
+        if (progress.cancelled()) return Error{ErrorCode::cancelled, "Stopped.", {}, {}};
+        MACULA_TRY_VOID(tracer.setView({.camera = camera, .width = sizePx.x, .height = sizePx.y}));
+        MACULA_TRY(const std::vector<trace::GuidePixel> guides, tracer.readGuides());
+        TracedView view{.camera = camera, .sizePx = sizePx};
+        view.rgba.reserve(guides.size());
+        std::transform(
+            guides.begin(), guides.end(), std::back_inserter(view.rgba),
+            [](const trace::GuidePixel& pixel) { return glm::vec4(glm::vec3(0.0f), pixel.coverage); });
+        views.push_back(std::move(view));
+        progress.advance();
+    }
+    return views;
+}
+
+Result<void> learnCoverageFrom(splat::Trainer& trainer, const TracedView& view) {
+    const glm::dvec3 originMm = trainer.lastGood().splats.originMm;
+    MACULA_TRY(const splat::RasterView from, splat::rasterView(view.camera, view.sizePx, originMm));
+    return trainer.addView({.view = from, .pixels = view.rgba, .coverageOnly = true});
+}
+
+}  // namespace macula::hybrid

@@ -1,0 +1,25 @@
+// Views of how much is in the way, without its light: found by the tracer's guides, without chance, for a
+// small part of what tracing costs. They teach a model its shape from many more sides than it has pictures
+// of.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "base/progress.h"
+#include "base/result.h"
+#include "pipeline/hybrid/traced_view.h"
+#include "pipeline/splat/trainer.h"
+#include "pipeline/trace/path_tracer.h"
+
+namespace macula::hybrid {
+
+// One for each camera: black, with the coverage of each pixel's centre ray, and no samples. `tracer` is left
+// with another view. `cancelled` when `progress` says so.
+Result<std::vector<TracedView>> coverageViews(trace::PathTracer& tracer, std::span<const Camera> cameras,
+                                              const glm::ivec2& sizePx, Progress& progress);
+
+// As learnFrom, of the coverage alone.
+Result<void> learnCoverageFrom(splat::Trainer& trainer, const TracedView& view);
+
+}  // namespace macula::hybrid
