@@ -211,7 +211,7 @@ void addRefinementOptions(CLI::App& command, RefinementPlan& plan) {
     command.add_option("--snapshot-every", plan.snapshotEvery, "Steps after which the model is compared")
         ->capture_default_str()
         ->check(CLI::Range(1, 1 << 24));
-    command.add_option("--splats", plan.capacity, "Most splats that it may come to have")
+    command.add_option("--splats", plan.capacity, "Most splats that it may come to have, if it has fewer")
         ->capture_default_str()
         ->check(CLI::Range(1u, trace::kMaxSurfacePoints));
 }

@@ -1,4 +1,5 @@
 // The table of macula evaluate.
+#include <algorithm>
 #include <cmath>
 #include <functional>
 
@@ -40,12 +41,12 @@ std::string nameOf(const EvaluatedStudy& scene) {
 std::string whatWasAsked(const EvaluationOptions& o) {
     std::string text = fmt::format(
         "Truth: {} views of {} x {} pixels, {} samples, {} bounces. Model: {} points, {} views of {} "
-        "samples, "
-        "{} iterations.",
+        "samples, outlines from {} other sides, {} iterations.",
         o.truthViews, o.truth.sizePx.x, o.truth.sizePx.y, o.truth.samplesPerPixel, o.truth.bounces,
-        o.points.count, o.views, o.samplesPerPixel, o.iterations);
+        o.points.count, o.views, o.samplesPerPixel, o.directions - std::min(o.directions, o.views),
+        o.iterations);
     if (o.refinement)
-        text += fmt::format(" Then {} views of {} samples more, {} iterations, at most {} splats.",
+        text += fmt::format(" Then {} views of {} samples more, {} iterations, room for {} splats.",
                             o.refinement->views, o.refinement->samplesPerPixel, o.refinement->iterations,
                             o.refinement->capacity);
     return text + "\nOf each number the mean over views, and [p10 p50 p90].\n\n";

@@ -55,8 +55,8 @@ TEST_F(Evaluate, TellsHowNearTheModelComesAndGoesOnFromWhatItKept) {
     EXPECT_EQ(fileCount("pictures"), 2u);
 
     // The same truth, and a model that has learnt.
-    const Ran again = runMacula(small({"--cache", cache, "--json", at("report.json"), "--iterations", "100",
-                                       "--views", "16", "--spp", "8"}));
+    const Ran again = runMacula(small({"--cache", cache, "--json", at("report.json"), "--iterations", "150",
+                                       "--views", "16", "--spp", "8", "--directions", "24"}));
     ASSERT_EQ(again.exitCode, 0) << again.err;
     EXPECT_NE(again.out.find("masked PSNR"), std::string::npos) << "a table";
     const json trained = json::parse(readAll(at("report.json")))["scenes"][0];

@@ -40,6 +40,8 @@ TEST_F(Admission, IsForWhatShowsSomethingNew) {
     EXPECT_EQ(admitted(seenFrom(45.0)), Novelty::none);
     EXPECT_EQ(admitted(seenFrom(45.0, false)), Novelty::picture);
     EXPECT_EQ(trained.viewCount(), 6u);
+    ASSERT_TRUE(trained.step(2).ok());
+    EXPECT_EQ(admitted(seenFrom(45.0, false)), Novelty::none) << "it has that one now";
     EXPECT_FLOAT_EQ(trained.lastGood().views.back().given->weight, weightOf(4.0));
 
     TracedView outline = seenFrom(135.0);

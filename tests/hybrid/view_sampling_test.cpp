@@ -19,6 +19,15 @@ std::vector<SampledView> sample(const ViewSampling& sampling, const ViewAcceptan
     return std::move(views).value();
 }
 
+TEST(ViewSampling, NoTrialLearnsFromWhereModelsAreJudged) {
+    for (std::uint64_t trial : {0, 1, 734, 735, 736, 1 << 20}) {
+        EXPECT_NE(initialTraining(1, trial).seed, groundTruth(1).seed) << trial;
+        EXPECT_NE(initialTraining(1, trial).seed, initialTraining(1, trial + 1).seed) << trial;
+        EXPECT_GT(coverageTraining(1, trial).seed, initialTraining(1, 1u << 20).seed) << trial;
+    }
+    EXPECT_EQ(initialTraining(1, 0).seed, 42u);
+}
+
 TEST(ViewSampling, TheFirstViewLooksAtTheCentreFromTheStartDistance) {
     const std::array<std::pair<ViewSampling, double>, 4> sets{{{initialTraining(1), 5.5},
                                                                {initialTraining(1, 3), 5.5},

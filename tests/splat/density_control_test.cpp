@@ -37,6 +37,13 @@ TEST(DensityControl, DropsWhatTogetherHardlyShows) {
     for (std::size_t k = 0; k < 3; ++k) EXPECT_EQ(result.splats.sh[3 + k], splats.sh[9 + k]);
 }
 
+// Its views were not drawn lately; in them it may be all there is.
+TEST(DensityControl, KeepsWhatWasInNoView) {
+    std::vector<shared::SplatStatistics> statistics{seen(100, 0), {}, seen(0, 0)};
+    const Regrouped result = regroup(lineOf(3), statistics, {.unseenShare = 0.01, .splitShare = 0.0}, 3);
+    EXPECT_EQ(result.source, (std::vector<std::uint32_t>{0, 1}));
+}
+
 TEST(DensityControl, SplitsWhatIsPulledMostAlongItsLongestAxis) {
     Splats splats = lineOf(10, 0);
     // A quarter turn about z: the splat's own y axis is the model's -x.

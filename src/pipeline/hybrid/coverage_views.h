@@ -20,6 +20,6 @@ Result<std::vector<TracedView>> coverageViews(trace::PathTracer& tracer, std::sp
                                               const glm::ivec2& sizePx, Progress& progress);
 
 // As learnFrom, of the coverage alone.
-Result<void> learnCoverageFrom(splat::Trainer& trainer, const TracedView& view);
+Result<void> learnCoverageFrom(splat::Trainer& trainer, TracedView view);
 
 }  // namespace macula::hybrid

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <span>
+#include <utility>
 
 #include "pipeline/hybrid/coverage_views.h"
 #include "pipeline/hybrid/initial_splats.h"
@@ -24,13 +24,13 @@ Error cancelled() {
 }
 
 // In turn, because views that were never drawn come first, as they were given.
-Result<void> learnFromAll(splat::Trainer& trainer, std::span<const TracedView> views,
-                          std::span<const TracedView> outlines) {
+Result<void> learnFromAll(splat::Trainer& trainer, std::vector<TracedView> views,
+                          std::vector<TracedView> outlines) {
     std::size_t told = 0;
     for (std::size_t i = 0; i < views.size(); ++i) {
-        MACULA_TRY_VOID(learnFrom(trainer, views[i]));
+        MACULA_TRY_VOID(learnFrom(trainer, std::move(views[i])));
         for (; told < (i + 1) * outlines.size() / views.size(); ++told)
-            MACULA_TRY_VOID(learnCoverageFrom(trainer, outlines[told]));
+            MACULA_TRY_VOID(learnCoverageFrom(trainer, std::move(outlines[told])));
     }
     return {};
 }
@@ -44,7 +44,6 @@ Result<void> train(FirstModel& model, const FirstModelOptions& options, Progress
     };
     MACULA_TRY_VOID(model.trainer.step(options.iterations, keepGoing));
     if (progress.cancelled()) return cancelled();
-    model.trainSeconds = secondsSince(start);
     return {};
 }
 
@@ -61,7 +60,10 @@ splat::TrainerOptions trainerOptions(const FirstModelOptions& options, double sp
     rates.extentMm = spacingMm;
     rates.position = 0.05;
     rates.positionAtLast = 0.005;
+    // Towards the end single views pull the model about; with smaller steps it comes to rest between them.
+    rates.decayFrom = options.iterations * 7 / 10;
     rates.positionSteps = std::max<std::uint64_t>(options.iterations, 1);
+    rates.othersAtLast = 0.2;
     rates.logScale = 0.02;
     rates.rotation = 0.002;
     rates.opacityLogit = 0.1;
@@ -116,12 +118,14 @@ Result<FirstModel> makeFirstModel(const std::shared_ptr<gpu::Device>& device, tr
     start = Clock::now();
     MACULA_TRY(splat::Trainer trainer,
                splat::Trainer::create(device, first, trainerOptions(options, std::sqrt(points.areaMm2))));
-    MACULA_TRY_VOID(learnFromAll(trainer, views, outlines));
+    const bool canLearn = !views.empty();
+    MACULA_TRY_VOID(learnFromAll(trainer, std::move(views), std::move(outlines)));
     FirstModel model{.trainer = std::move(trainer),
                      .pointsSeconds = pointsSeconds,
                      .viewsSeconds = viewsSeconds,
                      .viewsGivenUp = givenUp};
-    if (options.iterations > 0 && !views.empty()) MACULA_TRY_VOID(train(model, options, progress));
+    if (options.iterations > 0 && canLearn) MACULA_TRY_VOID(train(model, options, progress));
+    model.trainSeconds = secondsSince(start);
     return model;
 }
 

@@ -37,8 +37,8 @@ struct FirstModel {
     splat::Trainer trainer;  // can go on, and take more views
     // Of the wall, kernels compiled on the way included.
     double pointsSeconds = 0.0;
-    double viewsSeconds = 0.0;  // choosing and tracing them
-    double trainSeconds = 0.0;
+    double viewsSeconds = 0.0;     // choosing and tracing them
+    double trainSeconds = 0.0;     // making the trainer and giving it its pictures included
     std::size_t viewsGivenUp = 0;  // none of the tries showed enough, and the last one was taken
 };
 

@@ -1,5 +1,6 @@
 #include "pipeline/hybrid/learnt_views.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -7,10 +8,11 @@ namespace macula::hybrid {
 
 namespace {
 
-Result<splat::TrainingView> trainingView(const splat::Trainer& trainer, const TracedView& view) {
+Result<splat::TrainingView> trainingView(const splat::Trainer& trainer, TracedView view) {
     const glm::dvec3 originMm = trainer.lastGood().splats.originMm;
     MACULA_TRY(const splat::RasterView from, splat::rasterView(view.camera, view.sizePx, originMm));
-    return splat::TrainingView{.view = from, .pixels = view.rgba, .weight = weightOf(view.samplesPerPixel)};
+    return splat::TrainingView{
+        .view = from, .pixels = std::move(view.rgba), .weight = weightOf(view.samplesPerPixel)};
 }
 
 glm::dvec3 forwardOf(const splat::RasterView& view) {
@@ -37,8 +39,8 @@ float weightOf(double samplesPerPixel) {
     return static_cast<float>(2.0 * samplesPerPixel / (samplesPerPixel + kUsual));
 }
 
-Result<void> learnFrom(splat::Trainer& trainer, const TracedView& view) {
-    MACULA_TRY(splat::TrainingView learnt, trainingView(trainer, view));
+Result<void> learnFrom(splat::Trainer& trainer, TracedView view) {
+    MACULA_TRY(splat::TrainingView learnt, trainingView(trainer, std::move(view)));
     return trainer.addView(std::move(learnt));
 }
 
@@ -52,19 +54,26 @@ bool isSamePose(const splat::RasterView& a, const splat::RasterView& b, double r
 Result<Novelty> admit(splat::Trainer& trainer, const TracedView& view, double radiusMm,
                       const AdmissionOptions& options) {
     MACULA_TRY(splat::TrainingView learnt, trainingView(trainer, view));
-    Novelty novelty = Novelty::pose;
+    std::vector<std::size_t> known;  // from there
     for (std::size_t i = 0; i < trainer.viewCount(); ++i) {
         if (trainer.view(i).coverageOnly) continue;  // no picture of it was seen
         if (!isSamePose(learnt.view, trainer.view(i).view, radiusMm, options)) continue;
         if (!trainer.wasDrawn(i)) return Novelty::none;
-        novelty = Novelty::picture;
+        known.push_back(i);
     }
-    if (novelty == Novelty::picture) {
+    // Measured in the same way as those from there: what is seen from near differs more than what is seen
+    // from far.
+    double most = 0.0;
+    for (const std::size_t i : known) {
+        MACULA_TRY(const double difference, trainer.differenceTo(trainer.view(i)));
+        most = std::max(most, difference);
+    }
+    if (!known.empty()) {
         MACULA_TRY(const double difference, trainer.differenceTo(learnt));
-        if (!(difference > options.newDifference * trainer.report().l1)) return Novelty::none;
+        if (!(difference > options.newDifference * most)) return Novelty::none;
     }
     MACULA_TRY_VOID(trainer.addView(std::move(learnt)));
-    return novelty;
+    return known.empty() ? Novelty::pose : Novelty::picture;
 }
 
 }  // namespace macula::hybrid

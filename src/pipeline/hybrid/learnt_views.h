@@ -29,7 +29,7 @@ Result<ChosenViews> chooseViews(trace::PathTracer& tracer, const Box& seenMm, co
 float weightOf(double samplesPerPixel);
 
 // Takes part in the training from its next step on, with its weight. Fails as Trainer::addView.
-Result<void> learnFrom(splat::Trainer& trainer, const TracedView& view);
+Result<void> learnFrom(splat::Trainer& trainer, TracedView view);
 
 // When a view tells a model something.
 struct AdmissionOptions {
@@ -37,7 +37,7 @@ struct AdmissionOptions {
     // seen, or in another direction.
     double newDistanceRadii = 0.05;
     double newAngleDeg = 5.0;
-    // Or the model is worse there: mean difference, over that of the views it has.
+    // Or the model is worse there: mean difference, over the most of any picture it has from there.
     double newDifference = 1.5;
 };
 enum class Novelty { none, pose, picture };

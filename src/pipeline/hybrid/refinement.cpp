@@ -13,9 +13,10 @@ namespace {
 constexpr std::uint64_t kEvery = 50;  // steps between splits
 constexpr double kGrowing = 0.6;      // of the steps; then what there is settles
 constexpr double kMostAtOnce = 0.15;  // of the splats
-constexpr double kRatesAtLast = 0.1;  // of the first ones
-// Than at the end of the first training: there is new room to move in.
-constexpr double kPositionsWarmer = 3.0;
+constexpr double kRatesAtLast = 0.1;  // of the first ones, those of the first training for all but positions
+// Than at the end of the training before: there is new room to move in. With more, what was learnt would be
+// shaken.
+constexpr double kWarmer = 3.0;
 
 // So that there are as many as there is room for at the last split, whatever is removed on the way.
 double splitShare(double splats, double capacity, double splits) {
@@ -30,9 +31,12 @@ splat::TrainerOptions refinementTraining(splat::TrainerOptions before, const spl
                                          const RefinementOptions& options) {
     const std::uint64_t steps = std::max<std::uint64_t>(options.iterations, 1);
     splat::OptimizerOptions& rates = before.optimizer;
-    rates.position = kPositionsWarmer * rates.positionAtLast;
+    rates.position = kWarmer * rates.positionAtLast;
     rates.positionAtLast = kRatesAtLast * rates.position;
-    rates.othersAtLast = kRatesAtLast;
+    const double others = std::min(1.0, kWarmer * rates.othersAtLast);
+    for (double* rate : {&rates.logScale, &rates.rotation, &rates.opacityLogit, &rates.dc, &rates.sh})
+        *rate *= others;
+    rates.othersAtLast = kRatesAtLast / others;
     rates.decayFrom = now.steps;
     rates.positionSteps = now.steps + steps;
     before.capacity = options.capacity;
@@ -54,13 +58,13 @@ Result<MoreViews> beginRefinement(splat::Trainer& trainer, trace::PathTracer& tr
     ViewTracing tracing{.sizePx = glm::ivec2(options.sizePx), .samplesPerPixel = options.samplesPerPixel};
     tracing.settings.bounces = options.bounces;
     tracing.settings.seed = static_cast<std::uint32_t>(sampling.seed << 16);  // no other view has one near it
-    MACULA_TRY(const std::vector<TracedView> views, traceViews(tracer, chosen.cameras, tracing, progress));
-    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-    for (const TracedView& view : views) MACULA_TRY_VOID(learnFrom(trainer, view));
+    MACULA_TRY(std::vector<TracedView> views, traceViews(tracer, chosen.cameras, tracing, progress));
     const splat::TrainerOptions training =
         refinementTraining(trainer.lastGood().options, trainer.report(), options);
     MACULA_TRY_VOID(
         trainer.goOnWith(training, std::max(options.shDegree, trainer.lastGood().splats.shDegree)));
+    for (TracedView& view : views) MACULA_TRY_VOID(learnFrom(trainer, std::move(view)));
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
     return MoreViews{.seconds = seconds.count(), .givenUp = chosen.givenUp};
 }
 

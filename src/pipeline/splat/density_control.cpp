@@ -34,7 +34,8 @@ void append(const Splats& from, std::uint32_t i, Splats& to) {
     for (std::size_t k = 0; k < count; ++k) to.sh.push_back(from.sh[i * count + k]);
 }
 
-// The least important ones whose weights add up to no more than the share.
+// The least important ones whose weights add up to no more than the share. Of what was not drawn nothing is
+// known.
 std::vector<std::uint8_t> unneeded(std::span<const shared::SplatStatistics> statistics, double share) {
     std::vector<std::uint32_t> order(statistics.size());
     std::iota(order.begin(), order.end(), 0u);
@@ -49,7 +50,7 @@ std::vector<std::uint8_t> unneeded(std::span<const shared::SplatStatistics> stat
     for (const std::uint32_t i : order) {
         sum += double(statistics[i].weight);
         if (sum > share * total) break;
-        result[i] = 1;
+        result[i] = statistics[i].views > 0.0f ? 1 : 0;
     }
     return result;
 }

@@ -16,7 +16,8 @@ struct DensityOptions {
     std::uint64_t firstStep = 100;  // after which it is first done
     std::uint64_t every = 100;      // steps
     std::uint64_t lastStep = 400;   // after which it is done no more
-    // Removed are those that together have at most this share of all that is shown.
+    // Removed are, of those that lay in a view since the last time, the ones that together have at most this
+    // share of all that was shown.
     double unseenShare = 0.002;
     // Split are at most so many of those that remain, and never beyond the capacity of the model.
     double splitShare = 0.05;

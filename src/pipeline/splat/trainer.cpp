@@ -199,7 +199,11 @@ Result<bool> Trainer::tryStep(const Level& level, Loss& loss, const LossStep& ov
     loss.record(recorder, rasterizer_.picture(), level.target, options_.loss, over);
     MACULA_TRY_VOID(rasterizer_.recordBackward(recorder, parameters_, loss.gradient(), gradients_));
     optimizer_.record(recorder, parameters_, gradients_, rasterizer_.visible(), count_);
-    MACULA_TRY([[maybe_unused]] const gpu::Ticket ticket, recorder.submit());
+    const Result<gpu::Ticket> submitted = recorder.submit();
+    if (!submitted) {
+        optimizer_.takeBack();
+        return submitted.error();
+    }
     Result<bool> settled = rasterizer_.settle();
     if (!settled || !*settled) optimizer_.takeBack();
     return settled;

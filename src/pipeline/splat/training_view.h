@@ -14,7 +14,9 @@ struct TrainingView {
     RasterView view;                // relative to the model's origin
     std::vector<glm::vec4> pixels;  // premultiplied RGBA in the model's colour space, row 0 on top
     float weight = 1.0f;            // of its loss beside those of others, 0 to kMaxViewWeight, not 0
-    bool coverageOnly = false;      // the colours of `pixels` are not known, and teach nothing
+    // The colours of `pixels` are not known and teach nothing; those of the model only go on a little by what
+    // moved them before (Adam's first moment).
+    bool coverageOnly = false;
 };
 
 }  // namespace macula::splat
