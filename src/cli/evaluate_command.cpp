@@ -174,6 +174,10 @@ void addProtocolOptions(CLI::App& command, Options& o) {
     command.add_option("--iterations", e.iterations, "Steps of training; 0: the model of points is judged")
         ->capture_default_str()
         ->check(CLI::Range(0, 1 << 24));
+    command
+        .add_option("--degree", e.shDegree, "Of spherical harmonics: 1 for colours that differ by direction")
+        ->capture_default_str()
+        ->check(CLI::Range(0, 1));
     command.add_option("--trial", e.trial, "Another draw of the views for training")
         ->capture_default_str()
         ->check(CLI::Range(0, 1 << 20));

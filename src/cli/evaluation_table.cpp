@@ -72,6 +72,8 @@ std::string timesOf(const EvaluatedStudy& scene, bool refined) {
     text += fmt::format("training {:.2f} s, drawing {:.0f} ms; the truth's own noise is {:.4f} ({:.1f} dB)",
                         e.last().trainSeconds, e.drawMs, e.truthNoise,
                         -20.0 * std::log10(std::max(e.truthNoise, 1e-6)));
+    if (const auto spread = spreadOf(e.last().scores, &ViewScores::maskedPsnrLessNoiseDb))
+        text += fmt::format(", without it masked PSNR were about {:.2f} dB", spread->mean);
     if (e.viewsGivenUp > 0) text += fmt::format("; {} views show less than was asked for", e.viewsGivenUp);
     return text + ".";
 }

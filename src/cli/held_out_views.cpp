@@ -59,7 +59,7 @@ Result<Comparison> HeldOutViews::compare(const splat::Splats& model, Progress& p
     Comparison comparison{.scores = {}, .drawMs = image::percentile(drawn.milliseconds, 0.5), .pictures = {}};
     for (std::size_t i = 0; i < truth_.size(); ++i) {
         if (progress.cancelled()) return Error{ErrorCode::cancelled, "Stopped.", {}, {}};
-        MACULA_TRY(const ViewScores scores, scoresOf(truth_[i].view, drawn.pictures[i]));
+        MACULA_TRY(const ViewScores scores, scoresOf(truth_[i].view, truth_[i].noise, drawn.pictures[i]));
         comparison.scores.push_back(scores);
         comparison.pictures.push_back(besideEachOther(sizePx_, truth_[i].view.rgba, drawn.pictures[i]));
         progress.advance();

@@ -54,7 +54,8 @@ class Evaluation {
                                                .sizePx = options_.sizePx,
                                                .bounces = options_.truth.bounces,
                                                .trial = options_.trial,
-                                               .iterations = options_.iterations};
+                                               .iterations = options_.iterations,
+                                               .shDegree = options_.shDegree};
         MACULA_TRY(hybrid::FirstModel model,
                    hybrid::makeFirstModel(device_, scene_.tracer, scene_.traced.seenMm(), wanted, progress_));
         report_.pointsSeconds = model.pointsSeconds;

@@ -35,6 +35,7 @@ struct EvaluationOptions {
     int sizePx = 512;                // of a side of a view
     std::uint64_t iterations = 700;  // 0: the model of points is judged
     std::uint64_t trial = 0;         // another draw of views
+    int shDegree = 0;                // of colours by direction
     std::optional<RefinementPlan> refinement;
     std::size_t truthViews = 32;
     hybrid::TruthOptions truth;

@@ -40,7 +40,7 @@ image::Image displayImage(const glm::ivec2& sizePx, std::span<const glm::vec4> r
     return image;
 }
 
-Result<ViewScores> scoresOf(const hybrid::TracedView& truth, std::span<const glm::vec4> model) {
+Result<ViewScores> scoresOf(const hybrid::TracedView& truth, double noise, std::span<const glm::vec4> model) {
     const image::Image a = displayImage(truth.sizePx, truth.rgba);
     const image::Image b = displayImage(truth.sizePx, model);
     const std::vector<float> coverageA = coverageOf(truth.rgba);
@@ -52,6 +52,7 @@ Result<ViewScores> scoresOf(const hybrid::TracedView& truth, std::span<const glm
     MACULA_TRY(scores.maskedPsnrDb, image::maskedPsnr(a, b, lit));
     MACULA_TRY(scores.coveredPsnrDb, image::maskedPsnr(a, b, covered));
     for (auto* db : {&scores.psnrDb, &scores.maskedPsnrDb, &scores.coveredPsnrDb}) *db = usableDb(*db);
+    if (scores.maskedPsnrDb) scores.maskedPsnrLessNoiseDb = image::psnrLessNoise(*scores.maskedPsnrDb, noise);
     MACULA_TRY(scores.maskedSsim, image::maskedSsim(a, b, lit));
     MACULA_TRY(scores.coveredSsim, image::maskedSsim(a, b, covered));
     MACULA_TRY(const image::Flip flip, image::flip(a, b));

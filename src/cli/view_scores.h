@@ -20,6 +20,7 @@ namespace macula::cli {
 struct ViewScores {
     std::optional<double> psnrDb;
     std::optional<double> maskedPsnrDb;
+    std::optional<double> maskedPsnrLessNoiseDb;  // image::psnrLessNoise
     std::optional<double> coveredPsnrDb;
     std::optional<double> maskedSsim;
     std::optional<double> coveredSsim;
@@ -32,8 +33,9 @@ struct Score {
     std::string_view key;  // in JSON
     std::optional<double> ViewScores::*value;
 };
-inline constexpr std::array<Score, 8> kScores{{{"psnrDb", &ViewScores::psnrDb},
+inline constexpr std::array<Score, 9> kScores{{{"psnrDb", &ViewScores::psnrDb},
                                                {"maskedPsnrDb", &ViewScores::maskedPsnrDb},
+                                               {"maskedPsnrLessNoiseDb", &ViewScores::maskedPsnrLessNoiseDb},
                                                {"coveredPsnrDb", &ViewScores::coveredPsnrDb},
                                                {"maskedSsim", &ViewScores::maskedSsim},
                                                {"coveredSsim", &ViewScores::coveredSsim},
@@ -41,8 +43,9 @@ inline constexpr std::array<Score, 8> kScores{{{"psnrDb", &ViewScores::psnrDb},
                                                {"luminanceRatio", &ViewScores::luminanceRatio},
                                                {"coverageError", &ViewScores::coverageError}}};
 
-// `model`: linear premultiplied RGBA, as large as the truth.
-Result<ViewScores> scoresOf(const hybrid::TracedView& truth, std::span<const glm::vec4> model);
+// `model`: linear premultiplied RGBA, as large as the truth, of which `noise` is the standard error
+// (TruthPicture).
+Result<ViewScores> scoresOf(const hybrid::TracedView& truth, double noise, std::span<const glm::vec4> model);
 
 // Linear premultiplied RGBA as it is displayed: three channels of 8 bits.
 image::Image displayImage(const glm::ivec2& sizePx, std::span<const glm::vec4> rgba);

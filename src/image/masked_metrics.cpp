@@ -121,6 +121,12 @@ std::optional<double> coverageError(std::span<const float> reference, std::span<
     return sum / double(count);
 }
 
+std::optional<double> psnrLessNoise(double psnrDb, double standardError) {
+    const double squares = std::pow(10.0, -0.1 * psnrDb) - standardError * standardError;
+    if (!(squares > 0.0)) return {};
+    return -10.0 * std::log10(squares);
+}
+
 double percentile(std::vector<double> values, double fraction) {
     MACULA_CHECK(!values.empty());
     std::sort(values.begin(), values.end());

@@ -28,6 +28,12 @@ Mask unionOf(const Mask& a, const Mask& b);
 // As psnr, over masked pixels; +infinity where these are equal.
 Result<std::optional<double>> maskedPsnr(const Image& reference, const Image& test, const Mask& mask);
 
+// What such a PSNR, or one over all pixels, would be if the reference had no noise of its own.
+// `standardError` is that of the reference, black 0 to white 1, RMS over pixels and channels: it has nothing
+// to do with what is compared, so the squares add. An estimate, and no better than the standard error is;
+// nothing where noise is all there is.
+std::optional<double> psnrLessNoise(double psnrDb, double standardError);
+
 // The map of SSIM over the whole pictures, its 11 x 11 windows filled up with black beyond the edge, averaged
 // over masked pixels and channels.
 Result<std::optional<double>> maskedSsim(const Image& reference, const Image& test, const Mask& mask);

@@ -7,6 +7,7 @@
 #include <functional>
 #include <limits>
 #include <numeric>
+#include <random>
 
 #include "image/metrics.h"
 
@@ -118,6 +119,22 @@ TEST(CoverageError, IsTheMeanDifferenceInTheMask) {
     EXPECT_NEAR(*coverageError(truth, test, {1, 1, 1, 0}), 0.5 / 3.0, 1e-12);
     EXPECT_NEAR(*coverageError(truth, truth, {1, 1, 1, 1}), 0.0, 1e-12);
     EXPECT_FALSE(coverageError(truth, test, {0, 0, 0, 0}).has_value());
+}
+
+// A difference of 0.04 everywhere, seen through noise of 0.05. The standard deviation of the answer over
+// seeds is 0.08 dB.
+TEST(PsnrLessNoise, IsThatOfWhatLiesBelow) {
+    std::mt19937 random(4);
+    std::normal_distribution<double> noise(0.0, 0.05);
+    double squares = 0.0;
+    constexpr int kCount = 30000;
+    for (int i = 0; i < kCount; ++i) squares += std::pow(0.04 + noise(random), 2) / kCount;
+    const double seen = -10.0 * std::log10(squares);
+    EXPECT_LT(seen, -20.0 * std::log10(0.06));
+    EXPECT_NEAR(psnrLessNoise(seen, 0.05).value_or(0.0), -20.0 * std::log10(0.04), 0.3);
+    EXPECT_NEAR(psnrLessNoise(24.0, 0.0).value_or(0.0), 24.0, 1e-12);
+    EXPECT_FALSE(psnrLessNoise(24.0, 0.07).has_value());
+    EXPECT_FALSE(psnrLessNoise(24.0, std::nan("")).has_value());
 }
 
 // As numpy.percentile gives them.
