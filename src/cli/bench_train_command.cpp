@@ -70,39 +70,73 @@ Json toJson(const splat::TrainingBenchmark& benchmark, const glm::ivec2& sizePx)
             {"stepsPerSecond", 1000.0 / benchmark.step.device.wallMs}};
 }
 
-// How the ratios stand against those of an earlier run, by size and stage; nothing where it has none.
-Result<void> compare(const std::filesystem::path& baseline, Json& results) {
-    MACULA_TRY(const std::string text, readText(baseline));
-    const Json earlier = Json::parse(text, nullptr, false);
-    if (earlier.is_discarded() || !earlier.is_object() || earlier.value("benchmark", Json()) != "train" ||
-        !earlier.contains("results") || !earlier["results"].is_array()) {
-        return Error{ErrorCode::inputNotUsable, "The baseline is no output of macula bench train.",
-                     baseline.string(), "Make one with: macula bench train --json > baseline.json"};
-    }
-    for (Json& result : results) {
-        for (const Json& before : earlier["results"]) {
-            if (!before.is_object() || before.value("picture", Json()) != result["picture"]) continue;
-            for (auto& [name, stage] : result["stages"].items()) {
-                const Json ratio = before.value(Json::json_pointer("/stages/" + name + "/cpuRatio"), Json());
-                if (!ratio.is_number() || ratio.get<double>() <= 0.0 || !stage["cpuRatio"].is_number())
-                    continue;
-                stage["cpuRatioOverBaseline"] = stage["cpuRatio"].get<double>() / ratio.get<double>();
-            }
-        }
+// The processor time of the process says little about the work of a device that is no CPU.
+struct RatioName {
+    const char* key;
+    const char* header;
+};
+RatioName ratioNameOf(const gpu::Device& device) {
+    return device.isCpu() ? RatioName{"cpuRatio", "CPU ratio"} : RatioName{"wallRatio", "ms ratio"};
+}
+
+// Whether it is of the shape that toJson makes.
+bool hasStages(const Json& result) {
+    return result.is_object() && result.contains("picture") && result.contains("stages") &&
+           result["stages"].is_object() &&
+           std::all_of(result["stages"].begin(), result["stages"].end(),
+                       [](const Json& stage) { return stage.is_object(); });
+}
+
+Result<Json> readBaseline(const std::filesystem::path& path) {
+    MACULA_TRY(const std::string text, readText(path));
+    Json earlier = Json::parse(text, nullptr, false);
+    if (earlier.is_object() && earlier.value("benchmark", Json()) == "train" && earlier.contains("results") &&
+        earlier["results"].is_array() &&
+        std::all_of(earlier["results"].begin(), earlier["results"].end(), hasStages))
+        return earlier;
+    return Error{ErrorCode::inputNotUsable, "The baseline is no output of macula bench train.", path.string(),
+                 "Make one with: macula bench train --json > baseline.json"};
+}
+
+// Ratios are only comparable between runs that did the same. Asks for what `report` has so far.
+Result<void> checkSame(const Json& earlier, const Json& report, const std::filesystem::path& baseline) {
+    for (const auto& [key, what] : {std::pair{"study", "of another series"},
+                                    {"preset", "of another preset"},
+                                    {"deviceKind", "of another kind of device"},
+                                    {"shDegree", "of another degree"},
+                                    {"splats", "of another number of splats"}}) {
+        if (report.contains(key) && earlier.value(key, Json()) != report[key])
+            return Error{ErrorCode::inputNotUsable, fmt::format("The baseline is {}.", what),
+                         baseline.string(), "Choose one that was made with the same options."};
     }
     return {};
 }
 
-void print(const splat::TrainingBenchmark& benchmark, const glm::ivec2& sizePx) {
+// How the ratios stand against those of an earlier run, by size and stage; nothing where it has none.
+void compare(const Json& earlier, const std::string& ratioKey, Json& results) {
+    for (Json& result : results) {
+        for (const Json& before : earlier["results"]) {
+            if (before["picture"] != result["picture"]) continue;
+            for (auto& [name, stage] : result["stages"].items()) {
+                const Json ratio = before["stages"].value(name, Json::object()).value(ratioKey, Json());
+                if (!ratio.is_number() || ratio.get<double>() <= 0.0 || !stage[ratioKey].is_number())
+                    continue;
+                stage[ratioKey + "OverBaseline"] = stage[ratioKey].get<double>() / ratio.get<double>();
+            }
+        }
+    }
+}
+
+void print(const splat::TrainingBenchmark& benchmark, const glm::ivec2& sizePx, const gpu::Device& device) {
     fmt::print("{} x {}, {} pairs of splats and tiles, {:.1f} steps a second\n", sizePx.x, sizePx.y,
                benchmark.pairs, 1000.0 / benchmark.step.device.wallMs);
-    fmt::print("{:>11} {:>10} {:>10} {:>13} {:>13} {:>7}\n", "stage", "ms", "CPU ms", "reference ms",
-               "its CPU ms", "ratio");
+    fmt::print("{:>11} {:>10} {:>10} {:>13} {:>13} {:>10}\n", "stage", "ms", "CPU ms", "reference ms",
+               "its CPU ms", ratioNameOf(device).header);
     for (const auto& [name, stage] : stagesOf(benchmark)) {
         fmt::print("{:>11} {:>10.2f} {:>10.2f}", name, stage.device.wallMs, stage.device.cpuMs);
         if (stage.reference)
-            fmt::print(" {:>13.1f} {:>13.1f} {:>7.4f}", stage.reference->wallMs, stage.reference->cpuMs,
-                       stage.cpuRatio);
+            fmt::print(" {:>13.1f} {:>13.1f} {:>10.4f}", stage.reference->wallMs, stage.reference->cpuMs,
+                       device.isCpu() ? stage.cpuRatio : stage.wallRatio);
         fmt::print("\n");
     }
 }
@@ -130,7 +164,7 @@ class Bench {
         // Small pictures come first in training.
         for (const glm::ivec2& size : {whole, (whole + 1) / 2}) {
             MACULA_TRY(const splat::TrainingBenchmark benchmark, measure(size));
-            if (!options_.json && options_.baseline.empty()) print(benchmark, size);
+            if (!options_.json && options_.baseline.empty()) print(benchmark, size, *study_.device);
             json["results"].push_back(toJson(benchmark, size));
         }
         if (options_.fromVolume) {
@@ -210,17 +244,27 @@ class Bench {
 
 Result<void> benchTrain(const Options& options) {
     Progress progress(terminalProgressBar(), interruptToken());
+    const bool compares = !options.baseline.empty();
+    Json baseline;
+    if (compares) {
+        MACULA_TRY(baseline, readBaseline(options.baseline));
+    }
     MACULA_TRY(const BenchStudy study, openBenchStudy(options.study, progress));
-    MACULA_TRY(trace::PathTracer tracer, study.makeTracer());
-    Bench bench(study, options, std::move(tracer), progress);
-    MACULA_TRY(Json measured, bench.run());
-    if (!options.baseline.empty()) MACULA_TRY_VOID(compare(options.baseline, measured["results"]));
-    if (!options.json && options.baseline.empty()) return {};
     Json json = describe("train", study);
+    json["deviceKind"] = gpu::deviceTypeName(study.device->info().type);
     json["referenceThreads"] = coreCount();
     json["repetitions"] = options.repetitions;
     json["shDegree"] = options.shDegree;
+    if (compares) MACULA_TRY_VOID(checkSame(baseline, json, options.baseline));
+    MACULA_TRY(trace::PathTracer tracer, study.makeTracer());
+    Bench bench(study, options, std::move(tracer), progress);
+    MACULA_TRY(const Json measured, bench.run());
     json.update(measured);
+    if (compares) {
+        MACULA_TRY_VOID(checkSame(baseline, json, options.baseline));
+        compare(baseline, ratioNameOf(*study.device).key, json["results"]);
+    }
+    if (!options.json && !compares) return {};
     fmt::print("{}\n", json.dump(4));
     return {};
 }

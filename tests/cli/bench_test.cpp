@@ -107,6 +107,39 @@ TEST_F(Bench, TrainTellsEachStageBesideTheReference) {
                 loss["cpuRatio"].get<double>(), 1e-9);
 }
 
+TEST_F(Bench, TrainRefusesABaselineOfSomethingElse) {
+    const std::vector<std::string> command{"bench",    "train", "--size",        "16",
+                                           "--splats", "50",    "--repetitions", "1"};
+    std::vector<std::string> asJson = command;
+    asJson.emplace_back("--json");
+    const Ran ran = runMacula(asJson);
+    ASSERT_EQ(ran.exitCode, 0) << ran.err;
+    const json report = json::parse(ran.out);
+    EXPECT_EQ(report["deviceKind"], "CPU");  // of lavapipe, which tests run on
+    const auto expectRefused = [&](const char* what, const json& baseline, const char* reason) {
+        std::vector<std::string> beside = command;
+        beside.insert(beside.end(), {"--baseline", write("baseline.json", baseline.dump())});
+        const Ran refused = runMacula(beside);
+        EXPECT_EQ(refused.exitCode, 3) << what << refused.err;
+        EXPECT_NE(refused.err.find(reason), std::string::npos) << what << refused.err;
+        EXPECT_EQ(refused.errorLines(), 1u) << what << refused.err;
+    };
+    const auto with = [&](const char* pointer, const json& value) {
+        json changed = report;
+        changed[json::json_pointer(pointer)] = value;
+        return changed;
+    };
+    expectRefused("study", with("/study", "another"), "another series");
+    expectRefused("preset", with("/preset", "another"), "another preset");
+    expectRefused("kind of device", with("/deviceKind", "discrete GPU"), "another kind of device");
+    expectRefused("degree", with("/shDegree", 1), "another degree");
+    expectRefused("splats", with("/splats", 51), "another number of splats");
+    for (const char* pointer : {"/results", "/results/0", "/results/1/stages", "/results/0/stages/loss"}) {
+        expectRefused(pointer, with(pointer, json::array({1, 2})), "no output of macula bench train");
+        expectRefused(pointer, with(pointer, "text"), "no output of macula bench train");
+    }
+}
+
 TEST_F(Bench, BadNumbersAreUsageErrors) {
     EXPECT_EQ(runMacula({"bench", "train", "--splats", "0"}).exitCode, 2);
     EXPECT_EQ(runMacula({"bench", "train", "--degree", "2"}).exitCode, 2);

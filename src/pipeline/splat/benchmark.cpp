@@ -4,6 +4,7 @@
 #include <chrono>
 #include <ctime>
 #include <functional>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -266,6 +267,7 @@ Result<TrainingBenchmark> benchmarkTraining(const std::shared_ptr<gpu::Device>& 
     TrainerOptions trainer = options.trainer;
     trainer.stages = {};
     trainer.density.lastStep = 0;
+    trainer.keepEveryMs = std::numeric_limits<double>::infinity();
     MACULA_TRY(Tools tools, makeTools(device, model, view, trainer));
     Bench bench(device, model, view, trainer, std::move(tools));
     MACULA_TRY([[maybe_unused]] const Turn first, bench.deviceTurn());

@@ -15,7 +15,7 @@
 namespace macula::splat {
 
 struct TrainingBenchmarkOptions {
-    TrainerOptions trainer;  // pictures in full size, no density control: these two are set
+    TrainerOptions trainer;  // pictures in full size, no density control, no copies: these are set
     int repetitions = 5;     // device and reference take turns, so that a busy neighbour hits both
 };
 
@@ -44,8 +44,7 @@ struct TrainingBenchmark {
     StageBenchmark loss;      // and its derivative by the picture
     StageBenchmark backward;  // to the parameters; of the reference less projectSplats, as above
     StageBenchmark adam;
-    // Trainer::step, which also waits for each step and keeps a state now and then; of the reference the sum
-    // of the above.
+    // Trainer::step, which also waits for each step; of the reference the sum of the above.
     StageBenchmark step;
 };
 
