@@ -29,17 +29,23 @@ void main() {
     uint thread = gl_LocalInvocationID.x;
     bool known = rankOfThread() < frame.count;
     bool fits = state.count > 0u;
-    uint before = sumBefore(known ? tileCounts[gl_GlobalInvocationID.x] : 0u);
+    uint count = known ? tileCounts[gl_GlobalInvocationID.x] : 0u;
+    uint before = sumBefore(count);
     uint start = groupStarts[gl_WorkGroupID.x] + before;
     if (known && thread % kTileParts == 0u) {
         bool shows = fits && walk.screen.opacity > 0.0;
         pairRanges[splat] = shows ? uvec2(start, scanned[thread + kTileParts - 1u] - before) : uvec2(0u);
     }
-    walk.end.y = fits ? walk.end.y : walk.first.y;
-    uint at = start;
-    for (ivec2 tile = walk.first; tile.y < walk.end.y; tile = nextTile(walk, tile)) {
-        if (!showsInTile(walk, tile)) continue;
-        pairs[at] = uvec2(uint(tile.y * frame.tiles.x + tile.x), at);
+    // As many pairs as were counted, whatever this kernel finds: others' places are not written, and no own is left as it was.
+    // Should it find fewer, because it was compiled to round otherwise, some tile has the splat once more.
+    uint end = fits ? start + count : start;
+    uint tileCount = uint(frame.tiles.x * frame.tiles.y);
+    ivec2 tile = walk.first;
+    for (uint at = start; at < end; tile = nextTile(walk, tile)) {
+        bool within = tile.y < walk.end.y;
+        if (within && !showsInTile(walk, tile)) continue;
+        ivec2 shown = within ? tile : walk.first;
+        pairs[at] = uvec2(min(uint(shown.y * frame.tiles.x + shown.x), tileCount - 1u), at);
         splatOfPair[at] = splat;
         ++at;
     }

@@ -48,9 +48,10 @@ bool showsInTile(TileWalk walk, ivec2 tile) {
     ivec2 size = ivec2(kTileColumns, frame.tileRows);
     ivec2 low = tile * size;
     ivec2 high = min(low + size, frame.view.sizePx);
-    // As showsIn, whose logarithm is the same for all tiles.
-    return walk.one || leastPowerIn(walk.screen.conic, vec2(low) + vec2(0.5) - walk.screen.mean,
-                                    vec2(high) - vec2(0.5) - walk.screen.mean) <= walk.most;
+    // As showsIn, whose logarithm is the same for all tiles. Both kernels that ask must get the same answer.
+    precise vec2 fromMeanToLow = vec2(low) + vec2(0.5) - walk.screen.mean;
+    precise vec2 fromMeanToHigh = vec2(high) - vec2(0.5) - walk.screen.mean;
+    return walk.one || leastPowerIn(walk.screen.conic, fromMeanToLow, fromMeanToHigh) <= walk.most;
 }
 
 // The next of the same rows.

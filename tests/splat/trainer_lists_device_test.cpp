@@ -34,6 +34,19 @@ TEST_F(TrainerLists, AStepThatHasNoRoomIsDoneAgain) {
                     .value()};
     view.pixels.assign(400 * 320, glm::vec4(0.25f, 0.5f, 0.25f, 0.75f));
     TrainerOptions o = options(0);
+
+    // What the trainer draws with: the first time it has no room.
+    auto parameters = std::move(*SplatBuffer::create(device(), "parameters", 10, model.shDegree));
+    ASSERT_TRUE(parameters.upload(componentsOf(model)).ok());
+    Rasterizer rasterizer =
+        std::move(*Rasterizer::create(device(), 10, model.shDegree, {.lists = ListMaker::device}));
+    auto recorder = std::move(*gpu::Recorder::create(device(), "draw"));
+    ASSERT_TRUE(rasterizer.recordDraw(recorder, parameters, 10, view.view, blendingOf(model.lowPass)).ok());
+    ASSERT_TRUE(recorder.submit().ok());
+    const Result<bool> hadRoom = rasterizer.settle();
+    ASSERT_TRUE(hadRoom.ok());
+    EXPECT_FALSE(*hadRoom);
+
     const TrainingState onHost = after(2, ListMaker::host, model, o, {view});
     const TrainingState onDevice = after(2, ListMaker::device, model, o, {view});
     EXPECT_EQ(onDevice.optimizer.stepsDone, 2u);

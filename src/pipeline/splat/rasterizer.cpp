@@ -132,15 +132,18 @@ void Rasterizer::recordProject(gpu::Recorder& recorder, const SplatBuffer& param
 }
 
 Result<void> Rasterizer::recordLists(gpu::Recorder& recorder, std::uint32_t count, std::uint64_t mostPairs) {
-    settled_ = count == 0;
     pairCount_ = 0;
+    if (count > 0) {
+        MACULA_TRY_VOID(
+            deviceLists_->record(recorder, frame_, screen_, count, tiles_, mostPairs, tileBuffers_));
+    } else {
+        MACULA_TRY_VOID(
+            tileBuffers_.makeRoomFor(static_cast<std::uint64_t>(tiles_.x) * std::uint64_t(tiles_.y), 1));
+        recorder.fill(tileBuffers_.ranges->buffer(), 0);
+    }
+    settled_ = count == 0;
     pairRoom_ = std::min(mostPairs, deviceLists_->capacity());
     mostPairs_ = mostPairs;
-    if (count > 0)
-        return deviceLists_->record(recorder, frame_, screen_, count, tiles_, mostPairs, tileBuffers_);
-    MACULA_TRY_VOID(
-        tileBuffers_.makeRoomFor(static_cast<std::uint64_t>(tiles_.x) * std::uint64_t(tiles_.y), 1));
-    recorder.fill(tileBuffers_.ranges->buffer(), 0);
     return {};
 }
 
@@ -177,10 +180,11 @@ Result<void> Rasterizer::recordDraw(gpu::Recorder& recorder, const SplatBuffer& 
 }
 
 Result<bool> Rasterizer::settle() {
+    MACULA_CHECK(picture_.has_value());
     if (settled_) return true;
-    settled_ = true;
     MACULA_TRY(const std::uint64_t wanted, deviceLists_->wanted());
     if (wanted <= pairRoom_) {
+        settled_ = true;
         pairCount_ = pairRoom_ = wanted;
         return true;
     }
@@ -295,9 +299,10 @@ Result<void> Rasterizer::recordBackward(gpu::Recorder& recorder, const SplatBuff
     MACULA_CHECK_EQ(gradient.width, picture_->width);
     MACULA_CHECK_EQ(gradient.height, picture_->height);
     if (count_ == 0) return {};
+    // Of a picture that is not settled, pairRoom_ is all that lists on the device have room for.
     MACULA_TRY_VOID(makeRoom(pairs_, device_, "derivatives of pairs", VK_FORMAT_R32_SFLOAT,
-                             pairRoom_ * std::uint64_t(kPairValues) * std::uint64_t(slots_),
-                             kReadAndWritten));
+                             pairRoom_ * std::uint64_t(kPairValues) * std::uint64_t(slots_), kReadAndWritten,
+                             settled_ ? Room::toGrow : Room::exact));
     recorder.dispatch(kernels_.rasterBack.value(),
                       {static_cast<std::uint32_t>(tiles_.x * shared::kTileColumns),
                        static_cast<std::uint32_t>(tiles_.y * shape_.tileRows / shape_.rowsPerThread)},

@@ -15,7 +15,8 @@ Error tooManyPairs() {
 }
 
 Result<void> makeRoom(std::optional<gpu::TexelBuffer>& texels, const std::shared_ptr<gpu::Device>& device,
-                      const char* label, VkFormat format, std::uint64_t elements, VkBufferUsageFlags usage) {
+                      const char* label, VkFormat format, std::uint64_t elements, VkBufferUsageFlags usage,
+                      Room room) {
     if (texels && texels->elements() >= elements) return {};
     const gpu::DeviceInfo& info = device->info();
     std::uint64_t bytes = info.maxAllocationBytes;
@@ -24,10 +25,11 @@ Result<void> makeRoom(std::optional<gpu::TexelBuffer>& texels, const std::shared
     const std::uint64_t limit =
         std::min<std::uint64_t>(info.maxTexelBufferElements, bytes / gpu::bytesPerTexel(format));
     if (elements > limit) return tooManyPairs();
-    const std::uint64_t room = std::min(std::max<std::uint64_t>(elements + elements / 2, 1024), limit);
+    const std::uint64_t slack = room == Room::toGrow ? elements / 2 : 0;
+    const std::uint64_t made = std::min(std::max<std::uint64_t>(elements + slack, 1024), limit);
     texels.reset();
     MACULA_TRY(texels, gpu::TexelBuffer::create(
-                           device, {.label = label, .elements = room, .format = format, .usage = usage}));
+                           device, {.label = label, .elements = made, .format = format, .usage = usage}));
     return {};
 }
 
@@ -52,7 +54,8 @@ Result<TileBuffers> TileBuffers::create(const std::shared_ptr<gpu::Device>& devi
 
 Result<void> TileBuffers::makeRoomFor(std::uint64_t tiles, std::uint64_t pairCount) {
     MACULA_TRY_VOID(makeRoom(ranges, device, "tiles", VK_FORMAT_R32G32_UINT, tiles, usageOf(maker)));
-    return makeRoom(entries, device, "splats of tiles", VK_FORMAT_R32G32_UINT, pairCount, usageOf(maker));
+    return makeRoom(entries, device, "splats of tiles", VK_FORMAT_R32G32_UINT, pairCount, usageOf(maker),
+                    maker == Maker::device ? Room::exact : Room::toGrow);
 }
 
 Result<void> TileBuffers::upload(const TileLists& lists, bool withPairs) {

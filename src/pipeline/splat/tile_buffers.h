@@ -14,9 +14,14 @@ namespace macula::splat {
 // outOfMemory: the splats are too large and too many.
 Error tooManyPairs();
 
+// How large one is made: larger than asked for, because more will be; or not, where what was asked for is so
+// already.
+enum class Room { toGrow, exact };
+
 // One that has room for `elements`: the same, or a larger one.
 Result<void> makeRoom(std::optional<gpu::TexelBuffer>& texels, const std::shared_ptr<gpu::Device>& device,
-                      const char* label, VkFormat format, std::uint64_t elements, VkBufferUsageFlags usage);
+                      const char* label, VkFormat format, std::uint64_t elements, VkBufferUsageFlags usage,
+                      Room room = Room::toGrow);
 
 // What a kernel may write or read.
 inline constexpr VkBufferUsageFlags kReadAndWritten =
