@@ -1,7 +1,6 @@
 // Which views tell a trained model something.
 #include "pipeline/hybrid/learnt_views.h"
 
-#include "pipeline/hybrid/coverage_views.h"
 #include "splat/training_scene.h"
 
 namespace macula::hybrid {
@@ -47,6 +46,7 @@ TEST_F(Admission, IsForWhatShowsSomethingNew) {
     TracedView outline = seenFrom(135.0);
     ASSERT_TRUE(learnCoverageFrom(trained, outline).ok());
     EXPECT_TRUE(trained.view(6).coverageOnly);
+    EXPECT_EQ(trained.view(6).weight, 1.0f);
     EXPECT_EQ(admitted(seenFrom(135.0)), Novelty::pose) << "an outline is no picture";
     EXPECT_EQ(trained.viewCount(), 8u);
 

@@ -275,19 +275,6 @@ TEST_F(DeviceLists, TooManyIsAnErrorAndTheNextPictureIsRight) {
 }
 
 TEST(DeviceListsLayout, IsThatOfTheKernels) {
-    using shared::SplatFrame;
-    for (const auto& code :
-         {shaders::splat_tile_keys_comp, shaders::splat_tile_count_comp, shaders::splat_tile_starts_comp,
-          shaders::splat_tile_emit_comp, shaders::splat_tile_ranges_comp}) {
-        const auto reflection = gpu::reflectSpirv(code.words);
-        ASSERT_TRUE(reflection.ok());
-        const auto* frame = reflection->bindings.front().block.find("frame");
-        ASSERT_NE(frame, nullptr) << code.name;
-        expectLayoutMatches<SplatFrame>(*frame,
-                                        {MACULA_FIELD(SplatFrame, view), MACULA_FIELD(SplatFrame, count),
-                                         MACULA_FIELD(SplatFrame, capacity), MACULA_FIELD(SplatFrame, tiles),
-                                         MACULA_FIELD(SplatFrame, tileRows)});
-    }
     for (const auto& [code, binding] : {std::pair{shaders::splat_sort_count_comp, 0u},
                                         {shaders::splat_sort_scan_comp, 0u},
                                         {shaders::splat_sort_scatter_comp, 0u},

@@ -179,8 +179,11 @@ TEST_F(RasterizerOnDevice, PullsAddUp) {
 
 TEST(RasterizerLayout, IsThatOfTheKernels) {
     using shared::SplatFrame, shared::SplatView, shared::SplatStatistics;
-    for (const auto& code : {shaders::splat_project_comp, shaders::splat_raster_comp,
-                             shaders::splat_raster_back_comp, shaders::splat_gather_comp}) {
+    // All that read the frame, those of the lists made on the device included.
+    for (const auto& code :
+         {shaders::splat_project_comp, shaders::splat_raster_comp, shaders::splat_raster_back_comp,
+          shaders::splat_gather_comp, shaders::splat_tile_keys_comp, shaders::splat_tile_count_comp,
+          shaders::splat_tile_starts_comp, shaders::splat_tile_emit_comp, shaders::splat_tile_ranges_comp}) {
         const auto reflection = gpu::reflectSpirv(code.words);
         ASSERT_TRUE(reflection.ok());
         const auto* frame = reflection->bindings.front().block.find("frame");

@@ -25,10 +25,4 @@ Result<std::vector<TracedView>> coverageViews(trace::PathTracer& tracer, std::sp
     return views;
 }
 
-Result<void> learnCoverageFrom(splat::Trainer& trainer, TracedView view) {
-    const glm::dvec3 originMm = trainer.lastGood().splats.originMm;
-    MACULA_TRY(const splat::RasterView from, splat::rasterView(view.camera, view.sizePx, originMm));
-    return trainer.addView({.view = from, .pixels = std::move(view.rgba), .coverageOnly = true});
-}
-
 }  // namespace macula::hybrid

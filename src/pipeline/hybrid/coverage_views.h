@@ -9,7 +9,6 @@
 #include "base/progress.h"
 #include "base/result.h"
 #include "pipeline/hybrid/traced_view.h"
-#include "pipeline/splat/trainer.h"
 #include "pipeline/trace/path_tracer.h"
 
 namespace macula::hybrid {
@@ -18,8 +17,5 @@ namespace macula::hybrid {
 // with another view. `cancelled` when `progress` says so.
 Result<std::vector<TracedView>> coverageViews(trace::PathTracer& tracer, std::span<const Camera> cameras,
                                               const glm::ivec2& sizePx, Progress& progress);
-
-// As learnFrom, of the coverage alone.
-Result<void> learnCoverageFrom(splat::Trainer& trainer, TracedView view);
 
 }  // namespace macula::hybrid

@@ -44,6 +44,13 @@ Result<void> learnFrom(splat::Trainer& trainer, TracedView view) {
     return trainer.addView(std::move(learnt));
 }
 
+Result<void> learnCoverageFrom(splat::Trainer& trainer, TracedView view) {
+    MACULA_TRY(splat::TrainingView learnt, trainingView(trainer, std::move(view)));
+    learnt.weight = 1.0f;
+    learnt.coverageOnly = true;
+    return trainer.addView(std::move(learnt));
+}
+
 bool isSamePose(const splat::RasterView& a, const splat::RasterView& b, double radiusMm,
                 const AdmissionOptions& options) {
     const double leastCosine = std::cos(glm::radians(options.newAngleDeg));

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <span>
 #include <vector>
 
 #include "base/progress.h"
@@ -30,6 +29,8 @@ float weightOf(double samplesPerPixel);
 
 // Takes part in the training from its next step on, with its weight. Fails as Trainer::addView.
 Result<void> learnFrom(splat::Trainer& trainer, TracedView view);
+// The same of its coverage alone, which coverageViews finds: without chance, so its weight is 1.
+Result<void> learnCoverageFrom(splat::Trainer& trainer, TracedView view);
 
 // When a view tells a model something.
 struct AdmissionOptions {

@@ -34,9 +34,9 @@ struct TrainingReport {
     std::uint32_t splats = 0;
 };
 
-// Used by one thread at a time, the one that uses the device. A model that a step has failed on is as it was
-// after the step before: nothing is moved by numbers that are not finite. When the device is lost, lastGood()
-// is what is left, and resume() on another device goes on with it.
+// Used by one thread at a time, the one that uses the device. Nothing is moved by numbers that are not
+// finite, and a step that could not be submitted has moved nothing. When reading back or regrouping fails, or
+// the device is lost, lastGood() is what is left, and resume(), on another device too, goes on with it.
 class Trainer {
   public:
     // The model must be valid and of degree 0 or 1; usage when an option is out of its range. `lists`: where
