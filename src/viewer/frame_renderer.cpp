@@ -55,9 +55,13 @@ bool sameCamera(const Camera& a, const Camera& b) {
            a.verticalFovDeg == b.verticalFovDeg;
 }
 
-bool samePicture(const FrameInput& a, const FrameInput& b) {
+bool sameScene(const FrameInput& a, const FrameInput& b) {
     return a.volume == b.volume && a.drawing == b.drawing && sameCamera(a.camera, b.camera) &&
-           a.width == b.width && a.height == b.height && a.surface == b.surface;
+           a.surface == b.surface;
+}
+
+bool samePicture(const FrameInput& a, const FrameInput& b) {
+    return sameScene(a, b) && a.width == b.width && a.height == b.height;
 }
 
 trace::Settings denoised(trace::Settings settings, bool isDenoised) {
@@ -105,7 +109,9 @@ void FrameRenderer::accept(FrameInput input) {
     }
     if (!samePicture(input, input_)) {
         restart_ = true;
-        halted_ = false;
+        // The window takes another size around the sentence that says so: nobody has asked for another try.
+        const bool stillGivenUp = givenUp_ && sameScene(input, input_);
+        if (!stillGivenUp) halted_ = givenUp_ = false;
     } else if (input.background != input_.background) {
         redisplay_ = true;
     }
@@ -425,6 +431,7 @@ void FrameRenderer::handle(Error error) {
             return;
         }
         error = gpu::lostTooOften();
+        givenUp_ = true;
     }
     halted_ = true;
     clear_ = true;

@@ -102,6 +102,7 @@ class FrameRenderer {
     bool redisplay_ = false;  // the picture is right, but not what is on screen
     bool clear_ = false;      // what is on screen belongs to another study
     bool halted_ = false;     // after a failure, until something changes
+    bool givenUp_ = false;    // halted, as the device was lost too often: another size changes nothing
     int scale_ = 1;
     trace::View view_;
     std::optional<MotionScale> motionScale_;

@@ -72,6 +72,13 @@ TEST_F(WindowTest, ADeviceThatIsLostAgainAndAgainIsGivenUpAndSaidToBe) {
     ASSERT_TRUE(waitUntil([&] { return error.has_value(); }));
     EXPECT_EQ(error->code, ErrorCode::deviceLost);
     EXPECT_EQ(devicesLost(), 3);
+    // Nor does a window that takes another size, as this one may have done around the sentence.
+    error.reset();
+    const int width = window_->viewport().width();
+    window_->resize(window_->width() + 40, window_->height() + 30);
+    ASSERT_TRUE(waitUntil([&] { return window_->viewport().width() != width; }));
+    EXPECT_FALSE(waitUntil([&] { return error.has_value(); }, 1));
+    EXPECT_EQ(devicesLost(), 3);
     EXPECT_TRUE(window_->message().contains(QStringLiteral("driver")));
     EXPECT_FALSE(window_->notes().contains(QStringLiteral("started again")));
     EXPECT_TRUE(window_->viewport().letters().left.empty());
