@@ -52,6 +52,11 @@ Result<void> check(const Options& options) {
                      "Nothing can be learnt without views.",
                      {},
                      "Give --views above 0, or --iterations 0."};
+    if (options.evaluation.truth.samplesPerPixel % 2 != 0)
+        return Error{ErrorCode::usage,
+                     "What is compared with is traced in two halves.",
+                     {},
+                     "Give --truth-spp an even number."};
     if (!options.series.empty() && options.series.size() != options.paths.size())
         return Error{
             ErrorCode::usage, "There is not one series for each path.", {}, "Give --series once for each."};
@@ -190,9 +195,9 @@ void addProtocolOptions(CLI::App& command, Options& o) {
     e.truth.samplesPerPixel = 256;
     command
         .add_option("--truth-spp", e.truth.samplesPerPixel,
-                    "Samples per pixel of what is compared with; the protocol wants 1024")
+                    "Samples per pixel of what is compared with, even; the protocol wants 1024")
         ->capture_default_str()
-        ->check(CLI::Range(1, 1 << 20));
+        ->check(CLI::Range(2, 1 << 20));
     command.add_option("--truth-size", o.truthSizePx, "Its width and height in pixels (default: as --size)")
         ->check(CLI::Range(16, 4096));
     command.add_option("--bounces", e.truth.bounces, "Vertices of a path, of both")

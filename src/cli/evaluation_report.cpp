@@ -33,6 +33,16 @@ Json toJson(const std::vector<ViewScores>& views) {
     return json;
 }
 
+// Of all views as one: none is missing because of its noise.
+Json lessNoiseJson(const std::vector<ViewScores>& views) {
+    const auto error = squareErrorOver(views);
+    if (!error) return {};
+    return {{"mse", error->mean},
+            {"mseStandardError", error->standardError},
+            {"psnrDb", toJson(image::psnrOf(*error))},
+            {"psnrStandardErrorDb", toJson(image::psnrErrorOf(*error))}};
+}
+
 // Of a refined model: what it was on the way.
 Json snapshotsJson(const std::vector<Snapshot>& snapshots) {
     Json json = Json::array();
@@ -40,6 +50,7 @@ Json snapshotsJson(const std::vector<Snapshot>& snapshots) {
         json.push_back({{"iterations", snapshot.steps},
                         {"splats", snapshot.splats},
                         {"trainSeconds", snapshot.trainSeconds},
+                        {"overViewsLessNoise", lessNoiseJson(snapshot.scores)},
                         {"scores", toJson(snapshot.scores)}});
     return json;
 }
@@ -59,7 +70,7 @@ Json toJson(const EvaluatedStudy& scene, bool refined) {
                 {"truth", e.truthSeconds}}},
               {"drawMs", e.drawMs},
               {"viewsGivenUp", e.viewsGivenUp},
-              {"truthNoise", e.truthNoise},
+              {"truthNoise", e.truthNoise()},
               {"truthFromCache", e.truthFromCache}};
     if (refined) {
         const GreatestFall fall = greatestFall(e.snapshots);
@@ -67,6 +78,7 @@ Json toJson(const EvaluatedStudy& scene, bool refined) {
         json["greatestFallDb"] = {{"mean", fall.meanDb}, {"p50", fall.medianDb}};
         json["snapshots"] = snapshotsJson(e.snapshots);
     }
+    json["overViewsLessNoise"] = lessNoiseJson(e.last().scores);
     json["scores"] = toJson(e.last().scores);
     json["views"] = Json::array();
     for (const ViewScores& scores : e.last().scores) {

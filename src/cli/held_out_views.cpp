@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <iterator>
 #include <span>
 
@@ -54,23 +53,17 @@ Result<Comparison> HeldOutViews::compare(const splat::Splats& model, Progress& p
     progress.beginStage("Comparing", truth_.size());
     std::vector<Camera> cameras;
     std::transform(truth_.begin(), truth_.end(), std::back_inserter(cameras),
-                   [](const hybrid::TruthPicture& picture) { return picture.view.camera; });
+                   [](const hybrid::TruthPicture& picture) { return picture.camera(); });
     MACULA_TRY(const hybrid::DrawnViews drawn, hybrid::drawViews(device_, model, cameras, sizePx_));
     Comparison comparison{.scores = {}, .drawMs = image::percentile(drawn.milliseconds, 0.5), .pictures = {}};
     for (std::size_t i = 0; i < truth_.size(); ++i) {
         if (progress.cancelled()) return Error{ErrorCode::cancelled, "Stopped.", {}, {}};
-        MACULA_TRY(const ViewScores scores, scoresOf(truth_[i].view, truth_[i].noise, drawn.pictures[i]));
+        MACULA_TRY(const ViewScores scores, scoresOf(truth_[i], drawn.pictures[i]));
         comparison.scores.push_back(scores);
-        comparison.pictures.push_back(besideEachOther(sizePx_, truth_[i].view.rgba, drawn.pictures[i]));
+        comparison.pictures.push_back(besideEachOther(sizePx_, truth_[i].whole(), drawn.pictures[i]));
         progress.advance();
     }
     return comparison;
-}
-
-double HeldOutViews::noise() const {
-    double squares = 0.0;
-    for (const hybrid::TruthPicture& picture : truth_) squares += picture.noise * picture.noise;
-    return std::sqrt(squares / double(std::max<std::size_t>(truth_.size(), 1)));
 }
 
 std::size_t HeldOutViews::fromCache() const {

@@ -33,8 +33,7 @@ class HeldOutViews {
     Result<Comparison> compare(const splat::Splats& model, Progress& progress) const;
 
     double seconds() const { return seconds_; }  // that tracing them took
-    double noise() const;                        // see TruthPicture; RMS over the views
-    std::size_t fromCache() const;               // views
+    std::size_t fromCache() const;               // views of which all was there
     std::size_t givenUp() const { return givenUp_; }
 
   private:

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <iterator>
 #include <utility>
 
@@ -33,7 +34,6 @@ class Evaluation {
         MACULA_TRY(const HeldOutViews truth, HeldOutViews::trace(device_, scene_, options_.truthViews,
                                                                  options_.truth, options_.cache, progress_));
         report_.truthSeconds = truth.seconds();
-        report_.truthNoise = truth.noise();
         report_.truthFromCache = truth.fromCache();
         report_.viewsGivenUp += truth.givenUp();
         for (std::size_t i = 0; i < models_.size(); ++i) {
@@ -118,6 +118,13 @@ Result<SceneEvaluation> evaluateModel(const std::shared_ptr<gpu::Device>& device
                                       const EvaluationOptions& options, Progress& progress) {
     MACULA_TRY(SceneOnDevice onDevice, putOnDevice(device, scene));
     return Evaluation(device, options, onDevice, progress).run();
+}
+
+double SceneEvaluation::truthNoise() const {
+    double squares = 0.0;
+    for (const ViewScores& scores : last().scores)
+        squares += scores.truthNoise.value_or(0.0) * scores.truthNoise.value_or(0.0);
+    return std::sqrt(squares / double(std::max<std::size_t>(last().scores.size(), 1)));
 }
 
 GreatestFall greatestFall(const std::vector<Snapshot>& snapshots) {

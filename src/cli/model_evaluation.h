@@ -59,13 +59,13 @@ struct SceneEvaluation {
     double drawMs = 0.0;            // of a picture of the last model
     // For the truth.
     double truthSeconds = 0.0;
-    double truthNoise = 0.0;
-    std::size_t truthFromCache = 0;                   // views
+    std::size_t truthFromCache = 0;                   // views of which all was there
     std::size_t viewsGivenUp = 0;                     // of all sets: none of the tries showed enough
     std::vector<Snapshot> snapshots;                  // the first model; refined, each after it; never none
     std::vector<std::vector<std::uint8_t>> pictures;  // of the last model, see Comparison
 
     const Snapshot& last() const { return snapshots.back(); }
+    double truthNoise() const;  // ViewScores::truthNoise, RMS over the views
 };
 
 // inputNotUsable when nothing of the scene can be seen.

@@ -9,46 +9,54 @@
 #include <vector>
 
 #include "base/result.h"
-#include "image/image.h"
-#include "pipeline/hybrid/traced_view.h"
+#include "image/noisy_reference.h"
+#include "pipeline/hybrid/truth_pictures.h"
 
 namespace macula::cli {
 
 // Of pictures as they are displayed, over black, in 8 bits. Masked: over pixels where either shows any light.
-// Covered: over those where the truth has coverage, whatever its colour. Nothing where there is no such pixel
-// or, as in the protocol, where a PSNR is not finite or above 75 dB.
+// Covered: over those where the truth has coverage, whatever its colour. Less noise: against what the truth
+// converges to, and not in 8 bits (image/noisy_reference.h). Nothing where there is no such pixel or, as in
+// the protocol, where a PSNR is not finite or above 75 dB.
 struct ViewScores {
     std::optional<double> psnrDb;
     std::optional<double> maskedPsnrDb;
-    std::optional<double> maskedPsnrLessNoiseDb;  // image::psnrLessNoise
+    std::optional<double> maskedPsnrLessNoiseDb;  // nothing where the mean square is not above 0 either
+    std::optional<double> maskedMseLessNoise;  // below 0 where the error is less than the noise leaves to see
+    std::optional<double> maskedMseLessNoiseError;  // standard error of that, by noise of the truth
     std::optional<double> coveredPsnrDb;
     std::optional<double> maskedSsim;
     std::optional<double> coveredSsim;
     std::optional<double> flip;
-    std::optional<double> luminanceRatio;  // model over truth, masked
+    std::optional<double> luminanceRatio;  // model over truth, masked, less noise
     std::optional<double> coverageError;   // mean absolute, over pixels where either has coverage
+    std::optional<double> truthNoise;      // standard error of the truth, covered
 };
 
 struct Score {
     std::string_view key;  // in JSON
     std::optional<double> ViewScores::*value;
 };
-inline constexpr std::array<Score, 9> kScores{{{"psnrDb", &ViewScores::psnrDb},
-                                               {"maskedPsnrDb", &ViewScores::maskedPsnrDb},
-                                               {"maskedPsnrLessNoiseDb", &ViewScores::maskedPsnrLessNoiseDb},
-                                               {"coveredPsnrDb", &ViewScores::coveredPsnrDb},
-                                               {"maskedSsim", &ViewScores::maskedSsim},
-                                               {"coveredSsim", &ViewScores::coveredSsim},
-                                               {"flip", &ViewScores::flip},
-                                               {"luminanceRatio", &ViewScores::luminanceRatio},
-                                               {"coverageError", &ViewScores::coverageError}}};
+inline constexpr std::array<Score, 12> kScores{
+    {{"psnrDb", &ViewScores::psnrDb},
+     {"maskedPsnrDb", &ViewScores::maskedPsnrDb},
+     {"maskedPsnrLessNoiseDb", &ViewScores::maskedPsnrLessNoiseDb},
+     {"maskedMseLessNoise", &ViewScores::maskedMseLessNoise},
+     {"maskedMseLessNoiseError", &ViewScores::maskedMseLessNoiseError},
+     {"coveredPsnrDb", &ViewScores::coveredPsnrDb},
+     {"maskedSsim", &ViewScores::maskedSsim},
+     {"coveredSsim", &ViewScores::coveredSsim},
+     {"flip", &ViewScores::flip},
+     {"luminanceRatio", &ViewScores::luminanceRatio},
+     {"coverageError", &ViewScores::coverageError},
+     {"truthNoise", &ViewScores::truthNoise}}};
 
-// `model`: linear premultiplied RGBA, as large as the truth, of which `noise` is the standard error
-// (TruthPicture).
-Result<ViewScores> scoresOf(const hybrid::TracedView& truth, double noise, std::span<const glm::vec4> model);
+// `model`: linear premultiplied RGBA, as large as the truth.
+Result<ViewScores> scoresOf(const hybrid::TruthPicture& truth, std::span<const glm::vec4> model);
 
-// Linear premultiplied RGBA as it is displayed: three channels of 8 bits.
-image::Image displayImage(const glm::ivec2& sizePx, std::span<const glm::vec4> rgba);
+// maskedMseLessNoise over views: its mean is right however noisy each of them is, a mean of their PSNRs is
+// not.
+std::optional<image::SquareError> squareErrorOver(std::span<const ViewScores> views);
 
 struct Spread {
     std::size_t count = 0;  // of what has a number

@@ -29,20 +29,6 @@ double decoded(double encoded) {
     return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
 }
 
-// Sum of luminance over the mask.
-double lightOf(const Image& image, const Mask& mask) {
-    const auto planes = colourPlanes(image);
-    constexpr double kRec709[] = {0.2126, 0.7152, 0.0722};
-    double sum = 0.0;
-    for (std::size_t c = 0; c < planes.size(); ++c) {
-        const double weight = planes.size() == 1 ? 1.0 : kRec709[c];
-        for (std::size_t i = 0; i < mask.size(); ++i) {
-            if (mask[i] != 0) sum += weight * decoded(planes[c].values[i]);
-        }
-    }
-    return sum;
-}
-
 }  // namespace
 
 Result<Mask> litMask(const Image& reference, const Image& test) {
@@ -101,11 +87,18 @@ Result<std::optional<double>> maskedSsim(const Image& reference, const Image& te
     return std::optional(sum / double(maps.size() * count));
 }
 
-Result<std::optional<double>> luminanceRatio(const Image& reference, const Image& test, const Mask& mask) {
-    MACULA_TRY_VOID(fits(reference, test, mask));
-    const double light = lightOf(reference, mask);
-    if (!(light > 0.0)) return std::optional<double>();
-    return std::optional(lightOf(test, mask) / light);
+double lightOf(const Image& image, const Mask& mask) {
+    MACULA_CHECK_EQ(mask.size(), std::size_t(image.width) * std::size_t(image.height));
+    const auto planes = colourPlanes(image);
+    constexpr double kRec709[] = {0.2126, 0.7152, 0.0722};
+    double sum = 0.0;
+    for (std::size_t c = 0; c < planes.size(); ++c) {
+        const double weight = planes.size() == 1 ? 1.0 : kRec709[c];
+        for (std::size_t i = 0; i < mask.size(); ++i) {
+            if (mask[i] != 0) sum += weight * decoded(planes[c].values[i]);
+        }
+    }
+    return sum;
 }
 
 std::optional<double> coverageError(std::span<const float> reference, std::span<const float> test,
@@ -119,12 +112,6 @@ std::optional<double> coverageError(std::span<const float> reference, std::span<
         if (mask[i] != 0) sum += std::abs(double(test[i]) - double(reference[i]));
     }
     return sum / double(count);
-}
-
-std::optional<double> psnrLessNoise(double psnrDb, double standardError) {
-    const double squares = std::pow(10.0, -0.1 * psnrDb) - standardError * standardError;
-    if (!(squares > 0.0)) return {};
-    return -10.0 * std::log10(squares);
 }
 
 double percentile(std::vector<double> values, double fraction) {

@@ -28,20 +28,13 @@ Mask unionOf(const Mask& a, const Mask& b);
 // As psnr, over masked pixels; +infinity where these are equal.
 Result<std::optional<double>> maskedPsnr(const Image& reference, const Image& test, const Mask& mask);
 
-// What such a PSNR, or one over all pixels, would be if the reference had no noise of its own.
-// `standardError` is that of the reference, black 0 to white 1, RMS over pixels and channels: it has nothing
-// to do with what is compared, so the squares add. An estimate, and no better than the standard error is;
-// nothing where noise is all there is.
-std::optional<double> psnrLessNoise(double psnrDb, double standardError);
-
 // The map of SSIM over the whole pictures, its 11 x 11 windows filled up with black beyond the edge, averaged
 // over masked pixels and channels.
 Result<std::optional<double>> maskedSsim(const Image& reference, const Image& test, const Mask& mask);
 
-// Light that leaves the screen in `test`, in parts of that in `reference`, over masked pixels: sums of the
-// luminance (Rec. 709) of decoded values. 1 when nothing is too dark or too bright on the whole; nothing when
-// the reference is black there.
-Result<std::optional<double>> luminanceRatio(const Image& reference, const Image& test, const Mask& mask);
+// Light that leaves the screen over masked pixels: the sum of the luminance (Rec. 709) of decoded values,
+// white 1.
+double lightOf(const Image& image, const Mask& mask);
 
 // Mean of |test - reference| over masked pixels. All of one size.
 std::optional<double> coverageError(std::span<const float> reference, std::span<const float> test,

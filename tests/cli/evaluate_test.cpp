@@ -1,4 +1,5 @@
 // macula evaluate: that the protocol runs to its end, says what was measured, and goes on from what it kept.
+#include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -51,8 +52,22 @@ TEST_F(Evaluate, TellsHowNearTheModelComesAndGoesOnFromWhatItKept) {
     EXPECT_LE(psnr["p10"].get<double>(), psnr["p50"].get<double>());
     EXPECT_LE(psnr["p50"].get<double>(), psnr["p90"].get<double>());
     EXPECT_EQ(report["overScenes"]["psnrDb"]["p50"], psnr["mean"]);
-    EXPECT_EQ(fileCount("cache"), 2u);
+    EXPECT_EQ(fileCount("cache"), 4u) << "two halves of each view";
     EXPECT_EQ(fileCount("pictures"), 2u);
+
+    // Of all views as one: the mean of squares that may be of either sign.
+    const json& less = scene["overViewsLessNoise"];
+    double mse = 0.0;
+    double wrongBy = 0.0;
+    for (const json& view : scene["views"]) {
+        mse += view["maskedMseLessNoise"].get<double>() / 2;
+        wrongBy = std::hypot(wrongBy, view["maskedMseLessNoiseError"].get<double>() / 2);
+    }
+    EXPECT_NEAR(less["mse"].get<double>(), mse, 1e-12);
+    EXPECT_NEAR(less["mseStandardError"].get<double>(), wrongBy, 1e-12);
+    EXPECT_NEAR(less["psnrDb"].get<double>(), -10 * std::log10(mse), 1e-9);
+    // Such a model is so wrong that the noise of 64 samples does not matter: both are about the same.
+    EXPECT_NEAR(less["psnrDb"].get<double>(), scores["maskedPsnrDb"]["mean"].get<double>(), 1.0);
 
     // The same truth, and a model that has learnt.
     const Ran again = runMacula(small({"--cache", cache, "--json", at("report.json"), "--iterations", "150",
@@ -101,6 +116,9 @@ TEST_F(Evaluate, WhatCannotBeIsAnError) {
     EXPECT_EQ(runMacula({"evaluate", "init", "--views", "0"}).exitCode, 2);
     EXPECT_EQ(runMacula(small({"--series", "1", "--series", "2"})).exitCode, 2);
     EXPECT_EQ(runMacula(small({"--preset", "no-such-preset"})).exitCode, 2);
+    const Ran odd = runMacula(small({"--truth-spp", "63"}));
+    EXPECT_EQ(odd.exitCode, 2);
+    EXPECT_NE(odd.err.find("even"), std::string::npos) << odd.err;
     EXPECT_EQ(runMacula(small({"--pictures", at("nowhere")})).exitCode, 2);
     EXPECT_EQ(runMacula(small({"--json", at("nowhere/report.json")})).exitCode, 2);
     EXPECT_EQ(runMacula({"evaluate", "refine", "--snapshot-every", "0"}).exitCode, 2);

@@ -7,7 +7,6 @@
 #include <functional>
 #include <limits>
 #include <numeric>
-#include <random>
 
 #include "image/metrics.h"
 
@@ -100,41 +99,12 @@ TEST(MaskedSsim, IsOneOfEqualsAndNothingOfNothing) {
     EXPECT_NEAR(**maskedSsim(black, black, leftHalf()), 1.0, 1e-12);
 }
 
-TEST(LuminanceRatio, IsOfTheLightThatLeavesTheScreen) {
-    // 0.5 decodes to 0.21404, 0.25 to 0.05088 (IEC 61966-2-1).
-    EXPECT_NEAR(**luminanceRatio(grey(0.5f), grey(0.25f), leftHalf()), 0.050876 / 0.214041, 1e-5);
-    EXPECT_NEAR(**luminanceRatio(grey(0.5f), grey(0.5f), leftHalf()), 1.0, 1e-12);
-    const Image green = picture(24, 20, [](int, int, int c) { return c == 1 ? 1.0f : 0.0f; });
-    EXPECT_NEAR(**luminanceRatio(grey(1.0f), green, leftHalf()), 0.7152, 1e-9);
-    // Outside of the mask nothing counts.
-    const Image half = picture(24, 20, [](int x, int, int) { return x < 12 ? 0.5f : 1.0f; });
-    EXPECT_NEAR(**luminanceRatio(grey(0.5f), half, leftHalf()), 1.0, 1e-12);
-    EXPECT_FALSE(luminanceRatio(grey(0.0f), grey(0.5f), leftHalf())->has_value());
-    EXPECT_FALSE(luminanceRatio(grey(0.5f), grey(0.5f), Mask(480, 0))->has_value());
-}
-
 TEST(CoverageError, IsTheMeanDifferenceInTheMask) {
     const std::vector<float> truth{0.0f, 0.5f, 1.0f, 1.0f};
     const std::vector<float> test{0.25f, 0.25f, 1.0f, 0.0f};
     EXPECT_NEAR(*coverageError(truth, test, {1, 1, 1, 0}), 0.5 / 3.0, 1e-12);
     EXPECT_NEAR(*coverageError(truth, truth, {1, 1, 1, 1}), 0.0, 1e-12);
     EXPECT_FALSE(coverageError(truth, test, {0, 0, 0, 0}).has_value());
-}
-
-// A difference of 0.04 everywhere, seen through noise of 0.05. The standard deviation of the answer over
-// seeds is 0.08 dB.
-TEST(PsnrLessNoise, IsThatOfWhatLiesBelow) {
-    std::mt19937 random(4);
-    std::normal_distribution<double> noise(0.0, 0.05);
-    double squares = 0.0;
-    constexpr int kCount = 30000;
-    for (int i = 0; i < kCount; ++i) squares += std::pow(0.04 + noise(random), 2) / kCount;
-    const double seen = -10.0 * std::log10(squares);
-    EXPECT_LT(seen, -20.0 * std::log10(0.06));
-    EXPECT_NEAR(psnrLessNoise(seen, 0.05).value_or(0.0), -20.0 * std::log10(0.04), 0.3);
-    EXPECT_NEAR(psnrLessNoise(24.0, 0.0).value_or(0.0), 24.0, 1e-12);
-    EXPECT_FALSE(psnrLessNoise(24.0, 0.07).has_value());
-    EXPECT_FALSE(psnrLessNoise(24.0, std::nan("")).has_value());
 }
 
 // As numpy.percentile gives them.
@@ -155,7 +125,6 @@ TEST(MaskedMetrics, RefuseWhatCannotBeCompared) {
     Image linear = grey(0.5f);
     linear.encoding = Encoding::linear;
     EXPECT_FALSE(maskedSsim(grey(0.5f), linear, leftHalf()).ok());
-    EXPECT_FALSE(luminanceRatio(linear, grey(0.5f), leftHalf()).ok());
 }
 
 }  // namespace

@@ -27,9 +27,8 @@ std::string_view bytesOf(const std::vector<glm::vec4>& rgba) {
 
 // With the digest of all that follows it, and of its own numbers.
 std::string headerOf(const std::string& key, const KeptPicture& picture) {
-    const std::string numbers =
-        fmt::format("{}\n{} {}\n{:a}\n", key, picture.sizePx.x, picture.sizePx.y, picture.noise);
-    return fmt::format("macula picture 1\n{}{}\n", numbers,
+    const std::string numbers = fmt::format("{}\n{} {}\n", key, picture.sizePx.x, picture.sizePx.y);
+    return fmt::format("macula picture 2\n{}{}\n", numbers,
                        sha256Hex(numbers + sha256Hex(bytesOf(picture.rgba))));
 }
 
@@ -60,11 +59,10 @@ std::optional<KeptPicture> PictureCache::find(const std::string& key) const {
     if (!text) return {};
     KeptPicture picture;
     int used = 0;
-    const std::string format = "macula picture 1\n" + key + "\n%6d %6d\n%lf\n%*64s\n%n";
+    const std::string format = "macula picture 2\n" + key + "\n%6d %6d\n%*64s\n%n";
     // A header longer than kMostHeader is none of ours.
     const std::string start = text->substr(0, kMostHeader);
-    if (std::sscanf(start.c_str(), format.c_str(), &picture.sizePx.x, &picture.sizePx.y, &picture.noise,
-                    &used) != 3 ||
+    if (std::sscanf(start.c_str(), format.c_str(), &picture.sizePx.x, &picture.sizePx.y, &used) != 2 ||
         used == 0 || picture.sizePx.x < 1 || picture.sizePx.y < 1 || picture.sizePx.x > kMostSide ||
         picture.sizePx.y > kMostSide)
         return {};

@@ -14,7 +14,6 @@ namespace macula::hybrid {
 struct KeptPicture {
     glm::ivec2 sizePx{0};         // columns, rows; 1 to 16384 each
     std::vector<glm::vec4> rgba;  // linear, premultiplied; row 0 on top
-    double noise = 0.0;           // whatever the maker knows of its error
 };
 
 // A folder with a file for each picture, KEY.rgba: a few lines of text and then the pixels, four 32-bit

@@ -52,24 +52,53 @@ std::uint8_t byteOf(float value) {
     return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0f, 1.0f) * 255.0f));
 }
 
+// Not clamped.
+class Display {
+  public:
+    Display(ColourSpace space, const DisplayOptions& options)
+        : host_({}, {}),
+          space_(space),
+          background_(options.background),
+          linear_(beforeToneMap({host_.decodeSrgb(background_.x), host_.decodeSrgb(background_.y),
+                                 host_.decodeSrgb(background_.z)})),
+          exposure_(options.exposure) {}
+
+    glm::vec3 colourOf(const glm::vec4& p) {
+        return space_ == ColourSpace::linear
+                   ? host_.displayColour(p, linear_, exposure_)
+                   : glm::vec3(p) + background_ * (1.0f - std::clamp(p.w, 0.0f, 1.0f));
+    }
+
+  private:
+    Host host_;
+    ColourSpace space_;
+    glm::vec3 background_;
+    glm::vec3 linear_;
+    float exposure_;
+};
+
 }  // namespace
 
 std::vector<std::uint8_t> displayed(std::span<const glm::vec4> pixels, ColourSpace space,
                                     const DisplayOptions& options) {
-    Host host({}, {});
-    const auto decode = [&](float encoded) { return host.decodeSrgb(encoded); };
-    const glm::vec3& b = options.background;
-    const glm::vec3 linear = beforeToneMap({decode(b.x), decode(b.y), decode(b.z)});
+    Display display(space, options);
     std::vector<std::uint8_t> bytes(pixels.size() * 4);
     overPixels(pixels.size(), [&](std::size_t i) {
-        const glm::vec4& p = pixels[i];
-        const glm::vec3 shown = space == ColourSpace::linear
-                                    ? host.displayColour(p, linear, options.exposure)
-                                    : glm::vec3(p) + b * (1.0f - std::clamp(p.w, 0.0f, 1.0f));
+        const glm::vec3 shown = display.colourOf(pixels[i]);
         for (int k = 0; k < 3; ++k) bytes[4 * i + std::size_t(k)] = byteOf(shown[k]);
         bytes[4 * i + 3] = 255;
     });
     return bytes;
+}
+
+std::vector<glm::vec3> displayedExactly(std::span<const glm::vec4> pixels, ColourSpace space,
+                                        const DisplayOptions& options) {
+    Display display(space, options);
+    std::vector<glm::vec3> colours(pixels.size());
+    overPixels(pixels.size(), [&](std::size_t i) {
+        colours[i] = glm::clamp(display.colourOf(pixels[i]), glm::vec3(0.0f), glm::vec3(1.0f));
+    });
+    return colours;
 }
 
 std::vector<glm::vec4> linearRadiance(std::span<const glm::vec4> pixels, ColourSpace space) {

@@ -23,6 +23,10 @@ struct DisplayOptions {
 std::vector<std::uint8_t> displayed(std::span<const glm::vec4> pixels, ColourSpace space,
                                     const DisplayOptions& options);
 
+// The same before it is rounded to 8 bits, each 0 to 1.
+std::vector<glm::vec3> displayedExactly(std::span<const glm::vec4> pixels, ColourSpace space,
+                                        const DisplayOptions& options);
+
 // Premultiplied linear radiance. Colours of the display are taken as sRGB: each pixel's own colour, without
 // what is behind it, is decoded.
 std::vector<glm::vec4> linearRadiance(std::span<const glm::vec4> pixels, ColourSpace space);
