@@ -15,6 +15,7 @@
 #include "cli/interrupt.h"
 #include "cli/lights_choice.h"
 #include "cli/model_evaluation.h"
+#include "cli/model_options.h"
 #include "cli/open_device.h"
 #include "cli/output_file.h"
 #include "cli/report.h"
@@ -47,11 +48,7 @@ struct Options {
 
 // All that can be wrong on the command line, before anything takes time.
 Result<void> check(const Options& options) {
-    if (options.evaluation.iterations > 0 && options.evaluation.views == 0)
-        return Error{ErrorCode::usage,
-                     "Nothing can be learnt without views.",
-                     {},
-                     "Give --views above 0, or --iterations 0."};
+    MACULA_TRY_VOID(checkModelOptions(options.evaluation.model));
     if (options.evaluation.truth.samplesPerPixel % 2 != 0)
         return Error{ErrorCode::usage,
                      "What is compared with is traced in two halves.",
@@ -115,7 +112,9 @@ Result<void> tell(const EvaluationReport& report, const fs::path& json) {
 Result<void> evaluate(Options options) {
     MACULA_TRY_VOID(check(options));
     EvaluationOptions& evaluation = options.evaluation;
-    evaluation.truth.sizePx = glm::ivec2(options.truthSizePx > 0 ? options.truthSizePx : evaluation.sizePx);
+    evaluation.truth.sizePx =
+        glm::ivec2(options.truthSizePx > 0 ? options.truthSizePx : evaluation.model.sizePx);
+    evaluation.truth.bounces = evaluation.model.bounces;
     if (options.paths.empty()) options.paths.emplace_back();
     if (options.presets.empty()) options.presets.emplace_back();
     MACULA_TRY(const trace::Environment lights, chooseLights(options.lights));
@@ -158,40 +157,10 @@ Result<void> evaluate(Options options) {
 
 void addProtocolOptions(CLI::App& command, Options& o) {
     EvaluationOptions& e = o.evaluation;
-    command.add_option("--points", e.points.count, "Points that the model begins with")
-        ->capture_default_str()
-        ->check(CLI::Range(1u, trace::kMaxSurfacePoints));
-    command.add_option("--point-paths", e.points.paths, "Paths of light for each of them")
-        ->capture_default_str()
-        ->check(CLI::Range(1, 4096));
-    command.add_option("--views", e.views, "Views that are traced for training")
-        ->capture_default_str()
-        ->check(CLI::Range(0, 4096));
-    command.add_option("--spp", e.samplesPerPixel, "Samples per pixel of these; they are denoised")
-        ->capture_default_str()
-        ->check(CLI::Range(1, 1 << 16));
-    command
-        .add_option(
-            "--directions", e.directions,
-            "Sides in all to learn from: beyond --views, how much is in the way is found, without light")
-        ->capture_default_str()
-        ->check(CLI::Range(0, 4096));
-    command.add_option("--iterations", e.iterations, "Steps of training; 0: the model of points is judged")
-        ->capture_default_str()
-        ->check(CLI::Range(0, 1 << 24));
-    command
-        .add_option("--degree", e.shDegree, "Of spherical harmonics: 1 for colours that differ by direction")
-        ->capture_default_str()
-        ->check(CLI::Range(0, 1));
-    command.add_option("--trial", e.trial, "Another draw of the views for training")
-        ->capture_default_str()
-        ->check(CLI::Range(0, 1 << 20));
-    command.add_option("--size", e.sizePx, "Width and height of pictures in pixels")
-        ->capture_default_str()
-        ->check(CLI::Range(16, 4096));
+    addModelOptions(command, e.model);
     command.add_option("--truth-views", e.truthViews, "Views that are compared")
         ->capture_default_str()
-        ->check(CLI::Range(1, 4096));
+        ->check(CLI::Range(1, kMostViews));
     e.truth.samplesPerPixel = 256;
     command
         .add_option("--truth-spp", e.truth.samplesPerPixel,
@@ -200,9 +169,6 @@ void addProtocolOptions(CLI::App& command, Options& o) {
         ->check(CLI::Range(2, 1 << 20));
     command.add_option("--truth-size", o.truthSizePx, "Its width and height in pixels (default: as --size)")
         ->check(CLI::Range(16, 4096));
-    command.add_option("--bounces", e.truth.bounces, "Vertices of a path, of both")
-        ->capture_default_str()
-        ->check(CLI::Range(1, trace::kMaxBounces));
     command.add_option("--cache", e.cache,
                        "Folder to keep what is compared with, and to go on from; it shows the patient");
 }
@@ -210,16 +176,16 @@ void addProtocolOptions(CLI::App& command, Options& o) {
 void addRefinementOptions(CLI::App& command, RefinementPlan& plan) {
     command.add_option("--more-views", plan.views, "Views that are traced for going on")
         ->capture_default_str()
-        ->check(CLI::Range(1, 4096));
+        ->check(CLI::Range(1, kMostViews));
     command.add_option("--more-spp", plan.samplesPerPixel, "Samples per pixel of these; they are denoised")
         ->capture_default_str()
-        ->check(CLI::Range(1, 1 << 16));
+        ->check(CLI::Range(1, kMostSamplesOfView));
     command.add_option("--more-iterations", plan.iterations, "Steps of training that follow")
         ->capture_default_str()
-        ->check(CLI::Range(1, 1 << 24));
+        ->check(CLI::Range(1, kMostIterations));
     command.add_option("--snapshot-every", plan.snapshotEvery, "Steps after which the model is compared")
         ->capture_default_str()
-        ->check(CLI::Range(1, 1 << 24));
+        ->check(CLI::Range(1, kMostIterations));
     command.add_option("--splats", plan.capacity, "Most splats that it may come to have, if it has fewer")
         ->capture_default_str()
         ->check(CLI::Range(1u, trace::kMaxSurfacePoints));

@@ -40,12 +40,13 @@ std::string nameOf(const EvaluatedStudy& scene) {
 }
 
 std::string whatWasAsked(const EvaluationOptions& o) {
+    const hybrid::FirstModelOptions& m = o.model;
     std::string text = fmt::format(
         "Truth: {} views of {} x {} pixels, {} samples, {} bounces. Model: {} points, {} views of {} "
         "samples, outlines from {} other sides, {} iterations.",
         o.truthViews, o.truth.sizePx.x, o.truth.sizePx.y, o.truth.samplesPerPixel, o.truth.bounces,
-        o.points.count, o.views, o.samplesPerPixel, o.directions - std::min(o.directions, o.views),
-        o.iterations);
+        m.points.count, m.views, m.samplesPerPixel, m.directions - std::min(m.directions, m.views),
+        m.iterations);
     if (o.refinement)
         text += fmt::format(" Then {} views of {} samples more, {} iterations, room for {} splats.",
                             o.refinement->views, o.refinement->samplesPerPixel, o.refinement->iterations,

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "cli/held_out_views.h"
-#include "pipeline/hybrid/first_model.h"
 
 namespace macula::cli {
 
@@ -47,17 +46,9 @@ class Evaluation {
 
   private:
     Result<hybrid::FirstModel> firstModel() {
-        const hybrid::FirstModelOptions wanted{.points = options_.points,
-                                               .views = options_.views,
-                                               .samplesPerPixel = options_.samplesPerPixel,
-                                               .directions = options_.directions,
-                                               .sizePx = options_.sizePx,
-                                               .bounces = options_.truth.bounces,
-                                               .trial = options_.trial,
-                                               .iterations = options_.iterations,
-                                               .shDegree = options_.shDegree};
         MACULA_TRY(hybrid::FirstModel model,
-                   hybrid::makeFirstModel(device_, scene_.tracer, scene_.traced.seenMm(), wanted, progress_));
+                   hybrid::makeFirstModel(device_, scene_.tracer, scene_.traced.seenMm(), options_.model,
+                                          progress_));
         report_.pointsSeconds = model.pointsSeconds;
         report_.viewsSeconds = model.viewsSeconds;
         report_.viewsGivenUp += model.viewsGivenUp;
@@ -68,8 +59,8 @@ class Evaluation {
         splat::Trainer& trainer = model.trainer;
         const hybrid::RefinementOptions wanted{.views = plan.views,
                                                .samplesPerPixel = plan.samplesPerPixel,
-                                               .sizePx = options_.sizePx,
-                                               .bounces = options_.truth.bounces,
+                                               .sizePx = options_.model.sizePx,
+                                               .bounces = options_.model.bounces,
                                                .iterations = plan.iterations,
                                                .capacity = plan.capacity};
         MACULA_TRY(

@@ -13,9 +13,9 @@
 #include "base/result.h"
 #include "cli/evaluated_scene.h"
 #include "cli/view_scores.h"
+#include "pipeline/hybrid/first_model.h"
 #include "pipeline/hybrid/refinement.h"
 #include "pipeline/hybrid/truth_pictures.h"
-#include "pipeline/trace/surface_points.h"
 
 namespace macula::cli {
 
@@ -28,17 +28,10 @@ struct RefinementPlan {
 };
 
 struct EvaluationOptions {
-    trace::SurfacePointOptions points;
-    std::size_t views = 12;  // 0: none are traced
-    std::uint32_t samplesPerPixel = 8;
-    std::size_t directions = 48;     // beyond the views only coverage is learnt
-    int sizePx = 512;                // of a side of a view
-    std::uint64_t iterations = 700;  // 0: the model of points is judged
-    std::uint64_t trial = 0;         // another draw of views
-    int shDegree = 0;                // of colours by direction
+    hybrid::FirstModelOptions model{.views = 12, .samplesPerPixel = 8};  // the paper's
     std::optional<RefinementPlan> refinement;
     std::size_t truthViews = 32;
-    hybrid::TruthOptions truth;
+    hybrid::TruthOptions truth;   // of as many bounces as the model
     std::filesystem::path cache;  // empty: nothing is kept
 };
 

@@ -15,6 +15,7 @@
 #include "cli/command.h"
 #include "cli/interrupt.h"
 #include "cli/lights_choice.h"
+#include "cli/model_options.h"
 #include "cli/open_device.h"
 #include "cli/output_file.h"
 #include "cli/report.h"
@@ -66,6 +67,7 @@ Result<void> checkModelName(const fs::path& path) {
 Result<trace::Environment> check(const Options& options) {
     MACULA_TRY_VOID(checkFolderOf(options.output));
     MACULA_TRY_VOID(checkModelName(options.output));
+    MACULA_TRY_VOID(checkModelOptions(options.model));
     if (!options.json.empty() && options.json != "-") MACULA_TRY_VOID(checkFolderOf(options.json));
     if (!options.preset.empty()) MACULA_TRY_VOID(presetToDraw(options.preset, options.fit));
     if (!options.clip.empty()) MACULA_TRY_VOID(chooseClip(options.clip));
@@ -177,47 +179,17 @@ Result<void> train(const Options& options) {
     return {};
 }
 
-void addModelOptions(CLI::App& command, Options& o) {
-    hybrid::FirstModelOptions& m = o.model;
-    command.add_option("--views", m.views, "Views that are traced to learn from")
-        ->capture_default_str()
-        ->check(CLI::Range(1, 4096));
-    command.add_option("--spp", m.samplesPerPixel, "Samples per pixel of these; they are denoised")
-        ->capture_default_str()
-        ->check(CLI::Range(1, 1 << 16));
+void addTrainingOptions(CLI::App& command, Options& o) {
+    addModelOptions(command, o.model);
     command
-        .add_option(
-            "--directions", m.directions,
-            "Sides in all to learn from: beyond --views, how much is in the way is found, without light")
-        ->capture_default_str()
-        ->check(CLI::Range(0, 4096));
-    command.add_option("--size", m.sizePx, "Their width and height in pixels")
-        ->capture_default_str()
-        ->check(CLI::Range(16, 1400));
-    command.add_option("--bounces", m.bounces, "Vertices of a path")
-        ->capture_default_str()
-        ->check(CLI::Range(1, trace::kMaxBounces));
-    command.add_option("--points", m.points.count, "Points on what can be seen, that the model begins with")
+        .add_option("--splats", o.model.capacity, "Most splats of the model; never fewer than it begins with")
         ->capture_default_str()
         ->check(CLI::Range(1u, trace::kMaxSurfacePoints));
-    command.add_option("--splats", m.capacity, "Most splats of the model; at least as many as points")
-        ->capture_default_str()
-        ->check(CLI::Range(1u, trace::kMaxSurfacePoints));
-    command
-        .add_option("--degree", m.shDegree, "Of spherical harmonics: 1 for colours that differ by direction")
-        ->capture_default_str()
-        ->check(CLI::Range(0, 1));
-    command.add_option("--iterations", m.iterations, "Steps of training; 0: the model of points")
-        ->capture_default_str()
-        ->check(CLI::Range(0, 1 << 24));
     command
         .add_option(
             "--budget", o.budgetSeconds,
             "Seconds of training, after points and views are there; ends it even before all iterations")
         ->check(CLI::Range(0.1, 1e6));
-    command.add_option("--seed", m.trial, "Another draw of all that is left to chance")
-        ->capture_default_str()
-        ->check(CLI::Range(0, 1 << 20));
 }
 
 }  // namespace
@@ -239,7 +211,7 @@ void addTrain(CLI::App& app, Action& action) {
     command->add_flag("--remove-table", o.removeTable, "Leave out the table; CT only");
     command->add_option("--lights", o.lights, "Name from macula presets, light rig JSON, or panorama")
         ->capture_default_str();
-    addModelOptions(*command, o);
+    addTrainingOptions(*command, o);
     command->add_option("--json", o.json, "File for what was done and how long it took; - for stdout");
     command->add_option("--device", o.device, "Number or part of the name, see macula devices");
     command->callback([options, &action] { action = [options] { return train(*options); }; });
