@@ -4,9 +4,11 @@
 #include <CLI/Validators.hpp>
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <utility>
 
 #include "base/atomic_file.h"
@@ -16,14 +18,14 @@
 #include "cli/interrupt.h"
 #include "cli/lights_choice.h"
 #include "cli/model_options.h"
+#include "cli/model_training.h"
 #include "cli/open_device.h"
 #include "cli/output_file.h"
 #include "cli/report.h"
 #include "cli/shown_clip.h"
 #include "cli/study_input.h"
 #include "cli/study_preset.h"
-#include "pipeline/hybrid/first_model.h"
-#include "pipeline/hybrid/traced_scene.h"
+#include "cli/training_key.h"
 #include "pipeline/splat/model_file.h"
 #include "pipeline/splat/training_file.h"
 #include "pipeline/trace/settings.h"
@@ -45,7 +47,10 @@ struct Options {
     std::string device;
     fs::path output;
     fs::path json;
-    double budgetSeconds = 0.0;  // 0: as long as the iterations take
+    fs::path resume;               // empty: a training of its own
+    double budgetSeconds = 0.0;    // 0: as long as the iterations take
+    std::uint64_t pauseAfter = 0;  // steps; 0: not before the end
+    bool iterationsGiven = false;
     hybrid::FirstModelOptions model;
 };
 
@@ -68,72 +73,63 @@ Result<trace::Environment> check(const Options& options) {
     MACULA_TRY_VOID(checkFolderOf(options.output));
     MACULA_TRY_VOID(checkModelName(options.output));
     MACULA_TRY_VOID(checkModelOptions(options.model));
+    if (std::isnan(options.budgetSeconds))  // which is neither below nor above any limit
+        return Error{ErrorCode::usage, "The budget is no number.", {}, "Give --budget in seconds."};
     if (!options.json.empty() && options.json != "-") MACULA_TRY_VOID(checkFolderOf(options.json));
     if (!options.preset.empty()) MACULA_TRY_VOID(presetToDraw(options.preset, options.fit));
     if (!options.clip.empty()) MACULA_TRY_VOID(chooseClip(options.clip));
     return choosePatientLights(options.lights);
 }
 
-// What is on the host when the device is done: a lost device takes nothing of it along.
-struct Trained {
-    std::string device;
-    splat::TrainingState state;
-    splat::TrainingReport report;
-    double pointsSeconds = 0.0;
-    double viewsSeconds = 0.0;
-    double trainSeconds = 0.0;
-    std::size_t viewsGivenUp = 0;
-};
-
-Result<Trained> trainOn(const std::shared_ptr<gpu::Device>& device,
-                        const std::shared_ptr<const Volume>& volume, const TransferFunction& function,
-                        const Clip& clip, const trace::Environment& lights, const Options& options,
-                        Progress& progress) {
-    MACULA_TRY(const hybrid::TracedScene scene, hybrid::TracedScene::create(volume, function, clip, lights));
-    MACULA_TRY(trace::PathTracer tracer, trace::PathTracer::create(device));
-    MACULA_TRY_VOID(tracer.setVolume(volume));
-    MACULA_TRY_VOID(tracer.setClip(clip));
-    MACULA_TRY_VOID(tracer.setTransferFunction(function));
-    MACULA_TRY_VOID(tracer.setEnvironment(lights));
-    hybrid::FirstModelOptions wanted = options.model;
-    if (options.budgetSeconds > 0.0) wanted.budgetMs = 1000.0 * options.budgetSeconds;
-    MACULA_TRY(const hybrid::FirstModel model,
-               hybrid::makeFirstModel(device, tracer, scene.seenMm(), wanted, progress));
-    Trained trained{.device = gpu::describe(device->info()),
-                    .report = model.trainer.report(),
-                    .pointsSeconds = model.pointsSeconds,
-                    .viewsSeconds = model.viewsSeconds,
-                    .trainSeconds = model.trainSeconds,
-                    .viewsGivenUp = model.viewsGivenUp};
-    MACULA_TRY(trained.state, model.trainer.state());
-    return trained;
+// The training to go on with, if any.
+Result<std::optional<splat::TrainingState>> savedTraining(const Options& options) {
+    if (options.resume.empty()) return std::optional<splat::TrainingState>();
+    MACULA_TRY(splat::TrainingState state, splat::readTraining(options.resume));
+    if (!options.iterationsGiven && state.steps >= plannedSteps(state))
+        return Error{ErrorCode::usage,
+                     fmt::format("The saved training has all of its {} steps.", plannedSteps(state)),
+                     {},
+                     "Give --iterations for as many more."};
+    return std::optional(std::move(state));
 }
 
+std::uint64_t stepsToCome(const Options& options, const std::optional<splat::TrainingState>& saved) {
+    const bool isRest = saved && !options.iterationsGiven;
+    const std::uint64_t wanted = isRest ? plannedSteps(*saved) - saved->steps : options.model.iterations;
+    return options.pauseAfter > 0 ? std::min(wanted, options.pauseAfter) : wanted;
+}
+
+// What the model begins with is told of a training that began here; a saved one does not say all of it.
 nlohmann::ordered_json toJson(const Trained& trained, const StudyInput& study, const std::string& preset,
-                              bool tableRemoved, const Options& options) {
+                              bool tableRemoved, const Options& options, std::uint64_t stepsBefore) {
     const hybrid::FirstModelOptions& m = options.model;
-    return {{"version", MACULA_VERSION},
-            {"device", trained.device},
-            {"study", study.seriesDigest},
-            {"preset", preset},
-            {"lights", publicLightsName(options.lights)},
-            {"clip", publicClipName(options.clip)},
-            {"tableRemoved", tableRemoved},
-            {"points", m.points.count},
-            {"views", m.views},
-            {"directions", m.directions},
-            {"viewsGivenUp", trained.viewsGivenUp},
-            {"samplesPerPixel", m.samplesPerPixel},
-            {"size", m.sizePx},
-            {"bounces", m.bounces},
-            {"iterations", trained.report.steps},
-            {"splats", trained.report.splats},
-            {"loss", trained.report.loss},
-            {"meanDifference", trained.report.l1},
-            {"seconds",
-             {{"points", trained.pointsSeconds},
-              {"views", trained.viewsSeconds},
-              {"training", trained.trainSeconds}}}};
+    nlohmann::ordered_json json{{"version", MACULA_VERSION},
+                                {"device", trained.device},
+                                {"study", study.seriesDigest},
+                                {"preset", preset},
+                                {"lights", publicLightsName(options.lights)},
+                                {"clip", publicClipName(options.clip)},
+                                {"tableRemoved", tableRemoved}};
+    if (options.resume.empty())
+        json.update({{"points", m.points.count},
+                     {"views", m.views},
+                     {"directions", m.directions},
+                     {"viewsGivenUp", trained.viewsGivenUp},
+                     {"samplesPerPixel", m.samplesPerPixel},
+                     {"size", m.sizePx},
+                     {"bounces", m.bounces}});
+    json.update({{"iterationsBefore", stepsBefore},
+                 {"iterations", trained.report.steps},
+                 {"plannedIterations", plannedSteps(trained.state)},
+                 {"interrupted", trained.interrupted},
+                 {"splats", trained.report.splats},
+                 {"loss", trained.report.loss},
+                 {"meanDifference", trained.report.l1},
+                 {"seconds",
+                  {{"points", trained.pointsSeconds},
+                   {"views", trained.viewsSeconds},
+                   {"training", trained.trainSeconds}}}});
+    return json;
 }
 
 // With all that training needs to go on, or the splats alone.
@@ -146,8 +142,16 @@ Result<void> write(const fs::path& path, const splat::TrainingState& state) {
     return {};
 }
 
+void tellOfInterruption(const Trained& trained, const Options& options) {
+    std::string sentence =
+        fmt::format("Stopped after {} steps; the model is written as it is then.", trained.report.steps);
+    if (extensionOf(options.output) == ".macula") sentence += " --resume goes on with it.";
+    printNote(sentence);
+}
+
 Result<void> train(const Options& options) {
     MACULA_TRY(const trace::Environment lights, check(options));
+    MACULA_TRY(const std::optional<splat::TrainingState> saved, savedTraining(options));
     MACULA_TRY(gpu::LastingDevice device, openDevice(options.device));
     Progress progress(terminalProgressBar(), interruptToken());
     MACULA_TRY(StudyInput study, loadStudy(options.path, options.series, progress));
@@ -159,37 +163,62 @@ Result<void> train(const Options& options) {
     }
     MACULA_TRY(const ShownClip shown, shownClip(clip, options.removeTable, *study.volume, progress));
 
+    const std::string key = trainingKey(*study.volume, preset.function, shown.clip, lights);
+    if (saved) MACULA_TRY_VOID(checkTrainingKey(saved->options.key, key, options.resume));
+
+    const TrainingEnd end{.steps = stepsToCome(options, saved), .budgetSeconds = options.budgetSeconds};
     Trained trained;
     MACULA_TRY_VOID(device.run([&](const std::shared_ptr<gpu::Device>& on) -> Result<void> {
-        MACULA_TRY(trained,
-                   trainOn(on, study.volume, preset.function, shown.clip, lights, options, progress));
+        if (saved) {
+            MACULA_TRY(trained, trainOn(on, *saved, end, progress));
+            return {};
+        }
+        const EvaluatedScene scene{
+            .volume = study.volume, .function = preset.function, .clip = shown.clip, .environment = lights};
+        MACULA_TRY(trained, trainFirst(on, scene, options.model, end, progress));
         return {};
     }));
+    trained.state.options.key = key;
     if (trained.viewsGivenUp > 0)
         printNote(
             fmt::format("{} of the {} views show little of the anatomy, or from very near: nothing "
                         "better was found.",
                         trained.viewsGivenUp, std::max(options.model.views, options.model.directions)));
     MACULA_TRY_VOID(write(options.output, trained.state));
+    if (trained.interrupted) tellOfInterruption(trained, options);
+    const std::uint64_t stepsBefore = saved ? saved->steps : 0;
     const std::string text =
-        toJson(trained, study, preset.publicName, shown.tableRemoved, options).dump(4) + "\n";
+        toJson(trained, study, preset.publicName, shown.tableRemoved, options, stepsBefore).dump(4) + "\n";
     if (options.json == "-") fmt::print("{}", text);
     if (!options.json.empty() && options.json != "-")
         MACULA_TRY_VOID(writeTextAtomically(options.json, text));
     return {};
 }
 
-void addTrainingOptions(CLI::App& command, Options& o) {
-    addModelOptions(command, o.model);
-    command
-        .add_option("--splats", o.model.capacity, "Most splats of the model; never fewer than it begins with")
-        ->capture_default_str()
-        ->check(CLI::Range(1u, trace::kMaxSurfacePoints));
+// Returns what tells whether --iterations was given.
+CLI::Option* addTrainingOptions(CLI::App& command, Options& o) {
+    const ModelOptionsAdded model = addModelOptions(command, o.model);
+    auto* splats = command
+                       .add_option("--splats", o.model.capacity,
+                                   "Most splats of the model; never fewer than it begins with")
+                       ->capture_default_str()
+                       ->check(CLI::Range(1u, trace::kMaxSurfacePoints));
     command
         .add_option(
             "--budget", o.budgetSeconds,
             "Seconds of training, after points and views are there; ends it even before all iterations")
         ->check(CLI::Range(0.1, 1e6));
+    command
+        .add_option("--pause-after", o.pauseAfter,
+                    "Stop after so many steps of those that are planned; --resume goes on with the rest")
+        ->check(CLI::Range(1, kMostIterations));
+    auto* resume = command.add_option(
+        "--resume", o.resume,
+        "Saved training (.macula) of the same study, preset, clip and lights to go on with, to where it was "
+        "planned to end, or for --iterations more");
+    for (CLI::Option* ofTheStart : model.ofTheStart) resume->excludes(ofTheStart);
+    resume->excludes(splats);
+    return model.iterations;
 }
 
 }  // namespace
@@ -211,10 +240,13 @@ void addTrain(CLI::App& app, Action& action) {
     command->add_flag("--remove-table", o.removeTable, "Leave out the table; CT only");
     command->add_option("--lights", o.lights, "Name from macula presets, light rig JSON, or panorama")
         ->capture_default_str();
-    addTrainingOptions(*command, o);
+    const CLI::Option* iterations = addTrainingOptions(*command, o);
     command->add_option("--json", o.json, "File for what was done and how long it took; - for stdout");
     command->add_option("--device", o.device, "Number or part of the name, see macula devices");
-    command->callback([options, &action] { action = [options] { return train(*options); }; });
+    command->callback([options, iterations, &action] {
+        options->iterationsGiven = iterations->count() > 0;
+        action = [options] { return train(*options); };
+    });
 }
 
 }  // namespace macula::cli

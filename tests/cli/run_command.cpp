@@ -5,9 +5,12 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <sstream>
+#include <thread>
 
 namespace macula::cli {
 
@@ -27,7 +30,11 @@ std::size_t Ran::errorLines() const {
     return count;
 }
 
-Ran runMacula(const std::vector<std::string>& arguments, const std::vector<std::string>& environment) {
+namespace {
+
+// `interrupt`: when to send SIGINT, if at all.
+Ran runOnce(const std::vector<std::string>& arguments, const std::vector<std::string>& environment,
+            std::optional<std::chrono::milliseconds> interrupt) {
     static int serial = 0;
     const fs::path stem = fs::temp_directory_path() / fmt::format("macula-run-{}-{}", getpid(), ++serial);
     const std::string out = stem.string() + ".out";
@@ -50,12 +57,26 @@ Ran runMacula(const std::vector<std::string>& arguments, const std::vector<std::
         execv(MACULA_BINARY, argv.data());
         _exit(127);
     }
+    if (interrupt) {
+        std::this_thread::sleep_for(*interrupt);
+        kill(child, SIGINT);  // not waited for yet: the number is still its own
+    }
     int status = 0;
     waitpid(child, &status, 0);
     Ran ran{WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), readAll(out), readAll(err)};
     fs::remove(out);
     fs::remove(err);
     return ran;
+}
+
+}  // namespace
+
+Ran runMacula(const std::vector<std::string>& arguments, const std::vector<std::string>& environment) {
+    return runOnce(arguments, environment, {});
+}
+
+Ran runMaculaInterrupted(const std::vector<std::string>& arguments, std::chrono::milliseconds after) {
+    return runOnce(arguments, {}, after);
 }
 
 void CommandTest::SetUp() {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -19,6 +20,9 @@ struct Ran {
 
 // `arguments` are passed as they are, without a shell; `environment` entries are NAME=VALUE.
 Ran runMacula(const std::vector<std::string>& arguments, const std::vector<std::string>& environment = {});
+
+// The same, and presses Ctrl-C once, that long after it began. One that has ended by then is not hurt.
+Ran runMaculaInterrupted(const std::vector<std::string>& arguments, std::chrono::milliseconds after);
 
 // A fresh folder for each test, removed afterwards.
 class CommandTest : public ::testing::Test {

@@ -60,6 +60,79 @@ TEST_F(Train, ABudgetEndsItEarly) {
     EXPECT_EQ(std::count_if(state->views.begin(), state->views.end(), isOutline), 2);
 }
 
+// In another process, with nothing but the file: the same bytes as if it had not stopped.
+TEST_F(Train, GoesOnFromWhereItWasSaved) {
+    ASSERT_EQ(runMacula(small({"-o", at("whole.macula")}, "40")).exitCode, 0);
+    ASSERT_EQ(runMacula(small({"-o", at("half.macula"), "--pause-after", "20"}, "40")).exitCode, 0);
+    EXPECT_EQ(splat::readTraining(at("half.macula"))->steps, 20u);
+    // By count, to another format.
+    ASSERT_EQ(runMacula({"train", "phantom:", "--resume", at("half.macula"), "--iterations", "20", "-o",
+                         at("rest.ply")})
+                  .exitCode,
+              0);
+    const auto whole = splat::readModel(at("whole.macula"));
+    const auto ply = splat::readModel(at("rest.ply"));
+    ASSERT_TRUE(whole.ok() && ply.ok());
+    EXPECT_TRUE(ply->splats.position == whole->splats.position);
+    EXPECT_TRUE(ply->splats.dc == whole->splats.dc);
+    // To the end that was planned, over the file that it came from.
+    const Ran rest = runMacula(
+        {"train", "phantom:", "--resume", at("half.macula"), "-o", at("half.macula"), "--json", "-"});
+    ASSERT_EQ(rest.exitCode, 0) << rest.err;
+    EXPECT_TRUE(readAll(at("half.macula")) == readAll(at("whole.macula")));
+    const json report = json::parse(rest.out);
+    EXPECT_EQ(report["iterationsBefore"], 20);
+    EXPECT_EQ(report["iterations"], 40);
+    EXPECT_EQ(report["interrupted"], false);
+
+    // What it is not of.
+    const auto refused = [&](const std::vector<std::string>& given, int exitCode, const std::string& words) {
+        std::vector<std::string> arguments{"train", "phantom:", "-o", at("refused.macula")};
+        arguments.insert(arguments.end(), given.begin(), given.end());
+        const Ran ran = runMacula(arguments);
+        EXPECT_EQ(ran.exitCode, exitCode) << ran.err;
+        EXPECT_NE(ran.err.find(words), std::string::npos) << ran.err;
+        EXPECT_FALSE(std::filesystem::exists(at("refused.macula")));
+    };
+    const std::string saved = at("whole.macula");
+    refused({"--resume", saved, "--iterations", "5", "--preset", "cinematic-bone", "--lights", "even"}, 3,
+            "of another preset and other lights.");
+    refused({"--resume", saved}, 2, "all of its 40 steps");
+    refused({"--resume", saved, "--views", "4"}, 2, "--views excludes --resume");
+    refused({"--resume", at("rest.ply")}, 3, "no training");
+    auto state = splat::readTraining(saved);
+    ASSERT_TRUE(state.ok());
+    state->options.key.clear();
+    ASSERT_TRUE(splat::writeTraining(at("without.macula"), *state).ok());
+    refused({"--resume", at("without.macula"), "--iterations", "5"}, 3,
+            "does not say what its pictures show");
+}
+
+// However early or late: before the first step nothing is written, afterwards the model as it is then.
+TEST_F(Train, CtrlCKeepsTheModelAsItIsThen) {
+    using namespace std::chrono_literals;
+    Ran ran;
+    for (auto after = 1000ms; after < 100s; after *= 2) {
+        ran = runMaculaInterrupted(
+            small({"-o", at("model.macula"), "--json", at("report.json"), "--budget", "100"}, "1000000"),
+            after);
+        if (ran.exitCode == 0) break;
+        EXPECT_EQ(ran.exitCode, 130) << ran.err;  // by the handler, or by the signal when it is not there yet
+        EXPECT_EQ(fileCount(), 0u);
+    }
+    ASSERT_EQ(ran.exitCode, 0) << ran.err;
+    EXPECT_NE(ran.err.find("Stopped after"), std::string::npos) << ran.err;
+    EXPECT_EQ(ran.errorLines(), 0u) << ran.err;
+    const json report = json::parse(readAll(at("report.json")));
+    EXPECT_EQ(report["interrupted"], true);
+    EXPECT_GE(report["iterations"].get<int>(), 1);
+    EXPECT_LT(report["iterations"].get<int>(), 1000000);
+    const Ran rest = runMacula(
+        {"train", "phantom:", "--resume", at("model.macula"), "--iterations", "1", "-o", at("more.macula")});
+    ASSERT_EQ(rest.exitCode, 0) << rest.err;
+    EXPECT_EQ(splat::readTraining(at("more.macula"))->steps, report["iterations"].get<std::uint64_t>() + 1);
+}
+
 TEST_F(Train, WhatCannotBeIsAnErrorAndWritesNothing) {
     EXPECT_EQ(runMacula({"train", "phantom:"}).exitCode, 2);
     EXPECT_EQ(runMacula(small({"-o", at("model.obj")})).exitCode, 2);
@@ -67,6 +140,7 @@ TEST_F(Train, WhatCannotBeIsAnErrorAndWritesNothing) {
     EXPECT_EQ(runMacula(small({"-o", at("model.ply"), "--lights", "headlight"})).exitCode, 2);
     EXPECT_EQ(runMacula(small({"-o", at("model.ply"), "--preset", "no-such-preset"})).exitCode, 2);
     EXPECT_EQ(runMacula(small({"-o", at("model.ply")}, "12", "0")).exitCode, 2);
+    EXPECT_EQ(runMacula(small({"-o", at("model.ply"), "--budget", "nan"})).exitCode, 2);
     EXPECT_FALSE(std::filesystem::exists(at("model.ply")));
 }
 

@@ -1,0 +1,49 @@
+// Training of a model, from its points or from where it was saved, that stops when it is asked to and keeps
+// what it has.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "base/progress.h"
+#include "base/result.h"
+#include "cli/evaluated_scene.h"
+#include "pipeline/hybrid/first_model.h"
+#include "pipeline/splat/trainer.h"
+
+namespace macula::cli {
+
+// When to stop; whatever comes first.
+struct TrainingEnd {
+    std::uint64_t steps = 0;     // that are to follow
+    double budgetSeconds = 0.0;  // of training; 0: as long as the steps take
+};
+
+// What is on the host when the device is done: a lost device takes nothing of it along.
+struct Trained {
+    std::string device;
+    splat::TrainingState state;
+    splat::TrainingReport report;
+    bool interrupted = false;  // by the user, with steps still to come
+    double pointsSeconds = 0.0;
+    double viewsSeconds = 0.0;
+    double trainSeconds = 0.0;
+    std::size_t viewsGivenUp = 0;
+};
+
+// Points, views, and training that is planned for options.iterations steps. Cancelled before the first of
+// these it is an error, `cancelled`; afterwards the model as it is then. Fails as makeFirstModel.
+Result<Trained> trainFirst(const std::shared_ptr<gpu::Device>& device, const EvaluatedScene& scene,
+                           const hybrid::FirstModelOptions& options, const TrainingEnd& end,
+                           Progress& progress);
+
+// Goes on with it: what trainFirst had come to if it had not stopped. Fails as Trainer::resume.
+Result<Trained> trainOn(const std::shared_ptr<gpu::Device>& device, const splat::TrainingState& saved,
+                        const TrainingEnd& end, Progress& progress);
+
+// Steps after which the rates of a training have fallen to where they are to stay.
+std::uint64_t plannedSteps(const splat::TrainingState& state);
+
+}  // namespace macula::cli
