@@ -26,6 +26,7 @@
 #include "cli/shown_clip.h"
 #include "cli/study_input.h"
 #include "cli/study_preset.h"
+#include "cli/view_directions.h"
 #include "pipeline/trace/path_tracer.h"
 #include "pipeline/trace/scene.h"
 #include "pipeline/volume/volume_fit.h"
@@ -309,11 +310,6 @@ Result<void> render(const Options& options) {
     return {};
 }
 
-const std::map<std::string, ViewDirection> kViews{
-    {"anterior", ViewDirection::anterior}, {"posterior", ViewDirection::posterior},
-    {"left", ViewDirection::left},         {"right", ViewDirection::right},
-    {"superior", ViewDirection::superior}, {"inferior", ViewDirection::inferior}};
-
 std::map<std::string, trace::Look> looksByName() {
     std::map<std::string, trace::Look> looks;
     for (const trace::LookName& look : trace::kLooks) looks.emplace(look.name, look.look);
@@ -341,8 +337,8 @@ void addRender(CLI::App& app, Action& action) {
     command->add_flag("--fit", o.fit,
                       "Stretch the preset's range to the series, for MR: see docs/presets.md");
     auto* view = command->add_option("--view", o.view, "Where the viewer stands (default: anterior)")
-                     ->transform(CLI::CheckedTransformer(kViews))
-                     ->option_text("anterior|posterior|left|right|superior|inferior");
+                     ->transform(asViewDirection())
+                     ->option_text(kViewDirectionNames);
     command
         ->add_option("--camera", o.camera,
                      "JSON file: positionMm, targetMm, up, verticalFovDeg; patient LPS mm")

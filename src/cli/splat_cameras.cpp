@@ -13,7 +13,6 @@ namespace {
 
 constexpr std::size_t kMostBytes = 256u << 20;
 constexpr std::size_t kMostCameras = 1u << 20;
-constexpr glm::ivec2 kDefaultSize{768, 768};
 
 // The rotation that is nearest to one which was rounded to a few digits (polar decomposition, Newton's
 // iteration); others are left as they are, and refused later.
@@ -81,7 +80,7 @@ Result<SplatCamera> readSplatCamera(const std::filesystem::path& path, std::opti
     }
     MACULA_TRY(const Camera camera, readCamera(path));
     MACULA_TRY(const splat::RasterView view,
-               splat::rasterView(camera, size.value_or(kDefaultSize), glm::dvec3(0.0)));
+               splat::rasterView(camera, size.value_or(kDefaultCameraSize), glm::dvec3(0.0)));
     return SplatCamera{path.stem().string(), view};
 }
 

@@ -30,6 +30,9 @@ struct SplatCamera {
 // In both: at a `size` other than its own a camera keeps its vertical field of view and square pixels square.
 // What cannot be used is inputNotUsable and says which camera it is.
 
+// Without a size of its own.
+inline constexpr glm::ivec2 kDefaultCameraSize{768, 768};
+
 // Macula's own; 768 x 768 without a size. Named like the file.
 Result<SplatCamera> readSplatCamera(const std::filesystem::path& path, std::optional<glm::ivec2> size);
 

@@ -10,12 +10,14 @@
 
 #include "base/progress_bar.h"
 #include "cli/command.h"
+#include "cli/framed_model.h"
 #include "cli/interrupt.h"
 #include "cli/open_device.h"
 #include "cli/picture_names.h"
 #include "cli/picture_size.h"
 #include "cli/report.h"
 #include "cli/splat_cameras.h"
+#include "cli/view_directions.h"
 #include "image/image_file.h"
 #include "pipeline/splat/displayed.h"
 #include "pipeline/splat/model_file.h"
@@ -31,6 +33,7 @@ struct Options {
     fs::path model;
     std::vector<std::string> camera;
     fs::path cameras;
+    std::vector<ViewDirection> from;
     fs::path output;
     std::string background = "0,0,0";
     std::string size;
@@ -41,9 +44,6 @@ struct Options {
     bool overwrite = false;
     std::string device;
 };
-
-// As 3DGS has it, in whatever unit its models are.
-constexpr double kForeignNear = 0.2;
 
 Result<glm::vec3> parseBackground(const std::string& text) {
     glm::vec3 colour(-1.0f);
@@ -65,11 +65,14 @@ struct Shot {
     fs::path exr;  // empty: not wanted
 };
 
-Result<std::vector<SplatCamera>> readCameras(const Options& options) {
-    std::optional<glm::ivec2> size;
-    if (!options.size.empty()) {
-        MACULA_TRY(size, parseSize(options.size));
-    }
+Result<std::optional<glm::ivec2>> sizeOf(const Options& options) {
+    if (options.size.empty()) return std::optional<glm::ivec2>();
+    MACULA_TRY(const glm::ivec2 size, parseSize(options.size));
+    return std::optional(size);
+}
+
+// Of files; none when none is given.
+Result<std::vector<SplatCamera>> readCameras(const Options& options, const std::optional<glm::ivec2>& size) {
     if (!options.cameras.empty()) return readSplatCameras(options.cameras, size);
     std::vector<SplatCamera> cameras;
     for (const std::string& path : options.camera) {
@@ -157,21 +160,35 @@ bool isEmpty(const splat::SplatPicture& picture) {
                         [](const glm::vec4& pixel) { return pixel.w > 0.0f; });
 }
 
+// Around the model, for which no camera was given.
+Result<std::vector<SplatCamera>> camerasAround(const splat::Splats& splats, const Options& options,
+                                               const std::optional<glm::ivec2>& size) {
+    MACULA_TRY(std::vector<SplatCamera> cameras,
+               framedCameras(splats, options.from, size.value_or(kDefaultCameraSize)));
+    if (splats.axes == splat::Axes::unknown)
+        printNote(
+            "This model does not say which way is up: it is drawn along its own +z, -y up. --camera or "
+            "--cameras draw it from elsewhere.");
+    return cameras;
+}
+
 Result<void> splatRender(const Options& options) {
-    if (options.camera.empty() && options.cameras.empty())
-        return Error{ErrorCode::usage, "There is no camera.", {}, "Give --cameras or --camera."};
     // NaN is neither below nor above any limit.
     if (std::isnan(options.near.value_or(1.0)) || std::isnan(options.exposure.value_or(1.0)))
         return Error{ErrorCode::usage, "That is no number.", {}, "Give --near and --exposure as numbers."};
     MACULA_TRY(const glm::vec3 background, parseBackground(options.background));
-    MACULA_TRY(const std::vector<SplatCamera> cameras, readCameras(options));
+    MACULA_TRY(const std::optional<glm::ivec2> size, sizeOf(options));
+    MACULA_TRY(std::vector<SplatCamera> cameras, readCameras(options, size));
+    const bool isGiven = !cameras.empty();
     MACULA_TRY(std::vector<Shot> shots, shotsOf(cameras, options));
     MACULA_TRY(const splat::Splats splats, loadModel(options));
-    const double near = options.near.value_or(
-        splats.axes == splat::Axes::unknown ? kForeignNear : splat::RasterView{}.nearMm);
+    if (!isGiven) {
+        MACULA_TRY(cameras, camerasAround(splats, options, size));
+        MACULA_TRY(shots, shotsOf(cameras, options));
+    }
     for (Shot& shot : shots) {
         shot.view.eyeMm -= splats.originMm;
-        shot.view.nearMm = near;
+        shot.view.nearMm = options.near.value_or(isGiven ? usualNearOf(splats) : shot.view.nearMm);
         MACULA_TRY_VOID(splat::validate(shot.view));
     }
     MACULA_TRY(gpu::LastingDevice device, openDevice(options.device));
@@ -223,14 +240,24 @@ void addSplatRender(CLI::App& app, Action& action) {
                          "JSON file: positionMm, targetMm, up, verticalFovDeg; in the model's axes and unit. "
                          "May be repeated")
             ->allow_extra_args(false);  // one each: what follows is the model
+    auto* cameras = command
+                        ->add_option("--cameras", o.cameras,
+                                     "cameras.json as trainers write it beside a model; one picture for each")
+                        ->excludes(camera);
     command
-        ->add_option("--cameras", o.cameras,
-                     "cameras.json as trainers write it beside a model; one picture for each")
-        ->excludes(camera);
+        ->add_option(
+            "--from", o.from,
+            "Where the viewer stands, all of the model in view; Macula's models only. May be repeated "
+            "(default without cameras: anterior; of others along their own +z)")
+        ->allow_extra_args(false)
+        ->transform(asViewDirection())
+        ->option_text(kViewDirectionNames)
+        ->excludes(camera)
+        ->excludes(cameras);
     command
         ->add_option(
             "-o,--output", o.output,
-            "Folder for the pictures, named by img_name or by the camera file; made if it is not there")
+            "Folder for the pictures, named by img_name, camera file or direction; made if it is not there")
         ->required();
     command->add_flag("--overwrite", o.overwrite, "Replace pictures that are there already");
     command->add_option("--background", o.background, "As displayed, each 0 to 1 (default: 0,0,0)")

@@ -51,7 +51,7 @@ TEST_F(BadInput, Options) {
     expectRefused(2, "--spp", with("--spp", "many"));
     expectRefused(2, "--bounces", with("--bounces", "0"));
     expectRefused(2, "--fov", with("--fov", "180"));
-    expectRefused(2, "--view", with("--view", "sideways"));
+    expectRefused(2, "--view: sideways is no direction", with("--view", "sideways"));
     expectRefused(2, "--look", with("--look", "pretty"));
     expectRefused(2, "--window", with("--window", "40"));
     expectRefused(2, "--window", with("--window", "40,0"));

@@ -150,6 +150,58 @@ TEST_F(SplatRender, ThePatientsLeftIsOnTheRightOfAPictureFromTheFront) {
     }
 }
 
+// Ours are in the patient's axes: left, superior and anterior are where they are seen from each side.
+TEST_F(SplatRender, WithoutACameraAllOfTheModelIsInView) {
+    splat::Splats model;
+    model.originMm = {500, -300, 1000};
+    model.resize(3);
+    model.position = {{150, 0, 0}, {0, 0, 90}, {0, -60, 0}};  // left, superior, anterior
+    model.dc = {{0.8, -2, -2}, {-2, 0.8, -2}, {-2, -2, 0.8}};
+    model.opacityLogit = {5, 5, 5};
+    model.logScale = {glm::vec3(1.0f), glm::vec3(1.0f), glm::vec3(1.0f)};
+    ASSERT_TRUE(splat::writeModel(at("model.ply"), model).ok());
+    const image::Image front =
+        draw({at("model.ply"), "-o", at("out"), "--size", "240x200"}, "out/anterior.png");
+    EXPECT_EQ(fileCount("out"), 1u);
+    ASSERT_EQ(front.width, 240);
+    // The box, (-3 dots beyond) 0 to 150 by 0 to 90 mm, is in the middle: its edges are as far from those of
+    // the picture on the left as on the right.
+    EXPECT_NEAR(centreOf(front, 0).x + centreOf(front, 1).x, 240.0, 2.0);
+    EXPECT_GT(centreOf(front, 0).x, 170.0) << "the patient's left is on the right";
+    EXPECT_LT(centreOf(front, 0).x, 236.0);
+    EXPECT_LT(centreOf(front, 1).y, 80.0) << "superior is up";
+    EXPECT_GT(centreOf(front, 0).y, 120.0);
+    const image::Image left =
+        draw({at("model.ply"), "-o", at("out"), "--size", "240x200", "--from", "left", "--from", "superior"},
+             "out/left.png");
+    EXPECT_LT(centreOf(left, 2).x, centreOf(left, 1).x - 20.0) << "anterior is on the left";
+    EXPECT_LT(centreOf(left, 1).y, centreOf(left, 2).y - 20.0);
+    const image::Image above = *image::readImage(at("out/superior.png"));
+    EXPECT_LT(centreOf(above, 2).y, centreOf(above, 1).y - 20.0) << "anterior is up";
+    EXPECT_LT(centreOf(above, 0).x, centreOf(above, 1).x - 20.0) << "the patient's left is on the left";
+}
+
+// One made elsewhere says nothing of that: along its own +z, x to the right and y down, however small it is
+// and whatever lies astray.
+TEST_F(SplatRender, AForeignModelWithoutACameraIsSeenAlongItsOwnZ) {
+    std::vector<Dot> dots;
+    for (int i = 0; i < 200; ++i) dots.push_back({{0.0001f * float(i % 10), 0, 0}, kGreen, 0.0002f});
+    for (int i = 0; i < 5; ++i) dots.push_back({{0.01f, 0, 0}, kRed, 0.0002f});
+    for (int i = 0; i < 5; ++i) dots.push_back({{0, 0.01f, 0}, {0.0f, 0.0f, 1.0f}, 0.0002f});
+    dots.push_back({{5000, 5000, -5000}, kRed, 0.0002f});
+    const std::string model = write("model.ply", foreignPly(dots));
+    const image::Image image = draw({model, "-o", at("out"), "--size", "100x100"}, "out/along-z.png");
+    EXPECT_NE(ran_.err.find("does not say which way is up"), std::string::npos) << ran_.err;
+    const glm::dvec2 green = centreOf(image, 1);
+    EXPECT_GT(centreOf(image, 0).x, green.x + 40.0);
+    EXPECT_GT(centreOf(image, 2).y, green.y + 40.0);
+    EXPECT_LT(centreOf(image, 0).x, 100.0);
+    EXPECT_LT(centreOf(image, 2).y, 100.0);
+    const std::string none = write("none.ply", foreignPly({}));
+    draw({none, "-o", at("none"), "--size", "16x16"}, "none/along-z.png");
+    EXPECT_NE(ran_.err.find("holds no splats"), std::string::npos) << ran_.err;
+}
+
 TEST_F(SplatRender, ColoursAndBackground) {
     // One splat that fills the picture: alpha is 0.99, so 0.01 of the background is there too.
     const std::string cameras = write("cameras.json", "[" + cameraJson("a", "[0, 0, -10]", kAlongZ) + "]");
@@ -232,7 +284,9 @@ TEST_F(SplatRender, BadInput) {
     expectRefused(3, "does not exist", {at("no.ply"), "--cameras", good, "-o", at("out")});
     expectRefused(3, "no PLY, SPZ or .macula model", {good, "--cameras", good, "-o", at("out")});
     expectRefused(3, "macula: ", {model, "--cameras", at("no.json"), "-o", at("out")});
-    expectRefused(2, "no camera", {model, "-o", at("out")});
+    expectRefused(2, "made elsewhere", {model, "--from", "left", "-o", at("out")});
+    expectRefused(2, "front is no direction", {model, "--from", "front", "-o", at("out")});
+    expectRefused(2, "--from", {model, "--from", "left", "--cameras", good, "-o", at("out")});
     expectRefused(2, "--output", {model, "--cameras", good});
     expectRefused(2, "--camera", plus("--camera", good));
     expectRefused(3, "Give it as --cameras", {model, "--camera", good, "-o", at("out")});
