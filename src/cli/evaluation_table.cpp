@@ -73,7 +73,7 @@ std::string lessNoise(const image::SquareError& error) {
     const auto wrongBy = image::psnrErrorOf(error);
     if (!db || !wrongBy || *wrongBy > kTellsLittleDb)
         return "the error of the model is not seen through it: give more --truth-spp";
-    return fmt::format("without it masked PSNR is {:.2f} dB over all views, give or take {:.2f}", *db,
+    return fmt::format("without it the mean square over all views is {:.2f} dB, give or take {:.2f}", *db,
                        *wrongBy);
 }
 
