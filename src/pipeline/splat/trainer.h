@@ -61,6 +61,8 @@ class Trainer {
     // In the order in which they were added.
     const TrainingView& view(std::size_t index) const { return *views_[index].given; }
     bool wasDrawn(std::size_t index) const { return views_[index].loss >= 0.0; }
+    // Mean of |render - picture|, as compared, when it was drawn last; 0 before.
+    double lastDifference(std::size_t index) const { return views_[index].l1; }
 
     // Mean of |render - picture| of a view that it need not have, as compared, over black; nothing is learnt.
     // Fails as addView.

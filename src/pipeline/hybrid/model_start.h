@@ -1,0 +1,36 @@
+// What a peripheral model begins with: points on what can be seen, or an older model of something like it.
+#pragma once
+
+#include <string>
+
+#include "base/frames.h"
+#include "base/progress.h"
+#include "base/result.h"
+#include "pipeline/splat/splats.h"
+#include "pipeline/trace/path_tracer.h"
+
+namespace macula::hybrid {
+
+struct ModelStart {
+    splat::Splats splats;    // valid; may be none
+    double spacingMm = 0.0;  // between neighbouring splats: step sizes are in proportion to it. Above 0
+    Box seenMm;              // of what can be seen (TracedScene)
+    std::string key;         // of volume, preset, clip and lights; the caller's
+};
+
+// A splat for each of the points that `tracer` finds (surface_points.h). The tracer has its volume, transfer
+// function, environment and clip, and is left with another view. inputNotUsable when nothing can be seen;
+// `cancelled` when `progress` says so.
+Result<ModelStart> startFromPoints(trace::PathTracer& tracer, const Box& seenMm, const std::string& key,
+                                   const trace::SurfacePointOptions& options, Progress& progress);
+
+// An older model, as far as it stands for what the points are of: of its splats those that have a point
+// within 1.5 spacings, in that point's colour, and of the points those that have no such splat within one
+// spacing. Relative to the points' origin, of the older model's degree; what it knows of colours by direction
+// is forgotten. `points` as by startFromPoints, `older` valid, both in patient LPS and of linear colours.
+splat::Splats mergedSplats(const splat::Splats& older, const splat::Splats& points, double spacingMm);
+
+// The same model relative to another origin.
+splat::Splats relativeTo(splat::Splats splats, const glm::dvec3& originMm);
+
+}  // namespace macula::hybrid

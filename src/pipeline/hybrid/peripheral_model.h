@@ -1,0 +1,174 @@
+// The peripheral model as something that runs by itself: it learns for as long as that is of use, says from
+// where it wants to see more, takes in whatever picture it is offered, and goes on when what is shown is
+// changed. Whoever owns it has the device and the tracer, and does four things in turn:
+//
+//     model.step(20.0);                                // nothing while it is paused
+//     if (draw(model.shown()); ...)                    // a copy on the host, which no loss takes away
+//     if (wanted = model.wantedView()) model.offer(traced(wanted->camera));
+//     if (presetWasChosen) model.change(start);
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "base/result.h"
+#include "pipeline/gpu/device.h"
+#include "pipeline/hybrid/error_trend.h"
+#include "pipeline/hybrid/learnt_views.h"
+#include "pipeline/hybrid/model_shelf.h"
+#include "pipeline/hybrid/model_start.h"
+#include "pipeline/hybrid/peripheral_state.h"
+#include "pipeline/hybrid/traced_view.h"
+#include "pipeline/hybrid/wanted_views.h"
+#include "pipeline/splat/trainer.h"
+
+namespace macula::hybrid {
+
+struct PeripheralOptions {
+    std::uint64_t firstSteps = 700;       // of the first round (first_model.h)
+    std::uint64_t roundSteps = 1000;      // of each later one (refinement.h)
+    std::uint64_t settlingSteps = 100;    // in which rates fall when a round is of no more use
+    std::uint32_t firstCapacity = 11000;  // splats
+    double splatsGrow = 1.5;              // a later round may have so many times those there are
+    std::uint32_t mostSplats = 50000;     // and no more than that
+    int laterShDegree = 1;                // of later rounds; the first has that of its start
+    // A later round begins when the model has so many more views, in parts of those it had at the last one.
+    double newViewsForRound = 0.25;
+    std::size_t mostViews = 256;  // learnt and held out; a picture of 512 x 512 takes about 12 MB
+    int heldOutSidePx = 256;      // at most: larger ones are reduced
+    // Of the pixels it trains with, so many are compared with held-out pictures, which costs less.
+    double judgingShare = 0.05;
+    // What is shown is made new when the error is at most so much more than that of what was shown last.
+    double shownMayBeWorse = 0.01;
+    ErrorTrendOptions trend;
+    WantedViewOptions wanted;
+    std::uint32_t seed = 0;
+    std::uint64_t shelfBytes = std::uint64_t(1) << 30;  // on the host, for what was shown before
+};
+
+enum class Pause {
+    none,
+    noViews,      // there is nothing to learn from yet
+    flat,         // the held-out error falls no more by what is worth it
+    notJudged,    // all rates have come to rest, and too few pictures are held out to tell more
+    outOfMemory,  // the step that failed would fail again
+};
+// For a person: "It has learnt what its views can teach it."
+std::string_view describe(Pause pause);
+
+// What became of a view that was offered.
+enum class Offered { learnt, heldOut, nothingNew, full };
+
+struct ShownModel {
+    std::shared_ptr<const splat::Splats> splats;  // valid; never null
+    std::uint64_t generation = 0;                 // another one whenever `splats` is
+    bool isOfBefore = false;                      // of what was shown before the last change
+};
+
+struct PeripheralReport {
+    Pause pause = Pause::none;
+    splat::TrainingReport training;
+    double trainingSeconds = 0.0;  // of the wall, since it began or was changed; judging included
+    double judgingSeconds = 0.0;   // of these
+    std::size_t views = 0;         // learnt
+    std::size_t heldOut = 0;
+    std::optional<double> error;          // mean over the held-out pictures, as they are now
+    std::optional<double> shownError;     // of what is shown, in the same
+    std::optional<double> fallPerSecond;  // ErrorTrend
+    std::uint64_t rounds = 0;
+    bool noRoom = false;  // for more splats: the device had no memory, and it goes on with those there are
+};
+
+// Used by one thread at a time, the one that uses the device. All that is decided is so by numbers of steps
+// and views, but for the pause, which is by time: what it learns is a function of the seed, of what it was
+// offered after which step, and of when it was paused.
+class PeripheralModel {
+  public:
+    // Shows the start at once. usage and inputNotUsable as Trainer::create; outOfMemory.
+    static Result<PeripheralModel> begin(const std::shared_ptr<gpu::Device>& device, const ModelStart& start,
+                                         const PeripheralOptions& options);
+    // Goes on with lastGood() of another one, after its device was lost, say. The trainer goes on to the same
+    // bits; whether it had paused is found out again. Fails as Trainer::resume.
+    static Result<PeripheralModel> resume(const std::shared_ptr<gpu::Device>& device,
+                                          const PeripheralState& state, const PeripheralOptions& options);
+
+    // Learns for about `budgetMs`, at least one step of training, and pauses by itself; `keepGoing` (may be
+    // empty) is asked after each step. Does nothing while it is paused. deviceLost: shown() and lastGood()
+    // are what is left. outOfMemory: it pauses, and is as it was.
+    Result<void> step(double budgetMs, const std::function<bool()>& keepGoing = {});
+    bool isPaused() const { return pause_ != Pause::none; }
+
+    // From where a new picture would teach it most (wanted_views.h), of those views in which it shows
+    // enough; never one that it has, or that was among the last eight it asked for. Nothing when it is full
+    // or no view shows enough. Draws a few small pictures.
+    Result<std::optional<WantedView>> wantedView();
+
+    // Of any size and field of view. Learnt if it shows something new (admit), at once awake again; a few
+    // are held out instead (held_out.h), if `mayBeHeldOut` or there are fewer than two of these: say no for
+    // what a person looks at, because of that it should know all. Fails as Trainer::addView, and then
+    // nothing has changed.
+    Result<Offered> offer(TracedView view, bool mayBeHeldOut = true);
+
+    // What is shown was changed: everything that was learnt until now goes on the shelf, and it begins anew:
+    // with what is on the shelf for that key, else with `start`, else, if that has no splats, with what is
+    // shown. docs/peripheral-model.md says which start is best for which change. What was shown stays until
+    // the new model is nearer to at least two held-out pictures of the new look. Fails as begin, and then it
+    // goes on as before.
+    Result<void> change(const ModelStart& start);
+
+    ShownModel shown() const { return {shown_, generation_, before_.has_value()}; }
+    PeripheralReport report() const;
+
+    // What resume needs; waits. lastGood: at most two seconds of training older, and on the host already.
+    Result<PeripheralState> state() const;
+    PeripheralState lastGood() const;
+
+  private:
+    struct HeldOut {
+        std::shared_ptr<const splat::TrainingView> picture;
+        double coverage = 0.0;
+        double error = 0.0;       // of the model, when it was last judged
+        double shownError = 0.0;  // of what is shown
+    };
+
+    PeripheralModel(std::shared_ptr<gpu::Device> device, PeripheralOptions options, splat::Trainer trainer,
+                    PeripheralState notes);
+
+    static Result<splat::Trainer> beginTrainer(const std::shared_ptr<gpu::Device>& device,
+                                               const ModelStart& start, const PeripheralOptions& options);
+    Result<void> goOnShowing(const std::shared_ptr<const splat::Splats>& splats);
+    Result<void> takeHeldOut(const std::shared_ptr<const splat::TrainingView>& picture);
+    bool isKnown(const splat::RasterView& view) const;
+    std::vector<KnownView> knownViews() const;
+    std::uint64_t stepsBetweenJudging() const;
+    Result<void> beginRoundIfDue();
+    Result<void> goOnWith(const splat::TrainerOptions& options, int shDegree);
+    Result<void> judge();
+    Result<void> showIfBetter();
+    Result<void> pauseOrSettle();
+    void wake();
+
+    std::shared_ptr<gpu::Device> device_;
+    PeripheralOptions options_;
+    splat::Trainer trainer_;
+    PeripheralState notes_;  // but for `training` and `heldOut`
+    std::vector<HeldOut> heldOut_;
+    std::vector<Camera> asked_;             // and not come yet
+    std::optional<splat::Trainer> before_;  // what is shown, while that is of before the last change
+    std::shared_ptr<const splat::Splats> shown_;
+    std::uint64_t generation_ = 1;
+    ErrorTrend trend_;
+    Pause pause_ = Pause::noViews;
+    std::uint64_t rounds_ = 1;
+    bool noRoom_ = false;
+    mutable std::vector<double> coverage_;  // of the views of the trainer, as far as it was needed
+    double trainingSeconds_ = 0.0;
+    double judgingSeconds_ = 0.0;
+    ModelShelf shelf_;
+};
+
+}  // namespace macula::hybrid

@@ -1,0 +1,118 @@
+// How a peripheral model begins, and begins again when what is shown was changed.
+#include <utility>
+
+#include "pipeline/hybrid/first_model.h"
+#include "pipeline/hybrid/peripheral_model.h"
+
+namespace macula::hybrid {
+
+namespace {
+
+splat::TrainerOptions firstRound(const ModelStart& start, const PeripheralOptions& options) {
+    FirstModelOptions first;
+    first.iterations = options.firstSteps;
+    first.capacity = options.firstCapacity;
+    first.sizePx = options.wanted.sizePx.y;
+    first.trial = options.seed;
+    splat::TrainerOptions training = trainerOptions(first, start.spacingMm);
+    training.key = start.key;
+    return training;
+}
+
+}  // namespace
+
+PeripheralModel::PeripheralModel(std::shared_ptr<gpu::Device> device, PeripheralOptions options,
+                                 splat::Trainer trainer, PeripheralState notes)
+    : device_(std::move(device)),
+      options_(std::move(options)),
+      trainer_(std::move(trainer)),
+      notes_(std::move(notes)),
+      shown_(std::make_shared<const splat::Splats>(trainer_.lastGood().splats)),
+      trend_(options_.trend),
+      pause_(trainer_.viewCount() > 0 ? Pause::none : Pause::noViews),
+      shelf_(options_.shelfBytes) {}
+
+Result<splat::Trainer> PeripheralModel::beginTrainer(const std::shared_ptr<gpu::Device>& device,
+                                                     const ModelStart& start,
+                                                     const PeripheralOptions& options) {
+    if (!(start.spacingMm > 0.0) || !(start.seenMm.diagonal() > 0.0))
+        return Error{ErrorCode::usage,
+                     "There is nothing to be seen.",
+                     {},
+                     "Choose a preset that shows something of the series."};
+    return splat::Trainer::create(device, start.splats, firstRound(start, options));
+}
+
+Result<PeripheralModel> PeripheralModel::begin(const std::shared_ptr<gpu::Device>& device,
+                                               const ModelStart& start, const PeripheralOptions& options) {
+    MACULA_TRY(splat::Trainer trainer, beginTrainer(device, start, options));
+    PeripheralState notes{.seenMm = start.seenMm, .spacingMm = start.spacingMm};
+    notes.first = trainer.lastGood().options;
+    return PeripheralModel(device, options, std::move(trainer), std::move(notes));
+}
+
+Result<PeripheralModel> PeripheralModel::resume(const std::shared_ptr<gpu::Device>& device,
+                                                const PeripheralState& state,
+                                                const PeripheralOptions& options) {
+    MACULA_TRY(splat::Trainer trainer, splat::Trainer::resume(device, state.training));
+    PeripheralState notes = state;
+    notes.training = {};
+    notes.heldOut.clear();
+    notes.before = nullptr;
+    PeripheralModel model(device, options, std::move(trainer), std::move(notes));
+    if (state.before) MACULA_TRY_VOID(model.goOnShowing(state.before));
+    for (const auto& picture : state.heldOut) MACULA_TRY_VOID(model.takeHeldOut(picture));
+    return model;
+}
+
+// While the model itself is not shown yet.
+Result<void> PeripheralModel::goOnShowing(const std::shared_ptr<const splat::Splats>& splats) {
+    const splat::Splats before = relativeTo(*splats, trainer_.lastGood().splats.originMm);
+    MACULA_TRY(before_, splat::Trainer::create(device_, before, notes_.first));
+    shown_ = splats;
+    return {};
+}
+
+Result<void> PeripheralModel::change(const ModelStart& start) {
+    MACULA_TRY(PeripheralState now, state());
+    const bool hasKey = !start.key.empty();
+    if (hasKey && start.key == now.training.options.key) return {};
+    now.before = nullptr;
+    const auto kept = hasKey ? shelf_.find(start.key) : nullptr;
+    const auto begun = [&]() -> Result<PeripheralModel> {
+        if (kept) return resume(device_, *kept, options_);
+        if (start.splats.size() > 0) return begin(device_, start, options_);
+        ModelStart warm = start;
+        warm.splats = *shown_;
+        return begin(device_, warm, options_);
+    };
+    MACULA_TRY(PeripheralModel next, begun());
+    MACULA_TRY_VOID(next.goOnShowing(shown_));
+    for (HeldOut& h : next.heldOut_) {
+        MACULA_TRY(const double errorBefore, next.before_->differenceTo(*h.picture));
+        h.shownError = errorBefore / h.coverage;
+    }
+    MACULA_TRY_VOID(next.showIfBetter());
+    if (!now.training.options.key.empty())
+        shelf_.put(std::make_shared<const PeripheralState>(std::move(now)));
+    next.shelf_ = std::move(shelf_);
+    next.generation_ += generation_ - 1;
+    *this = std::move(next);
+    return {};
+}
+
+Result<PeripheralState> PeripheralModel::state() const {
+    PeripheralState state = lastGood();
+    MACULA_TRY(state.training, trainer_.state());
+    return state;
+}
+
+PeripheralState PeripheralModel::lastGood() const {
+    PeripheralState state = notes_;
+    state.training = trainer_.lastGood();
+    for (const HeldOut& h : heldOut_) state.heldOut.push_back(h.picture);
+    if (before_) state.before = shown_;
+    return state;
+}
+
+}  // namespace macula::hybrid

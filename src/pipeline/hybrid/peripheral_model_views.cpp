@@ -1,0 +1,123 @@
+// The views of a peripheral model: those it asks for, and those it is offered.
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+#include "pipeline/hybrid/drawn_views.h"
+#include "pipeline/hybrid/held_out.h"
+#include "pipeline/hybrid/peripheral_model.h"
+
+namespace macula::hybrid {
+
+namespace {
+
+constexpr std::size_t kMostAsked = 8;  // that are waited for
+constexpr std::size_t kLooks = 8;      // at what a wanted view shows
+constexpr int kLookSidePx = 32;
+constexpr double kLeastCoverage = 0.04;  // as ViewLimits
+// Of a view in which hardly anything shows the error is not that of its few pixels.
+constexpr double kLeastShare = 0.02;
+
+double coverageOf(const splat::TrainingView& view) {
+    return std::max(meanCoverage(view), kLeastShare);
+}
+
+}  // namespace
+
+std::vector<KnownView> PeripheralModel::knownViews() const {
+    std::vector<KnownView> known;
+    while (coverage_.size() < trainer_.viewCount())
+        coverage_.push_back(coverageOf(trainer_.view(coverage_.size())));
+    for (std::size_t i = 0; i < trainer_.viewCount(); ++i) {
+        if (trainer_.view(i).coverageOnly) continue;  // no picture of it was seen
+        known.push_back({.view = trainer_.view(i).view, .error = trainer_.lastDifference(i) / coverage_[i]});
+    }
+    for (const HeldOut& h : heldOut_) known.push_back({.view = h.picture->view, .error = h.error});
+    for (const Camera& camera : asked_) {
+        const auto view =
+            splat::rasterView(camera, options_.wanted.sizePx, trainer_.lastGood().splats.originMm);
+        if (view) known.push_back({.view = *view});
+    }
+    return known;
+}
+
+Result<std::optional<WantedView>> PeripheralModel::wantedView() {
+    using Wanted = std::optional<WantedView>;
+    if (trainer_.viewCount() + heldOut_.size() >= options_.mostViews) return Wanted();
+    const std::uint64_t seed = (std::uint64_t(options_.seed) << 32) + notes_.asked;
+    MACULA_TRY(
+        std::vector<WantedView> wanted,
+        wantedViews(knownViews(), notes_.seenMm, trainer_.lastGood().splats.originMm, seed, options_.wanted));
+    wanted.resize(std::min(wanted.size(), kLooks));
+    std::vector<Camera> cameras;
+    std::transform(wanted.begin(), wanted.end(), std::back_inserter(cameras),
+                   [](const WantedView& view) { return view.camera; });
+    // What is shown may be of before.
+    MACULA_TRY(const splat::Splats now, trainer_.snapshot());
+    const glm::dvec2 size(options_.wanted.sizePx);
+    const glm::ivec2 small = glm::max(glm::ivec2(size * (kLookSidePx / std::max(size.x, size.y))), 1);
+    MACULA_TRY(const DrawnViews drawn, drawViews(device_, now, cameras, small));
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+        const double sum = std::accumulate(drawn.pictures[i].begin(), drawn.pictures[i].end(), 0.0,
+                                           [](double s, const glm::vec4& p) { return s + double(p.a); });
+        if (now.size() > 0 && sum < kLeastCoverage * double(drawn.pictures[i].size())) continue;
+        ++notes_.asked;
+        asked_.push_back(wanted[i].camera);
+        if (asked_.size() > kMostAsked) asked_.erase(asked_.begin());
+        return Wanted(wanted[i]);
+    }
+    return Wanted();
+}
+
+bool PeripheralModel::isKnown(const splat::RasterView& view) const {
+    const double radiusMm = 0.5 * notes_.seenMm.diagonal();
+    const auto same = [&](const splat::RasterView& other) {
+        return isSamePose(view, other, radiusMm, options_.wanted.admission);
+    };
+    for (std::size_t i = 0; i < trainer_.viewCount(); ++i)
+        if (!trainer_.view(i).coverageOnly && same(trainer_.view(i).view)) return true;
+    return std::any_of(heldOut_.begin(), heldOut_.end(),
+                       [&](const HeldOut& h) { return same(h.picture->view); });
+}
+
+Result<void> PeripheralModel::takeHeldOut(const std::shared_ptr<const splat::TrainingView>& picture) {
+    HeldOut taken{.picture = picture, .coverage = coverageOf(*picture)};
+    MACULA_TRY(const double error, trainer_.differenceTo(*picture));
+    taken.error = taken.shownError = error / taken.coverage;
+    if (before_) {
+        MACULA_TRY(const double errorBefore, before_->differenceTo(*picture));
+        taken.shownError = errorBefore / taken.coverage;
+    }
+    heldOut_.push_back(std::move(taken));
+    trend_.forget();
+    return {};
+}
+
+Result<Offered> PeripheralModel::offer(TracedView view, bool mayBeHeldOut) {
+    const glm::dvec3 originMm = trainer_.lastGood().splats.originMm;
+    const double radiusMm = 0.5 * notes_.seenMm.diagonal();
+    MACULA_TRY(const splat::RasterView from, splat::rasterView(view.camera, view.sizePx, originMm));
+    std::erase_if(asked_, [&](const Camera& camera) {
+        const auto asked = splat::rasterView(camera, options_.wanted.sizePx, originMm);
+        return asked && isSamePose(*asked, from, radiusMm, options_.wanted.admission);
+    });
+    if (trainer_.viewCount() + heldOut_.size() >= options_.mostViews) return Offered::full;
+    if ((mayBeHeldOut || heldOut_.size() < kLeastHeldOut) && !isKnown(from)) {
+        if (isHeldOut(notes_.offered, heldOut_.size()) &&
+            view.rgba.size() == std::size_t(view.sizePx.x) * std::size_t(view.sizePx.y)) {
+            splat::TrainingView picture{.view = from, .pixels = std::move(view.rgba)};
+            MACULA_TRY_VOID(takeHeldOut(std::make_shared<const splat::TrainingView>(
+                reducedTo(std::move(picture), options_.heldOutSidePx))));
+            ++notes_.offered;
+            if (before_) MACULA_TRY_VOID(showIfBetter());
+            return Offered::heldOut;
+        }
+    }
+    MACULA_TRY(const Novelty novelty, admit(trainer_, view, radiusMm, options_.wanted.admission));
+    if (novelty == Novelty::none) return Offered::nothingNew;
+    if (novelty == Novelty::pose) ++notes_.offered;
+    wake();
+    return Offered::learnt;
+}
+
+}  // namespace macula::hybrid

@@ -1,0 +1,26 @@
+// What a peripheral model (peripheral_model.h) is, beside what lies on the device.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "base/frames.h"
+#include "pipeline/splat/training_state.h"
+
+namespace macula::hybrid {
+
+// All that it goes on with, on the host. Pictures are shared.
+struct PeripheralState {
+    splat::TrainingState training;                                    // its options.key says of what
+    std::vector<std::shared_ptr<const splat::TrainingView>> heldOut;  // never learnt; it is judged by them
+    std::shared_ptr<const splat::Splats> before;  // still shown instead of it; null: it is shown itself
+    Box seenMm;
+    double spacingMm = 0.0;
+    std::uint64_t offered = 0;     // views that might have been held out
+    std::uint64_t asked = 0;       // views asked for
+    std::uint64_t roundViews = 0;  // learnt when the last round began
+    splat::TrainerOptions first;   // how the training began
+};
+
+}  // namespace macula::hybrid

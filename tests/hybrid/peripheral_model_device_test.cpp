@@ -1,0 +1,148 @@
+// A model that runs by itself, on the device: what it learns from are pictures of a known one.
+#include "gpu/lose_device.h"
+#include "hybrid/peripheral_scene.h"
+
+namespace macula::hybrid {
+namespace {
+
+using Peripheral = PeripheralTest;
+using test::VulkanCall;
+
+TEST_F(Peripheral, StopsByItselfAndIsWokenByWhatIsNew) {
+    PeripheralModel model = begun();
+    EXPECT_EQ(model.report().pause, Pause::noViews);
+    ASSERT_TRUE(model.step(10.0).ok());
+    EXPECT_EQ(model.report().training.steps, 0u);
+    EXPECT_TRUE(splat::testing::sameBits(*model.shown().splats, TrainingTest::start()));
+    EXPECT_EQ(model.shown().generation, 1u);
+
+    EXPECT_EQ(giveWanted(model, truth(), 8), 5u);
+    PeripheralReport report = model.report();
+    EXPECT_EQ(report.heldOut, 3u);
+    ASSERT_TRUE(report.error);
+    const double before = *report.error;
+    const std::uint64_t steps = run(model);
+    report = model.report();
+    EXPECT_EQ(report.pause, Pause::flat) << describe(report.pause);
+    EXPECT_GT(steps, 50u);
+    EXPECT_LT(*report.error, 0.6 * before);
+    EXPECT_LE(*report.shownError, 1.01 * *report.error);
+    EXPECT_GT(model.shown().generation, 2u);
+    EXPECT_FALSE(model.shown().isOfBefore);
+    EXPECT_GT(psnrOf(*model.shown().splats), psnrOf(TrainingTest::start()) + 3.0);
+
+    // Paused, it costs nothing and changes nothing.
+    const auto submitted = test::countOf(VulkanCall::submit);
+    const std::uint64_t generation = model.shown().generation;
+    for (int i = 0; i < 100; ++i) ASSERT_TRUE(model.step(1000.0).ok());
+    EXPECT_EQ(test::countOf(VulkanCall::submit), submitted);
+    EXPECT_EQ(model.report().training.steps, steps);
+    EXPECT_EQ(model.shown().generation, generation);
+
+    // What it has does not wake it, what is new does, and with enough of that there is another round.
+    EXPECT_EQ(*model.offer(picture(truth(), cameraAt(20.0)), false), Offered::learnt);
+    EXPECT_FALSE(model.isPaused());
+    run(model);
+    EXPECT_EQ(*model.offer(picture(truth(), cameraAt(20.5)), false), Offered::nothingNew);
+    EXPECT_TRUE(model.isPaused());
+    EXPECT_EQ(model.report().rounds, 1u);
+    giveWanted(model, truth(), 3);
+    run(model);
+    EXPECT_EQ(model.report().rounds, 2u);
+    EXPECT_GT(model.report().training.splats, 60u);
+    EXPECT_EQ(model.state()->training.splats.shDegree, 1);
+}
+
+TEST_F(Peripheral, JudgesAtTheCostThatIsStated) {
+    PeripheralOptions o = options();
+    o.judgingShare = 0.2;
+    PeripheralModel model = begun(o);
+    giveWanted(model, truth(), 8);
+    run(model);
+    // Three held-out pictures cost less than a fifth of as many steps; twice that for what else a machine
+    // does.
+    EXPECT_LT(model.report().judgingSeconds, 0.4 * model.report().trainingSeconds);
+    EXPECT_GT(model.report().judgingSeconds, 0.0);
+}
+
+TEST_F(Peripheral, AsksForTheOtherSideAndIsBetterThereForIt) {
+    PeripheralModel model = begun();
+    for (const double degrees : {-25.0, -15.0, -5.0, 5.0, 15.0, 25.0})
+        ASSERT_TRUE(model.offer(picture(truth(), cameraAt(degrees))).ok());
+    run(model);
+    const splat::Splats oneSided = *model.shown().splats;
+    std::vector<Camera> asked;
+    for (int i = 0; i < 4; ++i) {
+        const auto wanted = model.wantedView().value();
+        ASSERT_TRUE(wanted);
+        const glm::dvec3 from = glm::normalize(wanted->camera.positionMm);
+        if (i == 0) {
+            EXPECT_GT(from.y, 0.6) << "the views were from -y";
+        }
+        EXPECT_GT(from.y, -0.75);
+        asked.push_back(wanted->camera);
+    }
+    for (const Camera& camera : asked) ASSERT_TRUE(model.offer(picture(truth(), camera)).ok());
+    run(model);
+    const splat::Splats after = *model.shown().splats;
+    double gain = 0.0;
+    for (const Camera& camera : {cameraAt(180.0), cameraAt(160.0, 60.0), cameraAt(200.0, -60.0)})
+        gain += (psnrFrom(after, truth(), camera) - psnrFrom(oneSided, truth(), camera)) / 3.0;
+    EXPECT_GT(gain, 1.0);
+    EXPECT_GT(psnrFrom(after, truth(), cameraAt(0.0)), psnrFrom(oneSided, truth(), cameraAt(0.0)) - 1.0);
+}
+
+// The same order of offers and steps is the same model, whoever asks what.
+TEST_F(Peripheral, IsAFunctionOfTheSeed) {
+    PeripheralModel one = begun();
+    PeripheralModel two = begun();
+    for (int i = 0; i < 6; ++i) {
+        const auto a = one.wantedView().value();
+        const auto b = two.wantedView().value();
+        ASSERT_TRUE(a && b);
+        EXPECT_EQ(a->camera.positionMm, b->camera.positionMm);
+        ASSERT_TRUE(one.offer(picture(truth(), a->camera)).ok());
+        ASSERT_TRUE(two.offer(picture(truth(), b->camera)).ok());
+        const auto once = [n = 0]() mutable { return ++n < 2; };
+        ASSERT_TRUE(one.step(1e6, once).ok());
+        ASSERT_TRUE(two.step(1e6, once).ok());
+        (void)one.report();
+    }
+    EXPECT_TRUE(splat::testing::sameBits(one.state()->training.splats, two.state()->training.splats));
+    PeripheralOptions other = options();
+    other.seed = 8;
+    EXPECT_NE(begun(other).wantedView().value()->camera.positionMm,
+              begun().wantedView().value()->camera.positionMm);
+}
+
+TEST_F(Peripheral, TakesPicturesOfAnySizeAndSaysWhatBecameOfThem) {
+    PeripheralOptions o = options();
+    o.mostViews = 7;
+    PeripheralModel model = begun(o);
+    EXPECT_EQ(*model.offer(picture(truth(), cameraAt(0.0))), Offered::heldOut);
+    EXPECT_TRUE(model.isPaused()) << "nothing to learn from yet";
+    EXPECT_EQ(*model.offer(picture(truth(), cameraAt(0.0))), Offered::learnt) << "known only to the judge";
+    EXPECT_EQ(*model.offer(picture(truth(), cameraAt(40.0, 0.0, 5.0), {64, 64}), false), Offered::learnt);
+    EXPECT_EQ(*model.offer(picture(truth(), cameraAt(80.0, 0.0, 2.0), {17, 90}), false), Offered::heldOut)
+        << "without two nothing is judged";
+    EXPECT_EQ(*model.offer(picture(truth(), cameraAt(120.0, 0.0, 10.0), {300, 20}), false), Offered::learnt);
+    ASSERT_TRUE(model.step(1.0).ok());
+
+    TracedView bad = picture(truth(), cameraAt(200.0));
+    bad.rgba.pop_back();
+    EXPECT_EQ(model.offer(bad).error().code, ErrorCode::inputNotUsable);
+    bad.rgba.assign(std::size_t(kSize.x) * std::size_t(kSize.y), glm::vec4(std::nanf("")));
+    EXPECT_EQ(model.offer(bad).error().code, ErrorCode::inputNotUsable);
+    bad.sizePx = {0, 0};
+    EXPECT_EQ(model.offer(bad).error().code, ErrorCode::usage);
+    EXPECT_EQ(model.report().views, 3u);
+    EXPECT_EQ(model.report().heldOut, 2u);
+    EXPECT_EQ(*model.offer(picture(truth(), cameraAt(200.0))), Offered::learnt);
+    EXPECT_EQ(*model.offer(picture(truth(), cameraAt(240.0))), Offered::learnt);
+    EXPECT_EQ(*model.offer(picture(truth(), cameraAt(280.0))), Offered::full);
+    EXPECT_FALSE(*model.wantedView());
+    EXPECT_EQ(model.report().views, 5u);
+}
+
+}  // namespace
+}  // namespace macula::hybrid
