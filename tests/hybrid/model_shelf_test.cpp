@@ -38,6 +38,7 @@ TEST(ModelShelf, KeepsTheLastOnesThereIsRoomFor) {
     EXPECT_EQ(shelf.find("a"), newer);
     shelf.put(of("large", 100));
     EXPECT_EQ(shelf.find("large"), nullptr);
+    EXPECT_EQ(shelf.size(), 3u) << "and pushes nothing off";
 }
 
 }  // namespace

@@ -53,10 +53,39 @@ TEST_F(Peripheral, StopsByItselfAndIsWokenByWhatIsNew) {
     EXPECT_EQ(model.state()->training.splats.shDegree, 1);
 }
 
+TEST_F(Peripheral, DoesOneThingAtATimeWhenThereIsNoTime) {
+    PeripheralModel model = begun();
+    giveWanted(model, truth(), 8);
+    std::uint64_t steps = 0;
+    int compared = 0;
+    for (int i = 0; i < 60; ++i) {
+        ASSERT_TRUE(model.step(0.0).ok());
+        const std::uint64_t now = model.report().training.steps;
+        ASSERT_LE(now, steps + 1);
+        compared += now == steps ? 1 : 0;
+        steps = now;
+    }
+    // Three pictures every 15 steps.
+    EXPECT_EQ(compared, 9);
+}
+
+TEST_F(Peripheral, LearnsOutlines) {
+    PeripheralModel model = begun();
+    giveWanted(model, truth(), 3);
+    const auto wanted = model.wantedView().value();
+    ASSERT_TRUE(wanted);
+    TracedView outline = picture(truth(), wanted->camera);
+    for (glm::vec4& pixel : outline.rgba) pixel = {0, 0, 0, pixel.a};
+    EXPECT_EQ(*model.offerOutline(outline), Offered::learnt);
+    EXPECT_EQ(model.report().views, 3u);
+    EXPECT_EQ(*model.offer(picture(truth(), wanted->camera)), Offered::heldOut) << "an outline is no picture";
+    outline.rgba.clear();
+    EXPECT_EQ(model.offerOutline(outline).error().code, ErrorCode::inputNotUsable);
+    ASSERT_TRUE(model.step(10.0).ok());
+}
+
 TEST_F(Peripheral, JudgesAtTheCostThatIsStated) {
-    PeripheralOptions o = options();
-    o.judgingShare = 0.2;
-    PeripheralModel model = begun(o);
+    PeripheralModel model = begun();
     giveWanted(model, truth(), 8);
     run(model);
     // Three held-out pictures cost less than a fifth of as many steps; twice that for what else a machine

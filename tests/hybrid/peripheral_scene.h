@@ -17,6 +17,7 @@ class PeripheralTest : public splat::TrainingTest {
     static PeripheralOptions options() {
         PeripheralOptions o{.firstSteps = 150, .roundSteps = 100, .settlingSteps = 20, .firstCapacity = 60};
         o.mostSplats = 80;
+        o.judgingShare = 0.2;
         o.trend = {.leastFallPerSecond = 0.01, .window = 5, .leastSeconds = 0.02};
         o.wanted.sizePx = kSize;
         o.seed = 7;

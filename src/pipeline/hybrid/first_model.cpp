@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <utility>
 
 #include "pipeline/hybrid/coverage_views.h"
-#include "pipeline/hybrid/initial_splats.h"
 #include "pipeline/hybrid/learnt_views.h"
+#include "pipeline/hybrid/model_start.h"
 
 namespace macula::hybrid {
 
@@ -78,21 +77,9 @@ splat::TrainerOptions trainerOptions(const FirstModelOptions& options, double sp
 Result<FirstModel> makeFirstModel(const std::shared_ptr<gpu::Device>& device, trace::PathTracer& tracer,
                                   const Box& seenMm, const FirstModelOptions& options, Progress& progress) {
     auto start = Clock::now();
-    progress.beginStage("Finding points", 1);
-    // Points are of all that can be seen from anywhere; a view is asked for all the same.
-    MACULA_TRY_VOID(tracer.setView(
-        {.camera = frameBox(seenMm, ViewDirection::anterior, 20.0, 1.0), .width = 64, .height = 64}));
-    MACULA_TRY(const trace::SurfacePoints points,
-               tracer.surfacePoints(options.points, [&] { return !progress.cancelled(); }));
-    if (points.points.empty())
-        return Error{ErrorCode::inputNotUsable,
-                     "Nothing of the series can be seen.",
-                     {},
-                     "Choose another preset or clip."};
-    splat::Splats first = initialSplats(points);
-    first.setShDegree(options.shDegree);
+    MACULA_TRY(ModelStart first, startFromPoints(tracer, seenMm, {}, options.points, progress));
+    first.splats.setShDegree(options.shDegree);
     const double pointsSeconds = secondsSince(start);
-    progress.advance();
 
     start = Clock::now();
     std::size_t givenUp = 0;
@@ -117,7 +104,7 @@ Result<FirstModel> makeFirstModel(const std::shared_ptr<gpu::Device>& device, tr
 
     start = Clock::now();
     MACULA_TRY(splat::Trainer trainer,
-               splat::Trainer::create(device, first, trainerOptions(options, std::sqrt(points.areaMm2))));
+               splat::Trainer::create(device, first.splats, trainerOptions(options, first.spacingMm)));
     const bool canLearn = !views.empty();
     MACULA_TRY_VOID(learnFromAll(trainer, std::move(views), std::move(outlines)));
     FirstModel model{.trainer = std::move(trainer),

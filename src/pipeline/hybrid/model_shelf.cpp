@@ -26,6 +26,7 @@ std::uint64_t bytesOf(const PeripheralState& state) {
 void ModelShelf::put(std::shared_ptr<const PeripheralState> state) {
     states_.remove_if(
         [&](const auto& other) { return other->training.options.key == state->training.options.key; });
+    if (bytesOf(*state) > mostBytes_) return;
     states_.push_front(std::move(state));
     std::uint64_t bytes = 0;
     states_.erase(std::find_if(states_.begin(), states_.end(),

@@ -19,6 +19,7 @@ double secondsSince(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
+constexpr std::size_t kFewViews = 12;      // of which nobody knows whether they are enough
 constexpr std::uint64_t kLeastSteps = 10;  // between judging: of a few steps nothing can be seen
 
 }  // namespace
@@ -56,25 +57,46 @@ Result<void> PeripheralModel::step(double budgetMs, const std::function<bool()>&
     const auto goesOn = [&] {
         return 1000.0 * secondsSince(start) < budgetMs && (!keepGoing || keepGoing());
     };
-    const auto learn = [&]() -> Result<void> {
+    const auto work = [&]() -> Result<void> {
         do {
-            MACULA_TRY_VOID(beginRoundIfDue());
-            const std::uint64_t every = stepsBetweenJudging();
-            const std::uint64_t left = every - trainer_.report().steps % every;
-            const auto began = Clock::now();
-            const Result<splat::TrainingReport> trained = trainer_.step(left, goesOn);
-            trainingSeconds_ += secondsSince(began);
-            if (!trained) return trained.error();
-            if (trained->steps % every != 0) break;
-            MACULA_TRY_VOID(judge());
-            MACULA_TRY_VOID(showIfBetter());
-            MACULA_TRY_VOID(pauseOrSettle());
+            MACULA_TRY_VOID(isJudging_ ? judgeNext() : learn(goesOn));
         } while (!isPaused() && goesOn());
         return {};
     };
-    Result<void> done = learn();
+    Result<void> done = work();
     if (!done && done.error().code == ErrorCode::outOfMemory) pause_ = Pause::outOfMemory;
     return done;
+}
+
+// Until it is time to judge.
+Result<void> PeripheralModel::learn(const std::function<bool()>& goesOn) {
+    MACULA_TRY_VOID(beginRoundIfDue());
+    const std::uint64_t every = stepsBetweenJudging();
+    const std::uint64_t left = every - trainer_.report().steps % every;
+    const auto start = Clock::now();
+    const Result<splat::TrainingReport> trained = trainer_.step(left, goesOn);
+    trainingSeconds_ += secondsSince(start);
+    if (!trained) return trained.error();
+    isJudging_ = trained->steps % every == 0;
+    judged_ = 0;
+    return {};
+}
+
+// One picture after the other, so that no call takes long; the model stays as it is until all are compared.
+Result<void> PeripheralModel::judgeNext() {
+    if (judged_ < heldOut_.size()) {
+        const auto start = Clock::now();
+        HeldOut& h = heldOut_[judged_++];
+        MACULA_TRY(const double difference, trainer_.differenceTo(*h.picture));
+        h.error = difference / h.coverage;
+        judgingSeconds_ += secondsSince(start);
+        trainingSeconds_ += secondsSince(start);
+    }
+    if (judged_ < heldOut_.size()) return {};
+    isJudging_ = false;
+    if (!heldOut_.empty()) trend_.add(trainingSeconds_, *report().error);
+    MACULA_TRY_VOID(showIfBetter());
+    return pauseOrSettle();
 }
 
 void PeripheralModel::wake() {
@@ -102,24 +124,10 @@ Result<void> PeripheralModel::beginRoundIfDue() {
 
 // Without room for it all goes on as it was.
 Result<void> PeripheralModel::goOnWith(const splat::TrainerOptions& options, int shDegree) {
-    const Result<void> done = trainer_.goOnWith(options, shDegree);
+    Result<void> done = trainer_.goOnWith(options, shDegree);
     if (!done && done.error().code != ErrorCode::outOfMemory) return done;
     noRoom_ = !done.ok();
     trend_.forget();
-    return {};
-}
-
-Result<void> PeripheralModel::judge() {
-    const auto start = Clock::now();
-    double sum = 0.0;
-    for (HeldOut& h : heldOut_) {
-        MACULA_TRY(const double difference, trainer_.differenceTo(*h.picture));
-        h.error = difference / h.coverage;
-        sum += h.error;
-    }
-    judgingSeconds_ += secondsSince(start);
-    trainingSeconds_ += secondsSince(start);
-    if (!heldOut_.empty()) trend_.add(trainingSeconds_, sum / double(heldOut_.size()));
     return {};
 }
 
@@ -132,7 +140,10 @@ Result<void> PeripheralModel::showIfBetter() {
         error += h.error;
         shownError += h.shownError;
     }
-    if (before_ && (heldOut_.size() < kLeastHeldOut || !(error < shownError))) return {};
+    const bool areTooFew = heldOut_.size() < kLeastHeldOut;
+    if (before_ && (areTooFew || !(error < shownError))) return {};
+    // With few views it soon knows those by heart, and gets worse from elsewhere.
+    if (areTooFew && trainer_.viewCount() < kFewViews) return {};
     if (!before_ && error > (1.0 + options_.shownMayBeWorse) * shownError) return {};
     MACULA_TRY(splat::Splats now, trainer_.snapshot());
     shown_ = std::make_shared<const splat::Splats>(std::move(now));

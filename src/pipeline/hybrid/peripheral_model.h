@@ -19,7 +19,6 @@
 #include "pipeline/gpu/device.h"
 #include "pipeline/hybrid/error_trend.h"
 #include "pipeline/hybrid/learnt_views.h"
-#include "pipeline/hybrid/model_shelf.h"
 #include "pipeline/hybrid/model_start.h"
 #include "pipeline/hybrid/peripheral_state.h"
 #include "pipeline/hybrid/traced_view.h"
@@ -41,7 +40,7 @@ struct PeripheralOptions {
     std::size_t mostViews = 256;  // learnt and held out; a picture of 512 x 512 takes about 12 MB
     int heldOutSidePx = 256;      // at most: larger ones are reduced
     // Of the pixels it trains with, so many are compared with held-out pictures, which costs less.
-    double judgingShare = 0.05;
+    double judgingShare = 0.1;
     // What is shown is made new when the error is at most so much more than that of what was shown last.
     double shownMayBeWorse = 0.01;
     ErrorTrendOptions trend;
@@ -96,9 +95,9 @@ class PeripheralModel {
     static Result<PeripheralModel> resume(const std::shared_ptr<gpu::Device>& device,
                                           const PeripheralState& state, const PeripheralOptions& options);
 
-    // Learns for about `budgetMs`, at least one step of training, and pauses by itself; `keepGoing` (may be
-    // empty) is asked after each step. Does nothing while it is paused. deviceLost: shown() and lastGood()
-    // are what is left. outOfMemory: it pauses, and is as it was.
+    // Learns for about `budgetMs`, at least one step of training or one comparison, and pauses by itself;
+    // `keepGoing` (may be empty) is asked after each. Does nothing while it is paused. deviceLost: shown()
+    // and lastGood() are what is left. outOfMemory: it pauses, and is as it was.
     Result<void> step(double budgetMs, const std::function<bool()>& keepGoing = {});
     bool isPaused() const { return pause_ != Pause::none; }
 
@@ -112,6 +111,9 @@ class PeripheralModel {
     // what a person looks at, because of that it should know all. Fails as Trainer::addView, and then
     // nothing has changed.
     Result<Offered> offer(TracedView view, bool mayBeHeldOut = true);
+
+    // Of how much is in the way, without light (coverage_views.h): learnt, whatever it knows from there.
+    Result<Offered> offerOutline(TracedView view);
 
     // What is shown was changed: everything that was learnt until now goes on the shelf, and it begins anew:
     // with what is on the shelf for that key, else with `start`, else, if that has no splats, with what is
@@ -135,8 +137,8 @@ class PeripheralModel {
         double shownError = 0.0;  // of what is shown
     };
 
-    PeripheralModel(std::shared_ptr<gpu::Device> device, PeripheralOptions options, splat::Trainer trainer,
-                    PeripheralState notes);
+    PeripheralModel(std::shared_ptr<gpu::Device> device, const PeripheralOptions& options,
+                    splat::Trainer trainer, PeripheralState notes);
 
     static Result<splat::Trainer> beginTrainer(const std::shared_ptr<gpu::Device>& device,
                                                const ModelStart& start, const PeripheralOptions& options);
@@ -147,7 +149,8 @@ class PeripheralModel {
     std::uint64_t stepsBetweenJudging() const;
     Result<void> beginRoundIfDue();
     Result<void> goOnWith(const splat::TrainerOptions& options, int shDegree);
-    Result<void> judge();
+    Result<void> learn(const std::function<bool()>& goesOn);
+    Result<void> judgeNext();
     Result<void> showIfBetter();
     Result<void> pauseOrSettle();
     void wake();
@@ -162,13 +165,14 @@ class PeripheralModel {
     std::shared_ptr<const splat::Splats> shown_;
     std::uint64_t generation_ = 1;
     ErrorTrend trend_;
+    bool isJudging_ = false;
+    std::size_t judged_ = 0;  // since then
     Pause pause_ = Pause::noViews;
     std::uint64_t rounds_ = 1;
     bool noRoom_ = false;
     mutable std::vector<double> coverage_;  // of the views of the trainer, as far as it was needed
     double trainingSeconds_ = 0.0;
     double judgingSeconds_ = 0.0;
-    ModelShelf shelf_;
 };
 
 }  // namespace macula::hybrid

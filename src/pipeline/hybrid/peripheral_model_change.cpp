@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "pipeline/hybrid/first_model.h"
+#include "pipeline/hybrid/model_shelf.h"
 #include "pipeline/hybrid/peripheral_model.h"
 
 namespace macula::hybrid {
@@ -16,21 +17,25 @@ splat::TrainerOptions firstRound(const ModelStart& start, const PeripheralOption
     first.trial = options.seed;
     splat::TrainerOptions training = trainerOptions(first, start.spacingMm);
     training.key = start.key;
+    // A start from points looks best at the size it is looked at; halved pictures would undo that for a
+    // while.
+    training.stages = {{.firstStep = 0, .halvings = 0}};
     return training;
 }
 
 }  // namespace
 
-PeripheralModel::PeripheralModel(std::shared_ptr<gpu::Device> device, PeripheralOptions options,
+PeripheralModel::PeripheralModel(std::shared_ptr<gpu::Device> device, const PeripheralOptions& options,
                                  splat::Trainer trainer, PeripheralState notes)
     : device_(std::move(device)),
-      options_(std::move(options)),
+      options_(options),
       trainer_(std::move(trainer)),
       notes_(std::move(notes)),
       shown_(std::make_shared<const splat::Splats>(trainer_.lastGood().splats)),
       trend_(options_.trend),
-      pause_(trainer_.viewCount() > 0 ? Pause::none : Pause::noViews),
-      shelf_(options_.shelfBytes) {}
+      pause_(trainer_.viewCount() > 0 ? Pause::none : Pause::noViews) {
+    if (!notes_.shelf) notes_.shelf = std::make_shared<ModelShelf>(options_.shelfBytes);
+}
 
 Result<splat::Trainer> PeripheralModel::beginTrainer(const std::shared_ptr<gpu::Device>& device,
                                                      const ModelStart& start,
@@ -78,7 +83,8 @@ Result<void> PeripheralModel::change(const ModelStart& start) {
     const bool hasKey = !start.key.empty();
     if (hasKey && start.key == now.training.options.key) return {};
     now.before = nullptr;
-    const auto kept = hasKey ? shelf_.find(start.key) : nullptr;
+    const std::shared_ptr<ModelShelf> shelf = std::exchange(now.shelf, nullptr);
+    const auto kept = hasKey ? shelf->find(start.key) : nullptr;
     const auto begun = [&]() -> Result<PeripheralModel> {
         if (kept) return resume(device_, *kept, options_);
         if (start.splats.size() > 0) return begin(device_, start, options_);
@@ -94,8 +100,8 @@ Result<void> PeripheralModel::change(const ModelStart& start) {
     }
     MACULA_TRY_VOID(next.showIfBetter());
     if (!now.training.options.key.empty())
-        shelf_.put(std::make_shared<const PeripheralState>(std::move(now)));
-    next.shelf_ = std::move(shelf_);
+        shelf->put(std::make_shared<const PeripheralState>(std::move(now)));
+    next.notes_.shelf = shelf;
     next.generation_ += generation_ - 1;
     *this = std::move(next);
     return {};

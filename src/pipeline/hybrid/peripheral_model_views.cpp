@@ -120,4 +120,11 @@ Result<Offered> PeripheralModel::offer(TracedView view, bool mayBeHeldOut) {
     return Offered::learnt;
 }
 
+Result<Offered> PeripheralModel::offerOutline(TracedView view) {
+    if (trainer_.viewCount() + heldOut_.size() >= options_.mostViews) return Offered::full;
+    MACULA_TRY_VOID(learnCoverageFrom(trainer_, std::move(view)));
+    wake();
+    return Offered::learnt;
+}
+
 }  // namespace macula::hybrid

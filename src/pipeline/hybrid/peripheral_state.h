@@ -10,6 +10,8 @@
 
 namespace macula::hybrid {
 
+class ModelShelf;
+
 // All that it goes on with, on the host. Pictures are shared.
 struct PeripheralState {
     splat::TrainingState training;                                    // its options.key says of what
@@ -17,10 +19,11 @@ struct PeripheralState {
     std::shared_ptr<const splat::Splats> before;  // still shown instead of it; null: it is shown itself
     Box seenMm;
     double spacingMm = 0.0;
-    std::uint64_t offered = 0;     // views that might have been held out
-    std::uint64_t asked = 0;       // views asked for
-    std::uint64_t roundViews = 0;  // learnt when the last round began
-    splat::TrainerOptions first;   // how the training began
+    std::uint64_t offered = 0;          // views that might have been held out
+    std::uint64_t asked = 0;            // views asked for
+    std::uint64_t roundViews = 0;       // learnt when the last round began
+    splat::TrainerOptions first;        // how the training began
+    std::shared_ptr<ModelShelf> shelf;  // of what was shown before; null: empty
 };
 
 }  // namespace macula::hybrid
