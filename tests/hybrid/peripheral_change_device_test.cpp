@@ -1,8 +1,10 @@
 // What becomes of a model when what is shown is changed, and when the device fails.
 #include <algorithm>
+#include <sstream>
 
 #include "gpu/lose_device.h"
 #include "hybrid/peripheral_scene.h"
+#include "pipeline/splat/training_file.h"
 
 namespace macula::hybrid {
 namespace {
@@ -155,6 +157,27 @@ TEST_F(PeripheralChange, AnotherDeviceGoesOnWhereOneWasLost) {
         EXPECT_GT(psnrOf(*resumed->shown().splats), psnrOf(TrainingTest::start()) + 3.0);
     }
     EXPECT_EQ(losses, 2);
+}
+
+// Of what a file holds: pictures are held out anew, and are others than it has learnt.
+TEST_F(PeripheralChange, GoesOnFromAFile) {
+    PeripheralModel model = begun();
+    giveWanted(model, truth(), 6);
+    ASSERT_TRUE(model.step(20.0).ok());
+    std::stringstream file;
+    ASSERT_TRUE(splat::writeTraining(file, model.state()->training).ok());
+    auto read = splat::readTraining(file, file.str().size());
+    ASSERT_TRUE(read.ok());
+    auto resumed =
+        PeripheralModel::resume(device(), {.training = std::move(read).value(), .seenMm = box()}, options());
+    ASSERT_TRUE(resumed.ok());
+    EXPECT_EQ(resumed->report().views, 4u);
+    EXPECT_EQ(resumed->report().heldOut, 0u);
+    EXPECT_EQ(*resumed->offer(picture(truth(), cameraAt(0.0))), Offered::heldOut);
+    giveWanted(*resumed, truth(), 4);
+    EXPECT_EQ(resumed->report().heldOut, 2u);
+    run(*resumed);
+    EXPECT_GT(psnrOf(*resumed->shown().splats), psnrOf(TrainingTest::start()) + 3.0);
 }
 
 TEST_F(PeripheralChange, WhatIsStillShownOfBeforeIsResumedToo) {

@@ -9,14 +9,14 @@ namespace macula::hybrid {
 
 namespace {
 
-splat::TrainerOptions firstRound(const ModelStart& start, const PeripheralOptions& options) {
+splat::TrainerOptions firstRound(double spacingMm, const std::string& key, const PeripheralOptions& options) {
     FirstModelOptions first;
     first.iterations = options.firstSteps;
     first.capacity = options.firstCapacity;
     first.sizePx = options.wanted.sizePx.y;
     first.trial = options.seed;
-    splat::TrainerOptions training = trainerOptions(first, start.spacingMm);
-    training.key = start.key;
+    splat::TrainerOptions training = trainerOptions(first, spacingMm);
+    training.key = key;
     // A start from points looks best at the size it is looked at; halved pictures would undo that for a
     // while.
     training.stages = {{.firstStep = 0, .halvings = 0}};
@@ -45,13 +45,13 @@ Result<splat::Trainer> PeripheralModel::beginTrainer(const std::shared_ptr<gpu::
                      "There is nothing to be seen.",
                      {},
                      "Choose a preset that shows something of the series."};
-    return splat::Trainer::create(device, start.splats, firstRound(start, options));
+    return splat::Trainer::create(device, start.splats, firstRound(start.spacingMm, start.key, options));
 }
 
 Result<PeripheralModel> PeripheralModel::begin(const std::shared_ptr<gpu::Device>& device,
                                                const ModelStart& start, const PeripheralOptions& options) {
     MACULA_TRY(splat::Trainer trainer, beginTrainer(device, start, options));
-    PeripheralState notes{.seenMm = start.seenMm, .spacingMm = start.spacingMm};
+    PeripheralState notes{.seenMm = start.seenMm};
     notes.first = trainer.lastGood().options;
     return PeripheralModel(device, options, std::move(trainer), std::move(notes));
 }
@@ -61,6 +61,9 @@ Result<PeripheralModel> PeripheralModel::resume(const std::shared_ptr<gpu::Devic
                                                 const PeripheralOptions& options) {
     MACULA_TRY(splat::Trainer trainer, splat::Trainer::resume(device, state.training));
     PeripheralState notes = state;
+    if (notes.first.capacity == 0)
+        notes.first =
+            firstRound(state.training.options.optimizer.extentMm, state.training.options.key, options);
     notes.training = {};
     notes.heldOut.clear();
     notes.before = nullptr;

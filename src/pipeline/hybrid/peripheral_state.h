@@ -12,13 +12,13 @@ namespace macula::hybrid {
 
 class ModelShelf;
 
-// All that it goes on with, on the host. Pictures are shared.
+// All that it goes on with, on the host. Pictures are shared. A .macula file holds `training` only: what was
+// read from one goes on with that and `seenMm` of its scene, and other pictures are held out than before.
 struct PeripheralState {
     splat::TrainingState training;                                    // its options.key says of what
     std::vector<std::shared_ptr<const splat::TrainingView>> heldOut;  // never learnt; it is judged by them
     std::shared_ptr<const splat::Splats> before;  // still shown instead of it; null: it is shown itself
     Box seenMm;
-    double spacingMm = 0.0;
     std::uint64_t offered = 0;          // views that might have been held out
     std::uint64_t asked = 0;            // views asked for
     std::uint64_t roundViews = 0;       // learnt when the last round began
