@@ -1,6 +1,6 @@
 // The peripheral model as something that runs by itself: it learns for as long as that is of use, says from
 // where it wants to see more, takes in whatever picture it is offered, and goes on when what is shown is
-// changed. Whoever owns it has the device and the tracer, and does four things in turn:
+// changed. Whoever owns it has the device and the tracer, and does in turn:
 //
 //     model.step(20.0);                                // nothing while it is paused
 //     if (draw(model.shown()); ...)                    // a copy on the host, which no loss takes away
