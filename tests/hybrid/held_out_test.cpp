@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -11,16 +12,30 @@
 namespace macula::hybrid {
 namespace {
 
-std::vector<std::size_t> heldOutOf(std::size_t views) {
+// Of views from these directions.
+std::vector<std::size_t> heldOutOf(const std::vector<glm::dvec3>& from) {
     std::vector<std::size_t> numbers;
-    for (std::size_t i = 0; i < views; ++i)
-        if (isHeldOut(i, numbers.size())) numbers.push_back(i);
+    for (std::size_t i = 0; i < from.size(); ++i) {
+        double beside = 180.0;
+        for (const std::size_t k : numbers)
+            beside =
+                std::min(beside, glm::degrees(std::acos(glm::clamp(glm::dot(from[i], from[k]), -1.0, 1.0))));
+        if (isHeldOut(i, numbers.size(), beside)) numbers.push_back(i);
+    }
     return numbers;
 }
 
-TEST(HeldOut, AreFewAndSoon) {
-    EXPECT_EQ(heldOutOf(5), (std::vector<std::size_t>{0, 3}));
-    EXPECT_EQ(heldOutOf(1000), (std::vector<std::size_t>{0, 3, 7, 14, 21, 28}));
+TEST(HeldOut, AreFewAndSoonAndOfEachSideWhenItIsSeen) {
+    std::vector<glm::dvec3> from(40, glm::dvec3(0, -1, 0));
+    EXPECT_EQ(heldOutOf(from), (std::vector<std::size_t>{0, 3, 7, 14}));
+    from[5] = {0, 1, 0};
+    EXPECT_EQ(heldOutOf(from), (std::vector<std::size_t>{0, 3, 7, 14})) << "they would be too many";
+    from[6] = from[20] = {0, 1, 0};
+    EXPECT_EQ(heldOutOf(from), (std::vector<std::size_t>{0, 3, 6, 7}));
+    from[30] = {1, 0, 0};
+    from[31] = {0, 0, 1};
+    from[32] = {-1, 0, 0};
+    EXPECT_EQ(heldOutOf(from), (std::vector<std::size_t>{0, 3, 6, 7, 30, 31}));
 }
 
 // Of the views that a model begins with: not all from one side, whatever the draw.
@@ -29,15 +44,16 @@ TEST(HeldOut, AreFromAllSides) {
     for (std::uint64_t trial = 0; trial < 20; ++trial) {
         const auto views = sampleViews(box, initialTraining(48, trial));
         ASSERT_TRUE(views.ok());
-        glm::dvec3 low(1.0);
-        glm::dvec3 high(-1.0);
-        for (const std::size_t i : heldOutOf(48)) {
-            const glm::dvec3 from = glm::normalize((*views)[i].camera.positionMm);
-            low = glm::min(low, from);
-            high = glm::max(high, from);
+        std::vector<glm::dvec3> from;
+        for (const SampledView& view : *views) from.push_back(glm::normalize(view.camera.positionMm));
+        const std::vector<std::size_t> heldOut = heldOutOf(from);
+        EXPECT_GE(heldOut.size(), 4u);
+        EXPECT_LE(heldOut.size(), kMostHeldOut);
+        for (const glm::dvec3& any : from) {
+            double nearest = -1.0;
+            for (const std::size_t i : heldOut) nearest = std::max(nearest, glm::dot(any, from[i]));
+            EXPECT_GT(nearest, -0.2) << trial;
         }
-        const glm::dvec3 span = high - low;
-        EXPECT_GT(std::min({span.x, span.y, span.z}), 0.5) << trial;
     }
 }
 

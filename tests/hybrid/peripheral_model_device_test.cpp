@@ -95,13 +95,20 @@ TEST_F(Peripheral, JudgesAtTheCostThatIsStated) {
 }
 
 TEST_F(Peripheral, AsksForTheOtherSideAndIsBetterThereForIt) {
-    PeripheralModel model = begun();
+    // Nothing of the back is seen from the front, and the start knows no colours.
+    splat::Splats opaque = truth();
+    for (float& logit : opaque.opacityLogit) logit = 5.0f;
+    for (glm::vec3& scale : opaque.logScale) scale = glm::max(scale, glm::vec3(std::log(8.0f)));
+    ModelStart grey = start();
+    grey.splats = opaque;
+    for (glm::vec3& dc : grey.splats.dc) dc = glm::vec3(0.5f);
+    PeripheralModel model = std::move(PeripheralModel::begin(device(), grey, options())).value();
     for (const double degrees : {-25.0, -15.0, -5.0, 5.0, 15.0, 25.0})
-        ASSERT_TRUE(model.offer(picture(truth(), cameraAt(degrees))).ok());
+        ASSERT_TRUE(model.offer(picture(opaque, cameraAt(degrees))).ok());
     run(model);
     const splat::Splats oneSided = *model.shown().splats;
-    std::vector<Camera> asked;
-    for (int i = 0; i < 4; ++i) {
+    const double front = psnrFrom(oneSided, opaque, cameraAt(0.0));
+    for (int i = 0; i < 5; ++i) {
         const auto wanted = model.wantedView().value();
         ASSERT_TRUE(wanted);
         const glm::dvec3 from = glm::normalize(wanted->camera.positionMm);
@@ -109,16 +116,15 @@ TEST_F(Peripheral, AsksForTheOtherSideAndIsBetterThereForIt) {
             EXPECT_GT(from.y, 0.6) << "the views were from -y";
         }
         EXPECT_GT(from.y, -0.75);
-        asked.push_back(wanted->camera);
+        ASSERT_TRUE(model.offer(picture(opaque, wanted->camera)).ok());
     }
-    for (const Camera& camera : asked) ASSERT_TRUE(model.offer(picture(truth(), camera)).ok());
     run(model);
     const splat::Splats after = *model.shown().splats;
     double gain = 0.0;
     for (const Camera& camera : {cameraAt(180.0), cameraAt(160.0, 60.0), cameraAt(200.0, -60.0)})
-        gain += (psnrFrom(after, truth(), camera) - psnrFrom(oneSided, truth(), camera)) / 3.0;
-    EXPECT_GT(gain, 1.0);
-    EXPECT_GT(psnrFrom(after, truth(), cameraAt(0.0)), psnrFrom(oneSided, truth(), cameraAt(0.0)) - 1.0);
+        gain += (psnrFrom(after, opaque, camera) - psnrFrom(oneSided, opaque, camera)) / 3.0;
+    EXPECT_GT(gain, 3.0);
+    EXPECT_GT(psnrFrom(after, opaque, cameraAt(0.0)), front - 2.0);
 }
 
 // The same order of offers and steps is the same model, whoever asks what.
@@ -167,10 +173,10 @@ TEST_F(Peripheral, TakesPicturesOfAnySizeAndSaysWhatBecameOfThem) {
     EXPECT_EQ(model.report().views, 3u);
     EXPECT_EQ(model.report().heldOut, 2u);
     EXPECT_EQ(*model.offer(picture(truth(), cameraAt(200.0))), Offered::learnt);
-    EXPECT_EQ(*model.offer(picture(truth(), cameraAt(240.0))), Offered::learnt);
+    EXPECT_EQ(*model.offer(picture(truth(), cameraAt(240.0))), Offered::heldOut) << "from another side";
     EXPECT_EQ(*model.offer(picture(truth(), cameraAt(280.0))), Offered::full);
     EXPECT_FALSE(*model.wantedView());
-    EXPECT_EQ(model.report().views, 5u);
+    EXPECT_EQ(model.report().views, 4u);
 }
 
 }  // namespace

@@ -29,8 +29,12 @@ splat::TrainingView halved(const splat::TrainingView& view) {
 
 }  // namespace
 
-bool isHeldOut(std::uint64_t number, std::size_t heldOut) {
-    return heldOut < kMostHeldOut && (number == 3 || number % 7 == 0);
+bool isHeldOut(std::uint64_t number, std::size_t heldOut, double besideDeg) {
+    constexpr std::size_t kByNumber = 4;  // the others are left for sides that come late
+    constexpr double kAnotherSide = 75.0;
+    if (number == 0 || number == 3) return heldOut < kMostHeldOut;
+    if (number % 7 == 0) return heldOut < kByNumber;
+    return besideDeg > kAnotherSide && heldOut < kMostHeldOut && 3 * heldOut < number + 1;
 }
 
 splat::TrainingView reducedTo(splat::TrainingView view, int mostSidePx) {

@@ -1,5 +1,6 @@
 // The views of a peripheral model: those it asks for, and those it is offered.
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <utility>
 
@@ -80,6 +81,17 @@ bool PeripheralModel::isKnown(const splat::RasterView& view) const {
                        [&](const HeldOut& h) { return same(h.picture->view); });
 }
 
+double PeripheralModel::degreesBesideHeldOut(const splat::RasterView& view) const {
+    const glm::dvec3 centre = notes_.seenMm.centre() - trainer_.lastGood().splats.originMm;
+    double least = 180.0;
+    for (const HeldOut& h : heldOut_) {
+        const glm::dvec3 a = view.eyeMm - centre;
+        const glm::dvec3 b = h.picture->view.eyeMm - centre;
+        least = std::min(least, glm::degrees(std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b))));
+    }
+    return least;
+}
+
 Result<void> PeripheralModel::takeHeldOut(const std::shared_ptr<const splat::TrainingView>& picture) {
     HeldOut taken{.picture = picture, .coverage = coverageOf(*picture)};
     MACULA_TRY(const double error, trainer_.differenceTo(*picture));
@@ -103,7 +115,7 @@ Result<Offered> PeripheralModel::offer(TracedView view, bool mayBeHeldOut) {
     });
     if (trainer_.viewCount() + heldOut_.size() >= options_.mostViews) return Offered::full;
     if ((mayBeHeldOut || heldOut_.size() < kLeastHeldOut) && !isKnown(from)) {
-        if (isHeldOut(notes_.offered, heldOut_.size()) &&
+        if (isHeldOut(notes_.offered, heldOut_.size(), degreesBesideHeldOut(from)) &&
             view.rgba.size() == std::size_t(view.sizePx.x) * std::size_t(view.sizePx.y)) {
             splat::TrainingView picture{.view = from, .pixels = std::move(view.rgba)};
             MACULA_TRY_VOID(takeHeldOut(std::make_shared<const splat::TrainingView>(
