@@ -36,9 +36,9 @@ class PeripheralChange : public PeripheralTest {
 };
 
 TEST_F(PeripheralChange, ShowsWhatWasUntilTheNewModelIsBetter) {
-    PeripheralModel model = begun();
+    PeripheralModel model = begun(neverPaused());
     giveWanted(model, truth(), 6);
-    run(model);
+    learn(model, 150);
     const ShownModel before = model.shown();
     const std::uint64_t stepsBefore = model.report().training.steps;
 
@@ -58,7 +58,7 @@ TEST_F(PeripheralChange, ShowsWhatWasUntilTheNewModelIsBetter) {
     EXPECT_TRUE(model.shown().isOfBefore) << "one picture judges nothing";
     EXPECT_EQ(model.shown().splats, before.splats);
     giveWanted(model, changed(), 3);
-    run(model);
+    learn(model, 150);
     EXPECT_FALSE(model.shown().isOfBefore);
     EXPECT_GT(model.shown().generation, before.generation);
     EXPECT_LT(*model.report().shownError, 0.5);
@@ -66,7 +66,7 @@ TEST_F(PeripheralChange, ShowsWhatWasUntilTheNewModelIsBetter) {
     EXPECT_GT(after, psnrFrom(*before.splats, changed(), cameraAt(36.0, 20.0)) + 3.0);
 
     // Back to what it knows, on another device if need be: at once, and with all that it had learnt.
-    model = std::move(PeripheralModel::resume(device(), model.lastGood(), options())).value();
+    model = std::move(PeripheralModel::resume(device(), model.lastGood(), neverPaused())).value();
     EXPECT_FALSE(model.shown().isOfBefore);
     const std::uint64_t generation = model.shown().generation;
     ModelStart back = start();
@@ -83,7 +83,7 @@ TEST_F(PeripheralChange, ShowsWhatWasUntilTheNewModelIsBetter) {
 }
 
 TEST_F(PeripheralChange, AStartThatIsBetterIsShownAsSoonAsTwoPicturesSaySo) {
-    PeripheralModel model = begun();
+    PeripheralModel model = begun(neverPaused());
     giveWanted(model, truth(), 5);
     ASSERT_TRUE(model.step(30.0).ok());
     const std::uint64_t generation = model.shown().generation;
@@ -131,7 +131,7 @@ TEST_F(PeripheralChange, AnotherDeviceGoesOnWhereOneWasLost) {
     int losses = 0;
     for (const auto& [call, nth] : {std::pair(VulkanCall::submit, 60), std::pair(VulkanCall::wait, 30)}) {
         const auto doomed = *gpu::Device::create(instance());
-        PeripheralModel model = std::move(PeripheralModel::begin(doomed, start(), options())).value();
+        PeripheralModel model = std::move(PeripheralModel::begin(doomed, start(), neverPaused())).value();
         giveWanted(model, truth(), 6);
         const auto shown = model.shown().splats;
         test::loseDeviceAt(call, nth);
@@ -148,12 +148,12 @@ TEST_F(PeripheralChange, AnotherDeviceGoesOnWhereOneWasLost) {
         const PeripheralState left = model.lastGood();
         EXPECT_EQ(left.heldOut.size(), 2u);
         EXPECT_EQ(left.training.views.size(), 4u);
-        auto resumed = PeripheralModel::resume(device(), left, options());
+        auto resumed = PeripheralModel::resume(device(), left, neverPaused());
         ASSERT_TRUE(resumed.ok());
         EXPECT_EQ(resumed->report().heldOut, 2u);
         EXPECT_TRUE(sameBits(*resumed->shown().splats, left.training.splats));
         EXPECT_FALSE(resumed->isPaused());
-        run(*resumed);
+        learn(*resumed, 150);
         EXPECT_GT(psnrOf(*resumed->shown().splats), psnrOf(TrainingTest::start()) + 3.0);
     }
     EXPECT_EQ(losses, 2);
@@ -161,27 +161,27 @@ TEST_F(PeripheralChange, AnotherDeviceGoesOnWhereOneWasLost) {
 
 // Of what a file holds: pictures are held out anew, and are others than it has learnt.
 TEST_F(PeripheralChange, GoesOnFromAFile) {
-    PeripheralModel model = begun();
+    PeripheralModel model = begun(neverPaused());
     giveWanted(model, truth(), 6);
     ASSERT_TRUE(model.step(20.0).ok());
     std::stringstream file;
     ASSERT_TRUE(splat::writeTraining(file, model.state()->training).ok());
     auto read = splat::readTraining(file, file.str().size());
     ASSERT_TRUE(read.ok());
-    auto resumed =
-        PeripheralModel::resume(device(), {.training = std::move(read).value(), .seenMm = box()}, options());
+    auto resumed = PeripheralModel::resume(device(), {.training = std::move(read).value(), .seenMm = box()},
+                                           neverPaused());
     ASSERT_TRUE(resumed.ok());
     EXPECT_EQ(resumed->report().views, 4u);
     EXPECT_EQ(resumed->report().heldOut, 0u);
     EXPECT_EQ(*resumed->offer(picture(truth(), cameraAt(0.0))), Offered::heldOut);
     giveWanted(*resumed, truth(), 4);
     EXPECT_EQ(resumed->report().heldOut, 2u);
-    run(*resumed);
+    learn(*resumed, 150);
     EXPECT_GT(psnrOf(*resumed->shown().splats), psnrOf(TrainingTest::start()) + 3.0);
 }
 
 TEST_F(PeripheralChange, WhatIsStillShownOfBeforeIsResumedToo) {
-    PeripheralModel model = begun();
+    PeripheralModel model = begun(neverPaused());
     giveWanted(model, truth(), 6);
     ASSERT_TRUE(model.step(50.0).ok());
     const auto shown = model.shown().splats;
@@ -189,7 +189,7 @@ TEST_F(PeripheralChange, WhatIsStillShownOfBeforeIsResumedToo) {
     warm.splats = {};
     ASSERT_TRUE(model.change(warm).ok());
     giveWanted(model, changed(), 2);
-    auto resumed = PeripheralModel::resume(device(), model.lastGood(), options());
+    auto resumed = PeripheralModel::resume(device(), model.lastGood(), neverPaused());
     ASSERT_TRUE(resumed.ok());
     EXPECT_TRUE(resumed->shown().isOfBefore);
     EXPECT_TRUE(sameBits(*resumed->shown().splats, *shown));

@@ -102,10 +102,10 @@ TEST_F(Peripheral, AsksForTheOtherSideAndIsBetterThereForIt) {
     ModelStart grey = start();
     grey.splats = opaque;
     for (glm::vec3& dc : grey.splats.dc) dc = glm::vec3(0.5f);
-    PeripheralModel model = std::move(PeripheralModel::begin(device(), grey, options())).value();
+    PeripheralModel model = std::move(PeripheralModel::begin(device(), grey, neverPaused())).value();
     for (const double degrees : {-25.0, -15.0, -5.0, 5.0, 15.0, 25.0})
         ASSERT_TRUE(model.offer(picture(opaque, cameraAt(degrees))).ok());
-    run(model);
+    learn(model, 150);
     const splat::Splats oneSided = *model.shown().splats;
     const double front = psnrFrom(oneSided, opaque, cameraAt(0.0));
     for (int i = 0; i < 5; ++i) {
@@ -118,12 +118,12 @@ TEST_F(Peripheral, AsksForTheOtherSideAndIsBetterThereForIt) {
         EXPECT_GT(from.y, -0.75);
         ASSERT_TRUE(model.offer(picture(opaque, wanted->camera)).ok());
     }
-    run(model);
+    learn(model, 250);
     const splat::Splats after = *model.shown().splats;
     double gain = 0.0;
     for (const Camera& camera : {cameraAt(180.0), cameraAt(160.0, 60.0), cameraAt(200.0, -60.0)})
         gain += (psnrFrom(after, opaque, camera) - psnrFrom(oneSided, opaque, camera)) / 3.0;
-    EXPECT_GT(gain, 3.0);
+    EXPECT_GT(gain, 2.0);
     EXPECT_GT(psnrFrom(after, opaque, cameraAt(0.0)), front - 2.0);
 }
 

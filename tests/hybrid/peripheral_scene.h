@@ -54,6 +54,19 @@ class PeripheralTest : public splat::TrainingTest {
         const auto view = splat::rasterView(camera, kSize, glm::dvec3(0.0)).value();
         return psnr(draw(model, view), draw(of, view));
     }
+    // As with any clock.
+    static PeripheralOptions neverPaused() {
+        PeripheralOptions o = options();
+        o.trend.leastFallPerSecond = -1e9;
+        return o;
+    }
+    static void learn(PeripheralModel& model, std::uint64_t steps) {
+        const std::uint64_t last = model.report().training.steps + steps;
+        while (model.report().training.steps < last)
+            ASSERT_TRUE(model.step(1e6, [&] { return model.report().training.steps < last; }).ok());
+        // What is due is compared as well.
+        for (int i = 0; i < 8; ++i) ASSERT_TRUE(model.step(0.0).ok());
+    }
     // Until it pauses; steps that were made.
     static std::uint64_t run(PeripheralModel& model) {
         for (int i = 0; i < 2000 && !model.isPaused(); ++i) EXPECT_TRUE(model.step(20.0).ok());
