@@ -1,29 +1,10 @@
 #include "pipeline/hybrid/model_start.h"
 
-#include <algorithm>
 #include <cmath>
-#include <utility>
-#include <vector>
 
 #include "pipeline/hybrid/initial_splats.h"
-#include "pipeline/hybrid/nearest_points.h"
 
 namespace macula::hybrid {
-
-namespace {
-
-constexpr double kStillThere = 1.5;  // spacings from a splat to the next point
-constexpr double kLacking = 1.0;     // spacings from a point to the next splat
-
-void appendFrom(const splat::Splats& from, std::size_t i, splat::Splats& to) {
-    to.position.push_back(from.position[i]);
-    to.logScale.push_back(from.logScale[i]);
-    to.rotation.push_back(from.rotation[i]);
-    to.opacityLogit.push_back(from.opacityLogit[i]);
-    to.dc.push_back(from.dc[i]);
-}
-
-}  // namespace
 
 Result<ModelStart> startFromPoints(trace::PathTracer& tracer, const Box& seenMm, const std::string& key,
                                    const trace::SurfacePointOptions& options, Progress& progress) {
@@ -50,25 +31,6 @@ splat::Splats relativeTo(splat::Splats splats, const glm::dvec3& originMm) {
     for (glm::vec3& position : splats.position) position = glm::vec3(glm::dvec3(position) + shift);
     splats.originMm = originMm;
     return splats;
-}
-
-splat::Splats mergedSplats(const splat::Splats& older, const splat::Splats& points, double spacingMm) {
-    const splat::Splats before = relativeTo(older, points.originMm);
-    const NearestPoints byPoint(points.position, kStillThere * spacingMm);
-    splat::Splats merged = points;
-    merged.setShDegree(0);
-    merged.resize(0);
-    for (std::size_t i = 0; i < before.size(); ++i) {
-        const auto point = byPoint.nearest(before.position[i]);
-        if (!point) continue;
-        appendFrom(before, i, merged);
-        merged.dc.back() = points.dc[*point];
-    }
-    const NearestPoints byKept(merged.position, kLacking * spacingMm);
-    for (std::size_t i = 0; i < points.size(); ++i)
-        if (!byKept.nearest(points.position[i])) appendFrom(points, i, merged);
-    merged.setShDegree(older.shDegree);
-    return merged;
 }
 
 }  // namespace macula::hybrid

@@ -24,12 +24,6 @@ struct ModelStart {
 Result<ModelStart> startFromPoints(trace::PathTracer& tracer, const Box& seenMm, const std::string& key,
                                    const trace::SurfacePointOptions& options, Progress& progress);
 
-// An older model, as far as it stands for what the points are of: of its splats those that have a point
-// within 1.5 spacings, in that point's colour, and of the points those that have no such splat within one
-// spacing. Relative to the points' origin, of the older model's degree; what it knows of colours by direction
-// is forgotten. `points` as by startFromPoints, `older` valid, both in patient LPS and of linear colours.
-splat::Splats mergedSplats(const splat::Splats& older, const splat::Splats& points, double spacingMm);
-
 // The same model relative to another origin.
 splat::Splats relativeTo(splat::Splats splats, const glm::dvec3& originMm);
 
