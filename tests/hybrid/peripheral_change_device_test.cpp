@@ -45,6 +45,7 @@ TEST_F(PeripheralChange, ShowsWhatWasUntilTheNewModelIsBetter) {
     // Warm: as good as before, so nothing is gained by showing it yet.
     ModelStart warm = changedStart();
     warm.splats = {};
+    warm.spacingMm = 0.0;
     ASSERT_TRUE(model.change(warm).ok());
     EXPECT_EQ(model.report().pause, Pause::noViews);
     EXPECT_EQ(model.shown().generation, before.generation);

@@ -118,9 +118,10 @@ class PeripheralModel {
 
     // What is shown was changed: everything that was learnt until now goes on the shelf, and it begins anew:
     // with what is on the shelf for that key, else with `start`, else, if that has no splats, with what is
-    // shown. docs/peripheral-model.md says which start is best for which change. What was shown stays until
-    // the new model is nearer to at least two held-out pictures of the new look. Fails as begin, and then it
-    // goes on as before.
+    // shown (and its spacing, if that is 0). Points (startFromPoints) are best for another preset or clip,
+    // what is shown for other lights: docs/peripheral-model.md. What was shown stays until the new model is
+    // nearer to at least two held-out pictures of the new look. Fails as begin, and then it goes on as
+    // before.
     Result<void> change(const ModelStart& start);
 
     ShownModel shown() const { return {shown_, generation_, before_.has_value()}; }

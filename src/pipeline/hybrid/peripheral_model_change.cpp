@@ -93,6 +93,7 @@ Result<void> PeripheralModel::change(const ModelStart& start) {
         if (start.splats.size() > 0) return begin(device_, start, options_);
         ModelStart warm = start;
         warm.splats = *shown_;
+        if (!(warm.spacingMm > 0.0)) warm.spacingMm = notes_.first.optimizer.extentMm;
         return begin(device_, warm, options_);
     };
     MACULA_TRY(PeripheralModel next, begun());
