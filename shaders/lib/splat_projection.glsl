@@ -3,6 +3,12 @@
 // sqrt(det(J S J^T) / det(J S J^T + s I)), so that a splat smaller than a pixel keeps its sum over pixels (Mip-Splatting, Yu
 // et al. 2024).
 //
+// The low-pass is the widest, lowPassPx2, for what is thinner than a pixel: then sums over pixels hardly depend on where in a
+// pixel it lies. What is thicker needs less; the opacity that a surface seen at its edge would lose is what models of opaque
+// matter lack. With m the smaller variance of J S J^T it is s(m) = least + room max(1 - m / (2 room), 0)^2, where room =
+// lowPassPx2 - least: m + s(m) begins at lowPassPx2, never falls and has no kink. The least, 1/12 px^2, is the variance of a
+// pixel's area, which blurs a traced picture as well.
+//
 // Where a centre lies far outside of the picture, J grows with the tangent of its angle, and the splat would be smeared over
 // all of the picture. So J is taken at the centre's direction clamped to the picture widened by 0.15 of its size on each side
 // (1.3 times the tangent of half the field of view, as 3DGS does). The mean is not clamped. This is continuous; beyond the
@@ -29,6 +35,9 @@ struct SplatSight {
     vec3 spreadY;
     vec3 areas;         // px^2 of pairs of deviations: (y, z), (z, x), (x, y)
     float area;         // A, px^2
+    float major;        // px^2, the larger and the smaller variance before the low-pass
+    float minor;
+    float lowPass;      // px^2
     float xx;           // px^2, the covariance with the low-pass
     float xy;
     float yy;
@@ -54,6 +63,20 @@ vec3 inCamera(vec3 position, SplatView view) {
     return vec3(dot(view.right, fromEye), dot(view.down, fromEye), dot(view.forward, fromEye));
 }
 
+float lowPassOf(float minor, SplatView view) {
+    float room = view.lowPassPx2 - view.lowPassLeastPx2;
+    if (!(room > float(0.0))) return view.lowPassPx2;
+    float share = max(float(1.0) - minor / (float(2.0) * room), float(0.0));
+    return view.lowPassLeastPx2 + room * share * share;
+}
+
+// The derivative of lowPassOf by `minor`.
+float lowPassSlope(float minor, SplatView view) {
+    float room = view.lowPassPx2 - view.lowPassLeastPx2;
+    if (!(room > float(0.0))) return float(0.0);
+    return -max(float(1.0) - minor / (float(2.0) * room), float(0.0));
+}
+
 // Of a splat in front of the eye.
 SplatSight sightOf(Splat splat, SplatView view) {
     SplatSight sight;
@@ -74,12 +97,15 @@ SplatSight sightOf(Splat splat, SplatView view) {
     sight.areas = alongAxes(sight.axes, sight.normal) * vec3(d.y * d.z, d.z * d.x, d.x * d.y);
     sight.area = lengthOf(sight.areas);
 
-    float s = view.lowPassPx2;
     float xx = dot(sight.spreadX, sight.spreadX);
     float yy = dot(sight.spreadY, sight.spreadY);
+    sight.xy = dot(sight.spreadX, sight.spreadY);
+    sight.major = float(0.5) * (xx + yy) + lengthOf(vec3(float(0.5) * (xx - yy), sight.xy, float(0.0)));
+    sight.minor = sight.major > float(0.0) ? sight.area * (sight.area / sight.major) : float(0.0);
+    float s = lowPassOf(sight.minor, view);
+    sight.lowPass = s;
     sight.xx = xx + s;
     sight.yy = yy + s;
-    sight.xy = dot(sight.spreadX, sight.spreadY);
     // det = A^2 + s (xx + yy) + s^2. In this order it does not overflow.
     sight.height = sight.area * (sight.area / sight.yy) + s * ((xx + sight.yy) / sight.yy);
     return sight;

@@ -22,7 +22,7 @@ SplatGradient noSplatGradient() {
 SplatGradient projectionGradient(Splat splat, SplatView view, ScreenSplat screen, ScreenGradient g) {
     float two = float(2.0);
     SplatSight sight = sightOf(splat, view);
-    float s = view.lowPassPx2;
+    float s = sight.lowPass;
     SplatGradient result;
 
     // Opacity.
@@ -40,6 +40,20 @@ SplatGradient projectionGradient(Splat splat, SplatView view, ScreenSplat screen
     float byXx = s * byDet;
     float byYy = s * byDet + g.conic.x * perDet - (g.conic.y * screen.conic.y + g.conic.z * perYy) * perYy;
     float byXy = -g.conic.y * perYy;
+
+    // The low-pass is a function of the smaller variance, and that, A^2 over the larger, of A, xx, xy and yy. Of a circle the
+    // larger one has no derivative; half of the sum has one of its subgradients.
+    float byLowPass = byYy + byDet * (sight.xx + sight.yy - s);
+    float byMinor = byLowPass * lowPassSlope(sight.minor, view);
+    float perMajor = sight.major > float(0.0) ? float(1.0) / sight.major : float(0.0);
+    byArea += byMinor * two * sight.area * perMajor;
+    float byMajor = -byMinor * sight.minor * perMajor;
+    float halfGap = float(0.5) * (sight.xx - sight.yy);
+    float radius = lengthOf(vec3(halfGap, sight.xy, float(0.0)));
+    float perRadius = radius > float(0.0) ? float(1.0) / radius : float(0.0);
+    byXx += byMajor * float(0.5) * (float(1.0) + halfGap * perRadius);
+    byYy += byMajor * float(0.5) * (float(1.0) - halfGap * perRadius);
+    byXy += byMajor * sight.xy * perRadius;
 
     vec3 bySpreadX = sight.spreadX * (two * byXx) + sight.spreadY * byXy;
     vec3 bySpreadY = sight.spreadY * (two * byYy) + sight.spreadX * byXy;

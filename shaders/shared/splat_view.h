@@ -17,7 +17,8 @@ struct SplatView {
     vec2 principalPx;
     ivec2 sizePx;
     float nearMm;            // a splat whose centre is nearer along z is not drawn
-    float lowPassPx2;        // added to the variance in the picture, along x and y
+    float lowPassPx2;        // added to the variance in the picture, along x and y, of what is thin
+    float lowPassLeastPx2;   // of what is not: at most lowPassPx2, see lib/splat_projection.glsl
     int compensated;         // 1: opacity is lowered as the low-pass widens; 0: it is not
     float maxAlpha;          // no splat hides more of a pixel than this
     float minAlpha;          // what hides no more than this is not drawn

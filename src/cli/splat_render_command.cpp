@@ -120,7 +120,8 @@ Result<splat::Splats> loadModel(const Options& options) {
         printNote(fmt::format("{} of the model's splats hold what is no number or no rotation: left out.",
                               file.repaired.dropped));
     if (splats.size() == 0) printNote("The model holds no splats: the pictures are empty.");
-    if (options.antialiased) splats.lowPass = splat::LowPass::compensated;
+    if (options.antialiased && splats.lowPass == splat::LowPass::classic)
+        splats.lowPass = splat::LowPass::compensated;
     if (options.exposure && splats.colourSpace == splat::ColourSpace::display)
         printNote("The colours of this model are those of the display: --exposure does nothing.");
     return splats;

@@ -84,7 +84,7 @@ TEST(Ply, OursIsLaidOutAsTheConventionSays) {
         "ply\nformat binary_little_endian 1.0\n"
         "comment macula model 1\ncomment macula axes patient-lps-mm\n"
         "comment macula origin-mm 0.1 -2 1e+06\ncomment macula colours linear\n"
-        "comment macula low-pass compensated\n"
+        "comment macula low-pass adaptive\n"
         "element vertex 2\n"
         "property float x\nproperty float y\nproperty float z\n"
         "property float nx\nproperty float ny\nproperty float nz\n"

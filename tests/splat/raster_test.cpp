@@ -40,7 +40,8 @@ double throughGaussian(const ReferenceSplats& splats, const RasterView& view, co
 }
 
 void expectLikeIntegral(const ReferenceSplats& splats, const RasterView& view, double tolerance) {
-    const Blending blending{.compensated = false, .lowPassPx2 = 0.01, .minAlpha = 1e-6};
+    const Blending blending{
+        .compensated = false, .lowPassPx2 = 0.01, .lowPassLeastPx2 = 0.01, .minAlpha = 1e-6};
     const RasterImage image = rasterize(splats, view, blending, Precision::twofold);
     double greatest = 0.0;
     for (int row = 0; row < view.sizePx.y; ++row) {
@@ -103,7 +104,34 @@ TEST(Raster, SmallSplatsKeepTheirEnergy) {
     const double lost = 2.0 * std::log(2.0) / 255.0 / height;
     EXPECT_NEAR(sumRatio(deviationPx, {0.2, 0.1}, {}), 1.0 - lost, 0.015);
     // The classic low-pass makes them brighter than they are.
-    EXPECT_NEAR(sumRatio(0.1, {0.2, 0.1}, {.compensated = false, .minAlpha = 1e-9}), 31.0, 0.5);
+    const Blending classic{.compensated = false, .lowPassLeastPx2 = 0.3, .minAlpha = 1e-9};
+    EXPECT_NEAR(sumRatio(0.1, {0.2, 0.1}, classic), 31.0, 0.5);
+}
+
+// How wide splats are in the picture: never narrower than the low-pass, the wider the wider they are, and
+// what is as wide as a pixel only by the pixel's area.
+TEST(Raster, LowPassEndsWhereItIsNotNeeded) {
+    const RasterView view = frontView({33, 33}, 12.0);
+    const double mmPerPx = 500.0 / view.focalPx.x;
+    // Of a splat in the middle of a pixel, from its alpha there and in the next one.
+    const auto varianceAt = [&](double deviationPx, const Blending& blending) {
+        const auto picture =
+            rasterize(oneSplat(deviationPx * mmPerPx), view, blending, Precision::twofold).rgba;
+        return 0.5 / std::log(picture[16 * 33 + 16].a / picture[16 * 33 + 17].a);
+    };
+    const Blending ours{.minAlpha = 1e-9};
+    const Blending constant{.lowPassLeastPx2 = 0.3, .minAlpha = 1e-9};
+    double before = 0.3;
+    for (double variance = 0.01; variance < 4.0; variance *= 1.5) {
+        const double drawn = varianceAt(std::sqrt(variance), ours);
+        EXPECT_GT(drawn, before);
+        EXPECT_LT(drawn, variance + 0.3);
+        EXPECT_NEAR(varianceAt(std::sqrt(variance), constant), variance + 0.3, 1e-9);
+        if (variance > 2.0 * (0.3 - 1.0 / 12.0)) {
+            EXPECT_NEAR(drawn, variance + 1.0 / 12.0, 1e-9);
+        }
+        before = drawn;
+    }
 }
 
 // A needle that is thin in the picture keeps its energy as well: a vessel does not fade with distance.
@@ -202,7 +230,7 @@ TEST(Raster, BlendsInAGivenOrder) {
 TEST(Raster, EdgesAreAtTheLeastAlpha) {
     const RasterView view = frontView({201, 3}, 3.0);
     for (const bool classic : {false, true}) {
-        const Blending blending = blendingOf(classic ? LowPass::classic : LowPass::compensated);
+        const Blending blending = blendingOf(classic ? LowPass::classic : LowPass::adaptive);
         ReferenceSplats splats = oneSplat(0.2 * 500 / view.focalPx.x * 100);
         const RasterImage image = rasterize(splats, view, blending, Precision::twofold);
         double least = 1.0;

@@ -119,7 +119,7 @@ double differenceOf(float a, double b) {
 
 TEST_F(SplatDevice, ComputesWhatCppComputes) {
     const std::vector<Single::Splat> splats = splatsOfAllKinds();
-    for (const LowPass lowPass : {LowPass::compensated, LowPass::classic}) {
+    for (const LowPass lowPass : {LowPass::adaptive, LowPass::compensated, LowPass::classic}) {
         const Blending blending = blendingOf(lowPass);
         const std::vector<Single::Outcome> outcomes = run(splats, blending);
         Twofold host(someView(), blending);
@@ -179,13 +179,14 @@ TEST(SplatLayout, ViewIsLaidOutAlike) {
     const gpu::ReflectedMember* view = reflection->bindings.front().block.find("view");
     ASSERT_NE(view, nullptr);
     expectLayoutMatches<SplatView>(
-        *view, {MACULA_FIELD(SplatView, right), MACULA_FIELD(SplatView, down),
-                MACULA_FIELD(SplatView, forward), MACULA_FIELD(SplatView, eyeMm),
-                MACULA_FIELD(SplatView, focalPx), MACULA_FIELD(SplatView, principalPx),
-                MACULA_FIELD(SplatView, sizePx), MACULA_FIELD(SplatView, nearMm),
-                MACULA_FIELD(SplatView, lowPassPx2), MACULA_FIELD(SplatView, compensated),
-                MACULA_FIELD(SplatView, maxAlpha), MACULA_FIELD(SplatView, minAlpha),
-                MACULA_FIELD(SplatView, fringe), MACULA_FIELD(SplatView, minTransmittance)});
+        *view,
+        {MACULA_FIELD(SplatView, right), MACULA_FIELD(SplatView, down), MACULA_FIELD(SplatView, forward),
+         MACULA_FIELD(SplatView, eyeMm), MACULA_FIELD(SplatView, focalPx),
+         MACULA_FIELD(SplatView, principalPx), MACULA_FIELD(SplatView, sizePx),
+         MACULA_FIELD(SplatView, nearMm), MACULA_FIELD(SplatView, lowPassPx2),
+         MACULA_FIELD(SplatView, lowPassLeastPx2), MACULA_FIELD(SplatView, compensated),
+         MACULA_FIELD(SplatView, maxAlpha), MACULA_FIELD(SplatView, minAlpha),
+         MACULA_FIELD(SplatView, fringe), MACULA_FIELD(SplatView, minTransmittance)});
 }
 
 }  // namespace

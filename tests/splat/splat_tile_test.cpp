@@ -62,7 +62,7 @@ Counts compare(std::uint32_t seed, int tile, const Blending& blending) {
 TEST(SplatTile, NothingThatShowsIsLost) {
     for (const int tile : {16, 8, 1}) {
         for (const bool classic : {false, true}) {
-            const Blending blending = blendingOf(classic ? LowPass::classic : LowPass::compensated);
+            const Blending blending = blendingOf(classic ? LowPass::classic : LowPass::adaptive);
             const Counts single =
                 compare<reference::HostSingle>(static_cast<std::uint32_t>(tile), tile, blending);
             const Counts twofold =

@@ -71,19 +71,25 @@ Result<void> validate(const RasterView& view) {
 }
 
 Blending blendingOf(LowPass lowPass) {
-    if (lowPass == LowPass::compensated) return {};
-    return {.compensated = false, .fringe = 1e6};
+    if (lowPass == LowPass::adaptive) return {};
+    Blending blending{.lowPassLeastPx2 = Blending{}.lowPassPx2};
+    if (lowPass == LowPass::compensated) return blending;
+    blending.compensated = false;
+    blending.fringe = 1e6;
+    return blending;
 }
 
 Result<void> validate(const Blending& blending) {
     const auto within = [](double value, double low, double high) { return value >= low && value <= high; };
-    if (within(blending.lowPassPx2, 1e-2, 100.0) && within(blending.maxAlpha, 0.01, 0.9999) &&
-        within(blending.minAlpha, 1e-9, 0.009) && within(blending.fringe, 1.1, 1e6) &&
-        within(blending.minTransmittance, 0.0, 0.1))
+    if (within(blending.lowPassPx2, 1e-2, 100.0) &&
+        within(blending.lowPassLeastPx2, 1e-2, blending.lowPassPx2) &&
+        within(blending.maxAlpha, 0.01, 0.9999) && within(blending.minAlpha, 1e-9, 0.009) &&
+        within(blending.fringe, 1.1, 1e6) && within(blending.minTransmittance, 0.0, 0.1))
         return {};
     return notUsable(
         "The way in which splats blend is not usable.",
-        "Choose a low-pass of 0.01 to 100 square pixels, a most opaque splat of 0.01 to 0.9999, a "
+        "Choose a low-pass of 0.01 to 100 square pixels, the least of it no more, a most opaque splat of "
+        "0.01 to 0.9999, a "
         "faintest of 1e-9 to 0.009, a fringe of 1.1 to 1000000, and a least transmittance of 0 to 0.1.");
 }
 
@@ -99,6 +105,7 @@ shared::SplatView splatView(const RasterView& view, const Blending& blending) {
         .sizePx = view.sizePx,
         .nearMm = static_cast<float>(view.nearMm),
         .lowPassPx2 = static_cast<float>(blending.lowPassPx2),
+        .lowPassLeastPx2 = static_cast<float>(blending.lowPassLeastPx2),
         .compensated = blending.compensated ? 1 : 0,
         .maxAlpha = static_cast<float>(blending.maxAlpha),
         .minAlpha = static_cast<float>(blending.minAlpha),

@@ -34,8 +34,11 @@ Result<void> validate(const RasterView& view);
 // See shaders/lib/splat_blend.glsl and splat_projection.glsl.
 struct Blending {
     bool compensated = true;  // opacity falls as the low-pass widens (LowPass::compensated)
-    double lowPassPx2 = 0.3;  // variance added in the picture; with less, sums depend on where in a pixel
-    double maxAlpha = 0.99;   // of one splat in one pixel
+    // Variance added in the picture, of what is thinner than a pixel: with less, sums depend on where in a
+    // pixel it lies. And of what is thick: that of a pixel's area. The same number twice: always that.
+    double lowPassPx2 = 0.3;
+    double lowPassLeastPx2 = 1.0 / 12.0;
+    double maxAlpha = 0.99;          // of one splat in one pixel
     double minAlpha = 1.0 / 255.0;   // what hides no more is not drawn
     double fringe = 2.0;             // how steeply a splat fades out at minAlpha; 1000 or more: a step
     double minTransmittance = 1e-4;  // a pixel that less shines through is finished

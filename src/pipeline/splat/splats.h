@@ -22,10 +22,11 @@ enum class ColourSpace { linear, display };
 // it, nor laid over anatomy.
 enum class Axes { patientLps, unknown };
 
-// How a projected splat is kept from falling between pixels. `compensated`: widened, and its opacity lowered
-// in proportion, so that it keeps its energy (Mip-Splatting, Yu et al. 2024; ours). `classic`: widened by
-// 0.3 px^2 only (3DGS, models made elsewhere).
-enum class LowPass { compensated, classic };
+// How a projected splat is kept from falling between pixels. `compensated`: widened by 0.3 px^2, and its
+// opacity lowered in proportion, so that it keeps its energy (Mip-Splatting, Yu et al. 2024; models made
+// elsewhere). `adaptive`: the same, but what is thicker than a pixel is widened less (ours;
+// shaders/lib/splat_projection.glsl). `classic`: widened only (3DGS, models made elsewhere).
+enum class LowPass { adaptive, compensated, classic };
 
 inline constexpr int kMaxShDegree = 3;
 
@@ -54,7 +55,7 @@ struct Splats {
     glm::dvec3 originMm{0.0};
     Axes axes = Axes::patientLps;
     ColourSpace colourSpace = ColourSpace::linear;
-    LowPass lowPass = LowPass::compensated;
+    LowPass lowPass = LowPass::adaptive;
     int shDegree = 0;  // 0 to kMaxShDegree; what we train has 0 or 1
 
     std::vector<glm::vec3> position;  // mm, relative to originMm

@@ -256,7 +256,7 @@ Result<SpzBytes> encodeSpz(const Splats& splats) {
     const Header header{.count = static_cast<std::uint32_t>(splats.size()),
                         .shDegree = static_cast<std::uint8_t>(splats.shDegree),
                         .fractionalBits = static_cast<std::uint8_t>(bits),
-                        .flags = splats.lowPass == LowPass::compensated ? kAntialiased : std::uint8_t{0}};
+                        .flags = splats.lowPass == LowPass::classic ? std::uint8_t{0} : kAntialiased};
     SpzBytes file;
     const std::vector<std::uint8_t> data = payload(splats, header, file.clamped);
     MACULA_TRY(file.bytes, gzip(std::as_bytes(std::span(data)), commentOf(splats)));
@@ -282,7 +282,9 @@ Result<ModelFile> decodeSpz(std::span<const std::byte> bytes, BadSplats bad) {
             return damaged();
         Splats splats = splatsOf(header, data);
         MACULA_TRY_VOID(applyNotes(linesOf(packed.comment()), splats));
-        splats.lowPass = (header.flags & kAntialiased) != 0 ? LowPass::compensated : LowPass::classic;
+        const bool antialiased = (header.flags & kAntialiased) != 0;
+        if (!antialiased) splats.lowPass = LowPass::classic;
+        if (antialiased && splats.lowPass == LowPass::classic) splats.lowPass = LowPass::compensated;
         if (splats.colourSpace == ColourSpace::linear) toLinear(splats);
         return finishModel(std::move(splats), bad);
     } catch (const std::bad_alloc&) {
