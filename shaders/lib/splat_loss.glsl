@@ -78,6 +78,14 @@ ComparedPixel comparedPixel(vec4 premultiplied, vec3 background, float exposure,
     return pixel;
 }
 
+// How fast the colours that are compared change with those over the background, all three of these together.
+vec3 comparedSlopes(vec3 over, bool display) {
+    if (!display) return vec3(float(1.0));
+    vec3 mapped = toneMapNeutral(over);
+    vec3 slopes = vec3(encodeSrgbSlope(mapped.x), encodeSrgbSlope(mapped.y), encodeSrgbSlope(mapped.z));
+    return toneMapNeutralBack(over, slopes * float(1.0 - PLAIN_SHARE)) + vec3(float(PLAIN_SHARE)) / (over + vec3(float(1.0)));
+}
+
 // The gradient with respect to the premultiplied pixel of what has the gradient `back` with respect to value. Where a bound
 // was met it is that of the unbounded value next to it: what is below black or beyond all bounds is drawn back.
 vec4 comparedPixelBack(vec3 over, vec4 back, vec3 background, float exposure, bool display) {

@@ -11,6 +11,7 @@ struct SplatLossParams {
     float exposure;     // 1 where the pictures are compared as they are
     float l1Scale;      // of a sum over pixels and channels, to the loss
     float dssimScale;   // likewise
+    float squareScale;  // likewise; above 0: squares are compared, and l1Scale and dssimScale are 0
     uint partCount;     // of sums over strips, for the sum of them all
     uint coverageOnly;  // not 0: colours count as right, whatever they are
 };
@@ -18,7 +19,7 @@ struct SplatLossParams {
 struct SplatLossResult {
     float loss;        // weighted, what the gradient is of
     float l1;          // mean of |render - target| over pixels and channels, as compared
-    float dssim;       // mean of 1 - SSIM likewise
+    float dssim;       // mean of 1 - SSIM likewise; 0 where it takes no part
     uint badRendered;  // pixels of the render that are not finite
 };
 

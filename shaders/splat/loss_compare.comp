@@ -1,4 +1,4 @@
-// First step of the loss: sum and difference of the two pictures, as they are compared. What is not finite in either is
+// First step of the loss: sum and difference of the two pictures, as they are compared; of squares the difference alone. What is not finite in either is
 // taken to be equal, and black if it is in the target.
 #version 460
 #extension GL_GOOGLE_include_directive : require
@@ -21,9 +21,16 @@ void main() {
     vec4 truth = known ? texelFetch(targets, index) : vec4(0.0);
     vec4 render = known ? texelFetch(rendered, index) : vec4(0.0);
     render = isFinite(render) ? render : truth;
-    vec4 x = comparedPixel(render, params.background, params.exposure, kDisplay).value;
-    vec4 y = comparedPixel(truth, params.background, params.exposure, kDisplay).value;
-    y.xyz = params.coverageOnly != 0u ? x.xyz : y.xyz;
+    ComparedPixel ours = comparedPixel(render, params.background, params.exposure, kDisplay);
+    ComparedPixel theirs = comparedPixel(truth, params.background, params.exposure, kDisplay);
+    vec4 x = ours.value;
+    vec4 y = theirs.value;
+    vec4 difference = x - y;
+    if (params.squareScale > 0.0) difference.xyz = comparedSlopes(ours.over, kDisplay) * (ours.over - theirs.over);
+    if (params.coverageOnly != 0u) {
+        y.xyz = x.xyz;
+        difference.xyz = vec3(0.0);
+    }
     pairs[2 * index] = known ? x + y : vec4(0.0);
-    pairs[2 * index + 1] = known ? x - y : vec4(0.0);
+    pairs[2 * index + 1] = known ? difference : vec4(0.0);
 }

@@ -5,6 +5,7 @@
 #include "splat/loss_setup.glsl"
 
 layout(constant_id = 1) const bool kDisplay = false;
+layout(constant_id = 2) const bool kSimilar = true;  // SSIM takes part
 
 layout(binding = 1) uniform samplerBuffer summed;
 layout(binding = 2) uniform samplerBuffer pairs;
@@ -14,7 +15,7 @@ layout(binding = 5, scalar) writeonly buffer Gradients {
     vec4 gradients[];
 };
 layout(binding = 6, scalar) writeonly buffer Parts {
-    vec2 parts[];  // |difference| summed over a strip; pixels of the render that are not finite
+    vec4 parts[];  // over a strip: |difference|, its square; pixels of the render that are not finite; 0
 };
 
 void main() {
@@ -24,7 +25,7 @@ void main() {
     if (first >= size.x || y >= size.y) return;
     vec4 a[kOutputs], b[kOutputs], c[kOutputs];
     [[unroll]] for (int n = 0; n < kOutputs; ++n) a[n] = b[n] = c[n] = vec4(0.0);
-    [[unroll]] for (int j = 0; j < kOutputs + 10; ++j) {
+    if (kSimilar) [[unroll]] for (int j = 0; j < kOutputs + 10; ++j) {
         int x = first + j - 5;
         float inside = x >= 0 && x < size.x ? 1.0 : 0.0;
         int index = y * size.x + clamp(x, 0, size.x - 1);
@@ -40,7 +41,7 @@ void main() {
             }
         }
     }
-    vec2 part = vec2(0.0);
+    vec4 part = vec4(0.0);
     [[unroll]] for (int n = 0; n < kOutputs; ++n) {
         if (first + n < size.x) {
             int index = y * size.x + first + n;
@@ -48,12 +49,18 @@ void main() {
             vec4 difference = texelFetch(pairs, 2 * index + 1);
             bool finite = isFinite(render);
             bool known = texelFetch(windows, index).x > 0.0 && finite;
-            vec4 back = params.l1Scale * sign(difference) +
-                        params.dssimScale * (a[n] + b[n] * texelFetch(pairs, 2 * index) + c[n] * difference);
+            vec4 back = params.l1Scale * sign(difference);
+            if (kSimilar)
+                back += params.dssimScale * (a[n] + b[n] * texelFetch(pairs, 2 * index) + c[n] * difference);
             vec3 over = comparedPixel(render, params.background, params.exposure, kDisplay).over;
             vec4 gradient = comparedPixelBack(over, back, params.background, params.exposure, kDisplay);
+            if (params.squareScale > 0.0) {
+                vec4 pull = 2.0 * params.squareScale * difference;
+                pull.xyz *= comparedSlopes(over, kDisplay);
+                gradient = comparedPixelBack(over, pull, params.background, params.exposure, false);
+            }
             gradients[index] = known ? gradient : vec4(0.0);
-            part += vec2(dot(abs(difference), vec4(1.0)), finite ? 0.0 : 1.0);
+            part += vec4(dot(abs(difference), vec4(1.0)), dot(difference, difference), finite ? 0.0 : 1.0, 0.0);
         }
     }
     parts[y * ((size.x + kOutputs - 1) / kOutputs) + int(gl_GlobalInvocationID.x)] = part;

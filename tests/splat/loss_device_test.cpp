@@ -83,6 +83,22 @@ TEST_F(LossOnDevice, IsThatOfTheReference) {
     }
 }
 
+TEST_F(LossOnDevice, OfEachMeasureIsThatOfTheReference) {
+    for (const LossMeasure measure : {LossMeasure::similar, LossMeasure::absolute, LossMeasure::squared}) {
+        for (const LossEncoding encode : {LossEncoding::none, LossEncoding::display}) {
+            for (const bool coverageOnly : {false, true}) {
+                SCOPED_TRACE(fmt::format("{}, encode {}, {}", int(measure), int(encode), coverageOnly));
+                const LossOptions options{.encode = encode, .exposure = 1.3f};
+                const LossStep step{.measure = measure,
+                                    .background = {0.3f, 0.9f, 0.1f},
+                                    .viewWeight = 2.5f,
+                                    .coverageOnly = coverageOnly};
+                expectAsReference(53, 41, randomPicture(53, 41, 1), randomPicture(53, 41, 2), options, step);
+            }
+        }
+    }
+}
+
 TEST_F(LossOnDevice, IsThatOfTheReferenceAtFullSizeAndOverAnyBackground) {
     const Pixels render = randomPicture(512, 512, 1);
     Pixels target = render;
@@ -140,7 +156,9 @@ TEST_F(LossOnDevice, LeavesOutWhatIsNotFinite) {
     render[333].w = kInfinity;
     render[615].x = kNan;  // unknown as well
     for (const LossEncoding encode : {LossEncoding::none, LossEncoding::display})
-        expectAsReference(40, 30, render, target, {.encode = encode}, {.background = {0.9f, 0.5f, 0.1f}});
+        for (const LossMeasure measure : {LossMeasure::similar, LossMeasure::absolute, LossMeasure::squared})
+            expectAsReference(40, 30, render, target, {.encode = encode},
+                              {.measure = measure, .background = {0.9f, 0.5f, 0.1f}});
     const Outcome nothing = run(40, 30, render, filled(40, 30, glm::dvec4(kNan)), {}, {});
     EXPECT_EQ(nothing.result.loss, 0.0f);
     EXPECT_EQ(nothing.unknownPixels, 1200u);
@@ -168,14 +186,16 @@ TEST_F(LossOnDevice, TakesWhateverAPictureMayHold) {
                                                              {&wild, &wilder}, {&huge, &one}, {&wild, &huge}};
     for (const auto& [render, target] : pairs) {
         for (const LossEncoding encode : {LossEncoding::none, LossEncoding::display}) {
-            const LossOptions options{.encode = encode};
-            const LossStep step{.background = {1.0f, 0.0f, 0.5f}};
-            const Outcome outcome = run(24, 20, *render, *target, options, step);
-            const ReferenceLoss expected = referenceLoss(24, 20, *render, *target, options, step);
-            EXPECT_NEAR(outcome.result.l1, expected.l1, 1e-4 * (1e-2 + expected.l1));
-            EXPECT_NEAR(outcome.result.dssim, expected.dssim, 0.02);
-            for (const glm::vec4& pixel : outcome.gradient)
-                ASSERT_TRUE(std::isfinite(pixel.x + pixel.y + pixel.z + pixel.w));
+            for (const LossMeasure measure : {LossMeasure::similar, LossMeasure::squared}) {
+                const LossOptions options{.encode = encode};
+                const LossStep step{.measure = measure, .background = {1.0f, 0.0f, 0.5f}};
+                const Outcome outcome = run(24, 20, *render, *target, options, step);
+                const ReferenceLoss expected = referenceLoss(24, 20, *render, *target, options, step);
+                EXPECT_NEAR(outcome.result.l1, expected.l1, 1e-4 * (1e-2 + expected.l1));
+                EXPECT_NEAR(outcome.result.dssim, expected.dssim, 0.02);
+                for (const glm::vec4& pixel : outcome.gradient)
+                    ASSERT_TRUE(std::isfinite(pixel.x + pixel.y + pixel.z + pixel.w));
+            }
         }
     }
 }

@@ -99,6 +99,83 @@ TEST(Loss, GradientsAreThoseOfCentralDifferences) {
     }
 }
 
+// Of each colour that is compared, by those over the background together: by central differences.
+glm::dvec3 slopesAt(const glm::dvec3& over, const LossOptions& options) {
+    const double h = 1e-6;
+    glm::dvec3 slopes(0.0);
+    for (int by = 0; by < 3; ++by) {
+        const auto sum = [&](double step) {
+            glm::dvec4 moved(over, 1.0);
+            moved[by] += step;
+            const glm::dvec4 value = referenceCompared(moved, options, glm::dvec3(0.0));
+            return value.x + value.y + value.z;
+        };
+        slopes[by] = (sum(h) - sum(-h)) / (2 * h);
+    }
+    return slopes;
+}
+
+TEST(Loss, OfSquaresHasTheGradientOfItsSquaresWhileSlopesStand) {
+    for (const LossEncoding encode : {LossEncoding::none, LossEncoding::display}) {
+        const LossOptions options{.encode = encode, .exposure = 1.0f};
+        const LossStep step{
+            .measure = LossMeasure::squared, .background = {0.3f, 0.8f, 0.5f}, .viewWeight = 1.7f};
+        const glm::dvec3 background(step.background);
+        const Pixels render = randomPicture(7, 5, 21);
+        const Pixels target = randomPicture(7, 5, 22);
+        const ReferenceLoss result = referenceLoss(7, 5, render, target, options, step);
+        double sum = 0.0;
+        for (std::size_t i = 0; i < render.size(); ++i) {
+            const auto over = [&](const glm::dvec4& p) { return glm::dvec3(p) + (1.0 - p.w) * background; };
+            const glm::dvec3 slopes = slopesAt(over(render[i]), options);
+            const auto squares = [&](const glm::dvec4& pixel) {
+                const glm::dvec3 off = slopes * (over(pixel) - over(target[i]));
+                const double coverage = pixel.w - target[i].w;
+                return double(step.viewWeight) * 5.0 * (glm::dot(off, off) + coverage * coverage) /
+                       (4.0 * 35.0);
+            };
+            sum += squares(render[i]);
+            for (int c = 0; c < 4; ++c) {
+                const double h = 1e-5;
+                glm::dvec4 above = render[i];
+                glm::dvec4 below = render[i];
+                above[c] += h;
+                below[c] -= h;
+                EXPECT_NEAR((squares(above) - squares(below)) / (2 * h), result.gradient[i][c],
+                            1e-5 * largest(result.gradient));
+            }
+        }
+        EXPECT_NEAR(result.loss, sum, 1e-6 * sum);
+        EXPECT_EQ(result.dssim, 0.0);
+    }
+}
+
+// What single pictures say is noise; what all of them say together is the light there is. Absolute
+// differences would rest at the median, which is far darker.
+TEST(Loss, OfSquaresRestsAtTheMeanOfNoisyLight) {
+    const LossOptions options{.encode = LossEncoding::display};
+    Pixels noisy;
+    glm::dvec4 mean(0.0);
+    for (int i = 0; i < 64; ++i) {
+        const double light = std::pow(i / 63.0, 6.0) * 3.0;
+        noisy.emplace_back(light, 0.8 * light, 0.5 * light, 0.9);
+        mean += noisy.back() / 64.0;
+    }
+    const auto pullOf = [&](LossMeasure measure) {
+        glm::dvec4 sum(0.0);
+        double most = 0.0;
+        for (const glm::dvec4& pixel : noisy) {
+            const auto result =
+                referenceLoss(1, 1, Pixels{mean}, Pixels{pixel}, options, {.measure = measure});
+            sum += result.gradient[0];
+            most += std::abs(result.gradient[0].x);
+        }
+        return sum.x / most;
+    };
+    EXPECT_NEAR(pullOf(LossMeasure::squared), 0.0, 1e-12);
+    EXPECT_GT(pullOf(LossMeasure::absolute), 0.2);
+}
+
 TEST(Loss, CoverageThatIsTooThinOverABrightBackgroundIsPushedUp) {
     for (const LossEncoding encode : {LossEncoding::none, LossEncoding::display}) {
         const LossStep bright{.background = {1, 1, 1}};

@@ -98,8 +98,8 @@ TEST(SplatLayout, ParametersAgreeInEveryKernel) {
             *reflection->bindings.front().block.find("params"),
             {MACULA_FIELD(SplatLossParams, imageSize), MACULA_FIELD(SplatLossParams, background),
              MACULA_FIELD(SplatLossParams, exposure), MACULA_FIELD(SplatLossParams, l1Scale),
-             MACULA_FIELD(SplatLossParams, dssimScale), MACULA_FIELD(SplatLossParams, partCount),
-             MACULA_FIELD(SplatLossParams, coverageOnly)});
+             MACULA_FIELD(SplatLossParams, dssimScale), MACULA_FIELD(SplatLossParams, squareScale),
+             MACULA_FIELD(SplatLossParams, partCount), MACULA_FIELD(SplatLossParams, coverageOnly)});
     }
     const auto total = gpu::reflectSpirv(shaders::splat_loss_total_comp.words);
     expectLayoutMatches<SplatLossResult>(

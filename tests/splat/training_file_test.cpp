@@ -153,8 +153,10 @@ TEST(TrainingFile, WhatDoesNotFitIsRefused) {
     refused("training", swapped("loss.encode display", "loss.encode other"));
     refused("training", swapped("option seed", "option seeds"));
     refused("training", swapped("option seed", "option seed 1\noption seed"));
-    refused("training", swapped("stages 0:3", "stages 0-3"));
-    refused("training", swapped("stages 0:3", "stages 0:"));
+    refused("training", swapped("stages 0:3:similar", "stages 0-3:similar"));
+    refused("training", swapped("stages 0:3:similar", "stages 0:3"));
+    refused("training", swapped("stages 0:3:similar", "stages 0::similar"));
+    refused("training", swapped("stages 0:3:similar", "stages 0:3:like"));
     refused("splats", put(0, std::nanf("")));
     refused("splats", [](std::string& bytes) { bytes.resize(bytes.size() - 4); });
     refused("second", put(4, -1.0f));

@@ -55,11 +55,16 @@ Result<std::shared_ptr<const LossKernels>> LossKernels::create(const std::shared
     MACULA_TRY(gpu::Kernel rows, make(shaders::splat_loss_rows_comp, {{"kOutputs", rowOutputs}}));
     MACULA_TRY(gpu::Kernel backColumns,
                make(shaders::splat_loss_back_columns_comp, {{"kOutputs", kColumnOutputs}}));
-    MACULA_TRY(gpu::Kernel gradientPlain,
-               make(shaders::splat_loss_gradient_comp, {{"kOutputs", rowOutputs}, {"kDisplay", false}}));
-    MACULA_TRY(gpu::Kernel gradientDisplay,
-               make(shaders::splat_loss_gradient_comp, {{"kOutputs", rowOutputs}, {"kDisplay", true}}));
-    MACULA_TRY(gpu::Kernel total, make(shaders::splat_loss_total_comp, {}));
+    const auto makeGradient = [&](bool display, bool similar) {
+        return make(shaders::splat_loss_gradient_comp,
+                    {{"kOutputs", rowOutputs}, {"kDisplay", display}, {"kSimilar", similar}});
+    };
+    MACULA_TRY(gpu::Kernel gradientPlain, makeGradient(false, false));
+    MACULA_TRY(gpu::Kernel gradientPlainSimilar, makeGradient(false, true));
+    MACULA_TRY(gpu::Kernel gradientDisplay, makeGradient(true, false));
+    MACULA_TRY(gpu::Kernel gradientDisplaySimilar, makeGradient(true, true));
+    MACULA_TRY(gpu::Kernel total, make(shaders::splat_loss_total_comp, {{"kSimilar", false}}));
+    MACULA_TRY(gpu::Kernel totalSimilar, make(shaders::splat_loss_total_comp, {{"kSimilar", true}}));
     MACULA_TRY(gpu::Kernel downsample, make(shaders::splat_downsample_comp, {}));
     return std::make_shared<const LossKernels>(
         LossKernels{.rowOutputs = rowOutputs,
@@ -68,8 +73,9 @@ Result<std::shared_ptr<const LossKernels>> LossKernels::create(const std::shared
                     .columns = std::move(columns),
                     .rows = std::move(rows),
                     .backColumns = std::move(backColumns),
-                    .gradient = {std::move(gradientPlain), std::move(gradientDisplay)},
-                    .total = std::move(total),
+                    .gradient = {{{std::move(gradientPlain), std::move(gradientPlainSimilar)},
+                                  {std::move(gradientDisplay), std::move(gradientDisplaySimilar)}}},
+                    .total = {std::move(total), std::move(totalSimilar)},
                     .downsample = std::move(downsample)});
 }
 
@@ -102,7 +108,7 @@ Loss::Loss(std::shared_ptr<const LossKernels> kernels, gpu::Buffer params,
       means_(std::move(scratch[1])),
       terms_(std::move(scratch[2])),
       ssimParts_(std::move(scratch[3])),
-      l1Parts_(std::move(scratch[4])),
+      differenceParts_(std::move(scratch[4])),
       gradient_(std::move(gradient)),
       result_(std::move(result)) {}
 
@@ -121,14 +127,14 @@ Result<Loss> Loss::create(const std::shared_ptr<gpu::Device>& device,
     MACULA_TRY(gpu::TexelBuffer means, make("means over windows", 4 * pixels, kFour));
     MACULA_TRY(gpu::TexelBuffer terms, make("terms of windows", 3 * pixels, kFour));
     MACULA_TRY(gpu::TexelBuffer ssimParts, make("parts of SSIM", strips, VK_FORMAT_R32_SFLOAT));
-    MACULA_TRY(gpu::TexelBuffer l1Parts, make("parts of L1", strips, VK_FORMAT_R32G32_SFLOAT));
+    MACULA_TRY(gpu::TexelBuffer differenceParts, make("parts of differences", strips, kFour));
     MACULA_TRY(gpu::Buffer params, makeParams(device));
     MACULA_TRY(gpu::Buffer result,
                gpu::Buffer::create(device, {.label = "loss", .bytes = sizeof(shared::SplatLossResult)}));
-    return Loss(
-        std::move(kernels), std::move(params),
-        {std::move(pairs), std::move(means), std::move(terms), std::move(ssimParts), std::move(l1Parts)},
-        std::move(gradient), std::move(result));
+    return Loss(std::move(kernels), std::move(params),
+                {std::move(pairs), std::move(means), std::move(terms), std::move(ssimParts),
+                 std::move(differenceParts)},
+                std::move(gradient), std::move(result));
 }
 
 void Loss::record(gpu::Recorder& recorder, const DevicePicture& render, const LossTarget& target,
@@ -145,27 +151,33 @@ void Loss::record(gpu::Recorder& recorder, const DevicePicture& render, const Lo
     const gpu::Threads pixels = threadsOf(width, height);
     const gpu::Threads columns{static_cast<std::uint32_t>(width), stripsOf(height, kColumnOutputs)};
     const gpu::Threads rows{stripsOf(width, kernels_->rowOutputs), static_cast<std::uint32_t>(height)};
+    const bool squared = step.measure == LossMeasure::squared;
+    const float dssimWeight = step.measure == LossMeasure::similar ? options.dssimWeight : 0.0f;
+    const std::size_t similar = dssimWeight > 0.0f ? 1 : 0;
     const float share = step.viewWeight / (4.0f * static_cast<float>(pixelsOf(width, height)));
     write(recorder, params_,
           {.imageSize = {width, height},
            .background = step.background,
            .exposure = display ? options.exposure : 1.0f,
-           .l1Scale = share * (1.0f - options.dssimWeight),
-           .dssimScale = share * options.dssimWeight,
+           .l1Scale = squared ? 0.0f : share * (1.0f - dssimWeight),
+           .dssimScale = share * dssimWeight,
+           .squareScale = squared ? kSquaresWeight * share : 0.0f,
            .partCount = rows.x * rows.y,
            .coverageOnly = step.coverageOnly ? 1u : 0u});
 
     const auto label = recorder.label("loss");
     recorder.dispatch(kernels_->compare[encode], pixels,
                       {params_, render.texels, target.picture().texels, target.windows(), pairs_.buffer()});
-    recorder.dispatch(kernels_->columns, columns, {params_, pairs_, means_.buffer()});
-    recorder.dispatch(kernels_->rows, rows,
-                      {params_, means_, target.windows(), terms_.buffer(), ssimParts_.buffer()});
-    recorder.dispatch(kernels_->backColumns, columns, {params_, terms_, means_.buffer()});
-    recorder.dispatch(kernels_->gradient[encode], rows,
+    if (similar != 0) {
+        recorder.dispatch(kernels_->columns, columns, {params_, pairs_, means_.buffer()});
+        recorder.dispatch(kernels_->rows, rows,
+                          {params_, means_, target.windows(), terms_.buffer(), ssimParts_.buffer()});
+        recorder.dispatch(kernels_->backColumns, columns, {params_, terms_, means_.buffer()});
+    }
+    recorder.dispatch(kernels_->gradient[encode][similar], rows,
                       {params_, means_, pairs_, target.windows(), render.texels, gradient_.texels.buffer(),
-                       l1Parts_.buffer()});
-    recorder.dispatch(kernels_->total, {1}, {params_, ssimParts_, l1Parts_, result_});
+                       differenceParts_.buffer()});
+    recorder.dispatch(kernels_->total[similar], {1}, {params_, ssimParts_, differenceParts_, result_});
 }
 
 Result<shared::SplatLossResult> Loss::read() const {

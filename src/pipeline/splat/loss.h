@@ -23,8 +23,8 @@ struct LossKernels {
     gpu::Kernel columns;
     gpu::Kernel rows;
     gpu::Kernel backColumns;
-    std::array<gpu::Kernel, 2> gradient;  // by LossEncoding
-    gpu::Kernel total;
+    std::array<std::array<gpu::Kernel, 2>, 2> gradient;  // by LossEncoding, and whether SSIM takes part
+    std::array<gpu::Kernel, 2> total;                    // likewise
     gpu::Kernel downsample;
 
     static Result<std::shared_ptr<const LossKernels>> create(const std::shared_ptr<gpu::Device>& device);
@@ -79,7 +79,7 @@ class Loss {
     gpu::TexelBuffer means_;      // 4 vec4, and then 3
     gpu::TexelBuffer terms_;      // 3 vec4
     gpu::TexelBuffer ssimParts_;  // by strip
-    gpu::TexelBuffer l1Parts_;
+    gpu::TexelBuffer differenceParts_;
     DevicePicture gradient_;
     gpu::Buffer result_;
 };

@@ -13,12 +13,31 @@ enum class LossEncoding {
               // (shaders/lib/picture.glsl)
 };
 
+// How far they are from each other.
+enum class LossMeasure {
+    similar,   // absolute differences, and how alike neighbourhoods are
+    absolute,  // absolute differences alone: half as much work
+    squared,   // squares of differences. Where a picture is noisy, what is nearest to it in absolute
+               // differences is the median, which is darker than the light that there is; in squares it is
+               // the mean
+};
+
+// So squares pull as hard as absolute differences do where these are 0.1, as they usually are. Adam remembers
+// for long how hard it was pulled, and would hardly move after a change from one to the other.
+inline constexpr float kSquaresWeight = 5.0f;
+
 // The loss of a render against a target, both premultiplied, is
 //
-//   viewWeight * ((1 - dssimWeight) * L1 + dssimWeight * (1 - SSIM))
+//   similar:  viewWeight * ((1 - dssimWeight) * L1 + dssimWeight * (1 - SSIM))
+//   absolute: viewWeight * L1
+//   squared:  viewWeight * kSquaresWeight * L2
 //
 // with L1 the mean of |x - y| and SSIM the mean index over all pixels and four values of each: the three
-// colours over the background, encoded, and the coverage. Nothing is halved.
+// colours over the background, encoded, and the coverage. Nothing is halved. L2 is the mean of the
+// squares of slope * (s_x - s_y), with s the colours over the background before they are encoded and slope
+// that of the encoding at the render (by the pixel's three channels together); of coverage, of x - y. For the
+// gradient the slope counts as a constant: then what is found over many noisy pictures is their mean as
+// light, however the display bends it.
 //
 // `none`: colour = rgb + (1 - a) background. `display`: s = exposure * rgb + (1 - a) background, and then
 // 0.95 * encodeSrgb(toneMapNeutral(s)) + 0.05 * ln(1 + s): the last part is there because the display alone
@@ -42,6 +61,7 @@ struct LossOptions {
 
 // What differs from step to step.
 struct LossStep {
+    LossMeasure measure = LossMeasure::similar;
     glm::vec3 background{0.0f};  // 0 to 1; for `display` linear, and not exposed, as in displayColour
     float viewWeight = 1.0f;
     bool coverageOnly = false;  // the target's colours say nothing: as if the render's were right

@@ -1,5 +1,6 @@
 #include "pipeline/splat/option_lines.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <map>
@@ -47,6 +48,8 @@ void forEachOption(Options& options, const Visit& visit) {
     visit("density.split-share", splitShare);
 }
 
+constexpr std::array<std::string_view, 3> kMeasures{"similar", "absolute", "squared"};  // by LossMeasure
+
 template <class T>
 std::string text(const T& number) {
     std::array<char, 40> digits{};
@@ -59,7 +62,8 @@ std::string text(const LossEncoding& encode) {
 std::string text(const std::vector<TrainingStage>& stages) {
     std::string all;
     for (const TrainingStage& stage : stages)
-        all += (all.empty() ? "" : " ") + text(stage.firstStep) + ":" + text(stage.halvings);
+        all += (all.empty() ? "" : " ") + text(stage.firstStep) + ":" + text(stage.halvings) + ":" +
+               std::string(kMeasures[static_cast<std::size_t>(stage.measure)]);
     return all;
 }
 
@@ -73,14 +77,22 @@ bool parse(std::string_view from, LossEncoding& encode) {
     encode = from == "display" ? LossEncoding::display : LossEncoding::none;
     return from == text(encode);
 }
+bool parse(std::string_view from, LossMeasure& measure) {
+    const auto found = std::find(kMeasures.begin(), kMeasures.end(), from);
+    measure = static_cast<LossMeasure>(found - kMeasures.begin());
+    return found != kMeasures.end();
+}
 bool parse(std::string_view from, std::vector<TrainingStage>& stages) {
     stages.clear();
     while (!from.empty()) {
         const std::string_view one = from.substr(0, from.find(' '));
         const std::size_t colon = std::min(one.find(':'), one.size());
+        const std::size_t second = std::min(one.find(':', colon + 1), one.size());
+        if (second == one.size()) return false;
         TrainingStage& stage = stages.emplace_back();
-        if (colon == one.size() || !parse(one.substr(0, colon), stage.firstStep) ||
-            !parse(one.substr(colon + 1), stage.halvings))
+        if (!parse(one.substr(0, colon), stage.firstStep) ||
+            !parse(one.substr(colon + 1, second - colon - 1), stage.halvings) ||
+            !parse(one.substr(second + 1), stage.measure))
             return false;
         from.remove_prefix(std::min(one.size() + 1, from.size()));
     }

@@ -121,6 +121,29 @@ Window windowAround(const Grid& grid, int x, int y, const std::vector<glm::dvec4
             .ofTarget = -byXy / taps};
 }
 
+// Loss, mean difference and gradient of LossMeasure::squared.
+void addSquares(const Grid& grid, std::span<const glm::dvec4> render, std::span<const glm::dvec4> target,
+                const LossOptions& options, const LossStep& step, ReferenceLoss& result) {
+    const bool display = options.encode == LossEncoding::display;
+    const double exposure = display ? double(options.exposure) : 1.0;
+    const glm::dvec3 background(step.background);
+    const double values = 4.0 * double(render.size());
+    const double scale = double(step.viewWeight) * double(kSquaresWeight) / values;
+    for (std::size_t i = 0; i < render.size(); ++i) {
+        if (grid.known[i] == 0 || !Host{}.isFinite(render[i])) continue;
+        const Host::ComparedPixel ours = Host{}.comparedPixel(render[i], background, exposure, display);
+        const Host::ComparedPixel theirs = Host{}.comparedPixel(target[i], background, exposure, display);
+        const glm::dvec3 slopes = Host{}.comparedSlopes(ours.over, display);
+        const glm::dvec3 colours =
+            step.coverageOnly ? glm::dvec3(0.0) : glm::dvec3(slopes * (ours.over - theirs.over));
+        const glm::dvec4 difference(colours, ours.value.w - theirs.value.w);
+        result.l1 += glm::dot(glm::abs(difference), glm::dvec4(1.0)) / values;
+        result.loss += scale * glm::dot(difference, difference);
+        const glm::dvec4 pull = 2.0 * scale * difference * glm::dvec4(slopes, 1.0);
+        result.gradient[i] = Host{}.comparedPixelBack(ours.over, pull, background, exposure, false);
+    }
+}
+
 }  // namespace
 
 glm::dvec4 referenceCompared(const glm::dvec4& premultiplied, const LossOptions& options,
@@ -156,9 +179,15 @@ ReferenceLoss referenceLoss(int width, int height, std::span<const glm::dvec4> r
         x[i] = finite ? referenceCompared(render[i], options, background) : y[i];
         if (step.coverageOnly) y[i] = glm::dvec4(glm::dvec3(x[i]), y[i].w);
     }
+    if (step.measure == LossMeasure::squared) {
+        addSquares(grid, render, target, options, step, result);
+        return result;
+    }
 
+    const double w = step.measure == LossMeasure::similar ? double(options.dssimWeight) : 0.0;
     std::vector<Window> windows(count);
     forEachRow(width, height, [&](std::size_t row) {
+        if (!(w > 0.0)) return;
         for (int column = 0; column < width; ++column) {
             const std::size_t i = grid.at(column, int(row));
             if (grid.known[i] != 0) windows[i] = windowAround(grid, column, int(row), x, y);
@@ -169,7 +198,6 @@ ReferenceLoss referenceLoss(int width, int height, std::span<const glm::dvec4> r
         result.l1 += glm::dot(glm::abs(x[i] - y[i]), glm::dvec4(1.0)) / values;
         result.dssim += glm::dot(windows[i].dissimilarity, glm::dvec4(1.0)) / values;
     }
-    const double w = double(options.dssimWeight);
     result.loss = double(step.viewWeight) * ((1.0 - w) * result.l1 + w * result.dssim);
 
     forEachRow(width, height, [&](std::size_t row) {

@@ -14,7 +14,7 @@ namespace macula::splat {
 struct ReferenceLoss {
     double loss = 0.0;                 // weighted, what the gradient is of
     double l1 = 0.0;                   // mean over pixels and channels
-    double dssim = 0.0;                // mean of 1 - SSIM likewise
+    double dssim = 0.0;                // mean of 1 - SSIM likewise; 0 where it takes no part
     std::uint64_t unknownPixels = 0;   // not finite in the target
     std::uint64_t badRendered = 0;     // not finite in the render
     std::vector<glm::dvec4> gradient;  // with respect to the render's premultiplied RGBA

@@ -164,11 +164,11 @@ Result<Loss*> Trainer::lossOf(glm::ivec2 sizePx) {
     return &losses_.emplace(key, std::move(loss)).first->second;
 }
 
-int Trainer::halvingsNow() const {
-    int halvings = 0;
+TrainingStage Trainer::stageNow() const {
+    TrainingStage now;
     for (const TrainingStage& stage : options_.stages)
-        if (stage.firstStep <= steps_) halvings = stage.halvings;
-    return halvings;
+        if (stage.firstStep <= steps_) now = stage;
+    return now;
 }
 
 // One that was never drawn, else half of the time any, and half of the time one by its loss.
@@ -215,7 +215,10 @@ Result<double> Trainer::differenceTo(const TrainingView& view) {
     MACULA_TRY_VOID(rasterizer_.draw(parameters_, count_, level.view, blendingOf(like_.lowPass)));
     MACULA_TRY(auto recorder, gpu::Recorder::create(device_, "compare"));
     loss->record(recorder, rasterizer_.picture(), level.target, options_.loss,
-                 {.background = glm::vec3(0.0f), .viewWeight = 1.0f, .coverageOnly = view.coverageOnly});
+                 {.measure = LossMeasure::absolute,
+                  .background = glm::vec3(0.0f),
+                  .viewWeight = 1.0f,
+                  .coverageOnly = view.coverageOnly});
     MACULA_TRY([[maybe_unused]] const gpu::Ticket ticket, recorder.submit());
     MACULA_TRY(const shared::SplatLossResult result, loss->read());
     return double(result.l1);
@@ -223,12 +226,14 @@ Result<double> Trainer::differenceTo(const TrainingView& view) {
 
 Result<void> Trainer::oneStep() {
     View& view = views_[nextView()];
-    MACULA_TRY(const Level* level, levelOf(view, halvingsNow()));
+    const TrainingStage stage = stageNow();
+    MACULA_TRY(const Level* level, levelOf(view, stage.halvings));
     MACULA_TRY(Loss * loss, lossOf(level->view.sizePx));
     Dice dice(options_.seed, steps_, 1);
     const double red = dice();
     const double green = dice();
-    const LossStep over{.background = glm::vec3(red, green, dice()),
+    const LossStep over{.measure = stage.measure,
+                        .background = glm::vec3(red, green, dice()),
                         .viewWeight = view.given->weight,
                         .coverageOnly = view.given->coverageOnly};
 

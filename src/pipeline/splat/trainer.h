@@ -108,7 +108,7 @@ class Trainer {
     Result<bool> tryStep(const Level& level, Loss& loss, const LossStep& over);
     bool isTimeToRegroup() const;
     Result<void> regroupSplats();
-    int halvingsNow() const;
+    TrainingStage stageNow() const;
     std::size_t nextView() const;
     Result<const Level*> levelOf(View& view, int halvings);
     Result<Loss*> lossOf(glm::ivec2 sizePx);

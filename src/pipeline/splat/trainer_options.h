@@ -11,10 +11,11 @@
 
 namespace macula::splat {
 
-// From step `firstStep` on pictures are 2^halvings times smaller.
+// From step `firstStep` on pictures are 2^halvings times smaller, and are compared in that way.
 struct TrainingStage {
     std::uint64_t firstStep = 0;
     int halvings = 0;
+    LossMeasure measure = LossMeasure::similar;
 };
 
 // A new option is entered in option_lines.cpp too, which does not compile before.
