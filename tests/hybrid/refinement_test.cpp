@@ -39,8 +39,10 @@ TEST(Refinement, FillsTheRoomThereIsWhileThereIsTime) {
         const std::uint64_t splits = (density.lastStep - density.firstStep) / density.every + 1;
         EXPECT_GT(10800.0 * std::pow(1.0 + density.splitShare, double(splits)), 50000.0);
         EXPECT_LE(density.splitShare, 0.15);
-        ASSERT_EQ(after.stages.size(), 1u);
-        EXPECT_EQ(after.stages[0].halvings, 0);
+        ASSERT_EQ(after.stages.size(), 2u);
+        for (const splat::TrainingStage& stage : after.stages) EXPECT_EQ(stage.halvings, 0);
+        EXPECT_EQ(after.stages[1].measure, splat::LossMeasure::squared);
+        EXPECT_EQ(after.stages[1].firstStep, kNow.steps + iterations * 9 / 10);
     }
     // No room, no time, no splats: still options that make sense.
     for (const auto& [splats, iterations] : {std::pair{60000u, 2000u}, {10u, 0u}, {0u, 1u}}) {

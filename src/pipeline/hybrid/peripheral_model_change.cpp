@@ -19,7 +19,7 @@ splat::TrainerOptions firstRound(double spacingMm, const std::string& key, const
     training.key = key;
     // A start from points looks best at the size it is looked at; halved pictures would undo that for a
     // while.
-    training.stages = {{.firstStep = 0, .halvings = 0}};
+    for (splat::TrainingStage& stage : training.stages) stage.halvings = 0;
     return training;
 }
 

@@ -12,6 +12,7 @@ namespace {
 
 constexpr std::uint64_t kEvery = 50;  // steps between splits
 constexpr double kGrowing = 0.6;      // of the steps; then what there is settles
+constexpr double kSquaresFrom = 0.9;  // of the steps, as in the first training
 constexpr double kMostAtOnce = 0.15;  // of the splats
 constexpr double kRatesAtLast = 0.1;  // of the first ones, those of the first training for all but positions
 // Than at the end of the training before: there is new room to move in. With more, what was learnt would be
@@ -40,7 +41,10 @@ splat::TrainerOptions refinementTraining(splat::TrainerOptions before, const spl
     rates.decayFrom = now.steps;
     rates.positionSteps = now.steps + steps;
     before.capacity = options.capacity;
-    before.stages = {{.firstStep = 0, .halvings = 0}};
+    before.stages = {{.firstStep = 0, .halvings = 0},
+                     {.firstStep = now.steps + static_cast<std::uint64_t>(kSquaresFrom * double(steps)),
+                      .halvings = 0,
+                      .measure = splat::LossMeasure::squared}};
     const auto growing = static_cast<std::uint64_t>(kGrowing * double(steps));
     before.density.every = kEvery;
     before.density.firstStep = now.steps + kEvery;

@@ -31,7 +31,7 @@ splat::TrainerOptions settling(splat::TrainerOptions options, std::uint64_t step
     rates.decayFrom = stepsDone;
     rates.positionSteps = stepsDone + std::max<std::uint64_t>(steps, 1);
     options.density.lastStep = std::min(options.density.lastStep, stepsDone);
-    options.stages = {{.firstStep = 0, .halvings = 0}};
+    options.stages = {{.firstStep = 0, .halvings = 0, .measure = splat::LossMeasure::squared}};
     return options;
 }
 
