@@ -13,7 +13,8 @@ TEST_F(Peripheral, StopsByItselfAndIsWokenByWhatIsNew) {
     EXPECT_EQ(model.report().pause, Pause::noViews);
     ASSERT_TRUE(model.step(10.0).ok());
     EXPECT_EQ(model.report().training.steps, 0u);
-    EXPECT_TRUE(splat::testing::sameBits(*model.shown().splats, TrainingTest::start()));
+    EXPECT_TRUE(splat::testing::sameBits(*model.shown().splats, withDirections(TrainingTest::start())));
+    EXPECT_EQ(model.state()->training.splats.shDegree, 1);
     EXPECT_EQ(model.shown().generation, 1u);
 
     EXPECT_EQ(giveWanted(model, truth(), 8), 5u);
@@ -23,6 +24,7 @@ TEST_F(Peripheral, StopsByItselfAndIsWokenByWhatIsNew) {
     const double before = *report.error;
     const std::uint64_t steps = run(model);
     report = model.report();
+    EXPECT_TRUE(isComparedAsJudged(model)) << "by squares it would be judged worse than it is";
     EXPECT_EQ(report.pause, Pause::flat) << describe(report.pause);
     EXPECT_GT(steps, 50u);
     EXPECT_LT(*report.error, 0.6 * before);
@@ -49,6 +51,7 @@ TEST_F(Peripheral, StopsByItselfAndIsWokenByWhatIsNew) {
     giveWanted(model, truth(), 3);
     run(model);
     EXPECT_EQ(model.report().rounds, 2u);
+    EXPECT_TRUE(isComparedAsJudged(model));
     EXPECT_GT(model.report().training.splats, 60u);
     EXPECT_EQ(model.state()->training.splats.shDegree, 1);
 }

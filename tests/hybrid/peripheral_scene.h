@@ -1,6 +1,8 @@
 // A model that runs by itself, and what it learns from: pictures of a known one.
 #pragma once
 
+#include <algorithm>
+
 #include "pipeline/hybrid/peripheral_model.h"
 #include "splat/training_scene.h"
 #include "splat/training_support.h"
@@ -25,6 +27,17 @@ class PeripheralTest : public splat::TrainingTest {
     }
     static ModelStart start(const std::string& key = "one") {
         return {.splats = TrainingTest::start(), .spacingMm = 10.0, .seenMm = box(), .key = key};
+    }
+    static splat::Splats withDirections(splat::Splats splats) {
+        splats.setShDegree(1);
+        return splats;
+    }
+    static bool isComparedAsJudged(const PeripheralModel& model) {
+        const splat::TrainingState now = model.lastGood().training;
+        return std::all_of(now.options.stages.begin(), now.options.stages.end(),
+                           [](const splat::TrainingStage& stage) {
+                               return stage.measure == splat::LossMeasure::similar && stage.halvings == 0;
+                           });
     }
     static PeripheralModel begun(const PeripheralOptions& o = options()) {
         return std::move(PeripheralModel::begin(device(), start(), o)).value();
@@ -53,6 +66,10 @@ class PeripheralTest : public splat::TrainingTest {
     static double psnrFrom(const splat::Splats& model, const splat::Splats& of, const Camera& camera) {
         const auto view = splat::rasterView(camera, kSize, glm::dvec3(0.0)).value();
         return psnr(draw(model, view), draw(of, view));
+    }
+    // The pictures are of a model without directions, whatever degree the one that learns has.
+    static double psnrOf(const splat::Splats& model) {
+        return psnr(draw(model, heldOut()), draw(truth(), heldOut()));
     }
     // As with any clock.
     static PeripheralOptions neverPaused() {

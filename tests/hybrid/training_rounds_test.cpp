@@ -27,6 +27,8 @@ TEST(TrainingRounds, SettleWithoutAJump) {
                 EXPECT_NEAR(after[i], before[i], 1e-5f * before[i]) << now;
                 EXPECT_NEAR(atLast[i], last[i], 1e-5f * last[i]) << now;
             }
+            ASSERT_EQ(settled.stages.size(), 1u);
+            EXPECT_EQ(settled.stages[0].measure, splat::LossMeasure::similar);
             EXPECT_LE(settled.density.lastStep, now) << "splits end";
         }
     }

@@ -116,8 +116,8 @@ Result<void> PeripheralModel::beginRoundIfDue() {
         std::min(options_.splatsGrow * double(now.splats), double(options_.mostSplats)));
     const RefinementOptions round{.iterations = options_.roundSteps,
                                   .capacity = std::max(more, notes_.first.capacity)};
-    MACULA_TRY_VOID(goOnWith(refinementTraining(notes_.first, now, round),
-                             std::max(options_.laterShDegree, trainer_.lastGood().splats.shDegree)));
+    MACULA_TRY_VOID(goOnWith(comparedAsJudged(refinementTraining(notes_.first, now, round)),
+                             std::max(options_.shDegree, trainer_.lastGood().splats.shDegree)));
     ++rounds_;
     return {};
 }

@@ -34,7 +34,7 @@ struct PeripheralOptions {
     std::uint32_t firstCapacity = 11000;  // splats
     double splatsGrow = 1.5;              // a later round may have so many times those there are
     std::uint32_t mostSplats = 50000;     // and no more than that
-    int laterShDegree = 1;                // of later rounds; the first has that of its start
+    int shDegree = 1;                     // of colours, from the start on; never less than the start has
     // A later round begins when the model has so many more views, in parts of those it had at the last one.
     double newViewsForRound = 0.25;
     // Learnt and held out. A picture of 512 x 512 takes 5 MB on the device and 4 MB on the host.

@@ -1,9 +1,11 @@
 // How a peripheral model begins, and begins again when what is shown was changed.
+#include <algorithm>
 #include <utility>
 
 #include "pipeline/hybrid/first_model.h"
 #include "pipeline/hybrid/model_shelf.h"
 #include "pipeline/hybrid/peripheral_model.h"
+#include "pipeline/hybrid/training_rounds.h"
 
 namespace macula::hybrid {
 
@@ -15,11 +17,10 @@ splat::TrainerOptions firstRound(double spacingMm, const std::string& key, const
     first.capacity = options.firstCapacity;
     first.sizePx = options.wanted.sizePx.y;
     first.trial = options.seed;
-    splat::TrainerOptions training = trainerOptions(first, spacingMm);
-    training.key = key;
     // A start from points looks best at the size it is looked at; halved pictures would undo that for a
-    // while.
-    for (splat::TrainingStage& stage : training.stages) stage.halvings = 0;
+    // while. And no squares at last.
+    splat::TrainerOptions training = comparedAsJudged(trainerOptions(first, spacingMm));
+    training.key = key;
     return training;
 }
 
@@ -45,7 +46,9 @@ Result<splat::Trainer> PeripheralModel::beginTrainer(const std::shared_ptr<gpu::
                      "There is nothing to be seen.",
                      {},
                      "Choose a preset that shows something of the series."};
-    return splat::Trainer::create(device, start.splats, firstRound(start.spacingMm, start.key, options));
+    splat::Splats splats = start.splats;
+    splats.setShDegree(std::max(options.shDegree, splats.shDegree));
+    return splat::Trainer::create(device, splats, firstRound(start.spacingMm, start.key, options));
 }
 
 Result<PeripheralModel> PeripheralModel::begin(const std::shared_ptr<gpu::Device>& device,
@@ -59,7 +62,9 @@ Result<PeripheralModel> PeripheralModel::begin(const std::shared_ptr<gpu::Device
 Result<PeripheralModel> PeripheralModel::resume(const std::shared_ptr<gpu::Device>& device,
                                                 const PeripheralState& state,
                                                 const PeripheralOptions& options) {
-    MACULA_TRY(splat::Trainer trainer, splat::Trainer::resume(device, state.training));
+    splat::TrainingState training = state.training;
+    training.options = comparedAsJudged(std::move(training.options));  // those of a file may end by squares
+    MACULA_TRY(splat::Trainer trainer, splat::Trainer::resume(device, training));
     PeripheralState notes = state;
     if (notes.first.capacity == 0)
         notes.first =

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace macula::hybrid {
 
@@ -15,6 +16,11 @@ double fallen(const splat::OptimizerOptions& rates, std::uint64_t stepsDone) {
 }
 
 }  // namespace
+
+splat::TrainerOptions comparedAsJudged(splat::TrainerOptions options) {
+    options.stages = {{.firstStep = 0, .halvings = 0}};
+    return options;
+}
 
 bool isSettled(const splat::TrainerOptions& options, std::uint64_t stepsDone) {
     return stepsDone >= options.optimizer.positionSteps;
@@ -31,8 +37,7 @@ splat::TrainerOptions settling(splat::TrainerOptions options, std::uint64_t step
     rates.decayFrom = stepsDone;
     rates.positionSteps = stepsDone + std::max<std::uint64_t>(steps, 1);
     options.density.lastStep = std::min(options.density.lastStep, stepsDone);
-    options.stages = {{.firstStep = 0, .halvings = 0, .measure = splat::LossMeasure::squared}};
-    return options;
+    return comparedAsJudged(std::move(options));
 }
 
 }  // namespace macula::hybrid

@@ -8,11 +8,18 @@
 
 namespace macula::hybrid {
 
+// Whole pictures, compared alike from the first step to the last: absolute differences, never squares. What
+// is shown is chosen by absolute differences (Trainer::differenceTo); squares give the model the light that
+// these leave out, 1 to 3 % where pictures are noisy, but may raise that error, and then the older copy stays
+// shown.
+splat::TrainerOptions comparedAsJudged(splat::TrainerOptions options);
+
 // Whether all rates have come to their last values.
 bool isSettled(const splat::TrainerOptions& options, std::uint64_t stepsDone);
 
 // Rates go on from where they are after `stepsDone`, without a jump, and come to the same last values within
-// `steps` steps; splats are neither split nor removed any more, and pictures are whole.
+// `steps` steps; splats are neither split nor removed any more, and pictures are as comparedAsJudged
+// has them.
 splat::TrainerOptions settling(splat::TrainerOptions options, std::uint64_t stepsDone, std::uint64_t steps);
 
 }  // namespace macula::hybrid
