@@ -78,12 +78,36 @@ ComparedPixel comparedPixel(vec4 premultiplied, vec3 background, float exposure,
     return pixel;
 }
 
-// How fast the colours that are compared change with those over the background, all three of these together.
-vec3 comparedSlopes(vec3 over, bool display) {
-    if (!display) return vec3(float(1.0));
+// How toneMapNeutral(colour) changes with a small change of colour: the derivative of which toneMapNeutralBack is the transpose.
+vec3 toneMapNeutralChange(vec3 colour, vec3 change) {
+    float startCompression = float(0.8 - 0.04);
+    float desaturation = float(0.15);
+    float low = min(colour.x, min(colour.y, colour.z));
+    float offset = low < float(0.08) ? low - float(6.25) * low * low : float(0.04);
+    float offsetSlope = low < float(0.08) ? float(1.0) - float(12.5) * low : float(0.0);
+    vec3 lifted = colour - vec3(offset);
+    vec3 ofLifted = change - vec3(offsetSlope * dot(shareOf(colour, low), change));
+    float peak = max(lifted.x, max(lifted.y, lifted.z));
+    if (peak < startCompression) return ofLifted;
+    float d = float(1.0) - startCompression;
+    float slope = d / (peak + d - startCompression);
+    float newPeak = float(1.0) - d * slope;
+    float ratio = newPeak / peak;
+    float keep = float(1.0) / (desaturation * (peak - newPeak) + float(1.0));
+    float ofPeak = dot(shareOf(lifted, peak), ofLifted);
+    float ofNewPeak = slope * slope * ofPeak;
+    float ofRatio = (ofNewPeak - ratio * ofPeak) / peak;
+    float ofKeep = -desaturation * keep * keep * (ofPeak - ofNewPeak);
+    vec3 ofScaled = ofLifted * ratio + lifted * ofRatio;
+    return ofScaled * keep + (lifted * ratio - vec3(newPeak)) * ofKeep + vec3(ofNewPeak * (float(1.0) - keep));
+}
+
+// How the colours that are compared change, to first order, when those over the background do by `change`.
+vec3 comparedChange(vec3 over, vec3 change, bool display) {
+    if (!display) return change;
     vec3 mapped = toneMapNeutral(over);
     vec3 slopes = vec3(encodeSrgbSlope(mapped.x), encodeSrgbSlope(mapped.y), encodeSrgbSlope(mapped.z));
-    return toneMapNeutralBack(over, slopes * float(1.0 - PLAIN_SHARE)) + vec3(float(PLAIN_SHARE)) / (over + vec3(float(1.0)));
+    return toneMapNeutralChange(over, change) * slopes * float(1.0 - PLAIN_SHARE) + change * float(PLAIN_SHARE) / (over + vec3(float(1.0)));
 }
 
 // The gradient with respect to the premultiplied pixel of what has the gradient `back` with respect to value. Where a bound

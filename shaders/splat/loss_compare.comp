@@ -1,4 +1,4 @@
-// First step of the loss: sum and difference of the two pictures, as they are compared; of squares the difference alone. What is not finite in either is
+// First step of the loss: sum and difference of the two pictures, as they are compared. What is not finite in either is
 // taken to be equal, and black if it is in the target.
 #version 460
 #extension GL_GOOGLE_include_directive : require
@@ -26,7 +26,7 @@ void main() {
     vec4 x = ours.value;
     vec4 y = theirs.value;
     vec4 difference = x - y;
-    if (params.squareScale > 0.0) difference.xyz = comparedSlopes(ours.over, kDisplay) * (ours.over - theirs.over);
+    if (params.squareScale > 0.0) difference.xyz = comparedChange(ours.over, ours.over - theirs.over, kDisplay);
     if (params.coverageOnly != 0u) {
         y.xyz = x.xyz;
         difference.xyz = vec3(0.0);

@@ -49,16 +49,11 @@ void main() {
             vec4 difference = texelFetch(pairs, 2 * index + 1);
             bool finite = isFinite(render);
             bool known = texelFetch(windows, index).x > 0.0 && finite;
-            vec4 back = params.l1Scale * sign(difference);
+            vec4 back = params.l1Scale * sign(difference) + 2.0 * params.squareScale * difference;
             if (kSimilar)
                 back += params.dssimScale * (a[n] + b[n] * texelFetch(pairs, 2 * index) + c[n] * difference);
             vec3 over = comparedPixel(render, params.background, params.exposure, kDisplay).over;
             vec4 gradient = comparedPixelBack(over, back, params.background, params.exposure, kDisplay);
-            if (params.squareScale > 0.0) {
-                vec4 pull = 2.0 * params.squareScale * difference;
-                pull.xyz *= comparedSlopes(over, kDisplay);
-                gradient = comparedPixelBack(over, pull, params.background, params.exposure, false);
-            }
             gradients[index] = known ? gradient : vec4(0.0);
             part += vec4(dot(abs(difference), vec4(1.0)), dot(difference, difference), finite ? 0.0 : 1.0, 0.0);
         }

@@ -99,23 +99,22 @@ TEST(Loss, GradientsAreThoseOfCentralDifferences) {
     }
 }
 
-// Of each colour that is compared, by those over the background together: by central differences.
-glm::dvec3 slopesAt(const glm::dvec3& over, const LossOptions& options) {
+// Of the colours that are compared by those over the background: by central differences.
+glm::dmat3 derivativeAt(const glm::dvec3& over, const LossOptions& options) {
     const double h = 1e-6;
-    glm::dvec3 slopes(0.0);
+    glm::dmat3 derivative(0.0);
     for (int by = 0; by < 3; ++by) {
-        const auto sum = [&](double step) {
+        const auto at = [&](double step) {
             glm::dvec4 moved(over, 1.0);
             moved[by] += step;
-            const glm::dvec4 value = referenceCompared(moved, options, glm::dvec3(0.0));
-            return value.x + value.y + value.z;
+            return glm::dvec3(referenceCompared(moved, options, glm::dvec3(0.0)));
         };
-        slopes[by] = (sum(h) - sum(-h)) / (2 * h);
+        derivative[by] = (at(h) - at(-h)) / (2 * h);
     }
-    return slopes;
+    return derivative;
 }
 
-TEST(Loss, OfSquaresHasTheGradientOfItsSquaresWhileSlopesStand) {
+TEST(Loss, OfSquaresHasTheGradientOfItsSquaresWhileTheDisplayStands) {
     for (const LossEncoding encode : {LossEncoding::none, LossEncoding::display}) {
         const LossOptions options{.encode = encode, .exposure = 1.0f};
         const LossStep step{
@@ -127,9 +126,9 @@ TEST(Loss, OfSquaresHasTheGradientOfItsSquaresWhileSlopesStand) {
         double sum = 0.0;
         for (std::size_t i = 0; i < render.size(); ++i) {
             const auto over = [&](const glm::dvec4& p) { return glm::dvec3(p) + (1.0 - p.w) * background; };
-            const glm::dvec3 slopes = slopesAt(over(render[i]), options);
+            const glm::dmat3 derivative = derivativeAt(over(render[i]), options);
             const auto squares = [&](const glm::dvec4& pixel) {
-                const glm::dvec3 off = slopes * (over(pixel) - over(target[i]));
+                const glm::dvec3 off = derivative * (over(pixel) - over(target[i]));
                 const double coverage = pixel.w - target[i].w;
                 return double(step.viewWeight) * 5.0 * (glm::dot(off, off) + coverage * coverage) /
                        (4.0 * 35.0);

@@ -58,6 +58,7 @@ TEST(Ply, RoundTripIsExact) {
             splats.colourSpace = ColourSpace::display;
         }
         if (degree == 2) splats.lowPass = LowPass::classic;
+        if (degree == 3) splats.lowPass = LowPass::compensated;  // as Macula wrote it before `adaptive`
         const std::string bytes = written(splats);
         const auto read = parse(bytes);
         ASSERT_TRUE(read.ok()) << read.error().message;

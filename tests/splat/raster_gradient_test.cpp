@@ -202,6 +202,13 @@ TEST(RasterGradient, OfClassicBlending) {
                       "classic");
 }
 
+TEST(RasterGradient, OfAConstantLowPass) {
+    const ReferenceSplats splats = randomModel(5, 8);
+    expectDepthsApart(splats, frontView());
+    expectDerivatives(splats, frontView(), blendingOf(LowPass::compensated), {.background = {0.3, 0.8, 0.1}},
+                      "compensated");
+}
+
 TEST(RasterGradient, OfOpaqueSplatsAndFinishedPixels) {
     ReferenceSplats splats = randomModel(6, 14);
     for (std::size_t i = 0; i < splats.size(); ++i) {

@@ -120,7 +120,8 @@ TEST(Raster, LowPassEndsWhereItIsNotNeeded) {
         return 0.5 / std::log(picture[16 * 33 + 16].a / picture[16 * 33 + 17].a);
     };
     const Blending ours{.minAlpha = 1e-9};
-    const Blending constant{.lowPassLeastPx2 = 0.3, .minAlpha = 1e-9};
+    Blending constant = blendingOf(LowPass::compensated);  // as older models of ours say
+    constant.minAlpha = 1e-9;
     double before = 0.3;
     for (double variance = 0.01; variance < 4.0; variance *= 1.5) {
         const double drawn = varianceAt(std::sqrt(variance), ours);

@@ -68,12 +68,14 @@ splat::TrainerOptions trainerOptions(const FirstModelOptions& options, double sp
     rates.opacityLogit = 0.1;
     rates.dc = 0.015;
     rates.sh = rates.dc / 20.0;
-    // Large pictures from a fifth of the way on; of small ones there is nothing smaller worth looking at. At
-    // last squares, which put right the light that absolute differences leave out.
-    training.stages = {
-        {.firstStep = 0, .halvings = options.sizePx >= 256 ? 1 : 0},
-        {.firstStep = options.iterations / 5, .halvings = 0},
-        {.firstStep = options.iterations * 9 / 10, .halvings = 0, .measure = splat::LossMeasure::squared}};
+    // Large pictures from a fifth of the way on; of small ones there is nothing smaller worth looking at.
+    training.stages = {{.firstStep = 0, .halvings = options.sizePx >= 256 ? 1 : 0},
+                       {.firstStep = options.iterations / 5, .halvings = 0}};
+    // At last squares, which put right the light that absolute differences leave out.
+    if (options.iterations > 0)
+        training.stages.push_back({.firstStep = options.iterations * 3 / 4,
+                                   .halvings = 0,
+                                   .measure = splat::LossMeasure::squared});
     return training;
 }
 

@@ -30,7 +30,7 @@ struct FirstModelOptions {
     std::uint64_t iterations = 700;
     double budgetMs = std::numeric_limits<double>::infinity();  // of training; what comes first ends it
     std::uint32_t capacity = 11000;                             // splats, at least as many as points
-    int shDegree = 1;  // of their colours: 0.3 to 0.6 dB, for 9 bytes more of each in a file
+    int shDegree = 1;  // of their colours: 0.3 to 0.6 dB, for 9 bytes more of each in an SPZ file
 };
 
 struct FirstModel {

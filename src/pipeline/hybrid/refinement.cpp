@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::uint64_t kEvery = 50;  // steps between splits
 constexpr double kGrowing = 0.6;      // of the steps; then what there is settles
-constexpr double kSquaresFrom = 0.9;  // of the steps, as in the first training
+constexpr double kSquaresFrom = 0.9;  // of the steps; what they put right is done by then
 constexpr double kMostAtOnce = 0.15;  // of the splats
 constexpr double kRatesAtLast = 0.1;  // of the first ones, those of the first training for all but positions
 // Than at the end of the training before: there is new room to move in. With more, what was learnt would be

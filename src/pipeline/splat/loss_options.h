@@ -34,10 +34,10 @@ inline constexpr float kSquaresWeight = 5.0f;
 //
 // with L1 the mean of |x - y| and SSIM the mean index over all pixels and four values of each: the three
 // colours over the background, encoded, and the coverage. Nothing is halved. L2 is the mean of the
-// squares of slope * (s_x - s_y), with s the colours over the background before they are encoded and slope
-// that of the encoding at the render (by the pixel's three channels together); of coverage, of x - y. For the
-// gradient the slope counts as a constant: then what is found over many noisy pictures is their mean as
-// light, however the display bends it.
+// squares of J (s_x - s_y), with s the three colours over the background before they are encoded and J the
+// derivative of the encoding at the render: what is compared, to first order; of coverage, of x - y. For the
+// gradient J counts as a constant: then what is found over many noisy pictures is their mean as light,
+// however the display bends it. The mean difference that is reported is then that of J (s_x - s_y).
 //
 // `none`: colour = rgb + (1 - a) background. `display`: s = exposure * rgb + (1 - a) background, and then
 // 0.95 * encodeSrgb(toneMapNeutral(s)) + 0.05 * ln(1 + s): the last part is there because the display alone

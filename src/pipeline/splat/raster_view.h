@@ -33,7 +33,7 @@ Result<void> validate(const RasterView& view);
 
 // See shaders/lib/splat_blend.glsl and splat_projection.glsl.
 struct Blending {
-    bool compensated = true;  // opacity falls as the low-pass widens (LowPass::compensated)
+    bool compensated = true;  // opacity falls as the low-pass widens; false: LowPass::classic
     // Variance added in the picture, of what is thinner than a pixel: with less, sums depend on where in a
     // pixel it lies. And of what is thick: that of a pixel's area. The same number twice: always that.
     double lowPassPx2 = 0.3;

@@ -133,14 +133,14 @@ void addSquares(const Grid& grid, std::span<const glm::dvec4> render, std::span<
         if (grid.known[i] == 0 || !Host{}.isFinite(render[i])) continue;
         const Host::ComparedPixel ours = Host{}.comparedPixel(render[i], background, exposure, display);
         const Host::ComparedPixel theirs = Host{}.comparedPixel(target[i], background, exposure, display);
-        const glm::dvec3 slopes = Host{}.comparedSlopes(ours.over, display);
-        const glm::dvec3 colours =
-            step.coverageOnly ? glm::dvec3(0.0) : glm::dvec3(slopes * (ours.over - theirs.over));
+        const glm::dvec3 colours = step.coverageOnly
+                                       ? glm::dvec3(0.0)
+                                       : Host{}.comparedChange(ours.over, ours.over - theirs.over, display);
         const glm::dvec4 difference(colours, ours.value.w - theirs.value.w);
         result.l1 += glm::dot(glm::abs(difference), glm::dvec4(1.0)) / values;
         result.loss += scale * glm::dot(difference, difference);
-        const glm::dvec4 pull = 2.0 * scale * difference * glm::dvec4(slopes, 1.0);
-        result.gradient[i] = Host{}.comparedPixelBack(ours.over, pull, background, exposure, false);
+        result.gradient[i] =
+            Host{}.comparedPixelBack(ours.over, 2.0 * scale * difference, background, exposure, display);
     }
 }
 
