@@ -56,6 +56,21 @@ TEST_F(Peripheral, StopsByItselfAndIsWokenByWhatIsNew) {
     EXPECT_EQ(model.state()->training.splats.shDegree, 1);
 }
 
+TEST_F(Peripheral, IsWokenByThePictureThatItCanBeJudgedBy) {
+    PeripheralOptions o = options();
+    o.firstSteps = 20;
+    PeripheralModel model = begun(o);
+    EXPECT_EQ(*model.offer(picture(truth(), cameraAt(0.0))), Offered::heldOut);
+    EXPECT_EQ(*model.offer(picture(truth(), cameraAt(20.0))), Offered::learnt);
+    EXPECT_EQ(*model.offer(picture(truth(), cameraAt(40.0))), Offered::learnt);
+    const std::uint64_t steps = run(model);
+    EXPECT_EQ(model.report().pause, Pause::notJudged);
+    EXPECT_EQ(*model.offer(picture(truth(), cameraAt(60.0))), Offered::heldOut);
+    EXPECT_FALSE(model.isPaused());
+    EXPECT_GT(run(model), steps);
+    EXPECT_EQ(model.report().pause, Pause::flat);
+}
+
 TEST_F(Peripheral, DoesOneThingAtATimeWhenThereIsNoTime) {
     PeripheralModel model = begun();
     giveWanted(model, truth(), 8);

@@ -122,6 +122,8 @@ Result<Offered> PeripheralModel::offer(TracedView view, bool mayBeHeldOut) {
                 reducedTo(std::move(picture), options_.heldOutSidePx))));
             ++notes_.offered;
             if (before_) MACULA_TRY_VOID(showIfBetter());
+            // Now it can be told whether more steps are worth it.
+            if (pause_ == Pause::notJudged && heldOut_.size() >= kLeastHeldOut) wake();
             return Offered::heldOut;
         }
     }
