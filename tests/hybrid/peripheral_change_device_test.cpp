@@ -110,6 +110,45 @@ TEST_F(PeripheralChange, AStartThatIsBetterIsShownAsSoonAsTwoPicturesSaySo) {
     EXPECT_TRUE(model.step(5.0).ok());
 }
 
+// There and back before anything of the other was shown: what is shown is of this, and nothing is waited for.
+TEST_F(PeripheralChange, BackBeforeAnythingElseWasShownIsNoChangeOfWhatIsShown) {
+    for (const std::uint64_t shelfBytes : {std::uint64_t(1) << 30, std::uint64_t(0)}) {
+        PeripheralOptions o = neverPaused();
+        o.shelfBytes = shelfBytes;
+        PeripheralModel model = begun(o);
+        giveWanted(model, truth(), 6);
+        learn(model, 60);
+        const ShownModel shown = model.shown();
+        const PeripheralReport before = model.report();
+        ASSERT_TRUE(model.change(changedStart()).ok());
+        EXPECT_TRUE(model.shown().isOfBefore);
+        ASSERT_TRUE(model.change(changedStart("three")).ok());
+        EXPECT_TRUE(model.shown().isOfBefore);
+        ASSERT_TRUE(model.change(start()).ok());
+        EXPECT_FALSE(model.shown().isOfBefore);
+        EXPECT_EQ(model.shown().splats, shown.splats);
+        EXPECT_EQ(model.shown().generation, shown.generation);
+        if (shelfBytes > 0) {
+            EXPECT_EQ(model.report().training.steps, before.training.steps);
+            EXPECT_EQ(model.report().heldOut, 2u);
+            EXPECT_NEAR(*model.report().shownError, *before.shownError, 1e-4 * *before.shownError);
+        } else {
+            EXPECT_TRUE(sameBits(model.state()->training.splats, *shown.splats)) << "nothing is given up";
+            giveWanted(model, truth(), 6);
+        }
+        learn(model, 150);
+        EXPECT_GT(model.shown().generation, shown.generation);
+        EXPECT_GT(psnrOf(*model.shown().splats), psnrOf(TrainingTest::start()) + 3.0);
+    }
+    // And on another device in between.
+    PeripheralModel model = begun(neverPaused());
+    ASSERT_TRUE(model.change(changedStart()).ok());
+    model = std::move(PeripheralModel::resume(device(), model.lastGood(), neverPaused())).value();
+    EXPECT_TRUE(model.shown().isOfBefore);
+    ASSERT_TRUE(model.change(start()).ok());
+    EXPECT_FALSE(model.shown().isOfBefore);
+}
+
 TEST_F(PeripheralChange, WithoutRoomForMoreSplatsItGoesOnWithThoseItHas) {
     PeripheralOptions o = options();
     o.firstSteps = 10;

@@ -147,6 +147,7 @@ Result<void> PeripheralModel::showIfBetter() {
     if (!before_ && error > (1.0 + options_.shownMayBeWorse) * shownError) return {};
     MACULA_TRY(splat::Splats now, trainer_.snapshot());
     shown_ = std::make_shared<const splat::Splats>(std::move(now));
+    shownKey_ = trainer_.lastGood().options.key;
     ++generation_;
     before_.reset();
     for (HeldOut& h : heldOut_) h.shownError = h.error;

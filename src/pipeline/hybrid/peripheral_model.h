@@ -12,6 +12,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -108,20 +109,20 @@ class PeripheralModel {
     Result<std::optional<WantedView>> wantedView();
 
     // Of any size and field of view. Learnt if it shows something new (admit), at once awake again; a few
-    // are held out instead (held_out.h), if `mayBeHeldOut` or there are fewer than two of these: say no for
-    // what a person looks at, because of that it should know all. Fails as Trainer::addView, and then
-    // nothing has changed.
+    // are held out instead (held_out.h; awake again if it had paused as notJudged and now can be), if
+    // `mayBeHeldOut` or there are fewer than two of these: say no for what a person looks at, because of that
+    // it should know all. Fails as Trainer::addView, and then nothing has changed.
     Result<Offered> offer(TracedView view, bool mayBeHeldOut = true);
 
     // Of how much is in the way, without light (coverage_views.h): learnt, whatever it knows from there.
     Result<Offered> offerOutline(TracedView view);
 
     // What is shown was changed: everything that was learnt until now goes on the shelf, and it begins anew:
-    // with what is on the shelf for that key, else with `start`, else, if that has no splats, with what is
-    // shown (and its spacing, if that is 0). Points (startFromPoints) are best for another preset or clip,
-    // what is shown for other lights: docs/peripheral-model.md. What was shown stays until the new model is
-    // nearer to at least two held-out pictures of the new look. Fails as begin, and then it goes on as
-    // before.
+    // with what is on the shelf for that key, else with `start`, else, if that has no splats or what is shown
+    // is of that key, with what is shown (and its spacing, if that is 0). Points (startFromPoints) are best
+    // for another preset or clip, what is shown for other lights: docs/peripheral-model.md. What was shown
+    // stays until the new model is nearer to at least two held-out pictures of the new look. Fails as begin,
+    // and then it goes on as before.
     Result<void> change(const ModelStart& start);
 
     ShownModel shown() const { return {shown_, generation_, before_.has_value()}; }
@@ -144,7 +145,7 @@ class PeripheralModel {
 
     static Result<splat::Trainer> beginTrainer(const std::shared_ptr<gpu::Device>& device,
                                                const ModelStart& start, const PeripheralOptions& options);
-    Result<void> goOnShowing(const std::shared_ptr<const splat::Splats>& splats);
+    Result<void> goOnShowing(const std::shared_ptr<const splat::Splats>& splats, const std::string& key);
     Result<void> takeHeldOut(const std::shared_ptr<const splat::TrainingView>& picture);
     bool isKnown(const splat::RasterView& view) const;
     double degreesBesideHeldOut(const splat::RasterView& view) const;
@@ -166,6 +167,7 @@ class PeripheralModel {
     std::vector<Camera> asked_;             // and not come yet
     std::optional<splat::Trainer> before_;  // what is shown, while that is of before the last change
     std::shared_ptr<const splat::Splats> shown_;
+    std::string shownKey_;  // of what it is
     std::uint64_t generation_ = 1;
     ErrorTrend trend_;
     bool isJudging_ = false;

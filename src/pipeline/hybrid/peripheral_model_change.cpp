@@ -33,6 +33,7 @@ PeripheralModel::PeripheralModel(std::shared_ptr<gpu::Device> device, const Peri
       trainer_(std::move(trainer)),
       notes_(std::move(notes)),
       shown_(std::make_shared<const splat::Splats>(trainer_.lastGood().splats)),
+      shownKey_(trainer_.lastGood().options.key),
       trend_(options_.trend),
       pause_(trainer_.viewCount() > 0 ? Pause::none : Pause::noViews) {
     if (!notes_.shelf) notes_.shelf = std::make_shared<ModelShelf>(options_.shelfBytes);
@@ -73,16 +74,18 @@ Result<PeripheralModel> PeripheralModel::resume(const std::shared_ptr<gpu::Devic
     notes.heldOut.clear();
     notes.before = nullptr;
     PeripheralModel model(device, options, std::move(trainer), std::move(notes));
-    if (state.before) MACULA_TRY_VOID(model.goOnShowing(state.before));
+    if (state.before) MACULA_TRY_VOID(model.goOnShowing(state.before, state.beforeKey));
     for (const auto& picture : state.heldOut) MACULA_TRY_VOID(model.takeHeldOut(picture));
     return model;
 }
 
 // While the model itself is not shown yet.
-Result<void> PeripheralModel::goOnShowing(const std::shared_ptr<const splat::Splats>& splats) {
+Result<void> PeripheralModel::goOnShowing(const std::shared_ptr<const splat::Splats>& splats,
+                                          const std::string& key) {
     const splat::Splats before = relativeTo(*splats, trainer_.lastGood().splats.originMm);
     MACULA_TRY(before_, splat::Trainer::create(device_, before, notes_.first));
     shown_ = splats;
+    shownKey_ = key;
     return {};
 }
 
@@ -91,23 +94,29 @@ Result<void> PeripheralModel::change(const ModelStart& start) {
     const bool hasKey = !start.key.empty();
     if (hasKey && start.key == now.training.options.key) return {};
     now.before = nullptr;
+    now.beforeKey.clear();
+    // Changed back before anything else was shown: what is shown is of this already.
+    const bool isOwn = hasKey && start.key == shownKey_;
     const std::shared_ptr<ModelShelf> shelf = std::exchange(now.shelf, nullptr);
     const auto kept = hasKey ? shelf->find(start.key) : nullptr;
     const auto begun = [&]() -> Result<PeripheralModel> {
         if (kept) return resume(device_, *kept, options_);
-        if (start.splats.size() > 0) return begin(device_, start, options_);
+        if (start.splats.size() > 0 && !isOwn) return begin(device_, start, options_);
         ModelStart warm = start;
         warm.splats = *shown_;
         if (!(warm.spacingMm > 0.0)) warm.spacingMm = notes_.first.optimizer.extentMm;
         return begin(device_, warm, options_);
     };
     MACULA_TRY(PeripheralModel next, begun());
-    MACULA_TRY_VOID(next.goOnShowing(shown_));
+    MACULA_TRY_VOID(next.goOnShowing(shown_, shownKey_));
     for (HeldOut& h : next.heldOut_) {
         MACULA_TRY(const double errorBefore, next.before_->differenceTo(*h.picture));
         h.shownError = errorBefore / h.coverage;
     }
-    MACULA_TRY_VOID(next.showIfBetter());
+    if (isOwn)
+        next.before_.reset();
+    else
+        MACULA_TRY_VOID(next.showIfBetter());
     if (!now.training.options.key.empty())
         shelf->put(std::make_shared<const PeripheralState>(std::move(now)));
     next.notes_.shelf = shelf;
@@ -126,7 +135,10 @@ PeripheralState PeripheralModel::lastGood() const {
     PeripheralState state = notes_;
     state.training = trainer_.lastGood();
     for (const HeldOut& h : heldOut_) state.heldOut.push_back(h.picture);
-    if (before_) state.before = shown_;
+    if (before_) {
+        state.before = shown_;
+        state.beforeKey = shownKey_;
+    }
     return state;
 }
 

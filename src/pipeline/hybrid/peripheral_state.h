@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "base/frames.h"
@@ -18,6 +19,7 @@ struct PeripheralState {
     splat::TrainingState training;                                    // its options.key says of what
     std::vector<std::shared_ptr<const splat::TrainingView>> heldOut;  // never learnt; it is judged by them
     std::shared_ptr<const splat::Splats> before;  // still shown instead of it; null: it is shown itself
+    std::string beforeKey;                        // of what `before` is
     Box seenMm;
     std::uint64_t offered = 0;          // views that might have been held out
     std::uint64_t asked = 0;            // views asked for
