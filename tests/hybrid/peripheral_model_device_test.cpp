@@ -103,13 +103,33 @@ TEST_F(Peripheral, LearnsOutlines) {
 }
 
 TEST_F(Peripheral, JudgesAtTheCostThatIsStated) {
-    PeripheralModel model = begun();
-    giveWanted(model, truth(), 8);
-    run(model);
-    // Three held-out pictures cost less than a fifth of as many steps; twice that for what else a machine
-    // does.
-    EXPECT_LT(model.report().judgingSeconds, 0.4 * model.report().trainingSeconds);
+    PeripheralModel model = begun(neverPaused());
+    // Held-out pictures are larger than what it learns from.
+    for (int i = 0; i < 8; ++i) {
+        const auto wanted = model.wantedView().value();
+        ASSERT_TRUE(wanted);
+        const glm::ivec2 size = i == 0 || i == 3 ? glm::ivec2(90, 80) : kSize;
+        ASSERT_TRUE(model.offer(picture(truth(), wanted->camera, size)).ok());
+    }
+    const PeripheralState state = model.lastGood();
+    double heldOutPx = 0.0;
+    for (const auto& heldOut : state.heldOut) heldOutPx += double(heldOut->pixels.size());
+    ASSERT_GT(heldOutPx, 2.0 * 90.0 * 80.0);
+    std::uint64_t steps = 0;
+    std::uint64_t comparisons = 0;
+    for (int i = 0; i < 250; ++i) {  // one thing at a time
+        ASSERT_TRUE(model.step(0.0).ok());
+        const std::uint64_t now = model.report().training.steps;
+        comparisons += now == steps ? 1u : 0u;
+        steps = now;
+    }
+    // A fifth of the pixels, and not much less: they are compared at whole numbers of steps.
+    const double comparedPx = double(comparisons) / double(state.heldOut.size()) * heldOutPx;
+    const double learntPx = double(steps) * double(kSize.x * kSize.y);
+    EXPECT_LE(comparedPx, options().judgingShare * learntPx);
+    EXPECT_GT(comparedPx, 0.5 * options().judgingShare * learntPx);
     EXPECT_GT(model.report().judgingSeconds, 0.0);
+    EXPECT_GT(model.report().trainingSeconds, model.report().judgingSeconds);
 }
 
 TEST_F(Peripheral, AsksForTheOtherSideAndIsBetterThereForIt) {
