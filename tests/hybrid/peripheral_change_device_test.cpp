@@ -67,8 +67,10 @@ TEST_F(PeripheralChange, ShowsWhatWasUntilTheNewModelIsBetter) {
     EXPECT_GT(after, psnrFrom(*before.splats, changed(), cameraAt(36.0, 20.0)) + 3.0);
 
     // Back to what it knows, on another device if need be: at once, and with all that it had learnt.
+    const std::uint64_t last = model.shown().generation;
     model = std::move(PeripheralModel::resume(device(), model.lastGood(), neverPaused())).value();
     EXPECT_FALSE(model.shown().isOfBefore);
+    EXPECT_GT(model.shown().generation, last) << "not of the same splats";
     const std::uint64_t generation = model.shown().generation;
     ModelStart back = start();
     back.splats = {};
@@ -163,6 +165,14 @@ TEST_F(PeripheralChange, WithoutRoomForMoreSplatsItGoesOnWithThoseItHas) {
     EXPECT_FALSE(model.isPaused());
     EXPECT_EQ(model.report().training.splats, 60u);
     EXPECT_GT(model.report().training.steps, 10u);
+    // The round begins all the same: rates are warm again.
+    EXPECT_EQ(model.report().rounds, 2u);
+    const splat::TrainerOptions round = model.lastGood().training.options;
+    EXPECT_EQ(round.optimizer.positionSteps, 10u + o.roundSteps);
+    EXPECT_EQ(round.capacity, 60u);
+    run(model);
+    EXPECT_TRUE(model.report().noRoom) << "that it has settled since makes no room";
+    EXPECT_EQ(model.report().rounds, 2u);
 }
 
 // Lost while it learns, judges, copies or is offered something: what is shown stays, and another device goes
@@ -192,6 +202,7 @@ TEST_F(PeripheralChange, AnotherDeviceGoesOnWhereOneWasLost) {
         ASSERT_TRUE(resumed.ok());
         EXPECT_EQ(resumed->report().heldOut, 2u);
         EXPECT_TRUE(sameBits(*resumed->shown().splats, left.training.splats));
+        EXPECT_GT(resumed->shown().generation, model.shown().generation);
         EXPECT_FALSE(resumed->isPaused());
         learn(*resumed, 150);
         EXPECT_GT(psnrOf(*resumed->shown().splats), psnrOf(TrainingTest::start()) + 3.0);

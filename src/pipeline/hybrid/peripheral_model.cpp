@@ -114,21 +114,31 @@ Result<void> PeripheralModel::beginRoundIfDue() {
     notes_.roundViews = trainer_.viewCount();
     const auto more = static_cast<std::uint32_t>(
         std::min(options_.splatsGrow * double(now.splats), double(options_.mostSplats)));
-    const RefinementOptions round{.iterations = options_.roundSteps,
-                                  .capacity = std::max(more, notes_.first.capacity)};
-    MACULA_TRY_VOID(goOnWith(comparedAsJudged(refinementTraining(notes_.first, now, round)),
-                             std::max(options_.shDegree, trainer_.lastGood().splats.shDegree)));
-    ++rounds_;
+    const std::uint32_t room = std::max(more, notes_.first.capacity);
+    MACULA_TRY(bool hasBegun, beginRound(room));
+    noRoom_ = !hasBegun;
+    if (!hasBegun) {
+        const auto present = std::max(trainer_.lastGood().options.capacity, now.splats);
+        MACULA_TRY(hasBegun, beginRound(std::min(present, room)));
+    }
+    // One that did not begin is tried again with as many more views, not at every step: the model would never
+    // pause.
+    if (hasBegun) ++rounds_;
     return {};
 }
 
-// Without room for it all goes on as it was.
-Result<void> PeripheralModel::goOnWith(const splat::TrainerOptions& options, int shDegree) {
-    Result<void> done = trainer_.goOnWith(options, shDegree);
-    if (!done && done.error().code != ErrorCode::outOfMemory) return done;
-    noRoom_ = !done.ok();
+Result<bool> PeripheralModel::beginRound(std::uint32_t capacity) {
+    const RefinementOptions round{.iterations = options_.roundSteps, .capacity = capacity};
+    return goOnWith(comparedAsJudged(refinementTraining(notes_.first, trainer_.report(), round)),
+                    std::max(options_.shDegree, trainer_.lastGood().splats.shDegree));
+}
+
+// Without memory for it all goes on as it was: false.
+Result<bool> PeripheralModel::goOnWith(const splat::TrainerOptions& options, int shDegree) {
+    const Result<void> done = trainer_.goOnWith(options, shDegree);
+    if (!done && done.error().code != ErrorCode::outOfMemory) return done.error();
     trend_.forget();
-    return {};
+    return done.ok();
 }
 
 // What was shown before a change stays until the new model is nearer to what there is now; after that what is
@@ -167,7 +177,9 @@ Result<void> PeripheralModel::pauseOrSettle() {
         pause_ = Pause::flat;
         return {};
     }
-    return goOnWith(settling(now, steps, options_.settlingSteps), trainer_.lastGood().splats.shDegree);
+    MACULA_TRY_VOID(
+        goOnWith(settling(now, steps, options_.settlingSteps), trainer_.lastGood().splats.shDegree));
+    return {};
 }
 
 PeripheralReport PeripheralModel::report() const {

@@ -66,8 +66,9 @@ enum class Offered { learnt, heldOut, nothingNew, full };
 
 struct ShownModel {
     std::shared_ptr<const splat::Splats> splats;  // valid; never null
-    std::uint64_t generation = 0;                 // another one whenever `splats` is
-    bool isOfBefore = false;                      // of what was shown before the last change
+    // A larger one whenever `splats` are others, in a model that goes on with another one's state too.
+    std::uint64_t generation = 0;
+    bool isOfBefore = false;  // of what was shown before the last change
 };
 
 struct PeripheralReport {
@@ -152,7 +153,8 @@ class PeripheralModel {
     std::vector<KnownView> knownViews() const;
     std::uint64_t stepsBetweenJudging() const;
     Result<void> beginRoundIfDue();
-    Result<void> goOnWith(const splat::TrainerOptions& options, int shDegree);
+    Result<bool> beginRound(std::uint32_t capacity);
+    Result<bool> goOnWith(const splat::TrainerOptions& options, int shDegree);
     Result<void> learn(const std::function<bool()>& goesOn);
     Result<void> judgeNext();
     Result<void> showIfBetter();
@@ -168,7 +170,7 @@ class PeripheralModel {
     std::optional<splat::Trainer> before_;  // what is shown, while that is of before the last change
     std::shared_ptr<const splat::Splats> shown_;
     std::string shownKey_;  // of what it is
-    std::uint64_t generation_ = 1;
+    std::uint64_t generation_;
     ErrorTrend trend_;
     bool isJudging_ = false;
     std::size_t judged_ = 0;  // since then

@@ -34,6 +34,7 @@ PeripheralModel::PeripheralModel(std::shared_ptr<gpu::Device> device, const Peri
       notes_(std::move(notes)),
       shown_(std::make_shared<const splat::Splats>(trainer_.lastGood().splats)),
       shownKey_(trainer_.lastGood().options.key),
+      generation_(notes_.generation + 1),
       trend_(options_.trend),
       pause_(trainer_.viewCount() > 0 ? Pause::none : Pause::noViews) {
     if (!notes_.shelf) notes_.shelf = std::make_shared<ModelShelf>(options_.shelfBytes);
@@ -108,6 +109,7 @@ Result<void> PeripheralModel::change(const ModelStart& start) {
         return begin(device_, warm, options_);
     };
     MACULA_TRY(PeripheralModel next, begun());
+    next.generation_ = generation_;
     MACULA_TRY_VOID(next.goOnShowing(shown_, shownKey_));
     for (HeldOut& h : next.heldOut_) {
         MACULA_TRY(const double errorBefore, next.before_->differenceTo(*h.picture));
@@ -120,7 +122,6 @@ Result<void> PeripheralModel::change(const ModelStart& start) {
     if (!now.training.options.key.empty())
         shelf->put(std::make_shared<const PeripheralState>(std::move(now)));
     next.notes_.shelf = shelf;
-    next.generation_ += generation_ - 1;
     *this = std::move(next);
     return {};
 }
@@ -133,6 +134,7 @@ Result<PeripheralState> PeripheralModel::state() const {
 
 PeripheralState PeripheralModel::lastGood() const {
     PeripheralState state = notes_;
+    state.generation = generation_;
     state.training = trainer_.lastGood();
     for (const HeldOut& h : heldOut_) state.heldOut.push_back(h.picture);
     if (before_) {

@@ -20,6 +20,7 @@ struct PeripheralState {
     std::vector<std::shared_ptr<const splat::TrainingView>> heldOut;  // never learnt; it is judged by them
     std::shared_ptr<const splat::Splats> before;  // still shown instead of it; null: it is shown itself
     std::string beforeKey;                        // of what `before` is
+    std::uint64_t generation = 0;  // of what is shown; what goes on with this shows a later one
     Box seenMm;
     std::uint64_t offered = 0;          // views that might have been held out
     std::uint64_t asked = 0;            // views asked for
