@@ -6,11 +6,10 @@
 #include <unistd.h>
 
 #include <csignal>
+#include <cstdlib>
 #include <fstream>
 #include <iterator>
-#include <optional>
 #include <sstream>
-#include <thread>
 
 namespace macula::cli {
 
@@ -32,14 +31,24 @@ std::size_t Ran::errorLines() const {
 
 namespace {
 
-// `interrupt`: when to send SIGINT, if at all.
-Ran runOnce(const std::vector<std::string>& arguments, const std::vector<std::string>& environment,
-            std::optional<std::chrono::milliseconds> interrupt) {
-    static int serial = 0;
-    const fs::path stem = fs::temp_directory_path() / fmt::format("macula-run-{}-{}", getpid(), ++serial);
-    const std::string out = stem.string() + ".out";
-    const std::string err = stem.string() + ".err";
+struct Files {
+    fs::path out;
+    fs::path err;
+};
 
+Files filesOfRun() {
+    static int serial = 0;
+    const std::string stem =
+        (fs::temp_directory_path() / fmt::format("macula-run-{}-{}", getpid(), ++serial)).string();
+    return {stem + ".out", stem + ".err"};
+}
+
+int opened(const fs::path& path) {
+    return open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600);
+}
+
+pid_t begin(const std::vector<std::string>& arguments, const std::vector<std::string>& environment, int out,
+            int err) {
     std::vector<std::string> words{MACULA_BINARY};
     words.insert(words.end(), arguments.begin(), arguments.end());
     std::vector<char*> argv;
@@ -47,36 +56,66 @@ Ran runOnce(const std::vector<std::string>& arguments, const std::vector<std::st
     argv.push_back(nullptr);
 
     const pid_t child = fork();
-    if (child == 0) {
-        for (const std::string& entry : environment) {
-            const std::size_t equals = entry.find('=');
-            setenv(entry.substr(0, equals).c_str(), entry.substr(equals + 1).c_str(), 1);
-        }
-        dup2(open(out.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600), STDOUT_FILENO);
-        dup2(open(err.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600), STDERR_FILENO);
-        execv(MACULA_BINARY, argv.data());
-        _exit(127);
+    if (child != 0) return child;
+    for (const std::string& entry : environment) {
+        const std::size_t equals = entry.find('=');
+        setenv(entry.substr(0, equals).c_str(), entry.substr(equals + 1).c_str(), 1);
     }
-    if (interrupt) {
-        std::this_thread::sleep_for(*interrupt);
-        kill(child, SIGINT);  // not waited for yet: the number is still its own
-    }
+    dup2(out, STDOUT_FILENO);
+    dup2(err, STDERR_FILENO);
+    execv(MACULA_BINARY, argv.data());
+    _exit(127);
+}
+
+int exitCodeOf(pid_t child) {
     int status = 0;
     waitpid(child, &status, 0);
-    Ran ran{WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), readAll(out), readAll(err)};
-    fs::remove(out);
-    fs::remove(err);
-    return ran;
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 
 }  // namespace
 
 Ran runMacula(const std::vector<std::string>& arguments, const std::vector<std::string>& environment) {
-    return runOnce(arguments, environment, {});
+    const Files files = filesOfRun();
+    const int out = opened(files.out);
+    const int err = opened(files.err);
+    const pid_t child = begin(arguments, environment, out, err);
+    close(out);
+    close(err);
+    Ran ran{.exitCode = exitCodeOf(child), .out = readAll(files.out), .err = readAll(files.err)};
+    fs::remove(files.out);
+    fs::remove(files.err);
+    return ran;
 }
 
-Ran runMaculaInterrupted(const std::vector<std::string>& arguments, std::chrono::milliseconds after) {
-    return runOnce(arguments, {}, after);
+Ran runMaculaInterrupted(const std::vector<std::string>& arguments,
+                         const std::function<bool(const std::string& err)>& when) {
+    const Files files = filesOfRun();
+    const int screen = posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC);
+    if (screen < 0 || grantpt(screen) != 0 || unlockpt(screen) != 0) {
+        ADD_FAILURE() << "there is no terminal";
+        return {};
+    }
+    const int out = opened(files.out);
+    const int err = open(ptsname(screen), O_RDWR | O_NOCTTY | O_CLOEXEC);
+    const pid_t child = begin(arguments, {}, out, err);
+    close(out);
+    close(err);
+    Ran ran;
+    std::vector<char> read(4096);
+    bool isPressed = false;
+    // The end is an error: nobody has the terminal any more.
+    for (ssize_t count = 0; (count = ::read(screen, read.data(), read.size())) > 0;) {
+        ran.err.append(read.data(), std::size_t(count));
+        if (isPressed || !when(ran.err)) continue;
+        kill(child, SIGINT);  // not waited for yet: the number is still its own
+        isPressed = true;
+    }
+    close(screen);
+    ran.exitCode = exitCodeOf(child);
+    ran.out = readAll(files.out);
+    fs::remove(files.out);
+    return ran;
 }
 
 void CommandTest::SetUp() {

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -21,8 +21,10 @@ struct Ran {
 // `arguments` are passed as they are, without a shell; `environment` entries are NAME=VALUE.
 Ran runMacula(const std::vector<std::string>& arguments, const std::vector<std::string>& environment = {});
 
-// The same, and presses Ctrl-C once, that long after it began. One that has ended by then is not hurt.
-Ran runMaculaInterrupted(const std::vector<std::string>& arguments, std::chrono::milliseconds after);
+// The same in a terminal, so that it shows its progress, and presses Ctrl-C once, as soon as what it has
+// written to stderr is what `when` waits for. One that never comes so far ends by itself.
+Ran runMaculaInterrupted(const std::vector<std::string>& arguments,
+                         const std::function<bool(const std::string& err)>& when);
 
 // A fresh folder for each test, removed afterwards.
 class CommandTest : public ::testing::Test {
