@@ -73,9 +73,8 @@ splat::TrainerOptions trainerOptions(const FirstModelOptions& options, double sp
                        {.firstStep = options.iterations / 5, .halvings = 0}};
     // At last squares, which put right the light that absolute differences leave out.
     if (options.iterations > 0)
-        training.stages.push_back({.firstStep = options.iterations * 3 / 4,
-                                   .halvings = 0,
-                                   .measure = splat::LossMeasure::squared});
+        training.stages.push_back(
+            {.firstStep = options.iterations * 3 / 4, .halvings = 0, .measure = splat::LossMeasure::squared});
     return training;
 }
 
