@@ -205,9 +205,8 @@ CLI::Option* addTrainingOptions(CLI::App& command, Options& o) {
                        ->check(CLI::Range(1u, trace::kMaxSurfacePoints));
     command
         .add_option("--budget", o.budgetSeconds,
-                    "Seconds of training, after points and views are there; ends it before all iterations, "
-                    "in the last "
-                    "of which rates fall and light is put right")
+                    "Seconds of training, after points and views are there; may end it before the last "
+                    "iterations, in which rates fall and light is put right")
         ->check(CLI::Range(0.1, 1e6));
     command
         .add_option("--pause-after", o.pauseAfter,
