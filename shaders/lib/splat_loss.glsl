@@ -26,31 +26,57 @@ vec3 shareOf(vec3 value, float extreme) {
     return share / (share.x + share.y + share.z);
 }
 
+#define TONE_DESATURATION 0.15
+
+// What toneMapNeutral passes on its way from a colour, for its derivatives.
+struct TonePath {
+    vec3 lowShare;      // how the lowest channels share it
+    float offsetSlope;  // of what is taken from all channels, by the lowest
+    vec3 lifted;
+    bool isCompressed;  // else the rest is not set
+    float peak;
+    vec3 peakShare;
+    float slope;        // its square: of newPeak by peak
+    float newPeak;
+    float ratio;
+    float keep;
+};
+
+TonePath tonePathOf(vec3 colour) {
+    float startCompression = float(0.8 - 0.04);
+    float low = min(colour.x, min(colour.y, colour.z));
+    float offset = low < float(0.08) ? low - float(6.25) * low * low : float(0.04);
+    TonePath path;
+    path.lowShare = shareOf(colour, low);
+    path.offsetSlope = low < float(0.08) ? float(1.0) - float(12.5) * low : float(0.0);
+    path.lifted = colour - vec3(offset);
+    path.peak = max(path.lifted.x, max(path.lifted.y, path.lifted.z));
+    path.isCompressed = path.peak >= startCompression;
+    if (!path.isCompressed) return path;
+    float d = float(1.0) - startCompression;
+    path.peakShare = shareOf(path.lifted, path.peak);
+    path.slope = d / (path.peak + d - startCompression);
+    path.newPeak = float(1.0) - d * path.slope;
+    path.ratio = path.newPeak / path.peak;
+    path.keep = float(1.0) / (float(TONE_DESATURATION) * (path.peak - path.newPeak) + float(1.0));
+    return path;
+}
+
 // The gradient with respect to `colour` of what has the gradient `back` with respect to toneMapNeutral(colour). Step by step
 // that function's derivative.
 vec3 toneMapNeutralBack(vec3 colour, vec3 back) {
-    float startCompression = float(0.8 - 0.04);
-    float desaturation = float(0.15);
-    float low = min(colour.x, min(colour.y, colour.z));
-    float offset = low < float(0.08) ? low - float(6.25) * low * low : float(0.04);
-    float offsetSlope = low < float(0.08) ? float(1.0) - float(12.5) * low : float(0.0);
-    vec3 lifted = colour - vec3(offset);
-    float peak = max(lifted.x, max(lifted.y, lifted.z));
+    TonePath path = tonePathOf(colour);
     vec3 ofLifted = back;
-    if (peak >= startCompression) {
-        float d = float(1.0) - startCompression;
-        float slope = d / (peak + d - startCompression);
-        float newPeak = float(1.0) - d * slope;
-        float ratio = newPeak / peak;
-        float keep = float(1.0) / (desaturation * (peak - newPeak) + float(1.0));
-        vec3 ofScaled = back * keep;
-        float ofKeep = dot(back, lifted * ratio - vec3(newPeak)) * -desaturation * keep * keep;  // by peak - newPeak
-        float ofRatio = dot(ofScaled, lifted) / peak;
-        float ofNewPeak = (back.x + back.y + back.z) * (float(1.0) - keep) + ofRatio - ofKeep;
-        float ofPeak = ofKeep - ofRatio * ratio + ofNewPeak * slope * slope;
-        ofLifted = ofScaled * ratio + shareOf(lifted, peak) * ofPeak;
+    if (path.isCompressed) {
+        vec3 ofScaled = back * path.keep;
+        float ofKeep = dot(back, path.lifted * path.ratio - vec3(path.newPeak)) * float(-TONE_DESATURATION) * path.keep *
+                       path.keep;  // by peak - newPeak
+        float ofRatio = dot(ofScaled, path.lifted) / path.peak;
+        float ofNewPeak = (back.x + back.y + back.z) * (float(1.0) - path.keep) + ofRatio - ofKeep;
+        float ofPeak = ofKeep - ofRatio * path.ratio + ofNewPeak * path.slope * path.slope;
+        ofLifted = ofScaled * path.ratio + path.peakShare * ofPeak;
     }
-    return ofLifted - shareOf(colour, low) * ((ofLifted.x + ofLifted.y + ofLifted.z) * offsetSlope);
+    return ofLifted - path.lowShare * ((ofLifted.x + ofLifted.y + ofLifted.z) * path.offsetSlope);
 }
 
 float encodeSrgbSlope(float linear) {
@@ -80,26 +106,16 @@ ComparedPixel comparedPixel(vec4 premultiplied, vec3 background, float exposure,
 
 // How toneMapNeutral(colour) changes with a small change of colour: the derivative of which toneMapNeutralBack is the transpose.
 vec3 toneMapNeutralChange(vec3 colour, vec3 change) {
-    float startCompression = float(0.8 - 0.04);
-    float desaturation = float(0.15);
-    float low = min(colour.x, min(colour.y, colour.z));
-    float offset = low < float(0.08) ? low - float(6.25) * low * low : float(0.04);
-    float offsetSlope = low < float(0.08) ? float(1.0) - float(12.5) * low : float(0.0);
-    vec3 lifted = colour - vec3(offset);
-    vec3 ofLifted = change - vec3(offsetSlope * dot(shareOf(colour, low), change));
-    float peak = max(lifted.x, max(lifted.y, lifted.z));
-    if (peak < startCompression) return ofLifted;
-    float d = float(1.0) - startCompression;
-    float slope = d / (peak + d - startCompression);
-    float newPeak = float(1.0) - d * slope;
-    float ratio = newPeak / peak;
-    float keep = float(1.0) / (desaturation * (peak - newPeak) + float(1.0));
-    float ofPeak = dot(shareOf(lifted, peak), ofLifted);
-    float ofNewPeak = slope * slope * ofPeak;
-    float ofRatio = (ofNewPeak - ratio * ofPeak) / peak;
-    float ofKeep = -desaturation * keep * keep * (ofPeak - ofNewPeak);
-    vec3 ofScaled = ofLifted * ratio + lifted * ofRatio;
-    return ofScaled * keep + (lifted * ratio - vec3(newPeak)) * ofKeep + vec3(ofNewPeak * (float(1.0) - keep));
+    TonePath path = tonePathOf(colour);
+    vec3 ofLifted = change - vec3(path.offsetSlope * dot(path.lowShare, change));
+    if (!path.isCompressed) return ofLifted;
+    float ofPeak = dot(path.peakShare, ofLifted);
+    float ofNewPeak = path.slope * path.slope * ofPeak;
+    float ofRatio = (ofNewPeak - path.ratio * ofPeak) / path.peak;
+    float ofKeep = float(-TONE_DESATURATION) * path.keep * path.keep * (ofPeak - ofNewPeak);
+    vec3 ofScaled = ofLifted * path.ratio + path.lifted * ofRatio;
+    return ofScaled * path.keep + (path.lifted * path.ratio - vec3(path.newPeak)) * ofKeep +
+           vec3(ofNewPeak * (float(1.0) - path.keep));
 }
 
 // How the colours that are compared change, to first order, when those over the background do by `change`.

@@ -16,7 +16,7 @@ enum class LossEncoding {
 // How far they are from each other.
 enum class LossMeasure {
     similar,   // absolute differences, and how alike neighbourhoods are
-    absolute,  // absolute differences alone: half as much work
+    absolute,  // absolute differences alone: less work
     squared,   // squares of differences. Where a picture is noisy, what is nearest to it in absolute
                // differences is the median, which is darker than the light that there is; in squares it is
                // the mean
