@@ -18,39 +18,41 @@ std::string_view variable(const char* name) {
     return value != nullptr ? value : "";
 }
 
-// DISPLAY outlives its server: in a terminal kept open, over a connection that was cut. The library is loaded
-// by name, because Qt brings it along without its headers. Where it is missing, Qt is left to find out.
-bool xServerAnswers() {
-    struct Connection;
-    void* library = dlopen("libxcb.so.1", RTLD_NOW | RTLD_LOCAL);
-    if (library == nullptr) return true;
-    const auto connect = reinterpret_cast<Connection* (*)(const char*, int*)>(dlsym(library, "xcb_connect"));
-    const auto hasError = reinterpret_cast<int (*)(Connection*)>(dlsym(library, "xcb_connection_has_error"));
-    const auto disconnect = reinterpret_cast<void (*)(Connection*)>(dlsym(library, "xcb_disconnect"));
-    bool answers = true;
-    if (connect != nullptr && hasError != nullptr && disconnect != nullptr) {
-        Connection* connection = connect(nullptr, nullptr);  // never null
-        answers = hasError(connection) == 0;
-        disconnect(connection);
-    }
-    dlclose(library);
-    return answers;
-}
-
 }  // namespace
 
-bool hasDisplay() {
+DisplayCheck::DisplayCheck() {
     const std::string_view platform = variable("QT_QPA_PLATFORM");
-    if (platform.starts_with("xcb")) return xServerAnswers();
-    if (!platform.empty() || !variable("WAYLAND_DISPLAY").empty()) return true;
-    return !variable("DISPLAY").empty() && xServerAnswers();
+    if (platform.starts_with("xcb")) {
+        connectToX();
+    } else if (platform.empty() && variable("WAYLAND_DISPLAY").empty()) {
+        found_ = !variable("DISPLAY").empty();
+        if (found_) connectToX();
+    }
+}
+
+// DISPLAY outlives its server: in a terminal kept open, over a connection that was cut. The library is loaded
+// by name, because Qt brings it along without its headers. Where it is missing, Qt is left to find out.
+void DisplayCheck::connectToX() {
+    library_ = dlopen("libxcb.so.1", RTLD_NOW | RTLD_LOCAL);
+    if (library_ == nullptr) return;
+    const auto connect = reinterpret_cast<void* (*)(const char*, int*)>(dlsym(library_, "xcb_connect"));
+    const auto hasError = reinterpret_cast<int (*)(void*)>(dlsym(library_, "xcb_connection_has_error"));
+    if (connect == nullptr || hasError == nullptr) return;
+    connection_ = connect(nullptr, nullptr);  // never null
+    found_ = hasError(connection_) == 0;
+}
+
+DisplayCheck::~DisplayCheck() {
+    if (library_ == nullptr) return;
+    const auto disconnect = reinterpret_cast<void (*)(void*)>(dlsym(library_, "xcb_disconnect"));
+    if (connection_ != nullptr && disconnect != nullptr) disconnect(connection_);
+    dlclose(library_);
 }
 
 #else
 
-bool hasDisplay() {
-    return true;
-}
+DisplayCheck::DisplayCheck() = default;
+DisplayCheck::~DisplayCheck() = default;
 
 #endif
 

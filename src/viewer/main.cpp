@@ -82,7 +82,8 @@ int main(int argc, char** argv) {
         std::fputs(line->print->toLocal8Bit().constData(), stdout);
         return kExitDone;
     }
-    if (!hasDisplay()) {
+    std::optional<DisplayCheck> display(std::in_place);
+    if (!display->found()) {
         return fail({ErrorCode::deviceNotUsable,
                      "There is no display to open a window on, or it does not answer.",
                      {},
@@ -92,5 +93,6 @@ int main(int argc, char** argv) {
     // patients. Below a file that is no folder nothing can be written.
     QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, QStringLiteral("/dev/null"));
     QApplication application(argc, argv);
+    display.reset();
     return run(application, *line);
 }

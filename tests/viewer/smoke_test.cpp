@@ -100,5 +100,21 @@ TEST_F(ViewerProgram, ExitCodesTellWhatWasWrong) {
     EXPECT_EQ(runViewer({"--version"}, {"DISPLAY="}).exitCode, 0);
 }
 
+// As a virtual display may: one that starts anew with its last client is away for a moment, this one for good.
+TEST_F(ViewerProgram, LooksForTheDisplayWithoutLosingIt) {
+    QProcess server;
+    server.start(QStringLiteral("Xvfb"),
+                 {"-displayfd", "1", "-screen", "0", "640x480x24", "-nolisten", "tcp", "-terminate"});
+    if (!server.waitForStarted()) GTEST_SKIP() << "Xvfb does not start";
+    ASSERT_TRUE(server.waitForReadyRead());
+    const QString display = ":" + QString::fromLatin1(server.readAllStandardOutput()).trimmed();
+
+    const Outcome outcome =
+        runViewer({"--preset", "no-such-preset"}, {"DISPLAY=" + display, "QT_QPA_PLATFORM=xcb"});
+
+    EXPECT_EQ(outcome.exitCode, 2) << outcome.errors.toStdString();
+    EXPECT_TRUE(server.waitForFinished()) << "it was no display of the kind that this is about";
+}
+
 }  // namespace
 }  // namespace macula::viewer
