@@ -100,7 +100,8 @@ TEST_F(ViewerProgram, ExitCodesTellWhatWasWrong) {
     EXPECT_EQ(runViewer({"--version"}, {"DISPLAY="}).exitCode, 0);
 }
 
-// As a virtual display may: one that starts anew with its last client is away for a moment, this one for good.
+// As a virtual display may: one that starts anew with its last client is away for a moment, this one for
+// good.
 TEST_F(ViewerProgram, LooksForTheDisplayWithoutLosingIt) {
     QProcess server;
     server.start(QStringLiteral("Xvfb"),
