@@ -182,7 +182,6 @@ class Bench {
                          "Nothing of the series can be seen.",
                          {},
                          "Choose another preset."};
-        spacingMm_ = std::sqrt(points.areaMm2);
         model_ = hybrid::initialSplats(points);
         model_.setShDegree(options_.shDegree);
         return {};
@@ -201,8 +200,7 @@ class Bench {
         progress_.beginStage("Measuring", static_cast<std::size_t>(options_.repetitions));
         return splat::benchmarkTraining(
             study_.device, model_, {.view = view, .pixels = std::move(traced.rgba)},
-            {.trainer = hybrid::trainerOptions({}, spacingMm_), .repetitions = options_.repetitions},
-            progress_);
+            {.trainer = hybrid::trainerOptions({}), .repetitions = options_.repetitions}, progress_);
     }
 
     // From a volume that is on the device.
@@ -239,7 +237,6 @@ class Bench {
     trace::PathTracer tracer_;
     Progress& progress_;
     splat::Splats model_;
-    double spacingMm_ = 1.0;
 };
 
 Result<void> benchTrain(const Options& options) {

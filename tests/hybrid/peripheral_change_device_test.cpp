@@ -29,7 +29,7 @@ class PeripheralChange : public PeripheralTest {
         return splats;
     }
     static ModelStart changedStart(const std::string& key = "two") {
-        ModelStart start{.splats = changed(), .spacingMm = 10.0, .seenMm = box(), .key = key};
+        ModelStart start{.splats = changed(), .seenMm = box(), .key = key};
         for (glm::vec3& dc : start.splats.dc) dc = glm::vec3(1.0f);
         return start;
     }
@@ -45,7 +45,6 @@ TEST_F(PeripheralChange, ShowsWhatWasUntilTheNewModelIsBetter) {
     // Warm: as good as before, so nothing is gained by showing it yet.
     ModelStart warm = changedStart();
     warm.splats = {};
-    warm.spacingMm = 0.0;
     ASSERT_TRUE(model.change(warm).ok());
     EXPECT_EQ(model.report().pause, Pause::noViews);
     EXPECT_EQ(model.shown().generation, before.generation);

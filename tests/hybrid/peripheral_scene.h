@@ -26,7 +26,7 @@ class PeripheralTest : public splat::TrainingTest {
         return o;
     }
     static ModelStart start(const std::string& key = "one") {
-        return {.splats = TrainingTest::start(), .spacingMm = 10.0, .seenMm = box(), .key = key};
+        return {.splats = TrainingTest::start(), .seenMm = box(), .key = key};
     }
     static splat::Splats withDirections(splat::Splats splats) {
         splats.setShDegree(1);

@@ -13,7 +13,7 @@ namespace {
 const splat::TrainingReport kNow{.steps = 700, .splats = 10800};
 
 TEST(Refinement, NoRateIsFarFromTheLastOneAndAllFall) {
-    const splat::TrainerOptions before = trainerOptions({.iterations = 700}, 2.5);
+    const splat::TrainerOptions before = trainerOptions({.iterations = 700});
     const splat::TrainerOptions after = refinementTraining(before, kNow, {.iterations = 2000});
     const auto last = splat::learningRates(before.optimizer, 1, 700);
     const auto first = splat::learningRates(after.optimizer, 1, 700);
@@ -31,7 +31,7 @@ TEST(Refinement, NoRateIsFarFromTheLastOneAndAllFall) {
 TEST(Refinement, FillsTheRoomThereIsWhileThereIsTime) {
     for (const std::uint64_t iterations : {1000u, 2000u, 4000u}) {
         const splat::TrainerOptions after =
-            refinementTraining(trainerOptions({}, 2.5), kNow, {.iterations = iterations});
+            refinementTraining(trainerOptions({}), kNow, {.iterations = iterations});
         const splat::DensityOptions& density = after.density;
         EXPECT_EQ(after.capacity, 50000u);
         EXPECT_GT(density.firstStep, 700u);
@@ -47,7 +47,7 @@ TEST(Refinement, FillsTheRoomThereIsWhileThereIsTime) {
     // No room, no time, no splats: still options that make sense.
     for (const auto& [splats, iterations] : {std::pair{60000u, 2000u}, {10u, 0u}, {0u, 1u}}) {
         const splat::TrainerOptions after = refinementTraining(
-            trainerOptions({}, 2.5), {.steps = 700, .splats = splats}, {.iterations = iterations});
+            trainerOptions({}), {.steps = 700, .splats = splats}, {.iterations = iterations});
         EXPECT_GT(after.density.splitShare, 0.0);
         EXPECT_LE(after.density.splitShare, 0.15);
     }

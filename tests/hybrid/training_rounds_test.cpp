@@ -10,7 +10,7 @@ namespace macula::hybrid {
 namespace {
 
 TEST(TrainingRounds, SettleWithoutAJump) {
-    const splat::TrainerOptions first = trainerOptions({.iterations = 700}, 2.5);
+    const splat::TrainerOptions first = trainerOptions({.iterations = 700});
     const splat::TrainerOptions later =
         refinementTraining(first, {.steps = 700, .splats = 10800}, {.iterations = 1000});
     for (const auto& [round, end] : {std::pair(first, 700u), std::pair(later, 1700u)}) {

@@ -193,14 +193,14 @@ TEST_F(TrainerOnDevice, ModelsItCannotTrainAreRefused) {
     Splats bad = start();
     bad.dc[3].x = std::nanf("");
     EXPECT_EQ(Trainer::create(device(), bad, options()).error().code, ErrorCode::inputNotUsable);
-    EXPECT_EQ(Trainer::create(device(), start(), {}).error().code, ErrorCode::usage);  // no extent
-    std::vector<TrainerOptions> senseless(6, options());
+    std::vector<TrainerOptions> senseless(7, options());
     senseless[0].stages[1].halvings = -1;
     senseless[1].stages[1].halvings = 40;
     senseless[2].loss.dssimWeight = 1.5f;
     senseless[3].loss.exposure = std::nanf("");
     senseless[4].density.every = 0;
     senseless[5].density.splitShare = std::nan("");
+    senseless[6].optimizer.position = 0.0;
     for (const TrainerOptions& o : senseless)
         EXPECT_EQ(Trainer::create(device(), start(), o).error().code, ErrorCode::usage);
 }

@@ -75,7 +75,7 @@ TEST(TrainingFile, GivesBackEveryBit) {
         EXPECT_EQ(linesOf(read->options), linesOf(state.options));
         EXPECT_EQ(read->options.stages.back().firstStep, ~std::uint64_t(0));
         EXPECT_EQ(read->options.loss.dssimWeight, 1.0f / 3.0f);
-        EXPECT_EQ(read->options.optimizer.extentMm, 100.0 / 7.0);
+        EXPECT_EQ(read->options.optimizer.position, 1.0 / 7.0);
         EXPECT_EQ(read->options.keepEveryMs, 1.0 / 3.0);
         EXPECT_EQ(read->options.density.unseenShare, 1.0 / 7.0);
         const auto model = parseModel(bytes);

@@ -72,9 +72,8 @@ class TrainingTest : public DeviceTest {
     static TrainerOptions options(std::uint64_t firstWhole = 60) {
         TrainerOptions o{
             .seed = 3, .stages = {{.firstStep = 0, .halvings = 1}, {.firstStep = firstWhole, .halvings = 0}}};
-        o.optimizer.extentMm = 70.0;
-        o.optimizer.position = 5e-3;
-        o.optimizer.positionAtLast = 1e-3;
+        o.optimizer.position = 0.05;
+        o.optimizer.positionAtLast = 0.01;
         o.optimizer.positionSteps = 120;
         o.optimizer.dc = 0.02;
         o.optimizer.logScale = 0.02;

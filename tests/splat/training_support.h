@@ -57,7 +57,7 @@ inline TrainingState randomState(std::size_t splats, int degree, std::size_t vie
     state.options.keepEveryMs = 1.0 / 3.0;
     state.options.density = {.firstStep = 1, .every = 2, .lastStep = 3, .unseenShare = 1.0 / 7.0};
     state.options.stages = {{.firstStep = 0, .halvings = 3}, {.firstStep = ~std::uint64_t(0), .halvings = 0}};
-    state.options.optimizer.extentMm = 100.0 / 7.0;
+    state.options.optimizer.position = 1.0 / 7.0;
     state.options.optimizer.positionSteps = 12345678901234567u;
     state.options.loss = {.dssimWeight = 1.0f / 3.0f, .encode = LossEncoding::display, .exposure = 0.1f};
     state.optimizer.stepsDone = state.steps;

@@ -50,13 +50,12 @@ Result<void> train(FirstModel& model, const FirstModelOptions& options, Progress
 
 // The rates are where the error of 400 to 700 steps is least on the phantom and a chest CT,
 // docs/peripheral-model.md.
-splat::TrainerOptions trainerOptions(const FirstModelOptions& options, double spacingMm) {
+splat::TrainerOptions trainerOptions(const FirstModelOptions& options) {
     splat::TrainerOptions training;
     training.capacity = options.capacity;
     training.seed = static_cast<std::uint32_t>(options.trial);
     training.loss.encode = splat::LossEncoding::display;
     splat::OptimizerOptions& rates = training.optimizer;
-    rates.extentMm = spacingMm;
     rates.position = 0.05;
     rates.positionAtLast = 0.005;
     // Towards the end single views pull the model about; with smaller steps it comes to rest between them.
@@ -107,8 +106,7 @@ Result<FirstModel> makeFirstModel(const std::shared_ptr<gpu::Device>& device, tr
     const double viewsSeconds = secondsSince(start);
 
     start = Clock::now();
-    MACULA_TRY(splat::Trainer trainer,
-               splat::Trainer::create(device, first.splats, trainerOptions(options, first.spacingMm)));
+    MACULA_TRY(splat::Trainer trainer, splat::Trainer::create(device, first.splats, trainerOptions(options)));
     const bool canLearn = !views.empty();
     MACULA_TRY_VOID(learnFromAll(trainer, std::move(views), std::move(outlines)));
     FirstModel model{.trainer = std::move(trainer),

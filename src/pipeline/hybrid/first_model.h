@@ -49,7 +49,7 @@ struct FirstModel {
 Result<FirstModel> makeFirstModel(const std::shared_ptr<gpu::Device>& device, trace::PathTracer& tracer,
                                   const Box& seenMm, const FirstModelOptions& options, Progress& progress);
 
-// How such models are trained: `spacingMm` is the distance between neighbouring points.
-splat::TrainerOptions trainerOptions(const FirstModelOptions& options, double spacingMm);
+// How such models are trained.
+splat::TrainerOptions trainerOptions(const FirstModelOptions& options);
 
 }  // namespace macula::hybrid

@@ -1,7 +1,5 @@
 #include "pipeline/hybrid/model_start.h"
 
-#include <cmath>
-
 #include "pipeline/hybrid/initial_splats.h"
 
 namespace macula::hybrid {
@@ -20,10 +18,7 @@ Result<ModelStart> startFromPoints(trace::PathTracer& tracer, const Box& seenMm,
                      {},
                      "Choose another preset or clip."};
     progress.advance();
-    return ModelStart{.splats = initialSplats(points),
-                      .spacingMm = std::sqrt(points.areaMm2),
-                      .seenMm = seenMm,
-                      .key = key};
+    return ModelStart{.splats = initialSplats(points), .seenMm = seenMm, .key = key};
 }
 
 splat::Splats relativeTo(splat::Splats splats, const glm::dvec3& originMm) {

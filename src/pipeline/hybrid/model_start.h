@@ -12,10 +12,9 @@
 namespace macula::hybrid {
 
 struct ModelStart {
-    splat::Splats splats;    // valid; may be none
-    double spacingMm = 0.0;  // between neighbouring splats: step sizes are in proportion to it. Above 0
-    Box seenMm;              // of what can be seen (TracedScene)
-    std::string key;         // of volume, preset, clip and lights; the caller's
+    splat::Splats splats;  // valid; may be none
+    Box seenMm;            // of what can be seen (TracedScene)
+    std::string key;       // of volume, preset, clip and lights; the caller's
 };
 
 // A splat for each of the points that `tracer` finds (surface_points.h). The tracer has its volume, transfer

@@ -11,7 +11,7 @@ namespace macula::hybrid {
 
 namespace {
 
-splat::TrainerOptions firstRound(double spacingMm, const std::string& key, const PeripheralOptions& options) {
+splat::TrainerOptions firstRound(const std::string& key, const PeripheralOptions& options) {
     FirstModelOptions first;
     first.iterations = options.firstSteps;
     first.capacity = options.firstCapacity;
@@ -19,7 +19,7 @@ splat::TrainerOptions firstRound(double spacingMm, const std::string& key, const
     first.trial = options.seed;
     // A start from points looks best at the size it is looked at; halved pictures would undo that for a
     // while. And no squares at last.
-    splat::TrainerOptions training = comparedAsJudged(trainerOptions(first, spacingMm));
+    splat::TrainerOptions training = comparedAsJudged(trainerOptions(first));
     training.key = key;
     return training;
 }
@@ -43,14 +43,14 @@ PeripheralModel::PeripheralModel(std::shared_ptr<gpu::Device> device, const Peri
 Result<splat::Trainer> PeripheralModel::beginTrainer(const std::shared_ptr<gpu::Device>& device,
                                                      const ModelStart& start,
                                                      const PeripheralOptions& options) {
-    if (!(start.spacingMm > 0.0) || !(start.seenMm.diagonal() > 0.0))
+    if (!(start.seenMm.diagonal() > 0.0))
         return Error{ErrorCode::usage,
                      "There is nothing to be seen.",
                      {},
                      "Choose a preset that shows something of the series."};
     splat::Splats splats = start.splats;
     splats.setShDegree(std::max(options.shDegree, splats.shDegree));
-    return splat::Trainer::create(device, splats, firstRound(start.spacingMm, start.key, options));
+    return splat::Trainer::create(device, splats, firstRound(start.key, options));
 }
 
 Result<PeripheralModel> PeripheralModel::begin(const std::shared_ptr<gpu::Device>& device,
@@ -68,9 +68,7 @@ Result<PeripheralModel> PeripheralModel::resume(const std::shared_ptr<gpu::Devic
     training.options = comparedAsJudged(std::move(training.options));  // those of a file may end by squares
     MACULA_TRY(splat::Trainer trainer, splat::Trainer::resume(device, training));
     PeripheralState notes = state;
-    if (notes.first.capacity == 0)
-        notes.first =
-            firstRound(state.training.options.optimizer.extentMm, state.training.options.key, options);
+    if (notes.first.capacity == 0) notes.first = firstRound(state.training.options.key, options);
     notes.training = {};
     notes.heldOut.clear();
     notes.before = nullptr;
@@ -105,7 +103,6 @@ Result<void> PeripheralModel::change(const ModelStart& start) {
         if (start.splats.size() > 0 && !isOwn) return begin(device_, start, options_);
         ModelStart warm = start;
         warm.splats = *shown_;
-        if (!(warm.spacingMm > 0.0)) warm.spacingMm = notes_.first.optimizer.extentMm;
         return begin(device_, warm, options_);
     };
     MACULA_TRY(PeripheralModel next, begun());

@@ -34,9 +34,9 @@ Result<void> check(const OptimizerOptions& o) {
     const bool rates =
         std::ranges::all_of(std::initializer_list<double>{o.logScale, o.rotation, o.opacityLogit, o.dc, o.sh},
                             [](double rate) { return std::isfinite(rate) && rate >= 0.0; });
-    const bool positions = std::ranges::all_of(
-        std::initializer_list<double>{o.extentMm, o.position, o.positionAtLast, o.othersAtLast},
-        [](double value) { return std::isfinite(value) && value > 0.0; });
+    const bool positions =
+        std::ranges::all_of(std::initializer_list<double>{o.position, o.positionAtLast, o.othersAtLast},
+                            [](double value) { return std::isfinite(value) && value > 0.0; });
     const auto isBeta = [](double beta) { return beta >= 0.0 && static_cast<float>(beta) < 1.0f; };
     const bool betas = isBeta(o.beta1) && isBeta(o.beta2);
     if (rates && positions && betas && o.epsilon >= 1e-30 && o.epsilon <= 1.0) return {};
@@ -44,7 +44,7 @@ Result<void> check(const OptimizerOptions& o) {
                  .message = "The settings of the training make no sense.",
                  .where = {},
                  .hint =
-                     "Extent, position rates and decays must be above 0, other rates not below 0, both betas "
+                     "Position rates and decays must be above 0, other rates not below 0, both betas "
                      "from 0 to below 1, "
                      "and epsilon from 1e-30 to 1."};
 }

@@ -7,15 +7,13 @@
 
 namespace macula::splat {
 
-// Step sizes of Adam (Kingma and Ba 2015): how far a parameter moves in a step while its gradients agree. The
-// rates and their decay are those of the hybrid system that the peripheral model follows (700 steps from 12
-// to 16 views).
+// Step sizes of Adam (Kingma and Ba 2015): how far a parameter moves in a step while its gradients agree. A
+// position moves along the axes of its splat, in parts of the standard deviation that it has there: what is
+// thin is placed with care, what is large moves far, and nothing depends on the unit of length. The moments of
+// positions are along these axes, and turn with them.
 struct OptimizerOptions {
-    double extentMm =
-        0.0;  // of the model: half the diagonal of its box, say. Above 0; has no default that fits
-    double position = 1.6e-4;  // of extentMm, up to step decayFrom
-    double positionAtLast =
-        1.6e-6;  // of extentMm, from step positionSteps on; the logarithm is linear between
+    double position = 0.05;         // of the deviation, up to step decayFrom
+    double positionAtLast = 0.005;  // from step positionSteps on; the logarithm is linear between
     std::uint64_t decayFrom = 0;
     std::uint64_t positionSteps = 700;
     double othersAtLast = 1.0;  // all other rates become that part of themselves, over the same steps
@@ -29,7 +27,7 @@ struct OptimizerOptions {
     double epsilon = 1e-15;  // 1e-30 to 1
 };
 
-// By component (shared/splat_layout.h), for the step after `stepsDone` of the whole model.
+// By component (shared/splat_layout.h), of positions in deviations; for the step after `stepsDone` of the whole model.
 std::vector<float> learningRates(const OptimizerOptions& options, int shDegree, std::uint64_t stepsDone);
 
 }  // namespace macula::splat

@@ -20,9 +20,8 @@ void forEachOption(Options& options, const Visit& visit) {
     visit("seed", seed);
     visit("stages", stages);
     visit("keep-every-ms", keepEveryMs);
-    auto& [extentMm, position, positionAtLast, decayFrom, positionSteps, othersAtLast, logScale, rotation,
-           opacityLogit, dc, sh, beta1, beta2, epsilon] = optimizer;
-    visit("optimizer.extent-mm", extentMm);
+    auto& [position, positionAtLast, decayFrom, positionSteps, othersAtLast, logScale, rotation, opacityLogit,
+           dc, sh, beta1, beta2, epsilon] = optimizer;
     visit("optimizer.position", position);
     visit("optimizer.position-at-last", positionAtLast);
     visit("optimizer.decay-from", decayFrom);

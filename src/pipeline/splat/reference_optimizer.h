@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <glm/glm.hpp>
 #include <span>
 #include <vector>
 
@@ -21,6 +22,10 @@ class ReferenceOptimizer {
     const std::vector<std::uint32_t>& steps() const { return steps_; }
 
   private:
+    // How far a parameter moves, in its rate.
+    double learn(std::size_t component, std::size_t splat, double gradient);
+    glm::dmat3 rotationOf(std::span<const double> parameters, std::size_t splat) const;
+
     OptimizerOptions options_;
     int shDegree_;
     std::vector<std::uint32_t> steps_;
