@@ -82,6 +82,25 @@ TEST_F(TrainerOnDevice, LearnsCoverageWithoutColours) {
     EXPECT_EQ(report->l1, 0.0) << "of no picture anything is known";
 }
 
+// As if they had never been there, but for what was learnt from them.
+TEST_F(TrainerOnDevice, OutlinesAreForgotten) {
+    std::vector<TrainingView> seen = truthViews();
+    for (std::size_t i = 0; i < seen.size(); i += 2) seen[i].coverageOnly = true;
+    Trainer trained = trainer(start(), options(), seen);
+    ASSERT_TRUE(trained.step(20).ok());
+    TrainingState without = *trained.state();
+    std::erase_if(without.views, [](const TrainingState::View& view) { return view.given->coverageOnly; });
+    trained.forgetOutlines();
+    EXPECT_EQ(trained.viewCount(), seen.size() / 2);
+    EXPECT_EQ(trained.lastGood().views.size(), seen.size() / 2);
+    for (std::size_t i = 0; i < trained.viewCount(); ++i) EXPECT_FALSE(trained.view(i).coverageOnly);
+
+    Trainer other = std::move(Trainer::resume(device(), without)).value();
+    ASSERT_TRUE(trained.step(20).ok());
+    ASSERT_TRUE(other.step(20).ok());
+    EXPECT_TRUE(testing::sameBits(*trained.snapshot(), *other.snapshot()));
+}
+
 // Two pictures from the same place that contradict each other.
 TEST_F(TrainerOnDevice, TheHeavierPictureCountsMore) {
     Splats between = truth();

@@ -54,21 +54,27 @@ TEST_F(DenoiseOnDevice, IsThatOfTheReference) {
         const Guides now = std::move(*Guides::create(device(), width, height));
         upload(film, first);
         upload(before, guides);
-        ASSERT_TRUE(denoiser.run(film, before, nullptr, picture.push().pixelAngle).ok());
+        const float pixelAngle = picture.push().pixelAngle;
+        ASSERT_TRUE(denoiser.run(film, before, nullptr, pixelAngle, Denoising::little).ok());
+        const auto littleResult = gpu::read<glm::vec4>(denoiser.result());
+        ASSERT_TRUE(denoiser.run(film, before, nullptr, pixelAngle, Denoising::on).ok());
         const auto firstResult = gpu::read<glm::vec4>(denoiser.result());
         denoiser.advance();
         upload(film, second);
         upload(now, moved);
-        ASSERT_TRUE(denoiser.run(film, now, &before, picture.push().pixelAngle).ok());
+        ASSERT_TRUE(denoiser.run(film, now, &before, pixelAngle, Denoising::on).ok());
         const auto secondResult = gpu::read<glm::vec4>(denoiser.result());
 
         const DenoiseRecord record = denoiseGather(picture.push(), first, guides, guides, {});
+        const auto littleExpected = denoised(picture.push(), record, guides, Denoising::little);
         const auto firstExpected = denoised(picture.push(), record, guides);
         shared::DenoisePush push = picture.push();
         push.historySamples = 32;
         const auto secondExpected = denoised(push, denoiseGather(push, second, moved, guides, record), moved);
         for (std::size_t i = 0; i < firstExpected.size(); ++i) {
             for (int c = 0; c < 4; ++c) {
+                EXPECT_NEAR((*littleResult)[i][c], littleExpected[i][c],
+                            2e-4 * (1 + std::abs(littleExpected[i][c])));
                 EXPECT_NEAR((*firstResult)[i][c], firstExpected[i][c],
                             2e-4 * (1 + std::abs(firstExpected[i][c])));
                 EXPECT_NEAR((*secondResult)[i][c], secondExpected[i][c],
@@ -89,7 +95,7 @@ TEST_F(DenoiseOnDevice, TakesWhateverAFilmMayHold) {
         values.sums[300] = glm::dvec4(value, value, value, 4.0);
         values.squares[300] = value * value;
         upload(film, values);
-        ASSERT_TRUE(denoiser.run(film, guides, nullptr, 0.001f).ok());
+        ASSERT_TRUE(denoiser.run(film, guides, nullptr, 0.001f, Denoising::on).ok());
         const auto result = gpu::read<glm::vec4>(denoiser.result());
         for (const glm::vec4& pixel : *result) {
             ASSERT_TRUE(std::isfinite(pixel.x + pixel.y + pixel.z + pixel.w)) << value;
@@ -208,9 +214,15 @@ TEST_F(DenoiseOnDevice, IsNeverWorseThanThePlainPicture) {
                 const double most = !many ? 0.85 : seen.clip.greyFaces ? 1.0 : 0.9;
                 EXPECT_LT(squaredError(*filtered, *truth), most * squaredError(*plain, *truth));
                 EXPECT_LT(alphaError(*filtered, *truth), (many ? 1.02 : 0.85) * alphaError(*plain, *truth));
-                const glm::dvec4 kept = total(filtered->radiance) / total(plain->radiance);
-                for (int c = 0; c < 3; ++c) EXPECT_NEAR(kept[c], 1.0, 1e-4);
-                EXPECT_NEAR(kept.a, 1.0, 0.003);  // it is clamped to 0 to 1
+                ASSERT_TRUE(t.setSettings({.seed = seed, .denoising = Denoising::little}).ok());
+                const auto little = t.readback();  // of the same samples
+                EXPECT_NE(little->radiance, filtered->radiance);
+                EXPECT_LT(squaredError(*little, *truth), squaredError(*plain, *truth));
+                for (const auto& picture : {filtered, little}) {
+                    const glm::dvec4 kept = total(picture->radiance) / total(plain->radiance);
+                    for (int c = 0; c < 3; ++c) EXPECT_NEAR(kept[c], 1.0, 1e-4);
+                    EXPECT_NEAR(kept.a, 1.0, 0.003);  // it is clamped to 0 to 1
+                }
             }
         }
     }

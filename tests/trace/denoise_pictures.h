@@ -5,6 +5,7 @@
 #include <random>
 
 #include "pipeline/trace/reference_denoiser.h"
+#include "pipeline/trace/settings.h"
 
 namespace macula::trace {
 
@@ -90,13 +91,14 @@ inline TruePicture scenery(int size) {
 
 // The whole of the denoiser, in double.
 inline std::vector<glm::dvec4> denoised(const shared::DenoisePush& push, const DenoiseRecord& record,
-                                        const DenoiseGuides& guides) {
+                                        const DenoiseGuides& guides, Denoising how = Denoising::on) {
     std::vector<glm::dvec4> masses;
     DenoiseState state = denoisePrepare(push, record, guides, masses);
     shared::DenoisePush pass = push;
-    for (int i = 0; i < 9; ++i) {
+    const int passes = how == Denoising::little ? 5 : 9;
+    for (int i = 0; i < passes; ++i) {
         pass.stride = 1 << (i % 5);
-        pass.last = i == 8 ? 1 : 0;
+        pass.last = i == passes - 1 ? 1 : 0;
         state = denoiseFilter(pass, state, guides, masses);
     }
     return state.colours;

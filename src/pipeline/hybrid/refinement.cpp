@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "pipeline/hybrid/first_model.h"
 #include "pipeline/hybrid/learnt_views.h"
 
 namespace macula::hybrid {
@@ -11,18 +12,27 @@ namespace macula::hybrid {
 namespace {
 
 constexpr std::uint64_t kEvery = 50;  // steps between splits
-constexpr double kGrowing = 0.6;      // of the steps; then what there is settles
-constexpr double kSquaresFrom = 0.9;  // of the steps; what they put right is done by then
-constexpr double kMostAtOnce = 0.15;  // of the splats
+constexpr double kGrowing = 0.4;      // of the steps; then what there is settles
+constexpr double kSquaresFrom = 0.6;  // of the steps: means of noisy pictures take long to find
+constexpr double kMostAtOnce = 0.3;   // of the splats
 constexpr double kRatesAtLast = 0.1;  // of the first ones, those of the first training for all but positions
-// Than at the end of the training before: there is new room to move in. With more, what was learnt would be
-// shaken.
-constexpr double kWarmer = 3.0;
+// Than at the end of the training before: there is new room to move in. Not warmer than the first training
+// was, and no round after another is warmer than that one.
+constexpr double kWarmer = 10.0;
+// What pictures from so many sides show, outlines need not say.
+constexpr std::size_t kEnoughSides = FirstModelOptions{}.directions;
 
 // So that there are as many as there is room for at the last split, whatever is removed on the way.
 double splitShare(double splats, double capacity, double splits) {
     if (!(splats > 0.0) || capacity <= splats) return 0.05;
     return std::min(1.25 * (std::pow(capacity / splats, 1.0 / splits) - 1.0), kMostAtOnce);
+}
+
+std::size_t picturesOf(const splat::Trainer& trainer) {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < trainer.viewCount(); ++i)
+        if (!trainer.view(i).coverageOnly) ++count;
+    return count;
 }
 
 }  // namespace
@@ -68,6 +78,7 @@ Result<MoreViews> beginRefinement(splat::Trainer& trainer, trace::PathTracer& tr
     MACULA_TRY_VOID(
         trainer.goOnWith(training, std::max(options.shDegree, trainer.lastGood().splats.shDegree)));
     for (TracedView& view : views) MACULA_TRY_VOID(learnFrom(trainer, std::move(view)));
+    if (picturesOf(trainer) >= kEnoughSides) trainer.forgetOutlines();
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
     return MoreViews{.seconds = seconds.count(), .givenUp = chosen.givenUp};
 }

@@ -61,7 +61,7 @@ Result<std::string> TracedScene::pictureKey(const trace::View& view, const trace
     MACULA_TRY(const shared::TraceParams params,
                makeTraceParams(*volume_, medium_, environment_, view, settings, clip_));
     return sha256Hex(fmt::format("{} {} {} {} {}", digest_, sha256Hex(std::as_bytes(std::span(&params, 1))),
-                                 trace::nameOf(settings.filter), isDenoised(settings) ? "denoised" : "plain",
+                                 trace::nameOf(settings.filter), nameOf(settings.denoising),
                                  samplesPerPixel));
 }
 

@@ -20,7 +20,7 @@ struct ViewTracing {
     glm::ivec2 sizePx{512};
     std::uint32_t samplesPerPixel = 8;
     // Of the seed, each view takes the next: the same noise in all views would be learnt as if it were there.
-    trace::Settings settings = {.denoising = trace::Denoising::on};
+    trace::Settings settings = {.denoising = trace::Denoising::little};
 };
 
 // One view, in small portions; a step of `progress` for each sample.

@@ -9,8 +9,8 @@ namespace macula::splat {
 
 // Step sizes of Adam (Kingma and Ba 2015): how far a parameter moves in a step while its gradients agree. A
 // position moves along the axes of its splat, in parts of the standard deviation that it has there: what is
-// thin is placed with care, what is large moves far, and nothing depends on the unit of length. The moments of
-// positions are along these axes, and turn with them.
+// thin is placed with care, what is large moves far, and nothing depends on the unit of length. The moments
+// of positions are along these axes, and turn with them.
 struct OptimizerOptions {
     double position = 0.05;         // of the deviation, up to step decayFrom
     double positionAtLast = 0.005;  // from step positionSteps on; the logarithm is linear between
@@ -27,7 +27,8 @@ struct OptimizerOptions {
     double epsilon = 1e-15;  // 1e-30 to 1
 };
 
-// By component (shared/splat_layout.h), of positions in deviations; for the step after `stepsDone` of the whole model.
+// By component (shared/splat_layout.h), of positions in deviations; for the step after `stepsDone` of the
+// whole model.
 std::vector<float> learningRates(const OptimizerOptions& options, int shDegree, std::uint64_t stepsDone);
 
 }  // namespace macula::splat

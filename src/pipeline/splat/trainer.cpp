@@ -139,6 +139,12 @@ Result<void> Trainer::addView(std::shared_ptr<const TrainingView> given) {
     return {};
 }
 
+void Trainer::forgetOutlines() {
+    const auto isOutline = [](const auto& view) { return view.given->coverageOnly; };
+    std::erase_if(views_, isOutline);
+    std::erase_if(lastGood_.views, isOutline);
+}
+
 Result<const Trainer::Level*> Trainer::levelOf(View& view, int halvings) {
     while (static_cast<int>(view.levels.size()) <= halvings) {
         const Level& larger = view.levels.back();

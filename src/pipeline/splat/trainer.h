@@ -57,6 +57,8 @@ class Trainer {
     // not one finite pixel, or a weight that is not above 0 and at most kMaxViewWeight. The picture stays on
     // the host as well, and is shared with states.
     Result<void> addView(TrainingView view);
+    // Views of coverage alone take no part any more: for when pictures say what they said.
+    void forgetOutlines();
     std::size_t viewCount() const { return views_.size(); }
     // In the order in which they were added.
     const TrainingView& view(std::size_t index) const { return *views_[index].given; }

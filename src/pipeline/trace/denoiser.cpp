@@ -15,6 +15,7 @@ namespace {
 // Strides of the passes. Two sweeps: where edges left a pixel few neighbours, its own noise weighs most after
 // the first, and the second spreads that.
 constexpr std::array kStrides{1, 2, 4, 8, 16, 1, 2, 4, 8};
+constexpr std::size_t kFirstSweep = 5;  // of these
 // What the view before may count for: more would blur what is resampled from view to view.
 constexpr float kHistorySamples = 32.0f;
 
@@ -73,7 +74,8 @@ Result<Denoiser> Denoiser::create(const std::shared_ptr<gpu::Device>& device,
                     {std::move(colour0), std::move(colour1)}, std::move(result));
 }
 
-Result<void> Denoiser::run(const Film& film, const Guides& now, const Guides* before, float pixelAngle) {
+Result<void> Denoiser::run(const Film& film, const Guides& now, const Guides* before, float pixelAngle,
+                           Denoising how) {
     MACULA_CHECK_EQ(film.width(), width_);
     MACULA_CHECK_EQ(film.height(), height_);
     MACULA_CHECK_EQ(now.width(), width_);
@@ -97,10 +99,11 @@ Result<void> Denoiser::run(const Film& film, const Guides& now, const Guides* be
     recorder.dispatch(kernels_->prepare, threads, push,
                       {record.means, record.moments, now.surfaces(), now.matters(), now.motions(),
                        masses_.buffer(), noises_[0].buffer()});
-    for (std::size_t pass = 0; pass < kStrides.size(); ++pass) {
+    const std::size_t passes = how == Denoising::little ? kFirstSweep : kStrides.size();
+    for (std::size_t pass = 0; pass < passes; ++pass) {
         const std::size_t from = pass % 2;
         push.stride = kStrides[pass];
-        push.last = pass + 1 == kStrides.size() ? 1 : 0;
+        push.last = pass + 1 == passes ? 1 : 0;
         recorder.dispatch(
             kernels_->filter, threads, push,
             {pass == 0 ? record.means : colours_[from], noises_[from], masses_, now.surfaces(),

@@ -14,6 +14,7 @@
 #include "pipeline/gpu/resources.h"
 #include "pipeline/trace/film.h"
 #include "pipeline/trace/guides.h"
+#include "pipeline/trace/settings.h"
 
 namespace macula::trace {
 
@@ -37,8 +38,10 @@ class Denoiser {
     int height() const { return height_; }
 
     // `pixelAngle` is the width of a pixel at distance 1. `before` are the guides of the view before, which
-    // must be those of the run that advance() kept; null when there are none. All of one size.
-    Result<void> run(const Film& film, const Guides& now, const Guides* before, float pixelAngle);
+    // must be those of the run that advance() kept; null when there are none. All of one size. `how`: not
+    // off.
+    Result<void> run(const Film& film, const Guides& now, const Guides* before, float pixelAngle,
+                     Denoising how);
 
     // What the last run gathered is now what the view before knew. When nothing ran since, that is nothing.
     void advance();

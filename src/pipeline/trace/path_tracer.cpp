@@ -119,6 +119,7 @@ struct PathTracer::Impl {
     View viewBefore;                               // what it had samples of before
     bool matterChanged = true;                     // or its light: no earlier view shows the same
     std::optional<std::uint64_t> denoisedEdition;  // of the film, when the denoiser ran
+    Denoising denoisedAs = Denoising::off;         // then
 
     std::uint32_t mostSamples = UINT32_MAX;  // of one dispatch; lowered when paths turn out too long
 
@@ -315,7 +316,7 @@ Result<void> PathTracer::Impl::prepareGuides() {
 // Makes the denoiser's result that of the samples so far.
 Result<void> PathTracer::Impl::denoise() {
     MACULA_TRY_VOID(prepareGuides());
-    if (denoisedEdition == edition) return {};
+    if (denoisedEdition == edition && denoisedAs == settings.denoising) return {};
     if (!denoiser || denoiser->width() != view.width || denoiser->height() != view.height) {
         denoiser.reset();
         MACULA_TRY(auto filters, kernels.denoising());
@@ -323,8 +324,9 @@ Result<void> PathTracer::Impl::denoise() {
     }
     const double pixelAngle = 2.0 * std::tan(glm::radians(view.camera.verticalFovDeg) / 2.0) / view.height;
     MACULA_TRY_VOID(denoiser->run(*film, *guides, guidesBefore ? &*guidesBefore : nullptr,
-                                  static_cast<float>(pixelAngle)));
+                                  static_cast<float>(pixelAngle), settings.denoising));
     denoisedEdition = edition;
+    denoisedAs = settings.denoising;
     return {};
 }
 

@@ -25,7 +25,18 @@ constexpr std::string_view nameOf(Filter filter) {
 
 // Whether what is shown and read is filtered, see denoiser.h. It never changes what is traced, and looks
 // without chance have no noise to filter.
-enum class Denoising { off, on };
+enum class Denoising {
+    off,
+    little,  // one sweep of the filter instead of two: what is left of noise stays, and less is blurred. For
+             // those who learn from many pictures: noise is another in each of them, blur the same in all
+    on,
+};
+
+constexpr std::string_view nameOf(Denoising denoising) {
+    return denoising == Denoising::on       ? "denoised"
+           : denoising == Denoising::little ? "denoised a little"
+                                            : "plain";
+}
 
 // Of ray casting, which has no lights.
 enum class Shading {
@@ -60,7 +71,7 @@ struct Settings {
 
 // Whether the picture of these settings is denoised.
 constexpr bool isDenoised(const Settings& settings) {
-    return settings.denoising == Denoising::on && isPathTraced(settings.look);
+    return settings.denoising != Denoising::off && isPathTraced(settings.look);
 }
 
 // A picture that is stored larger where the eye looks: see shaders/lib/fovea.glsl.
