@@ -177,7 +177,9 @@ void addRefinementOptions(CLI::App& command, RefinementPlan& plan) {
     command.add_option("--more-views", plan.views, "Views that are traced for going on")
         ->capture_default_str()
         ->check(CLI::Range(1, kMostViews));
-    command.add_option("--more-spp", plan.samplesPerPixel, "Samples per pixel of these; they are denoised")
+    command
+        .add_option("--more-spp", plan.samplesPerPixel,
+                    "Samples per pixel of these; they are denoised a little")
         ->capture_default_str()
         ->check(CLI::Range(1, kMostSamplesOfView));
     command.add_option("--more-iterations", plan.iterations, "Steps of training that follow")

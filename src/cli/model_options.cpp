@@ -24,7 +24,7 @@ ModelOptionsAdded addModelOptions(CLI::App& command, hybrid::FirstModelOptions& 
         CLI::Range(1u, trace::kMaxSurfacePoints));
     add("--point-paths", m.points.paths, "Paths of light for each of them", CLI::Range(1, 4096));
     add("--views", m.views, "Views that are traced to learn from", CLI::Range(0, kMostViews));
-    add("--spp", m.samplesPerPixel, "Samples per pixel of these; they are denoised",
+    add("--spp", m.samplesPerPixel, "Samples per pixel of these; they are denoised a little",
         CLI::Range(1, kMostSamplesOfView));
     add("--directions", m.directions,
         "Sides in all to learn from: beyond --views, how much is in the way is found, without light",

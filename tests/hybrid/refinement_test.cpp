@@ -22,9 +22,19 @@ TEST(Refinement, NoRateIsFarFromTheLastOneAndAllFall) {
     for (std::size_t i = 0; i < last.size(); ++i) {
         EXPECT_GE(first[i], last[i]);
         EXPECT_LE(first[i], 10.001f * last[i]);
+        EXPECT_LE(first[i], 1.0001f * splat::learningRates(before.optimizer, 1, 0)[i]);
         EXPECT_LT(middle[i], first[i]);
         EXPECT_LT(end[i], middle[i]);
         EXPECT_GT(end[i], 0.0f);
+    }
+}
+
+TEST(Refinement, SplitsInShortRoundsToo) {
+    for (const std::uint64_t iterations : {10u, 30u, 100u, 130u}) {
+        const splat::DensityOptions density =
+            refinementTraining(trainerOptions({}), kNow, {.iterations = iterations}).density;
+        EXPECT_GE(density.lastStep, density.firstStep) << iterations;
+        EXPECT_LE(density.lastStep, 700 + iterations / 2) << iterations;
     }
 }
 
@@ -38,18 +48,18 @@ TEST(Refinement, FillsTheRoomThereIsWhileThereIsTime) {
         EXPECT_LT(density.lastStep, 700u + iterations);
         const std::uint64_t splits = (density.lastStep - density.firstStep) / density.every + 1;
         EXPECT_GT(10800.0 * std::pow(1.0 + density.splitShare, double(splits)), 50000.0);
-        EXPECT_LE(density.splitShare, 0.3);
+        EXPECT_LE(density.splitShare, 0.22);
         ASSERT_EQ(after.stages.size(), 2u);
         for (const splat::TrainingStage& stage : after.stages) EXPECT_EQ(stage.halvings, 0);
         EXPECT_EQ(after.stages[1].measure, splat::LossMeasure::squared);
-        EXPECT_EQ(after.stages[1].firstStep, kNow.steps + iterations * 6 / 10);
+        EXPECT_EQ(after.stages[1].firstStep, kNow.steps + iterations * 9 / 10);
     }
     // No room, no time, no splats: still options that make sense.
     for (const auto& [splats, iterations] : {std::pair{60000u, 2000u}, {10u, 0u}, {0u, 1u}}) {
         const splat::TrainerOptions after = refinementTraining(
             trainerOptions({}), {.steps = 700, .splats = splats}, {.iterations = iterations});
         EXPECT_GT(after.density.splitShare, 0.0);
-        EXPECT_LE(after.density.splitShare, 0.3);
+        EXPECT_LE(after.density.splitShare, 0.22);
     }
 }
 

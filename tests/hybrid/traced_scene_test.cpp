@@ -68,8 +68,9 @@ TEST(TracedScene, KeysTellApartAllThatAPictureDependsOn) {
     keys.insert(keyOf(of, function, {}, lights, view, {.seed = 1}, 64));
     keys.insert(keyOf(of, function, {}, lights, view, {.filter = trace::Filter::stochastic}, 64));
     keys.insert(keyOf(of, function, {}, lights, view, {.denoising = trace::Denoising::on}, 64));
+    keys.insert(keyOf(of, function, {}, lights, view, {.denoising = trace::Denoising::little}, 64));
     keys.insert(keyOf(of, function, {}, lights, view, {}, 65));
-    EXPECT_EQ(keys.size(), 16u);
+    EXPECT_EQ(keys.size(), 17u);
     for (const std::string& key : keys) EXPECT_EQ(key.size(), 64u);
 }
 

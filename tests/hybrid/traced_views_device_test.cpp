@@ -10,7 +10,9 @@
 
 #include "pipeline/hybrid/coverage_views.h"
 #include "pipeline/hybrid/drawn_views.h"
+#include "pipeline/hybrid/first_model.h"
 #include "pipeline/hybrid/initial_splats.h"
+#include "pipeline/hybrid/refinement.h"
 #include "pipeline/hybrid/truth_pictures.h"
 #include "pipeline/splat/displayed.h"
 #include "pipeline/splat/reference_rasterizer.h"
@@ -52,6 +54,31 @@ double meanDifference(const std::vector<glm::vec4>& a, const std::vector<glm::ve
 
 bool same(const std::vector<glm::vec4>& a, const std::vector<glm::vec4>& b) {
     return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(glm::vec4)) == 0;
+}
+
+// 48 sides are enough, docs/peripheral-model.md.
+TEST_F(Views, OfRefinementMakeOutlinesNeedless) {
+    Progress progress;
+    for (const std::size_t more : {44u, 46u}) {
+        trace::PathTracer tracer = this->tracer();
+        FirstModelOptions first{.points = {.count = 60, .paths = 2},
+                                .views = 2,
+                                .samplesPerPixel = 1,
+                                .directions = 6,
+                                .sizePx = 16,
+                                .iterations = 6,
+                                .capacity = 60};
+        auto model = makeFirstModel(device(), tracer, scene().seenMm(), first, progress);
+        ASSERT_TRUE(model.ok()) << model.error().message;
+        splat::Trainer& trainer = model->trainer;
+        ASSERT_EQ(trainer.viewCount(), 6u);
+        const RefinementOptions options{
+            .views = more, .samplesPerPixel = 1, .sizePx = 16, .iterations = 40, .capacity = 100};
+        ASSERT_TRUE(beginRefinement(trainer, tracer, scene().seenMm(), options, progress).ok());
+        EXPECT_EQ(trainer.viewCount(), more == 44 ? 50u : 48u);
+        ASSERT_TRUE(trainer.step(40).ok());
+        EXPECT_GT(trainer.report().splats, 60u);
+    }
 }
 
 // The tracer's own coverage, but for chance and for the edges of its pixels.

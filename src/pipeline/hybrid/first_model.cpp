@@ -48,8 +48,8 @@ Result<void> train(FirstModel& model, const FirstModelOptions& options, Progress
 
 }  // namespace
 
-// The rates are where the error of 400 to 700 steps is least on the phantom and a chest CT,
-// docs/peripheral-model.md.
+// The rates are where the error of 400 to 700 steps is least on the phantom and a chest CT (that of
+// positions: on the phantom), docs/peripheral-model.md.
 splat::TrainerOptions trainerOptions(const FirstModelOptions& options) {
     splat::TrainerOptions training;
     training.capacity = options.capacity;

@@ -19,7 +19,7 @@ struct FirstModelOptions {
     // Of as many paths of light, those of many views with few samples each teach more than those of few views
     // with many: what a model has not seen from somewhere it does not know. docs/peripheral-model.md.
     std::size_t views = 48;
-    std::uint32_t samplesPerPixel = 2;  // denoised
+    std::uint32_t samplesPerPixel = 2;  // denoised a little
     // Sides in all that the model learns from. Where fewer views are traced, it is told from the rest how
     // much is in the way: that costs little, and without it what was seen from few sides is in the wrong
     // place for all others.

@@ -128,7 +128,9 @@ Result<void> PeripheralModel::beginRoundIfDue() {
 }
 
 Result<bool> PeripheralModel::beginRound(std::uint32_t capacity) {
-    const RefinementOptions round{.iterations = options_.roundSteps, .capacity = capacity};
+    // A round has few new views, and what is shown should not have to wait for long until it is better again.
+    constexpr double kWarmer = 3.0;
+    const RefinementOptions round{.iterations = options_.roundSteps, .capacity = capacity, .warmer = kWarmer};
     return goOnWith(comparedAsJudged(refinementTraining(notes_.first, trainer_.report(), round)),
                     std::max(options_.shDegree, trainer_.lastGood().splats.shDegree));
 }

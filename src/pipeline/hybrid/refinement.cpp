@@ -11,14 +11,11 @@ namespace macula::hybrid {
 
 namespace {
 
-constexpr std::uint64_t kEvery = 50;  // steps between splits
+constexpr std::uint64_t kEvery = 50;  // steps between splits; of fewer than that, one
 constexpr double kGrowing = 0.4;      // of the steps; then what there is settles
-constexpr double kSquaresFrom = 0.6;  // of the steps: means of noisy pictures take long to find
-constexpr double kMostAtOnce = 0.3;   // of the splats
+constexpr double kSquaresFrom = 0.9;  // of the steps; what they put right is done by then
+constexpr double kMostAtOnce = 0.22;  // of the splats
 constexpr double kRatesAtLast = 0.1;  // of the first ones, those of the first training for all but positions
-// Than at the end of the training before: there is new room to move in. Not warmer than the first training
-// was, and no round after another is warmer than that one.
-constexpr double kWarmer = 10.0;
 // What pictures from so many sides show, outlines need not say.
 constexpr std::size_t kEnoughSides = FirstModelOptions{}.directions;
 
@@ -42,9 +39,9 @@ splat::TrainerOptions refinementTraining(splat::TrainerOptions before, const spl
                                          const RefinementOptions& options) {
     const std::uint64_t steps = std::max<std::uint64_t>(options.iterations, 1);
     splat::OptimizerOptions& rates = before.optimizer;
-    rates.position = kWarmer * rates.positionAtLast;
+    rates.position = std::min(rates.position, options.warmer * rates.positionAtLast);
     rates.positionAtLast = kRatesAtLast * rates.position;
-    const double others = std::min(1.0, kWarmer * rates.othersAtLast);
+    const double others = std::min(1.0, options.warmer * rates.othersAtLast);
     for (double* rate : {&rates.logScale, &rates.rotation, &rates.opacityLogit, &rates.dc, &rates.sh})
         *rate *= others;
     rates.othersAtLast = kRatesAtLast / others;
@@ -56,11 +53,12 @@ splat::TrainerOptions refinementTraining(splat::TrainerOptions before, const spl
                       .halvings = 0,
                       .measure = splat::LossMeasure::squared}};
     const auto growing = static_cast<std::uint64_t>(kGrowing * double(steps));
-    before.density.every = kEvery;
-    before.density.firstStep = now.steps + kEvery;
+    const std::uint64_t every = std::clamp<std::uint64_t>(growing, 1, kEvery);
+    before.density.every = every;
+    before.density.firstStep = now.steps + every;
     before.density.lastStep = now.steps + growing;
     before.density.splitShare = splitShare(double(now.splats), double(options.capacity),
-                                           double(std::max(growing / kEvery, std::uint64_t(1))));
+                                           double(std::max(growing / every, std::uint64_t(1))));
     return before;
 }
 

@@ -14,12 +14,15 @@ namespace macula::hybrid {
 
 struct RefinementOptions {
     std::size_t views = 64;
-    std::uint32_t samplesPerPixel = 4;  // denoised
+    std::uint32_t samplesPerPixel = 4;  // denoised a little
     int sizePx = 512;
     int bounces = 4;
     std::uint64_t iterations = 2000;  // that are to follow: rates fall and splats become more over them
     std::uint32_t capacity = 50000;   // splats; the model keeps those it has if they are more
-    int shDegree = 1;                 // more views can tell colours by direction; never less than it has
+    // How many times larger the steps are at first than where the training before ended, so that there is use
+    // made of the new room; never larger than that training began with.
+    double warmer = 10.0;
+    int shDegree = 1;  // more views can tell colours by direction; never less than it has
 };
 
 struct MoreViews {

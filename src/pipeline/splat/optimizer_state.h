@@ -6,7 +6,8 @@
 
 namespace macula::splat {
 
-// With it and the parameters training goes on bit for bit.
+// With it and the parameters training goes on bit for bit. Moments of positions are along the axes of their
+// splat.
 struct OptimizerState {
     std::uint64_t stepsDone = 0;       // of the model: the position's rate decays by it
     std::vector<std::uint32_t> steps;  // by splat

@@ -76,6 +76,7 @@ Result<Denoiser> Denoiser::create(const std::shared_ptr<gpu::Device>& device,
 
 Result<void> Denoiser::run(const Film& film, const Guides& now, const Guides* before, float pixelAngle,
                            Denoising how) {
+    MACULA_CHECK(how != Denoising::off);
     MACULA_CHECK_EQ(film.width(), width_);
     MACULA_CHECK_EQ(film.height(), height_);
     MACULA_CHECK_EQ(now.width(), width_);

@@ -23,7 +23,7 @@ constexpr std::string_view nameOf(Filter filter) {
     return filter == Filter::trilinear ? "trilinear" : "stochastic";
 }
 
-// Whether what is shown and read is filtered, see denoiser.h. It never changes what is traced, and looks
+// How far what is shown and read is filtered, see denoiser.h. It never changes what is traced, and looks
 // without chance have no noise to filter.
 enum class Denoising {
     off,
