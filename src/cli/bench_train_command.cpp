@@ -29,7 +29,7 @@ struct Options {
     BenchStudyOptions study;
     std::filesystem::path baseline;
     std::uint32_t splats = 10000;
-    int shDegree = 0;
+    int shDegree = hybrid::FirstModelOptions{}.shDegree;  // as models are trained
     int repetitions = 5;
     bool fromVolume = false;
     bool json = false;

@@ -132,7 +132,7 @@ TEST_F(Bench, TrainRefusesABaselineOfSomethingElse) {
     expectRefused("study", with("/study", "another"), "another series");
     expectRefused("preset", with("/preset", "another"), "another preset");
     expectRefused("kind of device", with("/deviceKind", "discrete GPU"), "another kind of device");
-    expectRefused("degree", with("/shDegree", 1), "another degree");
+    expectRefused("degree", with("/shDegree", 0), "another degree");
     expectRefused("splats", with("/splats", 51), "another number of splats");
     for (const char* pointer : {"/results", "/results/0", "/results/1/stages", "/results/0/stages/loss"}) {
         expectRefused(pointer, with(pointer, json::array({1, 2})), "no output of macula bench train");

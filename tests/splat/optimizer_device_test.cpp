@@ -107,7 +107,7 @@ TEST_F(OptimizerOnDevice, IsThatOfTheReferenceOverManySparseSteps) {
         }
         const std::vector<float> result = training.now();
         for (std::size_t i = 0; i < numbers; ++i)
-            ASSERT_NEAR(result[i], expected[i], 2e-4 * travelled[i] + 2e-6 * std::abs(expected[i]))
+            ASSERT_NEAR(result[i], expected[i], 1e-4 * travelled[i] + 2e-6 * std::abs(expected[i]))
                 << "component " << i / kCount << " of " << i % kCount;
         for (std::size_t k = 0; k < numbers / kCount; ++k) {
             EXPECT_EQ(result[k * kCount + 6], start[k * kCount + 6]);

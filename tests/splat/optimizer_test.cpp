@@ -10,14 +10,13 @@
 namespace macula::splat {
 namespace {
 
+// Each kind but positions by its number.
+constexpr OptimizerOptions kNumbered{.logScale = 1, .rotation = 2, .opacityLogit = 3, .dc = 4, .sh = 5};
+
 TEST(LearningRates, AreByKindAndThatOfPositionsDecays) {
-    const OptimizerOptions options{.position = 0.04,
-                                   .positionAtLast = 0.0004,
-                                   .logScale = 1,
-                                   .rotation = 2,
-                                   .opacityLogit = 3,
-                                   .dc = 4,
-                                   .sh = 5};
+    OptimizerOptions options = kNumbered;
+    options.position = 0.04;
+    options.positionAtLast = 0.0004;
     const std::vector<float> rates = learningRates(options, 1, 0);
     ASSERT_EQ(rates.size(), 23u);
     const std::vector<float> rest{1, 1, 1, 2, 2, 2, 2, 3, 4, 4, 4, 5, 5, 5, 5, 5, 5, 5, 5, 5};
@@ -32,16 +31,12 @@ TEST(LearningRates, AreByKindAndThatOfPositionsDecays) {
 }
 
 TEST(LearningRates, StayUntilTheyDecayAndOthersFallWithThem) {
-    const OptimizerOptions options{.position = 0.2,
-                                   .positionAtLast = 0.002,
-                                   .decayFrom = 100,
-                                   .positionSteps = 300,
-                                   .othersAtLast = 0.25,
-                                   .logScale = 1,
-                                   .rotation = 2,
-                                   .opacityLogit = 3,
-                                   .dc = 4,
-                                   .sh = 5};
+    OptimizerOptions options = kNumbered;
+    options.position = 0.2;
+    options.positionAtLast = 0.002;
+    options.decayFrom = 100;
+    options.positionSteps = 300;
+    options.othersAtLast = 0.25;
     struct Expected {
         std::uint64_t step;
         double position;
@@ -60,26 +55,28 @@ TEST(LearningRates, StayUntilTheyDecayAndOthersFallWithThem) {
 }
 
 // With a gradient that never changes each corrected moment is the gradient (or its square), so every step is
-// the rate.
+// the rate. That of positions is in deviations: of 1 mm, and of axes that are the world's, while these stay.
 TEST(ReferenceOptimizer, MovesByTheRateWhileTheGradientStays) {
-    const OptimizerOptions options;
-    ReferenceOptimizer optimizer(2, 0, options);
-    std::vector<double> parameters(28, 0.0);
-    std::vector<double> gradients(28);
-    for (std::size_t i = 0; i < 28; ++i)
-        gradients[i] = (i % 3 == 0 ? -1.0 : 1.0) * std::pow(10.0, double(i) / 3.0 - 7.0);
-    for (int step = 1; step <= 20; ++step) {
-        // The second one is born at step 11.
-        optimizer.step(parameters, gradients, std::vector<std::uint32_t>{7, step > 10 ? 1u : 0u});
-        const std::vector<float> rates = learningRates(options, 0, 0);
-        // Not of positions, whose axes move meanwhile.
-        for (std::size_t i = 2 * shared::kSplatLogScale; i < 28; ++i) {
-            const double steps = i % 2 == 0 ? step : std::max(0, step - 10);
-            EXPECT_NEAR(parameters[i], -steps * double(rates[i / 2]) * (gradients[i] > 0 ? 1 : -1),
-                        1e-6 * steps * double(rates[i / 2]));
+    for (const bool axesStay : {false, true}) {
+        OptimizerOptions options{.positionAtLast = 0.05};
+        if (axesStay) options.logScale = options.rotation = 0.0;
+        ReferenceOptimizer optimizer(2, 0, options);
+        std::vector<double> parameters(28, 0.0);
+        std::vector<double> gradients(28);
+        for (std::size_t i = 0; i < 28; ++i)
+            gradients[i] = (i % 3 == 0 ? -1.0 : 1.0) * std::pow(10.0, double(i) / 3.0 - 7.0);
+        for (int step = 1; step <= 20; ++step) {
+            // The second one is born at step 11.
+            optimizer.step(parameters, gradients, std::vector<std::uint32_t>{7, step > 10 ? 1u : 0u});
+            const std::vector<float> rates = learningRates(options, 0, 0);
+            for (std::size_t i = axesStay ? 0 : 2 * shared::kSplatLogScale; i < 28; ++i) {
+                const double steps = i % 2 == 0 ? step : std::max(0, step - 10);
+                EXPECT_NEAR(parameters[i], -steps * double(rates[i / 2]) * (gradients[i] > 0 ? 1 : -1),
+                            1e-6 * steps * double(rates[i / 2]));
+            }
         }
+        EXPECT_EQ(optimizer.steps(), (std::vector<std::uint32_t>{20, 10}));
     }
-    EXPECT_EQ(optimizer.steps(), (std::vector<std::uint32_t>{20, 10}));
 }
 
 // Two steps by hand: g = 1, then -1, with beta1 0.5 and beta2 0.75.

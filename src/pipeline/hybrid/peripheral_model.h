@@ -120,10 +120,9 @@ class PeripheralModel {
 
     // What is shown was changed: everything that was learnt until now goes on the shelf, and it begins anew:
     // with what is on the shelf for that key, else with `start`, else, if that has no splats or what is shown
-    // is of that key, with what is shown. Points (startFromPoints) are best
-    // for another preset or clip, what is shown for other lights: docs/peripheral-model.md. What was shown
-    // stays until the new model is nearer to at least two held-out pictures of the new look. Fails as begin,
-    // and then it goes on as before.
+    // is of that key, with what is shown. Points (startFromPoints) are best for another preset or clip, what
+    // is shown for other lights: docs/peripheral-model.md. What was shown stays until the new model is nearer
+    // to at least two held-out pictures of the new look. Fails as begin, and then it goes on as before.
     Result<void> change(const ModelStart& start);
 
     ShownModel shown() const { return {shown_, generation_, before_.has_value()}; }
