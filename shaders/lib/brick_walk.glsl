@@ -19,6 +19,7 @@ struct BrickWalk {
     float endMm;         // where it leaves the volume
     float segmentEndMm;  // where the current segment ends
     float majorant;      // bound on extinction in it, per mm
+    float looseness;     // so many times what the brick says, at least 1
     vec3 cutFrom;        // what the clip removes on the way, see clip.glsl
     vec3 cutTo;
 };
@@ -44,6 +45,7 @@ BrickWalk startWalk(vec3 originVoxel, vec3 directionVoxel, ClipSpans spans) {
     vec3 enter = min(toLow, toHigh);
     vec3 leave = max(toLow, toHigh);
     walk.endMm = min(min(min(leave.x, leave.y), leave.z), spans.to);
+    walk.looseness = float(1.0);
     walk.cutFrom = spans.cutFrom;
     walk.cutTo = spans.cutTo;
     leap(walk, max(max(max(enter.x, enter.y), max(enter.z, float(0.0))), spans.from));
@@ -82,7 +84,7 @@ bool nextSegment(INOUT(BrickWalk) walk, INOUT(int) rounds) {
                          toFace.z <= exitMm ? across.z : beside.z);
 
         walk.segmentEndMm = min(max(exitMm, walk.distanceMm), walk.endMm);
-        walk.majorant = bound;
+        walk.majorant = bound * walk.looseness;
         if (bound > float(0.0)) return true;
         walk.distanceMm = walk.segmentEndMm;
     }

@@ -18,6 +18,10 @@ vec3 worldFromEnvironment(vec3 direction) {
 // Below this a ray or path goes on only with a probability in proportion, and its weight is made good.
 #define ROULETTE_BELOW 0.1
 
+// The bounds that a shadow ray begins with are looser by this. With the tightest one, ratio tracking ends at the first collision in
+// dense matter: it says all or nothing. With a looser one it says how much (docs/speed-and-accuracy.md, "What a sample is worth").
+#define SHADOW_LOOSENESS 4.0
+
 // A path under way. It is a chain of rays: flights to the next collision, and after each a shadow ray to the light. Both
 // are followed by the same few lines, a stride at a time, so that the lanes of a GPU stay together while one flies, its
 // neighbour looks for light, and a third has started its next sample.
@@ -34,6 +38,7 @@ struct Path {
     int vertices;
     int rounds;          // of all loops so far: a device may allow a kernel only so many
     bool shadow;         // the ray under way is a shadow ray
+    Net net;             // where its choices come from: 2k + 1 light of vertex k, 2k the way to it from the vertex before
     float face;          // what the eye ray meets when no matter stops it: the grey of a face of the clip; 0 if none
 };
 
@@ -67,8 +72,9 @@ float stopAtFace(INOUT(BrickWalk) walk, vec3 originVoxel, vec3 directionVoxel) {
     return greyBeforeToneMap(grey) / params.exposure;
 }
 
-Path startPath(vec3 originVoxel, vec3 worldDirection) {
+Path startPath(vec3 originVoxel, vec3 worldDirection, Net net) {
     Path path;
+    path.net = net;
     vec3 directionVoxel = voxelsPerMm(worldDirection);
     path.walk = startEyeWalk(originVoxel, directionVoxel);
     path.face = float(0.0);
@@ -87,12 +93,18 @@ Path startPath(vec3 originVoxel, vec3 worldDirection) {
     return path;
 }
 
+// The ray that is about to start looks for light.
+void beShadow(INOUT(Path) path) {
+    path.shadow = true;
+    path.walk.looseness = float(SHADOW_LOOSENESS);
+}
+
 // Tentative collisions that one call of follow() looks at: enough to hide what a decision costs the other lanes, few
 // enough not to wait long for them.
 #define STRIDE 16
 
-// Visitor: follows the ray under way. True when it has come to an end. A flight ends at its first real collision (Woodcock
-// tracking); a shadow ray gathers an unbiased estimate of its transmittance (ratio tracking, with roulette).
+// Visitor: follows the ray under way for a stride. True when it has come to an end. A flight ends at its first real
+// collision (Woodcock tracking); a shadow ray gathers an unbiased estimate of its transmittance (ratio tracking, with roulette).
 bool follow(INOUT(Path) path, INOUT(Rng) rng) {
     path.rounds += 1;
     for (int i = 0; i < STRIDE; ++i) {
@@ -114,6 +126,8 @@ bool follow(INOUT(Path) path, INOUT(Rng) rng) {
         }
         if (path.transmittance == float(0.0)) return true;
     }
+    path.walk.majorant /= path.walk.looseness;  // one that is not decided by now costs enough without
+    path.walk.looseness = float(1.0);
     return false;
 }
 
@@ -130,8 +144,7 @@ bool decide(INOUT(Path) path, INOUT(Rng) rng) {
             if (random01(rng) * float(ROULETTE_BELOW) >= strength) return false;
             path.throughput *= float(ROULETTE_BELOW) / strength;
         }
-        float u = random01(rng);
-        path.direction = samplePhase(path.direction, params.anisotropy, u, random01(rng));
+        path.direction = samplePhase(path.direction, params.anisotropy, netPoint(path.net, uint(2 * path.vertices)));
         direction = path.direction;
     } else {
         if (path.transmittance > float(0.0)) {  // out of the volume, or at a face
@@ -144,14 +157,16 @@ bool decide(INOUT(Path) path, INOUT(Rng) rng) {
         path.coverage = float(1.0);
         path.origin = walkPosition(path.walk);
         path.throughput *= fetchAlbedo(int(path.entry + float(0.5)));
-        EnvironmentSample light = sampleEnvironment(rng);
+        EnvironmentSample light = sampleEnvironment(netPoint(path.net, uint(2 * path.vertices + 1)));
         direction = worldFromEnvironment(light.direction);
         float phase = phaseHenyeyGreenstein(dot(path.direction, direction), params.anisotropy);
         path.pending = light.pdfPerSr > float(0.0) ? path.throughput * light.radiance * (params.lightStrength * phase / light.pdfPerSr) : vec3(0.0);
     }
+    bool wasShadow = path.shadow;
     path.walk = startLightWalk(path.origin, voxelsPerMm(direction));
     path.transmittance = float(1.0);
-    path.shadow = !path.shadow;
+    path.shadow = false;
+    if (!wasShadow) beShadow(path);
     return true;
 }
 
@@ -174,7 +189,10 @@ vec3 eyeDirection(vec2 pixel) {
 // The path of one sample of a pixel, and the random numbers it will use.
 Path startSample(ivec2 pixel, uint sampleIndex, OUT(Rng) rng) {
     rng = makeRng(uint(pixel.x), uint(pixel.y), sampleIndex, params.seed);
+    Net net = netOfPixel(uint(pixel.x), uint(pixel.y), sampleIndex, params.seed);
+    // Where in the pixel is left to plain chance: edges would be so exact that the denoiser, which takes samples as
+    // independent, would blur them for noise that they do not have.
     float x = float(pixel.x) + random01(rng);
     float y = float(pixel.y) + random01(rng);
-    return startPath(params.originVoxel, eyeDirection(vec2(x, y)));
+    return startPath(params.originVoxel, eyeDirection(vec2(x, y)), net);
 }

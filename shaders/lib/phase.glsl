@@ -16,15 +16,15 @@ void orthonormalFrame(vec3 n, OUT(vec3) a, OUT(vec3) b) {
 }
 
 // A direction distributed as the phase function around `forward` (unit), by inversion.
-vec3 samplePhase(vec3 forward, float g, float u, float v) {
-    float cosine = float(1.0) - float(2.0) * u;
+vec3 samplePhase(vec3 forward, float g, vec2 u) {
+    float cosine = float(1.0) - float(2.0) * u.x;
     if (abs(g) > float(1e-3)) {
-        float r = (float(1.0) - g * g) / (float(1.0) + g - float(2.0) * g * u);
+        float r = (float(1.0) - g * g) / (float(1.0) + g - float(2.0) * g * u.x);
         cosine = (float(1.0) + g * g - r * r) / (float(2.0) * g);
     }
     cosine = clamp(cosine, float(-1.0), float(1.0));
     float sine = sqrt(max(float(0.0), float(1.0) - cosine * cosine));
-    float azimuth = float(2.0 * PI) * v;
+    float azimuth = float(2.0 * PI) * u.y;
     vec3 a;
     vec3 b;
     orthonormalFrame(forward, a, b);

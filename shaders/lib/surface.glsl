@@ -176,11 +176,12 @@ Candidate findCandidate(vec3 low, vec3 high, int directions, INOUT(Rng) rng) {
 // A path from outside towards a point, as far beyond it as it starts before it: what it brings is light that leaves the
 // matter around the point, and whether it met any. `weight` is how well an eye there is seen from all outside; a path of no
 // weight is complete.
-Path startTowards(vec3 at, float radiusMm, bool onFace, INOUT(Rng) rng, INOUT(int) rounds, OUT(float) weight) {
-    vec3 direction = randomDirection(rng);
+Path startTowards(vec3 at, float radiusMm, bool onFace, Net net, INOUT(Rng) rng, INOUT(int) rounds, OUT(float) weight) {
+    vec2 u = netPoint(net, 0u);
+    vec3 direction = directionOnSphere(float(1.0) - float(2.0) * u.x, u.y);
     vec3 outwards = voxelsPerMm(direction);
     weight = seenFrom(at, outwards, onFace, rng, rounds);
-    Path path = startPath(at + outwards * radiusMm, -direction);
+    Path path = startPath(at + outwards * radiusMm, -direction, net);
     float reach = weight > float(0.0) ? float(2.0) * radiusMm : float(0.0);
     if (path.walk.endMm > reach) {
         path.walk.endMm = reach;

@@ -4,6 +4,7 @@
 #define BRICK 8
 
 #include "lib/rng.glsl"
+#include "lib/net.glsl"
 #include "lib/phase.glsl"
 #include "lib/medium.glsl"
 #include "lib/mask.glsl"

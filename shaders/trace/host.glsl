@@ -28,7 +28,7 @@ layout(binding = 2) uniform samplerBuffer extinctionTexels;   // per mm, by entr
 layout(binding = 3) uniform samplerBuffer albedoTexels;       // by entry
 layout(binding = 4) uniform samplerBuffer boundTexels;        // by brick
 layout(binding = 5) uniform samplerBuffer environmentTexels;  // radiance and pdf per steradian, by texel
-layout(binding = 6) uniform samplerBuffer aliasTexels;        // probability to stay, and the other texel
+layout(binding = 6) uniform samplerBuffer cumulativeTexels;   // see environment.glsl
 layout(binding = 7) uniform usamplerBuffer blockTexels;       // where they are
 layout(binding = 8) uniform usamplerBuffer maskTexels;        // a bit for each voxel: whether the mask shows it
 
@@ -93,8 +93,8 @@ float fetchBound(int brick) {
 vec4 fetchEnvironment(int texel) {
     return texelFetch(environmentTexels, texel);
 }
-vec2 fetchAlias(int texel) {
-    return texelFetch(aliasTexels, texel).xy;
+float fetchCumulative(int index) {
+    return texelFetch(cumulativeTexels, index).x;
 }
 bool useTrilinear() {
     return kTrilinear;

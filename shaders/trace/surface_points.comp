@@ -30,6 +30,9 @@ void main() {
     vec4 point = points[index / kSurfaceLanes];
     float radius = abs(point.w);
     bool onFace = point.w < 0.0;
+    // The paths of a point are one net.
+    uint net = hashOf(push.base + index / kSurfaceLanes, params.seed ^ 0x2545f491u);
+    uint before = (push.pass * kSurfaceLanes + lane) * kSurfacePaths;
     Rng rng = makeRng(push.base + index / kSurfaceLanes, lane, 8u + push.pass, params.seed ^ 0x5f0f1e5du);
     SurfaceSums found;
     found.radiance = vec3(0.0);
@@ -46,7 +49,7 @@ void main() {
         rounds += 1;
         while (complete) {  // a loop, not an if: those are not skipped on lavapipe
             rounds += path.rounds;
-            path = startTowards(point.xyz, radius, onFace, rng, rounds, weight);
+            path = startTowards(point.xyz, radius, onFace, Net(before + done, net), rng, rounds, weight);
             complete = false;
         }
         if (!extendPath(path, rng)) {

@@ -64,6 +64,7 @@ struct GlslInCpp {
     static bvec3 greaterThanEqual(const vec3& a, const vec3& b) { return glm::greaterThanEqual(a, b); }
     static bvec3 lessThanEqual(const vec3& a, const vec3& b) { return glm::lessThanEqual(a, b); }
     static uint floatBitsToUint(Real x) { return std::bit_cast<uint>(static_cast<float>(x)); }
+    static uint bitfieldReverse(uint x) { return glm::bitfieldReverse(x); }
     static bool all(const bvec3& x) { return x.x && x.y && x.z; }
 };
 

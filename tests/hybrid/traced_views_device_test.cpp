@@ -12,6 +12,7 @@
 #include "pipeline/hybrid/drawn_views.h"
 #include "pipeline/hybrid/first_model.h"
 #include "pipeline/hybrid/initial_splats.h"
+#include "pipeline/hybrid/pixel_coverage.h"
 #include "pipeline/hybrid/refinement.h"
 #include "pipeline/hybrid/truth_pictures.h"
 #include "pipeline/splat/displayed.h"
@@ -81,7 +82,7 @@ TEST_F(Views, OfRefinementMakeOutlinesNeedless) {
     }
 }
 
-// The tracer's own coverage, but for chance and for the edges of its pixels.
+// The tracer's own coverage, but for chance and for the edges of its pixels; in pictures to learn from, too.
 TEST_F(Views, OfCoverageHaveNoLight) {
     trace::PathTracer tracer = this->tracer();
     Progress progress;
@@ -90,22 +91,28 @@ TEST_F(Views, OfCoverageHaveNoLight) {
     ASSERT_TRUE(outlines.ok());
     ASSERT_EQ(outlines->size(), 2u);
     const ViewTracing options{.sizePx = {24, 20}, .samplesPerPixel = 64};
-    const auto traced = traceViews(tracer, cameras, options, progress);
-    ASSERT_TRUE(traced.ok());
+    const auto learnt = traceViews(tracer, cameras, options, progress);
+    ASSERT_TRUE(learnt.ok());
     for (std::size_t v = 0; v < 2; ++v) {
         const TracedView& outline = (*outlines)[v];
+        const auto traced =
+            traceView(tracer, {.camera = cameras[v], .width = 24, .height = 20}, {}, 64, progress);
+        ASSERT_TRUE(traced.ok());
         EXPECT_EQ(outline.camera.positionMm, cameras[v].positionMm);
         EXPECT_EQ(outline.sizePx, glm::ivec2(24, 20));
         ASSERT_EQ(outline.rgba.size(), 480u);
         double off = 0.0;
+        double offLearnt = 0.0;
         double shown = 0.0;
         for (std::size_t i = 0; i < 480; ++i) {
             EXPECT_EQ(glm::vec3(outline.rgba[i]), glm::vec3(0.0f));
-            off += std::abs(double(outline.rgba[i].w - (*traced)[v].rgba[i].w));
-            shown += double((*traced)[v].rgba[i].w);
+            off += std::abs(double(outline.rgba[i].w - traced->rgba[i].w));
+            offLearnt += std::abs(double((*learnt)[v].rgba[i].w - traced->rgba[i].w));
+            shown += double(traced->rgba[i].w);
         }
         EXPECT_GT(shown, 40.0);
         EXPECT_LT(off, 0.1 * shown);
+        EXPECT_LT(offLearnt, 0.15 * shown);
     }
     CancelToken stop;
     stop.cancel();
@@ -113,7 +120,7 @@ TEST_F(Views, OfCoverageHaveNoLight) {
     EXPECT_EQ(coverageViews(tracer, cameras, {24, 20}, stopped).error().code, ErrorCode::cancelled);
 }
 
-TEST_F(Views, AreThoseOfTheTracerAndOfNoOtherView) {
+TEST_F(Views, AreThoseOfTheTracerAndOfNoOtherViewWithCoverageOfTheGuides) {
     trace::PathTracer tracer = this->tracer();
     Progress progress;
     const ViewTracing options{.sizePx = {24, 20}, .samplesPerPixel = 9};
@@ -130,9 +137,12 @@ TEST_F(Views, AreThoseOfTheTracerAndOfNoOtherView) {
     trace::PathTracer fresh = this->tracer();
     trace::Settings settings = options.settings;
     settings.seed += 1;
-    const auto alone =
-        traceView(fresh, {.camera = cameras[1], .width = 24, .height = 20}, settings, 9, progress);
+    auto alone = traceView(fresh, {.camera = cameras[1], .width = 24, .height = 20}, settings, 9, progress);
     ASSERT_TRUE(alone.ok());
+    const auto guides = fresh.readGuides();
+    ASSERT_TRUE(guides.ok());
+    const std::vector<float> coverage = pixelCoverage(*guides, {24, 20});
+    for (std::size_t i = 0; i < coverage.size(); ++i) alone->rgba[i].a = coverage[i];
     EXPECT_TRUE(same((*both)[1].rgba, alone->rgba));
 
     Progress stopped({}, [] {

@@ -37,7 +37,7 @@ TEST(Phase, SamplesFollowThePhaseFunction) {
         double meanCosine = 0.0;
         for (int i = 0; i < kDraws; ++i) {
             const double u = lib.random01(rng);
-            const Lib::vec3 direction = lib.samplePhase(forward, g, u, lib.random01(rng));
+            const Lib::vec3 direction = lib.samplePhase(forward, g, {u, lib.random01(rng)});
             ASSERT_NEAR(glm::length(direction), 1.0, 1e-12);
             const double cosine = glm::dot(direction, forward);
             meanCosine += cosine / kDraws;

@@ -12,6 +12,7 @@ namespace macula {
 
 struct ShaderLibSingle : GlslInCpp<float> {
 #include "lib/fovea.glsl"
+#include "lib/net.glsl"
 #include "lib/phase.glsl"
 #include "lib/picture.glsl"
 #include "lib/rng.glsl"
@@ -20,6 +21,7 @@ struct ShaderLibSingle : GlslInCpp<float> {
 struct ShaderLibTwofold : GlslInCpp<double> {
 #define float double
 #include "lib/fovea.glsl"
+#include "lib/net.glsl"
 #include "lib/phase.glsl"
 #include "lib/picture.glsl"
 #include "lib/rng.glsl"

@@ -1,8 +1,8 @@
 #include "pipeline/hybrid/coverage_views.h"
 
-#include <algorithm>
-#include <iterator>
 #include <utility>
+
+#include "pipeline/hybrid/pixel_coverage.h"
 
 namespace macula::hybrid {
 
@@ -15,10 +15,8 @@ Result<std::vector<TracedView>> coverageViews(trace::PathTracer& tracer, std::sp
         MACULA_TRY_VOID(tracer.setView({.camera = camera, .width = sizePx.x, .height = sizePx.y}));
         MACULA_TRY(const std::vector<trace::GuidePixel> guides, tracer.readGuides());
         TracedView view{.camera = camera, .sizePx = sizePx};
-        view.rgba.reserve(guides.size());
-        std::transform(
-            guides.begin(), guides.end(), std::back_inserter(view.rgba),
-            [](const trace::GuidePixel& pixel) { return glm::vec4(glm::vec3(0.0f), pixel.coverage); });
+        for (const float covered : pixelCoverage(guides, sizePx))
+            view.rgba.emplace_back(glm::vec3(0.0f), covered);
         views.push_back(std::move(view));
         progress.advance();
     }

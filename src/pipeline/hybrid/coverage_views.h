@@ -13,7 +13,7 @@
 
 namespace macula::hybrid {
 
-// One for each camera: black, with the coverage of each pixel's centre ray, and no samples. `tracer` is left
+// One for each camera: black, with the coverage of each pixel, and no samples. `tracer` is left
 // with another view. `cancelled` when `progress` says so.
 Result<std::vector<TracedView>> coverageViews(trace::PathTracer& tracer, std::span<const Camera> cameras,
                                               const glm::ivec2& sizePx, Progress& progress);

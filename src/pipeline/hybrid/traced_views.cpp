@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "pipeline/hybrid/pixel_coverage.h"
+
 namespace macula::hybrid {
 
 namespace {
@@ -42,6 +44,9 @@ Result<std::vector<TracedView>> traceViews(trace::PathTracer& tracer, std::span<
         settings.seed += static_cast<std::uint32_t>(views.size());
         const trace::View view{.camera = camera, .width = options.sizePx.x, .height = options.sizePx.y};
         MACULA_TRY(TracedView traced, traceView(tracer, view, settings, options.samplesPerPixel, progress));
+        MACULA_TRY(const std::vector<trace::GuidePixel> guides, tracer.readGuides());
+        const std::vector<float> coverage = pixelCoverage(guides, options.sizePx);
+        for (std::size_t i = 0; i < coverage.size(); ++i) traced.rgba[i].a = coverage[i];
         views.push_back(std::move(traced));
     }
     return views;

@@ -28,7 +28,8 @@ Result<TracedView> traceView(trace::PathTracer& tracer, const trace::View& view,
                              const trace::Settings& settings, std::uint32_t samplesPerPixel,
                              Progress& progress);
 
-// One sample after the other for each camera, evenly; nothing is carried over from the view before.
+// To learn from. One sample after the other for each camera, evenly; nothing is carried over from the view
+// before. Coverage is what the guides find without chance: noise in it would be learnt as shape.
 // `progress` gets a stage, a step for each sample of a view.
 Result<std::vector<TracedView>> traceViews(trace::PathTracer& tracer, std::span<const Camera> cameras,
                                            const ViewTracing& options, Progress& progress);

@@ -120,22 +120,19 @@ Result<void> DeviceScene::makeTables() {
 Result<void> DeviceScene::setEnvironment(const Environment& environment) {
     static_assert(sizeof(EnvironmentTexel) == 4 * sizeof(float));
     environmentTexels_.reset();
-    aliasTexels_.reset();
+    cumulativeTexels_.reset();
     MACULA_TRY(environmentTexels_,
                makeTexels<EnvironmentTexel>(device_, "environment", VK_FORMAT_R32G32B32A32_SFLOAT,
                                             environment.texels()));
-    std::vector<glm::vec2> alias(environment.alias().size());
-    std::transform(
-        environment.alias().begin(), environment.alias().end(), alias.begin(),
-        [](const AliasEntry& entry) { return glm::vec2(entry.keep, static_cast<float>(entry.other)); });
-    MACULA_TRY(aliasTexels_, makeTexels<glm::vec2>(device_, "alias", VK_FORMAT_R32G32_SFLOAT, alias));
+    MACULA_TRY(cumulativeTexels_, makeTexels<float>(device_, "cumulative light", VK_FORMAT_R32_SFLOAT,
+                                                    environment.cumulative()));
     environment_ = environment;
     return {};
 }
 
 bool DeviceScene::isComplete() const {
     return voxels_ && voxels_->isShown() && mask_ && extinction_ && albedo_ && bounds_ &&
-           environmentTexels_ && aliasTexels_;
+           environmentTexels_ && cumulativeTexels_;
 }
 
 Result<void> DeviceScene::look(const View& view, const Settings& settings) {
@@ -166,8 +163,9 @@ std::vector<Message> DeviceScene::messages() const {
 
 std::vector<gpu::Binding> DeviceScene::bindings() const {
     MACULA_CHECK(isComplete());
-    return {params_,       voxels_->pool(),  *extinction_, *albedo_, *bounds_, *environmentTexels_,
-            *aliasTexels_, voxels_->table(), *mask_};
+    return {params_,  voxels_->pool(),     *extinction_,       *albedo_,
+            *bounds_, *environmentTexels_, *cumulativeTexels_, voxels_->table(),
+            *mask_};
 }
 
 }  // namespace macula::trace

@@ -80,7 +80,7 @@ class DeviceScene {
     std::optional<gpu::TexelBuffer> extinction_, albedo_, bounds_, mask_;
     std::optional<MaskBits> maskBits_;  // of the clip, on the grid of the volume
     std::optional<Environment> environment_;
-    std::optional<gpu::TexelBuffer> environmentTexels_, aliasTexels_;
+    std::optional<gpu::TexelBuffer> environmentTexels_, cumulativeTexels_;
 };
 
 }  // namespace macula::trace

@@ -27,33 +27,20 @@ double luminance(const glm::dvec3& c) {
     return 0.2126 * c.r + 0.7152 * c.g + 0.0722 * c.b;
 }
 
-// Walker's alias table, by Vose's method: two stacks, of those with less and with more than the mean.
-std::vector<AliasEntry> makeAlias(const std::vector<double>& weights, double total) {
-    const std::size_t count = weights.size();
-    std::vector<AliasEntry> table(count);
-    if (!(total > 0.0)) return table;
-    std::vector<double> scaled(count);
-    std::vector<std::uint32_t> poor;
-    std::vector<std::uint32_t> rich;
-    for (std::size_t i = 0; i < count; ++i) {
-        scaled[i] = weights[i] / total * double(count);
-        (scaled[i] < 1.0 ? poor : rich).push_back(static_cast<std::uint32_t>(i));
+// Where each share of the unit interval begins, in proportion to `weights`; even shares when there is no
+// weight.
+void appendShares(std::vector<float>& begins, std::span<const double> weights) {
+    const double total = std::accumulate(weights.begin(), weights.end(), 0.0);
+    double sum = 0.0;
+    for (const double weight : weights) {
+        begins.push_back(static_cast<float>(std::min(sum, 1.0)));
+        sum += total > 0.0 ? weight / total : 1.0 / double(weights.size());
     }
-    while (!poor.empty() && !rich.empty()) {
-        const std::uint32_t low = poor.back();
-        const std::uint32_t high = rich.back();
-        poor.pop_back();
-        table[low] = {static_cast<float>(scaled[low]), high};
-        scaled[high] -= 1.0 - scaled[low];
-        if (scaled[high] < 1.0) {
-            rich.pop_back();
-            poor.push_back(high);
-        }
-    }
-    for (const auto& rest : {poor, rich}) {  // 1 but for rounding
-        for (const std::uint32_t i : rest) table[i] = {1.0f, i};
-    }
-    return table;
+}
+
+// As wide as it is stored.
+double widthOfShare(std::span<const float> begins, std::size_t i) {
+    return (i + 1 < begins.size() ? double(begins[i + 1]) : 1.0) - double(begins[i]);
 }
 
 // Resamples to newWidth x newHeight: each new texel is the mean, by solid angle, of the old ones it covers,
@@ -150,16 +137,26 @@ Result<Environment> Environment::fromImage(int width, int height, std::span<cons
             power[i] = luminance(radiance[i]) * angle;
         }
     }
-    const double total = std::accumulate(power.begin(), power.end(), 0.0);
+    const auto columns = std::size_t(width);
+    std::vector<double> rows;
     for (int row = 0; row < height; ++row) {
-        const double angle = texelSolidAngle(row, width, height);
-        for (int column = 0; column < width; ++column) {
-            const std::size_t i = std::size_t(row) * std::size_t(width) + std::size_t(column);
-            const double pdf = total > 0.0 ? power[i] / total / angle : 0.0;
-            environment.texels_[i] = {radiance[i], static_cast<float>(pdf)};
-        }
+        const auto first = power.begin() + std::ptrdiff_t(row) * width;
+        rows.push_back(std::accumulate(first, first + width, 0.0));
     }
-    environment.alias_ = makeAlias(power, total);
+    std::vector<float>& begins = environment.cumulative_;
+    appendShares(begins, rows);
+    for (int row = 0; row < height; ++row)
+        appendShares(begins, std::span(power).subspan(std::size_t(row) * columns, columns));
+    const bool isLit = std::accumulate(rows.begin(), rows.end(), 0.0) > 0.0;
+    for (std::size_t i = 0; i < radiance.size(); ++i) {
+        const std::size_t row = i / columns;
+        const std::span<const float> within =
+            std::span<const float>(begins).subspan(rows.size() + row * columns, columns);
+        const double share = widthOfShare(std::span<const float>(begins).first(rows.size()), row) *
+                             widthOfShare(within, i % columns);
+        const double pdf = isLit ? share / texelSolidAngle(int(row), width, height) : 0.0;
+        environment.texels_[i] = {radiance[i], static_cast<float>(pdf)};
+    }
     return environment;
 }
 

@@ -36,15 +36,9 @@ struct LightRig {
     std::vector<SoftLight> lights;
 };
 
-// One texel of the environment, with its row of the alias table that samples texels by power (Walker; Vose
-// 1991).
 struct EnvironmentTexel {
     glm::vec3 radiance{0.0f};
     float pdfPerSr = 0.0f;  // of a direction in this texel, under sampling; the solid-angle Jacobian is in it
-};
-struct AliasEntry {
-    float keep = 1.0f;        // probability to stay with this texel
-    std::uint32_t other = 0;  // else take this one
 };
 
 // Equirectangular, piecewise constant per texel, laid out as a panorama that is looked at from inside. Frame:
@@ -67,14 +61,16 @@ class Environment {
     int height() const { return height_; }
     LightFrame frame() const { return frame_; }
     std::span<const EnvironmentTexel> texels() const { return texels_; }
-    std::span<const AliasEntry> alias() const { return alias_; }
+    // By which texels are sampled by power: for each row where its share of the unit interval begins; after
+    // them, for each texel, where its share of its row begins.
+    std::span<const float> cumulative() const { return cumulative_; }
 
   private:
     int width_ = 0;
     int height_ = 0;
     LightFrame frame_ = LightFrame::patient;
     std::vector<EnvironmentTexel> texels_;
-    std::vector<AliasEntry> alias_;
+    std::vector<float> cumulative_;
 };
 
 }  // namespace macula::trace

@@ -394,7 +394,8 @@ Result<bool> PathTracer::trace(std::uint32_t samplesPerPixel, const std::functio
     // A pass that was interrupted is part of what was asked for.
     const std::uint32_t underWay = t.plan.hasPass() ? t.plan.passMost() : 0;
     const std::uint32_t target = t.plan.leastSamples() + std::max(samplesPerPixel, underWay);
-    while (t.plan.leastSamples() < target) {
+    // After adaptive passes the blocks with the fewest may be done before the others.
+    while (t.plan.hasPass() || t.plan.leastSamples() < target) {
         if (!t.plan.hasPass()) t.beginEvenPass(target - t.plan.leastSamples());
         MACULA_TRY_VOID(t.step(kDispatchMs));
         if (keepGoing && !keepGoing()) break;

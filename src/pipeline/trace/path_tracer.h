@@ -3,7 +3,10 @@
 //
 // The estimator follows Woodcock tracking for free flights and ratio tracking for shadow rays (Novak et al.
 // 2018, "Monte Carlo methods for volumetric light transport simulation"), with next-event estimation to the
-// environment at every vertex. It is unbiased for paths of up to `bounces` vertices. The other looks march
+// environment at every vertex. It is unbiased for paths of up to `bounces` vertices. Where to the light and
+// where on are points of nets, even over four samples of a pixel (from a multiple of four on) and over its
+// neighbours (shaders/lib/net.glsl): together they are less noisy than by themselves. Estimates of error take
+// them as independent, and are a little too large. The other looks march
 // along each ray without chance (shaders/lib/cast.glsl); their samples differ in where in the pixel they lie.
 #pragma once
 

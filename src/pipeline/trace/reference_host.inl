@@ -58,7 +58,7 @@ struct MACULA_HOST : GlslInCpp<MACULA_REAL> {
           albedo_(tables.albedo.data()),
           bounds_(tables.bounds.data()),
           environment_(tables.environment.data()),
-          alias_(tables.alias.data()),
+          cumulative_(tables.cumulative.data()),
           trilinear_(filter == Filter::trilinear) {
         for (std::size_t i = 0; i < params.clipPlanes.size(); ++i) params.clipPlanes[i] = p.clipPlanes[i];
         clip_ = isClipped(p);
@@ -88,7 +88,7 @@ struct MACULA_HOST : GlslInCpp<MACULA_REAL> {
     vec4 fetchEnvironment(int texel) const {
         return vec4(vec3(environment_[texel].radiance), Real(environment_[texel].pdfPerSr));
     }
-    vec2 fetchAlias(int texel) const { return {Real(alias_[texel].keep), Real(alias_[texel].other)}; }
+    Real fetchCumulative(int index) const { return Real(cumulative_[index]); }
     bool useTrilinear() const { return trilinear_; }
     bool useClip() const { return clip_; }
     bool useMask() const { return !mask_.empty(); }
@@ -114,6 +114,7 @@ struct MACULA_HOST : GlslInCpp<MACULA_REAL> {
 #undef FAR_MM
 #undef BRICK_SHIFT
 #undef ROULETTE_BELOW
+#undef SHADOW_LOOSENESS
 #undef SEEN_ENOUGH
 #undef FACE_WEIGHT
 #undef MANY_SURFACE_ROUNDS
@@ -135,7 +136,7 @@ struct MACULA_HOST : GlslInCpp<MACULA_REAL> {
     const glm::vec4* albedo_;
     const float* bounds_;
     const EnvironmentTexel* environment_;
-    const AliasEntry* alias_;
+    const float* cumulative_;
     bool trilinear_;
     bool clip_;
     std::span<const std::uint32_t> mask_;

@@ -58,8 +58,9 @@ ReferenceTracer::Moments transmittanceOn(Host host, const glm::dvec3& originVoxe
     ReferenceTracer::Moments moments;
     for (std::uint32_t s = 0; s < samples; ++s) {
         auto rng = host.makeRng(0u, 0u, s, host.params.seed);
-        auto ray = host.startPath(typename Host::vec3(originVoxel), typename Host::vec3(worldDirection));
-        ray.shadow = true;
+        auto ray = host.startPath(typename Host::vec3(originVoxel), typename Host::vec3(worldDirection),
+                                  {s, host.params.seed});
+        host.beShadow(ray);
         while (!host.follow(ray, rng)) {
         }
         const double through = double(ray.transmittance);
@@ -113,7 +114,8 @@ std::vector<ReferenceTracer::Light> lightsOn(Host host, std::uint32_t samples) {
     std::vector<ReferenceTracer::Light> lights(samples);
     for (std::uint32_t s = 0; s < samples; ++s) {
         auto rng = host.makeRng(0u, 0u, s, host.params.seed);
-        const auto light = host.sampleEnvironment(rng);
+        const auto u = host.random01(rng);
+        const auto light = host.sampleEnvironment({u, host.random01(rng)});
         lights[s] = {glm::dvec3(light.direction), glm::dvec3(light.radiance), double(light.pdfPerSr),
                      host.environmentTexel(light.direction)};
     }

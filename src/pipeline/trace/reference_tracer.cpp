@@ -38,7 +38,7 @@ ReferenceTracer::ReferenceTracer(const Volume& volume, const Medium& medium, con
     tables->albedo = medium.albedo;
     tables->bounds = medium.bounds;
     tables->environment.assign(environment.texels().begin(), environment.texels().end());
-    tables->alias.assign(environment.alias().begin(), environment.alias().end());
+    tables->cumulative.assign(environment.cumulative().begin(), environment.cumulative().end());
     if (mask != nullptr) tables->mask = mask->words;
     tables_ = std::move(tables);
 }

@@ -75,7 +75,7 @@ class ReferenceTracer {
         std::vector<glm::vec4> albedo;
         std::vector<float> bounds;
         std::vector<EnvironmentTexel> environment;
-        std::vector<AliasEntry> alias;
+        std::vector<float> cumulative;
         std::vector<std::uint32_t> mask;  // empty: none
     };
 

@@ -23,6 +23,7 @@ constexpr double kMostWeight = 8.0;
 // pixel has.
 constexpr double kRoom = 0.25;
 constexpr double kWorthIt = 0.25;
+constexpr double kNet = 4.0;  // samples that are less noisy together than by themselves: shaders/lib/net.glsl
 
 constexpr double kNearlyWorst = 0.95;
 constexpr double kNearlyWorstFactor = 2.0;  // of the threshold
@@ -44,10 +45,11 @@ double known(float squaredError) {
     return squaredError >= 0.0f && squaredError <= 1.0f ? static_cast<double>(squaredError) : 1.0;
 }
 
-// What a block that is owed so much gets now. Little is not worth a visit: lanes of a SIMD group wait for
-// the longest of its paths, which many samples even out.
+// What a block that is owed so much gets now: whole nets, if there is room for one. Little is not worth a
+// visit: lanes of a SIMD group wait for the longest of its paths, which many samples even out.
 double visit(double owed, double worthIt, double most) {
-    return owed < worthIt ? 0.0 : std::min(std::floor(owed), most);
+    const double grain = most < kNet ? 1.0 : kNet;
+    return owed < worthIt ? 0.0 : std::floor(std::min(owed, most) / grain) * grain;
 }
 
 }  // namespace

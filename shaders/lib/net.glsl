@@ -1,0 +1,71 @@
+// Pairs of numbers that fill the unit square evenly, for what a path chooses in two dimensions: where it looks for light, and
+// where it goes on.
+//
+// Of the first two dimensions of Sobol's sequence (1967), any 2^k points from a multiple of 2^k on lie one in each of the 2^k
+// rectangles of any one shape that halvings of the square make: a (0, k, 2)-net. A random permutation of every half, of every
+// half of it, and so on (Owen 1995) keeps that and makes each point uniform, so that every estimate stays unbiased; a hash
+// stands for it (Laine and Karras 2011, "Stratified sampling for stochastic transparency"; multipliers by Vegdahl). Shuffled
+// likewise in their order, points of one choice know nothing of those of another (Burley 2020, "Practical hash-based Owen
+// scrambling").
+
+struct Net {
+    uint index;  // of the point
+    uint seed;   // of the sequence
+};
+
+// A permutation of 2^32 numbers in which each bit decides about those above it only: Owen's, from the lowest bit up.
+uint permutedUpwards(uint x, uint seed) {
+    x ^= x * 0x3d20adeau;
+    x += seed;
+    x *= (seed >> 16u) | 1u;
+    x ^= x * 0x05526c56u;
+    x ^= x * 0x53a22864u;
+    return x;
+}
+
+// Mixes two words into one.
+uint hashOf(uint a, uint b) {
+    uint h = a * 0x9e3779b9u + b;
+    h ^= h >> 16u;
+    h *= 0x21f0aaadu;
+    h ^= h >> 15u;
+    h *= 0x735a2d97u;
+    h ^= h >> 15u;
+    return h;
+}
+
+// Sobol's second dimension, lowest bit first: Pascal's triangle modulo 2, a power of two at a time.
+uint pascalTriangle(uint x) {
+    x ^= (x & 0xaaaaaaaau) >> 1u;
+    x ^= (x & 0xccccccccu) >> 2u;
+    x ^= (x & 0xf0f0f0f0u) >> 4u;
+    x ^= (x & 0xff00ff00u) >> 8u;
+    x ^= x >> 16u;
+    return x;
+}
+
+// For one of the choices of a path, numbered. Multiples of 2^-24 in [0, 1).
+vec2 netPoint(Net net, uint choice) {
+    uint seed = hashOf(choice, net.seed);
+    uint index = bitfieldReverse(permutedUpwards(bitfieldReverse(net.index), seed));
+    uint x = bitfieldReverse(permutedUpwards(index, hashOf(1u, seed)));
+    uint y = bitfieldReverse(permutedUpwards(pascalTriangle(index), hashOf(2u, seed)));
+    return vec2(float(x >> 8u), float(y >> 8u)) * float(1.0 / 16777216.0);
+}
+
+// Every second bit from the lowest 16 ones.
+uint spread(uint x) {
+    x &= 0xffffu;
+    x = (x | (x << 8u)) & 0x00ff00ffu;
+    x = (x | (x << 4u)) & 0x0f0f0f0fu;
+    x = (x | (x << 2u)) & 0x33333333u;
+    return (x | (x << 1u)) & 0x55555555u;
+}
+
+// Four samples of a pixel are a net, and so are those of four neighbours, of sixteen, and so on: what is too bright in one
+// is too dark in the one beside it (Ahmed and Wonka 2020, "Screen-space blue-noise diffusion of Monte Carlo sampling
+// error via hierarchical ordering of pixels").
+Net netOfPixel(uint pixelX, uint pixelY, uint sampleIndex, uint seed) {
+    uint place = spread(pixelX) | (spread(pixelY) << 1u);
+    return Net((place << 2u) | (sampleIndex & 3u), hashOf(sampleIndex >> 2u, seed));
+}

@@ -1,0 +1,16 @@
+// How much of each pixel is covered by matter, without chance.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <span>
+#include <vector>
+
+#include "pipeline/trace/guide_pixel.h"
+
+namespace macula::hybrid {
+
+// Over the area of each pixel of a picture, by the coverage of the rays through the centres around it, linear
+// between them. Row 0 on top; 0 to 1.
+std::vector<float> pixelCoverage(std::span<const trace::GuidePixel> guides, const glm::ivec2& sizePx);
+
+}  // namespace macula::hybrid
