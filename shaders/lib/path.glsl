@@ -38,7 +38,7 @@ struct Path {
     int vertices;
     int rounds;          // of all loops so far: a device may allow a kernel only so many
     bool shadow;         // the ray under way is a shadow ray
-    Net net;             // where its choices come from: 2k + 1 light of vertex k, 2k the way to it from the vertex before
+    Net net;             // where its choices come from: 2k + 1 light of vertex k, 2k the way to it; 0 only where surface.glsl starts it
     float face;          // what the eye ray meets when no matter stops it: the grey of a face of the clip; 0 if none
 };
 

@@ -79,7 +79,7 @@ TEST(Net, ChoicesKnowNothingOfEachOther) {
         }
         return pairs;
     };
-    expectIndependent(pairsOf(0, 1), "where in the pixel, where to the light");
+    expectIndependent(pairsOf(0, 1), "from where to a surface point, where to the light");
     expectIndependent(pairsOf(1, 2), "light, and on");
     expectIndependent(pairsOf(1, 3), "light, and light of the next vertex");
 }
