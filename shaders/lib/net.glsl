@@ -23,17 +23,6 @@ uint permutedUpwards(uint x, uint seed) {
     return x;
 }
 
-// Mixes two words into one.
-uint hashOf(uint a, uint b) {
-    uint h = a * 0x9e3779b9u + b;
-    h ^= h >> 16u;
-    h *= 0x21f0aaadu;
-    h ^= h >> 15u;
-    h *= 0x735a2d97u;
-    h ^= h >> 15u;
-    return h;
-}
-
 // Sobol's second dimension, lowest bit first: Pascal's triangle modulo 2, a power of two at a time.
 uint pascalTriangle(uint x) {
     x ^= (x & 0xaaaaaaaau) >> 1u;
@@ -67,5 +56,5 @@ uint spread(uint x) {
 // error via hierarchical ordering of pixels").
 Net netOfPixel(uint pixelX, uint pixelY, uint sampleIndex, uint seed) {
     uint place = spread(pixelX) | (spread(pixelY) << 1u);
-    return Net((place << 2u) | (sampleIndex & 3u), hashOf(sampleIndex >> 2u, seed));
+    return Net(place * kNetSamples + sampleIndex % kNetSamples, hashOf(sampleIndex / kNetSamples, seed));
 }

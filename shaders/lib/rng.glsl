@@ -30,16 +30,25 @@ Rng makeRng(uint pixelX, uint pixelY, uint sampleIndex, uint seed) {
     return Rng(x ^ z, y ^ w, 0u);
 }
 
-uint randomBits(INOUT(Rng) rng) {
-    uint h = rng.counter * 0x9e3779b9u + rng.key0;
-    rng.counter += 1u;
+uint mixedBits(uint h, uint key) {
     h ^= h >> 16u;
     h *= 0x21f0aaadu;
-    h += rng.key1;
+    h += key;
     h ^= h >> 15u;
     h *= 0x735a2d97u;
     h ^= h >> 15u;
     return h;
+}
+
+// Two words made one; neighbours in either come far apart.
+uint hashOf(uint a, uint b) {
+    return mixedBits(a * 0x9e3779b9u + b, 0u);
+}
+
+uint randomBits(INOUT(Rng) rng) {
+    uint bits = mixedBits(rng.counter * 0x9e3779b9u + rng.key0, rng.key1);
+    rng.counter += 1u;
+    return bits;
 }
 
 // In [0, 1), a multiple of 2^-24.

@@ -74,6 +74,10 @@ struct TraceParams {
 
 MACULA_SHARED_CONST int kBlockEdge = 8;  // pixels; a work group traces such a square of the picture
 
+// Of a pixel: so many, from a multiple of so many on, are less noisy together than by themselves, see
+// shaders/lib/net.glsl. A power of two.
+MACULA_SHARED_CONST uint kNetSamples = 4u;
+
 // What a work group does in a dispatch, see src/pipeline/trace/sampling_plan.h. Blocks are numbered row by
 // row.
 struct PlannedBlock {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/glsl_in_cpp.h"
+#include "shared/trace_params.h"
 
 #define OUT(type) type&
 #define INOUT(type) type&
@@ -11,6 +12,7 @@
 namespace macula {
 
 struct ShaderLibSingle : GlslInCpp<float> {
+    static constexpr uint kNetSamples = shared::kNetSamples;
 #include "lib/fovea.glsl"
 #include "lib/net.glsl"
 #include "lib/phase.glsl"
@@ -19,6 +21,7 @@ struct ShaderLibSingle : GlslInCpp<float> {
 };
 
 struct ShaderLibTwofold : GlslInCpp<double> {
+    static constexpr uint kNetSamples = shared::kNetSamples;
 #define float double
 #include "lib/fovea.glsl"
 #include "lib/net.glsl"

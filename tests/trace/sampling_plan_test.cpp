@@ -148,6 +148,29 @@ TEST(SamplingPlan, SamplesComeToBeInProportionToNoise) {
     }
 }
 
+// The block that is visited last had more than others before: when it alone is left, none has too few any
+// more.
+TEST(SamplingPlan, AllHaveTheirsOnlyWhenThePassIsOver) {
+    SamplingPlan plan(80, 80);
+    plan.beginEven(8);
+    std::uint32_t last = 0;
+    while (plan.hasPass()) last = plan.next(1.0, 1, 1).front().block;
+    EXPECT_TRUE(plan.hasAll(8));
+    EXPECT_FALSE(plan.hasAll(9));
+    std::vector<BlockNoise> noises(plan.blockCount(), {.squaredError = 1e-6f, .isSeen = 1});
+    noises[last].squaredError = 1e-2f;
+    plan.beginAdaptive(noises, 0.5, 16);
+    givenBy(plan);
+    ASSERT_GT(plan.samples()[last], 8u);
+    ASSERT_EQ(plan.leastSamples(), 8u);
+    plan.beginEven(1);
+    while (plan.hasPass()) {
+        EXPECT_FALSE(plan.hasAll(9));
+        plan.next(1.0, 1, 1);
+    }
+    EXPECT_TRUE(plan.hasAll(9));
+}
+
 // A lucky block among noisy ones, a noisy one among quiet ones, and one far from everything.
 TEST(SamplingPlan, NobodyStarvesAndNobodyTakesAll) {
     SamplingPlan plan(8 * 32, 8 * 32);

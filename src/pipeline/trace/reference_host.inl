@@ -16,6 +16,7 @@ struct MACULA_HOST : GlslInCpp<MACULA_REAL> {
     static constexpr int kCastMaximum = shared::kCastMaximum;
     static constexpr int kCastMinimum = shared::kCastMinimum;
     static constexpr int kCastMean = shared::kCastMean;
+    static constexpr uint kNetSamples = shared::kNetSamples;
 
     struct Params {
         vec3 originVoxel, right, up, forward;

@@ -23,7 +23,6 @@ constexpr double kMostWeight = 8.0;
 // pixel has.
 constexpr double kRoom = 0.25;
 constexpr double kWorthIt = 0.25;
-constexpr double kNet = 4.0;  // samples that are less noisy together than by themselves: shaders/lib/net.glsl
 
 constexpr double kNearlyWorst = 0.95;
 constexpr double kNearlyWorstFactor = 2.0;  // of the threshold
@@ -48,7 +47,7 @@ double known(float squaredError) {
 // What a block that is owed so much gets now: whole nets, if there is room for one. Little is not worth a
 // visit: lanes of a SIMD group wait for the longest of its paths, which many samples even out.
 double visit(double owed, double worthIt, double most) {
-    const double grain = most < kNet ? 1.0 : kNet;
+    const double grain = most < shared::kNetSamples ? 1.0 : shared::kNetSamples;
     return owed < worthIt ? 0.0 : std::floor(std::min(owed, most) / grain) * grain;
 }
 
@@ -119,6 +118,10 @@ SamplingPlan::SamplingPlan(int width, int height)
 
 std::uint32_t SamplingPlan::leastSamples() const {
     return samples_.empty() ? 0 : *std::min_element(samples_.begin(), samples_.end());
+}
+
+bool SamplingPlan::hasAll(std::uint32_t samples) const {
+    return !hasPass() && leastSamples() >= samples;
 }
 
 double SamplingPlan::meanSamples() const {

@@ -45,6 +45,9 @@ class SamplingPlan {
     std::uint32_t blockCount() const { return static_cast<std::uint32_t>(samples_.size()); }
     std::span<const std::uint32_t> samples() const { return samples_; }  // by block
     std::uint32_t leastSamples() const;
+    // So many everywhere, and no pass under way: after one that adapted, the blocks with the fewest samples
+    // may be done before the others.
+    bool hasAll(std::uint32_t samples) const;
     double meanSamples() const;  // of a pixel
 
     bool hasPass() const { return position_ < blockCount() && passMost_ > 0; }

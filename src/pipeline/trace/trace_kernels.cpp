@@ -1,5 +1,6 @@
 #include "pipeline/trace/trace_kernels.h"
 
+#include "pipeline/trace/device_scene.h"
 #include "shaders/trace.h"
 #include "shared/trace_params.h"
 
@@ -18,6 +19,11 @@ int castOf(Look look) {
 }
 
 }  // namespace
+
+SceneKind kindOf(const DeviceScene& scene) {
+    return {
+        .clip = scene.isClipped(), .mask = scene.isMasked(), .gradientOpacity = scene.hasGradientOpacity()};
+}
 
 TraceVariant variantOf(const Settings& settings, SceneKind scene) {
     if (isPathTraced(settings.look)) return {.filter = settings.filter, .scene = scene};

@@ -14,6 +14,8 @@
 
 namespace macula::trace {
 
+class DeviceScene;
+
 // What the scene asks of a kernel.
 struct SceneKind {
     bool clip = false;
@@ -26,6 +28,9 @@ struct SceneKind {
                std::tie(b.clip, b.mask, b.gradientOpacity, b.greyFaces);
     }
 };
+
+// Of the look that it looked at last; but for grey faces.
+SceneKind kindOf(const DeviceScene& scene);
 
 // What a kernel is compiled for.
 struct TraceVariant {

@@ -1,0 +1,71 @@
+// The samples of one picture: added in short dispatches, and looked at for how noisy they are.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "base/result.h"
+#include "pipeline/gpu/device.h"
+#include "pipeline/gpu/resources.h"
+#include "pipeline/trace/device_scene.h"
+#include "pipeline/trace/film.h"
+#include "pipeline/trace/noise_map.h"
+#include "pipeline/trace/pace.h"
+#include "pipeline/trace/sampling_plan.h"
+#include "pipeline/trace/trace_kernels.h"
+
+namespace macula::trace {
+
+// Used by one thread at a time, the one that uses the device. After begin has failed there is no film.
+class Accumulation {
+  public:
+    explicit Accumulation(std::shared_ptr<gpu::Device> device) : device_(std::move(device)) {}
+
+    // A picture without samples. What is known of the device's pace stays. outOfMemory.
+    Result<void> begin(int width, int height);
+
+    // Whoever begins passes decides how many samples they have; step() does them.
+    SamplingPlan& plan() { return plan_; }
+    const SamplingPlan& plan() const { return plan_; }
+    // How long a pass of one sample for each pixel takes, as far as is known.
+    double passMs(const TraceVariant& variant, int bounces);
+
+    // One dispatch of the pass under way, which takes about `ms`; waits. The scene has looked at the
+    // picture's view. Where it fails, nobody knows what the film holds.
+    Result<void> step(const DeviceScene& scene, TraceKernels& kernels, const TraceVariant& variant,
+                      int bounces, double ms);
+    // Whether paths were lost to the device's limit that smaller portions than those of the last pass would
+    // keep. To leave out long paths only, which are those through dense matter, would darken the picture.
+    Result<bool> hasLostPaths() const;
+
+    const Film& film() const { return *film_; }
+    // Of the film: grows whenever something is added to it, or it is cleared.
+    std::uint64_t edition() const { return edition_; }
+    double deviceMs() const { return deviceMs_; }  // spent since it began
+
+    // One dispatch towards an estimate of the samples there are; waits.
+    Result<void> measureSome(const Settings& settings);
+    bool isMeasured() const { return estimate_ && measuredEdition_ == edition_; }
+    // The last one made since it began, which may be of fewer samples.
+    const std::optional<ErrorEstimate>& estimate() const { return estimate_; }
+    // By block, of that.
+    const std::vector<shared::BlockNoise>& noises() const { return noises_; }
+
+  private:
+    std::shared_ptr<gpu::Device> device_;
+    Pace pace_;
+    std::optional<Film> film_;
+    std::optional<gpu::Buffer> planned_;  // PlannedBlock: what the dispatch under way does
+    SamplingPlan plan_;
+    std::uint64_t edition_ = 0;
+    double deviceMs_ = 0.0;
+
+    std::optional<NoiseMap> noiseMap_;
+    std::uint64_t measuredEdition_ = 0;  // that the map is of, or is being made of
+    std::vector<shared::BlockNoise> noises_;
+    std::optional<ErrorEstimate> estimate_;
+};
+
+}  // namespace macula::trace

@@ -1,0 +1,32 @@
+// How fast the device turns out to be, by what it traces.
+#pragma once
+
+#include <map>
+#include <tuple>
+
+#include "pipeline/trace/trace_kernels.h"
+
+namespace macula::trace {
+
+// What takes about as long wherever in the picture it is done.
+struct Work {
+    TraceVariant variant;
+    int bounces = 1;
+    bool isAdaptive = false;  // of blocks that noise chooses, which take longer
+
+    bool operator<(const Work& b) const {
+        return std::tie(variant, bounces, isAdaptive) < std::tie(b.variant, b.bounces, b.isAdaptive);
+    }
+};
+
+class Pace {
+  public:
+    // Samples of a block; a careful guess until something was learnt.
+    double perMs(const Work& work);
+    void learn(const Work& work, double blockSamples, double ms);
+
+  private:
+    std::map<Work, double> perMs_;
+};
+
+}  // namespace macula::trace

@@ -1,0 +1,110 @@
+#include "pipeline/trace/view_history.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "pipeline/trace/guide_pixel.h"
+
+namespace macula::trace {
+
+namespace {
+
+// A gaze that jumps asks for detail where the picture before had little.
+constexpr double kFarthestGaze = 0.1;
+
+// A view that turned by more shows other sides of things: nothing is gained from the one before.
+constexpr double kMostTurnDeg = 20.0;
+constexpr double kMostTurnWithLightsDeg = 1.0;
+
+// With the gaze within `farthest`, in half widths and half heights of the picture.
+bool sameFovea(const std::optional<Foveation>& a, const std::optional<Foveation>& b, double farthest) {
+    if (!a || !b) return !a && !b;
+    return a->fieldDeg == b->fieldDeg && a->magnification == b->magnification &&
+           glm::distance(a->gaze, b->gaze) <= farthest;
+}
+
+bool sameView(const View& a, const View& b) {
+    return a.width == b.width && a.height == b.height && a.camera.positionMm == b.camera.positionMm &&
+           a.camera.targetMm == b.camera.targetMm && a.camera.up == b.camera.up &&
+           a.camera.verticalFovDeg == b.camera.verticalFovDeg && sameFovea(a.foveation, b.foveation, 0.0);
+}
+
+// Whether `to` can use what `from` has shown: it is as large and as wide, and the light stayed where it was.
+bool continues(const View& from, const View& to, LightFrame lights) {
+    if (from.width != to.width || from.height != to.height ||
+        from.camera.verticalFovDeg != to.camera.verticalFovDeg ||
+        !sameFovea(from.foveation, to.foveation, kFarthestGaze)) {
+        return false;
+    }
+    const auto eyeFrom = basis(from.camera);
+    const auto eyeTo = basis(to.camera);
+    if (!eyeFrom || !eyeTo) return false;
+    // What turns with the camera lights matter otherwise from degree to degree.
+    const double turned =
+        std::min(glm::dot(eyeFrom->forward, eyeTo->forward), glm::dot(eyeFrom->up, eyeTo->up));
+    const double most = lights == LightFrame::camera ? kMostTurnWithLightsDeg : kMostTurnDeg;
+    return turned >= std::cos(glm::radians(most));
+}
+
+}  // namespace
+
+// What the film shows becomes what the view before showed; if nobody has seen it, there was none.
+void ViewHistory::turnPage(const View& view, std::uint32_t seed, bool wasTraced, LightFrame lights) {
+    const bool traced = view_ && wasTraced;
+    const bool again = traced && seed_ == seed && sameView(*view_, view);
+    if (traced) {
+        const bool known = denoiser_ && denoisedEdition_ && !guidesStale_;
+        if (known) {
+            std::swap(guides_, guidesBefore_);
+            denoiser_->advance();
+        } else if (denoiser_) {
+            denoiser_->forget();
+        }
+        viewBefore_ = *view_;
+    }
+    if (!view_ || forgets_) viewBefore_ = view;
+    // The same random numbers once more would tell nothing new.
+    if (denoiser_ && (forgets_ || again || !continues(viewBefore_, view, lights))) denoiser_->forget();
+    view_ = view;
+    seed_ = seed;
+    forgets_ = false;
+    restart();
+}
+
+void ViewHistory::restart() {
+    guidesStale_ = true;
+    denoisedEdition_.reset();
+}
+
+Result<const Guides*> ViewHistory::guides(const DeviceScene& scene, TraceKernels& kernels) {
+    if (!guidesStale_) return &*guides_;
+    if (!guides_ || guides_->width() != view_->width || guides_->height() != view_->height) {
+        guides_.reset();
+        MACULA_TRY(guides_, Guides::create(device_, view_->width, view_->height));
+    }
+    MACULA_TRY(const shared::GuidePush push, guidePush(*view_, viewBefore_));
+    MACULA_TRY(const gpu::Kernel* kernel, kernels.guides(kindOf(scene)));
+    MACULA_TRY_VOID(guides_->compute(scene, *kernel, push));
+    guidesStale_ = false;
+    return &*guides_;
+}
+
+Result<const gpu::Buffer*> ViewHistory::denoised(const Film& film, std::uint64_t edition, Denoising how,
+                                                 const DeviceScene& scene, TraceKernels& kernels) {
+    MACULA_TRY(const Guides* now, guides(scene, kernels));
+    if (denoisedEdition_ == edition && denoisedAs_ == how) return &denoiser_->result();
+    if (!denoiser_ || denoiser_->width() != view_->width || denoiser_->height() != view_->height) {
+        denoiser_.reset();
+        MACULA_TRY(auto filters, kernels.denoising());
+        MACULA_TRY(denoiser_, Denoiser::create(device_, std::move(filters), view_->width, view_->height));
+    }
+    const double pixelAngle =
+        2.0 * std::tan(glm::radians(view_->camera.verticalFovDeg) / 2.0) / view_->height;
+    MACULA_TRY_VOID(denoiser_->run(film, *now, guidesBefore_ ? &*guidesBefore_ : nullptr,
+                                   static_cast<float>(pixelAngle), how));
+    denoisedEdition_ = edition;
+    denoisedAs_ = how;
+    return &denoiser_->result();
+}
+
+}  // namespace macula::trace

@@ -1,0 +1,53 @@
+// What a view shows beside its light, what the view before it showed, and the picture that both make less
+// noisy.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+#include "base/result.h"
+#include "pipeline/gpu/device.h"
+#include "pipeline/gpu/resources.h"
+#include "pipeline/trace/denoiser.h"
+#include "pipeline/trace/device_scene.h"
+#include "pipeline/trace/film.h"
+#include "pipeline/trace/guides.h"
+#include "pipeline/trace/settings.h"
+#include "pipeline/trace/trace_kernels.h"
+
+namespace macula::trace {
+
+// Used by one thread at a time, the one that uses the device.
+class ViewHistory {
+  public:
+    explicit ViewHistory(std::shared_ptr<gpu::Device> device) : device_(std::move(device)) {}
+
+    // Matter or its light become others: no earlier view shows the same.
+    void forget() { forgets_ = true; }
+    // The next picture is of `view`. What the one before it showed is kept if that was traced at all.
+    void turnPage(const View& view, std::uint32_t seed, bool wasTraced, LightFrame lights);
+    // The picture begins again, of the view that was set last.
+    void restart();
+
+    // Of that view; motion is towards the last one before it that was traced. The scene looks from there.
+    // Valid until the next call.
+    Result<const Guides*> guides(const DeviceScene& scene, TraceKernels& kernels);
+    // vec4 for each pixel, see Denoiser::result(). Made again when the film's `edition` is another one.
+    Result<const gpu::Buffer*> denoised(const Film& film, std::uint64_t edition, Denoising how,
+                                        const DeviceScene& scene, TraceKernels& kernels);
+
+  private:
+    std::shared_ptr<gpu::Device> device_;
+    std::optional<Guides> guides_, guidesBefore_;
+    std::optional<Denoiser> denoiser_;
+    bool guidesStale_ = true;
+    std::optional<View> view_;  // nothing before the first page
+    std::uint32_t seed_ = 0;
+    View viewBefore_;
+    bool forgets_ = true;
+    std::optional<std::uint64_t> denoisedEdition_;  // of the film, when the denoiser ran
+    Denoising denoisedAs_ = Denoising::off;         // then
+};
+
+}  // namespace macula::trace

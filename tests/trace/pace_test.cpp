@@ -1,0 +1,60 @@
+// How large dispatches become.
+#include "pipeline/trace/pace.h"
+
+#include <gtest/gtest.h>
+
+namespace macula::trace {
+namespace {
+
+const Work kWork{.variant = {}, .bounces = 4};
+
+TEST(Pace, SlowerIsBelievedAtOnceAndFasterByAndBy) {
+    Pace pace;
+    pace.learn(kWork, 1.0, 1000.0);
+    EXPECT_DOUBLE_EQ(pace.perMs(kWork), 0.001);
+    pace.learn(kWork, 1000.0, 1.0);  // a million times faster: all of these blocks were empty
+    EXPECT_DOUBLE_EQ(pace.perMs(kWork), 0.002);
+    for (int i = 0; i < 60; ++i) pace.learn(kWork, 40.0, 10.0);
+    EXPECT_NEAR(pace.perMs(kWork), 4.0, 1e-6);
+    pace.learn(kWork, 40.0, 20.0);
+    EXPECT_DOUBLE_EQ(pace.perMs(kWork), 2.0);
+}
+
+TEST(Pace, BeginsWithLittleAndWithNoisyBlocksMoreCarefullyStill) {
+    Pace pace;
+    Work adaptive = kWork;
+    adaptive.isAdaptive = true;
+    EXPECT_GT(pace.perMs(kWork), 0.0);
+    EXPECT_LT(pace.perMs(adaptive), pace.perMs(kWork));
+    for (int i = 0; i < 60; ++i) pace.learn(kWork, 8.0, 1.0);
+    EXPECT_NEAR(pace.perMs(adaptive), 4.0, 1e-6);  // half of the even one, until it was tried
+    pace.learn(adaptive, 3.0, 1.0);
+    EXPECT_DOUBLE_EQ(pace.perMs(adaptive), 3.0);
+    EXPECT_NEAR(pace.perMs(kWork), 8.0, 1e-6);
+}
+
+TEST(Pace, OtherWorkIsAnother) {
+    Pace pace;
+    for (int i = 0; i < 60; ++i) pace.learn(kWork, 8.0, 1.0);
+    Work longer = kWork;
+    longer.bounces = 8;
+    Work clipped = kWork;
+    clipped.variant.scene.clip = true;
+    const double first = Pace().perMs(kWork);
+    EXPECT_DOUBLE_EQ(pace.perMs(longer), first);
+    EXPECT_DOUBLE_EQ(pace.perMs(clipped), first);
+}
+
+// A dispatch without blocks, and one that took no time at all.
+TEST(Pace, StaysANumberAtTheExtremes) {
+    Pace pace;
+    pace.learn(kWork, 1.0, 0.0);
+    const double known = pace.perMs(kWork);
+    EXPECT_GT(known, 0.0);
+    EXPECT_LT(known, 1.0);
+    pace.learn(kWork, 0.0, 1.0);
+    EXPECT_EQ(pace.perMs(kWork), known);
+}
+
+}  // namespace
+}  // namespace macula::trace
