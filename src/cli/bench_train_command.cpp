@@ -6,6 +6,8 @@
 #include <chrono>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <span>
+#include <utility>
 
 #include "base/atomic_file.h"
 #include "base/parallel.h"
@@ -187,13 +189,13 @@ class Bench {
     }
 
     Result<hybrid::TracedView> traceOne(const glm::ivec2& sizePx) {
-        const trace::View view{.camera = study_.view.camera, .width = sizePx.x, .height = sizePx.y};
-        return hybrid::traceView(tracer_, view, {.denoising = trace::Denoising::little}, kSamplesPerPixel,
-                                 progress_);
+        MACULA_TRY(auto views,
+                   hybrid::traceViews(tracer_, std::span(&study_.view.camera, 1),
+                                      {.sizePx = sizePx, .samplesPerPixel = kSamplesPerPixel}, progress_));
+        return std::move(views.front());
     }
 
     Result<splat::TrainingBenchmark> measure(const glm::ivec2& sizePx) {
-        progress_.beginStage("Tracing the view", kSamplesPerPixel);
         MACULA_TRY(hybrid::TracedView traced, traceOne(sizePx));
         MACULA_TRY(const splat::RasterView view, splat::rasterView(traced.camera, sizePx, model_.originMm));
         progress_.beginStage("Measuring", static_cast<std::size_t>(options_.repetitions));

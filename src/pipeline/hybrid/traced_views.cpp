@@ -13,12 +13,10 @@ Error cancelled() {
     return {ErrorCode::cancelled, "Stopped.", {}, {}};
 }
 
-}  // namespace
-
-Result<TracedView> traceView(trace::PathTracer& tracer, const trace::View& view,
-                             const trace::Settings& settings, std::uint32_t samplesPerPixel,
-                             Progress& progress) {
-    constexpr std::uint32_t kPortion = 8;  // small, so that progress moves
+// In small portions, so that progress moves.
+Result<void> addSamples(trace::PathTracer& tracer, const trace::View& view, const trace::Settings& settings,
+                        std::uint32_t samplesPerPixel, Progress& progress) {
+    constexpr std::uint32_t kPortion = 8;
     MACULA_TRY_VOID(tracer.setSettings(settings));
     MACULA_TRY_VOID(tracer.setView(view));
     for (std::uint32_t done = 0; done < samplesPerPixel;) {
@@ -28,11 +26,33 @@ Result<TracedView> traceView(trace::PathTracer& tracer, const trace::View& view,
         done += count;
         progress.advance(count);
     }
+    return {};
+}
+
+}  // namespace
+
+Result<TracedView> traceView(trace::PathTracer& tracer, const trace::View& view,
+                             const trace::Settings& settings, std::uint32_t samplesPerPixel,
+                             Progress& progress) {
+    MACULA_TRY_VOID(addSamples(tracer, view, settings, samplesPerPixel, progress));
     MACULA_TRY(trace::TracedImage image, tracer.readback());
     return TracedView{.camera = view.camera,
                       .sizePx = {view.width, view.height},
                       .rgba = std::move(image.radiance),
                       .samplesPerPixel = double(samplesPerPixel)};
+}
+
+Result<TracedView> readToLearnFrom(trace::PathTracer& tracer, const Camera& camera) {
+    MACULA_TRY(trace::TracedImage image, tracer.readback());
+    MACULA_TRY(const std::vector<trace::GuidePixel> guides, tracer.readGuides());
+    MACULA_TRY(const trace::Statistics statistics, tracer.statistics());
+    const glm::ivec2 sizePx(image.width, image.height);
+    const std::vector<float> coverage = pixelCoverage(guides, sizePx);
+    for (std::size_t i = 0; i < coverage.size(); ++i) image.radiance[i].a = coverage[i];
+    return TracedView{.camera = camera,
+                      .sizePx = sizePx,
+                      .rgba = std::move(image.radiance),
+                      .samplesPerPixel = statistics.meanSamplesPerPixel};
 }
 
 Result<std::vector<TracedView>> traceViews(trace::PathTracer& tracer, std::span<const Camera> cameras,
@@ -43,10 +63,8 @@ Result<std::vector<TracedView>> traceViews(trace::PathTracer& tracer, std::span<
         trace::Settings settings = options.settings;
         settings.seed += static_cast<std::uint32_t>(views.size());
         const trace::View view{.camera = camera, .width = options.sizePx.x, .height = options.sizePx.y};
-        MACULA_TRY(TracedView traced, traceView(tracer, view, settings, options.samplesPerPixel, progress));
-        MACULA_TRY(const std::vector<trace::GuidePixel> guides, tracer.readGuides());
-        const std::vector<float> coverage = pixelCoverage(guides, options.sizePx);
-        for (std::size_t i = 0; i < coverage.size(); ++i) traced.rgba[i].a = coverage[i];
+        MACULA_TRY_VOID(addSamples(tracer, view, settings, options.samplesPerPixel, progress));
+        MACULA_TRY(TracedView traced, readToLearnFrom(tracer, camera));
         views.push_back(std::move(traced));
     }
     return views;

@@ -23,14 +23,18 @@ struct ViewTracing {
     trace::Settings settings = {.denoising = trace::Denoising::little};
 };
 
-// One view, in small portions; a step of `progress` for each sample.
+// One view as it is traced, for comparing with; a step of `progress` for each sample.
 Result<TracedView> traceView(trace::PathTracer& tracer, const trace::View& view,
                              const trace::Settings& settings, std::uint32_t samplesPerPixel,
                              Progress& progress);
 
+// What the tracer has traced so far, of its view, which has this camera and no foveation. Coverage is what
+// the guides find without chance: noise in it would be learnt as shape. For views that nobody traced to learn
+// from, such as what a person looks at: PeripheralModel::offer.
+Result<TracedView> readToLearnFrom(trace::PathTracer& tracer, const Camera& camera);
+
 // To learn from. One sample after the other for each camera, evenly; nothing is carried over from the view
-// before. Coverage is what the guides find without chance: noise in it would be learnt as shape.
-// `progress` gets a stage, a step for each sample of a view.
+// before. Coverage as readToLearnFrom. `progress` gets a stage, a step for each sample of a view.
 Result<std::vector<TracedView>> traceViews(trace::PathTracer& tracer, std::span<const Camera> cameras,
                                            const ViewTracing& options, Progress& progress);
 

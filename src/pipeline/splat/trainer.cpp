@@ -19,7 +19,6 @@ double millisecondsSince(Clock::time_point time) {
 }
 
 constexpr int kMostHalvings = 15;
-constexpr int kLeastSide = 16;  // pixels: smaller pictures have no room for a window of the loss
 
 // Random numbers of a step, the same whenever it is done.
 class Dice {
@@ -34,14 +33,6 @@ class Dice {
   private:
     std::mt19937 engine_;
 };
-
-RasterView scaled(RasterView view, const glm::ivec2& sizePx) {
-    const glm::dvec2 scale = glm::dvec2(sizePx) / glm::dvec2(view.sizePx);
-    view.focalPx *= scale;
-    view.principalPx *= scale;
-    view.sizePx = sizePx;
-    return view;
-}
 
 Result<void> check(const TrainerOptions& o) {
     const bool stages = std::all_of(o.stages.begin(), o.stages.end(), [](const TrainingStage& stage) {
@@ -108,34 +99,10 @@ Result<void> Trainer::addView(TrainingView view) {
     return addView(std::make_shared<const TrainingView>(std::move(view)));
 }
 
-Result<Trainer::Level> Trainer::wholeOf(const TrainingView& given) const {
-    MACULA_TRY_VOID(validate(given.view));
-    const glm::ivec2 size = given.view.sizePx;
-    const std::vector<glm::vec4>& pixels = given.pixels;
-    const auto isFinite = [](const glm::vec4& p) {
-        return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z) && std::isfinite(p.w);
-    };
-    if (pixels.size() != static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) ||
-        std::none_of(pixels.begin(), pixels.end(), isFinite) ||
-        !(given.weight > 0.0f && given.weight <= kMaxViewWeight)) {
-        return Error{ErrorCode::inputNotUsable,
-                     "A picture to learn from is empty or not of its view's size.",
-                     {},
-                     "Make it again."};
-    }
-    MACULA_TRY(DevicePicture picture,
-               DevicePicture::upload(device_, "picture to learn from", size.x, size.y, pixels));
-    MACULA_TRY(LossTarget target, LossTarget::create(*lossKernels_, std::move(picture)));
-    return Level{given.view, std::move(target)};
-}
-
 Result<void> Trainer::addView(std::shared_ptr<const TrainingView> given) {
-    MACULA_TRY(Level whole, wholeOf(*given));
-    View view;
-    view.levels.push_back(std::move(whole));
+    MACULA_TRY(PicturePyramid pictures, PicturePyramid::upload(device_, *lossKernels_, *given));
     lastGood_.views.push_back({.given = given});
-    view.given = std::move(given);
-    views_.push_back(std::move(view));
+    views_.push_back({.pictures = std::move(pictures), .given = std::move(given)});
     return {};
 }
 
@@ -143,23 +110,6 @@ void Trainer::forgetOutlines() {
     const auto isOutline = [](const auto& view) { return view.given->coverageOnly; };
     std::erase_if(views_, isOutline);
     std::erase_if(lastGood_.views, isOutline);
-}
-
-Result<const Trainer::Level*> Trainer::levelOf(View& view, int halvings) {
-    while (static_cast<int>(view.levels.size()) <= halvings) {
-        const Level& larger = view.levels.back();
-        const glm::ivec2 size = (larger.view.sizePx + 1) / 2;
-        if (std::min(size.x, size.y) < kLeastSide) break;
-        MACULA_TRY(DevicePicture picture, DevicePicture::create(device_, "smaller picture", size.x, size.y));
-        MACULA_TRY(auto recorder, gpu::Recorder::create(device_, "make smaller"));
-        recordDownsample(recorder, *lossKernels_, larger.target.picture(), picture);
-        MACULA_TRY([[maybe_unused]] const gpu::Ticket ticket, recorder.submit());
-        MACULA_TRY(LossTarget target, LossTarget::create(*lossKernels_, std::move(picture)));
-        const RasterView smaller = scaled(view.levels.front().view, size);
-        view.levels.push_back({smaller, std::move(target)});
-    }
-    const auto last = static_cast<int>(view.levels.size()) - 1;
-    return &view.levels[static_cast<std::size_t>(std::min(halvings, last))];
 }
 
 Result<Loss*> Trainer::lossOf(glm::ivec2 sizePx) {
@@ -195,7 +145,7 @@ std::size_t Trainer::nextView() const {
 }
 
 // False when there was no room for all that shows: then nothing has moved, and now there is.
-Result<bool> Trainer::tryStep(const Level& level, Loss& loss, const LossStep& over) {
+Result<bool> Trainer::tryStep(const PictureLevel& level, Loss& loss, const LossStep& over) {
     const Blending blending = blendingOf(like_.lowPass);
     if (!rasterizer_.listsOnDevice())
         MACULA_TRY_VOID(rasterizer_.draw(parameters_, count_, level.view, blending));
@@ -216,7 +166,8 @@ Result<bool> Trainer::tryStep(const Level& level, Loss& loss, const LossStep& ov
 }
 
 Result<double> Trainer::differenceTo(const TrainingView& view) {
-    MACULA_TRY(const Level level, wholeOf(view));
+    MACULA_TRY(const PicturePyramid pictures, PicturePyramid::upload(device_, *lossKernels_, view));
+    const PictureLevel& level = pictures.whole();
     MACULA_TRY(Loss * loss, lossOf(level.view.sizePx));
     MACULA_TRY_VOID(rasterizer_.draw(parameters_, count_, level.view, blendingOf(like_.lowPass)));
     MACULA_TRY(auto recorder, gpu::Recorder::create(device_, "compare"));
@@ -233,7 +184,7 @@ Result<double> Trainer::differenceTo(const TrainingView& view) {
 Result<void> Trainer::oneStep() {
     View& view = views_[nextView()];
     const TrainingStage stage = stageNow();
-    MACULA_TRY(const Level* level, levelOf(view, stage.halvings));
+    MACULA_TRY(const PictureLevel* level, view.pictures.halved(stage.halvings, *lossKernels_));
     MACULA_TRY(Loss * loss, lossOf(level->view.sizePx));
     Dice dice(options_.seed, steps_, 1);
     const double red = dice();

@@ -19,6 +19,7 @@
 #include "pipeline/splat/density_control.h"
 #include "pipeline/splat/loss.h"
 #include "pipeline/splat/optimizer.h"
+#include "pipeline/splat/picture_pyramid.h"
 #include "pipeline/splat/rasterizer.h"
 #include "pipeline/splat/trainer_options.h"
 #include "pipeline/splat/training_state.h"
@@ -53,9 +54,8 @@ class Trainer {
     // create; outOfMemory, and it goes on as before.
     Result<void> goOnWith(const TrainerOptions& options, int shDegree);
 
-    // Takes part from the next step on. inputNotUsable when the picture is not of the view's size, or has
-    // not one finite pixel, or a weight that is not above 0 and at most kMaxViewWeight. The picture stays on
-    // the host as well, and is shared with states.
+    // Takes part from the next step on. Fails as PicturePyramid::upload. The picture stays on the host as
+    // well, and is shared with states.
     Result<void> addView(TrainingView view);
     // Views of coverage alone take no part any more: for when pictures say what they said.
     void forgetOutlines();
@@ -86,13 +86,8 @@ class Trainer {
     TrainingReport report() const;
 
   private:
-    // A view in all sizes that were asked for so far: 0 as it was given, each other half of the one before.
-    struct Level {
-        RasterView view;
-        LossTarget target;
-    };
     struct View {
-        std::vector<Level> levels;
+        PicturePyramid pictures;
         std::shared_ptr<const TrainingView> given;
         double loss = -1.0;  // when it was drawn last; below 0: never
         double l1 = 0.0;
@@ -103,16 +98,14 @@ class Trainer {
             Rasterizer rasterizer, Optimizer optimizer);
 
     Result<void> addView(std::shared_ptr<const TrainingView> given);
-    Result<Level> wholeOf(const TrainingView& given) const;
     Result<void> restore(const TrainingState& state);  // all but views
     Result<void> keep();
     Result<void> oneStep();
-    Result<bool> tryStep(const Level& level, Loss& loss, const LossStep& over);
+    Result<bool> tryStep(const PictureLevel& level, Loss& loss, const LossStep& over);
     bool isTimeToRegroup() const;
     Result<void> regroupSplats();
     TrainingStage stageNow() const;
     std::size_t nextView() const;
-    Result<const Level*> levelOf(View& view, int halvings);
     Result<Loss*> lossOf(glm::ivec2 sizePx);
 
     std::shared_ptr<gpu::Device> device_;
