@@ -7,6 +7,8 @@
 // stands for it (Laine and Karras 2011, "Stratified sampling for stochastic transparency"; multipliers by Vegdahl). Shuffled
 // likewise in their order, points of one choice know nothing of those of another (Burley 2020, "Practical hash-based Owen
 // scrambling").
+//
+// Needs lib/rng.glsl, and kNetSamples of shared/trace_params.h.
 
 struct Net {
     uint index;  // of the point
@@ -51,7 +53,7 @@ uint spread(uint x) {
     return (x | (x << 1u)) & 0x55555555u;
 }
 
-// Four samples of a pixel are a net, and so are those of four neighbours, of sixteen, and so on: what is too bright in one
+// kNetSamples samples of a pixel are a net, and so are those of four neighbours, of sixteen, and so on: what is too bright in one
 // is too dark in the one beside it (Ahmed and Wonka 2020, "Screen-space blue-noise diffusion of Monte Carlo sampling
 // error via hierarchical ordering of pixels").
 Net netOfPixel(uint pixelX, uint pixelY, uint sampleIndex, uint seed) {

@@ -124,7 +124,9 @@ TEST_F(Views, AreThoseOfTheTracerAndOfNoOtherViewWithCoverageOfTheGuides) {
     trace::PathTracer tracer = this->tracer();
     Progress progress;
     const ViewTracing options{.sizePx = {24, 20}, .samplesPerPixel = 9};
-    const std::vector<Camera> cameras = this->cameras(2);
+    std::vector<Camera> cameras = this->cameras(1);
+    cameras.push_back(cameras[0]);  // so near that a picture on the screen would be helped by the one before
+    cameras[1].positionMm += 0.01 * (cameras[1].targetMm - cameras[1].positionMm);
     const auto both = traceViews(tracer, cameras, options, progress);
     ASSERT_TRUE(both.ok());
     ASSERT_EQ(both->size(), 2u);
@@ -153,6 +155,41 @@ TEST_F(Views, AreThoseOfTheTracerAndOfNoOtherViewWithCoverageOfTheGuides) {
     const auto none = traceViews(tracer, cameras, options, stopped);
     ASSERT_FALSE(none.ok());
     EXPECT_EQ(none.error().code, ErrorCode::cancelled);
+}
+
+// A picture that was stopped in its first pass: what has no samples is not known, rather than black.
+TEST_F(Views, ThatSomebodyLooksAtAreLearntAsFarAsTheyAreTraced) {
+    trace::PathTracer tracer = this->tracer();
+    const Camera camera = cameras(1).front();
+    constexpr int kSide = 256;
+    ASSERT_TRUE(tracer.setSettings({.denoising = trace::Denoising::little}).ok());
+    ASSERT_TRUE(tracer.setView({.camera = camera, .width = kSide, .height = kSide}).ok());
+    ASSERT_FALSE(*tracer.trace(1, [] { return false; }));
+    const auto counts = tracer.readback()->samples;
+    const auto unfinished = readToLearnFrom(tracer, camera);
+    ASSERT_TRUE(unfinished.ok());
+    EXPECT_EQ(unfinished->sizePx, glm::ivec2(kSide));
+    EXPECT_EQ(unfinished->camera.positionMm, camera.positionMm);
+    std::size_t unknown = 0;
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+        const glm::vec4& pixel = unfinished->rgba[i];
+        const bool isKnown = std::isfinite(pixel.r) && std::isfinite(pixel.a);
+        ASSERT_EQ(isKnown, counts[i] > 0) << i;
+        unknown += isKnown ? 0 : 1;
+    }
+    EXPECT_GT(unknown, 0u);
+    EXPECT_LT(unknown, counts.size());
+    EXPECT_NEAR(unfinished->samplesPerPixel, 1.0 - double(unknown) / double(counts.size()), 1e-6);
+
+    ASSERT_TRUE(*tracer.trace(1));
+    const auto whole = readToLearnFrom(tracer, camera);
+    ASSERT_TRUE(whole.ok());
+    EXPECT_GE(whole->samplesPerPixel, 1.0);
+    const std::vector<float> coverage = pixelCoverage(tracer.readGuides().value(), glm::ivec2(kSide));
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+        ASSERT_TRUE(std::isfinite(whole->rgba[i].r));
+        ASSERT_EQ(whole->rgba[i].a, coverage[i]);
+    }
 }
 
 // The ball of 8.4 mm in a box of 24 mm: a picture that it fills shows enough, one beside it does not, and one

@@ -400,6 +400,12 @@ TEST_F(PathTracerTest, RefusesWhatCannotBeTraced) {
     empty.height = 0;
     ASSERT_TRUE(t.setView(empty).ok());
     EXPECT_EQ(t.trace(1).error().code, ErrorCode::usage);
+    ASSERT_TRUE(t.setView(view).ok());  // and motion is not towards what could not be seen
+    EXPECT_TRUE(t.readback().ok());
+    const auto guides = t.readGuides();
+    ASSERT_TRUE(guides.ok());
+    for (const GuidePixel& pixel : *guides)
+        ASSERT_TRUE(std::isfinite(pixel.motion.x) && std::isfinite(pixel.motion.y));
     View huge = view;
     huge.width = huge.height = 16384;  // 4 GiB of sums: above what a storage buffer may be on lavapipe
     ASSERT_TRUE(t.setView(huge).ok());

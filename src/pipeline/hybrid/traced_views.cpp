@@ -1,6 +1,7 @@
 #include "pipeline/hybrid/traced_views.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "pipeline/hybrid/pixel_coverage.h"
@@ -48,7 +49,11 @@ Result<TracedView> readToLearnFrom(trace::PathTracer& tracer, const Camera& came
     MACULA_TRY(const trace::Statistics statistics, tracer.statistics());
     const glm::ivec2 sizePx(image.width, image.height);
     const std::vector<float> coverage = pixelCoverage(guides, sizePx);
-    for (std::size_t i = 0; i < coverage.size(); ++i) image.radiance[i].a = coverage[i];
+    constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
+    for (std::size_t i = 0; i < coverage.size(); ++i) {
+        image.radiance[i].a = coverage[i];
+        if (image.samples[i] == 0) image.radiance[i] = glm::vec4(kUnknown);
+    }
     return TracedView{.camera = camera,
                       .sizePx = sizePx,
                       .rgba = std::move(image.radiance),
@@ -63,6 +68,7 @@ Result<std::vector<TracedView>> traceViews(trace::PathTracer& tracer, std::span<
         trace::Settings settings = options.settings;
         settings.seed += static_cast<std::uint32_t>(views.size());
         const trace::View view{.camera = camera, .width = options.sizePx.x, .height = options.sizePx.y};
+        tracer.forgetViews();
         MACULA_TRY_VOID(addSamples(tracer, view, settings, options.samplesPerPixel, progress));
         MACULA_TRY(TracedView traced, readToLearnFrom(tracer, camera));
         views.push_back(std::move(traced));

@@ -13,8 +13,8 @@
 
 namespace macula::hybrid {
 
-// All of these use a tracer that has its volume, transfer function, environment and clip, and leave it with
-// other settings and another view. They wait, and give `cancelled` when `progress` says so.
+// All of these use a tracer that has its volume, transfer function, environment and clip, and wait. Those
+// with `progress` leave it with other settings and another view, and give `cancelled` when that says so.
 
 struct ViewTracing {
     glm::ivec2 sizePx{512};
@@ -28,13 +28,15 @@ Result<TracedView> traceView(trace::PathTracer& tracer, const trace::View& view,
                              const trace::Settings& settings, std::uint32_t samplesPerPixel,
                              Progress& progress);
 
-// What the tracer has traced so far, of its view, which has this camera and no foveation. Coverage is what
-// the guides find without chance: noise in it would be learnt as shape. For views that nobody traced to learn
-// from, such as what a person looks at: PeripheralModel::offer.
+// What the tracer has traced so far, of its view, which has this camera and no foveation: for
+// PeripheralModel::offer, whoever it was traced for. Coverage is what the guides find without chance: noise
+// in it would be learnt as shape. Light is denoised as the tracer's settings say, and Denoising::little is
+// best to learn from. Pixels without samples are NaN, which says that they are not known.
 Result<TracedView> readToLearnFrom(trace::PathTracer& tracer, const Camera& camera);
 
 // To learn from. One sample after the other for each camera, evenly; nothing is carried over from the view
-// before. Coverage as readToLearnFrom. `progress` gets a stage, a step for each sample of a view.
+// before, however near. Coverage as readToLearnFrom. `progress` gets a stage, a step for each sample of a
+// view.
 Result<std::vector<TracedView>> traceViews(trace::PathTracer& tracer, std::span<const Camera> cameras,
                                            const ViewTracing& options, Progress& progress);
 

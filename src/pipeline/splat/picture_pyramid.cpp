@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "base/check.h"
+
 namespace macula::splat {
 
 namespace {
@@ -48,6 +50,7 @@ Result<PicturePyramid> PicturePyramid::upload(const std::shared_ptr<gpu::Device>
 }
 
 Result<const PictureLevel*> PicturePyramid::halved(int times, const LossKernels& kernels) {
+    MACULA_CHECK(times >= 0);
     while (static_cast<int>(levels_.size()) <= times) {
         const PictureLevel& larger = levels_.back();
         const glm::ivec2 size = (larger.view.sizePx + 1) / 2;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "base/result.h"
@@ -19,14 +20,14 @@ struct PictureLevel {
 // Used by one thread at a time, the one that uses the device.
 class PicturePyramid {
   public:
-    // inputNotUsable when the picture is not of the view's size, has not one finite pixel, or a weight that
-    // is not above 0 and at most kMaxViewWeight; outOfMemory.
+    // usage as validate(RasterView); inputNotUsable when the picture is not of the view's size, has not one
+    // finite pixel, or a weight that is not above 0 and at most kMaxViewWeight; outOfMemory.
     static Result<PicturePyramid> upload(const std::shared_ptr<gpu::Device>& device,
                                          const LossKernels& kernels, const TrainingView& given);
 
     const PictureLevel& whole() const { return levels_.front(); }
-    // Each side halved so often, but no side below 16 pixels. Made when it is first asked for; valid until
-    // the next call.
+    // Each side halved so often (0: not at all), as long as none comes below 16 pixels. Made when it is first
+    // asked for; valid until the next call.
     Result<const PictureLevel*> halved(int times, const LossKernels& kernels);
 
   private:

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <random>
 
-#include "base/check.h"
 #include "pipeline/gpu/transfer.h"
 
 namespace macula::splat {

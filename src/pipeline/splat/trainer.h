@@ -54,8 +54,9 @@ class Trainer {
     // create; outOfMemory, and it goes on as before.
     Result<void> goOnWith(const TrainerOptions& options, int shDegree);
 
-    // Takes part from the next step on. Fails as PicturePyramid::upload. The picture stays on the host as
-    // well, and is shared with states.
+    // Takes part from the next step on. inputNotUsable when the picture is not of the view's size, or has
+    // not one finite pixel, or a weight that is not above 0 and at most kMaxViewWeight. The picture stays on
+    // the host as well, and is shared with states.
     Result<void> addView(TrainingView view);
     // Views of coverage alone take no part any more: for when pictures say what they said.
     void forgetOutlines();

@@ -40,7 +40,7 @@ Result<void> Accumulation::begin(int width, int height) {
     return {};
 }
 
-double Accumulation::passMs(const TraceVariant& variant, int bounces) {
+double Accumulation::passMs(const TraceVariant& variant, int bounces) const {
     return plan_.blockCount() / pace_.perMs({.variant = variant, .bounces = bounces});
 }
 

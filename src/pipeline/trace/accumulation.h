@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "base/result.h"
@@ -18,7 +19,7 @@
 
 namespace macula::trace {
 
-// Used by one thread at a time, the one that uses the device. After begin has failed there is no film.
+// Used by one thread at a time, the one that uses the device. After begin or step has failed, begin is next.
 class Accumulation {
   public:
     explicit Accumulation(std::shared_ptr<gpu::Device> device) : device_(std::move(device)) {}
@@ -30,9 +31,9 @@ class Accumulation {
     SamplingPlan& plan() { return plan_; }
     const SamplingPlan& plan() const { return plan_; }
     // How long a pass of one sample for each pixel takes, as far as is known.
-    double passMs(const TraceVariant& variant, int bounces);
+    double passMs(const TraceVariant& variant, int bounces) const;
 
-    // One dispatch of the pass under way, which takes about `ms`; waits. The scene has looked at the
+    // One dispatch of the pass under way, which takes about `ms`; waits. Needs a scene that has looked at the
     // picture's view. Where it fails, nobody knows what the film holds.
     Result<void> step(const DeviceScene& scene, TraceKernels& kernels, const TraceVariant& variant,
                       int bounces, double ms);

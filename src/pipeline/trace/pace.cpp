@@ -6,13 +6,13 @@ namespace macula::trace {
 
 namespace {
 
-constexpr double kFirst = 0.1;   // a very slow CPU
+constexpr double kFirst = 0.1;   // samples of a block in a millisecond: those of a very slow CPU
 constexpr double kDenser = 0.5;  // adaptive passes, of the pace of even ones
 constexpr double kFaster = 2.0;  // at most so much larger is a dispatch than the one before
 
 }  // namespace
 
-double Pace::perMs(const Work& work) {
+double Pace::perMs(const Work& work) const {
     const auto known = perMs_.find(work);
     if (known != perMs_.end()) return known->second;
     if (!work.isAdaptive) return kFirst;

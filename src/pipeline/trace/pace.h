@@ -8,7 +8,7 @@
 
 namespace macula::trace {
 
-// What takes about as long wherever in the picture it is done.
+// A kind of dispatch, whose pace is learnt apart from that of others.
 struct Work {
     TraceVariant variant;
     int bounces = 1;
@@ -22,7 +22,7 @@ struct Work {
 class Pace {
   public:
     // Samples of a block; a careful guess until something was learnt.
-    double perMs(const Work& work);
+    double perMs(const Work& work) const;
     void learn(const Work& work, double blockSamples, double ms);
 
   private:

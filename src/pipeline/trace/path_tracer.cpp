@@ -10,6 +10,7 @@
 #include "pipeline/gpu/transfer.h"
 #include "pipeline/trace/accumulation.h"
 #include "pipeline/trace/device_scene.h"
+#include "pipeline/trace/film.h"
 #include "pipeline/trace/trace_kernels.h"
 #include "pipeline/trace/view_history.h"
 #include "shaders/trace.h"
@@ -127,7 +128,8 @@ Result<void> PathTracer::setClip(const Clip& clip) {
 
 Result<void> PathTracer::setSettings(const Settings& settings) {
     const Settings before = std::exchange(impl_->settings, settings);
-    // Samples stay while only what is shown of them differs, and how many are enough.
+    // Samples stay while only what is shown of them differs, and how many are enough. The same settings once
+    // more begin anew.
     Settings sameSamples = before;
     sameSamples.denoising = settings.denoising;
     sameSamples.errorThreshold = settings.errorThreshold;
@@ -138,6 +140,10 @@ Result<void> PathTracer::setSettings(const Settings& settings) {
     sameLight.exposure = settings.exposure;
     if (settings != sameLight) impl_->looksOther();
     return {};
+}
+
+void PathTracer::forgetViews() {
+    impl_->history.forget();
 }
 
 Result<void> PathTracer::setView(const View& view) {
@@ -157,14 +163,14 @@ std::uint32_t PathTracer::Impl::mostPerDispatch() const {
 Result<void> PathTracer::Impl::prepare() {
     if (!scene.isComplete()) return nothingToTrace();
     if (!stale) return {};
-    if (restarting) {
+    const bool again = std::exchange(restarting, false);
+    MACULA_TRY_VOID(scene.look(view, settings));  // first: what cannot be looked at is no page
+    if (again) {
         history.restart();
     } else {
         const bool wasTraced = accumulation.plan().leastSamples() > 0;
         history.turnPage(view, settings.seed, wasTraced, scene.lightFrame());
     }
-    restarting = false;
-    MACULA_TRY_VOID(scene.look(view, settings));
     if (const Result<void> begun = accumulation.begin(view.width, view.height); !begun) {
         Error error = begun.error();
         if (error.code == ErrorCode::outOfMemory) error.hint = "Choose a smaller picture, or another device.";
@@ -180,13 +186,13 @@ Result<const gpu::Buffer*> PathTracer::Impl::denoised() {
 
 // One dispatch of the pass under way, which takes about `ms`.
 Result<void> PathTracer::Impl::step(double ms) {
-    // Until it has gone well.
-    stale = true;
+    stale = true;  // should it fail
     MACULA_TRY_VOID(accumulation.step(scene, kernels, variant(), settings.bounces, ms));
     stale = false;
     if (accumulation.plan().hasPass()) return {};
-    MACULA_TRY(const bool again, accumulation.hasLostPaths());
-    if (!again) return {};
+    MACULA_TRY(const bool tooLong, accumulation.hasLostPaths());
+    if (!tooLong) return {};
+    // The picture begins again, with smaller portions.
     mostSamples = accumulation.plan().passMost() / 2;
     stale = true;
     restarting = true;

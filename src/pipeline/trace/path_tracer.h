@@ -88,6 +88,8 @@ class PathTracer {
     Result<void> setClip(const Clip& clip);
     Result<void> setSettings(const Settings& settings);
     Result<void> setView(const View& view);
+    // The next view is denoised as if none had been traced before it.
+    void forgetViews();
 
     // Adds `samplesPerPixel` samples to every pixel, in short dispatches; `keepGoing` (may be empty) is asked
     // between dispatches, and a picture that was interrupted is finished by the next call. Returns whether

@@ -45,8 +45,8 @@ class SamplingPlan {
     std::uint32_t blockCount() const { return static_cast<std::uint32_t>(samples_.size()); }
     std::span<const std::uint32_t> samples() const { return samples_; }  // by block
     std::uint32_t leastSamples() const;
-    // So many everywhere, and no pass under way: after one that adapted, the blocks with the fewest samples
-    // may be done before the others.
+    // Whether every block has so many, and no pass is under way. Both, because in a pass after one that
+    // adapted the blocks with the fewest may be done before the others.
     bool hasAll(std::uint32_t samples) const;
     double meanSamples() const;  // of a pixel
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "pipeline/trace/guide_pixel.h"
 
@@ -48,7 +49,7 @@ bool continues(const View& from, const View& to, LightFrame lights) {
 
 }  // namespace
 
-// What the film shows becomes what the view before showed; if nobody has seen it, there was none.
+// What this view showed becomes what the view before showed; if it was not denoised, that is nothing.
 void ViewHistory::turnPage(const View& view, std::uint32_t seed, bool wasTraced, LightFrame lights) {
     const bool traced = view_ && wasTraced;
     const bool again = traced && seed_ == seed && sameView(*view_, view);

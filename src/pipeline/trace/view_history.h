@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "base/result.h"
 #include "pipeline/gpu/device.h"
@@ -30,10 +31,11 @@ class ViewHistory {
     // The picture begins again, of the view that was set last.
     void restart();
 
-    // Of that view; motion is towards the last one before it that was traced. The scene looks from there.
-    // Valid until the next call.
+    // Of that view; motion is towards the last one before it that was traced. Needs a scene that has looked
+    // at it. Valid until the next call.
     Result<const Guides*> guides(const DeviceScene& scene, TraceKernels& kernels);
-    // vec4 for each pixel, see Denoiser::result(). Made again when the film's `edition` is another one.
+    // vec4 for each pixel, see Denoiser::result(), of a film of that view; `how` is not off. Made again when
+    // the film's `edition` is another one, or `how` is. Valid until the next call.
     Result<const gpu::Buffer*> denoised(const Film& film, std::uint64_t edition, Denoising how,
                                         const DeviceScene& scene, TraceKernels& kernels);
 
