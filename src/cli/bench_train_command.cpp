@@ -189,10 +189,10 @@ class Bench {
     }
 
     Result<hybrid::TracedView> traceOne(const glm::ivec2& sizePx) {
-        MACULA_TRY(auto views,
+        MACULA_TRY(auto traced,
                    hybrid::traceViews(tracer_, std::span(&study_.view.camera, 1),
                                       {.sizePx = sizePx, .samplesPerPixel = kSamplesPerPixel}, progress_));
-        return std::move(views.front());
+        return std::move(traced.views.front());
     }
 
     Result<splat::TrainingBenchmark> measure(const glm::ivec2& sizePx) {

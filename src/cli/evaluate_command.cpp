@@ -169,8 +169,14 @@ void addProtocolOptions(CLI::App& command, Options& o) {
         ->check(CLI::Range(2, 1 << 20));
     command.add_option("--truth-size", o.truthSizePx, "Its width and height in pixels (default: as --size)")
         ->check(CLI::Range(16, 4096));
-    command.add_option("--cache", e.cache,
-                       "Folder to keep what is compared with, and to go on from; it shows the patient");
+    CLI::Option* cache = command.add_option(
+        "--cache", e.cache, "Folder to keep what is compared with, and to go on from; it shows the patient");
+    command
+        .add_flag(
+            "--keep-views", e.keepViews,
+            "Keep there what is learnt from, too: 4 MiB for a view of 512 x 512. Seconds are then those of "
+            "the views that were not there")
+        ->needs(cache);
 }
 
 void addRefinementOptions(CLI::App& command, RefinementPlan& plan) {

@@ -70,6 +70,7 @@ Json toJson(const EvaluatedStudy& scene, bool refined) {
                 {"truth", e.truthSeconds}}},
               {"drawMs", e.drawMs},
               {"viewsGivenUp", e.viewsGivenUp},
+              {"viewsFromCache", e.viewsFromCache},
               {"truthNoise", e.truthNoise()},
               {"truthFromCache", e.truthFromCache}};
     if (refined) {

@@ -86,6 +86,8 @@ std::string timesOf(const EvaluatedStudy& scene, bool refined) {
                         e.last().trainSeconds, e.drawMs, e.truthNoise(),
                         -20.0 * std::log10(std::max(e.truthNoise(), 1e-6)));
     if (const auto error = squareErrorOver(e.last().scores)) text += "; " + lessNoise(*error);
+    if (e.viewsFromCache > 0)
+        text += fmt::format("; {} views were in the cache, and took no time", e.viewsFromCache);
     if (e.viewsGivenUp > 0) text += fmt::format("; {} views show less than was asked for", e.viewsGivenUp);
     return text + ".";
 }

@@ -23,10 +23,16 @@ class Evaluation {
   public:
     Evaluation(std::shared_ptr<gpu::Device> device, const EvaluationOptions& options, SceneOnDevice& scene,
                Progress& progress)
-        : device_(std::move(device)), options_(options), scene_(scene), progress_(progress) {}
+        : device_(std::move(device)),
+          options_(options),
+          scene_(scene),
+          progress_(progress),
+          cache_(options.cache),
+          kept_(scene.traced, cache_) {}
 
     Result<SceneEvaluation> run() {
         report_.seenMm = scene_.traced.seenMm();
+        MACULA_TRY_VOID(cache_.prepare());
         MACULA_TRY(hybrid::FirstModel model, firstModel());
         MACULA_TRY_VOID(keep(model.trainer, model.trainSeconds));
         if (options_.refinement) MACULA_TRY_VOID(refine(model, *options_.refinement));
@@ -45,10 +51,14 @@ class Evaluation {
     }
 
   private:
+    const hybrid::KeptViews* kept() const { return options_.keepViews ? &kept_ : nullptr; }
+
     Result<hybrid::FirstModel> firstModel() {
+        hybrid::FirstModelOptions wanted = options_.model;
+        wanted.kept = kept();
         MACULA_TRY(hybrid::FirstModel model,
-                   hybrid::makeFirstModel(device_, scene_.tracer, scene_.traced.seenMm(), options_.model,
-                                          progress_));
+                   hybrid::makeFirstModel(device_, scene_.tracer, scene_.traced.seenMm(), wanted, progress_));
+        report_.viewsFromCache += model.viewsFromKept;
         report_.pointsSeconds = model.pointsSeconds;
         report_.viewsSeconds = model.viewsSeconds;
         report_.viewsGivenUp += model.viewsGivenUp;
@@ -62,12 +72,14 @@ class Evaluation {
                                                .sizePx = options_.model.sizePx,
                                                .bounces = options_.model.bounces,
                                                .iterations = plan.iterations,
-                                               .capacity = plan.capacity};
+                                               .capacity = plan.capacity,
+                                               .kept = kept()};
         MACULA_TRY(
             const hybrid::MoreViews more,
             hybrid::beginRefinement(trainer, scene_.tracer, scene_.traced.seenMm(), wanted, progress_));
         report_.moreViewsSeconds = more.seconds;
         report_.viewsGivenUp += more.givenUp;
+        report_.viewsFromCache += more.fromKept;
         progress_.beginStage("Refining", static_cast<std::size_t>(plan.iterations));
         double seconds = model.trainSeconds;
         for (std::uint64_t done = 0; done < plan.iterations;) {
@@ -99,6 +111,8 @@ class Evaluation {
     const EvaluationOptions& options_;
     SceneOnDevice& scene_;
     Progress& progress_;
+    hybrid::PictureCache cache_;
+    hybrid::KeptViews kept_;
     SceneEvaluation report_;
     std::vector<splat::Splats> models_;  // by snapshot
 };

@@ -33,6 +33,7 @@ struct EvaluationOptions {
     std::size_t truthViews = 32;
     hybrid::TruthOptions truth;   // of as many bounces as the model
     std::filesystem::path cache;  // empty: nothing is kept
+    bool keepViews = false;       // what is learnt from, too: then times say nothing of the views that were
 };
 
 // A model on its way.
@@ -53,6 +54,7 @@ struct SceneEvaluation {
     // For the truth.
     double truthSeconds = 0.0;
     std::size_t truthFromCache = 0;                   // views of which all was there
+    std::size_t viewsFromCache = 0;                   // to learn from, that took no time
     std::size_t viewsGivenUp = 0;                     // of all sets: none of the tries showed enough
     std::vector<Snapshot> snapshots;                  // the first model; refined, each after it; never none
     std::vector<std::vector<std::uint8_t>> pictures;  // of the last model, see Comparison

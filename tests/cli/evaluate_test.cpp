@@ -83,10 +83,12 @@ TEST_F(Evaluate, TellsHowNearTheModelComesAndGoesOnFromWhatItKept) {
 }
 
 TEST_F(Evaluate, TellsHowAModelGoesOn) {
-    const Ran ran =
-        runMacula(small({"--iterations", "10", "--more-views", "12", "--more-spp", "4", "--more-iterations",
-                         "250", "--snapshot-every", "125", "--splats", "350", "--json", at("report.json")},
-                        "refine"));
+    const std::vector<std::string> arguments =
+        small({"--iterations", "10", "--more-views", "12", "--more-spp", "4", "--more-iterations", "250",
+               "--snapshot-every", "125", "--splats", "350", "--cache", at("cache"), "--keep-views", "--json",
+               at("report.json")},
+              "refine");
+    const Ran ran = runMacula(arguments);
     ASSERT_EQ(ran.exitCode, 0) << ran.err;
     EXPECT_NE(ran.out.find("greatest fall"), std::string::npos) << "a table";
     const json report = json::parse(readAll(at("report.json")));
@@ -109,6 +111,16 @@ TEST_F(Evaluate, TellsHowAModelGoesOn) {
     EXPECT_GT(scene["splats"].get<int>(), 300);
     EXPECT_NEAR(scene["greatestFallDb"]["mean"].get<double>(), std::max({0.0, db[0] - db[1], db[1] - db[2]}),
                 1e-9);
+
+    // Once more, with what was kept: the first view, the twelve, and the truth.
+    EXPECT_EQ(scene["viewsFromCache"], 0);
+    const Ran again = runMacula(arguments);
+    ASSERT_EQ(again.exitCode, 0) << again.err;
+    const json kept = json::parse(readAll(at("report.json")))["scenes"][0];
+    EXPECT_EQ(kept["viewsFromCache"], 13);
+    EXPECT_EQ(kept["truthFromCache"], 2);
+    EXPECT_EQ(kept["scores"], scene["scores"]);
+    EXPECT_NE(again.out.find("13 views were in the cache"), std::string::npos) << again.out;
 }
 
 TEST_F(Evaluate, WhatCannotBeIsAnError) {
@@ -122,6 +134,7 @@ TEST_F(Evaluate, WhatCannotBeIsAnError) {
     EXPECT_EQ(runMacula(small({"--pictures", at("nowhere")})).exitCode, 2);
     EXPECT_EQ(runMacula(small({"--json", at("nowhere/report.json")})).exitCode, 2);
     EXPECT_EQ(runMacula({"evaluate", "refine", "--snapshot-every", "0"}).exitCode, 2);
+    EXPECT_EQ(runMacula(small({"--keep-views"})).exitCode, 2) << "where?";
     EXPECT_EQ(runMacula({"evaluate", "init", "--more-views", "3"}).exitCode, 2);
     const Ran hanging = runMacula(small({"--lights", "headlight"}));
     EXPECT_EQ(hanging.exitCode, 2);

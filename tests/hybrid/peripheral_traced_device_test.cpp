@@ -31,7 +31,7 @@ class PeripheralTraced : public trace::DeviceTest {
     TracedView traced(trace::PathTracer& tracer, const Camera& camera, std::uint32_t seed) {
         ViewTracing options{.sizePx = kSize, .samplesPerPixel = 16};
         options.settings.seed = seed;
-        return traceViews(tracer, std::span(&camera, 1), options, progress_).value().front();
+        return traceViews(tracer, std::span(&camera, 1), options, progress_).value().views.front();
     }
     // What whoever owns it does.
     void lookAround(PeripheralModel& model, trace::PathTracer& tracer, std::uint32_t views) {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstring>
 #include <filesystem>
+#include <span>
 
 #include "pipeline/hybrid/coverage_views.h"
 #include "pipeline/hybrid/drawn_views.h"
@@ -107,7 +108,7 @@ TEST_F(Views, OfCoverageHaveNoLight) {
         for (std::size_t i = 0; i < 480; ++i) {
             EXPECT_EQ(glm::vec3(outline.rgba[i]), glm::vec3(0.0f));
             off += std::abs(double(outline.rgba[i].w - traced->rgba[i].w));
-            offLearnt += std::abs(double((*learnt)[v].rgba[i].w - traced->rgba[i].w));
+            offLearnt += std::abs(double(learnt->views[v].rgba[i].w - traced->rgba[i].w));
             shown += double(traced->rgba[i].w);
         }
         EXPECT_GT(shown, 40.0);
@@ -129,11 +130,13 @@ TEST_F(Views, AreThoseOfTheTracerAndOfNoOtherViewWithCoverageOfTheGuides) {
     cameras[1].positionMm += 0.01 * (cameras[1].targetMm - cameras[1].positionMm);
     const auto both = traceViews(tracer, cameras, options, progress);
     ASSERT_TRUE(both.ok());
-    ASSERT_EQ(both->size(), 2u);
-    EXPECT_EQ((*both)[1].sizePx, glm::ivec2(24, 20));
-    EXPECT_EQ((*both)[1].rgba.size(), 480u);
-    EXPECT_EQ((*both)[1].samplesPerPixel, 9.0);
-    EXPECT_EQ((*both)[1].camera.positionMm, cameras[1].positionMm);
+    ASSERT_EQ(both->views.size(), 2u);
+    EXPECT_EQ(both->fromKept, 0u);
+    const TracedView& second = both->views[1];
+    EXPECT_EQ(second.sizePx, glm::ivec2(24, 20));
+    EXPECT_EQ(second.rgba.size(), 480u);
+    EXPECT_EQ(second.samplesPerPixel, 9.0);
+    EXPECT_EQ(second.camera.positionMm, cameras[1].positionMm);
 
     // The second by itself, by a tracer that has seen nothing else.
     trace::PathTracer fresh = this->tracer();
@@ -145,7 +148,7 @@ TEST_F(Views, AreThoseOfTheTracerAndOfNoOtherViewWithCoverageOfTheGuides) {
     ASSERT_TRUE(guides.ok());
     const std::vector<float> coverage = pixelCoverage(*guides, {24, 20});
     for (std::size_t i = 0; i < coverage.size(); ++i) alone->rgba[i].a = coverage[i];
-    EXPECT_TRUE(same((*both)[1].rgba, alone->rgba));
+    EXPECT_TRUE(same(second.rgba, alone->rgba));
 
     Progress stopped({}, [] {
         CancelToken token;
@@ -155,6 +158,64 @@ TEST_F(Views, AreThoseOfTheTracerAndOfNoOtherViewWithCoverageOfTheGuides) {
     const auto none = traceViews(tracer, cameras, options, stopped);
     ASSERT_FALSE(none.ok());
     EXPECT_EQ(none.error().code, ErrorCode::cancelled);
+}
+
+// Stopped after the first of three, and gone on with: the same as all at once. What differs in anything is
+// not taken for it, nor is truth.
+TEST_F(Views, ThatWereKeptAreNotTracedAgain) {
+    const auto folder = std::filesystem::temp_directory_path() / fmt::format("macula-kept-{}", getpid());
+    const PictureCache cache(folder);
+    ASSERT_TRUE(cache.prepare().ok());
+    const TracedScene scene = this->scene();
+    const KeptViews kept(scene, cache);
+    const std::vector<Camera> cameras = this->cameras(3);
+    const ViewTracing plain{.sizePx = {24, 20}, .samplesPerPixel = 3};
+    ViewTracing options = plain;
+    options.kept = &kept;
+    trace::PathTracer tracer = this->tracer();
+    Progress progress;
+    const auto expected = traceViews(tracer, cameras, plain, progress);
+    ASSERT_TRUE(expected.ok());
+
+    const auto first = traceViews(tracer, std::span(cameras).first(1), options, progress);
+    ASSERT_TRUE(first.ok());
+    EXPECT_EQ(first->fromKept, 0u);
+    const auto whole = traceViews(tracer, cameras, options, progress);
+    ASSERT_TRUE(whole.ok());
+    EXPECT_EQ(whole->fromKept, 1u);
+    const auto again = traceViews(tracer, cameras, options, progress);
+    ASSERT_TRUE(again.ok());
+    EXPECT_EQ(again->fromKept, 3u);
+    for (std::size_t i = 0; i < 3; ++i) {
+        EXPECT_TRUE(same(whole->views[i].rgba, expected->views[i].rgba)) << i;
+        EXPECT_TRUE(same(again->views[i].rgba, expected->views[i].rgba)) << i;
+        EXPECT_EQ(again->views[i].camera.positionMm, cameras[i].positionMm);
+        EXPECT_EQ(again->views[i].samplesPerPixel, 3.0);
+    }
+
+    ViewTracing other = options;
+    other.samplesPerPixel = 4;
+    EXPECT_EQ(traceViews(tracer, cameras, other, progress)->fromKept, 0u);
+    other = options;
+    other.settings.denoising = trace::Denoising::on;
+    EXPECT_EQ(traceViews(tracer, cameras, other, progress)->fromKept, 0u);
+    const trace::View view{.camera = cameras[0], .width = 24, .height = 20};
+    trace::Settings settings = plain.settings;
+    const auto key = scene.pictureKey(view, settings, 3);
+    ASSERT_TRUE(key.ok());
+    EXPECT_FALSE(cache.find(*key).has_value());
+
+    // One that is damaged is made again.
+    const auto damaged = std::filesystem::directory_iterator(folder)->path();
+    std::filesystem::resize_file(damaged, std::filesystem::file_size(damaged) - 1);
+    std::size_t found = 0;
+    for (const ViewTracing& asked : {options, other})
+        found += traceViews(tracer, cameras, asked, progress)->fromKept;
+    ViewTracing more = options;
+    more.samplesPerPixel = 4;
+    found += traceViews(tracer, cameras, more, progress)->fromKept;
+    EXPECT_EQ(found, 8u);
+    std::filesystem::remove_all(folder);
 }
 
 // A picture that was stopped in its first pass: what has no samples is not known, rather than black.

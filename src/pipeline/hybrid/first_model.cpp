@@ -86,15 +86,17 @@ Result<FirstModel> makeFirstModel(const std::shared_ptr<gpu::Device>& device, tr
 
     start = Clock::now();
     std::size_t givenUp = 0;
-    std::vector<TracedView> views;
+    ViewsToLearn traced;
     std::vector<TracedView> outlines;
     if (options.views > 0) {
         MACULA_TRY(const ChosenViews chosen,
                    chooseViews(tracer, seenMm, initialTraining(options.views, options.trial), {}, progress));
         givenUp = chosen.givenUp;
-        ViewTracing tracing{.sizePx = glm::ivec2(options.sizePx), .samplesPerPixel = options.samplesPerPixel};
+        ViewTracing tracing{.sizePx = glm::ivec2(options.sizePx),
+                            .samplesPerPixel = options.samplesPerPixel,
+                            .kept = options.kept};
         tracing.settings.bounces = options.bounces;
-        MACULA_TRY(views, traceViews(tracer, chosen.cameras, tracing, progress));
+        MACULA_TRY(traced, traceViews(tracer, chosen.cameras, tracing, progress));
         if (options.directions > options.views) {
             const std::size_t lacking = options.directions - options.views;
             MACULA_TRY(const ChosenViews others,
@@ -107,12 +109,13 @@ Result<FirstModel> makeFirstModel(const std::shared_ptr<gpu::Device>& device, tr
 
     start = Clock::now();
     MACULA_TRY(splat::Trainer trainer, splat::Trainer::create(device, first.splats, trainerOptions(options)));
-    const bool canLearn = !views.empty();
-    MACULA_TRY_VOID(learnFromAll(trainer, std::move(views), std::move(outlines)));
+    const bool canLearn = !traced.views.empty();
+    MACULA_TRY_VOID(learnFromAll(trainer, std::move(traced.views), std::move(outlines)));
     FirstModel model{.trainer = std::move(trainer),
                      .pointsSeconds = pointsSeconds,
                      .viewsSeconds = viewsSeconds,
-                     .viewsGivenUp = givenUp};
+                     .viewsGivenUp = givenUp,
+                     .viewsFromKept = traced.fromKept};
     if (options.iterations > 0 && canLearn) MACULA_TRY_VOID(train(model, options, progress));
     model.trainSeconds = secondsSince(start);
     return model;

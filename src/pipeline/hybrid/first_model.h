@@ -9,6 +9,7 @@
 #include "base/progress.h"
 #include "base/result.h"
 #include "pipeline/gpu/device.h"
+#include "pipeline/hybrid/kept_views.h"
 #include "pipeline/splat/trainer.h"
 #include "pipeline/trace/path_tracer.h"
 
@@ -30,6 +31,7 @@ struct FirstModelOptions {
     std::uint64_t iterations = 700;
     double budgetMs = std::numeric_limits<double>::infinity();  // of training; what comes first ends it
     std::uint32_t capacity = 11000;                             // splats, at least as many as points
+    const KeptViews* kept = nullptr;                            // see ViewTracing
     int shDegree = 1;  // of their colours: 0.3 to 0.6 dB, for 9 bytes more of each in an SPZ file
 };
 
@@ -37,9 +39,10 @@ struct FirstModel {
     splat::Trainer trainer;  // can go on, and take more views
     // Of the wall, kernels compiled on the way included.
     double pointsSeconds = 0.0;
-    double viewsSeconds = 0.0;     // choosing and tracing them
-    double trainSeconds = 0.0;     // making the trainer and giving it its pictures included
-    std::size_t viewsGivenUp = 0;  // none of the tries showed enough, and the last one was taken
+    double viewsSeconds = 0.0;      // choosing and tracing them
+    double trainSeconds = 0.0;      // making the trainer and giving it its pictures included
+    std::size_t viewsGivenUp = 0;   // none of the tries showed enough, and the last one was taken
+    std::size_t viewsFromKept = 0;  // that took no time
 };
 
 // `tracer` has its volume, transfer function, environment and clip, and is left with other settings and

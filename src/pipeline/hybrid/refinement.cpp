@@ -67,18 +67,20 @@ Result<MoreViews> beginRefinement(splat::Trainer& trainer, trace::PathTracer& tr
     const auto start = std::chrono::steady_clock::now();
     const ViewSampling sampling = extension(options.views);
     MACULA_TRY(const ChosenViews chosen, chooseViews(tracer, seenMm, sampling, {}, progress));
-    ViewTracing tracing{.sizePx = glm::ivec2(options.sizePx), .samplesPerPixel = options.samplesPerPixel};
+    ViewTracing tracing{.sizePx = glm::ivec2(options.sizePx),
+                        .samplesPerPixel = options.samplesPerPixel,
+                        .kept = options.kept};
     tracing.settings.bounces = options.bounces;
     tracing.settings.seed = static_cast<std::uint32_t>(sampling.seed << 16);  // no other view has one near it
-    MACULA_TRY(std::vector<TracedView> views, traceViews(tracer, chosen.cameras, tracing, progress));
+    MACULA_TRY(ViewsToLearn traced, traceViews(tracer, chosen.cameras, tracing, progress));
     const splat::TrainerOptions training =
         refinementTraining(trainer.lastGood().options, trainer.report(), options);
     MACULA_TRY_VOID(
         trainer.goOnWith(training, std::max(options.shDegree, trainer.lastGood().splats.shDegree)));
-    for (TracedView& view : views) MACULA_TRY_VOID(learnFrom(trainer, std::move(view)));
+    for (TracedView& view : traced.views) MACULA_TRY_VOID(learnFrom(trainer, std::move(view)));
     if (picturesOf(trainer) >= kEnoughSides) trainer.forgetOutlines();
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-    return MoreViews{.seconds = seconds.count(), .givenUp = chosen.givenUp};
+    return MoreViews{.seconds = seconds.count(), .givenUp = chosen.givenUp, .fromKept = traced.fromKept};
 }
 
 }  // namespace macula::hybrid

@@ -7,6 +7,7 @@
 #include "base/frames.h"
 #include "base/progress.h"
 #include "base/result.h"
+#include "pipeline/hybrid/kept_views.h"
 #include "pipeline/splat/trainer.h"
 #include "pipeline/trace/path_tracer.h"
 
@@ -22,12 +23,14 @@ struct RefinementOptions {
     // How many times larger the steps are at first than where the training before ended, so that there is use
     // made of the new room; never larger than that training began with.
     double warmer = 10.0;
-    int shDegree = 1;  // more views can tell colours by direction; never less than it has
+    const KeptViews* kept = nullptr;  // see ViewTracing
+    int shDegree = 1;                 // more views can tell colours by direction; never less than it has
 };
 
 struct MoreViews {
-    double seconds = 0.0;     // of the wall: choosing, tracing and taking them in
-    std::size_t givenUp = 0;  // none of the tries showed enough, and the last one was taken
+    double seconds = 0.0;      // of the wall: choosing, tracing and taking them in
+    std::size_t givenUp = 0;   // none of the tries showed enough, and the last one was taken
+    std::size_t fromKept = 0;  // that took no time
 };
 
 // Traces the views (view_sampling.h: extension) and gives them to `trainer`, which forgets outlines when it

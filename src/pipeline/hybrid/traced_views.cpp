@@ -60,20 +60,32 @@ Result<TracedView> readToLearnFrom(trace::PathTracer& tracer, const Camera& came
                       .samplesPerPixel = statistics.meanSamplesPerPixel};
 }
 
-Result<std::vector<TracedView>> traceViews(trace::PathTracer& tracer, std::span<const Camera> cameras,
-                                           const ViewTracing& options, Progress& progress) {
-    progress.beginStage("Tracing views", cameras.size() * options.samplesPerPixel);
-    std::vector<TracedView> views;
+Result<ViewsToLearn> traceViews(trace::PathTracer& tracer, std::span<const Camera> cameras,
+                                const ViewTracing& options, Progress& progress) {
+    const std::uint32_t samples = options.samplesPerPixel;
+    progress.beginStage("Tracing views", cameras.size() * samples);
+    ViewsToLearn learnt;
     for (const Camera& camera : cameras) {
         trace::Settings settings = options.settings;
-        settings.seed += static_cast<std::uint32_t>(views.size());
+        settings.seed += static_cast<std::uint32_t>(learnt.views.size());
         const trace::View view{.camera = camera, .width = options.sizePx.x, .height = options.sizePx.y};
+        if (options.kept != nullptr) {
+            MACULA_TRY(std::optional<TracedView> known, options.kept->find(view, settings, samples));
+            if (known) {
+                learnt.views.push_back(std::move(*known));
+                ++learnt.fromKept;
+                progress.advance(samples);
+                if (progress.cancelled()) return cancelled();
+                continue;
+            }
+        }
         tracer.forgetViews();
-        MACULA_TRY_VOID(addSamples(tracer, view, settings, options.samplesPerPixel, progress));
+        MACULA_TRY_VOID(addSamples(tracer, view, settings, samples, progress));
         MACULA_TRY(TracedView traced, readToLearnFrom(tracer, camera));
-        views.push_back(std::move(traced));
+        if (options.kept != nullptr) MACULA_TRY_VOID(options.kept->keep(view, settings, samples, traced));
+        learnt.views.push_back(std::move(traced));
     }
-    return views;
+    return learnt;
 }
 
 ViewAcceptance showsEnough(trace::PathTracer& tracer, double radiusMm, const ViewLimits& limits,

@@ -7,6 +7,7 @@
 
 #include "base/progress.h"
 #include "base/result.h"
+#include "pipeline/hybrid/kept_views.h"
 #include "pipeline/hybrid/traced_view.h"
 #include "pipeline/hybrid/view_sampling.h"
 #include "pipeline/trace/path_tracer.h"
@@ -21,6 +22,14 @@ struct ViewTracing {
     std::uint32_t samplesPerPixel = 8;
     // Of the seed, each view takes the next: the same noise in all views would be learnt as if it were there.
     trace::Settings settings = {.denoising = trace::Denoising::little};
+    // Asked before a view is traced, and given it then, at once: who is cancelled goes on where he was. Of
+    // what the tracer has. Null: nothing is kept.
+    const KeptViews* kept = nullptr;
+};
+
+struct ViewsToLearn {
+    std::vector<TracedView> views;  // by camera
+    std::size_t fromKept = 0;       // of these
 };
 
 // One view as it is traced, for comparing with; a step of `progress` for each sample.
@@ -37,8 +46,8 @@ Result<TracedView> readToLearnFrom(trace::PathTracer& tracer, const Camera& came
 // To learn from. One sample after the other for each camera, evenly; nothing is carried over from the view
 // before, however near. Coverage as readToLearnFrom. `progress` gets a stage, a step for each sample of a
 // view.
-Result<std::vector<TracedView>> traceViews(trace::PathTracer& tracer, std::span<const Camera> cameras,
-                                           const ViewTracing& options, Progress& progress);
+Result<ViewsToLearn> traceViews(trace::PathTracer& tracer, std::span<const Camera> cameras,
+                                const ViewTracing& options, Progress& progress);
 
 // When a view shows enough, from far enough.
 struct ViewLimits {
