@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <ctime>
 
 #include "opened.h"
 
@@ -11,6 +12,11 @@ namespace macula::dicom::test {
 namespace {
 
 namespace fs = std::filesystem;
+
+// Of all threads: what else runs on the machine does not count.
+double processorSeconds() {
+    return double(std::clock()) / CLOCKS_PER_SEC;
+}
 
 using D15UncalibratedPixels = Pitfall;
 using D27Speed = Pitfall;
@@ -298,9 +304,9 @@ TEST_F(Extremes, framesThatAreClaimedOnly) {
                             {.sopInstanceUid = fmt::format("2.25.{}", 7000 + n)});
             editFile(own / std::to_string(n), [](DcmItem& item) { put(item, DCM_NumberOfFrames, "100000"); });
         }
-        const auto start = std::chrono::steady_clock::now();
+        const double start = processorSeconds();
         const Opened opened(own.path());
-        EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(1));
+        EXPECT_LT(processorSeconds() - start, 10.0);  // all that are claimed would take minutes
         // Of compressed frames the file's size is the only bound before they are decoded.
         EXPECT_LE(opened.frames(), syntax == std::string("1.2.840.10008.1.2.1") ? 30u : 30u * 512u);
         EXPECT_TRUE(opened.volumes().empty());
@@ -325,9 +331,9 @@ TEST_F(Extremes, manyFramesWithALongOffsetVector) {
                                                                  "1\\0\\0\\0\\1\\0");
                                                              put(item, DCM_GridFrameOffsetVector, offsets);
                                                          }}});
-    const auto start = std::chrono::steady_clock::now();
+    const double start = processorSeconds();
     const Opened opened = open();
-    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(1));
+    EXPECT_LT(processorSeconds() - start, 10.0);  // once per frame would be 400 million numbers
     expectOnlyVolume(opened, series);
 }
 
