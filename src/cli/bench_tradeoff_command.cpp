@@ -86,7 +86,7 @@ nlohmann::ordered_json toJson(const TradeoffPoint& point) {
 }
 
 Result<void> benchTradeoff(Options options) {
-    if (!options.plot.empty()) MACULA_TRY_VOID(checkFolderOf(options.plot));
+    if (!options.plot.empty()) MACULA_TRY_VOID(checkPlaceOf(options.plot));
     Progress progress(terminalProgressBar(), interruptToken());
     MACULA_TRY(const BenchStudy study, openBenchStudy(options.study, progress));
     MACULA_TRY(const Tradeoff tradeoff, measureTradeoff(study, options.tradeoff, progress));

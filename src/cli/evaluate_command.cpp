@@ -31,6 +31,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// More pixels are none of lavapipe's storage buffers, which would be found out after the training.
+constexpr int kMostTruthSizePx = 2800;
+
 struct Options {
     std::vector<fs::path> paths;
     std::vector<std::string> series;   // for each path, or none
@@ -60,7 +63,7 @@ Result<void> check(const Options& options) {
     for (const std::string& preset : options.presets) MACULA_TRY_VOID(presetToDraw(preset, options.fit));
     MACULA_TRY_VOID(choosePatientLights(options.lights));
     if (!options.clip.empty()) MACULA_TRY_VOID(chooseClip(options.clip));
-    if (!options.json.empty() && options.json != "-") MACULA_TRY_VOID(checkFolderOf(options.json));
+    if (!options.json.empty() && options.json != "-") MACULA_TRY_VOID(checkPlaceOf(options.json));
     std::error_code error;
     if (!options.pictures.empty() && !fs::is_directory(options.pictures, error))
         return Error{ErrorCode::outputNotWritable, "The folder for pictures does not exist.",
@@ -109,23 +112,10 @@ Result<void> tell(const EvaluationReport& report, const fs::path& json) {
     return json.empty() ? Result<void>() : writeTextAtomically(json, text);
 }
 
-Result<void> evaluate(Options options) {
-    MACULA_TRY_VOID(check(options));
-    EvaluationOptions& evaluation = options.evaluation;
-    evaluation.truth.sizePx =
-        glm::ivec2(options.truthSizePx > 0 ? options.truthSizePx : evaluation.model.sizePx);
-    evaluation.truth.bounces = evaluation.model.bounces;
-    if (options.paths.empty()) options.paths.emplace_back();
-    if (options.presets.empty()) options.presets.emplace_back();
-    MACULA_TRY(const trace::Environment lights, chooseLights(options.lights));
-    MACULA_TRY(gpu::LastingDevice device, openDevice(options.device));
+// Adds each scene to the report as soon as it is finished.
+Result<void> evaluateScenes(const Options& options, const trace::Environment& lights,
+                            gpu::LastingDevice& device, EvaluationReport& report) {
     Progress progress(terminalProgressBar(), interruptToken());
-
-    EvaluationReport report{.device = {},
-                            .lights = publicLightsName(options.lights),
-                            .clip = publicClipName(options.clip),
-                            .options = evaluation,
-                            .scenes = {}};
     for (std::size_t place = 0; place < options.paths.size(); ++place) {
         MACULA_TRY(Study study, openStudy(options, place, progress));
         for (const std::string& typed : options.presets) {
@@ -142,7 +132,7 @@ Result<void> evaluate(Options options) {
                                      .evaluation = {}};
             const auto use = [&](const std::shared_ptr<gpu::Device>& on) -> Result<void> {
                 report.device = gpu::describe(on->info());
-                MACULA_TRY(evaluated.evaluation, evaluateModel(on, scene, evaluation, progress));
+                MACULA_TRY(evaluated.evaluation, evaluateModel(on, scene, options.evaluation, progress));
                 return {};
             };
             MACULA_TRY_VOID(device.run(use));
@@ -152,7 +142,28 @@ Result<void> evaluate(Options options) {
             report.scenes.push_back(std::move(evaluated));
         }
     }
-    return tell(report, options.json);
+    return {};
+}
+
+// What fails after hours takes nothing along of what was finished before.
+Result<void> evaluate(Options options) {
+    MACULA_TRY_VOID(check(options));
+    EvaluationOptions& evaluation = options.evaluation;
+    evaluation.truth.sizePx =
+        glm::ivec2(options.truthSizePx > 0 ? options.truthSizePx : evaluation.model.sizePx);
+    evaluation.truth.bounces = evaluation.model.bounces;
+    if (options.paths.empty()) options.paths.emplace_back();
+    if (options.presets.empty()) options.presets.emplace_back();
+    MACULA_TRY(const trace::Environment lights, chooseLights(options.lights));
+    MACULA_TRY(gpu::LastingDevice device, openDevice(options.device));
+    EvaluationReport report{.device = {},
+                            .lights = publicLightsName(options.lights),
+                            .clip = publicClipName(options.clip),
+                            .options = evaluation,
+                            .scenes = {}};
+    const Result<void> evaluated = evaluateScenes(options, lights, device, report);
+    if (!report.scenes.empty()) MACULA_TRY_VOID(tell(report, options.json));
+    return evaluated;
 }
 
 void addProtocolOptions(CLI::App& command, Options& o) {
@@ -168,7 +179,7 @@ void addProtocolOptions(CLI::App& command, Options& o) {
         ->capture_default_str()
         ->check(CLI::Range(2, 1 << 20));
     command.add_option("--truth-size", o.truthSizePx, "Its width and height in pixels (default: as --size)")
-        ->check(CLI::Range(16, 4096));
+        ->check(CLI::Range(16, kMostTruthSizePx));
     CLI::Option* cache = command.add_option(
         "--cache", e.cache, "Folder to keep what is compared with, and to go on from; it shows the patient");
     command

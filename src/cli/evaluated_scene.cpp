@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "cli/report.h"
+
 namespace macula::cli {
 
 Result<SceneOnDevice> putOnDevice(const std::shared_ptr<gpu::Device>& device, const EvaluatedScene& scene) {
@@ -17,7 +19,11 @@ Result<SceneOnDevice> putOnDevice(const std::shared_ptr<gpu::Device>& device, co
     MACULA_TRY_VOID(tracer.setClip(scene.clip));
     MACULA_TRY_VOID(tracer.setTransferFunction(scene.function));
     MACULA_TRY_VOID(tracer.setEnvironment(scene.environment));
-    return SceneOnDevice{.traced = std::move(traced), .tracer = std::move(tracer)};
+    MACULA_TRY(const trace::Statistics statistics, tracer.statistics());
+    for (const Message& message : statistics.messages) printNote(message.sentence);
+    return SceneOnDevice{.traced = std::move(traced),
+                         .tracer = std::move(tracer),
+                         .isCoarse = statistics.voxels.coarseBlocks > 0};
 }
 
 }  // namespace macula::cli

@@ -24,9 +24,10 @@ struct EvaluatedScene {
 struct SceneOnDevice {
     hybrid::TracedScene traced;
     trace::PathTracer tracer;
+    bool isCoarse = false;  // not all voxels are on the device: what is traced is no truth for others
 };
 
-// inputNotUsable when nothing of the scene can be seen.
+// inputNotUsable when nothing of the scene can be seen. A person is told what is coarse.
 Result<SceneOnDevice> putOnDevice(const std::shared_ptr<gpu::Device>& device, const EvaluatedScene& scene);
 
 }  // namespace macula::cli

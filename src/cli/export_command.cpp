@@ -42,7 +42,7 @@ double secondsSince(Clock::time_point start) {
 // Fails now, not after the series was loaded.
 Result<void> checkExport(const Options& options) {
     MACULA_TRY(const auto files, dicom::filesOfVolumeFile(options.output));
-    MACULA_TRY_VOID(checkFolderOf(options.output));
+    MACULA_TRY_VOID(checkPlaceOf(options.output));
     for (const fs::path& file : files) {
         std::error_code error;
         const auto status = fs::symlink_status(file, error);

@@ -24,6 +24,8 @@ const CancelToken& interruptToken() {
         const CancelToken& made = token();
         std::signal(SIGINT, onSignal);
         std::signal(SIGTERM, onSignal);
+        // The terminal went away; nohup says that nobody minds.
+        if (std::signal(SIGHUP, onSignal) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);
         return made;
     }();
     return shared;

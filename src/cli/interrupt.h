@@ -5,7 +5,7 @@
 
 namespace macula::cli {
 
-// Cancelled by SIGINT or SIGTERM. Installs the handlers on the first call.
+// Cancelled by SIGINT, SIGTERM or SIGHUP. Installs the handlers on the first call.
 const CancelToken& interruptToken();
 
 }  // namespace macula::cli

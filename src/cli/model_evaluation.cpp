@@ -27,7 +27,9 @@ class Evaluation {
           options_(options),
           scene_(scene),
           progress_(progress),
-          cache_(options.cache),
+          // Pictures are kept by what the volume is, not by how much of it this device holds.
+          cacheFolder_(scene.isCoarse ? std::filesystem::path() : options.cache),
+          cache_(cacheFolder_),
           kept_(scene.traced, cache_) {}
 
     Result<SceneEvaluation> run() {
@@ -37,7 +39,7 @@ class Evaluation {
         MACULA_TRY_VOID(keep(model.trainer, model.trainSeconds));
         if (options_.refinement) MACULA_TRY_VOID(refine(model, *options_.refinement));
         MACULA_TRY(const HeldOutViews truth, HeldOutViews::trace(device_, scene_, options_.truthViews,
-                                                                 options_.truth, options_.cache, progress_));
+                                                                 options_.truth, cacheFolder_, progress_));
         report_.truthSeconds = truth.seconds();
         report_.truthFromCache = truth.fromCache();
         report_.viewsGivenUp += truth.givenUp();
@@ -111,6 +113,7 @@ class Evaluation {
     const EvaluationOptions& options_;
     SceneOnDevice& scene_;
     Progress& progress_;
+    std::filesystem::path cacheFolder_;
     hybrid::PictureCache cache_;
     hybrid::KeptViews kept_;
     SceneEvaluation report_;

@@ -33,7 +33,7 @@ ModelOptionsAdded addModelOptions(CLI::App& command, hybrid::FirstModelOptions& 
     add("--bounces", m.bounces, "Vertices of a path", CLI::Range(1, trace::kMaxBounces));
     add("--degree", m.shDegree, "Of spherical harmonics: 1 for colours that differ by direction",
         CLI::Range(0, 1));
-    add("--seed,--trial", m.trial, "Another draw of the views, and of all else that is left to chance",
+    add("--seed,--trial", m.trial, "Another draw of the views, their noise, and their order in training",
         CLI::Range(0, 1 << 20));
     added.iterations =
         command.add_option("--iterations", m.iterations, "Steps of training; 0: the model of points")

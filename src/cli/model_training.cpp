@@ -15,25 +15,32 @@ double secondsSince(Clock::time_point start) {
 }
 
 // trained.trainSeconds have gone by.
-Result<void> runSteps(splat::Trainer& trainer, const TrainingEnd& end, Progress& progress, Trained& trained) {
+void runSteps(splat::Trainer& trainer, const TrainingEnd& end, Progress& progress, Trained& trained) {
     const auto start = Clock::now();
     const double before = trained.trainSeconds;
-    const std::uint64_t first = trainer.report().steps;
+    const std::uint64_t last = trained.firstStep + end.steps;
+    const std::uint64_t steps = last - std::min(last, trainer.report().steps);
     const auto mayGoOn = [&] {
         return !progress.cancelled() &&
                (end.budgetSeconds <= 0.0 || before + secondsSince(start) < end.budgetSeconds);
     };
-    if (end.steps > 0 && mayGoOn()) {
-        MACULA_TRY_VOID(trainer.step(end.steps, [&] {
-            progress.advance();
-            return mayGoOn();
-        }));
-    }
+    const auto run = [&]() -> Result<splat::TrainingState> {
+        if (steps > 0 && mayGoOn()) {
+            MACULA_TRY_VOID(trainer.step(steps, [&] {
+                progress.advance();
+                return mayGoOn();
+            }));
+        }
+        return trainer.state();
+    };
+    Result<splat::TrainingState> state = run();
+    trained.failure = state.ok() ? std::nullopt : std::optional(state.error());
+    trained.state = state.ok() ? *std::move(state) : trainer.lastGood();
     trained.report = trainer.report();
-    trained.interrupted = progress.cancelled() && trained.report.steps < first + end.steps;
-    MACULA_TRY(trained.state, trainer.state());
+    trained.report.steps = trained.state.steps;
+    trained.report.splats = static_cast<std::uint32_t>(trained.state.splats.size());
+    trained.interrupted = progress.cancelled() && trained.state.steps < last;
     trained.trainSeconds = before + secondsSince(start);
-    return {};
 }
 
 Error stopped() {
@@ -56,10 +63,7 @@ Result<Trained> trainFirst(const std::shared_ptr<gpu::Device>& device, const Eva
                     .viewsSeconds = made->viewsSeconds,
                     .trainSeconds = made->trainSeconds,
                     .viewsGivenUp = made->viewsGivenUp};
-    const std::uint64_t done = made->trainer.report().steps;
-    MACULA_TRY_VOID(runSteps(
-        made->trainer, {.steps = end.steps - std::min(end.steps, done), .budgetSeconds = end.budgetSeconds},
-        progress, trained));
+    runSteps(made->trainer, end, progress, trained);
     return trained;
 }
 
@@ -68,11 +72,23 @@ Result<Trained> trainOn(const std::shared_ptr<gpu::Device>& device, const splat:
     progress.beginStage("Training", static_cast<std::size_t>(end.steps));
     const auto start = Clock::now();
     MACULA_TRY(splat::Trainer trainer, splat::Trainer::resume(device, saved));
-    Trained trained{.device = gpu::describe(device->info())};
+    Trained trained{.device = gpu::describe(device->info()), .firstStep = saved.steps};
     trained.trainSeconds = secondsSince(start);
     if (progress.cancelled()) return stopped();
-    MACULA_TRY_VOID(runSteps(trainer, end, progress, trained));
+    runSteps(trainer, end, progress, trained);
     return trained;
+}
+
+Result<void> trainToTheEnd(const std::shared_ptr<gpu::Device>& device, Trained& failed,
+                           const TrainingEnd& end, Progress& progress) {
+    const std::uint64_t last = failed.firstStep + end.steps;
+    progress.beginStage("Training", static_cast<std::size_t>(last - std::min(last, failed.state.steps)));
+    const auto start = Clock::now();
+    MACULA_TRY(splat::Trainer trainer, splat::Trainer::resume(device, failed.state));
+    failed.device = gpu::describe(device->info());
+    failed.trainSeconds += secondsSince(start);
+    runSteps(trainer, end, progress, failed);
+    return {};
 }
 
 std::uint64_t plannedSteps(const splat::TrainingState& state) {

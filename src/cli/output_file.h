@@ -15,8 +15,9 @@ namespace macula::cli {
 // outputNotWritable when nothing can be written there.
 Result<void> checkOutput(const std::filesystem::path& path);
 
-// Fails with outputNotWritable when the folder that `path` lies in does not exist.
-Result<void> checkFolderOf(const std::filesystem::path& path);
+// Fails with outputNotWritable when the folder that `path` lies in does not exist or nothing can be written
+// there, or when `path` is a folder itself.
+Result<void> checkPlaceOf(const std::filesystem::path& path);
 
 bool isExr(const std::filesystem::path& path);
 

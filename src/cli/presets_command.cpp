@@ -124,7 +124,7 @@ Result<void> show(const Options& options) {
 
 // The file that `preset` goes to: `output` itself, or a name of its own in that folder.
 Result<void> write(const TransferFunction& preset, const std::filesystem::path& output) {
-    MACULA_TRY_VOID(checkFolderOf(output));
+    MACULA_TRY_VOID(checkPlaceOf(output));
     return writeTextAtomically(output, toJson(preset));
 }
 

@@ -233,7 +233,7 @@ Result<void> render(const Options& options) {
     // last.
     MACULA_TRY_VOID(checkOutput(options.output));
     if (!options.statistics.empty() && options.statistics != "-")
-        MACULA_TRY_VOID(checkFolderOf(options.statistics));
+        MACULA_TRY_VOID(checkPlaceOf(options.statistics));
     MACULA_TRY(const glm::ivec2 size, parseSize(options.size));
     MACULA_TRY(const Effort effort, effortOf(options));
     MACULA_TRY(const trace::Environment environment, chooseLights(lightsOf(options)));

@@ -1,5 +1,7 @@
 #include "cli/report.h"
 
+#include <unistd.h>
+
 #include <cstdio>
 
 namespace macula::cli {
@@ -11,6 +13,8 @@ void printLine(std::string line) {
     for (char& c : line) {
         if (c == '\n' || c == '\r') c = ' ';
     }
+    // In the place of a progress bar that has not come to its end.
+    if (isatty(STDERR_FILENO) != 0) fmt::print(stderr, "\r\x1b[K");
     fmt::print(stderr, "macula: {}\n", line);
 }
 

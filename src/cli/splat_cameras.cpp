@@ -29,9 +29,17 @@ glm::dmat3 rotationNear(const glm::dmat3& rounded) {
     return m;
 }
 
-// To a picture of another size.
+// Whether a picture of the one size, made smaller or larger, is one of the other, but for rounding of each
+// side.
+bool isScaled(const glm::ivec2& from, const glm::ivec2& to) {
+    return std::abs(double(to.x) * from.y - double(to.y) * from.x) <= double(std::max(from.x, from.y));
+}
+
+// To a picture of another size: all of the same picture, as trainers that shrink theirs do it, where that is
+// its shape; else with the vertical field of view that it had.
 void resize(splat::RasterView& view, const glm::ivec2& size) {
-    const double scale = double(size.y) / view.sizePx.y;
+    glm::dvec2 scale(double(size.y) / view.sizePx.y);
+    if (isScaled(view.sizePx, size)) scale.x = double(size.x) / view.sizePx.x;
     const glm::dvec2 fromMiddle = (view.principalPx - 0.5 * glm::dvec2(view.sizePx)) * scale;
     view.focalPx *= scale;
     view.principalPx = 0.5 * glm::dvec2(size) + fromMiddle;

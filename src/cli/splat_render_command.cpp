@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 
@@ -39,11 +40,16 @@ struct Options {
     std::string size;
     std::optional<double> near;  // in the unit of the model
     std::optional<double> exposure;
-    bool antialiased = false;
+    std::optional<splat::LowPass> lowPass;
     bool depth = false;
     bool overwrite = false;
     std::string device;
 };
+
+// Of models made elsewhere.
+const std::map<std::string, splat::LowPass> kForeignLowPasses{{"3dgs", splat::LowPass::classic},
+                                                              {"antialiased", splat::LowPass::compensated},
+                                                              {"mip", splat::LowPass::mip}};
 
 Result<glm::vec3> parseBackground(const std::string& text) {
     glm::vec3 colour(-1.0f);
@@ -120,8 +126,11 @@ Result<splat::Splats> loadModel(const Options& options) {
         printNote(fmt::format("{} of the model's splats hold what is no number or no rotation: left out.",
                               file.repaired.dropped));
     if (splats.size() == 0) printNote("The model holds no splats: the pictures are empty.");
-    if (options.antialiased && splats.lowPass == splat::LowPass::classic)
-        splats.lowPass = splat::LowPass::compensated;
+    if (options.lowPass && splats.lowPass == splat::LowPass::adaptive) {
+        printNote("This model is one of Macula's and has a low-pass of its own: --low-pass does nothing.");
+    } else if (options.lowPass) {
+        splats.lowPass = *options.lowPass;
+    }
     if (options.exposure && splats.colourSpace == splat::ColourSpace::display)
         printNote("The colours of this model are those of the display: --exposure does nothing.");
     return splats;
@@ -272,8 +281,12 @@ void addSplatRender(CLI::App& app, Action& action) {
                      "What is nearer to the eye is not drawn; in the model's unit (default: 0.2, or 2 mm for "
                      "Macula's models)")
         ->check(CLI::Range(1e-3, 1e6));
-    command->add_flag("--antialiased", o.antialiased,
-                      "The model was trained with antialiasing (Mip-Splatting), which PLY does not tell");
+    command
+        ->add_option("--low-pass", o.lowPass,
+                     "How the model was trained to be drawn, where its file does not tell: 3dgs; antialiased "
+                     "(3DGS and gsplat with antialiasing); mip (Mip-Splatting whose filter is fused)")
+        ->transform(CLI::CheckedTransformer(kForeignLowPasses))
+        ->option_text("NAME");
     command
         ->add_option("--exposure", o.exposure,
                      "Multiplies the picture before the tone map (default: 1); Macula's models only")

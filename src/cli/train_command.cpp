@@ -3,7 +3,6 @@
 #include <CLI/Option.hpp>
 #include <CLI/Validators.hpp>
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <memory>
@@ -54,28 +53,32 @@ struct Options {
     hybrid::FirstModelOptions model;
 };
 
-std::string extensionOf(const fs::path& path) {
-    std::string extension = path.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return extension;
-}
-
 Result<void> checkModelName(const fs::path& path) {
-    const std::string extension = extensionOf(path);
+    const std::string extension = splat::extensionOf(path);
     if (extension == ".ply" || extension == ".spz" || extension == ".macula") return {};
     return Error{ErrorCode::usage, "The model's name says no format.", path.string(),
                  "End it with .ply, .spz or .macula."};
 }
 
+// Also of files that are not there yet.
+bool isSameFile(const fs::path& a, const fs::path& b) {
+    std::error_code error;
+    return fs::weakly_canonical(a, error) == fs::weakly_canonical(b, error);
+}
+
 // All that can be wrong on the command line, before anything takes time.
 Result<trace::Environment> check(const Options& options) {
-    MACULA_TRY_VOID(checkFolderOf(options.output));
+    MACULA_TRY_VOID(checkPlaceOf(options.output));
     MACULA_TRY_VOID(checkModelName(options.output));
     MACULA_TRY_VOID(checkModelOptions(options.model));
     if (std::isnan(options.budgetSeconds))  // which is neither below nor above any limit
         return Error{ErrorCode::usage, "The budget is no number.", {}, "Give --budget in seconds."};
-    if (!options.json.empty() && options.json != "-") MACULA_TRY_VOID(checkFolderOf(options.json));
+    if (!options.json.empty() && options.json != "-") {
+        MACULA_TRY_VOID(checkPlaceOf(options.json));
+        if (isSameFile(options.json, options.output) || isSameFile(options.json, options.resume))
+            return Error{ErrorCode::usage, "The numbers would be written over the model.",
+                         options.json.string(), "Give --json another name."};
+    }
     if (!options.preset.empty()) MACULA_TRY_VOID(presetToDraw(options.preset, options.fit));
     if (!options.clip.empty()) MACULA_TRY_VOID(chooseClip(options.clip));
     return choosePatientLights(options.lights);
@@ -85,6 +88,10 @@ Result<trace::Environment> check(const Options& options) {
 Result<std::optional<splat::TrainingState>> savedTraining(const Options& options) {
     if (options.resume.empty()) return std::optional<splat::TrainingState>();
     MACULA_TRY(splat::TrainingState state, splat::readTraining(options.resume));
+    const auto isPicture = [](const splat::TrainingState::View& view) { return !view.given->coverageOnly; };
+    if (std::none_of(state.views.begin(), state.views.end(), isPicture))
+        return Error{ErrorCode::inputNotUsable, "The saved training has no views to learn from.",
+                     options.resume.string(), "Train anew, with --views above 0."};
     if (!options.iterationsGiven && state.steps >= plannedSteps(state))
         return Error{ErrorCode::usage,
                      fmt::format("The saved training has all of its {} steps.", plannedSteps(state)),
@@ -134,7 +141,7 @@ nlohmann::ordered_json toJson(const Trained& trained, const StudyInput& study, c
 
 // With all that training needs to go on, or the splats alone.
 Result<void> write(const fs::path& path, const splat::TrainingState& state) {
-    if (extensionOf(path) == ".macula") return splat::writeTraining(path, state);
+    if (splat::extensionOf(path) == ".macula") return splat::writeTraining(path, state);
     MACULA_TRY(const std::size_t clamped, splat::writeModel(path, state.splats));
     if (clamped > 0)
         printNote(
@@ -142,10 +149,11 @@ Result<void> write(const fs::path& path, const splat::TrainingState& state) {
     return {};
 }
 
-void tellOfInterruption(const Trained& trained, const Options& options) {
-    std::string sentence =
-        fmt::format("Stopped after {} steps; the model is written as it is then.", trained.report.steps);
-    if (extensionOf(options.output) == ".macula") sentence += " --resume goes on with it.";
+// Of a training that did not come to its end.
+void tellOfWhatIsWritten(const Trained& trained, std::uint64_t steps, const Options& options) {
+    std::string sentence = fmt::format("Stopped after {} of {} steps; the model is written as it is then.",
+                                       trained.report.steps - trained.firstStep, steps);
+    if (splat::extensionOf(options.output) == ".macula") sentence += " --resume goes on with it.";
     printNote(sentence);
 }
 
@@ -167,17 +175,23 @@ Result<void> train(const Options& options) {
     if (saved) MACULA_TRY_VOID(checkTrainingKey(saved->options.key, key, options.resume));
 
     const TrainingEnd end{.steps = stepsToCome(options, saved), .budgetSeconds = options.budgetSeconds};
-    Trained trained;
-    MACULA_TRY_VOID(device.run([&](const std::shared_ptr<gpu::Device>& on) -> Result<void> {
-        if (saved) {
-            MACULA_TRY(trained, trainOn(on, *saved, end, progress));
-            return {};
+    std::optional<Trained> begun;  // no device takes it along
+    const Result<void> ended = device.run([&](const std::shared_ptr<gpu::Device>& on) -> Result<void> {
+        if (begun) {
+            MACULA_TRY_VOID(trainToTheEnd(on, *begun, end, progress));
+        } else if (saved) {
+            MACULA_TRY(begun, trainOn(on, *saved, end, progress));
+        } else {
+            const EvaluatedScene scene{.volume = study.volume,
+                                       .function = preset.function,
+                                       .clip = shown.clip,
+                                       .environment = lights};
+            MACULA_TRY(begun, trainFirst(on, scene, options.model, end, progress));
         }
-        const EvaluatedScene scene{
-            .volume = study.volume, .function = preset.function, .clip = shown.clip, .environment = lights};
-        MACULA_TRY(trained, trainFirst(on, scene, options.model, end, progress));
-        return {};
-    }));
+        return begun->failure ? Result<void>(*begun->failure) : Result<void>();
+    });
+    if (!begun) return ended.error();
+    Trained& trained = *begun;
     trained.state.options.key = key;
     if (trained.viewsGivenUp > 0)
         printNote(
@@ -185,14 +199,15 @@ Result<void> train(const Options& options) {
                         "better was found.",
                         trained.viewsGivenUp, std::max(options.model.views, options.model.directions)));
     MACULA_TRY_VOID(write(options.output, trained.state));
-    if (trained.interrupted) tellOfInterruption(trained, options);
+    if (trained.report.steps < trained.firstStep + end.steps)
+        tellOfWhatIsWritten(trained, end.steps, options);
     const std::uint64_t stepsBefore = saved ? saved->steps : 0;
     const std::string text =
         toJson(trained, study, preset.publicName, shown.tableRemoved, options, stepsBefore).dump(4) + "\n";
     if (options.json == "-") fmt::print("{}", text);
     if (!options.json.empty() && options.json != "-")
         MACULA_TRY_VOID(writeTextAtomically(options.json, text));
-    return {};
+    return ended;
 }
 
 // Returns what tells whether --iterations was given.
@@ -231,7 +246,8 @@ void addTrain(CLI::App& app, Action& action) {
     command->add_option("PATH", o.path, "Folder with DICOM files, volume file, or phantom: (default)");
     command
         ->add_option("-o,--output", o.output,
-                     "Model: .ply (exact), .spz (small), or .macula (with all that training needs to go on)")
+                     "Model: .ply (exact), .spz (small), or .macula (with all that training needs to go on); "
+                     "replaces what is there")
         ->required();
     command->add_option("--series", o.series, "Place in the list of macula info, or series UID");
     command->add_option("--preset", o.preset, "Name, number or file; default by modality");

@@ -70,7 +70,7 @@ TEST_F(BadInput, Output) {
     expectRefused(2, ".png or .exr", {"-o", at("a.jpg")});
     expectRefused(2, "does not exist", {"-o", at("no/such/a.png")});
     std::filesystem::create_directory(at("taken.png"));
-    expectRefused(2, "cannot be written", {"-o", at("taken.png")});
+    expectRefused(2, "folder of that name", {"-o", at("taken.png")});
     if (geteuid() == 0) return;  // root may write anywhere
     std::filesystem::create_directory(at("locked"));
     std::filesystem::permissions(at("locked"),

@@ -29,6 +29,11 @@ std::vector<std::string> small(const std::vector<std::string>& more, const std::
     return arguments;
 }
 
+// Nothing of the phantom is so dense.
+constexpr const char* kShowsNothing = R"({"volumeProperties": [{"components": [{
+    "rgbTransferFunction": {"type": "colorTransferFunction", "points": [{"x": 0, "color": [1, 1, 1]}]},
+    "scalarOpacity": {"type": "piecewiseLinearFunction", "points": [{"x": 20000, "y": 0}, {"x": 30000, "y": 1}]}}]}]})";
+
 TEST_F(Evaluate, TellsHowNearTheModelComesAndGoesOnFromWhatItKept) {
     const std::string cache = at("cache");
     std::filesystem::create_directory(at("pictures"));
@@ -139,13 +144,19 @@ TEST_F(Evaluate, WhatCannotBeIsAnError) {
     const Ran hanging = runMacula(small({"--lights", "headlight"}));
     EXPECT_EQ(hanging.exitCode, 2);
     EXPECT_NE(hanging.err.find("camera"), std::string::npos) << hanging.err;
-    // Nothing of the phantom is so dense.
-    const std::string preset = write("none.vp.json", R"({"volumeProperties": [{"components": [{
-        "rgbTransferFunction": {"type": "colorTransferFunction", "points": [{"x": 0, "color": [1, 1, 1]}]},
-        "scalarOpacity": {"type": "piecewiseLinearFunction", "points": [{"x": 20000, "y": 0}, {"x": 30000, "y": 1}]}}]}]})");
+    const std::string preset = write("none.vp.json", kShowsNothing);
     const Ran nothing = runMacula(small({"--preset", preset}));
     EXPECT_EQ(nothing.exitCode, 3) << nothing.err;
     EXPECT_NE(nothing.err.find("Nothing of the series can be seen"), std::string::npos) << nothing.err;
+}
+
+TEST_F(Evaluate, WhatWasFinishedBeforeAnErrorIsTold) {
+    const std::string preset = write("none.vp.json", kShowsNothing);
+    const Ran ran =
+        runMacula(small({"--json", at("report.json"), "--preset", "cinematic-bone", "--preset", preset}));
+    EXPECT_EQ(ran.exitCode, 3) << ran.err;
+    const json report = json::parse(readAll(at("report.json")));
+    EXPECT_EQ(report["scenes"].size(), 1u);
 }
 
 }  // namespace

@@ -110,6 +110,10 @@ TEST_F(SplatRender, AForeignModelIsWhereItsCamerasSeeIt) {
         draw({model, "--cameras", cameras, "-o", at("wide"), "--size", "192x96"}, "wide/front.png");
     ASSERT_EQ(wide.width, 192);
     EXPECT_LT(glm::distance(centreOf(wide, 0), glm::dvec2(96 + 100 * 0.1, 48)), close);
+    // Shrunken, and rounded on each side, as a trainer does it: all of the same picture. 64 x 48 by 1.5.
+    const image::Image less =
+        draw({model, "--cameras", cameras, "-o", at("less"), "--size", "42x32"}, "less/front.png");
+    EXPECT_LT(glm::distance(centreOf(less, 0), glm::dvec2(42.0 / 64 * (32 + 50 * 0.1), 16)), close);
     // Macula's own camera: a field of view of 90 degrees over 48 rows has a focal length of 24 px.
     const std::string own = write(
         "own.json",

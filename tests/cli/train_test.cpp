@@ -138,6 +138,48 @@ TEST_F(Train, CtrlCKeepsTheModelAsItIsThen) {
     EXPECT_EQ(splat::readTraining(at("more.macula"))->steps, report["iterations"].get<std::uint64_t>() + 1);
 }
 
+// As far as it had come, on another device: the same bytes as if none had been lost.
+TEST_F(Train, ALostDeviceTakesNothingOfTheTrainingAlong) {
+    const Ran whole = runMacula(small({"-o", at("whole.macula")}, "40"));
+    ASSERT_EQ(whole.exitCode, 0) << whole.err;
+    const auto losing = [&](const std::string& name, const std::string& losses) {
+        return runMacula(small({"-o", at(name), "--json", at("report.json")}, "40"),
+                         {"LD_PRELOAD=" MACULA_LOSE_DEVICE, "MACULA_TEST_LOSE=" + losses,
+                          "ASAN_OPTIONS=verify_asan_link_order=0"});
+    };
+    // Where in the work the nth call falls is the work's business: some are in the training.
+    int inTraining = 0;
+    for (int nth = 40; nth <= 640; nth *= 2) {
+        const Ran lost = losing("lost.macula", fmt::format("submit:{}:1", nth));
+        ASSERT_EQ(lost.exitCode, 0) << lost.err;
+        EXPECT_TRUE(readAll(at("lost.macula")) == readAll(at("whole.macula"))) << nth;
+        const std::size_t said = lost.err.find("stopped responding");
+        inTraining +=
+            said != std::string::npos && lost.err.find("Tracing", said) == std::string::npos ? 1 : 0;
+    }
+    EXPECT_GT(inTraining, 0);
+}
+
+TEST_F(Train, WhatFailsAfterTheFirstStepLeavesTheModel) {
+    // Lost again and again: after the third within a minute there is no other device.
+    int written = 0;
+    for (int nth = 150; nth <= 1200 && written == 0; nth *= 2) {
+        const Ran ran =
+            runMacula(small({"-o", at("left.macula")}, "1000000"),
+                      {"LD_PRELOAD=" MACULA_LOSE_DEVICE, fmt::format("MACULA_TEST_LOSE=submit:{}:3", nth),
+                       "ASAN_OPTIONS=verify_asan_link_order=0"});
+        ASSERT_EQ(ran.exitCode, 4) << ran.err;
+        EXPECT_EQ(ran.errorLines(), 1u) << ran.err;
+        if (!std::filesystem::exists(at("left.macula"))) continue;
+        ++written;
+        EXPECT_NE(ran.err.find("of 1000000 steps; the model is written"), std::string::npos) << ran.err;
+        const auto state = splat::readTraining(at("left.macula"));
+        ASSERT_TRUE(state.ok()) << state.error().message;
+        EXPECT_EQ(state->views.size(), 5u);
+    }
+    EXPECT_EQ(written, 1);
+}
+
 TEST_F(Train, WhatCannotBeIsAnErrorAndWritesNothing) {
     EXPECT_EQ(runMacula({"train", "phantom:"}).exitCode, 2);
     EXPECT_EQ(runMacula(small({"-o", at("model.obj")})).exitCode, 2);
@@ -146,7 +188,29 @@ TEST_F(Train, WhatCannotBeIsAnErrorAndWritesNothing) {
     EXPECT_EQ(runMacula(small({"-o", at("model.ply"), "--preset", "no-such-preset"})).exitCode, 2);
     EXPECT_EQ(runMacula(small({"-o", at("model.ply")}, "12", "0")).exitCode, 2);
     EXPECT_EQ(runMacula(small({"-o", at("model.ply"), "--budget", "nan"})).exitCode, 2);
+    EXPECT_EQ(runMacula(small({"-o", at("model.ply"), "--json", at("./model.ply")})).exitCode, 2);
+    std::filesystem::create_directory(at("folder.ply"));
+    const Ran folder = runMacula(small({"-o", at("folder.ply")}));
+    EXPECT_EQ(folder.exitCode, 2);
+    EXPECT_NE(folder.err.find("folder of that name"), std::string::npos) << folder.err;
     EXPECT_FALSE(std::filesystem::exists(at("model.ply")));
+}
+
+TEST_F(Train, ExtensionsMayBeInCapitals) {
+    const Ran ran = runMacula(small({"-o", at("MODEL.PLY")}, "1"));
+    ASSERT_EQ(ran.exitCode, 0) << ran.err;
+    EXPECT_TRUE(splat::readModel(at("MODEL.PLY")).ok());
+}
+
+TEST_F(Train, WithoutViewsNothingGoesOn) {
+    ASSERT_EQ(runMacula({"train", "phantom:", "-o", at("points.macula"), "--points", "300", "--views", "0",
+                         "--directions", "0", "--iterations", "0"})
+                  .exitCode,
+              0);
+    const Ran ran = runMacula(
+        {"train", "phantom:", "--resume", at("points.macula"), "--iterations", "4", "-o", at("x.ply")});
+    EXPECT_EQ(ran.exitCode, 3);
+    EXPECT_NE(ran.err.find("--views above 0"), std::string::npos) << ran.err;
 }
 
 }  // namespace

@@ -33,17 +33,19 @@ TEST(BytePlanes, GiveBackWhatWentIn) {
             const auto packed = packPlanes(data, stride);
             ASSERT_TRUE(packed.ok());
             std::vector<std::byte> back(data.size());
-            EXPECT_TRUE(unpackPlanes(*packed, stride, back));
+            EXPECT_TRUE(unpackPlanes(*packed, stride, back).value());
             EXPECT_EQ(back, data);
             std::vector<std::byte> longer(data.size() + stride);
-            EXPECT_FALSE(unpackPlanes(*packed, stride, longer));
+            EXPECT_FALSE(unpackPlanes(*packed, stride, longer).value());
             if (!back.empty()) {
-                EXPECT_FALSE(unpackPlanes(*packed, stride, std::span(back).first(data.size() - stride)));
-                EXPECT_FALSE(unpackPlanes(std::span(*packed).first(packed->size() - 1), stride, back));
+                EXPECT_FALSE(
+                    unpackPlanes(*packed, stride, std::span(back).first(data.size() - stride)).value());
+                EXPECT_FALSE(
+                    unpackPlanes(std::span(*packed).first(packed->size() - 1), stride, back).value());
             }
             std::vector<std::byte> followed = *packed;
             followed.push_back(std::byte{0});
-            EXPECT_FALSE(unpackPlanes(followed, stride, back));
+            EXPECT_FALSE(unpackPlanes(followed, stride, back).value());
         }
     }
 }

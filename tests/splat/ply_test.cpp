@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
+#include <utility>
 
 #include "splat/model_support.h"
 
@@ -58,7 +60,7 @@ TEST(Ply, RoundTripIsExact) {
             splats.colourSpace = ColourSpace::display;
         }
         if (degree == 2) splats.lowPass = LowPass::classic;
-        if (degree == 3) splats.lowPass = LowPass::compensated;  // as Macula wrote it before `adaptive`
+        if (degree == 3) splats.lowPass = LowPass::mip;
         const std::string bytes = written(splats);
         const auto read = parse(bytes);
         ASSERT_TRUE(read.ok()) << read.error().message;
@@ -147,6 +149,92 @@ void expectTwo(const Result<ModelFile>& read) {
         EXPECT_EQ(s.logScale[i], glm::vec3(row(7), row(8), row(9)));
         EXPECT_EQ(s.rotation[i], glm::vec4(row(10), row(11), row(12), row(13)));
     }
+}
+
+// One splat, in the words of another program.
+Result<ModelFile> oneOf(const std::vector<std::pair<std::string, std::string>>& typesAndNames,
+                        const std::string& row) {
+    std::string text = "ply\nformat ascii 1.0\nelement vertex 1\n";
+    for (const auto& [type, name] : typesAndNames) text += "property " + type + " " + name + "\n";
+    return parse(text + "end_header\n" + row + "\n");
+}
+
+std::vector<std::pair<std::string, std::string>> usualNames() {
+    std::vector<std::pair<std::string, std::string>> names;
+    for (const char* name : kNames) names.emplace_back("float", name);
+    return names;
+}
+
+TEST(Ply, ColoursMayBeBytes) {
+    auto names = usualNames();
+    names[3] = {"uchar", "red"};
+    names[4] = {"uchar", "green"};
+    names[5] = {"uchar", "blue"};
+    const auto read = oneOf(names, "1 2 3 255 51 0 -1 1 0 -1 1 0 0 0");
+    ASSERT_TRUE(read.ok()) << read.error().message;
+    for (int c = 0; c < 3; ++c) {
+        const double wanted[] = {1.0, 0.2, 0.0};
+        EXPECT_NEAR(0.5 + 0.28209479177387814 * double(read->splats.dc[0][c]), wanted[c], 1e-6);
+    }
+    // Beside coefficients they are what points were before they became splats.
+    names = usualNames();
+    names.emplace_back("uchar", "red");
+    const auto both = oneOf(names, "1 2 3 0.25 0.5 0.75 -1 1 0 -1 1 0 0 0 255");
+    ASSERT_TRUE(both.ok()) << both.error().message;
+    EXPECT_EQ(both->splats.dc[0], glm::vec3(0.25f, 0.5f, 0.75f));
+    // Of floats nobody knows how far they go.
+    names = usualNames();
+    names[3] = {"float", "red"};
+    names[4] = {"float", "green"};
+    names[5] = {"float", "blue"};
+    EXPECT_FALSE(oneOf(names, "1 2 3 1 0 0 -1 1 0 -1 1 0 0 0").ok());
+}
+
+TEST(Ply, SplatsMayBeFlat) {
+    auto names = usualNames();
+    names.erase(names.begin() + 9);
+    const auto read = oneOf(names, "1 2 3 0.25 0.5 0.75 -1 1 0.5 1 0 0 0");
+    ASSERT_TRUE(read.ok()) << read.error().message;
+    EXPECT_EQ(read->splats.logScale[0], glm::vec3(1.0f, 0.5f, -kMaxLogScale));
+    EXPECT_EQ(read->splats.lowPass, LowPass::classic);
+}
+
+// Yu et al. 2024: deviations sqrt(s^2 + f^2), and opacity times the share of the volume that they had before.
+TEST(Ply, MipSplattingsFilterIsPartOfTheModel) {
+    auto names = usualNames();
+    names.emplace_back("float", "filter_3D");
+    const auto drawn = [&](double logit, const glm::dvec3& logScale, double filter, glm::dvec3& deviation) {
+        const auto read = oneOf(names, fmt::format("1 2 3 0 0 0 {} {} {} {} 1 0 0 0 {}", logit, logScale.x,
+                                                   logScale.y, logScale.z, filter));
+        if (!read.ok()) {
+            ADD_FAILURE() << read.error().message;
+            return 0.0;
+        }
+        EXPECT_EQ(read->splats.lowPass, LowPass::mip);
+        deviation = glm::exp(glm::dvec3(read->splats.logScale[0]));
+        return 1.0 / (1.0 + std::exp(-double(read->splats.opacityLogit[0])));
+    };
+    for (const double logit : {-8.0, -0.5, 0.0, 2.0, 12.0}) {
+        for (const double filter : {1e-6, 0.02, 0.3, 5.0}) {
+            const glm::dvec3 scale(0.5, 0.01, 2.0);
+            glm::dvec3 deviation(0.0);
+            const double opacity = drawn(logit, glm::log(scale), filter, deviation);
+            const glm::dvec3 wide = glm::sqrt(scale * scale + filter * filter);
+            const double share = scale.x * scale.y * scale.z / (wide.x * wide.y * wide.z);
+            EXPECT_LT(glm::length(deviation / wide - 1.0), 1e-5) << filter;
+            EXPECT_NEAR(opacity / (share / (1.0 + std::exp(-logit))), 1.0, 1e-4) << logit << " " << filter;
+        }
+    }
+    // At the extremes nothing becomes what is no number.
+    for (const char* row : {"1e30 0 0 0 1 0 0 0 0", "1e30 0 0 0 1 0 0 0 1e-30",
+                            "-1e30 -300 400 0 1 0 0 0 1e30", "20 -300 -300 -300 1 0 0 0 0.1"}) {
+        const auto read = oneOf(names, std::string("1 2 3 0 0 0 ") + row);
+        ASSERT_TRUE(read.ok()) << read.error().message << row;
+    }
+    const auto none = oneOf(names, "1 2 3 0 0 0 30 1 1 1 1 0 0 0 0");
+    ASSERT_TRUE(none.ok());
+    EXPECT_EQ(none->splats.opacityLogit[0], 30.0f);
+    EXPECT_FALSE(oneOf(names, "1 2 3 0 0 0 1 1 1 1 1 0 0 0 nan").ok());
 }
 
 TEST(Ply, AnyOrderTypeAndByteOrder) {

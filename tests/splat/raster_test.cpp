@@ -120,14 +120,17 @@ TEST(Raster, LowPassEndsWhereItIsNotNeeded) {
         return 0.5 / std::log(picture[16 * 33 + 16].a / picture[16 * 33 + 17].a);
     };
     const Blending ours{.minAlpha = 1e-9};
-    Blending constant = blendingOf(LowPass::compensated);  // as older models of ours say
+    Blending constant = blendingOf(LowPass::compensated);  // as elsewhere
     constant.minAlpha = 1e-9;
+    Blending mip = blendingOf(LowPass::mip);
+    mip.minAlpha = 1e-9;
     double before = 0.3;
     for (double variance = 0.01; variance < 4.0; variance *= 1.5) {
         const double drawn = varianceAt(std::sqrt(variance), ours);
         EXPECT_GT(drawn, before);
         EXPECT_LT(drawn, variance + 0.3);
         EXPECT_NEAR(varianceAt(std::sqrt(variance), constant), variance + 0.3, 1e-9);
+        EXPECT_NEAR(varianceAt(std::sqrt(variance), mip), variance + 0.1, 1e-9);
         if (variance > 2.0 * (0.3 - 1.0 / 12.0)) {
             EXPECT_NEAR(drawn, variance + 1.0 / 12.0, 1e-9);
         }
@@ -227,11 +230,12 @@ TEST(Raster, BlendsInAGivenOrder) {
     EXPECT_NEAR(at(image, 9, 9).r, (1 - opacity(-1.0)) * opacity(0.3), 1e-9);
 }
 
-// Ours fade out; classic ones have the edge of 3DGS. Both end at 1/255.
+// Ours fade out; those from elsewhere have the edge of 3DGS. All end at 1/255.
 TEST(Raster, EdgesAreAtTheLeastAlpha) {
     const RasterView view = frontView({201, 3}, 3.0);
-    for (const bool classic : {false, true}) {
-        const Blending blending = blendingOf(classic ? LowPass::classic : LowPass::adaptive);
+    for (const LowPass lowPass : kLowPasses) {
+        const Blending blending = blendingOf(lowPass);
+        const bool isHard = lowPass != LowPass::adaptive;
         ReferenceSplats splats = oneSplat(0.2 * 500 / view.focalPx.x * 100);
         const RasterImage image = rasterize(splats, view, blending, Precision::twofold);
         double least = 1.0;
@@ -243,8 +247,8 @@ TEST(Raster, EdgesAreAtTheLeastAlpha) {
             if (std::min(alpha, before) == 0.0) step = std::max(step, std::max(alpha, before));
             before = alpha;
         }
-        EXPECT_EQ(least >= 1.0 / 255.0, classic);
-        EXPECT_EQ(step > 1.0 / 256.0, classic);
+        EXPECT_EQ(least >= 1.0 / 255.0, isHard);
+        EXPECT_EQ(step > 1.0 / 256.0, isHard);
         EXPECT_EQ(at(image, 0, 1).a, 0.0);
     }
 }

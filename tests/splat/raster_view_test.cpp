@@ -85,8 +85,7 @@ TEST(RasterView, RefusesWhatMakesNoSense) {
     EXPECT_TRUE(broken([](RasterView& v) { v.eyeMm.x = kNan; }));
     EXPECT_TRUE(broken([](RasterView& v) { v.focalPx.y = 0; }));
     EXPECT_TRUE(broken([](RasterView& v) { v.principalPx.x = kNan; }));
-    for (const LowPass lowPass : {LowPass::adaptive, LowPass::compensated, LowPass::classic})
-        EXPECT_TRUE(validate(blendingOf(lowPass)).ok());
+    for (const LowPass lowPass : kLowPasses) EXPECT_TRUE(validate(blendingOf(lowPass)).ok());
     EXPECT_FALSE(validate(Blending{.lowPassPx2 = 0.0}).ok());
     EXPECT_FALSE(validate(Blending{.lowPassPx2 = 0.3, .lowPassLeastPx2 = 0.31}).ok());
     EXPECT_FALSE(validate(Blending{.lowPassLeastPx2 = kNan}).ok());

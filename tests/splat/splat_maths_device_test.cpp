@@ -119,7 +119,7 @@ double differenceOf(float a, double b) {
 
 TEST_F(SplatDevice, ComputesWhatCppComputes) {
     const std::vector<Single::Splat> splats = splatsOfAllKinds();
-    for (const LowPass lowPass : {LowPass::adaptive, LowPass::compensated, LowPass::classic}) {
+    for (const LowPass lowPass : kLowPasses) {
         const Blending blending = blendingOf(lowPass);
         const std::vector<Single::Outcome> outcomes = run(splats, blending);
         Twofold host(someView(), blending);

@@ -42,8 +42,7 @@ TEST(Spz, RoundTripKeepsWhatItSays) {
         for (const ColourSpace space : {ColourSpace::linear, ColourSpace::display}) {
             Splats splats = testing::randomModel(2000, degree, 11);
             splats.colourSpace = space;
-            constexpr LowPass kLowPasses[] = {LowPass::adaptive, LowPass::compensated, LowPass::classic};
-            splats.lowPass = kLowPasses[(2 * degree + int(space)) % 3];
+            splats.lowPass = kLowPasses[(2 * std::size_t(degree) + std::size_t(space)) % kLowPasses.size()];
             const auto file = encodeSpz(splats);
             ASSERT_TRUE(file.ok());
             EXPECT_EQ(file->clamped, 0u);

@@ -96,6 +96,8 @@ Result<FirstModel> makeFirstModel(const std::shared_ptr<gpu::Device>& device, tr
                             .samplesPerPixel = options.samplesPerPixel,
                             .kept = options.kept};
         tracing.settings.bounces = options.bounces;
+        tracing.settings.seed =
+            static_cast<std::uint32_t>(options.trial) * 0x9e3779b9u;  // far from other trials
         MACULA_TRY(traced, traceViews(tracer, chosen.cameras, tracing, progress));
         if (options.directions > options.views) {
             const std::size_t lacking = options.directions - options.views;

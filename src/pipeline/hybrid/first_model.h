@@ -27,7 +27,7 @@ struct FirstModelOptions {
     std::size_t directions = 48;
     int sizePx = 512;
     int bounces = 4;
-    std::uint64_t trial = 0;  // another draw of the views, and of all else that is left to chance
+    std::uint64_t trial = 0;  // another draw of the views, their noise, and their order in training
     std::uint64_t iterations = 700;
     double budgetMs = std::numeric_limits<double>::infinity();  // of training; what comes first ends it
     std::uint32_t capacity = 11000;                             // splats, at least as many as points

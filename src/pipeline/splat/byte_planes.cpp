@@ -3,6 +3,7 @@
 #include <zlib.h>
 
 #include <limits>
+#include <new>
 
 #include "base/check.h"
 
@@ -18,9 +19,14 @@ Bytef* bytesOf(std::span<const std::byte> data) {
     return reinterpret_cast<Bytef*>(const_cast<std::byte*>(data.data()));
 }
 
-}  // namespace
+Error noMemory() {
+    return {ErrorCode::outOfMemory,
+            "There is no memory to pack or unpack the model.",
+            {},
+            "Close other programs."};
+}
 
-Result<std::vector<std::byte>> packPlanes(std::span<const std::byte> data, std::uint32_t stride) {
+Result<std::vector<std::byte>> pack(std::span<const std::byte> data, std::uint32_t stride) {
     MACULA_CHECK_LE(data.size(), std::numeric_limits<uInt>::max());
     MACULA_CHECK_LT(0u, stride);
     MACULA_CHECK_EQ(data.size() % stride, 0u);
@@ -29,12 +35,11 @@ Result<std::vector<std::byte>> packPlanes(std::span<const std::byte> data, std::
     for (std::size_t b = 0; b < stride; ++b)
         for (std::size_t i = 0; i < elements; ++i) planes[b * elements + i] = data[i * stride + b];
 
-    const Error noMemory{
-        ErrorCode::outOfMemory, "There is no memory to pack the model.", {}, "Close other programs."};
     z_stream stream{};
+    // Of any stream with these settings; before zlib holds anything that an exception would leave behind.
+    std::vector<std::byte> packed(deflateBound(nullptr, static_cast<uLong>(planes.size())));
     if (deflateInit2(&stream, Z_BEST_SPEED, Z_DEFLATED, kRawDeflate, kMemoryLevel, Z_RLE) != Z_OK)
-        return noMemory;
-    std::vector<std::byte> packed(deflateBound(&stream, static_cast<uLong>(planes.size())));
+        return noMemory();
     MACULA_CHECK_LE(packed.size(), std::numeric_limits<uInt>::max());
     stream.next_in = bytesOf(planes);
     stream.avail_in = static_cast<uInt>(planes.size());
@@ -43,17 +48,17 @@ Result<std::vector<std::byte>> packPlanes(std::span<const std::byte> data, std::
     const int status = deflate(&stream, Z_FINISH);
     packed.resize(packed.size() - stream.avail_out);
     deflateEnd(&stream);
-    if (status != Z_STREAM_END) return noMemory;
+    if (status != Z_STREAM_END) return noMemory();
     return packed;
 }
 
-bool unpackPlanes(std::span<const std::byte> packed, std::uint32_t stride, std::span<std::byte> data) {
+Result<bool> unpack(std::span<const std::byte> packed, std::uint32_t stride, std::span<std::byte> data) {
     constexpr std::size_t kMost = std::numeric_limits<uInt>::max();
     if (packed.size() > kMost || data.size() > kMost || stride == 0 || data.size() % stride != 0)
         return false;
     z_stream stream{};
-    if (inflateInit2(&stream, kRawDeflate) != Z_OK) return false;
     std::vector<std::byte> planes(data.size());
+    if (inflateInit2(&stream, kRawDeflate) != Z_OK) return noMemory();
     std::byte none{};  // zlib wants a place even for nothing
     stream.next_in = bytesOf(packed);
     stream.avail_in = static_cast<uInt>(packed.size());
@@ -67,6 +72,26 @@ bool unpackPlanes(std::span<const std::byte> packed, std::uint32_t stride, std::
     for (std::size_t b = 0; b < stride; ++b)
         for (std::size_t i = 0; i < elements; ++i) data[i * stride + b] = planes[b * elements + i];
     return true;
+}
+
+}  // namespace
+
+// Chunks are packed side by side, in threads that no exception may leave.
+Result<std::vector<std::byte>> packPlanes(std::span<const std::byte> data, std::uint32_t stride) {
+    try {
+        return pack(data, stride);
+    } catch (const std::bad_alloc&) {
+        return noMemory();
+    }
+}
+
+Result<bool> unpackPlanes(std::span<const std::byte> packed, std::uint32_t stride,
+                          std::span<std::byte> data) {
+    try {
+        return unpack(packed, stride, data);
+    } catch (const std::bad_alloc&) {
+        return noMemory();
+    }
 }
 
 }  // namespace macula::splat

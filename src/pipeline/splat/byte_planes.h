@@ -16,11 +16,11 @@
 namespace macula::splat {
 
 // Byte b of element i, of `stride` bytes each, goes to b * elements + i; raw deflate (RFC 1951) of that. The
-// data are whole elements, below 4 GiB. outOfMemory when zlib finds none.
+// data are whole elements, below 4 GiB. outOfMemory when there is none.
 Result<std::vector<std::byte>> packPlanes(std::span<const std::byte> data, std::uint32_t stride);
 
 // Into `data`, of the size that was packed; false when the packed bytes do not give exactly so many, or go on
-// behind them.
-bool unpackPlanes(std::span<const std::byte> packed, std::uint32_t stride, std::span<std::byte> data);
+// behind them. outOfMemory when there is none.
+Result<bool> unpackPlanes(std::span<const std::byte> packed, std::uint32_t stride, std::span<std::byte> data);
 
 }  // namespace macula::splat

@@ -188,7 +188,8 @@ Result<std::vector<std::byte>> ChunkFile::unpacked(const ChunkEntry& entry, std:
     if (entry.stride == 0) return stored;
     auto plain = room(entry.plainBytes);
     if (!plain) return noMemory();
-    if (!unpackPlanes(stored, entry.stride, *plain)) return damagedModel();
+    MACULA_TRY(const bool whole, unpackPlanes(stored, entry.stride, *plain));
+    if (!whole) return damagedModel();
     return std::move(*plain);
 }
 

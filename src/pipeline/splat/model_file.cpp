@@ -1,6 +1,8 @@
 #include "pipeline/splat/model_file.h"
 
+#include <algorithm>
 #include <array>
+#include <cctype>
 #include <fstream>
 #include <string_view>
 
@@ -33,6 +35,9 @@ Result<std::vector<std::byte>> bytesOf(std::istream& stream, std::uint64_t size)
 
 Result<ModelFile> readByContent(const fs::path& path, BadSplats bad) {
     std::error_code error;
+    if (fs::is_directory(path, error))
+        return Error{ErrorCode::inputNotUsable, "That is a folder, not a model.", path.string(),
+                     "Choose a .ply, .spz or .macula file."};
     if (!fs::is_regular_file(path, error))
         return Error{ErrorCode::inputNotUsable, "The model does not exist.", path.string(),
                      "Check the path."};
@@ -77,6 +82,13 @@ Result<std::size_t> writeTo(std::ostream& stream, const Splats& splats, bool spz
 
 }  // namespace
 
+std::string extensionOf(const fs::path& path) {
+    std::string extension = path.extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return extension;
+}
+
 Result<ModelFile> readModel(const fs::path& path, BadSplats bad) {
     Result<ModelFile> model = readByContent(path, bad);
     if (model.ok()) return model;
@@ -86,7 +98,7 @@ Result<ModelFile> readModel(const fs::path& path, BadSplats bad) {
 }
 
 Result<std::size_t> writeModel(const fs::path& path, const Splats& splats) {
-    const std::string extension = path.extension().string();
+    const std::string extension = extensionOf(path);
     if (extension != ".ply" && extension != ".spz")
         return Error{ErrorCode::usage, "Models are written as .ply or .spz.", path.string(),
                      "Give the file one of these extensions."};

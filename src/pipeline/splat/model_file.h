@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <string>
 
 #include "base/result.h"
 #include "pipeline/splat/splats.h"
@@ -23,6 +24,9 @@ struct ModelFile {
 // format, damaged, cut off, without splats, or has bad ones that are refused; with outOfMemory when the model
 // does not fit. No more memory is asked for than a file of that size can fill.
 Result<ModelFile> readModel(const std::filesystem::path& path, BadSplats bad = BadSplats::refuse);
+
+// Of a file's name, in small letters, with its dot.
+std::string extensionOf(const std::filesystem::path& path);
 
 // By extension, .ply or .spz; whole or not at all. Returns the number of splats that the format could not
 // hold as they are (see SpzBytes; 0 for PLY). Fails with usage for another extension, with inputNotUsable for

@@ -13,7 +13,8 @@ namespace macula::splat {
 namespace {
 
 constexpr std::string_view kPrefix = "macula ";
-constexpr std::array<std::string_view, 3> kLowPasses{"adaptive", "compensated", "classic"};  // by LowPass
+constexpr std::array<std::string_view, kLowPasses.size()> kLowPassNames{"adaptive", "compensated", "classic",
+                                                                        "mip"};  // by LowPass
 
 std::string exact(double value) {
     std::array<char, 32> text{};
@@ -61,7 +62,7 @@ std::vector<std::string> notesOf(const Splats& splats) {
         fmt::format("macula axes {}", splats.axes == Axes::patientLps ? "patient-lps-mm" : "unknown"),
         fmt::format("macula origin-mm {} {} {}", exact(o.x), exact(o.y), exact(o.z)),
         fmt::format("macula colours {}", splats.colourSpace == ColourSpace::linear ? "linear" : "display"),
-        fmt::format("macula low-pass {}", kLowPasses[static_cast<std::size_t>(splats.lowPass)])};
+        fmt::format("macula low-pass {}", kLowPassNames[static_cast<std::size_t>(splats.lowPass)])};
 }
 
 Result<void> applyNotes(const std::vector<std::string>& lines, Splats& splats) {
@@ -89,12 +90,12 @@ Result<void> applyNotes(const std::vector<std::string>& lines, Splats& splats) {
     const auto colours =
         eitherOf(notes["colours"], "linear", ColourSpace::linear, "display", ColourSpace::display);
     if (!colours) return notUnderstood("colours");
-    const auto lowPass = std::find(kLowPasses.begin(), kLowPasses.end(), notes["low-pass"]);
-    if (lowPass == kLowPasses.end()) return notUnderstood("low-pass");
+    const auto lowPass = std::find(kLowPassNames.begin(), kLowPassNames.end(), notes["low-pass"]);
+    if (lowPass == kLowPassNames.end()) return notUnderstood("low-pass");
     splats.axes = *axes;
     splats.originMm = *origin;
     splats.colourSpace = *colours;
-    splats.lowPass = static_cast<LowPass>(lowPass - kLowPasses.begin());
+    splats.lowPass = static_cast<LowPass>(lowPass - kLowPassNames.begin());
     return {};
 }
 

@@ -5,7 +5,7 @@
 //   macula axes patient-lps-mm        or unknown
 //   macula origin-mm X Y Z            what is added to each position
 //   macula colours linear             or display
-//   macula low-pass adaptive          or compensated, or classic
+//   macula low-pass adaptive          or compensated, classic, mip
 // Lines that do not begin with "macula " are other programs' business.
 #pragma once
 

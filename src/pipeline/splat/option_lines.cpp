@@ -127,8 +127,8 @@ Result<TrainerOptions> optionsOf(const std::vector<std::string>& lines) {
     return Error{ErrorCode::inputNotUsable,
                  "What the file says about the settings of its training is not understood.",
                  {},
-                 "It is damaged or of another version: use the Macula it was begun with, or begin a new "
-                 "training with its model."};
+                 "It is damaged or of another version: go on with the Macula it was begun with, or train "
+                 "anew."};
 }
 
 }  // namespace macula::splat

@@ -1,101 +1,63 @@
 #include "pipeline/splat/ply.h"
 
 #include <algorithm>
-#include <array>
 #include <bit>
-#include <charconv>
-#include <limits>
+#include <cmath>
 #include <new>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "pipeline/splat/model_notes.h"
 #include "pipeline/splat/ply_header.h"
+#include "pipeline/splat/ply_layout.h"
 #include "pipeline/splat/ply_values.h"
 
 namespace macula::splat {
 
 namespace {
 
+// Of the colour of degree 0: 1 / (2 sqrt(pi)).
+constexpr float kConstantHarmonic = 0.28209479f;
+
 static_assert(std::endian::native == std::endian::little, "rows are written as they lie in memory");
-
-// Where a row holds what. The bands of spherical harmonics come last, channel by channel.
-enum Slot : std::size_t { kPosition = 0, kDc = 3, kOpacity = 6, kScale = 7, kRotation = 10, kRest = 14 };
-
-// By slot.
-constexpr std::array<std::string_view, kRest> kNames{"x",      "y",       "z",       "f_dc_0",  "f_dc_1",
-                                                     "f_dc_2", "opacity", "scale_0", "scale_1", "scale_2",
-                                                     "rot_0",  "rot_1",   "rot_2",   "rot_3"};
 
 Error unusable(std::string message, std::string hint = "Export the model again from where it came.") {
     return {ErrorCode::inputNotUsable, std::move(message), {}, std::move(hint)};
 }
 
-// The slots of an element's properties, kNone for those that mean nothing to us.
-struct Layout {
-    static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
-    std::vector<std::size_t> slots;
-    int shDegree = 0;
-    std::size_t size() const { return kRest + 3 * shCount(shDegree); }
-};
-
-// The number behind "f_rest_", or nothing.
-std::optional<std::size_t> restIndex(std::string_view name) {
-    constexpr std::string_view kRestName = "f_rest_";
-    if (!name.starts_with(kRestName)) return std::nullopt;
-    name.remove_prefix(kRestName.size());
-    std::size_t index = 0;
-    const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), index);
-    if (error != std::errc() || end != name.data() + name.size() || index > 1000) return std::nullopt;
-    return index;
+// Mip-Splatting keeps a splat as it was before it is widened in space by f, and thinned in proportion: only
+// so it is drawn.
+void widen(float filter, glm::vec3& logScale, float& opacityLogit) {
+    if (filter == 0.0f) return;
+    const double logFilter = std::log(std::abs(double(filter)));
+    if (std::isnan(logFilter)) {
+        opacityLogit = filter;  // no splat, as one of any other number that is none
+        return;
+    }
+    double logShare = 0.0;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double before = logScale[axis];
+        const double more = std::max(before, logFilter);
+        const double after = more + 0.5 * std::log1p(std::exp(2.0 * (std::min(before, logFilter) - more)));
+        logShare += std::min(before - after, 0.0);
+        logScale[axis] = static_cast<float>(after);
+    }
+    // With o the opacity and r the share, the logit of r o: without 1 - r o, of which nothing may be left.
+    const double logit = opacityLogit;
+    const double rest = -std::expm1(logShare);
+    opacityLogit = static_cast<float>(logit < 0.0 ? logit + logShare - std::log1p(rest * std::exp(logit))
+                                                  : logShare - std::log(std::exp(-logit) + rest));
 }
 
-Result<Layout> layoutOf(const PlyElement& vertex) {
-    Layout layout;
-    std::vector<bool> seen(kRest + 1000 + 1, false);
-    std::size_t rest = 0;
-    for (const PlyProperty& property : vertex.properties) {
-        std::size_t slot = Layout::kNone;
-        const auto* found = std::find(kNames.begin(), kNames.end(), property.name);
-        if (found != kNames.end()) slot = static_cast<std::size_t>(found - kNames.begin());
-        if (const auto index = restIndex(property.name)) {
-            slot = kRest + *index;
-            ++rest;
-        }
-        if (slot != Layout::kNone) {
-            if (property.countType)
-                return unusable(fmt::format("The PLY file has a list in the place of {}.", property.name));
-            if (seen[slot]) return unusable(fmt::format("The PLY file has {} twice.", property.name));
-            seen[slot] = true;
-        }
-        layout.slots.push_back(slot);
-    }
-    std::string missing;
-    for (std::size_t slot = 0; slot < kRest; ++slot) {
-        if (!seen[slot]) missing += fmt::format("{}{}", missing.empty() ? "" : ", ", kNames[slot]);
-    }
-    if (!missing.empty())
-        return unusable(fmt::format("The PLY file is no model of Gaussians: it lacks {}.", missing),
-                        "Choose a model as 3D Gaussian splatting writes it, not a mesh or a point cloud.");
-    while (layout.shDegree < kMaxShDegree && 3 * shCount(layout.shDegree) < rest) ++layout.shDegree;
-    if (3 * shCount(layout.shDegree) != rest ||
-        !std::all_of(seen.begin() + kRest, seen.begin() + static_cast<std::ptrdiff_t>(kRest + rest),
-                     [](bool is) { return is; }))
-        return unusable(fmt::format("The PLY file has {} coefficients of colour beyond the first of each "
-                                    "channel; 0, 9, 24 or 45 are understood.",
-                                    rest),
-                        "Export it with spherical harmonics of degree 3 or less.");
-    return layout;
-}
-
-void setRow(Splats& splats, std::size_t i, const std::vector<float>& row) {
+void setRow(Splats& splats, std::size_t i, const PlyLayout& layout, const std::vector<float>& row) {
     const auto three = [&](std::size_t slot) { return glm::vec3(row[slot], row[slot + 1], row[slot + 2]); };
     splats.position[i] = three(kPosition);
-    splats.dc[i] = three(kDc);
+    splats.dc[i] = layout.hasColourBytes ? (three(kDc) / 255.0f - 0.5f) / kConstantHarmonic : three(kDc);
     splats.opacityLogit[i] = row[kOpacity];
     splats.logScale[i] = three(kScale);
+    if (layout.isFlat) splats.logScale[i].z = -kMaxLogScale;
+    if (layout.hasFilter) widen(row[kFilter], splats.logScale[i], splats.opacityLogit[i]);
     splats.rotation[i] =
         glm::vec4(row[kRotation], row[kRotation + 1], row[kRotation + 2], row[kRotation + 3]);
     const std::size_t count = shCount(splats.shDegree);
@@ -119,7 +81,7 @@ void getRow(const Splats& splats, std::size_t i, float* out) {
     add(splats.rotation[i]);
 }
 
-Result<Splats> readVertices(PlyValues& values, const PlyElement& vertex, const Layout& layout) {
+Result<Splats> readVertices(PlyValues& values, const PlyElement& vertex, const PlyLayout& layout) {
     Splats splats;
     splats.shDegree = layout.shDegree;
     splats.resize(vertex.count);
@@ -132,9 +94,9 @@ Result<Splats> readVertices(PlyValues& values, const PlyElement& vertex, const L
             if (!read)
                 return unusable(fmt::format("The PLY file is cut off or damaged at splat {} of {}.", i + 1,
                                             vertex.count));
-            if (layout.slots[p] != Layout::kNone) row[layout.slots[p]] = toFloat(value);
+            if (layout.slots[p] != PlyLayout::kNone) row[layout.slots[p]] = toFloat(value);
         }
-        setRow(splats, i, row);
+        setRow(splats, i, layout, row);
     }
     return splats;
 }
@@ -172,10 +134,11 @@ Result<ModelFile> readPly(std::istream& stream, std::uint64_t bytes, BadSplats b
             if (!values.skip(element)) return unusable("The PLY file is cut off or damaged.");
             continue;
         }
-        MACULA_TRY(const Layout layout, layoutOf(element));
+        MACULA_TRY(const PlyLayout layout, plyLayoutOf(element));
         try {
             MACULA_TRY(Splats splats, readVertices(values, element, layout));
             MACULA_TRY_VOID(applyNotes(header.comments, splats));
+            if (layout.hasFilter) splats.lowPass = LowPass::mip;
             return finishModel(std::move(splats), bad);
         } catch (const std::bad_alloc&) {
             return Error{ErrorCode::outOfMemory,
@@ -192,8 +155,9 @@ Result<void> writePly(std::ostream& stream, const Splats& splats) {
     if (splats.size() == 0) return unusable("The model holds no splats.", "Train it first.");
     const std::string header = headerOf(splats);
     stream.write(header.data(), static_cast<std::streamsize>(header.size()));
+    constexpr std::size_t kOurs = kFilter;  // of the slots up to it there is one property each
     constexpr std::size_t kNormal = 3;
-    std::vector<float> row(kRest + kNormal + 3 * shCount(splats.shDegree));
+    std::vector<float> row(kOurs + kNormal + 3 * shCount(splats.shDegree));
     for (std::size_t i = 0; i < splats.size() && stream; ++i) {
         getRow(splats, i, row.data());
         stream.write(reinterpret_cast<const char*>(row.data()),

@@ -72,11 +72,11 @@ Result<void> validate(const RasterView& view) {
 
 Blending blendingOf(LowPass lowPass) {
     if (lowPass == LowPass::adaptive) return {};
-    Blending blending{.lowPassLeastPx2 = Blending{}.lowPassPx2};
-    if (lowPass == LowPass::compensated) return blending;
-    blending.compensated = false;
-    blending.fringe = 1e6;
-    return blending;
+    const double lowPassPx2 = lowPass == LowPass::mip ? 0.1 : 0.3;
+    return {.compensated = lowPass != LowPass::classic,
+            .lowPassPx2 = lowPassPx2,
+            .lowPassLeastPx2 = lowPassPx2,
+            .fringe = 1e6};
 }
 
 Result<void> validate(const Blending& blending) {

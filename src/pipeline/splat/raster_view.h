@@ -33,7 +33,7 @@ Result<void> validate(const RasterView& view);
 
 // See shaders/lib/splat_blend.glsl and splat_projection.glsl.
 struct Blending {
-    bool compensated = true;  // opacity falls as the low-pass widens; false: LowPass::classic
+    bool compensated = true;  // opacity falls as the low-pass widens; not in LowPass::classic
     // Variance added in the picture, of what is thinner than a pixel: with less, sums depend on where in a
     // pixel it lies. And of what is thick: that of a pixel's area. The same number twice: always that.
     double lowPassPx2 = 0.3;
@@ -44,7 +44,7 @@ struct Blending {
     double minTransmittance = 1e-4;  // a pixel that less shines through is finished
 };
 
-// For a model's way of being kept from falling between pixels. Classic ones have hard edges too, as in 3DGS.
+// For a model's way of being kept from falling between pixels. All but ours have hard edges, as in 3DGS.
 Blending blendingOf(LowPass lowPass);
 
 // Fails with usage when a number is out of its range.

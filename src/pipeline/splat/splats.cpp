@@ -91,7 +91,7 @@ Result<void> Splats::validate() const {
             ErrorCode::inputNotUsable,
             fmt::format("{} of the {} splats of the model hold values that are not numbers.", bad, size()),
             {},
-            "Load it with repair, which removes them, or train it again."};
+            "Export or train it again."};
     return {};
 }
 

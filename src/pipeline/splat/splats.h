@@ -5,6 +5,7 @@
 // world's origin.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <glm/glm.hpp>
 #include <vector>
@@ -22,11 +23,14 @@ enum class ColourSpace { linear, display };
 // it, nor laid over anatomy.
 enum class Axes { patientLps, unknown };
 
-// How a projected splat is kept from falling between pixels. `compensated`: widened by 0.3 px^2, and its
-// opacity lowered in proportion, so that it keeps its energy (Mip-Splatting, Yu et al. 2024; models made
-// elsewhere). `adaptive`: the same, but what is thicker than a pixel is widened less (ours;
-// shaders/lib/splat_projection.glsl). `classic`: widened only (3DGS, models made elsewhere).
-enum class LowPass { adaptive, compensated, classic };
+// How a projected splat is kept from falling between pixels. `adaptive`: widened by 0.3 px^2 where it is
+// thinner than a pixel, by less where it is thicker, and its opacity lowered in proportion, so that it keeps
+// its energy (ours; shaders/lib/splat_projection.glsl). The others are of models made elsewhere.
+// `compensated`: by 0.3 px^2 always, opacity lowered (3DGS and gsplat with antialiasing). `classic`: widened
+// by 0.3 px^2 only (3DGS). `mip`: by 0.1 px^2, opacity lowered (Mip-Splatting, Yu et al. 2024).
+enum class LowPass { adaptive, compensated, classic, mip };
+inline constexpr std::array kLowPasses{LowPass::adaptive, LowPass::compensated, LowPass::classic,
+                                       LowPass::mip};
 
 inline constexpr int kMaxShDegree = 3;
 

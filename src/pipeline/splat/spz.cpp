@@ -178,7 +178,8 @@ Result<void> check(const Header& header, std::size_t packedBytes) {
     if (header.version > 1 && header.fractionalBits > kMostFractionalBitsRead) return damaged();
     if (header.count > kMostSplats)
         return unusable(fmt::format("The SPZ file counts {} splats; no more than {} are read.", header.count,
-                                    kMostSplats));
+                                    kMostSplats),
+                        "Convert it to PLY, of which there is no such limit.");
     if (std::uint64_t{header.count} * header.splatBytes() > kMostDeflated * packedBytes) return damaged();
     return {};
 }

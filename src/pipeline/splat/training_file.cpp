@@ -255,7 +255,7 @@ Result<TrainingState> readTraining(const fs::path& path) {
     stream.read(begin.data(), static_cast<std::streamsize>(begin.size()));
     if (!looksLikeTraining(begin))
         return Error{ErrorCode::inputNotUsable, "The file holds no training that could go on.", path.string(),
-                     "Choose a .macula file; of PLY and SPZ only a new training can begin."};
+                     "Choose a .macula file, or train anew: PLY and SPZ hold only the model."};
     Result<TrainingState> state = readTraining(stream, size);
     if (state.ok()) return state;
     Error named = state.error();

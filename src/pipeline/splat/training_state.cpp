@@ -15,7 +15,7 @@ Result<void> TrainingState::validate() const {
                         "with version {}.",
                         trainerVersion, kTrainerVersion),
             {},
-            "Use the Macula it was begun with, or begin a new training with its model."};
+            "Go on with the Macula it was begun with, or train anew; its model can still be drawn."};
     MACULA_TRY_VOID(splats.validate());
     const std::size_t count = splats.size();
     const std::size_t numbers = count * static_cast<std::size_t>(componentCount(splats.shDegree));
