@@ -25,6 +25,7 @@
 #include "cli/study_input.h"
 #include "cli/study_preset.h"
 #include "cli/training_key.h"
+#include "pipeline/splat/displayed.h"
 #include "pipeline/splat/model_file.h"
 #include "pipeline/splat/training_file.h"
 #include "pipeline/trace/settings.h"
@@ -46,8 +47,9 @@ struct Options {
     std::string device;
     fs::path output;
     fs::path json;
-    fs::path resume;               // empty: a training of its own
-    double budgetSeconds = 0.0;    // 0: as long as the iterations take
+    fs::path resume;             // empty: a training of its own
+    double budgetSeconds = 0.0;  // 0: as long as the iterations take
+    bool displayColours = false;
     std::uint64_t pauseAfter = 0;  // steps; 0: not before the end
     bool iterationsGiven = false;
     hybrid::FirstModelOptions model;
@@ -71,6 +73,11 @@ Result<trace::Environment> check(const Options& options) {
     MACULA_TRY_VOID(checkPlaceOf(options.output));
     MACULA_TRY_VOID(checkModelName(options.output));
     MACULA_TRY_VOID(checkModelOptions(options.model));
+    if (options.displayColours && splat::extensionOf(options.output) == ".macula")
+        return Error{ErrorCode::usage,
+                     "What goes on learning needs linear colours.",
+                     {},
+                     "Give --display-colours with .ply or .spz."};
     if (std::isnan(options.budgetSeconds))  // which is neither below nor above any limit
         return Error{ErrorCode::usage, "The budget is no number.", {}, "Give --budget in seconds."};
     if (!options.json.empty() && options.json != "-") {
@@ -140,9 +147,12 @@ nlohmann::ordered_json toJson(const Trained& trained, const StudyInput& study, c
 }
 
 // With all that training needs to go on, or the splats alone.
-Result<void> write(const fs::path& path, const splat::TrainingState& state) {
+Result<void> write(const Options& options, const splat::TrainingState& state) {
+    const fs::path& path = options.output;
     if (splat::extensionOf(path) == ".macula") return splat::writeTraining(path, state);
-    MACULA_TRY(const std::size_t clamped, splat::writeModel(path, state.splats));
+    MACULA_TRY(
+        const std::size_t clamped,
+        splat::writeModel(path, options.displayColours ? splat::asDisplayed(state.splats) : state.splats));
     if (clamped > 0)
         printNote(
             fmt::format("{} splats have numbers that this format cannot hold; they were limited.", clamped));
@@ -198,7 +208,7 @@ Result<void> train(const Options& options) {
             fmt::format("{} of the {} views show little of the anatomy, or from very near: nothing "
                         "better was found.",
                         trained.viewsGivenUp, std::max(options.model.views, options.model.directions)));
-    MACULA_TRY_VOID(write(options.output, trained.state));
+    MACULA_TRY_VOID(write(options, trained.state));
     if (trained.report.steps < trained.firstStep + end.steps)
         tellOfWhatIsWritten(trained, end.steps, options);
     const std::uint64_t stepsBefore = saved ? saved->steps : 0;
@@ -249,6 +259,8 @@ void addTrain(CLI::App& app, Action& action) {
                      "Model: .ply (exact), .spz (small), or .macula (with all that training needs to go on); "
                      "replaces what is there")
         ->required();
+    command->add_flag("--display-colours", o.displayColours,
+                      "Colours as displayed, for other programs: they do not know linear light and tone map");
     command->add_option("--series", o.series, "Place in the list of macula info, or series UID");
     command->add_option("--preset", o.preset, "Name, number or file; default by modality");
     command->add_flag("--fit", o.fit, "Stretch the preset's range to the series, for MR");

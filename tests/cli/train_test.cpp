@@ -202,6 +202,13 @@ TEST_F(Train, ExtensionsMayBeInCapitals) {
     EXPECT_TRUE(splat::readModel(at("MODEL.PLY")).ok());
 }
 
+TEST_F(Train, ColoursMayBeThoseOfTheDisplay) {
+    const Ran ran = runMacula(small({"-o", at("shown.ply"), "--display-colours"}, "1"));
+    ASSERT_EQ(ran.exitCode, 0) << ran.err;
+    EXPECT_EQ(splat::readModel(at("shown.ply"))->splats.colourSpace, splat::ColourSpace::display);
+    EXPECT_EQ(runMacula(small({"-o", at("shown.macula"), "--display-colours"}, "1")).exitCode, 2);
+}
+
 TEST_F(Train, WithoutViewsNothingGoesOn) {
     ASSERT_EQ(runMacula({"train", "phantom:", "-o", at("points.macula"), "--points", "300", "--views", "0",
                          "--directions", "0", "--iterations", "0"})

@@ -1,5 +1,9 @@
 // Spherical harmonics: what they must be by definition.
+#include <cmath>
+
+#include "pipeline/splat/displayed.h"
 #include "pipeline/splat/reference_host.h"
+#include "splat/model_support.h"
 #include "splat/reference_scenes.h"
 
 namespace macula::splat {
@@ -92,6 +96,39 @@ TEST(SplatColour, BelowZeroIsBlackAndHasNoDerivative) {
     EXPECT_EQ(by.dc[0].r, 0.0);
     EXPECT_GT(by.dc[0].g, 0.0);
     EXPECT_EQ(by.dc[0].b, 0.0);
+}
+
+// Each splat alone is then what the display shows of it, and nearly so from all sides.
+TEST(SplatColour, AsDisplayedIsWhatTheDisplayShows) {
+    Splats linear = testing::randomModel(200, 1, 3);
+    for (glm::vec3& dc : linear.dc) dc = glm::clamp(dc, -1.5f, 6.0f);
+    for (glm::vec3& sh : linear.sh) sh = 0.05f * glm::clamp(sh, -1.0f, 1.0f);
+    linear.colourSpace = ColourSpace::linear;
+    const Splats shown = asDisplayed(linear);
+    EXPECT_EQ(shown.colourSpace, ColourSpace::display);
+    EXPECT_TRUE(shown.position == linear.position);
+    const auto colour = [](const Splats& s, std::size_t i, const glm::vec3& d) {
+        const auto* sh = &s.sh[3 * i];
+        return glm::vec4(
+            glm::max(0.5f + 0.28209479f * s.dc[i] + 0.48860251f * (-d.y * sh[0] + d.z * sh[1] - d.x * sh[2]),
+                     glm::vec3(0.0f)),
+            1.0f);
+    };
+    double squares = 0.0;
+    for (std::size_t i = 0; i < linear.size(); ++i) {
+        for (const glm::vec3 d : {glm::vec3(0), glm::vec3(1, 0, 0), glm::vec3(0, -0.6f, 0.8f)}) {
+            const glm::vec4 before = colour(linear, i, d);
+            const glm::vec3 wanted = displayedExactly(std::span(&before, 1), ColourSpace::linear, {}).front();
+            const glm::vec3 got = glm::vec3(colour(shown, i, d));
+            if (d == glm::vec3(0)) {
+                EXPECT_LT(glm::distance(got, wanted), 1e-5f) << i;
+            }
+            squares += double(glm::dot(got - wanted, got - wanted));
+        }
+    }
+    EXPECT_LT(std::sqrt(squares / double(9 * linear.size())), 0.004);
+    // What is displayed already stays.
+    EXPECT_TRUE(testing::sameBits(asDisplayed(shown), shown));
 }
 
 }  // namespace

@@ -113,6 +113,28 @@ std::vector<glm::vec4> linearRadiance(std::span<const glm::vec4> pixels, ColourS
     return result;
 }
 
+Splats asDisplayed(Splats splats) {
+    if (splats.colourSpace == ColourSpace::display) return splats;
+    constexpr float kConstant = 0.28209479f;
+    // As far as a coefficient of the first degree moves a colour at most; so much is to be right together.
+    constexpr float kReach = 0.48860251f;
+    Host host({}, {});
+    const auto shown = [&](const glm::vec3& linear) {
+        return host.displayColour(glm::vec4(glm::max(linear, glm::vec3(0.0f)), 1.0f), glm::vec3(0.0f), 1.0f);
+    };
+    const std::size_t count = shCount(splats.shDegree);
+    for (std::size_t i = 0; i < splats.size(); ++i) {
+        const glm::vec3 colour = 0.5f + kConstant * splats.dc[i];
+        splats.dc[i] = (shown(colour) - 0.5f) / kConstant;
+        for (std::size_t k = 0; k < count; ++k) {
+            glm::vec3& sh = splats.sh[i * count + k];
+            sh = (shown(colour + kReach * sh) - shown(colour - kReach * sh)) / (2.0f * kReach);
+        }
+    }
+    splats.colourSpace = ColourSpace::display;
+    return splats;
+}
+
 std::vector<float> meanDepthsMm(std::span<const glm::vec4> pixels, std::span<const float> depthSums,
                                 float minCoverage) {
     MACULA_CHECK_EQ(pixels.size(), depthSums.size());

@@ -31,6 +31,11 @@ std::vector<glm::vec3> displayedExactly(std::span<const glm::vec4> pixels, Colou
 // what is behind it, is decoded.
 std::vector<glm::vec4> linearRadiance(std::span<const glm::vec4> pixels, ColourSpace space);
 
+// A model for programs that blend what is displayed: the colour of each splat as it is displayed alone, and
+// how that changes with direction to first order. Where splats are seen through each other it comes out a
+// little different. The model must be valid; one of the display's colours is what it was.
+Splats asDisplayed(Splats splats);
+
 // Of the splats that a pixel shows, in mm along the camera's z, from their sums of weight times depth;
 // +infinity where coverage is not above minCoverage.
 std::vector<float> meanDepthsMm(std::span<const glm::vec4> pixels, std::span<const float> depthSums,
