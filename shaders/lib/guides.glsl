@@ -62,6 +62,9 @@ struct March {
 // Visitor: steps of a voxel, and where one of them alone takes away more than FINE of the light, quarters of it; each of
 // constant extinction.
 #define FINE 0.1
+// As lavapipe ends every loop; of any volume that can be seen it takes some thousands. From kilometres away float has no steps as
+// small as these.
+#define MOST_ROUNDS 65535
 March march(INOUT(BrickWalk) walk) {
     March m = March(float(0.0), float(-1.0), float(-1.0), float(-1.0), float(0.0), float(0.0), float(0.0), vec3(0.0));
     vec3 perMm = max(walk.direction, -walk.direction);
@@ -74,14 +77,15 @@ March march(INOUT(BrickWalk) walk) {
     float runToMm = float(-1.0);  // and have come to
     int rounds = 0;
     bool inside = nextSegment(walk, rounds);
-    while (inside && m.opticalDepth < float(DEPTH_OPAQUE)) {
+    while (inside && m.opticalDepth < float(DEPTH_OPAQUE) && rounds < MOST_ROUNDS) {
         float fromMm = walk.distanceMm;
         bool anew = fromMm > runToMm + tinyMm;
         runMm = anew ? fromMm : runMm;
         runToMm = walk.segmentEndMm;
         fineToMm = anew ? fromMm + float(0.5) * coarseMm : fineToMm;
         stepMm = anew ? fineMm : stepMm;
-        while (fromMm + tinyMm < walk.segmentEndMm && m.opticalDepth < float(DEPTH_OPAQUE)) {
+        while (fromMm + tinyMm < walk.segmentEndMm && m.opticalDepth < float(DEPTH_OPAQUE) && rounds < MOST_ROUNDS) {
+            rounds += 1;
             float step = min(stepMm, walk.segmentEndMm - fromMm);
             float middleMm = fromMm + float(0.5) * step;
             vec3 at = walkPositionAt(walk, middleMm);

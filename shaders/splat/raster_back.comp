@@ -10,6 +10,7 @@
 #include "splat/tiles.glsl"
 
 layout(constant_id = 3) const int kSlots = 1;  // subgroups of a tile
+layout(constant_id = 4) const int kLanes = 8;  // of a subgroup that are threads of a tile: 8 to 64
 
 layout(binding = 4) uniform samplerBuffer pictureTexels;   // as raster.comp has drawn it
 layout(binding = 5) uniform samplerBuffer gradientTexels;  // of the loss by the picture
@@ -30,8 +31,9 @@ float sumsOfEight(float v[8]) {
     [[unroll]] for (int i = 0; i < 2; ++i)
         two[i] = (high2 ? four[i + 2] : four[i]) + subgroupShuffleXor(high2 ? four[i] : four[i + 2], 2u);
     float sum = (high1 ? two[1] : two[0]) + subgroupShuffleXor(high1 ? two[0] : two[1], 1u);
-    if (gl_SubgroupSize > 8u) sum += subgroupShuffleXor(sum, 8u);
-    if (gl_SubgroupSize > 16u) sum += subgroupShuffleXor(sum, 16u);
+    if (kLanes > 8) sum += subgroupShuffleXor(sum, 8u);
+    if (kLanes > 16) sum += subgroupShuffleXor(sum, 16u);
+    if (kLanes > 32) sum += subgroupShuffleXor(sum, 32u);
     return sum;
 }
 
@@ -43,8 +45,9 @@ vec3 sumsOfThree(vec3 v) {
     v += ofLane(v, 1u);
     v += ofLane(v, 2u);
     v += ofLane(v, 4u);
-    if (gl_SubgroupSize > 8u) v += ofLane(v, 8u);
-    if (gl_SubgroupSize > 16u) v += ofLane(v, 16u);
+    if (kLanes > 8) v += ofLane(v, 8u);
+    if (kLanes > 16) v += ofLane(v, 16u);
+    if (kLanes > 32) v += ofLane(v, 32u);
     return v;
 }
 

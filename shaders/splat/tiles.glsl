@@ -2,7 +2,7 @@
 // thread has all rows of its column, so that eight lanes are the eight columns of a tile and what a splat costs is shared by
 // all of its rows; on a graphics card a few, so that there are enough threads.
 layout(constant_id = 1) const int kRows = 8;
-layout(local_size_x = 8, local_size_y_id = 2) in;
+layout(local_size_x_id = 2) in;  // kTileColumns beside each other, then those of the rows below
 
 layout(binding = 2) uniform usamplerBuffer rangeTexels;  // of a tile: first entry, and one after the last
 layout(binding = 3) uniform usamplerBuffer entryTexels;  // splat; number of this pair of splat and tile
@@ -13,6 +13,7 @@ uvec2 entriesOfTile() {
 
 // The first of the thread's.
 ivec2 firstPixel() {
-    return ivec2(int(gl_WorkGroupID.x) * kTileColumns + int(gl_LocalInvocationID.x),
-                 int(gl_WorkGroupID.y) * frame.tileRows + int(gl_LocalInvocationID.y) * kRows);
+    int thread = int(gl_LocalInvocationID.x);
+    return ivec2(int(gl_WorkGroupID.x) * kTileColumns + thread % kTileColumns,
+                 int(gl_WorkGroupID.y) * frame.tileRows + thread / kTileColumns * kRows);
 }

@@ -61,6 +61,7 @@ DeviceInfo infoOf(VkPhysicalDevice device, std::size_t index) {
     info.maxStorageBufferBytes = basic.limits.maxStorageBufferRange;
     info.maxTexelBufferElements = basic.limits.maxTexelBufferElements;
     info.maxPushConstantBytes = basic.limits.maxPushConstantsSize;
+    info.maxGroupsX = basic.limits.maxComputeWorkGroupCount[0];
     info.maxImageEdge2D = basic.limits.maxImageDimension2D;
     info.maxImageEdge3D = basic.limits.maxImageDimension3D;
     info.whyNotUsable = whyNotUsable(device, basic.apiVersion);
@@ -80,6 +81,14 @@ DeviceInfo infoOf(VkPhysicalDevice device, std::size_t index) {
     vkGetPhysicalDeviceProperties2(device, &properties);
     info.driver = fmt::format("{} {}", properties12.driverName, properties12.driverInfo);
     info.subgroupSize = properties11.subgroupSize;
+    VkPhysicalDeviceVulkan13Features features13{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES};
+    VkPhysicalDeviceFeatures2 features{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2, &features13, {}};
+    vkGetPhysicalDeviceFeatures2(device, &features);
+    if (features13.subgroupSizeControl != 0 &&
+        (properties13.requiredSubgroupSizeStages & VK_SHADER_STAGE_COMPUTE_BIT) != 0) {
+        info.minSubgroupSize = properties13.minSubgroupSize;
+        info.maxSubgroupSize = properties13.maxSubgroupSize;
+    }
     info.maxAllocationBytes =
         std::min({budget.bytes, properties11.maxMemoryAllocationSize, properties13.maxBufferSize});
     info.floatAtomicAdd = hasFloatAtomicAdd(device);

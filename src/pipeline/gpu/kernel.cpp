@@ -93,6 +93,15 @@ Result<std::shared_ptr<const CompiledKernel>> compile(const std::shared_ptr<Devi
     pipelineInfo.stage.module = rawModule;
     pipelineInfo.stage.pName = reflection.entryPoint.c_str();
     pipelineInfo.stage.pSpecializationInfo = &specialization;
+    VkPipelineShaderStageRequiredSubgroupSizeCreateInfo subgroup{
+        VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_REQUIRED_SUBGROUP_SIZE_CREATE_INFO};
+    subgroup.requiredSubgroupSize = options.subgroupSize;
+    if (options.subgroupSize > 0) {
+        require(options.subgroupSize >= device->info().minSubgroupSize &&
+                    options.subgroupSize <= device->info().maxSubgroupSize,
+                code.name, fmt::format("subgroups of {}", options.subgroupSize));
+        pipelineInfo.stage.pNext = &subgroup;
+    }
     pipelineInfo.layout = kernel->layout;
     if (const VkResult result = vkCreateComputePipelines(device->handle(), VK_NULL_HANDLE, 1, &pipelineInfo,
                                                          nullptr, &kernel->pipeline);
@@ -115,7 +124,7 @@ Result<Kernel> Kernel::create(const std::shared_ptr<Device>& device, const Shade
     MACULA_CHECK(device != nullptr);
     const std::string doing = fmt::format("prepare the shader {}", code.name);
     MACULA_TRY_VOID(device->checkNotLost(doing));
-    std::string constants;
+    std::string constants = fmt::format("{};", options.subgroupSize);
     for (const Specialization& constant : options.specializations)
         constants += fmt::format("{}/{}={};", constant.name, constant.id, constant.bits);
     auto& compiled = device->kernels_[{code.words.data(), std::move(constants)}];

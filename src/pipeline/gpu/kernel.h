@@ -44,6 +44,9 @@ struct Specialization {
 struct KernelOptions {
     std::vector<Specialization>
         specializations;  // a variant of the shader; a name it does not have is a failed check
+    // That its subgroups are to have, from DeviceInfo::minSubgroupSize to maxSubgroupSize, a power of two; 0:
+    // what the driver likes, which may be another than DeviceInfo::subgroupSize.
+    std::uint32_t subgroupSize = 0;
 };
 
 // What a device compiled. It keeps it as long as it lives: who asks next for the same shader with the same

@@ -130,7 +130,9 @@ Result<Loss> Loss::create(const std::shared_ptr<gpu::Device>& device,
     MACULA_TRY(gpu::TexelBuffer differenceParts, make("parts of differences", strips, kFour));
     MACULA_TRY(gpu::Buffer params, makeParams(device));
     MACULA_TRY(gpu::Buffer result,
-               gpu::Buffer::create(device, {.label = "loss", .bytes = sizeof(shared::SplatLossResult)}));
+               gpu::Buffer::create(device, {.label = "loss",
+                                            .bytes = sizeof(shared::SplatLossResult),
+                                            .memory = gpu::MemoryKind::readback}));  // read after each step
     return Loss(std::move(kernels), std::move(params),
                 {std::move(pairs), std::move(means), std::move(terms), std::move(ssimParts),
                  std::move(differenceParts)},

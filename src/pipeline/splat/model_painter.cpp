@@ -13,7 +13,8 @@ bool fits(const Splats& splats, const gpu::DeviceInfo& info) {
     const std::uint64_t parameters = std::uint64_t(componentCount(splats.shDegree)) * splats.size();
     const std::uint64_t screenBytes =
         std::uint64_t(shared::kScreenTexels) * sizeof(glm::vec4) * splats.size();
-    return parameters <= info.maxTexelBufferElements &&
+    constexpr std::uint64_t kSplatsOfGroup = 64;  // shaders/splat/project.comp
+    return splats.size() <= kSplatsOfGroup * info.maxGroupsX && parameters <= info.maxTexelBufferElements &&
            std::max(parameters * sizeof(float), screenBytes) <= info.maxStorageBufferBytes;
 }
 

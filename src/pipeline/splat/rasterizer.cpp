@@ -23,6 +23,12 @@ RasterShape chosenShape(const RasterShape& asked, const gpu::Device& device) {
     return shape;
 }
 
+// Of the kernel whose sums are laid out by it: 32 where that can be had. A device that has several sizes may
+// choose another for each kernel unless it is told.
+std::uint32_t askedSubgroupSize(const gpu::DeviceInfo& info) {
+    return info.maxSubgroupSize == 0 ? 0 : std::clamp(32u, info.minSubgroupSize, info.maxSubgroupSize);
+}
+
 bool makesLists(const gpu::Device& device, std::uint32_t capacity, ListMaker wanted) {
     if (wanted == ListMaker::host || capacity > kMostSplatsInDeviceLists) return false;
     return wanted == ListMaker::device || !device.isCpu();
@@ -52,15 +58,16 @@ Result<Rasterizer> Rasterizer::create(const std::shared_ptr<gpu::Device>& device
     const RasterShape shape = chosenShape(askedShape, *device);
     MACULA_CHECK_EQ(shape.tileRows % shape.rowsPerThread, 0);
     const int threadRows = shape.tileRows / shape.rowsPerThread;
-    const int subgroup = static_cast<int>(device->info().subgroupSize);
-    MACULA_CHECK_LE(8, subgroup);
     const int threads = shared::kTileColumns * threadRows;
+    const std::uint32_t asked = askedSubgroupSize(device->info());
+    const int subgroup = static_cast<int>(asked > 0 ? asked : device->info().subgroupSize);
     const int slots = (threads + subgroup - 1) / subgroup;
 
-    const std::vector<gpu::Specialization> tile{{"kRows", shape.rowsPerThread}, {2u, threadRows}};
+    const std::vector<gpu::Specialization> tile{{"kRows", shape.rowsPerThread}, {2u, threads}};
     const std::vector<gpu::Specialization> degree{{"kDegree", shDegree}};
     std::vector<gpu::Specialization> tileSlots = tile;
     tileSlots.emplace_back("kSlots", slots);
+    tileSlots.emplace_back("kLanes", std::min(threads, subgroup));
     std::vector<gpu::Specialization> degreeSlots = degree;
     degreeSlots.emplace_back("kSlots", slots);
     MACULA_TRY(gpu::Kernel project,
@@ -69,8 +76,14 @@ Result<Rasterizer> Rasterizer::create(const std::shared_ptr<gpu::Device>& device
                gpu::Kernel::create(device, shaders::splat_raster_comp, {.specializations = tile}));
     Kernels kernels{.project = std::move(project), .raster = std::move(raster)};
     if (shDegree <= 1) {
-        MACULA_TRY(kernels.rasterBack, gpu::Kernel::create(device, shaders::splat_raster_back_comp,
-                                                           {.specializations = tileSlots}));
+        if (subgroup < shared::kTileColumns)
+            return Error{ErrorCode::deviceNotUsable,
+                         "This device runs too few threads together to train models.",
+                         {},
+                         "Choose another device: `macula devices` lists them."};
+        MACULA_TRY(kernels.rasterBack,
+                   gpu::Kernel::create(device, shaders::splat_raster_back_comp,
+                                       {.specializations = tileSlots, .subgroupSize = asked}));
         MACULA_TRY(kernels.gather,
                    gpu::Kernel::create(device, shaders::splat_gather_comp, {.specializations = degreeSlots}));
     }
@@ -157,11 +170,15 @@ std::uint64_t Rasterizer::mostDifferentiated() const {
     return floats / (std::uint64_t(kPairValues) * std::uint64_t(slots_));
 }
 
+// A group for each tile, so that its subgroups are whole.
+gpu::Threads Rasterizer::tileThreads() const {
+    const int threads = shared::kTileColumns * shape_.tileRows / shape_.rowsPerThread;
+    return {static_cast<std::uint32_t>(tiles_.x * threads), static_cast<std::uint32_t>(tiles_.y)};
+}
+
 void Rasterizer::recordRaster(gpu::Recorder& recorder, const gpu::TexelBuffer& screen) {
     recorder.dispatch(
-        kernels_.raster,
-        {static_cast<std::uint32_t>(tiles_.x * shared::kTileColumns),
-         static_cast<std::uint32_t>(tiles_.y * shape_.tileRows / shape_.rowsPerThread)},
+        kernels_.raster, tileThreads(),
         {frame_, screen, *tileBuffers_.ranges, *tileBuffers_.entries, picture_->texels.buffer(), *depths_});
 }
 
@@ -303,9 +320,7 @@ Result<void> Rasterizer::recordBackward(gpu::Recorder& recorder, const SplatBuff
     MACULA_TRY_VOID(makeRoom(pairs_, device_, "derivatives of pairs", VK_FORMAT_R32_SFLOAT,
                              pairRoom_ * std::uint64_t(kPairValues) * std::uint64_t(slots_), kReadAndWritten,
                              settled_ ? Room::toGrow : Room::exact));
-    recorder.dispatch(kernels_.rasterBack.value(),
-                      {static_cast<std::uint32_t>(tiles_.x * shared::kTileColumns),
-                       static_cast<std::uint32_t>(tiles_.y * shape_.tileRows / shape_.rowsPerThread)},
+    recorder.dispatch(kernels_.rasterBack.value(), tileThreads(),
                       {frame_, screen_, *tileBuffers_.ranges, *tileBuffers_.entries, picture_->texels,
                        gradient.texels, pairs_->buffer()});
     recorder.dispatch(kernels_.gather.value(), {count_},

@@ -103,6 +103,7 @@ class Rasterizer {
                        const RasterView& view, const Blending& blending);
     Result<void> recordLists(gpu::Recorder& recorder, std::uint32_t count, std::uint64_t mostPairs);
     std::uint64_t mostDifferentiated() const;
+    gpu::Threads tileThreads() const;
     void recordRaster(gpu::Recorder& recorder, const gpu::TexelBuffer& screen);
     Result<std::span<const glm::vec4>> readScreen(std::uint32_t count);
     Result<void> sortOnHost(std::span<const glm::vec4> screen, const RasterView& view,

@@ -12,6 +12,8 @@ namespace {
 
 // Rows of one dispatch on a CPU device, where a pixel takes about a microsecond: short enough for a cancel.
 constexpr int kPixelsPerDispatchCpu = 1 << 15;
+// On a graphics card far from the seconds after which a driver takes it for dead.
+constexpr int kPixelsPerDispatchGpu = 1 << 21;
 
 Result<gpu::TexelBuffer> makeTexels(const std::shared_ptr<gpu::Device>& device, const char* label,
                                     std::uint64_t pixels) {
@@ -43,8 +45,8 @@ Result<Guides> Guides::create(const std::shared_ptr<gpu::Device>& device, int wi
 Result<void> Guides::compute(const DeviceScene& scene, const gpu::Kernel& kernel,
                              const shared::GuidePush& before) {
     const auto& device = surfaces_.buffer().device();
-    int rows = height_;
-    if (device->isCpu()) rows = std::clamp(kPixelsPerDispatchCpu / width_ / 8 * 8, 8, height_ + 7);
+    const int pixels = device->isCpu() ? kPixelsPerDispatchCpu : kPixelsPerDispatchGpu;
+    const int rows = std::clamp(pixels / width_ / 8 * 8, 8, height_ + 7);
     shared::GuidePush push = before;
     for (push.firstRow = 0; push.firstRow < height_; push.firstRow += rows) {
         MACULA_TRY(auto recorder, gpu::Recorder::create(device, "guides"));

@@ -13,6 +13,8 @@ namespace {
 
 // Blocks of one dispatch on a CPU device, where one takes a few microseconds: short enough for a cancel.
 constexpr std::uint32_t kBlocksPerDispatchCpu = 1 << 12;
+constexpr std::uint32_t kBlocksPerDispatchGpu = 1
+                                                << 18;  // 8 for each group, of which some devices allow 65535
 
 // Grey, of which 18 of 100 parts come back: what may lie behind a picture with an alpha channel.
 constexpr float kBackdrop = 0.18f;
@@ -35,7 +37,7 @@ Result<void> NoiseMap::measureSome(const Film& film, const Settings& settings) {
     MACULA_CHECK_EQ(film.height(), height_);
     const auto& device = noises_.device();
     std::uint32_t count = blocks_ - measured_;
-    if (device->isCpu()) count = std::min(count, kBlocksPerDispatchCpu);
+    count = std::min(count, device->isCpu() ? kBlocksPerDispatchCpu : kBlocksPerDispatchGpu);
     // Coverage of what is cast is no coin, and has no noise of one.
     const shared::NoisePush push{.imageSize = {width_, height_},
                                  .firstBlock = measured_,
