@@ -65,7 +65,8 @@ Result<void> checkModelName(const fs::path& path) {
 // Also of files that are not there yet.
 bool isSameFile(const fs::path& a, const fs::path& b) {
     std::error_code error;
-    return fs::weakly_canonical(a, error) == fs::weakly_canonical(b, error);
+    std::error_code other;
+    return fs::weakly_canonical(a, error) == fs::weakly_canonical(b, other) && !error && !other;
 }
 
 // All that can be wrong on the command line, before anything takes time.
