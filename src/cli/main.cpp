@@ -16,8 +16,7 @@ int run(int argc, char** argv) {
     app.require_subcommand(1);
     app.footer(
         "Exit codes: 0 done, 2 usage or output not writable, 3 input not usable, 4 device not usable or out "
-        "of memory, 130 "
-        "stopped.");
+        "of memory, 130 stopped.");
 
     cli::Action action;
     cli::addInfo(app, action);

@@ -5,11 +5,11 @@
 #include <cmath>
 #include <glm/gtc/quaternion.hpp>
 
+#include "pipeline/splat/constant_colour.h"
+
 namespace macula::hybrid {
 
 namespace {
-
-constexpr double kC0 = 0.28209479177387814;  // of spherical harmonics, see splats.h
 
 // Of what the points say, whatever it is: of a radius in mm, and of light, which is 1 for white.
 constexpr double kLeastRadius = 1e-6;
@@ -89,7 +89,7 @@ splat::Splats initialSplats(const trace::SurfacePoints& points, const InitialSpl
         splats.rotation[i] = glm::vec4(turn.w, turn.x, turn.y, turn.z);
         splats.opacityLogit[i] = static_cast<float>(logit(opacity));
         const glm::vec3 radiance = glm::clamp(point.radiance, 0.0f, kMostRadiance);
-        splats.dc[i] = (radiance - 0.5f) / static_cast<float>(kC0);
+        splats.dc[i] = splat::dcOfColour(radiance);
     }
     return splats;
 }

@@ -6,6 +6,7 @@
 
 #include "base/check.h"
 #include "base/parallel.h"
+#include "pipeline/splat/constant_colour.h"
 #include "pipeline/splat/reference_host.h"
 
 namespace macula::splat {
@@ -115,7 +116,6 @@ std::vector<glm::vec4> linearRadiance(std::span<const glm::vec4> pixels, ColourS
 
 Splats asDisplayed(Splats splats) {
     if (splats.colourSpace == ColourSpace::display) return splats;
-    constexpr float kConstant = 0.28209479f;
     // As far as a coefficient of the first degree moves a colour at most; so much is to be right together.
     constexpr float kReach = 0.48860251f;
     Host host({}, {});
@@ -124,8 +124,8 @@ Splats asDisplayed(Splats splats) {
     };
     const std::size_t count = shCount(splats.shDegree);
     for (std::size_t i = 0; i < splats.size(); ++i) {
-        const glm::vec3 colour = 0.5f + kConstant * splats.dc[i];
-        splats.dc[i] = (shown(colour) - 0.5f) / kConstant;
+        const glm::vec3 colour = colourOfDc(splats.dc[i]);
+        splats.dc[i] = dcOfColour(shown(colour));
         for (std::size_t k = 0; k < count; ++k) {
             glm::vec3& sh = splats.sh[i * count + k];
             sh = (shown(colour + kReach * sh) - shown(colour - kReach * sh)) / (2.0f * kReach);

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "pipeline/splat/constant_colour.h"
 #include "pipeline/splat/model_notes.h"
 #include "pipeline/splat/ply_header.h"
 #include "pipeline/splat/ply_layout.h"
@@ -16,9 +17,6 @@
 namespace macula::splat {
 
 namespace {
-
-// Of the colour of degree 0: 1 / (2 sqrt(pi)).
-constexpr float kConstantHarmonic = 0.28209479f;
 
 static_assert(std::endian::native == std::endian::little, "rows are written as they lie in memory");
 
@@ -52,17 +50,18 @@ void widen(float filter, glm::vec3& logScale, float& opacityLogit) {
 
 void setRow(Splats& splats, std::size_t i, const PlyLayout& layout, const std::vector<float>& row) {
     const auto three = [&](std::size_t slot) { return glm::vec3(row[slot], row[slot + 1], row[slot + 2]); };
-    splats.position[i] = three(kPosition);
-    splats.dc[i] = layout.hasColourBytes ? (three(kDc) / 255.0f - 0.5f) / kConstantHarmonic : three(kDc);
-    splats.opacityLogit[i] = row[kOpacity];
-    splats.logScale[i] = three(kScale);
+    splats.position[i] = three(PlyLayout::kPosition);
+    splats.dc[i] = layout.hasColourBytes ? dcOfColour(three(PlyLayout::kDc) / 255.0f) : three(PlyLayout::kDc);
+    splats.opacityLogit[i] = row[PlyLayout::kOpacity];
+    splats.logScale[i] = three(PlyLayout::kScale);
     if (layout.isFlat) splats.logScale[i].z = -kMaxLogScale;
-    if (layout.hasFilter) widen(row[kFilter], splats.logScale[i], splats.opacityLogit[i]);
-    splats.rotation[i] =
-        glm::vec4(row[kRotation], row[kRotation + 1], row[kRotation + 2], row[kRotation + 3]);
+    if (layout.hasFilter) widen(row[PlyLayout::kFilter], splats.logScale[i], splats.opacityLogit[i]);
+    splats.rotation[i] = glm::vec4(row[PlyLayout::kRotation], row[PlyLayout::kRotation + 1],
+                                   row[PlyLayout::kRotation + 2], row[PlyLayout::kRotation + 3]);
     const std::size_t count = shCount(splats.shDegree);
     for (std::size_t k = 0; k < count; ++k)
-        splats.sh[i * count + k] = {row[kRest + k], row[kRest + count + k], row[kRest + 2 * count + k]};
+        splats.sh[i * count + k] = {row[PlyLayout::kRest + k], row[PlyLayout::kRest + count + k],
+                                    row[PlyLayout::kRest + 2 * count + k]};
 }
 
 void getRow(const Splats& splats, std::size_t i, float* out) {
@@ -155,7 +154,7 @@ Result<void> writePly(std::ostream& stream, const Splats& splats) {
     if (splats.size() == 0) return unusable("The model holds no splats.", "Train it first.");
     const std::string header = headerOf(splats);
     stream.write(header.data(), static_cast<std::streamsize>(header.size()));
-    constexpr std::size_t kOurs = kFilter;  // of the slots up to it there is one property each
+    constexpr std::size_t kOurs = PlyLayout::kFilter;  // of the slots up to it there is one property each
     constexpr std::size_t kNormal = 3;
     std::vector<float> row(kOurs + kNormal + 3 * shCount(splats.shDegree));
     for (std::size_t i = 0; i < splats.size() && stream; ++i) {

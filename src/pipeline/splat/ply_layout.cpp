@@ -12,9 +12,9 @@ namespace macula::splat {
 namespace {
 
 // By slot.
-constexpr std::array<std::string_view, kRest> kNames{"x",      "y",       "z",       "f_dc_0",  "f_dc_1",
-                                                     "f_dc_2", "opacity", "scale_0", "scale_1", "scale_2",
-                                                     "rot_0",  "rot_1",   "rot_2",   "rot_3",   "filter_3D"};
+constexpr std::array<std::string_view, PlyLayout::kRest> kNames{
+    "x",       "y",       "z",     "f_dc_0", "f_dc_1", "f_dc_2", "opacity",  "scale_0",
+    "scale_1", "scale_2", "rot_0", "rot_1",  "rot_2",  "rot_3",  "filter_3D"};
 constexpr std::array<std::string_view, 3> kColours{"red", "green", "blue"};
 
 constexpr std::size_t kMostRest = 1000;
@@ -48,10 +48,10 @@ std::optional<std::size_t> restIndex(std::string_view name) {
 
 std::size_t slotOf(const PlyProperty& property, bool hasColourBytes) {
     if (const auto slot = indexIn(kNames, property.name)) return *slot;
-    if (const auto index = restIndex(property.name)) return kRest + *index;
+    if (const auto index = restIndex(property.name)) return PlyLayout::kRest + *index;
     if (const auto channel = indexIn(kColours, property.name); channel && hasColourBytes)
-        return kDc + *channel;
-    return property.name == "filter_3d" ? std::size_t{kFilter} : PlyLayout::kNone;
+        return PlyLayout::kDc + *channel;
+    return property.name == "filter_3d" ? std::size_t{PlyLayout::kFilter} : PlyLayout::kNone;
 }
 
 // Of coefficients of colour beyond the first, of all channels.
@@ -64,8 +64,9 @@ std::optional<int> degreeOf(std::size_t rest) {
 
 std::string missingIn(const PlyLayout& layout, const std::vector<bool>& seen) {
     std::string missing;
-    for (std::size_t slot = 0; slot < kRest; ++slot) {
-        if (seen[slot] || slot == kFilter || (slot == kScale + 2 && layout.isFlat)) continue;
+    for (std::size_t slot = 0; slot < PlyLayout::kRest; ++slot) {
+        if (seen[slot] || slot == PlyLayout::kFilter || (slot == PlyLayout::kScale + 2 && layout.isFlat))
+            continue;
         missing += fmt::format("{}{}", missing.empty() ? "" : ", ", kNames[slot]);
     }
     return missing;
@@ -83,7 +84,7 @@ Result<PlyLayout> plyLayoutOf(const PlyElement& vertex) {
         std::all_of(vertex.properties.begin(), vertex.properties.end(),
                     [](const auto& p) { return p.type == PlyType::uint8 || !indexIn(kColours, p.name); });
     layout.isFlat = has(vertex, "scale_1") && !has(vertex, "scale_2");
-    std::vector<bool> seen(kRest + kMostRest + 1, false);
+    std::vector<bool> seen(PlyLayout::kRest + kMostRest + 1, false);
     std::size_t rest = 0;
     for (const PlyProperty& property : vertex.properties) {
         const std::size_t slot = slotOf(property, layout.hasColourBytes);
@@ -93,16 +94,16 @@ Result<PlyLayout> plyLayoutOf(const PlyElement& vertex) {
             return unusable(fmt::format("The PLY file has a list in the place of {}.", property.name));
         if (seen[slot]) return unusable(fmt::format("The PLY file has {} twice.", property.name));
         seen[slot] = true;
-        rest += slot >= kRest ? 1 : 0;
+        rest += slot >= PlyLayout::kRest ? 1 : 0;
     }
-    layout.hasFilter = seen[kFilter];
+    layout.hasFilter = seen[PlyLayout::kFilter];
     if (const std::string missing = missingIn(layout, seen); !missing.empty())
         return unusable(fmt::format("The PLY file is no model of Gaussians: it lacks {}.", missing),
                         "Choose a model as 3D Gaussian splatting writes it, not a mesh or a point cloud.");
     const auto degree = degreeOf(rest);
-    if (!degree ||
-        !std::all_of(seen.begin() + kRest, seen.begin() + static_cast<std::ptrdiff_t>(kRest + rest),
-                     [](bool is) { return is; }))
+    if (!degree || !std::all_of(seen.begin() + PlyLayout::kRest,
+                                seen.begin() + static_cast<std::ptrdiff_t>(PlyLayout::kRest + rest),
+                                [](bool is) { return is; }))
         return unusable(
             fmt::format("The PLY file has {} coefficients of colour f_rest; 0, 9, 24 or 45 without a gap are "
                         "understood.",

@@ -12,6 +12,7 @@
 #include <sstream>
 #include <string>
 
+#include "pipeline/splat/constant_colour.h"
 #include "pipeline/splat/gzip.h"
 #include "pipeline/splat/model_notes.h"
 #include "pipeline/splat/spz_codes.h"
@@ -32,7 +33,6 @@ constexpr double kMostFixed = (1 << 23) - 1;
 constexpr std::uint8_t kAntialiased = 1;
 constexpr std::uint8_t kHasExtensions = 2;
 constexpr std::size_t kMostExtensionBytes = std::size_t{1} << 24;
-constexpr float kC0 = 0.28209479177387814f;
 
 struct Header {
     std::uint32_t magic = kMagic;
@@ -88,7 +88,7 @@ Result<int> fractionalBits(const Splats& splats) {
 glm::vec3 displayed(const Splats& splats, std::size_t i) {
     glm::vec3 dc = splats.dc[i];
     if (splats.colourSpace == ColourSpace::display) return dc;
-    for (int c = 0; c < 3; ++c) dc[c] = (spz::encoded(0.5f + kC0 * dc[c]) - 0.5f) / kC0;
+    for (int c = 0; c < 3; ++c) dc[c] = dcOfColour(spz::encoded(colourOfDc(dc[c])));
     return dc;
 }
 
@@ -96,15 +96,15 @@ glm::vec3 displayed(const Splats& splats, std::size_t i) {
 // same.
 float slopeOf(std::uint8_t colourByte, ColourSpace space) {
     if (space == ColourSpace::display) return 1.0f;
-    return spz::slope(spz::linearOf(0.5f + kC0 * spz::dcOf(colourByte)));
+    return spz::slope(spz::linearOf(colourOfDc(spz::dcOf(colourByte))));
 }
 
 void toLinear(Splats& splats) {
     const std::size_t count = shCount(splats.shDegree);
     for (std::size_t i = 0; i < splats.size(); ++i) {
         for (int c = 0; c < 3; ++c) {
-            const float linear = spz::linearOf(0.5f + kC0 * splats.dc[i][c]);
-            splats.dc[i][c] = (linear - 0.5f) / kC0;
+            const float linear = spz::linearOf(colourOfDc(splats.dc[i][c]));
+            splats.dc[i][c] = dcOfColour(linear);
             for (std::size_t k = 0; k < count; ++k) splats.sh[i * count + k][c] /= spz::slope(linear);
         }
     }

@@ -13,8 +13,8 @@ namespace {
 
 // Blocks of one dispatch on a CPU device, where one takes a few microseconds: short enough for a cancel.
 constexpr std::uint32_t kBlocksPerDispatchCpu = 1 << 12;
-constexpr std::uint32_t kBlocksPerDispatchGpu = 1
-                                                << 18;  // 8 for each group, of which some devices allow 65535
+// Eight for each group, of which some graphics cards allow no more than 65535.
+constexpr std::uint32_t kBlocksPerDispatchGpu = 1 << 18;
 
 // Grey, of which 18 of 100 parts come back: what may lie behind a picture with an alpha channel.
 constexpr float kBackdrop = 0.18f;
