@@ -6,6 +6,7 @@
 #include <new>
 
 #include "base/check.h"
+#include "pipeline/splat/deflated.h"
 
 namespace macula::splat {
 
@@ -14,42 +15,14 @@ namespace {
 constexpr int kRawDeflate = -MAX_WBITS;
 constexpr int kMemoryLevel = 9;
 
-// zlib takes what it only reads without const.
-Bytef* bytesOf(std::span<const std::byte> data) {
-    return reinterpret_cast<Bytef*>(const_cast<std::byte*>(data.data()));
-}
-
-Error noMemory() {
-    return {ErrorCode::outOfMemory,
-            "There is no memory to pack or unpack the model.",
-            {},
-            "Close other programs."};
-}
-
 Result<std::vector<std::byte>> pack(std::span<const std::byte> data, std::uint32_t stride) {
-    MACULA_CHECK_LE(data.size(), std::numeric_limits<uInt>::max());
     MACULA_CHECK_LT(0u, stride);
     MACULA_CHECK_EQ(data.size() % stride, 0u);
     const std::size_t elements = data.size() / stride;
     std::vector<std::byte> planes(data.size());
     for (std::size_t b = 0; b < stride; ++b)
         for (std::size_t i = 0; i < elements; ++i) planes[b * elements + i] = data[i * stride + b];
-
-    z_stream stream{};
-    // Of any stream with these settings; before zlib holds anything that an exception would leave behind.
-    std::vector<std::byte> packed(deflateBound(nullptr, static_cast<uLong>(planes.size())));
-    if (deflateInit2(&stream, Z_BEST_SPEED, Z_DEFLATED, kRawDeflate, kMemoryLevel, Z_RLE) != Z_OK)
-        return noMemory();
-    MACULA_CHECK_LE(packed.size(), std::numeric_limits<uInt>::max());
-    stream.next_in = bytesOf(planes);
-    stream.avail_in = static_cast<uInt>(planes.size());
-    stream.next_out = reinterpret_cast<Bytef*>(packed.data());
-    stream.avail_out = static_cast<uInt>(packed.size());
-    const int status = deflate(&stream, Z_FINISH);
-    packed.resize(packed.size() - stream.avail_out);
-    deflateEnd(&stream);
-    if (status != Z_STREAM_END) return noMemory();
-    return packed;
+    return deflated(planes, {Z_BEST_SPEED, kRawDeflate, kMemoryLevel, Z_RLE});
 }
 
 Result<bool> unpack(std::span<const std::byte> packed, std::uint32_t stride, std::span<std::byte> data) {
@@ -58,9 +31,9 @@ Result<bool> unpack(std::span<const std::byte> packed, std::uint32_t stride, std
         return false;
     z_stream stream{};
     std::vector<std::byte> planes(data.size());
-    if (inflateInit2(&stream, kRawDeflate) != Z_OK) return noMemory();
+    if (inflateInit2(&stream, kRawDeflate) != Z_OK) return noMemoryToPack();
     std::byte none{};  // zlib wants a place even for nothing
-    stream.next_in = bytesOf(packed);
+    stream.next_in = zlibBytes(packed);
     stream.avail_in = static_cast<uInt>(packed.size());
     stream.next_out = reinterpret_cast<Bytef*>(planes.empty() ? &none : planes.data());
     stream.avail_out = static_cast<uInt>(planes.size());
@@ -81,7 +54,7 @@ Result<std::vector<std::byte>> packPlanes(std::span<const std::byte> data, std::
     try {
         return pack(data, stride);
     } catch (const std::bad_alloc&) {
-        return noMemory();
+        return noMemoryToPack();
     }
 }
 
@@ -90,7 +63,7 @@ Result<bool> unpackPlanes(std::span<const std::byte> packed, std::uint32_t strid
     try {
         return unpack(packed, stride, data);
     } catch (const std::bad_alloc&) {
-        return noMemory();
+        return noMemoryToPack();
     }
 }
 

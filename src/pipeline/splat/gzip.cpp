@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "base/check.h"
+#include "pipeline/splat/deflated.h"
 
 namespace macula::splat {
 
@@ -17,37 +18,15 @@ constexpr int kGzipOnly = MAX_WBITS + 16;
 constexpr int kUnknownSystem = 255;
 constexpr std::size_t kMostComment = 4096;
 
-// zlib takes what it only reads without const.
-Bytef* bytesOf(std::span<const std::byte> data) {
-    return reinterpret_cast<Bytef*>(const_cast<std::byte*>(data.data()));
-}
-
 }  // namespace
 
 Result<std::vector<std::byte>> gzip(std::span<const std::byte> data, const std::string& comment) {
-    MACULA_CHECK_LE(data.size(), std::numeric_limits<uInt>::max());
-    const Error noMemory{
-        ErrorCode::outOfMemory, "There is no memory to pack the model.", {}, "Close other programs."};
-    z_stream stream{};
     constexpr int kMemoryLevel = 8;
-    if (deflateInit2(&stream, Z_BEST_COMPRESSION, Z_DEFLATED, kGzipOnly, kMemoryLevel, Z_DEFAULT_STRATEGY) !=
-        Z_OK)
-        return noMemory;
     std::string text = comment;
     gz_header header{};
     header.os = kUnknownSystem;
     if (!text.empty()) header.comment = reinterpret_cast<Bytef*>(text.data());
-    deflateSetHeader(&stream, &header);
-    std::vector<std::byte> packed(deflateBound(&stream, static_cast<uLong>(data.size())));
-    stream.next_in = bytesOf(data);
-    stream.avail_in = static_cast<uInt>(data.size());
-    stream.next_out = reinterpret_cast<Bytef*>(packed.data());
-    stream.avail_out = static_cast<uInt>(packed.size());
-    const int status = deflate(&stream, Z_FINISH);
-    packed.resize(packed.size() - stream.avail_out);
-    deflateEnd(&stream);
-    if (status != Z_STREAM_END) return noMemory;
-    return packed;
+    return deflated(data, {Z_BEST_COMPRESSION, kGzipOnly, kMemoryLevel, Z_DEFAULT_STRATEGY}, &header);
 }
 
 struct Gunzip::State {
@@ -61,7 +40,7 @@ struct Gunzip::State {
 Gunzip::Gunzip(std::span<const std::byte> packed) : state_(std::make_unique<State>()) {
     MACULA_CHECK_LE(packed.size(), std::numeric_limits<uInt>::max());
     State& s = *state_;
-    s.stream.next_in = bytesOf(packed);
+    s.stream.next_in = zlibBytes(packed);
     s.stream.avail_in = static_cast<uInt>(packed.size());
     s.header.comment = s.comment.data();
     s.header.comm_max = static_cast<uInt>(s.comment.size());
