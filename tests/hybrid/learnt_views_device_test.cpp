@@ -28,7 +28,9 @@ TEST_F(Admission, IsForWhatShowsSomethingNew) {
     for (const double degrees : {0.0, 90.0, 180.0, 270.0})
         ASSERT_TRUE(learnFrom(trained, seenFrom(degrees)).ok());
     ASSERT_TRUE(trained.step(60).ok());
-    const auto admitted = [&](const TracedView& view) { return admit(trained, view, kRadiusMm).value(); };
+    const auto admitted = [&](const TracedView& view) {
+        return admit(trained, learntPicture(trained, view).value(), kRadiusMm).value();
+    };
     EXPECT_EQ(admitted(seenFrom(90.5)), Novelty::none);
     EXPECT_EQ(trained.viewCount(), 4u);
     EXPECT_EQ(admitted(seenFrom(45.0)), Novelty::pose);
@@ -52,7 +54,8 @@ TEST_F(Admission, IsForWhatShowsSomethingNew) {
 
     TracedView bad = seenFrom(90.0);
     bad.rgba.pop_back();
-    EXPECT_EQ(admit(trained, bad, kRadiusMm).error().code, ErrorCode::inputNotUsable);
+    EXPECT_EQ(admit(trained, learntPicture(trained, bad).value(), kRadiusMm).error().code,
+              ErrorCode::inputNotUsable);
     EXPECT_EQ(trained.viewCount(), 8u);
 }
 

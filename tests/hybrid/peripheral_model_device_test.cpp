@@ -188,6 +188,59 @@ TEST_F(Peripheral, IsAFunctionOfTheSeed) {
               begun().wantedView().value()->camera.positionMm);
 }
 
+// A little worse again and again would be much.
+TEST_F(Peripheral, WhatIsShownDoesNotGetWorseLittleByLittle) {
+    PeripheralOptions o = neverPaused();
+    o.shownMayBeWorse = 0.8;
+    o.newViewsForRound = 1e9;  // a round begins with warm rates, and much is worse at once
+    PeripheralModel model = begun(o);
+    giveWanted(model, truth(), 8);
+    learn(model, 60);
+    double best = *model.report().shownError;
+    // From now on all pictures are more and more wrong, and those by which it is judged are not.
+    for (int i = 0; i < 24; ++i) {
+        splat::Splats wrong = truth();
+        for (glm::vec3& dc : wrong.dc) dc *= 1.0f - 0.04f * float(i);
+        ASSERT_EQ(*model.offer(picture(wrong, cameraAt(15.0 * i + 7.0, 200.0)), false), Offered::learnt);
+        learn(model, 15);
+        best = std::min(best, *model.report().shownError);
+        ASSERT_LE(*model.report().shownError, (1.0 + o.shownMayBeWorse) * best);
+    }
+    EXPECT_GT(*model.report().error, 2.0 * best) << "it was to become worse";
+}
+
+TEST_F(Peripheral, ReducesPicturesThatAreLargerThanOfUse) {
+    PeripheralOptions o = options();
+    o.learntSidePx = 90;
+    PeripheralModel model = begun(o);
+    ASSERT_EQ(*model.offer(picture(truth(), cameraAt(0.0))), Offered::heldOut);
+    ASSERT_EQ(*model.offer(picture(truth(), cameraAt(40.0), {181, 160})), Offered::learnt);
+    ASSERT_EQ(*model.offer(picture(truth(), cameraAt(80.0), {90, 80})), Offered::learnt);
+    ASSERT_EQ(*model.offerOutline(picture(truth(), cameraAt(120.0), {400, 90})), Offered::learnt);
+    const splat::TrainingState state = model.lastGood().training;
+    ASSERT_EQ(state.views.size(), 3u);
+    EXPECT_EQ(state.views[0].given->view.sizePx, glm::ivec2(90, 80));
+    EXPECT_EQ(state.views[1].given->view.sizePx, glm::ivec2(90, 80));
+    EXPECT_EQ(state.views[2].given->view.sizePx, glm::ivec2(50, 11));
+    ASSERT_TRUE(model.step(10.0).ok());
+}
+
+TEST_F(Peripheral, TakesNoMorePicturesThanItsShareOfTheMemory) {
+    PeripheralOptions o = options();
+    const double free = double(device()->memoryAvailableBytes());
+    o.viewsShare = 2.5 * 27.0 * kSize.x * kSize.y / free;
+    PeripheralModel model = begun(o);
+    ASSERT_EQ(*model.offer(picture(truth(), cameraAt(0.0))), Offered::heldOut);
+    int learnt = 0;
+    while (learnt < 6 &&
+           *model.offer(picture(truth(), cameraAt(15.0 + 15.0 * learnt)), false) != Offered::full)
+        ++learnt;
+    EXPECT_GE(learnt, 2);
+    EXPECT_LE(learnt, 4);  // one more is held out
+    EXPECT_FALSE(*model.wantedView());
+    ASSERT_TRUE(model.step(10.0).ok());
+}
+
 TEST_F(Peripheral, TakesPicturesOfAnySizeAndSaysWhatBecameOfThem) {
     PeripheralOptions o = options();
     o.mostViews = 7;

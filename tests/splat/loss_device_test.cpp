@@ -36,7 +36,8 @@ class LossOnDevice : public DeviceTest {
                        const LossOptions& options, const LossStep& step) {
         const DevicePicture drawn = uploaded(width, height, render);
         const LossTarget truth = std::move(*LossTarget::create(*kernels(), uploaded(width, height, target)));
-        Loss loss = std::move(*Loss::create(device(), kernels(), width, height));
+        Loss loss =
+            std::move(*Loss::create(device(), kernels(), std::uint64_t(width) * std::uint64_t(height)));
         auto recorder = std::move(*gpu::Recorder::create(device(), "test"));
         loss.record(recorder, drawn, truth, options, step);
         EXPECT_TRUE(recorder.submit().ok());
@@ -214,12 +215,34 @@ TEST_F(LossOnDevice, IsTheSameBitsEachTime) {
     }
 }
 
+// Room is for pixels, whatever their shape; what was there before is not in the way.
+TEST_F(LossOnDevice, ComparesPicturesOfAnyShapeInOneRoom) {
+    Loss loss = std::move(*Loss::create(device(), kernels(), 75 * 41));
+    EXPECT_EQ(loss.mostPixels(), 75u * 41u);
+    const LossOptions options{.encode = LossEncoding::display};
+    const LossStep step{.background = {0.3f, 0.9f, 0.1f}};
+    for (const glm::ivec2 size : {glm::ivec2(75, 41), {1, 3075}, {3075, 1}, {7, 5}, {41, 75}, {1, 1}}) {
+        SCOPED_TRACE(fmt::format("{} x {}", size.x, size.y));
+        const Pixels render = randomPicture(size.x, size.y, 1);
+        const Pixels target = randomPicture(size.x, size.y, 2);
+        const Outcome alone = run(size.x, size.y, render, target, options, step);
+        const LossTarget truth = std::move(*LossTarget::create(*kernels(), uploaded(size.x, size.y, target)));
+        const DevicePicture drawn = uploaded(size.x, size.y, render);
+        auto recorder = std::move(*gpu::Recorder::create(device(), "test"));
+        loss.record(recorder, drawn, truth, options, step);
+        ASSERT_TRUE(recorder.submit().ok());
+        EXPECT_EQ(std::bit_cast<std::uint32_t>(loss.read()->loss),
+                  std::bit_cast<std::uint32_t>(alone.result.loss));
+        EXPECT_EQ(*loss.gradient().read(), alone.gradient);
+    }
+}
+
 // What all of it is for: a picture that follows the gradient becomes the target, alpha included.
 TEST_F(LossOnDevice, LeadsToTheTarget) {
     const Pixels target = randomPicture(24, 24, 4);
     std::vector<glm::vec4> pixels = narrowed(filled(24, 24, {0.2, 0.2, 0.2, 0.5}));
     const LossTarget truth = std::move(*LossTarget::create(*kernels(), uploaded(24, 24, target)));
-    Loss loss = std::move(*Loss::create(device(), kernels(), 24, 24));
+    Loss loss = std::move(*Loss::create(device(), kernels(), 24 * 24));
     float firstLoss = 0.0f;
     float lastLoss = 0.0f;
     for (int i = 0; i < 150; ++i) {

@@ -89,6 +89,24 @@ TEST_F(TrainerState, GoesOnAsIfItHadNeverStopped) {
     }
 }
 
+TEST_F(TrainerState, GoesBackToWhatItKept) {
+    TrainerOptions seldom = threeSizes();
+    seldom.keepEveryMs = 1e9;
+    Trainer trained = trainer(start(1), seldom, largerViews());
+    ASSERT_TRUE(trained.step(3).ok());
+    Trainer kept = std::move(Trainer::resume(device(), *trained.state())).value();
+    const TrainingState then = kept.lastGood();
+    ASSERT_TRUE(kept.step(15).ok());
+    EXPECT_NE(kept.state()->splats.size(), then.splats.size()) << "splats were split meanwhile";
+    ASSERT_TRUE(kept.goBack().ok());
+    expectSame(*kept.state(), then, "gone back");
+    EXPECT_EQ(kept.report().steps, 3u);
+    // And goes on from there.
+    ASSERT_TRUE(kept.step(kLast - 3).ok());
+    ASSERT_TRUE(trained.step(kLast - 3).ok());
+    expectSame(*kept.state(), *trained.state(), "gone on");
+}
+
 // The same by a file, in a process that knows nothing else.
 TEST_F(TrainerState, GoesOnInANewProcess) {
     std::string name = (fs::temp_directory_path() / "macula-resume-XXXXXX").string();

@@ -38,6 +38,7 @@ bool isHeldOut(std::uint64_t number, std::size_t heldOut, double besideDeg) {
 }
 
 splat::TrainingView reducedTo(splat::TrainingView view, int mostSidePx) {
+    if (view.pixels.size() != std::size_t(view.view.sizePx.x) * std::size_t(view.view.sizePx.y)) return view;
     while (std::max(view.view.sizePx.x, view.view.sizePx.y) > mostSidePx &&
            std::min(view.view.sizePx.x, view.view.sizePx.y) >= 2)
         view = halved(view);

@@ -18,7 +18,7 @@ inline constexpr std::size_t kMostHeldOut = 6;
 bool isHeldOut(std::uint64_t number, std::size_t heldOut, double besideDeg);
 
 // The same at half the size and again, by means of 2 x 2 pixels, until neither side is longer than
-// `mostSidePx`: it costs less to compare, and has less noise.
+// `mostSidePx`: it costs less to compare, and has less noise. As it is if it is not of its view's size.
 splat::TrainingView reducedTo(splat::TrainingView view, int mostSidePx);
 
 // Mean coverage of the picture, over pixels that are known; 0 if none is.

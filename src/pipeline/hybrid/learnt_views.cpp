@@ -8,13 +8,6 @@ namespace macula::hybrid {
 
 namespace {
 
-Result<splat::TrainingView> trainingView(const splat::Trainer& trainer, TracedView view) {
-    const glm::dvec3 originMm = trainer.lastGood().splats.originMm;
-    MACULA_TRY(const splat::RasterView from, splat::rasterView(view.camera, view.sizePx, originMm));
-    return splat::TrainingView{
-        .view = from, .pixels = std::move(view.rgba), .weight = weightOf(view.samplesPerPixel)};
-}
-
 glm::dvec3 forwardOf(const splat::RasterView& view) {
     return glm::transpose(view.cameraFromWorld)[2];
 }
@@ -39,16 +32,28 @@ float weightOf(double samplesPerPixel) {
     return static_cast<float>(2.0 * samplesPerPixel / (samplesPerPixel + kUsual));
 }
 
+Result<splat::TrainingView> learntPicture(const splat::Trainer& trainer, TracedView view) {
+    const glm::dvec3 originMm = trainer.lastGood().splats.originMm;
+    MACULA_TRY(const splat::RasterView from, splat::rasterView(view.camera, view.sizePx, originMm));
+    return splat::TrainingView{
+        .view = from, .pixels = std::move(view.rgba), .weight = weightOf(view.samplesPerPixel)};
+}
+
+Result<splat::TrainingView> learntOutline(const splat::Trainer& trainer, TracedView view) {
+    MACULA_TRY(splat::TrainingView outline, learntPicture(trainer, std::move(view)));
+    outline.weight = 1.0f;
+    outline.coverageOnly = true;
+    return outline;
+}
+
 Result<void> learnFrom(splat::Trainer& trainer, TracedView view) {
-    MACULA_TRY(splat::TrainingView learnt, trainingView(trainer, std::move(view)));
-    return trainer.addView(std::move(learnt));
+    MACULA_TRY(splat::TrainingView picture, learntPicture(trainer, std::move(view)));
+    return trainer.addView(std::move(picture));
 }
 
 Result<void> learnCoverageFrom(splat::Trainer& trainer, TracedView view) {
-    MACULA_TRY(splat::TrainingView learnt, trainingView(trainer, std::move(view)));
-    learnt.weight = 1.0f;
-    learnt.coverageOnly = true;
-    return trainer.addView(std::move(learnt));
+    MACULA_TRY(splat::TrainingView outline, learntOutline(trainer, std::move(view)));
+    return trainer.addView(std::move(outline));
 }
 
 bool isSamePose(const splat::RasterView& a, const splat::RasterView& b, double radiusMm,
@@ -58,13 +63,12 @@ bool isSamePose(const splat::RasterView& a, const splat::RasterView& b, double r
            glm::dot(forwardOf(a), forwardOf(b)) >= leastCosine;
 }
 
-Result<Novelty> admit(splat::Trainer& trainer, const TracedView& view, double radiusMm,
+Result<Novelty> admit(splat::Trainer& trainer, splat::TrainingView picture, double radiusMm,
                       const AdmissionOptions& options) {
-    MACULA_TRY(splat::TrainingView learnt, trainingView(trainer, view));
     std::vector<std::size_t> known;  // from there
     for (std::size_t i = 0; i < trainer.viewCount(); ++i) {
         if (trainer.view(i).coverageOnly) continue;  // no picture of it was seen
-        if (!isSamePose(learnt.view, trainer.view(i).view, radiusMm, options)) continue;
+        if (!isSamePose(picture.view, trainer.view(i).view, radiusMm, options)) continue;
         if (!trainer.wasDrawn(i)) return Novelty::none;
         known.push_back(i);
     }
@@ -76,10 +80,10 @@ Result<Novelty> admit(splat::Trainer& trainer, const TracedView& view, double ra
         most = std::max(most, difference);
     }
     if (!known.empty()) {
-        MACULA_TRY(const double difference, trainer.differenceTo(learnt));
+        MACULA_TRY(const double difference, trainer.differenceTo(picture));
         if (!(difference > options.newDifference * most)) return Novelty::none;
     }
-    MACULA_TRY_VOID(trainer.addView(std::move(learnt)));
+    MACULA_TRY_VOID(trainer.addView(std::move(picture)));
     return known.empty() ? Novelty::pose : Novelty::picture;
 }
 

@@ -27,9 +27,13 @@ Result<ChosenViews> chooseViews(trace::PathTracer& tracer, const Box& seenMm, co
 // with; in proportion to them where there are few, at most 2, because what the denoiser blurs stays.
 float weightOf(double samplesPerPixel);
 
-// Takes part in the training from its next step on, with its weight. Fails as Trainer::addView.
+// As a trainer learns it, with its weight; usage as rasterView.
+Result<splat::TrainingView> learntPicture(const splat::Trainer& trainer, TracedView view);
+// Of its coverage alone, which coverageViews finds: without chance, so its weight is 1.
+Result<splat::TrainingView> learntOutline(const splat::Trainer& trainer, TracedView view);
+
+// Takes part in the training from its next step on. Fails as Trainer::addView.
 Result<void> learnFrom(splat::Trainer& trainer, TracedView view);
-// The same of its coverage alone, which coverageViews finds: without chance, so its weight is 1.
 Result<void> learnCoverageFrom(splat::Trainer& trainer, TracedView view);
 
 // When a view tells a model something.
@@ -48,9 +52,9 @@ enum class Novelty { none, pose, picture };
 bool isSamePose(const splat::RasterView& a, const splat::RasterView& b, double radiusMm,
                 const AdmissionOptions& options = {});
 
-// learnFrom, if it shows something new; what that is. While the trainer has a view from there that it has not
-// come to yet, another picture is not new. Fails as Trainer::addView.
-Result<Novelty> admit(splat::Trainer& trainer, const TracedView& view, double radiusMm,
+// Trainer::addView, if it shows something new; what that is. While the trainer has a view from there that it
+// has not come to yet, another picture is not new. Fails as Trainer::addView.
+Result<Novelty> admit(splat::Trainer& trainer, splat::TrainingView picture, double radiusMm,
                       const AdmissionOptions& options = {});
 
 }  // namespace macula::hybrid

@@ -58,13 +58,18 @@ Result<void> PeripheralModel::step(double budgetMs, const std::function<bool()>&
         return 1000.0 * secondsSince(start) < budgetMs && (!keepGoing || keepGoing());
     };
     const auto work = [&]() -> Result<void> {
+        if (isTorn_) MACULA_TRY_VOID(trainer_.goBack());
+        isTorn_ = false;
         do {
             MACULA_TRY_VOID(isJudging_ ? judgeNext() : learn(goesOn));
         } while (!isPaused() && goesOn());
         return {};
     };
     Result<void> done = work();
-    if (!done && done.error().code == ErrorCode::outOfMemory) pause_ = Pause::outOfMemory;
+    if (!done && done.error().code == ErrorCode::outOfMemory) {
+        pause_ = Pause::outOfMemory;
+        isTorn_ = true;
+    }
     return done;
 }
 
@@ -148,21 +153,28 @@ Result<bool> PeripheralModel::goOnWith(const splat::TrainerOptions& options, int
 Result<void> PeripheralModel::showIfBetter() {
     double error = 0.0;
     double shownError = 0.0;
+    double bestError = 0.0;
     for (const HeldOut& h : heldOut_) {
         error += h.error;
         shownError += h.shownError;
+        bestError += h.bestError;
     }
     const bool areTooFew = heldOut_.size() < kLeastHeldOut;
     if (before_ && (areTooFew || !(error < shownError))) return {};
     // With few views it soon knows those by heart, and gets worse from elsewhere.
     if (areTooFew && trainer_.viewCount() < kFewViews) return {};
-    if (!before_ && error > (1.0 + options_.shownMayBeWorse) * shownError) return {};
+    // Not of what was shown last: a little worse again and again would be much.
+    if (!before_ && error > (1.0 + options_.shownMayBeWorse) * bestError) return {};
+    const bool isBest = before_ || error <= bestError;
     MACULA_TRY(splat::Splats now, trainer_.snapshot());
     shown_ = std::make_shared<const splat::Splats>(std::move(now));
     shownKey_ = trainer_.lastGood().options.key;
     ++generation_;
     before_.reset();
-    for (HeldOut& h : heldOut_) h.shownError = h.error;
+    for (HeldOut& h : heldOut_) {
+        h.shownError = h.error;
+        if (isBest) h.bestError = h.error;
+    }
     return {};
 }
 

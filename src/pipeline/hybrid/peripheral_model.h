@@ -40,10 +40,14 @@ struct PeripheralOptions {
     double newViewsForRound = 0.25;
     // Learnt and held out. A picture of 512 x 512 takes 5 MB on the device and 4 MB on the host.
     std::size_t mostViews = 256;
+    // Of the device's memory that is free or theirs, they take no more than that.
+    double viewsShare = 0.5;
+    // At most: a larger one is reduced, by halves. More than that is not to be seen in so few splats.
+    int learntSidePx = 1024;
     int heldOutSidePx = 256;  // at most: larger ones are reduced
     // Of the pixels it trains with, so many are compared with held-out pictures, which costs less.
     double judgingShare = 0.1;
-    // What is shown is made new when the error is at most so much more than that of what was shown last.
+    // What is shown is made new when the error is at most so much more than that of the best that was shown.
     double shownMayBeWorse = 0.01;
     ErrorTrendOptions trend;
     WantedViewOptions wanted;
@@ -100,7 +104,7 @@ class PeripheralModel {
 
     // Learns for about `budgetMs`, at least one step of training or one comparison, and pauses by itself;
     // `keepGoing` (may be empty) is asked after each. Does nothing while it is paused. deviceLost: shown()
-    // and lastGood() are what is left. outOfMemory: it pauses, and is as it was.
+    // and lastGood() are what is left. outOfMemory: it pauses, and goes on from lastGood() when it wakes.
     Result<void> step(double budgetMs, const std::function<bool()>& keepGoing = {});
     bool isPaused() const { return pause_ != Pause::none; }
 
@@ -109,10 +113,10 @@ class PeripheralModel {
     // or no view shows enough. Draws a few small pictures.
     Result<std::optional<WantedView>> wantedView();
 
-    // Of any size and field of view. Learnt if it shows something new (admit), at once awake again; a few
-    // are held out instead (held_out.h; awake again if it had paused as notJudged and now can be), if
-    // `mayBeHeldOut` or there are fewer than two of these: say no for what a person looks at, because of that
-    // it should know all. Fails as Trainer::addView, and then nothing has changed.
+    // Of any field of view and size; a large one is reduced. Learnt if it shows something new (admit), at
+    // once awake again; a few are held out instead (held_out.h; awake again if it had paused as notJudged and
+    // now can be), if `mayBeHeldOut` or there are fewer than two of these: say no for what a person looks at,
+    // because of that it should know all. Fails as Trainer::addView, and then nothing has changed.
     Result<Offered> offer(TracedView view, bool mayBeHeldOut = true);
 
     // Of how much is in the way, without light (coverage_views.h): learnt, whatever it knows from there.
@@ -138,6 +142,7 @@ class PeripheralModel {
         double coverage = 0.0;
         double error = 0.0;       // of the model, when it was last judged
         double shownError = 0.0;  // of what is shown
+        double bestError = 0.0;   // of the best that was shown since the last change
     };
 
     PeripheralModel(std::shared_ptr<gpu::Device> device, const PeripheralOptions& options,
@@ -147,6 +152,7 @@ class PeripheralModel {
                                                const ModelStart& start, const PeripheralOptions& options);
     Result<void> goOnShowing(const std::shared_ptr<const splat::Splats>& splats, const std::string& key);
     Result<void> takeHeldOut(const std::shared_ptr<const splat::TrainingView>& picture);
+    bool isFull() const;
     bool isKnown(const splat::RasterView& view) const;
     double degreesBesideHeldOut(const splat::RasterView& view) const;
     std::vector<KnownView> knownViews() const;
@@ -176,6 +182,7 @@ class PeripheralModel {
     Pause pause_ = Pause::noViews;
     std::uint64_t rounds_ = 1;
     bool noRoom_ = false;
+    bool isTorn_ = false;                   // a step failed: the trainer has to go back
     mutable std::vector<double> coverage_;  // of the views of the trainer, as far as it was needed
     double trainingSeconds_ = 0.0;
     double judgingSeconds_ = 0.0;

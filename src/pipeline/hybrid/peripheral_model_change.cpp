@@ -110,7 +110,7 @@ Result<void> PeripheralModel::change(const ModelStart& start) {
     MACULA_TRY_VOID(next.goOnShowing(shown_, shownKey_));
     for (HeldOut& h : next.heldOut_) {
         MACULA_TRY(const double errorBefore, next.before_->differenceTo(*h.picture));
-        h.shownError = errorBefore / h.coverage;
+        h.shownError = h.bestError = errorBefore / h.coverage;
     }
     if (isOwn)
         next.before_.reset();
@@ -125,6 +125,7 @@ Result<void> PeripheralModel::change(const ModelStart& start) {
 
 Result<PeripheralState> PeripheralModel::state() const {
     PeripheralState state = lastGood();
+    if (isTorn_) return state;
     MACULA_TRY(state.training, trainer_.state());
     return state;
 }

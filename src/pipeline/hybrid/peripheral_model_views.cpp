@@ -12,6 +12,8 @@ namespace macula::hybrid {
 
 namespace {
 
+// On the device, with smaller copies: a third more than those of LossTarget.
+constexpr double kBytesOfPixel = 27.0;
 constexpr std::size_t kMostAsked = 8;  // that are waited for
 constexpr std::size_t kLooks = 8;      // at what a wanted view shows
 constexpr int kLookSidePx = 32;
@@ -44,7 +46,7 @@ std::vector<KnownView> PeripheralModel::knownViews() const {
 
 Result<std::optional<WantedView>> PeripheralModel::wantedView() {
     using Wanted = std::optional<WantedView>;
-    if (trainer_.viewCount() + heldOut_.size() >= options_.mostViews) return Wanted();
+    if (isFull()) return Wanted();
     const std::uint64_t seed = (std::uint64_t(options_.seed) << 32) + notes_.asked;
     MACULA_TRY(
         std::vector<WantedView> wanted,
@@ -68,6 +70,14 @@ Result<std::optional<WantedView>> PeripheralModel::wantedView() {
         return Wanted(wanted[i]);
     }
     return Wanted();
+}
+
+bool PeripheralModel::isFull() const {
+    if (trainer_.viewCount() + heldOut_.size() >= options_.mostViews) return true;
+    double bytes = 0.0;
+    for (std::size_t i = 0; i < trainer_.viewCount(); ++i)
+        bytes += kBytesOfPixel * double(trainer_.view(i).pixels.size());
+    return bytes > options_.viewsShare * (bytes + double(device_->memoryAvailableBytes()));
 }
 
 bool PeripheralModel::isKnown(const splat::RasterView& view) const {
@@ -95,7 +105,7 @@ double PeripheralModel::degreesBesideHeldOut(const splat::RasterView& view) cons
 Result<void> PeripheralModel::takeHeldOut(const std::shared_ptr<const splat::TrainingView>& picture) {
     HeldOut taken{.picture = picture, .coverage = coverageOf(*picture)};
     MACULA_TRY(const double error, trainer_.differenceTo(*picture));
-    taken.error = taken.shownError = error / taken.coverage;
+    taken.error = taken.shownError = taken.bestError = error / taken.coverage;
     if (before_) {
         MACULA_TRY(const double errorBefore, before_->differenceTo(*picture));
         taken.shownError = errorBefore / taken.coverage;
@@ -108,16 +118,17 @@ Result<void> PeripheralModel::takeHeldOut(const std::shared_ptr<const splat::Tra
 Result<Offered> PeripheralModel::offer(TracedView view, bool mayBeHeldOut) {
     const glm::dvec3 originMm = trainer_.lastGood().splats.originMm;
     const double radiusMm = 0.5 * notes_.seenMm.diagonal();
-    MACULA_TRY(const splat::RasterView from, splat::rasterView(view.camera, view.sizePx, originMm));
+    MACULA_TRY(splat::TrainingView picture, learntPicture(trainer_, std::move(view)));
+    picture = reducedTo(std::move(picture), options_.learntSidePx);
+    const splat::RasterView& from = picture.view;
     std::erase_if(asked_, [&](const Camera& camera) {
         const auto asked = splat::rasterView(camera, options_.wanted.sizePx, originMm);
         return asked && isSamePose(*asked, from, radiusMm, options_.wanted.admission);
     });
-    if (trainer_.viewCount() + heldOut_.size() >= options_.mostViews) return Offered::full;
+    if (isFull()) return Offered::full;
     if ((mayBeHeldOut || heldOut_.size() < kLeastHeldOut) && !isKnown(from)) {
-        if (isHeldOut(notes_.offered, heldOut_.size(), degreesBesideHeldOut(from)) &&
-            view.rgba.size() == std::size_t(view.sizePx.x) * std::size_t(view.sizePx.y)) {
-            splat::TrainingView picture{.view = from, .pixels = std::move(view.rgba)};
+        if (isHeldOut(notes_.offered, heldOut_.size(), degreesBesideHeldOut(from))) {
+            picture.weight = 1.0f;
             MACULA_TRY_VOID(takeHeldOut(std::make_shared<const splat::TrainingView>(
                 reducedTo(std::move(picture), options_.heldOutSidePx))));
             ++notes_.offered;
@@ -127,7 +138,8 @@ Result<Offered> PeripheralModel::offer(TracedView view, bool mayBeHeldOut) {
             return Offered::heldOut;
         }
     }
-    MACULA_TRY(const Novelty novelty, admit(trainer_, view, radiusMm, options_.wanted.admission));
+    MACULA_TRY(const Novelty novelty,
+               admit(trainer_, std::move(picture), radiusMm, options_.wanted.admission));
     if (novelty == Novelty::none) return Offered::nothingNew;
     if (novelty == Novelty::pose) ++notes_.offered;
     wake();
@@ -135,8 +147,9 @@ Result<Offered> PeripheralModel::offer(TracedView view, bool mayBeHeldOut) {
 }
 
 Result<Offered> PeripheralModel::offerOutline(TracedView view) {
-    if (trainer_.viewCount() + heldOut_.size() >= options_.mostViews) return Offered::full;
-    MACULA_TRY_VOID(learnCoverageFrom(trainer_, std::move(view)));
+    if (isFull()) return Offered::full;
+    MACULA_TRY(splat::TrainingView outline, learntOutline(trainer_, std::move(view)));
+    MACULA_TRY_VOID(trainer_.addView(reducedTo(std::move(outline), options_.learntSidePx)));
     wake();
     return Offered::learnt;
 }

@@ -87,7 +87,7 @@ Result<Tools> makeTools(const std::shared_ptr<gpu::Device>& device, const Splats
     MACULA_TRY(DevicePicture picture,
                DevicePicture::upload(device, "picture to learn from", size.x, size.y, view.pixels));
     MACULA_TRY(LossTarget target, LossTarget::create(*kernels, std::move(picture)));
-    MACULA_TRY(Loss loss, Loss::create(device, kernels, size.x, size.y));
+    MACULA_TRY(Loss loss, Loss::create(device, kernels, std::uint64_t(size.x) * std::uint64_t(size.y)));
     MACULA_TRY(Optimizer optimizer, Optimizer::create(device, count, model.shDegree, options.optimizer));
     MACULA_TRY(Trainer trainer, Trainer::create(device, model, options));
     MACULA_TRY_VOID(trainer.addView(view));

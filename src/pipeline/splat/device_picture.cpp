@@ -30,7 +30,9 @@ Result<DevicePicture> DevicePicture::upload(const std::shared_ptr<gpu::Device>& 
 }
 
 Result<std::vector<glm::vec4>> DevicePicture::read() const {
-    return gpu::read<glm::vec4>(texels.buffer());
+    std::vector<glm::vec4> pixels(std::size_t(width) * std::size_t(height));
+    MACULA_TRY_VOID(gpu::readInto(texels.buffer(), 0, std::as_writable_bytes(std::span(pixels))));
+    return pixels;
 }
 
 }  // namespace macula::splat

@@ -16,8 +16,8 @@ namespace macula::splat {
 struct DevicePicture {
     int width = 0;
     int height = 0;
-    // vec4 for each pixel, y * width + x. Kernels write it as a storage buffer and read it as a
-    // samplerBuffer.
+    // vec4 for each pixel, y * width + x; there may be room for more. Kernels write it as a storage buffer
+    // and read it as a samplerBuffer.
     gpu::TexelBuffer texels;
 
     // Not initialised. Sizes above 0; outOfMemory when the device cannot hold 16 bytes for each pixel.

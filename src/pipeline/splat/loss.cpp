@@ -1,6 +1,7 @@
 #include "pipeline/splat/loss.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "base/check.h"
@@ -113,21 +114,21 @@ Loss::Loss(std::shared_ptr<const LossKernels> kernels, gpu::Buffer params,
       result_(std::move(result)) {}
 
 Result<Loss> Loss::create(const std::shared_ptr<gpu::Device>& device,
-                          std::shared_ptr<const LossKernels> kernels, int width, int height) {
+                          std::shared_ptr<const LossKernels> kernels, std::uint64_t mostPixels) {
+    MACULA_CHECK_LE(mostPixels, std::uint64_t(std::numeric_limits<int>::max()));
     MACULA_TRY(DevicePicture gradient,
-               DevicePicture::create(device, "gradient of the picture", width, height));
-    const std::uint64_t pixels = pixelsOf(width, height);
-    const std::uint64_t strips = std::uint64_t(stripsOf(width, kernels->rowOutputs)) * std::uint64_t(height);
+               DevicePicture::create(device, "gradient of the picture", static_cast<int>(mostPixels), 1));
     const auto make = [&](const char* label, std::uint64_t elements, VkFormat format) {
         return gpu::TexelBuffer::create(
             device, {.label = label, .elements = elements, .format = format, .usage = kReadAndWritten});
     };
     constexpr VkFormat kFour = VK_FORMAT_R32G32B32A32_SFLOAT;
-    MACULA_TRY(gpu::TexelBuffer pairs, make("sums and differences", 2 * pixels, kFour));
-    MACULA_TRY(gpu::TexelBuffer means, make("means over windows", 4 * pixels, kFour));
-    MACULA_TRY(gpu::TexelBuffer terms, make("terms of windows", 3 * pixels, kFour));
-    MACULA_TRY(gpu::TexelBuffer ssimParts, make("parts of SSIM", strips, VK_FORMAT_R32_SFLOAT));
-    MACULA_TRY(gpu::TexelBuffer differenceParts, make("parts of differences", strips, kFour));
+    MACULA_TRY(gpu::TexelBuffer pairs, make("sums and differences", 2 * mostPixels, kFour));
+    MACULA_TRY(gpu::TexelBuffer means, make("means over windows", 4 * mostPixels, kFour));
+    MACULA_TRY(gpu::TexelBuffer terms, make("terms of windows", 3 * mostPixels, kFour));
+    // Of each strip: there are as many as pixels where a picture is one pixel wide.
+    MACULA_TRY(gpu::TexelBuffer ssimParts, make("parts of SSIM", mostPixels, VK_FORMAT_R32_SFLOAT));
+    MACULA_TRY(gpu::TexelBuffer differenceParts, make("parts of differences", mostPixels, kFour));
     MACULA_TRY(gpu::Buffer params, makeParams(device));
     MACULA_TRY(gpu::Buffer result,
                gpu::Buffer::create(device, {.label = "loss",
@@ -141,10 +142,9 @@ Result<Loss> Loss::create(const std::shared_ptr<gpu::Device>& device,
 
 void Loss::record(gpu::Recorder& recorder, const DevicePicture& render, const LossTarget& target,
                   const LossOptions& options, const LossStep& step) {
-    const int width = gradient_.width;
-    const int height = gradient_.height;
-    MACULA_CHECK_EQ(render.width, width);
-    MACULA_CHECK_EQ(render.height, height);
+    const int width = gradient_.width = render.width;
+    const int height = gradient_.height = render.height;
+    MACULA_CHECK_LE(pixelsOf(width, height), mostPixels());
     MACULA_CHECK_EQ(target.picture().width, width);
     MACULA_CHECK_EQ(target.picture().height, height);
     MACULA_CHECK(options.dssimWeight >= 0.0f && options.dssimWeight <= 1.0f);

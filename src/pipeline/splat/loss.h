@@ -50,19 +50,21 @@ class LossTarget {
     gpu::TexelBuffer windows_;
 };
 
-// Of one size of picture. Used by one thread at a time, the one that uses the device.
+// Of pictures of any shape, up to so many pixels. Used by one thread at a time, the one that uses the device.
 class Loss {
   public:
-    // outOfMemory when the device cannot hold 165 bytes for each pixel, or 64 for each in one buffer
+    // outOfMemory when the device cannot hold 180 bytes for each pixel, or 64 for each in one buffer
     // (DeviceInfo::maxStorageBufferBytes): more than 1400 x 1400 pixels on lavapipe.
     static Result<Loss> create(const std::shared_ptr<gpu::Device>& device,
-                               std::shared_ptr<const LossKernels> kernels, int width, int height);
+                               std::shared_ptr<const LossKernels> kernels, std::uint64_t mostPixels);
 
-    // Both pictures of the size of this. What was recorded before must have drawn `render`.
+    std::uint64_t mostPixels() const { return pairs_.elements() / 2; }
+
+    // Both pictures of the same size. What was recorded before must have drawn `render`.
     void record(gpu::Recorder& recorder, const DevicePicture& render, const LossTarget& target,
                 const LossOptions& options, const LossStep& step);
 
-    // With respect to the render's premultiplied RGBA, of what was recorded last.
+    // With respect to the render's premultiplied RGBA, of what was recorded last, and of its size.
     const DevicePicture& gradient() const { return gradient_; }
     // SplatLossResult, of what was recorded last; the same bits for the same input on the same device.
     const gpu::Buffer& result() const { return result_; }

@@ -100,6 +100,8 @@ Result<void> Trainer::addView(TrainingView view) {
 
 Result<void> Trainer::addView(std::shared_ptr<const TrainingView> given) {
     MACULA_TRY(PicturePyramid pictures, PicturePyramid::upload(device_, *lossKernels_, *given));
+    // Now, because a view that no step can compare would stop all that follow.
+    MACULA_TRY([[maybe_unused]] const Loss* loss, lossFor(given->view.sizePx));
     lastGood_.views.push_back({.given = given});
     views_.push_back({.pictures = std::move(pictures), .given = std::move(given)});
     return {};
@@ -111,12 +113,13 @@ void Trainer::forgetOutlines() {
     std::erase_if(lastGood_.views, isOutline);
 }
 
-Result<Loss*> Trainer::lossOf(glm::ivec2 sizePx) {
-    const auto key = std::pair(sizePx.x, sizePx.y);
-    const auto found = losses_.find(key);
-    if (found != losses_.end()) return &found->second;
-    MACULA_TRY(Loss loss, Loss::create(device_, lossKernels_, sizePx.x, sizePx.y));
-    return &losses_.emplace(key, std::move(loss)).first->second;
+Result<Loss*> Trainer::lossFor(glm::ivec2 sizePx) {
+    const std::uint64_t pixels = std::uint64_t(sizePx.x) * std::uint64_t(sizePx.y);
+    if (!loss_ || loss_->mostPixels() < pixels) {
+        loss_.reset();  // both at once may be more than there is room for
+        MACULA_TRY(loss_, Loss::create(device_, lossKernels_, pixels));
+    }
+    return &*loss_;
 }
 
 TrainingStage Trainer::stageNow() const {
@@ -167,7 +170,7 @@ Result<bool> Trainer::tryStep(const PictureLevel& level, Loss& loss, const LossS
 Result<double> Trainer::differenceTo(const TrainingView& view) {
     MACULA_TRY(const PicturePyramid pictures, PicturePyramid::upload(device_, *lossKernels_, view));
     const PictureLevel& level = pictures.whole();
-    MACULA_TRY(Loss * loss, lossOf(level.view.sizePx));
+    MACULA_TRY(Loss * loss, lossFor(level.view.sizePx));
     MACULA_TRY_VOID(rasterizer_.draw(parameters_, count_, level.view, blendingOf(like_.lowPass)));
     MACULA_TRY(auto recorder, gpu::Recorder::create(device_, "compare"));
     loss->record(recorder, rasterizer_.picture(), level.target, options_.loss,
@@ -184,7 +187,7 @@ Result<void> Trainer::oneStep() {
     View& view = views_[nextView()];
     const TrainingStage stage = stageNow();
     MACULA_TRY(const PictureLevel* level, view.pictures.halved(stage.halvings, *lossKernels_));
-    MACULA_TRY(Loss * loss, lossOf(level->view.sizePx));
+    MACULA_TRY(Loss * loss, lossFor(level->view.sizePx));
     Dice dice(options_.seed, steps_, 1);
     const double red = dice();
     const double green = dice();

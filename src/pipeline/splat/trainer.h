@@ -9,9 +9,8 @@
 #include <chrono>
 #include <cstdint>
 #include <functional>
-#include <map>
 #include <memory>
-#include <utility>
+#include <optional>
 #include <vector>
 
 #include "base/result.h"
@@ -36,8 +35,9 @@ struct TrainingReport {
 };
 
 // Used by one thread at a time, the one that uses the device. Nothing is moved by numbers that are not
-// finite, and a step that could not be submitted has moved nothing. When reading back or regrouping fails, or
-// the device is lost, lastGood() is what is left, and resume(), on another device too, goes on with it.
+// finite, and a step that could not be submitted has moved nothing. When reading back or regrouping fails,
+// goBack() makes it whole again; when the device is lost, lastGood() is what is left, and resume(), on
+// another one, goes on with it.
 class Trainer {
   public:
     // The model must be valid and of degree 0 or 1; usage when an option is out of its range. `lists`: where
@@ -55,8 +55,9 @@ class Trainer {
     Result<void> goOnWith(const TrainerOptions& options, int shDegree);
 
     // Takes part from the next step on. inputNotUsable when the picture is not of the view's size, or has
-    // not one finite pixel, or a weight that is not above 0 and at most kMaxViewWeight. The picture stays on
-    // the host as well, and is shared with states.
+    // not one finite pixel, or a weight that is not above 0 and at most kMaxViewWeight; outOfMemory when the
+    // device cannot hold it, or not what comparing it takes (loss.h). The picture stays on the host as well,
+    // and is shared with states.
     Result<void> addView(TrainingView view);
     // Views of coverage alone take no part any more: for when pictures say what they said.
     void forgetOutlines();
@@ -84,6 +85,9 @@ class Trainer {
     // A copy of the state, at most TrainerOptions::keepEveryMs and a step old while steps are made, with all
     // views added since; from create or resume on. It is on the host: no loss of the device takes it away.
     const TrainingState& lastGood() const { return lastGood_; }
+    // To lastGood(), with the views that there are: for when a step failed and may have moved a part of what
+    // belongs together. Makes nothing new on the device.
+    Result<void> goBack();
     TrainingReport report() const;
 
   private:
@@ -107,7 +111,7 @@ class Trainer {
     Result<void> regroupSplats();
     TrainingStage stageNow() const;
     std::size_t nextView() const;
-    Result<Loss*> lossOf(glm::ivec2 sizePx);
+    Result<Loss*> lossFor(glm::ivec2 sizePx);
 
     std::shared_ptr<gpu::Device> device_;
     TrainerOptions options_;
@@ -120,7 +124,7 @@ class Trainer {
     Rasterizer rasterizer_;
     Optimizer optimizer_;
     std::vector<View> views_;
-    std::map<std::pair<int, int>, Loss> losses_;  // by size
+    std::optional<Loss> loss_;  // of as many pixels as the largest picture has
     TrainingState lastGood_;
     std::chrono::steady_clock::time_point keptAt_;
 };

@@ -33,6 +33,18 @@ Result<void> Trainer::restore(const TrainingState& state) {
     return {};
 }
 
+Result<void> Trainer::goBack() {
+    MACULA_TRY_VOID(parameters_.upload(componentsOf(lastGood_.splats)));
+    count_ = static_cast<std::uint32_t>(lastGood_.splats.size());
+    MACULA_TRY_VOID(restore(lastGood_));
+    MACULA_CHECK_EQ(views_.size(), lastGood_.views.size());
+    for (std::size_t i = 0; i < views_.size(); ++i) {
+        views_[i].loss = lastGood_.views[i].loss;
+        views_[i].l1 = lastGood_.views[i].l1;
+    }
+    return {};
+}
+
 Result<Trainer> Trainer::resume(const std::shared_ptr<gpu::Device>& device, const TrainingState& state) {
     MACULA_TRY_VOID(state.validate());
     MACULA_TRY(Trainer trainer, create(device, state.splats, state.options));
@@ -58,7 +70,7 @@ Result<void> Trainer::goOnWith(const TrainerOptions& options, int shDegree) {
     now.options = other.options_;
     other.lastGood_ = std::move(now);
     other.views_ = std::move(views_);
-    other.losses_ = std::move(losses_);
+    other.loss_ = std::move(loss_);
     *this = std::move(other);
     return {};
 }
