@@ -79,6 +79,7 @@ TEST_F(Evaluate, TellsHowNearTheModelComesAndGoesOnFromWhatItKept) {
                                        "--views", "16", "--spp", "8", "--directions", "24"}));
     ASSERT_EQ(again.exitCode, 0) << again.err;
     EXPECT_NE(again.out.find("masked PSNR"), std::string::npos) << "a table";
+    EXPECT_NE(again.out.find("The protocol has a truth of 32 views of 1024 samples."), std::string::npos);
     const json trained = json::parse(readAll(at("report.json")))["scenes"][0];
     EXPECT_EQ(trained["truthFromCache"], 2);
     EXPECT_EQ(trained["truthNoise"], scene["truthNoise"]);

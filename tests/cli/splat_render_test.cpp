@@ -154,6 +154,57 @@ TEST_F(SplatRender, ThePatientsLeftIsOnTheRightOfAPictureFromTheFront) {
     }
 }
 
+// From the volume to a picture of the model, by both formats: what is cut out around the marker is where the
+// marker is, and not on the other side.
+TEST_F(SplatRender, TheMarkerOfATrainedModelIsOnThePatientsLeft) {
+    const phantom::Options size;
+    const glm::dmat4 world = phantom::worldFromVoxel(size);
+    glm::dvec3 low(1e9);
+    glm::dvec3 high(-1e9);
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::dvec3 voxel(corner & 1 ? size.size.x - 0.5 : -0.5, corner & 2 ? size.size.y - 0.5 : -0.5,
+                               corner & 4 ? size.size.z - 0.5 : -0.5);
+        const glm::dvec3 p(world * glm::dvec4(voxel, 1.0));
+        low = glm::min(low, p);
+        high = glm::max(high, p);
+    }
+    const glm::dvec3 marker = phantom::markerCentreMm();
+    const double around = phantom::markerHalfEdgeMm() + 2.0;
+    const auto list = [](const glm::dvec3& p) { return fmt::format("[{}, {}, {}]", p.x, p.y, p.z); };
+    const std::string clip = write(
+        "marker.json",
+        fmt::format(
+            R"({{"version": 1, "name": "marker", "title": "The marker", "box": {{"low": {}, "high": {}, "keep": "inside"}}}})",
+            list((marker - around - low) / (high - low)), list((marker + around - low) / (high - low))));
+    for (const std::string format : {"ply", "spz"}) {
+        const Ran trained =
+            runMacula({"train", "phantom:", "--clip", clip, "--points", "400", "--views", "6", "--size", "48",
+                       "--spp", "4", "--iterations", "40", "-o", at("marker." + format)});
+        ASSERT_EQ(trained.exitCode, 0) << trained.err;
+        const auto model = splat::readModel(at("marker." + format));
+        ASSERT_TRUE(model.ok());
+        glm::dvec3 centre = model->splats.originMm;
+        for (const glm::vec3& p : model->splats.position)
+            centre += glm::dvec3(p) / double(model->splats.size());
+        EXPECT_LT(glm::distance(centre, marker), 3.0) << format;
+
+        const std::string camera = write(
+            "front.json",
+            R"({"positionMm": [0, -700, 0], "targetMm": [0, 0, 0], "up": [0, 0, 1], "verticalFovDeg": 30})");
+        const image::Image image =
+            draw({at("marker." + format), "--camera", camera, "-o", at(format), "--size", "120x100"},
+                 format + "/front.png");
+        const double focal = 50 / std::tan(glm::radians(15.0));
+        const glm::dvec2 place(60 + focal * marker.x / (marker.y + 700),
+                               50 - focal * marker.z / (marker.y + 700));
+        EXPECT_LT(glm::distance(centreOf(image, 0), place), 1.0) << format;
+        double right = 0.0;
+        for (int y = 0; y < 100; ++y)
+            for (int x = 0; x < 60; ++x) right += pixelOf(image, x, y)[0];
+        EXPECT_EQ(right, 0.0) << "nothing is on the patient's right";
+    }
+}
+
 // Ours are in the patient's axes: left, superior and anterior are where they are seen from each side.
 TEST_F(SplatRender, WithoutACameraAllOfTheModelIsInView) {
     splat::Splats model;

@@ -13,6 +13,7 @@
 #include "pipeline/hybrid/drawn_views.h"
 #include "pipeline/hybrid/first_model.h"
 #include "pipeline/hybrid/initial_splats.h"
+#include "pipeline/hybrid/learnt_views.h"
 #include "pipeline/hybrid/pixel_coverage.h"
 #include "pipeline/hybrid/refinement.h"
 #include "pipeline/hybrid/truth_pictures.h"
@@ -372,6 +373,34 @@ TEST_F(Views, ModelsAreDrawnAsTheReferenceDoes) {
         std::vector<glm::vec4> expected(reference.rgba.begin(), reference.rgba.end());
         EXPECT_LT(meanDifference(drawn->pictures[i], expected), 1e-5);
         EXPECT_GT(meanDifference(drawn->pictures[i], std::vector<glm::vec4>(480, glm::vec4(0.0f))), 0.05);
+    }
+    // Trained, with splats that were split: to each pixel, against the reference in double.
+    splat::TrainerOptions o;
+    o.stages = {{.firstStep = 0, .halvings = 0}};
+    o.capacity = static_cast<std::uint32_t>(splats.size()) + 100;
+    o.density = {.firstStep = 20, .every = 20, .lastStep = 60};
+    splat::Splats byDirection = splats;
+    byDirection.setShDegree(1);
+    splat::Trainer trainer = std::move(*splat::Trainer::create(device(), byDirection, o));
+    Progress progress;
+    const std::vector<Camera> around = this->cameras(6);
+    const auto traced = traceViews(tracer, around, {.sizePx = {48, 40}}, progress);
+    ASSERT_TRUE(traced.ok());
+    for (const TracedView& view : traced->views) ASSERT_TRUE(learnFrom(trainer, view).ok());
+    ASSERT_TRUE(trainer.step(80).ok());
+    const splat::Splats trained = *trainer.snapshot();
+    EXPECT_GT(trained.size(), splats.size());
+    const auto shown = drawViews(device(), trained, cameras, {60, 50});
+    ASSERT_TRUE(shown.ok());
+    for (std::size_t i = 0; i < 2; ++i) {
+        const auto view = splat::rasterView(cameras[i], {60, 50}, trained.originMm);
+        ASSERT_TRUE(view.ok());
+        const splat::RasterImage reference =
+            splat::rasterize(splat::ReferenceSplats(trained), *view, splat::blendingOf(trained.lowPass),
+                             splat::Precision::twofold);
+        for (std::size_t p = 0; p < reference.rgba.size(); ++p)
+            for (int c = 0; c < 4; ++c)
+                ASSERT_NEAR(shown->pictures[i][p][c], reference.rgba[p][c], 1e-4) << p;
     }
     const auto nothing = drawViews(device(), splat::Splats{}, cameras, {8, 8});
     ASSERT_TRUE(nothing.ok());

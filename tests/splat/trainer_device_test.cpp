@@ -1,5 +1,6 @@
 // What the trainer learns, and what it is asked to learn from.
 #include <chrono>
+#include <functional>
 #include <limits>
 
 #include "splat/training_scene.h"
@@ -259,6 +260,37 @@ TEST_F(TrainerOnDevice, ModelsItCannotTrainAreRefused) {
     senseless[6].optimizer.position = 0.0;
     for (const TrainerOptions& o : senseless)
         EXPECT_EQ(Trainer::create(device(), start(), o).error().code, ErrorCode::usage);
+}
+
+// Whatever numbers one splat has, as long as they are some: the model stays a valid one, and nothing of the
+// others is no number.
+TEST_F(TrainerOnDevice, AModelOfExtremesStaysValid) {
+    constexpr float kHuge = 3e38f;
+    const std::vector<std::function<void(Splats&)>> changes{
+        [](Splats& s) { s.position[0] = glm::vec3(kHuge); },
+        [](Splats& s) { s.position[0] = glm::vec3(-1e20f, 1e-40f, 1e5f); },
+        [](Splats& s) { s.logScale[0] = glm::vec3(80.0f); },
+        [](Splats& s) { s.logScale[0] = glm::vec3(-kHuge, kHuge, 0.0f); },
+        [](Splats& s) { s.rotation[0] = glm::vec4(0.0f); },
+        [](Splats& s) { s.rotation[0] = glm::vec4(kHuge); },
+        [](Splats& s) { s.opacityLogit[0] = kHuge; },
+        [](Splats& s) { s.opacityLogit[0] = -kHuge; },
+        [](Splats& s) { s.dc[0] = glm::vec3(kHuge, -kHuge, 1e-40f); },
+        [](Splats& s) { s.sh[0] = glm::vec3(kHuge); }};
+    for (std::size_t c = 0; c < changes.size(); ++c) {
+        Splats model = start(1);
+        changes[c](model);
+        auto trained = Trainer::create(device(), model, options(2));
+        if (!trained.ok()) {
+            EXPECT_EQ(trained.error().code, ErrorCode::inputNotUsable) << c;
+            continue;
+        }
+        for (const TrainingView& view : truthViews()) ASSERT_TRUE(trained->addView(view).ok());
+        ASSERT_TRUE(trained->step(8).ok()) << c;
+        const Splats learnt = *trained->snapshot();
+        EXPECT_TRUE(learnt.validate().ok()) << c;
+        EXPECT_FALSE(testing::sameBits(learnt.dc, model.dc)) << c << ": the others learn";
+    }
 }
 
 TEST_F(TrainerOnDevice, RoomForMoreChangesNothing) {

@@ -1,4 +1,5 @@
-// What a peripheral model learns from, and is judged by: a picture, and where it was seen from.
+// What a peripheral model learns from, and is judged by: a picture, and where it was seen from. Without
+// depth: thin matter has no one depth, and models that were told it became worse (docs/peripheral-model.md).
 #pragma once
 
 #include <glm/glm.hpp>
