@@ -49,6 +49,7 @@ TEST(Refinement, FillsTheRoomThereIsWhileThereIsTime) {
         const std::uint64_t splits = (density.lastStep - density.firstStep) / density.every + 1;
         EXPECT_GT(10800.0 * std::pow(1.0 + density.splitShare, double(splits)), 50000.0);
         EXPECT_LE(density.splitShare, 0.22);
+        EXPECT_EQ(density.unseenShare, 0.0) << "what is learnt is not given up";
         ASSERT_EQ(after.stages.size(), 2u);
         for (const splat::TrainingStage& stage : after.stages) EXPECT_EQ(stage.halvings, 0);
         EXPECT_EQ(after.stages[1].measure, splat::LossMeasure::squared);

@@ -117,6 +117,26 @@ TEST_F(TrainerOnDevice, OutlinesAreForgotten) {
     EXPECT_TRUE(testing::sameBits(*trained.snapshot(), *other.snapshot()));
 }
 
+// Hundreds in a row would make it forget what it knows.
+TEST_F(TrainerOnDevice, OfViewsThatComeLaterOneIsDrawnAtEverySecondStep) {
+    Trainer trained = trainer(start(), options(0), truthViews());
+    const auto drawn = [&] {
+        std::size_t count = 0;
+        for (std::size_t i = 0; i < trained.viewCount(); ++i) count += trained.wasDrawn(i) ? 1 : 0;
+        return count;
+    };
+    for (std::size_t n = 1; n <= kViews; ++n) {
+        ASSERT_TRUE(trained.step(1).ok());
+        EXPECT_EQ(drawn(), n) << "at first each once";
+    }
+    ASSERT_TRUE(trained.step(3).ok());
+    for (const TrainingView& view : truthViews()) ASSERT_TRUE(trained.addView(view).ok());
+    ASSERT_TRUE(trained.step(4).ok());
+    EXPECT_EQ(drawn(), kViews + 2u);
+    ASSERT_TRUE(trained.step(6).ok());
+    EXPECT_EQ(drawn(), 2u * kViews);
+}
+
 // Two pictures from the same place that contradict each other.
 TEST_F(TrainerOnDevice, TheHeavierPictureCountsMore) {
     Splats between = truth();

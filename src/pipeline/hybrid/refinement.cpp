@@ -19,7 +19,7 @@ constexpr double kRatesAtLast = 0.1;  // of the first ones, those of the first t
 // What pictures from so many sides show, outlines need not say.
 constexpr std::size_t kEnoughSides = FirstModelOptions{}.directions;
 
-// So that there are as many as there is room for at the last split, whatever is removed on the way.
+// So that there are as many as there is room for before the last split.
 double splitShare(double splats, double capacity, double splits) {
     if (!(splats > 0.0) || capacity <= splats) return 0.05;
     return std::min(1.25 * (std::pow(capacity / splats, 1.0 / splits) - 1.0), kMostAtOnce);
@@ -54,6 +54,8 @@ splat::TrainerOptions refinementTraining(splat::TrainerOptions before, const spl
                       .measure = splat::LossMeasure::squared}};
     const auto growing = static_cast<std::uint64_t>(kGrowing * double(steps));
     const std::uint64_t every = std::clamp<std::uint64_t>(growing, 1, kEvery);
+    // What shows least is what is smallest, or seen from far or seldom: there is room, and detail is wanted.
+    before.density.unseenShare = 0.0;
     before.density.every = every;
     before.density.firstStep = now.steps + every;
     before.density.lastStep = now.steps + growing;

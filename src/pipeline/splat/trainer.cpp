@@ -129,21 +129,30 @@ TrainingStage Trainer::stageNow() const {
     return now;
 }
 
-// One that was never drawn, else half of the time any, and half of the time one by its loss.
+// First each once. Of those that come later, one at every second step: hundreds of new ones in a row would
+// make it forget what the others show. Else half of the time any, and half of the time one by its loss.
 std::size_t Trainer::nextView() const {
+    std::vector<std::size_t> known;
+    std::optional<std::size_t> firstNew;
     double sum = 0.0;
     for (std::size_t i = 0; i < views_.size(); ++i) {
-        if (views_[i].loss < 0.0) return i;
+        if (views_[i].loss < 0.0) {
+            firstNew = firstNew.value_or(i);
+            continue;
+        }
+        known.push_back(i);
         sum += views_[i].loss;
     }
+    const bool isFirstRound = known.size() == steps_;
+    if (firstNew && (isFirstRound || known.empty() || steps_ % 2 == 0)) return *firstNew;
     Dice dice(options_.seed, steps_, 0);
     const double share = dice();
     if (dice() < 0.5 || !(sum > 0.0))
-        return std::min(static_cast<std::size_t>(share * double(views_.size())), views_.size() - 1);
+        return known[std::min(static_cast<std::size_t>(share * double(known.size())), known.size() - 1)];
     double left = share * sum;
-    std::size_t i = 0;
-    while (i + 1 < views_.size() && left >= views_[i].loss) left -= views_[i++].loss;
-    return i;
+    std::size_t k = 0;
+    while (k + 1 < known.size() && left >= views_[known[k]].loss) left -= views_[known[k++]].loss;
+    return known[k];
 }
 
 // False when there was no room for all that shows: then nothing has moved, and now there is.
