@@ -51,10 +51,10 @@ std::string whatWasAsked(const EvaluationOptions& o) {
         text += fmt::format(" Then {} views of {} samples more, {} iterations, room for {} splats.",
                             o.refinement->views, o.refinement->samplesPerPixel, o.refinement->iterations,
                             o.refinement->capacity);
-    constexpr std::size_t kViews = 32;
-    constexpr std::uint32_t kSamples = 1024;
-    if (o.truthViews < kViews || o.truth.samplesPerPixel < kSamples)
-        text += fmt::format("\nThe protocol has a truth of {} views of {} samples.", kViews, kSamples);
+    const EvaluationOptions protocol;
+    if (o.truthViews < protocol.truthViews || o.truth.samplesPerPixel < protocol.truth.samplesPerPixel)
+        text += fmt::format("\nThe protocol has a truth of {} views of {} samples.", protocol.truthViews,
+                            protocol.truth.samplesPerPixel);
     return text + "\nOf each number the mean over views, and [p10 p50 p90].\n\n";
 }
 

@@ -157,17 +157,7 @@ TEST_F(SplatRender, ThePatientsLeftIsOnTheRightOfAPictureFromTheFront) {
 // From the volume to a picture of the model, by both formats: what is cut out around the marker is where the
 // marker is, and not on the other side.
 TEST_F(SplatRender, TheMarkerOfATrainedModelIsOnThePatientsLeft) {
-    const phantom::Options size;
-    const glm::dmat4 world = phantom::worldFromVoxel(size);
-    glm::dvec3 low(1e9);
-    glm::dvec3 high(-1e9);
-    for (int corner = 0; corner < 8; ++corner) {
-        const glm::dvec3 voxel(corner & 1 ? size.size.x - 0.5 : -0.5, corner & 2 ? size.size.y - 0.5 : -0.5,
-                               corner & 4 ? size.size.z - 0.5 : -0.5);
-        const glm::dvec3 p(world * glm::dvec4(voxel, 1.0));
-        low = glm::min(low, p);
-        high = glm::max(high, p);
-    }
+    const auto [low, high] = phantom::make().worldBox();
     const glm::dvec3 marker = phantom::markerCentreMm();
     const double around = phantom::markerHalfEdgeMm() + 2.0;
     const auto list = [](const glm::dvec3& p) { return fmt::format("[{}, {}, {}]", p.x, p.y, p.z); };

@@ -156,7 +156,7 @@ TEST_F(Peripheral, AsksForTheOtherSideAndIsBetterThereForIt) {
         EXPECT_GT(from.y, -0.75);
         ASSERT_TRUE(model.offer(picture(opaque, wanted->camera)).ok());
     }
-    learn(model, 250);
+    learn(model, 500);
     const auto gainOf = [&](const splat::Splats& after) {
         double gain = 0.0;
         for (const Camera& camera : {cameraAt(180.0), cameraAt(160.0, 60.0), cameraAt(200.0, -60.0)})
@@ -166,8 +166,7 @@ TEST_F(Peripheral, AsksForTheOtherSideAndIsBetterThereForIt) {
     const splat::Splats after = model.state()->training.splats;
     EXPECT_GT(gainOf(after), 2.0);
     EXPECT_GT(psnrFrom(after, opaque, cameraAt(0.0)), front - 2.0);
-    // What is shown waits until it is as good as ever from everywhere, and its rates do not fall here.
-    EXPECT_GT(gainOf(*model.shown().splats), 1.0);
+    EXPECT_GT(gainOf(*model.shown().splats), 2.0);
 }
 
 // The same order of offers and steps is the same model, whoever asks what.

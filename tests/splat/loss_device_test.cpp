@@ -237,6 +237,13 @@ TEST_F(LossOnDevice, ComparesPicturesOfAnyShapeInOneRoom) {
     }
 }
 
+// On every device: 64 GiB in one buffer.
+TEST_F(LossOnDevice, RoomThatThereIsNotIsAnError) {
+    const auto loss = Loss::create(device(), kernels(), std::uint64_t(1) << 30);
+    ASSERT_FALSE(loss.ok());
+    EXPECT_EQ(loss.error().code, ErrorCode::outOfMemory);
+}
+
 // What all of it is for: a picture that follows the gradient becomes the target, alpha included.
 TEST_F(LossOnDevice, LeadsToTheTarget) {
     const Pixels target = randomPicture(24, 24, 4);

@@ -270,6 +270,11 @@ TEST_F(TrainerOnDevice, ModelsItCannotTrainAreRefused) {
     Splats bad = start();
     bad.dc[3].x = std::nanf("");
     EXPECT_EQ(Trainer::create(device(), bad, options()).error().code, ErrorCode::inputNotUsable);
+    for (const float length : {0.0f, 3e38f}) {  // no direction, and one whose square is too large
+        Splats unturned = start();
+        unturned.rotation[0] = glm::vec4(length);
+        EXPECT_EQ(Trainer::create(device(), unturned, options()).error().code, ErrorCode::inputNotUsable);
+    }
     std::vector<TrainerOptions> senseless(7, options());
     senseless[0].stages[1].halvings = -1;
     senseless[1].stages[1].halvings = 40;
@@ -291,8 +296,7 @@ TEST_F(TrainerOnDevice, AModelOfExtremesStaysValid) {
         [](Splats& s) { s.position[0] = glm::vec3(-1e20f, 1e-40f, 1e5f); },
         [](Splats& s) { s.logScale[0] = glm::vec3(80.0f); },
         [](Splats& s) { s.logScale[0] = glm::vec3(-kHuge, kHuge, 0.0f); },
-        [](Splats& s) { s.rotation[0] = glm::vec4(0.0f); },
-        [](Splats& s) { s.rotation[0] = glm::vec4(kHuge); },
+        [](Splats& s) { s.rotation[0] = glm::vec4(1e18f); },
         [](Splats& s) { s.opacityLogit[0] = kHuge; },
         [](Splats& s) { s.opacityLogit[0] = -kHuge; },
         [](Splats& s) { s.dc[0] = glm::vec3(kHuge, -kHuge, 1e-40f); },
@@ -301,15 +305,15 @@ TEST_F(TrainerOnDevice, AModelOfExtremesStaysValid) {
         Splats model = start(1);
         changes[c](model);
         auto trained = Trainer::create(device(), model, options(2));
-        if (!trained.ok()) {
-            EXPECT_EQ(trained.error().code, ErrorCode::inputNotUsable) << c;
-            continue;
-        }
+        ASSERT_TRUE(trained.ok()) << c << ": " << trained.error().message;
         for (const TrainingView& view : truthViews()) ASSERT_TRUE(trained->addView(view).ok());
         ASSERT_TRUE(trained->step(8).ok()) << c;
         const Splats learnt = *trained->snapshot();
         EXPECT_TRUE(learnt.validate().ok()) << c;
-        EXPECT_FALSE(testing::sameBits(learnt.dc, model.dc)) << c << ": the others learn";
+        std::size_t moved = 0;
+        for (std::size_t i = 1; i < kSplats; ++i) moved += learnt.dc[i] != model.dc[i] ? 1 : 0;
+        // Not all: a huge one may hide some.
+        EXPECT_GT(moved, kSplats / 2) << c << ": the others learn";
     }
 }
 

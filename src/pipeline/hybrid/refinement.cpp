@@ -54,7 +54,7 @@ splat::TrainerOptions refinementTraining(splat::TrainerOptions before, const spl
                       .measure = splat::LossMeasure::squared}};
     const auto growing = static_cast<std::uint64_t>(kGrowing * double(steps));
     const std::uint64_t every = std::clamp<std::uint64_t>(growing, 1, kEvery);
-    // What shows least is what is smallest, or seen from far or seldom: there is room, and detail is wanted.
+    // With hundreds of views it costs 2 dB to remove what shows least (docs/peripheral-model.md).
     before.density.unseenShare = 0.0;
     before.density.every = every;
     before.density.firstStep = now.steps + every;

@@ -1,5 +1,6 @@
 // What a peripheral model learns from, and is judged by: a picture, and where it was seen from. Without
-// depth: thin matter has no one depth, and models that were told it became worse (docs/peripheral-model.md).
+// depth: thin matter has no one depth, and what was tried with it made two of three scenes worse
+// (docs/peripheral-model.md).
 #pragma once
 
 #include <glm/glm.hpp>

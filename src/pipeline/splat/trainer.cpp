@@ -129,8 +129,8 @@ TrainingStage Trainer::stageNow() const {
     return now;
 }
 
-// First each once. Of those that come later, one at every second step: hundreds of new ones in a row would
-// make it forget what the others show. Else half of the time any, and half of the time one by its loss.
+// First each once. Of those that come later, one at every second step, so that hundreds of new ones in a
+// row do not displace what the others show. Else half of the time any, and half of the time one by its loss.
 std::size_t Trainer::nextView() const {
     std::vector<std::size_t> known;
     std::optional<std::size_t> firstNew;
