@@ -169,7 +169,9 @@ Result<void> evaluate(Options options) {
 void addProtocolOptions(CLI::App& command, Options& o) {
     EvaluationOptions& e = o.evaluation;
     addModelOptions(command, e.model);
-    command.add_option("--truth-views", e.truthViews, "Views that are compared")
+    command
+        .add_option("--truth-views", e.truthViews,
+                    "Views that are compared; fewer are some from each distance")
         ->capture_default_str()
         ->check(CLI::Range(1, kMostViews));
     e.truth.samplesPerPixel = 256;

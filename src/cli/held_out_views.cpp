@@ -16,6 +16,17 @@ namespace {
 
 constexpr double kLeastCoverage = 0.06;
 
+// Those of the protocol come nearer and wander off one by one: of fewer than there are, some of each.
+Result<hybrid::ChosenViews> chooseTruth(SceneOnDevice& scene, std::size_t count, Progress& progress) {
+    const std::size_t all = std::max(count, hybrid::groundTruth().count);
+    MACULA_TRY(hybrid::ChosenViews chosen,
+               hybrid::chooseViews(scene.tracer, scene.traced.seenMm(), hybrid::groundTruth(all),
+                                   {.leastCoverage = kLeastCoverage}, progress));
+    for (std::size_t i = 0; i < count; ++i) chosen.cameras[i] = chosen.cameras[i * all / count];
+    chosen.cameras.resize(count);
+    return chosen;
+}
+
 std::vector<std::uint8_t> besideEachOther(const glm::ivec2& size, std::span<const glm::vec4> left,
                                           std::span<const glm::vec4> right) {
     std::vector<std::uint8_t> rgba;
@@ -36,9 +47,7 @@ Result<HeldOutViews> HeldOutViews::trace(std::shared_ptr<gpu::Device> device, Sc
                                          std::size_t count, const hybrid::TruthOptions& options,
                                          const std::filesystem::path& cache, Progress& progress) {
     HeldOutViews views(std::move(device));
-    MACULA_TRY(const hybrid::ChosenViews chosen,
-               hybrid::chooseViews(scene.tracer, scene.traced.seenMm(), hybrid::groundTruth(count),
-                                   {.leastCoverage = kLeastCoverage}, progress));
+    MACULA_TRY(const hybrid::ChosenViews chosen, chooseTruth(scene, count, progress));
     const auto start = std::chrono::steady_clock::now();
     MACULA_TRY(views.truth_, hybrid::truthPictures(scene.tracer, scene.traced, chosen.cameras, options,
                                                    hybrid::PictureCache(cache), progress));
@@ -51,10 +60,7 @@ Result<HeldOutViews> HeldOutViews::trace(std::shared_ptr<gpu::Device> device, Sc
 
 Result<Comparison> HeldOutViews::compare(const splat::Splats& model, Progress& progress) const {
     progress.beginStage("Comparing", truth_.size());
-    std::vector<Camera> cameras;
-    std::transform(truth_.begin(), truth_.end(), std::back_inserter(cameras),
-                   [](const hybrid::TruthPicture& picture) { return picture.camera(); });
-    MACULA_TRY(const hybrid::DrawnViews drawn, hybrid::drawViews(device_, model, cameras, sizePx_));
+    MACULA_TRY(const hybrid::DrawnViews drawn, hybrid::drawViews(device_, model, cameras(), sizePx_));
     Comparison comparison{.scores = {}, .drawMs = image::percentile(drawn.milliseconds, 0.5), .pictures = {}};
     for (std::size_t i = 0; i < truth_.size(); ++i) {
         if (progress.cancelled()) return Error{ErrorCode::cancelled, "Stopped.", {}, {}};
@@ -64,6 +70,13 @@ Result<Comparison> HeldOutViews::compare(const splat::Splats& model, Progress& p
         progress.advance();
     }
     return comparison;
+}
+
+std::vector<Camera> HeldOutViews::cameras() const {
+    std::vector<Camera> cameras;
+    std::transform(truth_.begin(), truth_.end(), std::back_inserter(cameras),
+                   [](const hybrid::TruthPicture& picture) { return picture.camera(); });
+    return cameras;
 }
 
 std::size_t HeldOutViews::fromCache() const {

@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "base/camera.h"
 #include "base/progress.h"
 #include "base/result.h"
 #include "cli/evaluated_scene.h"
@@ -24,7 +25,7 @@ struct Comparison {
 
 class HeldOutViews {
   public:
-    // As truthPictures, of views chosen by the protocol.
+    // As truthPictures, of views chosen by the protocol; of fewer than its 32, some from each distance.
     static Result<HeldOutViews> trace(std::shared_ptr<gpu::Device> device, SceneOnDevice& scene,
                                       std::size_t count, const hybrid::TruthOptions& options,
                                       const std::filesystem::path& cache, Progress& progress);
@@ -32,6 +33,7 @@ class HeldOutViews {
     // The model must be valid. A stage of `progress`, a step for each view.
     Result<Comparison> compare(const splat::Splats& model, Progress& progress) const;
 
+    std::vector<Camera> cameras() const;
     double seconds() const { return seconds_; }  // that tracing them took
     std::size_t fromCache() const;               // views of which all was there
     std::size_t givenUp() const { return givenUp_; }

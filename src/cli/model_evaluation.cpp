@@ -40,6 +40,7 @@ class Evaluation {
         if (options_.refinement) MACULA_TRY_VOID(refine(model, *options_.refinement));
         MACULA_TRY(const HeldOutViews truth, HeldOutViews::trace(device_, scene_, options_.truthViews,
                                                                  options_.truth, cacheFolder_, progress_));
+        report_.truthCameras = truth.cameras();
         report_.truthSeconds = truth.seconds();
         report_.truthFromCache = truth.fromCache();
         report_.viewsGivenUp += truth.givenUp();

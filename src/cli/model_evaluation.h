@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/camera.h"
 #include "base/frames.h"
 #include "base/progress.h"
 #include "base/result.h"
@@ -52,6 +53,7 @@ struct SceneEvaluation {
     double moreViewsSeconds = 0.0;  // the same, of those it was refined with
     double drawMs = 0.0;            // of a picture of the last model
     // For the truth.
+    std::vector<Camera> truthCameras;
     double truthSeconds = 0.0;
     std::size_t truthFromCache = 0;                   // views of which all was there
     std::size_t viewsFromCache = 0;                   // to learn from, that took no time

@@ -49,6 +49,9 @@ TEST_F(Evaluate, TellsHowNearTheModelComesAndGoesOnFromWhatItKept) {
     EXPECT_LE(scene["splats"].get<int>(), 300);
     EXPECT_EQ(scene["truthFromCache"], 0);
     ASSERT_EQ(scene["views"].size(), 2u);
+    // Two of the protocol's 32: its first, 3 R away, and one that has come nearer by 0.8 R and wanders.
+    EXPECT_NEAR(scene["views"][0]["distance"].get<double>(), 3.0, 1e-6);
+    EXPECT_NEAR(scene["views"][1]["distance"].get<double>(), 2.2, 0.33);
     // What is drawn is where it is and as bright as it is: of no model at all all coverage would be missing.
     const json& scores = scene["scores"];
     EXPECT_LT(scores["coverageError"]["p50"].get<double>(), 0.2) << ran.out;
