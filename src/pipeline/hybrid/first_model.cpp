@@ -62,7 +62,7 @@ splat::TrainerOptions trainerOptions(const FirstModelOptions& options) {
     rates.decayFrom = options.iterations * 7 / 10;
     rates.positionSteps = std::max<std::uint64_t>(options.iterations, 1);
     rates.othersAtLast = 0.2;
-    rates.logScale = 0.02;
+    rates.logScale = 0.04;
     rates.rotation = 0.002;
     rates.opacityLogit = 0.1;
     rates.dc = 0.015;

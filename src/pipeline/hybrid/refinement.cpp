@@ -15,7 +15,10 @@ constexpr std::uint64_t kEvery = 50;  // steps between splits; of fewer than tha
 constexpr double kGrowing = 0.4;      // of the steps; then what there is settles
 constexpr double kSquaresFrom = 0.9;  // of the steps; what they put right is done by then
 constexpr double kMostAtOnce = 0.22;  // of the splats
-constexpr double kRatesAtLast = 0.1;  // of the first ones, those of the first training for all but positions
+constexpr double kRatesAtLast = 0.1;  // of the first ones, those of the first training for all but shapes
+// Shapes: twice the rates of the first training, because more views agree better on what is where.
+constexpr double kMostPosition = 0.1;
+constexpr double kMostLogScale = 0.08;
 // What pictures from so many sides show, outlines need not say.
 constexpr std::size_t kEnoughSides = FirstModelOptions{}.directions;
 
@@ -39,11 +42,11 @@ splat::TrainerOptions refinementTraining(splat::TrainerOptions before, const spl
                                          const RefinementOptions& options) {
     const std::uint64_t steps = std::max<std::uint64_t>(options.iterations, 1);
     splat::OptimizerOptions& rates = before.optimizer;
-    rates.position = std::min(rates.position, options.warmer * rates.positionAtLast);
+    rates.position = std::min(kMostPosition, options.warmer * rates.positionAtLast);
     rates.positionAtLast = kRatesAtLast * rates.position;
     const double others = std::min(1.0, options.warmer * rates.othersAtLast);
-    for (double* rate : {&rates.logScale, &rates.rotation, &rates.opacityLogit, &rates.dc, &rates.sh})
-        *rate *= others;
+    rates.logScale = std::min(kMostLogScale, options.warmer * rates.othersAtLast * rates.logScale);
+    for (double* rate : {&rates.rotation, &rates.opacityLogit, &rates.dc, &rates.sh}) *rate *= others;
     rates.othersAtLast = kRatesAtLast / others;
     rates.decayFrom = now.steps;
     rates.positionSteps = now.steps + steps;

@@ -21,8 +21,9 @@ struct RefinementOptions {
     std::uint64_t iterations = 2000;  // that are to follow: rates fall and splats become more over them
     std::uint32_t capacity = 50000;   // splats; the model keeps those it has if they are more
     // How many times larger the steps are at first than where the training before ended, so that there is use
-    // made of the new room; never larger than that training began with.
-    double warmer = 10.0;
+    // made of the new room; never larger than that training began with, those of positions and scales than
+    // twice that.
+    double warmer = 20.0;
     const KeptViews* kept = nullptr;  // see ViewTracing
     int shDegree = 1;                 // more views can tell colours by direction; never less than it has
 };
