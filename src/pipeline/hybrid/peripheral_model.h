@@ -90,8 +90,9 @@ struct PeripheralReport {
 };
 
 // Used by one thread at a time, the one that uses the device. All that is decided is so by numbers of steps
-// and views, but for the pause, which is by time: what it learns is a function of the seed, of what it was
-// offered after which step, and of when it was paused.
+// and views, but for when the error has stopped falling, which is by time: then rates settle early, and
+// once they have, it pauses. What it learns is a function of the seed, of what it was offered after which
+// step, and of when it settled and was paused.
 class PeripheralModel {
   public:
     // Shows the start at once. usage and inputNotUsable as Trainer::create; outOfMemory.
@@ -125,8 +126,9 @@ class PeripheralModel {
     // What is shown was changed: everything that was learnt until now goes on the shelf, and it begins anew:
     // with what is on the shelf for that key, else with `start`, else, if that has no splats or what is shown
     // is of that key, with what is shown. Points (startFromPoints) are best for another preset or clip, what
-    // is shown for other lights: docs/peripheral-model.md. What was shown stays until the new model is nearer
-    // to at least two held-out pictures of the new look. Fails as begin, and then it goes on as before.
+    // is shown for other lights: docs/peripheral-model.md. What was shown stays until the mean error of the
+    // new model is less over the held-out pictures of the new look, at least two. Fails as begin, and then it
+    // goes on as before.
     Result<void> change(const ModelStart& start);
 
     ShownModel shown() const { return {shown_, generation_, before_.has_value()}; }

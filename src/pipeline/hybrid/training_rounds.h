@@ -10,7 +10,7 @@ namespace macula::hybrid {
 
 // Whole pictures, compared alike from the first step to the last: absolute differences, never squares. What
 // is shown is chosen by absolute differences (Trainer::differenceTo); squares give the model the light that
-// these leave out, 1 to 3 % where pictures are noisy, but may raise that error, and then the older copy stays
+// these leave out, 2 to 5 % where pictures are noisy, but may raise that error, and then the older copy stays
 // shown.
 splat::TrainerOptions comparedAsJudged(splat::TrainerOptions options);
 
