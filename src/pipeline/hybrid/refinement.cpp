@@ -15,8 +15,10 @@ constexpr std::uint64_t kEvery = 50;  // steps between splits; of fewer than tha
 constexpr double kGrowing = 0.4;      // of the steps; then what there is settles
 constexpr double kSquaresFrom = 0.9;  // of the steps; what they put right is done by then
 constexpr double kMostAtOnce = 0.22;  // of the splats
-constexpr double kRatesAtLast = 0.1;  // of those it begins with
-// Of shapes, twice the rates of the first training (docs/peripheral-model.md).
+// Of what positions begin with; of all others, of what the training before began with, or of what they begin
+// with if that is more.
+constexpr double kRatesAtLast = 0.1;
+// Twice what the first training begins with (docs/peripheral-model.md).
 constexpr double kMostPosition = 0.1;
 constexpr double kMostLogScale = 0.08;
 // What pictures from so many sides show, outlines need not say.
