@@ -5,6 +5,8 @@
 #include <atomic>
 #include <cmath>
 
+#include "base/worst.h"
+
 namespace macula::dicom::test {
 
 namespace fs = std::filesystem;
@@ -141,7 +143,9 @@ std::string keysOf(const Series& series) {
 double affineError(const glm::dmat4& a, const glm::dmat4& b) {
     double error = 0.0;
     for (int column = 0; column < 4; ++column) {
-        for (int row = 0; row < 4; ++row) error = std::max(error, std::abs(a[column][row] - b[column][row]));
+        for (int row = 0; row < 4; ++row) {
+            error = macula::test::worse(error, std::abs(a[column][row] - b[column][row]));
+        }
     }
     return error;
 }

@@ -24,6 +24,8 @@ struct State {
     int lost = 0;
     int callsAfter = 0;
     std::array<int, kNames.size()> counts{};
+    bool isFull = false;
+    int refused = 0;
     VkDevice lostDevice = VK_NULL_HANDLE;
     std::map<VkQueue, VkDevice> queues;
 
@@ -71,6 +73,13 @@ bool isLost(VkDevice device, VulkanCall call) {
     return true;
 }
 
+bool isRefused() {
+    State& s = state();
+    const std::lock_guard lock(s.mutex);
+    s.refused += s.isFull ? 1 : 0;
+    return s.isFull;
+}
+
 VkDevice deviceOf(VkQueue queue) {
     State& s = state();
     const std::lock_guard lock(s.mutex);
@@ -88,6 +97,25 @@ void loseDeviceAt(VulkanCall call, int nth, int times) {
     State& s = state();
     const std::lock_guard lock(s.mutex);
     s.arm(call, nth, times);
+}
+
+NoMemory::NoMemory() {
+    State& s = state();
+    const std::lock_guard lock(s.mutex);
+    s.isFull = true;
+    s.refused = 0;
+}
+
+NoMemory::~NoMemory() {
+    State& s = state();
+    const std::lock_guard lock(s.mutex);
+    s.isFull = false;
+}
+
+int NoMemory::refused() const {
+    State& s = state();
+    const std::lock_guard lock(s.mutex);
+    return s.refused;
 }
 
 int devicesLost() {
@@ -165,6 +193,7 @@ VKAPI_ATTR VkResult VKAPI_CALL vkAllocateMemory(VkDevice device, const VkMemoryA
                                                 const VkAllocationCallbacks* callbacks,
                                                 VkDeviceMemory* memory) {
     if (macula::test::isLost(device, VulkanCall::allocate)) return VK_ERROR_DEVICE_LOST;
+    if (macula::test::isRefused()) return VK_ERROR_OUT_OF_DEVICE_MEMORY;
     return MACULA_NEXT(vkAllocateMemory)(device, info, callbacks, memory);
 }
 

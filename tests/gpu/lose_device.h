@@ -1,9 +1,11 @@
-// A graphics device that is lost when a test says so.
+// A graphics device that is lost, or has no memory left, when a test says so.
 //
 // Vulkan's own functions are replaced: a program this is linked into, or preloaded to, calls these, and they
 // call the loader. All of Macula's code and all of the driver is the real one. From the loss on every
 // replaced call on that VkDevice reports VK_ERROR_DEVICE_LOST and does nothing, until the device is
 // destroyed.
+//
+// Without memory each allocation reports VK_ERROR_OUT_OF_DEVICE_MEMORY; all else goes on.
 //
 // Preloaded, it takes MACULA_TEST_LOSE=submit:40:2: lost at the 40th submission, and once more 40 later.
 #pragma once
@@ -15,6 +17,17 @@ enum class VulkanCall { submit, wait, query, allocate, compile, acquire, present
 // At the `nth` such call from now, the first being 1, of any device; then `times` - 1 times more, counted
 // anew each time. Replaces what was said before; 0 times: never.
 void loseDeviceAt(VulkanCall call, int nth, int times = 1);
+
+// While there is one of these, no device has any memory left to allocate. No more than one at a time.
+class NoMemory {
+  public:
+    NoMemory();
+    ~NoMemory();
+    NoMemory(const NoMemory&) = delete;
+    NoMemory& operator=(const NoMemory&) = delete;
+
+    int refused() const;  // allocations
+};
 
 int devicesLost();         // since the last loseDeviceAt
 int callsOfLostDevice();   // likewise: of replaced functions, on a device that had been lost

@@ -245,6 +245,36 @@ TEST_F(Peripheral, TakesNoMorePicturesThanItsShareOfTheMemory) {
     ASSERT_TRUE(model.step(10.0).ok());
 }
 
+TEST_F(Peripheral, WithoutMemoryForAStepItPausesAndGoesOnWhenWoken) {
+    PeripheralModel model = begun(neverPaused());
+    giveWanted(model, truth(), 6);
+    learn(model, 20);
+    const auto shown = model.shown();
+    // Of a size that it has no room to compare yet.
+    ASSERT_EQ(*model.offer(picture(truth(), cameraAt(33.0, 20.0), {61, 47}), false), Offered::learnt);
+    {
+        const test::NoMemory full;
+        Result<void> done;
+        for (int i = 0; i < 100 && done.ok(); ++i) done = model.step(20.0);
+        ASSERT_FALSE(done.ok());
+        EXPECT_EQ(done.error().code, ErrorCode::outOfMemory);
+        const int refused = full.refused();
+        EXPECT_GT(refused, 0);
+        EXPECT_EQ(model.report().pause, Pause::outOfMemory);
+        EXPECT_TRUE(model.step(1000.0).ok());
+        EXPECT_EQ(full.refused(), refused) << "paused, it does not try again";
+    }
+    EXPECT_TRUE(model.shown().splats->validate().ok());
+    EXPECT_TRUE(model.lastGood().training.splats.validate().ok());
+    EXPECT_GE(model.shown().generation, shown.generation);
+
+    EXPECT_TRUE(model.isPaused());
+    ASSERT_EQ(*model.offer(picture(truth(), cameraAt(66.0, -20.0), {61, 47}), false), Offered::learnt);
+    EXPECT_FALSE(model.isPaused());
+    learn(model, 150);
+    EXPECT_GT(psnrOf(*model.shown().splats), psnrOf(TrainingTest::start()) + 3.0);
+}
+
 TEST_F(Peripheral, TakesPicturesOfAnySizeAndSaysWhatBecameOfThem) {
     PeripheralOptions o = options();
     o.mostViews = 7;

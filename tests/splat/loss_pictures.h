@@ -7,6 +7,7 @@
 #include <random>
 #include <vector>
 
+#include "base/worst.h"
 #include "pipeline/splat/reference_loss.h"
 
 namespace macula::splat {
@@ -53,7 +54,7 @@ inline bool atKink(const glm::dvec4& render, const glm::dvec4& target, const Los
 inline double largest(const Pixels& pixels) {
     double result = 0.0;
     for (const glm::dvec4& pixel : pixels)
-        for (int c = 0; c < 4; ++c) result = std::max(result, std::abs(pixel[c]));
+        for (int c = 0; c < 4; ++c) result = test::worse(result, std::abs(pixel[c]));
     return result;
 }
 

@@ -3,6 +3,7 @@
 #include <functional>
 #include <limits>
 
+#include "base/worst.h"
 #include "splat/reference_scenes.h"
 
 namespace macula::splat {
@@ -39,10 +40,10 @@ RasterImage expectSound(const Splats& model, const RasterView& view, const Blend
         EXPECT_TRUE(splat::isFinite(exact.rgba[i]) && splat::isFinite(rounded.rgba[i]));
         EXPECT_TRUE(std::isfinite(exact.depth[i]) && std::isfinite(rounded.depth[i]));
         for (int k = 0; k < 4; ++k)
-            worst = std::max(
+            worst = test::worse(
                 worst, std::abs(exact.rgba[i][k] - rounded.rgba[i][k]) / std::max(1.0, exact.rgba[i][k]));
         worstDepth =
-            std::max(worstDepth, std::abs(exact.depth[i] - rounded.depth[i]) / (500.0 + exact.depth[i]));
+            test::worse(worstDepth, std::abs(exact.depth[i] - rounded.depth[i]) / (500.0 + exact.depth[i]));
     }
     EXPECT_LT(worst, 1e-4);
     EXPECT_LT(worstDepth, 1e-4);

@@ -7,6 +7,7 @@
 // within the step, 1e-5 of a parameter, of one pixel in hundreds.
 #include <functional>
 
+#include "base/worst.h"
 #include "splat/reference_scenes.h"
 
 namespace macula::splat {
@@ -114,7 +115,7 @@ void expectDerivatives(const ReferenceSplats& splats, const RasterView& view, co
         }
         for (std::size_t n = 0; n < differences.size(); ++n) {
             const double scale = std::max(std::abs(differences[n]), kFloor * worst.largest);
-            worst.relative = std::max(worst.relative, std::abs(derivatives[n] - differences[n]) / scale);
+            worst.relative = test::worse(worst.relative, std::abs(derivatives[n] - differences[n]) / scale);
         }
         EXPECT_GT(worst.largest, 1e-3) << what << ", " << kind.name << ": no derivative to compare";
         EXPECT_LT(worst.relative, kWorst) << what << ", " << kind.name;
@@ -255,7 +256,7 @@ TEST(RasterGradient, OfFloatIsThatOfDouble) {
         for (std::size_t i = 0; i < splats.size(); ++i) {
             for (int k = 0; k < kind.count; ++k) {
                 largest = std::max(largest, std::abs(kind.at(a, i, k)));
-                worst = std::max(worst, std::abs(kind.at(a, i, k) - kind.at(b, i, k)));
+                worst = test::worse(worst, std::abs(kind.at(a, i, k) - kind.at(b, i, k)));
             }
         }
         EXPECT_LT(worst, 1e-4 * largest) << kind.name;

@@ -1,6 +1,7 @@
 // The rasterizer on the device against the reference: pictures, depths and derivatives.
 #include <cmath>
 
+#include "base/worst.h"
 #include "gpu/shared_layout.h"
 #include "pipeline/gpu/spirv_reflection.h"
 #include "pipeline/gpu/transfer.h"
@@ -36,7 +37,7 @@ double worstOf(const std::vector<glm::vec4>& device, const RasterImage& referenc
     double worst = 0.0;
     for (std::size_t i = 0; i < device.size(); ++i) {
         const glm::dvec4 off = glm::abs(glm::dvec4(device[i]) - reference.rgba[i]);
-        worst = std::max({worst, off.x, off.y, off.z, off.w});
+        for (int k = 0; k < 4; ++k) worst = test::worse(worst, off[k]);
     }
     return worst;
 }

@@ -6,6 +6,7 @@
 #include <limits>
 #include <memory>
 
+#include "base/worst.h"
 #include "pipeline/gpu/transfer.h"
 #include "pipeline/splat/model_painter.h"
 #include "pipeline/splat/rasterizer.h"
@@ -99,14 +100,14 @@ class RasterizerExtremes : public DeviceTest {
             double worst = 0.0;
             for (int k = 0; k < 4; ++k) {
                 off.finite = off.finite && std::isfinite(pixels[i][k]);
-                worst = std::max(worst, std::abs(double(pixels[i][k]) - exact.rgba[i][k]) /
-                                            std::max(1.0, exact.rgba[i][k]));
+                worst = test::worse(worst, std::abs(double(pixels[i][k]) - exact.rgba[i][k]) /
+                                               std::max(1.0, exact.rgba[i][k]));
             }
             off.pixels += worst > 1e-4 ? 1 : 0;
-            off.worst = std::max(off.worst, worst);
+            off.worst = test::worse(off.worst, worst);
             off.finite = off.finite && std::isfinite(depths[i]);
             off.worstDepth =
-                std::max(off.worstDepth, std::abs(double(depths[i]) - exact.depth[i]) / (500.0 + deepest));
+                test::worse(off.worstDepth, std::abs(double(depths[i]) - exact.depth[i]) / (500.0 + deepest));
         }
         return off;
     }
@@ -161,7 +162,7 @@ class RasterizerExtremes : public DeviceTest {
             for (std::size_t n = k * count; n < (k + 1) * count; ++n) {
                 ASSERT_TRUE(std::isfinite((*found)[n])) << "component " << k;
                 most = std::max(most, std::abs(double(expected[n])));
-                off = std::max(off, std::abs(double((*found)[n]) - double(expected[n])));
+                off = test::worse(off, std::abs(double((*found)[n]) - double(expected[n])));
             }
             EXPECT_LE(off, 1e-3 * most + 1e-6 * greatest) << "component " << k << ", most " << most;
         }
