@@ -69,7 +69,7 @@ Result<CommandLine> parseCommandLine(const QStringList& arguments) {
     const QCommandLineOption script("script", "'orbit': drive the window, measure it, print JSON, quit.",
                                     "NAME");
     const QCommandLineOption screenshots("screenshots", "Where the script writes its screenshots.", "FOLDER");
-    const QCommandLineOption seconds("seconds", "How long the script orbits.", "S", "8");
+    const QCommandLineOption seconds("seconds", "How long the script orbits, at least.", "S", "8");
     parser.addOptions({preset, lights, view, device, size, samples, script, screenshots, seconds});
 
     if (!parser.parse(arguments)) return usage(parser.errorText() + QLatin1Char('.'));

@@ -28,6 +28,9 @@ constexpr int kHandIntervalMs = 16;           // as often as a usual mouse and d
 constexpr double kHandPixelsPerSecond = 150;  // at 600 pixels height: once around in 8 s
 constexpr double kSwayPixels = 60;            // up and down
 constexpr double kSwaySeconds = 4;
+// An orbit that nothing followed measures nothing: on a slow machine the hand goes on until so many pictures
+// did, or the script is out of time.
+constexpr std::size_t kFollowedAtLeast = 3;
 // Of the orbit, when pictures in motion are taken.
 constexpr double kMotionShots[] = {0.2, 0.5, 0.8};
 
@@ -49,7 +52,10 @@ OrbitScript::OrbitScript(MainWindow& window, OrbitScriptOptions options, QObject
     deadline_.setSingleShot(true);
     deadline_.setInterval(int(options_.timeoutSeconds * 1000));
     connect(&deadline_, &QTimer::timeout, this, [this] {
-        std::fprintf(stderr, "No finished picture within %.0f s.\n", options_.timeoutSeconds);
+        std::fprintf(
+            stderr, "%s within %.0f s.\n",
+            phase_ == Phase::orbiting ? "The picture did not follow the hand" : "No finished picture",
+            options_.timeoutSeconds);
         finish(exitCodeOf(ErrorCode::deviceNotUsable));
     });
     connect(&window_, &MainWindow::frameShown, this, &OrbitScript::onFrame);
@@ -107,7 +113,7 @@ void OrbitScript::beginOrbit() {
 
 void OrbitScript::moveHand() {
     const double seconds = double(orbiting_.nsecsElapsed()) / 1e9;
-    if (seconds >= options_.seconds) return endOrbit();
+    if (seconds >= options_.seconds && shownAtMs_.size() >= kFollowedAtLeast) return endOrbit();
     const double sway = kSwayPixels * std::sin(2.0 * std::numbers::pi * seconds / kSwaySeconds);
     sendMouse(QEvent::MouseMove, grip_ + QPointF(kHandPixelsPerSecond * seconds, sway), Qt::NoButton,
               Qt::LeftButton);
@@ -158,6 +164,7 @@ void OrbitScript::report() {
         {"width", size.width()},
         {"height", size.height()},
         {"orbitSeconds", orbitedSeconds_},
+        {"orbitFrames", qint64(shownAtMs_.size())},
         {"orbitFramesPerSecond", double(shownAtMs_.size()) / std::max(orbitedSeconds_, 1e-9)},
         {"orbitLongestGapMs", longestGapMs},
         {"orbitLatencyMedianMs", percentile(latenciesMs_, 0.5)},

@@ -16,7 +16,7 @@ namespace macula::viewer {
 
 struct OrbitScriptOptions {
     QString screenshotFolder;  // empty: none are taken
-    double seconds = 8.0;      // of orbiting
+    double seconds = 8.0;      // of orbiting; longer where the picture has hardly followed by then
     double timeoutSeconds = 300.0;
 };
 
