@@ -96,7 +96,9 @@ Result<trace::Environment> check(const Options& options) {
 Result<std::optional<splat::TrainingState>> savedTraining(const Options& options) {
     if (options.resume.empty()) return std::optional<splat::TrainingState>();
     MACULA_TRY(splat::TrainingState state, splat::readTraining(options.resume));
-    const auto isPicture = [](const splat::TrainingState::View& view) { return !view.given->coverageOnly; };
+    const auto isPicture = [](const splat::TrainingState::View& view) {
+        return view.given->kind == splat::ViewKind::picture;
+    };
     if (std::none_of(state.views.begin(), state.views.end(), isPicture))
         return Error{ErrorCode::inputNotUsable, "The saved training has no views to learn from.",
                      options.resume.string(), "Train anew, with --views above 0."};

@@ -56,7 +56,9 @@ TEST_F(Train, ABudgetEndsItEarly) {
     EXPECT_EQ(state->splats.shDegree, 1);
     EXPECT_EQ(state->steps, report["iterations"].get<std::uint64_t>());
     ASSERT_EQ(state->views.size(), 5u);
-    const auto isOutline = [](const splat::TrainingState::View& view) { return view.given->coverageOnly; };
+    const auto isOutline = [](const splat::TrainingState::View& view) {
+        return view.given->kind != splat::ViewKind::picture;
+    };
     EXPECT_EQ(std::count_if(state->views.begin(), state->views.end(), isOutline), 2);
 }
 

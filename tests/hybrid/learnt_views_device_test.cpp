@@ -47,7 +47,7 @@ TEST_F(Admission, IsForWhatShowsSomethingNew) {
 
     TracedView outline = seenFrom(135.0);
     ASSERT_TRUE(learnCoverageFrom(trained, outline).ok());
-    EXPECT_TRUE(trained.view(6).coverageOnly);
+    EXPECT_EQ(trained.view(6).kind, splat::ViewKind::outline);
     EXPECT_EQ(trained.view(6).weight, 1.0f);
     EXPECT_EQ(admitted(seenFrom(135.0)), Novelty::pose) << "an outline is no picture";
     EXPECT_EQ(trained.viewCount(), 8u);

@@ -79,7 +79,7 @@ TEST_F(TrainerOnDevice, LearnsCoverageWithoutColours) {
     for (float& logit : model.opacityLogit) logit -= 1.5f;
     std::vector<TrainingView> seen = truthViews();
     for (TrainingView& view : seen) {
-        view.coverageOnly = true;
+        view.kind = ViewKind::outline;
         for (glm::vec4& pixel : view.pixels) pixel = glm::vec4(glm::vec3(7.0f), pixel.w);
     }
     const auto off = [&](const Splats& splats) {
@@ -99,17 +99,19 @@ TEST_F(TrainerOnDevice, LearnsCoverageWithoutColours) {
 }
 
 // As if they had never been there, but for what was learnt from them.
-TEST_F(TrainerOnDevice, OutlinesAreForgotten) {
+TEST_F(TrainerOnDevice, StandInsAreForgotten) {
     std::vector<TrainingView> seen = truthViews();
-    for (std::size_t i = 0; i < seen.size(); i += 2) seen[i].coverageOnly = true;
+    for (std::size_t i = 0; i < seen.size(); i += 2)
+        seen[i].kind = i % 4 == 0 ? ViewKind::outline : ViewKind::standIn;
     Trainer trained = trainer(start(), options(), seen);
     ASSERT_TRUE(trained.step(20).ok());
     TrainingState without = *trained.state();
-    std::erase_if(without.views, [](const TrainingState::View& view) { return view.given->coverageOnly; });
-    trained.forgetOutlines();
+    std::erase_if(without.views,
+                  [](const TrainingState::View& view) { return view.given->kind != ViewKind::picture; });
+    trained.forgetStandIns();
     EXPECT_EQ(trained.viewCount(), seen.size() / 2);
     EXPECT_EQ(trained.lastGood().views.size(), seen.size() / 2);
-    for (std::size_t i = 0; i < trained.viewCount(); ++i) EXPECT_FALSE(trained.view(i).coverageOnly);
+    for (std::size_t i = 0; i < trained.viewCount(); ++i) EXPECT_EQ(trained.view(i).kind, ViewKind::picture);
 
     Trainer other = std::move(Trainer::resume(device(), without)).value();
     ASSERT_TRUE(trained.step(20).ok());

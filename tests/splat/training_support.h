@@ -37,7 +37,7 @@ inline void expectSame(const TrainingState& a, const TrainingState& b, const std
         EXPECT_EQ(a.views[i].loss, b.views[i].loss) << when;
         EXPECT_EQ(a.views[i].l1, b.views[i].l1) << when;
         EXPECT_EQ(a.views[i].given->weight, b.views[i].given->weight) << when;
-        EXPECT_EQ(a.views[i].given->coverageOnly, b.views[i].given->coverageOnly) << when;
+        EXPECT_EQ(a.views[i].given->kind, b.views[i].given->kind) << when;
         EXPECT_TRUE(sameBits(a.views[i].given->pixels, b.views[i].given->pixels)) << when;
     }
 }
@@ -74,7 +74,7 @@ inline TrainingState randomState(std::size_t splats, int degree, std::size_t vie
         const Camera camera{.positionMm = {100.0 * double(v), -500.0, 1.0 / 3.0}};
         TrainingView view{.view = *rasterView(camera, sizePx + glm::ivec2(int(v), 0), {0.1, 0.2, 0.3}),
                           .weight = 0.1f + uniform(),
-                          .coverageOnly = v % 2 == 1};
+                          .kind = static_cast<ViewKind>(v % 3)};
         const auto pixels = static_cast<std::size_t>(view.view.sizePx.x) * std::size_t(view.view.sizePx.y);
         for (std::size_t i = 0; i < pixels; ++i) {
             const bool empty = i % 3 == 0;

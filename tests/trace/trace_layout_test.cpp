@@ -6,6 +6,7 @@
 #include "shaders/trace.h"
 #include "shared/denoise_params.h"
 #include "shared/guide_params.h"
+#include "shared/primary_vertex.h"
 #include "shared/surface_params.h"
 #include "shared/trace_params.h"
 
@@ -67,8 +68,9 @@ const std::vector<LaidOutField> kPlannedBlock{MACULA_FIELD(PlannedBlock, block),
                                               MACULA_FIELD(PlannedBlock, sampleCount)};
 
 TEST(TraceLayout, ParametersAndPushConstantsAgreeInEveryKernel) {
-    for (const auto& code : {shaders::trace_path_comp, shaders::trace_cast_comp, shaders::trace_guides_comp,
-                             shaders::trace_candidates_comp, shaders::trace_surface_points_comp}) {
+    for (const auto& code :
+         {shaders::trace_path_comp, shaders::trace_path_primaries_comp, shaders::trace_cast_comp,
+          shaders::trace_guides_comp, shaders::trace_candidates_comp, shaders::trace_surface_points_comp}) {
         const auto reflection = gpu::reflectSpirv(code.words);
         ASSERT_TRUE(reflection.ok());
         const auto* params = reflection->bindings.front().block.find("params");
@@ -82,6 +84,11 @@ TEST(TraceLayout, ParametersAndPushConstantsAgreeInEveryKernel) {
         ASSERT_NE(planned, nullptr) << code.name;
         expectLayoutMatches<PlannedBlock>(*planned, kPlannedBlock);
     }
+    const auto primaries = gpu::reflectSpirv(shaders::trace_path_primaries_comp.words);
+    ASSERT_TRUE(primaries.ok());
+    expectLayoutMatches<shared::PrimaryVertex>(
+        *primaries->bindings.back().block.find("primaries"),
+        {MACULA_FIELD(shared::PrimaryVertex, fromEyeMm), MACULA_FIELD(shared::PrimaryVertex, radiance)});
     const auto noise = gpu::reflectSpirv(shaders::trace_noise_comp.words);
     ASSERT_TRUE(noise.ok());
     expectLayoutMatches<shared::BlockNoise>(

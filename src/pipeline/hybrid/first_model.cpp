@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <utility>
 
-#include "pipeline/hybrid/coverage_views.h"
 #include "pipeline/hybrid/learnt_views.h"
+#include "pipeline/hybrid/lit_views.h"
 #include "pipeline/hybrid/model_start.h"
 
 namespace macula::hybrid {
@@ -24,14 +25,25 @@ Error cancelled() {
 
 // In turn, because views that were never drawn come first, as they were given.
 Result<void> learnFromAll(splat::Trainer& trainer, std::vector<TracedView> views,
-                          std::vector<TracedView> outlines) {
+                          std::vector<TracedView> standIns) {
     std::size_t told = 0;
     for (std::size_t i = 0; i < views.size(); ++i) {
         MACULA_TRY_VOID(learnFrom(trainer, std::move(views[i])));
-        for (; told < (i + 1) * outlines.size() / views.size(); ++told)
-            MACULA_TRY_VOID(learnCoverageFrom(trainer, std::move(outlines[told])));
+        for (; told < (i + 1) * standIns.size() / views.size(); ++told)
+            MACULA_TRY_VOID(learnStandInFrom(trainer, std::move(standIns[told])));
     }
     return {};
+}
+
+// What a pixel shows of the middle of what is seen, in the mean of the views: smaller cells know too little,
+// larger ones blur.
+double pixelMm(const std::vector<Camera>& cameras, const Box& seenMm, int sizePx) {
+    double sum = 0.0;
+    for (const Camera& camera : cameras) {
+        const double halfField = std::tan(glm::radians(camera.verticalFovDeg) / 2.0);
+        sum += glm::distance(camera.positionMm, seenMm.centre()) * 2.0 * halfField / double(sizePx);
+    }
+    return sum / double(cameras.size());
 }
 
 Result<void> train(FirstModel& model, const FirstModelOptions& options, Progress& progress) {
@@ -87,7 +99,7 @@ Result<FirstModel> makeFirstModel(const std::shared_ptr<gpu::Device>& device, tr
     start = Clock::now();
     std::size_t givenUp = 0;
     ViewsToLearn traced;
-    std::vector<TracedView> outlines;
+    std::vector<TracedView> standIns;
     if (options.views > 0) {
         MACULA_TRY(const ChosenViews chosen,
                    chooseViews(tracer, seenMm, initialTraining(options.views, options.trial), {}, progress));
@@ -98,13 +110,18 @@ Result<FirstModel> makeFirstModel(const std::shared_ptr<gpu::Device>& device, tr
         tracing.settings.bounces = options.bounces;
         tracing.settings.seed =
             static_cast<std::uint32_t>(options.trial) * 0x9e3779b9u;  // far from other trials
+        LightInSpace light(pixelMm(chosen.cameras, seenMm, options.sizePx));
+        const std::size_t lacking = options.directions - std::min(options.views, options.directions);
+        if (lacking > 0) tracing.light = &light;
         MACULA_TRY(traced, traceViews(tracer, chosen.cameras, tracing, progress));
-        if (options.directions > options.views) {
-            const std::size_t lacking = options.directions - options.views;
+        if (lacking > 0) {
+            light.finish();
             MACULA_TRY(const ChosenViews others,
                        chooseViews(tracer, seenMm, coverageTraining(lacking, options.trial), {}, progress));
             givenUp += others.givenUp;
-            MACULA_TRY(outlines, coverageViews(tracer, others.cameras, tracing.sizePx, progress));
+            trace::Settings looking = tracing.settings;
+            looking.seed += static_cast<std::uint32_t>(options.views);
+            MACULA_TRY(standIns, litViews(tracer, others.cameras, tracing.sizePx, looking, light, progress));
         }
     }
     const double viewsSeconds = secondsSince(start);
@@ -112,7 +129,7 @@ Result<FirstModel> makeFirstModel(const std::shared_ptr<gpu::Device>& device, tr
     start = Clock::now();
     MACULA_TRY(splat::Trainer trainer, splat::Trainer::create(device, first.splats, trainerOptions(options)));
     const bool canLearn = !traced.views.empty();
-    MACULA_TRY_VOID(learnFromAll(trainer, std::move(traced.views), std::move(outlines)));
+    MACULA_TRY_VOID(learnFromAll(trainer, std::move(traced.views), std::move(standIns)));
     FirstModel model{.trainer = std::move(trainer),
                      .pointsSeconds = pointsSeconds,
                      .viewsSeconds = viewsSeconds,

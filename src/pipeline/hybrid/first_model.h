@@ -21,9 +21,9 @@ struct FirstModelOptions {
     // with many: what a model has not seen from somewhere it does not know. docs/peripheral-model.md.
     std::size_t views = 48;
     std::uint32_t samplesPerPixel = 2;  // denoised a little
-    // Sides in all that the model learns from. Where fewer views are traced, it is told from the rest how
-    // much is in the way: that costs little, and without it what was seen from few sides is in the wrong
-    // place for all others.
+    // Sides in all that the model learns from. Where fewer views are traced, the rest are lit with the light
+    // that was found for these (lit_views.h): that costs little, and without it what was seen from few sides
+    // is in the wrong place, and in the wrong light, for all others.
     std::size_t directions = 48;
     int sizePx = 512;
     int bounces = 4;

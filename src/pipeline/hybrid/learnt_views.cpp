@@ -42,8 +42,15 @@ Result<splat::TrainingView> learntPicture(const splat::Trainer& trainer, TracedV
 Result<splat::TrainingView> learntOutline(const splat::Trainer& trainer, TracedView view) {
     MACULA_TRY(splat::TrainingView outline, learntPicture(trainer, std::move(view)));
     outline.weight = 1.0f;
-    outline.coverageOnly = true;
+    outline.kind = splat::ViewKind::outline;
     return outline;
+}
+
+Result<void> learnStandInFrom(splat::Trainer& trainer, TracedView view) {
+    MACULA_TRY(splat::TrainingView standIn, learntPicture(trainer, std::move(view)));
+    standIn.weight = 1.0f;
+    standIn.kind = splat::ViewKind::standIn;
+    return trainer.addView(std::move(standIn));
 }
 
 Result<void> learnFrom(splat::Trainer& trainer, TracedView view) {
@@ -67,7 +74,7 @@ Result<Novelty> admit(splat::Trainer& trainer, splat::TrainingView picture, doub
                       const AdmissionOptions& options) {
     std::vector<std::size_t> known;  // from there
     for (std::size_t i = 0; i < trainer.viewCount(); ++i) {
-        if (trainer.view(i).coverageOnly) continue;  // no picture of it was seen
+        if (trainer.view(i).kind != splat::ViewKind::picture) continue;  // no picture of it was seen
         if (!isSamePose(picture.view, trainer.view(i).view, radiusMm, options)) continue;
         if (!trainer.wasDrawn(i)) return Novelty::none;
         known.push_back(i);

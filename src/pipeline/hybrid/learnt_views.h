@@ -34,6 +34,8 @@ Result<splat::TrainingView> learntOutline(const splat::Trainer& trainer, TracedV
 
 // Takes part in the training from its next step on. Fails as Trainer::addView.
 Result<void> learnFrom(splat::Trainer& trainer, TracedView view);
+// One of litViews, with the weight of a usual picture, as long as there are few of these.
+Result<void> learnStandInFrom(splat::Trainer& trainer, TracedView view);
 Result<void> learnCoverageFrom(splat::Trainer& trainer, TracedView view);
 
 // When a view tells a model something.

@@ -32,7 +32,7 @@ std::vector<KnownView> PeripheralModel::knownViews() const {
     while (coverage_.size() < trainer_.viewCount())
         coverage_.push_back(coverageOf(trainer_.view(coverage_.size())));
     for (std::size_t i = 0; i < trainer_.viewCount(); ++i) {
-        if (trainer_.view(i).coverageOnly) continue;  // no picture of it was seen
+        if (trainer_.view(i).kind != splat::ViewKind::picture) continue;  // no picture of it was seen
         known.push_back({.view = trainer_.view(i).view, .error = trainer_.lastDifference(i) / coverage_[i]});
     }
     for (const HeldOut& h : heldOut_) known.push_back({.view = h.picture->view, .error = h.error});
@@ -86,7 +86,7 @@ bool PeripheralModel::isKnown(const splat::RasterView& view) const {
         return isSamePose(view, other, radiusMm, options_.wanted.admission);
     };
     for (std::size_t i = 0; i < trainer_.viewCount(); ++i)
-        if (!trainer_.view(i).coverageOnly && same(trainer_.view(i).view)) return true;
+        if (trainer_.view(i).kind == splat::ViewKind::picture && same(trainer_.view(i).view)) return true;
     return std::any_of(heldOut_.begin(), heldOut_.end(),
                        [&](const HeldOut& h) { return same(h.picture->view); });
 }

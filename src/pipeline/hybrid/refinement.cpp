@@ -33,7 +33,7 @@ double splitShare(double splats, double capacity, double splits) {
 std::size_t picturesOf(const splat::Trainer& trainer) {
     std::size_t count = 0;
     for (std::size_t i = 0; i < trainer.viewCount(); ++i)
-        if (!trainer.view(i).coverageOnly) ++count;
+        if (trainer.view(i).kind == splat::ViewKind::picture) ++count;
     return count;
 }
 
@@ -85,7 +85,7 @@ Result<MoreViews> beginRefinement(splat::Trainer& trainer, trace::PathTracer& tr
     MACULA_TRY_VOID(
         trainer.goOnWith(training, std::max(options.shDegree, trainer.lastGood().splats.shDegree)));
     for (TracedView& view : traced.views) MACULA_TRY_VOID(learnFrom(trainer, std::move(view)));
-    if (picturesOf(trainer) >= kEnoughSides) trainer.forgetOutlines();
+    if (picturesOf(trainer) >= kEnoughSides) trainer.forgetStandIns();
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
     return MoreViews{.seconds = seconds.count(), .givenUp = chosen.givenUp, .fromKept = traced.fromKept};
 }

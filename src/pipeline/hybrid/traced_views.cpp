@@ -30,6 +30,29 @@ Result<void> addSamples(trace::PathTracer& tracer, const trace::View& view, cons
     return {};
 }
 
+// Likewise, and keeps the light that they find.
+Result<void> addSamplesAndLight(trace::PathTracer& tracer, const trace::View& view,
+                                const trace::Settings& settings, std::uint32_t samplesPerPixel,
+                                LightInSpace& light, Progress& progress) {
+    MACULA_TRY_VOID(tracer.setSettings(settings));
+    MACULA_TRY_VOID(tracer.setView(view));
+    for (std::uint32_t done = 0; done < samplesPerPixel;) {
+        const std::uint32_t count = std::min(shared::kPrimarySamples, samplesPerPixel - done);
+        MACULA_TRY(
+            const std::vector<shared::PrimaryVertex> met,
+            tracer.tracePrimaries(count, trace::Primaries::withLight, [&] { return !progress.cancelled(); }));
+        if (progress.cancelled()) return cancelled();
+        for (const shared::PrimaryVertex& vertex : met) {
+            const glm::dvec3 way(vertex.fromEyeMm);
+            if (way == glm::dvec3(0.0)) continue;
+            light.add(view.camera.positionMm + way, glm::normalize(way), vertex.radiance);
+        }
+        done += count;
+        progress.advance(count);
+    }
+    return {};
+}
+
 }  // namespace
 
 Result<TracedView> traceView(trace::PathTracer& tracer, const trace::View& view,
@@ -69,7 +92,7 @@ Result<ViewsToLearn> traceViews(trace::PathTracer& tracer, std::span<const Camer
         trace::Settings settings = options.settings;
         settings.seed += static_cast<std::uint32_t>(learnt.views.size());
         const trace::View view{.camera = camera, .width = options.sizePx.x, .height = options.sizePx.y};
-        if (options.kept != nullptr) {
+        if (options.kept != nullptr && options.light == nullptr) {
             MACULA_TRY(std::optional<TracedView> known, options.kept->find(view, settings, samples));
             if (known) {
                 learnt.views.push_back(std::move(*known));
@@ -80,7 +103,11 @@ Result<ViewsToLearn> traceViews(trace::PathTracer& tracer, std::span<const Camer
             }
         }
         tracer.forgetViews();
-        MACULA_TRY_VOID(addSamples(tracer, view, settings, samples, progress));
+        if (options.light != nullptr) {
+            MACULA_TRY_VOID(addSamplesAndLight(tracer, view, settings, samples, *options.light, progress));
+        } else {
+            MACULA_TRY_VOID(addSamples(tracer, view, settings, samples, progress));
+        }
         MACULA_TRY(TracedView traced, readToLearnFrom(tracer, camera));
         if (options.kept != nullptr) MACULA_TRY_VOID(options.kept->keep(view, settings, samples, traced));
         learnt.views.push_back(std::move(traced));

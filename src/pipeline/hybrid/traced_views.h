@@ -8,6 +8,7 @@
 #include "base/progress.h"
 #include "base/result.h"
 #include "pipeline/hybrid/kept_views.h"
+#include "pipeline/hybrid/light_in_space.h"
 #include "pipeline/hybrid/traced_view.h"
 #include "pipeline/hybrid/view_sampling.h"
 #include "pipeline/trace/path_tracer.h"
@@ -25,6 +26,9 @@ struct ViewTracing {
     // Asked before a view is traced, and given it then, at once: who is cancelled goes on where he was. Of
     // what the tracer has. Null: nothing is kept.
     const KeptViews* kept = nullptr;
+    // Gets the light that is found on the way, and then views are traced whether they are kept or not. Null:
+    // nobody asks for it.
+    LightInSpace* light = nullptr;
 };
 
 struct ViewsToLearn {

@@ -107,10 +107,10 @@ Result<void> Trainer::addView(std::shared_ptr<const TrainingView> given) {
     return {};
 }
 
-void Trainer::forgetOutlines() {
-    const auto isOutline = [](const auto& view) { return view.given->coverageOnly; };
-    std::erase_if(views_, isOutline);
-    std::erase_if(lastGood_.views, isOutline);
+void Trainer::forgetStandIns() {
+    const auto standsIn = [](const auto& view) { return view.given->kind != ViewKind::picture; };
+    std::erase_if(views_, standsIn);
+    std::erase_if(lastGood_.views, standsIn);
 }
 
 Result<Loss*> Trainer::lossFor(glm::ivec2 sizePx) {
@@ -186,7 +186,7 @@ Result<double> Trainer::differenceTo(const TrainingView& view) {
                  {.measure = LossMeasure::absolute,
                   .background = glm::vec3(0.0f),
                   .viewWeight = 1.0f,
-                  .coverageOnly = view.coverageOnly});
+                  .coverageOnly = view.kind == ViewKind::outline});
     MACULA_TRY([[maybe_unused]] const gpu::Ticket ticket, recorder.submit());
     MACULA_TRY(const shared::SplatLossResult result, loss->read());
     return double(result.l1);
@@ -203,7 +203,7 @@ Result<void> Trainer::oneStep() {
     const LossStep over{.measure = stage.measure,
                         .background = glm::vec3(red, green, dice()),
                         .viewWeight = view.given->weight,
-                        .coverageOnly = view.given->coverageOnly};
+                        .coverageOnly = view.given->kind == ViewKind::outline};
 
     for (bool done = false; !done;) {
         MACULA_TRY(done, tryStep(*level, *loss, over));
@@ -280,7 +280,7 @@ TrainingReport Trainer::report() const {
     double drawn = 0.0;
     double pictures = 0.0;
     for (const View& view : views_) {
-        if (view.given->coverageOnly) continue;
+        if (view.given->kind != ViewKind::picture) continue;
         pictures += 1.0;
         if (view.loss < 0.0) continue;
         report.loss += view.loss;

@@ -59,8 +59,8 @@ class Trainer {
     // device cannot hold it, or not what comparing it takes (loss.h). The picture stays on the host as well,
     // and is shared with states.
     Result<void> addView(TrainingView view);
-    // Views of coverage alone take no part any more: for when pictures say what they said.
-    void forgetOutlines();
+    // What is no picture takes no part any more: for when pictures say what it said.
+    void forgetStandIns();
     std::size_t viewCount() const { return views_.size(); }
     // In the order in which they were added.
     const TrainingView& view(std::size_t index) const { return *views_[index].given; }

@@ -35,7 +35,7 @@ struct ViewRecord {
     double l1;
     std::int32_t sizePx[2];
     float weight;
-    std::uint32_t coverageOnly;  // 0 or 1
+    ViewKind kind;
 };
 static_assert(sizeof(ViewRecord) == 168);
 
@@ -45,7 +45,7 @@ ViewRecord recordOf(const TrainingState::View& view) {
                       .loss = view.loss,
                       .l1 = view.l1,
                       .weight = view.given->weight,
-                      .coverageOnly = view.given->coverageOnly ? 1u : 0u};
+                      .kind = view.given->kind};
     for (int i = 0; i < 9; ++i) record.cameraFromWorld[i] = v.cameraFromWorld[i / 3][i % 3];
     for (int i = 0; i < 3; ++i) record.eyeMm[i] = v.eyeMm[i];
     for (int i = 0; i < 2; ++i) {
@@ -141,10 +141,8 @@ Result<std::vector<TrainingState::View>> readViews(ChunkFile& file, std::uint64_
     std::vector<TrainingView> given(count);
     std::uint64_t total = 0;
     for (std::size_t i = 0; i < count; ++i) {
-        given[i] = {.view = viewOf(records[i]),
-                    .weight = records[i].weight,
-                    .coverageOnly = records[i].coverageOnly != 0};
-        if (!validate(given[i].view).ok()) return damagedModel();
+        given[i] = {.view = viewOf(records[i]), .weight = records[i].weight, .kind = records[i].kind};
+        if (!validate(given[i].view).ok() || records[i].kind > ViewKind::standIn) return damagedModel();
         const auto pixels = static_cast<std::uint64_t>(given[i].view.sizePx.x) *
                             static_cast<std::uint64_t>(given[i].view.sizePx.y);
         if (entries[i]->plainBytes != pixels * sizeof(glm::vec4)) return damagedModel();

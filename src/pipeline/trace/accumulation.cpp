@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "pipeline/gpu/recorder.h"
+#include "pipeline/gpu/transfer.h"
 
 namespace macula::trace {
 
@@ -25,6 +26,7 @@ Result<void> Accumulation::begin(int width, int height) {
         film_.reset();  // first, so that only one is ever on the device
         noiseMap_.reset();
         planned_.reset();
+        primaries_.reset();
         MACULA_TRY(film_, Film::create(device_, width, height));
     }
     if (!planned_) {
@@ -55,6 +57,7 @@ Result<void> Accumulation::step(const DeviceScene& scene, TraceKernels& kernels,
     std::vector<gpu::Binding> bindings = scene.bindings();
     film_->appendTo(bindings);
     bindings.emplace_back(*planned_);
+    if (variant.primaries != Primaries::none) bindings.emplace_back(*primaries_);
     recorder.dispatch(*found.kernel,
                       {static_cast<std::uint32_t>(blocks.size()) * shared::kBlockEdge, shared::kBlockEdge},
                       bindings);
@@ -69,6 +72,23 @@ Result<void> Accumulation::step(const DeviceScene& scene, TraceKernels& kernels,
     deviceMs_ += took;
     ++edition_;
     return {};
+}
+
+Result<void> Accumulation::clearPrimaries() {
+    if (!primaries_) {
+        const std::uint64_t pixels = std::uint64_t(film_->width()) * std::uint64_t(film_->height());
+        MACULA_TRY(primaries_, gpu::Buffer::create(device_, {.label = "primary vertices",
+                                                             .bytes = pixels * shared::kPrimarySamples *
+                                                                      sizeof(shared::PrimaryVertex)}));
+    }
+    MACULA_TRY(auto recorder, gpu::Recorder::create(device_, "clear primary vertices"));
+    recorder.fill(*primaries_, 0);
+    MACULA_TRY([[maybe_unused]] const gpu::Ticket ticket, recorder.submit());
+    return {};
+}
+
+Result<std::vector<shared::PrimaryVertex>> Accumulation::readPrimaries() const {
+    return gpu::read<shared::PrimaryVertex>(*primaries_);
 }
 
 Result<bool> Accumulation::hasLostPaths() const {

@@ -16,6 +16,7 @@
 #include "pipeline/trace/pace.h"
 #include "pipeline/trace/sampling_plan.h"
 #include "pipeline/trace/trace_kernels.h"
+#include "shared/primary_vertex.h"
 
 namespace macula::trace {
 
@@ -37,6 +38,11 @@ class Accumulation {
     // picture's view. Where it fails, nobody knows what the film holds.
     Result<void> step(const DeviceScene& scene, TraceKernels& kernels, const TraceVariant& variant,
                       int bounces, double ms);
+    // From now on where samples of kPrimarySamples in a row meet matter is kept as well, of steps whose
+    // variant tells it; what was kept before is cleared. outOfMemory.
+    Result<void> clearPrimaries();
+    Result<std::vector<shared::PrimaryVertex>> readPrimaries() const;  // waits; after clearPrimaries
+
     // Whether paths were lost to the device's limit that smaller portions than those of the last pass would
     // keep. To leave out long paths only, which are those through dense matter, would darken the picture.
     Result<bool> hasLostPaths() const;
@@ -58,7 +64,8 @@ class Accumulation {
     std::shared_ptr<gpu::Device> device_;
     Pace pace_;
     std::optional<Film> film_;
-    std::optional<gpu::Buffer> planned_;  // PlannedBlock: what the dispatch under way does
+    std::optional<gpu::Buffer> planned_;    // PlannedBlock: what the dispatch under way does
+    std::optional<gpu::Buffer> primaries_;  // of the film's size
     SamplingPlan plan_;
     std::uint64_t edition_ = 0;
     double deviceMs_ = 0.0;

@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "base/check.h"
 #include "pipeline/gpu/kernel.h"
 #include "pipeline/gpu/recorder.h"
 #include "pipeline/gpu/transfer.h"
@@ -69,6 +70,7 @@ struct PathTracer::Impl {
 
     bool stale = true;                       // something above has changed: accumulation starts again
     bool restarting = false;                 // nothing has: only the portions were too large
+    Primaries primaries = Primaries::none;   // told by the samples under way
     std::uint32_t mostSamples = UINT32_MAX;  // of one dispatch; lowered when paths turn out too long
     Accumulation accumulation;
     ViewHistory history;
@@ -76,7 +78,7 @@ struct PathTracer::Impl {
     void looksOther();
     Result<void> prepare();
     Result<const gpu::Buffer*> denoised();
-    TraceVariant variant() const { return variantOf(settings, kindOf(scene)); }
+    TraceVariant variant() const;
     std::uint32_t mostPerDispatch() const;  // samples of a pixel
     void beginEvenPass(double samples);
     void beginPass(double leftMs);
@@ -152,6 +154,12 @@ Result<void> PathTracer::setView(const View& view) {
     return {};
 }
 
+TraceVariant PathTracer::Impl::variant() const {
+    TraceVariant variant = variantOf(settings, kindOf(scene));
+    variant.primaries = primaries;
+    return variant;
+}
+
 std::uint32_t PathTracer::Impl::mostPerDispatch() const {
     if (!isPathTraced(settings.look)) return std::max(std::min(kMaxRaysPerDispatch, mostSamples), 1u);
     const int bounces = settings.look == Look::clear ? 1 : settings.bounces;
@@ -218,6 +226,30 @@ Result<bool> PathTracer::trace(std::uint32_t samplesPerPixel, const std::functio
         if (keepGoing && !keepGoing()) break;
     }
     return !plan.hasPass();
+}
+
+Result<std::vector<shared::PrimaryVertex>> PathTracer::tracePrimaries(
+    std::uint32_t samplesPerPixel, Primaries what, const std::function<bool()>& keepGoing) {
+    MACULA_CHECK(samplesPerPixel >= 1 && samplesPerPixel <= shared::kPrimarySamples);
+    MACULA_CHECK(what != Primaries::none);
+    Impl& t = *impl_;
+    if (!isPathTraced(t.settings.look))
+        return Error{ErrorCode::usage, "This look traces no paths.", {}, "Choose the cinematic look."};
+    if (t.accumulation.plan().hasPass()) t.stale = true;  // an unfinished one tells of a part only
+    MACULA_TRY_VOID(t.prepare());
+    MACULA_TRY_VOID(t.accumulation.clearPrimaries());
+    const std::uint32_t first = t.accumulation.plan().leastSamples() % shared::kPrimarySamples;
+    t.primaries = what;
+    const Result<bool> whole = trace(samplesPerPixel, keepGoing);
+    t.primaries = Primaries::none;
+    if (what == Primaries::alone || !whole || !*whole) t.stale = true;
+    if (!whole) return whole.error();
+    if (!*whole) return Error{ErrorCode::cancelled, "Stopped.", {}, {}};
+    MACULA_TRY(std::vector<shared::PrimaryVertex> found, t.accumulation.readPrimaries());
+    const std::size_t pixels = found.size() / shared::kPrimarySamples;
+    std::rotate(found.begin(), found.begin() + std::ptrdiff_t(first * pixels), found.end());
+    found.resize(samplesPerPixel * pixels);
+    return found;
 }
 
 // Noise decides about the next pass, or about whether there is one.

@@ -26,9 +26,11 @@
 #include "pipeline/trace/sampling_plan.h"
 #include "pipeline/trace/settings.h"
 #include "pipeline/trace/surface_points.h"
+#include "pipeline/trace/trace_kernels.h"
 #include "pipeline/trace/voxel_memory.h"
 #include "pipeline/volume/clip.h"
 #include "pipeline/volume/transfer_function.h"
+#include "shared/primary_vertex.h"
 
 namespace macula::trace {
 
@@ -95,6 +97,13 @@ class PathTracer {
     // between dispatches, and a picture that was interrupted is finished by the next call. Returns whether
     // all of these samples were added.
     Result<bool> trace(std::uint32_t samplesPerPixel, const std::function<bool()>& keepGoing = {});
+
+    // Adds samples like trace(), 1 to kPrimarySamples, and gives where each has met matter first, or a grey
+    // face of a clip, and what light left there towards the eye: row by row for one sample of each pixel,
+    // then for the next. `alone` traces no light: radiance is 0 but for faces, and the picture begins anew
+    // with the next call. `cancelled` when `keepGoing` says no; usage for looks that trace no paths.
+    Result<std::vector<shared::PrimaryVertex>> tracePrimaries(std::uint32_t samplesPerPixel, Primaries what,
+                                                              const std::function<bool()>& keepGoing = {});
 
     // Adds samples for about `budgetMs` (may be infinite), at least one dispatch, and stops within 20 ms of
     // it on the slowest device once its kernels are compiled (the first dispatch of a kind compiles one);

@@ -18,6 +18,12 @@ int castOf(Look look) {
     return shared::kCastMatter;
 }
 
+const gpu::ShaderCode& samplesCodeOf(const TraceVariant& variant) {
+    if (!isPathTraced(variant.look)) return shaders::trace_cast_comp;
+    return variant.primaries == Primaries::none ? shaders::trace_path_comp
+                                                : shaders::trace_path_primaries_comp;
+}
+
 }  // namespace
 
 SceneKind kindOf(const DeviceScene& scene) {
@@ -36,17 +42,17 @@ TraceVariant variantOf(const Settings& settings, SceneKind scene) {
 Result<TraceKernels::Found> TraceKernels::samples(const TraceVariant& variant) {
     if (const auto found = samples_.find(variant); found != samples_.end())
         return Found{&found->second, false};
-    const auto& code = isPathTraced(variant.look) ? shaders::trace_path_comp : shaders::trace_cast_comp;
-    MACULA_TRY(gpu::Kernel kernel,
-               gpu::Kernel::create(
-                   device_, code,
-                   {.specializations = {{"kTrilinear", variant.filter == Filter::trilinear},
-                                        {"kMaxRounds", device_->isCpu() ? kMaxRoundsCpu : kMaxRoundsGpu},
-                                        {"kClip", variant.scene.clip},
-                                        {"kMask", variant.scene.mask},
-                                        {"kGradientOpacity", variant.scene.gradientOpacity},
-                                        {"kShading", variant.shading},
-                                        {"kCast", castOf(variant.look)}}}));
+    gpu::KernelOptions options{
+        .specializations = {{"kTrilinear", variant.filter == Filter::trilinear},
+                            {"kMaxRounds", device_->isCpu() ? kMaxRoundsCpu : kMaxRoundsGpu},
+                            {"kClip", variant.scene.clip},
+                            {"kMask", variant.scene.mask},
+                            {"kGradientOpacity", variant.scene.gradientOpacity},
+                            {"kShading", variant.shading},
+                            {"kCast", castOf(variant.look)}}};
+    if (variant.primaries != Primaries::none)
+        options.specializations.push_back({"kWithLight", variant.primaries == Primaries::withLight});
+    MACULA_TRY(gpu::Kernel kernel, gpu::Kernel::create(device_, samplesCodeOf(variant), options));
     return Found{&samples_.emplace(variant, std::move(kernel)).first->second, true};
 }
 

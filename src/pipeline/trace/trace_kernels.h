@@ -32,15 +32,24 @@ struct SceneKind {
 // Of the look that it looked at last; but for grey faces.
 SceneKind kindOf(const DeviceScene& scene);
 
+// What is told of where samples have met matter (shared/primary_vertex.h).
+enum class Primaries {
+    none,
+    withLight,  // and what light left there
+    alone,      // a sample ends there: no light, neither told nor in the picture
+};
+
 // What a kernel is compiled for.
 struct TraceVariant {
     Look look = Look::cinematic;
     Filter filter = Filter::trilinear;
     bool shading = false;
     SceneKind scene = {};
+    Primaries primaries = Primaries::none;  // of paths
 
     bool operator<(const TraceVariant& b) const {
-        return std::tie(look, filter, shading, scene) < std::tie(b.look, b.filter, b.shading, b.scene);
+        return std::tie(look, filter, shading, scene, primaries) <
+               std::tie(b.look, b.filter, b.shading, b.scene, b.primaries);
     }
 };
 
@@ -56,7 +65,7 @@ class TraceKernels {
         const gpu::Kernel* kernel = nullptr;  // stays where it is
         bool isNew = false;                   // its first dispatch compiles it
     };
-    // path.comp or cast.comp.
+    // path.comp, path_primaries.comp or cast.comp.
     Result<Found> samples(const TraceVariant& variant);
     Result<const gpu::Kernel*> guides(SceneKind scene);
     Result<const gpu::Kernel*> candidates(SceneKind scene);

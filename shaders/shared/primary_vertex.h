@@ -1,0 +1,15 @@
+// What a sample of a pixel has met first.
+#ifndef MACULA_SHARED_PRIMARY_VERTEX_H
+#define MACULA_SHARED_PRIMARY_VERTEX_H
+#include "shared/shared.h"
+MACULA_SHARED_BEGIN
+
+MACULA_SHARED_CONST uint kPrimarySamples = 4u;  // of a pixel, that are told at once
+
+struct PrimaryVertex {
+    vec3 fromEyeMm;  // world axes; 0 where nothing was met, or the path was lost
+    vec3 radiance;   // linear, that left there towards the eye
+};
+
+MACULA_SHARED_END
+#endif

@@ -1,0 +1,52 @@
+// Adds samples to the pixels of some blocks of the picture.
+//
+// Needs trace/host.glsl, and from its host: EXTEND_SAMPLE(path, rng), which is extendPath or ends sooner, and
+// TELL_SAMPLE(path, sampleIndex, pixelIndex) for what becomes of each that is complete and finite.
+layout(local_size_x = 8, local_size_y = 8) in;
+
+#include "trace/film.glsl"
+
+// lavapipe (Mesa 22.3) ends every loop after 65535 rounds of all loops together, and says nothing. It counts for the eight
+// lanes of a group as one, which run up to 3.4 times the rounds of each (measured on the phantom): the host sets a limit well
+// below a quarter there, and takes smaller portions when it is met.
+layout(constant_id = 1) const int kMaxRounds = 16000;
+
+void main() {
+    // Not push constants: lavapipe would compile each number of samples into the shader.
+    PlannedBlock plan = planned[gl_WorkGroupID.x];
+    int block = int(plan.block);
+    int columns = (params.imageSize.x + 7) / 8;
+    ivec2 pixel = 8 * ivec2(block % columns, block / columns) + ivec2(gl_LocalInvocationID.xy);
+    if (any(greaterThanEqual(pixel, params.imageSize))) return;
+
+    int index = pixel.y * params.imageSize.x + pixel.x;
+    vec4 sum = sums[index];
+    vec4 compensation = lost[index];
+    vec2 square = squares[index];
+    uint finite = 0u;
+    uint done = 0u;
+    int rounds = 0;  // of the samples done
+    Rng rng;
+    Path path = startSample(pixel, plan.firstSample, rng);
+    while (done < plan.sampleCount && rounds + path.rounds < kMaxRounds) {
+        rounds += 1;
+        if (!EXTEND_SAMPLE(path, rng)) {
+            vec4 value = vec4(path.radiance, path.coverage);
+            if (isFinite(value) && isFinite(sum + value)) {
+                accumulate(sum, compensation, value);
+                accumulate(square, squareOfLuminance(path.radiance));
+                finite += 1u;
+                TELL_SAMPLE(path, plan.firstSample + done, index);
+            }
+            done += 1u;
+            rounds += path.rounds;
+            path = startSample(pixel, plan.firstSample + done, rng);
+        }
+    }
+    sums[index] = sum;
+    lost[index] = compensation;
+    squares[index] = square;
+    counts[index] += finite;
+    if (finite < done) atomicAdd(nonFinite, done - finite);
+    if (done < plan.sampleCount) atomicAdd(abandoned, plan.sampleCount - done);
+}
