@@ -59,6 +59,11 @@ struct March {
     vec3 albedo;
 };
 
+// Told of every step: for those who want to know more than March holds (layers.glsl).
+#ifndef MARCH_STEP
+#define MARCH_STEP(before, after, fromMm, perDepth)
+#endif
+
 // Visitor: steps of a voxel, and where one of them alone takes away more than FINE of the light, quarters of it; each of
 // constant extinction.
 #define FINE 0.1
@@ -73,14 +78,16 @@ March march(INOUT(BrickWalk) walk) {
     float tinyMm = float(1e-3) * coarseMm;  // what is left of a brick that rounding makes
     float stepMm = coarseMm;
     float fineToMm = float(-1.0);
-    float runMm = float(0.0);     // where bricks with matter, one after the other, began: before is nothing to be sampled
-    float runToMm = float(-1.0);  // and have come to
+    float runToMm = float(-1.0);  // where bricks with matter, one after the other, have come to
+    float lastMm = float(0.0);    // the step before, if it ends where this one begins
+    float lastAdded = float(0.0);
     int rounds = 0;
     bool inside = nextSegment(walk, rounds);
     while (inside && m.opticalDepth < float(DEPTH_OPAQUE) && rounds < MOST_ROUNDS) {
         float fromMm = walk.distanceMm;
         bool anew = fromMm > runToMm + tinyMm;
-        runMm = anew ? fromMm : runMm;
+        lastMm = anew ? float(0.0) : lastMm;
+        lastAdded = anew ? float(0.0) : lastAdded;
         runToMm = walk.segmentEndMm;
         fineToMm = anew ? fromMm + float(0.5) * coarseMm : fineToMm;
         stepMm = anew ? fineMm : stepMm;
@@ -95,21 +102,24 @@ March march(INOUT(BrickWalk) walk) {
             if (useClip()) extinction = endOfCut(walk.cutFrom, walk.cutTo, middleMm) < float(0.0) ? extinction : float(0.0);
             float added = extinction * step;
             bool again = added > float(FINE) && step > fineMm;
-            float before = m.opticalDepth;
+            // Where a coarse step meets much, half of the one before is looked at again, too: it may have begun there.
+            float before = again ? m.opticalDepth - float(0.5) * lastAdded : m.opticalDepth;
             float after = again ? before : before + added;
             float perDepth = float(1.0) / max(extinction, float(1e-20));
             if (before < float(DEPTH_3_4) && after >= float(DEPTH_3_4)) m.nearMm = fromMm + (float(DEPTH_3_4) - before) * perDepth;
             if (before < float(DEPTH_1_2) && after >= float(DEPTH_1_2)) m.halfMm = fromMm + (float(DEPTH_1_2) - before) * perDepth;
             if (before < float(DEPTH_1_4) && after >= float(DEPTH_1_4)) m.farMm = fromMm + (float(DEPTH_1_4) - before) * perDepth;
+            MARCH_STEP(before, after, fromMm, perDepth);
             float seen = max(exp(-before) - exp(-min(after, float(DEPTH_1_2))), float(0.0));
             m.seen += seen;
             m.seenMm += seen * middleMm;
             m.albedo += fetchAlbedo(int(entry + float(0.5))) * seen;
             m.endMm = after > before ? fromMm + step : m.endMm;
             m.opticalDepth = after;
-            // Matter began after the middle of the step before, where there was none.
             fineToMm = again ? fromMm + step : fineToMm;
-            fromMm = again ? max(fromMm - float(0.5) * coarseMm, runMm) : fromMm + step;
+            fromMm = again ? fromMm - float(0.5) * lastMm : fromMm + step;
+            lastMm = again ? float(0.0) : step;
+            lastAdded = again ? float(0.0) : added;
             stepMm = fromMm + tinyMm < fineToMm || added > float(0.25 * FINE) ? fineMm : coarseMm;
         }
         inside = nextSegment(walk, rounds);

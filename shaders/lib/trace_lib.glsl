@@ -18,3 +18,6 @@
 #include "lib/guides.glsl"
 #include "lib/cast.glsl"
 #include "lib/surface.glsl"
+#ifdef OF_LAYERS
+#include "lib/layers.glsl"
+#endif

@@ -10,8 +10,6 @@ layout(binding = 15, scalar) writeonly buffer Primaries {
     PrimaryVertex primaries[];  // of kPrimarySamples samples, picture after picture; what is not written was cleared before
 };
 
-layout(constant_id = 8) const bool kWithLight = true;  // else a sample ends where it has met matter
-
 vec3 metMm;  // by the sample under way, from the eye
 
 bool extendSample(inout Path path, inout Rng rng) {
@@ -20,7 +18,6 @@ bool extendSample(inout Path path, inout Rng rng) {
     if (flew && path.shadow) {
         metMm = inverse(mat3(params.voxelFromWorldX, params.voxelFromWorldY, params.voxelFromWorldZ)) *
                 (path.origin - params.originVoxel);
-        goesOn = goesOn && kWithLight;
     } else if (flew && !goesOn) {
         metMm = path.direction * path.walk.endMm;  // counts where a face of a clip is there
     }

@@ -188,7 +188,7 @@ void addProtocolOptions(CLI::App& command, Options& o) {
         .add_flag(
             "--keep-views", e.keepViews,
             "Keep there what is learnt from, too: 4 MiB for a view of 512 x 512. Seconds are then those of "
-            "the views that were not there")
+            "the views that were not there, or that light other sides (--directions)")
         ->needs(cache);
 }
 

@@ -43,7 +43,7 @@ std::string whatWasAsked(const EvaluationOptions& o) {
     const hybrid::FirstModelOptions& m = o.model;
     std::string text = fmt::format(
         "Truth: {} views of {} x {} pixels, {} samples, {} bounces. Model: {} points, {} views of {} "
-        "samples, outlines from {} other sides, {} iterations.",
+        "samples, {} other sides lit by these, {} iterations.",
         o.truthViews, o.truth.sizePx.x, o.truth.sizePx.y, o.truth.samplesPerPixel, o.truth.bounces,
         m.points.count, m.views, m.samplesPerPixel, m.directions - std::min(m.directions, m.views),
         m.iterations);

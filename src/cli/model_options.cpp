@@ -27,7 +27,8 @@ ModelOptionsAdded addModelOptions(CLI::App& command, hybrid::FirstModelOptions& 
     add("--spp", m.samplesPerPixel, "Samples per pixel of these; they are denoised a little",
         CLI::Range(1, kMostSamplesOfView));
     add("--directions", m.directions,
-        "Sides in all to learn from: beyond --views, how much is in the way is found, without light",
+        "Sides in all to learn from: those beyond --views are lit with the light that these found, at little "
+        "cost",
         CLI::Range(0, kMostViews));
     add("--size", m.sizePx, "Width and height in pixels of what is learnt from", CLI::Range(16, kMostSizePx));
     add("--bounces", m.bounces, "Vertices of a path", CLI::Range(1, trace::kMaxBounces));

@@ -20,9 +20,8 @@ bool met(const PrimaryVertex& vertex) {
     return vertex.fromEyeMm != glm::vec3(0.0f);
 }
 
-std::vector<PrimaryVertex> found(PathTracer& tracer, std::uint32_t samples,
-                                 Primaries what = Primaries::withLight) {
-    auto result = tracer.tracePrimaries(samples, what);
+std::vector<PrimaryVertex> found(PathTracer& tracer, std::uint32_t samples) {
+    auto result = tracer.tracePrimaries(samples);
     EXPECT_TRUE(result.ok()) << result.error().message;
     return result.ok() ? std::move(result).value() : std::vector<PrimaryVertex>();
 }
@@ -79,18 +78,6 @@ TEST_F(PrimariesTest, TellOfThePictureInEachSmallScene) {
             ASSERT_NEAR(y, double(i / width) + 0.5, 0.501);
         }
         EXPECT_GT(seen, 50u);
-
-        // Without light: the same places.
-        PathTracer other =
-            DeviceTest::tracer(scene.volume, scene.function, scene.environment(), scene.view, settings);
-        ASSERT_TRUE(other.setClip(scene.clip).ok());
-        const auto alone = found(other, 4, Primaries::alone);
-        ASSERT_EQ(alone.size(), 4 * pixels);
-        for (std::size_t n = 0; n < alone.size(); ++n) {
-            ASSERT_EQ(alone[n].fromEyeMm, vertices[n].fromEyeMm) << n;
-            if (scene.clip.greyFaces) continue;
-            ASSERT_EQ(alone[n].radiance, glm::vec3(0.0f)) << n;
-        }
     }
 }
 
@@ -116,7 +103,7 @@ TEST_F(PrimariesTest, LieWhereFreeFlightsEnd) {
     PathTracer tracer = DeviceTest::tracer(volume, scenes::homogeneous(kPerMm),
                                            Environment::constant(glm::vec3(1.0f)), view, {.seed = 9});
     std::vector<double> depths;
-    for (const PrimaryVertex& vertex : found(tracer, 4, Primaries::alone)) {
+    for (const PrimaryVertex& vertex : found(tracer, 4)) {
         ASSERT_TRUE(met(vertex));
         const glm::dvec3 atMm = view.camera.positionMm + glm::dvec3(vertex.fromEyeMm);
         depths.push_back(atMm.y + 30.0);
@@ -143,8 +130,7 @@ TEST_F(PrimariesTest, OfFacesShowTheirGrey) {
     clip.greyFaces = DisplayWindow{.center = 500, .width = 1000};
     ASSERT_TRUE(tracer.setClip(clip).ok());
     std::size_t onFace = 0;
-    const auto alone = found(tracer, 2, Primaries::alone);
-    for (const PrimaryVertex& vertex : alone) {
+    for (const PrimaryVertex& vertex : found(tracer, 2)) {
         if (!met(vertex)) continue;
         const glm::dvec3 atMm = scenes::lookAt(*volume).camera.positionMm + glm::dvec3(vertex.fromEyeMm);
         EXPECT_NEAR(atMm.y, 2.0, 1e-3);
@@ -153,9 +139,6 @@ TEST_F(PrimariesTest, OfFacesShowTheirGrey) {
         ++onFace;
     }
     EXPECT_GT(onFace, 50u);
-    const auto lit = found(tracer, 2);
-    ASSERT_EQ(lit.size(), alone.size());
-    for (std::size_t i = 0; i < lit.size(); ++i) EXPECT_EQ(lit[i].radiance, alone[i].radiance);
 }
 
 TEST_F(PrimariesTest, LeaveAPictureThatGoesOn) {
@@ -167,21 +150,16 @@ TEST_F(PrimariesTest, LeaveAPictureThatGoesOn) {
     found(tracer, 2);
     ASSERT_TRUE(*tracer.trace(3));
     const auto mixed = tracer.readback();
-    found(tracer, 4, Primaries::alone);
-    ASSERT_TRUE(*tracer.trace(5));
-    const auto anew = tracer.readback();
     PathTracer plain = DeviceTest::tracer(volume, function, light, scenes::lookAt(*volume), {.seed = 3});
     ASSERT_TRUE(*plain.trace(5));
     const auto expected = plain.readback();
-    ASSERT_TRUE(mixed.ok() && anew.ok() && expected.ok());
-    EXPECT_EQ(anew->radiance, expected->radiance);
-    EXPECT_EQ(anew->samples, expected->samples);
+    ASSERT_TRUE(mixed.ok() && expected.ok());
     EXPECT_EQ(mixed->samples, expected->samples);
     for (std::size_t i = 0; i < expected->radiance.size(); ++i)
         for (int c = 0; c < 4; ++c) ASSERT_NEAR(mixed->radiance[i][c], expected->radiance[i][c], 1e-5) << i;
 
     ASSERT_TRUE(tracer.setSettings({.look = Look::dvr}).ok());
-    const auto cast = tracer.tracePrimaries(1, Primaries::alone);
+    const auto cast = tracer.tracePrimaries(1);
     ASSERT_FALSE(cast.ok());
     EXPECT_EQ(cast.error().code, ErrorCode::usage);
 }
@@ -193,7 +171,7 @@ TEST_F(PrimariesTest, AreStoppedBetweenDispatches) {
     PathTracer tracer =
         DeviceTest::tracer(volume, scenes::ramp(100, 500, 0.6, 1.0), Environment::constant(glm::vec3(1.0f)),
                            scenes::lookAt(*volume, 20.0, 256), {});
-    const auto stopped = tracer.tracePrimaries(4, Primaries::alone, [] { return false; });
+    const auto stopped = tracer.tracePrimaries(4, [] { return false; });
     ASSERT_FALSE(stopped.ok());
     EXPECT_EQ(stopped.error().code, ErrorCode::cancelled);
     EXPECT_EQ(found(tracer, 1).size(), 256u * 256u);

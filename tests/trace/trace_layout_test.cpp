@@ -6,6 +6,7 @@
 #include "shaders/trace.h"
 #include "shared/denoise_params.h"
 #include "shared/guide_params.h"
+#include "shared/pixel_layers.h"
 #include "shared/primary_vertex.h"
 #include "shared/surface_params.h"
 #include "shared/trace_params.h"
@@ -68,9 +69,9 @@ const std::vector<LaidOutField> kPlannedBlock{MACULA_FIELD(PlannedBlock, block),
                                               MACULA_FIELD(PlannedBlock, sampleCount)};
 
 TEST(TraceLayout, ParametersAndPushConstantsAgreeInEveryKernel) {
-    for (const auto& code :
-         {shaders::trace_path_comp, shaders::trace_path_primaries_comp, shaders::trace_cast_comp,
-          shaders::trace_guides_comp, shaders::trace_candidates_comp, shaders::trace_surface_points_comp}) {
+    for (const auto& code : {shaders::trace_path_comp, shaders::trace_path_primaries_comp,
+                             shaders::trace_cast_comp, shaders::trace_guides_comp, shaders::trace_layers_comp,
+                             shaders::trace_candidates_comp, shaders::trace_surface_points_comp}) {
         const auto reflection = gpu::reflectSpirv(code.words);
         ASSERT_TRUE(reflection.ok());
         const auto* params = reflection->bindings.front().block.find("params");
@@ -89,6 +90,14 @@ TEST(TraceLayout, ParametersAndPushConstantsAgreeInEveryKernel) {
     expectLayoutMatches<shared::PrimaryVertex>(
         *primaries->bindings.back().block.find("primaries"),
         {MACULA_FIELD(shared::PrimaryVertex, fromEyeMm), MACULA_FIELD(shared::PrimaryVertex, radiance)});
+    const auto layers = gpu::reflectSpirv(shaders::trace_layers_comp.words);
+    ASSERT_TRUE(layers.ok());
+    expectLayoutMatches<shared::PixelLayers>(
+        *layers->bindings.back().block.find("pixels"),
+        {MACULA_FIELD(shared::PixelLayers, nearMm), MACULA_FIELD(shared::PixelLayers, farMm),
+         MACULA_FIELD(shared::PixelLayers, coverage), MACULA_FIELD(shared::PixelLayers, meanMm)});
+    expectLayoutMatches<shared::LayersPush>(*layers->pushConstants->block.find("push"),
+                                            {MACULA_FIELD(shared::LayersPush, firstRow)});
     const auto noise = gpu::reflectSpirv(shaders::trace_noise_comp.words);
     ASSERT_TRUE(noise.ok());
     expectLayoutMatches<shared::BlockNoise>(

@@ -119,9 +119,7 @@ Result<FirstModel> makeFirstModel(const std::shared_ptr<gpu::Device>& device, tr
             MACULA_TRY(const ChosenViews others,
                        chooseViews(tracer, seenMm, coverageTraining(lacking, options.trial), {}, progress));
             givenUp += others.givenUp;
-            trace::Settings looking = tracing.settings;
-            looking.seed += static_cast<std::uint32_t>(options.views);
-            MACULA_TRY(standIns, litViews(tracer, others.cameras, tracing.sizePx, looking, light, progress));
+            MACULA_TRY(standIns, litViews(tracer, others.cameras, tracing.sizePx, light, progress));
         }
     }
     const double viewsSeconds = secondsSince(start);

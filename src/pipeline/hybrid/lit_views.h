@@ -15,10 +15,9 @@
 namespace macula::hybrid {
 
 // One for each camera, with no samples. Where matter is seen that no traced view has come near, pixels are
-// NaN: not known. The seed of `settings`, and those after it, say where in matter light is looked up.
-// `tracer` is left with other settings and another view. `cancelled` when `progress` says so.
+// NaN: not known. `tracer` is left with another view. `cancelled` when `progress` says so.
 Result<std::vector<TracedView>> litViews(trace::PathTracer& tracer, std::span<const Camera> cameras,
-                                         const glm::ivec2& sizePx, const trace::Settings& settings,
-                                         const LightInSpace& light, Progress& progress);
+                                         const glm::ivec2& sizePx, const LightInSpace& light,
+                                         Progress& progress);
 
 }  // namespace macula::hybrid

@@ -38,9 +38,8 @@ Result<void> addSamplesAndLight(trace::PathTracer& tracer, const trace::View& vi
     MACULA_TRY_VOID(tracer.setView(view));
     for (std::uint32_t done = 0; done < samplesPerPixel;) {
         const std::uint32_t count = std::min(shared::kPrimarySamples, samplesPerPixel - done);
-        MACULA_TRY(
-            const std::vector<shared::PrimaryVertex> met,
-            tracer.tracePrimaries(count, trace::Primaries::withLight, [&] { return !progress.cancelled(); }));
+        MACULA_TRY(const std::vector<shared::PrimaryVertex> met,
+                   tracer.tracePrimaries(count, [&] { return !progress.cancelled(); }));
         if (progress.cancelled()) return cancelled();
         for (const shared::PrimaryVertex& vertex : met) {
             const glm::dvec3 way(vertex.fromEyeMm);

@@ -57,7 +57,7 @@ Result<void> Accumulation::step(const DeviceScene& scene, TraceKernels& kernels,
     std::vector<gpu::Binding> bindings = scene.bindings();
     film_->appendTo(bindings);
     bindings.emplace_back(*planned_);
-    if (variant.primaries != Primaries::none) bindings.emplace_back(*primaries_);
+    if (variant.tellsPrimaries) bindings.emplace_back(*primaries_);
     recorder.dispatch(*found.kernel,
                       {static_cast<std::uint32_t>(blocks.size()) * shared::kBlockEdge, shared::kBlockEdge},
                       bindings);

@@ -26,6 +26,11 @@ Result<gpu::TexelBuffer> makeTexels(const std::shared_ptr<gpu::Device>& device, 
 
 }  // namespace
 
+int rowsToMarchAtOnce(const gpu::Device& device, int width, int height) {
+    const int pixels = device.isCpu() ? kPixelsPerDispatchCpu : kPixelsPerDispatchGpu;
+    return std::clamp(pixels / width / 8 * 8, 8, height + 7);
+}
+
 Guides::Guides(int width, int height, gpu::TexelBuffer surfaces, gpu::TexelBuffer matters,
                gpu::TexelBuffer motions)
     : width_(width),
@@ -45,8 +50,7 @@ Result<Guides> Guides::create(const std::shared_ptr<gpu::Device>& device, int wi
 Result<void> Guides::compute(const DeviceScene& scene, const gpu::Kernel& kernel,
                              const shared::GuidePush& before) {
     const auto& device = surfaces_.buffer().device();
-    const int pixels = device->isCpu() ? kPixelsPerDispatchCpu : kPixelsPerDispatchGpu;
-    const int rows = std::clamp(pixels / width_ / 8 * 8, 8, height_ + 7);
+    const int rows = rowsToMarchAtOnce(*device, width_, height_);
     shared::GuidePush push = before;
     for (push.firstRow = 0; push.firstRow < height_; push.firstRow += rows) {
         MACULA_TRY(auto recorder, gpu::Recorder::create(device, "guides"));

@@ -46,4 +46,7 @@ class Guides {
     gpu::TexelBuffer motions_;
 };
 
+// Of a picture whose centre rays are marched through matter: how many fit into one dispatch, in whole groups.
+int rowsToMarchAtOnce(const gpu::Device& device, int width, int height);
+
 }  // namespace macula::trace

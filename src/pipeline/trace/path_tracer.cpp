@@ -12,6 +12,7 @@
 #include "pipeline/trace/accumulation.h"
 #include "pipeline/trace/device_scene.h"
 #include "pipeline/trace/film.h"
+#include "pipeline/trace/pixel_layers.h"
 #include "pipeline/trace/trace_kernels.h"
 #include "pipeline/trace/view_history.h"
 #include "shaders/trace.h"
@@ -70,7 +71,7 @@ struct PathTracer::Impl {
 
     bool stale = true;                       // something above has changed: accumulation starts again
     bool restarting = false;                 // nothing has: only the portions were too large
-    Primaries primaries = Primaries::none;   // told by the samples under way
+    bool tellsPrimaries = false;             // by the samples under way
     std::uint32_t mostSamples = UINT32_MAX;  // of one dispatch; lowered when paths turn out too long
     Accumulation accumulation;
     ViewHistory history;
@@ -156,7 +157,7 @@ Result<void> PathTracer::setView(const View& view) {
 
 TraceVariant PathTracer::Impl::variant() const {
     TraceVariant variant = variantOf(settings, kindOf(scene));
-    variant.primaries = primaries;
+    variant.tellsPrimaries = tellsPrimaries;
     return variant;
 }
 
@@ -229,9 +230,8 @@ Result<bool> PathTracer::trace(std::uint32_t samplesPerPixel, const std::functio
 }
 
 Result<std::vector<shared::PrimaryVertex>> PathTracer::tracePrimaries(
-    std::uint32_t samplesPerPixel, Primaries what, const std::function<bool()>& keepGoing) {
+    std::uint32_t samplesPerPixel, const std::function<bool()>& keepGoing) {
     MACULA_CHECK(samplesPerPixel >= 1 && samplesPerPixel <= shared::kPrimarySamples);
-    MACULA_CHECK(what != Primaries::none);
     Impl& t = *impl_;
     if (!isPathTraced(t.settings.look))
         return Error{ErrorCode::usage, "This look traces no paths.", {}, "Choose the cinematic look."};
@@ -239,12 +239,14 @@ Result<std::vector<shared::PrimaryVertex>> PathTracer::tracePrimaries(
     MACULA_TRY_VOID(t.prepare());
     MACULA_TRY_VOID(t.accumulation.clearPrimaries());
     const std::uint32_t first = t.accumulation.plan().leastSamples() % shared::kPrimarySamples;
-    t.primaries = what;
+    t.tellsPrimaries = true;
     const Result<bool> whole = trace(samplesPerPixel, keepGoing);
-    t.primaries = Primaries::none;
-    if (what == Primaries::alone || !whole || !*whole) t.stale = true;
+    t.tellsPrimaries = false;
     if (!whole) return whole.error();
-    if (!*whole) return Error{ErrorCode::cancelled, "Stopped.", {}, {}};
+    if (!*whole) {
+        t.stale = true;
+        return Error{ErrorCode::cancelled, "Stopped.", {}, {}};
+    }
     MACULA_TRY(std::vector<shared::PrimaryVertex> found, t.accumulation.readPrimaries());
     const std::size_t pixels = found.size() / shared::kPrimarySamples;
     std::rotate(found.begin(), found.begin() + std::ptrdiff_t(first * pixels), found.end());
@@ -339,6 +341,13 @@ Result<const Guides*> PathTracer::guides() {
 Result<std::vector<GuidePixel>> PathTracer::readGuides() {
     MACULA_TRY(const Guides* computed, guides());
     return computed->read();
+}
+
+Result<std::vector<shared::PixelLayers>> PathTracer::readLayers() {
+    Impl& t = *impl_;
+    MACULA_TRY_VOID(t.prepare());
+    MACULA_TRY(const gpu::Kernel* kernel, t.kernels.layers(kindOf(t.scene)));
+    return findLayers(t.device, t.scene, *kernel, t.view.width, t.view.height);
 }
 
 Result<SurfacePoints> PathTracer::surfacePoints(const SurfacePointOptions& options,

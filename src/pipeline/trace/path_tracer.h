@@ -26,10 +26,10 @@
 #include "pipeline/trace/sampling_plan.h"
 #include "pipeline/trace/settings.h"
 #include "pipeline/trace/surface_points.h"
-#include "pipeline/trace/trace_kernels.h"
 #include "pipeline/trace/voxel_memory.h"
 #include "pipeline/volume/clip.h"
 #include "pipeline/volume/transfer_function.h"
+#include "shared/pixel_layers.h"
 #include "shared/primary_vertex.h"
 
 namespace macula::trace {
@@ -100,9 +100,9 @@ class PathTracer {
 
     // Adds samples like trace(), 1 to kPrimarySamples, and gives where each has met matter first, or a grey
     // face of a clip, and what light left there towards the eye: row by row for one sample of each pixel,
-    // then for the next. `alone` traces no light: radiance is 0 but for faces, and the picture begins anew
-    // with the next call. `cancelled` when `keepGoing` says no; usage for looks that trace no paths.
-    Result<std::vector<shared::PrimaryVertex>> tracePrimaries(std::uint32_t samplesPerPixel, Primaries what,
+    // then for the next. `cancelled` when `keepGoing` says no; then, and after a pass that was interrupted,
+    // the picture begins anew. usage for looks that trace no paths.
+    Result<std::vector<shared::PrimaryVertex>> tracePrimaries(std::uint32_t samplesPerPixel,
                                                               const std::function<bool()>& keepGoing = {});
 
     // Adds samples for about `budgetMs` (may be infinite), at least one dispatch, and stops within 20 ms of
@@ -125,6 +125,9 @@ class PathTracer {
     // view before it that was traced.
     Result<const Guides*> guides();
     Result<std::vector<GuidePixel>> readGuides();  // row 0 on top; waits
+
+    // Of the centre rays of the view that was set last, row 0 on top; waits.
+    Result<std::vector<shared::PixelLayers>> readLayers();
 
     // Of all that can be seen from anywhere, lit as it is for this view; the samples traced so far stay.
     // Waits; `cancelled` when `keepGoing` (may be empty) says no between two dispatches.

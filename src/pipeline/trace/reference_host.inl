@@ -106,6 +106,8 @@ struct MACULA_HOST : GlslInCpp<MACULA_REAL> {
 
     ReferenceTracer::Cast cast;  // what castSample() does
 
+#define OF_LAYERS
+#define MARCH_STEP layerStep
 #define float MACULA_REAL
 #include "lib/trace_lib.glsl"
 #undef float
@@ -121,6 +123,9 @@ struct MACULA_HOST : GlslInCpp<MACULA_REAL> {
 #undef MANY_SURFACE_ROUNDS
 #undef STRIDE
 #undef DEPTH_3_4
+#undef OF_LAYERS
+#undef MARCH_STEP
+#undef LAYERS
 #undef DEPTH_1_2
 #undef DEPTH_1_4
 #undef DEPTH_OPAQUE

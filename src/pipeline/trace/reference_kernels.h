@@ -96,6 +96,26 @@ std::vector<GuideOf<double>> guidesOn(Host prototype, const shared::GuidePush& b
     return pixels;
 }
 
+// Mirrors shaders/trace/layers.comp.
+template <class Host>
+std::vector<ReferenceTracer::Layers> layersOn(Host prototype) {
+    using Real = typename Host::Real;
+    const int width = prototype.params.imageSize.x;
+    std::vector<ReferenceTracer::Layers> pixels(std::size_t(width) *
+                                                std::size_t(prototype.params.imageSize.y));
+    parallelFor(std::size_t(prototype.params.imageSize.y), [&, host = prototype](std::size_t row) mutable {
+        for (int x = 0; x < width; ++x) {
+            const auto ray = host.layersOf({Real(x) + Real(0.5), Real(row) + Real(0.5)});
+            ReferenceTracer::Layers& pixel = pixels[row * std::size_t(width) + std::size_t(x)];
+            pixel.coverage = double(ray.coverage);
+            pixel.meanMm = double(ray.meanMm);
+            for (std::size_t i = 0; i < pixel.middleMm.size(); ++i)
+                pixel.middleMm[i] = double(host.layerMm[i]);
+        }
+    });
+    return pixels;
+}
+
 template <class Host>
 std::vector<ReferenceTracer::Segment> segmentsOn(Host host, const glm::dvec3& originVoxel,
                                                  const glm::dvec3& worldDirection) {

@@ -76,6 +76,12 @@ std::vector<GuideOf<double>> ReferenceTracer::guides(const shared::TraceParams& 
                                [&](auto host) { return reference::guidesOn(host, before); });
 }
 
+std::vector<ReferenceTracer::Layers> ReferenceTracer::layers(const shared::TraceParams& params,
+                                                             Precision precision) const {
+    return reference::withHost(*tables_, params, Filter::trilinear, precision,
+                               [&](auto host) { return reference::layersOn(host); });
+}
+
 std::vector<ReferenceTracer::Segment> ReferenceTracer::segments(const shared::TraceParams& params,
                                                                 Precision precision,
                                                                 const glm::dvec3& originVoxel,

@@ -2,6 +2,7 @@
 // compare the device with it, and `macula bench trace` times the device against it.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <memory>
@@ -10,6 +11,7 @@
 #include "pipeline/trace/guide_pixel.h"
 #include "pipeline/trace/path_tracer.h"
 #include "pipeline/trace/scene.h"
+#include "shared/pixel_layers.h"
 
 namespace macula::trace {
 
@@ -47,6 +49,13 @@ class ReferenceTracer {
     // Of the centre ray of each pixel, row 0 on top.
     std::vector<GuideOf<double>> guides(const shared::TraceParams& params, const shared::GuidePush& before,
                                         Precision precision) const;
+
+    struct Layers {
+        std::array<double, shared::kPixelLayers> middleMm{};  // as PixelLayers
+        double coverage = 0.0;
+        double meanMm = -1.0;
+    };
+    std::vector<Layers> layers(const shared::TraceParams& params, Precision precision) const;
 
     struct Segment {
         double beginMm = 0.0;

@@ -20,8 +20,7 @@ int castOf(Look look) {
 
 const gpu::ShaderCode& samplesCodeOf(const TraceVariant& variant) {
     if (!isPathTraced(variant.look)) return shaders::trace_cast_comp;
-    return variant.primaries == Primaries::none ? shaders::trace_path_comp
-                                                : shaders::trace_path_primaries_comp;
+    return variant.tellsPrimaries ? shaders::trace_path_primaries_comp : shaders::trace_path_comp;
 }
 
 }  // namespace
@@ -42,22 +41,25 @@ TraceVariant variantOf(const Settings& settings, SceneKind scene) {
 Result<TraceKernels::Found> TraceKernels::samples(const TraceVariant& variant) {
     if (const auto found = samples_.find(variant); found != samples_.end())
         return Found{&found->second, false};
-    gpu::KernelOptions options{
-        .specializations = {{"kTrilinear", variant.filter == Filter::trilinear},
-                            {"kMaxRounds", device_->isCpu() ? kMaxRoundsCpu : kMaxRoundsGpu},
-                            {"kClip", variant.scene.clip},
-                            {"kMask", variant.scene.mask},
-                            {"kGradientOpacity", variant.scene.gradientOpacity},
-                            {"kShading", variant.shading},
-                            {"kCast", castOf(variant.look)}}};
-    if (variant.primaries != Primaries::none)
-        options.specializations.push_back({"kWithLight", variant.primaries == Primaries::withLight});
-    MACULA_TRY(gpu::Kernel kernel, gpu::Kernel::create(device_, samplesCodeOf(variant), options));
+    MACULA_TRY(gpu::Kernel kernel,
+               gpu::Kernel::create(
+                   device_, samplesCodeOf(variant),
+                   {.specializations = {{"kTrilinear", variant.filter == Filter::trilinear},
+                                        {"kMaxRounds", device_->isCpu() ? kMaxRoundsCpu : kMaxRoundsGpu},
+                                        {"kClip", variant.scene.clip},
+                                        {"kMask", variant.scene.mask},
+                                        {"kGradientOpacity", variant.scene.gradientOpacity},
+                                        {"kShading", variant.shading},
+                                        {"kCast", castOf(variant.look)}}}));
     return Found{&samples_.emplace(variant, std::move(kernel)).first->second, true};
 }
 
 Result<const gpu::Kernel*> TraceKernels::guides(SceneKind scene) {
     return find(guides_, shaders::trace_guides_comp, scene);
+}
+
+Result<const gpu::Kernel*> TraceKernels::layers(SceneKind scene) {
+    return find(layers_, shaders::trace_layers_comp, scene);
 }
 
 Result<const gpu::Kernel*> TraceKernels::candidates(SceneKind scene) {

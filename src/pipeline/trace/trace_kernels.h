@@ -32,24 +32,17 @@ struct SceneKind {
 // Of the look that it looked at last; but for grey faces.
 SceneKind kindOf(const DeviceScene& scene);
 
-// What is told of where samples have met matter (shared/primary_vertex.h).
-enum class Primaries {
-    none,
-    withLight,  // and what light left there
-    alone,      // a sample ends there: no light, neither told nor in the picture
-};
-
 // What a kernel is compiled for.
 struct TraceVariant {
     Look look = Look::cinematic;
     Filter filter = Filter::trilinear;
     bool shading = false;
     SceneKind scene = {};
-    Primaries primaries = Primaries::none;  // of paths
+    bool tellsPrimaries = false;  // of paths: path_primaries.comp
 
     bool operator<(const TraceVariant& b) const {
-        return std::tie(look, filter, shading, scene, primaries) <
-               std::tie(b.look, b.filter, b.shading, b.scene, b.primaries);
+        return std::tie(look, filter, shading, scene, tellsPrimaries) <
+               std::tie(b.look, b.filter, b.shading, b.scene, b.tellsPrimaries);
     }
 };
 
@@ -68,6 +61,7 @@ class TraceKernels {
     // path.comp, path_primaries.comp or cast.comp.
     Result<Found> samples(const TraceVariant& variant);
     Result<const gpu::Kernel*> guides(SceneKind scene);
+    Result<const gpu::Kernel*> layers(SceneKind scene);
     Result<const gpu::Kernel*> candidates(SceneKind scene);
     Result<const gpu::Kernel*> surfacePoints(SceneKind scene);
     Result<std::shared_ptr<const DenoiseKernels>> denoising();
@@ -78,7 +72,7 @@ class TraceKernels {
 
     std::shared_ptr<gpu::Device> device_;
     std::map<TraceVariant, gpu::Kernel> samples_;
-    std::map<SceneKind, gpu::Kernel> guides_, candidates_, surfacePoints_;
+    std::map<SceneKind, gpu::Kernel> guides_, layers_, candidates_, surfacePoints_;
     std::shared_ptr<const DenoiseKernels> denoising_;
 };
 

@@ -1,0 +1,46 @@
+// Where the light of a pixel comes from, found without chance: its centre ray in eight layers, each of which hides an eighth of
+// what is behind it all, by the march of guides.glsl.
+//
+// Needs guides.glsl, with MARCH_STEP defined as layerStep before it.
+#define LAYERS 8
+
+float layerMm[LAYERS];  // along the ray under way to the middle of each layer; negative when opacity does not come so far
+
+void passLayer(int layer, float depth, float before, float after, float fromMm, float perDepth) {
+    if (before < depth && after >= depth) layerMm[layer] = fromMm + (depth - before) * perDepth;
+}
+
+// Optical depths -ln(1 - opacity) at opacities of 1/16, 3/16, ... 15/16.
+void layerStep(float before, float after, float fromMm, float perDepth) {
+    passLayer(0, float(0.06453852113757118), before, after, fromMm, perDepth);
+    passLayer(1, float(0.20763936477824449), before, after, fromMm, perDepth);
+    passLayer(2, float(0.37469344944141070), before, after, fromMm, perDepth);
+    passLayer(3, float(0.57536414490356180), before, after, fromMm, perDepth);
+    passLayer(4, float(0.82667857318446791), before, after, fromMm, perDepth);
+    passLayer(5, float(1.1631508098056809), before, after, fromMm, perDepth);
+    passLayer(6, float(1.6739764335716716), before, after, fromMm, perDepth);
+    passLayer(7, float(2.7725887222397811), before, after, fromMm, perDepth);
+}
+
+struct LayeredRay {
+    float coverage;  // as of a guide
+    float meanMm;    // of the matter down to transmittance 1/2: for what is too thin for a layer; negative: there is none
+};
+
+// Of the ray through a point of the picture, in pixels; fills layerMm.
+LayeredRay layersOf(vec2 pixel) {
+    for (int i = 0; i < LAYERS; ++i) layerMm[i] = float(-1.0);
+    vec3 directionVoxel = voxelsPerMm(eyeDirection(pixel));
+    BrickWalk walk = startEyeWalk(params.originVoxel, directionVoxel);
+    float face = float(0.0);
+    if (useClip() && params.greyFaces != 0) face = stopAtFace(walk, params.originVoxel, directionVoxel);
+    March m = march(walk);
+    if (face > float(0.0)) {
+        endAtFace(m, walk.endMm, face * params.exposure);
+        for (int i = 0; i < LAYERS; ++i) layerMm[i] = layerMm[i] < float(0.0) ? walk.endMm : layerMm[i];
+    }
+    LayeredRay ray;
+    ray.coverage = float(1.0) - exp(-m.opticalDepth);
+    ray.meanMm = m.seen > float(0.0) ? m.seenMm / m.seen : float(-1.0);
+    return ray;
+}
