@@ -20,7 +20,7 @@ constexpr double kAtLeast = 1e-3;
 
 // Of a cell, 21 bits for each number.
 std::uint64_t keyOf(const glm::ivec3& at) {
-    const auto part = [](int v) { return std::uint64_t(v + kFarthest); };
+    const auto part = [](int v) { return static_cast<std::uint64_t>(std::int64_t(v) + kFarthest); };
     return part(at.x) << 42 | part(at.y) << 21 | part(at.z);
 }
 
@@ -54,7 +54,7 @@ template <class Body>
 void forEachLobe(const glm::dvec3& direction, const Body& body) {
     for (int axis = 0; axis < 3; ++axis) {
         const double along = direction[axis];
-        body(std::size_t(2 * axis + (along < 0.0 ? 1 : 0)), along * along);
+        body(2 * std::size_t(axis) + (along < 0.0 ? 1 : 0), along * along);
     }
 }
 

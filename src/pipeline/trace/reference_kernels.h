@@ -75,7 +75,8 @@ std::vector<GuideOf<double>> guidesOn(Host prototype, const shared::GuidePush& b
     using Real = typename Host::Real;
     const int width = prototype.params.imageSize.x;
     std::vector<GuideOf<double>> pixels(std::size_t(width) * std::size_t(prototype.params.imageSize.y));
-    parallelFor(std::size_t(prototype.params.imageSize.y), [&, host = prototype](std::size_t row) mutable {
+    parallelFor(std::size_t(prototype.params.imageSize.y), [&](std::size_t row) {
+        Host host = prototype;  // of its own: a march tells layerMm of it
         const typename Host::Eye eye{
             before.oursMm,
             before.right,
@@ -103,7 +104,8 @@ std::vector<ReferenceTracer::Layers> layersOn(Host prototype) {
     const int width = prototype.params.imageSize.x;
     std::vector<ReferenceTracer::Layers> pixels(std::size_t(width) *
                                                 std::size_t(prototype.params.imageSize.y));
-    parallelFor(std::size_t(prototype.params.imageSize.y), [&, host = prototype](std::size_t row) mutable {
+    parallelFor(std::size_t(prototype.params.imageSize.y), [&](std::size_t row) {
+        Host host = prototype;  // of its own: it keeps the layers of the ray under way
         for (int x = 0; x < width; ++x) {
             const auto ray = host.layersOf({Real(x) + Real(0.5), Real(row) + Real(0.5)});
             ReferenceTracer::Layers& pixel = pixels[row * std::size_t(width) + std::size_t(x)];
