@@ -102,7 +102,8 @@ March march(INOUT(BrickWalk) walk) {
             if (useClip()) extinction = endOfCut(walk.cutFrom, walk.cutTo, middleMm) < float(0.0) ? extinction : float(0.0);
             float added = extinction * step;
             bool again = added > float(FINE) && step > fineMm;
-            // Where a coarse step meets much, half of the one before is looked at again, too: it may have begun there.
+            // Where a coarse step meets much, half of the one before is looked at again, too: it may have begun there. Means over
+            // what is seen keep that half twice; it is little, for else that step had been a fine one.
             float before = again ? m.opticalDepth - float(0.5) * lastAdded : m.opticalDepth;
             float after = again ? before : before + added;
             float perDepth = float(1.0) / max(extinction, float(1e-20));

@@ -56,10 +56,10 @@ TEST_F(Train, ABudgetEndsItEarly) {
     EXPECT_EQ(state->splats.shDegree, 1);
     EXPECT_EQ(state->steps, report["iterations"].get<std::uint64_t>());
     ASSERT_EQ(state->views.size(), 5u);
-    const auto isOutline = [](const splat::TrainingState::View& view) {
-        return view.given->kind != splat::ViewKind::picture;
+    const auto standsIn = [](const splat::TrainingState::View& view) {
+        return view.given->kind == splat::ViewKind::standIn;
     };
-    EXPECT_EQ(std::count_if(state->views.begin(), state->views.end(), isOutline), 2);
+    EXPECT_EQ(std::count_if(state->views.begin(), state->views.end(), standsIn), 2);
 }
 
 // In another process, with nothing but the file: the same bytes as if it had not stopped.

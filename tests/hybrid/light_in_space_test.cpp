@@ -136,6 +136,8 @@ TEST(LightInSpace, IsNotKnownWhereNothingWasSeen) {
     EXPECT_TRUE(one.at({1.4, 0.5, 0.5}, {1, 0, 0}));
     EXPECT_FALSE(one.at({1.6, 0.5, 0.5}, {1, 0, 0}));
     EXPECT_FALSE(one.at({kNan, 0.5, 0.5}, {1, 0, 0}));
+    EXPECT_FALSE(one.at({0.5, kNan, 0.5}, {1, 0, 0}));
+    EXPECT_FALSE(one.at({0.5, 0.5, kNan}, {1, 0, 0}));
     EXPECT_FALSE(one.at({1e300, 0.5, 0.5}, {1, 0, 0}));
 }
 
@@ -145,6 +147,8 @@ TEST(LightInSpace, LeavesOutWhatIsNoNumberOrTooFar) {
     light.add({0.5, 0.5, 0.5}, {1, 0, 0}, {1.0f, infinity, 1.0f});
     light.add({0.5, 0.5, 0.5}, {1, 0, 0}, {1.0f, std::nanf(""), 1.0f});
     light.add({kNan, 0.5, 0.5}, {1, 0, 0}, glm::vec3(1.0f));
+    light.add({0.5, kNan, 0.5}, {1, 0, 0}, glm::vec3(1.0f));
+    light.add({0.5, 0.5, kNan}, {1, 0, 0}, glm::vec3(1.0f));
     light.add({0.5, 1e9, 0.5}, {1, 0, 0}, glm::vec3(1.0f));
     light.add({0.5, 0.5, -1e300}, {1, 0, 0}, glm::vec3(1.0f));
     EXPECT_EQ(light.cells(), 0u);
@@ -152,7 +156,9 @@ TEST(LightInSpace, LeavesOutWhatIsNoNumberOrTooFar) {
         light.add({0.5, 0.5, 0.5}, {1, 0, 0}, glm::vec3(radiance));
     light.finish();
     EXPECT_EQ(light.cells(), 1u);
-    EXPECT_TRUE(std::isfinite(light.at({0.5, 0.5, 0.5}, {1, 0, 0})->x));
+    const auto bright = light.at({0.5, 0.5, 0.5}, {1, 0, 0});
+    ASSERT_TRUE(bright);
+    EXPECT_NEAR(bright->x, 5e5, 1.0) << "two of four count as the most there is";
 }
 
 // Larger cells, and the light of all that were put together.

@@ -137,7 +137,9 @@ TEST_F(LitViews, OfAClipShowItsFaces) {
     clip.greyFaces = DisplayWindow{.center = 500, .width = 600};
     const Compared compared = compare(0.9, clip);
     EXPECT_LT(compared.off, 0.06);
+    EXPECT_GT(compared.mirrored, 1.0);
     EXPECT_NEAR(compared.light, 1.0, 0.03);
+    EXPECT_GT(compared.known, 0.98);
 }
 
 TEST_F(LitViews, AreNotKnownWhereNothingWasFound) {

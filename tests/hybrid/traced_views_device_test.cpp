@@ -86,6 +86,40 @@ TEST_F(Views, OfRefinementMakeOutlinesNeedless) {
     }
 }
 
+TEST_F(Views, OfSidesThatAreNotTracedAreLitWhereLightGoesToAllSidesAlike) {
+    for (const double anisotropy : {0.0, 0.6}) {
+        trace::PathTracer tracer = this->tracer();
+        TransferFunction function = function_;
+        function.anisotropy = anisotropy;
+        ASSERT_TRUE(tracer.setTransferFunction(function).ok());
+        EXPECT_EQ(tracer.anisotropy(), anisotropy);
+        Progress progress;
+        const FirstModelOptions options{.points = {.count = 60, .paths = 2},
+                                        .views = 2,
+                                        .samplesPerPixel = 3,
+                                        .directions = 5,
+                                        .sizePx = 24,
+                                        .iterations = 8,
+                                        .capacity = 60};
+        auto model = makeFirstModel(device(), tracer, scene().seenMm(), options, progress);
+        ASSERT_TRUE(model.ok()) << model.error().message;
+        ASSERT_EQ(model->trainer.viewCount(), 5u);
+        const auto expected = anisotropy == 0.0 ? splat::ViewKind::standIn : splat::ViewKind::outline;
+        std::size_t others = 0;
+        for (std::size_t i = 0; i < 5; ++i) {
+            const splat::TrainingView& view = model->trainer.view(i);
+            if (view.kind == splat::ViewKind::picture) continue;
+            ++others;
+            EXPECT_EQ(view.kind, expected);
+            glm::vec3 light(0.0f);
+            for (const glm::vec4& pixel : view.pixels)
+                if (std::isfinite(pixel.r)) light += glm::vec3(pixel);
+            EXPECT_EQ(light.x > 0.0f, anisotropy == 0.0);
+        }
+        EXPECT_EQ(others, 3u);
+    }
+}
+
 // The tracer's own coverage, but for chance and for the edges of its pixels; in pictures to learn from, too.
 TEST_F(Views, OfCoverageHaveNoLight) {
     trace::PathTracer tracer = this->tracer();

@@ -23,7 +23,7 @@ TEST(ViewSampling, NoTrialLearnsFromWhereModelsAreJudged) {
     for (std::uint64_t trial : {0, 1, 734, 735, 736, 1 << 20}) {
         EXPECT_NE(initialTraining(1, trial).seed, groundTruth(1).seed) << trial;
         EXPECT_NE(initialTraining(1, trial).seed, initialTraining(1, trial + 1).seed) << trial;
-        EXPECT_GT(coverageTraining(1, trial).seed, initialTraining(1, 1u << 20).seed) << trial;
+        EXPECT_GT(otherSides(1, trial).seed, initialTraining(1, 1u << 20).seed) << trial;
     }
     EXPECT_EQ(initialTraining(1, 0).seed, 42u);
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "pipeline/hybrid/coverage_views.h"
 #include "pipeline/hybrid/learnt_views.h"
 #include "pipeline/hybrid/lit_views.h"
 #include "pipeline/hybrid/model_start.h"
@@ -15,6 +16,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+constexpr double kMostAnisotropy = 0.1;  // forwards 1.8 times as much light as back
+
 double secondsSince(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
@@ -23,14 +26,20 @@ Error cancelled() {
     return {ErrorCode::cancelled, "The training was cancelled.", {}, {}};
 }
 
+// What is known of sides that are not traced.
+struct OtherSides {
+    std::vector<TracedView> views;
+    bool areLit = false;  // else only how much is in the way is known
+};
+
 // In turn, because views that were never drawn come first, as they were given.
-Result<void> learnFromAll(splat::Trainer& trainer, std::vector<TracedView> views,
-                          std::vector<TracedView> standIns) {
+Result<void> learnFromAll(splat::Trainer& trainer, std::vector<TracedView> views, OtherSides others) {
+    const auto learn = others.areLit ? learnStandInFrom : learnCoverageFrom;
     std::size_t told = 0;
     for (std::size_t i = 0; i < views.size(); ++i) {
         MACULA_TRY_VOID(learnFrom(trainer, std::move(views[i])));
-        for (; told < (i + 1) * standIns.size() / views.size(); ++told)
-            MACULA_TRY_VOID(learnStandInFrom(trainer, std::move(standIns[told])));
+        for (; told < (i + 1) * others.views.size() / views.size(); ++told)
+            MACULA_TRY_VOID(learn(trainer, std::move(others.views[told])));
     }
     return {};
 }
@@ -99,7 +108,7 @@ Result<FirstModel> makeFirstModel(const std::shared_ptr<gpu::Device>& device, tr
     start = Clock::now();
     std::size_t givenUp = 0;
     ViewsToLearn traced;
-    std::vector<TracedView> standIns;
+    OtherSides others;
     if (options.views > 0) {
         MACULA_TRY(const ChosenViews chosen,
                    chooseViews(tracer, seenMm, initialTraining(options.views, options.trial), {}, progress));
@@ -112,14 +121,18 @@ Result<FirstModel> makeFirstModel(const std::shared_ptr<gpu::Device>& device, tr
             static_cast<std::uint32_t>(options.trial) * 0x9e3779b9u;  // far from other trials
         LightInSpace light(pixelMm(chosen.cameras, seenMm, options.sizePx));
         const std::size_t lacking = options.directions - std::min(options.views, options.directions);
-        if (lacking > 0) tracing.light = &light;
+        // Else what leaves towards one side is not what leaves towards another.
+        others.areLit = std::abs(tracer.anisotropy()) <= kMostAnisotropy;
+        if (lacking > 0 && others.areLit) tracing.light = &light;
         MACULA_TRY(traced, traceViews(tracer, chosen.cameras, tracing, progress));
         if (lacking > 0) {
             light.finish();
-            MACULA_TRY(const ChosenViews others,
-                       chooseViews(tracer, seenMm, coverageTraining(lacking, options.trial), {}, progress));
-            givenUp += others.givenUp;
-            MACULA_TRY(standIns, litViews(tracer, others.cameras, tracing.sizePx, light, progress));
+            MACULA_TRY(const ChosenViews sides,
+                       chooseViews(tracer, seenMm, otherSides(lacking, options.trial), {}, progress));
+            givenUp += sides.givenUp;
+            MACULA_TRY(others.views, others.areLit
+                                         ? litViews(tracer, sides.cameras, tracing.sizePx, light, progress)
+                                         : coverageViews(tracer, sides.cameras, tracing.sizePx, progress));
         }
     }
     const double viewsSeconds = secondsSince(start);
@@ -127,7 +140,7 @@ Result<FirstModel> makeFirstModel(const std::shared_ptr<gpu::Device>& device, tr
     start = Clock::now();
     MACULA_TRY(splat::Trainer trainer, splat::Trainer::create(device, first.splats, trainerOptions(options)));
     const bool canLearn = !traced.views.empty();
-    MACULA_TRY_VOID(learnFromAll(trainer, std::move(traced.views), std::move(standIns)));
+    MACULA_TRY_VOID(learnFromAll(trainer, std::move(traced.views), std::move(others)));
     FirstModel model{.trainer = std::move(trainer),
                      .pointsSeconds = pointsSeconds,
                      .viewsSeconds = viewsSeconds,

@@ -23,7 +23,8 @@ struct FirstModelOptions {
     std::uint32_t samplesPerPixel = 2;  // denoised a little
     // Sides in all that the model learns from. Where fewer views are traced, the rest are lit with the light
     // that was found for these (lit_views.h): that costs little, and without it what was seen from few sides
-    // is in the wrong place, and in the wrong light, for all others.
+    // is in the wrong place, and in the wrong light, for all others. Where matter scatters more to one side
+    // than to another (|g| above 0.1) only their coverage is told.
     std::size_t directions = 48;
     int sizePx = 512;
     int bounces = 4;

@@ -45,6 +45,11 @@ std::size_t slotOf(const std::vector<std::uint64_t>& keys, std::uint64_t key) {
     return slot;
 }
 
+// False of what is not a number.
+bool isWithin(const glm::dvec3& cell, int most) {
+    return std::abs(cell.x) < most && std::abs(cell.y) < most && std::abs(cell.z) < most;
+}
+
 glm::ivec3 parentOf(const glm::ivec3& at) {
     return {at.x >> 1, at.y >> 1, at.z >> 1};
 }
@@ -101,8 +106,8 @@ LightInSpace::Level LightInSpace::halved(const Level& level) {
 
 void LightInSpace::add(const glm::dvec3& atMm, const glm::dvec3& direction, const glm::vec3& radiance) {
     const glm::dvec3 cell = glm::floor(atMm / cellMm_);
-    const double reach = std::max({std::abs(cell.x), std::abs(cell.y), std::abs(cell.z)});
-    if (!(reach < double(kFarthest)) || !std::isfinite(radiance.x + radiance.y + radiance.z)) return;
+    const bool isFinite = std::isfinite(radiance.x) && std::isfinite(radiance.y) && std::isfinite(radiance.z);
+    if (!isWithin(cell, kFarthest) || !isFinite) return;
     Cell& sums = levels_.front().at(glm::ivec3(cell));
     forEachLobe(direction, [&](std::size_t lobe, double weight) {
         sums[lobe] += float(weight) * glm::vec4(glm::min(radiance, kMostRadiance), 1.0f);
@@ -135,12 +140,13 @@ void LightInSpace::finish() {
             }
         }
     }
+    levels_.resize(1);  // the rest has said what it had to
 }
 
 std::optional<glm::vec3> LightInSpace::at(const glm::dvec3& atMm, const glm::dvec3& direction) const {
     const glm::dvec3 place = atMm / cellMm_ - 0.5;
     const glm::dvec3 low = glm::floor(place);
-    if (!(std::max({std::abs(low.x), std::abs(low.y), std::abs(low.z)}) < double(kFarthest - 1))) return {};
+    if (!isWithin(low, kFarthest - 1)) return {};
     const glm::dvec3 part = place - low;
     glm::dvec3 light(0.0);
     double weights = 0.0;

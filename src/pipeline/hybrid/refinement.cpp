@@ -21,7 +21,7 @@ constexpr double kRatesAtLast = 0.1;
 // Twice what the first training begins with (docs/peripheral-model.md).
 constexpr double kMostPosition = 0.1;
 constexpr double kMostLogScale = 0.08;
-// What pictures from so many sides show, outlines need not say.
+// What pictures from so many sides show, nothing need stand in for.
 constexpr std::size_t kEnoughSides = FirstModelOptions{}.directions;
 
 // So that there are as many as there is room for before the last split.

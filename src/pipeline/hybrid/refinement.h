@@ -34,11 +34,11 @@ struct MoreViews {
     std::size_t fromKept = 0;  // that took no time
 };
 
-// Traces the views (view_sampling.h: extension) and gives them to `trainer`, which forgets outlines when it
-// has pictures from enough sides. Its next `options.iterations` steps are then as refinementTraining has
-// them. `tracer` and `seenMm` as for makeFirstModel, whose model this goes on with. Once: a second time would
-// trace the same views. `cancelled` when `progress` says so. After outOfMemory the trainer goes on, as before
-// or with some of the views.
+// Traces the views (view_sampling.h: extension) and gives them to `trainer`, which forgets what stood in
+// for pictures when it has these from enough sides. Its next `options.iterations` steps are then as
+// refinementTraining has them. `tracer` and `seenMm` as for makeFirstModel, whose model this goes on with.
+// Once: a second time would trace the same views. `cancelled` when `progress` says so. After outOfMemory the
+// trainer goes on, as before or with some of the views.
 Result<MoreViews> beginRefinement(splat::Trainer& trainer, trace::PathTracer& tracer, const Box& seenMm,
                                   const RefinementOptions& options, Progress& progress);
 

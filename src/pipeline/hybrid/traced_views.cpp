@@ -108,7 +108,8 @@ Result<ViewsToLearn> traceViews(trace::PathTracer& tracer, std::span<const Camer
             MACULA_TRY_VOID(addSamples(tracer, view, settings, samples, progress));
         }
         MACULA_TRY(TracedView traced, readToLearnFrom(tracer, camera));
-        if (options.kept != nullptr) MACULA_TRY_VOID(options.kept->keep(view, settings, samples, traced));
+        if (options.kept != nullptr && options.light == nullptr)
+            MACULA_TRY_VOID(options.kept->keep(view, settings, samples, traced));
         learnt.views.push_back(std::move(traced));
     }
     return learnt;

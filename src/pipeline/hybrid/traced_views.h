@@ -26,8 +26,8 @@ struct ViewTracing {
     // Asked before a view is traced, and given it then, at once: who is cancelled goes on where he was. Of
     // what the tracer has. Null: nothing is kept.
     const KeptViews* kept = nullptr;
-    // Gets the light that is found on the way, and then views are traced whether they are kept or not. Null:
-    // nobody asks for it.
+    // Gets the light that is found on the way; then `kept` is not asked and keeps nothing. Null: nobody wants
+    // it.
     LightInSpace* light = nullptr;
 };
 

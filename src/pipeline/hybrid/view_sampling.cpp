@@ -78,7 +78,7 @@ ViewSampling initialTraining(std::size_t count, std::uint64_t trial) {
     return {.count = count, .seed = kFirst + trial + past};
 }
 
-ViewSampling coverageTraining(std::size_t count, std::uint64_t trial) {
+ViewSampling otherSides(std::size_t count, std::uint64_t trial) {
     constexpr std::uint64_t kNoTrialHas = std::uint64_t(1) << 40;
     return {.count = count, .seed = kNoTrialHas + trial};
 }

@@ -35,8 +35,8 @@ struct ViewSampling {
 
 // What a first model is trained with; `trial` gives other views of the same kind.
 ViewSampling initialTraining(std::size_t count, std::uint64_t trial = 0);
-// From where it is told, besides, how much is in the way: as those, but elsewhere.
-ViewSampling coverageTraining(std::size_t count, std::uint64_t trial = 0);
+// What it sees besides, of sides that are not traced: as those, but elsewhere.
+ViewSampling otherSides(std::size_t count, std::uint64_t trial = 0);
 // What it is compared with.
 ViewSampling groundTruth(std::size_t count = 32);
 // What it is refined with.

@@ -37,6 +37,7 @@ Result<void> Accumulation::begin(int width, int height) {
     }
     MACULA_TRY(auto recorder, gpu::Recorder::create(device_, "start accumulation"));
     film_->clear(recorder);
+    if (primaries_) recorder.fill(*primaries_, 0);
     MACULA_TRY([[maybe_unused]] const gpu::Ticket ticket, recorder.submit());
     ++edition_;
     return {};

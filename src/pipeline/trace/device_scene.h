@@ -40,6 +40,8 @@ class DeviceScene {
     bool isMasked() const { return clip_.mask.has_value(); }
     bool hasGreyFaces() const { return clip_.hasShape() && clip_.greyFaces.has_value(); }
 
+    double anisotropy() const { return function_ ? function_->anisotropy : 0.0; }
+
     // Of the look that was looked at last.
     bool hasGradientOpacity() const { return !medium_.gradientOpacity.empty(); }
 

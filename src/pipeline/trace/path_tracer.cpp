@@ -229,26 +229,33 @@ Result<bool> PathTracer::trace(std::uint32_t samplesPerPixel, const std::functio
     return !plan.hasPass();
 }
 
+double PathTracer::anisotropy() const {
+    return impl_->scene.anisotropy();
+}
+
 Result<std::vector<shared::PrimaryVertex>> PathTracer::tracePrimaries(
     std::uint32_t samplesPerPixel, const std::function<bool()>& keepGoing) {
     MACULA_CHECK(samplesPerPixel >= 1 && samplesPerPixel <= shared::kPrimarySamples);
     Impl& t = *impl_;
     if (!isPathTraced(t.settings.look))
         return Error{ErrorCode::usage, "This look traces no paths.", {}, "Choose the cinematic look."};
-    if (t.accumulation.plan().hasPass()) t.stale = true;  // an unfinished one tells of a part only
+    // Samples are told in turn: the same ones of every pixel.
+    const SamplingPlan& plan = t.accumulation.plan();
+    if (plan.hasPass() || plan.isAdaptive()) t.stale = true;
     MACULA_TRY_VOID(t.prepare());
     MACULA_TRY_VOID(t.accumulation.clearPrimaries());
-    const std::uint32_t first = t.accumulation.plan().leastSamples() % shared::kPrimarySamples;
+    const std::uint32_t before = plan.leastSamples();
     t.tellsPrimaries = true;
-    const Result<bool> whole = trace(samplesPerPixel, keepGoing);
+    const Result<bool> traced = trace(samplesPerPixel, keepGoing);
     t.tellsPrimaries = false;
-    if (!whole) return whole.error();
-    if (!*whole) {
+    if (!traced) return traced.error();
+    if (!plan.hasAll(before + samplesPerPixel)) {
         t.stale = true;
         return Error{ErrorCode::cancelled, "Stopped.", {}, {}};
     }
     MACULA_TRY(std::vector<shared::PrimaryVertex> found, t.accumulation.readPrimaries());
     const std::size_t pixels = found.size() / shared::kPrimarySamples;
+    const std::size_t first = before % shared::kPrimarySamples;
     std::rotate(found.begin(), found.begin() + std::ptrdiff_t(first * pixels), found.end());
     found.resize(samplesPerPixel * pixels);
     return found;

@@ -98,10 +98,13 @@ class PathTracer {
     // all of these samples were added.
     Result<bool> trace(std::uint32_t samplesPerPixel, const std::function<bool()>& keepGoing = {});
 
+    // Henyey-Greenstein g of what is shown; 0 before anything is.
+    double anisotropy() const;
+
     // Adds samples like trace(), 1 to kPrimarySamples, and gives where each has met matter first, or a grey
     // face of a clip, and what light left there towards the eye: row by row for one sample of each pixel,
-    // then for the next. `cancelled` when `keepGoing` says no; then, and after a pass that was interrupted,
-    // the picture begins anew. usage for looks that trace no paths.
+    // then for the next. `cancelled` when `keepGoing` says no; then, and after a pass that was interrupted
+    // or adapted, the picture begins anew. usage for looks that trace no paths.
     Result<std::vector<shared::PrimaryVertex>> tracePrimaries(std::uint32_t samplesPerPixel,
                                                               const std::function<bool()>& keepGoing = {});
 
