@@ -5,18 +5,15 @@
 #include <cmath>
 #include <utility>
 
-#include "pipeline/hybrid/coverage_views.h"
 #include "pipeline/hybrid/learnt_views.h"
-#include "pipeline/hybrid/lit_views.h"
 #include "pipeline/hybrid/model_start.h"
+#include "pipeline/hybrid/view_set.h"
 
 namespace macula::hybrid {
 
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-constexpr double kMostAnisotropy = 0.1;  // forwards 1.8 times as much light as back
 
 double secondsSince(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
@@ -26,33 +23,17 @@ Error cancelled() {
     return {ErrorCode::cancelled, "The training was cancelled.", {}, {}};
 }
 
-// What is known of sides that are not traced.
-struct OtherSides {
-    std::vector<TracedView> views;
-    bool areLit = false;  // else only how much is in the way is known
-};
-
 // In turn, because views that were never drawn come first, as they were given.
-Result<void> learnFromAll(splat::Trainer& trainer, std::vector<TracedView> views, OtherSides others) {
-    const auto learn = others.areLit ? learnStandInFrom : learnCoverageFrom;
+Result<void> learnFromAll(splat::Trainer& trainer, ViewSetPictures pictures) {
+    const auto learn = pictures.areLit ? learnStandInFrom : learnCoverageFrom;
+    std::vector<TracedView>& sides = pictures.sides;
     std::size_t told = 0;
-    for (std::size_t i = 0; i < views.size(); ++i) {
-        MACULA_TRY_VOID(learnFrom(trainer, std::move(views[i])));
-        for (; told < (i + 1) * others.views.size() / views.size(); ++told)
-            MACULA_TRY_VOID(learn(trainer, std::move(others.views[told])));
+    for (std::size_t i = 0; i < pictures.traced.size(); ++i) {
+        MACULA_TRY_VOID(learnFrom(trainer, std::move(pictures.traced[i])));
+        for (; told < (i + 1) * sides.size() / pictures.traced.size(); ++told)
+            MACULA_TRY_VOID(learn(trainer, std::move(sides[told])));
     }
     return {};
-}
-
-// What a pixel shows of the middle of what is seen, in the mean of the views: smaller cells know too little,
-// larger ones blur.
-double pixelMm(const std::vector<Camera>& cameras, const Box& seenMm, int sizePx) {
-    double sum = 0.0;
-    for (const Camera& camera : cameras) {
-        const double halfField = std::tan(glm::radians(camera.verticalFovDeg) / 2.0);
-        sum += glm::distance(camera.positionMm, seenMm.centre()) * 2.0 * halfField / double(sizePx);
-    }
-    return sum / double(cameras.size());
 }
 
 Result<void> train(FirstModel& model, const FirstModelOptions& options, Progress& progress) {
@@ -107,45 +88,37 @@ Result<FirstModel> makeFirstModel(const std::shared_ptr<gpu::Device>& device, tr
 
     start = Clock::now();
     std::size_t givenUp = 0;
-    ViewsToLearn traced;
-    OtherSides others;
+    ViewSetPictures pictures;
     if (options.views > 0) {
-        MACULA_TRY(const ChosenViews chosen,
+        MACULA_TRY(ChosenViews traced,
                    chooseViews(tracer, seenMm, initialTraining(options.views, options.trial), {}, progress));
-        givenUp = chosen.givenUp;
+        const std::size_t lacking = options.directions - std::min(options.views, options.directions);
+        ChosenViews sides;
+        if (lacking > 0) {
+            MACULA_TRY(sides, chooseViews(tracer, seenMm, otherSides(lacking, options.trial), {}, progress));
+        }
+        givenUp = traced.givenUp + sides.givenUp;
         ViewTracing tracing{.sizePx = glm::ivec2(options.sizePx),
                             .samplesPerPixel = options.samplesPerPixel,
                             .kept = options.kept};
         tracing.settings.bounces = options.bounces;
         tracing.settings.seed =
             static_cast<std::uint32_t>(options.trial) * 0x9e3779b9u;  // far from other trials
-        LightInSpace light(pixelMm(chosen.cameras, seenMm, options.sizePx));
-        const std::size_t lacking = options.directions - std::min(options.views, options.directions);
-        // Else what leaves towards one side is not what leaves towards another.
-        others.areLit = std::abs(tracer.anisotropy()) <= kMostAnisotropy;
-        if (lacking > 0 && others.areLit) tracing.light = &light;
-        MACULA_TRY(traced, traceViews(tracer, chosen.cameras, tracing, progress));
-        if (lacking > 0) {
-            light.finish();
-            MACULA_TRY(const ChosenViews sides,
-                       chooseViews(tracer, seenMm, otherSides(lacking, options.trial), {}, progress));
-            givenUp += sides.givenUp;
-            MACULA_TRY(others.views, others.areLit
-                                         ? litViews(tracer, sides.cameras, tracing.sizePx, light, progress)
-                                         : coverageViews(tracer, sides.cameras, tracing.sizePx, progress));
-        }
+        const ViewSet set{.traced = std::move(traced.cameras), .sides = std::move(sides.cameras)};
+        MACULA_TRY(pictures, makePictures(tracer, seenMm, set, tracing, progress));
     }
     const double viewsSeconds = secondsSince(start);
 
     start = Clock::now();
     MACULA_TRY(splat::Trainer trainer, splat::Trainer::create(device, first.splats, trainerOptions(options)));
-    const bool canLearn = !traced.views.empty();
-    MACULA_TRY_VOID(learnFromAll(trainer, std::move(traced.views), std::move(others)));
+    const std::size_t fromKept = pictures.fromKept;
+    const bool canLearn = !pictures.traced.empty();
+    MACULA_TRY_VOID(learnFromAll(trainer, std::move(pictures)));
     FirstModel model{.trainer = std::move(trainer),
                      .pointsSeconds = pointsSeconds,
                      .viewsSeconds = viewsSeconds,
                      .viewsGivenUp = givenUp,
-                     .viewsFromKept = traced.fromKept};
+                     .viewsFromKept = fromKept};
     if (options.iterations > 0 && canLearn) MACULA_TRY_VOID(train(model, options, progress));
     model.trainSeconds = secondsSince(start);
     return model;

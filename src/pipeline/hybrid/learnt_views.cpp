@@ -35,8 +35,9 @@ float weightOf(double samplesPerPixel) {
 Result<splat::TrainingView> learntPicture(const splat::Trainer& trainer, TracedView view) {
     const glm::dvec3 originMm = trainer.lastGood().splats.originMm;
     MACULA_TRY(const splat::RasterView from, splat::rasterView(view.camera, view.sizePx, originMm));
-    return splat::TrainingView{
-        .view = from, .pixels = std::move(view.rgba), .weight = weightOf(view.samplesPerPixel)};
+    return splat::TrainingView{.view = from,
+                               .pixels = std::move(view.rgba),
+                               .weight = view.isLit ? 1.0f : weightOf(view.samplesPerPixel)};
 }
 
 Result<splat::TrainingView> learntOutline(const splat::Trainer& trainer, TracedView view) {
@@ -48,7 +49,6 @@ Result<splat::TrainingView> learntOutline(const splat::Trainer& trainer, TracedV
 
 Result<void> learnStandInFrom(splat::Trainer& trainer, TracedView view) {
     MACULA_TRY(splat::TrainingView standIn, learntPicture(trainer, std::move(view)));
-    standIn.weight = 1.0f;
     standIn.kind = splat::ViewKind::standIn;
     return trainer.addView(std::move(standIn));
 }

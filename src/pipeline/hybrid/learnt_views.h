@@ -27,14 +27,14 @@ Result<ChosenViews> chooseViews(trace::PathTracer& tracer, const Box& seenMm, co
 // with; in proportion to them where there are few, at most 2, because what the denoiser blurs stays.
 float weightOf(double samplesPerPixel);
 
-// As a trainer learns it, with its weight; usage as rasterView.
+// As a trainer learns it, with its weight, which is 1 of one that is lit; usage as rasterView.
 Result<splat::TrainingView> learntPicture(const splat::Trainer& trainer, TracedView view);
 // Of its coverage alone, which coverageViews finds: without chance, so its weight is 1.
 Result<splat::TrainingView> learntOutline(const splat::Trainer& trainer, TracedView view);
 
 // Takes part in the training from its next step on. Fails as Trainer::addView.
 Result<void> learnFrom(splat::Trainer& trainer, TracedView view);
-// One of litViews, with the weight of a usual picture, as long as there are few of these.
+// One of litViews, as long as there are few pictures.
 Result<void> learnStandInFrom(splat::Trainer& trainer, TracedView view);
 Result<void> learnCoverageFrom(splat::Trainer& trainer, TracedView view);
 

@@ -84,7 +84,7 @@ Result<std::vector<TracedView>> litViews(trace::PathTracer& tracer, std::span<co
         MACULA_TRY(const EyeRays rays, eyeRays(camera, raysPx));
         MACULA_TRY_VOID(tracer.setView({.camera = camera, .width = raysPx.x, .height = raysPx.y}));
         MACULA_TRY(const std::vector<shared::PixelLayers> layers, tracer.readLayers());
-        TracedView view{.camera = camera, .sizePx = sizePx};
+        TracedView view{.camera = camera, .sizePx = sizePx, .isLit = true};
         view.rgba.resize(std::size_t(sizePx.x) * std::size_t(sizePx.y));
         parallelFor(std::size_t(sizePx.y), [&](std::size_t row) {
             for (int x = 0; x < sizePx.x; ++x) {

@@ -6,6 +6,7 @@
 
 #include "pipeline/hybrid/first_model.h"
 #include "pipeline/hybrid/learnt_views.h"
+#include "pipeline/hybrid/view_set.h"
 
 namespace macula::hybrid {
 
@@ -79,15 +80,16 @@ Result<MoreViews> beginRefinement(splat::Trainer& trainer, trace::PathTracer& tr
                         .kept = options.kept};
     tracing.settings.bounces = options.bounces;
     tracing.settings.seed = static_cast<std::uint32_t>(sampling.seed << 16);  // no other view has one near it
-    MACULA_TRY(ViewsToLearn traced, traceViews(tracer, chosen.cameras, tracing, progress));
+    const ViewSet set{.traced = chosen.cameras};
+    MACULA_TRY(ViewSetPictures pictures, makePictures(tracer, seenMm, set, tracing, progress));
     const splat::TrainerOptions training =
         refinementTraining(trainer.lastGood().options, trainer.report(), options);
     MACULA_TRY_VOID(
         trainer.goOnWith(training, std::max(options.shDegree, trainer.lastGood().splats.shDegree)));
-    for (TracedView& view : traced.views) MACULA_TRY_VOID(learnFrom(trainer, std::move(view)));
+    for (TracedView& view : pictures.traced) MACULA_TRY_VOID(learnFrom(trainer, std::move(view)));
     if (picturesOf(trainer) >= kEnoughSides) trainer.forgetStandIns();
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-    return MoreViews{.seconds = seconds.count(), .givenUp = chosen.givenUp, .fromKept = traced.fromKept};
+    return MoreViews{.seconds = seconds.count(), .givenUp = chosen.givenUp, .fromKept = pictures.fromKept};
 }
 
 }  // namespace macula::hybrid

@@ -91,8 +91,9 @@ Result<ViewsToLearn> traceViews(trace::PathTracer& tracer, std::span<const Camer
         trace::Settings settings = options.settings;
         settings.seed += static_cast<std::uint32_t>(learnt.views.size());
         const trace::View view{.camera = camera, .width = options.sizePx.x, .height = options.sizePx.y};
+        const ViewMaking making{.view = view, .settings = settings, .samplesPerPixel = samples};
         if (options.kept != nullptr && options.light == nullptr) {
-            MACULA_TRY(std::optional<TracedView> known, options.kept->find(view, settings, samples));
+            MACULA_TRY(std::optional<TracedView> known, options.kept->find(making));
             if (known) {
                 learnt.views.push_back(std::move(*known));
                 ++learnt.fromKept;
@@ -109,7 +110,7 @@ Result<ViewsToLearn> traceViews(trace::PathTracer& tracer, std::span<const Camer
         }
         MACULA_TRY(TracedView traced, readToLearnFrom(tracer, camera));
         if (options.kept != nullptr && options.light == nullptr)
-            MACULA_TRY_VOID(options.kept->keep(view, settings, samples, traced));
+            MACULA_TRY_VOID(options.kept->keep(making, traced));
         learnt.views.push_back(std::move(traced));
     }
     return learnt;

@@ -1,0 +1,94 @@
+#include "pipeline/hybrid/view_set.h"
+
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+#include "pipeline/hybrid/combined_view.h"
+#include "pipeline/hybrid/coverage_views.h"
+#include "pipeline/hybrid/light_in_space.h"
+#include "pipeline/hybrid/lit_views.h"
+
+namespace macula::hybrid {
+
+namespace {
+
+constexpr double kMostAnisotropy = 0.1;  // forwards 1.8 times as much light as back
+// A place is seen from about that side by so many less of the views, so with as many as that what is lit is
+// as noisy as what is traced.
+constexpr double kSeenByOneIn = 12.0;
+
+// What a pixel shows of the middle of what is seen, in the mean of the views: smaller cells know too little,
+// larger ones blur.
+double pixelMm(const std::vector<Camera>& cameras, const Box& seenMm, const glm::ivec2& sizePx) {
+    double sum = 0.0;
+    for (const Camera& camera : cameras) {
+        const double halfField = std::tan(glm::radians(camera.verticalFovDeg) / 2.0);
+        sum += glm::distance(camera.positionMm, seenMm.centre()) * 2.0 * halfField / double(sizePx.y);
+    }
+    return sum / double(cameras.size());
+}
+
+std::vector<ViewMaking> makingsOf(const ViewSet& set, const ViewTracing& tracing) {
+    std::vector<ViewMaking> makings;
+    trace::Settings settings = tracing.settings;
+    const auto add = [&](const Camera& camera, std::uint32_t samplesPerPixel) {
+        makings.push_back({.view = {.camera = camera, .width = tracing.sizePx.x, .height = tracing.sizePx.y},
+                           .settings = settings,
+                           .samplesPerPixel = samplesPerPixel});
+        ++settings.seed;
+    };
+    for (const Camera& camera : set.traced) add(camera, tracing.samplesPerPixel);
+    for (const Camera& camera : set.sides) add(camera, 0);
+    return makings;
+}
+
+ViewSetPictures asPictures(std::vector<TracedView> views, std::size_t traced) {
+    const auto sides = views.begin() + std::ptrdiff_t(traced);
+    ViewSetPictures pictures{.sides = {std::make_move_iterator(sides), std::make_move_iterator(views.end())},
+                             .areLit = true};
+    views.erase(sides, views.end());
+    pictures.traced = std::move(views);
+    return pictures;
+}
+
+Result<std::vector<TracedView>> litByAll(trace::PathTracer& tracer, const Box& seenMm, const ViewSet& set,
+                                         ViewTracing tracing, Progress& progress) {
+    LightInSpace light(pixelMm(set.traced, seenMm, tracing.sizePx));
+    tracing.light = &light;
+    MACULA_TRY(ViewsToLearn traced, traceViews(tracer, set.traced, tracing, progress));
+    light.finish();
+    std::vector<Camera> cameras = set.traced;
+    cameras.insert(cameras.end(), set.sides.begin(), set.sides.end());
+    MACULA_TRY(std::vector<TracedView> views, litViews(tracer, cameras, tracing.sizePx, light, progress));
+    const double own = kSeenByOneIn / (kSeenByOneIn + double(traced.views.size()));
+    for (std::size_t i = 0; i < traced.views.size(); ++i)
+        views[i] = combined(traced.views[i], std::move(views[i]), own);
+    return views;
+}
+
+}  // namespace
+
+Result<ViewSetPictures> makePictures(trace::PathTracer& tracer, const Box& seenMm, const ViewSet& set,
+                                     const ViewTracing& tracing, Progress& progress) {
+    if (std::abs(tracer.anisotropy()) > kMostAnisotropy || set.traced.empty()) {
+        MACULA_TRY(ViewsToLearn traced, traceViews(tracer, set.traced, tracing, progress));
+        MACULA_TRY(std::vector<TracedView> sides, coverageViews(tracer, set.sides, tracing.sizePx, progress));
+        return ViewSetPictures{
+            .traced = std::move(traced.views), .sides = std::move(sides), .fromKept = traced.fromKept};
+    }
+    const std::vector<ViewMaking> makings = makingsOf(set, tracing);
+    if (tracing.kept != nullptr) {
+        MACULA_TRY(std::optional<std::vector<TracedView>> known, tracing.kept->findSet(makings));
+        if (known) {
+            ViewSetPictures pictures = asPictures(std::move(*known), set.traced.size());
+            pictures.fromKept = makings.size();
+            return pictures;
+        }
+    }
+    MACULA_TRY(std::vector<TracedView> views, litByAll(tracer, seenMm, set, tracing, progress));
+    if (tracing.kept != nullptr) MACULA_TRY_VOID(tracing.kept->keepSet(makings, views));
+    return asPictures(std::move(views), set.traced.size());
+}
+
+}  // namespace macula::hybrid
