@@ -187,8 +187,8 @@ void addProtocolOptions(CLI::App& command, Options& o) {
     command
         .add_flag(
             "--keep-views", e.keepViews,
-            "Keep there what is learnt from, too: 4 MiB for a view of 512 x 512. Seconds are then those of "
-            "the views that were not there, or that light other sides (--directions)")
+            "Keep there what is learnt from, too, when all of it is made: 4 MiB for a view of 512 x 512. "
+            "Seconds are then those of what was not there")
         ->needs(cache);
 }
 
@@ -198,7 +198,7 @@ void addRefinementOptions(CLI::App& command, RefinementPlan& plan) {
         ->check(CLI::Range(1, kMostViews));
     command
         .add_option("--more-spp", plan.samplesPerPixel,
-                    "Samples per pixel of these; they are denoised a little")
+                    "Samples per pixel of these; what all find lights each of them anew")
         ->capture_default_str()
         ->check(CLI::Range(1, kMostSamplesOfView));
     command.add_option("--more-iterations", plan.iterations, "Steps of training that follow")

@@ -24,11 +24,10 @@ ModelOptionsAdded addModelOptions(CLI::App& command, hybrid::FirstModelOptions& 
         CLI::Range(1u, trace::kMaxSurfacePoints));
     add("--point-paths", m.points.paths, "Paths of light for each of them", CLI::Range(1, 4096));
     add("--views", m.views, "Views that are traced to learn from", CLI::Range(0, kMostViews));
-    add("--spp", m.samplesPerPixel, "Samples per pixel of these; they are denoised a little",
+    add("--spp", m.samplesPerPixel, "Samples per pixel of these; what all find lights each of them anew",
         CLI::Range(1, kMostSamplesOfView));
     add("--directions", m.directions,
-        "Sides in all to learn from: those beyond --views are lit with the light that these found, at little "
-        "cost",
+        "Sides in all to learn from: those beyond --views are only lit with what these found, at little cost",
         CLI::Range(0, kMostViews));
     add("--size", m.sizePx, "Width and height in pixels of what is learnt from", CLI::Range(16, kMostSizePx));
     add("--bounces", m.bounces, "Vertices of a path", CLI::Range(1, trace::kMaxBounces));
