@@ -198,7 +198,7 @@ void addRefinementOptions(CLI::App& command, RefinementPlan& plan) {
         ->check(CLI::Range(1, kMostViews));
     command
         .add_option("--more-spp", plan.samplesPerPixel,
-                    "Samples per pixel of these; what all find lights each of them anew")
+                    "Samples per pixel of these; few will do, because views light each other")
         ->capture_default_str()
         ->check(CLI::Range(1, kMostSamplesOfView));
     command.add_option("--more-iterations", plan.iterations, "Steps of training that follow")

@@ -24,7 +24,7 @@ ModelOptionsAdded addModelOptions(CLI::App& command, hybrid::FirstModelOptions& 
         CLI::Range(1u, trace::kMaxSurfacePoints));
     add("--point-paths", m.points.paths, "Paths of light for each of them", CLI::Range(1, 4096));
     add("--views", m.views, "Views that are traced to learn from", CLI::Range(0, kMostViews));
-    add("--spp", m.samplesPerPixel, "Samples per pixel of these; what all find lights each of them anew",
+    add("--spp", m.samplesPerPixel, "Samples per pixel of these; few will do, because views light each other",
         CLI::Range(1, kMostSamplesOfView));
     add("--directions", m.directions,
         "Sides in all to learn from: those beyond --views are only lit with what these found, at little cost",

@@ -10,6 +10,7 @@
 namespace macula::coloured_ball {
 
 inline constexpr glm::ivec3 kSize{24, 24, 24};
+inline constexpr glm::ivec2 kPicture{48, 40};
 
 inline std::shared_ptr<const Volume> ball(std::uint16_t right, std::uint16_t left) {
     return scenes::volumeOf(kSize, scenes::grid(glm::dvec3(1.0), kSize), [=](int i, int j, int k) {

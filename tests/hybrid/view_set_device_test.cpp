@@ -17,9 +17,8 @@ namespace {
 
 using coloured_ball::ball;
 using coloured_ball::fromLeft;
+using coloured_ball::kPicture;
 using coloured_ball::matter;
-
-constexpr glm::ivec2 kPicture{48, 40};
 
 bool same(const std::vector<TracedView>& a, const std::vector<TracedView>& b) {
     if (a.size() != b.size()) return false;

@@ -1,5 +1,5 @@
-// Views to learn from that need not be traced again: for those who train on the same ones once more, or who
-// were stopped among hundreds of them.
+// Views to learn from that need not be traced again: for those who train on the same ones once more, and,
+// of views that are not lit by each other, for those who were stopped among hundreds of them.
 #pragma once
 
 #include <cstdint>

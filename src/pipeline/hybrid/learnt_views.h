@@ -34,7 +34,7 @@ Result<splat::TrainingView> learntOutline(const splat::Trainer& trainer, TracedV
 
 // Takes part in the training from its next step on. Fails as Trainer::addView.
 Result<void> learnFrom(splat::Trainer& trainer, TracedView view);
-// One of litViews, as long as there are few pictures.
+// A litView, as long as there are few pictures.
 Result<void> learnStandInFrom(splat::Trainer& trainer, TracedView view);
 Result<void> learnCoverageFrom(splat::Trainer& trainer, TracedView view);
 

@@ -15,7 +15,7 @@ namespace macula::hybrid {
 
 struct RefinementOptions {
     std::size_t views = 64;
-    std::uint32_t samplesPerPixel = 4;  // what all find lights each of them anew (view_set.h)
+    std::uint32_t samplesPerPixel = 4;  // few will do: views light each other (view_set.h)
     int sizePx = 512;
     int bounces = 4;
     std::uint64_t iterations = 2000;  // that are to follow: rates fall and splats become more over them

@@ -23,8 +23,8 @@ struct ViewTracing {
     std::uint32_t samplesPerPixel = 8;
     // Of the seed, each view takes the next: the same noise in all views would be learnt as if it were there.
     trace::Settings settings = {.denoising = trace::Denoising::little};
-    // Asked before a view is traced, and given it then, at once: who is cancelled goes on where he was. Of
-    // what the tracer has. Null: nothing is kept.
+    // Asked before views are made, and given them then: one by one, so that who is cancelled goes on where he
+    // was, or sets that light each other (view_set.h). Of what the tracer has. Null: nothing is kept.
     const KeptViews* kept = nullptr;
     // Gets the light that is found on the way; then `kept` is not asked and keeps nothing. Null: nobody wants
     // it.

@@ -7,7 +7,7 @@
 #include "pipeline/hybrid/combined_view.h"
 #include "pipeline/hybrid/coverage_views.h"
 #include "pipeline/hybrid/light_in_space.h"
-#include "pipeline/hybrid/lit_views.h"
+#include "pipeline/hybrid/lit_view.h"
 
 namespace macula::hybrid {
 
@@ -52,18 +52,29 @@ ViewSetPictures asPictures(std::vector<TracedView> views, std::size_t traced) {
     return pictures;
 }
 
+// One after the other, because there may be hundreds.
 Result<std::vector<TracedView>> litByAll(trace::PathTracer& tracer, const Box& seenMm, const ViewSet& set,
                                          ViewTracing tracing, Progress& progress) {
     LightInSpace light(pixelMm(set.traced, seenMm, tracing.sizePx));
     tracing.light = &light;
     MACULA_TRY(ViewsToLearn traced, traceViews(tracer, set.traced, tracing, progress));
     light.finish();
-    std::vector<Camera> cameras = set.traced;
-    cameras.insert(cameras.end(), set.sides.begin(), set.sides.end());
-    MACULA_TRY(std::vector<TracedView> views, litViews(tracer, cameras, tracing.sizePx, light, progress));
-    const double own = kSeenByOneIn / (kSeenByOneIn + double(traced.views.size()));
-    for (std::size_t i = 0; i < traced.views.size(); ++i)
-        views[i] = combined(traced.views[i], std::move(views[i]), own);
+    std::vector<TracedView> views = std::move(traced.views);
+    const double own = kSeenByOneIn / (kSeenByOneIn + double(views.size()));
+    progress.beginStage("Lighting views", set.traced.size() + set.sides.size());
+    const auto lightNext = [&](const Camera& camera) -> Result<TracedView> {
+        if (progress.cancelled()) return Error{ErrorCode::cancelled, "Stopped.", {}, {}};
+        progress.advance();
+        return litView(tracer, camera, tracing.sizePx, light);
+    };
+    for (TracedView& view : views) {
+        MACULA_TRY(TracedView lit, lightNext(view.camera));
+        view = combined(view, std::move(lit), own);
+    }
+    for (const Camera& camera : set.sides) {
+        MACULA_TRY(TracedView lit, lightNext(camera));
+        views.push_back(std::move(lit));
+    }
     return views;
 }
 

@@ -3,7 +3,7 @@
 //
 // A picture of few samples is noisy, and a filter that takes the noise out blurs. But each of many pictures
 // has found light for what the others show: so a picture is marched anew, with what all have found
-// (lit_views.h), and combined with what it was traced to be (combined_view.h). What that is worth:
+// (lit_view.h), and combined with what it was traced to be (combined_view.h). What that is worth:
 // docs/peripheral-model.md.
 #pragma once
 

@@ -1,4 +1,4 @@
-#include "pipeline/hybrid/lit_views.h"
+#include "pipeline/hybrid/lit_view.h"
 
 #include <algorithm>
 #include <array>
@@ -72,35 +72,27 @@ int raysAside(const glm::ivec2& sizePx) {
 
 }  // namespace
 
-Result<std::vector<TracedView>> litViews(trace::PathTracer& tracer, std::span<const Camera> cameras,
-                                         const glm::ivec2& sizePx, const LightInSpace& light,
-                                         Progress& progress) {
-    progress.beginStage("Lighting other sides", cameras.size());
+Result<TracedView> litView(trace::PathTracer& tracer, const Camera& camera, const glm::ivec2& sizePx,
+                           const LightInSpace& light) {
     const int side = raysAside(sizePx);
     const glm::ivec2 raysPx = side * sizePx;
-    std::vector<TracedView> views;
-    for (const Camera& camera : cameras) {
-        if (progress.cancelled()) return Error{ErrorCode::cancelled, "Stopped.", {}, {}};
-        MACULA_TRY(const EyeRays rays, eyeRays(camera, raysPx));
-        MACULA_TRY_VOID(tracer.setView({.camera = camera, .width = raysPx.x, .height = raysPx.y}));
-        MACULA_TRY(const std::vector<shared::PixelLayers> layers, tracer.readLayers());
-        TracedView view{.camera = camera, .sizePx = sizePx, .isLit = true};
-        view.rgba.resize(std::size_t(sizePx.x) * std::size_t(sizePx.y));
-        parallelFor(std::size_t(sizePx.y), [&](std::size_t row) {
-            for (int x = 0; x < sizePx.x; ++x) {
-                glm::vec4 sum(0.0f);
-                for (int n = 0; n < side * side; ++n) {
-                    const glm::ivec2 ray(side * x + n % side, side * int(row) + n / side);
-                    sum += lit(layers[std::size_t(ray.y) * std::size_t(raysPx.x) + std::size_t(ray.x)],
-                               camera.positionMm, rays.through(ray), light);
-                }
-                view.rgba[row * std::size_t(sizePx.x) + std::size_t(x)] = sum / float(side * side);
+    MACULA_TRY(const EyeRays rays, eyeRays(camera, raysPx));
+    MACULA_TRY_VOID(tracer.setView({.camera = camera, .width = raysPx.x, .height = raysPx.y}));
+    MACULA_TRY(const std::vector<shared::PixelLayers> layers, tracer.readLayers());
+    TracedView view{.camera = camera, .sizePx = sizePx, .isLit = true};
+    view.rgba.resize(std::size_t(sizePx.x) * std::size_t(sizePx.y));
+    parallelFor(std::size_t(sizePx.y), [&](std::size_t row) {
+        for (int x = 0; x < sizePx.x; ++x) {
+            glm::vec4 sum(0.0f);
+            for (int n = 0; n < side * side; ++n) {
+                const glm::ivec2 ray(side * x + n % side, side * int(row) + n / side);
+                sum += lit(layers[std::size_t(ray.y) * std::size_t(raysPx.x) + std::size_t(ray.x)],
+                           camera.positionMm, rays.through(ray), light);
             }
-        });
-        views.push_back(std::move(view));
-        progress.advance();
-    }
-    return views;
+            view.rgba[row * std::size_t(sizePx.x) + std::size_t(x)] = sum / float(side * side);
+        }
+    });
+    return view;
 }
 
 }  // namespace macula::hybrid

@@ -1,5 +1,5 @@
 // Views that are lit with what others have found, against those that are traced.
-#include "pipeline/hybrid/lit_views.h"
+#include "pipeline/hybrid/lit_view.h"
 
 #include <cmath>
 
@@ -15,9 +15,8 @@ namespace {
 
 using coloured_ball::ball;
 using coloured_ball::fromLeft;
+using coloured_ball::kPicture;
 using coloured_ball::matter;
-
-constexpr glm::ivec2 kPicture{48, 40};
 
 class LitViews : public trace::DeviceTest {
   protected:
@@ -46,12 +45,12 @@ class LitViews : public trace::DeviceTest {
         tracing.light = &light;
         EXPECT_TRUE(traceViews(tracer, std::span(cameras).first(12), tracing, progress).ok());
         light.finish();
-        const auto lit = litViews(tracer, std::span(cameras).last(1), kPicture, light, progress);
+        const auto lit = litView(tracer, cameras.back(), kPicture, light);
         const auto truth =
             traceView(tracer, {.camera = cameras.back(), .width = kPicture.x, .height = kPicture.y},
                       {.seed = 1234}, 512, progress);
         EXPECT_TRUE(lit.ok() && truth.ok());
-        const TracedView& view = lit->front();
+        const TracedView& view = *lit;
         EXPECT_EQ(view.sizePx, kPicture);
         EXPECT_EQ(view.camera.positionMm, cameras.back().positionMm);
         EXPECT_EQ(view.samplesPerPixel, 0.0);
@@ -131,16 +130,15 @@ TEST_F(LitViews, AreNotKnownWhereNothingWasFound) {
         trace::DeviceTest::tracer(volume, matter(0.9), fromLeft(), scenes::lookAt(*volume), {});
     LightInSpace nothing(1.0);
     nothing.finish();
-    Progress progress;
-    const std::vector<Camera> cameras{scenes::lookAt(*volume).camera};
-    const auto lit = litViews(tracer, cameras, kPicture, nothing, progress);
+    const Camera camera = scenes::lookAt(*volume).camera;
+    const auto lit = litView(tracer, camera, kPicture, nothing);
     ASSERT_TRUE(lit.ok());
-    ASSERT_TRUE(tracer.setView({.camera = cameras[0], .width = kPicture.x, .height = kPicture.y}).ok());
+    ASSERT_TRUE(tracer.setView({.camera = camera, .width = kPicture.x, .height = kPicture.y}).ok());
     const auto coverage = pixelCoverage(tracer.readGuides().value(), kPicture);
     std::size_t covered = 0;
     std::size_t black = 0;
     for (std::size_t i = 0; i < coverage.size(); ++i) {
-        const glm::vec4& pixel = lit->front().rgba[i];
+        const glm::vec4& pixel = lit->rgba[i];
         if (coverage[i] == 0.0f && !std::isnan(pixel.a)) {
             EXPECT_EQ(pixel, glm::vec4(0.0f));
             ++black;
@@ -151,11 +149,6 @@ TEST_F(LitViews, AreNotKnownWhereNothingWasFound) {
     }
     EXPECT_GT(covered, 100u);
     EXPECT_GT(black, 100u);
-
-    CancelToken stop;
-    stop.cancel();
-    Progress stopped({}, stop);
-    EXPECT_EQ(litViews(tracer, cameras, kPicture, nothing, stopped).error().code, ErrorCode::cancelled);
 }
 
 }  // namespace
