@@ -11,7 +11,7 @@
 namespace macula::hybrid {
 
 // With no samples. Where matter is seen that no traced view has come near, pixels are NaN: not known.
-// `tracer` is left with this view.
+// `tracer` is left with another view.
 Result<TracedView> litView(trace::PathTracer& tracer, const Camera& camera, const glm::ivec2& sizePx,
                            const LightInSpace& light);
 
