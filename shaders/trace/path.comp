@@ -5,5 +5,6 @@
 #include "trace/host.glsl"
 
 #define EXTEND_SAMPLE(path, rng) extendPath(path, rng)
-#define TELL_SAMPLE(path, sampleIndex, pixelIndex)
+#define TELL_SAMPLE(path, sampleIndex)
+#define TELL_PIXEL(pixelIndex)
 #include "trace/path_samples.glsl"

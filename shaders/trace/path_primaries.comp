@@ -2,6 +2,7 @@
 // eye.
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_control_flow_attributes : require
 
 #include "trace/host.glsl"
 #include "shared/primary_vertex.h"
@@ -12,24 +13,39 @@ layout(binding = 15, scalar) writeonly buffer Primaries {
 
 vec3 metMm;  // by the sample under way, from the eye
 
+// Of samples that are complete, by their place. They are written when all are: a store inside the loop costs lavapipe two
+// fifths of the time.
+PrimaryVertex found[kPrimarySamples];
+uint isFound = 0u;  // a bit for each
+
+// As extendPath.
 bool extendSample(inout Path path, inout Rng rng) {
-    bool flew = path.vertices == 0 && !path.shadow;
-    bool goesOn = extendPath(path, rng);
-    if (flew && path.shadow) {
-        metMm = inverse(mat3(params.voxelFromWorldX, params.voxelFromWorldY, params.voxelFromWorldZ)) *
-                (path.origin - params.originVoxel);
-    } else if (flew && !goesOn) {
-        metMm = path.direction * path.walk.endMm;  // counts where a face of a clip is there
-    }
-    return goesOn;
+    if (!follow(path, rng)) return true;
+    bool isFirst = path.vertices == 0 && !path.shadow;
+    // Where nothing has stopped it there may be a face of a clip, where the walk ends.
+    float wayMm = path.transmittance > 0.0 ? path.walk.endMm : path.walk.distanceMm;
+    metMm = isFirst ? path.direction * wayMm : metMm;
+    return decide(path, rng);
 }
 
-void tellSample(Path path, uint sampleIndex, int pixelIndex) {
+void tellSample(Path path, uint sampleIndex) {
+    uint place = sampleIndex % kPrimarySamples;
+    vec3 fromEyeMm = path.coverage > 0.0 ? metMm : vec3(0.0);
+    [[unroll]] for (uint k = 0u; k < kPrimarySamples; ++k) {
+        found[k].fromEyeMm = k == place ? fromEyeMm : found[k].fromEyeMm;
+        found[k].radiance = k == place ? path.radiance : found[k].radiance;
+    }
+    isFound |= 1u << place;
+}
+
+void tellPixel(int pixelIndex) {
     uint pixels = uint(params.imageSize.x * params.imageSize.y);
-    bool met = path.coverage > 0.0;
-    primaries[sampleIndex % kPrimarySamples * pixels + uint(pixelIndex)] = PrimaryVertex(met ? metMm : vec3(0.0), path.radiance);
+    [[unroll]] for (uint k = 0u; k < kPrimarySamples; ++k) {
+        if ((isFound >> k & 1u) != 0u) primaries[k * pixels + uint(pixelIndex)] = found[k];
+    }
 }
 
 #define EXTEND_SAMPLE(path, rng) extendSample(path, rng)
-#define TELL_SAMPLE(path, sampleIndex, pixelIndex) tellSample(path, sampleIndex, pixelIndex)
+#define TELL_SAMPLE(path, sampleIndex) tellSample(path, sampleIndex)
+#define TELL_PIXEL(pixelIndex) tellPixel(pixelIndex)
 #include "trace/path_samples.glsl"

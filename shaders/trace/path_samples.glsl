@@ -1,7 +1,7 @@
 // Adds samples to the pixels of some blocks of the picture.
 //
-// Needs trace/host.glsl, and from its host: EXTEND_SAMPLE(path, rng), which is extendPath or ends sooner, and
-// TELL_SAMPLE(path, sampleIndex, pixelIndex) for what becomes of each that is complete and finite.
+// Needs trace/host.glsl, and from its host: EXTEND_SAMPLE(path, rng), which is extendPath or ends sooner,
+// TELL_SAMPLE(path, sampleIndex) for what becomes of each that is complete and finite, and TELL_PIXEL(pixelIndex) when all are.
 layout(local_size_x = 8, local_size_y = 8) in;
 
 #include "trace/film.glsl"
@@ -36,7 +36,7 @@ void main() {
                 accumulate(sum, compensation, value);
                 accumulate(square, squareOfLuminance(path.radiance));
                 finite += 1u;
-                TELL_SAMPLE(path, plan.firstSample + done, index);
+                TELL_SAMPLE(path, plan.firstSample + done);
             }
             done += 1u;
             rounds += path.rounds;
@@ -47,6 +47,7 @@ void main() {
     lost[index] = compensation;
     squares[index] = square;
     counts[index] += finite;
+    TELL_PIXEL(index);
     if (finite < done) atomicAdd(nonFinite, done - finite);
     if (done < plan.sampleCount) atomicAdd(abandoned, plan.sampleCount - done);
 }
