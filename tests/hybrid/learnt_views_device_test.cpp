@@ -10,6 +10,8 @@ class Admission : public splat::TrainingTest {
   protected:
     static constexpr double kRadiusMm = 200.0;
 
+    static Box seenMm() { return {.low = {-kRadiusMm, 0.0, 0.0}, .high = {kRadiusMm, 0.0, 0.0}}; }
+
     // As the truth is from there, or something else.
     static TracedView seenFrom(double degrees, bool asItIs = true) {
         const double angle = glm::radians(degrees);
@@ -26,10 +28,12 @@ class Admission : public splat::TrainingTest {
 TEST_F(Admission, IsForWhatShowsSomethingNew) {
     splat::Trainer trained = std::move(splat::Trainer::create(device(), start(), options(0))).value();
     for (const double degrees : {0.0, 90.0, 180.0, 270.0})
-        ASSERT_TRUE(learnFrom(trained, seenFrom(degrees)).ok());
+        ASSERT_TRUE(learnFrom(trained, seenMm(), seenFrom(degrees)).ok());
     ASSERT_TRUE(trained.step(60).ok());
+    const float byArea = weightByArea(trained.view(0).view, seenMm(), glm::dvec3(0.0));
+    EXPECT_GT(std::abs(byArea - 1.0f), 0.1f);
     const auto admitted = [&](const TracedView& view) {
-        return admit(trained, learntPicture(trained, view).value(), kRadiusMm).value();
+        return admit(trained, learntPicture(trained, seenMm(), view).value(), kRadiusMm).value();
     };
     EXPECT_EQ(admitted(seenFrom(90.5)), Novelty::none);
     EXPECT_EQ(trained.viewCount(), 4u);
@@ -43,18 +47,18 @@ TEST_F(Admission, IsForWhatShowsSomethingNew) {
     EXPECT_EQ(trained.viewCount(), 6u);
     ASSERT_TRUE(trained.step(2).ok());
     EXPECT_EQ(admitted(seenFrom(45.0, false)), Novelty::none) << "it has that one now";
-    EXPECT_FLOAT_EQ(trained.lastGood().views.back().given->weight, weightOf(4.0));
+    EXPECT_FLOAT_EQ(trained.lastGood().views.back().given->weight, weightBySamples(4.0) * byArea);
 
     TracedView outline = seenFrom(135.0);
-    ASSERT_TRUE(learnCoverageFrom(trained, outline).ok());
+    ASSERT_TRUE(learnCoverageFrom(trained, seenMm(), outline).ok());
     EXPECT_EQ(trained.view(6).kind, splat::ViewKind::outline);
-    EXPECT_EQ(trained.view(6).weight, 1.0f);
+    EXPECT_EQ(trained.view(6).weight, byArea);
     EXPECT_EQ(admitted(seenFrom(135.0)), Novelty::pose) << "an outline is no picture";
     EXPECT_EQ(trained.viewCount(), 8u);
 
     TracedView bad = seenFrom(90.0);
     bad.rgba.pop_back();
-    EXPECT_EQ(admit(trained, learntPicture(trained, bad).value(), kRadiusMm).error().code,
+    EXPECT_EQ(admit(trained, learntPicture(trained, seenMm(), bad).value(), kRadiusMm).error().code,
               ErrorCode::inputNotUsable);
     EXPECT_EQ(trained.viewCount(), 8u);
 }

@@ -21,8 +21,8 @@ TEST(Refinement, NoRateIsFarFromTheLastOneAndAllFall) {
     const auto end = splat::learningRates(after.optimizer, 1, 2700);
     for (std::size_t i = 0; i < last.size(); ++i) {
         EXPECT_GE(first[i], last[i]);
-        EXPECT_LE(first[i], 20.001f * last[i]);
-        EXPECT_LE(first[i], 2.0001f * splat::learningRates(before.optimizer, 1, 0)[i]);
+        EXPECT_LE(first[i], 7.001f * last[i]);
+        EXPECT_LE(first[i], 1.0001f * splat::learningRates(before.optimizer, 1, 0)[i]);
         EXPECT_LT(middle[i], first[i]);
         EXPECT_LT(end[i], middle[i]);
         EXPECT_GT(end[i], 0.0f);

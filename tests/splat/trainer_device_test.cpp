@@ -120,7 +120,7 @@ TEST_F(TrainerOnDevice, StandInsAreForgotten) {
 }
 
 // Hundreds in a row would make it forget what it knows.
-TEST_F(TrainerOnDevice, OfViewsThatComeLaterOneIsDrawnAtEverySecondStep) {
+TEST_F(TrainerOnDevice, OfViewsThatComeLaterOneIsDrawnAtEverySixthStep) {
     Trainer trained = trainer(start(), options(0), truthViews());
     const auto drawn = [&] {
         std::size_t count = 0;
@@ -133,9 +133,9 @@ TEST_F(TrainerOnDevice, OfViewsThatComeLaterOneIsDrawnAtEverySecondStep) {
     }
     ASSERT_TRUE(trained.step(3).ok());
     for (const TrainingView& view : truthViews()) ASSERT_TRUE(trained.addView(view).ok());
-    ASSERT_TRUE(trained.step(4).ok());
+    ASSERT_TRUE(trained.step(12).ok());
     EXPECT_EQ(drawn(), kViews + 2u);
-    ASSERT_TRUE(trained.step(6).ok());
+    ASSERT_TRUE(trained.step(18).ok());
     EXPECT_EQ(drawn(), 2u * kViews);
 }
 

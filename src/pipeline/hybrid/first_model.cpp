@@ -24,14 +24,14 @@ Error cancelled() {
 }
 
 // In turn, because views that were never drawn come first, as they were given.
-Result<void> learnFromAll(splat::Trainer& trainer, ViewSetPictures pictures) {
+Result<void> learnFromAll(splat::Trainer& trainer, const Box& seenMm, ViewSetPictures pictures) {
     const auto learn = pictures.areLit ? learnStandInFrom : learnCoverageFrom;
     std::vector<TracedView>& sides = pictures.sides;
     std::size_t told = 0;
     for (std::size_t i = 0; i < pictures.traced.size(); ++i) {
-        MACULA_TRY_VOID(learnFrom(trainer, std::move(pictures.traced[i])));
+        MACULA_TRY_VOID(learnFrom(trainer, seenMm, std::move(pictures.traced[i])));
         for (; told < (i + 1) * sides.size() / pictures.traced.size(); ++told)
-            MACULA_TRY_VOID(learn(trainer, std::move(sides[told])));
+            MACULA_TRY_VOID(learn(trainer, seenMm, std::move(sides[told])));
     }
     return {};
 }
@@ -113,7 +113,7 @@ Result<FirstModel> makeFirstModel(const std::shared_ptr<gpu::Device>& device, tr
     MACULA_TRY(splat::Trainer trainer, splat::Trainer::create(device, first.splats, trainerOptions(options)));
     const std::size_t fromKept = pictures.fromKept;
     const bool canLearn = !pictures.traced.empty();
-    MACULA_TRY_VOID(learnFromAll(trainer, std::move(pictures)));
+    MACULA_TRY_VOID(learnFromAll(trainer, seenMm, std::move(pictures)));
     FirstModel model{.trainer = std::move(trainer),
                      .pointsSeconds = pointsSeconds,
                      .viewsSeconds = viewsSeconds,

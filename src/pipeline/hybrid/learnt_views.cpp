@@ -8,8 +8,21 @@ namespace macula::hybrid {
 
 namespace {
 
+// The views that models are compared in begin at that distance, in half-diagonals of what is seen.
+constexpr double kUsualDistance = 3.0;
+constexpr double kUsualFovDeg = 20.0;
+constexpr double kNearest = 0.5;  // half-diagonals: nearer, the centre is not what is seen
+constexpr double kMostByArea = 4.0;
+
 glm::dvec3 forwardOf(const splat::RasterView& view) {
     return glm::transpose(view.cameraFromWorld)[2];
+}
+
+Result<splat::TrainingView> weighedByArea(const splat::Trainer& trainer, const Box& seenMm, TracedView view) {
+    const glm::dvec3 originMm = trainer.lastGood().splats.originMm;
+    MACULA_TRY(const splat::RasterView from, splat::rasterView(view.camera, view.sizePx, originMm));
+    return splat::TrainingView{
+        .view = from, .pixels = std::move(view.rgba), .weight = weightByArea(from, seenMm, originMm)};
 }
 
 }  // namespace
@@ -27,39 +40,49 @@ Result<ChosenViews> chooseViews(trace::PathTracer& tracer, const Box& seenMm, co
     return chosen;
 }
 
-float weightOf(double samplesPerPixel) {
+float weightBySamples(double samplesPerPixel) {
     constexpr double kUsual = 8.0;
     return static_cast<float>(2.0 * samplesPerPixel / (samplesPerPixel + kUsual));
 }
 
-Result<splat::TrainingView> learntPicture(const splat::Trainer& trainer, TracedView view) {
-    const glm::dvec3 originMm = trainer.lastGood().splats.originMm;
-    MACULA_TRY(const splat::RasterView from, splat::rasterView(view.camera, view.sizePx, originMm));
-    return splat::TrainingView{.view = from,
-                               .pixels = std::move(view.rgba),
-                               .weight = view.isLit ? 1.0f : weightOf(view.samplesPerPixel)};
+float weightByArea(const splat::RasterView& from, const Box& seenMm, const glm::dvec3& originMm) {
+    const double radiusMm = 0.5 * seenMm.diagonal();
+    if (!(radiusMm > 0.0)) return 1.0f;
+    const auto areaOf = [](const glm::dvec2& sideAt1, double distance) {
+        return sideAt1.x * sideAt1.y * distance * distance;
+    };
+    const double distance = glm::distance(from.eyeMm, seenMm.centre() - originMm) / radiusMm;
+    const double area = areaOf(glm::dvec2(from.sizePx) / from.focalPx, std::max(distance, kNearest));
+    const double usual = areaOf(glm::dvec2(2.0 * std::tan(glm::radians(0.5 * kUsualFovDeg))), kUsualDistance);
+    return static_cast<float>(std::min(area / usual, kMostByArea));
 }
 
-Result<splat::TrainingView> learntOutline(const splat::Trainer& trainer, TracedView view) {
-    MACULA_TRY(splat::TrainingView outline, learntPicture(trainer, std::move(view)));
-    outline.weight = 1.0f;
+Result<splat::TrainingView> learntPicture(const splat::Trainer& trainer, const Box& seenMm, TracedView view) {
+    const float bySamples = view.isLit ? 1.0f : weightBySamples(view.samplesPerPixel);
+    MACULA_TRY(splat::TrainingView picture, weighedByArea(trainer, seenMm, std::move(view)));
+    picture.weight *= bySamples;
+    return picture;
+}
+
+Result<splat::TrainingView> learntOutline(const splat::Trainer& trainer, const Box& seenMm, TracedView view) {
+    MACULA_TRY(splat::TrainingView outline, weighedByArea(trainer, seenMm, std::move(view)));
     outline.kind = splat::ViewKind::outline;
     return outline;
 }
 
-Result<void> learnStandInFrom(splat::Trainer& trainer, TracedView view) {
-    MACULA_TRY(splat::TrainingView standIn, learntPicture(trainer, std::move(view)));
+Result<void> learnStandInFrom(splat::Trainer& trainer, const Box& seenMm, TracedView view) {
+    MACULA_TRY(splat::TrainingView standIn, learntPicture(trainer, seenMm, std::move(view)));
     standIn.kind = splat::ViewKind::standIn;
     return trainer.addView(std::move(standIn));
 }
 
-Result<void> learnFrom(splat::Trainer& trainer, TracedView view) {
-    MACULA_TRY(splat::TrainingView picture, learntPicture(trainer, std::move(view)));
+Result<void> learnFrom(splat::Trainer& trainer, const Box& seenMm, TracedView view) {
+    MACULA_TRY(splat::TrainingView picture, learntPicture(trainer, seenMm, std::move(view)));
     return trainer.addView(std::move(picture));
 }
 
-Result<void> learnCoverageFrom(splat::Trainer& trainer, TracedView view) {
-    MACULA_TRY(splat::TrainingView outline, learntOutline(trainer, std::move(view)));
+Result<void> learnCoverageFrom(splat::Trainer& trainer, const Box& seenMm, TracedView view) {
+    MACULA_TRY(splat::TrainingView outline, learntOutline(trainer, seenMm, std::move(view)));
     return trainer.addView(std::move(outline));
 }
 

@@ -25,18 +25,26 @@ Result<ChosenViews> chooseViews(trace::PathTracer& tracer, const Box& seenMm, co
 
 // Of a picture of so many samples beside others: 1 at 8, as many as the pictures have that a model begins
 // with; in proportion to them where there are few, at most 2, because what the denoiser blurs stays.
-float weightOf(double samplesPerPixel);
+float weightBySamples(double samplesPerPixel);
 
-// As a trainer learns it, with its weight, which is 1 of one that is lit; usage as rasterView.
-Result<splat::TrainingView> learntPicture(const splat::Trainer& trainer, TracedView view);
-// Of its coverage alone, which coverageViews finds: without chance, so its weight is 1.
-Result<splat::TrainingView> learntOutline(const splat::Trainer& trainer, TracedView view);
+// Of a picture from so near beside others: the area that it spans where the centre of `seenMm` is, over that
+// of a square one of 20 degrees from 3 R, R being half the diagonal; at most 4, and from nearer than R / 2 as
+// from there. A picture pulls at a splat as hard as the splat is large in it, and Adam goes by what pulled
+// hardest: without this, what was seen from near would drown what was seen from far
+// (docs/peripheral-model.md). 1 where nothing has an extent.
+float weightByArea(const splat::RasterView& from, const Box& seenMm, const glm::dvec3& originMm);
+
+// As a trainer learns it, with its weight: by area, and by samples unless it is lit. Of views of one trainer
+// `seenMm` is the same, or nearly. usage as rasterView.
+Result<splat::TrainingView> learntPicture(const splat::Trainer& trainer, const Box& seenMm, TracedView view);
+// Of its coverage alone, which coverageViews finds: without chance, so its weight is by area alone.
+Result<splat::TrainingView> learntOutline(const splat::Trainer& trainer, const Box& seenMm, TracedView view);
 
 // Takes part in the training from its next step on. Fails as Trainer::addView.
-Result<void> learnFrom(splat::Trainer& trainer, TracedView view);
+Result<void> learnFrom(splat::Trainer& trainer, const Box& seenMm, TracedView view);
 // A litView, as long as there are few pictures.
-Result<void> learnStandInFrom(splat::Trainer& trainer, TracedView view);
-Result<void> learnCoverageFrom(splat::Trainer& trainer, TracedView view);
+Result<void> learnStandInFrom(splat::Trainer& trainer, const Box& seenMm, TracedView view);
+Result<void> learnCoverageFrom(splat::Trainer& trainer, const Box& seenMm, TracedView view);
 
 // When a view tells a model something.
 struct AdmissionOptions {

@@ -118,7 +118,7 @@ Result<void> PeripheralModel::takeHeldOut(const std::shared_ptr<const splat::Tra
 Result<Offered> PeripheralModel::offer(TracedView view, bool mayBeHeldOut) {
     const glm::dvec3 originMm = trainer_.lastGood().splats.originMm;
     const double radiusMm = 0.5 * notes_.seenMm.diagonal();
-    MACULA_TRY(splat::TrainingView picture, learntPicture(trainer_, std::move(view)));
+    MACULA_TRY(splat::TrainingView picture, learntPicture(trainer_, notes_.seenMm, std::move(view)));
     picture = reducedTo(std::move(picture), options_.learntSidePx);
     const splat::RasterView& from = picture.view;
     std::erase_if(asked_, [&](const Camera& camera) {
@@ -148,7 +148,7 @@ Result<Offered> PeripheralModel::offer(TracedView view, bool mayBeHeldOut) {
 
 Result<Offered> PeripheralModel::offerOutline(TracedView view) {
     if (isFull()) return Offered::full;
-    MACULA_TRY(splat::TrainingView outline, learntOutline(trainer_, std::move(view)));
+    MACULA_TRY(splat::TrainingView outline, learntOutline(trainer_, notes_.seenMm, std::move(view)));
     MACULA_TRY_VOID(trainer_.addView(reducedTo(std::move(outline), options_.learntSidePx)));
     wake();
     return Offered::learnt;

@@ -16,12 +16,8 @@ constexpr std::uint64_t kEvery = 50;  // steps between splits; of fewer than tha
 constexpr double kGrowing = 0.4;      // of the steps; then what there is settles
 constexpr double kSquaresFrom = 0.9;  // of the steps; what they put right is done by then
 constexpr double kMostAtOnce = 0.22;  // of the splats
-// Of what positions begin with; of all others, of what the training before began with, or of what they begin
-// with if that is more.
+// Of what positions begin with; of all others, of what the training before began with.
 constexpr double kRatesAtLast = 0.1;
-// Twice what the first training begins with (docs/peripheral-model.md).
-constexpr double kMostPosition = 0.1;
-constexpr double kMostLogScale = 0.08;
 // What pictures from so many sides show, nothing need stand in for.
 constexpr std::size_t kEnoughSides = FirstModelOptions{}.directions;
 
@@ -45,11 +41,11 @@ splat::TrainerOptions refinementTraining(splat::TrainerOptions before, const spl
                                          const RefinementOptions& options) {
     const std::uint64_t steps = std::max<std::uint64_t>(options.iterations, 1);
     splat::OptimizerOptions& rates = before.optimizer;
-    rates.position = std::min(kMostPosition, options.warmer * rates.positionAtLast);
+    rates.position = std::min(rates.position, options.warmer * rates.positionAtLast);
     rates.positionAtLast = kRatesAtLast * rates.position;
     const double others = std::min(1.0, options.warmer * rates.othersAtLast);
-    rates.logScale = std::min(kMostLogScale, options.warmer * rates.othersAtLast * rates.logScale);
-    for (double* rate : {&rates.rotation, &rates.opacityLogit, &rates.dc, &rates.sh}) *rate *= others;
+    for (double* rate : {&rates.logScale, &rates.rotation, &rates.opacityLogit, &rates.dc, &rates.sh})
+        *rate *= others;
     rates.othersAtLast = kRatesAtLast / others;
     rates.decayFrom = now.steps;
     rates.positionSteps = now.steps + steps;
@@ -86,7 +82,7 @@ Result<MoreViews> beginRefinement(splat::Trainer& trainer, trace::PathTracer& tr
         refinementTraining(trainer.lastGood().options, trainer.report(), options);
     MACULA_TRY_VOID(
         trainer.goOnWith(training, std::max(options.shDegree, trainer.lastGood().splats.shDegree)));
-    for (TracedView& view : pictures.traced) MACULA_TRY_VOID(learnFrom(trainer, std::move(view)));
+    for (TracedView& view : pictures.traced) MACULA_TRY_VOID(learnFrom(trainer, seenMm, std::move(view)));
     if (picturesOf(trainer) >= kEnoughSides) trainer.forgetStandIns();
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
     return MoreViews{.seconds = seconds.count(), .givenUp = chosen.givenUp, .fromKept = pictures.fromKept};

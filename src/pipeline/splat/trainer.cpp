@@ -18,6 +18,7 @@ double millisecondsSince(Clock::time_point time) {
 }
 
 constexpr int kMostHalvings = 15;
+constexpr std::uint64_t kNewEvery = 6;  // steps; docs/peripheral-model.md, "512 views"
 
 // Random numbers of a step, the same whenever it is done.
 class Dice {
@@ -129,7 +130,7 @@ TrainingStage Trainer::stageNow() const {
     return now;
 }
 
-// First each once. Of those that come later, one at every second step, so that hundreds of new ones in a
+// First each once. Of those that come later, one at every kNewEvery steps, so that hundreds of new ones in a
 // row do not displace what the others show. Else half of the time any, and half of the time one by its loss.
 std::size_t Trainer::nextView() const {
     std::vector<std::size_t> known;
@@ -144,7 +145,7 @@ std::size_t Trainer::nextView() const {
         sum += views_[i].loss;
     }
     const bool isFirstRound = known.size() == steps_;
-    if (firstNew && (isFirstRound || known.empty() || steps_ % 2 == 0)) return *firstNew;
+    if (firstNew && (isFirstRound || known.empty() || steps_ % kNewEvery == 0)) return *firstNew;
     Dice dice(options_.seed, steps_, 0);
     const double share = dice();
     if (dice() < 0.5 || !(sum > 0.0))

@@ -15,7 +15,7 @@
 namespace macula::splat {
 
 // Raised whenever the trainer would go on from the same state in another way.
-inline constexpr std::uint32_t kTrainerVersion = 6;
+inline constexpr std::uint32_t kTrainerVersion = 7;
 
 // What comes next is a function of it alone, and of the device: random numbers are of the seed and the number
 // of the step.
