@@ -6,6 +6,9 @@
 #include <cmath>
 #include <limits>
 
+#include "pipeline/splat/reference_loss.h"
+#include "pipeline/splat/reference_rasterizer.h"
+
 namespace macula::hybrid {
 namespace {
 
@@ -42,44 +45,70 @@ TEST(LearntViews, CountMoreWithMoreSamplesWithinReason) {
     EXPECT_GT(weightBySamples(1.0), 0.1f);
 }
 
-// What a picture pulls at a splat with is in proportion to the part of it that the splat covers.
-TEST(LearntViews, PullAsHardFromNearAsFromFar) {
-    const Box seen{.low = glm::dvec3(-30.0, 10.0, -5.0), .high = glm::dvec3(50.0, 40.0, 95.0)};
-    const glm::dvec3 originMm{1.0, 2.0, 3.0};
-    const double radiusMm = 0.5 * seen.diagonal();
+class PullOfViews : public ::testing::Test {
+  protected:
     struct From {
         double radii = 3.0;
         double fovDeg = 20.0;
-        glm::ivec2 sizePx{64};
+        glm::ivec2 sizePx{48};
     };
-    const auto view = [&](const From& from) {
-        const Camera camera{.positionMm = seen.centre() + glm::dvec3(0.0, -from.radii * radiusMm, 0.0),
-                            .targetMm = seen.centre() + glm::dvec3(20.0, 0.0, 0.0),
+
+    double radiusMm() const { return 0.5 * seen_.diagonal(); }
+
+    splat::RasterView view(const From& from) const {
+        const Camera camera{.positionMm = seen_.centre() + glm::dvec3(0.0, -from.radii * radiusMm(), 0.0),
+                            .targetMm = seen_.centre() + glm::dvec3(2.0, 0.0, 0.0),
                             .verticalFovDeg = from.fovDeg};
-        return splat::rasterView(camera, from.sizePx, originMm).value();
-    };
-    const auto weight = [&](const From& from) { return double(weightByArea(view(from), seen, originMm)); };
-    // Of a picture, of what is 1 mm2 where the centre is.
-    const auto part = [&](const From& from) {
-        const splat::RasterView raster = view(from);
-        const double distanceMm = from.radii * radiusMm;
-        const glm::dvec2 mm = glm::dvec2(raster.sizePx) / raster.focalPx * distanceMm;
-        return 1.0 / (mm.x * mm.y);
-    };
+        return splat::rasterView(camera, from.sizePx, originMm_).value();
+    }
+
+    double weight(const From& from) const { return weightByArea(view(from), seen_, originMm_); }
+
+    // The derivative of the weighed loss by the colour of a splat in the middle that is too dark.
+    double pull(const From& from) const {
+        splat::ReferenceSplats splat(1, 0);
+        splat.position = {seen_.centre() - originMm_};
+        splat.logScale = {glm::dvec3(std::log(0.1 * radiusMm()))};
+        splat.rotation = {{1.0, 0.0, 0.0, 0.0}};
+        splat.opacityLogit = {3.0};
+        splat.dc = {glm::dvec3(0.2)};
+        splat::ReferenceSplats brighter = splat;
+        brighter.dc = {glm::dvec3(0.9)};
+        const auto draw = [&](const splat::ReferenceSplats& of) {
+            return rasterize(of, view(from), {}, splat::Precision::twofold);
+        };
+        const splat::RasterImage picture = draw(splat);
+        const splat::ReferenceLoss loss = splat::referenceLoss(
+            from.sizePx.x, from.sizePx.y, picture.rgba, draw(brighter).rgba, {},
+            {.measure = splat::LossMeasure::absolute, .viewWeight = static_cast<float>(weight(from))});
+        const splat::ReferenceSplats gradient = rasterizeBackward(
+            splat, view(from), {}, picture, {.rgba = loss.gradient, .depth = {}}, splat::Precision::twofold);
+        return -gradient.dc[0].g;
+    }
+
+    const Box seen_{.low = glm::dvec3(-30.0, 10.0, -5.0), .high = glm::dvec3(50.0, 40.0, 95.0)};
+    const glm::dvec3 originMm_{1.0, 2.0, 3.0};
+};
+
+TEST_F(PullOfViews, IsAsHardFromNearAsFromFar) {
+    const double usual = pull({});
+    ASSERT_GT(usual, 1e-4);
+    for (const From& from : {From{.radii = 1.3}, From{.radii = 5.5}, From{.fovDeg = 14.0},
+                             From{.radii = 2.0, .sizePx = {96, 40}}, From{.radii = 0.7, .fovDeg = 60.0},
+                             From{.sizePx = {160, 160}}})
+        EXPECT_NEAR(pull(from), usual, 0.05 * usual) << from.radii << " R, " << from.fovDeg << " degrees";
+}
+
+TEST_F(PullOfViews, IsNeverWithoutEndNorNothing) {
     EXPECT_NEAR(weight({}), 1.0, 1e-6);
-    EXPECT_NEAR(weight({.sizePx = {640, 640}}), 1.0, 1e-6) << "pixels are no reason";
-    for (const From& from : {From{.radii = 1.3}, From{.radii = 5.5}, From{.fovDeg = 5.0},
-                             From{.radii = 2.0, .sizePx = {96, 40}}, From{.radii = 0.7, .fovDeg = 60.0}})
-        EXPECT_NEAR(weight(from) * part(from), part({}), 1e-6 * part({})) << from.radii << " " << from.fovDeg;
-    // Never without end, and never nothing.
     EXPECT_EQ(weight({.radii = 1e5}), 4.0);
-    EXPECT_EQ(weight({.radii = 0.0}), weight({.radii = 0.5}));
-    EXPECT_GT(weight({.radii = 0.0}), 0.02);
-    EXPECT_GT(weight({.radii = 0.0, .fovDeg = 0.1}), 0.0);
-    const Box point{.low = seen.low, .high = seen.low};
-    EXPECT_EQ(weightByArea(view({}), point, originMm), 1.0f);
-    const Box unusable{.low = glm::dvec3(std::numeric_limits<double>::quiet_NaN()), .high = seen.high};
-    EXPECT_EQ(weightByArea(view({}), unusable, originMm), 1.0f);
+    EXPECT_EQ(weight({.radii = 1e-3}), weight({.radii = 0.5}));
+    EXPECT_GT(weight({.radii = 1e-3}), 0.02);
+    EXPECT_GT(weight({.radii = 1e-3, .fovDeg = 0.1}), 0.0);
+    const Box point{.low = seen_.low, .high = seen_.low};
+    EXPECT_EQ(weightByArea(view({}), point, originMm_), 1.0f);
+    const Box unusable{.low = glm::dvec3(std::numeric_limits<double>::quiet_NaN()), .high = seen_.high};
+    EXPECT_EQ(weightByArea(view({}), unusable, originMm_), 1.0f);
 }
 
 }  // namespace

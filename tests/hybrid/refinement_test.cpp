@@ -12,7 +12,7 @@ namespace {
 
 const splat::TrainingReport kNow{.steps = 700, .splats = 10800};
 
-TEST(Refinement, NoRateIsFarFromTheLastOneAndAllFall) {
+TEST(Refinement, NoRateIsFarFromTheLastOneAndAllFallBackToIt) {
     const splat::TrainerOptions before = trainerOptions({.iterations = 700});
     const splat::TrainerOptions after = refinementTraining(before, kNow, {.iterations = 2000});
     const auto last = splat::learningRates(before.optimizer, 1, 700);
@@ -25,7 +25,14 @@ TEST(Refinement, NoRateIsFarFromTheLastOneAndAllFall) {
         EXPECT_LE(first[i], 1.0001f * splat::learningRates(before.optimizer, 1, 0)[i]);
         EXPECT_LT(middle[i], first[i]);
         EXPECT_LT(end[i], middle[i]);
-        EXPECT_GT(end[i], 0.0f);
+        EXPECT_NEAR(end[i], last[i], 1e-5f * last[i]);
+    }
+    const splat::TrainerOptions again =
+        refinementTraining(after, {.steps = 2700, .splats = 50000}, {.iterations = 2000});
+    for (const std::uint64_t step : {0u, 1000u, 2000u}) {
+        const auto once = splat::learningRates(after.optimizer, 1, 700 + step);
+        const auto twice = splat::learningRates(again.optimizer, 1, 2700 + step);
+        for (std::size_t i = 0; i < once.size(); ++i) EXPECT_NEAR(twice[i], once[i], 1e-5f * once[i]) << step;
     }
 }
 

@@ -16,8 +16,6 @@ constexpr std::uint64_t kEvery = 50;  // steps between splits; of fewer than tha
 constexpr double kGrowing = 0.4;      // of the steps; then what there is settles
 constexpr double kSquaresFrom = 0.9;  // of the steps; what they put right is done by then
 constexpr double kMostAtOnce = 0.22;  // of the splats
-// Of what positions begin with; of all others, of what the training before began with.
-constexpr double kRatesAtLast = 0.1;
 // What pictures from so many sides show, nothing need stand in for.
 constexpr std::size_t kEnoughSides = FirstModelOptions{}.directions;
 
@@ -42,11 +40,10 @@ splat::TrainerOptions refinementTraining(splat::TrainerOptions before, const spl
     const std::uint64_t steps = std::max<std::uint64_t>(options.iterations, 1);
     splat::OptimizerOptions& rates = before.optimizer;
     rates.position = std::min(rates.position, options.warmer * rates.positionAtLast);
-    rates.positionAtLast = kRatesAtLast * rates.position;
     const double others = std::min(1.0, options.warmer * rates.othersAtLast);
     for (double* rate : {&rates.logScale, &rates.rotation, &rates.opacityLogit, &rates.dc, &rates.sh})
         *rate *= others;
-    rates.othersAtLast = kRatesAtLast / others;
+    rates.othersAtLast /= others;
     rates.decayFrom = now.steps;
     rates.positionSteps = now.steps + steps;
     before.capacity = options.capacity;

@@ -21,8 +21,8 @@ struct RefinementOptions {
     std::uint64_t iterations = 2000;  // that are to follow: rates fall and splats become more over them
     std::uint32_t capacity = 50000;   // splats; the model keeps those it has if they are more
     // How many times larger the steps are at first than where the training before ended, so that there is use
-    // made of the new room; never larger than that training began with. With larger ones the model loses
-    // before it gains (docs/peripheral-model.md).
+    // made of the new room; never larger than that training began with. They fall back to where it ended.
+    // With larger ones the model loses before it gains (docs/peripheral-model.md).
     double warmer = 7.0;
     const KeptViews* kept = nullptr;  // see ViewTracing
     int shDegree = 1;                 // more views can tell colours by direction; never less than it has
