@@ -107,8 +107,9 @@ TEST_F(PullOfViews, IsNeverWithoutEndNorNothing) {
     EXPECT_GT(weight({.radii = 1e-3, .fovDeg = 0.1}), 0.0);
     const Box point{.low = seen_.low, .high = seen_.low};
     EXPECT_EQ(weightByArea(view({}), point, originMm_), 1.0f);
-    const Box unusable{.low = glm::dvec3(std::numeric_limits<double>::quiet_NaN()), .high = seen_.high};
-    EXPECT_EQ(weightByArea(view({}), unusable, originMm_), 1.0f);
+    for (const double bad :
+         {std::numeric_limits<double>::quiet_NaN(), -std::numeric_limits<double>::infinity()})
+        EXPECT_EQ(weightByArea(view({}), {.low = glm::dvec3(bad), .high = seen_.high}, originMm_), 1.0f);
 }
 
 }  // namespace

@@ -47,7 +47,7 @@ float weightBySamples(double samplesPerPixel) {
 
 float weightByArea(const splat::RasterView& from, const Box& seenMm, const glm::dvec3& originMm) {
     const double radiusMm = 0.5 * seenMm.diagonal();
-    if (!(radiusMm > 0.0)) return 1.0f;
+    if (!(radiusMm > 0.0) || !std::isfinite(radiusMm)) return 1.0f;
     const auto areaOf = [](const glm::dvec2& sideAt1, double distance) {
         return sideAt1.x * sideAt1.y * distance * distance;
     };

@@ -31,7 +31,7 @@ float weightBySamples(double samplesPerPixel);
 // of a square one of 20 degrees from 3 R, R being half the diagonal; at most 4, and from nearer than R / 2 as
 // from there. A picture pulls at a splat as hard as the splat is large in it, and Adam goes by what pulled
 // hardest: without this, what was seen from near would drown what was seen from far
-// (docs/peripheral-model.md). 1 where nothing has an extent.
+// (docs/peripheral-model.md). 1 where the box has no extent, or none that is finite.
 float weightByArea(const splat::RasterView& from, const Box& seenMm, const glm::dvec3& originMm);
 
 // As a trainer learns it, with its weight: by area, and by samples unless it is lit. Of views of one trainer
