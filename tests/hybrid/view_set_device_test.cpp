@@ -184,5 +184,34 @@ TEST_F(ViewSets, CanBeEmptyAndStopped) {
               ErrorCode::cancelled);
 }
 
+// Between views, too, and nothing of such a set is kept.
+TEST_F(ViewSets, CanBeStoppedWhileTheyAreLit) {
+    const auto folder = std::filesystem::temp_directory_path() / fmt::format("macula-stopped-{}", getpid());
+    const PictureCache cache(folder);
+    ASSERT_TRUE(cache.prepare().ok());
+    const TracedScene scene = this->scene();
+    const KeptViews kept(scene, cache);
+    trace::PathTracer tracer = this->tracer();
+    set_.traced.resize(3);
+    tracing_.kept = &kept;
+    bool wasLighting = false;
+    CancelToken stop;
+    Progress stopped(
+        [&](const ProgressUpdate& update) {
+            if (update.stage != "Lighting views") return;
+            wasLighting = true;
+            stop.cancel();
+        },
+        stop);
+    const auto pictures = makePictures(tracer, scene.seenMm(), set_, tracing_, stopped);
+    EXPECT_TRUE(wasLighting);
+    EXPECT_EQ(pictures.error().code, ErrorCode::cancelled);
+    EXPECT_TRUE(std::filesystem::is_empty(folder));
+    const auto made = makePictures(tracer, scene.seenMm(), set_, tracing_, progress_);
+    ASSERT_TRUE(made.ok());
+    EXPECT_EQ(made->fromKept, 0u);
+    std::filesystem::remove_all(folder);
+}
+
 }  // namespace
 }  // namespace macula::hybrid
