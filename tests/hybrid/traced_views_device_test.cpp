@@ -11,6 +11,7 @@
 #include <numeric>
 #include <span>
 
+#include "hybrid/kept_folder.h"
 #include "pipeline/hybrid/coverage_views.h"
 #include "pipeline/hybrid/drawn_views.h"
 #include "pipeline/hybrid/first_model.h"
@@ -200,15 +201,12 @@ TEST_F(Views, AreThoseOfTheTracerAndOfNoOtherViewWithCoverageOfTheGuides) {
 // Stopped after the first of three, and gone on with: the same as all at once. What differs in anything is
 // not taken for it, nor is truth.
 TEST_F(Views, ThatWereKeptAreNotTracedAgain) {
-    const auto folder = std::filesystem::temp_directory_path() / fmt::format("macula-kept-{}", getpid());
-    const PictureCache cache(folder);
-    ASSERT_TRUE(cache.prepare().ok());
     const TracedScene scene = this->scene();
-    const KeptViews kept(scene, cache);
+    const KeptFolder folder(scene);
     const std::vector<Camera> cameras = this->cameras(3);
     const ViewTracing plain{.sizePx = {24, 20}, .samplesPerPixel = 3};
     ViewTracing options = plain;
-    options.kept = &kept;
+    options.kept = &folder.kept;
     trace::PathTracer tracer = this->tracer();
     Progress progress;
     const auto expected = traceViews(tracer, cameras, plain, progress);
@@ -240,10 +238,10 @@ TEST_F(Views, ThatWereKeptAreNotTracedAgain) {
     trace::Settings settings = plain.settings;
     const auto key = scene.pictureKey(view, settings, 3);
     ASSERT_TRUE(key.ok());
-    EXPECT_FALSE(cache.find(*key).has_value());
+    EXPECT_FALSE(folder.cache.find(*key).has_value());
 
     // One that is damaged is made again.
-    const auto damaged = std::filesystem::directory_iterator(folder)->path();
+    const auto damaged = std::filesystem::directory_iterator(folder.path)->path();
     std::filesystem::resize_file(damaged, std::filesystem::file_size(damaged) - 1);
     std::size_t found = 0;
     for (const ViewTracing& asked : {options, other})
@@ -252,7 +250,6 @@ TEST_F(Views, ThatWereKeptAreNotTracedAgain) {
     more.samplesPerPixel = 4;
     found += traceViews(tracer, cameras, more, progress)->fromKept;
     EXPECT_EQ(found, 8u);
-    std::filesystem::remove_all(folder);
 }
 
 // A picture that was stopped in its first pass: what has no samples is not known, rather than black.

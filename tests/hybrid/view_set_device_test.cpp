@@ -1,13 +1,12 @@
 // Pictures that light each other, against those that are traced with hundreds of samples.
 #include "pipeline/hybrid/view_set.h"
 
-#include <unistd.h>
-
 #include <cmath>
 #include <cstring>
 #include <filesystem>
 
 #include "hybrid/coloured_ball.h"
+#include "hybrid/kept_folder.h"
 #include "pipeline/hybrid/traced_scene.h"
 #include "pipeline/hybrid/view_sampling.h"
 #include "trace/gpu_scene.h"
@@ -125,15 +124,12 @@ TEST_F(ViewSets, AreAsTheyAreTracedWhereLightGoesForwards) {
 
 // Those of the same set, to the bit, and of no other.
 TEST_F(ViewSets, ThatWereKeptAreNotMadeAgain) {
-    const auto folder = std::filesystem::temp_directory_path() / fmt::format("macula-sets-{}", getpid());
-    const PictureCache cache(folder);
-    ASSERT_TRUE(cache.prepare().ok());
     const TracedScene scene = this->scene();
-    const KeptViews kept(scene, cache);
+    const KeptFolder folder(scene);
     trace::PathTracer tracer = this->tracer();
     set_.traced.resize(3);
     set_.sides.resize(2);
-    tracing_.kept = &kept;
+    tracing_.kept = &folder.kept;
     const auto make = [&](const ViewSet& set, const ViewTracing& tracing) {
         return makePictures(tracer, scene.seenMm(), set, tracing, progress_);
     };
@@ -162,14 +158,13 @@ TEST_F(ViewSets, ThatWereKeptAreNotMadeAgain) {
     EXPECT_EQ(make(set_, tracing_)->fromKept, 5u);
 
     // All or none.
-    for (const auto& file : std::filesystem::directory_iterator(folder))
+    for (const auto& file : std::filesystem::directory_iterator(folder.path))
         std::filesystem::resize_file(file, std::filesystem::file_size(file) - 1);
     const auto anew = make(set_, tracing_);
     ASSERT_TRUE(anew.ok());
     EXPECT_EQ(anew->fromKept, 0u);
     EXPECT_TRUE(same(first->traced, anew->traced));
     EXPECT_TRUE(same(first->sides, anew->sides));
-    std::filesystem::remove_all(folder);
 }
 
 TEST_F(ViewSets, CanBeEmptyAndStopped) {
@@ -186,14 +181,11 @@ TEST_F(ViewSets, CanBeEmptyAndStopped) {
 
 // Between views, too, and nothing of such a set is kept.
 TEST_F(ViewSets, CanBeStoppedWhileTheyAreLit) {
-    const auto folder = std::filesystem::temp_directory_path() / fmt::format("macula-stopped-{}", getpid());
-    const PictureCache cache(folder);
-    ASSERT_TRUE(cache.prepare().ok());
     const TracedScene scene = this->scene();
-    const KeptViews kept(scene, cache);
+    const KeptFolder folder(scene);
     trace::PathTracer tracer = this->tracer();
     set_.traced.resize(3);
-    tracing_.kept = &kept;
+    tracing_.kept = &folder.kept;
     bool wasLighting = false;
     CancelToken stop;
     Progress stopped(
@@ -206,11 +198,10 @@ TEST_F(ViewSets, CanBeStoppedWhileTheyAreLit) {
     const auto pictures = makePictures(tracer, scene.seenMm(), set_, tracing_, stopped);
     EXPECT_TRUE(wasLighting);
     EXPECT_EQ(pictures.error().code, ErrorCode::cancelled);
-    EXPECT_TRUE(std::filesystem::is_empty(folder));
+    EXPECT_TRUE(std::filesystem::is_empty(folder.path));
     const auto made = makePictures(tracer, scene.seenMm(), set_, tracing_, progress_);
     ASSERT_TRUE(made.ok());
     EXPECT_EQ(made->fromKept, 0u);
-    std::filesystem::remove_all(folder);
 }
 
 }  // namespace

@@ -8,11 +8,8 @@ namespace macula::hybrid {
 
 namespace {
 
-// The views that models are compared in begin at that distance, in half-diagonals of what is seen.
-constexpr double kUsualDistance = 3.0;
-constexpr double kUsualFovDeg = 20.0;
-constexpr double kNearest = 0.5;  // half-diagonals: nearer, the centre is not what is seen
-constexpr double kMostByArea = 4.0;
+constexpr double kNearestRadii = 0.5;  // nearer, the centre is not what is seen
+constexpr double kMostByArea = 4.0;    // from farther than 6 R a picture tells less and less
 
 glm::dvec3 forwardOf(const splat::RasterView& view) {
     return glm::transpose(view.cameraFromWorld)[2];
@@ -51,10 +48,11 @@ float weightByArea(const splat::RasterView& from, const Box& seenMm, const glm::
     const auto areaOf = [](const glm::dvec2& sideAt1, double distance) {
         return sideAt1.x * sideAt1.y * distance * distance;
     };
-    const double distance = glm::distance(from.eyeMm, seenMm.centre() - originMm) / radiusMm;
-    const double area = areaOf(glm::dvec2(from.sizePx) / from.focalPx, std::max(distance, kNearest));
-    const double usual = areaOf(glm::dvec2(2.0 * std::tan(glm::radians(0.5 * kUsualFovDeg))), kUsualDistance);
-    return static_cast<float>(std::min(area / usual, kMostByArea));
+    const double radii = glm::distance(from.eyeMm, seenMm.centre() - originMm) / radiusMm;
+    const double area = areaOf(glm::dvec2(from.sizePx) / from.focalPx, std::max(radii, kNearestRadii));
+    const ViewSampling usual = groundTruth(1);
+    const glm::dvec2 usualSideAt1(2.0 * std::tan(glm::radians(0.5 * usual.verticalFovDeg)));
+    return static_cast<float>(std::min(area / areaOf(usualSideAt1, usual.startDistance), kMostByArea));
 }
 
 Result<splat::TrainingView> learntPicture(const splat::Trainer& trainer, const Box& seenMm, TracedView view) {
