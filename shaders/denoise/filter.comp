@@ -41,7 +41,7 @@ vec4 fetchSurface(int pixel) {
 #include "lib/denoise_filter.glsl"
 
 void main() {
-    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy) + ivec2(0, denoise.firstRow);
     if (any(greaterThanEqual(pixel, denoise.imageSize))) return;
     Filtered filtered = filterPixel(pixel);
     int index = indexOf(pixel);

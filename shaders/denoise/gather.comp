@@ -71,7 +71,7 @@ vec4 fetchOldMatter(int pixel) {
 #include "lib/denoise_gather.glsl"
 
 void main() {
-    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy) + ivec2(0, denoise.firstRow);
     if (any(greaterThanEqual(pixel, denoise.imageSize))) return;
     Record record = gatherPixel(pixel);
     int index = indexOf(pixel);

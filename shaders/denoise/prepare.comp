@@ -45,7 +45,7 @@ vec4 fetchMotion(int pixel) {
 #include "lib/denoise_prepare.glsl"
 
 void main() {
-    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy) + ivec2(0, denoise.firstRow);
     if (any(greaterThanEqual(pixel, denoise.imageSize))) return;
     Prepared prepared = preparePixel(pixel);
     int index = indexOf(pixel);

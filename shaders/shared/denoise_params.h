@@ -10,6 +10,7 @@ struct DenoisePush {
     int last;              // 1: the pass whose result is shown
     float pixelAngle;      // width of a pixel at distance 1
     float historySamples;  // what the view before may count for, at most; 0: there is none
+    int firstRow;          // of this dispatch
 };
 
 MACULA_SHARED_END

@@ -69,7 +69,8 @@ struct TruePicture {
                 .stride = 1,
                 .last = 0,
                 .pixelAngle = 0.001f,
-                .historySamples = 0.0f};
+                .historySamples = 0.0f,
+                .firstRow = 0};
     }
 };
 

@@ -8,8 +8,8 @@
 #include "base/phantom.h"
 #include "pipeline/gpu/kernel.h"
 #include "pipeline/gpu/transfer.h"
-#include "pipeline/trace/device_scene.h"
 #include "pipeline/trace/reference_tracer.h"
+#include "pipeline/trace/scene_view.h"
 #include "shaders/test_trace.h"
 #include "trace/gpu_scene.h"
 #include "trace/scenes.h"
@@ -71,18 +71,19 @@ std::shared_ptr<const Volume> coarsened(const Volume& volume, const BrickGrid& g
 // Every voxel as the shaders read it.
 void expectFound(const std::shared_ptr<gpu::Device>& device, const std::shared_ptr<const Volume>& volume,
                  const TransferFunction& function, const MemoryLimits& limits) {
-    auto made = DeviceScene::create(device, limits);
-    DeviceScene scene = std::move(made).value();
+    auto made = SceneView::create(std::make_shared<DeviceScene>(device, limits));
+    SceneView view = std::move(made).value();
+    DeviceScene& scene = view.scene();
     ASSERT_TRUE(scene.setVolume(volume).ok());
     ASSERT_TRUE(scene.setTransferFunction(function).ok());
     ASSERT_TRUE(scene.setEnvironment(Environment::constant(glm::vec3(1.0f))).ok());
-    ASSERT_TRUE(scene.look(viewOf(*volume, 8), {}).ok());
+    ASSERT_TRUE(view.look(viewOf(*volume, 8), {}).ok());
     const auto kernel = gpu::Kernel::create(device, shaders::fetch_comp);
     ASSERT_TRUE(kernel.ok());
     const std::size_t count = volume->voxelCount();
     const auto found = gpu::Buffer::create(device, {.label = "found", .bytes = count * sizeof(glm::vec2)});
     auto recorder = gpu::Recorder::create(device, "fetch");
-    std::vector<gpu::Binding> bindings = scene.bindings();
+    std::vector<gpu::Binding> bindings = view.bindings();
     bindings.emplace_back(*found);
     recorder->dispatch(*kernel, {static_cast<std::uint32_t>(count)}, bindings);
     ASSERT_TRUE(recorder->submit().ok());

@@ -319,7 +319,24 @@ TEST_F(SurfacePointsTest, AreTheSameForASeedAndCanBeCancelled) {
         EXPECT_EQ(first.points[i].positionMm, again.points[i].positionMm);
         EXPECT_EQ(first.points[i].radiance, again.points[i].radiance);
     }
+    // A dispatch at a time they are the same; and nothing is gone on with when something else is looked at.
+    std::optional<SurfacePoints> inPieces;
+    int pieces = 0;
+    while (!inPieces) {
+        auto some = t.someSurfacePoints(options, [] { return false; });
+        ASSERT_TRUE(some.ok()) << some.error().message;
+        inPieces = *std::move(some);
+        ++pieces;
+    }
+    EXPECT_GT(pieces, 2);
+    ASSERT_EQ(inPieces->points.size(), first.points.size());
+    for (std::size_t i = 0; i < first.points.size(); ++i)
+        EXPECT_EQ(first.points[i].radiance, inPieces->points[i].radiance);
+    ASSERT_TRUE(t.someSurfacePoints(options, [] { return false; }).ok());
     ASSERT_TRUE(t.setSettings({.seed = 99}).ok());
+    const auto other = t.someSurfacePoints(options, {});
+    ASSERT_TRUE(other.ok() && *other);
+    EXPECT_EQ((*other)->points[0].positionMm, find(t, options).points.points[0].positionMm);
     EXPECT_NE(first.points[0].positionMm, find(t, options).points.points[0].positionMm);
     for (const SurfacePointOptions& bad :
          {SurfacePointOptions{.count = 0}, SurfacePointOptions{.count = kMaxSurfacePoints + 1},

@@ -47,7 +47,7 @@ double Accumulation::passMs(const TraceVariant& variant, int bounces) const {
     return plan_.blockCount() / pace_.perMs({.variant = variant, .bounces = bounces});
 }
 
-Result<void> Accumulation::step(const DeviceScene& scene, TraceKernels& kernels, const TraceVariant& variant,
+Result<void> Accumulation::step(const SceneView& scene, TraceKernels& kernels, const TraceVariant& variant,
                                 int bounces, double ms) {
     const Work work{.variant = variant, .bounces = bounces, .isAdaptive = plan_.isAdaptive()};
     const auto blocks = plan_.next(pace_.perMs(work) * ms, kMinBlocks, kMaxBlocks);

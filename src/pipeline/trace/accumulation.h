@@ -10,11 +10,11 @@
 #include "base/result.h"
 #include "pipeline/gpu/device.h"
 #include "pipeline/gpu/resources.h"
-#include "pipeline/trace/device_scene.h"
 #include "pipeline/trace/film.h"
 #include "pipeline/trace/noise_map.h"
 #include "pipeline/trace/pace.h"
 #include "pipeline/trace/sampling_plan.h"
+#include "pipeline/trace/scene_view.h"
 #include "pipeline/trace/trace_kernels.h"
 #include "shared/primary_vertex.h"
 
@@ -34,10 +34,10 @@ class Accumulation {
     // How long a pass of one sample for each pixel takes, as far as is known.
     double passMs(const TraceVariant& variant, int bounces) const;
 
-    // One dispatch of the pass under way, which takes about `ms`; waits. Needs a scene that has looked at the
-    // picture's view. Where it fails, nobody knows what the film holds.
-    Result<void> step(const DeviceScene& scene, TraceKernels& kernels, const TraceVariant& variant,
-                      int bounces, double ms);
+    // One dispatch of the pass under way, which takes about `ms`; waits. `scene`
+    // looks at the picture's view. Where it fails, nobody knows what the film holds.
+    Result<void> step(const SceneView& scene, TraceKernels& kernels, const TraceVariant& variant, int bounces,
+                      double ms);
     // From now on where samples of kPrimarySamples in a row meet matter is kept as well, of steps whose
     // variant tells it; what was kept before is cleared. outOfMemory.
     Result<void> clearPrimaries();

@@ -1,5 +1,6 @@
 #include "pipeline/trace/denoiser.h"
 
+#include <algorithm>
 #include <glm/glm.hpp>
 #include <utility>
 
@@ -15,9 +16,17 @@ namespace {
 // Strides of the passes. Two sweeps: where edges left a pixel few neighbours, its own noise weighs most after
 // the first, and the second spreads that.
 constexpr std::array kStrides{1, 2, 4, 8, 16, 1, 2, 4, 8};
-constexpr std::size_t kFirstSweep = 5;  // of these
+constexpr int kFirstSweep = 5;  // of these
 // What the view before may count for: more would blur what is resampled from view to view.
 constexpr float kHistorySamples = 32.0f;
+
+// Rows of one dispatch for whoever may be interrupted: on a CPU device, where a pixel of a pass takes up to
+// 0.3 microseconds, some 40 ms.
+int rowsToFilterAtOnce(const gpu::Device& device, int width) {
+    constexpr int kPixelsCpu = 1 << 17;
+    constexpr int kPixelsGpu = 1 << 22;
+    return std::max((device.isCpu() ? kPixelsCpu : kPixelsGpu) / width / 8 * 8, 8);
+}
 
 Result<gpu::TexelBuffer> makeTexels(const std::shared_ptr<gpu::Device>& device, const char* label,
                                     std::uint64_t pixels, VkFormat format = VK_FORMAT_R32G32B32A32_SFLOAT) {
@@ -74,8 +83,8 @@ Result<Denoiser> Denoiser::create(const std::shared_ptr<gpu::Device>& device,
                     {std::move(colour0), std::move(colour1)}, std::move(result));
 }
 
-Result<void> Denoiser::run(const Film& film, const Guides& now, const Guides* before, float pixelAngle,
-                           Denoising how) {
+Result<bool> Denoiser::run(const Film& film, const Guides& now, const Guides* before, float pixelAngle,
+                           Denoising how, const std::function<bool()>& keepGoing) {
     MACULA_CHECK(how != Denoising::off);
     MACULA_CHECK_EQ(film.width(), width_);
     MACULA_CHECK_EQ(film.height(), height_);
@@ -85,43 +94,74 @@ Result<void> Denoiser::run(const Film& film, const Guides& now, const Guides* be
     const Guides& old = history ? *before : now;  // never read without a history
     const Record& record = records_[current_];
     const Record& memory = records_[1 - current_];
-    const gpu::Threads threads{static_cast<std::uint32_t>(width_), static_cast<std::uint32_t>(height_)};
-    shared::DenoisePush push{.imageSize = {width_, height_},
-                             .stride = 1,
-                             .last = 0,
-                             .pixelAngle = pixelAngle,
-                             .historySamples = history ? kHistorySamples : 0.0f};
+    const int passes = how == Denoising::little ? kFirstSweep : static_cast<int>(kStrides.size());
+    const int stages = 2 + passes;
+    const std::shared_ptr<gpu::Device>& device = result_.device();
+    const int rowsAtOnce = keepGoing ? rowsToFilterAtOnce(*device, width_) : height_;
 
-    MACULA_TRY(auto recorder, gpu::Recorder::create(result_.device(), "denoise"));
-    recorder.dispatch(kernels_->gather, threads, push,
-                      {film.sums(), film.counts(), film.squares(), now.surfaces(), now.matters(),
-                       now.motions(), memory.means, memory.moments, old.surfaces(), old.matters(),
-                       record.means.buffer(), record.moments.buffer()});
-    recorder.dispatch(kernels_->prepare, threads, push,
-                      {record.means, record.moments, now.surfaces(), now.matters(), now.motions(),
-                       masses_.buffer(), noises_[0].buffer()});
-    const std::size_t passes = how == Denoising::little ? kFirstSweep : kStrides.size();
-    for (std::size_t pass = 0; pass < passes; ++pass) {
-        const std::size_t from = pass % 2;
-        push.stride = kStrides[pass];
-        push.last = pass + 1 == passes ? 1 : 0;
-        recorder.dispatch(
-            kernels_->filter, threads, push,
-            {pass == 0 ? record.means : colours_[from], noises_[from], masses_, now.surfaces(),
-             push.last == 1 ? result_ : colours_[1 - from].buffer(), noises_[1 - from].buffer()});
+    const auto recordSome = [&](gpu::Recorder& recorder) {
+        const int rows = std::min(rowsAtOnce, height_ - row_);
+        const gpu::Threads threads{static_cast<std::uint32_t>(width_), static_cast<std::uint32_t>(rows)};
+        shared::DenoisePush push{.imageSize = {width_, height_},
+                                 .stride = 1,
+                                 .last = 0,
+                                 .pixelAngle = pixelAngle,
+                                 .historySamples = history ? kHistorySamples : 0.0f,
+                                 .firstRow = row_};
+        if (stage_ == 0) {
+            recorder.dispatch(kernels_->gather, threads, push,
+                              {film.sums(), film.counts(), film.squares(), now.surfaces(), now.matters(),
+                               now.motions(), memory.means, memory.moments, old.surfaces(), old.matters(),
+                               record.means.buffer(), record.moments.buffer()});
+        } else if (stage_ == 1) {
+            recorder.dispatch(kernels_->prepare, threads, push,
+                              {record.means, record.moments, now.surfaces(), now.matters(), now.motions(),
+                               masses_.buffer(), noises_[0].buffer()});
+        } else {
+            const auto pass = static_cast<std::size_t>(stage_ - 2);
+            const std::size_t from = pass % 2;
+            push.stride = kStrides.at(pass);
+            push.last = stage_ + 1 == stages ? 1 : 0;
+            recorder.dispatch(
+                kernels_->filter, threads, push,
+                {pass == 0 ? record.means : colours_[from], noises_[from], masses_, now.surfaces(),
+                 push.last == 1 ? result_ : colours_[1 - from].buffer(), noises_[1 - from].buffer()});
+        }
+        row_ += rows;
+        if (row_ < height_) return;
+        row_ = 0;
+        ++stage_;
+    };
+
+    if (stage_ == 0 && row_ == 0) ran_ = false;
+    for (bool goesOn = true; stage_ < stages && goesOn;) {
+        MACULA_TRY(auto recorder, gpu::Recorder::create(device, "denoise"));
+        do recordSome(recorder);
+        while (!keepGoing && stage_ < stages);
+        const Result<gpu::Ticket> ticket = recorder.submit();
+        if (!ticket) {
+            giveUp();
+            return ticket.error();
+        }
+        if (!keepGoing) continue;
+        MACULA_TRY([[maybe_unused]] const bool done, device->waitFor(*ticket));
+        goesOn = keepGoing();
     }
-    MACULA_TRY([[maybe_unused]] const gpu::Ticket ticket, recorder.submit());
+    if (stage_ < stages) return false;
+    giveUp();
     ran_ = true;
-    return {};
+    return true;
 }
 
 void Denoiser::advance() {
+    giveUp();
     remembers_ = ran_;
     if (ran_) current_ = 1 - current_;
     ran_ = false;
 }
 
 void Denoiser::forget() {
+    giveUp();
     ran_ = false;
     remembers_ = false;
 }

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <memory>
 
 #include "base/result.h"
@@ -39,9 +40,13 @@ class Denoiser {
 
     // `pixelAngle` is the width of a pixel at distance 1. `before` are the guides of the view before, which
     // must be those of the run that advance() kept; null when there are none. All of one size. `how`: not
-    // off.
-    Result<void> run(const Film& film, const Guides& now, const Guides* before, float pixelAngle,
-                     Denoising how);
+    // off. `keepGoing` is asked between dispatches of some 40 ms, which are waited for; when it says no, the
+    // next run of the same goes on there, unless that is given up before. When it is empty nothing is waited
+    // for. Whether all is done.
+    Result<bool> run(const Film& film, const Guides& now, const Guides* before, float pixelAngle,
+                     Denoising how, const std::function<bool()>& keepGoing = {});
+    // What was begun and not finished.
+    void giveUp() { stage_ = row_ = 0; }
 
     // What the last run gathered is now what the view before knew. When nothing ran since, that is nothing.
     void advance();
@@ -67,6 +72,8 @@ class Denoiser {
     std::array<Record, 2> records_;  // of this view and of the one before, which is which changes
     std::size_t current_ = 0;
     bool ran_ = false;
+    int stage_ = 0;  // of the run under way: gather, prepare, then the passes of the filter
+    int row_ = 0;    // of that, the first that is not done
     bool remembers_ = false;
     gpu::TexelBuffer masses_;
     std::array<gpu::TexelBuffer, 2> noises_;

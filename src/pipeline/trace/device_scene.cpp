@@ -8,6 +8,7 @@
 #include "pipeline/gpu/transfer.h"
 #include "pipeline/trace/scene.h"
 #include "pipeline/volume/clip_bricks.h"
+#include "pipeline/volume/visible_box.h"
 
 namespace macula::trace {
 
@@ -40,15 +41,9 @@ void addNeighbours(std::span<const float> bounds, std::vector<std::uint8_t>& als
 
 }  // namespace
 
-Result<DeviceScene> DeviceScene::create(std::shared_ptr<gpu::Device> device, const MemoryLimits& limits) {
-    // On the device, not in memory for uploads: a graphics card would read that over its bus, for every path.
-    MACULA_TRY(gpu::Buffer params,
-               gpu::Buffer::create(device, {.label = "trace params", .bytes = sizeof(shared::TraceParams)}));
-    return DeviceScene(std::move(device), limits, std::move(params));
-}
-
 Result<void> DeviceScene::setVolume(std::shared_ptr<const Volume> volume) {
     MACULA_CHECK(volume != nullptr);
+    ++edition_;
     voxels_.reset();
     extinction_.reset();
     mask_.reset();
@@ -70,6 +65,7 @@ Result<void> DeviceScene::setTransferFunction(const TransferFunction& function) 
 
 Result<void> DeviceScene::setClip(const Clip& clip) {
     MACULA_TRY_VOID(validate(clip));
+    ++edition_;
     clip_ = clip;
     mask_.reset();
     maskBits_.reset();
@@ -97,6 +93,7 @@ Result<void> DeviceScene::makeMask() {
 }
 
 Result<void> DeviceScene::makeTables() {
+    ++edition_;
     MACULA_TRY_VOID(makeMask());
     const MaskBits* mask = maskBits_ ? &*maskBits_ : nullptr;
     medium_ = projection_ ? makeMedium(*volume_, grid_, *projection_, clip_, mask)
@@ -119,6 +116,7 @@ Result<void> DeviceScene::makeTables() {
 
 Result<void> DeviceScene::setEnvironment(const Environment& environment) {
     static_assert(sizeof(EnvironmentTexel) == 4 * sizeof(float));
+    ++edition_;
     environmentTexels_.reset();
     cumulativeTexels_.reset();
     MACULA_TRY(environmentTexels_,
@@ -135,7 +133,7 @@ bool DeviceScene::isComplete() const {
            environmentTexels_ && cumulativeTexels_;
 }
 
-Result<void> DeviceScene::look(const View& view, const Settings& settings) {
+Result<void> DeviceScene::makeReadyFor(const Settings& settings) {
     MACULA_CHECK(isComplete());
     const auto projection = projectionOf(settings.look);
     const bool shading = settings.look == Look::dvr && settings.shading == Shading::headlight;
@@ -144,12 +142,22 @@ Result<void> DeviceScene::look(const View& view, const Settings& settings) {
         shading_ = shading;
         MACULA_TRY_VOID(makeTables());
     }
-    MACULA_TRY(const shared::TraceParams params,
-               makeTraceParams(*volume_, medium_, *environment_, view, settings, clip_));
-    MACULA_TRY(auto recorder, gpu::Recorder::create(device_, "look"));
-    recorder.update(params_, std::as_bytes(std::span(&params, 1)));
-    MACULA_TRY([[maybe_unused]] const gpu::Ticket ticket, recorder.submit());
     return {};
+}
+
+Result<shared::TraceParams> DeviceScene::params(const View& view, const Settings& settings) const {
+    MACULA_CHECK(isComplete());
+    return makeTraceParams(*volume_, medium_, *environment_, view, settings, clip_);
+}
+
+Box DeviceScene::seenMm() const {
+    MACULA_CHECK(isComplete() && !projection_);
+    if (!clip_.removedCastsShadow) return visibleBoxMm(*volume_, grid_, medium_);
+    Clip ofEye = clip_;
+    ofEye.removedCastsShadow = false;
+    const MaskBits* mask = maskBits_ ? &*maskBits_ : nullptr;
+    return visibleBoxMm(*volume_, grid_,
+                        makeMedium(*volume_, grid_, fitted(*function_, *volume_), ofEye, mask));
 }
 
 VoxelMemory DeviceScene::voxelMemory() const {
@@ -163,9 +171,8 @@ std::vector<Message> DeviceScene::messages() const {
 
 std::vector<gpu::Binding> DeviceScene::bindings() const {
     MACULA_CHECK(isComplete());
-    return {params_,  voxels_->pool(),     *extinction_,       *albedo_,
-            *bounds_, *environmentTexels_, *cumulativeTexels_, voxels_->table(),
-            *mask_};
+    return {voxels_->pool(),     *extinction_,       *albedo_,         *bounds_,
+            *environmentTexels_, *cumulativeTexels_, voxels_->table(), *mask_};
 }
 
 }  // namespace macula::trace

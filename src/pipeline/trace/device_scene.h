@@ -1,6 +1,8 @@
-// What is traced, on the device: voxels, optical tables, bounds, light, and the block of parameters.
+// What is traced, on the device: voxels, optical tables, bounds and light. One for all views of it
+// (scene_view.h).
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
@@ -15,6 +17,7 @@
 #include "pipeline/trace/settings.h"
 #include "pipeline/volume/medium.h"
 #include "pipeline/volume/transfer_function.h"
+#include "shared/trace_params.h"
 
 namespace macula::trace {
 
@@ -22,7 +25,13 @@ namespace macula::trace {
 // one of it is ever there: after a setter has failed the scene is not complete.
 class DeviceScene {
   public:
-    static Result<DeviceScene> create(std::shared_ptr<gpu::Device> device, const MemoryLimits& limits = {});
+    explicit DeviceScene(std::shared_ptr<gpu::Device> device, const MemoryLimits& limits = {})
+        : device_(std::move(device)), limits_(limits) {}
+
+    const std::shared_ptr<gpu::Device>& device() const { return device_; }
+    // A larger one whenever what bindings() gives, or what is seen of it, has become another: who has
+    // looked at an earlier one begins anew.
+    std::uint64_t edition() const { return edition_; }
 
     // Voxels are uploaded when it is known which of them can be seen. outOfMemory when the device cannot hold
     // the grid of the volume. The transfer function has to be set again.
@@ -42,35 +51,38 @@ class DeviceScene {
 
     double anisotropy() const { return function_ ? function_->anisotropy : 0.0; }
 
-    // Of the look that was looked at last.
+    // Of the look that it was made ready for last.
     bool hasGradientOpacity() const { return !medium_.gradientOpacity.empty(); }
 
     bool isComplete() const;
-    // Of the look that was looked at last, and of what it shows.
+    // Likewise, and of what it shows.
     std::span<const float> bounds() const { return medium_.bounds; }
     const std::shared_ptr<const Volume>& volume() const { return volume_; }
 
-    // When complete. Sees to the tables and bounds of the look, and writes the parameters, see
-    // makeTraceParams; what was submitted before still reads the last ones.
-    Result<void> look(const View& view, const Settings& settings);
+    // When complete. Sees to the tables and bounds of the look.
+    Result<void> makeReadyFor(const Settings& settings);
+    // When made ready for them, see makeTraceParams.
+    Result<shared::TraceParams> params(const View& view, const Settings& settings) const;
+
+    // Where an eye sees anything of it, LPS mm (visibleBoxMm): what a clip has removed is not in it, though
+    // it may cast shadow. Empty, low > high, when there is nothing. When complete, and ready for a
+    // path-traced look.
+    Box seenMm() const;
 
     // What the voxels take; nothing without a volume.
     VoxelMemory voxelMemory() const;
     // What a person has to know about what is shown.
     std::vector<Message> messages() const;
 
-    // When complete, and looked at: bindings 0 to 8 of shaders/trace/host.glsl.
+    // When complete: bindings 1 to 8 of shaders/trace/host.glsl.
     std::vector<gpu::Binding> bindings() const;
 
   private:
     Result<void> makeMask();
     Result<void> makeTables();
-    DeviceScene(std::shared_ptr<gpu::Device> device, const MemoryLimits& limits, gpu::Buffer params)
-        : device_(std::move(device)), limits_(limits), params_(std::move(params)) {}
-
     std::shared_ptr<gpu::Device> device_;
     MemoryLimits limits_;
-    gpu::Buffer params_;
+    std::uint64_t edition_ = 0;
     std::shared_ptr<const Volume> volume_;
     BrickGrid grid_;
     Medium medium_;

@@ -4,7 +4,7 @@
 
 #include "pipeline/gpu/recorder.h"
 #include "pipeline/gpu/transfer.h"
-#include "pipeline/trace/device_scene.h"
+#include "pipeline/trace/scene_view.h"
 
 namespace macula::trace {
 
@@ -47,12 +47,13 @@ Result<Guides> Guides::create(const std::shared_ptr<gpu::Device>& device, int wi
     return Guides(width, height, std::move(surfaces), std::move(matters), std::move(motions));
 }
 
-Result<void> Guides::compute(const DeviceScene& scene, const gpu::Kernel& kernel,
-                             const shared::GuidePush& before) {
+Result<void> Guides::compute(const SceneView& scene, const gpu::Kernel& kernel,
+                             const shared::GuidePush& before, const std::function<bool()>& keepGoing) {
     const auto& device = surfaces_.buffer().device();
     const int rows = rowsToMarchAtOnce(*device, width_, height_);
     shared::GuidePush push = before;
-    for (push.firstRow = 0; push.firstRow < height_; push.firstRow += rows) {
+    while (!isWhole()) {
+        push.firstRow = rows_;
         MACULA_TRY(auto recorder, gpu::Recorder::create(device, "guides"));
         std::vector<gpu::Binding> bindings = scene.bindings();
         for (const gpu::TexelBuffer* texels : {&surfaces_, &matters_, &motions_})
@@ -61,7 +62,11 @@ Result<void> Guides::compute(const DeviceScene& scene, const gpu::Kernel& kernel
                           {static_cast<std::uint32_t>(width_),
                            static_cast<std::uint32_t>(std::min(rows, height_ - push.firstRow))},
                           push, bindings);
-        MACULA_TRY([[maybe_unused]] const gpu::Ticket ticket, recorder.submit());
+        MACULA_TRY(const gpu::Ticket ticket, recorder.submit());
+        rows_ += rows;
+        if (!keepGoing) continue;
+        MACULA_TRY([[maybe_unused]] const bool done, device->waitFor(ticket));
+        if (!keepGoing()) break;
     }
     return {};
 }

@@ -2,6 +2,7 @@
 // it.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -13,7 +14,7 @@
 
 namespace macula::trace {
 
-class DeviceScene;
+class SceneView;
 
 // On the device; row 0 on top. Used by one thread at a time, the one that uses the device.
 class Guides {
@@ -23,10 +24,15 @@ class Guides {
     int width() const { return width_; }
     int height() const { return height_; }
 
-    // Of what the scene looks at, by guides.comp as compiled for it (TraceKernels). Motion is towards
-    // `before`; the picture's own view gives none.
-    Result<void> compute(const DeviceScene& scene, const gpu::Kernel& kernel,
-                         const shared::GuidePush& before);
+    // Another picture: nothing of it is known yet.
+    void begin() { rows_ = 0; }
+    bool isWhole() const { return rows_ >= height_; }
+    // What is left of what `scene` looks at, by guides.comp as compiled for it (TraceKernels). Motion is
+    // towards `before`; the picture's own view gives none. `keepGoing` is asked between dispatches of some
+    // 40 ms, which are waited for, and the next call goes on where it said no; when it is empty nothing is
+    // waited for.
+    Result<void> compute(const SceneView& scene, const gpu::Kernel& kernel, const shared::GuidePush& before,
+                         const std::function<bool()>& keepGoing = {});
 
     // vec4 for each pixel, as buffers and as texels.
     const gpu::TexelBuffer& surfaces() const { return surfaces_; }  // normal, depth
@@ -41,6 +47,7 @@ class Guides {
 
     int width_;
     int height_;
+    int rows_ = 0;  // that are computed
     gpu::TexelBuffer surfaces_;
     gpu::TexelBuffer matters_;
     gpu::TexelBuffer motions_;

@@ -13,6 +13,7 @@
 #include "pipeline/trace/device_scene.h"
 #include "pipeline/trace/film.h"
 #include "pipeline/trace/pixel_layers.h"
+#include "pipeline/trace/scene_view.h"
 #include "pipeline/trace/trace_kernels.h"
 #include "pipeline/trace/view_history.h"
 #include "shaders/trace.h"
@@ -52,30 +53,31 @@ Error nothingToTrace() {
 }  // namespace
 
 struct PathTracer::Impl {
-    Impl(std::shared_ptr<gpu::Device> d, DeviceScene s, gpu::Kernel display)
-        : device(std::move(d)),
-          scene(std::move(s)),
+    Impl(SceneView s, gpu::Kernel display)
+        : scene(std::move(s)),
+          device(scene.scene().device()),
           kernels(device),
           displayKernel(std::move(display)),
           accumulation(device),
           history(device) {}
 
+    SceneView scene;
     std::shared_ptr<gpu::Device> device;
-
-    DeviceScene scene;
     Settings settings;
     View view;
 
     TraceKernels kernels;
     gpu::Kernel displayKernel;
 
-    bool stale = true;                       // something above has changed: accumulation starts again
+    bool stale = true;                       // view or settings have changed: accumulation starts again
     bool restarting = false;                 // nothing has: only the portions were too large
     bool tellsPrimaries = false;             // by the samples under way
     std::uint32_t mostSamples = UINT32_MAX;  // of one dispatch; lowered when paths turn out too long
     Accumulation accumulation;
     ViewHistory history;
+    std::optional<SurfacePointSearch> search;  // under way, in what is looked at
 
+    bool isStale() const { return stale || !scene.isCurrent(); }
     void looksOther();
     Result<void> prepare();
     Result<const gpu::Buffer*> denoised();
@@ -95,9 +97,17 @@ PathTracer& PathTracer::operator=(PathTracer&&) noexcept = default;
 PathTracer::~PathTracer() = default;
 
 Result<PathTracer> PathTracer::create(std::shared_ptr<gpu::Device> device, const MemoryLimits& limits) {
-    MACULA_TRY(DeviceScene scene, DeviceScene::create(device, limits));
-    MACULA_TRY(gpu::Kernel display, gpu::Kernel::create(device, shaders::trace_display_comp));
-    return PathTracer(std::make_unique<Impl>(std::move(device), std::move(scene), std::move(display)));
+    return of(std::make_shared<DeviceScene>(std::move(device), limits));
+}
+
+Result<PathTracer> PathTracer::of(std::shared_ptr<DeviceScene> scene) {
+    MACULA_TRY(gpu::Kernel display, gpu::Kernel::create(scene->device(), shaders::trace_display_comp));
+    MACULA_TRY(SceneView view, SceneView::create(std::move(scene)));
+    return PathTracer(std::make_unique<Impl>(std::move(view), std::move(display)));
+}
+
+Result<PathTracer> PathTracer::ofSameScene() const {
+    return of(impl_->scene.shared());
 }
 
 // Other light arrives from each point of what is shown, along other paths.
@@ -106,27 +116,28 @@ void PathTracer::Impl::looksOther() {
     stale = true;
 }
 
+// The scene's edition tells all who look at it.
 Result<void> PathTracer::setVolume(std::shared_ptr<const Volume> volume) {
-    impl_->mostSamples = UINT32_MAX;
-    impl_->looksOther();
-    return impl_->scene.setVolume(std::move(volume));
+    return impl_->scene.scene().setVolume(std::move(volume));
 }
 
 Result<void> PathTracer::setTransferFunction(const TransferFunction& function) {
-    impl_->mostSamples = UINT32_MAX;
-    impl_->looksOther();
-    return impl_->scene.setTransferFunction(function);
+    return impl_->scene.scene().setTransferFunction(function);
 }
 
 Result<void> PathTracer::setEnvironment(const Environment& environment) {
-    impl_->looksOther();
-    return impl_->scene.setEnvironment(environment);
+    return impl_->scene.scene().setEnvironment(environment);
 }
 
 Result<void> PathTracer::setClip(const Clip& clip) {
-    MACULA_TRY_VOID(impl_->scene.setClip(clip));
-    impl_->looksOther();
-    return {};
+    return impl_->scene.scene().setClip(clip);
+}
+
+Result<Box> PathTracer::seenMm() {
+    MACULA_TRY_VOID(impl_->prepare());
+    if (isProjection(impl_->settings.look))
+        return Error{ErrorCode::usage, "Projections show all of the volume.", {}, "Choose another look."};
+    return impl_->scene.scene().seenMm();
 }
 
 Result<void> PathTracer::setSettings(const Settings& settings) {
@@ -156,7 +167,7 @@ Result<void> PathTracer::setView(const View& view) {
 }
 
 TraceVariant PathTracer::Impl::variant() const {
-    TraceVariant variant = variantOf(settings, kindOf(scene));
+    TraceVariant variant = variantOf(settings, kindOf(scene.scene()));
     variant.tellsPrimaries = tellsPrimaries;
     return variant;
 }
@@ -170,15 +181,21 @@ std::uint32_t PathTracer::Impl::mostPerDispatch() const {
 
 // Brings the device up to what was set, and starts a new accumulation when anything changed.
 Result<void> PathTracer::Impl::prepare() {
-    if (!scene.isComplete()) return nothingToTrace();
-    if (!stale) return {};
+    if (!scene.scene().isComplete()) return nothingToTrace();
+    if (!isStale()) return {};
+    if (!scene.isCurrent()) {
+        mostSamples = UINT32_MAX;
+        restarting = false;
+        looksOther();
+    }
+    search.reset();
     const bool again = std::exchange(restarting, false);
     MACULA_TRY_VOID(scene.look(view, settings));  // first: what cannot be looked at is no page
     if (again) {
         history.restart();
     } else {
         const bool wasTraced = accumulation.plan().leastSamples() > 0;
-        history.turnPage(view, settings.seed, wasTraced, scene.lightFrame());
+        history.turnPage(view, settings.seed, wasTraced, scene.scene().lightFrame());
     }
     if (const Result<void> begun = accumulation.begin(view.width, view.height); !begun) {
         Error error = begun.error();
@@ -230,7 +247,7 @@ Result<bool> PathTracer::trace(std::uint32_t samplesPerPixel, const std::functio
 }
 
 double PathTracer::anisotropy() const {
-    return impl_->scene.anisotropy();
+    return impl_->scene.scene().anisotropy();
 }
 
 Result<std::vector<shared::PrimaryVertex>> PathTracer::tracePrimaries(
@@ -314,23 +331,29 @@ Result<ErrorEstimate> PathTracer::estimateError() {
     return *t.accumulation.estimate();
 }
 
-Result<const gpu::Image*> PathTracer::display(const glm::vec3& background, Smoothing smoothing) {
+Result<TracedLight> PathTracer::light() {
     Impl& t = *impl_;
     MACULA_TRY_VOID(t.prepare());
     const Film& film = t.accumulation.film();
-    const bool isFiltered = isDenoised(t.settings);
-    const gpu::Buffer* light = &film.sums();
-    if (isFiltered) {
-        MACULA_TRY(light, t.denoised());
+    TracedLight light{.values = &film.sums(), .counts = &film.counts(), .areMeans = isDenoised(t.settings)};
+    if (light.areMeans) {
+        MACULA_TRY(light.values, t.denoised());
     }
+    return light;
+}
+
+Result<const gpu::Image*> PathTracer::display(const glm::vec3& background, Smoothing smoothing) {
+    Impl& t = *impl_;
+    MACULA_TRY(const TracedLight shown, light());
+    const Film& film = t.accumulation.film();
     MACULA_TRY(auto recorder, gpu::Recorder::create(t.device, "display"));
     const shared::DisplayPush push{.background = background,
                                    .exposure = static_cast<float>(t.settings.exposure),
-                                   .smoothing = isFiltered ? 0 : static_cast<int>(smoothing),
-                                   .denoised = isFiltered ? 1 : 0};
+                                   .smoothing = shown.areMeans ? 0 : static_cast<int>(smoothing),
+                                   .denoised = shown.areMeans ? 1 : 0};
     recorder.dispatch(t.displayKernel,
                       {static_cast<std::uint32_t>(t.view.width), static_cast<std::uint32_t>(t.view.height)},
-                      push, {*light, film.counts(), film.picture()});
+                      push, {*shown.values, *shown.counts, film.picture()});
     MACULA_TRY([[maybe_unused]] const gpu::Ticket ticket, recorder.submit());
     return &film.picture();
 }
@@ -338,6 +361,14 @@ Result<const gpu::Image*> PathTracer::display(const glm::vec3& background, Smoot
 Result<std::vector<std::uint8_t>> PathTracer::readDisplay(const glm::vec3& background) {
     MACULA_TRY(const gpu::Image* picture, display(background));
     return gpu::read<std::uint8_t>(*picture);
+}
+
+Result<bool> PathTracer::develop(const std::function<bool()>& keepGoing) {
+    Impl& t = *impl_;
+    MACULA_TRY_VOID(t.prepare());
+    if (!isDenoised(t.settings)) return true;
+    return t.history.denoiseSome(t.accumulation.film(), t.accumulation.edition(), t.settings.denoising,
+                                 t.scene, t.kernels, keepGoing);
 }
 
 Result<const Guides*> PathTracer::guides() {
@@ -353,16 +384,41 @@ Result<std::vector<GuidePixel>> PathTracer::readGuides() {
 Result<std::vector<shared::PixelLayers>> PathTracer::readLayers() {
     Impl& t = *impl_;
     MACULA_TRY_VOID(t.prepare());
-    MACULA_TRY(const gpu::Kernel* kernel, t.kernels.layers(kindOf(t.scene)));
+    MACULA_TRY(const gpu::Kernel* kernel, t.kernels.layers(kindOf(t.scene.scene())));
     return findLayers(t.device, t.scene, *kernel, t.view.width, t.view.height);
+}
+
+Result<std::optional<SurfacePoints>> PathTracer::someSurfacePoints(const SurfacePointOptions& options,
+                                                                   const std::function<bool()>& keepGoing) {
+    using Found = std::optional<SurfacePoints>;
+    Impl& t = *impl_;
+    MACULA_TRY_VOID(t.prepare());
+    const DeviceScene& scene = t.scene.scene();
+    SceneKind kind = kindOf(scene);
+    kind.greyFaces = scene.hasGreyFaces();
+    if (!t.search) {
+        MACULA_TRY(t.search, SurfacePointSearch::begin(t.scene, options));
+    }
+    while (!t.search->isDone()) {
+        if (const Result<void> done = t.search->step(t.scene, t.kernels, kind); !done) {
+            t.search.reset();
+            return done.error();
+        }
+        if (keepGoing && !keepGoing()) break;
+    }
+    if (!t.search->isDone()) return Found();
+    Found found(t.search->take());
+    t.search.reset();
+    return found;
 }
 
 Result<SurfacePoints> PathTracer::surfacePoints(const SurfacePointOptions& options,
                                                 const std::function<bool()>& keepGoing) {
-    MACULA_TRY_VOID(impl_->prepare());
-    SceneKind kind = kindOf(impl_->scene);
-    kind.greyFaces = impl_->scene.hasGreyFaces();
-    return findSurfacePoints(impl_->device, impl_->scene, impl_->kernels, kind, options, keepGoing);
+    impl_->search.reset();
+    MACULA_TRY(std::optional<SurfacePoints> found, someSurfacePoints(options, keepGoing));
+    impl_->search.reset();
+    if (found) return *std::move(found);
+    return Error{ErrorCode::cancelled, "The search for points on the surface was cancelled.", {}, {}};
 }
 
 Result<TracedImage> PathTracer::readback() {
@@ -392,13 +448,17 @@ Result<TracedImage> PathTracer::readback() {
     return image;
 }
 
+std::vector<Message> PathTracer::messages() const {
+    return impl_->scene.scene().messages();
+}
+
 Result<Statistics> PathTracer::statistics() const {
     const Impl& t = *impl_;
     Statistics statistics;
-    statistics.voxels = t.scene.voxelMemory();
-    statistics.messages = t.scene.messages();
+    statistics.voxels = t.scene.scene().voxelMemory();
+    statistics.messages = messages();
     statistics.denoised = isDenoised(t.settings);
-    if (t.stale) return statistics;
+    if (t.isStale()) return statistics;
     const SamplingPlan& plan = t.accumulation.plan();
     statistics.samplesPerPixel = plan.leastSamples();
     statistics.meanSamplesPerPixel = plan.meanSamples();

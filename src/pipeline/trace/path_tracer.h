@@ -15,6 +15,7 @@
 #include <glm/glm.hpp>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "base/result.h"
@@ -33,6 +34,8 @@
 #include "shared/primary_vertex.h"
 
 namespace macula::trace {
+
+class DeviceScene;
 
 struct Statistics {
     std::uint64_t samplesPerPixel = 0;  // that every pixel has, see traceFor()
@@ -64,6 +67,13 @@ struct TracedImage {
     bool denoised = false;               // then `radiance` is filtered, and may use what earlier views knew
 };
 
+// The picture so far, where it lies on the device: linear, premultiplied, row 0 on top.
+struct TracedLight {
+    const gpu::Buffer* values = nullptr;  // vec4 for each pixel: the mean, or the sum of its samples
+    const gpu::Buffer* counts = nullptr;  // uint for each pixel: samples
+    bool areMeans = false;                // then it is denoised, and counts do not count
+};
+
 // For previews of few samples that are not denoised: a binomial filter over the means of neighbouring pixels,
 // before the tone map. It trades sharpness for noise and is never part of readback().
 enum class Smoothing { none = 0, slight = 1, strong = 2 };  // radius in pixels
@@ -75,6 +85,11 @@ enum class Smoothing { none = 0, slight = 1, strong = 2 };  // radius in pixels
 class PathTracer {
   public:
     static Result<PathTracer> create(std::shared_ptr<gpu::Device> device, const MemoryLimits& limits = {});
+    // Another one that looks at the same scene, which is on the device once: what one of them is told of
+    // volume, function, environment and clip holds for all, whose pictures then begin anew. View, settings,
+    // samples, history and filter are its own. Looks of different kinds (projections, and others) take turns
+    // with one another badly: each begins the others' pictures anew.
+    Result<PathTracer> ofSameScene() const;
     PathTracer(PathTracer&&) noexcept;
     PathTracer& operator=(PathTracer&&) noexcept;
     ~PathTracer();
@@ -98,6 +113,10 @@ class PathTracer {
     // all of these samples were added.
     Result<bool> trace(std::uint32_t samplesPerPixel, const std::function<bool()>& keepGoing = {});
 
+    // Where an eye sees anything, LPS mm; empty, low > high, when there is nothing. Whatever a clip removed
+    // is not in it. usage for projections.
+    Result<Box> seenMm();
+
     // Henyey-Greenstein g of what is shown; 0 before anything is.
     double anisotropy() const;
 
@@ -120,9 +139,17 @@ class PathTracer {
     // rays that are cast it is an upper bound: their samples are spread more evenly than chance would.
     Result<ErrorEstimate> estimateError();  // waits
 
+    // What display() and readback() of a denoised picture have to do first, guides and filter, in short
+    // dispatches; `keepGoing` is asked after each, and the next call goes on where it said no, unless samples
+    // came. Whether all is done; true at once where nothing is denoised. outOfMemory as display().
+    Result<bool> develop(const std::function<bool()>& keepGoing);
+
     // The tone-mapped picture so far, display-encoded RGBA8, premultiplied over `background` (linear). Stays
     // on the device, in layout GENERAL, size of the view, valid until the next setView.
     Result<const gpu::Image*> display(const glm::vec3& background, Smoothing smoothing = Smoothing::none);
+
+    // What display() shows, before background and tone map; valid until the next call.
+    Result<TracedLight> light();
 
     // Of the view that was set last, on the device: valid until the next call. Motion is towards the last
     // view before it that was traced.
@@ -136,14 +163,21 @@ class PathTracer {
     // Waits; `cancelled` when `keepGoing` (may be empty) says no between two dispatches.
     Result<SurfacePoints> surfacePoints(const SurfacePointOptions& options = {},
                                         const std::function<bool()>& keepGoing = {});
+    // The same by and by: nothing when `keepGoing` says no, and then the next call goes on with the search,
+    // whose options are those of the first. It begins anew when anything else was set meanwhile.
+    Result<std::optional<SurfacePoints>> someSurfacePoints(const SurfacePointOptions& options,
+                                                           const std::function<bool()>& keepGoing);
 
     Result<TracedImage> readback();                                              // waits
     Result<std::vector<std::uint8_t>> readDisplay(const glm::vec3& background);  // RGBA8, opaque; waits
     Result<Statistics> statistics() const;
+    // What a person has to know about what is shown; part of statistics().
+    std::vector<Message> messages() const;
 
   private:
     struct Impl;
     explicit PathTracer(std::unique_ptr<Impl> impl);
+    static Result<PathTracer> of(std::shared_ptr<DeviceScene> scene);
     std::unique_ptr<Impl> impl_;
 };
 

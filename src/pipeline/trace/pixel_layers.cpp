@@ -9,7 +9,7 @@
 namespace macula::trace {
 
 Result<std::vector<shared::PixelLayers>> findLayers(const std::shared_ptr<gpu::Device>& device,
-                                                    const DeviceScene& scene, const gpu::Kernel& kernel,
+                                                    const SceneView& scene, const gpu::Kernel& kernel,
                                                     int width, int height) {
     const std::uint64_t pixels = std::uint64_t(width) * std::uint64_t(height);
     MACULA_TRY(

@@ -7,7 +7,7 @@
 #include <numeric>
 
 #include "pipeline/gpu/transfer.h"
-#include "pipeline/trace/device_scene.h"
+#include "pipeline/trace/scene_view.h"
 #include "pipeline/volume/brick_grid.h"
 
 namespace macula::trace {
@@ -67,23 +67,19 @@ std::vector<SurfaceCell> cellsOf(std::span<const std::size_t> bricks, const glm:
 
 }  // namespace
 
-Result<void> Portions::run(std::uint32_t count, std::uint32_t grain,
-                           const std::function<Result<gpu::Ticket>(std::uint32_t, std::uint32_t)>& submit) {
-    for (std::uint32_t first = 0; first < count;) {
-        const std::uint32_t whole = std::max(items_ / grain, 1u) * grain;
-        const std::uint32_t now = std::min(whole, count - first);
-        const auto begin = Clock::now();
-        MACULA_TRY(const gpu::Ticket ticket, submit(first, now));
-        MACULA_TRY([[maybe_unused]] const bool done, device_.waitFor(ticket));
-        const double ms = std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
-        first += now;
-        // The first one compiles, and tells little; the last of a round is short.
-        const double ratio = std::clamp(kDispatchMs / std::max(ms, 0.1), 0.5, 2.0);
-        if (now == whole || ratio < 1.0) items_ = std::max(static_cast<std::uint32_t>(items_ * ratio), grain);
-        if (keepGoing_ && !keepGoing_())
-            return Error{ErrorCode::cancelled, "The search for points on the surface was cancelled.", {}, {}};
-    }
-    return {};
+Result<std::uint32_t> Portions::next(
+    gpu::Device& device, std::uint32_t first, std::uint32_t left, std::uint32_t grain,
+    const std::function<Result<gpu::Ticket>(std::uint32_t, std::uint32_t)>& submit) {
+    const std::uint32_t whole = std::max(items_ / grain, 1u) * grain;
+    const std::uint32_t now = std::min(whole, left);
+    const auto begin = Clock::now();
+    MACULA_TRY(const gpu::Ticket ticket, submit(first, now));
+    MACULA_TRY([[maybe_unused]] const bool done, device.waitFor(ticket));
+    const double ms = std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
+    // The first one compiles, and tells little; the last of a round is short.
+    const double ratio = std::clamp(kDispatchMs / std::max(ms, 0.1), 0.5, 2.0);
+    if (now == whole || ratio < 1.0) items_ = std::max(static_cast<std::uint32_t>(items_ * ratio), grain);
+    return now;
 }
 
 std::vector<double> areasOf(std::span<const SurfaceCell> cells, const glm::dmat3& worldFromVoxel) {
@@ -119,72 +115,87 @@ std::vector<SurfaceCell> matterCells(std::span<const float> bounds, const glm::i
     return best;
 }
 
-Result<SurfaceCandidates> findCandidates(const std::shared_ptr<gpu::Device>& device, const DeviceScene& scene,
-                                         const gpu::Kernel& kernel, double wanted,
-                                         const std::function<bool()>& keepGoing) {
+CandidateSearch::CandidateSearch(std::vector<SurfaceCell> cells, double wanted)
+    : cells_(std::move(cells)), wanted_(wanted), portions_(kFirstRays), next_(wanted) {}
+
+Result<CandidateSearch> CandidateSearch::begin(const SceneView& view, double wanted) {
+    const DeviceScene& scene = view.scene();
     const Volume& volume = *scene.volume();
     const glm::dmat3 worldFromVoxel(volume.worldFromVoxel());
     std::vector<SurfaceCell> cells = matterCells(scene.bounds(), volume.size(), worldFromVoxel);
     // A face shows values wherever it is.
     if (scene.hasGreyFaces()) cells = {{glm::vec3(0.0f), glm::vec3(volume.size())}};
-    SurfaceCandidates result;
-    if (cells.empty()) return result;
-    const std::vector<double> areas = areasOf(cells, worldFromVoxel);
-    const double area = std::accumulate(areas.begin(), areas.end(), 0.0);
-    MACULA_TRY(gpu::Buffer cellBuffer,
-               gpu::Buffer::create(device, {.label = "cells", .bytes = cells.size() * sizeof(SurfaceCell)}));
-    MACULA_TRY_VOID(gpu::uploadTo<SurfaceCell>(cellBuffer, cells));
+    CandidateSearch search(std::move(cells), wanted);
+    search.isDone_ = search.cells_.empty();
+    if (search.isDone_) return search;
+    search.areas_ = areasOf(search.cells_, worldFromVoxel);
+    search.areaMm2_ = std::accumulate(search.areas_.begin(), search.areas_.end(), 0.0);
+    MACULA_TRY(search.cellBuffer_,
+               gpu::Buffer::create(scene.device(),
+                                   {.label = "cells", .bytes = search.cells_.size() * sizeof(SurfaceCell)}));
+    MACULA_TRY_VOID(gpu::uploadTo<SurfaceCell>(*search.cellBuffer_, search.cells_));
+    return search;
+}
 
-    Portions portions(*device, kFirstRays, keepGoing);
-    double sum = 0.0;
-    double squares = 0.0;
-    double sent = 0.0;
-    double next = wanted;
-    for (std::uint32_t round = 0;; ++round) {
-        const auto groups =
-            static_cast<std::uint32_t>(std::clamp(next, 1.0, double(kMostRays))) / kSurfaceGroup + 1;
-        const std::uint32_t rays = groups * kSurfaceGroup;
-        // As many for each as it has surface.
-        std::vector<std::uint32_t> cellOfRay(rays);
-        const double offset = std::fmod(0.5 + 0.6180339887498949 * round, 1.0);
-        double end = areas[0];
-        for (std::uint32_t ray = 0, cell = 0; ray < rays; ++ray) {
-            while (area * ((ray + offset) / rays) > end && cell + 1 < cells.size()) end += areas[++cell];
-            cellOfRay[ray] = cell;
-        }
-        MACULA_TRY(gpu::Buffer rayBuffer,
-                   gpu::Buffer::create(device, {.label = "rays", .bytes = std::uint64_t(rays) * 4}));
-        MACULA_TRY_VOID(gpu::uploadTo<std::uint32_t>(rayBuffer, cellOfRay));
-        MACULA_TRY(gpu::Buffer found,
-                   gpu::Buffer::create(device, {.label = "candidates",
-                                                .bytes = std::uint64_t(rays) * sizeof(SurfaceCandidate)}));
-        MACULA_TRY_VOID(portions.run(
-            rays, kSurfaceGroup, [&](std::uint32_t first, std::uint32_t now) -> Result<gpu::Ticket> {
-                MACULA_TRY(auto recorder, gpu::Recorder::create(device, "candidates"));
-                std::vector<gpu::Binding> bindings = scene.bindings();
-                bindings.emplace_back(cellBuffer);
-                bindings.emplace_back(rayBuffer);
-                bindings.emplace_back(found);
-                recorder.dispatch(kernel, {now}, shared::CandidatePush{.first = first, .round = round},
-                                  bindings);
-                return recorder.submit();
-            }));
-        MACULA_TRY(const auto values, gpu::read<SurfaceCandidate>(found));
-        for (const SurfaceCandidate& value : values) {
-            if (!(value.weight > 0.0f) || !std::isfinite(value.weight)) continue;
-            result.found.push_back(value);
-            sum += double(value.weight);
-            squares += double(value.weight) * double(value.weight);
-        }
-        sent += rays;
-        // So many as there were if all weighed the same.
-        const double effective = squares > 0.0 ? sum * sum / squares : 0.0;
-        if (effective >= wanted || sent >= kRaysPerWanted * wanted) break;
-        const double missing = 1.05 * (wanted - effective) * sent / std::max(effective, 1.0);
-        next = std::clamp(missing, 1.0, std::min(4.0 * sent, kRaysPerWanted * wanted - sent));
+Result<void> CandidateSearch::beginRound(const SceneView& scene) {
+    const auto groups =
+        static_cast<std::uint32_t>(std::clamp(next_, 1.0, double(kMostRays))) / kSurfaceGroup + 1;
+    const std::uint32_t rays = groups * kSurfaceGroup;
+    // As many for each as it has surface.
+    std::vector<std::uint32_t> cellOfRay(rays);
+    const double offset = std::fmod(0.5 + 0.6180339887498949 * round_, 1.0);
+    double end = areas_[0];
+    for (std::uint32_t ray = 0, cell = 0; ray < rays; ++ray) {
+        while (areaMm2_ * ((ray + offset) / rays) > end && cell + 1 < cells_.size()) end += areas_[++cell];
+        cellOfRay[ray] = cell;
     }
-    result.areaMm2 = sum * 0.25 * area / sent;
-    return result;
+    const std::shared_ptr<gpu::Device>& device = scene.scene().device();
+    MACULA_TRY(rayBuffer_, gpu::Buffer::create(device, {.label = "rays", .bytes = std::uint64_t(rays) * 4}));
+    MACULA_TRY_VOID(gpu::uploadTo<std::uint32_t>(*rayBuffer_, cellOfRay));
+    MACULA_TRY(found_,
+               gpu::Buffer::create(
+                   device, {.label = "candidates", .bytes = std::uint64_t(rays) * sizeof(SurfaceCandidate)}));
+    rays_ = rays;
+    done_ = 0;
+    return {};
+}
+
+Result<void> CandidateSearch::step(const SceneView& scene, const gpu::Kernel& kernel) {
+    MACULA_CHECK(!isDone_);
+    if (rays_ == 0) MACULA_TRY_VOID(beginRound(scene));
+    const std::shared_ptr<gpu::Device>& device = scene.scene().device();
+    const auto submit = [&](std::uint32_t first, std::uint32_t now) -> Result<gpu::Ticket> {
+        MACULA_TRY(auto recorder, gpu::Recorder::create(device, "candidates"));
+        std::vector<gpu::Binding> bindings = scene.bindings();
+        bindings.emplace_back(*cellBuffer_);
+        bindings.emplace_back(*rayBuffer_);
+        bindings.emplace_back(*found_);
+        recorder.dispatch(kernel, {now}, shared::CandidatePush{.first = first, .round = round_}, bindings);
+        return recorder.submit();
+    };
+    MACULA_TRY(const std::uint32_t now, portions_.next(*device, done_, rays_ - done_, kSurfaceGroup, submit));
+    done_ += now;
+    return done_ < rays_ ? Result<void>() : endRound();
+}
+
+Result<void> CandidateSearch::endRound() {
+    MACULA_TRY(const auto values, gpu::read<SurfaceCandidate>(*found_));
+    for (const SurfaceCandidate& value : values) {
+        if (!(value.weight > 0.0f) || !std::isfinite(value.weight)) continue;
+        result_.found.push_back(value);
+        sum_ += double(value.weight);
+        squares_ += double(value.weight) * double(value.weight);
+    }
+    sent_ += rays_;
+    ++round_;
+    rays_ = 0;
+    // So many as there were if all weighed the same.
+    const double effective = squares_ > 0.0 ? sum_ * sum_ / squares_ : 0.0;
+    isDone_ = effective >= wanted_ || sent_ >= kRaysPerWanted * wanted_;
+    if (isDone_) result_.areaMm2 = sum_ * 0.25 * areaMm2_ / sent_;
+    const double missing = 1.05 * (wanted_ - effective) * sent_ / std::max(effective, 1.0);
+    next_ = std::clamp(missing, 1.0, std::max(1.0, std::min(4.0 * sent_, kRaysPerWanted * wanted_ - sent_)));
+    return {};
 }
 
 }  // namespace macula::trace

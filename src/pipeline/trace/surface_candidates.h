@@ -4,35 +4,35 @@
 #include <functional>
 #include <glm/glm.hpp>
 #include <memory>
+#include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "base/result.h"
 #include "pipeline/gpu/device.h"
 #include "pipeline/gpu/kernel.h"
 #include "pipeline/gpu/recorder.h"
+#include "pipeline/gpu/resources.h"
 #include "shared/surface_params.h"
 
 namespace macula::trace {
 
-class DeviceScene;
+class SceneView;
 
-// Runs a kernel over many items in dispatches of about 40 ms each, which are waited for.
+// How many items a dispatch of about 40 ms has, learnt from one to the next.
 class Portions {
   public:
-    // `keepGoing` may be empty, and must outlive this.
-    Portions(gpu::Device& device, std::uint32_t firstItems, const std::function<bool()>& keepGoing)
-        : device_(device), items_(firstItems), keepGoing_(keepGoing) {}
+    explicit Portions(std::uint32_t firstItems) : items_(firstItems) {}
 
-    // `submit(first, count)` for all of `count`, a multiple of `grain` each time but what is left. Cancelled
-    // when keepGoing says no.
-    Result<void> run(std::uint32_t count, std::uint32_t grain,
-                     const std::function<Result<gpu::Ticket>(std::uint32_t, std::uint32_t)>& submit);
+    // One dispatch, `submit(first, now)`, of the `left` items that begin with `first`; waits. How many it
+    // had: a multiple of `grain`, or all.
+    Result<std::uint32_t> next(
+        gpu::Device& device, std::uint32_t first, std::uint32_t left, std::uint32_t grain,
+        const std::function<Result<gpu::Ticket>(std::uint32_t, std::uint32_t)>& submit);
 
   private:
-    gpu::Device& device_;
     std::uint32_t items_;  // of the next dispatch
-    const std::function<bool()>& keepGoing_;
 };
 
 // Boxes around all bricks with a bound above 0, of as many bricks along each edge as makes their surfaces
@@ -49,9 +49,38 @@ struct SurfaceCandidates {
     double areaMm2 = 0.0;                         // of all that they stand for
 };
 
-// So many that they tell as much as `wanted` of equal weight, or as can be found in a few times more rays.
-Result<SurfaceCandidates> findCandidates(const std::shared_ptr<gpu::Device>& device, const DeviceScene& scene,
-                                         const gpu::Kernel& kernel, double wanted,
-                                         const std::function<bool()>& keepGoing);
+// The search for them. Used by one thread at a time, the one that uses the device.
+class CandidateSearch {
+  public:
+    // For so many that they tell as much as `wanted` of equal weight, or as can be found in a few times more
+    // rays.
+    static Result<CandidateSearch> begin(const SceneView& scene, double wanted);
+
+    bool isDone() const { return isDone_; }
+    // One dispatch, while it is not done; waits. The scene must be the one that it began with, and be looked
+    // at as it was then.
+    Result<void> step(const SceneView& scene, const gpu::Kernel& kernel);
+    // When it is done.
+    SurfaceCandidates take() { return std::move(result_); }
+
+  private:
+    CandidateSearch(std::vector<shared::SurfaceCell> cells, double wanted);
+    Result<void> beginRound(const SceneView& scene);
+    Result<void> endRound();
+
+    std::vector<shared::SurfaceCell> cells_;
+    std::vector<double> areas_;  // of these
+    double areaMm2_ = 0.0;       // of all
+    double wanted_;
+    Portions portions_;
+    std::optional<gpu::Buffer> cellBuffer_, rayBuffer_, found_;
+    std::uint32_t round_ = 0;
+    std::uint32_t rays_ = 0;  // of this round; 0: it has not begun
+    std::uint32_t done_ = 0;  // of these
+    double next_;             // rays wanted of the next round
+    double sum_ = 0.0, squares_ = 0.0, sent_ = 0.0;
+    bool isDone_ = false;
+    SurfaceCandidates result_;
+};
 
 }  // namespace macula::trace

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "base/frames.h"
 #include "pipeline/gpu/recorder.h"
 #include "pipeline/gpu/transfer.h"
-#include "pipeline/trace/device_scene.h"
 #include "pipeline/trace/point_light.h"
+#include "pipeline/trace/scene_view.h"
 #include "pipeline/trace/surface_candidates.h"
 #include "shared/surface_params.h"
 
@@ -81,103 +83,147 @@ struct PointSums {
     }
 };
 
+// Light and matter around the points that were chosen.
 class Measurement {
   public:
-    Measurement(std::shared_ptr<gpu::Device> device, const DeviceScene& scene, const gpu::Kernel& kernel,
-                const std::function<bool()>& keepGoing)
-        : device_(std::move(device)),
-          scene_(scene),
-          kernel_(kernel),
-          portions_(*device_, kFirstPoints, keepGoing) {}
+    Measurement(std::vector<SurfaceCandidate> at, std::uint32_t paths)
+        : at_(std::move(at)),
+          passes_((paths - 1) / (kSurfaceLanes * shared::kSurfacePaths) + 1),
+          portions_(kFirstPoints),
+          sums_(at_.size()) {}
 
-    Result<void> measure(const std::vector<SurfaceCandidate>& at, std::uint32_t paths,
-                         SurfacePoints& result) {
-        const auto passes = (paths - 1) / (kSurfaceLanes * shared::kSurfacePaths) + 1;
-        std::vector<PointSums> sums(at.size());
-        for (std::uint32_t base = 0; base < at.size(); base += kPointsAtOnce) {
-            const auto count = std::min(kPointsAtOnce, static_cast<std::uint32_t>(at.size()) - base);
-            // Whole groups: those beyond the last one are measured for nothing.
-            constexpr std::uint32_t kGrain = kSurfaceGroup / kSurfaceLanes;
-            const std::uint32_t padded = (count + kGrain - 1) / kGrain * kGrain;
-            std::vector<glm::vec4> places;
-            for (std::uint32_t i = 0; i < padded; ++i)
-                places.push_back(placeOf(at[base + std::min(i, count - 1)], result.areaMm2));
-            MACULA_TRY(
-                gpu::Buffer placeBuffer,
-                gpu::Buffer::create(device_, {.label = "points", .bytes = padded * sizeof(glm::vec4)}));
-            MACULA_TRY_VOID(gpu::uploadTo<glm::vec4>(placeBuffer, places));
-            MACULA_TRY(gpu::Buffer found,
-                       gpu::Buffer::create(device_, {.label = "sums of points",
-                                                     .bytes = std::uint64_t(padded) * kSurfaceLanes *
-                                                              sizeof(shared::SurfaceSums)}));
-            for (std::uint32_t pass = 0; pass < passes; ++pass) {
-                const auto submit = [&](std::uint32_t first, std::uint32_t now) -> Result<gpu::Ticket> {
-                    MACULA_TRY(auto recorder, gpu::Recorder::create(device_, "surface points"));
-                    std::vector<gpu::Binding> bindings = scene_.bindings();
-                    bindings.emplace_back(placeBuffer);
-                    bindings.emplace_back(found);
-                    const shared::SurfacePush push{.first = first, .base = base, .pass = pass};
-                    recorder.dispatch(kernel_, {now * kSurfaceLanes}, push, bindings);
-                    return recorder.submit();
-                };
-                MACULA_TRY_VOID(portions_.run(padded, kGrain, submit));
-                MACULA_TRY(const auto values, gpu::read<shared::SurfaceSums>(found));
-                for (std::size_t i = 0; i < std::size_t(count) * kSurfaceLanes; ++i)
-                    sums[base + i / kSurfaceLanes].add(values[i]);
-            }
-        }
-        std::vector<GatheredLight> gathered;
-        double lost = 0.0;
-        for (std::size_t i = 0; i < at.size(); ++i) {
-            result.points.push_back(pointOf(placeOf(at[i], result.areaMm2), sums[i], result));
-            gathered.push_back(sums[i].light);
-            lost += sums[i].lost;
-        }
-        result.lostPaths = static_cast<std::uint64_t>(lost);
-        shareLight(result.points, gathered);
-        return {};
-    }
+    bool isDone() const { return base_ >= at_.size(); }
+    Result<void> step(const SceneView& scene, const gpu::Kernel& kernel, double areaMm2);
+    void finish(const Volume& volume, SurfacePoints& result) const;
 
   private:
-    // With the radius as far as to its neighbours: on a surface, or in matter so thin that they lie behind
-    // one another too; in no case as far as the volume is large.
-    glm::vec4 placeOf(const SurfaceCandidate& at, double areaMm2) const {
-        double radius = std::sqrt(areaMm2);
-        if (at.density >= 0.0f)
-            radius = std::clamp(std::cbrt(areaMm2 / double(at.density)), radius,
-                                std::max(radius, 0.1 * scene_.volume()->worldBox().diagonal()));
-        return {at.at, at.density < 0.0f ? -radius : radius};
-    }
+    // Whole groups: those beyond the last one are measured for nothing.
+    static constexpr std::uint32_t kGrain = kSurfaceGroup / kSurfaceLanes;
 
-    SurfacePoint pointOf(const glm::vec4& place, const PointSums& sums, const SurfacePoints& all) const {
-        SurfacePoint point{.radiusMm = std::abs(place.w)};
-        // The tracer's voxel coordinates have integers at faces, those of a volume at centres.
-        const glm::dvec3 at = transformPoint(scene_.volume()->worldFromVoxel(), glm::dvec3(place) - 0.5);
-        point.positionMm = glm::vec3(at - all.originMm);
-        point.extinctionPerMm = static_cast<float>(sums.mass / sums.taps);
-        if (!(sums.mass > 0.0)) return point;
-        const glm::dvec3 centre = sums.first / sums.mass;
-        const glm::dvec3& d = sums.diagonal;
-        const glm::dvec3& o = sums.offAxis;
-        const glm::dmat3 around(d.x, o.x, o.z, o.x, d.y, o.y, o.z, o.y, d.z);
-        const glm::dmat3 spread = around / sums.mass - glm::outerProduct(centre, centre);
-        point.centreMm = glm::vec3(centre);
-        point.spreadMm2 = glm::mat3(spread);
-        return point;
+    std::uint32_t countNow() const {
+        return std::min(kPointsAtOnce, static_cast<std::uint32_t>(at_.size()) - base_);
     }
+    std::uint32_t paddedNow() const { return (countNow() + kGrain - 1) / kGrain * kGrain; }
+    Result<void> beginPart(const SceneView& scene, double areaMm2);
+    Result<void> endPass();
 
-    std::shared_ptr<gpu::Device> device_;
-    const DeviceScene& scene_;
-    const gpu::Kernel& kernel_;
+    std::vector<SurfaceCandidate> at_;
+    std::uint32_t passes_;
     Portions portions_;
+    std::vector<PointSums> sums_;
+    std::uint32_t base_ = 0;  // of the part under way
+    std::uint32_t pass_ = 0;  // of that
+    std::uint32_t done_ = 0;  // points of that pass
+    std::optional<gpu::Buffer> places_, found_;
 };
+
+// With the radius as far as to its neighbours: on a surface, or in matter so thin that they lie behind
+// one another too; in no case as far as the volume is large.
+glm::vec4 placeOf(const SurfaceCandidate& at, double areaMm2, const Volume& volume) {
+    double radius = std::sqrt(areaMm2);
+    if (at.density >= 0.0f)
+        radius = std::clamp(std::cbrt(areaMm2 / double(at.density)), radius,
+                            std::max(radius, 0.1 * volume.worldBox().diagonal()));
+    return {at.at, at.density < 0.0f ? -radius : radius};
+}
+
+SurfacePoint pointOf(const glm::vec4& place, const PointSums& sums, const Volume& volume,
+                     const glm::dvec3& originMm) {
+    SurfacePoint point{.radiusMm = std::abs(place.w)};
+    // The tracer's voxel coordinates have integers at faces, those of a volume at centres.
+    const glm::dvec3 at = transformPoint(volume.worldFromVoxel(), glm::dvec3(place) - 0.5);
+    point.positionMm = glm::vec3(at - originMm);
+    point.extinctionPerMm = static_cast<float>(sums.mass / sums.taps);
+    if (!(sums.mass > 0.0)) return point;
+    const glm::dvec3 centre = sums.first / sums.mass;
+    const glm::dvec3& d = sums.diagonal;
+    const glm::dvec3& o = sums.offAxis;
+    const glm::dmat3 around(d.x, o.x, o.z, o.x, d.y, o.y, o.z, o.y, d.z);
+    const glm::dmat3 spread = around / sums.mass - glm::outerProduct(centre, centre);
+    point.centreMm = glm::vec3(centre);
+    point.spreadMm2 = glm::mat3(spread);
+    return point;
+}
+
+Result<void> Measurement::beginPart(const SceneView& scene, double areaMm2) {
+    const std::shared_ptr<gpu::Device>& device = scene.scene().device();
+    const std::uint32_t padded = paddedNow();
+    std::vector<glm::vec4> places;
+    for (std::uint32_t i = 0; i < padded; ++i)
+        places.push_back(placeOf(at_[base_ + std::min(i, countNow() - 1)], areaMm2, *scene.scene().volume()));
+    MACULA_TRY(places_,
+               gpu::Buffer::create(device, {.label = "points", .bytes = padded * sizeof(glm::vec4)}));
+    MACULA_TRY_VOID(gpu::uploadTo<glm::vec4>(*places_, places));
+    MACULA_TRY(found_, gpu::Buffer::create(device, {.label = "sums of points",
+                                                    .bytes = std::uint64_t(padded) * kSurfaceLanes *
+                                                             sizeof(shared::SurfaceSums)}));
+    return {};
+}
+
+Result<void> Measurement::step(const SceneView& scene, const gpu::Kernel& kernel, double areaMm2) {
+    if (!found_) MACULA_TRY_VOID(beginPart(scene, areaMm2));
+    const std::shared_ptr<gpu::Device>& device = scene.scene().device();
+    const auto submit = [&](std::uint32_t first, std::uint32_t now) -> Result<gpu::Ticket> {
+        MACULA_TRY(auto recorder, gpu::Recorder::create(device, "surface points"));
+        std::vector<gpu::Binding> bindings = scene.bindings();
+        bindings.emplace_back(*places_);
+        bindings.emplace_back(*found_);
+        const shared::SurfacePush push{.first = first, .base = base_, .pass = pass_};
+        recorder.dispatch(kernel, {now * kSurfaceLanes}, push, bindings);
+        return recorder.submit();
+    };
+    const std::uint32_t padded = paddedNow();
+    MACULA_TRY(const std::uint32_t now, portions_.next(*device, done_, padded - done_, kGrain, submit));
+    done_ += now;
+    return done_ < padded ? Result<void>() : endPass();
+}
+
+Result<void> Measurement::endPass() {
+    MACULA_TRY(const auto values, gpu::read<shared::SurfaceSums>(*found_));
+    for (std::size_t i = 0; i < std::size_t(countNow()) * kSurfaceLanes; ++i)
+        sums_[base_ + i / kSurfaceLanes].add(values[i]);
+    done_ = 0;
+    if (++pass_ < passes_) return {};
+    pass_ = 0;
+    base_ += countNow();
+    places_.reset();
+    found_.reset();
+    return {};
+}
+
+void Measurement::finish(const Volume& volume, SurfacePoints& result) const {
+    std::vector<GatheredLight> gathered;
+    double lost = 0.0;
+    for (std::size_t i = 0; i < at_.size(); ++i) {
+        const glm::vec4 place = placeOf(at_[i], result.areaMm2, volume);
+        result.points.push_back(pointOf(place, sums_[i], volume, result.originMm));
+        gathered.push_back(sums_[i].light);
+        lost += sums_[i].lost;
+    }
+    result.lostPaths = static_cast<std::uint64_t>(lost);
+    shareLight(result.points, gathered);
+}
 
 }  // namespace
 
-Result<SurfacePoints> findSurfacePoints(const std::shared_ptr<gpu::Device>& device, const DeviceScene& scene,
-                                        TraceKernels& kernels, SceneKind kind,
-                                        const SurfacePointOptions& options,
-                                        const std::function<bool()>& keepGoing) {
+struct SurfacePointSearch::Impl {
+    SurfacePointOptions options;
+    std::shared_ptr<const Volume> volume;
+    CandidateSearch candidates;
+    std::optional<Measurement> measurement = {};
+    SurfacePoints result = {};
+    bool isDone = false;
+
+    void choose();
+};
+
+SurfacePointSearch::SurfacePointSearch(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+SurfacePointSearch::SurfacePointSearch(SurfacePointSearch&&) noexcept = default;
+SurfacePointSearch& SurfacePointSearch::operator=(SurfacePointSearch&&) noexcept = default;
+SurfacePointSearch::~SurfacePointSearch() = default;
+
+Result<SurfacePointSearch> SurfacePointSearch::begin(const SceneView& scene,
+                                                     const SurfacePointOptions& options) {
     if (options.count < 1 || options.count > kMaxSurfacePoints || options.paths < 1 ||
         options.candidatesPerPoint < 1) {
         return Error{ErrorCode::usage,
@@ -185,20 +231,49 @@ Result<SurfacePoints> findSurfacePoints(const std::shared_ptr<gpu::Device>& devi
                      {},
                      "Ask for 1 to " + std::to_string(kMaxSurfacePoints) + " points, with 1 path or more."};
     }
-    SurfacePoints result;
-    const Volume& volume = *scene.volume();
-    result.originMm = transformPoint(volume.worldFromVoxel(), 0.5 * glm::dvec3(volume.size()) - 0.5);
-    MACULA_TRY(const gpu::Kernel* candidates, kernels.candidates(kind));
-    MACULA_TRY(const SurfaceCandidates seen,
-               findCandidates(device, scene, *candidates, double(options.count) * options.candidatesPerPoint,
-                              keepGoing));
-    if (seen.found.empty()) return result;
-    const std::vector<SurfaceCandidate> at = chosen(seen.found, volume, options.count);
+    MACULA_TRY(CandidateSearch candidates,
+               CandidateSearch::begin(scene, double(options.count) * options.candidatesPerPoint));
+    auto impl = std::make_unique<Impl>(
+        Impl{.options = options, .volume = scene.scene().volume(), .candidates = std::move(candidates)});
+    const Volume& volume = *impl->volume;
+    impl->result.originMm = transformPoint(volume.worldFromVoxel(), 0.5 * glm::dvec3(volume.size()) - 0.5);
+    if (impl->candidates.isDone()) impl->choose();
+    return SurfacePointSearch(std::move(impl));
+}
+
+void SurfacePointSearch::Impl::choose() {
+    const SurfaceCandidates seen = candidates.take();
+    isDone = seen.found.empty();
+    if (isDone) return;
+    std::vector<SurfaceCandidate> at = chosen(seen.found, *volume, options.count);
     result.areaMm2 = seen.areaMm2 / double(at.size());
-    MACULA_TRY(const gpu::Kernel* points, kernels.surfacePoints(kind));
-    Measurement measurement(device, scene, *points, keepGoing);
-    MACULA_TRY_VOID(measurement.measure(at, options.paths, result));
-    return result;
+    measurement.emplace(std::move(at), options.paths);
+}
+
+bool SurfacePointSearch::isDone() const {
+    return impl_->isDone;
+}
+
+Result<void> SurfacePointSearch::step(const SceneView& scene, TraceKernels& kernels, SceneKind kind) {
+    Impl& s = *impl_;
+    MACULA_CHECK(!s.isDone);
+    if (!s.measurement) {
+        MACULA_TRY(const gpu::Kernel* kernel, kernels.candidates(kind));
+        MACULA_TRY_VOID(s.candidates.step(scene, *kernel));
+        if (s.candidates.isDone()) s.choose();
+        return {};
+    }
+    MACULA_TRY(const gpu::Kernel* kernel, kernels.surfacePoints(kind));
+    MACULA_TRY_VOID(s.measurement->step(scene, *kernel, s.result.areaMm2));
+    if (!s.measurement->isDone()) return {};
+    s.measurement->finish(*s.volume, s.result);
+    s.isDone = true;
+    return {};
+}
+
+SurfacePoints SurfacePointSearch::take() {
+    MACULA_CHECK(impl_->isDone);
+    return std::move(impl_->result);
 }
 
 }  // namespace macula::trace

@@ -13,8 +13,8 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <glm/glm.hpp>
+#include <memory>
 #include <vector>
 
 #include "base/result.h"
@@ -22,7 +22,7 @@
 
 namespace macula::trace {
 
-class DeviceScene;
+class SceneView;
 
 struct SurfacePointOptions {
     std::uint32_t count = 10000;           // 1 to kMaxSurfacePoints
@@ -50,13 +50,28 @@ struct SurfacePoints {
     std::uint64_t lostPaths = 0;  // too long for the device, or not finite: their light is missing
 };
 
-// Of what `scene` looks at, as an eye is shown it; at most `count`: fewer of what is so faint or so small
-// that of 32 rays for each candidate too few meet it, none when nothing can be seen. The same for the same
-// seed on the same device. Waits. `keepGoing` (may be empty) is asked between dispatches of some 40 ms;
-// cancelled when it says no.
-Result<SurfacePoints> findSurfacePoints(const std::shared_ptr<gpu::Device>& device, const DeviceScene& scene,
-                                        TraceKernels& kernels, SceneKind kind,
-                                        const SurfacePointOptions& options,
-                                        const std::function<bool()>& keepGoing);
+// The search for them, of what `scene` looks at, as an eye is shown it; at most `count`: fewer of what is so
+// faint or so small that of 32 rays for each candidate too few meet it, none when nothing can be seen. The
+// same for the same seed on the same device. Used by one thread at a time, the one that uses the device.
+class SurfacePointSearch {
+  public:
+    // usage when an option is out of its range.
+    static Result<SurfacePointSearch> begin(const SceneView& scene, const SurfacePointOptions& options);
+    SurfacePointSearch(SurfacePointSearch&&) noexcept;
+    SurfacePointSearch& operator=(SurfacePointSearch&&) noexcept;
+    ~SurfacePointSearch();
+
+    bool isDone() const;
+    // One dispatch of some 40 ms, while it is not done; waits. The scene must be the one that it began with,
+    // looked at as it was then, and `kind` is of it.
+    Result<void> step(const SceneView& scene, TraceKernels& kernels, SceneKind kind);
+    // When it is done, once.
+    SurfacePoints take();
+
+  private:
+    struct Impl;
+    explicit SurfacePointSearch(std::unique_ptr<Impl> impl);
+    std::unique_ptr<Impl> impl_;
+};
 
 }  // namespace macula::trace

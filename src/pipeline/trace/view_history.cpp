@@ -54,7 +54,7 @@ void ViewHistory::turnPage(const View& view, std::uint32_t seed, bool wasTraced,
     const bool traced = view_ && wasTraced;
     const bool again = traced && seed_ == seed && sameView(*view_, view);
     if (traced) {
-        const bool known = denoiser_ && denoisedEdition_ && !guidesStale_;
+        const bool known = denoiser_ && denoisedEdition_ && guides_->isWhole();
         if (known) {
             std::swap(guides_, guidesBefore_);
             denoiser_->advance();
@@ -73,38 +73,56 @@ void ViewHistory::turnPage(const View& view, std::uint32_t seed, bool wasTraced,
 }
 
 void ViewHistory::restart() {
-    guidesStale_ = true;
+    if (guides_) guides_->begin();
+    if (denoiser_) denoiser_->giveUp();
     denoisedEdition_.reset();
 }
 
-Result<const Guides*> ViewHistory::guides(const DeviceScene& scene, TraceKernels& kernels) {
-    if (!guidesStale_) return &*guides_;
+Result<void> ViewHistory::makeGuides(const SceneView& scene, TraceKernels& kernels,
+                                     const std::function<bool()>& keepGoing) {
     if (!guides_ || guides_->width() != view_->width || guides_->height() != view_->height) {
         guides_.reset();
         MACULA_TRY(guides_, Guides::create(device_, view_->width, view_->height));
     }
+    if (guides_->isWhole()) return {};
     MACULA_TRY(const shared::GuidePush push, guidePush(*view_, viewBefore_));
-    MACULA_TRY(const gpu::Kernel* kernel, kernels.guides(kindOf(scene)));
-    MACULA_TRY_VOID(guides_->compute(scene, *kernel, push));
-    guidesStale_ = false;
+    MACULA_TRY(const gpu::Kernel* kernel, kernels.guides(kindOf(scene.scene())));
+    return guides_->compute(scene, *kernel, push, keepGoing);
+}
+
+Result<const Guides*> ViewHistory::guides(const SceneView& scene, TraceKernels& kernels) {
+    MACULA_TRY_VOID(makeGuides(scene, kernels, {}));
     return &*guides_;
 }
 
-Result<const gpu::Buffer*> ViewHistory::denoised(const Film& film, std::uint64_t edition, Denoising how,
-                                                 const DeviceScene& scene, TraceKernels& kernels) {
-    MACULA_TRY(const Guides* now, guides(scene, kernels));
-    if (denoisedEdition_ == edition && denoisedAs_ == how) return &denoiser_->result();
+Result<bool> ViewHistory::denoiseSome(const Film& film, std::uint64_t edition, Denoising how,
+                                      const SceneView& scene, TraceKernels& kernels,
+                                      const std::function<bool()>& keepGoing) {
+    if (denoisedEdition_ == edition && denoisedAs_ == how) return true;
+    MACULA_TRY_VOID(makeGuides(scene, kernels, keepGoing));
+    if (!guides_->isWhole()) return false;
     if (!denoiser_ || denoiser_->width() != view_->width || denoiser_->height() != view_->height) {
         denoiser_.reset();
         MACULA_TRY(auto filters, kernels.denoising());
         MACULA_TRY(denoiser_, Denoiser::create(device_, std::move(filters), view_->width, view_->height));
     }
+    if (begunEdition_ != edition || begunAs_ != how) denoiser_->giveUp();
+    denoisedEdition_.reset();
+    begunEdition_ = edition;
+    begunAs_ = how;
     const double pixelAngle =
         2.0 * std::tan(glm::radians(view_->camera.verticalFovDeg) / 2.0) / view_->height;
-    MACULA_TRY_VOID(denoiser_->run(film, *now, guidesBefore_ ? &*guidesBefore_ : nullptr,
-                                   static_cast<float>(pixelAngle), how));
+    MACULA_TRY(const bool isWhole, denoiser_->run(film, *guides_, guidesBefore_ ? &*guidesBefore_ : nullptr,
+                                                  static_cast<float>(pixelAngle), how, keepGoing));
+    if (!isWhole) return false;
     denoisedEdition_ = edition;
     denoisedAs_ = how;
+    return true;
+}
+
+Result<const gpu::Buffer*> ViewHistory::denoised(const Film& film, std::uint64_t edition, Denoising how,
+                                                 const SceneView& scene, TraceKernels& kernels) {
+    MACULA_TRY([[maybe_unused]] const bool done, denoiseSome(film, edition, how, scene, kernels, {}));
     return &denoiser_->result();
 }
 

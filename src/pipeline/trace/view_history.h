@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -11,9 +12,10 @@
 #include "pipeline/gpu/device.h"
 #include "pipeline/gpu/resources.h"
 #include "pipeline/trace/denoiser.h"
-#include "pipeline/trace/device_scene.h"
+#include "pipeline/trace/environment.h"
 #include "pipeline/trace/film.h"
 #include "pipeline/trace/guides.h"
+#include "pipeline/trace/scene_view.h"
 #include "pipeline/trace/settings.h"
 #include "pipeline/trace/trace_kernels.h"
 
@@ -31,25 +33,33 @@ class ViewHistory {
     // The picture begins again, of the view that was set last.
     void restart();
 
-    // Of that view; motion is towards the last one before it that was traced. Needs a scene that has looked
-    // at it. Valid until the next call.
-    Result<const Guides*> guides(const DeviceScene& scene, TraceKernels& kernels);
+    // Of that view; motion is towards the last one before it that was traced. `scene` looks at it. Valid
+    // until the next call.
+    Result<const Guides*> guides(const SceneView& scene, TraceKernels& kernels);
     // vec4 for each pixel, see Denoiser::result(), of a film of that view; `how` is not off. Made again when
     // the film's `edition` is another one, or `how` is. Valid until the next call.
     Result<const gpu::Buffer*> denoised(const Film& film, std::uint64_t edition, Denoising how,
-                                        const DeviceScene& scene, TraceKernels& kernels);
+                                        const SceneView& scene, TraceKernels& kernels);
+    // What denoised() has to do, in short dispatches that are waited for; `keepGoing` is asked after each,
+    // and the next call goes on where it said no. Whether all is done.
+    Result<bool> denoiseSome(const Film& film, std::uint64_t edition, Denoising how, const SceneView& scene,
+                             TraceKernels& kernels, const std::function<bool()>& keepGoing);
 
   private:
+    Result<void> makeGuides(const SceneView& scene, TraceKernels& kernels,
+                            const std::function<bool()>& keepGoing);
+
     std::shared_ptr<gpu::Device> device_;
     std::optional<Guides> guides_, guidesBefore_;
     std::optional<Denoiser> denoiser_;
-    bool guidesStale_ = true;
     std::optional<View> view_;  // nothing before the first page
     std::uint32_t seed_ = 0;
     View viewBefore_;
     bool forgets_ = true;
     std::optional<std::uint64_t> denoisedEdition_;  // of the film, when the denoiser ran
     Denoising denoisedAs_ = Denoising::off;         // then
+    std::uint64_t begunEdition_ = 0;                // what it has begun with and may not have finished
+    Denoising begunAs_ = Denoising::off;
 };
 
 }  // namespace macula::trace

@@ -1,0 +1,43 @@
+// A scene as it is looked at: what kernels are given.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "base/result.h"
+#include "pipeline/gpu/recorder.h"
+#include "pipeline/gpu/resources.h"
+#include "pipeline/trace/device_scene.h"
+#include "pipeline/trace/settings.h"
+
+namespace macula::trace {
+
+// One of many views of the same scene: it has a block of parameters of its own, and all else is the scene's.
+// Used by one thread at a time, the one that uses the device.
+class SceneView {
+  public:
+    static Result<SceneView> create(std::shared_ptr<DeviceScene> scene);
+
+    const std::shared_ptr<DeviceScene>& shared() const { return scene_; }
+    DeviceScene& scene() { return *scene_; }
+    const DeviceScene& scene() const { return *scene_; }
+
+    // When the scene is complete. What was submitted before still reads the last parameters.
+    Result<void> look(const View& view, const Settings& settings);
+    // Nobody has changed the scene since it was looked at.
+    bool isCurrent() const { return edition_ == scene_->edition(); }
+
+    // When it is current: bindings 0 to 8 of shaders/trace/host.glsl.
+    std::vector<gpu::Binding> bindings() const;
+
+  private:
+    SceneView(std::shared_ptr<DeviceScene> scene, gpu::Buffer params)
+        : scene_(std::move(scene)), params_(std::move(params)) {}
+
+    std::shared_ptr<DeviceScene> scene_;
+    gpu::Buffer params_;
+    std::uint64_t edition_ = UINT64_MAX;  // of the scene, when it was looked at
+};
+
+}  // namespace macula::trace
