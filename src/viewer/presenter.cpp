@@ -46,14 +46,10 @@ Result<void> Presenter::keep(const gpu::Image& picture) {
                                                                   .width = extent.width,
                                                                   .height = extent.height,
                                                                   .format = picture.format()}));
-        MACULA_TRY(gpu::Buffer buffer,
-                   gpu::Buffer::create(device_, {.label = "picture in transit", .bytes = picture.bytes()}));
         kept_ = std::move(image);
-        transit_ = std::move(buffer);
     }
     MACULA_TRY(gpu::Recorder recorder, gpu::Recorder::create(device_, "keep picture"));
-    recorder.copy(picture, *transit_);
-    recorder.copy(*transit_, 0, *kept_);
+    recorder.copy(picture, *kept_);
     MACULA_TRY([[maybe_unused]] const gpu::Ticket ticket, recorder.submit());
     keptIsValid_ = true;
     return {};
@@ -69,7 +65,10 @@ Result<bool> Presenter::showAgain() {
         }
         if (!frame.usable()) return false;
         MACULA_TRY(gpu::Recorder recorder, gpu::Recorder::create(device_, "present"));
-        recorder.blit(*kept_, frame.target(), VK_FILTER_LINEAR);
+        // Of the same size nothing is scaled, and on a CPU device that is faster said than found out.
+        const VkExtent3D size = kept_->extent();
+        const bool isSameSize = size.width == frame.extent.width && size.height == frame.extent.height;
+        recorder.blit(*kept_, frame.target(), isSameSize ? VK_FILTER_NEAREST : VK_FILTER_LINEAR);
         MACULA_TRY(const gpu::Ticket ticket,
                    recorder.submit({.wait = frame.available, .signal = frame.rendered}));
         MACULA_TRY(const gpu::Swapchain::Status status, swapchain_.present(frame, ticket));

@@ -42,7 +42,6 @@ class Presenter {
     gpu::Swapchain swapchain_;
     VkExtent2D wanted_;
     std::optional<gpu::Image> kept_;
-    std::optional<gpu::Buffer> transit_;  // the recorder copies between images by way of a buffer
     bool keptIsValid_ = false;
 };
 

@@ -80,6 +80,10 @@ class Device : public std::enable_shared_from_this<Device> {
     // deviceLost when it is; asked before anything is made or moved. `doing` as in vulkanError.
     Result<void> checkNotLost(std::string_view doing) const;
 
+    // Bytes that were brought to the host (transfer.h), ever: who says that nothing is, can be asked.
+    std::uint64_t bytesRead() const { return bytesRead_; }
+    void countRead(std::uint64_t bytes) { bytesRead_ += bytes; }
+
     // Destroys what was dropped and is no longer in use. Submitting and waiting do it as well.
     void collect();
     std::size_t pendingDestructions() const;
@@ -141,6 +145,7 @@ class Device : public std::enable_shared_from_this<Device> {
     std::map<std::pair<const std::uint32_t*, std::string>, std::shared_ptr<const CompiledKernel>> kernels_;
     std::vector<Commands> freeCommands_;
     std::atomic<Ticket> submitted_{0};
+    std::uint64_t bytesRead_ = 0;
     mutable std::atomic<bool> lost_{false};  // a question may find it out, too
 
     mutable std::mutex droppedMutex_;  // guards the two below: resources are dropped on any thread

@@ -236,6 +236,17 @@ void Recorder::copy(const Buffer& from, std::uint64_t fromOffset, const Image& t
     vkCmdCopyBufferToImage(commands_.buffer, from.handle(), to.handle(), VK_IMAGE_LAYOUT_GENERAL, 1, &region);
 }
 
+void Recorder::copy(const Image& from, const Image& to, Order order) {
+    MACULA_CHECK(from.format() == to.format());
+    MACULA_CHECK_EQ(from.extent().width, to.extent().width);
+    MACULA_CHECK_EQ(from.extent().height, to.extent().height);
+    MACULA_CHECK_EQ(from.extent().depth, to.extent().depth);
+    begin(order);
+    const VkImageCopy region{kWholeLayer, {0, 0, 0}, kWholeLayer, {0, 0, 0}, from.extent()};
+    vkCmdCopyImage(commands_.buffer, from.handle(), VK_IMAGE_LAYOUT_GENERAL, to.handle(),
+                   VK_IMAGE_LAYOUT_GENERAL, 1, &region);
+}
+
 void Recorder::update(const Buffer& buffer, std::span<const std::byte> bytes, Order order) {
     checkRange(buffer, 0, bytes.size());
     MACULA_CHECK_LE(bytes.size(), kMaxUpdateBytes);

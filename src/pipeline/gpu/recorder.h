@@ -155,6 +155,8 @@ class Recorder {
               Order order = Order::afterPrevious);
     void copy(const Buffer& from, std::uint64_t fromOffset, const Image& to,
               Order order = Order::afterPrevious);
+    // Of the same size and format.
+    void copy(const Image& from, const Image& to, Order order = Order::afterPrevious);
     // What is small, from the command buffer itself: at most kMaxUpdateBytes, a multiple of 4. So nobody
     // needs to wait until the device has read what was there before.
     void update(const Buffer& buffer, std::span<const std::byte> bytes, Order order = Order::afterPrevious);

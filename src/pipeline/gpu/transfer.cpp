@@ -75,6 +75,7 @@ Result<void> readInto(const Buffer& buffer, std::uint64_t offsetBytes, std::span
     MACULA_CHECK_LE(target.size(), buffer.bytes() - offsetBytes);
     if (target.empty()) return {};
     const auto& device = buffer.device();
+    device->countRead(target.size());
     if (!buffer.mapped().empty() && buffer.hostCached()) {
         MACULA_TRY_VOID(device->waitForAll());
         std::memcpy(target.data(), buffer.mapped().data() + offsetBytes, target.size());
@@ -97,6 +98,7 @@ Result<void> readInto(const Buffer& buffer, std::uint64_t offsetBytes, std::span
 
 Result<void> readInto(const Image& image, std::span<std::byte> target) {
     MACULA_CHECK_EQ(target.size(), image.bytes());
+    image.device()->countRead(target.size());
     MACULA_TRY(Buffer stage, staging(image.device(), MemoryKind::readback, image.bytes()));
     const auto ticket = submitCopy(
         image.device(), [&](Recorder& recorder) { recorder.copy(image, stage); }, "readback");

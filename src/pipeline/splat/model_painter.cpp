@@ -41,7 +41,7 @@ Result<ModelPainter> ModelPainter::create(const std::shared_ptr<gpu::Device>& de
     return ModelPainter(&splats, std::move(parameters), std::move(rasterizer));
 }
 
-Result<SplatPicture> ModelPainter::draw(const RasterView& view) {
+Result<const DevicePicture*> ModelPainter::drawOnDevice(const RasterView& view) {
     const Blending blending = blendingOf(splats_->lowPass);
     if (parameters_) {
         MACULA_TRY_VOID(
@@ -49,8 +49,13 @@ Result<SplatPicture> ModelPainter::draw(const RasterView& view) {
     } else {
         MACULA_TRY_VOID(rasterizer_.drawProjected(projectOnHost(*splats_, view, blending), view, blending));
     }
+    return &rasterizer_.picture();
+}
+
+Result<SplatPicture> ModelPainter::draw(const RasterView& view) {
+    MACULA_TRY(const DevicePicture* drawn, drawOnDevice(view));
     SplatPicture picture{.sizePx = view.sizePx};
-    MACULA_TRY(picture.rgba, rasterizer_.picture().read());
+    MACULA_TRY(picture.rgba, drawn->read());
     MACULA_TRY(picture.depthSums, gpu::read<float>(rasterizer_.depths()));
     return picture;
 }

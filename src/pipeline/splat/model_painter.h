@@ -28,7 +28,11 @@ class ModelPainter {
     static Result<ModelPainter> create(const std::shared_ptr<gpu::Device>& device, const Splats& splats,
                                        Projection projection = Projection::wherever);
 
-    // The view must be valid. outOfMemory when the picture, or what shows in it, is too large for the device.
+    // The view must be valid. It stays on the device, in the model's colour space, until the next one is
+    // drawn; done when what was submitted is. outOfMemory when the picture, or what shows in it, is too large
+    // for the device.
+    Result<const DevicePicture*> drawOnDevice(const RasterView& view);
+    // The same, read. outOfMemory when the picture, or what shows in it, is too large for the device.
     Result<SplatPicture> draw(const RasterView& view);
 
     bool projectsOnHost() const { return !parameters_.has_value(); }
