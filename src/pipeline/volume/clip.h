@@ -20,12 +20,16 @@ struct OrientedBox {
     glm::dvec3 centreMm{0.0};
     glm::dmat3 axes{1.0};  // columns: orthonormal
     glm::dvec3 halfSizeMm{1.0};
+
+    bool operator==(const OrientedBox&) const = default;
 };
 
 // Keeps the points with dot(normal, p) >= offsetMm; normal is a unit vector.
 struct HalfSpace {
     glm::dvec3 normal{0.0, 1.0, 0.0};
     double offsetMm = 0.0;
+
+    bool operator==(const HalfSpace&) const = default;
 };
 
 // One of the eight parts around a point: that to which `towards` leads, each component 1 or -1 (L, P, S are
@@ -33,11 +37,15 @@ struct HalfSpace {
 struct Octant {
     glm::dvec3 pointMm{0.0};
     glm::dvec3 towards{1.0, -1.0, 1.0};
+
+    bool operator==(const Octant&) const = default;
 };
 
 struct Ball {
     glm::dvec3 centreMm{0.0};
     double radiusMm = 1.0;
+
+    bool operator==(const Ball&) const = default;
 };
 
 // Voxels by what they belong to. On another grid than the volume's the nearest label counts; what lies
@@ -46,6 +54,8 @@ struct Mask {
     std::shared_ptr<const LabelMap> labels;
     std::vector<std::uint16_t> numbers;  // of segments; empty: any but 0
     Keep keep = Keep::inside;
+
+    bool operator==(const Mask&) const = default;
 };
 
 // Everything together: what is shown is what each part leaves.
@@ -67,6 +77,8 @@ struct Clip {
 
     bool hasShape() const { return box || !planes.empty() || cut || ball; }
     bool isNothing() const { return !hasShape() && !mask; }
+
+    bool operator==(const Clip&) const = default;  // of masks: the same one
 };
 
 // The half-spaces whose common part it is.
