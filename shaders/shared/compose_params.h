@@ -1,0 +1,16 @@
+// What shaders/hybrid/compose.comp is told.
+#ifndef MACULA_SHARED_COMPOSE_PARAMS_H
+#define MACULA_SHARED_COMPOSE_PARAMS_H
+#include "shared/shared.h"
+MACULA_SHARED_BEGIN
+
+struct ComposePush {
+    vec3 background;  // linear
+    float exposure;
+    float splatGain;     // multiplies the light of splats, not their coverage
+    float tracedShare;   // 0 to 1: of what is traced; the rest is of splats
+    int tracedAreMeans;  // 1: traced values are means, and counts do not count
+};
+
+MACULA_SHARED_END
+#endif
