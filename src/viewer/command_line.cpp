@@ -12,6 +12,7 @@ namespace {
 
 constexpr int kLargestEdge = 16384;
 constexpr int kSmallestEdge = 160;
+constexpr double kShortestScriptSeconds = 1e-3;
 constexpr double kLongestScriptSeconds = 3600.0;
 
 constexpr std::array<std::pair<const char*, ViewDirection>, 6> kViews{{
@@ -36,6 +37,14 @@ Result<QSize> parseSize(const QString& text) {
         return usage(QStringLiteral("'%1' is not a size.").arg(text), "Write it like 800x600.");
     }
     return size;
+}
+
+Result<double> parseSeconds(const QString& text, double least) {
+    bool isNumber = false;
+    const double seconds = text.toDouble(&isNumber);
+    if (!isNumber || !(seconds >= least && seconds <= kLongestScriptSeconds))
+        return usage(QStringLiteral("'%1' is not a number of seconds.").arg(text));
+    return seconds;
 }
 
 Result<ViewDirection> parseView(const QString& text) {
@@ -66,11 +75,22 @@ Result<CommandLine> parseCommandLine(const QStringList& arguments) {
     const QCommandLineOption device("device", "Index or part of the name of the Vulkan device.", "NAME");
     const QCommandLineOption size("size", "Of the picture in pixels, e.g. 800x600.", "WxH");
     const QCommandLineOption samples("spp", "Samples per pixel of a converged picture.", "N", "512");
-    const QCommandLineOption script("script", "'orbit': drive the window, measure it, print JSON, quit.",
-                                    "NAME");
+    const QCommandLineOption noModel(
+        "no-model", "Small traced pictures while a hand moves, instead of a model of splats.");
+    const QCommandLineOption script(
+        "script",
+        "Drive the window, measure it, print JSON, quit. 'orbit': turn the volume, "
+        "then rest. 'changes': preset, clip, lights, look, study and size in quick "
+        "turns.",
+        "NAME");
     const QCommandLineOption screenshots("screenshots", "Where the script writes its screenshots.", "FOLDER");
-    const QCommandLineOption seconds("seconds", "How long the script orbits, at least.", "S", "8");
-    parser.addOptions({preset, lights, view, device, size, samples, script, screenshots, seconds});
+    const QCommandLineOption wait("wait", "How long the model learns before the script orbits.", "S", "0");
+    const QCommandLineOption seconds("seconds", "How long the script orbits, at least, or makes changes.",
+                                     "S", "8");
+    const QCommandLineOption rest("rest", "How long it rests afterwards, unless the picture converges.", "S",
+                                  "300");
+    parser.addOptions(
+        {preset, lights, view, device, size, samples, noModel, script, screenshots, wait, seconds, rest});
 
     if (!parser.parse(arguments)) return usage(parser.errorText() + QLatin1Char('.'));
     CommandLine result;
@@ -100,16 +120,21 @@ Result<CommandLine> parseCommandLine(const QStringList& arguments) {
     if (!isNumber || result.samples == 0) {
         return usage(QStringLiteral("'%1' is not a number of samples.").arg(parser.value(samples)));
     }
-    result.seconds = parser.value(seconds).toDouble(&isNumber);
-    if (!isNumber || !(result.seconds > 0.0 && result.seconds <= kLongestScriptSeconds)) {
-        return usage(QStringLiteral("'%1' is not a number of seconds.").arg(parser.value(seconds)));
+    MACULA_TRY(result.waitSeconds, parseSeconds(parser.value(wait), 0.0));
+    MACULA_TRY(result.seconds, parseSeconds(parser.value(seconds), kShortestScriptSeconds));
+    MACULA_TRY(result.restSeconds, parseSeconds(parser.value(rest), kShortestScriptSeconds));
+    result.usesModel = !parser.isSet(noModel);
+    if (parser.isSet(script)) {
+        const QString name = parser.value(script);
+        if (name == QLatin1String("orbit"))
+            result.script = CommandLine::Script::orbit;
+        else if (name == QLatin1String("changes"))
+            result.script = CommandLine::Script::changes;
+        else
+            return usage(QStringLiteral("There is no script '%1'.").arg(name),
+                         "The scripts are 'orbit' and 'changes'.");
     }
-    result.scriptedOrbit = parser.isSet(script);
-    if (result.scriptedOrbit && parser.value(script) != QLatin1String("orbit")) {
-        return usage(QStringLiteral("There is no script '%1'.").arg(parser.value(script)),
-                     "The only script is 'orbit'.");
-    }
-    if (!result.screenshots.isEmpty() && !result.scriptedOrbit) {
+    if (!result.screenshots.isEmpty() && result.script != CommandLine::Script::orbit) {
         return usage(QStringLiteral("--screenshots needs --script orbit."));
     }
     return result;

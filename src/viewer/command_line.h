@@ -20,9 +20,12 @@ struct CommandLine {
     ViewDirection view = ViewDirection::anterior;
     std::optional<QSize> size;  // of the picture
     std::uint32_t samples = 512;
-    bool scriptedOrbit = false;
+    bool usesModel = true;
+    enum class Script { none, orbit, changes } script = Script::none;
     QString screenshots;
+    double waitSeconds = 0.0;
     double seconds = 8.0;
+    double restSeconds = 300.0;
     std::optional<QString> print;  // help or version was asked for: print this and leave
 };
 

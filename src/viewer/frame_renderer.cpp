@@ -1,11 +1,11 @@
 #include "viewer/frame_renderer.h"
 
-#include <algorithm>
 #include <cmath>
 #include <exception>
 #include <new>
 #include <utility>
 
+#include "base/check.h"
 #include "base/log.h"
 
 namespace macula::viewer {
@@ -20,64 +20,29 @@ double millisecondsBetween(std::chrono::steady_clock::time_point from,
     return duration<double, std::milli>(to - from).count();
 }
 
-constexpr double kMotionBudgetMs = 100.0;  // 10 pictures a second; 5 are still left on a machine half as fast
-constexpr double kNsPerPixelGuessCpu = 4000.0;
-constexpr double kNsPerPixelGuessGpu = 50.0;
-// In motion light may bounce this often. With fewer, bone turns from ivory to grey: its colour is made by
-// many bounces, and the picture would change its look each time a hand lets go.
-constexpr int kMotionBounces = 4;
-// Of each pixel before a picture in motion is shown. Denoised, one is enough: the view before helps, and what
-// a second costs is better spent on pixels. A picture that is not would be a cloud of dots.
-constexpr std::uint32_t kMotionSamples = 1;
-constexpr std::uint32_t kPlainMotionSamples = 2;
-constexpr trace::Smoothing kPlainMotionSmoothing = trace::Smoothing::slight;
-constexpr std::uint64_t kMotionSampleLimit = 64;  // while a hand holds still
-// Cast rays have no noise: more samples only make edges smoother. As many as `macula render` takes.
-constexpr std::uint64_t kCastSampleLimit = 8;
-// After the last change the small picture is refined for so long before the full one starts: it stays on
-// screen during the long first pass of that, and should not be the noisiest of all.
-constexpr milliseconds kSettle{300};
-constexpr milliseconds kShowInterval{100};  // while converging; nobody sees more, and each costs a copy
 constexpr milliseconds kRateWindow{2000};
-// The full picture is denoised while it has few samples: each time they have doubled, as the filter takes as
-// long as a sample or two. What has more is shown as it is.
-constexpr std::uint64_t kFirstDenoised = 2;
-constexpr std::uint64_t kDenoisedBelow = 64;
-// A hand that moves on waits for the filter. Where a full picture would take longer it is not denoised, and
-// the small one, which is, stays until the full one is no longer a cloud of dots.
-constexpr double kMostFilterMs = 1000.0;
-constexpr std::uint64_t kFirstPlain = 4;
+constexpr milliseconds kModelToldEvery{500};
+// Of searching and of learning, at a time. A dispatch and a step of training may take longer on a CPU.
+constexpr double kSliceMs = 40.0;
 // Standard error of what is shown: one step of eight bits, which nobody sees.
 constexpr double kConverged = 1.0 / 255.0;
+constexpr std::uint64_t kShelfBytes = std::uint64_t(1) << 30;
 
-bool sameCamera(const Camera& a, const Camera& b) {
-    return a.positionMm == b.positionMm && a.targetMm == b.targetMm && a.up == b.up &&
-           a.verticalFovDeg == b.verticalFovDeg;
-}
-
-bool sameScene(const FrameInput& a, const FrameInput& b) {
-    return a.volume == b.volume && a.drawing == b.drawing && sameCamera(a.camera, b.camera) &&
-           a.surface == b.surface;
-}
-
-bool samePicture(const FrameInput& a, const FrameInput& b) {
-    return sameScene(a, b) && a.width == b.width && a.height == b.height;
-}
-
-trace::Settings denoised(trace::Settings settings, bool isDenoised) {
-    settings.denoising = isDenoised ? trace::Denoising::on : trace::Denoising::off;
-    return settings;
-}
-
-trace::Settings motionSettings(trace::Settings settings, std::uint32_t frame) {
-    settings.bounces = std::min(settings.bounces, kMotionBounces);
-    settings.seed += frame;  // else the noise would stand still on the screen like dirt
-    settings.filter = trace::Filter::stochastic;
-    return settings;
+// The same picture on another size of window.
+bool isSameScene(FrameInput a, const FrameInput& b) {
+    a.width = b.width;
+    a.height = b.height;
+    return isSamePicture(a, b);
 }
 
 float encodedSrgb(float linear) {
     return linear <= 0.0031308f ? 12.92f * linear : 1.055f * std::pow(linear, 1.0f / 2.4f) - 0.055f;
+}
+
+// A model holds light that stays where it is.
+bool canHaveModel(const FrameInput& input) {
+    return input.usesModel && trace::isPathTraced(input.drawing.settings.look) &&
+           input.drawing.lights->frame == trace::LightFrame::patient;
 }
 
 }  // namespace
@@ -100,23 +65,41 @@ void FrameRenderer::accept(FrameInput input) {
         clear_ = true;
         if (presenter_) presenter_->forget();
         unreported_.reset();
+        splats_ = nullptr;
+        model_.reset();
+        shelf_.reset();
+        restart_ = true;
     }
     // What else is on the device leaves another room; and nobody knows how much.
-    if (input.volume != input_.volume || input.drawing.transferFunction != input_.drawing.transferFunction ||
-        input.drawing.clip != input_.drawing.clip || input.width != input_.width ||
-        input.height != input_.height) {
-        pixelsRefused_ = kNoneRefused;
+    if (traced_ &&
+        (input.volume != input_.volume || input.drawing.transferFunction != input_.drawing.transferFunction ||
+         input.drawing.clip != input_.drawing.clip || input.width != input_.width ||
+         input.height != input_.height)) {
+        traced_->roomChanged();
+        if (model_ && model_->news().stage == hybrid::ModelStage::noRoom) model_->hide();
     }
-    if (!samePicture(input, input_)) {
+    if (!isSamePicture(input, input_)) {
         restart_ = true;
         // The window takes another size around the sentence that says so: nobody has asked for another try.
-        const bool stillGivenUp = givenUp_ && sameScene(input, input_);
+        const bool stillGivenUp = givenUp_ && isSameScene(input, input_);
         if (!stillGivenUp) halted_ = givenUp_ = false;
     } else if (input.background != input_.background) {
         redisplay_ = true;
     }
-    if (stage_ == Stage::converged && input.sampleLimit > input_.sampleLimit) stage_ = Stage::converging;
+    if (input.sampleLimit > input_.sampleLimit) course_.goOnTracing();
     input_ = std::move(input);
+    tellCourse();
+}
+
+void FrameRenderer::tellCourse() {
+    course_.setHand(input_.interacting);
+    course_.setPreviewLimit(TracedPictures::previewLimit(input_));
+    ModelState state = ModelState::none;
+    if (model_ && model_->canBeDrawn())
+        state = ModelState::ready;
+    else if (model_ && model_->hasWork())
+        state = ModelState::searching;
+    course_.setModel(state, model_ && model_->hasWork());
 }
 
 bool FrameRenderer::hasWork() const {
@@ -126,9 +109,11 @@ bool FrameRenderer::hasWork() const {
     if (restart_ || redisplay_ || !device_ || !presenter_ || applied_.exposures != input_.exposures) {
         return true;
     }
-    if (!input_.volume || stage_ == Stage::converged) return false;
-    return stage_ != Stage::moving || !input_.interacting ||
-           movingSamples_ < std::min(kMotionSampleLimit, sampleLimit());
+    return isComplete() && course_.next(Clock::now()) != Step::none;
+}
+
+bool FrameRenderer::isComplete() const {
+    return input_.volume && input_.drawing.transferFunction && input_.drawing.lights;
 }
 
 void FrameRenderer::step(const Interrupts& interrupts) {
@@ -151,7 +136,9 @@ void FrameRenderer::fail(ErrorCode code, const char* message, const char* hint) 
     applied_.transferFunction = nullptr;
     applied_.lights = nullptr;
     applied_.clip.reset();
-    applied_.settings.reset();
+    splats_ = nullptr;
+    model_.reset();
+    if (traced_) traced_->sceneChanged();
     try {
         handle({code, message, {}, hint});
     } catch (const std::exception&) {
@@ -163,25 +150,41 @@ Result<void> FrameRenderer::tryStep(const Interrupts& interrupts) {
     MACULA_TRY_VOID(ensureDevice());
     MACULA_TRY_VOID(ensurePresenter());
     if (halted_) return {};  // it was only to paint the window again
-    if (!input_.volume || !input_.drawing.transferFunction || !input_.drawing.lights) {
+    if (!isComplete()) {
         restart_ = redisplay_ = false;
-        stage_ = Stage::converged;
         return clearWindow();
     }
     if (clear_) MACULA_TRY_VOID(clearWindow());
     if (restart_) {
         MACULA_TRY(const bool complete, applyScene(interrupts));
         if (!complete) return {};
-        MACULA_TRY_VOID(startMoving());
+        MACULA_TRY_VOID(applyModel());
+        course_.want(traced_->hasFull(input_));
+        restart_ = redisplay_ = false;
     }
-    if (std::exchange(redisplay_, false)) return showPicture();
-    if (stage_ == Stage::moving) return stepMoving(interrupts);
-    if (stage_ == Stage::converging) return stepConverging(interrupts);
+    tellCourse();
+    if (std::exchange(redisplay_, false)) return showAgain();
+    const Result<void> done = take(course_.next(Clock::now()), interrupts);
+    // What is traced comes first: without the model there may be room for it.
+    if (done || done.error().code != ErrorCode::outOfMemory || !model_ || !model_->canBeDrawn()) return done;
+    restart_ = true;
+    traced_->roomChanged();
+    return withoutModel(done.error());
+}
+
+// Whatever keeps the model from being made or drawn does not keep anybody from tracing.
+Result<void> FrameRenderer::withoutModel(const Error& error) {
+    if (device_->lost() || error.code == ErrorCode::deviceLost) return error;
+    log::warning("There is no peripheral model of this: {}", error.message);
+    splats_ = nullptr;
+    model_->giveUp(error.code == ErrorCode::outOfMemory ? hybrid::ModelStage::noRoom
+                                                        : hybrid::ModelStage::failed);
+    tellOfModel();
     return {};
 }
 
 Result<void> FrameRenderer::ensureDevice() {
-    if (device_ && tracer_) return {};
+    if (device_ && traced_ && compositor_) return {};
     listener_(Preparing{"Starting the graphics device"});
     if (!device_) {
         gpu::DeviceOptions options;
@@ -189,13 +192,10 @@ Result<void> FrameRenderer::ensureDevice() {
         options.extensions.push_back(VK_KHR_SWAPCHAIN_EXTENSION_NAME);
         MACULA_TRY(device_, gpu::Device::create(instance_, options));
     }
-    MACULA_TRY(tracer_, trace::PathTracer::create(device_));
-    warmWidth_ = 0;
-    pixelsRefused_ = kNoneRefused;
-    filterNsPerPixel_ = 0.0;
+    MACULA_TRY(traced_, TracedPictures::create(device_));
+    MACULA_TRY(compositor_, hybrid::Compositor::create(device_));
     applied_ = {};
     restart_ = true;
-    motionScale_.emplace(kMotionBudgetMs, device_->isCpu() ? kNsPerPixelGuessCpu : kNsPerPixelGuessGpu);
     listener_(DeviceReady{device_->info().name, gpu::describe(device_->info())});
     return {};
 }
@@ -235,182 +235,253 @@ Result<bool> FrameRenderer::applyScene(const Interrupts& interrupts) {
     // them; what is done stays done, so that a hand that never rests does not keep the scene from being
     // applied.
     const auto interrupted = [&] { return interrupts.newInput() || interrupts.stopping(); };
+    trace::PathTracer& tracer = traced_->tracer();
+    // What a model of something else takes is room for this.
+    if (model_ && (applied_.volume != input_.volume || applied_.clip != drawing.clip ||
+                   applied_.transferFunction != drawing.transferFunction)) {
+        splats_ = nullptr;
+        model_->hide();
+    }
     if (applied_.volume != input_.volume) {
         listener_(Preparing{"Preparing the volume"});
+        traced_->sceneChanged();
         // After a failure the tracer has neither the old one nor the new one; so with the other parts.
         applied_.volume = nullptr;
         applied_.transferFunction = nullptr;
-        MACULA_TRY_VOID(tracer_->setVolume(input_.volume));
+        MACULA_TRY_VOID(tracer.setVolume(input_.volume));
         applied_.volume = input_.volume;
         if (interrupted()) return false;
     }
     // Before the transfer function: what is hidden is not brought to the device.
     if (applied_.clip != drawing.clip) {
         if (applied_.transferFunction) listener_(Preparing{"Preparing what is shown"});
+        traced_->sceneChanged();
         applied_.clip.reset();
-        MACULA_TRY_VOID(tracer_->setClip(drawing.clip ? *drawing.clip : Clip{}));
+        MACULA_TRY_VOID(tracer.setClip(drawing.clip ? *drawing.clip : Clip{}));
         applied_.clip = drawing.clip;
         if (interrupted()) return false;
     }
     if (applied_.transferFunction != drawing.transferFunction) {
+        traced_->sceneChanged();
         applied_.transferFunction = nullptr;
-        MACULA_TRY_VOID(tracer_->setTransferFunction(*drawing.transferFunction));
+        MACULA_TRY_VOID(tracer.setTransferFunction(*drawing.transferFunction));
         applied_.transferFunction = drawing.transferFunction;
         if (interrupted()) return false;
     }
     if (applied_.lights != drawing.lights) {
+        traced_->sceneChanged();
         applied_.lights = nullptr;
-        MACULA_TRY_VOID(tracer_->setEnvironment(trace::Environment::fromRig(*drawing.lights)));
+        MACULA_TRY_VOID(tracer.setEnvironment(trace::Environment::fromRig(*drawing.lights)));
         applied_.lights = drawing.lights;
     }
     return true;
 }
 
-Result<void> FrameRenderer::applySettings(const trace::Settings& settings) {
-    if (applied_.settings && *applied_.settings == settings) return {};
-    MACULA_TRY_VOID(tracer_->setSettings(settings));
-    applied_.settings = settings;
-    return {};
-}
-
-Result<void> FrameRenderer::startMoving() {
-    scale_ = motionScale_->choose(input_.width, input_.height);
-    view_ = {.camera = input_.camera,
-             .width = scaledEdge(input_.width, scale_),
-             .height = scaledEdge(input_.height, scale_)};
-    MACULA_TRY_VOID(
-        applySettings(denoised(motionSettings(input_.drawing.settings, ++motionFrame_), mayDenoise())));
-    MACULA_TRY_VOID(tracer_->setView(view_));
-    movingSince_ = Clock::now();
-    movingSamples_ = 0;
-    restart_ = redisplay_ = false;
-    stage_ = Stage::moving;
-    return {};
-}
-
-Result<void> FrameRenderer::startConverging() {
-    scale_ = 1;
-    view_ = {.camera = input_.camera, .width = input_.width, .height = input_.height};
-    stillIsDenoised_ =
-        mayDenoise() && filterNsPerPixel_ * 1e-6 * input_.width * input_.height <= kMostFilterMs;
-    showFrom_ = !hasNoise() ? 1 : stillIsDenoised_ ? kFirstDenoised : kFirstPlain;
-    MACULA_TRY_VOID(applySettings(denoised(input_.drawing.settings, stillIsDenoised_)));
-    MACULA_TRY_VOID(tracer_->setView(view_));
-    stage_ = Stage::converging;
-    return {};
-}
-
-Result<void> FrameRenderer::stepMoving(const Interrupts& interrupts) {
-    if (!input_.interacting && movingSamples_ > 0 && Clock::now() - movingSince_ >= kSettle) {
-        return startConverging();
+// Whatever the model of before showed is not drawn any more from here on.
+Result<void> FrameRenderer::applyModel() {
+    splats_ = nullptr;
+    modelKey_.clear();
+    if (!canHaveModel(input_)) {
+        if (model_) model_->hide();
+        return {};
     }
-    const std::uint32_t samples = mayDenoise() || !hasNoise() ? kMotionSamples : kPlainMotionSamples;
-    const Clock::time_point start = Clock::now();
-    MACULA_TRY(const bool complete, tracer_->trace(samples, [&] { return !interrupts.stopping(); }));
-    if (!complete) return {};
-    const Clock::time_point traced = Clock::now();
-    MACULA_TRY(const gpu::Image* picture, develop());
-    MACULA_TRY_VOID(device_->waitForAll());
-    const Clock::time_point developed = Clock::now();
+    if (!shelf_) shelf_ = std::make_shared<hybrid::ModelShelf>(kShelfBytes);
+    if (!model_) {
+        MACULA_TRY(model_, hybrid::LiveModel::create(device_, traced_->tracer(), shelf_,
+                                                     hybrid::liveModelOptions(*device_)));
+    }
+    modelKey_ = sceneNames_.of(input_.study, input_.drawing);
+    if (const Result<void> shown = model_->show(modelKey_, input_.drawing.settings); !shown)
+        return withoutModel(shown.error());
+    tellOfModel();
+    return {};
+}
+
+Result<void> FrameRenderer::take(Step step, const Interrupts& interrupts) {
+    switch (step) {
+        case Step::none:
+            return {};
+        case Step::showModel:
+            return showModel();
+        case Step::showPreview:
+            return showPreview(interrupts);
+        case Step::search:
+            return search(interrupts);
+        case Step::trace:
+            return trace(interrupts);
+        case Step::showTraced:
+            return showTraced();
+        case Step::fade:
+            return fade();
+        case Step::learn:
+            return learn(interrupts);
+    }
+    return {};
+}
+
+Result<void> FrameRenderer::showModel() {
+    // Nobody may see what another preset, clip or patient looked like.
+    MACULA_CHECK(model_->key() == modelKey_);
+    const auto drawn = model_->draw(input_.camera, {input_.width, input_.height});
+    if (!drawn) return withoutModel(drawn.error());  // a small picture comes next
+    splats_ = *drawn;
+    MACULA_TRY(const gpu::Image* picture, composed(splats_, 0.0f));
+    course_.showedModel();
     MACULA_TRY_VOID(show(*picture));
     // One picture in flight: a longer queue would show where the hand was, not where it is.
+    return device_->waitForAll();
+}
+
+Result<void> FrameRenderer::showPreview(const Interrupts& interrupts) {
+    if (course_.onScreen() != OnScreen::preview) MACULA_TRY_VOID(traced_->beginPreview(input_));
+    MACULA_TRY(const bool isWhole, traced_->tracePreview(input_, [&] { return !interrupts.stopping(); }));
+    if (!isWhole) return {};
+    const Clock::time_point traced = Clock::now();
+    MACULA_TRY(const gpu::Image* picture, traced_->display(input_.background));
     MACULA_TRY_VOID(device_->waitForAll());
-    const bool first = movingSamples_ == 0;
-    movingSamples_ += samples;
-    // The first picture of a size also compiles kernels, and later ones of a view have its guides: they say
-    // nothing about the next.
-    if (std::exchange(warmWidth_, view_.width) != view_.width || !first) return {};
-    if (mayDenoise()) {
-        filterNsPerPixel_ =
-            millisecondsBetween(traced, developed) * 1e6 / (double(view_.width) * double(view_.height));
-    }
-    motionScale_->observe(view_.width, view_.height, millisecondsBetween(start, developed),
-                          millisecondsBetween(developed, Clock::now()));
+    const Clock::time_point developed = Clock::now();
+    course_.showedPreview(traced_->previewSamples(), developed);
+    MACULA_TRY_VOID(show(*picture));
+    MACULA_TRY_VOID(device_->waitForAll());
+    traced_->previewWasShown(millisecondsBetween(traced, developed),
+                             millisecondsBetween(developed, Clock::now()));
     return {};
 }
 
-Result<void> FrameRenderer::stepConverging(const Interrupts& interrupts) {
+Result<void> FrameRenderer::trace(const Interrupts& interrupts) {
     const auto keepGoing = [&] { return !interrupts.newInput() && !interrupts.stopping(); };
-    MACULA_TRY(const trace::Statistics before, tracer_->statistics());
-    if (before.samplesPerPixel < trace::kEvenSamples) {
-        // One at a time: each of the first is seen.
-        MACULA_TRY(const bool complete, tracer_->trace(1, keepGoing));
-        if (!complete) return {};
-    } else {
-        MACULA_TRY_VOID(tracer_->traceFor(double(kShowInterval.count()), keepGoing));
-        if (!keepGoing()) return {};
-    }
-    MACULA_TRY(const trace::Statistics statistics, tracer_->statistics());
-    const auto samples = static_cast<std::uint64_t>(statistics.meanSamplesPerPixel);
-    const bool last = statistics.converged || statistics.meanSamplesPerPixel >= double(sampleLimit());
-    if (last) stage_ = Stage::converged;
-    if (stillIsDenoised_ && samples >= kDenoisedBelow) {
-        stillIsDenoised_ = false;
-        MACULA_TRY_VOID(applySettings(denoised(input_.drawing.settings, false)));
-    }
-    const bool early = samples < showFrom_;
-    const bool rested = shown_.empty() || Clock::now() - shown_.back() >= kShowInterval;
-    if (!last && (early || !rested)) return {};
-    if (stillIsDenoised_) showFrom_ = 2 * samples;
-    return showPicture();
+    const Clock::time_point start = Clock::now();
+    MACULA_TRY_VOID(traced_->beginFull(input_));
+    MACULA_TRY(const TracedPictures::Progress progress, traced_->traceFull(input_, keepGoing));
+    const Clock::time_point now = Clock::now();
+    course_.spent(Step::trace, millisecondsBetween(start, now));
+    if (!progress.isNews) return {};
+    course_.traced(now, progress.isLast);
+    return course_.onScreen() == OnScreen::fading ? Result<void>() : showTraced();
 }
 
-bool FrameRenderer::hasNoise() const {
-    return trace::isPathTraced(input_.drawing.settings.look);
-}
-
-bool FrameRenderer::mayDenoise() const {
-    return std::int64_t(view_.width) * view_.height < pixelsRefused_ && hasNoise();
-}
-
-std::uint64_t FrameRenderer::sampleLimit() const {
-    return hasNoise() ? input_.sampleLimit : std::min<std::uint64_t>(input_.sampleLimit, kCastSampleLimit);
-}
-
-// The picture of the samples so far, on the device. What is too large for the filter is shown without.
-Result<const gpu::Image*> FrameRenderer::develop() {
-    const auto smoothing = stage_ == Stage::moving && hasNoise() && !mayDenoise() ? kPlainMotionSmoothing
-                                                                                  : trace::Smoothing::none;
-    auto picture = tracer_->display(input_.background, smoothing);
-    if (picture.ok() || picture.error().code != ErrorCode::outOfMemory || !mayDenoise()) return picture;
-    log::warning("There is no room on the device to denoise a picture of this size.");
-    pixelsRefused_ = std::int64_t(view_.width) * view_.height;
-    stillIsDenoised_ = false;
-    MACULA_TRY_VOID(applySettings(denoised(*applied_.settings, false)));
-    return tracer_->display(input_.background, smoothing);
-}
-
-Result<void> FrameRenderer::showPicture() {
-    MACULA_TRY(const gpu::Image* picture, develop());
+Result<void> FrameRenderer::showTraced() {
+    MACULA_TRY(const gpu::Image* picture, traced_->display(input_.background));
+    course_.showedTraced();
     return show(*picture);
+}
+
+Result<void> FrameRenderer::fade() {
+    const Clock::time_point now = Clock::now();
+    MACULA_TRY(const gpu::Image* picture,
+               composed(splats_, splats_ == nullptr ? 1.0f : static_cast<float>(course_.tracedShare(now))));
+    course_.faded(now);
+    MACULA_TRY_VOID(show(*picture));
+    return device_->waitForAll();
+}
+
+// A slice.
+Result<void> FrameRenderer::workOnModel(const std::function<bool()>& keepGoing) {
+    try {
+        return model_->work(kSliceMs, keepGoing);
+    } catch (const std::bad_alloc&) {
+        if (device_->lost()) throw;
+        return Error{ErrorCode::outOfMemory, "There is not enough memory for it.", {}, {}};
+    }
+}
+
+Result<void> FrameRenderer::search(const Interrupts& interrupts) {
+    const auto keepGoing = [&] { return !interrupts.newInput() && !interrupts.stopping(); };
+    course_.searched();
+    if (const Result<void> done = workOnModel(keepGoing); !done) return withoutModel(done.error());
+    tellOfModel();
+    return {};
+}
+
+Result<void> FrameRenderer::learn(const Interrupts& interrupts) {
+    const auto keepGoing = [&] { return !interrupts.newInput() && !interrupts.stopping(); };
+    const Clock::time_point start = Clock::now();
+    const Result<void> done = workOnModel(keepGoing);
+    course_.spent(Step::learn, millisecondsBetween(start, Clock::now()));
+    if (!done) return withoutModel(done.error());
+    tellOfModel();
+    return {};
+}
+
+// What is on screen, with another background.
+Result<void> FrameRenderer::showAgain() {
+    if (course_.onScreen() == OnScreen::nothing) return {};
+    if (course_.onScreen() != OnScreen::model && course_.onScreen() != OnScreen::fading) {
+        MACULA_TRY(const gpu::Image* picture, traced_->display(input_.background));
+        return show(*picture);
+    }
+    if (splats_ == nullptr) {
+        restart_ = true;
+        return {};
+    }
+    const bool isModel = course_.onScreen() == OnScreen::model;
+    MACULA_TRY(const gpu::Image* picture,
+               composed(splats_, isModel ? 0.0f : static_cast<float>(course_.tracedShare(Clock::now()))));
+    return show(*picture);
+}
+
+Result<const gpu::Image*> FrameRenderer::composed(const splat::DevicePicture* splats, float tracedShare) {
+    hybrid::Layers layers{
+        .splats = splats, .sizePx = {input_.width, input_.height}, .tracedShare = tracedShare};
+    if (model_) layers.splatGain = static_cast<float>(model_->gain());
+    trace::TracedLight light;
+    if (tracedShare > 0.0f) {
+        MACULA_TRY(light, traced_->light());
+        layers.traced = &light;
+    }
+    return compositor_->compose(
+        layers, {.background = input_.background, .exposure = float(input_.drawing.settings.exposure)});
 }
 
 Result<void> FrameRenderer::show(const gpu::Image& picture) {
     MACULA_TRY(const bool visible, presenter_->show(picture));
     const Clock::time_point now = Clock::now();
+    const OnScreen kind = course_.onScreen();
+    // The rate is that of what is shown now.
+    if (std::exchange(shownKind_, kind) != kind) shown_.clear();
     if (visible) shown_.push_back(now);
     while (!shown_.empty() && now - shown_.front() > kRateWindow) shown_.pop_front();
-    MACULA_TRY(const trace::Statistics statistics, tracer_->statistics());
-    const FrameShown frame{.inputSequence = input_.sequence,
-                           .study = input_.study,
-                           .letters = input_.letters,
-                           .stage = stage_,
-                           .width = view_.width,
-                           .height = view_.height,
-                           .scale = scale_,
-                           .samplesPerPixel = static_cast<std::uint64_t>(statistics.meanSamplesPerPixel),
-                           .sampleLimit = sampleLimit(),
-                           .denoised = statistics.denoised,
-                           .look = input_.drawing.settings.look,
-                           .remarks = input_.drawing.remarks,
-                           .framesPerSecond = framesPerSecond(),
-                           .latencyMs = millisecondsBetween(input_.published, now),
-                           .samplesLeftOut = statistics.nonFiniteSamples + statistics.abandonedSamples,
-                           .messages = statistics.messages};
+    FrameShown frame{.inputSequence = input_.sequence,
+                     .study = input_.study,
+                     .letters = input_.letters,
+                     .picture = kind,
+                     .width = input_.width,
+                     .height = input_.height,
+                     .sampleLimit = TracedPictures::sampleLimit(input_),
+                     .look = input_.drawing.settings.look,
+                     .remarks = input_.drawing.remarks,
+                     .framesPerSecond = framesPerSecond(),
+                     .latencyMs = millisecondsBetween(input_.published, now)};
+    if (model_) frame.model = model_->news();
+    frame.greyFacesAreCoarse = kind == OnScreen::model && input_.drawing.clip &&
+                               input_.drawing.clip->hasShape() && input_.drawing.clip->greyFaces;
+    const bool isTraced = kind == OnScreen::traced || kind == OnScreen::fading;
+    if (isTraced) frame.stage = course_.hasConverged() ? Stage::converged : Stage::converging;
+    if (isTraced || kind == OnScreen::preview) {
+        MACULA_TRY(const trace::Statistics statistics, traced_->statistics());
+        frame.width = traced_->width();
+        frame.height = traced_->height();
+        frame.scale = traced_->scale();
+        frame.samplesPerPixel = static_cast<std::uint64_t>(statistics.meanSamplesPerPixel);
+        frame.denoised = statistics.denoised;
+        frame.samplesLeftOut = statistics.nonFiniteSamples + statistics.abandonedSamples;
+    }
+    frame.messages = traced_->tracer().messages();
     // The presenter has kept a picture that could not be shown now, and shows it when the window comes back.
     unreported_ = visible ? std::nullopt : std::optional(frame);
     if (visible) listener_(frame);
     return {};
+}
+
+// Not oftener than somebody reads it.
+void FrameRenderer::tellOfModel() {
+    const hybrid::ModelNews news = model_ ? model_->news() : hybrid::ModelNews{};
+    const Clock::time_point now = Clock::now();
+    if (news == modelTold_ || (news.stage == modelTold_.stage && now - modelToldAt_ < kModelToldEvery))
+        return;
+    modelTold_ = news;
+    modelToldAt_ = now;
+    listener_(ModelChanged{input_.study, news});
 }
 
 double FrameRenderer::framesPerSecond() const {
@@ -435,6 +506,7 @@ void FrameRenderer::handle(Error error) {
     }
     halted_ = true;
     clear_ = true;
+    if (traced_) traced_->sceneChanged();  // nobody knows what its film holds
     try {
         const Result<void> cleared = presenter_ ? clearWindow() : Result<void>{};
         if (!cleared) log::warning("{}", cleared.error().message);
@@ -446,7 +518,11 @@ void FrameRenderer::handle(Error error) {
 
 void FrameRenderer::dropDevice() {
     releaseSurface();
-    tracer_.reset();
+    if (model_) model_->save();
+    splats_ = nullptr;
+    model_.reset();
+    compositor_.reset();
+    traced_.reset();
     device_.reset();
     applied_ = {};
 }

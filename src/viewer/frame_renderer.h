@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <deque>
 #include <functional>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -13,11 +12,14 @@
 #include "pipeline/gpu/device.h"
 #include "pipeline/gpu/instance.h"
 #include "pipeline/gpu/recovery.h"
-#include "pipeline/trace/path_tracer.h"
+#include "pipeline/hybrid/compositor.h"
+#include "pipeline/hybrid/live_model.h"
 #include "viewer/frame_input.h"
-#include "viewer/motion_scale.h"
+#include "viewer/picture_course.h"
 #include "viewer/presenter.h"
 #include "viewer/render_events.h"
+#include "viewer/scene_names.h"
+#include "viewer/traced_pictures.h"
 
 namespace macula::viewer {
 
@@ -30,10 +32,9 @@ struct Interrupts {
 // Owns the device and all that is on it. A device that is lost is replaced, and the picture made anew from
 // the input; who listens is told, and when it is lost again and again it is left at that.
 //
-// A picture has up to three stages: while something moves, a smaller picture of one denoised sample per pixel
-// that always gets finished, or the view would never follow a steady hand; then all pixels, given up at once
-// when a new input comes; then rest, when all samples are there. The smaller picture stays on screen until
-// the full one is better.
+// What comes next is decided by PictureCourse; this does it. Small pictures and those of the model always get
+// finished, or the view would never follow a steady hand; all else is given up at once when a new input
+// comes.
 //
 // Used by one thread, the render thread.
 class FrameRenderer {
@@ -55,24 +56,29 @@ class FrameRenderer {
 
   private:
     using Clock = std::chrono::steady_clock;
-    static constexpr std::int64_t kNoneRefused = std::numeric_limits<std::int64_t>::max();
 
     Result<void> tryStep(const Interrupts& interrupts);
     Result<void> ensureDevice();
     Result<void> ensurePresenter();
     Result<void> clearWindow();
     Result<bool> applyScene(const Interrupts& interrupts);  // whether all of it is there
-    Result<void> applySettings(const trace::Settings& settings);
-    Result<void> startMoving();
-    Result<void> startConverging();
-    Result<void> stepMoving(const Interrupts& interrupts);
-    Result<void> stepConverging(const Interrupts& interrupts);
-    bool hasNoise() const;
-    bool mayDenoise() const;  // the picture of view_
-    std::uint64_t sampleLimit() const;
-    Result<const gpu::Image*> develop();
+    Result<void> applyModel();
+    Result<void> withoutModel(const Error& error);
+    bool isComplete() const;  // the input says all that a picture needs
+    void tellCourse();
+    Result<void> take(Step step, const Interrupts& interrupts);
+    Result<void> showModel();
+    Result<void> showPreview(const Interrupts& interrupts);
+    Result<void> trace(const Interrupts& interrupts);
+    Result<void> showTraced();
+    Result<void> fade();
+    Result<void> search(const Interrupts& interrupts);
+    Result<void> workOnModel(const std::function<bool()>& keepGoing);
+    Result<void> learn(const Interrupts& interrupts);
+    Result<void> showAgain();
+    Result<const gpu::Image*> composed(const splat::DevicePicture* splats, float tracedShare);
     Result<void> show(const gpu::Image& picture);
-    Result<void> showPicture();
+    void tellOfModel();
     void handle(Error error);
     void dropDevice();
     double framesPerSecond() const;
@@ -83,7 +89,14 @@ class FrameRenderer {
 
     std::shared_ptr<gpu::Device> device_;
     std::optional<Presenter> presenter_;
-    std::optional<trace::PathTracer> tracer_;
+    std::optional<TracedPictures> traced_;
+    std::optional<hybrid::LiveModel> model_;
+    std::optional<hybrid::Compositor> compositor_;
+    // Of this volume; outlives the device.
+    std::shared_ptr<hybrid::ModelShelf> shelf_;
+    SceneNames sceneNames_;
+    std::string modelKey_;                          // of the picture that is wanted; empty: it has no model
+    const splat::DevicePicture* splats_ = nullptr;  // of the picture that is wanted
 
     FrameInput input_;
     // What the device has by now; compared with the input to find what to bring there.
@@ -92,30 +105,20 @@ class FrameRenderer {
         std::shared_ptr<const TransferFunction> transferFunction;
         std::shared_ptr<const trace::LightRig> lights;
         std::optional<std::shared_ptr<const Clip>> clip;  // none: nobody knows which
-        std::optional<trace::Settings> settings;
         VkExtent2D window{};
         std::uint64_t exposures = 0;
     } applied_;
 
-    Stage stage_ = Stage::converged;
+    PictureCourse course_;
     bool restart_ = false;    // the picture must begin anew
     bool redisplay_ = false;  // the picture is right, but not what is on screen
     bool clear_ = false;      // what is on screen belongs to another study
     bool halted_ = false;     // after a failure, until something changes
     bool givenUp_ = false;    // halted, as the device was lost too often: another size changes nothing
-    int scale_ = 1;
-    trace::View view_;
-    std::optional<MotionScale> motionScale_;
-    int warmWidth_ = 0;  // of the picture in motion before
-    // A picture of so many was too large to denoise for the room there was.
-    std::int64_t pixelsRefused_ = kNoneRefused;
-    double filterNsPerPixel_ = 0.0;  // what that took lately, guides included
-    bool stillIsDenoised_ = false;
-    std::uint64_t showFrom_ = 0;  // samples: the full picture is not shown with fewer
-    Clock::time_point movingSince_{};
-    std::uint64_t movingSamples_ = 0;
-    std::uint32_t motionFrame_ = 0;
-    std::deque<Clock::time_point> shown_;
+    std::deque<Clock::time_point> shown_;  // of one kind of pictures
+    OnScreen shownKind_ = OnScreen::nothing;
+    hybrid::ModelNews modelTold_;
+    Clock::time_point modelToldAt_{};
     gpu::LossCount losses_;
     std::optional<FrameShown> unreported_;  // of the picture that the presenter keeps, while nobody sees it
 };

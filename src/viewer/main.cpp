@@ -6,8 +6,10 @@
 #include <QSettings>
 #include <cstdio>
 #include <optional>
+#include <type_traits>
 #include <utility>
 
+#include "viewer/changes_script.h"
 #include "viewer/command_line.h"
 #include "viewer/display_check.h"
 #include "viewer/exit_codes.h"
@@ -37,6 +39,7 @@ Result<MainWindowOptions> windowOptions(const CommandLine& line) {
     options.firstView = line.view;
     if (line.size) options.pictureSize = *line.size;
     options.sampleLimit = line.samples;
+    options.usesModel = line.usesModel;
     return options;
 }
 
@@ -47,7 +50,7 @@ int run(QApplication& application, const CommandLine& line) {
     if (!instance) {
         const int code = fail(instance.error());
         // Started from a desktop, nobody sees the standard error stream.
-        if (!line.scriptedOrbit) {
+        if (line.script == CommandLine::Script::none) {
             QMessageBox::critical(
                 nullptr, QStringLiteral("Macula"),
                 QString::fromStdString(instance.error().message + " " + instance.error().hint));
@@ -55,16 +58,27 @@ int run(QApplication& application, const CommandLine& line) {
         return code;
     }
     MainWindow window(*std::move(instance), *std::move(options));
-    std::optional<OrbitScript> script;
-    if (line.scriptedOrbit) {
-        script.emplace(window,
-                       OrbitScriptOptions{.screenshotFolder = line.screenshots, .seconds = line.seconds});
-        QObject::connect(&*script, &OrbitScript::finished, &application,
+    const StudySource source = line.folder ? StudySource(line.folder->toStdString()) : StudySource();
+    std::optional<OrbitScript> orbit;
+    std::optional<ChangesScript> changes;
+    const auto begin = [&](auto& script) {
+        using Script = std::decay_t<decltype(*script)>;
+        QObject::connect(&*script, &Script::finished, &application,
                          [](int code) { QCoreApplication::exit(code); });
         script->start();
+    };
+    if (line.script == CommandLine::Script::orbit) {
+        orbit.emplace(window, OrbitScriptOptions{.screenshotFolder = line.screenshots,
+                                                 .waitSeconds = line.waitSeconds,
+                                                 .seconds = line.seconds,
+                                                 .restSeconds = line.restSeconds});
+        begin(orbit);
+    } else if (line.script == CommandLine::Script::changes) {
+        changes.emplace(window, ChangesScriptOptions{.study = source, .seconds = line.seconds});
+        begin(changes);
     }
     window.show();
-    window.open(line.folder ? StudySource(line.folder->toStdString()) : StudySource());
+    window.open(source);
     return application.exec();
 }
 

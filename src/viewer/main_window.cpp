@@ -47,6 +47,51 @@ QString lookText(trace::Look look) {
     return asText(trace::kLooks.at(std::size_t(look)).title);
 }
 
+// What is on screen, how it was made, and how far it has come.
+QString fidelityText(const FrameShown& frame) {
+    const auto tr = [](const char* text) { return QApplication::translate("Fidelity", text); };
+    const QString remarks =
+        frame.remarks.empty() ? QString() : QStringLiteral(", ") + QString::fromStdString(frame.remarks);
+    if (frame.picture == OnScreen::model) {
+        return tr("Peripheral model, %L1 splats, %L2 steps").arg(frame.model.splats).arg(frame.model.steps) +
+               remarks + (frame.greyFacesAreCoarse ? tr(", values on cut faces only coarsely") : QString());
+    }
+    QString text = lookText(frame.look) + remarks;
+    if (frame.picture == OnScreen::preview) {
+        text += tr(", preview");
+        if (trace::isPathTraced(frame.look)) text += frame.denoised ? tr(", denoised") : tr(", smoothed");
+        if (frame.scale > 1) text += tr(", 1/%1 of the pixels each way").arg(frame.scale);
+        return text;
+    }
+    const bool isComplete = frame.stage == Stage::converged;
+    text += isComplete ? tr(", %1 samples").arg(frame.samplesPerPixel)
+                       : tr(", %1 of %2 samples").arg(frame.samplesPerPixel).arg(frame.sampleLimit);
+    if (frame.denoised) text += tr(", denoised");
+    return text + (isComplete ? tr(", complete") : tr(", converging"));
+}
+
+// What the peripheral model is doing.
+QString modelText(const hybrid::ModelNews& model) {
+    using hybrid::ModelStage;
+    const auto tr = [](const char* text) { return QApplication::translate("Model", text); };
+    switch (model.stage) {
+        case ModelStage::none:
+        case ModelStage::nothingToSee:
+            return {};
+        case ModelStage::searching:
+            return tr("Finding points of the peripheral model");
+        case ModelStage::learning:
+            return tr("Model learning, %1 steps").arg(model.steps);
+        case ModelStage::resting:
+            return tr("Model complete, %1 steps").arg(model.steps);
+        case ModelStage::noRoom:
+            return tr("No memory for a model");
+        case ModelStage::failed:
+            return tr("No model");
+    }
+    return {};
+}
+
 QString titleOr(const std::string& title, const std::string& name) {
     return QString::fromStdString(title.empty() ? name : title);
 }
@@ -98,6 +143,7 @@ MainWindow::MainWindow(gpu::Instance instance, MainWindowOptions options)
             [this](const QString& path) { open(path.toStdString()); });
     connect(viewport_, &Viewport::keyNotHandled, this, &MainWindow::triggerShortcut);
     viewport_->setSampleLimit(options_.sampleLimit);
+    viewport_->setUsesModel(options_.usesModel);
     redraw();
     viewport_->setPictureSizeHint(options_.pictureSize);
     resize(sizeHint());
@@ -216,7 +262,9 @@ void MainWindow::makeToolBar() {
 
 void MainWindow::makeStatusBar() {
     fidelity_ = new ElidingLabel(tr("How true the picture is"));
-    pictureText_ = new ElidingLabel(tr("Traced pixels, pictures per second"));
+    modelText_ = new ElidingLabel(
+        tr("The peripheral model: splats that are shown with all pixels while a hand moves"));
+    pictureText_ = new ElidingLabel(tr("Pixels, pictures per second"));
     volumeText_ = new ElidingLabel(tr("Voxels and their size"));
     deviceText_ = new ElidingLabel(tr("Device"));
     // How far the picture can be trusted is the last thing to be cut short.
@@ -224,6 +272,7 @@ void MainWindow::makeStatusBar() {
     statusBar()->addWidget(loading_);
     statusBar()->addWidget(searching_);
     statusBar()->addWidget(fidelity_, 1);
+    statusBar()->addPermanentWidget(modelText_);
     statusBar()->addPermanentWidget(pictureText_);
     statusBar()->addPermanentWidget(volumeText_);
     statusBar()->addPermanentWidget(deviceText_);
@@ -412,6 +461,7 @@ void MainWindow::clearStudyTexts() {
     description_->setFullText({});
     description_->setStatusTip({});
     pictureText_->setFullText({});
+    modelText_->setFullText({});
 }
 
 void MainWindow::onRendered(const RenderEvent& event) {
@@ -427,6 +477,8 @@ void MainWindow::onRendered(const RenderEvent& event) {
                "anew. If this comes back, update the graphics driver.");
         deviceIsBack_ = false;
         showNotes();
+    } else if (const auto* changed = std::get_if<ModelChanged>(&event)) {
+        if (changed->study == viewport_->study()) onModel(changed->model);
     } else if (const auto* preparing = std::get_if<Preparing>(&event)) {
         fidelity_->setFullText(QString::fromStdString(preparing->what) + QStringLiteral("…"));
     } else if (const auto* failure = std::get_if<RenderFailure>(&event)) {
@@ -441,27 +493,21 @@ void MainWindow::onRendered(const RenderEvent& event) {
     }
 }
 
+void MainWindow::onModel(const hybrid::ModelNews& model) {
+    QString why;
+    if (model.stage == hybrid::ModelStage::noRoom)
+        why =
+            tr("The graphics device has no room for it beside the volume: while a hand moves, small traced "
+               "pictures are shown.");
+    if (model.stage == hybrid::ModelStage::failed)
+        why =
+            tr("It could not be made on this graphics device: while a hand moves, small traced pictures are "
+               "shown.");
+    modelText_->setFullText(modelText(model), why);
+}
+
 void MainWindow::onFrame(const FrameShown& frame) {
-    QString text = lookText(frame.look);
-    if (!frame.remarks.empty()) text += QStringLiteral(", ") + QString::fromStdString(frame.remarks);
-    if (frame.stage == Stage::converging) {
-        text += tr(", %1 of %2 samples").arg(frame.samplesPerPixel).arg(frame.sampleLimit);
-    } else if (frame.stage == Stage::converged) {
-        text += tr(", %1 samples").arg(frame.samplesPerPixel);
-    }
-    switch (frame.stage) {
-        case Stage::moving:
-            text += tr(", preview");
-            if (trace::isPathTraced(frame.look)) text += frame.denoised ? tr(", denoised") : tr(", smoothed");
-            if (frame.scale > 1) text += tr(", 1/%1 of the pixels each way").arg(frame.scale);
-            break;
-        case Stage::converging:
-            text += (frame.denoised ? tr(", denoised") : QString()) + tr(", converging");
-            break;
-        case Stage::converged:
-            text += (frame.denoised ? tr(", denoised") : QString()) + tr(", complete");
-            break;
-    }
+    QString text = fidelityText(frame);
     if (frame.samplesLeftOut > 0) text += tr(", %1 samples left out").arg(frame.samplesLeftOut);
     QStringList about;
     for (const Message& message : frame.messages)
@@ -479,8 +525,10 @@ void MainWindow::onFrame(const FrameShown& frame) {
         if (notes_->isVisible()) showNotes();  // else it was read and dismissed
     }
     fidelity_->setFullText(text);
-    pictureText_->setFullText(
-        tr("%1×%2, %3/s").arg(frame.width).arg(frame.height).arg(frame.framesPerSecond, 0, 'f', 1));
+    onModel(frame.model);
+    QString pictureText = QStringLiteral("%1×%2").arg(frame.width).arg(frame.height);
+    if (frame.framesPerSecond > 0.0) pictureText += tr(", %1/s").arg(frame.framesPerSecond, 0, 'f', 1);
+    pictureText_->setFullText(pictureText);
     setStudyTexts(study_);
     emit frameShown(frame);
 }

@@ -27,6 +27,7 @@ struct MainWindowOptions {
     ViewDirection firstView = ViewDirection::anterior;
     QSize pictureSize{960, 720};
     std::uint32_t sampleLimit = 512;
+    bool usesModel = true;  // of splats, while a hand moves
 };
 
 // Menus, choices, the viewport, and what is known about the picture in it. Nothing here waits: folders are
@@ -51,6 +52,7 @@ class MainWindow : public QMainWindow {
     QString notes() const { return notes_->isVisible() ? notes_->text() : QString(); }
     QString description() const { return description_->fullText(); }  // of the study on screen
     QString fidelity() const { return fidelity_->fullText(); }        // how true the picture is
+    QString modelState() const { return modelText_->fullText(); }     // what the peripheral model is doing
     bool hasStudy() const { return study_.volume != nullptr; }
     bool hidesSomething() const { return clip_ != nullptr; }
 
@@ -80,6 +82,7 @@ class MainWindow : public QMainWindow {
     void askForFolder();
     void onRendered(const RenderEvent& event);
     void onFrame(const FrameShown& frame);
+    void onModel(const hybrid::ModelNews& model);
     void setStudyTexts(const LoadedStudy& study);
     void clearStudyTexts();
     void showNotes();
@@ -112,6 +115,7 @@ class MainWindow : public QMainWindow {
     ElidingLabel* description_ = nullptr;
     ElidingLabel* fidelity_ = nullptr;
     ElidingLabel* volumeText_ = nullptr;
+    ElidingLabel* modelText_ = nullptr;
     ElidingLabel* pictureText_ = nullptr;
     ElidingLabel* deviceText_ = nullptr;
 };

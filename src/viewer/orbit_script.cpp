@@ -33,6 +33,8 @@ constexpr double kSwaySeconds = 4;
 constexpr std::size_t kFollowedAtLeast = 3;
 // Of the orbit, when pictures in motion are taken.
 constexpr double kMotionShots[] = {0.2, 0.5, 0.8};
+// After it.
+constexpr double kRestShotsS[] = {0.5, 2.0, 10.0};
 
 std::atomic<int> failedScreenshots{0};
 
@@ -52,6 +54,7 @@ OrbitScript::OrbitScript(MainWindow& window, OrbitScriptOptions options, QObject
     deadline_.setSingleShot(true);
     deadline_.setInterval(int(options_.timeoutSeconds * 1000));
     connect(&deadline_, &QTimer::timeout, this, [this] {
+        if (phase_ == Phase::resting && firstTracedMs_ >= 0.0) return endRest();
         std::fprintf(
             stderr, "%s within %.0f s.\n",
             phase_ == Phase::orbiting ? "The picture did not follow the hand" : "No finished picture",
@@ -75,31 +78,62 @@ void OrbitScript::start() {
 void OrbitScript::onFrame(const FrameShown& frame) {
     switch (phase_) {
         case Phase::waiting:
-            if (frame.stage != Stage::moving) beginOrbit();
+            if (frame.stage == Stage::moving) break;
+            phase_ = Phase::learning;
+            QTimer::singleShot(int(options_.waitSeconds * 1000), this, &OrbitScript::beginOrbit);
             break;
         case Phase::orbiting:
-            // The same view shown once more is not following.
-            if (frame.inputSequence == lastSequence_) break;
-            lastSequence_ = frame.inputSequence;
-            shownAtMs_.push_back(double(orbiting_.nsecsElapsed()) / 1e6);
-            latenciesMs_.push_back(frame.latencyMs);
-            scales_.push_back(frame.scale);
-            if (frame.denoised) ++denoised_;
+            onFrameInMotion(frame);
             break;
-        case Phase::converging:
-            if (frame.stage != Stage::converged) break;
-            samplesAtEnd_ = frame.samplesPerPixel;
-            phase_ = Phase::reporting;
-            // The labels of the window are painted after this event.
-            QTimer::singleShot(kPaintedAfterMs, this, [this] {
-                takeScreenshot(QStringLiteral("converged.png"));
-                report();
-            });
+        case Phase::resting:
+            onFrameAtRest(frame);
             break;
+        case Phase::learning:
         case Phase::reporting:
         case Phase::done:
             break;
     }
+}
+
+void OrbitScript::onFrameInMotion(const FrameShown& frame) {
+    // The same view shown once more is not following.
+    if (frame.inputSequence == lastSequence_) return;
+    lastSequence_ = frame.inputSequence;
+    followed_.push_back({.atMs = double(orbiting_.nsecsElapsed()) / 1e6,
+                         .latencyMs = frame.latencyMs,
+                         .picture = frame.picture,
+                         .width = frame.width,
+                         .height = frame.height,
+                         .scale = frame.scale,
+                         .denoised = frame.denoised});
+    modelInMotion_ = frame.model;
+}
+
+void OrbitScript::onFrameAtRest(const FrameShown& frame) {
+    const double now = double(resting_.nsecsElapsed()) / 1e6;
+    if (atRest_ == OnScreen::preview) longestPreviewMs_ = std::max(longestPreviewMs_, now - atRestSinceMs_);
+    if (frame.picture != atRest_) {
+        atRest_ = frame.picture;
+        atRestSinceMs_ = now;
+    }
+    const bool isTraced = frame.picture == OnScreen::fading || frame.picture == OnScreen::traced;
+    const bool isSmooth = frame.denoised || !trace::isPathTraced(frame.look);
+    if (firstTracedMs_ < 0.0 && isTraced && (isSmooth || frame.stage == Stage::converged))
+        firstTracedMs_ = now;
+    if (isTraced) samplesAtEnd_ = frame.samplesPerPixel;
+    hasConverged_ = frame.stage == Stage::converged;
+    // Later pictures at rest are taken by time.
+    if (hasConverged_ && now > kRestShotsS[std::size(kRestShotsS) - 1] * 1000.0) endRest();
+}
+
+void OrbitScript::endRest() {
+    if (phase_ != Phase::resting) return;
+    phase_ = Phase::reporting;
+    // The labels of the window are painted after this event.
+    QTimer::singleShot(kPaintedAfterMs, this, [this] {
+        takeScreenshot(hasConverged_ ? QStringLiteral("converged.png") : QStringLiteral("rest-end.png"));
+        report();
+    });
 }
 
 void OrbitScript::beginOrbit() {
@@ -113,7 +147,7 @@ void OrbitScript::beginOrbit() {
 
 void OrbitScript::moveHand() {
     const double seconds = double(orbiting_.nsecsElapsed()) / 1e9;
-    if (seconds >= options_.seconds && shownAtMs_.size() >= kFollowedAtLeast) return endOrbit();
+    if (seconds >= options_.seconds && followed_.size() >= kFollowedAtLeast) return endOrbit();
     const double sway = kSwayPixels * std::sin(2.0 * std::numbers::pi * seconds / kSwaySeconds);
     sendMouse(QEvent::MouseMove, grip_ + QPointF(kHandPixelsPerSecond * seconds, sway), Qt::NoButton,
               Qt::LeftButton);
@@ -127,7 +161,20 @@ void OrbitScript::endOrbit() {
     hand_.stop();
     orbitedSeconds_ = double(orbiting_.nsecsElapsed()) / 1e9;
     sendMouse(QEvent::MouseButtonRelease, grip_, Qt::LeftButton, Qt::NoButton);
-    phase_ = Phase::converging;
+    phase_ = Phase::resting;
+    resting_.start();
+    // What is on screen now is of the hand's last views.
+    if (!followed_.empty()) atRest_ = followed_.back().picture;
+    for (const double seconds : kRestShotsS) {
+        QTimer::singleShot(int(seconds * 1000), this, [this, seconds] {
+            if (phase_ == Phase::resting) takeScreenshot(QStringLiteral("rest-%1.png").arg(seconds));
+        });
+    }
+    // A picture that has converged by then shows nothing new.
+    QTimer::singleShot(int(kRestShotsS[std::size(kRestShotsS) - 1] * 1000) + kPaintedAfterMs, this, [this] {
+        if (hasConverged_) endRest();
+    });
+    deadline_.start(int(options_.restSeconds * 1000));
 }
 
 void OrbitScript::sendMouse(QEvent::Type type, QPointF position, Qt::MouseButton button,
@@ -153,29 +200,51 @@ void OrbitScript::report() {
     QThreadPool::globalInstance()->waitForDone();
     double longestGapMs = 0.0;
     double last = 0.0;
-    for (const double at : shownAtMs_) {
-        longestGapMs = std::max(longestGapMs, at - last);
-        last = at;
+    int finest = 0;
+    int coarsest = 0;
+    int denoised = 0;
+    int ofModel = 0;
+    std::vector<double> latenciesMs;
+    QJsonArray frames;
+    for (const Followed& frame : followed_) {
+        longestGapMs = std::max(longestGapMs, frame.atMs - last);
+        last = frame.atMs;
+        finest = finest == 0 ? frame.scale : std::min(finest, frame.scale);
+        coarsest = std::max(coarsest, frame.scale);
+        if (frame.denoised) ++denoised;
+        if (frame.picture == OnScreen::model) ++ofModel;
+        latenciesMs.push_back(frame.latencyMs);
+        frames.append(QJsonObject{{"atMs", std::round(frame.atMs)},
+                                  {"picture", QString::fromUtf8(nameOf(frame.picture).data())},
+                                  {"width", frame.width},
+                                  {"height", frame.height},
+                                  {"latencyMs", std::round(10.0 * frame.latencyMs) / 10.0}});
     }
     const QSize size = window_.viewport().pictureSize();
-    const auto [finest, coarsest] = std::minmax_element(scales_.begin(), scales_.end());
     const QJsonObject json{
         {"device", device_},
         {"width", size.width()},
         {"height", size.height()},
         {"orbitSeconds", orbitedSeconds_},
-        {"orbitFrames", qint64(shownAtMs_.size())},
-        {"orbitFramesPerSecond", double(shownAtMs_.size()) / std::max(orbitedSeconds_, 1e-9)},
+        {"orbitFrames", qint64(followed_.size())},
+        {"orbitFramesPerSecond", double(followed_.size()) / std::max(orbitedSeconds_, 1e-9)},
+        {"orbitModelFrames", ofModel},
         {"orbitLongestGapMs", longestGapMs},
-        {"orbitLatencyMedianMs", percentile(latenciesMs_, 0.5)},
-        {"orbitLatency95thMs", percentile(latenciesMs_, 0.95)},
-        {"orbitScaleFinest", scales_.empty() ? 0 : *finest},
-        {"orbitScaleCoarsest", scales_.empty() ? 0 : *coarsest},
-        {"orbitDenoisedFrames", denoised_},
+        {"orbitLatencyMedianMs", percentile(latenciesMs, 0.5)},
+        {"orbitLatency95thMs", percentile(latenciesMs, 0.95)},
+        {"orbitScaleFinest", finest},
+        {"orbitScaleCoarsest", coarsest},
+        {"orbitDenoisedFrames", denoised},
+        {"modelSplats", qint64(modelInMotion_.splats)},
+        {"modelSteps", qint64(modelInMotion_.steps)},
+        {"restFirstTracedMs", firstTracedMs_},
+        {"restLongestPreviewMs", longestPreviewMs_},
+        {"converged", hasConverged_},
         {"longestUiStallMs", heartbeat_.longestStallMs()},
         {"uiBeats", qint64(heartbeat_.beats())},
         {"samplesPerPixel", qint64(samplesAtEnd_)},
         {"screenshots", QJsonArray::fromStringList(screenshots_)},
+        {"frames", frames},
     };
     std::fputs(QJsonDocument(json).toJson(QJsonDocument::Indented).constData(), stdout);
     std::fflush(stdout);

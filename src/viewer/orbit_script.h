@@ -15,15 +15,19 @@
 namespace macula::viewer {
 
 struct OrbitScriptOptions {
-    QString screenshotFolder;  // empty: none are taken
-    double seconds = 8.0;      // of orbiting; longer where the picture has hardly followed by then
+    QString screenshotFolder;    // empty: none are taken
+    double waitSeconds = 0.0;    // before it: the model learns
+    double seconds = 8.0;        // of orbiting; longer where the picture has hardly followed by then
+    double restSeconds = 300.0;  // after it, at most
     double timeoutSeconds = 300.0;
 };
 
-// Begins when the first full picture of the study is there, ends when the picture has converged. The drag
-// goes through the event system into the native window, as that of a mouse does. At the end a JSON object
-// goes to standard output, and `finished` carries the exit code: 0; 3 when the study could not be opened; 4
-// when the device could not be used; 1 when no picture came in time or a screenshot could not be written.
+// Begins some time after the first full picture of the study is there, ends when the picture has converged or
+// the time for that is over. The drag goes through the event system into the native window, as that of a
+// mouse does. At the end a JSON object goes to standard output: what followed the hand, each picture in
+// motion (what it was, its size, when it was on screen and how long after the input), and how soon it was
+// sharp again. `finished` carries the exit code: 0; 3 when the study could not be opened; 4 when the device
+// could not be used; 1 when no picture came in time or a screenshot could not be written.
 class OrbitScript : public QObject {
     Q_OBJECT
 
@@ -36,12 +40,15 @@ class OrbitScript : public QObject {
     void finished(int exitCode);
 
   private:
-    enum class Phase { waiting, orbiting, converging, reporting, done };
+    enum class Phase { waiting, learning, orbiting, resting, reporting, done };
 
     void onFrame(const FrameShown& frame);
+    void onFrameInMotion(const FrameShown& frame);
+    void onFrameAtRest(const FrameShown& frame);
     void beginOrbit();
     void moveHand();
     void endOrbit();
+    void endRest();
     void takeScreenshot(const QString& name);
     void report();
     void fail(const Error& error);
@@ -58,10 +65,23 @@ class OrbitScript : public QObject {
     QPointF grip_;
     double orbitedSeconds_ = 0.0;
 
-    std::vector<double> shownAtMs_;  // since the orbit began
-    std::vector<double> latenciesMs_;
-    std::vector<int> scales_;
-    int denoised_ = 0;  // of the pictures in motion
+    struct Followed {
+        double atMs = 0.0;  // since the orbit began
+        double latencyMs = 0.0;
+        OnScreen picture = OnScreen::nothing;
+        int width = 0;
+        int height = 0;
+        int scale = 1;
+        bool denoised = false;
+    };
+    std::vector<Followed> followed_;
+    QElapsedTimer resting_;
+    OnScreen atRest_ = OnScreen::nothing;  // on screen since
+    double atRestSinceMs_ = 0.0;
+    double longestPreviewMs_ = 0.0;  // a small picture, after the hand stopped
+    double firstTracedMs_ = -1.0;    // after that, until a denoised one with all pixels began to show
+    bool hasConverged_ = false;
+    hybrid::ModelNews modelInMotion_{};
     std::uint64_t lastSequence_ = 0;
     std::uint64_t samplesAtEnd_ = 0;
     QString device_;

@@ -9,8 +9,10 @@
 
 #include "base/message.h"
 #include "base/result.h"
+#include "pipeline/hybrid/model_news.h"
 #include "pipeline/trace/look.h"
 #include "viewer/orbit_camera.h"
+#include "viewer/picture_course.h"
 
 namespace macula::viewer {
 
@@ -28,20 +30,29 @@ struct Preparing {
 };
 
 enum class Stage {
-    moving,      // fewer pixels, so that the picture follows the hand
-    converging,  // all pixels, not yet all samples
+    moving,      // a picture that follows the hand
+    converging,  // traced with all pixels, not yet all samples
     converged,   // nothing more will change
+};
+
+// The peripheral model has come further, or there is none any more.
+struct ModelChanged {
+    std::uint64_t study = 0;
+    hybrid::ModelNews model{};
 };
 
 // A picture was shown.
 struct FrameShown {
-    std::uint64_t inputSequence = 0;  // of the input it was made from
-    std::uint64_t study = 0;          // likewise; whose picture it is
-    EdgeLetters letters{};            // where the sides of the patient are in it
+    std::uint64_t inputSequence = 0;       // of the input it was made from
+    std::uint64_t study = 0;               // likewise; whose picture it is
+    EdgeLetters letters{};                 // where the sides of the patient are in it
+    OnScreen picture = OnScreen::nothing;  // which kind
     Stage stage = Stage::moving;
-    int width = 0;  // of the traced picture; the window's, divided by `scale`
+    int width = 0;  // of what was drawn; the window's, divided by `scale`
     int height = 0;
     int scale = 1;
+    hybrid::ModelNews model{};
+    bool greyFacesAreCoarse = false;    // of a clip, by splats
     std::uint64_t samplesPerPixel = 0;  // on average: noise decides where they go
     std::uint64_t sampleLimit = 0;
     bool denoised = false;  // filtered: smooth, and not quite what was traced
@@ -59,7 +70,8 @@ struct RenderFailure {
     Error error;
 };
 
-using RenderEvent = std::variant<DeviceReady, DeviceRestarting, Preparing, FrameShown, RenderFailure>;
+using RenderEvent =
+    std::variant<DeviceReady, DeviceRestarting, Preparing, ModelChanged, FrameShown, RenderFailure>;
 using RenderListener = std::function<void(RenderEvent)>;
 
 }  // namespace macula::viewer

@@ -206,6 +206,11 @@ void Viewport::setSampleLimit(std::uint32_t samplesPerPixel) {
     publish();
 }
 
+void Viewport::setUsesModel(bool uses) {
+    input_.usesModel = uses;
+    publish();
+}
+
 void Viewport::setPictureSizeHint(QSize pixels) {
     container_->setMinimumSize(pixels / devicePixelRatioF());
     // Once the window has taken it over, the user may make it smaller again.

@@ -34,6 +34,8 @@ class Viewport : public QWidget {
     void setStudy(std::shared_ptr<const Volume> volume, Drawing drawing, ViewDirection from);
     void setDrawing(Drawing drawing);
     void setSampleLimit(std::uint32_t samplesPerPixel);
+    // Of splats, while a hand moves; else small traced pictures.
+    void setUsesModel(bool uses);
     void setPictureSizeHint(QSize pixels);
 
     void showFrom(ViewDirection from);

@@ -32,7 +32,8 @@ const std::map<std::string, Names> kArrows{
     {"pipeline/hybrid", {"base", "pipeline/gpu", "pipeline/volume", "pipeline/trace", "pipeline/splat"}},
     {"presets", {"base", "pipeline/volume"}},
     {"viewer",
-     {"base", "dicom", "segment", "image", "presets", "pipeline/gpu", "pipeline/volume", "pipeline/trace"}},
+     {"base", "dicom", "segment", "image", "presets", "pipeline/gpu", "pipeline/volume", "pipeline/trace",
+      "pipeline/splat", "pipeline/hybrid"}},
     {"cli",
      {"base", "dicom", "segment", "image", "presets", "pipeline/gpu", "pipeline/volume", "pipeline/trace",
       "pipeline/splat", "pipeline/hybrid"}}};

@@ -15,19 +15,25 @@ TEST(CommandLine, WithoutArgumentsItIsThePhantom) {
     ASSERT_TRUE(line.ok());
     EXPECT_FALSE(line->folder.has_value());
     EXPECT_EQ(line->samples, 512u);
-    EXPECT_FALSE(line->scriptedOrbit);
+    EXPECT_EQ(line->script, CommandLine::Script::none);
+    EXPECT_TRUE(line->usesModel);
 }
 
 TEST(CommandLine, ReadsAllOptions) {
-    const auto line = parse({"/some/folder", "--preset", "ct-bone", "--lights", "rim", "--view", "superior",
-                             "--size", "800x600", "--spp", "7", "--script", "orbit", "--screenshots", "out",
-                             "--seconds", "2.5", "--device", "llvmpipe"});
+    const auto line =
+        parse({"/some/folder", "--preset",  "ct-bone", "--lights", "rim",      "--view", "superior",
+               "--size",       "800x600",   "--spp",   "7",        "--script", "orbit",  "--screenshots",
+               "out",          "--seconds", "2.5",     "--wait",   "3",        "--rest", "40",
+               "--no-model",   "--device",  "llvmpipe"});
     ASSERT_TRUE(line.ok()) << line.error().message;
     EXPECT_EQ(line->folder, QStringLiteral("/some/folder"));
     EXPECT_EQ(line->view, ViewDirection::superior);
     EXPECT_EQ(line->size, QSize(800, 600));
     EXPECT_EQ(line->samples, 7u);
-    EXPECT_TRUE(line->scriptedOrbit);
+    EXPECT_EQ(line->script, CommandLine::Script::orbit);
+    EXPECT_EQ(line->waitSeconds, 3.0);
+    EXPECT_EQ(line->restSeconds, 40.0);
+    EXPECT_FALSE(line->usesModel);
     EXPECT_EQ(line->seconds, 2.5);
     EXPECT_EQ(line->device, QStringLiteral("llvmpipe"));
 }
@@ -36,8 +42,10 @@ TEST(CommandLine, RefusesWhatDoesNotExist) {
     for (const QStringList& wrong :
          {QStringList{"--view", "sideways"}, QStringList{"--size", "800"}, QStringList{"--size", "8x6"},
           QStringList{"--size", "99999x600"}, QStringList{"--spp", "0"}, QStringList{"--spp", "many"},
-          QStringList{"--seconds", "nan"}, QStringList{"--seconds", "-1"}, QStringList{"--script", "dance"},
-          QStringList{"--screenshots", "x"}, QStringList{"--unknown"}, QStringList{"a", "b"}}) {
+          QStringList{"--seconds", "nan"}, QStringList{"--wait", "-1"}, QStringList{"--rest", "0"},
+          QStringList{"--script", "changes", "--screenshots", "x"}, QStringList{"--seconds", "-1"},
+          QStringList{"--script", "dance"}, QStringList{"--screenshots", "x"}, QStringList{"--unknown"},
+          QStringList{"a", "b"}}) {
         const auto line = parse(wrong);
         ASSERT_FALSE(line.ok()) << wrong.join(' ').toStdString();
         EXPECT_EQ(line.error().code, ErrorCode::usage);

@@ -35,9 +35,9 @@ TEST_F(WindowTest, ThePhantomConvergesThenStopsAndStartsAgainWhenDragged) {
     EXPECT_NE(window_->viewport().camera().azimuthDeg, camera.azimuthDeg);
     ASSERT_TRUE(waitUntil([&] { return frames_ > before; }));
     EXPECT_EQ(last_->stage, Stage::moving);
-    EXPECT_TRUE(last_->denoised);
-    EXPECT_TRUE(window_->fidelity().contains(QStringLiteral("denoised")));
-    // As long as the hand holds on, the picture stays small and quick.
+    EXPECT_EQ(last_->picture, OnScreen::model);
+    EXPECT_TRUE(window_->fidelity().startsWith(QStringLiteral("Peripheral model")));
+    // As long as the hand holds on, the model stays.
     idle.restart();
     waitUntil([&] { return idle.elapsed() > 700; });
     EXPECT_EQ(last_->stage, Stage::moving);

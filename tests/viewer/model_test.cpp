@@ -1,0 +1,168 @@
+// The window with a peripheral model: what is on screen while a hand moves, and after it.
+#include <gtest/gtest.h>
+
+#include <QComboBox>
+#include <vector>
+
+#include "viewer/window_fixture.h"
+
+namespace macula::viewer {
+namespace {
+
+using macula::test::devicesLost;
+using macula::test::loseDeviceAt;
+using macula::test::VulkanCall;
+
+class ModelTest : public WindowTest {
+  protected:
+    std::vector<FrameShown> seen_;
+
+    void SetUp() override {
+        WindowTest::SetUp();
+        if (!window_) return;
+        QObject::connect(&*window_, &MainWindow::frameShown, &*window_,
+                         [this](const FrameShown& frame) { seen_.push_back(frame); });
+    }
+    bool isOnScreen(OnScreen picture) const { return !seen_.empty() && seen_.back().picture == picture; }
+    bool waitFor(OnScreen picture, int seconds = 60) {
+        return waitUntil([&] { return isOnScreen(picture); }, seconds);
+    }
+    bool hasSeen(OnScreen picture) const {
+        return std::any_of(seen_.begin(), seen_.end(),
+                           [&](const FrameShown& frame) { return frame.picture == picture; });
+    }
+    void loseNow() {
+        seen_.clear();
+        loseDeviceAt(VulkanCall::submit, 1);
+    }
+    void press() { sendMouse(QEvent::MouseButtonPress, at_, Qt::LeftButton, Qt::LeftButton); }
+    void move() {
+        at_ += QPointF(6, 2);
+        sendMouse(QEvent::MouseMove, at_, Qt::NoButton, Qt::LeftButton);
+    }
+    void release() { sendMouse(QEvent::MouseButtonRelease, at_, Qt::LeftButton, Qt::NoButton); }
+    // Drags until `count` pictures followed.
+    void drag(std::size_t count) {
+        for (std::size_t i = 0; i < count; ++i) {
+            const std::size_t before = seen_.size();
+            move();
+            ASSERT_TRUE(waitUntil([&] { return seen_.size() > before; }, 60));
+        }
+    }
+    void choosePreset(const char* name) {
+        for (QComboBox* box : window_->findChildren<QComboBox*>()) {
+            if (box->accessibleName() == QLatin1String("Preset"))
+                emit box->activated(box->findData(QString::fromLatin1(name), Qt::ToolTipRole));
+        }
+    }
+    bool modelSays(const char* text) const { return window_->modelState().contains(QLatin1String(text)); }
+
+  private:
+    QPointF at_{100, 100};
+};
+
+TEST_F(ModelTest, InMotionEveryPictureIsOfTheModelWithAllPixelsAndAtRestItFadesIntoATracedOne) {
+    window_->open(std::nullopt);
+    ASSERT_TRUE(waitForConverged());
+    EXPECT_TRUE(hasSeen(OnScreen::model));
+    press();
+    seen_.clear();
+    drag(6);
+    for (const FrameShown& frame : seen_) {
+        EXPECT_EQ(frame.picture, OnScreen::model);
+        EXPECT_EQ(frame.stage, Stage::moving);
+        EXPECT_EQ(QSize(frame.width, frame.height), window_->viewport().pictureSize());
+        EXPECT_EQ(frame.scale, 1);
+        EXPECT_GT(frame.model.splats, 1000u);
+    }
+    EXPECT_TRUE(window_->fidelity().startsWith(QLatin1String("Peripheral model, ")))
+        << window_->fidelity().toStdString();
+    EXPECT_GT(coloursInTheMiddle(), 100);
+    seen_.clear();
+    release();
+    ASSERT_TRUE(waitForConverged());
+    EXPECT_TRUE(hasSeen(OnScreen::fading));
+    EXPECT_FALSE(hasSeen(OnScreen::preview));
+    EXPECT_TRUE(window_->fidelity().startsWith(QLatin1String("Path traced, ")));
+    // It goes on learning while nothing moves.
+    EXPECT_TRUE(waitUntil([&] { return modelSays("Model learning") || modelSays("Model complete"); }, 60));
+}
+
+TEST_F(ModelTest, AnotherPresetIsNotShownByTheModelOfTheOneBeforeWhichComesBackWithIt) {
+    window_->open(std::nullopt);
+    ASSERT_TRUE(waitForConverged());
+    seen_.clear();
+    choosePreset("cinematic-soft-tissue");
+    ASSERT_TRUE(waitFor(OnScreen::model));
+    // Before there was a model of it there were small pictures only.
+    EXPECT_EQ(seen_.front().picture, OnScreen::preview);
+    EXPECT_LT(seen_.back().model.steps, 60u);
+    ASSERT_TRUE(waitForConverged());
+    seen_.clear();
+    choosePreset("cinematic-bone");
+    ASSERT_TRUE(waitForConverged());
+    seen_.clear();
+    choosePreset("cinematic-soft-tissue");
+    ASSERT_TRUE(waitUntil([&] { return !seen_.empty(); }));
+    EXPECT_EQ(seen_.front().picture, OnScreen::model);
+}
+
+TEST_F(ModelTest, WithoutItAndInLooksThatHaveNoneThereAreSmallPictures) {
+    window_->viewport().setUsesModel(false);
+    window_->open(std::nullopt);
+    ASSERT_TRUE(waitForConverged());
+    press();
+    drag(3);
+    EXPECT_TRUE(isOnScreen(OnScreen::preview));
+    release();
+    ASSERT_TRUE(waitForConverged());
+    EXPECT_FALSE(hasSeen(OnScreen::model));
+    EXPECT_TRUE(window_->modelState().isEmpty());
+    window_->viewport().setUsesModel(true);
+    pressKey(Qt::Key_4, Qt::ControlModifier);
+    ASSERT_TRUE(waitForConverged());
+    seen_.clear();
+    pressKey(Qt::Key_L);
+    ASSERT_TRUE(waitForConverged());
+    EXPECT_FALSE(hasSeen(OnScreen::model));
+    EXPECT_TRUE(window_->modelState().isEmpty());
+}
+
+// The third loss within a minute is not made good: two at a time.
+TEST_F(ModelTest, ALostDeviceIsMadeGoodWhileItIsSearchedForAndWhileItIsShown) {
+    window_->open(std::nullopt);
+    ASSERT_TRUE(waitUntil([&] { return modelSays("Finding points"); }, 60));
+    loseNow();
+    ASSERT_TRUE(waitForConverged());
+    EXPECT_EQ(devicesLost(), 1);
+    EXPECT_TRUE(hasSeen(OnScreen::model));
+
+    press();
+    drag(2);
+    EXPECT_TRUE(isOnScreen(OnScreen::model));
+    loseNow();
+    drag(2);
+    release();
+    EXPECT_EQ(devicesLost(), 1);
+    ASSERT_TRUE(waitForConverged());
+    EXPECT_FALSE(hasSeen(OnScreen::preview)) << "what was learnt has outlived the device";
+    EXPECT_TRUE(window_->message().isEmpty()) << window_->message().toStdString();
+}
+
+TEST_F(ModelTest, ALostDeviceIsMadeGoodWhileItFadesAndWhileItLearns) {
+    window_->open(std::nullopt);
+    ASSERT_TRUE(waitFor(OnScreen::fading));
+    loseNow();
+    ASSERT_TRUE(waitForConverged());
+    EXPECT_EQ(devicesLost(), 1);
+    ASSERT_TRUE(waitUntil([&] { return modelSays("Model learning"); }, 60));
+    seen_.clear();
+    loseDeviceAt(VulkanCall::submit, 3);
+    ASSERT_TRUE(waitForConverged());
+    EXPECT_EQ(devicesLost(), 1);
+    EXPECT_FALSE(hasSeen(OnScreen::preview));
+    EXPECT_GT(coloursInTheMiddle(), 100);
+}
+
+}  // namespace
+}  // namespace macula::viewer
