@@ -1,4 +1,4 @@
-// macula evaluate init, refine [PATH...]: how good peripheral models are, by the protocol of
+// macula evaluate init, refine, live [PATH...]: how good peripheral models are, by the protocol of
 // docs/peripheral-model.md.
 #include <CLI/App.hpp>
 #include <CLI/Option.hpp>
@@ -212,7 +212,7 @@ void addRefinementOptions(CLI::App& command, RefinementPlan& plan) {
         ->check(CLI::Range(1u, trace::kMaxSurfacePoints));
 }
 
-// What init and refine have in common.
+// What the verbs have in common.
 CLI::App* addVerb(CLI::App& evaluateApp, const std::string& name, const std::string& help,
                   const std::shared_ptr<Options>& options, Action& action) {
     Options& o = *options;
@@ -252,6 +252,17 @@ void addEvaluate(CLI::App& app, Action& action) {
                 "Models that go on: a first one, then more views and more splats, compared on the way",
                 refined, action);
     addRefinementOptions(*refine, plan);
+    auto taught = std::make_shared<Options>();
+    LivePlan& live = taught->evaluation.live.emplace();
+    auto* byItself =
+        addVerb(*evaluateApp, "live", "Models as the window makes them by itself, compared on the way",
+                taught, action);
+    byItself->add_option("--seconds", live.seconds, "How long it learns, unless it rests before")
+        ->capture_default_str()
+        ->check(CLI::Range(0.0, 86400.0));
+    byItself->add_option("--snapshot-every", live.snapshotEvery, "Seconds after which it is compared")
+        ->capture_default_str()
+        ->check(CLI::Range(0.1, 86400.0));
 }
 
 }  // namespace macula::cli

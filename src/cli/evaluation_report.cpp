@@ -77,8 +77,8 @@ Json toJson(const EvaluatedStudy& scene, bool refined) {
         const GreatestFall fall = greatestFall(e.snapshots);
         json["seconds"]["moreViews"] = e.moreViewsSeconds;
         json["greatestFallDb"] = {{"mean", fall.meanDb}, {"p50", fall.medianDb}};
-        json["snapshots"] = snapshotsJson(e.snapshots);
     }
+    if (e.snapshots.size() > 1) json["snapshots"] = snapshotsJson(e.snapshots);
     json["overViewsLessNoise"] = lessNoiseJson(e.last().scores);
     json["scores"] = toJson(e.last().scores);
     json["views"] = Json::array();
@@ -107,7 +107,9 @@ std::optional<Spread> spreadOverScenes(const EvaluationReport& report,
 Json toJson(const EvaluationReport& report) {
     const EvaluationOptions& o = report.options;
     const hybrid::FirstModelOptions& m = o.model;
-    Json json{{"evaluation", o.refinement ? "refine" : "init"},
+    Json json{{"evaluation", o.live         ? "live"
+                             : o.refinement ? "refine"
+                                            : "init"},
               {"version", MACULA_VERSION},
               {"device", report.device},
               {"lights", report.lights},
@@ -133,6 +135,7 @@ Json toJson(const EvaluationReport& report) {
                               {"samplesPerPixel", o.refinement->samplesPerPixel},
                               {"iterations", o.refinement->iterations},
                               {"capacity", o.refinement->capacity}};
+    if (o.live) json["live"] = {{"seconds", o.live->seconds}, {"snapshotEvery", o.live->snapshotEvery}};
     for (const EvaluatedStudy& scene : report.scenes)
         json["scenes"].push_back(toJson(scene, o.refinement.has_value()));
     for (const Score& score : kScores)

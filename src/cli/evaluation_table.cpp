@@ -41,12 +41,14 @@ std::string nameOf(const EvaluatedStudy& scene) {
 
 std::string whatWasAsked(const EvaluationOptions& o) {
     const hybrid::FirstModelOptions& m = o.model;
-    std::string text = fmt::format(
-        "Truth: {} views of {} x {} pixels, {} samples, {} bounces. Model: {} points, {} views of {} "
-        "samples, {} other sides lit by these, {} iterations.",
-        o.truthViews, o.truth.sizePx.x, o.truth.sizePx.y, o.truth.samplesPerPixel, o.truth.bounces,
-        m.points.count, m.views, m.samplesPerPixel, m.directions - std::min(m.directions, m.views),
-        m.iterations);
+    std::string text =
+        fmt::format("Truth: {} views of {} x {} pixels, {} samples, {} bounces. Model: ", o.truthViews,
+                    o.truth.sizePx.x, o.truth.sizePx.y, o.truth.samplesPerPixel, o.truth.bounces);
+    text +=
+        o.live ? fmt::format("as the window's, for {} s at most.", o.live->seconds)
+               : fmt::format("{} points, {} views of {} samples, {} other sides lit by these, {} iterations.",
+                             m.points.count, m.views, m.samplesPerPixel,
+                             m.directions - std::min(m.directions, m.views), m.iterations);
     if (o.refinement)
         text += fmt::format(" Then {} views of {} samples more, {} iterations, room for {} splats.",
                             o.refinement->views, o.refinement->samplesPerPixel, o.refinement->iterations,
@@ -100,6 +102,7 @@ std::string timesOf(const EvaluatedStudy& scene, bool refined) {
 
 std::string tableOf(const EvaluationReport& report) {
     const bool refined = report.options.refinement.has_value();
+    const bool hasSnapshots = refined || report.options.live;
     std::string table = whatWasAsked(report.options) + headOf("scene");
     for (const EvaluatedStudy& scene : report.scenes) {
         const SceneEvaluation& e = scene.evaluation;
@@ -110,7 +113,7 @@ std::string tableOf(const EvaluationReport& report) {
     if (report.scenes.size() > 1)
         table += rowOf("over scenes, of their means", "", "",
                        [&](auto value) { return spreadOverScenes(report, value); });
-    if (refined)
+    if (hasSnapshots)
         for (const EvaluatedStudy& scene : report.scenes) table += snapshotsOf(scene);
     for (const EvaluatedStudy& scene : report.scenes) table += timesOf(scene, refined);
     return table + "\n";

@@ -7,6 +7,8 @@
 #include <utility>
 
 #include "cli/held_out_views.h"
+#include "pipeline/hybrid/live_model.h"
+#include "pipeline/splat/constant_colour.h"
 
 namespace macula::cli {
 
@@ -16,6 +18,13 @@ using Clock = std::chrono::steady_clock;
 
 double secondsSince(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+// As the window shows it: light times gain.
+splat::Splats asBrightAs(splat::Splats splats, double gain) {
+    for (glm::vec3& dc : splats.dc) dc = splat::dcOfColour(static_cast<float>(gain) * splat::colourOfDc(dc));
+    for (glm::vec3& sh : splats.sh) sh *= static_cast<float>(gain);
+    return splats;
 }
 
 // Models are kept as they come, and compared when all are there: nothing runs between their steps.
@@ -35,9 +44,13 @@ class Evaluation {
     Result<SceneEvaluation> run() {
         report_.seenMm = scene_.traced.seenMm();
         MACULA_TRY_VOID(cache_.prepare());
-        MACULA_TRY(hybrid::FirstModel model, firstModel());
-        MACULA_TRY_VOID(keep(model.trainer, model.trainSeconds));
-        if (options_.refinement) MACULA_TRY_VOID(refine(model, *options_.refinement));
+        if (options_.live) {
+            MACULA_TRY_VOID(liveModel(*options_.live));
+        } else {
+            MACULA_TRY(hybrid::FirstModel model, firstModel());
+            MACULA_TRY_VOID(keep(model.trainer, model.trainSeconds));
+            if (options_.refinement) MACULA_TRY_VOID(refine(model, *options_.refinement));
+        }
         MACULA_TRY(const HeldOutViews truth, HeldOutViews::trace(device_, scene_, options_.truthViews,
                                                                  options_.truth, cacheFolder_, progress_));
         report_.truthCameras = truth.cameras();
@@ -55,6 +68,46 @@ class Evaluation {
 
   private:
     const hybrid::KeptViews* kept() const { return options_.keepViews ? &kept_ : nullptr; }
+
+    Result<void> liveModel(const LivePlan& plan) {
+        constexpr double kSliceMs = 40.0;
+        auto shelf = std::make_shared<hybrid::ModelShelf>(0);
+        MACULA_TRY(hybrid::LiveModel model,
+                   hybrid::LiveModel::create(device_, scene_.tracer, std::move(shelf),
+                                             hybrid::liveModelOptions(*device_)));
+        MACULA_TRY_VOID(model.show("evaluated", {.bounces = options_.model.bounces}));
+        const auto goesOn = [&] { return !progress_.cancelled(); };
+        progress_.beginStage("Finding points", 1);
+        auto start = Clock::now();
+        while (model.news().stage == hybrid::ModelStage::searching && goesOn())
+            MACULA_TRY_VOID(model.work(kSliceMs, goesOn));
+        report_.pointsSeconds = secondsSince(start);
+        progress_.advance();
+        progress_.beginStage("Learning", static_cast<std::size_t>(std::ceil(plan.seconds)));
+        start = Clock::now();
+        double next = 0.0;
+        for (std::size_t told = 0;;) {
+            const double seconds = secondsSince(start);
+            const bool isLast = !model.hasWork() || seconds >= plan.seconds;
+            if (progress_.cancelled()) return Error{ErrorCode::cancelled, "Stopped.", {}, {}};
+            if (!model.canBeDrawn())
+                return Error{ErrorCode::outOfMemory,
+                             "There is no room on the device for a model.",
+                             {},
+                             "Close other programs, or choose another device."};
+            if (isLast || seconds >= next) {
+                report_.snapshots.push_back({.steps = model.news().steps,
+                                             .splats = model.news().splats,
+                                             .trainSeconds = seconds,
+                                             .scores = {}});
+                models_.push_back(asBrightAs(*model.shown(), model.gain()));
+                next += plan.snapshotEvery;
+            }
+            if (isLast) return {};
+            MACULA_TRY_VOID(model.work(kSliceMs, goesOn));
+            for (; told < static_cast<std::size_t>(secondsSince(start)); ++told) progress_.advance();
+        }
+    }
 
     Result<hybrid::FirstModel> firstModel() {
         hybrid::FirstModelOptions wanted = options_.model;

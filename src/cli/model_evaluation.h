@@ -28,9 +28,16 @@ struct RefinementPlan {
     std::uint32_t capacity = 50000;     // splats
 };
 
+// As the window's model learns by itself (live_model.h), but with all of the device for it.
+struct LivePlan {
+    double seconds = 60.0;        // at most, of the wall, after points are there
+    double snapshotEvery = 15.0;  // seconds
+};
+
 struct EvaluationOptions {
     hybrid::FirstModelOptions model{.views = 12, .samplesPerPixel = 8};  // the paper's
     std::optional<RefinementPlan> refinement;
+    std::optional<LivePlan> live;  // instead of `model`, but for its bounces
     std::size_t truthViews = 32;
     hybrid::TruthOptions truth;   // of as many bounces as the model
     std::filesystem::path cache;  // empty: nothing is kept

@@ -77,6 +77,10 @@ Result<ViewScores> scoresOf(const hybrid::TruthPicture& truth, std::span<const g
     MACULA_TRY(const image::Flip flip, image::flip(a, b));
     scores.flip = flip.mean;
     MACULA_TRY(scores.luminanceRatio, image::luminanceRatioLessNoise(reference, exact, lit));
+    image::Mask both = lit;
+    for (std::size_t i = 0; i < both.size(); ++i)
+        both[i] = coverageA[i] > 0.5f && coverageB[i] > 0.5f ? 1 : 0;
+    MACULA_TRY(scores.sharedLuminanceRatio, image::luminanceRatioLessNoise(reference, exact, both));
     scores.coverageError =
         image::coverageError(coverageA, coverageB, image::unionOf(covered, image::coveredMask(coverageB)));
     MACULA_TRY(scores.truthNoise, image::noiseOf(reference, covered));

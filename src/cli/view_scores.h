@@ -28,16 +28,17 @@ struct ViewScores {
     std::optional<double> maskedSsim;
     std::optional<double> coveredSsim;
     std::optional<double> flip;
-    std::optional<double> luminanceRatio;  // model over truth, masked, less noise
-    std::optional<double> coverageError;   // mean absolute, over pixels where either has coverage
-    std::optional<double> truthNoise;      // standard error of the truth, covered
+    std::optional<double> luminanceRatio;        // model over truth, masked, less noise
+    std::optional<double> sharedLuminanceRatio;  // the same where both cover more than half
+    std::optional<double> coverageError;         // mean absolute, over pixels where either has coverage
+    std::optional<double> truthNoise;            // standard error of the truth, covered
 };
 
 struct Score {
     std::string_view key;  // in JSON
     std::optional<double> ViewScores::*value;
 };
-inline constexpr std::array<Score, 12> kScores{
+inline constexpr std::array<Score, 13> kScores{
     {{"psnrDb", &ViewScores::psnrDb},
      {"maskedPsnrDb", &ViewScores::maskedPsnrDb},
      {"maskedPsnrLessNoiseDb", &ViewScores::maskedPsnrLessNoiseDb},
@@ -48,6 +49,7 @@ inline constexpr std::array<Score, 12> kScores{
      {"coveredSsim", &ViewScores::coveredSsim},
      {"flip", &ViewScores::flip},
      {"luminanceRatio", &ViewScores::luminanceRatio},
+     {"sharedLuminanceRatio", &ViewScores::sharedLuminanceRatio},
      {"coverageError", &ViewScores::coverageError},
      {"truthNoise", &ViewScores::truthNoise}}};
 
