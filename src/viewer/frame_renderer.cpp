@@ -356,7 +356,7 @@ Result<void> FrameRenderer::trace(const Interrupts& interrupts) {
     const Clock::time_point now = Clock::now();
     course_.spent(Step::trace, millisecondsBetween(start, now));
     if (!progress.isNews) return {};
-    course_.traced(now, progress.isLast);
+    course_.traced(progress.isLast);
     return course_.onScreen() == OnScreen::fading ? Result<void>() : showTraced();
 }
 

@@ -76,14 +76,14 @@ void PictureCourse::showedPreview(std::uint64_t samples, TimePoint now) {
     isTraced_ = hasConverged_ = false;
 }
 
-void PictureCourse::traced(TimePoint now, bool hasConverged) {
+void PictureCourse::traced(bool hasConverged) {
     isTraced_ = true;
     hasConverged_ = hasConverged;
     if (onScreen_ == OnScreen::fading) return;
     if (onScreen_ != OnScreen::traced) tracedMs_ = learntMs_ = 0.0;  // the turns begin
     const bool fades = onScreen_ == OnScreen::model;
     onScreen_ = fades ? OnScreen::fading : OnScreen::traced;
-    fadingSince_ = now;
+    fadingSince_.reset();
 }
 
 void PictureCourse::showedTraced() {
@@ -92,12 +92,15 @@ void PictureCourse::showedTraced() {
 
 double PictureCourse::tracedShare(TimePoint now) const {
     using Ms = std::chrono::duration<double, std::milli>;
-    const double t = std::clamp(Ms(now - fadingSince_) / Ms(kFade), 0.0, 1.0);
+    if (!fadingSince_) return 0.0;
+    const double t = std::clamp(Ms(now - *fadingSince_) / Ms(kFade), 0.0, 1.0);
     return t * t * (3.0 - 2.0 * t);
 }
 
 void PictureCourse::faded(TimePoint now) {
-    if (onScreen_ == OnScreen::fading && tracedShare(now) >= 1.0) onScreen_ = OnScreen::traced;
+    if (onScreen_ != OnScreen::fading) return;
+    if (!fadingSince_) fadingSince_ = now;
+    if (tracedShare(now) >= 1.0) onScreen_ = OnScreen::traced;
 }
 
 void PictureCourse::spent(Step step, double ms) {

@@ -10,6 +10,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <optional>
 #include <string_view>
 
 namespace macula::viewer {
@@ -65,15 +66,15 @@ class PictureCourse {
     void showedPreview(std::uint64_t samples, TimePoint now);  // the traced picture with all pixels is lost
     void searched() { hasSearched_ = true; }
     // The traced picture has become worth showing, and was shown unless it fades in.
-    void traced(TimePoint now, bool hasConverged);
+    void traced(bool hasConverged);
     void showedTraced();
-    void faded(TimePoint now);
+    void faded(TimePoint now);  // a step; the first begins it
     // For the turns that tracing and learning take.
     void spent(Step step, double ms);
 
     OnScreen onScreen() const { return onScreen_; }
     bool hasConverged() const { return onScreen_ == OnScreen::traced && hasConverged_; }
-    // While it fades: how much of the traced picture is seen, 0 to 1.
+    // While it fades: how much of the traced picture is seen, 0 to 1. 0 before its first step.
     double tracedShare(TimePoint now) const;
 
   private:
@@ -87,7 +88,7 @@ class PictureCourse {
     std::uint64_t previewSamples_ = 0;
     TimePoint previewSince_{};
     bool hasSearched_ = false;  // since the last small picture
-    TimePoint fadingSince_{};
+    std::optional<TimePoint> fadingSince_;
     double tracedMs_ = 0.0;
     double learntMs_ = 0.0;
 };

@@ -34,7 +34,7 @@ class PictureCourseTest : public testing::Test {
                 break;
             case Step::trace:
                 course_.spent(step, 20.0);
-                if (isWorthShowing) course_.traced(now_, hasConverged);
+                if (isWorthShowing) course_.traced(hasConverged);
                 break;
             case Step::showTraced:
                 course_.showedTraced();
