@@ -280,7 +280,6 @@ Result<bool> FrameRenderer::applyScene(const Interrupts& interrupts) {
 // Whatever the model of before showed is not drawn any more from here on.
 Result<void> FrameRenderer::applyModel() {
     splats_ = nullptr;
-    modelKey_.clear();
     if (!canHaveModel(input_)) {
         if (model_) model_->hide();
         return {};
@@ -290,8 +289,8 @@ Result<void> FrameRenderer::applyModel() {
         MACULA_TRY(model_, hybrid::LiveModel::create(device_, traced_->tracer(), shelf_,
                                                      hybrid::liveModelOptions(*device_)));
     }
-    modelKey_ = sceneNames_.of(input_.study, input_.drawing);
-    if (const Result<void> shown = model_->show(modelKey_, input_.drawing.settings); !shown)
+    const std::string key = sceneNames_.of(input_.study, input_.drawing);
+    if (const Result<void> shown = model_->show(key, input_.drawing.settings); !shown)
         return withoutModel(shown.error());
     tellOfModel();
     return {};
@@ -320,8 +319,9 @@ Result<void> FrameRenderer::take(Step step, const Interrupts& interrupts) {
 }
 
 Result<void> FrameRenderer::showModel() {
-    // Nobody may see what another preset, clip or patient looked like.
-    MACULA_CHECK(model_->key() == modelKey_);
+    // No model is drawn of another patient, preset, clip or light than those of the picture that is wanted
+    // now.
+    MACULA_CHECK(model_->key() == sceneNames_.of(input_.study, input_.drawing));
     const auto drawn = model_->draw(input_.camera, {input_.width, input_.height});
     if (!drawn) return withoutModel(drawn.error());  // a small picture comes next
     splats_ = *drawn;

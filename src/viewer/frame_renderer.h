@@ -95,7 +95,6 @@ class FrameRenderer {
     // Of this volume; outlives the device.
     std::shared_ptr<hybrid::ModelShelf> shelf_;
     SceneNames sceneNames_;
-    std::string modelKey_;                          // of the picture that is wanted; empty: it has no model
     const splat::DevicePicture* splats_ = nullptr;  // of the picture that is wanted
 
     FrameInput input_;

@@ -122,8 +122,8 @@ Result<bool> TracedPictures::tracePreview(const FrameInput& input, const std::fu
 }
 
 void TracedPictures::previewWasShown(double developMs, double otherMs) {
-    // The first picture of a size also compiles kernels, and later ones of a view have its guides: they say
-    // nothing about the next.
+    // The times of two kinds of pictures tell nothing about the next one: the first of a size also compiles
+    // kernels, and later ones of a view reuse its guides.
     if (std::exchange(warmWidth_, view_.width) != view_.width || !isFirstPreview_) return;
     motionScale_.observe(view_.width, view_.height, previewMs_ + developMs, otherMs);
 }

@@ -34,7 +34,7 @@ class Viewport : public QWidget {
     void setStudy(std::shared_ptr<const Volume> volume, Drawing drawing, ViewDirection from);
     void setDrawing(Drawing drawing);
     void setSampleLimit(std::uint32_t samplesPerPixel);
-    // Of splats, while a hand moves; else small traced pictures.
+    // Whether the peripheral model, splats, is shown while a hand moves; if not, small traced pictures are.
     void setUsesModel(bool uses);
     void setPictureSizeHint(QSize pixels);
 

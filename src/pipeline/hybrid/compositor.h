@@ -14,7 +14,8 @@
 
 namespace macula::hybrid {
 
-// Both linear, premultiplied, of `sizePx`; null: there is none.
+// The two pictures that the compositor mixes. Each is linear premultiplied RGBA of `sizePx`; a null pointer
+// means that there is none.
 struct Layers {
     const splat::DevicePicture* splats = nullptr;
     const trace::TracedLight* traced = nullptr;

@@ -64,9 +64,8 @@ Result<void> LiveModel::tryShow() {
     const std::shared_ptr<const PeripheralState> kept = shelf_->find(key_);
     if (!kept) return {};
     MACULA_TRY(model_, PeripheralModel::resume(device_, *kept, options_.model));
-    const PeripheralReport report = model_->report();
-    views_ = report.views + report.heldOut;
-    stepsAtLastView_ = report.training.steps;
+    views_ = kept->asked;  // the gauge's pictures were given without being asked for
+    stepsAtLastView_ = model_->report().training.steps;
     gauge_.emplace(kept->seenMm);  // to be made anew, while what was learnt can be drawn
     gain_ = kept->gain;
     stage_ = ModelStage::learning;
@@ -166,8 +165,8 @@ Result<void> LiveModel::searchSome(double budgetMs, const std::function<bool()>&
     const ModelStart start{.splats = initialSplats(*points_), .seenMm = *seenMm_, .key = key_};
     MACULA_TRY(model_, PeripheralModel::begin(device_, start, options_.model));
     points_.reset();
-    // Points alone are too bright, and too thick where matter is thin: what the gauge has traced teaches them
-    // so much in a second.
+    // Splats made of points alone are too bright, and too opaque where matter is thin. The trainer corrects
+    // that in some 40 steps with the six pictures that the gauge has traced.
     for (const TracedView& picture : gauge_->pictures()) {
         MACULA_TRY([[maybe_unused]] const Offered offered, model_->offer(picture, false));
     }

@@ -53,7 +53,7 @@ class LiveModel {
     // that of the key comes from the shelf, or is searched for. No model is ever drawn for another key than
     // its own. Where the device has no room, the stage says so; other errors are told.
     Result<void> show(const std::string& key, const trace::Settings& settings);
-    // Nothing that it could be of is shown.
+    // The screen shows nothing that has a model: the one there is is put on the shelf, and none is drawn.
     void hide();
     // There is none for this key until another one is shown, `stage` says why: noRoom or failed. What was
     // learnt goes to the shelf.
