@@ -212,6 +212,47 @@ TEST_F(LiveModelTest, OfNothingThereIsNone) {
     EXPECT_FALSE(model.canBeDrawn());
 }
 
+// Whatever is done while the device has no memory left: what was learnt stays, nothing else is touched, and
+// it is made once there is room.
+TEST_F(LiveModelTest, WithoutMemoryItSaysSoAndKeepsWhatItHas) {
+    trace::PathTracer screen = onScreen();
+    ASSERT_TRUE(*screen.trace(4));
+    const std::vector<glm::vec4> traced = screen.readback()->radiance;
+    LiveModel model = beside(screen);
+    {
+        ASSERT_TRUE(model.show("a", {}).ok());
+        const macula::test::NoMemory full;
+        for (int i = 0; i < 1000 && model.hasWork(); ++i) ASSERT_TRUE(model.work(20.0, always).ok());
+        EXPECT_GT(full.refused(), 0);
+        EXPECT_EQ(model.news().stage, ModelStage::noRoom);
+        EXPECT_FALSE(model.canBeDrawn());
+        ASSERT_TRUE(model.show("a", {}).ok());
+        EXPECT_FALSE(model.hasWork()) << "the same is not tried again";
+    }
+    EXPECT_EQ(screen.readback()->radiance, traced);
+    model.hide();
+    ASSERT_TRUE(model.show("a", {}).ok());
+    search(model);
+    learn(model, 30);
+    const Camera front = view().camera;
+    const std::vector<glm::vec4> before = drawn(model, front);
+    {
+        // Pictures of another size than any that it has room for.
+        const macula::test::NoMemory full;
+        const auto picture = model.draw(front, {1500, 1100});
+        EXPECT_GT(full.refused(), 0);
+        ASSERT_FALSE(picture.ok());
+        EXPECT_EQ(picture.error().code, ErrorCode::outOfMemory);
+        EXPECT_EQ(model.news().stage, ModelStage::noRoom);
+        EXPECT_FALSE(model.canBeDrawn());
+    }
+    model.hide();
+    ASSERT_TRUE(model.show("a", {}).ok());
+    ASSERT_TRUE(model.canBeDrawn()) << "what was learnt is on the shelf";
+    EXPECT_GE(model.news().steps, 30u);
+    EXPECT_EQ(drawn(model, front).size(), before.size());
+}
+
 // From splats to what the window is given, no pixel and no splat goes through the host.
 TEST_F(LiveModelTest, APictureInMotionStaysOnTheDevice) {
     trace::PathTracer screen = onScreen();

@@ -128,6 +128,31 @@ TEST_F(ModelTest, WithoutItAndInLooksThatHaveNoneThereAreSmallPictures) {
     EXPECT_TRUE(window_->modelState().isEmpty());
 }
 
+TEST_F(ModelTest, WithoutMemoryForItTheWindowSaysSoAndIsAsItIsWithoutAModel) {
+    window_->viewport().setUsesModel(false);
+    window_->open(std::nullopt);
+    ASSERT_TRUE(waitForConverged());
+    {
+        const macula::test::NoMemory full;
+        seen_.clear();
+        window_->viewport().setUsesModel(true);
+        ASSERT_TRUE(waitUntil([&] { return modelSays("No memory for a model"); }, 60));
+        EXPECT_GT(full.refused(), 0);
+        press();
+        drag(2);
+        EXPECT_TRUE(isOnScreen(OnScreen::preview));
+        release();
+        ASSERT_TRUE(waitForConverged());
+        EXPECT_FALSE(hasSeen(OnScreen::model));
+        EXPECT_TRUE(modelSays("No memory for a model"));
+        EXPECT_TRUE(window_->message().isEmpty()) << window_->message().toStdString();
+    }
+    // Another clip or function leaves another room: it is tried again.
+    choosePreset("cinematic-soft-tissue");
+    ASSERT_TRUE(waitFor(OnScreen::model));
+    EXPECT_FALSE(modelSays("No memory"));
+}
+
 // The third loss within a minute is not made good: two at a time.
 TEST_F(ModelTest, ALostDeviceIsMadeGoodWhileItIsSearchedForAndWhileItIsShown) {
     window_->open(std::nullopt);

@@ -95,7 +95,7 @@ void LiveModel::save() const {
 }
 
 void LiveModel::giveUp(ModelStage stage) {
-    save();
+    putAway();
     end(stage);
 }
 

@@ -1,0 +1,78 @@
+#include "viewer/status_texts.h"
+
+#include <QCoreApplication>
+#include <string_view>
+
+#include "pipeline/trace/look.h"
+
+namespace macula::viewer {
+
+namespace {
+
+// How a picture was made, in the status line.
+QString lookText(trace::Look look) {
+    if (look == trace::Look::cinematic) return QCoreApplication::translate("Look", "Path traced");
+    if (look == trace::Look::clear) return QCoreApplication::translate("Look", "Path traced, clear");
+    const std::string_view title = trace::kLooks.at(std::size_t(look)).title;
+    return QString::fromUtf8(title.data(), qsizetype(title.size()));
+}
+
+}  // namespace
+
+QString fidelityText(const FrameShown& frame) {
+    const auto tr = [](const char* text) { return QCoreApplication::translate("Fidelity", text); };
+    const QString remarks =
+        frame.remarks.empty() ? QString() : QStringLiteral(", ") + QString::fromStdString(frame.remarks);
+    if (frame.picture == OnScreen::model) {
+        return tr("Peripheral model, %L1 splats, %L2 steps").arg(frame.model.splats).arg(frame.model.steps) +
+               remarks + (frame.greyFacesAreCoarse ? tr(", values on cut faces only coarsely") : QString());
+    }
+    QString text = lookText(frame.look) + remarks;
+    if (frame.picture == OnScreen::preview) {
+        text += tr(", preview");
+        if (trace::isPathTraced(frame.look)) text += frame.denoised ? tr(", denoised") : tr(", smoothed");
+        if (frame.scale > 1) text += tr(", 1/%1 of the pixels each way").arg(frame.scale);
+        return text;
+    }
+    const bool isComplete = frame.stage == Stage::converged;
+    text += isComplete ? tr(", %1 samples").arg(frame.samplesPerPixel)
+                       : tr(", %1 of %2 samples").arg(frame.samplesPerPixel).arg(frame.sampleLimit);
+    if (frame.denoised) text += tr(", denoised");
+    return text + (isComplete ? tr(", complete") : tr(", converging"));
+}
+
+QString modelText(const hybrid::ModelNews& model) {
+    using hybrid::ModelStage;
+    const auto tr = [](const char* text) { return QCoreApplication::translate("Model", text); };
+    switch (model.stage) {
+        case ModelStage::none:
+        case ModelStage::nothingToSee:
+            return {};
+        case ModelStage::searching:
+            return tr("Finding points of the peripheral model");
+        case ModelStage::learning:
+            return tr("Model learning, %1 steps").arg(model.steps);
+        case ModelStage::resting:
+            return tr("Model complete, %1 steps").arg(model.steps);
+        case ModelStage::noRoom:
+            return tr("No memory for a model");
+        case ModelStage::failed:
+            return tr("No model");
+    }
+    return {};
+}
+
+QString whyNoModel(const hybrid::ModelNews& model) {
+    const auto tr = [](const char* text) { return QCoreApplication::translate("Model", text); };
+    if (model.stage == hybrid::ModelStage::noRoom)
+        return tr(
+            "The graphics device has no room for it beside the volume: while a hand moves, small traced "
+            "pictures are shown.");
+    if (model.stage == hybrid::ModelStage::failed)
+        return tr(
+            "It could not be made on this graphics device: while a hand moves, small traced pictures are "
+            "shown.");
+    return {};
+}
+
+}  // namespace macula::viewer
