@@ -83,6 +83,8 @@ void FrameRenderer::accept(FrameInput input) {
         // The window takes another size around the sentence that says so: nobody has asked for another try.
         const bool stillGivenUp = givenUp_ && isSameScene(input, input_);
         if (!stillGivenUp) halted_ = givenUp_ = false;
+    } else if (input.usesModel != input_.usesModel) {
+        restart_ = true;
     } else if (input.background != input_.background) {
         redisplay_ = true;
     }
@@ -177,8 +179,12 @@ Result<void> FrameRenderer::withoutModel(const Error& error) {
     if (device_->lost() || error.code == ErrorCode::deviceLost) return error;
     log::warning("There is no peripheral model of this: {}", error.message);
     splats_ = nullptr;
-    model_->giveUp(error.code == ErrorCode::outOfMemory ? hybrid::ModelStage::noRoom
-                                                        : hybrid::ModelStage::failed);
+    const auto stage =
+        error.code == ErrorCode::outOfMemory ? hybrid::ModelStage::noRoom : hybrid::ModelStage::failed;
+    if (model_)
+        model_->giveUp(stage);
+    else
+        whyNoModel_ = stage;
     tellOfModel();
     return {};
 }
@@ -280,14 +286,17 @@ Result<bool> FrameRenderer::applyScene(const Interrupts& interrupts) {
 // Whatever the model of before showed is not drawn any more from here on.
 Result<void> FrameRenderer::applyModel() {
     splats_ = nullptr;
+    whyNoModel_ = hybrid::ModelStage::none;
     if (!canHaveModel(input_)) {
         if (model_) model_->hide();
         return {};
     }
     if (!shelf_) shelf_ = std::make_shared<hybrid::ModelShelf>(kShelfBytes);
     if (!model_) {
-        MACULA_TRY(model_, hybrid::LiveModel::create(device_, traced_->tracer(), shelf_,
-                                                     hybrid::liveModelOptions(*device_)));
+        auto made =
+            hybrid::LiveModel::create(device_, traced_->tracer(), shelf_, hybrid::liveModelOptions(*device_));
+        if (!made) return withoutModel(made.error());
+        model_.emplace(*std::move(made));
     }
     const std::string key = sceneNames_.of(input_.study, input_.drawing);
     if (const Result<void> shown = model_->show(key, input_.drawing.settings); !shown)
@@ -452,7 +461,7 @@ Result<void> FrameRenderer::show(const gpu::Image& picture) {
                      .remarks = input_.drawing.remarks,
                      .framesPerSecond = framesPerSecond(),
                      .latencyMs = millisecondsBetween(input_.published, now)};
-    if (model_) frame.model = model_->news();
+    frame.model = modelNews();
     frame.greyFacesAreCoarse = kind == OnScreen::model && input_.drawing.clip &&
                                input_.drawing.clip->hasShape() && input_.drawing.clip->greyFaces;
     const bool isTraced = kind == OnScreen::traced || kind == OnScreen::fading;
@@ -474,8 +483,12 @@ Result<void> FrameRenderer::show(const gpu::Image& picture) {
 }
 
 // Not oftener than somebody reads it.
+hybrid::ModelNews FrameRenderer::modelNews() const {
+    return model_ ? model_->news() : hybrid::ModelNews{.stage = whyNoModel_};
+}
+
 void FrameRenderer::tellOfModel() {
-    const hybrid::ModelNews news = model_ ? model_->news() : hybrid::ModelNews{};
+    const hybrid::ModelNews news = modelNews();
     const Clock::time_point now = Clock::now();
     if (news == modelTold_ || (news.stage == modelTold_.stage && now - modelToldAt_ < kModelToldEvery))
         return;

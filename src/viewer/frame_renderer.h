@@ -78,6 +78,7 @@ class FrameRenderer {
     Result<void> showAgain();
     Result<const gpu::Image*> composed(const splat::DevicePicture* splats, float tracedShare);
     Result<void> show(const gpu::Image& picture);
+    hybrid::ModelNews modelNews() const;
     void tellOfModel();
     void handle(Error error);
     void dropDevice();
@@ -91,6 +92,7 @@ class FrameRenderer {
     std::optional<Presenter> presenter_;
     std::optional<TracedPictures> traced_;
     std::optional<hybrid::LiveModel> model_;
+    hybrid::ModelStage whyNoModel_ = hybrid::ModelStage::none;  // where there is not even one that is empty
     std::optional<hybrid::Compositor> compositor_;
     // Of this volume; outlives the device.
     std::shared_ptr<hybrid::ModelShelf> shelf_;

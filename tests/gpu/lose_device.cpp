@@ -25,6 +25,7 @@ struct State {
     int callsAfter = 0;
     std::array<int, kNames.size()> counts{};
     bool isFull = false;
+    std::uint64_t refusedFromBytes = 0;
     int refused = 0;
     VkDevice lostDevice = VK_NULL_HANDLE;
     std::map<VkQueue, VkDevice> queues;
@@ -73,11 +74,12 @@ bool isLost(VkDevice device, VulkanCall call) {
     return true;
 }
 
-bool isRefused() {
+bool isRefused(std::uint64_t bytes) {
     State& s = state();
     const std::lock_guard lock(s.mutex);
-    s.refused += s.isFull ? 1 : 0;
-    return s.isFull;
+    const bool is = s.isFull && bytes >= s.refusedFromBytes;
+    s.refused += is ? 1 : 0;
+    return is;
 }
 
 VkDevice deviceOf(VkQueue queue) {
@@ -99,10 +101,11 @@ void loseDeviceAt(VulkanCall call, int nth, int times) {
     s.arm(call, nth, times);
 }
 
-NoMemory::NoMemory() {
+NoMemory::NoMemory(std::uint64_t fromBytes) {
     State& s = state();
     const std::lock_guard lock(s.mutex);
     s.isFull = true;
+    s.refusedFromBytes = fromBytes;
     s.refused = 0;
 }
 
@@ -193,7 +196,7 @@ VKAPI_ATTR VkResult VKAPI_CALL vkAllocateMemory(VkDevice device, const VkMemoryA
                                                 const VkAllocationCallbacks* callbacks,
                                                 VkDeviceMemory* memory) {
     if (macula::test::isLost(device, VulkanCall::allocate)) return VK_ERROR_DEVICE_LOST;
-    if (macula::test::isRefused()) return VK_ERROR_OUT_OF_DEVICE_MEMORY;
+    if (macula::test::isRefused(info->allocationSize)) return VK_ERROR_OUT_OF_DEVICE_MEMORY;
     return MACULA_NEXT(vkAllocateMemory)(device, info, callbacks, memory);
 }
 

@@ -10,6 +10,8 @@
 // Preloaded, it takes MACULA_TEST_LOSE=submit:40:2: lost at the 40th submission, and once more 40 later.
 #pragma once
 
+#include <cstdint>
+
 namespace macula::test {
 
 enum class VulkanCall { submit, wait, query, allocate, compile, acquire, present, create };
@@ -18,10 +20,11 @@ enum class VulkanCall { submit, wait, query, allocate, compile, acquire, present
 // anew each time. Replaces what was said before; 0 times: never.
 void loseDeviceAt(VulkanCall call, int nth, int times = 1);
 
-// While there is one of these, no device has any memory left to allocate. No more than one at a time.
+// While there is one of these, no device has memory left for an allocation of that size or more. No more than
+// one at a time.
 class NoMemory {
   public:
-    NoMemory();
+    explicit NoMemory(std::uint64_t fromBytes = 0);
     ~NoMemory();
     NoMemory(const NoMemory&) = delete;
     NoMemory& operator=(const NoMemory&) = delete;

@@ -133,7 +133,8 @@ TEST_F(ModelTest, WithoutMemoryForItTheWindowSaysSoAndIsAsItIsWithoutAModel) {
     window_->open(std::nullopt);
     ASSERT_TRUE(waitForConverged());
     {
-        const macula::test::NoMemory full;
+        // Pictures of this size have room, splats have none.
+        const macula::test::NoMemory full(1'600'000);
         seen_.clear();
         window_->viewport().setUsesModel(true);
         ASSERT_TRUE(waitUntil([&] { return modelSays("No memory for a model"); }, 60));
@@ -142,7 +143,7 @@ TEST_F(ModelTest, WithoutMemoryForItTheWindowSaysSoAndIsAsItIsWithoutAModel) {
         drag(2);
         EXPECT_TRUE(isOnScreen(OnScreen::preview));
         release();
-        ASSERT_TRUE(waitForConverged());
+        ASSERT_TRUE(waitFor(OnScreen::traced)) << window_->message().toStdString();
         EXPECT_FALSE(hasSeen(OnScreen::model));
         EXPECT_TRUE(modelSays("No memory for a model"));
         EXPECT_TRUE(window_->message().isEmpty()) << window_->message().toStdString();

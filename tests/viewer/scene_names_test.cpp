@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace macula::viewer {
 namespace {
 
@@ -25,6 +27,25 @@ TEST(SceneNames, AreTheSameForTheSameAndForWhatComesBack) {
     EXPECT_EQ(names.of(1, a), first);
     clipped.clip = std::make_shared<const Clip>();
     EXPECT_EQ(names.of(1, clipped), first);
+}
+
+// A function that is being edited is another at each step: none is kept for ever, and no name is used twice.
+TEST(SceneNames, OfManyTheLastUsedAreRemembered) {
+    SceneNames names;
+    const Drawing first = drawing();
+    const std::string itsName = names.of(1, first);
+    Drawing second = drawing();
+    const std::weak_ptr<const TransferFunction> forgotten = second.transferFunction;
+    const std::string other = names.of(1, second);
+    std::vector<std::string> seen{itsName, other};
+    second = {};
+    for (std::size_t i = 0; i < 3 * SceneNames::kRemembered; ++i) {
+        seen.push_back(names.of(1, drawing()));
+        EXPECT_EQ(names.of(1, first), itsName);
+    }
+    EXPECT_TRUE(forgotten.expired());
+    std::sort(seen.begin(), seen.end());
+    EXPECT_EQ(std::adjacent_find(seen.begin(), seen.end()), seen.end());
 }
 
 TEST(SceneNames, DifferInWhateverAModelDependsOn) {
