@@ -25,7 +25,9 @@ FrameDecoder::FrameDecoder(const Stack& stack, std::span<const SliceIntensity> i
       plan_(plan),
       targets_(targets),
       states_(stack.frames.size(), FrameState::waiting),
-      errors_(stack.frames.size()) {}
+      errors_(stack.frames.size()),
+      beyondStoredBits_(stack.frames.size()),
+      notFinite_(stack.frames.size()) {}
 
 Error FrameDecoder::decode(std::size_t f, Worker& worker, const CancelToken& cancel) {
     const Frame& frame = stack_.frames[f];
@@ -65,12 +67,15 @@ Error FrameDecoder::decode(std::size_t f, Worker& worker, const CancelToken& can
         worker.numbers.resize(count);
         const auto read = worker.reader->readNumbers(frame.number, worker.numbers);
         if (failed(read)) return read.error();
-        applyIntensity(intensity, worker.numbers, targets_[f].values);
+        notFinite_[f] = applyIntensity(intensity, worker.numbers, targets_[f].values);
     } else {
         if (inFloat) worker.cells.resize(count);
         const std::span<std::uint16_t> cells = inFloat ? std::span(worker.cells) : targets_[f].stored;
         const auto read = worker.reader->read(frame.number, cells);
         if (failed(read)) return read.error();
+        if (!instance.overlayInPixels) {
+            beyondStoredBits_[f] = dicom::cellsBeyondStoredBits(intensity.format, intensity.padding, cells);
+        }
         unpackCells(intensity.format, intensity.padding, cells);
         if (inFloat) {
             applyIntensity(intensity, cells, targets_[f].values);

@@ -40,6 +40,9 @@ class FrameDecoder {
                      const std::function<void()>& onFirst, Progress& progress);
 
     FrameState state(std::size_t frame) const { return states_[frame]; }
+    // Of a decoded frame: see intensity.h.
+    std::size_t cellsBeyondStoredBits(std::size_t frame) const { return beyondStoredBits_[frame]; }
+    std::size_t notFinite(std::size_t frame) const { return notFinite_[frame]; }
     // Of the first frame, in the order of the stack, that could not be decoded.
     std::optional<Error> failure() const;
 
@@ -54,6 +57,8 @@ class FrameDecoder {
     std::span<const Target> targets_;
     std::vector<FrameState> states_;  // each written by one thread, once
     std::vector<Error> errors_;
+    std::vector<std::size_t> beyondStoredBits_;
+    std::vector<std::size_t> notFinite_;
 };
 
 }  // namespace macula::dicom

@@ -50,6 +50,13 @@ int mostFrames(const std::filesystem::path& file, const HeaderFile& read) {
     return static_cast<int>(std::clamp<std::uint64_t>(most, 1, kMostFrames));
 }
 
+bool hasOverlayInPixels(const Dataset& header) {
+    for (std::uint16_t group = 0x6000; group <= 0x601E; group += 2) {
+        if (header.integer(Tag{group, tag::kOverlayBitPositionElement}).value_or(0) > 0) return true;
+    }
+    return false;
+}
+
 std::shared_ptr<Instance> readShared(const std::filesystem::path& file, const HeaderFile& read) {
     const Dataset& header = *read.header;
     auto instance = std::make_shared<Instance>();
@@ -70,6 +77,7 @@ std::shared_ptr<Instance> readShared(const std::filesystem::path& file, const He
     instance->lossy =
         header.text(tag::kLossyImageCompression) == "01" || isLossy(instance->transferSyntaxUid);
     instance->strayBytes = read.strayBytes;
+    instance->overlayInPixels = hasOverlayInPixels(header);
     instance->concatenationUid = header.text(tag::kConcatenationUid).value_or("");
     instance->concatenationTotal = header.integer(tag::kInConcatenationTotalNumber).value_or(0);
     instance->suv = suvOf(header);

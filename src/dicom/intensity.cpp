@@ -133,6 +133,23 @@ void unpackCells(const CellFormat& format, const std::optional<RawRange>& paddin
     }
 }
 
+std::size_t cellsBeyondStoredBits(const CellFormat& format, const std::optional<RawRange>& padding,
+                                  std::span<const std::uint16_t> cells) {
+    const int above = format.bitsAllocated - format.highBit - 1;
+    if (!isNarrow(format) || above <= 0) return 0;
+    const unsigned ones = (1u << above) - 1u;
+    std::size_t count = 0;
+    for (const std::uint16_t cell : cells) {
+        const unsigned top = unsigned{cell} >> (format.highBit + 1) & ones;
+        if (top == 0) continue;
+        const bool isNegative = format.isSigned && (unsigned{cell} >> format.highBit & 1u) != 0;
+        if (isNegative && top == ones) continue;
+        const int whole = format.isSigned ? static_cast<std::int16_t>(cell) : static_cast<int>(cell);
+        count += padding && padding->contains(whole) ? 0 : 1;
+    }
+    return count;
+}
+
 std::optional<StoredRange> unpackedPadding(const SliceIntensity& slice) {
     if (!slice.padding) return {};
     const int offset = offsetOf(slice.format);
@@ -178,12 +195,14 @@ void applyIntensity(const SliceIntensity& slice, std::span<const std::uint16_t> 
     }
 }
 
-void applyIntensity(const SliceIntensity& slice, std::span<const double> numbers, std::span<float> values) {
+std::size_t applyIntensity(const SliceIntensity& slice, std::span<const double> numbers,
+                           std::span<float> values) {
     const bool isInteger = slice.format.kind == CellKind::integer;
     const auto isPadding = [&](double raw) {
         if (isInteger) return slice.padding && slice.padding->contains(raw);
         return slice.floatPadding && slice.floatPadding->low <= raw && raw <= slice.floatPadding->high;
     };
+    std::size_t notFinite = 0;
     for (std::size_t i = 0; i < numbers.size(); ++i) {
         const double raw = numbers[i];
         if (isPadding(raw)) {
@@ -192,8 +211,10 @@ void applyIntensity(const SliceIntensity& slice, std::span<const double> numbers
             values[i] = (*slice.modalityLut)(static_cast<std::int64_t>(raw));
         } else {
             values[i] = toFloat(slice.slope * raw + slice.intercept);
+            notFinite += std::isnan(values[i]) ? 1 : 0;
         }
     }
+    return notFinite;
 }
 
 }  // namespace macula::dicom

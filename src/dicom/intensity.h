@@ -92,6 +92,11 @@ std::optional<std::string> completePadding(std::span<SliceIntensity> slices);
 void unpackCells(const CellFormat& format, const std::optional<RawRange>& padding,
                  std::span<std::uint16_t> cells);
 
+// Cells, as in the file, with bits that `format` does not count among the stored ones, and that are no sign:
+// overlays (PS3.5 8.1.2), or values that need more bits. Padding is exempt.
+std::size_t cellsBeyondStoredBits(const CellFormat& format, const std::optional<RawRange>& padding,
+                                  std::span<const std::uint16_t> cells);
+
 // The padding of one slice among its unpacked values.
 std::optional<StoredRange> unpackedPadding(const SliceIntensity& slice);
 
@@ -112,10 +117,12 @@ struct SliceMap {
 void applyMap(const SliceMap& map, std::span<std::uint16_t> unpacked);
 
 // To units, for voxels of float32. The value is computed in double; padding, and what float cannot hold,
-// become NaN. `numbers` are raw values that were wider than 16 bits.
+// become NaN. `numbers` are raw values that were wider than 16 bits; returned is how many of them are not
+// padding and have no finite value.
 void applyIntensity(const SliceIntensity& slice, std::span<const std::uint16_t> unpacked,
                     std::span<float> values);
-void applyIntensity(const SliceIntensity& slice, std::span<const double> numbers, std::span<float> values);
+std::size_t applyIntensity(const SliceIntensity& slice, std::span<const double> numbers,
+                           std::span<float> values);
 
 // 16 bits where they hold every value exactly, else float32.
 struct IntensityPlan {

@@ -8,6 +8,7 @@
 #include "base/parallel.h"
 #include "dicom/frame_decoder.h"
 #include "dicom/memory.h"
+#include "dicom/odd_images.h"
 #include "dicom/slice_sources.h"
 #include "dicom/value_unit.h"
 
@@ -100,6 +101,7 @@ class Loading {
     template <class T>
     void makeSlice(const SliceSource& source, std::span<const std::span<T>> frames,
                    std::span<T> result) const;
+    void leaveOutWhatNeedsMoreBits(const FrameDecoder& decoder, std::vector<bool>& usable);
     Result<void> drop(const FrameDecoder& decoder);
     template <class T>
     void finish(std::vector<T>& voxels, std::span<const std::span<T>> frames, Progress& progress);
@@ -246,17 +248,53 @@ std::shared_ptr<const Volume> Loading::coarse(std::span<const std::size_t> frame
     return std::make_shared<const Volume>(std::move(*volume));
 }
 
+// Bits outside of the stored ones are dropped. In an image that says fewer bits than most of the stack, or in
+// a few images of many, they are of values that need them, and what is left of these is false.
+void Loading::leaveOutWhatNeedsMoreBits(const FrameDecoder& decoder, std::vector<bool>& usable) {
+    std::vector<int> bits;
+    std::vector<std::size_t> beyond;
+    for (std::size_t f = 0; f < usable.size(); ++f) {
+        if (!usable[f]) continue;
+        bits.push_back(intensities_[f].format.bitsStored);
+        if (decoder.cellsBeyondStoredBits(f) > 0) beyond.push_back(f);
+    }
+    if (beyond.empty()) return;
+    std::ranges::nth_element(bits, bits.begin() + static_cast<std::ptrdiff_t>(bits.size() / 2));
+    const int usual = bits[bits.size() / 2];
+    constexpr std::size_t kFewOf = 10;
+    const bool few = kFewOf * beyond.size() <= bits.size();
+    std::vector<const Frame*> leftOut;
+    for (const std::size_t f : beyond) {
+        if (!few && intensities_[f].format.bitsStored >= usual) continue;
+        usable[f] = false;
+        leftOut.push_back(&stack_.frames[f]);
+    }
+    if (!leftOut.empty()) {
+        say(message(key::kBitsExceeded,
+                    {{"count", std::int64_t(leftOut.size())}, {"numbers", describeNumbers(leftOut)}}));
+    }
+    if (leftOut.size() < beyond.size()) {
+        say(message(key::kBitsDropped, {{"count", std::int64_t(beyond.size() - leftOut.size())},
+                                        {"total", std::int64_t(bits.size())}}));
+    }
+}
+
 // Takes out what could not be decoded, and says so.
 Result<void> Loading::drop(const FrameDecoder& decoder) {
     const std::size_t count = stack_.frames.size();
     std::vector<bool> usable(count);
     for (std::size_t f = 0; f < count; ++f) usable[f] = decoder.state(f) == FrameState::decoded;
+    leaveOutWhatNeedsMoreBits(decoder, usable);
+    std::size_t notFinite = 0;
+    for (std::size_t f = 0; f < count; ++f) notFinite += usable[f] ? decoder.notFinite(f) : 0;
+    if (notFinite > 0) say(message(key::kNonFiniteValues, {{"count", std::int64_t(notFinite)}}));
     const auto good = static_cast<std::size_t>(std::ranges::count(usable, true));
     if (good == count) {
         usable_ = {.first = 0, .slices = stack_.slices};
         return {};
     }
-    Error error = *decoder.failure();
+    Error error = decoder.failure().value_or(
+        notUsable("The values of these need more bits than the images say.", "Export the series again."));
     error.message =
         fmt::format("{} of the {} images cannot be decoded. {}", count - good, count, error.message);
     if (good < 2 || 2 * good < count) return error;

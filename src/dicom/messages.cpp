@@ -15,6 +15,8 @@ namespace {
 constexpr std::string_view kCopySeries = "Copy the whole series again from its source.";
 constexpr std::string_view kCopyFile = "Copy the file again from its source.";
 constexpr std::string_view kOther = "Choose another series.";
+constexpr std::string_view kLookAlone =
+    "Look at these images by themselves, or copy the series again from its source.";
 constexpr std::string_view kExport = "Export the series again, or choose another.";
 
 constexpr auto kInfo = Severity::info;
@@ -139,6 +141,9 @@ constexpr std::array kCatalogue = std::to_array<CatalogueEntry>({
      "Look at the original images before measuring across slices."},
     {key::kSpacingTooIrregular, kBlocksVolume, 8,
      "The slices are too unevenly spaced for a volume, {leastMm:.3f} to {mostMm:.3f} mm apart.", kOther},
+    {key::kOddPosition, kWarning, 0,
+     "Images whose position is missing or cannot be right, and that were left out of the volume: {numbers}.",
+     kLookAlone},
     {key::kUnevenSpacing, kWarning, 0,
      "The slices are not quite evenly spaced: a slice is up to {errorMm:.3f} mm away from where it is drawn.",
      "Allow for this error when measuring across slices."},
@@ -156,6 +161,9 @@ constexpr std::array kCatalogue = std::to_array<CatalogueEntry>({
      "The pixels are neither whole numbers of 1, 8, 16 or 32 bits nor floating point.", kOther},
     {key::kUnsupportedTransferSyntax, kBlocksLoading, 0, "This version cannot decode the images: {syntax}.",
      "Export the series uncompressed or in JPEG 2000."},
+    {key::kOddEncoding, kWarning, 0,
+     "Images whose pixels this version cannot decode, and that were left out of the volume: {numbers}.",
+     "Export the series uncompressed or in JPEG 2000."},
     {key::kModalityLut, kInfo, 0, "The values come from a lookup table in the images, which was applied.",
      ""},
     {key::kInvalidModalityLut, kBlocksVolume, 0,
@@ -166,12 +174,30 @@ constexpr std::array kCatalogue = std::to_array<CatalogueEntry>({
      "Images that do not say how stored numbers become values: {count} of {total}. A missing rescale slope "
      "was taken as 1, a missing intercept as 0.",
      "Do not rely on the values; presets made for Hounsfield units may not fit."},
+    {key::kNoHounsfield, kWarning, 0,
+     "These CT images do not say that their values are Hounsfield units ({reason}); they are taken as plain "
+     "numbers.",
+     "Presets for Hounsfield units do not fit, and the table cannot be removed. Use the original images."},
+    {key::kOddRescale, kWarning, 0,
+     "Images whose rescale slope or intercept is missing or cannot be right, and that were left out of the "
+     "volume: {numbers}.",
+     kLookAlone},
     {key::kPerSliceRescale, kInfo, 0,
      "Each image has its own rescale factors; they are applied image by image.", ""},
     {key::kRealWorldValues, kInfo, 0,
      "The values are the real world values that the images define, in {unit}.", ""},
     {key::kSuvUnavailable, kInfo, 0,
      "Standardised uptake values cannot be worked out: {missing} is missing or not usable.", ""},
+    {key::kBitsExceeded, kWarning, 0,
+     "Images whose values need more bits than they say, and that were left out of the volume: {numbers}.",
+     kCopySeries},
+    {key::kBitsDropped, kWarning, 0,
+     "Images with bits outside of those that they say hold the values: {count} of {total}. These bits were "
+     "dropped.",
+     "Compare the values with those that another program shows."},
+    {key::kNonFiniteValues, kWarning, 0,
+     "Pixels that are no finite number: {count}. They are treated as outside of the scan.",
+     "Do not read anything into the places where they are."},
     {key::kLossySource, kWarning, 0,
      "The images were compressed with loss; fine detail may be missing or false.",
      "Use the original images for diagnosis."},

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <set>
 
+#include "dicom/odd_images.h"
 #include "dicom/partition.h"
 
 namespace macula::dicom {
@@ -461,14 +462,29 @@ Split splitSeries(std::vector<Frame> frames, const std::string& modality, const 
     if (frames.empty()) return split;
     sortFrames(frames);
     std::vector<Stack> copies = takeCopies(frames, modality, split.messages);
+    const std::optional<Message> unplaced = imagesWithoutPosition(frames);
+    std::vector<Stack> leftOut;
     for (HardPart& part : splitHard(std::move(frames), rules, split.messages)) {
         const std::string& own = part.frames.front().instance->modality;
         const std::string ofPart = own.empty() ? modality : own;
+        std::vector<Message> told;
+        if (unplaced && part.frames.front().positionMm) told.push_back(*unplaced);
+        for (OddImages& odd : takeOddImages(part.frames, ofPart)) {
+            std::vector<StackLabel> labels = part.labels;
+            labels.push_back(odd.label);
+            leftOut.push_back(makeStack(std::move(odd.frames), std::move(labels), ofPart));
+            told.push_back(std::move(odd.message));
+        }
         for (Stack& stack : Splitter(ofPart, rules, cancel)
                                 .split(std::move(part.frames), std::move(part.labels), split.messages)) {
+            for (const Message& message : told) {
+                stack.messages.push_back(message);
+                stack.assumptions.push_back(message.sentence);
+            }
             split.stacks.push_back(std::move(stack));
         }
     }
+    for (Stack& stack : leftOut) split.stacks.push_back(std::move(stack));
     for (Stack& stack : copies) split.stacks.push_back(std::move(stack));
     return split;
 }

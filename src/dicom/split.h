@@ -19,6 +19,7 @@ struct Split {
 //   - of files that share a SOP Instance UID the first stays, and the others are stacks of their own;
 //   - hard attributes separate, and frames without a position from those with one; frames that are then alone
 //     although they differ only in how they lie stay together as a stack that is no volume;
+//   - images that cannot be what they say (odd_images.h) are stacks of their own, and gaps in the others;
 //   - what is a volume is kept whole; a volume with gaps only gives way to parts that are whole and
 //   interleave;
 //   - soft attributes separate, one or two of them, when the parts are volumes;

@@ -239,7 +239,7 @@ TEST(Scan, headersThatMakeNoVolume) {
     for (const Case& c : cases) {
         SCOPED_TRACE(c.key);
         const TemporaryFolder folder;
-        c.spoil(write(smallVolume(), folder.path())[2]);
+        for (const fs::path& file : write(smallVolume(), folder.path())) c.spoil(file);
         const auto found = scan(folder.path());
         ASSERT_TRUE(found);
         const Series& series = found->studies.at(0).series.at(0);

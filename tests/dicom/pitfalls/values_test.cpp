@@ -107,7 +107,8 @@ TEST_F(D09Rescale, nonsenseIsNoValue) {
         SCOPED_TRACE(text);
         const TemporaryFolder own;
         auto slices = slicesOf(series);
-        slices[3].edits.push_back([&](DcmItem& item) { put(item, DCM_RescaleSlope, text); });
+        for (Slice& slice : slices)
+            slice.edits.push_back([&](DcmItem& item) { put(item, DCM_RescaleSlope, text); });
         writeFiles(own.path(), series, slices);
         const Opened opened(own.path());
         EXPECT_TRUE(opened.says(key::kInvalidRescale)) << opened.keys();
