@@ -2,6 +2,7 @@
 
 #include "base/itk_for_clang.h"
 
+#include <itkMetaDataObject.h>
 #include <itkMetaImageIO.h>
 #include <itkNrrdImageIO.h>
 
@@ -61,6 +62,8 @@ Result<void> write(itk::ImageIOBase& io, const fs::path& path, const RawImage& i
     io.SetPixelType(itk::IOPixelEnum::SCALAR);
     io.SetNumberOfComponents(1);
     io.SetIORegion(wholeOf(image.size));
+    if (const std::string note = valueNote(image); !note.empty())
+        itk::EncapsulateMetaData<std::string>(io.GetMetaDataDictionary(), std::string(kValueNoteField), note);
     io.Write(image.data.data());
     // MetaIO does not notice a full disk.
     std::error_code error;

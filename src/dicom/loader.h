@@ -22,7 +22,7 @@ struct LoadOptions {
 // voxels. The volume is in 16 bits where these hold every value exactly, else in float. A frame that cannot
 // be decoded is dropped as if it had never been there: interpolated, or cut off at the ends;
 // provenance().messages say so. Slices between frames are interpolated, and listed in
-// provenance().interpolatedSlices. The unit is hounsfield for CT, unless the images name another. Fails with
+// provenance().interpolatedSlices. The unit is hounsfield for CT that says so: value_unit.h. Fails with
 // inputNotUsable when the stack is no volume (its own message says why), when fewer than two or than half of
 // the frames can be decoded, with outOfMemory, or, within 200 ms, cancelled.
 Result<std::shared_ptr<const Volume>> loadVolume(const Series& series, const Stack& stack, Progress& progress,

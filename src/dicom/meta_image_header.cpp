@@ -134,6 +134,7 @@ Result<TextHeader> readMetaImageHeader(const fs::path& path) {
         if (!value) return headerDamaged();
         *into = *value;
     }
+    readValueNote(valueOf(fields, std::string(kValueNoteField).c_str()), header.layout);
     MACULA_TRY(header.layout.worldFromVoxel, worldFromVoxelOf(fields, header.layout.assumptions));
     MACULA_TRY(header.values, valuesOf(path, parsed, header.layout));
     MACULA_TRY_VOID(checkExtent(header.layout, header.values));

@@ -35,6 +35,8 @@ constexpr std::size_t kVoxOffset = 108;
 constexpr std::size_t kSlope = 112;
 constexpr std::size_t kIntercept = 116;
 constexpr std::size_t kUnits = 123;
+constexpr std::size_t kDescription = 148;  // 80 characters, the last a zero
+constexpr std::size_t kDescriptionBytes = 80;
 constexpr std::size_t kQformCode = 252;
 constexpr std::size_t kSformCode = 254;
 constexpr std::size_t kQuatern = 256;
@@ -191,6 +193,9 @@ Result<Header> headerFor(const RawImageLayout& image) {
     number(kIntercept, image.intercept);
     header.set(kUnits, char{2});  // mm
     std::memcpy(header.bytes.data() + kMagic, "n+1", 4);
+    const std::string note = valueNote(image);
+    std::memcpy(header.bytes.data() + kDescription, note.data(),
+                std::min(note.size(), kDescriptionBytes - 1));
 
     const glm::dmat4 rasFromVoxel = kLpsFromRas * image.worldFromVoxel;  // the map is its own inverse
     for (std::size_t row = 0; row < 3; ++row) {
@@ -351,6 +356,8 @@ Result<RawImageLayout> layoutOf(const Opened& opened) {
         layout.slope = slope;
         layout.intercept = intercept;
     }
+    readValueNote({reinterpret_cast<const char*>(header.bytes.data() + kDescription), kDescriptionBytes},
+                  layout);
     glm::dmat4 rasFromVoxel = rasFromVoxelOf(header, layout.size, layout.assumptions);
     const double scale = unitMm(header);
     for (int column = 0; column < 4; ++column)

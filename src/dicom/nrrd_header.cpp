@@ -49,6 +49,7 @@ struct Parsed {
     Fields fields;  // by name in small letters, without blanks: older files spell them in other ways
     std::uint64_t bytes = 0;    // of the header, with the blank line after it
     bool hasBlankLine = false;  // after which values may follow
+    std::string valueNote;
 };
 
 Result<Parsed> parse(const fs::path& path) {
@@ -65,7 +66,10 @@ Result<Parsed> parse(const fs::path& path) {
             // "key:=value" is a note of whoever wrote the file; "field: value" describes it.
             const std::size_t colon = line->find(": ");
             const std::size_t note = line->find(":=");
-            if (note != std::string::npos && (colon == std::string::npos || note < colon)) continue;
+            if (note != std::string::npos && (colon == std::string::npos || note < colon)) {
+                if (line->substr(0, note) == kValueNoteField) parsed.valueNote = line->substr(note + 2);
+                continue;
+            }
             if (colon == std::string::npos) return headerDamaged();
             std::string name = lowerCase(line->substr(0, colon));
             std::erase(name, ' ');
@@ -181,6 +185,7 @@ Result<TextHeader> readNrrdHeader(const fs::path& path) {
     MACULA_TRY(header.layout.size, parseSize(valueOf(parsed.fields, "sizes")));
     MACULA_TRY(header.layout.type, typeOf(valueOf(parsed.fields, "type")));
     MACULA_TRY(header.layout.worldFromVoxel, worldFromVoxelOf(parsed.fields, header.layout.assumptions));
+    readValueNote(parsed.valueNote, header.layout);
     MACULA_TRY(header.values, valuesOf(path, parsed, header.layout));
     MACULA_TRY_VOID(checkExtent(header.layout, header.values));
     return header;

@@ -1,6 +1,8 @@
 #include "dicom/raw_image.h"
 
 #include <algorithm>
+#include <array>
+#include <atomic>
 #include <cmath>
 #include <cstring>
 #include <functional>
@@ -17,9 +19,10 @@ namespace {
 constexpr std::size_t kChunk = std::size_t{1} << 20;
 constexpr double kMost16 = 65535.0;
 
-// Reaching so low, whole numbers are Hounsfield units: air is -1000, and no other scale in use goes there.
-constexpr double kLowestHu = -8192.0;
-constexpr double kHighestAirHu = -500.0;
+// As in the notes that valueNote makes.
+constexpr std::array<std::pair<Unit, std::string_view>, 3> kUnitNames{
+    {{Unit::hounsfield, "HU"}, {Unit::becquerelsPerMillilitre, "Bq/mL"}, {Unit::suvBodyWeight, "SUVbw"}}};
+constexpr std::string_view kNoteBegin = "Macula";
 
 Error cancelled() {
     return {ErrorCode::cancelled, "Stopped.", {}, {}};
@@ -145,7 +148,17 @@ Result<std::shared_ptr<const Volume>> unpacked(RawImage& image, Progress& progre
     const std::size_t count = image.data.size() / bytesOf(image.type);
     progress.beginStage("Preparing the values", 2 * ((count + kChunk - 1) / kChunk));
     MACULA_TRY(const Summary values, summarise(count, progress, raw));
-    VolumeOptions options{.size = image.size, .worldFromVoxel = image.worldFromVoxel};
+    VolumeOptions options{.size = image.size,
+                          .worldFromVoxel = image.worldFromVoxel,
+                          .unit = image.unit,
+                          .modality = image.modality};
+    image.assumptions.push_back(
+        image.unit == Unit::raw
+            ? "The file does not name the unit of its values: none was assumed. Presets for Hounsfield units "
+              "do not fit."
+            : fmt::format("Macula wrote this file, with values in {}; a program that changed them since need "
+                          "not have said so.",
+                          unitSymbol(image.unit)));
     const double slope = image.slope;
     const double intercept = image.intercept;
 
@@ -155,18 +168,6 @@ Result<std::shared_ptr<const Volume>> unpacked(RawImage& image, Progress& progre
         const double sign = slope < 0.0 ? -1.0 : 1.0;
         const double origin = !shifted ? 0.0 : slope < 0.0 ? values.high : values.low;
         options.unitsFromStored = {std::abs(slope), slope * origin + intercept};
-        const double lowest = std::min(slope * values.low, slope * values.high) + intercept;
-        const bool integers = slope == std::trunc(slope) && intercept == std::trunc(intercept);
-        if (integers && lowest >= kLowestHu && lowest <= kHighestAirHu) {
-            options.unit = Unit::hounsfield;
-            options.modality = "CT";
-            image.assumptions.emplace_back(
-                "The file does not name the unit of its values: Hounsfield units were assumed, as whole "
-                "numbers that begin as low as air.");
-        } else {
-            image.assumptions.emplace_back(
-                "The file does not name the unit of its values: none was assumed.");
-        }
         options.provenance.assumptions = std::move(image.assumptions);
         std::vector<std::uint16_t> voxels(count);
         MACULA_TRY_VOID(inChunks(count, progress, [&](std::size_t first, std::size_t length) {
@@ -178,19 +179,26 @@ Result<std::shared_ptr<const Volume>> unpacked(RawImage& image, Progress& progre
         return std::shared_ptr<const Volume>(std::make_shared<Volume>(std::move(volume)));
     }
 
-    image.assumptions.emplace_back("The file does not name the unit of its values: none was assumed.");
     std::vector<float> voxels(count);
     std::atomic<bool> rounded{false};
+    std::atomic<std::size_t> notFinite{0};
     MACULA_TRY_VOID(inChunks(count, progress, [&](std::size_t first, std::size_t length) {
         bool inexact = false;
+        std::size_t none = 0;
         for (std::size_t n = first; n < first + length; ++n) {
             const double value = slope * raw(n) + intercept;
             voxels[n] = converted<float>(value);
-            inexact = inexact || (double(voxels[n]) != value && !std::isnan(value));
+            none += std::isfinite(voxels[n]) ? 0 : 1;
+            inexact = inexact || (std::isfinite(voxels[n]) && double(voxels[n]) != value);
         }
+        notFinite += none;
         if (inexact) rounded = true;
     }));
     if (rounded) image.assumptions.emplace_back("Values were rounded to 24 significant bits.");
+    if (notFinite > 0) {
+        image.assumptions.push_back(fmt::format(
+            "{} voxels hold no finite number: they are treated as outside of the scan.", notFinite.load()));
+    }
     options.provenance.assumptions = std::move(image.assumptions);
     image.data = {};
     MACULA_TRY(Volume volume, Volume::createFloat(std::move(options), std::move(voxels)));
@@ -215,6 +223,59 @@ std::size_t bytesOf(ScalarType type) {
             break;
     }
     return 8;
+}
+
+std::string_view nameOf(ScalarType type) {
+    switch (type) {
+        case ScalarType::int8:
+            return "int8";
+        case ScalarType::uint8:
+            return "uint8";
+        case ScalarType::int16:
+            return "int16";
+        case ScalarType::uint16:
+            return "uint16";
+        case ScalarType::int32:
+            return "int32";
+        case ScalarType::uint32:
+            return "uint32";
+        case ScalarType::float32:
+            return "float32";
+        case ScalarType::float64:
+            break;
+    }
+    return "float64";
+}
+
+std::string valueNote(const RawImageLayout& layout) {
+    for (const auto& [unit, name] : kUnitNames) {
+        if (unit != layout.unit) continue;
+        // Modality is a code of capitals (PS3.5 6.2, CS); what is none is left out.
+        const bool isCode =
+            layout.modality.size() <= 16 &&
+            layout.modality.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ") == std::string::npos;
+        return fmt::format("{}|{}|{}|{}", kNoteBegin, nameOf(layout.type), name,
+                           isCode ? layout.modality : std::string());
+    }
+    return {};
+}
+
+void readValueNote(std::string_view note, RawImageLayout& layout) {
+    std::vector<std::string> parts{""};
+    for (const char c : note) {
+        if (c == '|') {
+            parts.emplace_back();
+        } else if (c >= ' ' && c <= '~') {
+            parts.back() += c;
+        }
+    }
+    const bool isChanged = layout.slope != 1.0 || layout.intercept != 0.0;
+    if (parts.size() != 4 || parts[0] != kNoteBegin || parts[1] != nameOf(layout.type) || isChanged) return;
+    for (const auto& [unit, name] : kUnitNames) {
+        if (name != parts[2]) continue;
+        layout.unit = unit;
+        layout.modality = parts[3];
+    }
 }
 
 std::uint64_t RawImageLayout::bytes() const {
@@ -257,6 +318,8 @@ Result<RawImage> rawImageOf(const Volume& volume, Progress& progress) {
     RawImage image;
     image.size = volume.size();
     image.worldFromVoxel = volume.worldFromVoxel();
+    image.unit = volume.unit();
+    image.modality = volume.modality();
     if (volume.format() == VoxelFormat::float32) {
         const auto voxels = volume.floatVoxels();
         return packed(std::move(image), voxels.size(), progress,

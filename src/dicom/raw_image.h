@@ -18,6 +18,7 @@ namespace macula::dicom {
 enum class ScalarType { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
 
 std::size_t bytesOf(ScalarType type);
+std::string_view nameOf(ScalarType type);  // "int16"
 
 // What a header says of the image.
 struct RawImageLayout {
@@ -26,10 +27,21 @@ struct RawImageLayout {
     ScalarType type = ScalarType::int16;
     double slope = 1.0;  // value = slope * raw + intercept; the slope may be negative, not 0
     double intercept = 0.0;
+    // What valueNote() told of a file that Macula wrote: other programs name no unit, and none is guessed.
+    Unit unit = Unit::raw;
+    std::string modality;
     std::vector<std::string> assumptions;  // sentences, as in Provenance
 
     std::uint64_t bytes() const;
 };
+
+// What Macula writes into a file beside the values: "Macula|int16|HU|CT", at most 79 characters; empty for
+// values without a unit.
+std::string valueNote(const RawImageLayout& layout);
+inline constexpr std::string_view kValueNoteField = "MaculaValues";  // where NRRD and MetaImage keep it
+// Fills in unit and modality. Takes nothing from a note whose type is not that of the file: then another
+// program has changed the values since.
+void readValueNote(std::string_view note, RawImageLayout& layout);
 
 struct RawImage : RawImageLayout {
     std::vector<std::byte> data;  // i fastest, in the byte order of this machine
@@ -44,8 +56,7 @@ Result<void> checkLayout(const RawImageLayout& layout, std::uint64_t bytesInFile
 Result<RawImage> rawImageOf(const Volume& volume, Progress& progress);
 Result<RawImage> rawImageOf(const LabelMap& map, Progress& progress);
 
-// 16 bits when that is exact, else float32. Such files name no unit: HU is assumed of whole numbers that
-// reach far below zero, and that is said.
+// 16 bits when that is exact, else float32. Values that are no finite number are padding, and counted.
 Result<std::shared_ptr<const Volume>> volumeOf(RawImage image, Progress& progress);
 
 }  // namespace macula::dicom

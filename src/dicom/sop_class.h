@@ -8,6 +8,9 @@ namespace macula::dicom {
 
 namespace sop_class {
 inline constexpr std::string_view kMediaDirectory = "1.2.840.10008.1.3.10";  // DICOMDIR
+inline constexpr std::string_view kCtImage = "1.2.840.10008.5.1.4.1.1.2";
+inline constexpr std::string_view kEnhancedCtImage = "1.2.840.10008.5.1.4.1.1.2.1";
+inline constexpr std::string_view kLegacyConvertedEnhancedCtImage = "1.2.840.10008.5.1.4.1.1.2.2";
 inline constexpr std::string_view kSegmentation = "1.2.840.10008.5.1.4.1.1.66.4";
 inline constexpr std::string_view kLabelMapSegmentation = "1.2.840.10008.5.1.4.1.1.66.7";
 }  // namespace sop_class

@@ -8,6 +8,7 @@
 
 #include "dicom/sop_class.h"
 #include "dicom/transfer_syntax.h"
+#include "dicom/value_unit.h"
 
 namespace macula::dicom {
 
@@ -79,6 +80,10 @@ void assessRescale(Stack& stack, const std::string& modality) {
     if (const auto count = std::count_if(stack.frames.begin(), stack.frames.end(), faulty); count > 0) {
         tell(stack, message(key::kMissingRescale,
                             {{"count", std::int64_t(count)}, {"total", std::int64_t(stack.frames.size())}}));
+    }
+    if (modality == "CT") {
+        if (const std::string why = whyNoHounsfield(stack.frames); !why.empty())
+            tell(stack, message(key::kNoHounsfield, {{"reason", why}}));
     }
     const Frame& first = stack.frames.front();
     if (any(stack,

@@ -15,8 +15,12 @@ struct ValueUnit {
     std::string name;  // when unitSymbol(unit) is not it
 };
 
-// Hounsfield units only for CT that says so, or says nothing (PS3.3 C.11.1.1.2); raw when the frames name
-// none, or different ones.
+// Raw when the frames name no unit, or different ones.
 ValueUnit valueUnit(std::string_view modality, std::span<const Frame> frames);
+
+// Why values of CT are no Hounsfield units; empty when they are: each image has a rescale slope and intercept
+// (or lookup table) whose type is HU, or names no type in a CT image of more than 8 bits (PS3.3 C.8.2.1,
+// C.11.1.1.2). Captures and images without a rescale are not guessed at.
+std::string whyNoHounsfield(std::span<const Frame> frames);
 
 }  // namespace macula::dicom

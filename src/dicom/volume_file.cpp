@@ -118,28 +118,6 @@ Result<Ending> checkInput(const fs::path& path) {
     return ending;
 }
 
-const char* nameOf(ScalarType type) {
-    switch (type) {
-        case ScalarType::int8:
-            return "int8";
-        case ScalarType::uint8:
-            return "uint8";
-        case ScalarType::int16:
-            return "int16";
-        case ScalarType::uint16:
-            return "uint16";
-        case ScalarType::int32:
-            return "int32";
-        case ScalarType::uint32:
-            return "uint32";
-        case ScalarType::float32:
-            return "float32";
-        case ScalarType::float64:
-            break;
-    }
-    return "float64";
-}
-
 const char* nameOf(Format format) {
     return format == Format::nifti ? "NIfTI" : format == Format::nrrd ? "NRRD" : "MetaImage";
 }
@@ -207,8 +185,8 @@ Result<VolumeFileInfo> readVolumeFileInfo(const fs::path& path) try {
     MACULA_TRY(const Ending ending, checkInput(path));
     const auto layout = readLayout(ending.format, path);
     if (!layout) return at(path, layout.error());
-    return VolumeFileInfo{nameOf(ending.format), nameOf(layout->type), layout->size, layout->worldFromVoxel,
-                          layout->assumptions};
+    return VolumeFileInfo{nameOf(ending.format), std::string(nameOf(layout->type)), layout->size,
+                          layout->worldFromVoxel, layout->assumptions};
 } catch (const std::bad_alloc&) {
     return Error{ErrorCode::outOfMemory, "There is not enough memory.", {}, "Close other programs."};
 } catch (const std::exception&) {

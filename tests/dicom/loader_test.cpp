@@ -78,7 +78,9 @@ TEST(Loader, missingRescaleInCtIsAnAssumptionNotASilentDefault) {
     EXPECT_TRUE(hasMessage(series, key::kMissingRescale));
     const auto volume = load(series);
     ASSERT_NE(volume, nullptr);
-    EXPECT_EQ(volume->provenance().assumptions.size(), 1u);
+    EXPECT_EQ(volume->provenance().assumptions.size(), 2u);
+    EXPECT_EQ(volume->unit(), Unit::raw);
+    EXPECT_TRUE(hasMessage(series, key::kNoHounsfield));
 }
 
 TEST(Loader, missingRescaleInMrIsNormal) {

@@ -283,10 +283,50 @@ TEST(SliceSources, paddingIsNotBlended) {
     EXPECT_EQ(values[2], 2.5F);
 }
 
+Frame ctFrame(int bits = 12, const char* sopClass = "1.2.840.10008.5.1.4.1.1.2") {
+    auto instance = std::make_shared<Instance>();
+    instance->sopClassUid = sopClass;
+    instance->format = CellFormat{bits > 8 ? 16 : 8, bits, bits - 1, false};
+    Frame frame{.instance = std::move(instance)};
+    frame.slope = 1.0;
+    frame.intercept = -1024.0;
+    return frame;
+}
+
+// Nothing is guessed: bone in Hounsfield units is where a preset says that it is.
+TEST(ValueUnit, ofCtIsHounsfieldOnlyWhereThatIsKnown) {
+    const auto unitOf = [](Frame frame) { return valueUnit("CT", std::vector<Frame>(3, frame)).unit; };
+    EXPECT_EQ(unitOf(ctFrame()), Unit::hounsfield);
+    for (const bool withType : {false, true}) {
+        Frame none = ctFrame();
+        if (withType) none.rescaleType = "HU";
+        none.slope = none.intercept = std::nullopt;
+        EXPECT_EQ(unitOf(none), Unit::raw);
+        Frame half = ctFrame();
+        if (withType) half.rescaleType = "HU";
+        half.intercept = std::nullopt;
+        EXPECT_EQ(unitOf(half), Unit::raw);
+    }
+    Frame capture = ctFrame(8);
+    EXPECT_EQ(unitOf(capture), Unit::raw);
+    capture.rescaleType = "HU";  // that is its word
+    EXPECT_EQ(unitOf(capture), Unit::hounsfield);
+    EXPECT_EQ(unitOf(ctFrame(16, "1.2.840.10008.5.1.4.1.1.7")), Unit::raw);
+    EXPECT_EQ(unitOf(ctFrame(16, "1.2.840.10008.5.1.4.1.1.2.1")), Unit::hounsfield);
+    Frame table = ctFrame();
+    table.modalityLut = std::make_shared<const ModalityLut>(ModalityLut{0, {1, 2}});
+    EXPECT_EQ(unitOf(table), Unit::raw);
+    table.rescaleType = "HU";
+    EXPECT_EQ(unitOf(table), Unit::hounsfield);
+    std::vector<Frame> one(3, ctFrame());
+    one[1].intercept = std::nullopt;
+    EXPECT_EQ(valueUnit("CT", one).unit, Unit::raw);
+}
+
 TEST(ValueUnit, isWhatTheImagesSay) {
     const auto unitOf = [](std::string_view modality, const std::string& rescaleType,
                            const std::string& units = {}) {
-        Frame frame;
+        Frame frame = ctFrame();
         frame.rescaleType = rescaleType;
         frame.units = units;
         return valueUnit(modality, std::vector<Frame>(2, frame));
@@ -301,7 +341,7 @@ TEST(ValueUnit, isWhatTheImagesSay) {
     EXPECT_EQ(unitOf("PT", "", "BQML").unit, Unit::becquerelsPerMillilitre);
     EXPECT_EQ(unitOf("PT", "US", "CNTS").unit, Unit::raw);
     EXPECT_EQ(unitOf("PT", "", "GML").unit, Unit::other);
-    std::vector<Frame> different(2);
+    std::vector<Frame> different(2, ctFrame());
     different[1].rescaleType = "US";
     EXPECT_EQ(valueUnit("CT", different).unit, Unit::raw);
 }

@@ -134,16 +134,46 @@ TEST_F(Import, NiftiSlopeAndIntercept) {
     }
 }
 
-TEST_F(Import, HounsfieldUnitsAreRecognisedAndSaid) {
-    NiftiBytes file = makeNifti(4, 2);
-    file.set<std::int16_t>(352, -1024);
-    const auto ct = import(write("a.nii", file.bytes));
-    EXPECT_EQ(ct->unit(), Unit::hounsfield);
-    EXPECT_TRUE(anyContains(ct->provenance().assumptions, "Hounsfield units were assumed"));
-    file.set<std::int16_t>(352, -100);
-    const auto other = import(write("a.nii", file.bytes));
-    EXPECT_EQ(other->unit(), Unit::raw);
-    EXPECT_TRUE(anyContains(other->provenance().assumptions, "none was assumed"));
+// A phase image of MR with slope 2 and intercept -4096 reaches as low as air, in whole numbers.
+TEST_F(Import, NoUnitIsGuessed) {
+    for (const float intercept : {0.0f, -4096.0f}) {
+        NiftiBytes file = makeNifti(4, 2);
+        file.set<std::int16_t>(352, -1024);
+        if (intercept != 0.0f) file.set(112, 2.0f);
+        file.set(116, intercept);
+        const auto volume = import(write("a.nii", file.bytes));
+        EXPECT_EQ(volume->unit(), Unit::raw);
+        EXPECT_EQ(volume->modality(), "");
+        EXPECT_TRUE(anyContains(volume->provenance().assumptions, "none was assumed"));
+    }
+}
+
+// What Macula wrote about the values holds while they have the type it wrote.
+TEST_F(Import, TheUnitMaculaWroteIsTakenUnlessTheTypeChanged) {
+    for (const auto& [note, unit] :
+         {std::pair("Macula|int16|HU|CT", Unit::hounsfield),
+          std::pair("Macula|int16|Bq/mL|PT", Unit::becquerelsPerMillilitre),
+          std::pair("Macula|float32|HU|CT", Unit::raw), std::pair("Macula|int16|HU", Unit::raw),
+          std::pair("Other|int16|HU|CT", Unit::raw)}) {
+        SCOPED_TRACE(note);
+        NiftiBytes file = makeNifti(4, 2);
+        file.bytes.replace(148, std::string(note).size(), note);
+        EXPECT_EQ(import(write("a.nii", file.bytes))->unit(), unit);
+        file.set(112, 2.0f);  // somebody's slope
+        EXPECT_EQ(import(write("a.nii", file.bytes))->unit(), Unit::raw);
+    }
+}
+
+TEST_F(Import, ValuesThatAreNoFiniteNumberAreCountedAndPadding) {
+    NiftiBytes file = makeNifti(16, 4);
+    file.set(352, std::nanf(""));
+    file.set(356, INFINITY);
+    file.set(360, -INFINITY);
+    file.set(364, 0.5f);
+    const auto volume = import(write("a.nii", file.bytes));
+    ASSERT_NE(volume, nullptr);
+    for (const int i : {0, 1, 2}) EXPECT_TRUE(volume->isPadding(i, 0, 0)) << i;
+    EXPECT_TRUE(anyContains(volume->provenance().assumptions, "3 voxels hold no finite number"));
 }
 
 TEST_F(Import, NiftiBigEndianAndCompressed) {
