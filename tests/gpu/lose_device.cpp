@@ -9,11 +9,14 @@
 #include <cstring>
 #include <map>
 #include <mutex>
+#include <optional>
+#include <utility>
 
 namespace macula::test {
 namespace {
 
-constexpr std::array kNames{"submit", "wait", "query", "allocate", "compile", "acquire", "present", "create"};
+constexpr std::array kNames{"submit",  "wait",    "query",  "allocate", "compile",
+                            "acquire", "present", "create", "swapchain"};
 
 struct State {
     std::mutex mutex;
@@ -24,6 +27,8 @@ struct State {
     int lost = 0;
     int callsAfter = 0;
     std::array<int, kNames.size()> counts{};
+    FalseAnswer falseAnswer{.times = 0};
+    bool wasAcquired = false;  // the call before this one was acquire, and it gave an image
     bool isFull = false;
     std::uint64_t refusedFromBytes = 0;
     int refused = 0;
@@ -74,6 +79,18 @@ bool isLost(VkDevice device, VulkanCall call) {
     return true;
 }
 
+// What to answer instead of doing it; nothing when it is to be done.
+std::optional<VkResult> falseAnswerTo(VulkanCall call) {
+    State& s = state();
+    const std::lock_guard lock(s.mutex);
+    const bool follows = std::exchange(s.wasAcquired, false);
+    FalseAnswer& answer = s.falseAnswer;
+    if (answer.times == 0 || call != answer.call || (answer.onlyAfterAcquire && !follows))
+        return std::nullopt;
+    --answer.times;
+    return answer.result;
+}
+
 bool isRefused(std::uint64_t bytes) {
     State& s = state();
     const std::lock_guard lock(s.mutex);
@@ -99,6 +116,18 @@ void loseDeviceAt(VulkanCall call, int nth, int times) {
     State& s = state();
     const std::lock_guard lock(s.mutex);
     s.arm(call, nth, times);
+}
+
+void answerFalsely(const FalseAnswer& answer) {
+    State& s = state();
+    const std::lock_guard lock(s.mutex);
+    s.falseAnswer = answer;
+}
+
+int falseAnswersLeft() {
+    State& s = state();
+    const std::lock_guard lock(s.mutex);
+    return s.falseAnswer.times;
 }
 
 NoMemory::NoMemory(std::uint64_t fromBytes) {
@@ -177,6 +206,7 @@ VKAPI_ATTR void VKAPI_CALL vkDestroyDevice(VkDevice device, const VkAllocationCa
 VKAPI_ATTR VkResult VKAPI_CALL vkQueueSubmit2(VkQueue queue, uint32_t count, const VkSubmitInfo2* submits,
                                               VkFence fence) {
     if (macula::test::isLost(macula::test::deviceOf(queue), VulkanCall::submit)) return VK_ERROR_DEVICE_LOST;
+    if (const auto answer = macula::test::falseAnswerTo(VulkanCall::submit)) return *answer;
     return MACULA_NEXT(vkQueueSubmit2)(queue, count, submits, fence);
 }
 
@@ -213,11 +243,26 @@ VKAPI_ATTR VkResult VKAPI_CALL vkAcquireNextImageKHR(VkDevice device, VkSwapchai
                                                      uint64_t timeout, VkSemaphore semaphore, VkFence fence,
                                                      uint32_t* index) {
     if (macula::test::isLost(device, VulkanCall::acquire)) return VK_ERROR_DEVICE_LOST;
-    return MACULA_NEXT(vkAcquireNextImageKHR)(device, swapchain, timeout, semaphore, fence, index);
+    if (const auto answer = macula::test::falseAnswerTo(VulkanCall::acquire)) return *answer;
+    const VkResult result =
+        MACULA_NEXT(vkAcquireNextImageKHR)(device, swapchain, timeout, semaphore, fence, index);
+    auto& s = macula::test::state();
+    const std::lock_guard lock(s.mutex);
+    s.wasAcquired = result == VK_SUCCESS || result == VK_SUBOPTIMAL_KHR;
+    return result;
+}
+
+VKAPI_ATTR VkResult VKAPI_CALL vkCreateSwapchainKHR(VkDevice device, const VkSwapchainCreateInfoKHR* info,
+                                                    const VkAllocationCallbacks* callbacks,
+                                                    VkSwapchainKHR* swapchain) {
+    if (macula::test::isLost(device, VulkanCall::swapchain)) return VK_ERROR_DEVICE_LOST;
+    if (const auto answer = macula::test::falseAnswerTo(VulkanCall::swapchain)) return *answer;
+    return MACULA_NEXT(vkCreateSwapchainKHR)(device, info, callbacks, swapchain);
 }
 
 VKAPI_ATTR VkResult VKAPI_CALL vkQueuePresentKHR(VkQueue queue, const VkPresentInfoKHR* info) {
     if (macula::test::isLost(macula::test::deviceOf(queue), VulkanCall::present)) return VK_ERROR_DEVICE_LOST;
+    if (const auto answer = macula::test::falseAnswerTo(VulkanCall::present)) return *answer;
     return MACULA_NEXT(vkQueuePresentKHR)(queue, info);
 }
 

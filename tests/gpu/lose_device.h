@@ -5,20 +5,34 @@
 // replaced call on that VkDevice reports VK_ERROR_DEVICE_LOST and does nothing, until the device is
 // destroyed.
 //
+// A false answer is that of a single call, such as a timeout.
+//
 // Without memory each allocation reports VK_ERROR_OUT_OF_DEVICE_MEMORY; all else goes on.
 //
 // Preloaded, it takes MACULA_TEST_LOSE=submit:40:2: lost at the 40th submission, and once more 40 later.
 #pragma once
 
+#include <vulkan/vulkan_core.h>
+
 #include <cstdint>
 
 namespace macula::test {
 
-enum class VulkanCall { submit, wait, query, allocate, compile, acquire, present, create };
+enum class VulkanCall { submit, wait, query, allocate, compile, acquire, present, create, swapchain };
 
 // At the `nth` such call from now, the first being 1, of any device; then `times` - 1 times more, counted
 // anew each time. Replaces what was said before; 0 times: never.
 void loseDeviceAt(VulkanCall call, int nth, int times = 1);
+
+// A call that answers something else than it should, and does nothing. The device goes on.
+struct FalseAnswer {
+    VulkanCall call = VulkanCall::acquire;  // submit, acquire, present or swapchain
+    VkResult result = VK_TIMEOUT;
+    int times = 1;                  // so many from now on; 0: never
+    bool onlyAfterAcquire = false;  // only such calls as follow one that acquired an image
+};
+void answerFalsely(const FalseAnswer& answer);  // replaces what was said before
+int falseAnswersLeft();
 
 // While there is one of these, no device has memory left for an allocation of that size or more. No more than
 // one at a time.

@@ -9,6 +9,7 @@
 #include <vulkan/vulkan_xcb.h>
 
 #include "gpu/gpu_test.h"
+#include "gpu/lose_device.h"
 #include "pipeline/gpu/recorder.h"
 
 namespace macula::gpu {
@@ -163,6 +164,36 @@ TEST_F(SwapchainTest, showsColoursAndFollowsTheWindow) {
         EXPECT_EQ(swapchain.extent().width, 300u);
         expectColour(299, 149, 0xff6633);
     }
+}
+
+TEST_F(SwapchainTest, imagesThatWereNeverPresentedComeBack) {
+    const Image image = expectOk(Image::create(
+        device_, {.label = "frame", .width = 40, .height = 20, .format = VK_FORMAT_R8G8B8A8_UNORM}));
+    auto recorder = expectOk(Recorder::create(device_, "colour"));
+    recorder.clear(image, {{1.0f, 0.4f, 0.2f, 1.0f}});
+    expectOk(recorder.submit());
+    auto swapchain = expectOk(Swapchain::create(device_, surface_, {.extent = {200, 100}}));
+    for (int i = 0; i < 6; ++i) {
+        ASSERT_TRUE(expectOk(swapchain.acquire(5'000'000'000)).usable()) << i;
+        ASSERT_EQ(expectOk(swapchain.acquire(5'000'000'000)).status, Swapchain::Status::outOfDate) << i;
+        expectOk(swapchain.resize({200, 100}));
+    }
+    show(swapchain, image);
+    expectColour(0, 0, 0xff6633);
+}
+
+TEST_F(SwapchainTest, isNotHiddenByAResizeThatFailed) {
+    const Image image = expectOk(Image::create(
+        device_, {.label = "frame", .width = 40, .height = 20, .format = VK_FORMAT_R8G8B8A8_UNORM}));
+    auto recorder = expectOk(Recorder::create(device_, "colour"));
+    recorder.clear(image, {{1.0f, 0.4f, 0.2f, 1.0f}});
+    expectOk(recorder.submit());
+    auto swapchain = expectOk(Swapchain::create(device_, surface_, {.extent = {200, 100}}));
+    test::answerFalsely({.call = test::VulkanCall::swapchain, .result = VK_ERROR_OUT_OF_DEVICE_MEMORY});
+    EXPECT_EQ(swapchain.resize({200, 100}).error().code, ErrorCode::outOfMemory);
+    EXPECT_EQ(expectOk(swapchain.acquire(5'000'000'000)).status, Swapchain::Status::outOfDate);
+    show(swapchain, image);
+    expectColour(0, 0, 0xff6633);
 }
 
 }  // namespace

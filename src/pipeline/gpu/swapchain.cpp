@@ -74,6 +74,7 @@ Result<Handle<VkSemaphore>> Swapchain::makeSemaphore() const {
 
 Result<void> Swapchain::resize(VkExtent2D extent) {
     MACULA_TRY_VOID(device_->checkNotLost("resize the window"));
+    isBroken_ = true;  // until all below has been made
     if (const VkResult result = vkDeviceWaitIdle(device_->handle()); result < 0)
         return device_->failed(result, "resize the window");
 
@@ -89,8 +90,11 @@ Result<void> Swapchain::resize(VkExtent2D extent) {
         extent.height =
             std::clamp(extent.height, surface.minImageExtent.height, surface.maxImageExtent.height);
     }
-    extent_ = {0, 0};  // hidden, until all below has been made
-    if (extent.width == 0 || extent.height == 0) return {};
+    extent_ = {0, 0};
+    if (extent.width == 0 || extent.height == 0) {
+        isBroken_ = false;  // hidden
+        return {};
+    }
 
     std::uint32_t imageCount = std::max(kWantedImages, surface.minImageCount);
     if (surface.maxImageCount > 0) imageCount = std::min(imageCount, surface.maxImageCount);
@@ -110,8 +114,11 @@ Result<void> Swapchain::resize(VkExtent2D extent) {
     info.clipped = VK_TRUE;
     info.oldSwapchain = swapchain_.get();
     VkSwapchainKHR handle = VK_NULL_HANDLE;
-    if (const VkResult result = vkCreateSwapchainKHR(device_->handle(), &info, nullptr, &handle); result < 0)
+    if (const VkResult result = vkCreateSwapchainKHR(device_->handle(), &info, nullptr, &handle);
+        result < 0) {
+        swapchain_.reset();  // retired all the same, and of no use to the next try
         return device_->failed(result, "create the images of the window");
+    }
     swapchain_ = std::unique_ptr<VkSwapchainKHR_T, DestroySwapchain>(handle, {device_});
 
     std::uint32_t count = 0;
@@ -131,15 +138,30 @@ Result<void> Swapchain::resize(VkExtent2D extent) {
     }
     nextSlot_ = 0;
     extent_ = extent;
+    isBroken_ = false;
     device_->collect();
     return {};
+}
+
+// Width UINT32_MAX: the images decide.
+Result<VkExtent2D> Swapchain::surfaceExtent() const {
+    VkSurfaceCapabilitiesKHR surface{};
+    const VkResult asked = vkGetPhysicalDeviceSurfaceCapabilitiesKHR(device_->physical(), surface_, &surface);
+    if (asked < 0) return device_->failed(asked, "ask for the size of the window");
+    return surface.currentExtent;
 }
 
 Result<Swapchain::Frame> Swapchain::acquire(std::uint64_t timeoutNs) {
     MACULA_TRY_VOID(device_->checkNotLost("get an image of the window"));
     Frame frame;
+    if (isBroken_) {
+        frame.status = Status::outOfDate;
+        return frame;
+    }
     if (extent_.width == 0) {
-        frame.status = Status::hidden;
+        MACULA_TRY(const VkExtent2D now, surfaceExtent());
+        const bool isBack = now.width != UINT32_MAX && now.width > 0 && now.height > 0;
+        frame.status = isBack ? Status::outOfDate : Status::hidden;
         return frame;
     }
     Slot& slot = slots_[nextSlot_];
@@ -148,11 +170,7 @@ Result<Swapchain::Frame> Swapchain::acquire(std::uint64_t timeoutNs) {
 
     // The software presentation of Mesa on X11 goes on silently in a window of another size.
     if (device_->isCpu()) {
-        VkSurfaceCapabilitiesKHR surface{};
-        const VkResult asked =
-            vkGetPhysicalDeviceSurfaceCapabilitiesKHR(device_->physical(), surface_, &surface);
-        if (asked < 0) return device_->failed(asked, "ask for the size of the window");
-        const VkExtent2D now = surface.currentExtent;
+        MACULA_TRY(const VkExtent2D now, surfaceExtent());
         if (now.width != UINT32_MAX && (now.width != extent_.width || now.height != extent_.height)) {
             frame.status = Status::outOfDate;
             return frame;
@@ -167,6 +185,7 @@ Result<Swapchain::Frame> Swapchain::acquire(std::uint64_t timeoutNs) {
         return frame;
     }
     if (result < 0) return device_->failed(result, "get an image of the window");
+    isBroken_ = true;  // until it is presented
     frame.status = result == VK_SUBOPTIMAL_KHR ? Status::suboptimal : Status::ready;
     frame.image = images_[frame.index];
     frame.extent = extent_;
@@ -191,6 +210,7 @@ Result<Swapchain::Status> Swapchain::present(const Frame& frame, Ticket rendered
     const VkResult result = vkQueuePresentKHR(device_->queue(), &info);
     if (result == VK_ERROR_OUT_OF_DATE_KHR) return Status::outOfDate;
     if (result < 0) return device_->failed(result, "show the image in the window");
+    isBroken_ = false;
     return result == VK_SUBOPTIMAL_KHR ? Status::suboptimal : Status::ready;
 }
 

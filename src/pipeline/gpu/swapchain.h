@@ -40,7 +40,7 @@ class Swapchain {
         suboptimal,  // works, but the window has changed: resize soon
         outOfDate,   // resize, then try again
         timeout,     // no image yet (acquire only)
-        hidden,      // the window has no pixels now (minimised): try again after it has changed
+        hidden,      // the window has no pixels now (minimised): try again later
     };
 
     struct Frame {
@@ -62,7 +62,8 @@ class Swapchain {
     // Waits for the device. Afterwards extent() is what the surface allows; 0 x 0 while the window is hidden.
     Result<void> resize(VkExtent2D extent);
 
-    // A usable frame must be submitted (waiting for `available`, signalling `rendered`) and presented.
+    // A usable frame must be submitted (waiting for `available`, signalling `rendered`) and presented. Where
+    // that fails, or resize did, the next one is outOfDate: the images have to be made anew.
     Result<Frame> acquire(std::uint64_t timeoutNs = kForever);
     Result<Status> present(const Frame& frame, Ticket rendered);
 
@@ -83,12 +84,14 @@ class Swapchain {
 
     Swapchain() = default;
     Result<Handle<VkSemaphore>> makeSemaphore() const;
+    Result<VkExtent2D> surfaceExtent() const;
 
     std::shared_ptr<Device> device_;
     VkSurfaceKHR surface_ = VK_NULL_HANDLE;
     VkSurfaceFormatKHR format_{};
     VkPresentModeKHR mode_ = VK_PRESENT_MODE_FIFO_KHR;
     VkExtent2D extent_{};
+    bool isBroken_ = false;  // a resize was not finished, or an image was acquired and not presented
     std::unique_ptr<VkSwapchainKHR_T, DestroySwapchain> swapchain_;
     std::vector<VkImage> images_;
     std::vector<Handle<VkSemaphore>> rendered_;  // one per image
