@@ -23,19 +23,23 @@ std::vector<const dicom::OtherObject*> segmentationsOf(const dicom::Series& seri
 // On the first grid that it fits; several stacks of a series may share one.
 Result<SegmentationInput> onItsGrid(const dicom::Scan& scan, const dicom::Segmentation& segmentation,
                                     Progress& progress) {
+    bool hasImages = false;
     for (const std::string& uid : segmentation.referencedSeriesUids) {
         for (const dicom::Series* series : dicom::findAllSeries(scan, uid)) {
             for (const dicom::Stack& stack : series->stacks) {
                 if (!stack.canBeVolume()) continue;
                 const glm::ivec3 size(stack.columns, stack.rows, static_cast<int>(stack.slices.size()));
-                auto map = dicom::loadSegmentation(segmentation, *stack.worldFromVoxel, size, progress);
-                if (map) return SegmentationInput{std::move(*map), true};
+                hasImages = true;
+                const std::vector<glm::dvec3> positionsMm = dicom::slicePositionsMm(stack);
+                auto map =
+                    dicom::loadSegmentation(segmentation, *stack.worldFromVoxel, size, progress, positionsMm);
+                if (map) return SegmentationInput{std::move(*map), true, true};
                 if (map.error().code != ErrorCode::inputNotUsable) return map.error();
             }
         }
     }
     MACULA_TRY(LabelMap map, dicom::loadSegmentation(segmentation, progress));
-    return SegmentationInput{std::move(map), false};
+    return SegmentationInput{std::move(map), false, hasImages};
 }
 
 }  // namespace

@@ -14,6 +14,7 @@ bool isSegmentationSeries(const dicom::Series& series);
 struct SegmentationInput {
     LabelMap map;
     bool onItsSeries = false;  // on the grid of the series it was drawn on; else on one of its own
+    bool hasImages = false;    // that series is there, and is a volume
 };
 
 // The `number`th of its segmentations, from 1; 0 means the only one. On the grid of the images it was drawn

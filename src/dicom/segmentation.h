@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -49,8 +50,11 @@ Result<Segmentation> readSegmentation(const std::filesystem::path& file);
 // grid's, in either direction. Where segments overlap, the one in the later frame wins; messages of the label
 // map tell how many voxels that concerns, and how many lie outside of the grid. Half of fractionalMaximum and
 // more is the segment.
+// `slicePositionsMm` are where the slices of the grid really lie, one each, when they are not quite even
+// (stack.h: slicePositionsMm): a frame in one of these planes is of that slice.
 Result<LabelMap> loadSegmentation(const Segmentation& segmentation, const glm::dmat4& worldFromVoxel,
-                                  glm::ivec3 size, Progress& progress);
+                                  glm::ivec3 size, Progress& progress,
+                                  std::span<const glm::dvec3> slicePositionsMm = {});
 
 // On a grid of its own, the smallest that holds all frames: for when the series is not there. Its slice axis
 // goes from the lowest frame to the highest, so that a sheared stack stays sheared.

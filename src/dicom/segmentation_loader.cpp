@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 
+#include "base/check.h"
 #include "dicom/grid_placement.h"
 #include "dicom/memory.h"
 #include "dicom/messages.h"
@@ -20,16 +21,42 @@ Error notUsable(const Segmentation& segmentation, std::string message, std::stri
 
 using Placements = std::vector<GridPlacement>;
 
+// In the plane of a slice that lies a little off its even place: as if both lay there.
+std::optional<GridPlacement> placeOnSlice(const Segmentation& segmentation, ImagePlane plane,
+                                          const glm::dmat4& worldFromVoxel, const glm::dmat4& voxelFromWorld,
+                                          std::span<const glm::dvec3> slicePositionsMm) {
+    const double along = transformPoint(voxelFromWorld, plane.positionMm).z;
+    const double last = static_cast<double>(slicePositionsMm.size()) - 1.0;
+    if (!(along > -1.0 && along < last + 1.0)) return {};
+    const glm::dvec3 positionMm = plane.positionMm;
+    for (const double k : {std::round(along), std::floor(along), std::ceil(along)}) {
+        if (k < 0.0 || k > last) continue;
+        const glm::dvec3 even = transformPoint(worldFromVoxel, {0.0, 0.0, k});
+        plane.positionMm = positionMm + even - slicePositionsMm[static_cast<std::size_t>(k)];
+        auto placement = placeOnGrid(voxelFromWorld, plane, segmentation.columns, segmentation.rows);
+        // Of a frame that runs across the slices no one slice is the place.
+        if (placement && placement->origin.z == static_cast<int>(k) && placement->columnStep.z == 0 &&
+            placement->rowStep.z == 0) {
+            return placement;
+        }
+    }
+    return {};
+}
+
 // Of all frames; `firstOff` tells which does not lie on the grid.
 std::optional<Placements> placeAll(const Segmentation& segmentation, const glm::dmat4& worldFromVoxel,
+                                   std::span<const glm::dvec3> slicePositionsMm = {},
                                    std::size_t* firstOff = nullptr) {
     if (!isInvertibleAffine(worldFromVoxel)) return {};
     const glm::dmat4 voxelFromWorld = glm::inverse(worldFromVoxel);
     Placements placements;
     placements.reserve(segmentation.frames.size());
     for (const Segmentation::Frame& frame : segmentation.frames) {
-        const auto placement =
-            placeOnGrid(voxelFromWorld, frame.plane, segmentation.columns, segmentation.rows);
+        auto placement = placeOnGrid(voxelFromWorld, frame.plane, segmentation.columns, segmentation.rows);
+        if (!placement && !slicePositionsMm.empty()) {
+            placement =
+                placeOnSlice(segmentation, frame.plane, worldFromVoxel, voxelFromWorld, slicePositionsMm);
+        }
         if (!placement) {
             if (firstOff != nullptr) *firstOff = placements.size();
             return {};
@@ -216,13 +243,15 @@ std::vector<glm::dvec3> likelySliceAxes(const Segmentation& segmentation) {
 }  // namespace
 
 Result<LabelMap> loadSegmentation(const Segmentation& segmentation, const glm::dmat4& worldFromVoxel,
-                                  glm::ivec3 size, Progress& progress) try {
+                                  glm::ivec3 size, Progress& progress,
+                                  std::span<const glm::dvec3> slicePositionsMm) try {
     if (size.x < 1 || size.y < 1 || size.z < 1 || !isInvertibleAffine(worldFromVoxel)) {
         return notUsable(segmentation, "The series of the segmentation is no volume.",
                          "Choose another series.");
     }
+    MACULA_CHECK(slicePositionsMm.empty() || slicePositionsMm.size() == static_cast<std::size_t>(size.z));
     std::size_t firstOff = 0;
-    const auto placements = placeAll(segmentation, worldFromVoxel, &firstOff);
+    const auto placements = placeAll(segmentation, worldFromVoxel, slicePositionsMm, &firstOff);
     if (!placements) {
         return notUsable(segmentation,
                          fmt::format("Frame {} of the segmentation does not lie on the voxels of the series.",

@@ -157,6 +157,32 @@ TEST_F(SegmentationTest, binaryFramesThatDoNotBeginAtAByte) {
     EXPECT_LT(affineError(own->worldFromVoxel(), kGrid), 1e-9);
 }
 
+// The loader takes slices up to a tenth of their distance off for even (geometry.h), and what was drawn on
+// them lies where they lie.
+TEST_F(SegmentationTest, onSlicesThatAreNotQuiteEven) {
+    const std::vector<glm::dvec3> positionsMm{{10, 20, 30}, {10, 20, 32.18}, {10, 20, 34}};
+    Drawing d = twoSlices();
+    d.frames = {{{10, 20, 30}, 1}, {{10, 20, 32.18}, 1}, {{10, 20, 32.18}, 2}};
+    EXPECT_FALSE(on(d, kGrid, {5, 3, 3}));
+    const auto segmentation = readSegmentation(write(d));
+    ASSERT_TRUE(segmentation);
+    Progress progress;
+    const auto map = loadSegmentation(*segmentation, kGrid, {5, 3, 3}, progress, positionsMm);
+    ASSERT_TRUE(map) << map.error().message;
+    Labels expected(45);
+    expected[0] = 1;
+    expected[14] = 1;
+    expected[15 + 5 + 1] = 1;
+    expected[15 + 3] = 2;
+    expected[15 + 14] = 2;
+    EXPECT_EQ(labelsOf(*map), expected);
+    // Between two slices is no slice.
+    d.frames[1].positionMm.z = 32.9;
+    const auto between = readSegmentation(write(d));
+    ASSERT_TRUE(between);
+    EXPECT_FALSE(loadSegmentation(*between, kGrid, {5, 3, 3}, progress, positionsMm));
+}
+
 TEST_F(SegmentationTest, summary) {
     const auto s = readSegmentation(write(twoSlices()));
     ASSERT_TRUE(s);
