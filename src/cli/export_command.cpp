@@ -33,6 +33,7 @@ struct Options {
     std::size_t volume = 0;  // from 1; 0: not given
     bool force = false;
     bool json = false;
+    dicom::ScanOptions how;
 };
 
 double secondsSince(Clock::time_point start) {
@@ -63,8 +64,12 @@ Result<void> exportSegmentation(const Options& options, const dicom::Scan& scan,
     MACULA_TRY(const SegmentationInput input, loadSegmentation(scan, series, options.volume, progress));
     const LabelMap& map = input.map;
     std::vector<std::string> notes;
-    if (!input.onItsSeries)
-        notes.emplace_back("The images it was drawn on are not there: it is on a grid of its own.");
+    if (!input.onItsSeries) {
+        notes.emplace_back(
+            input.hasImages ? "It does not lie on the voxels of the images it was drawn on: it is on a grid "
+                              "of its own."
+                            : "The images it was drawn on are not there: it is on a grid of its own.");
+    }
     for (const Message& message : map.messages()) notes.push_back(message.sentence);
     for (const std::string& note : notes) printNote(note);
     MACULA_TRY_VOID(dicom::writeVolumeFile(map, options.output, progress));
@@ -130,10 +135,11 @@ Result<void> exportSeries(const Options& options) {
     Progress progress(terminalProgressBar(), interruptToken());
     const auto start = Clock::now();
     if (options.series.empty() || dicom::isVolumeFileName(options.path) || options.path == "phantom:") {
-        MACULA_TRY(const StudyInput study, loadStudy(options.path, options.series, progress, options.volume));
+        MACULA_TRY(const StudyInput study,
+                   loadStudy(options.path, options.series, progress, options.volume, options.how));
         return exportVolume(options, study, secondsSince(start), progress);
     }
-    MACULA_TRY(const dicom::Scan scan, dicom::scanFolder(options.path, progress));
+    MACULA_TRY(const dicom::Scan scan, dicom::scanFolder(options.path, progress, options.how));
     const dicom::Series* series = findSeries(scan, options.series);
     if (series != nullptr && isSegmentationSeries(*series)) {
         if (dicom::findAllSeries(scan, options.series).empty() &&
@@ -168,6 +174,7 @@ void addExport(CLI::App& app, Action& action) {
                      "Which volume or segmentation of that series, from 1 (default: its best volume)")
         ->check(CLI::Range(1, 1000000));
     command->add_flag("--force", o.force, "Replace a file that exists");
+    addJoin(*command, o.how);
     command->add_flag("--json", o.json, "Print what was written as JSON");
     command->callback([options, &action] { action = [options] { return exportSeries(*options); }; });
 }

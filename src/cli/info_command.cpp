@@ -3,6 +3,7 @@
 // Output goes into mails and bug reports. So who the patient is, when, and where the files lie (people name
 // folders after patients) is left out unless --patient asks for it.
 #include <CLI/App.hpp>
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -11,6 +12,7 @@
 #include "cli/command.h"
 #include "cli/interrupt.h"
 #include "cli/scan_json.h"
+#include "cli/study_input.h"
 #include "cli/volume_file_info.h"
 #include "dicom/transfer_syntax.h"
 #include "dicom/volume_file.h"
@@ -23,6 +25,7 @@ struct Options {
     std::filesystem::path path;
     bool json = false;
     bool patient = false;
+    dicom::ScanOptions how;
 };
 
 // Text from a file must not steer the terminal it is shown in: no C0 and no C1 controls, the latter also as
@@ -113,6 +116,12 @@ void printText(const dicom::Scan& scan, const dicom::Choice& best, const Options
     std::size_t place = 0;
     for (std::size_t i = 0; i < scan.studies.size(); ++i) {
         const dicom::Study& study = scan.studies[i];
+        // Of images of which the message at the end tells, once.
+        if (std::all_of(study.series.begin(), study.series.end(),
+                        [](const auto& s) { return s.scattered; })) {
+            place += study.series.size();
+            continue;
+        }
         fmt::print("Study {}{}\n", i + 1,
                    scan.patients > 1 ? fmt::format("  (patient {})", study.patient + 1) : std::string());
         if (options.patient) {
@@ -120,7 +129,10 @@ void printText(const dicom::Scan& scan, const dicom::Choice& best, const Options
                        orNone(study.patientName), orNone(study.patientId), orNone(study.date),
                        orNone(study.description));
         }
-        for (const dicom::Series& series : study.series) print(series, ++place, best);
+        for (const dicom::Series& series : study.series) {
+            ++place;
+            if (!series.scattered) print(series, place, best);
+        }
     }
     for (const dicom::SkippedFile& file : scan.skipped) {
         fmt::print("Left out: {} {}{}\n", file.message.sentence, file.message.action,
@@ -135,7 +147,7 @@ void printText(const dicom::Scan& scan, const dicom::Choice& best, const Options
 Result<void> showInfo(const Options& options) {
     if (dicom::isVolumeFileName(options.path)) return showVolumeFile(options.path, options.json);
     Progress progress(terminalProgressBar(), interruptToken());
-    MACULA_TRY(const dicom::Scan scan, dicom::scanFolder(options.path, progress));
+    MACULA_TRY(const dicom::Scan scan, dicom::scanFolder(options.path, progress, options.how));
     const dicom::Choice best = dicom::bestVolume(scan);
     if (!options.json) {
         printText(scan, best, options);
@@ -159,6 +171,7 @@ void addInfo(CLI::App& app, Action& action) {
                      "Folder with DICOM files, one file, or a volume file (NIfTI, NRRD, MetaImage)")
         ->required();
     command->add_flag("--json", options->json, "Print JSON");
+    addJoin(*command, options->how);
     command->add_flag("--patient", options->patient,
                       "Also print patient name, ID, study date and description, and paths of files");
     command->callback([options, &action] { action = [options] { return showInfo(*options); }; });

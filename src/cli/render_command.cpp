@@ -57,6 +57,7 @@ struct Options {
     std::string lights;  // empty: not given
     std::string clip;
     bool removeTable = false;
+    dicom::ScanOptions how;
     std::string device;
     std::filesystem::path statistics;
 };
@@ -248,7 +249,7 @@ Result<void> render(const Options& options) {
 
     Progress progress(terminalProgressBar(), interruptToken());
     auto start = std::chrono::steady_clock::now();
-    MACULA_TRY(StudyInput study, loadStudy(options.path, options.series, progress));
+    MACULA_TRY(StudyInput study, loadStudy(options.path, options.series, progress, 0, options.how));
     bringTo16Bits(study);
     RenderRecord record;
     record.loadSeconds = secondsSince(start);
@@ -329,6 +330,7 @@ void addRender(CLI::App& app, Action& action) {
         ->add_option("-o,--output", o.output,
                      "Picture to write: OUT.png for display, OUT.exr for linear light and depth")
         ->required();
+    addJoin(*command, o.how);
     command->add_option("--series", o.series,
                         "Place in the list of macula info, or series UID (default: the best)");
     command->add_option(

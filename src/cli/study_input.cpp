@@ -1,5 +1,6 @@
 #include "cli/study_input.h"
 
+#include <CLI/App.hpp>
 #include <algorithm>
 #include <charconv>
 #include <optional>
@@ -94,7 +95,7 @@ Result<dicom::Choice> chooseVolume(const dicom::Scan& scan, const std::string& w
 }
 
 Result<StudyInput> loadStudy(const std::filesystem::path& path, const std::string& series, Progress& progress,
-                             std::size_t volume) {
+                             std::size_t volume, const dicom::ScanOptions& how) {
     StudyInput input;
     if (dicom::isVolumeFileName(path)) {
         if (!series.empty() || volume > 1) {
@@ -119,7 +120,7 @@ Result<StudyInput> loadStudy(const std::filesystem::path& path, const std::strin
         return input;
     }
 
-    MACULA_TRY(const dicom::Scan scan, dicom::scanFolder(path, progress));
+    MACULA_TRY(const dicom::Scan scan, dicom::scanFolder(path, progress, how));
     return loadStudy(scan, path, series, progress, volume);
 }
 
@@ -143,6 +144,7 @@ Result<StudyInput> loadStudy(const dicom::Scan& scan, const std::filesystem::pat
             input.notes.push_back(message.sentence + (message.action.empty() ? "" : " " + message.action));
         }
     };
+    note(scan.messages);
     note(chosen->series->messages);
     note(chosen->stack->messages);
     MACULA_TRY(input.volume, dicom::loadVolume(*chosen->series, *chosen->stack, progress));
@@ -155,6 +157,12 @@ Result<StudyInput> loadStudy(const dicom::Scan& scan, const std::filesystem::pat
     }
     input.seriesDigest = sha256Hex(chosen->series->seriesInstanceUid);
     return input;
+}
+
+void addJoin(CLI::App& command, dicom::ScanOptions& how) {
+    command.add_flag(
+        "--join", how.join,
+        "Take images for one series that agree in all but identifiers made anew for each of them");
 }
 
 void bringTo16Bits(StudyInput& study) {

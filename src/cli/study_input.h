@@ -11,6 +11,10 @@
 #include "base/volume.h"
 #include "dicom/best_volume.h"
 
+namespace CLI {
+class App;
+}
+
 namespace macula::cli {
 
 struct StudyInput {
@@ -24,7 +28,7 @@ struct StudyInput {
 // volumes, the best is taken; `volume` (from 1) chooses among those of the series. A NIfTI, NRRD or MetaImage
 // file is one volume.
 Result<StudyInput> loadStudy(const std::filesystem::path& path, const std::string& series, Progress& progress,
-                             std::size_t volume = 0);
+                             std::size_t volume = 0, const dicom::ScanOptions& how = {});
 
 // The same, of a folder that was read.
 Result<StudyInput> loadStudy(const dicom::Scan& scan, const std::filesystem::path& path,
@@ -36,6 +40,9 @@ const dicom::Series* findSeries(const dicom::Scan& scan, const std::string& want
 // The same choice, of a folder that was read. `why` is empty when there was nothing to choose from.
 Result<dicom::Choice> chooseVolume(const dicom::Scan& scan, const std::string& series,
                                    std::size_t volume = 0);
+
+// --join, of every verb that reads a folder.
+void addJoin(CLI::App& command, dicom::ScanOptions& how);
 
 // For what draws or traces the study: 16 bits, with what that cost among the notes.
 void bringTo16Bits(StudyInput& study);

@@ -1,5 +1,8 @@
 // What `macula info`, `presets`, `devices` and `phantom` print.
+#include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "base/phantom.h"
 #include "cli/run_command.h"
@@ -45,6 +48,37 @@ TEST_F(Info, PatientIsNamedOnlyWhenAskedFor) {
         const Ran asked = runMacula(arguments);
         EXPECT_NE(asked.out.find("PHANTOM"), std::string::npos) << asked.out;
     }
+}
+
+// Gives a file, which is in Explicit VR Little Endian, a SeriesInstanceUID of its own.
+void renameSeries(const std::filesystem::path& file, std::size_t number) {
+    std::stringstream text;
+    text << std::ifstream(file, std::ios::binary).rdbuf();
+    std::string bytes = text.str();
+    const std::size_t at = bytes.find(std::string("\x20\x00\x0E\x00UI", 6));
+    ASSERT_NE(at, std::string::npos);
+    const auto length = static_cast<unsigned char>(bytes[at + 6]);
+    std::string uid = fmt::format("2.25.9{:04}", number);
+    uid.resize(length, '\0');
+    bytes.replace(at + 8, length, uid);
+    std::ofstream(file, std::ios::binary) << bytes;
+}
+
+TEST_F(Info, ASeriesUidForEachSliceIsOneQuestionThatJoinAnswers) {
+    ASSERT_EQ(runMacula({"phantom", at("study")}).exitCode, 0);
+    std::size_t number = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(at("study")))
+        renameSeries(entry.path(), ++number);
+    const Ran asked = runMacula({"info", at("study")});
+    EXPECT_EQ(asked.exitCode, 0) << asked.err;
+    EXPECT_NE(asked.out.find("--join"), std::string::npos) << asked.out;
+    EXPECT_EQ(asked.out.find("only one slice"), std::string::npos) << asked.out;
+    const Ran refused = runMacula({"export", at("study"), "-o", at("volume.nrrd")});
+    EXPECT_EQ(refused.exitCode, 3);
+    EXPECT_NE(refused.err.find("--join"), std::string::npos) << refused.err;
+    const Ran joined = runMacula({"export", at("study"), "--join", "-o", at("volume.nrrd")});
+    EXPECT_EQ(joined.exitCode, 0) << joined.err;
+    EXPECT_NE(joined.err.find("joined"), std::string::npos) << joined.err;
 }
 
 TEST_F(Info, PathsOfFilesLeftOutAreShownOnlyWhenAskedFor) {
