@@ -55,6 +55,10 @@ struct Candidates {
                                          std::get<1>(rankOf(stack)) ? "axial " : "",
                                          stack.isEven() ? "without interpolated slices and " : "",
                                          stack.columns, stack.rows, stack.slices.size());
+            if (const std::size_t others = best.series->stacks.size() - 1; others > 0) {
+                best.why += fmt::format(" Its series has {} other stack{} of images.", others,
+                                        others == 1 ? "" : "s");
+            }
         } else if (blocked != nullptr) {
             const Message* reason = blocked->whyNoVolume();
             best.why = fmt::format("Nothing{} can be shown in 3D. The largest of {} stacks of images: {}",
@@ -72,6 +76,13 @@ Choice bestVolume(const Scan& scan) {
     Candidates candidates;
     for (const Study& study : scan.studies) {
         for (const Series& series : study.series) candidates.add(series);
+    }
+    if (!candidates.best) {
+        // The question, not that each of the images is only one.
+        for (const Message& message : scan.messages) {
+            if (message.key == key::kUidPerSlice)
+                return {.series = nullptr, .stack = nullptr, .why = message.sentence + " " + message.action};
+        }
     }
     return candidates.choose(scan.patients > 1 ? fmt::format(" of {} patients in this folder", scan.patients)
                                                : std::string());

@@ -82,4 +82,11 @@ std::optional<double> secondsOfDateTime(std::string_view dateTime) {
     return 86400.0 * double(*days) + *seconds;
 }
 
+std::optional<double> secondsOfEither(std::string_view text) {
+    constexpr std::size_t kMostOfTime = 6;  // HHMMSS
+    return text.find_first_not_of("0123456789") <= kMostOfTime || text.size() <= kMostOfTime
+               ? secondsOfTime(text)
+               : secondsOfDateTime(text);
+}
+
 }  // namespace macula::dicom

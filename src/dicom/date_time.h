@@ -14,5 +14,7 @@ std::optional<long> daysOfDate(std::string_view date);
 // "20010105193059.25+0100": seconds since 1970-01-01 in the file's own time zone; what follows + or - is left
 // out, because times are only compared within one file. Needs at least a day.
 std::optional<double> secondsOfDateTime(std::string_view dateTime);
+// Either of them, for the order of images: a date with a time, or a time alone.
+std::optional<double> secondsOfEither(std::string_view text);
 
 }  // namespace macula::dicom

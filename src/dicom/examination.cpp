@@ -37,9 +37,15 @@ void dropFramesCutOff(Examination& found, const HeaderFile& read) {
             found.state = FileState::complete;  // only padding is missing
         return;
     }
-    found.framesCutOff = found.frames.size() - whole;
     found.frames.erase(found.frames.begin() + static_cast<std::ptrdiff_t>(whole), found.frames.end());
     found.state = found.frames.empty() ? FileState::truncated : FileState::complete;
+}
+
+// An empty one is absent.
+bool hasInvalidFrameCount(const Dataset& header) {
+    const auto count = header.text(tag::kNumberOfFrames);
+    if (!count || count->find_first_not_of(' ') == std::string::npos) return false;
+    return !header.integer(tag::kNumberOfFrames);
 }
 
 OtherObject readObject(const std::filesystem::path& file, const Dataset& header,
@@ -86,10 +92,15 @@ Examination examine(const std::filesystem::path& file, const CancelToken& cancel
         found.object = readObject(file, header, sopClass);
     } else if (!read.pixels) {
         found.kind = Examination::Kind::imageWithoutPixels;
+    } else if (hasInvalidFrameCount(header)) {
+        found.kind = Examination::Kind::image;
+        found.invalidFrameCount = true;
     } else {
         found.kind = Examination::Kind::image;
         found.frames = readFrames(file, read);
+        const auto claimed = static_cast<std::size_t>(found.frames.front().instance->framesClaimed);
         dropFramesCutOff(found, read);
+        found.framesMissing = claimed - found.frames.size();
     }
     found.charsetFallback = header.charsetFallback();
     return found;

@@ -19,10 +19,12 @@ struct Examination {
 
     FileState state = FileState::notDicom;
     Kind kind = Kind::other;
-    std::vector<Frame> frames;  // of an image; those that the file has pixels for
-    std::size_t framesCutOff = 0;
-    OtherObject object;  // when kind is other
+    std::vector<Frame> frames;       // of an image; those that the file has pixels for
+    std::size_t framesMissing = 0;   // of those that the file says it has
+    bool invalidFrameCount = false;  // NumberOfFrames is there, and is no number
+    OtherObject object;              // when kind is other
     bool charsetFallback = false;
+    bool scattered = false;  // see Series::scattered
 
     std::string studyInstanceUid, studyDate, studyDescription, patientName;
     PatientIdentity patient;

@@ -65,6 +65,8 @@ void readPlane(const Dataset& header, const Dataset& dataset, double offsetMm, F
     }
     frame.hasOrientation = orientation.has_value();
     frame.sliceLocation = dataset.number(tag::kSliceLocation);
+    if (const auto thickness = dataset.number(tag::kSliceThickness); thickness && *thickness > 0.0)
+        frame.sliceThicknessMm = thickness;
     const Spacing spacing = readSpacing(dataset);
     frame.spacingSource = spacing.source;
     if (!position) return;

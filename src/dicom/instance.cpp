@@ -69,7 +69,8 @@ std::shared_ptr<Instance> readShared(const std::filesystem::path& file, const He
     instance->instanceNumber = header.integer(tag::kInstanceNumber);
     instance->columns = header.integer(tag::kColumns).value_or(0);
     instance->rows = header.integer(tag::kRows).value_or(0);
-    instance->frames = std::min(std::max(header.frameCount(), 1), mostFrames(file, read));
+    instance->framesClaimed = header.frameCount();
+    instance->frames = std::min(instance->framesClaimed, mostFrames(file, read));
     instance->samplesPerPixel = header.integer(tag::kSamplesPerPixel).value_or(1);
     instance->format = readFormat(header);
     instance->multiFrame = header.has(tag::kNumberOfFrames) && header.frameCount() > 1;

@@ -30,6 +30,7 @@ struct Instance {
     int columns = 0;
     int rows = 0;
     int frames = 1;
+    int framesClaimed = 1;  // by NumberOfFrames; more than the file has room for when it is cut off
     int samplesPerPixel = 1;
     std::optional<CellFormat> format;
     bool multiFrame = false;       // NumberOfFrames is there: positions may lie in functional groups
@@ -55,6 +56,7 @@ struct Frame {
     bool hasOrientation = false;
     PixelSpacingSource spacingSource = PixelSpacingSource::none;
     std::optional<double> sliceLocation;
+    std::optional<double> sliceThicknessMm;  // above 0; plays no part in where slices lie
 
     std::optional<double> slope;  // of RescaleSlope, or of the real world value mapping
     std::optional<double> intercept;

@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "base/parallel.h"
+#include "dicom/alternation.h"
 #include "dicom/frame_decoder.h"
 #include "dicom/memory.h"
 #include "dicom/odd_images.h"
@@ -105,6 +106,8 @@ class Loading {
     Result<void> drop(const FrameDecoder& decoder);
     template <class T>
     void finish(std::vector<T>& voxels, std::span<const std::span<T>> frames, Progress& progress);
+    template <class T>
+    void tellAlternation(const std::vector<T>& voxels);
     VolumeOptions describe(std::size_t first, std::size_t step, std::span<const SliceSource> slices) const;
     Result<Volume> make(Progress& progress);
     void say(Message message) {
@@ -350,6 +353,23 @@ void Loading::finish(std::vector<T>& voxels, std::span<const std::span<T>> frame
     voxels.resize(usable_.slices.size() * count);
 }
 
+// Of the longest run of slices that are images.
+template <class T>
+void Loading::tellAlternation(const std::vector<T>& voxels) {
+    const std::size_t count = sliceVoxels();
+    std::vector<std::span<const T>> longest;
+    std::vector<std::span<const T>> run;
+    for (std::size_t k = 0; k < usable_.slices.size(); ++k) {
+        if (usable_.slices[k].interpolated()) {
+            run.clear();
+        } else {
+            run.push_back(std::span(voxels).subspan(k * count, count));
+        }
+        if (run.size() > longest.size()) longest = run;
+    }
+    if (alternates(std::span<const std::span<const T>>(longest))) say(message(key::kAlternatingValues));
+}
+
 Result<Volume> Loading::make(Progress& progress) {
     VolumeOptions options = describe(usable_.first, 1, usable_.slices);
     if (!isFloat()) return Volume::create(std::move(options), std::move(stored_));
@@ -392,8 +412,10 @@ Result<std::shared_ptr<const Volume>> Loading::run(Progress& progress, const Loa
     MACULA_TRY_VOID(drop(decoder));
     if (isFloat()) {
         finish<float>(values_, valueFrames_, progress);
+        if (!progress.cancelled()) tellAlternation(values_);
     } else {
         finish<std::uint16_t>(stored_, storedFrames_, progress);
+        if (!progress.cancelled()) tellAlternation(stored_);
     }
     looseStored_ = {};
     looseValues_ = {};

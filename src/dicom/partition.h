@@ -24,11 +24,26 @@ Partition partitionByValue(std::span<const Frame> frames, const SplitRules& rule
                            const std::vector<std::size_t>& attributes);
 
 // Of the frames at each position the one with the lowest value into the first part, the next into the second.
-// Empty unless all positions have equally many frames, all with a value, no two at one position with the
-// same.
-Partition partitionByRank(std::span<const Frame> frames, const SplitRules& rules, std::size_t attribute);
+// Empty unless all frames have a value, no two at one position the same, and all positions have equally many
+// frames. With `mayLack` a quarter of the positions may have fewer, where values are numbers or times: these
+// go where the frames at the positions beside them would have it, if that is clear.
+Partition partitionByRank(std::span<const Frame> frames, const SplitRules& rules, std::size_t attribute,
+                          bool mayLack = false);
 
-// Frames of the first, the second … file with the same SOP Instance UID.
+// `count` runs, each of which is over before the next one begins: the frames sorted by the time that
+// `attribute` is, cut where the longest pauses are. Empty when a frame has no time, or there are fewer
+// pauses.
+Partition partitionByRuns(std::span<const Frame> frames, std::size_t attribute, std::size_t count);
+
+// Two sets of frames, each at multiples of one distance from its first, which is the same for both. Empty
+// when the frames lie otherwise, or on one such lattice.
+Partition separateLattices(std::span<const Frame> frames);
+
+// How often the next frame along the normal is in another part than the one before.
+std::size_t alternations(std::span<const Frame> frames, const Partition& partition);
+
+// Frames of the first, the second … file with the same SOP Instance UID that lie at one position: an
+// identifier that was given to all slices tells nothing.
 Partition separateCopies(std::span<const Frame> frames);
 
 // The first frame at each position, and all others.

@@ -11,6 +11,7 @@
 #include "dicom/copies.h"
 #include "dicom/examination.h"
 #include "dicom/folder.h"
+#include "dicom/join.h"
 #include "dicom/media_directory.h"
 #include "dicom/neighbours.h"
 #include "dicom/split.h"
@@ -33,7 +34,8 @@ struct SeriesInProgress {
     Series series;
     std::vector<Frame> frames;
     std::map<std::string_view, std::size_t> leftOut;  // files that belong here and cannot be used, by reason
-    std::size_t framesCutOff = 0;
+    std::size_t framesMissing = 0;
+    std::size_t framesClaimed = 0;  // of the files with missing ones
     std::size_t withoutSopClass = 0;
     bool charsetFallback = false;
 };
@@ -64,6 +66,7 @@ std::optional<std::string_view> reasonToSkip(const Examination& found) {
             break;
     }
     if (found.kind == Examination::Kind::imageWithoutPixels) return key::kNoPixelData;
+    if (found.invalidFrameCount) return key::kInvalidFrameCount;
     return {};
 }
 
@@ -130,11 +133,15 @@ void sortIn(Scan& scan, Studies& studies, const fs::path& file, Examination& fou
     }
     SeriesInProgress& place = placeOf(studies, file, found);
     place.charsetFallback = place.charsetFallback || found.charsetFallback;
+    place.series.scattered = place.series.scattered || found.scattered;
     if (found.kind == Examination::Kind::other) {
         place.series.objects.push_back(std::move(found.object));
         return;
     }
-    place.framesCutOff += found.framesCutOff;
+    if (found.framesMissing > 0) {
+        place.framesMissing += found.framesMissing;
+        place.framesClaimed += static_cast<std::size_t>(found.frames.front().instance->framesClaimed);
+    }
     place.withoutSopClass += found.frames.front().instance->sopClassUid.empty() ? 1 : 0;
     std::move(found.frames.begin(), found.frames.end(), std::back_inserter(place.frames));
 }
@@ -178,9 +185,11 @@ void reportConcatenations(SeriesInProgress& place) {
 }
 
 // What is known of the series before its frames are looked at.
-void reportFiles(SeriesInProgress& place, std::size_t copies, std::size_t unreadableFolders) {
+void reportFiles(SeriesInProgress& place, std::size_t copies, std::size_t repeats,
+                 std::size_t unreadableFolders) {
     Series& series = place.series;
     if (copies > 0) tell(series, message(key::kDuplicateFiles, {count(copies)}));
+    if (repeats > 0) tell(series, message(key::kRepeatedImages, {count(repeats)}));
     std::size_t leftOut = 0;
     for (const auto& [reason, files] : place.leftOut) {
         series.messages.push_back(message(reason));
@@ -190,7 +199,10 @@ void reportFiles(SeriesInProgress& place, std::size_t copies, std::size_t unread
     if (leftOut > 0) {
         tell(series, message(nothingLeft ? key::kNoValidInstances : key::kFilesLeftOut, {count(leftOut)}));
     }
-    if (place.framesCutOff > 0) tell(series, message(key::kTruncatedFile));
+    if (place.framesMissing > 0) {
+        tell(series, message(key::kMissingFrames, {{"missing", std::int64_t(place.framesMissing)},
+                                                   {"total", std::int64_t(place.framesClaimed)}}));
+    }
     if (place.withoutSopClass > 0)
         tell(series, message(key::kMissingSopClass, {count(place.withoutSopClass)}));
     if (place.charsetFallback) tell(series, message(key::kCharsetFallback));
@@ -227,13 +239,40 @@ Series finish(SeriesInProgress& place, const CancelToken& cancel) {
     return series;
 }
 
+// What is known before files are sorted into series.
+MessageArgument levels(const Scattered& scattered) {
+    return {"level", scattered.levels};
+}
+
+// A question for each, or the answer.
+void askOrJoin(Scan& scan, std::vector<Examination>& found, const std::vector<Scattered>& all,
+               const ScanOptions& options) {
+    for (const Scattered& scattered : all) {
+        if (options.join) {
+            join(found, scattered);
+            continue;
+        }
+        scan.messages.push_back(
+            message(key::kUidPerSlice, {count(scattered.images.size()), levels(scattered)}));
+        for (const std::size_t i : scattered.images) found[i].scattered = true;
+    }
+}
+
 // Incomplete when cancelled.
 void group(Scan& scan, const std::vector<fs::path>& files, std::vector<Examination>& found,
-           Progress& progress) {
+           const ScanOptions& options, Progress& progress) {
     Studies studies;
+    const std::vector<Scattered> scattered = findScattered(found);
+    askOrJoin(scan, found, scattered, options);
     for (std::size_t i = 0; i < files.size(); ++i) {
         if (progress.cancelled()) return;
         sortIn(scan, studies, files[i], found[i]);
+    }
+    for (const Scattered& joined : scattered) {
+        if (!options.join) break;
+        const std::size_t first = joined.images.front();
+        tell(placeOf(studies, files[first], found[first]).series,
+             message(key::kJoined, {count(joined.images.size()), levels(joined)}));
     }
     reportSplitSeries(studies);
     std::vector<SeriesInProgress*> places;
@@ -248,6 +287,7 @@ void group(Scan& scan, const std::vector<fs::path>& files, std::vector<Examinati
     }
     scan.patients = static_cast<int>(patients.size());
     const std::vector<std::size_t> copies = dropCopies(frames, progress);
+    const std::vector<std::size_t> repeats = dropRepeats(frames, progress.token());
     const auto unreadable = static_cast<std::size_t>(
         std::count_if(scan.skipped.begin(), scan.skipped.end(),
                       [](const SkippedFile& s) { return s.message.key == key::kUnreadableFolder; }));
@@ -257,7 +297,7 @@ void group(Scan& scan, const std::vector<fs::path>& files, std::vector<Examinati
         places.size(),
         [&](std::size_t i) {
             try {
-                reportFiles(*places[i], copies[i], unreadable);
+                reportFiles(*places[i], copies[i], repeats[i], unreadable);
                 finished[i] = finish(*places[i], progress.token());
             } catch (...) {
                 outOfMemory = true;
@@ -337,7 +377,7 @@ std::size_t Scan::objectCount() const {
     return count;
 }
 
-Result<Scan> scanFolder(const fs::path& path, Progress& progress) try {
+Result<Scan> scanFolder(const fs::path& path, Progress& progress, const ScanOptions& options) try {
     progress.beginStage("Looking for files", 1);
     const bool isDirectory =
         isMediaDirectoryName(path) && examine(path, progress.token()).kind == Examination::Kind::directory;
@@ -366,7 +406,7 @@ Result<Scan> scanFolder(const fs::path& path, Progress& progress) try {
     for (const fs::path& folder : listing.unreadable) {
         scan.skipped.push_back({folder, message(key::kUnreadableFolder, {count(1)}), {}});
     }
-    group(scan, files, found, progress);
+    group(scan, files, found, options, progress);
     if (progress.cancelled()) return cancelledError();
     if (scan.imageCount() == 0 && scan.objectCount() == 0) return nothingFound(scan, path, listing);
     return scan;

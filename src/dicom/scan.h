@@ -46,12 +46,19 @@ struct Scan {
     std::size_t objectCount() const;  // DICOM objects that are no images
 };
 
+struct ScanOptions {
+    // Images that agree in everything but identifiers that were made anew for each of them are one series:
+    // see join.h. Nobody but a person may say so; key::kUidPerSlice asks.
+    bool join = false;
+};
+
 // `path` is a folder, read with all its sub-folders (see folder.h for links), or one file. A DICOMDIR given
 // as the path stands for its folder. Headers are read on all cores; every DICOM file is in exactly one place
 // of the result. One bad file never stops the others. The result does not depend on the order in which the
 // file system lists files. Fails with inputNotUsable when the path does not exist, or holds nothing that is
 // DICOM and readable; with cancelled within 200 ms of a cancellation.
-Result<Scan> scanFolder(const std::filesystem::path& path, Progress& progress);
+Result<Scan> scanFolder(const std::filesystem::path& path, Progress& progress,
+                        const ScanOptions& options = {});
 
 // Null when there is none, or more than one: findAllSeries tells which.
 const Series* findSeries(const Scan& scan, std::string_view seriesInstanceUid);

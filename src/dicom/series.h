@@ -33,6 +33,7 @@ struct Series {
     std::vector<OtherObject> objects;
     std::vector<std::string> transferSyntaxUids;  // of the images; distinct, sorted
     std::size_t instances = 0;                    // image files in the stacks
+    bool scattered = false;                       // one image of those that key::kUidPerSlice asks about
 
     std::vector<Message> messages;         // about the series as a whole; each stack has its own
     std::vector<std::string> assumptions;  // that hold for each of its stacks

@@ -5,6 +5,8 @@
 #include <numeric>
 #include <set>
 
+#include "dicom/changes_along_stack.h"
+#include "dicom/hard_split.h"
 #include "dicom/odd_images.h"
 #include "dicom/partition.h"
 
@@ -86,12 +88,30 @@ bool areVolumes(const std::vector<Trial>& parts) {
     return largest > 0 && 2 * leftover < largest && 5 * covered >= 4 * total;
 }
 
-bool isBetter(Quality whole, const std::vector<Trial>& parts) {
-    if (whole == Quality::none) return areVolumes(parts);
+bool isBetter(const Stack& whole, const Partition& partition) {
+    const std::vector<Trial> parts = tryOut(whole.frames, partition);
+    const auto all = [&](Quality least) {
+        return std::all_of(parts.begin(), parts.end(), [&](const Trial& t) { return t.quality >= least; });
+    };
+    const Quality quality = qualityOf(whole);
+    if (quality == Quality::none) return areVolumes(parts);
     // Halves of one volume with a gap between them are even, too, and are one volume all the same.
-    return std::all_of(parts.begin(), parts.end(),
-                       [](const Trial& t) { return t.quality == Quality::even; }) &&
-           interleave(parts);
+    if (all(Quality::even)) return interleave(parts);
+    // One of two interleaved volumes may lack a slice.
+    return quality == Quality::resampled && all(Quality::resampled) &&
+           2 * alternations(whole.frames, partition) > whole.frames.size();
+}
+
+// Slices of MR that do not overlap are acquired in several passes as a matter of course, the odd ones and the
+// even ones, so that none disturbs its neighbour.
+bool isAcquiredInterleaved(const Stack& whole) {
+    if (whole.modality != "MR" || qualityOf(whole) == Quality::none) return false;
+    constexpr double kRounding = 1.01;
+    const double extentMm = glm::length(*whole.lastPositionMm - *whole.firstPositionMm);
+    const double distanceMm = extentMm / double(whole.frames.size() - 1);
+    return std::all_of(whole.frames.begin(), whole.frames.end(), [&](const Frame& f) {
+        return f.sliceThicknessMm && *f.sliceThicknessMm <= kRounding * distanceMm;
+    });
 }
 
 // The parts of `finer` instead of those of `coarse` they come from.
@@ -128,6 +148,10 @@ class Splitter {
             if (auto parts = byPhases(whole, Asked::first, messages)) return std::move(*parts);
         }
         if (auto parts = bySoftAttributes(whole, messages)) return std::move(*parts);
+        if (!repeats) {
+            if (auto parts = byRuns(whole, messages)) return std::move(*parts);
+            if (auto parts = byLattices(whole, messages)) return std::move(*parts);
+        }
         if (qualityOf(whole) != Quality::none) return one(std::move(whole));
         if (repeats) {
             if (auto parts = byPhases(whole, Asked::then, messages)) return std::move(*parts);
@@ -168,6 +192,7 @@ class Splitter {
         for (const SplitRules::Soft& rule : rules_.soft) {
             if (!rule.modality.empty() && rule.modality != modality_) continue;
             if (whole.isEven() && !rule.evenToo) continue;
+            if (rule.interleavable && isAcquiredInterleaved(whole)) continue;
             if (partitionByValue(whole.frames, rules_, {rule.attribute}).size() > 1)
                 varying.push_back(rule.attribute);
         }
@@ -200,7 +225,7 @@ class Splitter {
             if (!spend(whole.frames.size())) break;
             const Partition partition = partitionByValue(whole.frames, rules_, attributes);
             if (partition.size() > whole.frames.size() / 2) continue;  // single slices are no volumes
-            if (!isBetter(qualityOf(whole), tryOut(whole.frames, partition))) continue;
+            if (!isBetter(whole, partition)) continue;
             const auto names = namesOf(attributes);
             tellSplit(messages, names, partition.size());
             return stacksOf(whole, partition, names);
@@ -208,9 +233,44 @@ class Splitter {
         return {};
     }
 
+    // Two or more acquisitions at interleaved positions, one after the other.
+    std::optional<std::vector<Stack>> byRuns(const Stack& whole, std::vector<Message>& messages) const {
+        constexpr std::size_t kMostRuns = 4;
+        if (whole.modality == "MR") return {};  // whose odd and even slices are often acquired in turn
+        for (const std::size_t attribute : rules_.runs) {
+            for (std::size_t count = 2; count <= kMostRuns; ++count) {
+                const Partition partition = partitionByRuns(whole.frames, attribute, count);
+                if (partition.empty() || partition.size() > whole.frames.size() / 2) break;
+                if (!spend(whole.frames.size())) return {};
+                if (2 * alternations(whole.frames, partition) <= whole.frames.size()) continue;
+                if (!isBetter(whole, partition)) continue;
+                tellSplit(messages, namesOf({attribute}), partition.size());
+                return stacksOf(whole, partition, namesOf({attribute}));
+            }
+        }
+        return {};
+    }
+
+    // Two acquisitions of which nothing but their positions tells: these alternate between two distances.
+    std::optional<std::vector<Stack>> byLattices(const Stack& whole, std::vector<Message>& messages) const {
+        if (whole.isEven()) return {};
+        const Partition partition = separateLattices(whole.frames);
+        if (partition.empty() || !isBetter(whole, partition)) return {};
+        // A volume that lacks slices is no two, unless it lacked every third throughout.
+        const std::size_t count = alternations(whole.frames, partition);
+        const bool hasGaps = std::any_of(whole.messages.begin(), whole.messages.end(),
+                                         [](const Message& m) { return m.key == key::kMissingSlices; });
+        if (hasGaps ? count + 1 < whole.frames.size() : 2 * count <= whole.frames.size()) return {};
+        std::vector<Stack> stacks = stacksOf(whole, partition, {"Positions"});
+        const double offsetMm = glm::length(*stacks[1].firstPositionMm - *stacks[0].firstPositionMm);
+        messages.push_back(message(key::kInterleavedPositions, {{"offsetMm", offsetMm}}));
+        return stacks;
+    }
+
     Partition phasesOf(const std::vector<Frame>& frames, const SplitRules::Phase& rule) const {
-        return rule.by == SplitRules::Phase::By::rank ? partitionByRank(frames, rules_, rule.attribute)
-                                                      : partitionByValue(frames, rules_, {rule.attribute});
+        return rule.by == SplitRules::Phase::By::rank
+                   ? partitionByRank(frames, rules_, rule.attribute, !rule.assumed)
+                   : partitionByValue(frames, rules_, {rule.attribute});
     }
 
     static void nameStackPhases(std::vector<Stack>& stacks, std::size_t begin, bool assumed) {
@@ -326,9 +386,15 @@ class Splitter {
         const Partition partition = separateAtGaps(whole.frames);
         if (partition.size() < 2) return {};
         if (!areVolumes(tryOut(whole.frames, partition))) return {};
-        messages.push_back(*whole.whyNoVolume());
-        messages.back().severity = Severity::warning;
-        return stacksOf(whole, partition, {"Block"});
+        std::vector<Stack> stacks = stacksOf(whole, partition, {"Block"});
+        double gapMm = 0.0;
+        for (std::size_t i = 1; i < stacks.size(); ++i) {
+            gapMm = std::max(gapMm, glm::length(stacks[i].frames.front().plane->positionMm -
+                                                stacks[i - 1].frames.back().plane->positionMm));
+        }
+        messages.push_back(
+            message(key::kSeparateBlocks, {{"count", std::int64_t(stacks.size())}, {"gapMm", gapMm}}));
+        return stacks;
     }
 
     // Thousands of frames that differ in everything must not cost minutes; they end as a question.
@@ -355,11 +421,25 @@ void sortFrames(std::vector<Frame>& frames) {
     });
 }
 
-// Files that share an identifier and differ: the first of each stays.
+// Frames that have their identifier and number in common with another one of the part.
+std::size_t countOfSharedUids(const Part& part, const std::vector<Frame>& frames) {
+    std::map<std::pair<std::string_view, int>, std::size_t> counts;
+    for (const std::size_t index : part.frames) {
+        const std::string& uid = frames[index].instance->sopInstanceUid;
+        if (!uid.empty()) ++counts[{uid, frames[index].number}];
+    }
+    std::size_t sharing = 0;
+    for (const auto& [frame, count] : counts) sharing += count > 1 ? count : 0;
+    return sharing;
+}
+
+// Files that share an identifier and a position, and differ: the first of each stays.
 std::vector<Stack> takeCopies(std::vector<Frame>& frames, const std::string& modality,
                               std::vector<Message>& messages) {
     const Partition partition = separateCopies(frames);
     std::vector<Stack> stacks;
+    if (const std::size_t sharing = countOfSharedUids(partition.front(), frames); sharing > 0)
+        messages.push_back(message(key::kSharedInstanceUid, {{"count", std::int64_t(sharing)}}));
     if (partition.size() < 2) return stacks;
     for (std::size_t copy = 1; copy < partition.size(); ++copy) {
         std::vector<Frame> taken;
@@ -374,84 +454,9 @@ std::vector<Stack> takeCopies(std::vector<Frame>& frames, const std::string& mod
     return stacks;
 }
 
-struct HardPart {
-    std::vector<Frame> frames;
-    std::vector<StackLabel> labels;
-};
-
-// Frames that are alone in their part although they agree in all but how they lie (a rotation of projections,
-// a localizer in three planes) are put together again.
-void joinLoners(std::vector<HardPart>& parts) {
-    static const std::set<std::string> kPlacement = {"ImageOrientationPatient", "PixelSpacing"};
-    std::map<std::string, std::size_t> homes;  // by all other labels
-    std::vector<HardPart> result;
-    for (HardPart& part : parts) {
-        if (part.frames.size() != 1) {
-            result.push_back(std::move(part));
-            continue;
-        }
-        std::string home;
-        std::vector<StackLabel> labels;
-        for (const StackLabel& label : part.labels) {
-            if (kPlacement.contains(label.attribute)) continue;
-            home += label.attribute + '=' + label.value + '\n';
-            labels.push_back(label);
-        }
-        const auto [place, isNew] = homes.emplace(home, result.size());
-        if (isNew) {
-            result.push_back(std::move(part));
-        } else {
-            HardPart& together = result[place->second];
-            together.labels = labels;
-            together.frames.push_back(std::move(part.frames.front()));
-        }
-    }
-    parts = std::move(result);
-}
-
-std::vector<HardPart> splitHard(std::vector<Frame> frames, const SplitRules& rules,
-                                std::vector<Message>& messages) {
-    std::vector<HardPart> parts;
-    std::vector<std::pair<std::string, std::string>> told;  // key, attribute
-    const auto placed = std::stable_partition(frames.begin(), frames.end(),
-                                              [](const Frame& f) { return f.plane.has_value(); });
-    const bool somePlaced = placed != frames.begin() && placed != frames.end();
-    if (somePlaced) {
-        told.emplace_back(key::kInconsistentPosition, "ImagePlane");
-        parts.push_back({{std::make_move_iterator(placed), std::make_move_iterator(frames.end())},
-                         {{"ImagePlane", "missing"}}});
-        frames.erase(placed, frames.end());
-    }
-    std::vector<StackLabel> labels;
-    if (somePlaced) labels.push_back({"ImagePlane", "given"});
-    parts.insert(parts.begin(), {std::move(frames), std::move(labels)});
-    for (const SplitRules::Hard& rule : rules.hard) {
-        std::vector<HardPart> finer;
-        for (HardPart& part : parts) {
-            const Partition partition = partitionByValue(part.frames, rules, {rule.attribute});
-            if (partition.size() < 2) {
-                finer.push_back(std::move(part));
-                continue;
-            }
-            const std::string& name = rules.attributes[rule.attribute].name;
-            if (told.empty() || told.back().second != name) told.emplace_back(rule.message, name);
-            for (const Part& piece : partition) {
-                HardPart next{{}, part.labels};
-                next.labels.push_back({name, piece.values.front()});
-                for (const std::size_t index : piece.frames) next.frames.push_back(part.frames[index]);
-                finer.push_back(std::move(next));
-            }
-        }
-        parts = std::move(finer);
-    }
-    joinLoners(parts);
-    if (parts.size() > 1) {
-        for (const auto& [key, attribute] : told) {
-            messages.push_back(
-                message(key, {{"attributes", attribute}, {"count", std::int64_t(parts.size())}}));
-        }
-    }
-    return parts;
+std::string modalityOf(const std::vector<Frame>& frames, const std::string& ofSeries) {
+    const std::string& own = frames.front().instance->modality;
+    return own.empty() ? ofSeries : own;
 }
 
 }  // namespace
@@ -463,29 +468,33 @@ Split splitSeries(std::vector<Frame> frames, const std::string& modality, const 
     sortFrames(frames);
     std::vector<Stack> copies = takeCopies(frames, modality, split.messages);
     const std::optional<Message> unplaced = imagesWithoutPosition(frames);
+    const TryStacks tryStacks = [&](std::vector<Frame> tried) {
+        std::vector<Message> unused;
+        const std::string ofTried = modalityOf(tried, modality);
+        return Splitter(ofTried, rules, cancel).split(std::move(tried), {}, unused);
+    };
     std::vector<Stack> leftOut;
-    for (HardPart& part : splitHard(std::move(frames), rules, split.messages)) {
-        const std::string& own = part.frames.front().instance->modality;
-        const std::string ofPart = own.empty() ? modality : own;
-        std::vector<Message> told;
-        if (unplaced && part.frames.front().positionMm) told.push_back(*unplaced);
+    for (HardPart& part : splitHard(std::move(frames), rules, tryStacks, split.messages)) {
+        const std::string ofPart = modalityOf(part.frames, modality);
+        if (unplaced && part.frames.front().positionMm) part.told.push_back(*unplaced);
         for (OddImages& odd : takeOddImages(part.frames, ofPart)) {
             std::vector<StackLabel> labels = part.labels;
             labels.push_back(odd.label);
             leftOut.push_back(makeStack(std::move(odd.frames), std::move(labels), ofPart));
-            told.push_back(std::move(odd.message));
+            part.told.push_back(std::move(odd.message));
         }
         for (Stack& stack : Splitter(ofPart, rules, cancel)
                                 .split(std::move(part.frames), std::move(part.labels), split.messages)) {
-            for (const Message& message : told) {
-                stack.messages.push_back(message);
-                stack.assumptions.push_back(message.sentence);
+            for (const Message& told : part.told) {
+                stack.messages.push_back(told);
+                stack.assumptions.push_back(told.sentence);
             }
             split.stacks.push_back(std::move(stack));
         }
     }
     for (Stack& stack : leftOut) split.stacks.push_back(std::move(stack));
     for (Stack& stack : copies) split.stacks.push_back(std::move(stack));
+    for (Stack& stack : split.stacks) tellChanges(stack, rules);
     return split;
 }
 

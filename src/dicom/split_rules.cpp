@@ -57,6 +57,14 @@ std::size_t enter(SplitRules& rules, const Json& json) {
     return rules.attributes.size() - 1;
 }
 
+SplitRules::Soft::Step stepOf(const std::string& name) {
+    using Step = SplitRules::Soft::Step;
+    if (name == "once") return Step::once;
+    if (name == "always") return Step::always;
+    MACULA_CHECK(name.empty());
+    return Step::silent;
+}
+
 SplitRules parse(std::string_view text) {
     const Json json = Json::parse(text);
     SplitRules rules;
@@ -64,9 +72,11 @@ SplitRules parse(std::string_view text) {
     for (const auto& [modality, list] : json.at("soft").items()) {
         for (const Json& rule : list) {
             rules.soft.push_back({enter(rules, rule), modality == "any" ? std::string() : modality,
-                                  rule.value("evenToo", false)});
+                                  rule.value("evenToo", false), rule.value("interleavable", false),
+                                  stepOf(rule.value("step", ""))});
         }
     }
+    for (const Json& rule : json.at("runs")) rules.runs.push_back(enter(rules, rule));
     for (const Json& rule : json.at("phases")) {
         rules.phases.push_back(
             {enter(rules, rule),

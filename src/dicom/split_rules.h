@@ -38,9 +38,13 @@ struct SplitRules {
         std::string message;    // key of the message that tells of a separation
     };
     struct Soft {
+        enum class Step { silent, once, always };
+
         std::size_t attribute;
         std::string modality;  // empty: any
         bool evenToo = false;  // separates interleaved images also when they make an even volume together
+        bool interleavable = false;  // not those of MR that do not overlap: these are acquired interleaved
+        Step step = Step::silent;    // which changes along a stack are warned of
     };
     struct Phase {
         enum class By { value, rank };
@@ -54,6 +58,7 @@ struct SplitRules {
     std::vector<Attribute> attributes;  // each once
     std::vector<Hard> hard;
     std::vector<Soft> soft;
+    std::vector<std::size_t> runs;  // times, in `attributes`
     std::vector<Phase> phases;
 };
 

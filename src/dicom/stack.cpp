@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 
+#include "base/check.h"
 #include "dicom/sop_class.h"
 #include "dicom/transfer_syntax.h"
 #include "dicom/value_unit.h"
@@ -146,6 +147,34 @@ std::string_view nameOf(PixelSpacingSource source) {
     return "";
 }
 
+double median(std::vector<double> values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+// Slices that leave more out between them than they show.
+std::optional<Message> sparseness(const Stack& stack) {
+    constexpr double kMostDistanceOfThickness = 2.0;
+    std::vector<double> thicknesses;
+    std::vector<double> distances;
+    const glm::dvec3 normal = stack.frames.front().plane->normal();
+    for (std::size_t f = 0; f < stack.frames.size(); ++f) {
+        const Frame& frame = stack.frames[f];
+        if (frame.sliceThicknessMm) thicknesses.push_back(*frame.sliceThicknessMm);
+        if (f == 0) continue;
+        distances.push_back(
+            glm::dot(frame.plane->positionMm - stack.frames[f - 1].plane->positionMm, normal));
+    }
+    if (2 * thicknesses.size() < stack.frames.size() || distances.empty()) return {};
+    const double thicknessMm = median(thicknesses);
+    const double spacingMm = median(distances);
+    if (spacingMm <= kMostDistanceOfThickness * thicknessMm) return {};
+    return message(key::kSparseSlices, {{"thicknessMm", thicknessMm},
+                                        {"spacingMm", spacingMm},
+                                        {"percent", 100.0 * (1.0 - thicknessMm / spacingMm)}});
+}
+
 void assessGeometry(Stack& stack) {
     if (any(stack, [](const Frame& f) { return isProjection(f.instance->sopClassUid); })) {
         tell(stack, message(key::kUnsupportedSeries,
@@ -180,6 +209,7 @@ void assessGeometry(Stack& stack) {
     stack.slices = std::move(geometry.slices);
     stack.spacingMm = glm::dvec3(first.columnSpacingMm, first.rowSpacingMm,
                                  glm::length(glm::dvec3((*stack.worldFromVoxel)[2])));
+    if (auto sparse = sparseness(stack)) tell(stack, std::move(*sparse));
 }
 
 }  // namespace
@@ -210,6 +240,18 @@ void assess(Stack& stack, const std::string& modality) {
     assessRescale(stack, modality);
     if (isLocalizer(stack)) tell(stack, message(key::kLocalizer));
     assessGeometry(stack);
+}
+
+std::vector<glm::dvec3> slicePositionsMm(const Stack& stack) {
+    MACULA_CHECK(stack.worldFromVoxel.has_value());
+    std::vector<glm::dvec3> positions;
+    for (std::size_t k = 0; k < stack.slices.size(); ++k) {
+        const SliceSource& source = stack.slices[k];
+        positions.push_back(source.interpolated()
+                                ? transformPoint(*stack.worldFromVoxel, {0.0, 0.0, double(k)})
+                                : *stack.frames[source.below].positionMm);
+    }
+    return positions;
 }
 
 bool isLocalizer(const Stack& stack) {

@@ -52,6 +52,10 @@ struct Stack {
 // already. `modality` as in the images.
 void assess(Stack& stack, const std::string& modality);
 
+// Where each slice of a volume lies: the image that it is, which may be a little off its even place; of
+// interpolated ones that place. Patient LPS.
+std::vector<glm::dvec3> slicePositionsMm(const Stack& stack);
+
 // A localizer (scout, topogram) in any of its images: ImageType value 3, PS3.3 C.8.2.1.1.1.
 bool isLocalizer(const Stack& stack);
 // ORIGINAL\PRIMARY in all of its images: PS3.3 C.7.6.1.1.2.

@@ -28,6 +28,7 @@ inline constexpr Tag kPatientId{0x0010, 0x0020};
 inline constexpr Tag kPatientBirthDate{0x0010, 0x0030};
 inline constexpr Tag kPatientSex{0x0010, 0x0040};
 inline constexpr Tag kPatientWeight{0x0010, 0x1030};
+inline constexpr Tag kSliceThickness{0x0018, 0x0050};
 inline constexpr Tag kSpacingBetweenSlices{0x0018, 0x0088};
 inline constexpr Tag kRadiopharmaceuticalStartTime{0x0018, 0x1072};
 inline constexpr Tag kRadionuclideTotalDose{0x0018, 0x1074};

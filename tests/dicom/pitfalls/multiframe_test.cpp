@@ -307,7 +307,10 @@ TEST_F(D13MultiFrame, moreFramesClaimedThanThere) {
     std::filesystem::resize_file(folder / "enhanced",
                                  std::filesystem::file_size(folder / "enhanced") - 2 * 8 * 7 * 2 - 10);
     const Opened opened = open();
-    EXPECT_TRUE(opened.says(key::kTruncatedFile)) << opened.keys();
+    const Message* told = opened.find(key::kMissingFrames);
+    ASSERT_NE(told, nullptr) << opened.keys();
+    EXPECT_EQ(numberArgument(*told, "missing"), 3.0);
+    EXPECT_EQ(numberArgument(*told, "total"), 12.0);
     const auto volumes = opened.volumes();
     ASSERT_EQ(volumes.size(), 1u) << opened.keys();
     const auto volume = opened.load(*volumes[0]);
