@@ -13,7 +13,7 @@ namespace {
 // are differences when slices alternate.
 constexpr double kMostPowerByChance = 5.0;
 constexpr std::size_t kLeastSlices = 8;
-constexpr std::size_t kMostColumns = 1 << 14;
+constexpr std::size_t kMostColumns = 1 << 12;
 
 template <class T>
 bool alternatesIn(std::span<const std::span<const T>> slices) {

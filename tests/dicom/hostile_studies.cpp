@@ -349,6 +349,31 @@ std::vector<HostileStudy> make() {
          {key::kIncompletePhases},
          3,
          phasesWithAGap});
+    const auto odd = [&](std::string_view name, std::string_view about, std::string_view said, Edit edit) {
+        add({name,
+             about,
+             "one volume in which that slice is interpolated",
+             {said, key::kGapInterpolated},
+             1,
+             edited({}, [edit = std::move(edit)](Slice& slice, std::size_t n) {
+                 if (n == 5) slice.edits.push_back(edit);
+             })});
+    };
+    odd("intercept-missing", "one slice has no rescale intercept", key::kOddRescale,
+        [](DcmItem& item) { erase(item, DCM_RescaleIntercept); });
+    odd("intercept-absurd", "one slice has an intercept of 1e30", key::kOddRescale,
+        text(DCM_RescaleIntercept, "1e30"));
+    odd("slope-negative", "one slice has a slope of the other sign", key::kOddRescale,
+        text(DCM_RescaleSlope, "-1"));
+    odd("position-far-away", "one slice lies a kilometre away", key::kOddPosition,
+        text(DCM_ImagePositionPatient, "0\\0\\1000000"));
+    odd("position-not-finite", "one slice has a position that is no number", key::kOddPosition,
+        text(DCM_ImagePositionPatient, "nan\\0\\0"));
+    odd("bits-stored-too-few", "one slice says that 8 bits hold its values, which need 12",
+        key::kBitsExceeded, [](DcmItem& item) {
+            putWord(item, DCM_BitsStored, 8);
+            putWord(item, DCM_HighBit, 7);
+        });
     const auto perSlice = [&](std::string_view name, std::string_view about, std::vector<DcmTagKey> levels) {
         add({name,
              about,
