@@ -16,13 +16,15 @@ struct Split {
 };
 
 // Every frame is in exactly one stack. In this order:
-//   - of files that share a SOP Instance UID the first stays, and the others are stacks of their own;
-//   - hard attributes separate, and frames without a position from those with one; frames that are then alone
-//     although they differ only in how they lie stay together as a stack that is no volume;
+//   - of files that share a SOP Instance UID and a position the first stays, and the others are stacks of
+//     their own;
+//   - hard attributes separate, and frames without a position from those with one; see hard_split.h;
 //   - images that cannot be what they say (odd_images.h) are stacks of their own, and gaps in the others;
-//   - what is a volume is kept whole; a volume with gaps only gives way to parts that are whole and
-//   interleave;
-//   - soft attributes separate, one or two of them, when the parts are volumes;
+//   - soft attributes separate, one or two of them, when the parts are volumes; a volume only into volumes
+//     that interleave, and an even one only by the attributes that the rules name for it;
+//   - interleaved volumes of which one was acquired after the other, or that alternate between two distances,
+//     are separated;
+//   - what is a volume then is kept whole, and warned of where it changes along its slices;
 //   - frames at the same positions are told apart as phases, by value or by rank;
 //   - of a few repeated positions the frames with the lowest number make the volume, and the rest are a stack
 //     of their own;
