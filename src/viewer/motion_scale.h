@@ -1,6 +1,11 @@
 // How many pixels a picture may have while it moves.
 #pragma once
 
+#include <cstddef>
+#include <vector>
+
+#include "pipeline/trace/look.h"
+
 namespace macula::viewer {
 
 // Learns what a pixel costs on this device with this study, and says by how much to divide the width and
@@ -25,6 +30,23 @@ class MotionScale {
     double nsPerPixel_;
     double otherMs_ = 0.0;
     int last_ = 0;  // 0: none yet
+};
+
+// One for each look: what a pixel of one costs says nothing about another, and a projection after light paths
+// would begin with the few pixels of these.
+class MotionScales {
+  public:
+    // As of MotionScale.
+    MotionScales(double budgetMs, double nsPerPixelGuess) : ofLooks_(filled(budgetMs, nsPerPixelGuess)) {}
+
+    MotionScale& of(trace::Look look) { return ofLooks_.at(std::size_t(look)); }
+
+  private:
+    static std::vector<MotionScale> filled(double budgetMs, double nsPerPixelGuess) {
+        return std::vector(trace::kLooks.size(), MotionScale(budgetMs, nsPerPixelGuess));
+    }
+
+    std::vector<MotionScale> ofLooks_;
 };
 
 // Pixels of an edge of the window divided by `scale`, rounded up, at least 1.

@@ -69,7 +69,7 @@ bool isSamePicture(const FrameInput& a, const FrameInput& b) {
 Result<TracedPictures> TracedPictures::create(const std::shared_ptr<gpu::Device>& device) {
     MACULA_TRY(trace::PathTracer tracer, trace::PathTracer::create(device));
     const double guess = device->isCpu() ? kNsPerPixelGuessCpu : kNsPerPixelGuessGpu;
-    return TracedPictures(std::move(tracer), MotionScale(kPreviewBudgetMs, guess));
+    return TracedPictures(std::move(tracer), MotionScales(kPreviewBudgetMs, guess));
 }
 
 void TracedPictures::sceneChanged() {
@@ -99,7 +99,8 @@ std::uint64_t TracedPictures::previewLimit(const FrameInput& input) {
 
 Result<void> TracedPictures::beginPreview(const FrameInput& input) {
     full_.reset();
-    scale_ = motionScale_.choose(input.width, input.height);
+    previewLook_ = input.drawing.settings.look;
+    scale_ = motionScales_.of(previewLook_).choose(input.width, input.height);
     view_ = {.camera = input.camera,
              .width = scaledEdge(input.width, scale_),
              .height = scaledEdge(input.height, scale_)};
@@ -122,10 +123,11 @@ Result<bool> TracedPictures::tracePreview(const FrameInput& input, const std::fu
 }
 
 void TracedPictures::previewWasShown(double developMs, double otherMs) {
-    // The times of two kinds of pictures tell nothing about the next one: the first of a size also compiles
-    // kernels, and later ones of a view reuse its guides.
-    if (std::exchange(warmWidth_, view_.width) != view_.width || !isFirstPreview_) return;
-    motionScale_.observe(view_.width, view_.height, previewMs_ + developMs, otherMs);
+    // The times of two kinds of pictures tell nothing about the next one: the first of a size or a look also
+    // compiles kernels, and later ones of a view reuse its guides.
+    const bool isOfWarmLook = std::exchange(warmLook_, previewLook_) == previewLook_;
+    if (std::exchange(warmWidth_, view_.width) != view_.width || !isOfWarmLook || !isFirstPreview_) return;
+    motionScales_.of(previewLook_).observe(view_.width, view_.height, previewMs_ + developMs, otherMs);
 }
 
 bool TracedPictures::hasFull(const FrameInput& input) const {

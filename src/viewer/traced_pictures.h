@@ -7,6 +7,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "base/result.h"
 #include "pipeline/gpu/device.h"
@@ -65,8 +66,8 @@ class TracedPictures {
     using Clock = std::chrono::steady_clock;
     static constexpr std::int64_t kNoneRefused = std::numeric_limits<std::int64_t>::max();
 
-    TracedPictures(trace::PathTracer tracer, const MotionScale& motionScale)
-        : tracer_(std::move(tracer)), motionScale_(motionScale) {}
+    TracedPictures(trace::PathTracer tracer, MotionScales motionScales)
+        : tracer_(std::move(tracer)), motionScales_(std::move(motionScales)) {}
     Result<void> applySettings(const trace::Settings& settings);
     bool mayDenoise(const FrameInput& input) const;
     Result<void> doWithoutDenoising();
@@ -78,11 +79,13 @@ class TracedPictures {
     // A picture of so many was too large to denoise for the room there was.
     std::int64_t pixelsRefused_ = kNoneRefused;
 
-    MotionScale motionScale_;
+    MotionScales motionScales_;
+    trace::Look previewLook_{};
     std::uint64_t previewSamples_ = 0;
     double previewMs_ = 0.0;
     bool isFirstPreview_ = false;  // of its view
     int warmWidth_ = 0;            // of the small picture before
+    std::optional<trace::Look> warmLook_;
     std::uint32_t previewNumber_ = 0;
 
     std::optional<FrameInput> full_;  // what the full picture is of

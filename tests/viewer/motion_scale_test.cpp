@@ -59,5 +59,13 @@ TEST(MotionScale, ScaledEdgesAreNeverEmpty) {
     EXPECT_EQ(scaledEdge(0, 2), 1);
 }
 
+TEST(MotionScales, WhatOneLookCostsLeavesAnotherAsSharpAsItWas) {
+    MotionScales scales(100.0, 4000.0);
+    const int before = scales.of(trace::Look::mip).choose(900, 720);
+    for (int i = 0; i < 10; ++i) scales.of(trace::Look::cinematic).observe(90, 72, 500.0, 0.0);
+    EXPECT_EQ(scales.of(trace::Look::cinematic).choose(900, 720), 16);
+    EXPECT_EQ(scales.of(trace::Look::mip).choose(900, 720), before);
+}
+
 }  // namespace
 }  // namespace macula::viewer
