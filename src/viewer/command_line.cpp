@@ -62,8 +62,11 @@ Result<CommandLine> parseCommandLine(const QStringList& arguments) {
     parser.setApplicationDescription(
         QStringLiteral("Shows a study, path traced. Without FOLDER it opens a built-in phantom.\n"
                        "Not for primary diagnosis."));
-    parser.addPositionalArgument(QStringLiteral("FOLDER"), QStringLiteral("A folder with DICOM files."),
-                                 QStringLiteral("[FOLDER]"));
+    parser.addPositionalArgument(
+        QStringLiteral("FOLDER"),
+        QStringLiteral("A folder with DICOM files, or a file: one of its images, its "
+                       "DICOMDIR, or NIfTI, NRRD or MetaImage."),
+        QStringLiteral("[FOLDER]"));
     const QCommandLineOption help = parser.addHelpOption();
     const QCommandLineOption version = parser.addVersionOption();
     const QCommandLineOption preset("preset", "What is seen, e.g. ct-bone.", "NAME");
@@ -84,13 +87,15 @@ Result<CommandLine> parseCommandLine(const QStringList& arguments) {
         "turns.",
         "NAME");
     const QCommandLineOption screenshots("screenshots", "Where the script writes its screenshots.", "FOLDER");
+    const QCommandLineOption withPatient(
+        "with-patient", "Screenshots name patient and study; without this, nothing in the window does.");
     const QCommandLineOption wait("wait", "How long the model learns before the script orbits.", "S", "0");
     const QCommandLineOption seconds("seconds", "How long the script orbits, at least, or makes changes.",
                                      "S", "8");
     const QCommandLineOption rest("rest", "How long it rests afterwards, unless the picture converges.", "S",
                                   "300");
-    parser.addOptions(
-        {preset, lights, view, device, size, samples, noModel, script, screenshots, wait, seconds, rest});
+    parser.addOptions({preset, lights, view, device, size, samples, noModel, script, screenshots, withPatient,
+                       wait, seconds, rest});
 
     if (!parser.parse(arguments)) return usage(parser.errorText() + QLatin1Char('.'));
     CommandLine result;
@@ -137,6 +142,7 @@ Result<CommandLine> parseCommandLine(const QStringList& arguments) {
     if (!result.screenshots.isEmpty() && result.script != CommandLine::Script::orbit) {
         return usage(QStringLiteral("--screenshots needs --script orbit."));
     }
+    result.namesPatient = result.screenshots.isEmpty() || parser.isSet(withPatient);
     return result;
 }
 

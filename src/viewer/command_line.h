@@ -23,6 +23,7 @@ struct CommandLine {
     bool usesModel = true;
     enum class Script { none, orbit, changes } script = Script::none;
     QString screenshots;
+    bool namesPatient = true;  // on screen; in screenshots only where that was asked for
     double waitSeconds = 0.0;
     double seconds = 8.0;
     double restSeconds = 300.0;

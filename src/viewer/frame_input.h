@@ -16,6 +16,7 @@
 #include "pipeline/volume/clip.h"
 #include "pipeline/volume/transfer_function.h"
 #include "viewer/orbit_camera.h"
+#include "viewer/picture_text.h"
 
 namespace macula::viewer {
 
@@ -48,8 +49,9 @@ struct FrameInput {
     std::shared_ptr<const Volume> volume{};  // null: nothing is open
     Drawing drawing{};
     Camera camera{};
-    EdgeLetters letters{};            // of this camera; they come back with its pictures
-    glm::vec3 background{0.02f};      // linear
+    EdgeLetters letters{};                      // of this camera; they come back with its pictures
+    std::shared_ptr<const PictureText> text{};  // over every picture of the study; null: nothing
+    glm::vec3 background{0.02f};                // linear
     std::uint32_t sampleLimit = 512;  // per pixel; then it counts as converged, if noise is not gone before
     bool interacting = false;         // a hand is moving something: stay fast
     bool usesModel = true;            // of splats, while it moves

@@ -107,10 +107,10 @@ void FrameRenderer::tellCourse() {
 bool FrameRenderer::hasWork() const {
     if (!input_.visible || input_.surface == VK_NULL_HANDLE) return false;
     if (input_.width <= 0 || input_.height <= 0) return false;
-    if (halted_) return presenter_ && applied_.exposures != input_.exposures;
-    if (restart_ || redisplay_ || !device_ || !presenter_ || applied_.exposures != input_.exposures) {
-        return true;
-    }
+    const bool isWindowRight = presenter_ && applied_.exposures == input_.exposures &&
+                               presenter_->text() == input_.text && !clear_ && !presenter_->owes();
+    if (halted_) return presenter_ && !isWindowRight;
+    if (restart_ || redisplay_ || !device_ || !isWindowRight) return true;
     return isComplete() && course_.next(Clock::now()) != Step::none;
 }
 
@@ -151,12 +151,14 @@ void FrameRenderer::fail(ErrorCode code, const char* message, const char* hint) 
 Result<void> FrameRenderer::tryStep(const Interrupts& interrupts) {
     MACULA_TRY_VOID(ensureDevice());
     MACULA_TRY_VOID(ensurePresenter());
-    if (halted_) return {};  // it was only to paint the window again
+    const bool mustClear = clear_ && !presenter_->owes();  // what it owes is empty already
+    if (halted_) return mustClear ? clearWindow() : Result<void>();
     if (!isComplete()) {
+        const bool isNews = restart_ || redisplay_;
         restart_ = redisplay_ = false;
-        return clearWindow();
+        return isNews || mustClear ? clearWindow() : Result<void>();
     }
-    if (clear_) MACULA_TRY_VOID(clearWindow());
+    if (mustClear) MACULA_TRY_VOID(clearWindow());
     if (restart_) {
         MACULA_TRY(const bool complete, applyScene(interrupts));
         if (!complete) return {};
@@ -216,10 +218,16 @@ Result<void> FrameRenderer::ensurePresenter() {
         MACULA_TRY_VOID(presenter_->resize(window));
     }
     applied_.window = window;
-    if (applied_.exposures != input_.exposures) {
+    // Of the study that the input is of: what was kept of another is forgotten by now.
+    const bool isOtherText = presenter_->text() != input_.text;
+    if (applied_.exposures != input_.exposures || isOtherText || presenter_->owes()) {
         applied_.exposures = input_.exposures;
+        presenter_->setText(input_.text);
         MACULA_TRY(const bool shown, presenter_->showAgain());
-        if (shown && unreported_) listener_(*std::exchange(unreported_, std::nullopt));
+        if (shown) {
+            if (std::exchange(clear_, false)) listener_(PictureRemoved{});
+            if (unreported_) listener_(*std::exchange(unreported_, std::nullopt));
+        }
     }
     return {};
 }
@@ -230,8 +238,9 @@ Result<void> FrameRenderer::clearWindow() {
     shown_.clear();
     const glm::vec3 b = input_.background;
     const VkClearColorValue colour{{encodedSrgb(b.r), encodedSrgb(b.g), encodedSrgb(b.b), 1.0f}};
-    MACULA_TRY(const bool shown, presenter_->showColour(colour));
-    clear_ = !shown;
+    MACULA_TRY_VOID(presenter_->showColour(colour));
+    clear_ = presenter_->owes();  // of a hidden window nothing is to be seen
+    if (!clear_) listener_(PictureRemoved{});
     return {};
 }
 
@@ -448,7 +457,10 @@ Result<void> FrameRenderer::show(const gpu::Image& picture) {
     const OnScreen kind = course_.onScreen();
     // The rate is that of what is shown now.
     if (std::exchange(shownKind_, kind) != kind) shown_.clear();
-    if (visible) shown_.push_back(now);
+    if (visible) {
+        clear_ = false;
+        shown_.push_back(now);
+    }
     while (!shown_.empty() && now - shown_.front() > kRateWindow) shown_.pop_front();
     FrameShown frame{.inputSequence = input_.sequence,
                      .study = input_.study,
@@ -476,7 +488,7 @@ Result<void> FrameRenderer::show(const gpu::Image& picture) {
         frame.samplesLeftOut = statistics.nonFiniteSamples + statistics.abandonedSamples;
     }
     frame.messages = traced_->tracer().messages();
-    // The presenter has kept a picture that could not be shown now, and shows it when the window comes back.
+    // The presenter has kept a picture that could not be shown now; it is shown as soon as it can be.
     unreported_ = visible ? std::nullopt : std::optional(frame);
     if (visible) listener_(frame);
     return {};
@@ -522,11 +534,16 @@ void FrameRenderer::handle(Error error) {
     if (traced_) traced_->sceneChanged();  // nobody knows what its film holds
     try {
         const Result<void> cleared = presenter_ ? clearWindow() : Result<void>{};
-        if (!cleared) log::warning("{}", cleared.error().message);
+        if (!cleared) {
+            log::warning("{}", cleared.error().message);
+            releaseSurface();
+        }
     } catch (const std::exception&) {
         log::warning("The window could not be cleared.");  // which must not keep the error from being told
+        releaseSurface();
     }
-    listener_(RenderFailure{error});
+    listener_(RenderFailure{
+        .error = error, .inputSequence = input_.sequence, .pictureRemains = !presenter_ || clear_});
 }
 
 void FrameRenderer::dropDevice() {

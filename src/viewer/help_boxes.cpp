@@ -27,13 +27,15 @@ void showKeys(QWidget* parent) {
                              "<tr><td>Right drag in maximum, minimum, average</td><td>Window: wider to the "
                              "right, brighter up; Ctrl + R resets it</td></tr>"
                              "<tr><td>F</td><td>Fit the whole volume</td></tr>"
+                             "<tr><td>N</td><td>Patient, study and series over the picture, or "
+                             "not</td></tr>"
                              "<tr><td>Ctrl + 1 to 6</td><td>Cinematic, clear, ray cast, maximum, "
                              "minimum, average</td></tr>"
                              "<tr><td>Ctrl + 0</td><td>Shade the ray cast, or not</td></tr>"
                              "<tr><td>Ctrl + T</td><td>Remove the table of a CT, or show it "
                              "again</td></tr>"
                              "<tr><td>Ctrl + U</td><td>No clip</td></tr>"
-                             "<tr><td>Ctrl + O, or drop a folder</td><td>Open a study</td></tr>"
+                             "<tr><td>Ctrl + O, or drop a folder or file</td><td>Open a study</td></tr>"
                              "</table>"),
                         QMessageBox::Close, parent);
     box->setAttribute(Qt::WA_DeleteOnClose);

@@ -13,23 +13,35 @@
 #include "base/result.h"
 #include "base/volume.h"
 #include "viewer/background_job.h"
+#include "viewer/identity.h"
 
 namespace macula::viewer {
 
-// What came out of a folder. The strings are for the screen; `description` may name a patient.
+class FoundVolumes;
+
+// What came out of a folder. All strings are for the screen; they may name a patient.
 struct LoadedStudy {
     std::shared_ptr<const Volume> volume;
+    Identity identity = {};
     std::string description = {};
     std::string whyThisSeries = {};          // empty for the phantom
     std::vector<std::string> messages = {};  // warnings about the series and about files left out
+    // All volumes of the folder, and which of them this is; null for the phantom and files of one volume.
+    std::shared_ptr<const FoundVolumes> found = {};
+    std::vector<std::string> volumeTitles = {};
+    std::size_t volumeIndex = 0;
 };
 
-// A folder, of which the best series is meant; or a file, of which its own series in its folder is meant;
-// nothing is the built-in phantom.
+// A folder, or the DICOMDIR in it, of which the best series is meant; an image, of which its own series in
+// its folder is meant; or a file that is a volume by itself (dicom/volume_file.h). Nothing is the built-in
+// phantom.
 using StudySource = std::optional<std::filesystem::path>;
 
 // Scans, chooses the series and decodes it. Blocks; a file at a time sees a cancellation.
 Result<LoadedStudy> loadStudy(const StudySource& source, Progress& progress);
+// Decodes another volume of the folder.
+Result<LoadedStudy> loadFoundVolume(std::shared_ptr<const FoundVolumes> found, std::size_t index,
+                                    Progress& progress);
 
 // One load at a time, on a thread of its own. A new one cancels the one before, whose outcome is not
 // reported. Lives on the UI thread, and so do its signals.
@@ -40,6 +52,7 @@ class StudyLoader : public QObject {
     explicit StudyLoader(QObject* parent = nullptr);
 
     void open(StudySource source);
+    void open(std::shared_ptr<const FoundVolumes> found, std::size_t index);
     void cancel();  // `cancelled` follows
     bool loading() const { return job_.running(); }
     bool atRest() const { return job_.atRest(); }  // cancelled ones have noticed, too

@@ -40,6 +40,7 @@ Result<MainWindowOptions> windowOptions(const CommandLine& line) {
     if (line.size) options.pictureSize = *line.size;
     options.sampleLimit = line.samples;
     options.usesModel = line.usesModel;
+    options.namesPatient = line.namesPatient;
     return options;
 }
 

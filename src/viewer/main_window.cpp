@@ -12,12 +12,15 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <utility>
 #include <variant>
 
 #include "pipeline/volume/clip_json.h"
+#include "pipeline/volume/window.h"
 #include "viewer/help_boxes.h"
 #include "viewer/status_texts.h"
+#include "viewer/visibility_note.h"
 
 namespace macula::viewer {
 
@@ -28,6 +31,8 @@ struct StandardView {
     const char* name;
     const char* key;
 };
+constexpr std::chrono::milliseconds kRateLasts{1000};
+
 constexpr std::array kStandardViews{
     StandardView{ViewDirection::anterior, QT_TRANSLATE_NOOP("View", "Anterior"), "A"},
     StandardView{ViewDirection::posterior, QT_TRANSLATE_NOOP("View", "Posterior"), "P"},
@@ -70,7 +75,7 @@ MainWindow::MainWindow(gpu::Instance instance, MainWindowOptions options)
       loading_(new WorkBar),
       table_(new TableRemoval(this)),
       searching_(new WorkBar) {
-    setWindowTitle(QStringLiteral("Macula"));
+    setTitle({});
     setAcceptDrops(true);
 
     auto* centre = new QWidget(this);
@@ -88,11 +93,16 @@ MainWindow::MainWindow(gpu::Instance instance, MainWindowOptions options)
     connectTable();
 
     connect(viewport_, &Viewport::rendered, this, &MainWindow::onRendered);
-    connect(viewport_, &Viewport::pathDropped, this,
-            [this](const QString& path) { open(path.toStdString()); });
+    connect(viewport_, &Viewport::dropped, this, &MainWindow::openDropped);
+    connect(viewport_, &Viewport::namesToggled, names_, &QAction::setChecked);
+    rateEnds_.setSingleShot(true);
+    rateEnds_.setInterval(kRateLasts);
+    connect(&rateEnds_, &QTimer::timeout, this,
+            [this] { pictureText_->setFullText(pictureText_->fullText().section(QLatin1Char(','), 0, 0)); });
     connect(viewport_, &Viewport::keyNotHandled, this, &MainWindow::triggerShortcut);
     viewport_->setSampleLimit(options_.sampleLimit);
     viewport_->setUsesModel(options_.usesModel);
+    viewport_->showNames(options_.namesPatient);
     redraw();
     viewport_->setPictureSizeHint(options_.pictureSize);
     resize(sizeHint());
@@ -105,6 +115,9 @@ void MainWindow::makeMenus() {
     QAction* openFolder = file->addAction(tr("&Open Folder…"), this, &MainWindow::askForFolder);
     openFolder->setShortcut(QKeySequence::Open);
     openFolder->setToolTip(tr("Open the best volume in a folder of DICOM files"));
+    QAction* openFile = file->addAction(tr("Open &File…"), this, &MainWindow::askForFile);
+    openFile->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_O));
+    openFile->setToolTip(tr("Open the series of an image, a DICOMDIR, or a NIfTI, NRRD or MetaImage file"));
     QAction* phantom = file->addAction(tr("Open &Phantom"), this, [this] { open(std::nullopt); });
     phantom->setToolTip(tr("Open the built-in phantom study"));
     file->addSeparator();
@@ -120,6 +133,12 @@ void MainWindow::makeMenus() {
     }
     view->addSeparator();
     view->addAction(tr("Fit the whole volume\tF"), this, [this] { viewport_->fit(); });
+    view->addSeparator();
+    names_ = view->addAction(tr("Patient and study over the picture\tN"));
+    names_->setObjectName(QStringLiteral("names"));
+    names_->setCheckable(true);
+    names_->setChecked(true);
+    connect(names_, &QAction::triggered, viewport_, &Viewport::showNames);
 
     makeLookMenu();
     makeClipMenu();
@@ -151,8 +170,7 @@ void MainWindow::makeLookMenu() {
     });
     window->setObjectName(QStringLiteral("reset-window"));
     window->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_R));
-    window->setToolTip(
-        tr("Of the values: that of the preset, where one was chosen, else that of the series"));
+    window->setToolTip(tr("Of the values: that of the series"));
     resetWindow_ = window;
     connect(viewport_, &Viewport::windowDragged, this, [this](QPointF byHeights) {
         if (const auto from = drawing().settings.window) windows_.drag(lookChosen(), *from, byHeights);
@@ -191,17 +209,18 @@ void MainWindow::makeToolBar() {
     bar->addWidget(new QLabel(tr("  Lights "), bar));
     bar->addWidget(lights_);
     bar->addWidget(new QLabel(QStringLiteral("   "), bar));
+    volumes_ = new VolumeChoice(bar);
+    volumesInBar_ = bar->addWidget(volumes_);
+    volumesInBar_->setVisible(false);
+    connect(volumes_, &VolumeChoice::chosen, this, [this](std::size_t index) {
+        loader_.open(study_.found, index);
+        viewport_->setFocus();
+    });
     description_ = new ElidingLabel(tr("Series"), bar);
     description_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
     bar->addWidget(description_);
 
-    connect(presets_, &QComboBox::activated, this, [this](int index) {
-        options_.preset = options_.catalogue.presets[std::size_t(index)];  // kept for the next study
-        preset_ = options_.preset;
-        windows_.forgetAll();
-        redraw();
-        viewport_->setFocus();
-    });
+    connect(presets_, &QComboBox::activated, this, &MainWindow::choosePreset);
     connect(lights_, &QComboBox::activated, this, [this](int index) {
         options_.lights = options_.catalogue.lights[std::size_t(index)];
         redraw();
@@ -241,7 +260,7 @@ void MainWindow::connectLoader() {
     });
     connect(&loader_, &StudyLoader::failed, this, [this](const Error& error) {
         loading_->hide();
-        messages_->showError(error);
+        showOpenError(error);
         emit failed(error);
     });
     connect(&loader_, &StudyLoader::cancelled, this, [this] {
@@ -285,11 +304,8 @@ Drawing MainWindow::drawing() const {
         remarks << tr("shaded");
     }
     if (trace::isProjection(look) && study_.volume) {
-        const Volume& volume = *study_.volume;
-        // A preset that was found for the study says nothing about windows.
-        const bool isChosen = preset_ && preset_ == options_.preset;
-        drawing.settings.window = windows_.of(look, volume, isChosen ? preset_.get() : nullptr);
-        remarks << windowText(*drawing.settings.window, volume.unitName());
+        drawing.settings.window = windows_.of(look, *study_.volume);
+        remarks << windowText(*drawing.settings.window, study_.volume->unitName());
     }
     if (clip_ && clip_->mask) remarks << tr("table left out");
     if (clip_ && clip_->hasShape()) remarks << tr("clipped");
@@ -309,6 +325,9 @@ void MainWindow::redraw() {
                              : tr("What is seen, and in which colours"));
     shading_->setEnabled(look == trace::Look::dvr);
     resetWindow_->setEnabled(trace::isProjection(look));
+    QString note;
+    if (study_.volume) note = visibilityNote(now, *study_.volume, options_.catalogue);
+    if (std::exchange(visibilityNote_, note) != note) showNotes();
     viewport_->setDrawing(std::move(now));
 }
 
@@ -332,14 +351,56 @@ void MainWindow::open(StudySource source) {
 
 void MainWindow::askForFolder() {
     auto* dialog = new QFileDialog(this, tr("Open a folder of DICOM files"), lastFolder_);
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setFileMode(QFileDialog::Directory);
     dialog->setOption(QFileDialog::ShowDirsOnly);
-    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& folder) {
-        lastFolder_ = folder;
-        open(folder.toStdString());
+    ask(dialog);
+}
+
+void MainWindow::askForFile() {
+    auto* dialog = new QFileDialog(this, tr("Open an image or a volume"), lastFolder_);
+    dialog->setFileMode(QFileDialog::ExistingFile);
+    ask(dialog);
+}
+
+void MainWindow::ask(QFileDialog* dialog) {
+    viewport_->window().endDrag();  // the dialog will see the button go up
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &QFileDialog::fileSelected, this, [this, dialog](const QString& path) {
+        lastFolder_ = dialog->directory().absolutePath();
+        open(path.toStdString());
     });
     dialog->open();  // exec() would run a second event loop
+}
+
+void MainWindow::openDropped(const Dropped& what) {
+    if (what.count == 1) return open(what.path.toStdString());
+    showOpenError({ErrorCode::usage,
+                   tr("Only one folder or file can be opened at a time.").toStdString(),
+                   {},
+                   tr("Drop one of them, or the folder that holds them all.").toStdString()});
+}
+
+// Somebody who reads this looks at a picture, and must not take it for that of what could not be opened.
+void MainWindow::showOpenError(const Error& error) {
+    Error told = error;
+    if (study_.volume) {
+        told.hint += tr(" What is on screen is still of the study that was open before.").toStdString();
+    }
+    messages_->showError(told);
+}
+
+void MainWindow::choosePreset(int index) {
+    options_.preset = options_.catalogue.presets[std::size_t(index)];  // kept for the next study
+    preset_ = options_.preset;
+    if (study_.volume) {
+        const QString before = std::exchange(presetNote_, presetWarning(*preset_, *study_.volume));
+        if (presetNote_ != before) showNotes();
+        // In projections it is a window, and of those each look has its own.
+        if (const trace::Look look = lookChosen(); trace::isProjection(look))
+            windows_.set(look, presetWindow(*preset_, *study_.volume));
+    }
+    redraw();
+    viewport_->setFocus();
 }
 
 void MainWindow::showStudy(const LoadedStudy& study) {
@@ -355,6 +416,7 @@ void MainWindow::showStudy(const LoadedStudy& study) {
                          .arg(titleOr(wanted->title, wanted->name), titleOr(preset->title, preset->name));
         }
     }
+    presetNote_ = presetWarning(*preset, volume);
     select(*presets_, options_.catalogue.presets, preset);
     preset_ = preset;
     // What was hidden of the study before may be what matters in this one.
@@ -363,7 +425,11 @@ void MainWindow::showStudy(const LoadedStudy& study) {
     windows_.forgetAll();
     clip_.reset();
     clearStudyTexts();
-    viewport_->setStudy(study_.volume, drawing(), options_.firstView);
+    Drawing first = drawing();
+    visibilityNote_ = visibilityNote(first, volume, options_.catalogue);
+    viewport_->setStudy(study_.volume, linesOf(study_.identity), std::move(first), options_.firstView);
+    volumes_->setVolumes(study_.volumeTitles, study_.volumeIndex);
+    volumesInBar_->setVisible(volumes_->count() > 0 && options_.namesPatient);
 
     for (const std::string& assumption : volume.provenance().assumptions) {
         notes << QString::fromStdString(assumption);
@@ -379,6 +445,8 @@ void MainWindow::showStudy(const LoadedStudy& study) {
 
 void MainWindow::showNotes() {
     QStringList notes = studyNotes_ + table_->notes();
+    if (!presetNote_.isEmpty()) notes.prepend(presetNote_);
+    if (!visibilityNote_.isEmpty()) notes.prepend(visibilityNote_);
     if (!pictureNote_.isEmpty()) notes << pictureNote_;
     if (!deviceNote_.isEmpty()) notes << deviceNote_;
     if (notes.isEmpty()) {
@@ -401,11 +469,21 @@ void MainWindow::setStudyTexts(const LoadedStudy& study) {
                              .arg(spacing.z, 0, 'f', 2);
     volumeText_->setFullText(text);
     const QString why = QString::fromStdString(study.whyThisSeries);
-    description_->setFullText(QString::fromStdString(study.description), why);
+    // The description of a series may name a patient.
+    if (options_.namesPatient) description_->setFullText(QString::fromStdString(study.description), why);
     description_->setStatusTip(why);
 }
 
+// Names what is on screen, no sooner and no later.
+void MainWindow::setTitle(const QString& ofPicture) {
+    QString title = ofPicture.simplified();
+    if (!options_.namesPatient) title.clear();
+    title.replace(QLatin1String("[*]"), QLatin1String("[*][*]"));  // Qt's mark for what is not saved
+    setWindowTitle(title.isEmpty() ? QStringLiteral("Macula") : title + QStringLiteral(" \u2013 Macula"));
+}
+
 void MainWindow::clearStudyTexts() {
+    rateEnds_.stop();
     volumeText_->setFullText({});
     description_->setFullText({});
     description_->setStatusTip({});
@@ -419,6 +497,7 @@ void MainWindow::onRendered(const RenderEvent& event) {
     } else if (const auto* ready = std::get_if<DeviceReady>(&event)) {
         deviceText_->setFullText(QString::fromStdString(ready->name));
         deviceText_->setToolTip(QString::fromStdString(ready->description));
+        if (!study_.volume) fidelity_->setFullText(tr("No study is open"));  // nothing else comes
     } else if (std::holds_alternative<DeviceRestarting>(event)) {
         fidelity_->setFullText(tr("Starting the graphics device again…"));
         deviceNote_ =
@@ -430,8 +509,11 @@ void MainWindow::onRendered(const RenderEvent& event) {
         if (changed->study == viewport_->study()) onModel(changed->model);
     } else if (const auto* preparing = std::get_if<Preparing>(&event)) {
         fidelity_->setFullText(QString::fromStdString(preparing->what) + QStringLiteral("…"));
+    } else if (std::holds_alternative<PictureRemoved>(event)) {
+        setTitle({});
     } else if (const auto* failure = std::get_if<RenderFailure>(&event)) {
         clearStudyTexts();
+        setTitle({});
         if (!std::exchange(deviceIsBack_, true)) {
             deviceNote_.clear();  // the error says what became of it
             showNotes();
@@ -467,9 +549,13 @@ void MainWindow::onFrame(const FrameShown& frame) {
     fidelity_->setFullText(text);
     onModel(frame.model);
     QString pictureText = QStringLiteral("%1×%2").arg(frame.width).arg(frame.height);
-    if (frame.framesPerSecond > 0.0) pictureText += tr(", %1/s").arg(frame.framesPerSecond, 0, 'f', 1);
+    if (frame.framesPerSecond > 0.0 && frame.stage == Stage::moving) {
+        pictureText += tr(", %1/s").arg(frame.framesPerSecond, 0, 'f', 1);
+        rateEnds_.start();
+    }
     pictureText_->setFullText(pictureText);
     setStudyTexts(study_);
+    setTitle(QString::fromStdString(titleOf(study_.identity)));
     emit frameShown(frame);
 }
 
@@ -488,14 +574,11 @@ void MainWindow::triggerShortcut(QKeyEvent* event) {
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
-    if (!droppedPath(event->mimeData()).isEmpty()) event->acceptProposedAction();
+    acceptDrop(*event);
 }
 
 void MainWindow::dropEvent(QDropEvent* event) {
-    const QString path = droppedPath(event->mimeData());
-    if (path.isEmpty()) return;
-    event->acceptProposedAction();
-    open(path.toStdString());
+    if (acceptDrop(*event)) openDropped(droppedBy(event->mimeData()));
 }
 
 }  // namespace macula::viewer

@@ -6,6 +6,7 @@
 #include <QComboBox>
 #include <QMainWindow>
 #include <QStringList>
+#include <QTimer>
 #include <memory>
 #include <optional>
 #include <string>
@@ -16,6 +17,9 @@
 #include "viewer/projection_windows.h"
 #include "viewer/status_widgets.h"
 #include "viewer/table_removal.h"
+#include "viewer/volume_choice.h"
+
+class QFileDialog;
 
 namespace macula::viewer {
 
@@ -28,6 +32,8 @@ struct MainWindowOptions {
     QSize pictureSize{960, 720};
     std::uint32_t sampleLimit = 512;
     bool usesModel = true;  // of splats, while a hand moves
+    bool namesPatient =
+        true;  // over the picture, in the title and beside the presets, until somebody hides it
 };
 
 // Menus, choices, the viewport, and what is known about the picture in it. Nothing here waits: folders are
@@ -51,8 +57,9 @@ class MainWindow : public QMainWindow {
     QString message() const { return messages_->isVisible() ? messages_->text() : QString(); }
     QString notes() const { return notes_->isVisible() ? notes_->text() : QString(); }
     QString description() const { return description_->fullText(); }  // of the study on screen
-    QString fidelity() const { return fidelity_->fullText(); }        // how true the picture is
-    QString modelState() const { return modelText_->fullText(); }     // what the peripheral model is doing
+    QString rate() const { return pictureText_->fullText(); }   // pixels, and pictures per second in motion
+    QString fidelity() const { return fidelity_->fullText(); }  // how true the picture is
+    QString modelState() const { return modelText_->fullText(); }  // what the peripheral model is doing
     bool hasStudy() const { return study_.volume != nullptr; }
     bool hidesSomething() const { return clip_ != nullptr; }
 
@@ -80,10 +87,16 @@ class MainWindow : public QMainWindow {
     void redraw();      // what was chosen has changed
     void updateClip();  // what is hidden has
     void askForFolder();
+    void askForFile();
+    void ask(QFileDialog* dialog);
+    void openDropped(const Dropped& what);
+    void choosePreset(int index);
+    void showOpenError(const Error& error);
     void onRendered(const RenderEvent& event);
     void onFrame(const FrameShown& frame);
     void onModel(const hybrid::ModelNews& model);
     void setStudyTexts(const LoadedStudy& study);
+    void setTitle(const QString& ofPicture);
     void clearStudyTexts();
     void showNotes();
     void triggerShortcut(QKeyEvent* event);
@@ -92,6 +105,8 @@ class MainWindow : public QMainWindow {
     StudyLoader loader_;
     LoadedStudy study_;       // open; nothing of it is told before its picture is on screen
     QStringList studyNotes_;  // what is to be known about it
+    QString presetNote_;      // and about the preset that was chosen for it
+    QString visibilityNote_;  // and why nothing of it can be seen
     QString pictureNote_;     // and about what the device shows of it
     QString deviceNote_;      // and about the device
     bool deviceIsBack_ = true;
@@ -110,6 +125,10 @@ class MainWindow : public QMainWindow {
     QAction* shading_ = nullptr;
     QAction* resetWindow_ = nullptr;
     ChoiceMenu* clips_ = nullptr;
+    QAction* names_ = nullptr;
+    VolumeChoice* volumes_ = nullptr;
+    QAction* volumesInBar_ = nullptr;  // shows and hides it
+    QTimer rateEnds_;                  // nothing has been shown for a while
     QComboBox* presets_ = nullptr;
     QComboBox* lights_ = nullptr;
     ElidingLabel* description_ = nullptr;

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "pipeline/gpu/recorder.h"
+#include "pipeline/gpu/transfer.h"
 
 namespace macula::viewer {
 
@@ -31,7 +32,27 @@ Result<void> Presenter::resize(VkExtent2D extent) {
     return swapchain_.resize(extent);
 }
 
+void Presenter::setText(std::shared_ptr<const PictureText> text) {
+    if (text == text_) return;
+    text_ = std::move(text);
+    textImage_.reset();
+}
+
+Result<gpu::BlitOverlay> Presenter::overlay() {
+    if (!text_ || isColour_) return gpu::BlitOverlay{};
+    if (!textImage_) {
+        MACULA_TRY(gpu::Image image, gpu::Image::create(device_, {.label = "text over the picture",
+                                                                  .width = text_->size.width,
+                                                                  .height = text_->size.height,
+                                                                  .format = VK_FORMAT_R8G8B8A8_UNORM}));
+        MACULA_TRY_VOID(gpu::uploadTo(image, std::span<const std::byte>(text_->rgba)));
+        textImage_ = std::move(image);
+    }
+    return gpu::BlitOverlay{&*textImage_, text_->boxes};
+}
+
 Result<bool> Presenter::show(const gpu::Image& picture) {
+    isColour_ = false;
     MACULA_TRY_VOID(keep(picture));
     return showAgain();
 }
@@ -57,21 +78,25 @@ Result<void> Presenter::keep(const gpu::Image& picture) {
 
 Result<bool> Presenter::showAgain() {
     if (!keptIsValid_) return false;
+    owes_ = true;
+    MACULA_TRY(const gpu::BlitOverlay text, overlay());
     for (int attempt = 0; attempt < kResizeAttempts; ++attempt) {
         MACULA_TRY(const gpu::Swapchain::Frame frame, swapchain_.acquire(kAcquireTimeoutNs));
         if (frame.status == gpu::Swapchain::Status::outOfDate) {
             MACULA_TRY_VOID(swapchain_.resize(wanted_));
             continue;
         }
+        owes_ = frame.status != gpu::Swapchain::Status::hidden;
         if (!frame.usable()) return false;
         MACULA_TRY(gpu::Recorder recorder, gpu::Recorder::create(device_, "present"));
         // Of the same size nothing is scaled, and on a CPU device that is faster said than found out.
         const VkExtent3D size = kept_->extent();
         const bool isSameSize = size.width == frame.extent.width && size.height == frame.extent.height;
-        recorder.blit(*kept_, frame.target(), isSameSize ? VK_FILTER_NEAREST : VK_FILTER_LINEAR);
+        recorder.blit(*kept_, frame.target(), isSameSize ? VK_FILTER_NEAREST : VK_FILTER_LINEAR, text);
         MACULA_TRY(const gpu::Ticket ticket,
                    recorder.submit({.wait = frame.available, .signal = frame.rendered}));
         MACULA_TRY(const gpu::Swapchain::Status status, swapchain_.present(frame, ticket));
+        owes_ = status == gpu::Swapchain::Status::outOfDate;
         if (status == gpu::Swapchain::Status::ready) return true;
         // The window changed its size meanwhile. The input with the new size is on its way; until then this
         // picture, scaled, is better than none.
@@ -87,7 +112,9 @@ Result<bool> Presenter::showColour(const VkClearColorValue& colour) {
     MACULA_TRY(gpu::Recorder recorder, gpu::Recorder::create(device_, "empty picture"));
     recorder.clear(image, colour);
     MACULA_TRY([[maybe_unused]] const gpu::Ticket ticket, recorder.submit());
-    return show(image);
+    isColour_ = true;
+    MACULA_TRY_VOID(keep(image));
+    return showAgain();
 }
 
 Result<void> Presenter::release(std::optional<Presenter> presenter) {

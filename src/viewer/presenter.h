@@ -8,6 +8,7 @@
 #include "pipeline/gpu/device.h"
 #include "pipeline/gpu/resources.h"
 #include "pipeline/gpu/swapchain.h"
+#include "viewer/picture_text.h"
 
 namespace macula::viewer {
 
@@ -21,13 +22,20 @@ class Presenter {
 
     Result<void> resize(VkExtent2D extent);
 
-    // Keeps a copy of `picture`, scales it over the window and shows it. Returns whether the window could be
-    // drawn to: not while it is hidden.
+    // What is written over pictures from the next time on that one is shown, also again; never over a colour.
+    // Null: nothing.
+    void setText(std::shared_ptr<const PictureText> text);
+    const std::shared_ptr<const PictureText>& text() const { return text_; }
+
+    // Keeps a copy of `picture`, scales it over the window and shows it. Returns whether it is there: not
+    // while the window is hidden, nor when the window system gives out no image in time (see owes).
     Result<bool> show(const gpu::Image& picture);
     // The same picture once more; false when there is none yet.
     Result<bool> showAgain();
+    // What was to be shown last is not there yet, though the window is not hidden: showAgain, until it is.
+    bool owes() const { return owes_; }
     // From now on there is none.
-    void forget() { keptIsValid_ = false; }
+    void forget() { keptIsValid_ = owes_ = false; }
     // Fills the window with one colour, display-encoded RGBA.
     Result<bool> showColour(const VkClearColorValue& colour);
 
@@ -37,12 +45,17 @@ class Presenter {
   private:
     Presenter(std::shared_ptr<gpu::Device> device, gpu::Swapchain swapchain, VkExtent2D wanted);
     Result<void> keep(const gpu::Image& picture);
+    Result<gpu::BlitOverlay> overlay();
 
     std::shared_ptr<gpu::Device> device_;
     gpu::Swapchain swapchain_;
     VkExtent2D wanted_;
     std::optional<gpu::Image> kept_;
     bool keptIsValid_ = false;
+    bool owes_ = false;
+    bool isColour_ = false;  // what is kept
+    std::shared_ptr<const PictureText> text_;
+    std::optional<gpu::Image> textImage_;  // of it; made when it is first shown
 };
 
 }  // namespace macula::viewer

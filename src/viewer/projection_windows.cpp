@@ -15,22 +15,20 @@ constexpr double kWidest = 1e9;
 
 }  // namespace
 
-DisplayWindow ProjectionWindows::of(trace::Look look, const Volume& volume,
-                                    const TransferFunction* chosen) const {
-    if (const auto& byHand = byHand_.at(std::size_t(look))) return *byHand;
-    const auto ofPreset = chosen != nullptr ? presetWindow(*chosen, volume) : std::nullopt;
-    return ofPreset ? *ofPreset : seriesWindow(volume);
+DisplayWindow ProjectionWindows::of(trace::Look look, const Volume& volume) const {
+    const auto& window = set_.at(std::size_t(look));
+    return window ? *window : seriesWindow(volume);
 }
 
 void ProjectionWindows::drag(trace::Look look, const DisplayWindow& from, QPointF byHeights) {
     DisplayWindow window = from;
     window.width = std::clamp(from.width * std::pow(kWidthPerHeight, byHeights.x()), kNarrowest, kWidest);
     window.center = std::clamp(from.center + byHeights.y() * from.width, -kWidest, kWidest);
-    byHand_.at(std::size_t(look)) = window;
+    set(look, window);
 }
 
 void ProjectionWindows::forget(trace::Look look) {
-    byHand_.at(std::size_t(look)).reset();
+    set(look, std::nullopt);
 }
 
 QString windowText(const DisplayWindow& window, const std::string& unit) {

@@ -8,24 +8,26 @@
 
 #include "base/volume.h"
 #include "pipeline/trace/look.h"
-#include "pipeline/volume/transfer_function.h"
 
 namespace macula::viewer {
 
 // One window for each look, as the largest value along a ray and the mean have little to do with each other:
-// the one set by hand; else the range of the preset, where somebody chose one; else that of the series.
+// the one that somebody set in this look, by hand or by a preset; else that of the series. So it does not
+// depend on what was chosen in other looks, where nobody saw a window.
 class ProjectionWindows {
   public:
-    DisplayWindow of(trace::Look look, const Volume& volume, const TransferFunction* chosen) const;
+    DisplayWindow of(trace::Look look, const Volume& volume) const;
+
+    void set(trace::Look look, std::optional<DisplayWindow> window) { set_.at(std::size_t(look)) = window; }
 
     // `from`, changed by a hand that moved by so much of the picture's height: wider to the right, brighter
     // up.
     void drag(trace::Look look, const DisplayWindow& from, QPointF byHeights);
-    void forget(trace::Look look);  // what was set by hand
-    void forgetAll() { byHand_ = {}; }
+    void forget(trace::Look look);  // what was set
+    void forgetAll() { set_ = {}; }
 
   private:
-    std::array<std::optional<DisplayWindow>, trace::kLooks.size()> byHand_;
+    std::array<std::optional<DisplayWindow>, trace::kLooks.size()> set_;
 };
 
 // Width and level, as radiologists have them: "W 400 L 40 HU".

@@ -64,14 +64,19 @@ struct FrameShown {
     std::vector<Message> messages{};   // what a person has to know about it
 };
 
-// What was shown has been taken off the screen, as far as the device still can do that, and nothing more is
-// shown until something changes.
+// What was shown is off the screen, and nothing is shown for now.
+struct PictureRemoved {};
+
+// Nothing more is shown until something changes. What was shown has been taken off the screen, unless
+// `pictureRemains`: then the device could not do that yet, or never will, and who owns the window hides it.
 struct RenderFailure {
     Error error;
+    std::uint64_t inputSequence = 0;  // of the newest input then
+    bool pictureRemains = false;
 };
 
-using RenderEvent =
-    std::variant<DeviceReady, DeviceRestarting, Preparing, ModelChanged, FrameShown, RenderFailure>;
+using RenderEvent = std::variant<DeviceReady, DeviceRestarting, Preparing, ModelChanged, FrameShown,
+                                 PictureRemoved, RenderFailure>;
 using RenderListener = std::function<void(RenderEvent)>;
 
 }  // namespace macula::viewer

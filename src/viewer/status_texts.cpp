@@ -1,6 +1,8 @@
 #include "viewer/status_texts.h"
 
 #include <QCoreApplication>
+#include <QStringList>
+#include <algorithm>
 #include <string_view>
 
 #include "pipeline/trace/look.h"
@@ -73,6 +75,28 @@ QString whyNoModel(const hybrid::ModelNews& model) {
             "It could not be made on this graphics device: while a hand moves, small traced pictures are "
             "shown.");
     return {};
+}
+
+QString presetWarning(const TransferFunction& preset, const Volume& volume) {
+    const auto tr = [](const char* text) { return QCoreApplication::translate("Preset", text); };
+    const auto words = [](const std::string& text) { return QString::fromStdString(text); };
+    const QString title = words(preset.title.empty() ? preset.name : preset.title);
+    if (!suits(preset, volume.unit())) {
+        const QString wanted = words(std::string(unitSymbol(preset.unit)));
+        const QString is = words(volume.unitName());
+        return tr("The preset %1 is made for values in %2; those of this volume are %3. What it shows here, "
+                  "and in which colours, means nothing.")
+            .arg(title, wanted.isEmpty() ? tr("another unit") : wanted,
+                 is.isEmpty() ? tr("raw numbers of the scanner") : tr("in %1").arg(is));
+    }
+    const auto& made = preset.modalities;
+    if (made.empty() || volume.modality().empty() ||
+        std::find(made.begin(), made.end(), volume.modality()) != made.end())
+        return {};
+    QStringList modalities;
+    for (const std::string& modality : made) modalities << words(modality);
+    return tr("The preset %1 is made for %2; this volume is %3. Its colours may mean something else here.")
+        .arg(title, modalities.join(QStringLiteral(", ")), words(volume.modality()));
 }
 
 }  // namespace macula::viewer

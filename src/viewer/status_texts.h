@@ -3,7 +3,9 @@
 
 #include <QString>
 
+#include "base/volume.h"
 #include "pipeline/hybrid/model_news.h"
+#include "pipeline/volume/transfer_function.h"
 #include "viewer/render_events.h"
 
 namespace macula::viewer {
@@ -16,5 +18,9 @@ QString modelText(const hybrid::ModelNews& model);
 
 // Why there is none, and what is shown instead; empty where there is one, or none is wanted.
 QString whyNoModel(const hybrid::ModelNews& model);
+
+// A preset that was made for another kind of values, or of images, than those of the volume: what its colours
+// mean there. Empty where it fits.
+QString presetWarning(const TransferFunction& preset, const Volume& volume);
 
 }  // namespace macula::viewer

@@ -122,6 +122,9 @@ void Viewport::layOut() {
     container_ = QWidget::createWindowContainer(window_, this);
     container_->setFocusPolicy(Qt::StrongFocus);
     container_->setMinimumSize(kSmallestPicture);
+    QSizePolicy policy = container_->sizePolicy();
+    policy.setRetainSizeWhenHidden(true);
+    container_->setSizePolicy(policy);
     setFocusProxy(container_);
     left_ = edgeLabel(this, tr("left"));
     right_ = edgeLabel(this, tr("right"));
@@ -150,10 +153,10 @@ void Viewport::connectWindow() {
         renderThread_->releaseSurface();
     });
     connect(window_, &VulkanWindow::surfaceFailed, this, [this] {
-        emit rendered(RenderFailure{{ErrorCode::deviceNotUsable,
-                                     "The window cannot show Vulkan pictures.",
-                                     {},
-                                     "Install a Vulkan driver for this display."}});
+        emit rendered(RenderFailure{.error = {ErrorCode::deviceNotUsable,
+                                              "The window cannot show Vulkan pictures.",
+                                              {},
+                                              "Install a Vulkan driver for this display."}});
     });
     connect(window_, &VulkanWindow::exposed, this, [this] {
         ++input_.exposures;
@@ -180,25 +183,34 @@ void Viewport::connectWindow() {
     connect(window_, &VulkanWindow::keyPressed, this, [this](QKeyEvent* event) {
         if (!handleKey(*event)) emit keyNotHandled(event);
     });
-    connect(window_, &VulkanWindow::pathDropped, this, &Viewport::pathDropped);
+    connect(window_, &VulkanWindow::dropped, this, &Viewport::dropped);
 }
 
-void Viewport::setStudy(std::shared_ptr<const Volume> volume, Drawing drawing, ViewDirection from) {
+void Viewport::setStudy(std::shared_ptr<const Volume> volume, std::vector<std::string> names, Drawing drawing,
+                        ViewDirection from) {
     ++input_.study;
+    names_ = std::move(names);
     input_.volume = std::move(volume);
     input_.drawing = std::move(drawing);
     setLetters({});
     if (input_.volume) {
         showFrom(from);
     } else {
-        publish();
+        publishChange();
     }
 }
 
 void Viewport::setDrawing(Drawing drawing) {
     if (drawing == input_.drawing) return;
     input_.drawing = std::move(drawing);
+    publishChange();
+}
+
+void Viewport::showNames(bool shown) {
+    if (shown == namesShown_) return;
+    namesShown_ = shown;
     publish();
+    emit namesToggled(shown);
 }
 
 void Viewport::setSampleLimit(std::uint32_t samplesPerPixel) {
@@ -268,6 +280,9 @@ bool Viewport::handleKey(const QKeyEvent& event) {
         case Qt::Key_F:
             fit();
             return true;
+        case Qt::Key_N:
+            showNames(!namesShown_);
+            return true;
         default:
             return false;
     }
@@ -300,18 +315,34 @@ void Viewport::nudge() {
 void Viewport::setCamera(const OrbitCamera& camera) {
     camera_ = camera;
     untouched_ = false;
-    publish();
+    publishChange();
 }
 
-void Viewport::publish() {
+void Viewport::publishChange() {
+    container_->show();
+    lastChange_ = publish();
+}
+
+std::uint64_t Viewport::publish() {
     const QSize pixels = window_->pixels();
     input_.width = pixels.width();
     input_.height = pixels.height();
     input_.visible = window_->isExposed();
     input_.camera = toCamera(camera_);
     input_.letters = edgeLetters(camera_);
+    updateText();
     input_.interacting = dragging_ || nudgeEnds_.isActive();
-    renderThread_->publish(input_);
+    return renderThread_->publish(input_);
+}
+
+void Viewport::updateText() {
+    const std::vector<std::string> names = namesShown_ ? names_ : std::vector<std::string>();
+    const double ratio = window_->devicePixelRatio();
+    if (names == textNames_ && input_.width == textWidthPx_ && ratio == textPixelRatio_) return;
+    textNames_ = names;
+    textWidthPx_ = input_.width;
+    textPixelRatio_ = ratio;
+    input_.text = paintText(names, input_.width, ratio);
 }
 
 double Viewport::sceneDiagonalMm() const {
@@ -328,8 +359,11 @@ void Viewport::onRendered(const RenderEvent& event) {
     if (const auto* frame = std::get_if<FrameShown>(&event)) {
         if (frame->study != input_.study) return;  // that picture is being taken off the screen
         setLetters(frame->letters);
-    } else if (std::holds_alternative<RenderFailure>(event)) {
+    } else if (const auto* failure = std::get_if<RenderFailure>(&event)) {
         setLetters({});
+        // A picture that stays after an error would be taken for that of what is wanted now; unless something
+        // else is wanted by now, which takes it off first.
+        if (failure->pictureRemains && failure->inputSequence >= lastChange_) container_->hide();
     }
     emit rendered(event);
 }

@@ -9,6 +9,8 @@
 #include <QVulkanInstance>
 #include <QWidget>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "viewer/orbit_camera.h"
 
@@ -30,8 +32,13 @@ class Viewport : public QWidget {
 
     // A new study, with the camera framing it from `from`: all at once, so that no volume is ever drawn as
     // another. What was shown goes off the screen before the first picture of it comes, and the
-    // letters at the edges with it. A null volume shows nothing.
-    void setStudy(std::shared_ptr<const Volume> volume, Drawing drawing, ViewDirection from);
+    // letters at the edges with it. A null volume shows nothing. After an error that left a picture on screen
+    // the window is hidden until the next change of study, drawing or camera.
+    // `names` are lines that say whose it is: they stand over each of its pictures, unless they are hidden.
+    void setStudy(std::shared_ptr<const Volume> volume, std::vector<std::string> names, Drawing drawing,
+                  ViewDirection from);
+    void showNames(bool shown);
+    bool namesShown() const { return namesShown_; }
     void setDrawing(Drawing drawing);
     void setSampleLimit(std::uint32_t samplesPerPixel);
     // Whether the peripheral model, splats, is shown while a hand moves; if not, small traced pictures are.
@@ -40,7 +47,7 @@ class Viewport : public QWidget {
 
     void showFrom(ViewDirection from);
     void fit();  // the whole volume, from where the camera is
-    // Arrows, +, -, F and the letters of the standard views. False for any other key.
+    // Arrows, +, -, F, N (names) and the letters of the standard views. False for any other key.
     bool handleKey(const QKeyEvent& event);
 
     const OrbitCamera& camera() const { return camera_; }
@@ -51,20 +58,23 @@ class Viewport : public QWidget {
 
   signals:
     void rendered(const macula::viewer::RenderEvent& event);
+    void namesToggled(bool shown);
     void windowDragged(QPointF byHeights);  // with the right button, in projections: see ProjectionWindows
-    void pathDropped(const QString& path);
+    void dropped(const macula::viewer::Dropped& what);
     void keyNotHandled(QKeyEvent* event);
 
   private:
     void connectWindow();
     void setCamera(const OrbitCamera& camera);
+    void publishChange();  // of what is to be seen
     void applyDrag(VulkanWindow::Drag drag, QPointF byPixels);
-    void nudge();  // an interaction without an end: a key, a notch of the wheel
-    void publish();
+    void nudge();             // an interaction without an end: a key, a notch of the wheel
+    std::uint64_t publish();  // its number
     double sceneDiagonalMm() const;
     double aspect() const;
     void onRendered(const RenderEvent& event);
     void setLetters(const EdgeLetters& letters);
+    void updateText();
     void layOut();
 
     QVulkanInstance vulkan_;  // outlives the window
@@ -76,8 +86,16 @@ class Viewport : public QWidget {
     QLabel* bottom_ = nullptr;
     QTimer nudgeEnds_;
 
+    std::vector<std::string> names_;  // of the study
+    bool namesShown_ = true;
+    // What input_.text was made of.
+    std::vector<std::string> textNames_;
+    int textWidthPx_ = 0;
+    double textPixelRatio_ = 0.0;
+
     OrbitCamera camera_;
     FrameInput input_;
+    std::uint64_t lastChange_ = 0;  // its number
     bool dragging_ = false;
     ViewDirection framedFrom_ = ViewDirection::anterior;
     bool untouched_ = true;  // nobody moved the camera since it was framed

@@ -2,12 +2,11 @@
 
 #include <QDropEvent>
 #include <QExposeEvent>
-#include <QMimeData>
 #include <QMouseEvent>
 #include <QPlatformSurfaceEvent>
-#include <QUrl>
 #include <QVulkanInstance>
 #include <QWheelEvent>
+#include <utility>
 
 namespace macula::viewer {
 
@@ -56,18 +55,12 @@ bool VulkanWindow::event(QEvent* event) {
             break;
         }
         case QEvent::DragEnter:
-        case QEvent::DragMove: {
-            auto* drag = static_cast<QDropEvent*>(event);
-            if (droppedPath(drag->mimeData()).isEmpty()) break;
-            drag->acceptProposedAction();
+        case QEvent::DragMove:
+            acceptDrop(*static_cast<QDropEvent*>(event));
             return true;
-        }
         case QEvent::Drop: {
             auto* drop = static_cast<QDropEvent*>(event);
-            const QString path = droppedPath(drop->mimeData());
-            if (path.isEmpty()) break;
-            drop->acceptProposedAction();
-            emit pathDropped(path);
+            if (acceptDrop(*drop)) emit dropped(droppedBy(drop->mimeData()));
             return true;
         }
         default:
@@ -115,14 +108,23 @@ void VulkanWindow::mousePressEvent(QMouseEvent* event) {
 
 void VulkanWindow::mouseMoveEvent(QMouseEvent* event) {
     if (!dragging_) return;
+    // The button went up where this window was not told, as over a dialog.
+    if (!event->buttons().testFlag(dragButton_)) return endDrag();
     const QPointF moved = event->position() - last_;
     last_ = event->position();
     emit dragged(drag_, moved);
 }
 
 void VulkanWindow::mouseReleaseEvent(QMouseEvent* event) {
-    if (!dragging_ || event->button() != dragButton_) return;
-    dragging_ = false;
+    if (event->button() == dragButton_) endDrag();
+}
+
+void VulkanWindow::focusOutEvent(QFocusEvent*) {
+    endDrag();
+}
+
+void VulkanWindow::endDrag() {
+    if (!std::exchange(dragging_, false)) return;
     emit dragEnded();
 }
 
@@ -132,11 +134,6 @@ void VulkanWindow::wheelEvent(QWheelEvent* event) {
 
 void VulkanWindow::keyPressEvent(QKeyEvent* event) {
     emit keyPressed(event);
-}
-
-QString droppedPath(const QMimeData* data) {
-    if (data == nullptr || data->urls().size() != 1) return {};
-    return data->urls().front().toLocalFile();
 }
 
 }  // namespace macula::viewer

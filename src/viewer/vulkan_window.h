@@ -5,10 +5,9 @@
 #include <vulkan/vulkan_core.h>
 
 #include <QPointF>
-#include <QString>
 #include <QWindow>
 
-class QMimeData;
+#include "viewer/dropped.h"
 
 namespace macula::viewer {
 
@@ -28,6 +27,9 @@ class VulkanWindow : public QWindow {
     QSize pixels() const;                              // device pixels
     VkSurfaceKHR surface() const { return surface_; }  // null before surfaceReady and from surfaceGoing on
 
+    // Of a drag whose button goes up elsewhere nobody is told. Nothing without a drag.
+    void endDrag();
+
   signals:
     void surfaceReady();
     // Connect directly: when this returns, the surface is destroyed.
@@ -42,7 +44,7 @@ class VulkanWindow : public QWindow {
     void dragEnded();
     void wheelTurned(double notches);   // positive: away from the user
     void keyPressed(QKeyEvent* event);  // not accepted: it is offered to the main window
-    void pathDropped(const QString& path);
+    void dropped(const macula::viewer::Dropped& what);
 
   protected:
     bool event(QEvent* event) override;
@@ -53,6 +55,7 @@ class VulkanWindow : public QWindow {
     void mouseReleaseEvent(QMouseEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
 
   private:
     void createSurface();
@@ -64,9 +67,5 @@ class VulkanWindow : public QWindow {
     Qt::MouseButton dragButton_ = Qt::NoButton;
     QPointF last_;
 };
-
-// The one local path that is being dropped; empty when it is anything else. Whether it is a folder is for the
-// loader to find out: asking a slow disk from here would freeze the window.
-QString droppedPath(const QMimeData* data);
 
 }  // namespace macula::viewer

@@ -54,6 +54,13 @@ TEST(CommandLine, RefusesWhatDoesNotExist) {
     }
 }
 
+TEST(CommandLine, ScreenshotsNameNobodyUnlessThatIsAskedFor) {
+    EXPECT_TRUE(parse({})->namesPatient);
+    EXPECT_TRUE(parse({"--script", "orbit"})->namesPatient);
+    EXPECT_FALSE(parse({"--script", "orbit", "--screenshots", "x"})->namesPatient);
+    EXPECT_TRUE(parse({"--script", "orbit", "--screenshots", "x", "--with-patient"})->namesPatient);
+}
+
 TEST(CommandLine, HelpNeedsNoDisplay) {
     const auto line = parse({"--help"});
     ASSERT_TRUE(line.ok());

@@ -44,7 +44,9 @@ class DrawingTest : public WindowTest {
                  .worldFromVoxel = affine({kSpacingMm.x, 0, 0}, {0, kSpacingMm.y, 0}, {0, 0, kSpacingMm.z},
                                           -0.5 * glm::dvec3(kSize - 1) * kSpacingMm)})
                 .volume);
-        return {.volume = kVolume, .description = "Made up"};
+        return {.volume = kVolume,
+                .identity = {.series = "Made up", .isOfNobody = true},
+                .description = "Made up"};
     }
     bool says(const char* text) const { return window_->fidelity().contains(QLatin1String(text)); }
     bool notes(const char* text) const { return window_->notes().contains(QLatin1String(text)); }

@@ -159,6 +159,51 @@ TEST_F(FileInAFolderOfTwo, AFileThatIsNoImageOpensNothing) {
     EXPECT_FALSE(study.error().hint.empty());
 }
 
+TEST(LoadStudy, OpensAVolumeFileAndNamesNobody) {
+    const std::filesystem::path file = MACULA_SHARED_DIR "/data/odd/mixed_flat_folder_truth_mr.nii.gz";
+    if (!std::filesystem::exists(file)) GTEST_SKIP() << "shared data is not here";
+    Progress progress;
+    const auto study = loadStudy(file, progress);
+    ASSERT_TRUE(study.ok()) << study.error().message;
+    EXPECT_EQ(study->volume->size(), glm::ivec3(115, 90, 35));
+    EXPECT_EQ(study->identity.series, "File mixed_flat_folder_truth_mr.nii.gz");
+    EXPECT_TRUE(study->identity.patientName.empty());
+    EXPECT_FALSE(study->identity.isOfNobody);
+    EXPECT_TRUE(study->volumeTitles.empty());
+}
+
+TEST(LoadStudy, ADicomdirStandsForItsFolder) {
+    const std::filesystem::path folder = MACULA_SHARED_DIR "/data/odd/dicomdir_media";
+    if (!std::filesystem::exists(folder / "DICOMDIR")) GTEST_SKIP() << "shared data is not here";
+    Progress progress;
+    const auto ofFolder = loadStudy(folder, progress);
+    const auto ofFile = loadStudy(folder / "DICOMDIR", progress);
+    ASSERT_EQ(ofFile.ok(), ofFolder.ok());
+    if (ofFile.ok()) {
+        EXPECT_EQ(ofFile->identity, ofFolder->identity);
+        EXPECT_EQ(ofFile->volumeTitles, ofFolder->volumeTitles);
+    } else {
+        EXPECT_EQ(ofFile.error().message, ofFolder.error().message);
+    }
+}
+
+TEST_F(FileInAFolderOfTwo, EachVolumeIsListedWithItsPatient) {
+    Progress progress;
+    const auto study = loadStudy(root_, progress);
+    ASSERT_TRUE(study.ok());
+    ASSERT_EQ(study->volumeTitles.size(), 2u);
+    EXPECT_NE(study->volumeTitles[0], study->volumeTitles[1]);
+    for (std::size_t i = 0; i < 2; ++i) {
+        const auto other = loadFoundVolume(study->found, i, progress);
+        ASSERT_TRUE(other.ok());
+        EXPECT_EQ(other->volumeIndex, i);
+        const std::vector<std::string> lines = linesOf(other->identity);
+        EXPECT_NE(study->volumeTitles[i].find(lines[0]), std::string::npos) << study->volumeTitles[i];
+        EXPECT_NE(study->volumeTitles[i].find(lines[3]), std::string::npos) << study->volumeTitles[i];
+        EXPECT_EQ(other->volume->modality(), lines[3].substr(0, 2));
+    }
+}
+
 TEST_F(StudyLoaderTest, ANewLoadReplacesTheOneBefore) {
     StudyLoader loader;
     int failures = 0;

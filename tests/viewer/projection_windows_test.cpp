@@ -17,24 +17,22 @@ Volume volumeWith(std::vector<DisplayWindow> windows) {
     return *std::move(volume);
 }
 
-TEST(ProjectionWindows, ByHandComesBeforeThePresetAndThatBeforeTheSeries) {
+TEST(ProjectionWindows, WhatWasSetInALookComesBeforeTheSeriesAndIsOfThatLookAlone) {
     const Volume plain = volumeWith({});
     const Volume named = volumeWith({{.center = 40.0, .width = 400.0, .explanation = {}, .function = {}}});
-    TransferFunction preset;
     ProjectionWindows windows;
-    EXPECT_EQ(windowText(windows.of(Look::mip, plain, nullptr), "HU"), QStringLiteral("W 2000 L 0 HU"));
-    EXPECT_EQ(windowText(windows.of(Look::mip, named, nullptr), "HU"), QStringLiteral("W 400 L 40 HU"));
-    // A preset without a range has none to give.
-    EXPECT_EQ(windows.of(Look::mip, named, &preset), windows.of(Look::mip, named, nullptr));
-    preset.effectiveRange = ValueRange{150.0, 1500.0};
-    EXPECT_EQ(windowText(windows.of(Look::mip, named, &preset), {}), QStringLiteral("W 1350 L 825"));
+    EXPECT_EQ(windowText(windows.of(Look::mip, plain), "HU"), QStringLiteral("W 2000 L 0 HU"));
+    EXPECT_EQ(windowText(windows.of(Look::mip, named), "HU"), QStringLiteral("W 400 L 40 HU"));
+    windows.set(Look::mip,
+                DisplayWindow{.center = 825.0, .width = 1350.0, .explanation = {}, .function = {}});
+    EXPECT_EQ(windowText(windows.of(Look::mip, named), {}), QStringLiteral("W 1350 L 825"));
+    EXPECT_EQ(windowText(windows.of(Look::average, named), "HU"), QStringLiteral("W 400 L 40 HU"));
 
-    windows.drag(Look::mip, windows.of(Look::mip, named, &preset), {0.0, -0.1});
-    EXPECT_DOUBLE_EQ(windows.of(Look::mip, named, &preset).center, 825.0 - 135.0);  // up: brighter
-    EXPECT_DOUBLE_EQ(windows.of(Look::mip, named, &preset).width, 1350.0);
-    EXPECT_DOUBLE_EQ(windows.of(Look::average, named, &preset).center, 825.0);  // has its own
+    windows.drag(Look::mip, windows.of(Look::mip, named), {0.0, -0.1});
+    EXPECT_DOUBLE_EQ(windows.of(Look::mip, named).center, 825.0 - 135.0);  // up: brighter
+    EXPECT_DOUBLE_EQ(windows.of(Look::mip, named).width, 1350.0);
     windows.forget(Look::mip);
-    EXPECT_DOUBLE_EQ(windows.of(Look::mip, named, &preset).center, 825.0);
+    EXPECT_DOUBLE_EQ(windows.of(Look::mip, named).center, 40.0);
 }
 
 TEST(ProjectionWindows, DraggingThereAndBackIsTheSameWindowAndNoneIsEverEmpty) {
@@ -42,15 +40,15 @@ TEST(ProjectionWindows, DraggingThereAndBackIsTheSameWindowAndNoneIsEverEmpty) {
     const Volume volume = volumeWith({first});
     ProjectionWindows windows;
     windows.drag(Look::minip, first, {0.5, 0.0});
-    EXPECT_GT(windows.of(Look::minip, volume, nullptr).width, 1000.0);
-    windows.drag(Look::minip, windows.of(Look::minip, volume, nullptr), {-0.5, 0.0});
-    EXPECT_NEAR(windows.of(Look::minip, volume, nullptr).width, 400.0, 1e-9);
+    EXPECT_GT(windows.of(Look::minip, volume).width, 1000.0);
+    windows.drag(Look::minip, windows.of(Look::minip, volume), {-0.5, 0.0});
+    EXPECT_NEAR(windows.of(Look::minip, volume).width, 400.0, 1e-9);
     windows.drag(Look::minip, first, {-1000.0, 0.0});
-    EXPECT_GT(windows.of(Look::minip, volume, nullptr).width, 0.0);
+    EXPECT_GT(windows.of(Look::minip, volume).width, 0.0);
     windows.drag(Look::minip, first, {1000.0, 1000.0});
-    EXPECT_TRUE(std::isfinite(windows.of(Look::minip, volume, nullptr).width));
+    EXPECT_TRUE(std::isfinite(windows.of(Look::minip, volume).width));
     windows.forgetAll();
-    EXPECT_EQ(windows.of(Look::minip, volume, nullptr), first);
+    EXPECT_EQ(windows.of(Look::minip, volume), first);
 }
 
 TEST(ProjectionWindows, NumbersAreAsExactAsTheWindowIsWide) {

@@ -43,8 +43,9 @@ class WindowTest : public testing::Test {
         ASSERT_TRUE(catalogue.ok()) << catalogue.error().message;
         MainWindowOptions options{.catalogue = *catalogue};
         // Not used for CT; and refused by the device's side of the program for all else.
-        options.preset =
-            std::make_shared<const TransferFunction>(TransferFunction{.name = "empty", .unit = Unit::raw});
+        if (refusesRaw_)
+            options.preset = std::make_shared<const TransferFunction>(
+                TransferFunction{.name = "empty", .unit = Unit::raw});
         options.pictureSize = QSize(320, 240);
         options.sampleLimit = 2;
         window_.emplace(*std::move(instance), std::move(options));
@@ -63,7 +64,9 @@ class WindowTest : public testing::Test {
     static LoadedStudy smallStudy(Unit unit) {
         auto volume = Volume::create({.size = glm::ivec3(8), .unit = unit, .modality = "CT"},
                                      std::vector<std::uint16_t>(512, 1000));
-        return {.volume = std::make_shared<const Volume>(*std::move(volume)), .description = "Second"};
+        return {.volume = std::make_shared<const Volume>(*std::move(volume)),
+                .identity = {.series = "Second", .isOfNobody = true},
+                .description = "Second"};
     }
     static LoadedStudy studyThatCannotBeShown() { return smallStudy(Unit::raw); }
     // What a person sees there.
@@ -73,6 +76,31 @@ class WindowTest : public testing::Test {
         return target.screen()
             ->grabWindow(0, corner.x(), corner.y(), target.width() / 2, target.height() / 2)
             .toImage();
+    }
+    // Of the whole picture, in device pixels.
+    QImage picture() {
+        VulkanWindow& target = window_->viewport().window();
+        const QPoint corner = target.mapToGlobal(QPoint(0, 0));
+        return target.screen()
+            ->grabWindow(0, corner.x(), corner.y(), target.width(), target.height())
+            .toImage();
+    }
+    // Whether exactly this stands over the picture.
+    static bool isNamed(const QImage& picture, const Identity& identity) {
+        const auto text = paintText(linesOf(identity), picture.width(), 1.0);
+        for (const VkRect2D& box : text->boxes) {
+            for (int y = box.offset.y; y < box.offset.y + int(box.extent.height); ++y) {
+                for (int x = box.offset.x; x < box.offset.x + int(box.extent.width); ++x) {
+                    const std::byte* wanted =
+                        &text->rgba[4 * (std::size_t(y) * text->size.width + std::size_t(x))];
+                    const QRgb is = picture.pixel(x, y);
+                    if (qRed(is) != int(wanted[0]) || qGreen(is) != int(wanted[1]) ||
+                        qBlue(is) != int(wanted[2]))
+                        return false;
+                }
+            }
+        }
+        return true;
     }
     qsizetype coloursInTheMiddle() {
         const QImage picture = middle();
@@ -97,6 +125,7 @@ class WindowTest : public testing::Test {
         QCoreApplication::sendEvent(&window_->viewport().window(), &event);
     }
 
+    bool refusesRaw_ = true;  // what is no CT cannot be shown
     int argc_ = 1;
     char name_[5] = "test";
     char* argv_[2] = {name_, nullptr};

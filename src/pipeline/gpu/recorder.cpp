@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <utility>
 
 #include "pipeline/gpu/vulkan_error.h"
@@ -39,6 +40,18 @@ void moveLayout(VkCommandBuffer commands, VkImage image, VkImageLayout from, VkI
     dependency.imageMemoryBarrierCount = 1;
     dependency.pImageMemoryBarriers = &barrier;
     vkCmdPipelineBarrier2(commands, &dependency);
+}
+
+// Of the target, from the same place in the source; nothing where they do not meet.
+std::optional<VkImageBlit> samePlace(const VkRect2D& part, VkExtent2D target) {
+    const auto end = [](std::int32_t from, std::uint32_t length, std::uint32_t most) {
+        return static_cast<std::int32_t>(std::min<std::int64_t>(std::int64_t{from} + length, most));
+    };
+    const VkOffset3D from{part.offset.x, part.offset.y, 0};
+    const VkOffset3D to{end(from.x, part.extent.width, target.width),
+                        end(from.y, part.extent.height, target.height), 1};
+    if (to.x <= from.x || to.y <= from.y) return std::nullopt;
+    return VkImageBlit{kWholeLayer, {from, to}, kWholeLayer, {from, to}};
 }
 
 void checkRange(const Buffer& buffer, std::uint64_t offset, std::uint64_t bytes) {
@@ -267,8 +280,15 @@ void Recorder::clear(const Image& image, const VkClearColorValue& value, Order o
     vkCmdClearColorImage(commands_.buffer, image.handle(), VK_IMAGE_LAYOUT_GENERAL, &value, 1, &kWholeRange);
 }
 
-void Recorder::blit(const Image& from, const BlitTarget& to, VkFilter filter) {
+void Recorder::blit(const Image& from, const BlitTarget& to, VkFilter filter, const BlitOverlay& overlay) {
     MACULA_CHECK(from.shape() == ImageShape::flat);
+    std::vector<VkImageBlit> parts;
+    for (const VkRect2D& part : overlay.parts) {
+        MACULA_CHECK(overlay.image != nullptr && part.offset.x >= 0 && part.offset.y >= 0);
+        MACULA_CHECK_LE(std::uint64_t(part.offset.x) + part.extent.width, overlay.image->extent().width);
+        MACULA_CHECK_LE(std::uint64_t(part.offset.y) + part.extent.height, overlay.image->extent().height);
+        if (const auto region = samePlace(part, to.extent)) parts.push_back(*region);
+    }
     begin(Order::afterPrevious);
     moveLayout(commands_.buffer, to.image, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
                VK_ACCESS_2_TRANSFER_WRITE_BIT);
@@ -281,6 +301,13 @@ void Recorder::blit(const Image& from, const BlitTarget& to, VkFilter filter) {
                             static_cast<std::int32_t>(to.extent.height), 1};
     vkCmdBlitImage(commands_.buffer, from.handle(), VK_IMAGE_LAYOUT_GENERAL, to.image,
                    VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region, filter);
+    if (!parts.empty()) {
+        moveLayout(commands_.buffer, to.image, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
+                   VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, VK_ACCESS_2_TRANSFER_WRITE_BIT);
+        vkCmdBlitImage(commands_.buffer, overlay.image->handle(), VK_IMAGE_LAYOUT_GENERAL, to.image,
+                       VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, static_cast<std::uint32_t>(parts.size()),
+                       parts.data(), VK_FILTER_NEAREST);
+    }
     moveLayout(commands_.buffer, to.image, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
                VK_IMAGE_LAYOUT_PRESENT_SRC_KHR, 0);
 }

@@ -75,6 +75,13 @@ struct Timing {
     double milliseconds = 0.0;
 };
 
+// Parts of an image that are laid over a blitted one, each where it is in its own image; what lies outside of
+// the target is left out.
+struct BlitOverlay {
+    const Image* image = nullptr;  // null: nothing
+    std::span<const VkRect2D> parts;
+};
+
 struct BlitTarget {  // Swapchain::Frame::target()
     VkImage image = VK_NULL_HANDLE;
     VkExtent2D extent{};
@@ -166,7 +173,8 @@ class Recorder {
     // Scales the whole 2D image over the whole target, whose content before is lost and which is then ready
     // to be presented. Values are converted to the target's format, not encoded: write display-encoded
     // values.
-    void blit(const Image& from, const BlitTarget& to, VkFilter filter = VK_FILTER_NEAREST);
+    void blit(const Image& from, const BlitTarget& to, VkFilter filter = VK_FILTER_NEAREST,
+              const BlitOverlay& overlay = {});
 
     // What follows waits for what came before. Only needed around Order::concurrent and commands().
     void barrier();

@@ -1,0 +1,35 @@
+#include "viewer/volume_choice.h"
+
+namespace macula::viewer {
+
+namespace {
+
+constexpr int kLettersAtLeast = 16;
+
+}  // namespace
+
+VolumeChoice::VolumeChoice(QWidget* parent) : QComboBox(parent) {
+    setAccessibleName(tr("Volume"));
+    setToolTip(tr("Which volume of the folder is open; choose another one here"));
+    // Long names must not make the window wider.
+    setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    setMinimumContentsLength(kLettersAtLeast);
+    connect(this, &QComboBox::activated, this, [this](int index) {
+        setCurrentIndex(shown_);
+        if (index != shown_) emit chosen(std::size_t(index));
+    });
+}
+
+void VolumeChoice::setVolumes(const std::vector<std::string>& titles, std::size_t shown) {
+    clear();
+    shown_ = int(shown);
+    if (titles.size() < 2) return;
+    for (std::size_t i = 0; i < titles.size(); ++i) {
+        const QString title = QString::fromStdString(titles[i]).simplified();
+        addItem(tr("%1 of %2: %3").arg(i + 1).arg(titles.size()).arg(title));
+        setItemData(count() - 1, title, Qt::ToolTipRole);
+    }
+    setCurrentIndex(shown_);
+}
+
+}  // namespace macula::viewer

@@ -1,0 +1,170 @@
+// Whose picture it is: at every moment what is on screen names that.
+#include <gtest/gtest.h>
+
+#include <QAction>
+#include <QComboBox>
+#include <QDropEvent>
+#include <QMimeData>
+#include <QTemporaryDir>
+#include <QUrl>
+
+#include "viewer/window_fixture.h"
+
+namespace macula::viewer {
+namespace {
+
+const Identity kDoe{.patientName = "DOE^JOHN",
+                    .patientId = "4711",
+                    .studyDate = "20200304",
+                    .studyDescription = "Chest",
+                    .series = "CT, series 3: Lung"};
+const Identity kPhantom{.series = "Built-in phantom", .isOfNobody = true};
+
+class NamesTest : public WindowTest {
+  protected:
+    LoadedStudy ofDoe() const {
+        LoadedStudy study = smallStudy(Unit::hounsfield);
+        study.identity = kDoe;
+        return study;
+    }
+    bool isNamed(const Identity& identity) { return WindowTest::isNamed(picture(), identity); }
+    QString title() const { return window_->windowTitle(); }
+};
+
+TEST_F(NamesTest, StandOverThePictureAndInTheTitleUntilAKeyHidesThem) {
+    EXPECT_EQ(title(), QStringLiteral("Macula"));
+    window_->showStudy(ofDoe());
+    ASSERT_TRUE(waitForConverged());
+    EXPECT_TRUE(waitUntil([&] { return isNamed(kDoe); }, 10));
+    EXPECT_TRUE(title().startsWith(QStringLiteral("DOE, JOHN \u00b7 4711 \u00b7 2020-03-04, Chest")))
+        << title().toStdString();
+    auto* shown = window_->findChild<QAction*>(QStringLiteral("names"));
+    ASSERT_TRUE(shown != nullptr && shown->isChecked());
+
+    // At once, with no other picture; and the title stays.
+    const int before = frames_;
+    pressKey(Qt::Key_N);
+    EXPECT_TRUE(waitUntil([&] { return !isNamed(kDoe); }, 10));
+    EXPECT_FALSE(shown->isChecked());
+    EXPECT_TRUE(title().startsWith(QStringLiteral("DOE, JOHN")));
+    shown->trigger();
+    EXPECT_TRUE(waitUntil([&] { return isNamed(kDoe); }, 10));
+    EXPECT_EQ(frames_, before);
+
+    // Another size of window, another width of the text.
+    window_->resize(window_->size() + QSize(80, 40));
+    ASSERT_TRUE(waitForConverged());
+    EXPECT_TRUE(waitUntil([&] { return isNamed(kDoe); }, 10));
+}
+
+TEST_F(NamesTest, GoWithThePicture) {
+    window_->showStudy(ofDoe());
+    ASSERT_TRUE(waitForConverged());
+    ASSERT_TRUE(waitUntil([&] { return isNamed(kDoe); }, 10));
+    window_->showStudy(studyThatCannotBeShown());
+    ASSERT_TRUE(waitUntil([&] { return !window_->message().isEmpty(); }));
+    EXPECT_TRUE(waitUntil([&] { return !isNamed(kDoe); }, 10));
+    EXPECT_EQ(title(), QStringLiteral("Macula"));
+    window_->open(std::nullopt);
+    ASSERT_TRUE(waitForConverged());
+    EXPECT_TRUE(waitUntil([&] { return isNamed(kPhantom); }, 10));
+    EXPECT_TRUE(title().startsWith(QStringLiteral("Built-in phantom")));
+}
+
+TEST_F(NamesTest, AFailedOpenLeavesNoDoubtWhosePictureItIs) {
+    window_->showStudy(ofDoe());
+    ASSERT_TRUE(waitForConverged());
+    window_->open("/no/such/folder");
+    ASSERT_TRUE(waitUntil([&] { return !window_->message().isEmpty(); }));
+    EXPECT_TRUE(window_->message().contains(QStringLiteral("still of the study that was open before")));
+    EXPECT_FALSE(window_->message().contains(QStringLiteral("DOE")));
+    EXPECT_TRUE(waitUntil([&] { return isNamed(kDoe); }, 10));
+    EXPECT_TRUE(title().startsWith(QStringLiteral("DOE, JOHN")));
+}
+
+TEST_F(NamesTest, LongNamesAreCutShortAndDirectionMarksLeftOut) {
+    const std::string longName(300, 'W');
+    const auto text = paintText({longName, "short"}, 320, 1.0);
+    ASSERT_EQ(text->boxes.size(), 2u);
+    EXPECT_LE(text->size.width, 320u);
+    EXPECT_LT(text->boxes[1].extent.width, text->boxes[0].extent.width);
+    const auto plain = paintText({"DOE, JOHN"}, 320, 1.0);
+    EXPECT_EQ(paintText({"DOE,\u202e JO\u2066HN\n"}, 320, 1.0)->rgba, plain->rgba);
+    EXPECT_EQ(paintText({"DOE, JOHN"}, 320, 2.0)->boxes[0].offset.x, 2 * plain->boxes[0].offset.x);
+    EXPECT_EQ(paintText({}, 320, 1.0), nullptr);
+    EXPECT_EQ(paintText({"DOE"}, 4, 1.0), nullptr);
+}
+
+class ThreeStudiesTest : public NamesTest {
+  protected:
+    ThreeStudiesTest() { refusesRaw_ = false; }
+};
+
+// Three studies dropped on the window one after the other, with one that cannot be opened in between, and a
+// hand that drags all the while.
+TEST_F(ThreeStudiesTest, EveryPictureOfThreeStudiesNamesItsOwn) {
+    const std::filesystem::path data = MACULA_SHARED_DIR "/data";
+    if (!std::filesystem::exists(data)) GTEST_SKIP() << "shared data is not here";
+    QTemporaryDir empty;
+    std::vector<Identity> identities;
+    const std::filesystem::path paths[] = {data / "mr_head_sag_hfs", empty.path().toStdString(),
+                                           data / "odd/nonisotropic_perslice_slope",
+                                           data / "odd/gantry_tilt_4slices"};
+    for (const auto& path : paths) {
+        Progress progress;
+        const auto study = loadStudy(path, progress);
+        if (study.ok()) identities.push_back(study->identity);
+    }
+    ASSERT_EQ(identities.size(), 3u);
+    identities.push_back(kPhantom);
+
+    int pictures = 0;
+    int seen = -1;  // whose picture was on screen last; they come in this order, and none comes back
+    const auto look = [&] {
+        const QImage now = picture();
+        QSet<QRgb> colours;
+        for (int x = 0; x < now.width(); ++x) colours.insert(now.pixel(x, now.height() / 2));
+        if (colours.size() < 5) return;
+        ++pictures;
+        int named = -1;
+        for (int i = 0; i < int(identities.size()); ++i) {
+            if (WindowTest::isNamed(now, identities[std::size_t(i)])) named = i;
+        }
+        ASSERT_NE(named, -1) << "a picture that names nobody";
+        EXPECT_GE(named, seen);
+        seen = named;
+    };
+    const auto drop = [&](const std::filesystem::path& path) {
+        QMimeData what;
+        what.setUrls({QUrl::fromLocalFile(QString::fromStdString(path.string()))});
+        QDropEvent event({9, 9}, Qt::CopyAction, &what, Qt::LeftButton, Qt::NoModifier);
+        QCoreApplication::sendEvent(&window_->viewport().window(), &event);
+    };
+    int wanted = -1;
+    for (const auto& path : paths) {
+        drop(path);
+        int x = 100;
+        sendMouse(QEvent::MouseButtonPress, {100, 100}, Qt::LeftButton, Qt::LeftButton);
+        ASSERT_TRUE(waitUntil([&] {
+            sendMouse(QEvent::MouseMove, {x++ % 200 + 20.0, 100}, Qt::NoButton, Qt::LeftButton);
+            look();
+            return !window_->loading() || HasFatalFailure();
+        }));
+        sendMouse(QEvent::MouseButtonRelease, {100, 100}, Qt::LeftButton, Qt::NoButton);
+        if (window_->message().isEmpty()) ++wanted;
+        last_.reset();
+        pressKey(Qt::Key_L);
+        ASSERT_TRUE(waitUntil([&] {
+            look();
+            return (last_ && last_->stage == Stage::converged) || HasFatalFailure();
+        }));
+        const Identity& identity = identities[std::size_t(wanted)];
+        EXPECT_TRUE(waitUntil([&] { return isNamed(identity); }, 10));
+        EXPECT_TRUE(title().startsWith(QString::fromStdString(titleOf(identity)).simplified()));
+    }
+    EXPECT_EQ(wanted, 2);
+    EXPECT_GT(pictures, 10);
+}
+
+}  // namespace
+}  // namespace macula::viewer

@@ -1,0 +1,195 @@
+// Ways to open a study, and what is said meanwhile.
+#include <gtest/gtest.h>
+
+#include <QAction>
+#include <QComboBox>
+#include <QDropEvent>
+#include <QFileDialog>
+#include <QMimeData>
+#include <QUrl>
+
+#include "viewer/window_fixture.h"
+
+namespace macula::viewer {
+namespace {
+
+class OpeningTest : public WindowTest {
+  protected:
+    OpeningTest() { refusesRaw_ = false; }
+
+    QComboBox* box(const char* accessibleName) {
+        for (QComboBox* found : window_->findChildren<QComboBox*>()) {
+            if (found->accessibleName() == QLatin1String(accessibleName)) return found;
+        }
+        return nullptr;
+    }
+    void choosePreset(const char* name) {
+        QComboBox* presets = box("Preset");
+        const int index = presets->findData(QString::fromLatin1(name), Qt::ToolTipRole);
+        ASSERT_GE(index, 0) << name;
+        presets->setCurrentIndex(index);
+        emit presets->activated(index);
+    }
+    static LoadedStudy ofUnit(Unit unit, const char* modality) {
+        std::vector<std::uint16_t> values(512);
+        for (std::size_t i = 0; i < values.size(); ++i) values[i] = std::uint16_t(i);
+        auto volume =
+            Volume::create({.size = glm::ivec3(8), .unit = unit, .modality = modality}, std::move(values));
+        return {.volume = std::make_shared<const Volume>(*std::move(volume)),
+                .identity = {.series = modality, .isOfNobody = true}};
+    }
+    QImage pictureOf(const char* action) {
+        window_->findChild<QAction*>(QString::fromLatin1(action))->trigger();
+        EXPECT_TRUE(waitForConverged());
+        return middle();
+    }
+};
+
+TEST_F(OpeningTest, AStudyThatCannotBeOpenedAtTheStartLeavesNoUnfinishedWork) {
+    window_->open("/no/such/folder");
+    ASSERT_TRUE(waitUntil([&] { return !window_->message().isEmpty(); }));
+    EXPECT_TRUE(waitUntil([&] { return window_->fidelity() == QStringLiteral("No study is open"); }, 30))
+        << window_->fidelity().toStdString();
+    EXPECT_FALSE(window_->message().contains(QStringLiteral("open before")));
+}
+
+TEST_F(OpeningTest, ADialogEndsADrag) {
+    window_->showStudy(smallStudy(Unit::hounsfield));
+    ASSERT_TRUE(waitForConverged());
+    sendMouse(QEvent::MouseButtonPress, {100, 100}, Qt::LeftButton, Qt::LeftButton);
+    sendMouse(QEvent::MouseMove, {130, 100}, Qt::NoButton, Qt::LeftButton);
+    pressKey(Qt::Key_O, Qt::ControlModifier);
+    auto* dialog = window_->findChild<QFileDialog*>();
+    ASSERT_TRUE(dialog != nullptr);
+    // The button went up over the dialog: nobody holds the picture any more.
+    EXPECT_TRUE(waitForConverged());
+    const double azimuth = window_->viewport().camera().azimuthDeg;
+    sendMouse(QEvent::MouseMove, {60, 100}, Qt::NoButton, Qt::NoButton);
+    EXPECT_EQ(window_->viewport().camera().azimuthDeg, azimuth);
+    dialog->reject();
+}
+
+TEST_F(OpeningTest, AButtonThatWentUpElsewhereEndsADrag) {
+    window_->showStudy(smallStudy(Unit::hounsfield));
+    ASSERT_TRUE(waitForConverged());
+    sendMouse(QEvent::MouseButtonPress, {100, 100}, Qt::LeftButton, Qt::LeftButton);
+    sendMouse(QEvent::MouseMove, {130, 100}, Qt::NoButton, Qt::LeftButton);
+    const double azimuth = window_->viewport().camera().azimuthDeg;
+    sendMouse(QEvent::MouseMove, {60, 100}, Qt::NoButton, Qt::NoButton);
+    EXPECT_EQ(window_->viewport().camera().azimuthDeg, azimuth);
+    EXPECT_TRUE(waitForConverged());
+}
+
+TEST_F(OpeningTest, TwoFoldersAtOnceAreAnsweredAndNothingIsEverMoved) {
+    QMimeData two;
+    two.setUrls({QUrl::fromLocalFile(QStringLiteral("/a")), QUrl::fromLocalFile(QStringLiteral("/b"))});
+    for (QObject* target :
+         {static_cast<QObject*>(&window_->viewport().window()), static_cast<QObject*>(&*window_)}) {
+        QDragEnterEvent enter({5, 5}, Qt::CopyAction | Qt::MoveAction, &two, Qt::LeftButton, Qt::NoModifier);
+        QCoreApplication::sendEvent(target, &enter);
+        EXPECT_TRUE(enter.isAccepted());
+        QDropEvent drop({5, 5}, Qt::CopyAction | Qt::MoveAction, &two, Qt::LeftButton, Qt::NoModifier);
+        drop.setDropAction(Qt::MoveAction);
+        QCoreApplication::sendEvent(target, &drop);
+        EXPECT_TRUE(window_->message().contains(QStringLiteral("Only one")))
+            << window_->message().toStdString();
+        EXPECT_FALSE(window_->loading());
+        EXPECT_EQ(drop.dropAction(), Qt::CopyAction);
+        // Who offers nothing but to move it keeps it.
+        QDragEnterEvent move({5, 5}, Qt::MoveAction, &two, Qt::LeftButton, Qt::NoModifier);
+        QCoreApplication::sendEvent(target, &move);
+        EXPECT_FALSE(move.isAccepted());
+    }
+}
+
+TEST_F(OpeningTest, APresetForOtherValuesIsWarnedOfWhenItIsChosen) {
+    window_->showStudy(ofUnit(Unit::hounsfield, "CT"));
+    EXPECT_EQ(window_->notes(), QString());
+    choosePreset("cinematic-bone");
+    EXPECT_EQ(window_->notes(), QString());
+    window_->showStudy(ofUnit(Unit::raw, "MR"));
+    choosePreset("cinematic-bone");
+    EXPECT_TRUE(window_->notes().contains(QStringLiteral("made for values in HU")))
+        << window_->notes().toStdString();
+    choosePreset("cinematic-mr");
+    EXPECT_FALSE(window_->notes().contains(QStringLiteral("is made for")));
+    // The right unit, and another modality.
+    window_->showStudy(ofUnit(Unit::raw, "OT"));
+    choosePreset("cinematic-mr");
+    EXPECT_TRUE(window_->notes().contains(QStringLiteral("made for MR"))) << window_->notes().toStdString();
+}
+
+TEST_F(OpeningTest, TheWindowOfAProjectionDoesNotDependOnHowThePresetWasChosen) {
+    window_->showStudy(ofUnit(Unit::hounsfield, "CT"));
+    pictureOf("look-mip");
+    const QString found = window_->fidelity();
+    pictureOf("look-cinematic");
+    QComboBox* presets = box("Preset");
+    emit presets->activated(presets->currentIndex());  // the same once more
+    pictureOf("look-mip");
+    EXPECT_EQ(window_->fidelity(), found);
+}
+
+TEST_F(OpeningTest, APictureInWhichNothingCanBeSeenSaysWhyAndWhatWouldShowSomething) {
+    // 0 to 511 HU.
+    window_->showStudy(ofUnit(Unit::hounsfield, "CT"));
+    const auto notes = [&](const char* text) { return window_->notes().contains(QString::fromUtf8(text)); };
+    EXPECT_FALSE(notes("Nothing of this volume"));
+    choosePreset("ct-lung");
+    EXPECT_TRUE(notes("Nothing of this volume can be seen with the preset"))
+        << window_->notes().toStdString();
+    EXPECT_TRUE(notes("its values are 0 to 511 HU"));
+    EXPECT_TRUE(notes("Presets that show something of it: "));
+    ASSERT_TRUE(waitForConverged());
+    // Projections show values; those above the window are all white.
+    window_->findChild<QAction*>(QStringLiteral("look-mip"))->trigger();
+    EXPECT_FALSE(notes("this volume"));
+    choosePreset("ct-lung");
+    EXPECT_TRUE(notes("All of this volume is white in the window")) << window_->notes().toStdString();
+    pressKey(Qt::Key_R, Qt::ControlModifier);
+    EXPECT_FALSE(notes("this volume"));
+}
+
+TEST_F(OpeningTest, TheRateIsThatOfPicturesInMotionAndGoesWithThem) {
+    window_->showStudy(smallStudy(Unit::hounsfield));
+    ASSERT_TRUE(waitForConverged());
+    EXPECT_FALSE(window_->rate().contains(QStringLiteral("/s"))) << window_->rate().toStdString();
+    sendMouse(QEvent::MouseButtonPress, {100, 100}, Qt::LeftButton, Qt::LeftButton);
+    int x = 100;
+    ASSERT_TRUE(waitUntil([&] {
+        sendMouse(QEvent::MouseMove, {double(++x % 200), 100}, Qt::NoButton, Qt::LeftButton);
+        return window_->rate().contains(QStringLiteral("/s"));
+    }));
+    // The hand holds still.
+    EXPECT_TRUE(waitUntil([&] { return !window_->rate().contains(QStringLiteral("/s")); }, 20));
+    EXPECT_TRUE(window_->rate().contains(QStringLiteral("\u00d7")));
+    sendMouse(QEvent::MouseButtonRelease, {double(x % 200), 100}, Qt::LeftButton, Qt::NoButton);
+}
+
+TEST_F(OpeningTest, OfSeveralVolumesAnotherOneCanBeChosen) {
+    const std::filesystem::path folder = MACULA_SHARED_DIR "/data/odd/mixed_flat_folder";
+    if (!std::filesystem::exists(folder)) GTEST_SKIP() << "shared data is not here";
+    window_->open(folder);
+    ASSERT_TRUE(waitForConverged());
+    QComboBox* volumes = box("Volume");
+    ASSERT_TRUE(volumes != nullptr && volumes->isVisible());
+    ASSERT_EQ(volumes->count(), 2);
+    const int first = volumes->currentIndex();
+    EXPECT_TRUE(volumes->currentText().startsWith(QStringLiteral("%1 of 2: ").arg(first + 1)));
+    const QString title = window_->windowTitle();
+    // As a person does; until it is open, the list names what is on screen.
+    volumes->setCurrentIndex(1 - first);
+    emit volumes->activated(1 - first);
+    EXPECT_EQ(volumes->currentIndex(), first);
+    ASSERT_TRUE(waitUntil([&] { return !window_->loading(); }));
+    EXPECT_EQ(window_->message(), QString());
+    EXPECT_EQ(volumes->currentIndex(), 1 - first);
+    ASSERT_TRUE(waitForConverged());
+    EXPECT_NE(window_->windowTitle(), title);
+    window_->open(std::nullopt);
+    ASSERT_TRUE(waitForConverged());
+    EXPECT_FALSE(volumes->isVisible());
+}
+
+}  // namespace
+}  // namespace macula::viewer
