@@ -1,8 +1,8 @@
 #include "base/atomic_file.h"
 
-#include <unistd.h>
-
 #include <fstream>
+
+#include "base/draft.h"
 
 namespace macula {
 
@@ -10,28 +10,13 @@ namespace fs = std::filesystem;
 
 Result<void> writeAtomically(const fs::path& path,
                              const std::function<Result<void>(const fs::path&)>& write) {
-    fs::path temporary = path;
-    temporary.replace_filename(
-        fmt::format(".{}.{}.part{}", path.stem().string(), getpid(), path.extension().string()));
-    std::error_code error;
-    const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
-    if (!fs::is_directory(folder, error)) {
-        return Error{ErrorCode::outputNotWritable, "The folder to write into does not exist.",
-                     folder.string(), "Create it, or choose another place."};
+    MACULA_TRY(const Draft draft, Draft::beside(path, Draft::Kind::file));
+    if (auto written = write(draft.path()); !written) {
+        Error error = written.error();
+        if (error.where.empty()) error.where = path.string();
+        return error;
     }
-    if (auto written = write(temporary); !written) {
-        fs::remove(temporary, error);
-        return written.error();
-    }
-    fs::rename(temporary, path, error);
-    if (error) {
-        const std::string reason = error.message();
-        fs::remove(temporary, error);
-        return Error{ErrorCode::outputNotWritable,
-                     fmt::format("The file could not be put in place: {}.", reason), path.string(),
-                     "Check the permissions of the folder."};
-    }
-    return {};
+    return putInPlace(draft.path(), path);
 }
 
 Result<void> writeTextAtomically(const fs::path& path, std::string_view text) {

@@ -9,9 +9,9 @@
 
 namespace macula {
 
-// Calls write(temporaryPath) and renames the temporary to `path` when it succeeds; removes it when it does
-// not. The temporary lies in the same folder and has the same extension (image writers choose the format by
-// it).
+// Calls write(temporaryPath) and puts what it wrote, a file that is there already, in place of `path` when it
+// succeeds (see draft.h); removes it when it does not, and `path` is as it was. The temporary lies in the
+// same folder and has the same extension.
 Result<void> writeAtomically(const std::filesystem::path& path,
                              const std::function<Result<void>(const std::filesystem::path&)>& write);
 

@@ -5,7 +5,6 @@
 #include <dcmtk/dcmdata/dctk.h>
 #include <dcmtk/dcmjpeg/djencode.h>
 #include <dcmtk/dcmjpls/djencode.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -13,9 +12,11 @@
 #include <mutex>
 
 #include "base/atomic_file.h"
+#include "base/draft.h"
 #include "base/parallel.h"
 #include "base/sha256.h"
-#include "dicom/dataset.h"
+#include "dicom/examination.h"
+#include "dicom/quiet_toolkit.h"
 
 namespace macula::dicom {
 
@@ -234,6 +235,7 @@ Result<void> writeSlice(const Volume& volume, const Common& common, const Series
                         const fs::path& file) try {
     const Error failed =
         notWritable("A DICOM file could not be written.", file, "Check free space and permissions.");
+    const QuietToolkit quiet;
     DcmFileFormat format;
     DcmDataset& dataset = *format.getDataset();
     Filler fill(dataset);
@@ -254,6 +256,8 @@ Result<void> writeSlice(const Volume& volume, const Common& common, const Series
     const E_TransferSyntax syntax = transferSyntax(options.syntax);
     if (dataset.chooseRepresentation(syntax, nullptr).bad() || !dataset.canWriteXfer(syntax)) return failed;
     if (format.saveFile(file.c_str(), syntax).bad()) return failed;
+    // DCMTK does not tell of the last bytes when the disk is full.
+    if (examine(file).state != FileState::complete) return failed;
     return {};
 } catch (...) {
     return notWritable("A DICOM file could not be written.", file, "Check free space and memory.");
@@ -273,20 +277,11 @@ bool sameFolder(const fs::path& a, const fs::path& b, std::size_t files) {
     return !error && count == files;
 }
 
-// Removes the folder it names, unless that has been renamed away.
-struct TemporaryFolder {
-    fs::path path;
-    ~TemporaryFolder() {
-        std::error_code ignored;
-        fs::remove_all(path, ignored);
-    }
-};
-
 }  // namespace
 
 Result<std::vector<fs::path>> writeSeries(const Volume& volume, const fs::path& folder,
                                           const SeriesWriterOptions& options, Progress& progress) try {
-    silenceToolkit();
+    const QuietToolkit quiet;
     registerEncoders();
     MACULA_TRY(const Common common, describe(volume, options));
 
@@ -295,9 +290,8 @@ Result<std::vector<fs::path>> writeSeries(const Volume& volume, const fs::path& 
     const fs::path parent = target.has_filename() ? target.parent_path() : target.parent_path().parent_path();
     const fs::path name = target.has_filename() ? target.filename() : target.parent_path().filename();
     fs::create_directories(parent, error);
-    const TemporaryFolder temporary{parent / fmt::format(".{}.{}.part", name.string(), getpid())};
-    fs::remove_all(temporary.path, error);
-    if (!fs::create_directory(temporary.path, error)) {
+    const Result<Draft> temporary = Draft::beside(parent / name, Draft::Kind::folder);
+    if (!temporary) {
         return notWritable("The folder to write into cannot be created.", folder,
                            "Check the permissions, or choose another place.");
     }
@@ -309,7 +303,7 @@ Result<std::vector<fs::path>> writeSeries(const Volume& volume, const fs::path& 
     parallelFor(
         slices,
         [&](std::size_t k) {
-            const auto file = temporary.path / fmt::format("IM{:05}.dcm", k + 1);
+            const auto file = temporary->path() / fmt::format("IM{:05}.dcm", k + 1);
             const Result<void> written = writeSlice(volume, common, options, static_cast<int>(k), file);
             if (!written) {
                 const std::lock_guard lock(mutex);
@@ -326,8 +320,8 @@ Result<std::vector<fs::path>> writeSeries(const Volume& volume, const fs::path& 
 
     // rename() replaces an empty folder and refuses any other, so that nothing of the user's is ever lost.
     const fs::path final = parent / name;
-    fs::rename(temporary.path, final, error);
-    if (error && !(fs::is_directory(final) && sameFolder(final, temporary.path, slices))) {
+    fs::rename(temporary->path(), final, error);
+    if (error && !(fs::is_directory(final) && sameFolder(final, temporary->path(), slices))) {
         return notWritable("The folder to write into is not empty, or cannot be replaced.", folder,
                            "Choose a folder that is empty or does not exist.");
     }

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/check.h"
+#include "base/utf8.h"
 #include "dicom/rules/embedded.h"
 
 namespace macula::dicom {
@@ -125,7 +126,7 @@ std::vector<std::string> readAttributes(const SplitRules& rules, const Dataset& 
         }
         // No real value is as long, and there is one for each frame.
         constexpr std::size_t kLongest = 256;
-        if (value.size() > kLongest) value.resize(kLongest);
+        value.resize(startOf(value, kLongest).size());
         if (attribute.kind == Attribute::Kind::contains) {
             const auto parts = values(value);
             value = std::find(parts.begin(), parts.end(), attribute.value) != parts.end() ? "yes" : "";

@@ -1,10 +1,9 @@
 #include "dicom/volume_file.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
 
+#include "base/draft.h"
 #include "dicom/itk_image_file.h"
 #include "dicom/memory.h"
 #include "dicom/nifti.h"
@@ -51,35 +50,6 @@ Error cannotWrite(const fs::path& path, const std::string& reason) {
             path.string(), "Check free space and permissions."};
 }
 
-// A folder beside the file, so that two files can be written under their own names (one names the other) and
-// then moved into place. Goes with all that is left in it.
-class Workshop {
-  public:
-    static Result<Workshop> beside(const fs::path& path) {
-        const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
-        std::error_code error;
-        if (!fs::is_directory(folder, error)) {
-            return Error{ErrorCode::outputNotWritable, "The folder to write into does not exist.",
-                         folder.string(), "Create it, or choose another place."};
-        }
-        const fs::path made = folder / fmt::format(".{}.{}.part", path.stem().string(), getpid());
-        if (!fs::create_directory(made, error))
-            return cannotWrite(path, error ? error.message() : "it is in use");
-        return Workshop(made);
-    }
-    Workshop(Workshop&& other) noexcept : folder_(std::exchange(other.folder_, {})) {}
-    Workshop& operator=(Workshop&&) = delete;
-    ~Workshop() {
-        std::error_code ignored;
-        if (!folder_.empty()) fs::remove_all(folder_, ignored);
-    }
-    const fs::path& folder() const { return folder_; }
-
-  private:
-    explicit Workshop(fs::path folder) : folder_(std::move(folder)) {}
-    fs::path folder_;
-};
-
 Result<void> writeFormat(Format format, const fs::path& path, const RawImage& image, Progress& progress) {
     if (format == Format::nifti) return writeNifti(path, image, progress);
     progress.beginStage("Writing", 1);
@@ -122,6 +92,27 @@ const char* nameOf(Format format) {
     return format == Format::nifti ? "NIfTI" : format == Format::nrrd ? "NRRD" : "MetaImage";
 }
 
+// A header never stands beside values of another volume, also where the program is killed on the way: the
+// one that is replaced goes first, comes back where the values cannot be put in place, and the values come
+// before the new one.
+Result<void> putAllInPlace(const std::vector<fs::path>& files, const fs::path& draft,
+                           const fs::path& workshop) {
+    const fs::path& header = files.front();
+    if (files.size() == 1) return putInPlace(draft, header);
+    std::error_code notThere;
+    std::error_code error;
+    const fs::path before = workshop / "before";
+    const bool replaces = fs::is_regular_file(header, notThere);
+    if (replaces) fs::rename(header, before, error);
+    if (error) return cannotWrite(header, error.message());
+    const fs::path& values = files.back();
+    if (const auto placed = putInPlace(workshop / values.filename(), values); !placed) {
+        if (replaces) fs::rename(before, header, error);
+        return placed.error();
+    }
+    return putInPlace(draft, header);
+}
+
 // `Grid` is what rawImageOf takes.
 template <class Grid>
 Result<void> writeImage(const Grid& grid, std::size_t voxels, const fs::path& path, Progress& progress) try {
@@ -130,10 +121,11 @@ Result<void> writeImage(const Grid& grid, std::size_t voxels, const fs::path& pa
     const std::uint64_t most = std::uint64_t{sizeof(float)} * voxels;
     if (const auto available = availableMemory(); available && most > *available)
         return notEnoughMemory(most, *available);
-    MACULA_TRY(const Workshop workshop, Workshop::beside(path));
+    // A folder, so that two files can be written under their own names: one names the other.
+    MACULA_TRY(const Draft workshop, Draft::beside(path, Draft::Kind::folder));
     MACULA_TRY(const RawImage image, rawImageOf(grid, progress));
     std::error_code unknown;
-    const auto space = fs::space(workshop.folder(), unknown);
+    const auto space = fs::space(workshop.path(), unknown);
     if (!unknown && ending.text != ".nii.gz" && space.available < image.data.size()) {  // MetaIO would print
         return Error{ErrorCode::outputNotWritable, "There is not enough free space.", path.string(),
                      fmt::format("The file needs {} MB.", image.data.size() / 1'000'000 + 1)};
@@ -141,19 +133,13 @@ Result<void> writeImage(const Grid& grid, std::size_t voxels, const fs::path& pa
     // The ending in small letters: the libraries choose by it.
     const std::string stem =
         path.filename().string().substr(0, path.filename().string().size() - ending.text.size());
-    const fs::path draft = workshop.folder() / (stem + std::string(ending.text));
+    const fs::path draft = workshop.path() / (stem + std::string(ending.text));
     if (const auto written = writeFormat(ending.format, draft, image, progress); !written)
         return at(path, written.error());
     if (progress.cancelled()) return Error{ErrorCode::cancelled, "Stopped; nothing was written.", {}, {}};
-    // The values first, so that a header never stands without them.
-    for (auto file = files.rbegin(); file != files.rend(); ++file) {
-        std::error_code error;
-        const fs::path made =
-            file->filename() == path.filename() ? draft : workshop.folder() / file->filename();
-        fs::rename(made, *file, error);
-        if (error) return cannotWrite(*file, error.message());
-    }
-    return {};
+    // No library tells of every byte that found no room, and readers compare the header with the file's size.
+    if (!readLayout(ending.format, draft)) return cannotWrite(path, "it did not become whole");
+    return putAllInPlace(files, draft, workshop.path());
 } catch (const std::bad_alloc&) {
     return notEnoughMemory(std::uint64_t{sizeof(float)} * voxels, availableMemory());
 } catch (const std::exception&) {
@@ -171,6 +157,15 @@ Result<std::vector<fs::path>> filesOfVolumeFile(const fs::path& path) {
     std::vector<fs::path> files{path};
     if (ending.detached) files.push_back(fs::path(path).replace_extension(".raw"));
     return files;
+}
+
+std::optional<fs::path> valuesFileOf(const fs::path& path) try {
+    const Ending* ending = endingOf(path);
+    if (ending == nullptr || ending->format == Format::nifti) return {};
+    const auto header = readTextHeader(ending->format, path);
+    return header && header->values.file != path ? std::optional(header->values.file) : std::nullopt;
+} catch (const std::exception&) {
+    return {};
 }
 
 Result<void> writeVolumeFile(const Volume& volume, const fs::path& path, Progress& progress) {

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,9 @@ bool isVolumeFileName(const std::filesystem::path& path);
 // The files that writing `path` makes: itself, and for .nhdr and .mhd the one with the values. Fails with
 // usage when the ending is unknown.
 Result<std::vector<std::filesystem::path>> filesOfVolumeFile(const std::filesystem::path& path);
+
+// The file with the values, where `path` is a header that lies beside them; nothing when it cannot be read.
+std::optional<std::filesystem::path> valuesFileOf(const std::filesystem::path& path);
 
 // Values in units (HU for CT), as int16, uint16 or float32, the first that holds all of them exactly; those
 // of padding too (see Volume::value). Orientation is that of worldFromVoxel, sheared or not. Nothing in the

@@ -1,9 +1,11 @@
 #include "image/image_file.h"
 
 // The only place that knows OpenImageIO. Its exceptions, should it have any, stop in here.
+#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
 #include <array>
+#include <cstdio>
 #include <fstream>
 #include <memory>
 #include <new>
@@ -88,19 +90,30 @@ Result<std::unique_ptr<OIIO::ImageInput>> open(const fs::path& path, OIIO::Image
     return input;
 }
 
+struct CloseFile {
+    void operator()(std::FILE* file) const { static_cast<void>(std::fclose(file)); }
+};
+
+// OpenImageIO's PNG writer takes every write for a success, so the stream itself is asked.
 Result<void> write(const fs::path& path, const OIIO::ImageSpec& spec, OIIO::TypeDesc type,
                    const void* pixels) {
     return writeAtomically(path, [&](const fs::path& temporary) {
         return guarded(notWritable(path), [&]() -> Result<void> {
             const char* format = type == OIIO::TypeDesc::UINT8 ? "png" : "openexr";
+            const std::unique_ptr<std::FILE, CloseFile> file(std::fopen(temporary.c_str(), "wbe"));
             auto output = OIIO::ImageOutput::create(format);
-            if (!output) {
+            if (!file || !output) {
                 OIIO::geterror();
                 return notWritable(path);
             }
-            const bool written = output->open(temporary.string(), spec) && output->write_image(type, pixels);
-            // Closing flushes, so a full disk may only show here.
+            OIIO::Filesystem::IOFile stream(file.get(), OIIO::Filesystem::IOProxy::Write);
+            OIIO::Filesystem::IOProxy* proxy = &stream;
+            OIIO::ImageSpec ofStream = spec;
+            ofStream.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &proxy);
+            const bool written =
+                output->open(temporary.string(), ofStream) && output->write_image(type, pixels);
             if (!output->close() || !written) return notWritable(path);
+            if (std::fflush(file.get()) != 0 || std::ferror(file.get()) != 0) return notWritable(path);
             return {};
         });
     });
