@@ -1,18 +1,16 @@
 #include "dicom/dataset.h"
 
-#include <dcmtk/config/osconfig.h>
-#include <dcmtk/oflog/oflog.h>
-
 #include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cmath>
-#include <mutex>
 
 #include "base/log.h"
+#include "base/utf8.h"
 #include "dicom/character_set.h"
 #include "dicom/element_tree.h"
 #include "dicom/outline.h"
+#include "dicom/quiet_toolkit.h"
 #include "dicom/values.h"
 
 namespace macula::dicom {
@@ -229,7 +227,7 @@ std::string Dataset::shortText(Tag tag) const {
     if (find(tag).bytes.size() > kLongestShortValue) return {};
     std::string value = text(tag).value_or("");
     if (value.size() > kShortBytes)
-        value = value.substr(0, kShortBytes);  // a copy, which holds no more memory
+        value = std::string(startOf(value, kShortBytes));  // a copy, which holds no more memory
     return value;
 }
 
@@ -238,7 +236,7 @@ std::vector<std::string> Dataset::shortTexts(Tag tag) const {
     constexpr std::size_t kMostValues = 16;
     std::vector<std::string> values = texts(tag);
     if (values.size() > kMostValues) values.resize(kMostValues);
-    for (std::string& value : values) value = value.substr(0, kShortBytes);
+    for (std::string& value : values) value = std::string(startOf(value, kShortBytes));
     return {values.begin(), values.end()};
 }
 
@@ -293,11 +291,6 @@ Dataset Dataset::frame(int i) const {
     return {file_, std::move(chain)};
 }
 
-void silenceToolkit() {
-    static std::once_flag once;
-    std::call_once(once, [] { OFLog::configure(OFLogger::OFF_LOG_LEVEL); });
-}
-
 bool hasPreamble(const fs::path& file) {
     ByteSource source(file);
     return sniff(source) == Sniff::part10;
@@ -319,7 +312,7 @@ FileState stateOfFailure(int error) {
 }
 
 HeaderFile readHeader(const fs::path& file, const CancelToken& cancel) try {
-    silenceToolkit();  // it is the data dictionary's too
+    const QuietToolkit quiet;  // the data dictionary is the toolkit's
     ByteSource source(file, cancel);
     const Sniff kind = sniff(source);
     if (source.error() != 0) return {stateOfFailure(source.error()), {}};
@@ -334,11 +327,12 @@ HeaderFile readHeader(const fs::path& file, const CancelToken& cancel) try {
     content->prepareFrames();
     const ElementTree::ItemNumber root = content->tree.root();
     const Dataset dataset(std::move(content), {root});
-    // A text that happens to begin like a bare dataset still has none of these.
-    if (kind == Sniff::bareDataset && !dataset.has(tag::kSopClassUid) && !dataset.has(tag::kModality) &&
-        !dataset.has(tag::kStudyInstanceUid)) {
-        return {FileState::notDicom, {}};
-    }
+    // What happens to begin like a dataset, with or without the magic, still has none of these.
+    const bool saysWhatItIs =
+        dataset.has(tag::kSopClassUid) || dataset.has(tag::kModality) || dataset.has(tag::kStudyInstanceUid);
+    if (kind == Sniff::bareDataset && !saysWhatItIs) return {FileState::notDicom, {}};
+    if (!saysWhatItIs && !outline.pixels && !dataset.has(tag::kDirectoryRecords))
+        return {FileState::damaged, {}};
     HeaderFile read{
         .state = FileState::complete, .header = dataset, .strayBytes = outline.strayBytesAfterPixels};
     if (outline.pixels) {

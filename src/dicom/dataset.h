@@ -111,7 +111,4 @@ std::optional<Tag> tagOfKeyword(std::string_view keyword);
 // offline or unreadable, by the errno of opening or reading a file.
 FileState stateOfFailure(int error);
 
-// Switches off the toolkit's log. Called by everything that uses DCMTK; idempotent, thread-safe.
-void silenceToolkit();
-
 }  // namespace macula::dicom

@@ -12,6 +12,7 @@
 
 #include "dicom/dataset.h"
 #include "dicom/folder.h"
+#include "dicom/quiet_toolkit.h"
 #include "dicom/scan.h"
 
 namespace macula::dicom {

@@ -45,7 +45,6 @@ itk::ImageIORegion wholeOf(const glm::ivec3& size) {
 }
 
 Result<void> write(itk::ImageIOBase& io, const fs::path& path, const RawImage& image) try {
-    itk::Object::GlobalWarningDisplayOff();
     io.SetFileName(path.string());
     io.SetNumberOfDimensions(3);
     for (unsigned axis = 0; axis < 3; ++axis) {

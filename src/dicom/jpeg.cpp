@@ -14,7 +14,7 @@
 #include <mutex>
 #include <optional>
 
-#include "dicom/dataset.h"
+#include "dicom/quiet_toolkit.h"
 
 namespace macula::dicom {
 
@@ -30,7 +30,6 @@ Error broken() {
 void registerDecoders() {
     static std::once_flag once;
     std::call_once(once, [] {
-        silenceToolkit();
         DJDecoderRegistration::registerCodecs();
         DJLSDecoderRegistration::registerCodecs();
     });
@@ -113,6 +112,7 @@ bool decodeWithToolkit(const std::string& transferSyntaxUid, std::span<const std
 
 Result<void> decodeJpeg(const std::string& transferSyntaxUid, std::span<const std::byte> stream, int columns,
                         int rows, std::span<std::uint16_t> cells) {
+    const QuietToolkit quiet;
     registerDecoders();
     const auto header = readFrameHeader(stream);
     if (!header || header->precision < 2 || header->precision > 16 || header->components != 1 ||

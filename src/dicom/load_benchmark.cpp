@@ -23,6 +23,7 @@
 #include <thread>
 
 #include "dicom/dataset.h"
+#include "dicom/quiet_toolkit.h"
 
 namespace macula::dicom {
 

@@ -14,7 +14,6 @@ using MaskImage = itk::Image<std::uint8_t, 3>;
 
 // The mask itself, not a copy: it has to outlive the image.
 inline MaskImage::Pointer imageOf(const Grid& grid, const Mask& mask) {
-    itk::Object::GlobalWarningDisplayOff();
     const auto import = itk::ImportImageFilter<std::uint8_t, 3>::New();
     MaskImage::RegionType region;
     for (unsigned axis = 0; axis < 3; ++axis) {

@@ -16,6 +16,7 @@
 
 #include "bytes.h"
 #include "dicom/dataset.h"
+#include "dicom/quiet_toolkit.h"
 
 namespace macula::dicom::test {
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "dicom/folder.h"
+#include "dicom/quiet_toolkit.h"
 #include "dicom/values.h"
 #include "support.h"
 

@@ -1,4 +1,5 @@
 // Segmentations land on the voxels they were drawn on, or are refused.
+#include "dicom/quiet_toolkit.h"
 #include "dicom/segmentation.h"
 
 #include <dcmtk/config/osconfig.h>

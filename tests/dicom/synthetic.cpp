@@ -12,6 +12,7 @@
 #include <random>
 
 #include "dicom/dataset.h"
+#include "dicom/quiet_toolkit.h"
 #include "support.h"
 
 namespace macula::dicom::test {

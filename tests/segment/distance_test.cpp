@@ -43,6 +43,13 @@ TEST(Distance, IsThatOfItk) {
     EXPECT_GT(within, mask.size() / 4);
 }
 
+// They are of the whole process, in which Macula may be a guest.
+TEST(Itk, KeepsTheWarningsOfItsOtherUsers) {
+    const Grid grid{.size = {3, 3, 3}};
+    EXPECT_NE(imageOf(grid, Mask(grid.count())), nullptr);
+    EXPECT_TRUE(itk::Object::GetGlobalWarningDisplay());
+}
+
 TEST(Distance, OfNothingIsInfinite) {
     const Grid grid{.size = {3, 1, 2}};
     for (const float mm : distanceTo(grid, Mask(6), 5.0)) EXPECT_TRUE(std::isinf(mm));

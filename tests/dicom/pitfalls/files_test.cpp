@@ -196,6 +196,28 @@ TEST_F(D18Damage, truncatedSliceIsAGapAndSaid) {
     EXPECT_EQ(volume->provenance().interpolatedSlices, (std::vector<SliceRange>{{4, 4}}));
 }
 
+// The magic of DICOM in front makes no patient of what follows.
+TEST_F(D18Damage, garbageWithTheMagicIsDamageAndNoPatient) {
+    writeFiles(folder.path(), series);
+    const std::string begin = std::string(128, '\0') + "DICM";
+    std::ofstream(folder / "a.dcm", std::ios::binary) << begin;
+    std::string text = begin;
+    for (int i = 0; i < 50; ++i) text += "no DICOM at all, just some text ";
+    std::ofstream(folder / "b.dcm", std::ios::binary) << text;
+    std::string noise = begin;
+    std::uint32_t state = 1;
+    for (int i = 0; i < 3000; ++i)
+        noise += static_cast<char>((state = state * 1664525u + 1013904223u) >> 24u);
+    std::ofstream(folder / "c.dcm", std::ios::binary) << noise;
+    Progress progress;
+    const auto scan = scanFolder(folder.path(), progress);
+    ASSERT_TRUE(scan.ok());
+    EXPECT_EQ(scan->patients, 1);
+    EXPECT_EQ(scan->studies.size(), 1u);
+    EXPECT_EQ(scan->skipped.size(), 3u);
+    EXPECT_EQ(scan->objectCount(), 0u);
+}
+
 // Cut at any place: no crash, the rest of the series is a volume, and a slice that is not whole is not in it.
 TEST_F(D18Damage, cutAnywhere) {
     series.size = {4, 4, 5};

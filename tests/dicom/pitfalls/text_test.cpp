@@ -190,6 +190,25 @@ TEST_F(D22Windows, allOfThemWithTheirNames) {
     EXPECT_EQ(volume->windows()[1], (DisplayWindow{-600, 1500, "LUNG", "LINEAR_EXACT"}));
 }
 
+// VR LO counts characters, of which UTF-8 has up to four bytes each.
+TEST_F(D22Windows, aLongNameIsCutBetweenCharacters) {
+    series.edits.push_back([](DcmItem& item) {
+        std::string name = "a";
+        for (int i = 0; i < 40; ++i) name += "ä";
+        put(item, DCM_SpecificCharacterSet, "ISO_IR 192");
+        put(item, DCM_WindowCenter, "40");
+        put(item, DCM_WindowWidth, "400");
+        put(item, DCM_WindowCenterWidthExplanation, name.c_str());
+    });
+    writeFiles(folder.path(), series);
+    const auto volume = open().onlyVolume();
+    ASSERT_NE(volume, nullptr);
+    ASSERT_EQ(volume->windows().size(), 1u);
+    const std::string& name = volume->windows()[0].explanation;
+    EXPECT_EQ(name.size(), 63u);
+    EXPECT_TRUE(name.ends_with("ä"));
+}
+
 TEST_F(D22Windows, brokenOnesAreNoWindowAndStopNothing) {
     const Edit breaks[] = {
         [](DcmItem& item) {
