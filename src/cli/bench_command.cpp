@@ -11,6 +11,7 @@
 #include "cli/bench_study.h"
 #include "cli/command.h"
 #include "cli/interrupt.h"
+#include "cli/json_text.h"
 #include "pipeline/trace/benchmark.h"
 
 namespace macula::cli {
@@ -70,7 +71,7 @@ Result<void> benchTrace(Options options) {
                                    {"cpuRatio", report.cpuRatio}});
     }
     if (!options.baseline.empty()) MACULA_TRY_VOID(compare(options.baseline, json["results"]));
-    fmt::print("{}\n", json.dump(4));
+    fmt::print("{}\n", jsonText(json));
     return {};
 }
 

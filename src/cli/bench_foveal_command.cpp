@@ -11,6 +11,8 @@
 #include "cli/command.h"
 #include "cli/foveal_benchmark.h"
 #include "cli/interrupt.h"
+#include "cli/json_text.h"
+#include "cli/number_range.h"
 #include "pipeline/trace/settings.h"
 
 namespace macula::cli {
@@ -53,7 +55,7 @@ Result<void> benchFoveal(const Options& options) {
         ratio("denoisedOverPlain", report.denoised);
         ratio("adaptiveDenoisedOverPlain", report.adaptive);
     }
-    fmt::print("{}\n", json.dump(4));
+    fmt::print("{}\n", jsonText(json));
     return {};
 }
 
@@ -78,7 +80,7 @@ void addBenchFoveal(CLI::App& bench, Action& action) {
         ->check(CLI::Range(1, 1000));
     command->add_option("--flip", o.flip, "The error to be reached, against the converged picture")
         ->capture_default_str()
-        ->check(CLI::Range(0.001, 1.0));
+        ->check(between(0.001, 1.0));
     command
         ->add_option("--converged-spp", o.convergedSamples,
                      "Samples of the picture that counts as converged; 0: only the times")

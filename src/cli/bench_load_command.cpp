@@ -12,6 +12,7 @@
 #include "base/sha256.h"
 #include "cli/command.h"
 #include "cli/interrupt.h"
+#include "cli/json_text.h"
 #include "cli/study_input.h"
 #include "dicom/header_benchmark.h"
 #include "dicom/load_benchmark.h"
@@ -133,7 +134,7 @@ Result<void> benchLoad(const Options& options) {
                    {"itkOverOurs", ratio(load.itk)},
                    {"dcmtkOverOurs", ratio(load.dcmtk)}}}};
     if (!options.baseline.empty()) MACULA_TRY_VOID(compare(options.baseline, json["results"]));
-    fmt::print("{}\n", json.dump(4));
+    fmt::print("{}\n", jsonText(json));
     return {};
 }
 

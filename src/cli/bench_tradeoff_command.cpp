@@ -10,7 +10,9 @@
 #include "cli/bench_study.h"
 #include "cli/command.h"
 #include "cli/interrupt.h"
+#include "cli/json_text.h"
 #include "cli/output_file.h"
+#include "cli/report.h"
 #include "cli/svg_plot.h"
 #include "cli/tradeoff.h"
 
@@ -22,6 +24,7 @@ struct Options {
     BenchStudyOptions study;
     std::filesystem::path plot;
     bool json = false;
+    bool overwrite = false;
     TradeoffOptions tradeoff;
 };
 
@@ -86,13 +89,15 @@ nlohmann::ordered_json toJson(const TradeoffPoint& point) {
 }
 
 Result<void> benchTradeoff(Options options) {
-    if (!options.plot.empty()) MACULA_TRY_VOID(checkPlaceOf(options.plot));
+    OutputFiles files(options.overwrite);
+    files.read(options.study.path);
+    MACULA_TRY_VOID(files.write(options.plot));
     Progress progress(terminalProgressBar(), interruptToken());
     MACULA_TRY(const BenchStudy study, openBenchStudy(options.study, progress));
     MACULA_TRY(const Tradeoff tradeoff, measureTradeoff(study, options.tradeoff, progress));
     if (tradeoff.convergedLost > 0) {
-        fmt::print(stderr, "The converged picture lacks {} samples, which were too long or not a number.\n",
-                   tradeoff.convergedLost);
+        printNote(fmt::format("The converged picture lacks {} samples, which were too long or not a number.",
+                              tradeoff.convergedLost));
     }
     if (options.json) {
         nlohmann::ordered_json json = describe("trace-tradeoff", study);
@@ -103,7 +108,7 @@ Result<void> benchTradeoff(Options options) {
                              {"flipOfItsHalf", tradeoff.convergedFlip}};
         json["results"] = nlohmann::ordered_json::array();
         for (const TradeoffPoint& point : tradeoff.points) json["results"].push_back(toJson(point));
-        fmt::print("{}\n", json.dump(4));
+        fmt::print("{}\n", jsonText(json));
     } else {
         fmt::print("{:>10} {:>8} {:>7} {:>7} {:>9} {:>8} {:>7} {:>6}\n", "filter", "denoised", "bounces",
                    "samples", "ms", "PSNR dB", "SSIM", "FLIP");
@@ -135,6 +140,7 @@ void addBenchTradeoff(CLI::App& bench, Action& action) {
         ->capture_default_str()
         ->check(CLI::Range(64, 1 << 20));
     command->add_option("--plot", o.plot, "Write the curves as SVG");
+    addOverwrite(*command, o.overwrite);
     command->add_flag("--json", o.json, "Print JSON instead of a table");
     command->callback([options, &action] { action = [options] { return benchTradeoff(*options); }; });
 }

@@ -15,6 +15,7 @@
 #include "cli/bench_study.h"
 #include "cli/command.h"
 #include "cli/interrupt.h"
+#include "cli/json_text.h"
 #include "pipeline/hybrid/first_model.h"
 #include "pipeline/hybrid/initial_splats.h"
 #include "pipeline/hybrid/traced_views.h"
@@ -263,7 +264,7 @@ Result<void> benchTrain(const Options& options) {
         compare(baseline, ratioNameOf(*study.device).key, json["results"]);
     }
     if (!options.json && !compares) return {};
-    fmt::print("{}\n", json.dump(4));
+    fmt::print("{}\n", jsonText(json));
     return {};
 }
 

@@ -6,21 +6,22 @@
 #include <filesystem>
 
 #include "base/atomic_file.h"
+#include "cli/nearest_name.h"
 
 namespace macula::cli {
 
 Result<ChosenText> chooseText(std::span<const presets::EmbeddedFile> files, std::string_view kind,
                               const std::string& nameOrFile) {
-    std::string names;
+    std::vector<std::string> names;
     for (const presets::EmbeddedFile& file : files) {
         if (file.name == nameOrFile) return ChosenText{std::string(file.text), std::string(file.name)};
-        names += (names.empty() ? "" : ", ") + std::string(file.name);
+        names.emplace_back(file.name);
     }
     const std::filesystem::path path = nameOrFile;
     std::error_code error;
     if (path.extension() != ".json" && !std::filesystem::exists(path, error)) {
         return Error{ErrorCode::usage, fmt::format("There is no such {}.", kind), nameOrFile,
-                     "Use one of " + names + ", or the path of a JSON file."};
+                     choiceAmong(nameOrFile, names) + " Or give the path of a JSON file."};
     }
     MACULA_TRY(std::string text, readText(path));
     return ChosenText{std::move(text), path.string()};

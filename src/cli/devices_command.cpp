@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/command.h"
+#include "cli/json_text.h"
 #include "pipeline/gpu/device_info.h"
 #include "pipeline/gpu/instance.h"
 
@@ -39,7 +40,7 @@ Result<void> listAll(const Options& options) {
         fmt::print("{} {}  {}{}\n", isChosen ? '*' : ' ', device.index, gpu::describe(device),
                    device.usable() ? "" : fmt::format("  (not usable: lacks {})", device.whyNotUsable));
     }
-    if (options.json) fmt::print("{}\n", list.dump(4));
+    if (options.json) fmt::print("{}\n", jsonText(list));
     return {};
 }
 

@@ -3,6 +3,8 @@
 #include <CLI/App.hpp>
 #include <CLI/Option.hpp>
 #include <CLI/Validators.hpp>
+#include <algorithm>
+#include <chrono>
 #include <filesystem>
 #include <memory>
 #include <utility>
@@ -13,9 +15,11 @@
 #include "cli/command.h"
 #include "cli/evaluation_report.h"
 #include "cli/interrupt.h"
+#include "cli/json_text.h"
 #include "cli/lights_choice.h"
 #include "cli/model_evaluation.h"
 #include "cli/model_options.h"
+#include "cli/number_range.h"
 #include "cli/open_device.h"
 #include "cli/output_file.h"
 #include "cli/report.h"
@@ -47,7 +51,30 @@ struct Options {
     EvaluationOptions evaluation;
     fs::path json;
     fs::path pictures;
+    bool overwrite = false;
 };
+
+// Numbered, because a name may say whose it is.
+fs::path pictureOf(const Options& options, std::size_t scene, std::size_t view) {
+    return options.pictures / fmt::format("scene{:02}-view{:02}.png", scene, view);
+}
+
+Result<void> checkFiles(const Options& options) {
+    OutputFiles files(options.overwrite);
+    for (const fs::path& path : options.paths) files.read(path);
+    for (const std::string& preset : options.presets) files.read(preset);
+    files.read(options.clip);
+    files.read(options.lights);
+    MACULA_TRY_VOID(files.write(options.json));
+    if (options.pictures.empty()) return {};
+    const std::size_t scenes =
+        std::max<std::size_t>(options.paths.size(), 1) * std::max<std::size_t>(options.presets.size(), 1);
+    for (std::size_t scene = 0; scene < scenes; ++scene) {
+        for (std::size_t view = 0; view < options.evaluation.truthViews; ++view)
+            MACULA_TRY_VOID(files.write(pictureOf(options, scene, view)));
+    }
+    return {};
+}
 
 // All that can be wrong on the command line, before anything takes time.
 Result<void> check(const Options& options) {
@@ -63,12 +90,11 @@ Result<void> check(const Options& options) {
     for (const std::string& preset : options.presets) MACULA_TRY_VOID(presetToDraw(preset, options.fit));
     MACULA_TRY_VOID(choosePatientLights(options.lights));
     if (!options.clip.empty()) MACULA_TRY_VOID(chooseClip(options.clip));
-    if (!options.json.empty() && options.json != "-") MACULA_TRY_VOID(checkPlaceOf(options.json));
     std::error_code error;
     if (!options.pictures.empty() && !fs::is_directory(options.pictures, error))
         return Error{ErrorCode::outputNotWritable, "The folder for pictures does not exist.",
                      options.pictures.string(), "Create it, or choose another one."};
-    return {};
+    return checkFiles(options);
 }
 
 struct Study {
@@ -92,18 +118,17 @@ Result<Study> openStudy(const Options& options, std::size_t place, Progress& pro
     return study;
 }
 
-// Numbered, because a name may say whose it is.
 Result<void> writePictures(const Options& options, std::size_t scene, const SceneEvaluation& evaluation) {
     const glm::ivec2 size = options.evaluation.truth.sizePx;
     for (std::size_t view = 0; view < evaluation.pictures.size(); ++view) {
-        const fs::path path = options.pictures / fmt::format("scene{:02}-view{:02}.png", scene, view);
-        MACULA_TRY_VOID(image::writePng(path, 2 * size.x, size.y, evaluation.pictures[view]));
+        MACULA_TRY_VOID(
+            image::writePng(pictureOf(options, scene, view), 2 * size.x, size.y, evaluation.pictures[view]));
     }
     return {};
 }
 
 Result<void> tell(const EvaluationReport& report, const fs::path& json) {
-    const std::string text = toJson(report).dump(4) + "\n";
+    const std::string text = jsonText(toJson(report)) + "\n";
     if (json == "-") {
         fmt::print("{}", text);
         return {};
@@ -147,6 +172,7 @@ Result<void> evaluateScenes(const Options& options, const trace::Environment& li
 
 // What fails after hours takes nothing along of what was finished before.
 Result<void> evaluate(Options options) {
+    const auto start = std::chrono::steady_clock::now();
     MACULA_TRY_VOID(check(options));
     EvaluationOptions& evaluation = options.evaluation;
     evaluation.truth.sizePx =
@@ -162,7 +188,15 @@ Result<void> evaluate(Options options) {
                             .options = evaluation,
                             .scenes = {}};
     const Result<void> evaluated = evaluateScenes(options, lights, device, report);
-    if (!report.scenes.empty()) MACULA_TRY_VOID(tell(report, options.json));
+    const bool isFile = !options.json.empty() && options.json != "-";
+    const fs::path json = evaluated || !isFile ? options.json : placeOfUnfinished(options.json);
+    if (!report.scenes.empty()) {
+        MACULA_TRY_VOID(tell(report, json));
+        if (!evaluated)
+            printNote(fmt::format("Only {} of {} scenes were finished; their numbers are kept.",
+                                  report.scenes.size(), options.paths.size() * options.presets.size()));
+    }
+    if (isFile && !report.scenes.empty()) printWritten(json, start);
     return evaluated;
 }
 
@@ -232,6 +266,7 @@ CLI::App* addVerb(CLI::App& evaluateApp, const std::string& name, const std::str
     command->add_option("--pictures", o.pictures,
                         "Folder for what was compared: the truth, and beside it the model");
     command->add_option("--json", o.json, "File for all numbers; - for stdout, without the table");
+    addOverwrite(*command, o.overwrite);
     command->add_option("--device", o.device, "Number or part of the name, see macula devices");
     command->callback([options, &action] { action = [options] { return evaluate(*options); }; });
     return command;
@@ -259,10 +294,10 @@ void addEvaluate(CLI::App& app, Action& action) {
                 taught, action);
     byItself->add_option("--seconds", live.seconds, "How long it learns, unless it rests before")
         ->capture_default_str()
-        ->check(CLI::Range(0.0, 86400.0));
+        ->check(between(0.0, 86400.0));
     byItself->add_option("--snapshot-every", live.snapshotEvery, "Seconds after which it is compared")
         ->capture_default_str()
-        ->check(CLI::Range(0.1, 86400.0));
+        ->check(between(0.1, 86400.0));
 }
 
 }  // namespace macula::cli

@@ -13,6 +13,7 @@
 #include "cli/command.h"
 #include "cli/grid_json.h"
 #include "cli/interrupt.h"
+#include "cli/json_text.h"
 #include "cli/output_file.h"
 #include "cli/report.h"
 #include "cli/segmentation_input.h"
@@ -31,7 +32,7 @@ struct Options {
     fs::path output;
     std::string series;
     std::size_t volume = 0;  // from 1; 0: not given
-    bool force = false;
+    bool overwrite = false;
     bool json = false;
     dicom::ScanOptions how;
 };
@@ -43,19 +44,9 @@ double secondsSince(Clock::time_point start) {
 // Fails now, not after the series was loaded.
 Result<void> checkExport(const Options& options) {
     MACULA_TRY(const auto files, dicom::filesOfVolumeFile(options.output));
-    MACULA_TRY_VOID(checkPlaceOf(options.output));
-    for (const fs::path& file : files) {
-        std::error_code error;
-        const auto status = fs::symlink_status(file, error);
-        if (fs::is_directory(status)) {
-            return Error{ErrorCode::outputNotWritable, "There is a folder of that name.", file.string(),
-                         "Choose another name."};
-        }
-        if (fs::exists(status) && !options.force) {
-            return Error{ErrorCode::outputNotWritable, "The file exists already.", file.string(),
-                         "Give --force to replace it, or choose another name."};
-        }
-    }
+    OutputFiles outputs(options.overwrite);
+    outputs.read(options.path);
+    for (const fs::path& file : files) MACULA_TRY_VOID(outputs.write(file));
     return {};
 }
 
@@ -91,7 +82,7 @@ Result<void> exportSegmentation(const Options& options, const dicom::Scan& scan,
         {"version", MACULA_VERSION}, {"series", sha256Hex(series.seriesInstanceUid)}, {"segments", segments}};
     json.update(gridToJson(map.size(), map.worldFromVoxel()));
     json["notes"] = notes;
-    fmt::print("{}\n", json.dump(4));
+    fmt::print("{}\n", jsonText(json));
     return {};
 }
 
@@ -99,12 +90,13 @@ Result<void> exportVolume(const Options& options, const StudyInput& study, doubl
                           Progress& progress) {
     std::vector<std::string> notes = study.notes;
     const Volume& volume = *study.volume;
+    printNotes(study);
     if (isSheared(volume.worldFromVoxel())) {
         notes.emplace_back(
             "The slices are tilted against their axis, and the file says so; some programs do not understand "
             "that, and show the patient askew.");
+        printWarning(notes.back());
     }
-    for (const std::string& note : notes) printNote(note);
     const auto start = Clock::now();
     MACULA_TRY_VOID(dicom::writeVolumeFile(volume, options.output, progress));
     const double writeSeconds = secondsSince(start);
@@ -126,7 +118,7 @@ Result<void> exportVolume(const Options& options, const StudyInput& study, doubl
     json["loadSeconds"] = loadSeconds;
     json["writeSeconds"] = writeSeconds;
     json["notes"] = notes;
-    fmt::print("{}\n", json.dump(4));
+    fmt::print("{}\n", jsonText(json));
     return {};
 }
 
@@ -173,7 +165,7 @@ void addExport(CLI::App& app, Action& action) {
         ->add_option("--volume", o.volume,
                      "Which volume or segmentation of that series, from 1 (default: its best volume)")
         ->check(CLI::Range(1, 1000000));
-    command->add_flag("--force", o.force, "Replace a file that exists");
+    addOverwrite(*command, o.overwrite);
     addJoin(*command, o.how);
     command->add_flag("--json", o.json, "Print what was written as JSON");
     command->callback([options, &action] { action = [options] { return exportSeries(*options); }; });

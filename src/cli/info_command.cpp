@@ -11,6 +11,7 @@
 #include "base/progress_bar.h"
 #include "cli/command.h"
 #include "cli/interrupt.h"
+#include "cli/json_text.h"
 #include "cli/scan_json.h"
 #include "cli/study_input.h"
 #include "cli/volume_file_info.h"
@@ -145,8 +146,12 @@ void printText(const dicom::Scan& scan, const dicom::Choice& best, const Options
 }
 
 Result<void> showInfo(const Options& options) {
-    if (dicom::isVolumeFileName(options.path)) return showVolumeFile(options.path, options.json);
     Progress progress(terminalProgressBar(), interruptToken());
+    if (dicom::isVolumeFileName(options.path)) return showVolumeFile(options.path, options.json, progress);
+    if (options.path == "phantom:") {
+        showPhantom(options.json);
+        return {};
+    }
     MACULA_TRY(const dicom::Scan scan, dicom::scanFolder(options.path, progress, options.how));
     const dicom::Choice best = dicom::bestVolume(scan);
     if (!options.json) {
@@ -154,9 +159,7 @@ Result<void> showInfo(const Options& options) {
         return {};
     }
     const auto json = toJson(scan, best, options.patient ? PatientData::include : PatientData::leaveOut);
-    // Text in old files is not always what its character set says; a broken byte is no reason to print
-    // nothing.
-    fmt::print("{}\n", json.dump(4, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+    fmt::print("{}\n", jsonText(json));
     return {};
 }
 
@@ -168,7 +171,7 @@ void addInfo(CLI::App& app, Action& action) {
         app.add_subcommand("info", "List the studies and series in a folder; * marks what is shown first");
     command
         ->add_option("PATH", options->path,
-                     "Folder with DICOM files, one file, or a volume file (NIfTI, NRRD, MetaImage)")
+                     "Folder with DICOM files, one file, a volume file (NIfTI, NRRD, MetaImage), or phantom:")
         ->required();
     command->add_flag("--json", options->json, "Print JSON");
     addJoin(*command, options->how);

@@ -4,6 +4,7 @@
 
 #include "base/atomic_file.h"
 #include "cli/built_in_choice.h"
+#include "cli/nearest_name.h"
 #include "image/image_file.h"
 #include "pipeline/trace/light_rig_json.h"
 
@@ -56,19 +57,19 @@ Result<std::vector<trace::LightRig>> builtInLights() {
 }
 
 Result<trace::Environment> chooseLights(const std::string& nameOrFile) {
-    std::string names;
+    std::vector<std::string> names;
     for (const auto& file : presets::lightFiles()) {
         if (file.name == nameOrFile) {
             MACULA_TRY(const trace::LightRig rig, trace::lightRigFromJson(file.text, std::string(file.name)));
             return trace::Environment::fromRig(rig);
         }
-        names += (names.empty() ? "" : ", ") + std::string(file.name);
+        names.emplace_back(file.name);
     }
     const fs::path path = nameOrFile;
     std::error_code error;
     if (!path.has_extension() && !fs::exists(path, error)) {
         return Error{ErrorCode::usage, "There are no such lights.", nameOrFile,
-                     "Use one of " + names + ", or the path of a JSON, HDR or EXR file."};
+                     choiceAmong(nameOrFile, names) + " Or give the path of a JSON, HDR or EXR file."};
     }
     if (path.extension() == ".json") {
         MACULA_TRY(const std::string text, readText(path));

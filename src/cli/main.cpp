@@ -1,16 +1,58 @@
 // The `macula` command: a list of verbs.
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
+#include <iostream>
 #include <new>
 
 #include "cli/command.h"
+#include "cli/interrupt.h"
+#include "cli/nearest_name.h"
 #include "cli/report.h"
 
 namespace {
 
+// A file that is opened must not get the number of a stream that is closed: what is printed would be written
+// into it. What stands in takes nothing, so that it is told where that matters.
+void occupyStandardStreams() {
+    for (int stream = STDIN_FILENO; stream <= STDERR_FILENO; ++stream) {
+        if (fcntl(stream, F_GETFD) < 0) static_cast<void>(open("/dev/null", O_RDONLY));
+    }
+}
+
+// A word that is empty is a variable of a script that was not set, and means no default.
+macula::Result<void> refuseEmptyWords(const CLI::App& app) {
+    for (const CLI::Option* option : app.get_options()) {
+        for (const std::string& word : option->results()) {
+            if (word.empty())
+                return macula::Error{macula::ErrorCode::usage,
+                                     fmt::format("{} is empty.", option->get_name()),
+                                     {},
+                                     "Give a value, or leave it out."};
+        }
+    }
+    for (const CLI::App* verb : app.get_subcommands()) MACULA_TRY_VOID(refuseEmptyWords(*verb));
+    return {};
+}
+
+int tellThatStdoutFailed() {
+    macula::cli::printError({macula::ErrorCode::outputNotWritable,
+                             "Standard output could not be written to the end.",
+                             {},
+                             "Check free space where it goes."});
+    return macula::cli::exitCode(macula::ErrorCode::outputNotWritable);
+}
+
+bool stdoutIsWhole() {
+    return std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
+}
+
 int run(int argc, char** argv) {
     using namespace macula;
+    cli::interruptToken();  // from here on who stops it finds nothing half done
     CLI::App app{"Macula: path-traced anatomy from DICOM.", "macula"};
     app.set_version_flag("--version", "macula " MACULA_VERSION);
     app.require_subcommand(1);
@@ -34,27 +76,44 @@ int run(int argc, char** argv) {
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& asked) {  // --help, --version
-        return app.exit(asked);
+        const int code = app.exit(asked);
+        std::cout.flush();
+        return stdoutIsWhole() ? code : tellThatStdoutFailed();
     } catch (const CLI::ParseError& error) {
         std::string message = error.what();
         if (!message.empty() && message.back() != '.') message += '.';
         const auto chosen = app.get_subcommands();
+        if (chosen.empty() && argc > 1 && argv[1][0] != '-') {
+            std::vector<std::string> verbs;
+            for (const CLI::App* verb : app.get_subcommands({})) verbs.push_back(verb->get_name());
+            const Error unknown{ErrorCode::usage,
+                                fmt::format("There is no verb {}.", argv[1]),
+                                {},
+                                cli::choiceAmong(argv[1], verbs) + " See macula --help."};
+            cli::printError(unknown);
+            return cli::exitCode(unknown.code);
+        }
         const std::string verb = chosen.empty() ? "" : chosen.front()->get_name() + " ";
         const Error usage{ErrorCode::usage, message, {}, "See macula " + verb + "--help."};
         cli::printError(usage);
         return cli::exitCode(usage.code);
     }
 
+    if (const auto none = refuseEmptyWords(app); !none) {
+        cli::printError(none.error());
+        return cli::exitCode(none.error().code);
+    }
     if (const auto done = action(); !done) {
         cli::printError(done.error());
         return cli::exitCode(done.error().code);
     }
-    return 0;
+    return stdoutIsWhole() ? 0 : tellThatStdoutFailed();
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
+    occupyStandardStreams();
     try {
         return run(argc, argv);
     } catch (const std::bad_alloc&) {
@@ -62,6 +121,7 @@ int main(int argc, char** argv) {
                    stderr);
         return 4;
     } catch (const std::exception&) {
+        if (!stdoutIsWhole()) return tellThatStdoutFailed();
         std::fputs("macula: Something went wrong that Macula did not foresee. Please report what you did.\n",
                    stderr);
         return 1;

@@ -2,17 +2,52 @@
 
 #include <unistd.h>
 
+#include <CLI/App.hpp>
+#include <algorithm>
+
+#include "base/draft.h"
+#include "dicom/folder.h"
+#include "dicom/volume_file.h"
+
 namespace macula::cli {
 
 namespace fs = std::filesystem;
 
-bool isExr(const fs::path& path) {
-    return path.extension() == ".exr";
+namespace {
+
+std::string loweredExtension(const fs::path& path) {
+    std::string extension = path.extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+    return extension;
 }
 
-Result<void> checkPlaceOf(const fs::path& path) {
+fs::path wholePath(const fs::path& path) {
     std::error_code error;
-    const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+    const fs::path whole = fs::weakly_canonical(path, error);
+    return error ? path.lexically_normal() : whole;
+}
+
+fs::path folderOf(const fs::path& path) {
+    return path.has_parent_path() ? path.parent_path() : fs::path(".");
+}
+
+bool isAmong(const fs::path& file, const std::vector<fs::path>& files) {
+    return std::any_of(files.begin(), files.end(), [&](const fs::path& other) {
+        std::error_code error;
+        return file == other || fs::equivalent(file, other, error);
+    });
+}
+
+// By its own place, and where it is a link by what that leads to.
+bool isFileOf(const fs::path& file, const fs::path& folder) {
+    return dicom::liesInside(wholePath(file), folder) ||
+           dicom::liesInside(wholePath(folderOf(file)) / file.filename(), folder);
+}
+
+Result<void> checkPlace(const fs::path& path) {
+    std::error_code error;
+    const fs::path folder = folderOf(path);
     if (!fs::is_directory(folder, error)) {
         return Error{ErrorCode::outputNotWritable, "The folder to write into does not exist.",
                      folder.string(), "Create it, or choose another place."};
@@ -20,18 +55,93 @@ Result<void> checkPlaceOf(const fs::path& path) {
     if (fs::is_directory(path, error))
         return Error{ErrorCode::outputNotWritable, "There is a folder of that name.", path.string(),
                      "Choose another name."};
+    if (fs::exists(path, error) && !fs::is_regular_file(path, error))
+        return Error{ErrorCode::outputNotWritable, "What stands there is no file.", path.string(),
+                     "Choose another name."};
     if (access(folder.c_str(), W_OK) != 0)
         return Error{ErrorCode::outputNotWritable, "Nothing can be written there.", path.string(),
                      "Check the permissions, or choose another place."};
     return {};
 }
 
-Result<void> checkOutput(const fs::path& path) {
-    if (path.extension() != ".png" && !isExr(path)) {
-        return Error{ErrorCode::usage, "The picture must be a .png or .exr file.", path.string(),
-                     "Give -o a name with one of these endings."};
+}  // namespace
+
+void OutputFiles::read(const fs::path& path) {
+    std::error_code error;
+    fs::path found = path;
+    if (!fs::exists(found, error)) found = path.string().substr(0, path.string().find('#'));
+    if (found.empty() || !fs::exists(found, error)) return;
+    if (fs::is_directory(found, error)) {
+        folders_.push_back(wholePath(found));
+        return;
     }
-    return checkPlaceOf(path);
+    files_.push_back(wholePath(found));
+    // Reading the list of a disc reads the disc.
+    if (found.filename().string().starts_with("DICOMDIR")) folders_.push_back(wholePath(folderOf(found)));
+    if (const auto values = dicom::valuesFileOf(found)) files_.push_back(wholePath(*values));
+}
+
+Result<void> OutputFiles::checkExisting(const fs::path& path) const {
+    if (isAmong(wholePath(path), files_))
+        return Error{ErrorCode::outputNotWritable, "The file is one of those that are read.", path.string(),
+                     "Choose another name: what is read is never replaced."};
+    if (std::any_of(folders_.begin(), folders_.end(),
+                    [&](const auto& folder) { return isFileOf(path, folder); }))
+        return Error{ErrorCode::outputNotWritable, "The file belongs to the folder that is read.",
+                     path.string(), "Choose another name: what is read is never replaced."};
+    if (!overwrite_)
+        return Error{ErrorCode::outputNotWritable, "The file exists already.", path.string(),
+                     "Give --overwrite to replace it, or choose another name."};
+    return {};
+}
+
+Result<void> OutputFiles::take(const fs::path& path) {
+    if (!written_.insert(wholePath(path)).second)
+        return Error{ErrorCode::usage, "Two outputs have the same name.", path.string(),
+                     "Give each a name of its own."};
+    if (tidied_.insert(folderOf(path)).second) removeAbandonedDrafts(folderOf(path));
+    return {};
+}
+
+Result<void> OutputFiles::write(const fs::path& path) {
+    if (path.empty() || path == "-") return {};
+    MACULA_TRY_VOID(checkPlace(path));
+    std::error_code error;
+    if (!written_.contains(wholePath(path)) && fs::exists(fs::symlink_status(path, error)))
+        MACULA_TRY_VOID(checkExisting(path));
+    return take(path);
+}
+
+Result<void> OutputFiles::writeOn(const fs::path& path) {
+    MACULA_TRY_VOID(checkPlace(path));
+    return take(path);
+}
+
+void addOverwrite(CLI::App& command, bool& overwrite) {
+    command.add_flag("--overwrite", overwrite, "Replace what is there already; never what is read");
+    command.add_flag("--force", overwrite)->group("");
+}
+
+fs::path placeOfUnfinished(const fs::path& wanted) {
+    std::error_code error;
+    if (!fs::exists(wanted, error)) return wanted;
+    fs::path beside = wanted;
+    return beside.replace_filename(wanted.stem().string() + "-unfinished" + wanted.extension().string());
+}
+
+bool isSameFile(const fs::path& a, const fs::path& b) {
+    std::error_code error;
+    return !a.empty() && !b.empty() && (wholePath(a) == wholePath(b) || fs::equivalent(a, b, error));
+}
+
+Result<void> checkPictureName(const fs::path& path) {
+    if (isExr(path) || loweredExtension(path) == ".png") return {};
+    return Error{ErrorCode::usage, "The picture must be a .png or .exr file.", path.string(),
+                 "Give -o a name with one of these endings."};
+}
+
+bool isExr(const fs::path& path) {
+    return loweredExtension(path) == ".exr";
 }
 
 }  // namespace macula::cli

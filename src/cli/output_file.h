@@ -1,24 +1,58 @@
-// The picture file that a render ends in.
+// What a call writes. One rule for every verb and option: never an input, never a file of a folder that is
+// read, never another output of the same call, and a file that exists only where --overwrite was given.
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
-#include <span>
+#include <set>
+#include <string>
+#include <vector>
 
 #include "base/result.h"
-#include "image/image_file.h"
-#include "pipeline/trace/path_tracer.h"
+
+namespace CLI {
+class App;
+}
 
 namespace macula::cli {
 
-// Fails now, not after minutes of tracing: usage for an extension that is neither .png nor .exr,
-// outputNotWritable when nothing can be written there.
-Result<void> checkOutput(const std::filesystem::path& path);
+class OutputFiles {
+  public:
+    explicit OutputFiles(bool overwrite) : overwrite_(overwrite) {}
 
-// Fails with outputNotWritable when the folder that `path` lies in does not exist or nothing can be written
-// there, or when `path` is a folder itself.
-Result<void> checkPlaceOf(const std::filesystem::path& path);
+    // A file or folder that the call reads; of names that are no path ("phantom:", a built-in preset, none)
+    // nothing is remembered. FILE#NAME is FILE.
+    void read(const std::filesystem::path& path);
 
+    // Fails now, not after minutes of work: with usage for another output of this call, with
+    // outputNotWritable where nothing can be written, or by the rule. After all inputs are told. No path and
+    // "-", which is standard output, are no files.
+    Result<void> write(const std::filesystem::path& path);
+
+    // The same for what goes on from that file: it may be replaced by what it has become.
+    Result<void> writeOn(const std::filesystem::path& path);
+
+  private:
+    Result<void> checkExisting(const std::filesystem::path& path) const;
+    Result<void> take(const std::filesystem::path& path);
+
+    bool overwrite_;
+    std::vector<std::filesystem::path> files_, folders_;  // that are read, canonical
+    std::set<std::filesystem::path> written_;             // canonical
+    std::set<std::filesystem::path> tidied_;              // folders
+};
+
+// --overwrite, and words of before that still work.
+void addOverwrite(CLI::App& command, bool& overwrite);
+
+// Where to put a result that was cut short: a finished one is never replaced by it, so beside that one if it
+// is there ("model-unfinished.ply" beside "model.ply").
+std::filesystem::path placeOfUnfinished(const std::filesystem::path& wanted);
+
+// Also of files that are not there yet.
+bool isSameFile(const std::filesystem::path& a, const std::filesystem::path& b);
+
+// usage for an extension that is neither .png nor .exr, in any case of letters.
+Result<void> checkPictureName(const std::filesystem::path& path);
 bool isExr(const std::filesystem::path& path);
 
 }  // namespace macula::cli

@@ -7,6 +7,8 @@
 #include <set>
 #include <string_view>
 
+#include "base/utf8.h"
+
 namespace macula::cli {
 
 namespace {
@@ -47,14 +49,6 @@ bool isFromRoot(const std::string& path) {
     return path.starts_with('/') || path.starts_with('\\') || (path.size() > 1 && path[1] == ':');
 }
 
-// Not in the middle of a character.
-void shorten(std::string& name) {
-    if (name.size() <= kMostBytes) return;
-    std::size_t end = kMostBytes;
-    while (end > 0 && (static_cast<unsigned char>(name[end]) & 0xc0u) == 0x80u) --end;
-    name.resize(end);
-}
-
 std::string nameOf(const std::string& wish) {
     std::vector<std::string> parts = partsOf(wish);
     if (parts.empty()) return {};
@@ -67,7 +61,7 @@ std::string nameOf(const std::string& wish) {
         }
     }
     name.erase(0, name.find_first_not_of('.'));  // no hidden files
-    shorten(name);
+    name.resize(startOf(name, kMostBytes).size());
     return name.find_first_not_of("._-") == std::string::npos ? std::string() : name;
 }
 

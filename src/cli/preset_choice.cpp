@@ -3,12 +3,21 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "cli/nearest_name.h"
 #include "presets/catalogue.h"
 #include "presets/preset_file.h"
 
 namespace macula::cli {
 
 namespace {
+
+std::vector<std::string> builtInNames() {
+    std::vector<std::string> names;
+    if (const auto all = presets::builtInPresets()) {
+        for (const TransferFunction& preset : *all) names.push_back(preset.name);
+    }
+    return names;
+}
 
 std::optional<TransferFunction> builtIn(const std::string& typed) {
     Result<std::vector<TransferFunction>> all = presets::builtInPresets();
@@ -30,7 +39,8 @@ Result<presets::ImportedPreset> choosePreset(const std::string& typed) {
     if (!path.has_extension() && !std::filesystem::exists(typed, error) &&
         !std::filesystem::exists(path, error)) {
         return Error{ErrorCode::usage, "There is no such preset.", typed,
-                     "Use a name or number from macula presets, or the path of a preset file."};
+                     choiceAmong(typed, builtInNames()) +
+                         " Or give a number from macula presets, or the path of a preset file."};
     }
     return presets::readPresetFrom(typed);
 }

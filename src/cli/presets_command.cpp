@@ -5,10 +5,13 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <utility>
+#include <vector>
 
 #include "base/atomic_file.h"
 #include "cli/clip_choice.h"
 #include "cli/command.h"
+#include "cli/json_text.h"
 #include "cli/lights_choice.h"
 #include "cli/output_file.h"
 #include "cli/preset_choice.h"
@@ -27,6 +30,7 @@ struct Options {
     std::string preset;            // show, export
     std::filesystem::path input;   // import
     std::filesystem::path output;  // import, export
+    bool overwrite = false;        // likewise
 };
 
 std::string unitOf(const TransferFunction& preset) {
@@ -64,7 +68,7 @@ Result<void> listAll(const Options& options) {
                                          {"samplesPerPixel", quality.samplesPerPixel},
                                          {"bounces", quality.bounces}});
         }
-        fmt::print("{}\n", list.dump(4));
+        fmt::print("{}\n", jsonText(list));
         return {};
     }
     fmt::print("Presets (--preset NAME or NUMBER)\n");
@@ -122,12 +126,6 @@ Result<void> show(const Options& options) {
     return {};
 }
 
-// The file that `preset` goes to: `output` itself, or a name of its own in that folder.
-Result<void> write(const TransferFunction& preset, const std::filesystem::path& output) {
-    MACULA_TRY_VOID(checkPlaceOf(output));
-    return writeTextAtomically(output, toJson(preset));
-}
-
 Result<void> importFile(const Options& options) {
     MACULA_TRY(const presets::ImportedPresets all, presets::readPresetFile(options.input));
     std::error_code error;
@@ -138,22 +136,30 @@ Result<void> importFile(const Options& options) {
                      "Give -o a folder that exists, for one file each; or choose one: macula presets export "
                      "FILE#NAME -o FILE.json."};
     }
+    OutputFiles files(options.overwrite);
+    files.read(options.input);
     std::set<std::string> taken;
+    std::vector<std::pair<std::filesystem::path, std::string>> texts;
     for (const presets::ImportedPreset& preset : all) {
         for (const std::string& note : preset.notes) printNote(preset.function.title + ": " + note);
         TransferFunction function = preset.function;
         for (int copy = 2; !taken.insert(function.name).second; ++copy)
             function.name = fmt::format("{}-{}", preset.function.name, copy);
-        MACULA_TRY_VOID(
-            write(function, toFolder ? options.output / (function.name + ".json") : options.output));
+        texts.emplace_back(toFolder ? options.output / (function.name + ".json") : options.output,
+                           toJson(function));
+        MACULA_TRY_VOID(files.write(texts.back().first));
     }
+    for (const auto& [path, text] : texts) MACULA_TRY_VOID(writeTextAtomically(path, text));
     return {};
 }
 
 Result<void> exportPreset(const Options& options) {
     MACULA_TRY(const presets::ImportedPreset chosen, choosePreset(options.preset));
     for (const std::string& note : chosen.notes) printNote(note);
-    return write(chosen.function, options.output);
+    OutputFiles files(options.overwrite);
+    files.read(options.preset);
+    MACULA_TRY_VOID(files.write(options.output));
+    return writeTextAtomically(options.output, toJson(chosen.function));
 }
 
 }  // namespace
@@ -183,11 +189,13 @@ void addPresets(CLI::App& app, Action& action) {
     from->add_option("FILE", o.input, "presets.xml, .mrml, .vp, .vp.json, .json, .xml, .plist")->required();
     from->add_option("-o,--output", o.output, "JSON file, or folder that gets a file for each preset")
         ->required();
+    addOverwrite(*from, o.overwrite);
     from->callback([options, &action] { action = [options] { return importFile(*options); }; });
 
     auto* to = command->add_subcommand("export", "Write a preset as JSON that 3D Slicer reads too");
     to->add_option("PRESET", o.preset, which)->required();
     to->add_option("-o,--output", o.output, "JSON file to write")->required();
+    addOverwrite(*to, o.overwrite);
     to->callback([options, &action] { action = [options] { return exportPreset(*options); }; });
 }
 

@@ -17,6 +17,9 @@
 #include "cli/command.h"
 #include "cli/interrupt.h"
 #include "cli/lights_choice.h"
+#include "cli/nearest_name.h"
+#include "cli/nothing_visible.h"
+#include "cli/number_range.h"
 #include "cli/open_device.h"
 #include "cli/output_file.h"
 #include "cli/picture_size.h"
@@ -60,6 +63,8 @@ struct Options {
     dicom::ScanOptions how;
     std::string device;
     std::filesystem::path statistics;
+    bool overwrite = false;
+    bool keepUnfinished = false;
 };
 
 constexpr double kDefaultFovDeg = 30.0;
@@ -126,9 +131,9 @@ Result<void> traceAll(trace::PathTracer& tracer, std::uint32_t samplesPerPixel, 
     return {};
 }
 
-// As many samples as it takes, and where they are needed. Ctrl-C ends it with the picture as it is then.
+// As many samples as it takes, and where they are needed. Who stops it may want the picture as it is then.
 Result<void> traceUntilConverged(trace::PathTracer& tracer, double error, std::uint32_t mostSamples,
-                                 Progress& progress) {
+                                 bool keepUnfinished, Progress& progress) {
     constexpr double kPortionMs = 200.0;
     constexpr std::size_t kSteps = 1000;
     progress.beginStage("Tracing until the noise is gone", kSteps);
@@ -137,7 +142,7 @@ Result<void> traceUntilConverged(trace::PathTracer& tracer, double error, std::u
         MACULA_TRY_VOID(tracer.traceFor(kPortionMs, [&] { return !progress.cancelled(); }));
         MACULA_TRY(const trace::Statistics statistics, tracer.statistics());
         if (statistics.converged) return {};
-        if (progress.cancelled() && statistics.samplesPerPixel == 0)
+        if (progress.cancelled() && (!keepUnfinished || statistics.samplesPerPixel == 0))
             return Error{ErrorCode::cancelled, "Stopped; nothing was written.", {}, {}};
         if (progress.cancelled() || statistics.meanSamplesPerPixel >= mostSamples) break;
         // Noise falls with the root of the samples.
@@ -157,6 +162,7 @@ struct Scene {
     trace::View view;
     trace::Settings settings;
     std::uint32_t samplesPerPixel = 0;
+    bool keepUnfinished = false;  // when it is stopped, where noise is traced away
 };
 
 // What the device has made of it, brought to the host: a lost device takes nothing of it along.
@@ -180,7 +186,8 @@ Result<Drawn> draw(const std::shared_ptr<gpu::Device>& device, const Scene& scen
     MACULA_TRY_VOID(tracer.setSettings(scene.settings));
     MACULA_TRY_VOID(tracer.setView(scene.view));
     const double error = scene.settings.errorThreshold;
-    MACULA_TRY_VOID(error > 0.0 ? traceUntilConverged(tracer, error, scene.samplesPerPixel, progress)
+    MACULA_TRY_VOID(error > 0.0 ? traceUntilConverged(tracer, error, scene.samplesPerPixel,
+                                                      scene.keepUnfinished, progress)
                                 : traceAll(tracer, scene.samplesPerPixel, progress));
     drawn.seconds = secondsSince(start);
     MACULA_TRY_VOID(tracer.estimateError());
@@ -191,6 +198,17 @@ Result<Drawn> draw(const std::shared_ptr<gpu::Device>& device, const Scene& scen
         MACULA_TRY(drawn.rgba, tracer.readDisplay(kBackground));
     }
     return drawn;
+}
+
+// Black, as the background is, or clear.
+bool isEmpty(const Drawn& drawn) {
+    if (drawn.traced)
+        return std::all_of(drawn.traced->radiance.begin(), drawn.traced->radiance.end(),
+                           [](const glm::vec4& pixel) { return pixel.w <= 0.0f; });
+    for (std::size_t i = 0; i < drawn.rgba.size(); ++i) {
+        if (i % 4 != 3 && drawn.rgba[i] != 0) return false;
+    }
+    return true;
 }
 
 Result<void> writePicture(const Drawn& drawn, const Options& options, const RenderRecord& record) {
@@ -222,19 +240,53 @@ Result<Effort> effortOf(const Options& options) {
     effort.settings.bounces = options.bounces.value_or(effort.settings.bounces);
     if (options.denoise)
         effort.settings.denoising = *options.denoise ? trace::Denoising::on : trace::Denoising::off;
-    if (std::isnan(options.error))  // which is neither below nor above any limit
-        return Error{ErrorCode::usage, "The error is not usable.", {}, "Give --error from 0.0001 to 1."};
     effort.settings.errorThreshold = options.error;
     if (options.error > 0.0) effort.samplesPerPixel = options.samplesPerPixel.value_or(kMostSamples);
     return effort;
 }
 
+// Of what was given, and not of what a quality or a default says.
+std::vector<std::string> optionsWithoutEffect(const Options& options) {
+    const trace::Settings usual;
+    const trace::Settings& given = options.settings;
+    const bool isTraced = trace::isPathTraced(given.look);
+    std::vector<std::string> notes;
+    const auto check = [&](bool isGiven, const char* option, const char* of) {
+        if (isGiven) notes.push_back(fmt::format("{} does nothing in this look: it is of {}.", option, of));
+    };
+    check(!options.window.empty() && !isProjection(given.look), "--window", "mip, minip and average");
+    check(options.bounces && !isTraced, "--bounces", "cinematic");
+    check(given.shading != usual.shading && given.look != trace::Look::dvr, "--shading", "dvr");
+    check(!options.lights.empty() && !isTraced, "--lights", "cinematic and clear");
+    check(given.lightRotationDeg != usual.lightRotationDeg && !isTraced, "--light-rotation",
+          "cinematic and clear");
+    check(given.lightStrength != usual.lightStrength && !isTraced, "--light-strength", "cinematic and clear");
+    check(given.exposure != usual.exposure && isProjection(given.look), "--exposure", "all but projections");
+    if (options.denoise.value_or(false) && !isTraced)
+        notes.emplace_back("This look is never denoised: --denoise does nothing.");
+    if (options.keepUnfinished && options.error <= 0.0)
+        notes.emplace_back(
+            "--keep-unfinished does nothing without --error: nothing is written when stopped.");
+    return notes;
+}
+
+Result<void> checkFiles(const Options& options) {
+    MACULA_TRY_VOID(checkPictureName(options.output));
+    OutputFiles files(options.overwrite);
+    for (const std::filesystem::path& input :
+         {options.path, std::filesystem::path(options.preset), options.camera,
+          std::filesystem::path(options.quality), std::filesystem::path(options.lights),
+          std::filesystem::path(options.clip)})
+        files.read(input);
+    MACULA_TRY_VOID(files.write(options.output));
+    return files.write(options.statistics);
+}
+
 Result<void> render(const Options& options) {
+    const auto begin = std::chrono::steady_clock::now();
     // All that can be wrong on the command line first, then the device, then the study: the slowest comes
     // last.
-    MACULA_TRY_VOID(checkOutput(options.output));
-    if (!options.statistics.empty() && options.statistics != "-")
-        MACULA_TRY_VOID(checkPlaceOf(options.statistics));
+    MACULA_TRY_VOID(checkFiles(options));
     MACULA_TRY(const glm::ivec2 size, parseSize(options.size));
     MACULA_TRY(const Effort effort, effortOf(options));
     MACULA_TRY(const trace::Environment environment, chooseLights(lightsOf(options)));
@@ -254,9 +306,9 @@ Result<void> render(const Options& options) {
     RenderRecord record;
     record.loadSeconds = secondsSince(start);
     MACULA_TRY(const StudyPreset preset, choosePresetFor(study, options.preset, options.fit));
-    if (options.denoise.value_or(false) && !trace::isPathTraced(effort.settings.look)) {
-        study.notes.emplace_back("This look is never denoised: --denoise does nothing.");
-        printNote(study.notes.back());
+    for (std::string& note : optionsWithoutEffect(options)) {
+        printNote(note);
+        study.notes.push_back(std::move(note));
     }
     MACULA_TRY(record.camera, chooseCamera(options, study.volume.get(), size));
     record.seriesDigest = study.seriesDigest;
@@ -268,6 +320,9 @@ Result<void> render(const Options& options) {
     record.settings = effort.settings;
     MACULA_TRY(record.settings.window, chooseWindow(options, preset.function, *study.volume));
     record.notes = study.notes;
+    record.presetFitted = preset.function.fitToVolume.has_value();
+    if (isProjection(options.settings.look))
+        record.window = record.settings.window.value_or(seriesWindow(*study.volume));
 
     MACULA_TRY(ShownClip shown, shownClip(clip, options.removeTable, *study.volume, progress));
     record.notes.insert(record.notes.end(), shown.notes.begin(), shown.notes.end());
@@ -278,7 +333,8 @@ Result<void> render(const Options& options) {
                       .environment = environment,
                       .view = {record.camera, size.x, size.y},
                       .settings = record.settings,
-                      .samplesPerPixel = effort.samplesPerPixel};
+                      .samplesPerPixel = effort.samplesPerPixel,
+                      .keepUnfinished = options.keepUnfinished};
     Drawn drawn;
     const auto drawOn = [&](const std::shared_ptr<gpu::Device>& on) -> Result<void> {
         MACULA_TRY(drawn, draw(on, scene, options.memory, isExr(options.output), progress));
@@ -291,6 +347,10 @@ Result<void> render(const Options& options) {
     if (options.error > 0.0 && !record.statistics.converged) {
         record.notes.emplace_back("The picture is noisier than was asked for.");
         printNote(record.notes.back());
+    }
+    if (isEmpty(drawn)) {
+        record.notes.push_back(whyNothingIsVisible(*study.volume));
+        printWarning(record.notes.back());
     }
     for (const Message& message : record.statistics.messages) {
         record.notes.push_back(message.sentence);
@@ -308,12 +368,16 @@ Result<void> render(const Options& options) {
     }
     MACULA_TRY_VOID(writePicture(drawn, options, record));
     if (!options.statistics.empty()) MACULA_TRY_VOID(writeStatistics(record, options.statistics));
+    printWritten(options.output, begin);
+    if (progress.cancelled() && !record.statistics.converged && options.error > 0.0)
+        return Error{
+            ErrorCode::cancelled, "Stopped; the picture is written as it was then, with noise.", {}, {}};
     return {};
 }
 
-std::map<std::string, trace::Look> looksByName() {
-    std::map<std::string, trace::Look> looks;
-    for (const trace::LookName& look : trace::kLooks) looks.emplace(look.name, look.look);
+std::map<std::string, int> looksByName() {
+    std::map<std::string, int> looks;
+    for (const trace::LookName& look : trace::kLooks) looks.emplace(look.name, static_cast<int>(look.look));
     return looks;
 }
 
@@ -345,12 +409,14 @@ void addRender(CLI::App& app, Action& action) {
         ->add_option("--camera", o.camera,
                      "JSON file: positionMm, targetMm, up, verticalFovDeg; patient LPS mm")
         ->excludes(view);
-    command->add_option("--fov", o.fovDeg, "Vertical field of view in degrees (default: 30)")
-        ->check(CLI::Range(0.1, 170.0));
+    command
+        ->add_option("--fov", o.fovDeg,
+                     "Vertical field of view in degrees (default: that of --camera, or 30)")
+        ->check(between(0.1, 170.0));
     command->add_option("--size", o.size, "Picture size in pixels (default: 768x768)")->option_text("WxH");
     command
         ->add_option("--look", o.settings.look, "How it is drawn, see docs/presets.md (default: cinematic)")
-        ->transform(CLI::CheckedTransformer(looksByName()))
+        ->transform(oneOf(looksByName()))
         ->option_text("cinematic|clear|dvr|mip|minip|average");
     command
         ->add_option("--window", o.window,
@@ -369,7 +435,7 @@ void addRender(CLI::App& app, Action& action) {
     command
         ->add_option("--error", o.error,
                      "Trace until noise is this small, 0.01 of black to white; then --spp is about the most")
-        ->check(CLI::Range(1e-4, 1.0));
+        ->check(between(1e-4, 1.0));
     command->add_option("--bounces", o.bounces, "Scattering events per path of cinematic (default: 4)")
         ->check(CLI::Range(1, trace::kMaxBounces));
     command->add_flag_function(
@@ -382,13 +448,13 @@ void addRender(CLI::App& app, Action& action) {
     command
         ->add_option("--light-rotation", o.settings.lightRotationDeg,
                      "Degrees to turn the lights about the vertical, towards the patient's left")
-        ->check(CLI::Range(-360.0, 360.0));
+        ->check(between(-360.0, 360.0));
     command->add_option("--light-strength", o.settings.lightStrength, "Multiplies the lights (default: 1)")
-        ->check(CLI::Range(0.0, trace::kMaxGain));
+        ->check(between(0.0, trace::kMaxGain));
     command
         ->add_option("--exposure", o.settings.exposure,
                      "Multiplies the picture before the tone map (default: 1)")
-        ->check(CLI::Range(1e-6, trace::kMaxGain));
+        ->check(between(1e-6, trace::kMaxGain));
     command->add_flag(
         "--remove-table", o.removeTable,
         "Leave out the table and what else lies beside the patient; CT only. What went is said");
@@ -400,6 +466,9 @@ void addRender(CLI::App& app, Action& action) {
             "At most so many MiB of the device for voxels (default: what is free)")
         ->check(CLI::Range(1, 1 << 20));
     command->add_option("--device", o.device, "Number or part of the name, see macula devices");
+    command->add_flag("--keep-unfinished", o.keepUnfinished,
+                      "When --error is stopped (Ctrl-C), write the picture as it is then");
+    addOverwrite(*command, o.overwrite);
     command->add_option("--json", o.statistics, "Write what was done and how long it took; - for stdout");
     command->callback([options, &action] { action = [options] { return render(*options); }; });
 }

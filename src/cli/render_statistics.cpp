@@ -3,18 +3,39 @@
 #include <nlohmann/json.hpp>
 
 #include "base/atomic_file.h"
+#include "cli/json_text.h"
 
 namespace macula::cli {
 
 namespace {
 
-nlohmann::ordered_json toJson(const glm::dvec3& vector) {
+using Json = nlohmann::ordered_json;
+
+Json toJson(const glm::dvec3& vector) {
     return {vector.x, vector.y, vector.z};
 }
 
 }  // namespace
 
+namespace {
+
+// "-200,0,35": no more digits than say which it is.
+std::string numbers(const glm::dvec3& vector) {
+    return fmt::format("{:.6g},{:.6g},{:.6g}", vector.x, vector.y, vector.z);
+}
+
+std::string windowText(const std::optional<DisplayWindow>& window) {
+    return window ? fmt::format("{:.6g},{:.6g}", window->center, window->width) : "none";
+}
+
+Json windowJson(const std::optional<DisplayWindow>& window) {
+    return window ? Json{{"center", window->center}, {"width", window->width}} : Json();
+}
+
+}  // namespace
+
 image::Metadata metadata(const RenderRecord& record) {
+    const trace::Settings& settings = record.settings;
     return {{"Software", "Macula " MACULA_VERSION},
             {"macula:series", record.seriesDigest},
             {"macula:look", std::string(trace::nameOf(record.settings.look))},
@@ -27,12 +48,23 @@ image::Metadata metadata(const RenderRecord& record) {
             {"macula:bounces", fmt::to_string(record.settings.bounces)},
             {"macula:seed", fmt::to_string(record.settings.seed)},
             {"macula:denoised", record.statistics.denoised ? "yes" : "no"},
+            {"macula:fitted", record.presetFitted ? "yes" : "no"},
+            {"macula:shading", settings.shading == trace::Shading::headlight ? "headlight" : "none"},
+            {"macula:window", windowText(record.window)},
+            {"macula:exposure", fmt::format("{:.6g}", settings.exposure)},
+            {"macula:lightRotationDeg", fmt::format("{:.6g}", settings.lightRotationDeg)},
+            {"macula:lightStrength", fmt::format("{:.6g}", settings.lightStrength)},
+            {"macula:cameraPositionMm", numbers(record.camera.positionMm)},
+            {"macula:cameraTargetMm", numbers(record.camera.targetMm)},
+            {"macula:cameraUp", numbers(record.camera.up)},
+            {"macula:verticalFovDeg", fmt::format("{:.6g}", record.camera.verticalFovDeg)},
+            {"macula:notes", fmt::format("{}", fmt::join(record.notes, " "))},
             {"macula:device", record.device}};
 }
 
 Result<void> writeStatistics(const RenderRecord& record, const std::filesystem::path& path) {
     const double pixelSamples = record.statistics.meanSamplesPerPixel * record.width * record.height;
-    const nlohmann::ordered_json json = {
+    const Json json = {
         {"version", MACULA_VERSION},
         {"series", record.seriesDigest},
         {"look", trace::nameOf(record.settings.look)},
@@ -41,6 +73,9 @@ Result<void> writeStatistics(const RenderRecord& record, const std::filesystem::
         {"lightRotationDeg", record.settings.lightRotationDeg},
         {"lightStrength", record.settings.lightStrength},
         {"exposure", record.settings.exposure},
+        {"presetFitted", record.presetFitted},
+        {"shading", record.settings.shading == trace::Shading::headlight ? "headlight" : "none"},
+        {"window", windowJson(record.window)},
         {"clip", record.clip},
         {"tableRemoved", record.tableRemoved},
         {"filter", trace::nameOf(record.settings.filter)},
@@ -72,7 +107,7 @@ Result<void> writeStatistics(const RenderRecord& record, const std::filesystem::
         {"deviceMs", record.statistics.deviceMs},
         {"nsPerSample", pixelSamples > 0.0 ? record.statistics.deviceMs * 1e6 / pixelSamples : 0.0},
         {"notes", record.notes}};
-    const std::string text = json.dump(4) + "\n";
+    const std::string text = jsonText(json) + "\n";
     if (path == "-") {
         fmt::print("{}", text);
         return {};

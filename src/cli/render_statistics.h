@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,8 @@ struct RenderRecord {
     int width = 0;
     int height = 0;
     trace::Settings settings;
+    bool presetFitted = false;            // its curves were stretched to the volume
+    std::optional<DisplayWindow> window;  // that it is seen through; of projections alone
     trace::Statistics statistics;
     double loadSeconds = 0.0;
     double traceSeconds = 0.0;

@@ -1,21 +1,21 @@
 #include "cli/report.h"
 
-#include <unistd.h>
-
+#include <algorithm>
 #include <cstdio>
+
+#include "base/progress_bar.h"
 
 namespace macula::cli {
 
 namespace {
 
-// A sentence from a library or a file name may hold a line break; one error stays one line.
+// A sentence from a library or a file name may hold a line break; one error stays one line. Nobody can be
+// told that stderr takes nothing.
 void printLine(std::string line) {
-    for (char& c : line) {
-        if (c == '\n' || c == '\r') c = ' ';
-    }
-    // In the place of a progress bar that has not come to its end.
-    if (isatty(STDERR_FILENO) != 0) fmt::print(stderr, "\r\x1b[K");
-    fmt::print(stderr, "macula: {}\n", line);
+    std::replace_if(
+        line.begin(), line.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
+    clearProgressBar();
+    std::fputs((line + "\n").c_str(), stderr);
 }
 
 }  // namespace
@@ -45,11 +45,20 @@ std::string describe(const Error& error) {
 }
 
 void printError(const Error& error) {
-    printLine(describe(error));
+    printLine("macula: " + describe(error));
 }
 
 void printNote(std::string_view sentence) {
-    printLine("note: " + std::string(sentence));
+    printLine("macula: note: " + std::string(sentence));
+}
+
+void printWarning(std::string_view sentence) {
+    printLine("macula: warning: " + std::string(sentence));
+}
+
+void printWritten(const std::filesystem::path& path, std::chrono::steady_clock::time_point start) {
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    printLine(fmt::format("Wrote {} in {:.1f} s", path.string(), seconds));
 }
 
 }  // namespace macula::cli

@@ -1,6 +1,8 @@
 // What the command says when something is wrong, and how it ends.
 #pragma once
 
+#include <chrono>
+#include <filesystem>
 #include <string>
 #include <string_view>
 
@@ -18,5 +20,10 @@ std::string describe(const Error& error);
 // One line on stderr each, "macula: …". `note` is for what the user should know though all went well.
 void printError(const Error& error);
 void printNote(std::string_view sentence);
+// Of what changes what is seen, or takes its ground away: look before you rely on it.
+void printWarning(std::string_view sentence);
+
+// What was made, where, and how long that took since `start`; on stderr, as stdout is for what was asked for.
+void printWritten(const std::filesystem::path& path, std::chrono::steady_clock::time_point start);
 
 }  // namespace macula::cli

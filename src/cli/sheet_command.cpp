@@ -2,6 +2,7 @@
 #include <CLI/App.hpp>
 #include <CLI/Validators.hpp>
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -15,6 +16,7 @@
 #include "cli/report.h"
 #include "cli/study_input.h"
 #include "cli/study_preset.h"
+#include "cli/view_directions.h"
 #include "image/image_file.h"
 #include "pipeline/trace/path_tracer.h"
 #include "pipeline/trace/scene.h"
@@ -34,6 +36,7 @@ struct Options {
     int panels = 3;  // beside each other, each with its share of the presets
     ViewDirection view = ViewDirection::anterior;
     std::uint32_t samplesPerPixel = 24;
+    bool overwrite = false;
 };
 
 constexpr std::uint32_t kSamplesOfCast = 4;
@@ -74,17 +77,42 @@ Result<void> drawRow(trace::PathTracer& tracer, const StudyInput& study, const T
     return {};
 }
 
+// What each picture is of, by its column and row from 1, and what there is to say of the study.
+image::Metadata metadata(const Options& options, const StudyInput& study,
+                         const std::vector<TransferFunction>& presets, int rows) {
+    const int looks = static_cast<int>(trace::kLooks.size());
+    std::string pictures;
+    for (int i = 0; i < static_cast<int>(presets.size()); ++i) {
+        for (int look = 0; look < looks; ++look)
+            pictures += fmt::format("{}column {} row {}: {} {}", pictures.empty() ? "" : "; ",
+                                    i / rows * looks + look + 1, i % rows + 1,
+                                    presets[static_cast<std::size_t>(i)].name,
+                                    trace::kLooks[static_cast<std::size_t>(look)].name);
+    }
+    return {{"Software", "Macula " MACULA_VERSION},
+            {"macula:series", study.seriesDigest},
+            {"macula:view", nameOf(options.view)},
+            {"macula:samples", fmt::to_string(options.samplesPerPixel)},
+            {"macula:tilePx", fmt::to_string(options.tile)},
+            {"macula:pictures", pictures},
+            {"macula:notes", fmt::format("{}", fmt::join(study.notes, " "))}};
+}
+
 Result<void> makeSheet(const Options& options) {
-    MACULA_TRY_VOID(checkOutput(options.output));
+    const auto start = std::chrono::steady_clock::now();
+    MACULA_TRY_VOID(checkPictureName(options.output));
     if (isExr(options.output))
         return Error{ErrorCode::usage, "A sheet is for the eye.", options.output.string(),
                      "Choose a .png file."};
+    OutputFiles files(options.overwrite);
+    files.read(options.path);
+    MACULA_TRY_VOID(files.write(options.output));
     MACULA_TRY(const std::vector<TransferFunction> presets, presets::builtInPresets());
     MACULA_TRY(gpu::LastingDevice device, openDevice(options.device));
     Progress progress(terminalProgressBar(), interruptToken());
     MACULA_TRY(StudyInput study, loadStudy(options.path, options.series, progress));
     bringTo16Bits(study);
-    for (const std::string& note : study.notes) printNote(note);
+    printNotes(study);
 
     const int looks = static_cast<int>(trace::kLooks.size());
     Sheet sheet{.tile = options.tile, .columns = looks * options.panels, .rgba = {}};
@@ -106,7 +134,8 @@ Result<void> makeSheet(const Options& options) {
     };
     MACULA_TRY_VOID(device.run(drawAll));
     MACULA_TRY_VOID(image::writePng(options.output, options.tile * sheet.columns, options.tile * rows,
-                                    sheet.rgba, {{"Software", "Macula " MACULA_VERSION}}));
+                                    sheet.rgba, metadata(options, study, presets, rows)));
+    printWritten(options.output, start);
     fmt::print("columns");
     for (const trace::LookName& look : trace::kLooks) fmt::print("  {}", look.name);
     fmt::print("\n");
@@ -132,16 +161,11 @@ void addSheet(CLI::App& app, Action& action) {
         ->check(CLI::Range(16, 512));
     command->add_option("--panels", o.panels, "Columns of presets (default: 3)")->check(CLI::Range(1, 8));
     command->add_option("--view", o.view, "Where the viewer stands (default: anterior)")
-        ->transform(CLI::CheckedTransformer(
-            std::map<std::string, ViewDirection>{{"anterior", ViewDirection::anterior},
-                                                 {"posterior", ViewDirection::posterior},
-                                                 {"left", ViewDirection::left},
-                                                 {"right", ViewDirection::right},
-                                                 {"superior", ViewDirection::superior},
-                                                 {"inferior", ViewDirection::inferior}}))
-        ->option_text("anterior|posterior|left|right|superior|inferior");
+        ->transform(asViewDirection())
+        ->option_text(kViewDirectionNames);
     command->add_option("--spp", o.samplesPerPixel, "Samples per pixel of light paths (default: 24)")
         ->check(CLI::Range(1, 4096));
+    addOverwrite(*command, o.overwrite);
     command->add_option("--device", o.device, "Number or part of the name, see macula devices");
     command->callback([options, &action] { action = [options] { return makeSheet(*options); }; });
 }

@@ -13,7 +13,9 @@
 #include "cli/command.h"
 #include "cli/framed_model.h"
 #include "cli/interrupt.h"
+#include "cli/number_range.h"
 #include "cli/open_device.h"
+#include "cli/output_file.h"
 #include "cli/picture_names.h"
 #include "cli/picture_size.h"
 #include "cli/report.h"
@@ -93,16 +95,20 @@ Result<std::vector<Shot>> shotsOf(const std::vector<SplatCamera>& cameras, const
     for (const SplatCamera& camera : cameras) wishes.push_back(camera.name);
     const std::vector<std::string> names = pictureNames(wishes);
     std::vector<Shot> shots;
+    OutputFiles files(options.overwrite);
+    files.read(options.model);
+    files.read(options.cameras);
+    for (const std::string& camera : options.camera) files.read(camera);
     std::error_code error;
+    const bool isThere = fs::is_directory(options.output, error);
     for (std::size_t i = 0; i < cameras.size(); ++i) {
         Shot shot{.name = names[i],
                   .view = cameras[i].view,
                   .png = options.output / (names[i] + ".png"),
                   .exr = options.depth ? options.output / (names[i] + ".exr") : fs::path()};
-        for (const fs::path& file : {shot.png, shot.exr}) {
-            if (!options.overwrite && !file.empty() && fs::exists(file, error))
-                return Error{ErrorCode::outputNotWritable, "A picture of that name is there already.",
-                             file.string(), "Choose another folder, or give --overwrite."};
+        if (isThere) {
+            MACULA_TRY_VOID(files.write(shot.png));
+            MACULA_TRY_VOID(files.write(shot.exr));
         }
         shots.push_back(std::move(shot));
     }
@@ -183,9 +189,6 @@ Result<std::vector<SplatCamera>> camerasAround(const splat::Splats& splats, cons
 }
 
 Result<void> splatRender(const Options& options) {
-    // NaN is neither below nor above any limit.
-    if (std::isnan(options.near.value_or(1.0)) || std::isnan(options.exposure.value_or(1.0)))
-        return Error{ErrorCode::usage, "That is no number.", {}, "Give --near and --exposure as numbers."};
     MACULA_TRY(const glm::vec3 background, parseBackground(options.background));
     MACULA_TRY(const std::optional<glm::ivec2> size, sizeOf(options));
     MACULA_TRY(std::vector<SplatCamera> cameras, readCameras(options, size));
@@ -269,7 +272,7 @@ void addSplatRender(CLI::App& app, Action& action) {
             "-o,--output", o.output,
             "Folder for the pictures, named by img_name, camera file or direction; made if it is not there")
         ->required();
-    command->add_flag("--overwrite", o.overwrite, "Replace pictures that are there already");
+    addOverwrite(*command, o.overwrite);
     command->add_option("--background", o.background, "As displayed, each 0 to 1 (default: 0,0,0)")
         ->option_text("R,G,B");
     command
@@ -280,7 +283,7 @@ void addSplatRender(CLI::App& app, Action& action) {
         ->add_option("--near", o.near,
                      "What is nearer to the eye is not drawn; in the model's unit (default: 0.2, or 2 mm for "
                      "Macula's models)")
-        ->check(CLI::Range(1e-3, 1e6));
+        ->check(between(1e-3, 1e6));
     command
         ->add_option("--low-pass", o.lowPass,
                      "How the model was trained to be drawn, where its file does not tell: 3dgs; antialiased "
@@ -290,7 +293,7 @@ void addSplatRender(CLI::App& app, Action& action) {
     command
         ->add_option("--exposure", o.exposure,
                      "Multiplies the picture before the tone map (default: 1); Macula's models only")
-        ->check(CLI::Range(1e-6, 1e6));
+        ->check(between(1e-6, 1e6));
     command->add_flag("--depth", o.depth,
                       "Write NAME.exr too: linear premultiplied radiance, and mean depth along the view (Z)");
     command->add_option("--device", o.device, "Number or part of the name, see macula devices");

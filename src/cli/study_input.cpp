@@ -8,6 +8,7 @@
 #include "base/fingerprint.h"
 #include "base/phantom.h"
 #include "base/sha256.h"
+#include "cli/report.h"
 #include "dicom/loader.h"
 #include "dicom/scan.h"
 #include "dicom/volume_file.h"
@@ -142,6 +143,7 @@ Result<StudyInput> loadStudy(const dicom::Scan& scan, const std::filesystem::pat
         for (const Message& message : messages) {
             if (message.severity != Severity::warning) continue;
             input.notes.push_back(message.sentence + (message.action.empty() ? "" : " " + message.action));
+            input.warnings.push_back(input.notes.back());
         }
     };
     note(scan.messages);
@@ -163,6 +165,14 @@ void addJoin(CLI::App& command, dicom::ScanOptions& how) {
     command.add_flag(
         "--join", how.join,
         "Take images for one series that agree in all but identifiers made anew for each of them");
+}
+
+void printNotes(const StudyInput& study) {
+    for (const std::string& note : study.notes) {
+        const bool isWarning =
+            std::find(study.warnings.begin(), study.warnings.end(), note) != study.warnings.end();
+        isWarning ? printWarning(note) : printNote(note);
+    }
 }
 
 void bringTo16Bits(StudyInput& study) {

@@ -19,7 +19,8 @@ namespace macula::cli {
 
 struct StudyInput {
     std::shared_ptr<const Volume> volume;
-    std::vector<std::string> notes;  // sentences for the user, without patient data
+    std::vector<std::string> notes;     // sentences for the user, without patient data
+    std::vector<std::string> warnings;  // those of them that change what is seen
     std::string seriesDigest;  // SHA-256 of the Series Instance UID, of the voxels of a file, or "phantom"
 };
 
@@ -43,6 +44,9 @@ Result<dicom::Choice> chooseVolume(const dicom::Scan& scan, const std::string& s
 
 // --join, of every verb that reads a folder.
 void addJoin(CLI::App& command, dicom::ScanOptions& how);
+
+// On stderr, each as a note or as a warning.
+void printNotes(const StudyInput& study);
 
 // For what draws or traces the study: 16 bits, with what that cost among the notes.
 void bringTo16Bits(StudyInput& study);

@@ -31,7 +31,7 @@ Result<StudyPreset> choosePresetFor(StudyInput& study, const std::string& typed,
     const std::string name = typed.empty() ? presets::defaultTransfer(*study.volume) : typed;
     MACULA_TRY(presets::ImportedPreset preset, presetToDraw(name, fit));
     for (std::string& note : notesOf(preset, *study.volume)) study.notes.push_back(std::move(note));
-    for (const std::string& note : study.notes) printNote(note);
+    printNotes(study);
     return StudyPreset{.publicName = publicPresetName(name), .function = std::move(preset.function)};
 }
 

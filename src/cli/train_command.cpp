@@ -3,6 +3,7 @@
 #include <CLI/Option.hpp>
 #include <CLI/Validators.hpp>
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <memory>
@@ -15,9 +16,11 @@
 #include "cli/clip_choice.h"
 #include "cli/command.h"
 #include "cli/interrupt.h"
+#include "cli/json_text.h"
 #include "cli/lights_choice.h"
 #include "cli/model_options.h"
 #include "cli/model_training.h"
+#include "cli/number_range.h"
 #include "cli/open_device.h"
 #include "cli/output_file.h"
 #include "cli/report.h"
@@ -35,6 +38,7 @@ namespace macula::cli {
 namespace {
 
 namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
 
 struct Options {
     fs::path path;
@@ -52,6 +56,7 @@ struct Options {
     bool displayColours = false;
     std::uint64_t pauseAfter = 0;  // steps; 0: not before the end
     bool iterationsGiven = false;
+    bool overwrite = false;
     hybrid::FirstModelOptions model;
 };
 
@@ -62,16 +67,19 @@ Result<void> checkModelName(const fs::path& path) {
                  "End it with .ply, .spz or .macula."};
 }
 
-// Also of files that are not there yet.
-bool isSameFile(const fs::path& a, const fs::path& b) {
-    std::error_code error;
-    std::error_code other;
-    return fs::weakly_canonical(a, error) == fs::weakly_canonical(b, other) && !error && !other;
+Result<void> checkFiles(const Options& options) {
+    OutputFiles files(options.overwrite);
+    for (const fs::path& input : {options.path, fs::path(options.preset), fs::path(options.clip),
+                                  fs::path(options.lights), options.resume})
+        files.read(input);
+    // A training that goes on may take the place of what it was.
+    MACULA_TRY_VOID(isSameFile(options.output, options.resume) ? files.writeOn(options.output)
+                                                               : files.write(options.output));
+    return files.write(options.json);
 }
 
 // All that can be wrong on the command line, before anything takes time.
 Result<trace::Environment> check(const Options& options) {
-    MACULA_TRY_VOID(checkPlaceOf(options.output));
     MACULA_TRY_VOID(checkModelName(options.output));
     MACULA_TRY_VOID(checkModelOptions(options.model));
     if (options.displayColours && splat::extensionOf(options.output) == ".macula")
@@ -79,14 +87,7 @@ Result<trace::Environment> check(const Options& options) {
                      "What goes on learning needs linear colours.",
                      {},
                      "Give --display-colours with .ply or .spz."};
-    if (std::isnan(options.budgetSeconds))  // which is neither below nor above any limit
-        return Error{ErrorCode::usage, "The budget is no number.", {}, "Give --budget in seconds."};
-    if (!options.json.empty() && options.json != "-") {
-        MACULA_TRY_VOID(checkPlaceOf(options.json));
-        if (isSameFile(options.json, options.output) || isSameFile(options.json, options.resume))
-            return Error{ErrorCode::usage, "The numbers would be written over the model.",
-                         options.json.string(), "Give --json another name."};
-    }
+    MACULA_TRY_VOID(checkFiles(options));
     if (!options.preset.empty()) MACULA_TRY_VOID(presetToDraw(options.preset, options.fit));
     if (!options.clip.empty()) MACULA_TRY_VOID(chooseClip(options.clip));
     return choosePatientLights(options.lights);
@@ -150,8 +151,7 @@ nlohmann::ordered_json toJson(const Trained& trained, const StudyInput& study, c
 }
 
 // With all that training needs to go on, or the splats alone.
-Result<void> write(const Options& options, const splat::TrainingState& state) {
-    const fs::path& path = options.output;
+Result<void> write(const fs::path& path, const Options& options, const splat::TrainingState& state) {
     if (splat::extensionOf(path) == ".macula") return splat::writeTraining(path, state);
     MACULA_TRY(
         const std::size_t clamped,
@@ -162,15 +162,22 @@ Result<void> write(const Options& options, const splat::TrainingState& state) {
     return {};
 }
 
+// A training that goes on takes the place of what it was, however far it came.
+fs::path placeFor(const Options& options, bool cutShort) {
+    if (!cutShort || isSameFile(options.output, options.resume)) return options.output;
+    return placeOfUnfinished(options.output);
+}
+
 // Of a training that did not come to its end.
-void tellOfWhatIsWritten(const Trained& trained, std::uint64_t steps, const Options& options) {
+std::string whatIsWritten(const Trained& trained, std::uint64_t steps, const fs::path& path) {
     std::string sentence = fmt::format("Stopped after {} of {} steps; the model is written as it is then.",
                                        trained.report.steps - trained.firstStep, steps);
-    if (splat::extensionOf(options.output) == ".macula") sentence += " --resume goes on with it.";
-    printNote(sentence);
+    if (splat::extensionOf(path) == ".macula") sentence += " --resume goes on with it.";
+    return sentence;
 }
 
 Result<void> train(const Options& options) {
+    const auto start = Clock::now();
     MACULA_TRY(const trace::Environment lights, check(options));
     MACULA_TRY(const std::optional<splat::TrainingState> saved, savedTraining(options));
     MACULA_TRY(gpu::LastingDevice device, openDevice(options.device));
@@ -211,15 +218,19 @@ Result<void> train(const Options& options) {
             fmt::format("{} of the {} views show little of the anatomy, or from very near: nothing "
                         "better was found.",
                         trained.viewsGivenUp, std::max(options.model.views, options.model.directions)));
-    MACULA_TRY_VOID(write(options, trained.state));
-    if (trained.report.steps < trained.firstStep + end.steps)
-        tellOfWhatIsWritten(trained, end.steps, options);
+    const fs::path path = placeFor(options, trained.interrupted || !ended.ok());
+    MACULA_TRY_VOID(write(path, options, trained.state));
+    const bool isWhole = trained.report.steps >= trained.firstStep + end.steps;
+    if (!isWhole && !trained.interrupted) printNote(whatIsWritten(trained, end.steps, path));
     const std::uint64_t stepsBefore = saved ? saved->steps : 0;
     const std::string text =
-        toJson(trained, study, preset.publicName, shown.tableRemoved, options, stepsBefore).dump(4) + "\n";
+        jsonText(toJson(trained, study, preset.publicName, shown.tableRemoved, options, stepsBefore)) + "\n";
     if (options.json == "-") fmt::print("{}", text);
     if (!options.json.empty() && options.json != "-")
         MACULA_TRY_VOID(writeTextAtomically(options.json, text));
+    printWritten(path, start);
+    if (trained.interrupted)
+        return Error{ErrorCode::cancelled, whatIsWritten(trained, end.steps, path), path.string(), {}};
     return ended;
 }
 
@@ -235,7 +246,7 @@ CLI::Option* addTrainingOptions(CLI::App& command, Options& o) {
         .add_option("--budget", o.budgetSeconds,
                     "Seconds of training, after points and views are there; may end it before the last "
                     "iterations, in which rates fall and light is put right")
-        ->check(CLI::Range(0.1, 1e6));
+        ->check(between(0.1, 1e6));
     command
         .add_option("--pause-after", o.pauseAfter,
                     "Stop after so many steps of those that are planned; --resume goes on with the rest")
@@ -259,8 +270,7 @@ void addTrain(CLI::App& app, Action& action) {
     command->add_option("PATH", o.path, "Folder with DICOM files, volume file, or phantom: (default)");
     command
         ->add_option("-o,--output", o.output,
-                     "Model: .ply (exact), .spz (small), or .macula (with all that training needs to go on); "
-                     "replaces what is there")
+                     "Model: .ply (exact), .spz (small), or .macula (with all that training needs to go on)")
         ->required();
     command->add_flag("--display-colours", o.displayColours,
                       "Colours as displayed, for other programs: they do not know linear light and tone map");
@@ -272,6 +282,7 @@ void addTrain(CLI::App& app, Action& action) {
     command->add_option("--lights", o.lights, "Name from macula presets, light rig JSON, or panorama")
         ->capture_default_str();
     const CLI::Option* iterations = addTrainingOptions(*command, o);
+    addOverwrite(*command, o.overwrite);
     command->add_option("--json", o.json, "File for what was done and how long it took; - for stdout");
     command->add_option("--device", o.device, "Number or part of the name, see macula devices");
     command->callback([options, iterations, &action] {

@@ -2,29 +2,61 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/phantom.h"
 #include "cli/grid_json.h"
+#include "cli/json_text.h"
 #include "dicom/volume_file.h"
 
 namespace macula::cli {
 
-Result<void> showVolumeFile(const std::filesystem::path& path, bool json) {
-    MACULA_TRY(const dicom::VolumeFileInfo info, dicom::readVolumeFileInfo(path));
+namespace {
+
+// `volume` is null where memory does not suffice for it.
+void show(const dicom::VolumeFileInfo& info, const Volume* volume, bool isJson) {
     nlohmann::ordered_json grid = gridToJson(info.size, info.worldFromVoxel);
-    if (json) {
+    if (isJson) {
         nlohmann::ordered_json file = {{"format", info.format}, {"values", info.values}};
         file.update(grid);
         file["sheared"] = isSheared(info.worldFromVoxel);
+        if (volume != nullptr) {
+            file["unit"] = volume->unitName();
+            if (const auto& range = volume->valueRange()) file["valueRange"] = {range->low, range->high};
+        }
         file["assumptions"] = info.assumptions;
-        fmt::print("{}\n", nlohmann::ordered_json{{"volumeFile", file}}.dump(4));
-        return {};
+        fmt::print("{}\n", jsonText(nlohmann::ordered_json{{"volumeFile", file}}));
+        return;
     }
     const auto mm = grid["spacingMm"].get<std::vector<double>>();
     fmt::print("{}  {}  {} x {} x {}  {:.4g} x {:.4g} x {:.4g} mm  {}\n", info.format, info.values,
                info.size.x, info.size.y, info.size.z, mm[0], mm[1], mm[2],
                orientationOf(info.worldFromVoxel));
+    if (volume != nullptr && volume->valueRange()) {
+        fmt::print("  values {:g} to {:g}{}{}\n", volume->valueRange()->low, volume->valueRange()->high,
+                   volume->unitName().empty() ? "" : " ", volume->unitName());
+    }
     if (isSheared(info.worldFromVoxel)) fmt::print("  the axes are not perpendicular (sheared)\n");
     for (const std::string& assumption : info.assumptions) fmt::print("  assumed: {}\n", assumption);
+}
+
+}  // namespace
+
+Result<void> showVolumeFile(const std::filesystem::path& path, bool json, Progress& progress) {
+    MACULA_TRY(dicom::VolumeFileInfo info, dicom::readVolumeFileInfo(path));
+    const auto volume = dicom::readVolumeFile(path, progress);
+    if (!volume && volume.error().code != ErrorCode::outOfMemory) return volume.error();
+    if (volume) info.assumptions = (*volume)->provenance().assumptions;
+    show(info, volume ? volume->get() : nullptr, json);
     return {};
+}
+
+void showPhantom(bool json) {
+    const Volume volume = phantom::make();
+    show({.format = "built-in phantom",
+          .values = "uint16",
+          .size = volume.size(),
+          .worldFromVoxel = volume.worldFromVoxel(),
+          .assumptions = volume.provenance().assumptions},
+         &volume, json);
 }
 
 }  // namespace macula::cli

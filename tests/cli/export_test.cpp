@@ -79,9 +79,10 @@ TEST_F(Export, ReplacesOnlyWhenTold) {
         const Ran refused = runMacula({"export", "phantom:", "-o", at(name)});
         EXPECT_EQ(refused.exitCode, 2);
         EXPECT_EQ(refused.errorLines(), 1u) << refused.err;
-        EXPECT_NE(refused.err.find("--force"), std::string::npos) << refused.err;
+        EXPECT_NE(refused.err.find("--overwrite"), std::string::npos) << refused.err;
         EXPECT_EQ(readAll(at(other)), "important");
-        EXPECT_EQ(runMacula({"export", "phantom:", "-o", at(name), "--force"}).exitCode, 0);
+        EXPECT_EQ(runMacula({"export", "phantom:", "-o", at(name), "--overwrite"}).exitCode, 0);
+        EXPECT_EQ(runMacula({"export", "phantom:", "-o", at(name), "--force"}).exitCode, 0) << "the old word";
         EXPECT_GT(readAll(at(other)).size(), 1000000u);
     }
 }

@@ -16,7 +16,8 @@ std::vector<std::string> notesOf(const Ran& ran) {
     std::vector<std::string> notes;
     std::istringstream lines(ran.err);
     for (std::string line; std::getline(lines, line);) {
-        if (line.starts_with("macula: note: ")) notes.push_back(line);
+        if (line.starts_with("macula: note: ") || line.starts_with("macula: warning: "))
+            notes.push_back(line);
     }
     return notes;
 }

@@ -10,6 +10,7 @@
 #include <fstream>
 #include <iterator>
 #include <sstream>
+#include <thread>
 
 namespace macula::cli {
 
@@ -24,7 +25,9 @@ std::size_t Ran::errorLines() const {
     std::istringstream lines(err);
     std::size_t count = 0;
     for (std::string line; std::getline(lines, line);) {
-        count += line.starts_with("macula: ") && !line.starts_with("macula: note: ") ? 1 : 0;
+        const bool isError = line.starts_with("macula: ") && !line.starts_with("macula: note: ") &&
+                             !line.starts_with("macula: warning: ");
+        count += isError ? 1 : 0;
     }
     return count;
 }
@@ -48,7 +51,7 @@ int opened(const fs::path& path) {
 }
 
 pid_t begin(const std::vector<std::string>& arguments, const std::vector<std::string>& environment, int out,
-            int err) {
+            int err, const std::function<void()>& prepare = {}) {
     std::vector<std::string> words{MACULA_BINARY};
     words.insert(words.end(), arguments.begin(), arguments.end());
     std::vector<char*> argv;
@@ -63,6 +66,7 @@ pid_t begin(const std::vector<std::string>& arguments, const std::vector<std::st
     }
     dup2(out, STDOUT_FILENO);
     dup2(err, STDERR_FILENO);
+    if (prepare) prepare();
     execv(MACULA_BINARY, argv.data());
     _exit(127);
 }
@@ -75,17 +79,36 @@ int exitCodeOf(pid_t child) {
 
 }  // namespace
 
-Ran runMacula(const std::vector<std::string>& arguments, const std::vector<std::string>& environment) {
+namespace {
+
+Ran runToTheEnd(const std::vector<std::string>& arguments, const std::vector<std::string>& environment,
+                const std::function<void()>& prepare, const std::function<void(pid_t)>& meanwhile) {
     const Files files = filesOfRun();
     const int out = opened(files.out);
     const int err = opened(files.err);
-    const pid_t child = begin(arguments, environment, out, err);
+    const pid_t child = begin(arguments, environment, out, err, prepare);
     close(out);
     close(err);
+    if (meanwhile) meanwhile(child);
     Ran ran{.exitCode = exitCodeOf(child), .out = readAll(files.out), .err = readAll(files.err)};
     fs::remove(files.out);
     fs::remove(files.err);
     return ran;
+}
+
+}  // namespace
+
+Ran runMacula(const std::vector<std::string>& arguments, const std::vector<std::string>& environment,
+              const std::function<void()>& prepare) {
+    return runToTheEnd(arguments, environment, prepare, {});
+}
+
+Ran runMaculaSignalled(const std::vector<std::string>& arguments, int signal,
+                       std::chrono::microseconds after) {
+    return runToTheEnd(arguments, {}, {}, [&](pid_t child) {
+        std::this_thread::sleep_for(after);
+        kill(child, signal);  // not waited for yet: the number is still its own
+    });
 }
 
 Ran runMaculaInterrupted(const std::vector<std::string>& arguments,

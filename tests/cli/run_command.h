@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -15,11 +16,18 @@ struct Ran {
     std::string out;
     std::string err;
 
-    std::size_t errorLines() const;  // lines on stderr that begin with "macula: ", notes left out
+    std::size_t errorLines()
+        const;  // lines on stderr that begin with "macula: ", notes and warnings left out
 };
 
-// `arguments` are passed as they are, without a shell; `environment` entries are NAME=VALUE.
-Ran runMacula(const std::vector<std::string>& arguments, const std::vector<std::string>& environment = {});
+// `arguments` are passed as they are, without a shell; `environment` entries are NAME=VALUE. `prepare` runs
+// in the new process, before the program begins: it may close streams or set limits.
+Ran runMacula(const std::vector<std::string>& arguments, const std::vector<std::string>& environment = {},
+              const std::function<void()>& prepare = {});
+
+// The same, with a signal that long after the start. One that ends before ends by itself.
+Ran runMaculaSignalled(const std::vector<std::string>& arguments, int signal,
+                       std::chrono::microseconds after);
 
 // The same in a terminal, so that it shows its progress, and presses Ctrl-C once, as soon as what it has
 // written to stderr is what `when` waits for. One that never comes so far ends by itself.

@@ -128,8 +128,9 @@ TEST_F(Train, CtrlCKeepsTheModelAsItIsThen) {
     const Ran ran = runMaculaInterrupted(
         small({"-o", at("model.macula"), "--json", at("report.json"), "--budget", "100"}, "1000000"),
         hasMadeSteps);
-    ASSERT_EQ(ran.exitCode, 0) << ran.err;
-    EXPECT_NE(ran.err.find("macula: note: Stopped after"), std::string::npos) << ran.err;
+    ASSERT_EQ(ran.exitCode, 130) << ran.err;
+    EXPECT_NE(ran.err.find("macula: Stopped after"), std::string::npos) << ran.err;
+    EXPECT_NE(ran.err.find("model.macula"), std::string::npos) << ran.err;
     const json report = json::parse(readAll(at("report.json")));
     EXPECT_EQ(report["interrupted"], true);
     EXPECT_GE(report["iterations"].get<int>(), 2);
@@ -138,6 +139,19 @@ TEST_F(Train, CtrlCKeepsTheModelAsItIsThen) {
         {"train", "phantom:", "--resume", at("model.macula"), "--iterations", "1", "-o", at("more.macula")});
     ASSERT_EQ(rest.exitCode, 0) << rest.err;
     EXPECT_EQ(splat::readTraining(at("more.macula"))->steps, report["iterations"].get<std::uint64_t>() + 1);
+}
+
+TEST_F(Train, CtrlCLeavesAFinishedModelThatIsThere) {
+    write("model.ply", "a finished one");
+    const auto hasMadeSteps = [](const std::string& err) {
+        return err.find("Training [=") != std::string::npos;
+    };
+    const Ran ran = runMaculaInterrupted(
+        small({"-o", at("model.ply"), "--overwrite", "--budget", "100"}, "3000"), hasMadeSteps);
+    ASSERT_EQ(ran.exitCode, 130) << ran.err;
+    EXPECT_EQ(readAll(at("model.ply")), "a finished one");
+    EXPECT_NE(ran.err.find("model-unfinished.ply"), std::string::npos) << ran.err;
+    EXPECT_TRUE(splat::readModel(at("model-unfinished.ply")).ok());
 }
 
 // As far as it had come, on another device: the same bytes as if none had been lost.

@@ -1,6 +1,7 @@
 #include "pipeline/gpu/device.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <cstdlib>
 
 #include "base/check.h"
@@ -81,7 +82,7 @@ Result<DeviceInfo> chosen(const Instance& instance, const DeviceOptions& options
 Result<std::shared_ptr<Device>> Device::create(const Instance& instance, const DeviceOptions& options) {
     std::shared_ptr<Device> device(new Device());
     MACULA_TRY_VOID(device->initialise(instance, options));
-    fmt::print(stderr, "Macula renders on {}\n", describe(device->info()));
+    std::fputs(fmt::format("Macula renders on {}\n", describe(device->info())).c_str(), stderr);
     return device;
 }
 
