@@ -169,10 +169,12 @@ TEST_F(OpeningTest, TheRateIsThatOfPicturesInMotionAndGoesWithThem) {
 TEST_F(OpeningTest, OfSeveralVolumesAnotherOneCanBeChosen) {
     const std::filesystem::path folder = MACULA_SHARED_DIR "/data/odd/mixed_flat_folder";
     if (!std::filesystem::exists(folder)) GTEST_SKIP() << "shared data is not here";
+    window_->resize(1000, window_->height());  // else it is behind the » of the tool bar
     window_->open(folder);
     ASSERT_TRUE(waitForConverged());
     QComboBox* volumes = box("Volume");
-    ASSERT_TRUE(volumes != nullptr && volumes->isVisible());
+    ASSERT_TRUE(volumes != nullptr);
+    EXPECT_TRUE(waitUntil([&] { return volumes->isVisible(); }, 10));
     ASSERT_EQ(volumes->count(), 2);
     const int first = volumes->currentIndex();
     EXPECT_TRUE(volumes->currentText().startsWith(QStringLiteral("%1 of 2: ").arg(first + 1)));
