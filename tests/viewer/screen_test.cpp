@@ -67,13 +67,11 @@ TEST_F(ScreenTest, TheLastPictureComesHoweverLateTheWindowSystemIs) {
 }
 
 TEST_F(ScreenTest, ImagesThatWereNotPresentedAreNotLost) {
-    // More often than the window has images.
+    // More often than the window has images. Not for lack of memory: the model would be given up for that.
     for (int i = 0; i < 6; ++i) {
         error_.reset();
-        answerFalsely({.call = VulkanCall::submit,
-                       .result = VK_ERROR_OUT_OF_HOST_MEMORY,
-                       .times = 1,
-                       .onlyAfterAcquire = true});
+        answerFalsely(
+            {.call = VulkanCall::submit, .result = VK_ERROR_UNKNOWN, .times = 1, .onlyAfterAcquire = true});
         pressKey(i % 2 == 0 ? Qt::Key_L : Qt::Key_A);
         ASSERT_TRUE(waitUntil([&] { return error_.has_value(); })) << i;
         EXPECT_EQ(falseAnswersLeft(), 0);
@@ -85,7 +83,7 @@ TEST_F(ScreenTest, ImagesThatWereNotPresentedAreNotLost) {
 }
 
 TEST_F(ScreenTest, AWindowWhoseSizeCouldNotBeTakenOverShowsThePictureAllTheSame) {
-    answerFalsely({.call = VulkanCall::swapchain, .result = VK_ERROR_OUT_OF_DEVICE_MEMORY, .times = 2});
+    answerFalsely({.call = VulkanCall::swapchain, .result = VK_ERROR_UNKNOWN, .times = 2});
     window_->resize(window_->size() + QSize(64, 32));
     ASSERT_TRUE(waitUntil([&] { return error_.has_value(); }));
     EXPECT_TRUE(waitUntil([&] { return coloursInTheMiddle() == 1; }, 5));
