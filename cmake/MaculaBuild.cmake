@@ -15,8 +15,10 @@ set(CMAKE_CXX_FLAGS_RELWITHDEBINFO "-O2 -g1 -DNDEBUG")
 
 find_program(CCACHE ccache)
 if(CCACHE)
-    set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE})
-    set(CMAKE_C_COMPILER_LAUNCHER ${CCACHE})
+    # A clone in another folder, as CI makes one, finds what was compiled here.
+    set(launcher ${CMAKE_COMMAND} -E env CCACHE_BASEDIR=${CMAKE_SOURCE_DIR} CCACHE_NOHASHDIR=1 ${CCACHE})
+    set(CMAKE_CXX_COMPILER_LAUNCHER ${launcher})
+    set(CMAKE_C_COMPILER_LAUNCHER ${launcher})
 endif()
 
 # GCC 12 finds mold by -fuse-ld=mold, and lld by -fuse-ld=lld; the system linker is the fallback.
@@ -63,9 +65,7 @@ function(macula_test name)
     add_executable(test_${name} ${T_SOURCES})
     target_compile_options(test_${name} PRIVATE ${MACULA_WARNINGS})
     target_include_directories(test_${name} PRIVATE ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR}/tests)
-    target_compile_definitions(test_${name} PRIVATE
-        MACULA_SOURCE_DIR="${PROJECT_SOURCE_DIR}" MACULA_SHARED_DIR="${PROJECT_SOURCE_DIR}/../shared")
-    target_link_libraries(test_${name} PRIVATE ${T_LIBS} GTest::gtest_main)
+    target_link_libraries(test_${name} PRIVATE ${T_LIBS} test_paths GTest::gtest_main)
     gtest_discover_tests(test_${name} TEST_PREFIX "${name}." DISCOVERY_MODE PRE_TEST
         PROPERTIES TIMEOUT ${T_TIMEOUT} LABELS ${name} RUN_SERIAL ${T_ALONE})
 endfunction()

@@ -11,12 +11,14 @@
 #include <string_view>
 #include <vector>
 
+#include "base/paths.h"
+
 namespace {
 
 namespace fs = std::filesystem;
 using Names = std::set<std::string>;
 
-const fs::path kRoot = MACULA_SOURCE_DIR;
+const fs::path kRoot = macula::test::projectFolder();
 constexpr int kMaxLines = 600;
 
 // Folder of src/ to the folders it may include besides itself.

@@ -1,6 +1,7 @@
 // `macula export`, and files of other formats where a folder with DICOM may be given.
 #include <nlohmann/json.hpp>
 
+#include "base/paths.h"
 #include "base/phantom.h"
 #include "cli/run_command.h"
 
@@ -131,7 +132,7 @@ TEST_F(Export, ChoosesSeriesAndVolume) {
 
 // A segmentation without the images it was drawn on, one of a single slice too.
 TEST_F(Export, Segmentation) {
-    const auto seg = std::filesystem::path(MACULA_SHARED_DIR) / "data/odd/seg_1frame.dcm";
+    const auto seg = macula::test::sharedFolder() / "data/odd/seg_1frame.dcm";
     if (!std::filesystem::exists(seg)) GTEST_SKIP() << "the real test data are not on this machine";
     std::filesystem::create_directory(at("study"));
     std::filesystem::copy(seg, at("study/seg.dcm"));

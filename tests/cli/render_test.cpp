@@ -4,6 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "base/paths.h"
 #include "cli/run_command.h"
 #include "dicom/series_writer.h"
 #include "image/image_file.h"
@@ -155,7 +156,7 @@ TEST_F(Render, FilesInsteadOfNames) {
         "up": [0, 0, 1], "verticalFovDeg": 25})");
     std::string hdr = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 2 +X 4\n";
     for (int i = 0; i < 8; ++i) hdr += std::string("\x80\x80\x80\x82", 4);
-    const std::string preset = std::string(MACULA_SOURCE_DIR) + "/presets/transfer/cinematic-bone.json";
+    const std::string preset = macula::test::projectFolder() / "presets/transfer/cinematic-bone.json";
     const image::Image image =
         render("a.png", {"--camera", camera, "--lights", write("sky.hdr", hdr), "--preset", preset});
     EXPECT_GT(meanBrightness(image), 0.01);
@@ -185,7 +186,7 @@ TEST_F(Render, MetadataSaysWhatMadeItAndNotWho) {
 }
 
 TEST_F(Render, TheNameOfAUsersFileIsNotRepeated) {
-    std::filesystem::copy_file(std::string(MACULA_SOURCE_DIR) + "/presets/transfer/cinematic-bone.json",
+    std::filesystem::copy_file(macula::test::projectFolder() / "presets/transfer/cinematic-bone.json",
                                at("DOE_JANE"));
     render("a.png", {"--preset", at("DOE_JANE"), "--json", at("a.json")});
     EXPECT_EQ(readAll(at("a.png")).find("DOE_JANE"), std::string::npos);

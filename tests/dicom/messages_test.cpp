@@ -1,5 +1,6 @@
 // The catalogue of coded messages, and its documentation.
 #include "dicom/messages.h"
+#include "base/paths.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -50,7 +51,7 @@ TEST(Messages, argumentsAreTypedAndInTheSentence) {
 
 // Every message can come: a key that nothing gives out would promise what is not there.
 TEST(Messages, eachIsGivenOutSomewhere) {
-    const std::filesystem::path folder = std::filesystem::path(MACULA_SOURCE_DIR) / "src/dicom";
+    const std::filesystem::path folder = macula::test::projectFolder() / "src/dicom";
     const std::string header = read(folder / "messages.h");
     std::string sources = read(folder / "rules/split.json");
     for (const auto& entry : std::filesystem::directory_iterator(folder)) {
@@ -72,7 +73,7 @@ TEST(Messages, eachIsGivenOutSomewhere) {
 
 // docs/dicom.md lists each message as it is.
 TEST(Messages, areDocumented) {
-    const std::string page = read(std::filesystem::path(MACULA_SOURCE_DIR) / "docs/dicom.md");
+    const std::string page = read(macula::test::projectFolder() / "docs/dicom.md");
     std::string expected;
     for (const CatalogueEntry& entry : catalogue()) {
         const std::string line =

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <cmath>
 
+#include "base/paths.h"
 #include "base/worst.h"
 
 namespace macula::dicom::test {
@@ -24,7 +25,7 @@ TemporaryFolder::~TemporaryFolder() {
 }
 
 fs::path sharedData() {
-    return fs::path(MACULA_SHARED_DIR) / "data";
+    return macula::test::sharedFolder() / "data";
 }
 
 glm::dmat4 obliqueAffine() {

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "base/paths.h"
 #include "base/phantom.h"
 #include "scene.h"
 #include "segment/messages.h"
@@ -119,7 +120,7 @@ TEST(Patient, AirAroundTheSkinStays) {
 }
 
 TEST(Patient, EachMessageIsDocumented) {
-    std::ifstream file(MACULA_SOURCE_DIR "/docs/table-removal.md");
+    std::ifstream file(macula::test::projectFolder() / "docs/table-removal.md");
     const std::string text((std::istreambuf_iterator<char>(file)), {});
     for (const CatalogueEntry& entry : catalogue()) {
         const std::string severity = entry.severity == Severity::warning ? "warning" : "info";

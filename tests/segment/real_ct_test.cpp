@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "base/paths.h"
 #include "dicom/best_volume.h"
 #include "dicom/loader.h"
 #include "dicom/scan.h"
@@ -33,7 +34,7 @@ struct Study {
 class RealCt : public testing::TestWithParam<Study> {};
 
 TEST_P(RealCt, TableGoesAndEveryBoneStays) {
-    const fs::path folder = fs::path(MACULA_SHARED_DIR) / "data" / GetParam().folder;
+    const fs::path folder = macula::test::sharedFolder() / "data" / GetParam().folder;
     if (!fs::is_directory(folder)) GTEST_SKIP() << "the real test data are not on this machine: " << folder;
     const auto volume = load(folder);
     ASSERT_NE(volume, nullptr);

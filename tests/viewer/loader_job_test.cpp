@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "base/paths.h"
 #include "base/phantom.h"
 
 namespace macula::viewer {
@@ -68,7 +69,7 @@ TEST_F(StudyLoaderTest, CancelEndsTheLoadAndNothingIsDelivered) {
     QObject::connect(&loader, &StudyLoader::loaded, &loader, [&](const LoadedStudy&) { ++outcomes; });
     QObject::connect(&loader, &StudyLoader::failed, &loader, [&](const Error&) { ++outcomes; });
     QObject::connect(&loader, &StudyLoader::cancelled, &loader, [&] { cancelled = true; });
-    loader.open(std::filesystem::path(MACULA_SHARED_DIR "/data"));
+    loader.open(macula::test::sharedFolder() / "data");
     loader.cancel();
     EXPECT_TRUE(cancelled);
     EXPECT_FALSE(loader.loading());
@@ -84,7 +85,7 @@ TEST_F(StudyLoaderTest, CancelEndsTheLoadAndNothingIsDelivered) {
 }
 
 TEST(LoadStudy, GivesUpWhereverItIsCancelled) {
-    const std::filesystem::path folder = MACULA_SHARED_DIR "/data/ct_cta_rider";
+    const std::filesystem::path folder = macula::test::sharedFolder() / "data/ct_cta_rider";
     if (!std::filesystem::exists(folder)) GTEST_SKIP() << "shared data is not here";
     // At the first word of each stage of the work: what is left of it must not be done.
     for (const char* stage : {"Reading", "Decoding"}) {
@@ -110,7 +111,7 @@ class FileInAFolderOfTwo : public testing::Test {
     void SetUp() override {
         ASSERT_TRUE(folder_.isValid());
         root_ = folder_.path().toStdString();
-        const std::filesystem::path data = MACULA_SHARED_DIR "/data";
+        const std::filesystem::path data = macula::test::sharedFolder() / "data";
         if (!std::filesystem::exists(data)) GTEST_SKIP() << "shared data is not here";
         for (const char* name : {"ct_cta_rider", "mr_head_sag_hfs"}) {
             int index = 0;

@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <vector>
 
+#include "base/paths.h"
 #include "viewer/window_fixture.h"
 
 namespace macula::viewer {
@@ -76,7 +77,7 @@ TEST_F(WindowTest, AMissingFolderIsToldInTheWindowAndTheStudyStays) {
 TEST_F(WindowTest, LoadingCanBeCancelled) {
     bool cancelled = false;
     QObject::connect(&*window_, &MainWindow::loadingCancelled, &*window_, [&] { cancelled = true; });
-    window_->open(std::filesystem::path(MACULA_SHARED_DIR "/data"));
+    window_->open(macula::test::sharedFolder() / "data");
     EXPECT_TRUE(window_->loading());
     window_->cancelLoading();
     EXPECT_TRUE(waitUntil([&] { return cancelled; }));
