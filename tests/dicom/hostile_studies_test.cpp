@@ -6,6 +6,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "base/paths.h"
 #include "pitfalls/opened.h"
 
 namespace macula::dicom::test {
@@ -71,7 +72,7 @@ INSTANTIATE_TEST_SUITE_P(All, HostileStudies, ::testing::ValuesIn(hostileStudies
 
 TEST(HostileStudiesPage, listsEachOfThem) {
     std::ostringstream page;
-    page << std::ifstream(std::filesystem::path(MACULA_SOURCE_DIR) / "docs/dicom.md").rdbuf();
+    page << std::ifstream(macula::test::projectFolder() / "docs/dicom.md").rdbuf();
     std::string table;
     for (const HostileStudy& study : hostileStudies()) {
         std::string said;
