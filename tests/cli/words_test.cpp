@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "base/paths.h"
 #include "cli/run_command.h"
 #include "image/image_file.h"
 
@@ -147,9 +148,9 @@ TEST_F(Words, ASheetNamesEachPicture) {
 
 // README.md: "this one sees `ct_cta_rider` from the front".
 TEST_F(Words, TheReadmesCameraSeesItsStudy) {
-    const fs::path study = fs::path(MACULA_SHARED_DIR) / "data/ct_cta_rider";
+    const fs::path study = macula::test::sharedFolder() / "data/ct_cta_rider";
     if (!fs::exists(study)) GTEST_SKIP() << "the study is not here";
-    std::istringstream readme(readAll(fs::path(MACULA_SOURCE_DIR) / "README.md"));
+    std::istringstream readme(readAll(macula::test::projectFolder() / "README.md"));
     std::string camera;
     for (std::string line; camera.empty() && std::getline(readme, line);) {
         if (line.starts_with("    {\"positionMm\"")) camera = line;

@@ -161,7 +161,8 @@ TEST_F(FileInAFolderOfTwo, AFileThatIsNoImageOpensNothing) {
 }
 
 TEST(LoadStudy, OpensAVolumeFileAndNamesNobody) {
-    const std::filesystem::path file = MACULA_SHARED_DIR "/data/odd/mixed_flat_folder_truth_mr.nii.gz";
+    const std::filesystem::path file =
+        macula::test::sharedFolder() / "data/odd/mixed_flat_folder_truth_mr.nii.gz";
     if (!std::filesystem::exists(file)) GTEST_SKIP() << "shared data is not here";
     Progress progress;
     const auto study = loadStudy(file, progress);
@@ -174,7 +175,7 @@ TEST(LoadStudy, OpensAVolumeFileAndNamesNobody) {
 }
 
 TEST(LoadStudy, ADicomdirStandsForItsFolder) {
-    const std::filesystem::path folder = MACULA_SHARED_DIR "/data/odd/dicomdir_media";
+    const std::filesystem::path folder = macula::test::sharedFolder() / "data/odd/dicomdir_media";
     if (!std::filesystem::exists(folder / "DICOMDIR")) GTEST_SKIP() << "shared data is not here";
     Progress progress;
     const auto ofFolder = loadStudy(folder, progress);

@@ -8,6 +8,7 @@
 #include <QTemporaryDir>
 #include <QUrl>
 
+#include "base/paths.h"
 #include "viewer/window_fixture.h"
 
 namespace macula::viewer {
@@ -103,7 +104,7 @@ class ThreeStudiesTest : public NamesTest {
 // Three studies dropped on the window one after the other, with one that cannot be opened in between, and a
 // hand that drags all the while.
 TEST_F(ThreeStudiesTest, EveryPictureOfThreeStudiesNamesItsOwn) {
-    const std::filesystem::path data = MACULA_SHARED_DIR "/data";
+    const std::filesystem::path data = macula::test::sharedFolder() / "data";
     if (!std::filesystem::exists(data)) GTEST_SKIP() << "shared data is not here";
     QTemporaryDir empty;
     std::vector<Identity> identities;

@@ -8,6 +8,7 @@
 #include <QMimeData>
 #include <QUrl>
 
+#include "base/paths.h"
 #include "viewer/window_fixture.h"
 
 namespace macula::viewer {
@@ -167,7 +168,7 @@ TEST_F(OpeningTest, TheRateIsThatOfPicturesInMotionAndGoesWithThem) {
 }
 
 TEST_F(OpeningTest, OfSeveralVolumesAnotherOneCanBeChosen) {
-    const std::filesystem::path folder = MACULA_SHARED_DIR "/data/odd/mixed_flat_folder";
+    const std::filesystem::path folder = macula::test::sharedFolder() / "data/odd/mixed_flat_folder";
     if (!std::filesystem::exists(folder)) GTEST_SKIP() << "shared data is not here";
     window_->resize(1000, window_->height());  // else it is behind the » of the tool bar
     window_->open(folder);
