@@ -4,10 +4,13 @@
 #include <thread>
 #include <vector>
 
+#include "base/process_limits.h"
+
 namespace macula {
 
 std::size_t coreCount() {
-    return std::max(1u, std::thread::hardware_concurrency());
+    static const std::size_t count = usableProcessors();  // asked of files
+    return count;
 }
 
 void parallelFor(std::size_t count, const std::function<void(std::size_t)>& body, const CancelToken& token) {

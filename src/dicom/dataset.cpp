@@ -4,6 +4,7 @@
 #include <array>
 #include <cerrno>
 #include <cmath>
+#include <new>
 
 #include "base/log.h"
 #include "base/utf8.h"
@@ -315,11 +316,13 @@ HeaderFile readHeader(const fs::path& file, const CancelToken& cancel) try {
     const QuietToolkit quiet;  // the data dictionary is the toolkit's
     ByteSource source(file, cancel);
     const Sniff kind = sniff(source);
+    if (source.error() == ENOMEM) throw std::bad_alloc();
     if (source.error() != 0) return {stateOfFailure(source.error()), {}};
     if (kind == Sniff::notDicom) return {FileState::notDicom, {}};
 
     auto content = std::make_shared<Dataset::File>();
     Outline outline = outlineOf(source, kind == Sniff::part10, &content->tree);
+    if (source.error() == ENOMEM) throw std::bad_alloc();
     if (source.error() != 0) return {stateOfFailure(source.error()), {}};
     if (!outline.isPlausible()) return {FileState::damaged, {}};
     if (!outline.headerWhole) return {kind == Sniff::part10 ? FileState::damaged : FileState::notDicom, {}};
@@ -346,6 +349,8 @@ HeaderFile readHeader(const fs::path& file, const CancelToken& cancel) try {
                                       .bytesPresent = pixels.present};
     }
     return read;
+} catch (const std::bad_alloc&) {
+    throw;  // a healthy file must not pass for a damaged one
 } catch (...) {
     log::warning("reading the header of {} threw", log::Sensitive{file.native()});
     return {FileState::damaged, {}};

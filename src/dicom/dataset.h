@@ -1,4 +1,5 @@
-// Reading headers. No file can make it throw, recurse, or take more memory than the header itself.
+// Reading headers. No file can make it throw, recurse, or take more memory than the header itself; where
+// there is no memory, std::bad_alloc is thrown.
 #pragma once
 
 #include <cstdint>

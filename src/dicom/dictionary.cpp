@@ -38,6 +38,13 @@ Vr dictionaryVr(Tag tag, std::string_view privateCreator) {
     }
 }
 
+bool hasDictionary() {
+    const QuietToolkit quiet;
+    const bool isLoaded = dcmDataDict.rdlock().numberOfEntries() > 0;
+    dcmDataDict.rdunlock();
+    return isLoaded;
+}
+
 std::optional<Tag> tagOfKeyword(std::string_view keyword) {
     const DcmDataDictionary& dictionary = dcmDataDict.rdlock();
     const DcmDictEntry* entry = dictionary.findEntry(std::string(keyword).c_str());

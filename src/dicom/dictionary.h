@@ -21,4 +21,7 @@ inline constexpr Vr kVrUnsignedOrSigned = vrOf("xs");
 // 0 when unknown. The creator of a private element is needed to know it (PS3.5 7.8.1). Thread-safe.
 Vr dictionaryVr(Tag tag, std::string_view privateCreator = {});
 
+// The toolkit found its dictionary (dicom.dic): without it nothing in implicit VR can be read.
+bool hasDictionary();
+
 }  // namespace macula::dicom

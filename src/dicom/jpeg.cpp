@@ -12,6 +12,7 @@
 #include <limits>
 #include <memory>
 #include <mutex>
+#include <new>
 #include <optional>
 
 #include "dicom/quiet_toolkit.h"
@@ -102,10 +103,13 @@ bool decodeWithToolkit(const std::string& transferSyntaxUid, std::span<const std
                                      sequence.release());
     Uint32 startFragment = 0;
     OFString colourModel;
-    return pixels
-        .getUncompressedFrame(&attributes, 0, startFragment, target.data(),
-                              static_cast<Uint32>(target.size()), colourModel)
-        .good();
+    const OFCondition decoded = pixels.getUncompressedFrame(&attributes, 0, startFragment, target.data(),
+                                                            static_cast<Uint32>(target.size()), colourModel);
+    // libjpeg says it in words only: "Insufficient memory (case 4)".
+    const bool noMemory =
+        decoded == EC_MemoryExhausted || (decoded.bad() && std::strstr(decoded.text(), "memory"));
+    if (noMemory) throw std::bad_alloc();
+    return decoded.good();
 }
 
 }  // namespace

@@ -147,6 +147,11 @@ OPJ_BOOL seekBytes(OPJ_OFF_T to, void* user) {
 
 void ignoreMessage(const char*, void*) {}
 
+// "Not enough memory to ...": nothing else tells it from a broken stream.
+void noteLackOfMemory(const char* text, void* lacksMemory) {
+    if (text != nullptr && std::strstr(text, "memory") != nullptr) *static_cast<bool*>(lacksMemory) = true;
+}
+
 // The library's handles are all of one type.
 struct DestroyCodec {
     void operator()(opj_codec_t* codec) const { opj_destroy_codec(codec); }
@@ -181,7 +186,8 @@ Result<void> decodeJpeg2000(std::span<const std::byte> codeStream, int columns, 
     // Its messages are no help to anybody, and would go to the terminal.
     opj_set_info_handler(codec.get(), ignoreMessage, nullptr);
     opj_set_warning_handler(codec.get(), ignoreMessage, nullptr);
-    opj_set_error_handler(codec.get(), ignoreMessage, nullptr);
+    bool lacksMemory = false;
+    opj_set_error_handler(codec.get(), noteLackOfMemory, &lacksMemory);
 
     opj_dparameters_t parameters;
     opj_set_default_decoder_parameters(&parameters);
@@ -189,7 +195,11 @@ Result<void> decodeJpeg2000(std::span<const std::byte> codeStream, int columns, 
     const bool hasHeader = opj_setup_decoder(codec.get(), &parameters) == OPJ_TRUE &&
                            opj_read_header(stream.get(), codec.get(), &made) == OPJ_TRUE;
     const std::unique_ptr<opj_image_t, DestroyImage> image(made);
-    if (!hasHeader || opj_decode(codec.get(), stream.get(), image.get()) != OPJ_TRUE) return broken();
+    const auto failed = [&] {
+        if (lacksMemory) throw std::bad_alloc();
+        return broken();
+    };
+    if (!hasHeader || opj_decode(codec.get(), stream.get(), image.get()) != OPJ_TRUE) return failed();
     const opj_image_comp_t& component = image->comps[0];
     if (image->numcomps != 1 || component.data == nullptr || component.w != header->columns ||
         component.h != header->rows) {

@@ -2,20 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
-#include <string>
+#include "base/process_limits.h"
 
 namespace macula::dicom {
 
 std::optional<std::uint64_t> availableMemory() {
-    std::ifstream stream("/proc/meminfo");
-    std::string name;
-    std::uint64_t kibibytes = 0;
-    std::string rest;
-    while (stream >> name >> kibibytes && std::getline(stream, rest)) {
-        if (name == "MemAvailable:") return kibibytes * 1024;
-    }
-    return {};
+    return availableMemoryBytes();
 }
 
 Error notEnoughMemory(std::uint64_t bytesNeeded, std::optional<std::uint64_t> bytesAvailable) {

@@ -8,8 +8,7 @@
 
 namespace macula::dicom {
 
-// What programs can still get without swapping (MemAvailable of /proc/meminfo). Nothing when the system does
-// not say.
+// What this process can still get without swapping: base/process_limits.h.
 std::optional<std::uint64_t> availableMemory();
 
 // Names both amounts, so that a person can tell a series that is too large from a header that is broken.

@@ -9,6 +9,7 @@
 #include "base/log.h"
 #include "base/parallel.h"
 #include "dicom/copies.h"
+#include "dicom/dictionary.h"
 #include "dicom/examination.h"
 #include "dicom/folder.h"
 #include "dicom/join.h"
@@ -378,6 +379,14 @@ std::size_t Scan::objectCount() const {
 }
 
 Result<Scan> scanFolder(const fs::path& path, Progress& progress, const ScanOptions& options) try {
+    if (!hasDictionary()) {
+        return Error{
+            ErrorCode::inputNotUsable,
+            "The dictionary of the DICOM toolkit (dicom.dic) is not there, so that DICOM files cannot "
+            "be read.",
+            {},
+            "Install DCMTK's data files again, or set DCMDICTPATH to the path of dicom.dic."};
+    }
     progress.beginStage("Looking for files", 1);
     const bool isDirectory =
         isMediaDirectoryName(path) && examine(path, progress.token()).kind == Examination::Kind::directory;
@@ -386,17 +395,21 @@ Result<Scan> scanFolder(const fs::path& path, Progress& progress, const ScanOpti
     const std::vector<fs::path>& files = listing.files;
     progress.beginStage(fmt::format("Reading {} files", files.size()), files.size());
     std::vector<Examination> found(files.size());
+    std::atomic<bool> noMemory{false};
     parallelFor(
         files.size(),
         [&](std::size_t i) {
             try {
-                found[i] = examine(files[i], progress.token());
+                if (!noMemory) found[i] = examine(files[i], progress.token());
+            } catch (const std::bad_alloc&) {
+                noMemory = true;  // and no file is damaged by that
             } catch (...) {
                 found[i].state = FileState::damaged;
             }
             progress.advance();
         },
         progress.token());
+    if (noMemory) throw std::bad_alloc();
     if (progress.cancelled()) return cancelledError();
 
     Scan scan;
