@@ -84,7 +84,8 @@ Examination examine(const std::filesystem::path& file, const CancelToken& cancel
     found.patientPosition = text(tag::kPatientPosition);
     found.seriesNumber = header.integer(tag::kSeriesNumber);
 
-    const bool hasImage = header.has(tag::kRows) && header.has(tag::kColumns) && !isSegmentation(sopClass);
+    const bool hasImage = header.has(tag::kRows) && header.has(tag::kColumns) && !isSegmentation(sopClass) &&
+                          sopClass != sop_class::kMrSpectroscopy;
     if (!hasImage && isImage(sopClass)) {
         found.state = FileState::damaged;  // cut off before them, at the border of two elements
     } else if (!hasImage) {

@@ -72,6 +72,10 @@ std::shared_ptr<Instance> readShared(const std::filesystem::path& file, const He
     instance->framesClaimed = header.frameCount();
     instance->frames = std::min(instance->framesClaimed, mostFrames(file, read));
     instance->samplesPerPixel = header.integer(tag::kSamplesPerPixel).value_or(1);
+    if (instance->photometricInterpretation.empty() && instance->samplesPerPixel == 1) {
+        instance->photometricInterpretation = "MONOCHROME2";
+        instance->greyscaleAssumed = true;
+    }
     instance->format = readFormat(header);
     instance->multiFrame = header.has(tag::kNumberOfFrames) && header.frameCount() > 1;
     instance->multiFrame = instance->multiFrame || header.has(tag::kPerFrameFunctionalGroups);

@@ -33,10 +33,11 @@ struct Instance {
     int framesClaimed = 1;  // by NumberOfFrames; more than the file has room for when it is cut off
     int samplesPerPixel = 1;
     std::optional<CellFormat> format;
-    bool multiFrame = false;       // NumberOfFrames is there: positions may lie in functional groups
-    bool lossy = false;            // compressed with loss, now or before
-    bool strayBytes = false;       // see HeaderFile
-    bool overlayInPixels = false;  // bits outside the stored ones are an overlay (retired: PS3.3 2004 C.9.2)
+    bool multiFrame = false;        // NumberOfFrames is there: positions may lie in functional groups
+    bool greyscaleAssumed = false;  // PhotometricInterpretation is missing, as in ACR-NEMA files
+    bool lossy = false;             // compressed with loss, now or before
+    bool strayBytes = false;        // see HeaderFile
+    bool overlayInPixels = false;   // bits outside the stored ones are an overlay (retired: PS3.3 2004 C.9.2)
     Suv suv;
     std::string concatenationUid;  // PS3.3 C.7.6.16.2.2.4; empty when the file is no part of one
     int concatenationTotal = 0;    // 0: not said

@@ -126,14 +126,17 @@ class Walk {
         return true;
     }
 
-    // Group 2 is Explicit VR Little Endian, always (PS3.10 7.1).
+    // Group 2 is Explicit VR Little Endian, always (PS3.10 7.1); some writers do not know.
     bool readMetaInformation() {
         std::uint64_t end = kNoEnd;
+        std::array<unsigned char, 8> first{};
+        Encoding encoding;
+        encoding.explicitVr = !source_.peek(first) || (isUpper(first[4]) && isUpper(first[5]));
         std::array<unsigned char, 2> group{};
         while (source_.position() < end && source_.peek(group)) {
             if (end == kNoEnd && wordAt(group.data(), false) != 2) break;
             Header header;
-            if (!readHeader({}, header)) return false;
+            if (!readHeader(encoding, header)) return false;
             if (header.tag.group != 2 || header.vr == vrOf("SQ") || header.length == kUndefined) return false;
             constexpr std::uint32_t kLongestKept = 64;  // a UID
             if (header.length > kLongestKept) {

@@ -26,6 +26,11 @@ void tell(Stack& stack, Message message) {
     stack.messages.push_back(std::move(message));
 }
 
+// Slices beside each other in one image, of Siemens' EPI.
+bool isMosaic(const Frame& frame) {
+    return std::ranges::find(frame.imageType, "MOSAIC") != frame.imageType.end();
+}
+
 void assessPixels(Stack& stack) {
     const Frame& first = stack.frames.front();
     if (any(stack, [](const Frame& f) {
@@ -53,6 +58,9 @@ void assessPixels(Stack& stack) {
         if (transferSyntaxInfo(uid).codec != Codec::unsupported) continue;
         tell(stack, message(key::kUnsupportedTransferSyntax, {{"syntax", describeTransferSyntax(uid)}}));
     }
+    if (any(stack, [](const Frame& f) { return f.instance->greyscaleAssumed; }))
+        tell(stack, message(key::kGreyscaleAssumed));
+    if (any(stack, isMosaic)) tell(stack, message(key::kMosaic));
     if (any(stack, [](const Frame& f) { return f.instance->strayBytes; }))
         tell(stack, message(key::kStrayBytes));
     if (any(stack, [](const Frame& f) { return f.instance->lossy; })) tell(stack, message(key::kLossySource));
@@ -93,6 +101,10 @@ void assessRescale(Stack& stack, const std::string& modality) {
     }
     if (any(stack, [](const Frame& f) { return f.realWorld; })) {
         tell(stack, message(key::kRealWorldValues, {{"unit", first.rescaleType}}));
+    }
+    if (modality == "RTDOSE") {
+        const std::string unit = valueUnit(modality, stack.frames).name;
+        tell(stack, message(key::kDose, {{"unit", unit.empty() ? "a unit that is not named" : unit}}));
     }
     if (modality == "PT") {
         Suv suv = first.instance->suv;

@@ -1,6 +1,8 @@
 // Volumes to and from NIfTI, NRRD and MetaImage files.
 #include "dicom/volume_file.h"
 
+#include <unistd.h>
+
 #include <cmath>
 #include <fstream>
 #include <limits>
@@ -124,6 +126,16 @@ TEST(VolumeFile, PhantomKeepsItsUnitAndStorage) {
         ASSERT_EQ(back->provenance().assumptions.size(), 1u);  // that of the unit
         expectSame(*back, phantom, toleranceOf(ending));
     }
+}
+
+// What a killed program has left is in nobody's way, under whatever number it ran.
+TEST(VolumeFile, StaleWorkFoldersDoNotBlock) {
+    const TemporaryFolder folder;
+    const fs::path stale = folder / (".v." + std::to_string(getpid()) + ".part");
+    fs::create_directory(stale);
+    std::ofstream(stale / "v.nii") << "half";
+    expectWritten(smallVolume(), folder / "v.nii");
+    EXPECT_NE(readBack(folder / "v.nii"), nullptr);
 }
 
 TEST(VolumeFile, SmallestTypeThatIsExact) {
