@@ -22,6 +22,9 @@ namespace macula::cli {
 
 namespace {
 
+constexpr std::size_t kMostStacksShown = 40;
+constexpr std::size_t kStacksOfMany = 8;  // shown of more than these
+
 struct Options {
     std::filesystem::path path;
     bool json = false;
@@ -107,9 +110,21 @@ void print(const dicom::Series& series, std::size_t place, const dicom::Choice& 
         fmt::print("      encoding: {}\n", dicom::describeTransferSyntax(uid));
     }
     print(series.messages, "      ");
+    // Hundreds of stacks that say the same are one fact: the first few, the best one, and how many more.
+    std::size_t notShown = 0;
+    std::size_t imagesNotShown = 0;
     for (std::size_t i = 0; i < series.stacks.size(); ++i) {
         const dicom::Stack& stack = series.stacks[i];
-        print(stack, fmt::format("{}.{}", place, i + 1), &stack == best.stack);
+        if (series.stacks.size() <= kMostStacksShown || i < kStacksOfMany || &stack == best.stack) {
+            print(stack, fmt::format("{}.{}", place, i + 1), &stack == best.stack);
+        } else {
+            ++notShown;
+            imagesNotShown += stack.frames.size();
+        }
+    }
+    if (notShown > 0) {
+        fmt::print("    and {} more stacks with {} images; --json lists them all.\n", notShown,
+                   imagesNotShown);
     }
 }
 
@@ -145,7 +160,15 @@ void printText(const dicom::Scan& scan, const dicom::Choice& best, const Options
     fmt::print("{}{}\n", best ? "* " : "", best.why);
 }
 
-Result<void> showInfo(const Options& options) {
+// Programs that asked for a document get one also where nothing could be read.
+void printAsJson(const Error& error, const Options& options) {
+    auto json = toJson(dicom::Scan{}, dicom::Choice{}, PatientData::leaveOut);
+    json["error"] = {{"sentence", error.message}, {"action", error.hint}};
+    if (options.patient && !error.where.empty()) json["error"]["where"] = error.where;
+    fmt::print("{}\n", json.dump(4, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+}
+
+Result<void> showWhatIsThere(const Options& options) {
     Progress progress(terminalProgressBar(), interruptToken());
     if (dicom::isVolumeFileName(options.path)) return showVolumeFile(options.path, options.json, progress);
     if (options.path == "phantom:") {
@@ -161,6 +184,13 @@ Result<void> showInfo(const Options& options) {
     const auto json = toJson(scan, best, options.patient ? PatientData::include : PatientData::leaveOut);
     fmt::print("{}\n", jsonText(json));
     return {};
+}
+
+Result<void> showInfo(const Options& options) {
+    Result<void> shown = showWhatIsThere(options);
+    if (!shown && options.json && shown.error().code == ErrorCode::inputNotUsable)
+        printAsJson(shown.error(), options);
+    return shown;
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 // What `macula info`, `presets`, `devices` and `phantom` print.
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -34,6 +35,41 @@ TEST_F(Info, PhantomIsOneSeriesThatCanBeShown) {
     for (int axis = 0; axis < 3; ++axis)
         EXPECT_NEAR(stack["spacingMm"][axis].get<double>(), spacing[axis], 1e-6);
     EXPECT_EQ(stack["worldFromVoxel"][3], (std::vector<double>{0, 0, 0, 1}));
+}
+
+TEST_F(Info, JsonIsPrintedAlsoWhereNothingCanBeRead) {
+    write("study/broken.dcm", std::string(128, '\0') + "DICM and then nonsense");
+    for (const std::string& path : {at("study"), at("nothing.nii")}) {
+        const Ran ran = runMacula({"info", path, "--json"});
+        EXPECT_EQ(ran.exitCode, 3);
+        const auto json = nlohmann::json::parse(ran.out);
+        EXPECT_FALSE(json["error"]["sentence"].get<std::string>().empty());
+        EXPECT_FALSE(json["error"]["action"].get<std::string>().empty());
+        EXPECT_TRUE(json["studies"].empty());
+        EXPECT_FALSE(json["error"].contains("where"));
+    }
+}
+
+// Each image of a class of its own is a stack of its own; one line stands for most of them.
+TEST_F(Info, ASeriesInHundredsOfStacksIsSummarised) {
+    ASSERT_EQ(runMacula({"phantom", at("study")}).exitCode, 0);
+    std::vector<std::filesystem::path> files;
+    for (const auto& entry : std::filesystem::directory_iterator(at("study"))) files.push_back(entry.path());
+    ASSERT_GT(files.size(), 60u);
+    const std::string ctImage("1.2.840.10008.5.1.4.1.1.2\0", 26);
+    for (std::size_t i = 0; i < files.size(); ++i) {
+        std::string bytes = readAll(files[i]);
+        const std::string other = fmt::format("1.2.3.4.5.6.7.8.9.10.1.{}", 100 + i);
+        ASSERT_EQ(other.size(), ctImage.size());
+        for (std::size_t at = bytes.find(ctImage); at != std::string::npos; at = bytes.find(ctImage))
+            bytes.replace(at, other.size(), other);
+        write("study/" + files[i].filename().string(), bytes);
+    }
+    const Ran ran = runMacula({"info", at("study")});
+    EXPECT_NE(ran.out.find("more stacks with"), std::string::npos) << ran.out.substr(0, 2000);
+    EXPECT_LT(std::ranges::count(ran.out, '\n'), 60);
+    const Ran json = runMacula({"info", at("study"), "--json"});
+    EXPECT_EQ(nlohmann::json::parse(json.out)["studies"][0]["series"][0]["stacks"].size(), files.size());
 }
 
 TEST_F(Info, PatientIsNamedOnlyWhenAskedFor) {
