@@ -154,9 +154,9 @@ vec4 castMatter(vec3 worldDirection, float phase, INOUT(int) rounds) {
     return vec4(colour, float(1.0) - transmittance);
 }
 
-// Voxels outside the scan have the value of air in the tables: with padding in a volume, what is exactly air is not told from
-// it. Padding lowers what it is interpolated with: that is no minimum, and no part of a mean. To a maximum it does no harm, and
-// what lies beside it must not be lost.
+// Voxels outside the scan have an entry of their own, below those of all that were measured (entry_map.cpp): air in a trachea
+// counts. Padding lowers what it is interpolated with: that is no minimum, and no part of a mean. To a maximum it does no harm,
+// and what lies beside it must not be lost.
 bool isCounted(Corners corners) {
     vec4 near = abs(corners.near - vec4(params.paddingEntry));
     vec4 far = abs(corners.far - vec4(params.paddingEntry));

@@ -238,6 +238,45 @@ TEST(Cast, PaddingIsNotCounted) {
     }
 }
 
+// Air in the trachea is -1000 HU exactly, as what padding is drawn as is: it is a minimum, and part of a
+// mean, all the same.
+TEST(Cast, AirInTheScanIsCountedBesidePadding) {
+    std::vector<std::uint16_t> voxels(16 * 16 * 16);
+    for (int i = 0; i < 16 * 16 * 16; ++i) {
+        const int x = i % 16;
+        const int z = i / 256;
+        voxels[std::size_t(i)] = x < 4 ? 0 : z < 8 ? 24 : 1124;  // padding; air; 100 HU
+    }
+    auto made = Volume::create({.size = {16, 16, 16},
+                                .worldFromVoxel = affine({1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}),
+                                .unitsFromStored = {.slope = 1.0, .intercept = -1024.0},
+                                .unit = Unit::hounsfield,
+                                .modality = "CT",
+                                .padding = StoredRange{0, 0},
+                                .provenance = {}},
+                               std::move(voxels));
+    const Volume volume = std::move(made).value();
+    // Along the axis that leads from air to what is 100 HU; across the padding there is nothing to see.
+    const View view{
+        .camera = frameBox(volume.worldBox(), ViewDirection::superior, 5, 1.0), .width = 16, .height = 16};
+    std::vector<bool> met;
+    for (const auto projection : {Projection::minimum, Projection::mean}) {
+        const auto values = project(volume, projection, view, {}, met);
+        EXPECT_TRUE(std::ranges::count(met, true) > 100);
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            if (!met[i]) continue;
+            EXPECT_NEAR(values[i], projection == Projection::minimum ? -1000.0 : -450.0, 60.0) << i;
+        }
+    }
+    // Where there is nothing but air, that is what is seen.
+    const View across{
+        .camera = frameBox(volume.worldBox(), ViewDirection::left, 5, 1.0), .width = 16, .height = 16};
+    const auto values = project(volume, Projection::mean, across, {}, met);
+    int air = 0;
+    for (std::size_t i = 0; i < values.size(); ++i) air += met[i] && values[i] < -999.0 ? 1 : 0;
+    EXPECT_GT(air, 50);
+}
+
 // A ball whose value falls from its centre outward: the headlight lights the middle and leaves the rim to the
 // ambient part.
 TEST(Cast, HeadlightIsLambert) {

@@ -115,6 +115,23 @@ TEST(Medium, AVolumeWithNothingVisibleHasNoBricks) {
     EXPECT_EQ(medium.bounds[0], -255.0f);
 }
 
+// Also where air was measured: the entry of padding is its own.
+TEST(Medium, PaddingIsToldFromAir) {
+    auto made = Volume::create({.size = {3, 1, 1},
+                                .worldFromVoxel = glm::dmat4(1.0),
+                                .unitsFromStored = {.slope = 1.0, .intercept = -1024.0},
+                                .unit = Unit::hounsfield,
+                                .modality = "CT",
+                                .padding = StoredRange{9, 9},
+                                .provenance = {}},
+                               {9, 24, 1100});
+    ASSERT_TRUE(made.ok());
+    const EntryMap map = entryMapOf(*made);
+    EXPECT_EQ(map.entryOf(9), 0);  // -1001 HU
+    EXPECT_EQ(map.entryOf(24), 1);
+    EXPECT_EQ(map.entryOf(1100), 1077);
+}
+
 TEST(Medium, PaddingIsAir) {
     auto made = Volume::create({.size = {2, 1, 1},
                                 .worldFromVoxel = glm::dmat4(1.0),

@@ -13,11 +13,11 @@ constexpr int kMostEntries = 65536;  // an entry is stored in 16 bits
 EntryMap entryMapOf(const Volume& volume) {
     const StoredRange range = volume.storedRange();
     EntryMap map{range.low, range.high, range.low, volume.padding()};
-    if (map.padding) {  // air may lie outside of what the data reaches; at the very ends, the nearest there
-                        // is room for
-        map.air = std::clamp(volume.airStored(), map.high - (kMostEntries - 1), map.low + (kMostEntries - 1));
+    if (map.padding) {
+        // Air, and below all that was measured: so it is told from air in the scan. Where the data fill all
+        // entries, the lowest of them.
+        map.air = std::max(std::min(volume.airStored(), int(range.low) - 1), map.high - (kMostEntries - 1));
         map.low = std::min(map.low, map.air);
-        map.high = std::max(map.high, map.air);
     }
     return map;
 }

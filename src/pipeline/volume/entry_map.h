@@ -13,7 +13,8 @@ namespace macula {
 struct EntryMap {
     int low = 0;  // may lie below 0, where padding is air that the data cannot hold
     int high = 0;
-    int air = 0;  // what padding becomes, between low and high
+    int air =
+        0;  // what padding becomes, and no voxel that was measured (unless these take all 65536 entries)
     std::optional<StoredRange> padding;
 
     // One more than there are stored values: interpolation at the last one reads its neighbour.
