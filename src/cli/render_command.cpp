@@ -89,14 +89,16 @@ Result<DisplayWindow> parseWindow(const std::string& text) {
 }
 
 // What of the values projections show: what was asked for; or the range of a preset that was asked for,
-// fitted as the preset is; else what the series says.
+// fitted as the preset is; else what the series says, for MIP only if that is not mostly white.
 Result<std::optional<DisplayWindow>> chooseWindow(const Options& options, const TransferFunction& preset,
                                                   const Volume& volume) {
     if (!options.window.empty()) {
         MACULA_TRY(const DisplayWindow window, parseWindow(options.window));
         return std::optional(window);
     }
-    return options.preset.empty() ? std::optional<DisplayWindow>() : presetWindow(preset, volume);
+    if (!options.preset.empty()) return presetWindow(preset, volume);
+    if (options.settings.look == trace::Look::mip) return std::optional(maximumWindow(volume));
+    return std::optional<DisplayWindow>();
 }
 
 // Soft light from everywhere shows shape by shadow alone, and nothing glares: that is the clear look.

@@ -1,6 +1,7 @@
 #include "pipeline/volume/window.h"
 
 #include <algorithm>
+#include <vector>
 
 #include "pipeline/volume/volume_fit.h"
 
@@ -9,6 +10,54 @@ namespace macula {
 DisplayWindow seriesWindow(const Volume& volume) {
     if (!volume.windows().empty()) return volume.windows().front();
     return windowOver(volume.valueRange().value_or(ValueRange{0.0, 1.0}));
+}
+
+namespace {
+
+// In stored values, ascending: of rays along each axis, evenly spread, that meet anything but padding.
+std::vector<std::uint16_t> largestAlongAxes(const Volume& volume) {
+    constexpr int kRaysPerSide = 64;
+    const glm::ivec3 size = volume.size();
+    const std::optional<StoredRange> padding = volume.padding();
+    std::vector<std::uint16_t> largest;
+    for (int axis = 0; axis < 3; ++axis) {
+        const int u = (axis + 1) % 3;
+        const int v = (axis + 2) % 3;
+        const int strideU = (size[u] + kRaysPerSide - 1) / kRaysPerSide;
+        const int strideV = (size[v] + kRaysPerSide - 1) / kRaysPerSide;
+        for (int b = strideV / 2; b < size[v]; b += strideV) {
+            for (int a = strideU / 2; a < size[u]; a += strideU) {
+                std::optional<std::uint16_t> most;
+                glm::ivec3 at(0);
+                at[u] = a;
+                at[v] = b;
+                for (at[axis] = 0; at[axis] < size[axis]; ++at[axis]) {
+                    const std::uint16_t stored = volume.stored(at.x, at.y, at.z);
+                    if (padding && padding->contains(stored)) continue;
+                    most = std::max(most.value_or(stored), stored);
+                }
+                if (most) largest.push_back(*most);
+            }
+        }
+    }
+    std::ranges::sort(largest);
+    return largest;
+}
+
+}  // namespace
+
+DisplayWindow maximumWindow(const Volume& volume) {
+    const std::vector<std::uint16_t> largest = largestAlongAxes(volume);
+    if (largest.empty()) return seriesWindow(volume);
+    const auto valueAt = [&](double share) {
+        return volume.unitsFromStored()(largest[std::size_t(share * double(largest.size() - 1))]);
+    };
+    constexpr double kMostWhite = 1.0 / 3.0;
+    if (!volume.windows().empty()) {
+        const DisplayWindow& window = volume.windows().front();
+        if (valueAt(1.0 - kMostWhite) < window.center + window.width / 2.0) return window;
+    }
+    return windowOver({valueAt(0.1), valueAt(0.99)});
 }
 
 std::optional<DisplayWindow> presetWindow(const TransferFunction& preset, const Volume& volume) {

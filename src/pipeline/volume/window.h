@@ -11,6 +11,11 @@ namespace macula {
 // The first window of the series; when it names none, all of its values.
 DisplayWindow seriesWindow(const Volume& volume);
 
+// For a projection of largest values: the first window of the series, unless that makes a third of the
+// picture plain white, as one for soft tissue does in a chest; then, or when there is none, from the tenth to
+// the highest hundredth of the largest values along the axes of the volume. The volume must be stored16.
+DisplayWindow maximumWindow(const Volume& volume);
+
 // The effective range of the preset, fitted to the volume as the preset is; nothing when it names none.
 std::optional<DisplayWindow> presetWindow(const TransferFunction& preset, const Volume& volume);
 
