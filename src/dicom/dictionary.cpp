@@ -7,6 +7,7 @@
 
 #include <string>
 
+#include "dicom/dataset.h"
 #include "dicom/quiet_toolkit.h"
 
 namespace macula::dicom {
