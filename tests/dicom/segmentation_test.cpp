@@ -1,6 +1,6 @@
 // Segmentations land on the voxels they were drawn on, or are refused.
-#include "dicom/quiet_toolkit.h"
 #include "dicom/segmentation.h"
+#include "dicom/quiet_toolkit.h"
 
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dcrleerg.h>

@@ -172,8 +172,9 @@ TEST(VolumeFile, NiftiHeaderByItsBytes) {
             for (int i = 0; i < 5; ++i) ASSERT_EQ(file.value(i, j, k), volume.value(i, j, k));
         }
     }
-    // Nowhere a text: db_name, descrip, aux_file, intent_name.
-    for (const auto& [first, length] : {std::pair{14, 18}, {148, 80}, {228, 24}, {328, 16}})
+    EXPECT_STREQ(file.bytes.substr(148, 80).c_str(), "Macula|int16|HU|CT");  // descrip: what the values are
+    // Nowhere else a text: db_name, aux_file, intent_name.
+    for (const auto& [first, length] : {std::pair{14, 18}, {228, 24}, {328, 16}})
         EXPECT_EQ(file.bytes.substr(std::size_t(first), std::size_t(length)),
                   std::string(std::size_t(length), '\0'));
 }
