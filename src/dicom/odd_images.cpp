@@ -160,7 +160,7 @@ bool areVolume(const std::vector<Frame>& frames, const std::vector<bool>& leftOu
 
 std::vector<bool> oddPositions(const std::vector<Frame>& frames) {
     std::vector<bool> odd(frames.size(), false);
-    const std::vector<bool> none = odd;
+    std::vector<bool> none = odd;
     if (frames.size() < kOneOddOf || std::ranges::any_of(frames, [](const Frame& f) { return !f.plane; }))
         return odd;
     const std::vector<Place> places = placesOf(frames);

@@ -138,7 +138,10 @@ Result<void> writeImage(const Grid& grid, std::size_t voxels, const fs::path& pa
         return at(path, written.error());
     if (progress.cancelled()) return Error{ErrorCode::cancelled, "Stopped; nothing was written.", {}, {}};
     // No library tells of every byte that found no room, and readers compare the header with the file's size.
-    if (!readLayout(ending.format, draft)) return cannotWrite(path, "it did not become whole");
+    // Segments of a single slice are written too, which no reader takes for a volume.
+    const glm::ivec3 size = image.size;
+    const bool isVolume = std::min({size.x, size.y, size.z}) > 1;
+    if (isVolume && !readLayout(ending.format, draft)) return cannotWrite(path, "it did not become whole");
     return putAllInPlace(files, draft, workshop.path());
 } catch (const std::bad_alloc&) {
     return notEnoughMemory(std::uint64_t{sizeof(float)} * voxels, availableMemory());

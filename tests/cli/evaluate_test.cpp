@@ -92,7 +92,7 @@ TEST_F(Evaluate, TellsHowNearTheModelComesAndGoesOnFromWhatItKept) {
 }
 
 TEST_F(Evaluate, TellsHowAModelGoesOn) {
-    const std::vector<std::string> arguments =
+    std::vector<std::string> arguments =
         small({"--iterations", "10", "--more-views", "12", "--more-spp", "4", "--more-iterations", "250",
                "--snapshot-every", "125", "--splats", "350", "--cache", at("cache"), "--keep-views", "--json",
                at("report.json")},
@@ -123,6 +123,7 @@ TEST_F(Evaluate, TellsHowAModelGoesOn) {
 
     // Once more, with what was kept: the first one and 47 sides that it lights, the twelve, and the truth.
     EXPECT_EQ(scene["viewsFromCache"], 0);
+    arguments.emplace_back("--overwrite");
     const Ran again = runMacula(arguments);
     ASSERT_EQ(again.exitCode, 0) << again.err;
     const json kept = json::parse(readAll(at("report.json")))["scenes"][0];

@@ -38,8 +38,8 @@ class Notes : public CommandTest {
         return write("unitless.nrrd", text);
     }
     std::vector<std::string> ofRender(const std::vector<std::string>& more) const {
-        std::vector<std::string> words{"render", unitless(), "-o",    at("a.png"),
-                                       "--size", "16x16",    "--spp", "1"};
+        std::vector<std::string> words{"render", unitless(), "-o", at("a.png"),  "--size",
+                                       "16x16",  "--spp",    "1",  "--overwrite"};
         words.insert(words.end(), more.begin(), more.end());
         return notesOf(runMacula(words));
     }

@@ -17,7 +17,7 @@ class Render : public CommandTest {
   protected:
     image::Image render(const std::string& name, std::vector<std::string> arguments) {
         arguments.insert(arguments.begin(), "render");
-        arguments.insert(arguments.end(), {"-o", at(name), "--size", "48x40", "--spp", "4"});
+        arguments.insert(arguments.end(), {"-o", at(name), "--overwrite", "--size", "48x40", "--spp", "4"});
         const Ran ran = runMacula(arguments);
         EXPECT_EQ(ran.exitCode, 0) << ran.err;
         auto image = image::readImage(at(name));

@@ -159,7 +159,7 @@ TEST_F(Train, ALostDeviceTakesNothingOfTheTrainingAlong) {
     const Ran whole = runMacula(small({"-o", at("whole.macula")}, "40"));
     ASSERT_EQ(whole.exitCode, 0) << whole.err;
     const auto losing = [&](const std::string& name, const std::string& losses) {
-        return runMacula(small({"-o", at(name), "--json", at("report.json")}, "40"),
+        return runMacula(small({"-o", at(name), "--json", at("report.json"), "--overwrite"}, "40"),
                          {"LD_PRELOAD=" MACULA_LOSE_DEVICE, "MACULA_TEST_LOSE=" + losses,
                           "ASAN_OPTIONS=verify_asan_link_order=0"});
     };
