@@ -80,8 +80,9 @@ Result<Draft> Draft::beside(const fs::path& target, Kind kind) {
     }
     for (int attempt = 0;; ++attempt) {
         MACULA_TRY(const std::string digits, randomDigits());
-        const std::string name = fmt::format(".{}.{}{}{}", startOf(target.stem().native(), kMostOfName), digits, kPart,
-                                             kind == Kind::file ? target.extension().string() : "");
+        const std::string name =
+            fmt::format(".{}.{}{}{}", startOf(target.stem().native(), kMostOfName), digits, kPart,
+                        kind == Kind::file ? target.extension().string() : "");
         const int descriptor = make(folder / name, kind);
         if (descriptor >= 0) return Draft(folder / name, descriptor);
         if (errno != EEXIST || attempt >= 8) return notWritable(target, errno);
