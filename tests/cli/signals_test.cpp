@@ -80,8 +80,8 @@ TEST_F(Signals, Render) {
 }
 
 TEST_F(Signals, RenderUntilConverged) {
-    expectAllOrNothing({"render", "-o", at("out/a.exr"), "--size", "32x32", "--error", "0.05", "--overwrite"},
-                       {"a.exr"});
+    expectAllOrNothing({"render", "-o", at("out/a.png"), "--size", "32x32", "--error", "0.05", "--overwrite"},
+                       {"a.png"});
 }
 
 TEST_F(Signals, Export) {
