@@ -39,7 +39,7 @@ bool isAmong(const fs::path& file, const std::vector<fs::path>& files) {
     });
 }
 
-// By its own place, and where it is a link by what that leads to.
+// A file is of a folder when it stands there, and, if it is a symbolic link, when its target stands there.
 bool isFileOf(const fs::path& file, const fs::path& folder) {
     return dicom::liesInside(wholePath(file), folder) ||
            dicom::liesInside(wholePath(folderOf(file)) / file.filename(), folder);
