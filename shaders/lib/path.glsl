@@ -17,6 +17,7 @@ vec3 worldFromEnvironment(vec3 direction) {
 
 // Below this a ray or path goes on only with a probability in proportion, and its weight is made good.
 #define ROULETTE_BELOW 0.1
+#define BLACK_FACE 1e-4  // grey that is displayed as black, and is no absence of a face
 
 // The bounds that a shadow ray begins with are looser by this. With the tightest one, ratio tracking ends at the first collision in
 // dense matter: it says all or nothing. With a looser one it says how much (docs/speed-and-accuracy.md, "What a sample is worth").
@@ -54,7 +55,8 @@ BrickWalk startLightWalk(vec3 originVoxel, vec3 directionVoxel) {
 }
 
 // Ends the walk at the first face of the clip that shows something: the light of its grey, which the tone map will bring
-// back to what the window says. At or below the window's low end a face is clear, so that air hides nothing.
+// back to what the window says. At or below the window's low end a face is clear, so that air hides nothing, or black when
+// greyFaces is 2.
 float stopAtFace(INOUT(BrickWalk) walk, vec3 originVoxel, vec3 directionVoxel) {
     ClipSpans spans = clipSpans(originVoxel, directionVoxel);
     float face = max(walk.distanceMm, float(0.0));
@@ -66,6 +68,7 @@ float stopAtFace(INOUT(BrickWalk) walk, vec3 originVoxel, vec3 directionVoxel) {
         if (face >= walk.endMm) break;
         vec3 at = originVoxel + directionVoxel * face;
         if (!isMasked(at)) grey = clamp((trilinearEntry(at) - params.greyLow) / (params.greyHigh - params.greyLow), float(0.0), float(1.0));
+        if (!isMasked(at) && params.greyFaces == 2) grey = max(grey, float(BLACK_FACE));
     }
     if (grey <= float(0.0)) return float(0.0);
     walk.endMm = face;

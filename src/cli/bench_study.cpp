@@ -16,6 +16,7 @@ void addBenchStudyOptions(CLI::App& command, BenchStudyOptions& options, int siz
     options.lights = kDefaultLights;
     command.add_option("path", options.path, "Folder or file with DICOM; the built-in phantom when absent");
     command.add_option("--series", options.series, "Which series: its number in `macula info`, or its UID");
+    addJoin(command, options.how);
     command.add_option("--preset", options.preset, "Preset by name, number or file; default by modality");
     command.add_option("--lights", options.lights, "Light rig by name or file")->capture_default_str();
     command.add_option("--size", options.size, "Width and height in pixels")
@@ -34,7 +35,7 @@ Result<trace::PathTracer> BenchStudy::makeTracer() const {
 }
 
 Result<BenchStudy> openBenchStudy(const BenchStudyOptions& options, Progress& progress) {
-    MACULA_TRY(StudyInput study, loadStudy(options.path, options.series, progress));
+    MACULA_TRY(StudyInput study, loadStudy(options.path, options.series, progress, 0, options.how));
     bringTo16Bits(study);
     MACULA_TRY(StudyPreset preset, choosePresetFor(study, options.preset));
     MACULA_TRY(trace::Environment environment, chooseLights(options.lights));

@@ -10,6 +10,7 @@
 #include "base/progress.h"
 #include "base/result.h"
 #include "base/volume.h"
+#include "dicom/scan.h"
 #include "image/image.h"
 #include "pipeline/gpu/device.h"
 #include "pipeline/trace/environment.h"
@@ -21,6 +22,7 @@ namespace macula::cli {
 struct BenchStudyOptions {
     std::filesystem::path path;
     std::string series;
+    dicom::ScanOptions how;
     std::string preset;
     std::string lights;
     std::string device;

@@ -40,7 +40,8 @@ constexpr int kMostTruthSizePx = 2800;
 
 struct Options {
     std::vector<fs::path> paths;
-    std::vector<std::string> series;   // for each path, or none
+    std::vector<std::string> series;  // for each path, or none
+    dicom::ScanOptions how;
     std::vector<std::string> presets;  // each for each path
     bool fit = false;
     std::string clip;
@@ -105,8 +106,9 @@ struct Study {
 
 Result<Study> openStudy(const Options& options, std::size_t place, Progress& progress) {
     Study study;
-    MACULA_TRY(study.input, loadStudy(options.paths[place],
-                                      options.series.empty() ? "" : options.series[place], progress));
+    MACULA_TRY(study.input,
+               loadStudy(options.paths[place], options.series.empty() ? "" : options.series[place], progress,
+                         0, options.how));
     bringTo16Bits(study.input);
     ClipPreset clip;
     if (!options.clip.empty()) {
@@ -255,6 +257,7 @@ CLI::App* addVerb(CLI::App& evaluateApp, const std::string& name, const std::str
                         "Folders with DICOM files, volume files, or phantom: (default), each a scene");
     command->add_option("--series", o.series,
                         "Place in the list of macula info, or series UID: once for each PATH");
+    addJoin(*command, o.how);
     command->add_option("--preset", o.presets,
                         "Name, number or file; several times: every PATH with every preset");
     command->add_flag("--fit", o.fit, "Stretch the presets' range to the series, for MR");

@@ -31,6 +31,7 @@ struct Options {
     std::filesystem::path path;
     std::filesystem::path output;
     std::string series;
+    dicom::ScanOptions how;
     std::string device;
     int tile = 160;  // pixels
     int panels = 3;  // beside each other, each with its share of the presets
@@ -110,7 +111,7 @@ Result<void> makeSheet(const Options& options) {
     MACULA_TRY(const std::vector<TransferFunction> presets, presets::builtInPresets());
     MACULA_TRY(gpu::LastingDevice device, openDevice(options.device));
     Progress progress(terminalProgressBar(), interruptToken());
-    MACULA_TRY(StudyInput study, loadStudy(options.path, options.series, progress));
+    MACULA_TRY(StudyInput study, loadStudy(options.path, options.series, progress, 0, options.how));
     bringTo16Bits(study);
     printNotes(study);
 
@@ -157,6 +158,7 @@ void addSheet(CLI::App& app, Action& action) {
     command->add_option("PATH", o.path, "As of render (default: the phantom)");
     command->add_option("-o,--output", o.output, "Picture to write: OUT.png")->required();
     command->add_option("--series", o.series, "As of render");
+    addJoin(*command, o.how);
     command->add_option("--tile", o.tile, "Size of each picture in pixels (default: 160)")
         ->check(CLI::Range(16, 512));
     command->add_option("--panels", o.panels, "Columns of presets (default: 3)")->check(CLI::Range(1, 8));

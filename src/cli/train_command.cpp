@@ -43,6 +43,7 @@ using Clock = std::chrono::steady_clock;
 struct Options {
     fs::path path;
     std::string series;
+    dicom::ScanOptions how;
     std::string preset;
     bool fit = false;
     std::string clip;
@@ -182,7 +183,7 @@ Result<void> train(const Options& options) {
     MACULA_TRY(const std::optional<splat::TrainingState> saved, savedTraining(options));
     MACULA_TRY(gpu::LastingDevice device, openDevice(options.device));
     Progress progress(terminalProgressBar(), interruptToken());
-    MACULA_TRY(StudyInput study, loadStudy(options.path, options.series, progress));
+    MACULA_TRY(StudyInput study, loadStudy(options.path, options.series, progress, 0, options.how));
     bringTo16Bits(study);
     MACULA_TRY(const StudyPreset preset, choosePresetFor(study, options.preset, options.fit));
     ClipPreset clip;
@@ -275,6 +276,7 @@ void addTrain(CLI::App& app, Action& action) {
     command->add_flag("--display-colours", o.displayColours,
                       "Colours as displayed, for other programs: they do not know linear light and tone map");
     command->add_option("--series", o.series, "Place in the list of macula info, or series UID");
+    addJoin(*command, o.how);
     command->add_option("--preset", o.preset, "Name, number or file; default by modality");
     command->add_flag("--fit", o.fit, "Stretch the preset's range to the series, for MR");
     command->add_option("--clip", o.clip, "Name from macula presets, or JSON file");

@@ -51,8 +51,8 @@ std::string digestOf(const Clip& clip, const Volume& volume) {
                             clip.ball->radiusMm);
     if (clip.mask) text += "mask " + digestOf<std::uint32_t>(maskBits(*clip.mask, volume).words) + "\n";
     if (clip.greyFaces)
-        text += fmt::format("grey {:a} {:a} {}\n", clip.greyFaces->center, clip.greyFaces->width,
-                            clip.greyFaces->function);
+        text += fmt::format("grey {:a} {:a} {} {}\n", clip.greyFaces->center, clip.greyFaces->width,
+                            clip.greyFaces->function, clip.facesBelowWindowAreBlack ? "black" : "clear");
     return sha256Hex(text);
 }
 

@@ -234,6 +234,11 @@ constexpr std::array kCatalogue = std::to_array<CatalogueEntry>({
      "Images whose rescale slope or intercept is missing or cannot be right, and that were left out of the "
      "volume: {numbers}.",
      kLookAlone},
+    {key::kDeviatingRescale, kWarning, 0,
+     "Images whose rescale slope or intercept is another than that of all others; it was applied as it is: "
+     "{numbers}.",
+     "Compare these slices with their neighbours; if they are brighter or darker, copy the series again from "
+     "its source."},
     {key::kPerSliceRescale, kInfo, 0,
      "Each image has its own rescale factors; they are applied image by image.", ""},
     {key::kRealWorldValues, kInfo, 0,

@@ -118,6 +118,7 @@ inline constexpr std::string_view kInvalidRescale = "invalid-rescale";
 inline constexpr std::string_view kMissingRescale = "missing-rescale";
 inline constexpr std::string_view kNoHounsfield = "no-hounsfield";
 inline constexpr std::string_view kOddRescale = "odd-rescale";
+inline constexpr std::string_view kDeviatingRescale = "deviating-rescale";
 inline constexpr std::string_view kPerSliceRescale = "per-slice-rescale";
 inline constexpr std::string_view kRealWorldValues = "real-world-values";
 inline constexpr std::string_view kSuvUnavailable = "suv-unavailable";

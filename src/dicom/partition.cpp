@@ -278,6 +278,9 @@ Partition separateLattices(std::span<const Frame> frames) {
         lastMm[lattice] = alongMm[k];
     }
     if (partition[1].frames.empty()) return {};
+    // Half a step apart they are one lattice of half the step, from which slices are missing.
+    const double apart = (lastMm[1] - lastMm[0]) / step;
+    if (std::abs(apart - std::floor(apart) - 0.5) <= kToleranceOfStep) return {};
     for (Part& part : partition) std::sort(part.frames.begin(), part.frames.end());
     return partition;
 }

@@ -36,7 +36,7 @@ Partition partitionByRank(std::span<const Frame> frames, const SplitRules& rules
 Partition partitionByRuns(std::span<const Frame> frames, std::size_t attribute, std::size_t count);
 
 // Two sets of frames, each at multiples of one distance from its first, which is the same for both. Empty
-// when the frames lie otherwise, or on one such lattice.
+// when the frames lie otherwise, or on one lattice, be it of half that distance and with slices missing.
 Partition separateLattices(std::span<const Frame> frames);
 
 // How often the next frame along the normal is in another part than the one before.

@@ -4,9 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <optional>
 #include <set>
+#include <utility>
+#include <vector>
 
 #include "base/check.h"
+#include "dicom/odd_images.h"
 #include "dicom/sop_class.h"
 #include "dicom/transfer_syntax.h"
 #include "dicom/value_unit.h"
@@ -29,6 +34,22 @@ void tell(Stack& stack, Message message) {
 // Slices beside each other in one image, of Siemens' EPI.
 bool isMosaic(const Frame& frame) {
     return std::ranges::find(frame.imageType, "MOSAIC") != frame.imageType.end();
+}
+
+// The few whose rescale is another than the one that all others share; none where each has its own.
+std::vector<const Frame*> deviatingRescales(const std::vector<Frame>& frames) {
+    constexpr std::size_t kOneOf = 4;
+    const auto rescaleOf = [](const Frame& f) { return std::pair(f.slope, f.intercept); };
+    std::map<std::pair<std::optional<double>, std::optional<double>>, std::size_t> counts;
+    for (const Frame& frame : frames) ++counts[rescaleOf(frame)];
+    const auto usual = std::max_element(counts.begin(), counts.end(),
+                                        [](const auto& a, const auto& b) { return a.second < b.second; });
+    std::vector<const Frame*> deviating;
+    if (kOneOf * (frames.size() - usual->second) > frames.size()) return deviating;
+    for (const Frame& frame : frames) {
+        if (rescaleOf(frame) != usual->first) deviating.push_back(&frame);
+    }
+    return deviating;
 }
 
 void assessPixels(Stack& stack) {
@@ -97,7 +118,10 @@ void assessRescale(Stack& stack, const std::string& modality) {
     const Frame& first = stack.frames.front();
     if (any(stack,
             [&](const Frame& f) { return f.slope != first.slope || f.intercept != first.intercept; })) {
-        tell(stack, message(key::kPerSliceRescale));
+        const std::vector<const Frame*> deviating = deviatingRescales(stack.frames);
+        tell(stack, deviating.empty()
+                        ? message(key::kPerSliceRescale)
+                        : message(key::kDeviatingRescale, {{"numbers", describeNumbers(deviating)}}));
     }
     if (any(stack, [](const Frame& f) { return f.realWorld; })) {
         tell(stack, message(key::kRealWorldValues, {{"unit", first.rescaleType}}));

@@ -1,5 +1,6 @@
 #include "viewer/loader_job.h"
 
+#include <algorithm>
 #include <exception>
 #include <new>
 #include <utility>
@@ -7,6 +8,7 @@
 #include "base/phantom.h"
 #include "dicom/loader.h"
 #include "dicom/media_directory.h"
+#include "dicom/messages.h"
 #include "dicom/volume_file.h"
 #include "viewer/found_volumes.h"
 
@@ -36,15 +38,25 @@ bool isMediaDirectory(const std::filesystem::path& file) {
     return dicom::readMediaDirectory(file).ok();
 }
 
-Result<LoadedStudy> loadPath(const std::filesystem::path& given, Progress& progress) {
+// What only a person can answer, when it stands between the folder and its first volume.
+std::string joinQuestionOf(const FoundVolumes& found) {
+    const auto& messages = found.scan().messages;
+    const auto asked = std::ranges::find(messages, dicom::key::kUidPerSlice, &Message::key);
+    return found.volumes().empty() && asked != messages.end() ? asked->sentence : std::string();
+}
+
+Result<LoadedStudy> loadPath(const std::filesystem::path& given, Progress& progress, bool join) {
     // Of a name without a folder the parent would be empty.
     const std::filesystem::path path = std::filesystem::absolute(given).lexically_normal();
     std::error_code notThere;
     const bool isFile = std::filesystem::is_regular_file(path, notThere);
     if (isFile && dicom::isVolumeFileName(path)) return loadVolumeFile(path, progress);
     const bool isOneImage = isFile && !isMediaDirectory(path);
-    MACULA_TRY(dicom::Scan scan, dicom::scanFolder(isFile ? path.parent_path() : path, progress));
+    MACULA_TRY(dicom::Scan scan,
+               dicom::scanFolder(isFile ? path.parent_path() : path, progress, {.join = join}));
     const auto found = std::make_shared<const FoundVolumes>(std::move(scan));
+    if (auto question = joinQuestionOf(*found); !question.empty())
+        return LoadedStudy{.volume = nullptr, .joinQuestion = std::move(question)};
     MACULA_TRY(const FoundVolumes::Choice choice, isOneImage ? found->holding(path) : found->best(path));
     MACULA_TRY(LoadedStudy study, loadFoundVolume(found, choice.index, progress));
     study.whyThisSeries = choice.why;
@@ -104,9 +116,9 @@ Result<LoadedStudy> withoutExceptions(const StudySource& source, Load load) {
 
 }  // namespace
 
-Result<LoadedStudy> loadStudy(const StudySource& source, Progress& progress) {
-    return withoutExceptions(source,
-                             [&] { return source ? loadPath(*source, progress) : loadPhantom(progress); });
+Result<LoadedStudy> loadStudy(const StudySource& source, Progress& progress, bool join) {
+    return withoutExceptions(
+        source, [&] { return source ? loadPath(*source, progress, join) : loadPhantom(progress); });
 }
 
 StudyLoader::StudyLoader(QObject* parent)
@@ -117,8 +129,10 @@ StudyLoader::StudyLoader(QObject* parent)
                       },
                   .ended = [this](const Result<LoadedStudy>& outcome) { tellOutcome(outcome); }}) {}
 
-void StudyLoader::open(StudySource source) {
-    job_.start([source = std::move(source)](Progress& progress) { return loadStudy(source, progress); });
+void StudyLoader::open(StudySource source, bool join) {
+    source_ = source;
+    job_.start(
+        [source = std::move(source), join](Progress& progress) { return loadStudy(source, progress, join); });
     emit began();
 }
 
@@ -134,7 +148,10 @@ void StudyLoader::cancel() {
 }
 
 void StudyLoader::tellOutcome(const Result<LoadedStudy>& outcome) {
-    if (outcome) {
+    if (outcome && !outcome->volume) {
+        emit askedToJoin(QString::fromStdString(source_.value_or("").string()),
+                         QString::fromStdString(outcome->joinQuestion));
+    } else if (outcome) {
         emit loaded(*outcome);
     } else if (outcome.error().code == ErrorCode::cancelled) {
         emit cancelled();

@@ -21,7 +21,7 @@ class FoundVolumes;
 
 // What came out of a folder. All strings are for the screen; they may name a patient.
 struct LoadedStudy {
-    std::shared_ptr<const Volume> volume;
+    std::shared_ptr<const Volume> volume;  // null when there is only a question
     Identity identity = {};
     std::string description = {};
     std::string whyThisSeries = {};          // empty for the phantom
@@ -30,6 +30,7 @@ struct LoadedStudy {
     std::shared_ptr<const FoundVolumes> found = {};
     std::vector<std::string> volumeTitles = {};
     std::size_t volumeIndex = 0;
+    std::string joinQuestion = {};  // see dicom::ScanOptions
 };
 
 // A folder, or the DICOMDIR in it, of which the best series is meant; an image, of which its own series in
@@ -38,7 +39,7 @@ struct LoadedStudy {
 using StudySource = std::optional<std::filesystem::path>;
 
 // Scans, chooses the series and decodes it. Blocks; a file at a time sees a cancellation.
-Result<LoadedStudy> loadStudy(const StudySource& source, Progress& progress);
+Result<LoadedStudy> loadStudy(const StudySource& source, Progress& progress, bool join = false);
 // Decodes another volume of the folder.
 Result<LoadedStudy> loadFoundVolume(std::shared_ptr<const FoundVolumes> found, std::size_t index,
                                     Progress& progress);
@@ -51,7 +52,7 @@ class StudyLoader : public QObject {
   public:
     explicit StudyLoader(QObject* parent = nullptr);
 
-    void open(StudySource source);
+    void open(StudySource source, bool join = false);
     void open(std::shared_ptr<const FoundVolumes> found, std::size_t index);
     void cancel();  // `cancelled` follows
     bool loading() const { return job_.running(); }
@@ -61,6 +62,7 @@ class StudyLoader : public QObject {
     void began();
     void progressed(const QString& stage, double fraction);
     void loaded(const macula::viewer::LoadedStudy& study);
+    void askedToJoin(const QString& path, const QString& question);  // open(path, true) is yes
     void failed(const macula::Error& error);
     void cancelled();
 
@@ -68,6 +70,7 @@ class StudyLoader : public QObject {
     void tellOutcome(const Result<LoadedStudy>& outcome);
 
     BackgroundJob<LoadedStudy> job_;
+    StudySource source_;
 };
 
 }  // namespace macula::viewer

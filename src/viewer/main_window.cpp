@@ -19,6 +19,7 @@
 #include "pipeline/volume/clip_json.h"
 #include "pipeline/volume/window.h"
 #include "viewer/help_boxes.h"
+#include "viewer/join_question.h"
 #include "viewer/status_texts.h"
 #include "viewer/visibility_note.h"
 
@@ -257,6 +258,11 @@ void MainWindow::connectLoader() {
     connect(&loader_, &StudyLoader::loaded, this, [this](const LoadedStudy& study) {
         loading_->hide();
         showStudy(study);
+    });
+    connect(&loader_, &StudyLoader::askedToJoin, this, [this](const QString& path, const QString& question) {
+        loading_->hide();
+        viewport_->window().endDrag();
+        askToJoin(this, question, [this, path] { loader_.open(path.toStdString(), true); });
     });
     connect(&loader_, &StudyLoader::failed, this, [this](const Error& error) {
         loading_->hide();

@@ -17,7 +17,10 @@ constexpr double kWidest = 1e9;
 
 DisplayWindow ProjectionWindows::of(trace::Look look, const Volume& volume) const {
     const auto& window = set_.at(std::size_t(look));
-    return window ? *window : seriesWindow(volume);
+    if (window) return *window;
+    if (look != trace::Look::mip) return seriesWindow(volume);
+    if (!maximum_) maximum_ = maximumWindow(volume);
+    return *maximum_;
 }
 
 void ProjectionWindows::drag(trace::Look look, const DisplayWindow& from, QPointF byHeights) {

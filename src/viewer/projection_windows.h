@@ -12,8 +12,9 @@
 namespace macula::viewer {
 
 // One window for each look, as the largest value along a ray and the mean have little to do with each other:
-// the one that somebody set in this look, by hand or by a preset; else that of the series. So it does not
-// depend on what was chosen in other looks, where nobody saw a window.
+// the one that somebody set in this look, by hand or by a preset; else that of the series, for MIP only if
+// that is not mostly white. So it does not depend on what was chosen in other looks, where nobody saw a
+// window.
 class ProjectionWindows {
   public:
     DisplayWindow of(trace::Look look, const Volume& volume) const;
@@ -24,10 +25,12 @@ class ProjectionWindows {
     // up.
     void drag(trace::Look look, const DisplayWindow& from, QPointF byHeights);
     void forget(trace::Look look);  // what was set
-    void forgetAll() { set_ = {}; }
+    // Before another volume is asked for.
+    void forgetAll() { *this = {}; }
 
   private:
     std::array<std::optional<DisplayWindow>, trace::kLooks.size()> set_;
+    mutable std::optional<DisplayWindow> maximum_;  // of the volume; takes a while to find
 };
 
 // Width and level, as radiologists have them: "W 400 L 40 HU".

@@ -156,6 +156,24 @@ std::string CommandTest::write(const std::string& name, std::string_view text) c
     return at(name);
 }
 
+std::string CommandTest::writeBall(const std::string& name) const {
+    constexpr int kSide = 24;
+    std::string text =
+        "NRRD0004\ntype: int16\ndimension: 3\nspace: left-posterior-superior\nsizes: 24 24 24\n"
+        "space directions: (4,0,0) (0,4,0) (0,0,4)\nspace origin: (-46,-46,-46)\nencoding: raw\n"
+        "endian: little\nMaculaValues:=Macula|int16|HU|CT\n\n";
+    for (int i = 0; i < kSide * kSide * kSide; ++i) {
+        const auto from = [&](int index) { return 2 * index + 1 - kSide; };
+        const int x = from(i % kSide);
+        const int y = from(i / kSide % kSide);
+        const int z = from(i / kSide / kSide);
+        const int squared = x * x + y * y + z * z;
+        const auto hu = static_cast<std::int16_t>(squared < 100 ? 1000 : squared < 400 ? 0 : -1000);
+        text += {static_cast<char>(hu & 0xff), static_cast<char>(hu >> 8)};
+    }
+    return write(name, text);
+}
+
 std::size_t CommandTest::fileCount(const std::string& name) const {
     return static_cast<std::size_t>(
         std::distance(fs::recursive_directory_iterator(folder_ / name), fs::recursive_directory_iterator()));

@@ -42,6 +42,9 @@ class CommandTest : public ::testing::Test {
 
     std::string at(const std::string& name) const { return (folder_ / name).string(); }
     std::string write(const std::string& name, std::string_view text) const;  // returns its path
+    // A volume of 24 voxels a side, a ball of bone in water in air: where any volume does, since this one is
+    // read and drawn in no time. Returns its path.
+    std::string writeBall(const std::string& name = "ball.nrrd") const;
     std::size_t fileCount(const std::string& name = ".") const;
 
     std::filesystem::path folder_;

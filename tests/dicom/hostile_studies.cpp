@@ -363,6 +363,14 @@ std::vector<HostileStudy> make() {
         [](DcmItem& item) { erase(item, DCM_RescaleIntercept); });
     odd("intercept-absurd", "one slice has an intercept of 1e30", key::kOddRescale,
         text(DCM_RescaleIntercept, "1e30"));
+    add({"intercept-deviates",
+         "one slice has an intercept that is 24 less",
+         "one volume, with the values that slice says",
+         {key::kDeviatingRescale},
+         1,
+         edited({}, [](Slice& slice, std::size_t n) {
+             if (n == 5) slice.intercept = -1048.0;
+         })});
     odd("slope-negative", "one slice has a slope of the other sign", key::kOddRescale,
         text(DCM_RescaleSlope, "-1"));
     odd("position-far-away", "one slice lies a kilometre away", key::kOddPosition,

@@ -60,6 +60,8 @@ TEST(ClipJson, sidesAreThePatients) {
     ASSERT_TRUE(corner.greyFaces);
     EXPECT_EQ(corner.greyFaces->center, 45.0);
     EXPECT_EQ(corner.greyFaces->width, 90.0);
+    EXPECT_FALSE(corner.facesBelowWindowAreBlack);
+    EXPECT_TRUE(builtIn("corner-open-black").facesBelowWindowAreBlack);
     const Clip slab = builtIn("slab-axial");
     EXPECT_TRUE(shows(slab, centre));
     EXPECT_FALSE(shows(slab, centre + glm::dvec3(0, 0, 3.1)));
@@ -87,6 +89,8 @@ TEST(ClipJson, errorsSayWhatWasExpected) {
               std::string::npos);
     EXPECT_NE(says(",\"greyFaces\":\"yes\"").find("series"), std::string::npos);
     EXPECT_NE(says(",\"greyFaces\":{\"center\":1,\"width\":-1}"), "");
+    EXPECT_NE(says(",\"belowWindow\":\"black\"").find("greyFaces"), std::string::npos);
+    EXPECT_NE(says(",\"greyFaces\":\"series\",\"belowWindow\":\"white\"").find("clear"), std::string::npos);
     EXPECT_NE(says(",\"planes\":[0,0,0,0,0,0,0]"), "");
     EXPECT_FALSE(clipPresetFromJson("", "a.json"));
     EXPECT_FALSE(clipPresetFromJson("[]", "a.json"));

@@ -210,6 +210,31 @@ TEST(Clip, greyFacesShowTheWindow) {
               0.0);
 }
 
+// At the window's low end and below a face is clear, or black and opaque where that is asked for.
+TEST(Clip, greyFacesBelowTheWindowAreBlackWhereThatIsAskedFor) {
+    const auto volume =
+        scenes::volumeOf({32, 32, 32}, affine({1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {-15.5, -15.5, -15.5}),
+                         [](int i, int, int) { return std::uint16_t(i < 16 ? 10 : 115); });
+    TransferFunction unseen = scenes::homogeneous(2.0);
+    unseen.opacity = {{1000, 0.0}, {1001, 1.0}};
+    const View view{.camera = {.positionMm = {0, -3000, 0}, .targetMm = {0, 0, 0}, .verticalFovDeg = 0.5},
+                    .width = 26,
+                    .height = 26};
+    for (const bool isBlack : {false, true}) {
+        Clip clip{.planes = {{{0, 1, 0}, 3.0}}, .facesBelowWindowAreBlack = isBlack};
+        clip.greyFaces =
+            DisplayWindow{.center = 115, .width = 40, .explanation = {}, .function = "LINEAR_EXACT"};
+        const Medium medium = makeMedium(*volume, makeBrickGrid(*volume), unseen, clip);
+        const auto params = makeTraceParams(*volume, medium, sky(), view, {.bounces = 1}, clip);
+        const auto sums = ReferenceTracer(*volume, medium, sky())
+                              .trace(*params, Filter::trilinear, Precision::twofold, 0, 1);
+        const glm::dvec4 low = sums[std::size_t(13 * 26 + 5)];
+        EXPECT_EQ(low.a, isBlack ? 1.0 : 0.0);
+        EXPECT_LT(low.g, isBlack ? 2e-3 : 2.0);  // the sky shines through what is clear
+        EXPECT_EQ(sums[std::size_t(13 * 26 + 20)].a, 1.0);
+    }
+}
+
 // What a mask hides is no slice either.
 TEST(Clip, greyFacesShowNothingOfWhatAMaskHides) {
     const glm::ivec3 size(16, 16, 16);

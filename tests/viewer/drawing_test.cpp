@@ -13,6 +13,8 @@ namespace {
 
 class DrawingTest : public WindowTest {
   protected:
+    DrawingTest() { usesModel_ = false; }
+
     QAction& action(const char* name) {
         auto* found = window_->findChild<QAction*>(QString::fromLatin1(name));
         if (found == nullptr) throw std::runtime_error(name);

@@ -23,6 +23,8 @@ const Identity kPhantom{.series = "Built-in phantom", .isOfNobody = true};
 
 class NamesTest : public WindowTest {
   protected:
+    NamesTest() { usesModel_ = false; }
+
     LoadedStudy ofDoe() const {
         LoadedStudy study = smallStudy(Unit::hounsfield);
         study.identity = kDoe;
@@ -98,7 +100,10 @@ TEST_F(NamesTest, LongNamesAreCutShortAndDirectionMarksLeftOut) {
 
 class ThreeStudiesTest : public NamesTest {
   protected:
-    ThreeStudiesTest() { refusesRaw_ = false; }
+    ThreeStudiesTest() {
+        refusesRaw_ = false;
+        usesModel_ = true;
+    }
 };
 
 // Three studies dropped on the window one after the other, with one that cannot be opened in between, and a

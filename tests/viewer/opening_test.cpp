@@ -5,10 +5,14 @@
 #include <QComboBox>
 #include <QDropEvent>
 #include <QFileDialog>
+#include <QMessageBox>
 #include <QMimeData>
 #include <QUrl>
+#include <algorithm>
 
 #include "base/paths.h"
+#include "hostile_studies.h"
+#include "support.h"
 #include "viewer/window_fixture.h"
 
 namespace macula::viewer {
@@ -16,7 +20,10 @@ namespace {
 
 class OpeningTest : public WindowTest {
   protected:
-    OpeningTest() { refusesRaw_ = false; }
+    OpeningTest() {
+        refusesRaw_ = false;
+        usesModel_ = false;
+    }
 
     QComboBox* box(const char* accessibleName) {
         for (QComboBox* found : window_->findChildren<QComboBox*>()) {
@@ -68,6 +75,26 @@ TEST_F(OpeningTest, ADialogEndsADrag) {
     sendMouse(QEvent::MouseMove, {60, 100}, Qt::NoButton, Qt::NoButton);
     EXPECT_EQ(window_->viewport().camera().azimuthDeg, azimuth);
     dialog->reject();
+}
+
+// Identifiers made anew for each slice: the window asks, and opens them as one series after a yes.
+TEST_F(OpeningTest, ImagesThatMayBeOneSeriesAreAskedAbout) {
+    const dicom::test::TemporaryFolder folder;
+    const auto& studies = dicom::test::hostileStudies();
+    std::ranges::find(studies, "series-uid-per-slice", &dicom::test::HostileStudy::name)
+        ->write(folder.path());
+    window_->open(folder.path());
+    QMessageBox* box = nullptr;
+    ASSERT_TRUE(waitUntil([&] { return (box = window_->findChild<QMessageBox*>()) != nullptr; }));
+    EXPECT_TRUE(box->text().contains(QStringLiteral("one series?"))) << box->text().toStdString();
+    EXPECT_EQ(frames_, 0);
+    bool isShown = false;
+    QObject::connect(&*window_, &MainWindow::studyShown, &*window_, [&] { isShown = true; });
+    for (QAbstractButton* button : box->buttons()) {
+        if (box->buttonRole(button) == QMessageBox::AcceptRole) button->click();
+    }
+    ASSERT_TRUE(waitUntil([&] { return isShown; }));
+    EXPECT_TRUE(waitForConverged());
 }
 
 TEST_F(OpeningTest, AButtonThatWentUpElsewhereEndsADrag) {

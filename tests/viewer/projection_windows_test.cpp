@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "pipeline/volume/window.h"
+
 namespace macula::viewer {
 namespace {
 
@@ -21,7 +23,11 @@ TEST(ProjectionWindows, WhatWasSetInALookComesBeforeTheSeriesAndIsOfThatLookAlon
     const Volume plain = volumeWith({});
     const Volume named = volumeWith({{.center = 40.0, .width = 400.0, .explanation = {}, .function = {}}});
     ProjectionWindows windows;
-    EXPECT_EQ(windowText(windows.of(Look::mip, plain), "HU"), QStringLiteral("W 2000 L 0 HU"));
+    EXPECT_EQ(windowText(windows.of(Look::average, plain), "HU"), QStringLiteral("W 2000 L 0 HU"));
+    // Of MIP one that is not mostly white.
+    EXPECT_EQ(windows.of(Look::mip, plain), maximumWindow(plain));
+    EXPECT_NE(windows.of(Look::mip, plain), windows.of(Look::average, plain));
+    windows.forgetAll();
     EXPECT_EQ(windowText(windows.of(Look::mip, named), "HU"), QStringLiteral("W 400 L 40 HU"));
     windows.set(Look::mip,
                 DisplayWindow{.center = 825.0, .width = 1350.0, .explanation = {}, .function = {}});

@@ -14,6 +14,8 @@ using macula::test::VulkanCall;
 
 class ScreenTest : public WindowTest {
   protected:
+    ScreenTest() { usesModel_ = false; }
+
     void SetUp() override {
         WindowTest::SetUp();
         if (!window_) return;

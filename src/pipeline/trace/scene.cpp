@@ -55,7 +55,7 @@ void writeClip(const Clip& clip, const Volume& volume, shared::TraceParams& para
     }
     params.clipShadows = clip.removedCastsShadow ? 1 : 0;
     if (!clip.greyFaces || clip.isNothing()) return;
-    params.greyFaces = 1;
+    params.greyFaces = clip.facesBelowWindowAreBlack ? 2 : 1;
     std::tie(params.greyLow, params.greyHigh) = entriesOf(*clip.greyFaces, volume);
 }
 

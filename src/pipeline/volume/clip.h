@@ -74,6 +74,8 @@ struct Clip {
     bool removedCastsShadow = false;
     // The faces of the clip show the values themselves through this window, opaque above its low end.
     std::optional<DisplayWindow> greyFaces;
+    // At and below that end they are black; else clear, and show what lies deeper.
+    bool facesBelowWindowAreBlack = false;
 
     bool hasShape() const { return box || !planes.empty() || cut || ball; }
     bool isNothing() const { return !hasShape() && !mask; }

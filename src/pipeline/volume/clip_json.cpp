@@ -52,8 +52,8 @@ Result<ClipPreset> clipPresetFromJson(std::string_view text, const std::string& 
     const JsonDocument document(text, where);
     MACULA_TRY_VOID(document.status());
     const JsonNode root = document.root();
-    root.allowOnly(
-        {"version", "name", "title", "box", "planes", "cut", "ball", "removedCastsShadow", "greyFaces"});
+    root.allowOnly({"version", "name", "title", "box", "planes", "cut", "ball", "removedCastsShadow",
+                    "greyFaces", "belowWindow"});
     if (root["version"].number() != 1.0) root["version"].fail("version 1; newer ones need a newer Macula");
 
     ClipPreset preset{.name = root["name"].text(), .title = root["title"].text(), .clip = {}, .planesAt = {}};
@@ -89,6 +89,11 @@ Result<ClipPreset> clipPresetFromJson(std::string_view text, const std::string& 
                                            .explanation = {},
                                            .function = "LINEAR_EXACT"};
         }
+    }
+    if (const auto node = root.find("belowWindow")) {
+        if (!root.find("greyFaces")) node->fail("greyFaces beside it");
+        if (node->text() != "clear" && node->text() != "black") node->fail("\"clear\" or \"black\"");
+        clip.facesBelowWindowAreBlack = node->text() == "black";
     }
     MACULA_TRY_VOID(document.status());
     return preset;
