@@ -55,6 +55,20 @@ function(macula_module name)
     target_link_libraries(macula_${name} PUBLIC ${M_PUBLIC} PRIVATE ${M_PRIVATE})
 endfunction()
 
+# macula_plugin(NAME SOURCES … PRIVATE …): macula-NAME.so, which base/module.h loads: beside the programs in the build, and in a
+# folder of its own once installed.
+include(GNUInstallDirs)
+function(macula_plugin name)
+    cmake_parse_arguments(M "" "" "SOURCES;PRIVATE" ${ARGN})
+    add_library(macula_plugin_${name} MODULE ${M_SOURCES})
+    set_target_properties(macula_plugin_${name} PROPERTIES PREFIX "" OUTPUT_NAME macula-${name}
+        LIBRARY_OUTPUT_DIRECTORY ${CMAKE_RUNTIME_OUTPUT_DIRECTORY})
+    target_include_directories(macula_plugin_${name} PRIVATE ${PROJECT_SOURCE_DIR}/src)
+    target_compile_options(macula_plugin_${name} PRIVATE ${MACULA_WARNINGS})
+    target_link_libraries(macula_plugin_${name} PRIVATE ${M_PRIVATE})
+    install(TARGETS macula_plugin_${name} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/macula)
+endfunction()
+
 # macula_test(NAME SOURCES … LIBS … [TIMEOUT seconds] [ALONE]): one GoogleTest executable, one ctest entry per test; ALONE for
 # tests that look at the clock.
 function(macula_test name)
