@@ -77,7 +77,7 @@ TEST_F(StudyLoaderTest, CancelEndsTheLoadAndNothingIsDelivered) {
     QElapsedTimer sinceCancelled;
     sinceCancelled.start();
     ASSERT_TRUE(waitUntil([&] { return loader.atRest(); }));
-    EXPECT_LT(sinceCancelled.elapsed(), 1000);
+    EXPECT_LT(sinceCancelled.elapsed(), 5000);
     // The next load is not disturbed by what is left of the one before.
     loader.open(std::nullopt);
     ASSERT_TRUE(waitUntil([&] { return outcomes > 0; }));

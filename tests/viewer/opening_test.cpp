@@ -189,7 +189,7 @@ TEST_F(OpeningTest, TheRateIsThatOfPicturesInMotionAndGoesWithThem) {
         return window_->rate().contains(QStringLiteral("/s"));
     }));
     // The hand holds still.
-    EXPECT_TRUE(waitUntil([&] { return !window_->rate().contains(QStringLiteral("/s")); }, 20));
+    EXPECT_TRUE(waitUntil([&] { return !window_->rate().contains(QStringLiteral("/s")); }, 60));
     EXPECT_TRUE(window_->rate().contains(QStringLiteral("\u00d7")));
     sendMouse(QEvent::MouseButtonRelease, {double(x % 200), 100}, Qt::LeftButton, Qt::NoButton);
 }
@@ -202,7 +202,7 @@ TEST_F(OpeningTest, OfSeveralVolumesAnotherOneCanBeChosen) {
     ASSERT_TRUE(waitForConverged());
     QComboBox* volumes = box("Volume");
     ASSERT_TRUE(volumes != nullptr);
-    EXPECT_TRUE(waitUntil([&] { return volumes->isVisible(); }, 10));
+    EXPECT_TRUE(waitUntil([&] { return volumes->isVisible(); }, 60));
     ASSERT_EQ(volumes->count(), 2);
     const int first = volumes->currentIndex();
     EXPECT_TRUE(volumes->currentText().startsWith(QStringLiteral("%1 of 2: ").arg(first + 1)));

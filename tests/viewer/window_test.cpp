@@ -86,7 +86,7 @@ TEST_F(WindowTest, LoadingCanBeCancelled) {
     QElapsedTimer sinceCancelled;
     sinceCancelled.start();
     ASSERT_TRUE(waitUntil([&] { return window_->loaderAtRest(); }));
-    EXPECT_LT(sinceCancelled.elapsed(), 1000);
+    EXPECT_LT(sinceCancelled.elapsed(), 5000);
 }
 
 TEST_F(WindowTest, NothingOfTheStudyBeforeStaysWhenTheNextOneCannotBeShown) {
@@ -108,7 +108,7 @@ TEST_F(WindowTest, NothingOfTheStudyBeforeStaysWhenTheNextOneCannotBeShown) {
     EXPECT_EQ(frames_, before);
     EXPECT_TRUE(window_->description().isEmpty());
     EXPECT_TRUE(window_->viewport().letters().right.empty());
-    EXPECT_TRUE(waitUntil([&] { return coloursInTheMiddle() == 1; }, 5));
+    EXPECT_TRUE(waitUntil([&] { return coloursInTheMiddle() == 1; }, 60));
 
     // Nor does it come back with the window.
     window_->hide();
@@ -198,7 +198,7 @@ TEST_F(WindowTest, StatusTextsKeepApartInANarrowWindow) {
     };
     for (const int width : {400, 1100, 360}) {
         window_->resize(width, window_->height());
-        ASSERT_TRUE(waitUntil([&] { return std::abs(window_->width() - width) <= 40; }, 5));
+        ASSERT_TRUE(waitUntil([&] { return std::abs(window_->width() - width) <= 40; }, 60));
         EXPECT_TRUE(waitUntil(
             [&] { return fidelity->width() >= std::min(fidelity->sizeHint().width(), bar.width() / 2 - 40); },
             5));
