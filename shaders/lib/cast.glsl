@@ -90,6 +90,52 @@ Corners cornersOfCell(CellWalk cells) {
     return c;
 }
 
+// Central differences at the corners of a cell, of which the gradient between them is the interpolation: what gradientAt
+// comes to, with the voxels around fetched once for the whole cell.
+struct CellGradient {
+    Corners x;
+    Corners y;
+    Corners z;
+};
+
+// Those a voxel further along an axis.
+Corners cornersBeside(CellWalk cells, ivec3 offset) {
+    ivec3 last = params.volumeSize - ivec3(1);
+    ivec3 low = ivec3(cells.cell) + offset;
+    Corners c;
+    c.fraction = vec3(0.0);
+    fetchCorners(clamp(low, ivec3(0), last), clamp(low + ivec3(1), ivec3(0), last), c.near, c.far);
+    return c;
+}
+
+// What is at both ends of a difference in the cell itself is not fetched again.
+CellGradient gradientOfCell(CellWalk cells, Corners c) {
+    CellGradient gradient;
+    Corners before = cornersBeside(cells, ivec3(-1, 0, 0));
+    Corners after = cornersBeside(cells, ivec3(1, 0, 0));
+    gradient.x.near = vec4(c.near.y - before.near.x, after.near.y - c.near.x, c.near.w - before.near.z, after.near.w - c.near.z) * float(0.5);
+    gradient.x.far = vec4(c.far.y - before.far.x, after.far.y - c.far.x, c.far.w - before.far.z, after.far.w - c.far.z) * float(0.5);
+    before = cornersBeside(cells, ivec3(0, -1, 0));
+    after = cornersBeside(cells, ivec3(0, 1, 0));
+    gradient.y.near = vec4(c.near.z - before.near.x, c.near.w - before.near.y, after.near.z - c.near.x, after.near.w - c.near.y) * float(0.5);
+    gradient.y.far = vec4(c.far.z - before.far.x, c.far.w - before.far.y, after.far.z - c.far.x, after.far.w - c.far.y) * float(0.5);
+    before = cornersBeside(cells, ivec3(0, 0, -1));
+    after = cornersBeside(cells, ivec3(0, 0, 1));
+    gradient.z.near = (c.far - before.near) * float(0.5);
+    gradient.z.far = (after.far - c.near) * float(0.5);
+    gradient.x.fraction = vec3(0.0);
+    gradient.y.fraction = vec3(0.0);
+    gradient.z.fraction = vec3(0.0);
+    return gradient;
+}
+
+vec3 gradientIn(INOUT(CellGradient) gradient, vec3 fraction) {
+    gradient.x.fraction = fraction;
+    gradient.y.fraction = fraction;
+    gradient.z.fraction = fraction;
+    return worldGradient(vec3(interpolated(gradient.x), interpolated(gradient.y), interpolated(gradient.z)));
+}
+
 // The value at a part of the way through the cell, 0 to 1.
 float valueIn(CellWalk cells, INOUT(Corners) corners, float part) {
     float atMm = mix(cells.fromMm, cells.toMm, part);
@@ -99,8 +145,7 @@ float valueIn(CellWalk cells, INOUT(Corners) corners, float part) {
 
 // What a headlight leaves of a colour: ambient + diffuse |cos| of the angle between the ray and the gradient (Lambert, both
 // sides alike). Where the values around are all the same there is no surface, and it is seen as if it faced the light.
-float headlight(vec3 p, vec3 worldDirection) {
-    vec3 gradient = gradientAt(p);
+float headlight(vec3 gradient, vec3 worldDirection) {
     float length2 = dot(gradient, gradient);
     float cosine = length2 > float(0.0) ? abs(dot(gradient, worldDirection)) / sqrt(length2) : float(1.0);
     return params.ambient + params.diffuse * cosine;
@@ -130,6 +175,9 @@ vec4 castMatter(vec3 worldDirection, float phase, INOUT(int) rounds) {
         while (transmittance >= float(CAST_OPAQUE) && nextCell(cells, toMm)) {
             rounds += 1;
             Corners corners = cornersOfCell(cells);
+            // For the whole cell: a branch within the steps would skip nothing where eight rays are one vector.
+            CellGradient gradients;
+            if (useGradientOpacity() || useShading()) gradients = gradientOfCell(cells, corners);
             float middle = valueIn(cells, corners, float(0.5));
             float change = abs(valueIn(cells, corners, float(0.0)) - middle) + abs(valueIn(cells, corners, float(1.0)) - middle);
             int most = rounds < MANY_ROUNDS ? CAST_STEPS : CAST_STEPS_LATE;
@@ -139,10 +187,14 @@ vec4 castMatter(vec3 worldDirection, float phase, INOUT(int) rounds) {
                 rounds += 1;
                 float entry = valueIn(cells, corners, (float(i) + phase) / float(steps));
                 vec3 at = cells.cell + corners.fraction + vec3(0.5);
-                float extinction = isMasked(at) ? float(0.0) : extinctionAt(at, entry);
-                float through = exp(-extinction * step);
+                float extinction = isMasked(at) ? float(0.0) : extinctionOfEntry(entry);
                 vec3 emitted = albedoOfEntry(entry);
-                if (useShading()) emitted *= headlight(at, worldDirection);
+                if (useGradientOpacity() || useShading()) {
+                    vec3 gradient = gradientIn(gradients, corners.fraction);
+                    if (useGradientOpacity()) extinction = thinnedByGradient(extinction, gradient);
+                    if (useShading()) emitted *= headlight(gradient, worldDirection);
+                }
+                float through = exp(-extinction * step);
                 colour += emitted * (transmittance * (float(1.0) - through));
                 transmittance *= through;
             }
