@@ -46,10 +46,11 @@ struct TraceParams {
     int clipCornerCount;
     int clipBall;     // one of the three above
     int clipShadows;  // 1: what is removed is hidden from the eye only, and still casts shadow
-    int greyFaces;    // 1: the faces of the clip show the values themselves; 2: and are black, not clear, below the window
-    float greyLow;    // table entry that is black there
-    float greyHigh;   // and white
-    float exposure;   // that will be applied: grey is divided by it
+    int greyFaces;  // 1: the faces of the clip show the values themselves; 2: and are black, not clear, below
+                    // the window
+    float greyLow;  // table entry that is black there
+    float greyHigh;  // and white
+    float exposure;  // that will be applied: grey is divided by it
 
     // Where the picture is stored larger, see shaders/lib/fovea.glsl; magnification 1: nowhere.
     vec2 planeHalfSize;

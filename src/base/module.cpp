@@ -14,8 +14,11 @@ namespace fs = std::filesystem;
 fs::path folderOfThis() {
     Dl_info info{};
     std::error_code unknown;
-    if (dladdr(reinterpret_cast<const void*>(&folderOfThis), &info) == 0) return {};
-    return fs::canonical(info.dli_fname, unknown).parent_path();
+    fs::path file;
+    if (dladdr(reinterpret_cast<const void*>(&folderOfThis), &info) != 0) file = info.dli_fname;
+    // Of a program it is the word that it was called by, which may have been found by PATH.
+    if (!file.is_absolute()) file = "/proc/self/exe";
+    return fs::canonical(file, unknown).parent_path();
 }
 
 }  // namespace

@@ -125,8 +125,8 @@ TEST_F(Signals, Phantom) {
 
 TEST_F(Signals, Sheet) {
     expectAllOrNothing(
-        {"sheet", writeBall(), "-o", at("out/a.png"), "--tile", "16", "--spp", "1", "--overwrite"},
-        {"a.png"}, {}, kMomentsOfSlowOnes);
+        {"sheet", writeBall(), "-o", at("out/a.png"), "--tile", "16", "--spp", "1", "--overwrite"}, {"a.png"},
+        {}, kMomentsOfSlowOnes);
 }
 
 // What was trained until then stands beside a model that is there, under a name that says so.

@@ -208,6 +208,16 @@ TEST_F(Words, WhatWasWrittenIsToldAndWhere) {
     EXPECT_NE(ran.err.find("Wrote " + at("a.png") + " in "), std::string::npos) << ran.err;
 }
 
+// By a name that the shell looks up, from another folder: what is loaded when it is needed is found all the
+// same.
+TEST_F(Words, IsFoundByPath) {
+    const fs::path program = MACULA_BINARY;
+    const std::string call =
+        fmt::format("cd / && PATH='{}':$PATH macula render '{}' -o '{}' --size 16x16 --spp 1 2>'{}'",
+                    program.parent_path().string(), writeBall(), at("a.png"), at("err"));
+    EXPECT_EQ(std::system(call.c_str()), 0) << readAll(at("err"));
+}
+
 TEST_F(Words, ATerminalThatUnderstandsNothingGetsNoControlCharacters) {
     const auto never = [](const std::string&) { return false; };
     const std::vector<std::string> arguments{"render", "-o", at("a.png"), "--size",         "64x64",
