@@ -129,8 +129,10 @@ Result<splat::Splats> loadModel(const Options& options) {
     MACULA_TRY(splat::ModelFile file, splat::readModel(options.model, splat::BadSplats::repairOrNone));
     splat::Splats& splats = file.splats;
     if (file.repaired.dropped > 0)
-        printNote(fmt::format("{} of the model's splats hold what is no number or no rotation: left out.",
-                              file.repaired.dropped));
+        printNote(
+            fmt::format("{} of the model's splats hold what is no number or no rotation, or are so large "
+                        "that they would fill every picture: left out.",
+                        file.repaired.dropped));
     if (splats.size() == 0) printNote("The model holds no splats: the pictures are empty.");
     if (options.lowPass && splats.lowPass == splat::LowPass::adaptive) {
         printNote("This model is one of Macula's and has a low-pass of its own: --low-pass does nothing.");
