@@ -32,6 +32,8 @@ struct State {
     bool isFull = false;
     std::uint64_t refusedFromBytes = 0;
     int refused = 0;
+    bool untilFreed = false;
+    bool wasFreed = false;  // since the last refusal
     VkDevice lostDevice = VK_NULL_HANDLE;
     std::map<VkQueue, VkDevice> queues;
 
@@ -94,9 +96,17 @@ std::optional<VkResult> falseAnswerTo(VulkanCall call) {
 bool isRefused(std::uint64_t bytes) {
     State& s = state();
     const std::lock_guard lock(s.mutex);
-    const bool is = s.isFull && bytes >= s.refusedFromBytes;
-    s.refused += is ? 1 : 0;
-    return is;
+    if (!s.isFull || bytes < s.refusedFromBytes) return false;
+    if (s.untilFreed && s.wasFreed) return false;
+    ++s.refused;
+    s.wasFreed = false;
+    return true;
+}
+
+void noteFreed() {
+    State& s = state();
+    const std::lock_guard lock(s.mutex);
+    s.wasFreed = s.refused > 0;
 }
 
 VkDevice deviceOf(VkQueue queue) {
@@ -130,12 +140,14 @@ int falseAnswersLeft() {
     return s.falseAnswer.times;
 }
 
-NoMemory::NoMemory(std::uint64_t fromBytes) {
+NoMemory::NoMemory(std::uint64_t fromBytes, bool untilFreed) {
     State& s = state();
     const std::lock_guard lock(s.mutex);
     s.isFull = true;
     s.refusedFromBytes = fromBytes;
     s.refused = 0;
+    s.untilFreed = untilFreed;
+    s.wasFreed = false;
 }
 
 NoMemory::~NoMemory() {
@@ -228,6 +240,12 @@ VKAPI_ATTR VkResult VKAPI_CALL vkAllocateMemory(VkDevice device, const VkMemoryA
     if (macula::test::isLost(device, VulkanCall::allocate)) return VK_ERROR_DEVICE_LOST;
     if (macula::test::isRefused(info->allocationSize)) return VK_ERROR_OUT_OF_DEVICE_MEMORY;
     return MACULA_NEXT(vkAllocateMemory)(device, info, callbacks, memory);
+}
+
+VKAPI_ATTR void VKAPI_CALL vkFreeMemory(VkDevice device, VkDeviceMemory memory,
+                                        const VkAllocationCallbacks* callbacks) {
+    MACULA_NEXT(vkFreeMemory)(device, memory, callbacks);
+    macula::test::noteFreed();
 }
 
 VKAPI_ATTR VkResult VKAPI_CALL vkCreateComputePipelines(VkDevice device, VkPipelineCache cache,

@@ -38,7 +38,8 @@ int falseAnswersLeft();
 // one at a time.
 class NoMemory {
   public:
-    explicit NoMemory(std::uint64_t fromBytes = 0);
+    // `untilFreed`: one that was refused succeeds when something was freed in between.
+    explicit NoMemory(std::uint64_t fromBytes = 0, bool untilFreed = false);
     ~NoMemory();
     NoMemory(const NoMemory&) = delete;
     NoMemory& operator=(const NoMemory&) = delete;
