@@ -25,24 +25,24 @@ TEST_F(TrainerLists, OnTheDeviceAreTheSameTraining) {
     testing::expectSame(onDevice, onHost, "after 30 steps");
 }
 
-// Ten splats that fill a thousand tiles each.
-Splats tenThatFill(Splats model) {
-    model.resize(10);
+// So many splats that fill every tile.
+Splats thoseThatFill(Splats model, std::size_t count) {
+    model.resize(count);
     for (glm::vec3& scale : model.logScale) scale = glm::vec3(6.0f);
     return model;
 }
 
-TrainingView largeView() {
+TrainingView largeView(glm::ivec2 sizePx = {400, 320}) {
     TrainingView view{
-        .view = rasterView({.positionMm = {0, -500, 0}, .verticalFovDeg = 14.0}, {400, 320}, glm::dvec3(0.0))
+        .view = rasterView({.positionMm = {0, -500, 0}, .verticalFovDeg = 14.0}, sizePx, glm::dvec3(0.0))
                     .value()};
-    view.pixels.assign(400 * 320, glm::vec4(0.25f, 0.5f, 0.25f, 0.75f));
+    view.pixels.assign(std::size_t(sizePx.x) * std::size_t(sizePx.y), glm::vec4(0.25f, 0.5f, 0.25f, 0.75f));
     return view;
 }
 
-// Of them there are more pairs than there is room for at first.
+// Of ten splats that fill a thousand tiles each there are more pairs than there is room for at first.
 TEST_F(TrainerLists, AStepThatHasNoRoomIsDoneAgain) {
-    const Splats model = tenThatFill(truth());
+    const Splats model = thoseThatFill(truth(), 10);
     const TrainingView view = largeView();
     const TrainerOptions o = options(0);
 
@@ -68,14 +68,14 @@ TEST_F(TrainerLists, AStepThatHasNoRoomIsDoneAgain) {
 // The derivatives of the pairs grow while commands are recorded: the smaller buffer must go before there is
 // room for the larger one.
 TEST_F(TrainerLists, WhatIsDroppedWhileRecordingMakesRoom) {
-    const Splats model = tenThatFill(truth());
-    TrainerOptions o = options(0);
-    o.keepEveryMs = 1e9;
-    const TrainingState expected = after(2, ListMaker::device, model, o, {largeView()});
-    Trainer trainer = std::move(Trainer::create(device(), model, o, ListMaker::device)).value();
-    ASSERT_TRUE(trainer.addView(largeView()).ok());
-    // The buffer of the first try is smaller, that of the second one larger.
-    const test::NoMemory full(400'000, true);
+    const Splats model = thoseThatFill(truth(), 40);  // in 250 tiles
+    const TrainingView view = largeView({200, 160});
+    const TrainingState expected = after(2, ListMaker::device, model, options(0), {view});
+    Trainer trainer = std::move(Trainer::create(device(), model, options(0), ListMaker::device)).value();
+    ASSERT_TRUE(trainer.addView(view).ok());
+    // The picture takes 512 kB. The derivatives of the pairs there is room for at first, 4096, take 44 bytes
+    // each, and those of one and a half times 10 000 660 kB.
+    const test::NoMemory full(600'000, 150'000);
     const auto done = trainer.step(2);
     ASSERT_TRUE(done.ok()) << done.error().message;
     EXPECT_GT(full.refused(), 0);
