@@ -19,7 +19,6 @@
 //
 // Needs splat_types.glsl, splat_shape.glsl, picture.glsl.
 
-#define BEYOND_PICTURE 0.15
 
 // What the projection and its derivative share.
 struct SplatSight {
@@ -51,13 +50,6 @@ float lengthOf(vec3 v) {
     return most * sqrt(dot(scaled, scaled));
 }
 
-vec2 lowestSlope(SplatView view) {
-    return -(view.principalPx + vec2(view.sizePx) * float(BEYOND_PICTURE)) / view.focalPx;
-}
-vec2 highestSlope(SplatView view) {
-    return (vec2(view.sizePx) * float(1.0 + BEYOND_PICTURE) - view.principalPx) / view.focalPx;
-}
-
 vec3 inCamera(vec3 position, SplatView view) {
     vec3 fromEye = position - view.eyeMm;
     return vec3(dot(view.right, fromEye), dot(view.down, fromEye), dot(view.forward, fromEye));
@@ -83,7 +75,7 @@ SplatSight sightOf(Splat splat, SplatView view) {
     sight.inCamera = inCamera(splat.position, view);
     float z = sight.inCamera.z;
     sight.slope = vec2(sight.inCamera.x, sight.inCamera.y) / z;
-    sight.slopeClamped = clamp(sight.slope, lowestSlope(view), highestSlope(view));
+    sight.slopeClamped = clamp(sight.slope, view.lowestSlope, view.highestSlope);
     vec2 scale = view.focalPx / z;
     sight.rowX = (view.right - view.forward * sight.slopeClamped.x) * scale.x;
     sight.rowY = (view.down - view.forward * sight.slopeClamped.y) * scale.y;

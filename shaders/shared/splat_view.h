@@ -16,8 +16,10 @@ struct SplatView {
     vec2 focalPx;
     vec2 principalPx;
     ivec2 sizePx;
-    float nearMm;            // a splat whose centre is nearer along z is not drawn
-    float lowPassPx2;        // added to the variance in the picture, along x and y, of what is thin
+    vec2 lowestSlope;   // x/z and y/z of the edges of the picture, and a little beyond: for what lies farther
+    vec2 highestSlope;  // out, splats are projected as they would be there
+    float nearMm;       // a splat whose centre is nearer along z is not drawn
+    float lowPassPx2;   // added to the variance in the picture, along x and y, of what is thin
     float lowPassLeastPx2;   // of what is not: at most lowPassPx2, see lib/splat_projection.glsl
     int compensated;         // 1: opacity is lowered as the low-pass widens; 0: it is not
     float maxAlpha;          // no splat hides more of a pixel than this

@@ -1,12 +1,35 @@
 #include "base/parallel.h"
 
 #include <algorithm>
+#include <exception>
+#include <system_error>
 #include <thread>
 #include <vector>
 
 #include "base/process_limits.h"
 
 namespace macula {
+
+namespace {
+
+// The first exception of any thread, which ends the work of all.
+class FirstException {
+  public:
+    void keepCurrent() {
+        if (!thrown_.exchange(true)) exception_ = std::current_exception();
+    }
+    bool thrown() const { return thrown_; }
+    // Once all threads are done.
+    void rethrow() const {
+        if (exception_) std::rethrow_exception(exception_);
+    }
+
+  private:
+    std::atomic<bool> thrown_{false};
+    std::exception_ptr exception_;
+};
+
+}  // namespace
 
 std::size_t coreCount() {
     static const std::size_t count = usableProcessors();  // asked of files
@@ -15,12 +38,27 @@ std::size_t coreCount() {
 
 void parallelFor(std::size_t count, const std::function<void(std::size_t)>& body, const CancelToken& token) {
     std::atomic<std::size_t> next{0};
-    const auto work = [&] {
-        for (std::size_t i = next++; i < count && !token.cancelled(); i = next++) body(i);
+    FirstException first;
+    const auto work = [&]() noexcept {
+        try {
+            for (std::size_t i = next++; i < count && !token.cancelled() && !first.thrown(); i = next++)
+                body(i);
+        } catch (...) {
+            first.keepCurrent();
+        }
     };
-    std::vector<std::jthread> helpers(std::min(coreCount(), std::max<std::size_t>(count, 1)) - 1);
-    for (auto& helper : helpers) helper = std::jthread(work);
-    work();
+    {
+        const std::size_t wanted = std::min(coreCount(), std::max<std::size_t>(count, 1)) - 1;
+        std::vector<std::jthread> helpers;
+        try {
+            helpers.reserve(wanted);
+            while (helpers.size() < wanted) helpers.emplace_back(work);
+        } catch (const std::exception&) {
+            // No memory or no threads left to this process: those that there are do all of it.
+        }
+        work();
+    }
+    first.rethrow();
 }
 
 }  // namespace macula

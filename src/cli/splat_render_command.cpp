@@ -129,8 +129,10 @@ Result<splat::Splats> loadModel(const Options& options) {
     MACULA_TRY(splat::ModelFile file, splat::readModel(options.model, splat::BadSplats::repairOrNone));
     splat::Splats& splats = file.splats;
     if (file.repaired.dropped > 0)
-        printNote(fmt::format("{} of the model's splats hold what is no number or no rotation: left out.",
-                              file.repaired.dropped));
+        printNote(
+            fmt::format("{} of the model's splats hold what is no number or no rotation, or are so large "
+                        "that they would fill every picture: left out.",
+                        file.repaired.dropped));
     if (splats.size() == 0) printNote("The model holds no splats: the pictures are empty.");
     if (options.lowPass && splats.lowPass == splat::LowPass::adaptive) {
         printNote("This model is one of Macula's and has a low-pass of its own: --low-pass does nothing.");
@@ -153,27 +155,39 @@ image::Metadata metadata(const Options& options, const splat::Splats& splats, co
             {"macula:device", device}};
 }
 
-Result<void> write(const Shot& shot, const splat::SplatPicture& picture, splat::ColourSpace space,
-                   const splat::DisplayOptions& display, const image::Metadata& about) {
+// What is written of a picture, gathered band by band: as 32-bit floats only where that is wanted.
+struct Drawn {
+    std::vector<std::uint8_t> displayed;
+    std::vector<glm::vec4> radiance;
+    std::vector<float> depthsMm;
+    bool isEmpty = true;
+
+    void add(const splat::SplatPicture& band, splat::ColourSpace space, const splat::DisplayOptions& display,
+             bool withDepths) {
+        const auto append = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
+        append(displayed, splat::displayed(band.rgba, space, display));
+        isEmpty = isEmpty && std::none_of(band.rgba.begin(), band.rgba.end(),
+                                          [](const glm::vec4& pixel) { return pixel.w > 0.0f; });
+        if (!withDepths) return;
+        append(radiance, splat::linearRadiance(band.rgba, space));
+        append(depthsMm, splat::meanDepthsMm(band.rgba, band.depthSums));
+    }
+};
+
+Result<void> write(const Shot& shot, const Drawn& drawn, const image::Metadata& about) {
     const glm::ivec2 size = shot.view.sizePx;
     if (!shot.exr.empty()) {
-        const std::vector<glm::vec4> radiance = splat::linearRadiance(picture.rgba, space);
         MACULA_TRY_VOID(image::writeExr(shot.exr, size.x, size.y,
-                                        std::span(&radiance.front().x, radiance.size() * 4),
-                                        splat::meanDepthsMm(picture.rgba, picture.depthSums), about));
+                                        std::span(&drawn.radiance.front().x, drawn.radiance.size() * 4),
+                                        drawn.depthsMm, about));
     }
-    return image::writePng(shot.png, size.x, size.y, splat::displayed(picture.rgba, space, display), about);
+    return image::writePng(shot.png, size.x, size.y, drawn.displayed, about);
 }
 
 Error aboutShot(Error error, const Shot& shot) {
     if (error.code == ErrorCode::outOfMemory) error.hint += " --size sets it for all cameras.";
-    if (error.where.empty()) error.where = shot.name;
+    if (error.where.empty() && error.code != ErrorCode::cancelled) error.where = shot.name;
     return error;
-}
-
-bool isEmpty(const splat::SplatPicture& picture) {
-    return std::none_of(picture.rgba.begin(), picture.rgba.end(),
-                        [](const glm::vec4& pixel) { return pixel.w > 0.0f; });
 }
 
 // Around the model, for which no camera was given.
@@ -211,21 +225,29 @@ Result<void> splatRender(const Options& options) {
     const splat::DisplayOptions display{background, static_cast<float>(options.exposure.value_or(1.0))};
     std::size_t done = 0;
     std::vector<std::string> empty;
+    const auto stopped = [&] {
+        return Error{ErrorCode::cancelled,
+                     fmt::format("Stopped; {} of {} pictures were written.", done, shots.size()),
+                     {},
+                     {}};
+    };
     const auto drawRest = [&](const std::shared_ptr<gpu::Device>& on) -> Result<void> {
         MACULA_TRY(splat::ModelPainter painter, splat::ModelPainter::create(on, splats));
         for (; done < shots.size(); ++done) {
-            if (progress.cancelled())
-                return Error{ErrorCode::cancelled,
-                             fmt::format("Stopped; {} of {} pictures were written.", done, shots.size()),
-                             {},
-                             {}};
-            Result<splat::SplatPicture> drawn = painter.draw(shots[done].view);
-            if (!drawn) return aboutShot(drawn.error(), shots[done]);
-            const splat::SplatPicture picture = std::move(*drawn);
+            if (progress.cancelled()) return stopped();
+            Drawn drawn;
+            const glm::ivec2 sizePx = shots[done].view.sizePx;
+            drawn.displayed.reserve(4 * std::size_t(sizePx.x) * std::size_t(sizePx.y));
+            const Result<void> all =
+                painter.drawBands(shots[done].view, [&](const splat::SplatPicture& band) -> Result<void> {
+                    if (progress.cancelled()) return stopped();
+                    drawn.add(band, splats.colourSpace, display, options.depth);
+                    return {};
+                });
+            if (!all) return aboutShot(all.error(), shots[done]);
             MACULA_TRY_VOID(makeFolder(options.output));  // not before there is something to put in
-            MACULA_TRY_VOID(write(shots[done], picture, splats.colourSpace, display,
-                                  metadata(options, splats, gpu::describe(on->info()))));
-            if (splats.size() > 0 && isEmpty(picture)) empty.push_back(shots[done].name);
+            MACULA_TRY_VOID(write(shots[done], drawn, metadata(options, splats, gpu::describe(on->info()))));
+            if (splats.size() > 0 && drawn.isEmpty) empty.push_back(shots[done].name);
             progress.advance();
         }
         return {};

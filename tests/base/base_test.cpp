@@ -3,6 +3,9 @@
 #include <atomic>
 #include <filesystem>
 #include <fstream>
+#include <new>
+#include <stdexcept>
+#include <thread>
 
 #include "base/atomic_file.h"
 #include "base/log.h"
@@ -68,6 +71,39 @@ TEST(ParallelFor, StopsWhenCancelled) {
         },
         token);
     EXPECT_LT(calls, 100);
+}
+
+// From the caller's own thread and from helpers alike, and all threads are done when it arrives.
+TEST(ParallelFor, ThrowsWhatIsThrownInside) {
+    struct Refused : std::runtime_error {
+        using std::runtime_error::runtime_error;
+    };
+    for (int round = 0; round < 50; ++round) {
+        std::atomic<int> calls{0};
+        std::atomic<int> inside{0};
+        const auto body = [&](std::size_t) {
+            ++inside;
+            if (++calls == 10) {
+                --inside;
+                throw Refused("the tenth");
+            }
+            std::this_thread::yield();
+            --inside;
+        };
+        try {
+            parallelFor(100000, body);
+            ADD_FAILURE() << "it was swallowed";
+        } catch (const Refused& refused) {
+            EXPECT_STREQ(refused.what(), "the tenth");
+        }
+        EXPECT_EQ(inside, 0);
+        EXPECT_LT(calls, 100000);
+    }
+    // All of them at once, and the next one works again.
+    EXPECT_THROW(parallelFor(64, [](std::size_t) { throw std::bad_alloc(); }), std::bad_alloc);
+    std::atomic<int> calls{0};
+    parallelFor(64, [&](std::size_t) { ++calls; });
+    EXPECT_EQ(calls, 64);
 }
 
 TEST(Progress, ReportsStartAndEndAndAtMostTenTimesASecond) {

@@ -32,6 +32,10 @@ struct State {
     bool isFull = false;
     std::uint64_t refusedFromBytes = 0;
     int refused = 0;
+    std::uint64_t untilFreed = 0;
+    std::map<VkDeviceMemory, std::uint64_t> allocated;  // bytes
+    std::uint64_t allocatedBytes = 0;
+    std::uint64_t limitBytes = UINT64_MAX;
     VkDevice lostDevice = VK_NULL_HANDLE;
     std::map<VkQueue, VkDevice> queues;
 
@@ -94,9 +98,28 @@ std::optional<VkResult> falseAnswerTo(VulkanCall call) {
 bool isRefused(std::uint64_t bytes) {
     State& s = state();
     const std::lock_guard lock(s.mutex);
-    const bool is = s.isFull && bytes >= s.refusedFromBytes;
+    const bool is = (s.isFull && bytes >= s.refusedFromBytes) ||
+                    (s.limitBytes < UINT64_MAX && s.allocatedBytes + bytes > s.limitBytes);
     s.refused += is ? 1 : 0;
     return is;
+}
+
+void noteAllocated(VkDeviceMemory memory, std::uint64_t bytes) {
+    State& s = state();
+    const std::lock_guard lock(s.mutex);
+    s.allocated[memory] = bytes;
+    s.allocatedBytes += bytes;
+}
+
+// Before it is, because another thread may be given the same handle at once.
+void noteFreed(VkDeviceMemory memory) {
+    State& s = state();
+    const std::lock_guard lock(s.mutex);
+    const auto found = s.allocated.find(memory);
+    if (found == s.allocated.end()) return;
+    if (s.untilFreed > 0 && s.refused > 0 && found->second >= s.untilFreed) s.isFull = false;
+    s.allocatedBytes -= found->second;
+    s.allocated.erase(found);
 }
 
 VkDevice deviceOf(VkQueue queue) {
@@ -130,12 +153,13 @@ int falseAnswersLeft() {
     return s.falseAnswer.times;
 }
 
-NoMemory::NoMemory(std::uint64_t fromBytes) {
+NoMemory::NoMemory(std::uint64_t fromBytes, std::uint64_t untilFreed) {
     State& s = state();
     const std::lock_guard lock(s.mutex);
     s.isFull = true;
     s.refusedFromBytes = fromBytes;
     s.refused = 0;
+    s.untilFreed = untilFreed;
 }
 
 NoMemory::~NoMemory() {
@@ -148,6 +172,24 @@ int NoMemory::refused() const {
     State& s = state();
     const std::lock_guard lock(s.mutex);
     return s.refused;
+}
+
+MemoryLimit::MemoryLimit(std::uint64_t bytes) {
+    State& s = state();
+    const std::lock_guard lock(s.mutex);
+    s.limitBytes = bytes;
+}
+
+MemoryLimit::~MemoryLimit() {
+    State& s = state();
+    const std::lock_guard lock(s.mutex);
+    s.limitBytes = UINT64_MAX;
+}
+
+std::uint64_t allocatedBytes() {
+    State& s = state();
+    const std::lock_guard lock(s.mutex);
+    return s.allocatedBytes;
 }
 
 int devicesLost() {
@@ -227,7 +269,15 @@ VKAPI_ATTR VkResult VKAPI_CALL vkAllocateMemory(VkDevice device, const VkMemoryA
                                                 VkDeviceMemory* memory) {
     if (macula::test::isLost(device, VulkanCall::allocate)) return VK_ERROR_DEVICE_LOST;
     if (macula::test::isRefused(info->allocationSize)) return VK_ERROR_OUT_OF_DEVICE_MEMORY;
-    return MACULA_NEXT(vkAllocateMemory)(device, info, callbacks, memory);
+    const VkResult result = MACULA_NEXT(vkAllocateMemory)(device, info, callbacks, memory);
+    if (result == VK_SUCCESS) macula::test::noteAllocated(*memory, info->allocationSize);
+    return result;
+}
+
+VKAPI_ATTR void VKAPI_CALL vkFreeMemory(VkDevice device, VkDeviceMemory memory,
+                                        const VkAllocationCallbacks* callbacks) {
+    macula::test::noteFreed(memory);
+    MACULA_NEXT(vkFreeMemory)(device, memory, callbacks);
 }
 
 VKAPI_ATTR VkResult VKAPI_CALL vkCreateComputePipelines(VkDevice device, VkPipelineCache cache,

@@ -38,13 +38,24 @@ int falseAnswersLeft();
 // one at a time.
 class NoMemory {
   public:
-    explicit NoMemory(std::uint64_t fromBytes = 0);
+    // `untilFreed` not 0: until an allocation of so many bytes at least was freed after one was refused.
+    explicit NoMemory(std::uint64_t fromBytes = 0, std::uint64_t untilFreed = 0);
     ~NoMemory();
     NoMemory(const NoMemory&) = delete;
     NoMemory& operator=(const NoMemory&) = delete;
 
     int refused() const;  // allocations
 };
+
+// While there is one of these, all devices together have so many bytes of memory.
+class MemoryLimit {
+  public:
+    explicit MemoryLimit(std::uint64_t bytes);
+    ~MemoryLimit();
+    MemoryLimit(const MemoryLimit&) = delete;
+    MemoryLimit& operator=(const MemoryLimit&) = delete;
+};
+std::uint64_t allocatedBytes();  // now
 
 int devicesLost();         // since the last loseDeviceAt
 int callsOfLostDevice();   // likewise: of replaced functions, on a device that had been lost

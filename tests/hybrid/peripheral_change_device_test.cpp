@@ -174,6 +174,41 @@ TEST_F(PeripheralChange, WithoutRoomForMoreSplatsItGoesOnWithThoseItHas) {
     EXPECT_EQ(model.report().rounds, 2u);
 }
 
+// A card that holds one model and its pictures, and not those of two.
+TEST_F(PeripheralChange, GoesBackToAPresetOnAFullCard) {
+    PeripheralModel model = begun(neverPaused());
+    const auto learnFrom = [&](const splat::Splats& of) {
+        for (int i = 0; i < 9; ++i)
+            ASSERT_TRUE(model.offer(picture(of, cameraAt(40.0 * i, 30.0 * (i % 3)), {400, 320})).ok());
+        learn(model, 12);
+    };
+    learnFrom(truth());
+    const std::uint64_t steps = model.report().training.steps;
+    ASSERT_TRUE(model.change(changedStart()).ok());
+    learnFrom(changed());
+    const auto before = model.shown().generation;
+    ModelStart back = start();
+    back.splats = {};
+    {
+        const test::NoMemory full;
+        EXPECT_EQ(model.change(back).error().code, ErrorCode::outOfMemory);
+    }
+    // As before: with all its pictures.
+    EXPECT_EQ(model.lastGood().training.options.key, "two");
+    EXPECT_EQ(model.shown().generation, before);
+    const std::uint64_t onward = model.report().training.steps;
+    learn(model, 12);
+    EXPECT_GE(model.report().training.steps, onward + 12);
+
+    ASSERT_TRUE(device()->waitForAll().ok());
+    // 9 MB are enough; with the pictures of both it took 44.
+    const test::MemoryLimit limit(test::allocatedBytes() + 20'000'000);
+    const auto done = model.change(back);
+    ASSERT_TRUE(done.ok()) << done.error().message;
+    EXPECT_EQ(model.report().training.steps, steps);
+    ASSERT_TRUE(model.step(50.0).ok());
+}
+
 // Lost while it learns, judges, copies or is offered something: what is shown stays, and another device goes
 // on as if nothing had happened.
 TEST_F(PeripheralChange, AnotherDeviceGoesOnWhereOneWasLost) {

@@ -169,6 +169,28 @@ TEST_F(Peripheral, AsksForTheOtherSideAndIsBetterThereForIt) {
     EXPECT_GT(gainOf(*model.shown().splats), 2.0);
 }
 
+// A thin disc, known from both its faces: newest is what lies along its edge, and nothing shows from there.
+TEST_F(Peripheral, AsksForWhatShowsWhereTheNewestViewsShowNothing) {
+    ModelStart disc = start();
+    splat::Splats& splats = disc.splats;
+    for (std::size_t i = 0; i < splats.size(); ++i) {
+        const double angle = 2.4 * double(i);
+        const double radius = 45.0 * std::sqrt((double(i) + 0.5) / double(splats.size()));
+        splats.position[i] = glm::vec3(radius * std::cos(angle), 0.0, radius * std::sin(angle));
+        splats.rotation[i] = glm::vec4(1, 0, 0, 0);
+        splats.logScale[i] = glm::vec3(std::log(5.0f), std::log(0.1f), std::log(5.0f));
+        splats.opacityLogit[i] = 5.0f;
+    }
+    PeripheralModel model = std::move(PeripheralModel::begin(device(), disc, neverPaused())).value();
+    for (const double degrees : {0.0, 180.0})
+        ASSERT_TRUE(model.offer(picture(splats, cameraAt(degrees))).ok());
+    const auto wanted = model.wantedView().value();
+    ASSERT_TRUE(wanted);
+    const glm::dvec3 from = glm::normalize(wanted->camera.positionMm - wanted->camera.targetMm);
+    EXPECT_GT(std::abs(from.y), 0.1) << "from the edge nothing shows";
+    EXPECT_LT(std::abs(from.y), 0.9) << "both faces are known";
+}
+
 // The same order of offers and steps is the same model, whoever asks what.
 TEST_F(Peripheral, IsAFunctionOfTheSeed) {
     PeripheralModel one = begun();
@@ -211,6 +233,35 @@ TEST_F(Peripheral, WhatIsShownDoesNotGetWorseLittleByLittle) {
         ASSERT_LE(*model.report().shownError, (1.0 + o.shownMayBeWorse) * best);
     }
     EXPECT_GT(*model.report().error, 2.0 * best) << "it was to become worse";
+}
+
+// What is shown is judged by a new picture as it is, and not as if it were the model, which has become worse
+// since.
+TEST_F(Peripheral, ANewPictureDoesNotExcuseWhatHasBecomeWorse) {
+    PeripheralOptions o = neverPaused();
+    o.newViewsForRound = 1e9;
+    PeripheralModel model = begun(o);
+    giveWanted(model, truth(), 8);
+    learn(model, 100);
+    const double good = psnrOf(*model.shown().splats);
+    splat::Splats wrong = truth();
+    for (glm::vec3& dc : wrong.dc) dc *= 0.2f;
+    for (int i = 0; i < 24; ++i)
+        ASSERT_EQ(*model.offer(picture(wrong, cameraAt(15.0 * i + 7.0, 200.0)), false), Offered::learnt);
+    learn(model, 300);
+    const PeripheralReport before = model.report();
+    ASSERT_GT(*before.error, 1.5 * *before.shownError) << "it was to become worse";
+    // Whoever is held out now.
+    std::size_t offered = 0;
+    while (model.report().heldOut < before.heldOut + 1 && offered < 40)
+        ASSERT_TRUE(model.offer(picture(truth(), cameraAt(9.0 * double(offered++), -150.0))).ok());
+    ASSERT_EQ(model.report().heldOut, before.heldOut + 1);
+    // Of the new one alone.
+    const double held = double(before.heldOut);
+    const double error = (held + 1.0) * *model.report().error - held * *before.error;
+    const double shownError = (held + 1.0) * *model.report().shownError - held * *before.shownError;
+    EXPECT_GT(error, 1.3 * shownError);
+    EXPECT_GT(psnrOf(*model.shown().splats), good - 1.0);
 }
 
 TEST_F(Peripheral, ReducesPicturesThatAreLargerThanOfUse) {

@@ -397,5 +397,45 @@ TEST_F(RasterizerExtremes, TooMuchIsAnErrorAndTheNextPictureIsRight) {
     expectGradients(splats, largeView());
 }
 
+// Splats of all sizes, many of whose centres lie beside the picture, some far: in bands they are where they
+// were.
+TEST_F(RasterizerExtremes, BandsAreThePictureInParts) {
+    const Splats splats = scattered(77, 300, -1.0, 4.5);
+    const RasterView view = largeView({160, 121});
+    for (const auto projection : {ModelPainter::Projection::wherever, ModelPainter::Projection::onHost}) {
+        ModelPainter painter = std::move(*ModelPainter::create(device(), splats, projection));
+        const SplatPicture whole = std::move(*painter.draw(view));
+        SplatPicture joined;
+        std::vector<int> rows;
+        const auto take = [&](const SplatPicture& band) -> Result<void> {
+            EXPECT_EQ(band.sizePx.x, 160);
+            rows.push_back(band.sizePx.y);
+            joined.rgba.insert(joined.rgba.end(), band.rgba.begin(), band.rgba.end());
+            joined.depthSums.insert(joined.depthSums.end(), band.depthSums.begin(), band.depthSums.end());
+            return {};
+        };
+        ASSERT_TRUE(painter.drawBands(view, take, 160 * 25 + 7).ok());
+        EXPECT_EQ(rows, (std::vector<int>{25, 25, 25, 25, 21}));
+        ASSERT_EQ(joined.rgba.size(), whole.rgba.size());
+        ASSERT_EQ(joined.depthSums.size(), whole.depthSums.size());
+        double worst = 0.0;
+        for (std::size_t i = 0; i < whole.rgba.size(); ++i) {
+            for (int c = 0; c < 4; ++c)
+                worst = test::worse(worst, std::abs(double(joined.rgba[i][c]) - double(whole.rgba[i][c])));
+            worst =
+                test::worse(worst, std::abs(double(joined.depthSums[i]) - double(whole.depthSums[i])) / 500);
+        }
+        EXPECT_LT(worst, 2e-4);
+        // And what cannot be taken ends it.
+        int taken = 0;
+        const auto refuse = [&](const SplatPicture&) -> Result<void> {
+            return ++taken < 2 ? Result<void>()
+                               : Result<void>(Error{ErrorCode::cancelled, "Stopped.", {}, {}});
+        };
+        EXPECT_EQ(painter.drawBands(view, refuse, 160 * 25).error().code, ErrorCode::cancelled);
+        EXPECT_EQ(taken, 2);
+    }
+}
+
 }  // namespace
 }  // namespace macula::splat

@@ -183,6 +183,7 @@ TEST(SplatLayout, ViewIsLaidOutAlike) {
         {MACULA_FIELD(SplatView, right), MACULA_FIELD(SplatView, down), MACULA_FIELD(SplatView, forward),
          MACULA_FIELD(SplatView, eyeMm), MACULA_FIELD(SplatView, focalPx),
          MACULA_FIELD(SplatView, principalPx), MACULA_FIELD(SplatView, sizePx),
+         MACULA_FIELD(SplatView, lowestSlope), MACULA_FIELD(SplatView, highestSlope),
          MACULA_FIELD(SplatView, nearMm), MACULA_FIELD(SplatView, lowPassPx2),
          MACULA_FIELD(SplatView, lowPassLeastPx2), MACULA_FIELD(SplatView, compensated),
          MACULA_FIELD(SplatView, maxAlpha), MACULA_FIELD(SplatView, minAlpha),

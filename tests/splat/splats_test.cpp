@@ -72,7 +72,7 @@ TEST(Splats, RepairKeepsWhatCanBeDrawn) {
     splats.rotation[3] = glm::vec4(0.0f);              // dropped
     splats.logScale[4].y = kNan;                       // dropped
     splats.sh[3 * 5 + 2].x = kInfinity;                // dropped
-    splats.logScale[6].z = 1e6f;                       // huge
+    splats.logScale[6].z = -1e6f;                      // flat
     const auto done = repair(splats);
     ASSERT_TRUE(done.ok());
     EXPECT_EQ(done->dropped, 4u);
@@ -86,8 +86,31 @@ TEST(Splats, RepairKeepsWhatCanBeDrawn) {
     }
     EXPECT_EQ(splats.logScale[0].x, -kMaxLogScale);
     EXPECT_EQ(splats.opacityLogit[1], kMaxOpacityLogit);
-    EXPECT_EQ(splats.logScale[2].z, kMaxLogScale);
+    EXPECT_EQ(splats.logScale[2].z, -kMaxLogScale);
     EXPECT_EQ(splats.opacityLogit[3], 3.5f);
+}
+
+TEST(Splats, RepairLeavesOutWhatFloodsThePicture) {
+    Splats splats = numbered(8, 1);
+    for (glm::vec3& scale : splats.logScale) scale = glm::vec3(0.0f);
+    const double extent = glm::length(splats.position[7] - splats.position[0]);
+    const auto times = [&](double factor) { return static_cast<float>(std::log(factor * extent)); };
+    splats.logScale[1].y = kInfinity;
+    splats.logScale[2].z = 1e6f;
+    splats.logScale[3].x = 15.0f;  // of a damaged byte: 3 km
+    splats.logScale[4].x = times(10.1);
+    splats.logScale[5].x = times(9.9);  // a backdrop, at most
+    const auto done = repair(splats);
+    ASSERT_TRUE(done.ok());
+    EXPECT_EQ(done->dropped, 4u);
+    EXPECT_EQ(done->clamped, 0u);
+    ASSERT_EQ(splats.size(), 4u);
+    EXPECT_EQ(splats.logScale[1].x, times(9.9));
+    // Where all are alike, however large beside their distance, none floods.
+    Splats alike;
+    alike.resize(3);
+    for (glm::vec3& scale : alike.logScale) scale = glm::vec3(5.0f);
+    EXPECT_EQ(repair(alike)->dropped, 0u);
 }
 
 TEST(Splats, RepairRefusesWhatIsBrokenAsAWhole) {

@@ -1,6 +1,7 @@
 // SPZ files that are none, damaged, or made to harm.
 #include <gtest/gtest.h>
 
+#include <cstring>
 #include <ctime>
 
 #include "pipeline/splat/gzip.h"
@@ -41,8 +42,8 @@ std::string body(std::size_t count) {
     return std::string(20 * count, 'a');
 }
 
-std::string model(std::size_t count, int degree) {
-    const auto file = encodeSpz(testing::randomModel(count, degree, 31));
+std::string model(std::size_t count, int degree, SpzVersion version) {
+    const auto file = encodeSpz(testing::randomModel(count, degree, 31), version);
     EXPECT_TRUE(file.ok());
     return asText(file->bytes);
 }
@@ -56,14 +57,19 @@ TEST(SpzBad, EachSaysWhatIsWrong) {
     ASSERT_TRUE(parse(packed(header(3, 2) + body(2))).ok());
     const std::vector<Case> cases{
         {"", "cut off"},
-        {"NGSP", "version 4"},
-        {header(4, 1) + body(1), "version 4"},
+        {"NGSP", "damaged"},
+        {header(3, 1) + body(1), "damaged"},  // not packed
+        {header(4, 1) + body(1), "damaged"},
+        {header(5, 1) + body(1), "version 5"},
+        {header(4, 1, 4) + body(1), "degree 4"},
+        {header(4, 9999999u) + body(1), "too small"},
         {"no gzip at all", "damaged"},
         {packed(""), "damaged"},
         {packed("NGSP"), "damaged"},
         {packed("a letter to somebody, long enough to be a header"), "no SPZ"},
         {packed(header(0, 1) + body(1)), "version 0"},
-        {packed(header(4, 1) + body(1)), "version 4"},
+        {packed(header(4, 1) + body(1)), "damaged"},  // no gzip in version 4
+        {packed(header(5, 1) + body(1)), "version 5"},
         {packed(header(0xffffffff, 1) + body(1)), "version 4294967295"},
         {packed(header(3, 0)), "no splats"},
         {packed(header(3, 1, 4) + body(10)), "degree 4"},
@@ -72,7 +78,7 @@ TEST(SpzBad, EachSaysWhatIsWrong) {
         {packed(header(3, 2) + body(1)), "damaged"},
         {packed(header(3, 1) + body(2)), "damaged"},
         {packed(header(3, 4000000000u) + body(1)), "4000000000 splats"},
-        {packed(header(3, 9999999u) + body(1)), "damaged"},
+        {packed(header(3, 9999999u) + body(1)), "too small"},
         {packed(header(3, 1) + body(1), "macula model 9"), "version"},
         {packed(header(3, 1) + body(1), "macula model 1\nmacula axes sideways"), "axes"},
         {packed(header(1, 1, 0) + std::string("\0\x7e\0\0\0\0", 6) + std::string(10, 'a')),
@@ -110,26 +116,85 @@ TEST(SpzBad, BombsAreNotUnpacked) {
     EXPECT_LT(std::clock() - begin, CLOCKS_PER_SEC);
 }
 
-TEST(SpzBad, CutOffAnywhere) {
-    const std::string bytes = model(3, 1);
-    ASSERT_TRUE(parse(bytes).ok());
-    for (std::size_t length = 0; length < bytes.size(); ++length)
-        ASSERT_FALSE(parse(bytes.substr(0, length)).ok()) << length;
+// Two million splats that are all the same, in 40 kB: the file is whole, but who would unpack it would spend
+// memory and time a thousand times as much as it took to send it.
+TEST(SpzBad, SmallFilesOfMillionsAreRefused) {
+    const std::string bytes = packed(header(3, 2'000'000) + body(2'000'000));
+    ASSERT_LT(bytes.size(), 60'000u);
+    const auto read = parse(bytes);
+    ASSERT_FALSE(read.ok());
+    EXPECT_NE(read.error().message.find("2000000 splats"), std::string::npos) << read.error().message;
+    // As many as nobody's memory lacks may be alike.
+    EXPECT_TRUE(parse(packed(header(3, 100'000) + body(100'000))).ok());
+    // And none such is written.
+    Splats alike;
+    alike.resize(2'000'000);
+    for (const SpzVersion version : {SpzVersion::gzip, SpzVersion::zstd})
+        EXPECT_FALSE(encodeSpz(alike, version).ok());
+    alike.resize(100'000);
+    for (const SpzVersion version : {SpzVersion::gzip, SpzVersion::zstd})
+        EXPECT_TRUE(parse(asText(encodeSpz(alike, version)->bytes)).ok());
 }
 
-// gzip's checksum finds damage to what is packed.
+// The table of version 4 says other sizes than the header.
+TEST(SpzBad, TablesThatDisagree) {
+    const std::string bytes = model(3, 1, SpzVersion::zstd);
+    std::uint32_t table = 0;
+    std::memcpy(&table, bytes.data() + 16, sizeof table);
+    const auto with = [&](std::size_t at, std::uint64_t value, std::size_t size) {
+        std::string changed = bytes;
+        std::memcpy(changed.data() + at, &value, size);
+        return changed;
+    };
+    ASSERT_TRUE(parse(with(16, table, 4)).ok());
+    const std::vector<std::string> cases{with(8, 2, 4),                      // splats
+                                         with(8, 4, 4),                      //
+                                         with(12, 0, 1),                     // degree
+                                         with(15, 5, 1),                     // streams
+                                         with(15, 255, 1),                   //
+                                         with(16, 31, 4),                    // where the table lies
+                                         with(16, table + 1, 4),             //
+                                         with(16, bytes.size(), 4),          //
+                                         with(16, 0xffffffff, 4),            //
+                                         with(table, ~std::uint64_t{0}, 8),  // packed size
+                                         with(table + 8, ~std::uint64_t{0}, 8),
+                                         with(table + 8, 28, 8),  // unpacked size
+                                         with(table + 8, 26, 8)};
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+        const auto read = parse(cases[i]);
+        ASSERT_FALSE(read.ok()) << i;
+        EXPECT_NE(read.error().message.find("damaged"), std::string::npos) << i;
+    }
+    // A record that is longer than its zone: nothing of it is read, and the model is not less for it.
+    const auto read = parse(with(36, 0xffffffff, 4));
+    ASSERT_TRUE(read.ok());
+    EXPECT_EQ(read->splats.axes, Axes::unknown);
+}
+
+TEST(SpzBad, CutOffAnywhere) {
+    for (const SpzVersion version : {SpzVersion::gzip, SpzVersion::zstd}) {
+        const std::string bytes = model(3, 1, version);
+        ASSERT_TRUE(parse(bytes).ok());
+        for (std::size_t length = 0; length < bytes.size(); ++length)
+            ASSERT_FALSE(parse(bytes.substr(0, length)).ok()) << length;
+    }
+}
+
+// The checksums of gzip and zstd find damage to what is packed.
 TEST(SpzBad, RandomDamage) {
     std::mt19937 random(41);
-    const std::string bytes = model(5, 1);
-    int refused = 0;
-    for (int i = 0; i < 3000; ++i) {
-        const auto read = parse(testing::mutated(bytes, random));
-        refused += read.ok() ? 0 : 1;
-        if (read.ok()) {
-            ASSERT_TRUE(read->splats.validate().ok());
+    for (const SpzVersion version : {SpzVersion::gzip, SpzVersion::zstd}) {
+        const std::string bytes = model(5, 1, version);
+        int refused = 0;
+        for (int i = 0; i < 3000; ++i) {
+            const auto read = parse(testing::mutated(bytes, random));
+            refused += read.ok() ? 0 : 1;
+            if (read.ok()) {
+                ASSERT_TRUE(read->splats.validate().ok());
+            }
         }
+        EXPECT_GT(refused, 1500);
     }
-    EXPECT_GT(refused, 1500);
 }
 
 // So what is behind it is damaged before it is packed.

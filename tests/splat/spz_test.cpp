@@ -25,8 +25,8 @@ std::vector<std::uint8_t> unpacked(const std::vector<std::byte>& bytes, std::siz
     return data;
 }
 
-Splats there(const Splats& splats) {
-    const auto file = encodeSpz(splats);
+Splats there(const Splats& splats, SpzVersion version = SpzVersion::zstd) {
+    const auto file = encodeSpz(splats, version);
     EXPECT_TRUE(file.ok());
     const auto read = decodeSpz(file->bytes);
     EXPECT_TRUE(read.ok()) << read.error().message;
@@ -44,7 +44,8 @@ TEST(Spz, RoundTripKeepsWhatItSays) {
             Splats splats = testing::randomModel(2000, degree, 11);
             splats.colourSpace = space;
             splats.lowPass = kLowPasses[(2 * std::size_t(degree) + std::size_t(space)) % kLowPasses.size()];
-            const auto file = encodeSpz(splats);
+            const SpzVersion version = degree % 2 == 0 ? SpzVersion::zstd : SpzVersion::gzip;
+            const auto file = encodeSpz(splats, version);
             ASSERT_TRUE(file.ok());
             EXPECT_EQ(file->clamped, 0u);
             const auto read = decodeSpz(file->bytes);
@@ -112,6 +113,9 @@ TEST(Spz, SecondTripChangesNothingMore) {
     EXPECT_TRUE(testing::sameBits(once.dc, twice.dc));
     EXPECT_TRUE(testing::sameBits(once.sh, twice.sh));
     EXPECT_EQ(encodeSpz(splats)->bytes, encodeSpz(splats)->bytes);
+    const auto gzipped = encodeSpz(splats, SpzVersion::gzip)->bytes;
+    EXPECT_EQ(gzipped, encodeSpz(splats, SpzVersion::gzip)->bytes);
+    EXPECT_TRUE(testing::sameBits(decodeSpz(gzipped)->splats, once));  // both say the same
 }
 
 // One splat in each version, with bytes worked out by hand from the format's description.
@@ -135,9 +139,38 @@ std::vector<std::uint8_t> byHand(std::uint8_t version) {
     return data;
 }
 
+// The splat of version 3 as version 4 has it, with a record of somebody else before the table. Each stream is
+// a zstd frame (RFC 8878) of one raw block: no library is needed to write it.
+std::vector<std::byte> containerByHand() {
+    std::vector<std::uint8_t> data = byHand(3);
+    const std::vector<std::uint8_t> body(data.begin() + 16, data.end());
+    data.resize(16);
+    data[4] = 4;
+    data[14] |= 2;  // has records
+    data[15] = 6;   // streams
+    const auto add = [&](std::initializer_list<int> bytes) {
+        for (const int b : bytes) data.push_back(static_cast<std::uint8_t>(b));
+    };
+    add({32 + 12, 0, 0, 0});  // where the table lies
+    data.resize(32);
+    add({2, 0, 0xbe, 0xad, 4, 0, 0, 0, 1, 2, 3, 4});  // a type, 4 bytes
+    const std::array<int, 6> sizes{9, 1, 3, 3, 4, 9};
+    constexpr int kFrame = 9;
+    for (const int size : sizes) add({size + kFrame, 0, 0, 0, 0, 0, 0, 0, size, 0, 0, 0, 0, 0, 0, 0});
+    auto next = body.begin();
+    for (const int size : sizes) {
+        add({0x28, 0xb5, 0x2f, 0xfd, 0x20, size});  // magic, one segment, its size
+        add({size << 3 | 1, 0, 0});                 // the last block, raw
+        data.insert(data.end(), next, next + size);
+        next += size;
+    }
+    const auto bytes = std::as_bytes(std::span(data));
+    return {bytes.begin(), bytes.end()};
+}
+
 TEST(Spz, ReadsAllVersions) {
-    for (const std::uint8_t version : {1, 2, 3}) {
-        const auto read = decodeSpz(packed(byHand(version)));
+    for (const std::uint8_t version : {1, 2, 3, 4}) {
+        const auto read = decodeSpz(version == 4 ? containerByHand() : packed(byHand(version)));
         ASSERT_TRUE(read.ok()) << read.error().message;
         const Splats& s = read->splats;
         ASSERT_EQ(s.size(), 1u);
@@ -178,7 +211,7 @@ TEST(Spz, OursIsLaidOutAsTheFormatSays) {
     splats.logScale[0] = glm::vec3(0, 1, -1);
     splats.rotation[0] = glm::vec4(0.99f, 1, 0.99f, -0.99f);
     splats.sh = {{1.0f, 0.0f, -0.5f}, {0.5f, 0.0f, -0.25f}, {127 / 128.0f, -0.25f, 0.0f}};
-    const auto file = encodeSpz(splats);
+    const auto file = encodeSpz(splats, SpzVersion::gzip);
     ASSERT_TRUE(file.ok());
     EXPECT_EQ(file->clamped, 0u);
     std::vector<std::uint8_t> expected = byHand(3);
@@ -198,6 +231,40 @@ TEST(Spz, OursIsLaidOutAsTheFormatSays) {
         EXPECT_EQ(int{data[k]}, int{expected[k]}) << k;
     }
     EXPECT_EQ(data[35] >> 6, 0);  // x is the largest
+}
+
+// What others look at of a file of version 4: header, the zone of records, table, and where the streams end.
+TEST(Spz, ContainerIsLaidOutAsTheFormatSays) {
+    for (const int degree : {0, 1}) {
+        const std::vector<std::byte> bytes = encodeSpz(testing::randomModel(200, degree, 53))->bytes;
+        const auto number = [&](std::size_t at, std::size_t size) {
+            std::uint64_t value = 0;
+            for (std::size_t k = 0; k < size; ++k)
+                value |= std::to_integer<std::uint64_t>(bytes[at + k]) << (8 * k);
+            return value;
+        };
+        const std::size_t streams = degree == 0 ? 5 : 6;
+        EXPECT_EQ(number(0, 4), 0x5053474eu);
+        EXPECT_EQ(number(4, 4), 4u);
+        EXPECT_EQ(number(8, 4), 200u);
+        EXPECT_EQ(number(12, 1), std::uint64_t(degree));
+        EXPECT_EQ(number(14, 1), 3u);  // antialiased, has records
+        EXPECT_EQ(number(15, 1), streams);
+        const std::size_t table = number(16, 4);
+        EXPECT_EQ(number(20, 8) | number(28, 4), 0u);
+        EXPECT_EQ(table, 32 + 8 + number(36, 4));  // one record, which fills the zone
+        EXPECT_NE(number(32, 4) >> 16, 0u);        // its vendor, who is neither Adobe nor Niantic
+        EXPECT_NE(number(32, 4) >> 16, 0xadbeu);
+        EXPECT_NE(number(32, 4) >> 16, 0x4e41u);
+        const std::array<std::uint64_t, 6> unpacked{1800, 200, 600, 600, 800, 1800};
+        std::size_t end = table + 16 * streams;
+        for (std::size_t k = 0; k < streams; ++k) {
+            EXPECT_EQ(number(table + 16 * k + 8, 8), unpacked[k]);
+            EXPECT_EQ(number(end, 4), 0xfd2fb528u);  // a zstd frame
+            end += number(table + 16 * k, 8);
+        }
+        EXPECT_EQ(end, bytes.size());
+    }
 }
 
 // The left marker of the phantom stays in it, and seen from any side a model has the colours and shape
@@ -236,7 +303,7 @@ TEST(Spz, FileIsRightHanded) {
     Splats splats;
     splats.resize(3);
     splats.position = {{100, 0, 0}, {0, 100, 0}, {0, 0, 100}};
-    const std::vector<std::uint8_t> data = unpacked(encodeSpz(splats)->bytes, 16 + 3 * 20);
+    const std::vector<std::uint8_t> data = unpacked(encodeSpz(splats, SpzVersion::gzip)->bytes, 16 + 3 * 20);
     glm::dmat3 axes(0.0);
     for (std::size_t i = 0; i < 9; ++i) {
         std::uint32_t raw = 0;
@@ -256,7 +323,7 @@ TEST(Spz, TransportTakesFewBytes) {
     ASSERT_TRUE(plain.ok() && first.ok());
     RecordProperty("bytes_per_splat_degree_0", std::to_string(plain->bytes.size() / 10000.0));
     RecordProperty("bytes_per_splat_degree_1", std::to_string(first->bytes.size() / 10000.0));
-    // Random numbers are the worst there are: gzip finds nothing in them.
+    // Random numbers are the worst there are: nothing is found in them.
     EXPECT_LT(plain->bytes.size(), 205000u);
     EXPECT_LT(first->bytes.size(), 295000u);
 }

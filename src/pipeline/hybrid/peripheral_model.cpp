@@ -160,17 +160,18 @@ Result<void> PeripheralModel::showIfBetter() {
         bestError += h.bestError;
     }
     const bool areTooFew = heldOut_.size() < kLeastHeldOut;
-    if (before_ && (areTooFew || !(error < shownError))) return {};
+    if (isOfBefore_ && (areTooFew || !(error < shownError))) return {};
     // With few views it soon knows those by heart, and gets worse from elsewhere.
     if (areTooFew && trainer_.viewCount() < kFewViews) return {};
     // Not of what was shown last: a little worse again and again would be much.
-    if (!before_ && error > (1.0 + options_.shownMayBeWorse) * bestError) return {};
-    const bool isBest = before_ || error <= bestError;
+    if (!isOfBefore_ && error > (1.0 + options_.shownMayBeWorse) * bestError) return {};
+    const bool isBest = isOfBefore_ || error <= bestError;
     MACULA_TRY(splat::Splats now, trainer_.snapshot());
     shown_ = std::make_shared<const splat::Splats>(std::move(now));
     shownKey_ = trainer_.lastGood().options.key;
     ++generation_;
-    before_.reset();
+    if (isBest) best_ = shown_;
+    isOfBefore_ = false;
     for (HeldOut& h : heldOut_) {
         h.shownError = h.error;
         if (isBest) h.bestError = h.error;

@@ -111,7 +111,7 @@ class PeripheralModel {
 
     // From where a new picture would teach it most (wanted_views.h), of those views in which it shows
     // enough; never one that it has, or that was among the last eight it asked for. Nothing when it is full
-    // or no view shows enough. Draws a few small pictures.
+    // or no view shows enough. Draws a few small pictures, more only where the first ones show too little.
     Result<std::optional<WantedView>> wantedView();
 
     // Of any field of view and size; a large one is reduced. Learnt if it shows something new (admit), at
@@ -127,11 +127,11 @@ class PeripheralModel {
     // with what is on the shelf for that key, else with `start`, else, if that has no splats or what is shown
     // is of that key, with what is shown. Points (startFromPoints) are best for another preset or clip, what
     // is shown for other lights: docs/peripheral-model.md. What was shown stays until the mean error of the
-    // new model is less over the held-out pictures of the new look, at least two. Fails as begin, and then it
-    // goes on as before.
+    // new model is less over the held-out pictures of the new look, at least two. Pictures of the old model
+    // are not on the device while the new one is made. Fails as begin, and then it goes on as before.
     Result<void> change(const ModelStart& start);
 
-    ShownModel shown() const { return {shown_, generation_, before_.has_value()}; }
+    ShownModel shown() const { return {shown_, generation_, isOfBefore_}; }
     PeripheralReport report() const;
 
     // What resume needs; waits. lastGood: at most two seconds of training older, and on the host already.
@@ -152,7 +152,8 @@ class PeripheralModel {
 
     static Result<splat::Trainer> beginTrainer(const std::shared_ptr<gpu::Device>& device,
                                                const ModelStart& start, const PeripheralOptions& options);
-    Result<void> goOnShowing(const std::shared_ptr<const splat::Splats>& splats, const std::string& key);
+    void goOnShowing(const std::shared_ptr<const splat::Splats>& splats, const std::string& key);
+    Result<void> judgeShown(HeldOut& heldOut) const;
     Result<void> takeHeldOut(const std::shared_ptr<const splat::TrainingView>& picture);
     bool isFull() const;
     bool isKnown(const splat::RasterView& view) const;
@@ -173,10 +174,11 @@ class PeripheralModel {
     splat::Trainer trainer_;
     PeripheralState notes_;  // but for `training` and `heldOut`
     std::vector<HeldOut> heldOut_;
-    std::vector<Camera> asked_;             // and not come yet
-    std::optional<splat::Trainer> before_;  // what is shown, while that is of before the last change
+    std::vector<Camera> asked_;  // and not come yet
     std::shared_ptr<const splat::Splats> shown_;
-    std::string shownKey_;  // of what it is
+    std::shared_ptr<const splat::Splats> best_;  // of what was shown since the last change
+    bool isOfBefore_ = false;                    // what is shown, of before the last change
+    std::string shownKey_;                       // of what it is
     std::uint64_t generation_;
     ErrorTrend trend_;
     bool isJudging_ = false;

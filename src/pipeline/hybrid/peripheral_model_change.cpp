@@ -33,6 +33,7 @@ PeripheralModel::PeripheralModel(std::shared_ptr<gpu::Device> device, const Peri
       trainer_(std::move(trainer)),
       notes_(std::move(notes)),
       shown_(std::make_shared<const splat::Splats>(trainer_.lastGood().splats)),
+      best_(shown_),
       shownKey_(trainer_.lastGood().options.key),
       generation_(notes_.generation + 1),
       trend_(options_.trend),
@@ -73,19 +74,17 @@ Result<PeripheralModel> PeripheralModel::resume(const std::shared_ptr<gpu::Devic
     notes.heldOut.clear();
     notes.before = nullptr;
     PeripheralModel model(device, options, std::move(trainer), std::move(notes));
-    if (state.before) MACULA_TRY_VOID(model.goOnShowing(state.before, state.beforeKey));
+    if (state.before) model.goOnShowing(state.before, state.beforeKey);
     for (const auto& picture : state.heldOut) MACULA_TRY_VOID(model.takeHeldOut(picture));
     return model;
 }
 
 // While the model itself is not shown yet.
-Result<void> PeripheralModel::goOnShowing(const std::shared_ptr<const splat::Splats>& splats,
-                                          const std::string& key) {
-    const splat::Splats before = relativeTo(*splats, trainer_.lastGood().splats.originMm);
-    MACULA_TRY(before_, splat::Trainer::create(device_, before, notes_.first));
-    shown_ = splats;
+void PeripheralModel::goOnShowing(const std::shared_ptr<const splat::Splats>& splats,
+                                  const std::string& key) {
+    shown_ = best_ = splats;
     shownKey_ = key;
-    return {};
+    isOfBefore_ = true;
 }
 
 Result<void> PeripheralModel::change(const ModelStart& start) {
@@ -98,6 +97,9 @@ Result<void> PeripheralModel::change(const ModelStart& start) {
     const bool isOwn = hasKey && start.key == shownKey_;
     const std::shared_ptr<ModelShelf> shelf = std::exchange(now.shelf, nullptr);
     const auto kept = hasKey ? shelf->find(start.key) : nullptr;
+    // On a card that is full there is no room for two models, and never for those of both in all their
+    // pictures.
+    trainer_.releasePictures();
     const auto begun = [&]() -> Result<PeripheralModel> {
         if (kept) return resume(device_, *kept, options_);
         if (start.splats.size() > 0 && !isOwn) return begin(device_, start, options_);
@@ -107,13 +109,10 @@ Result<void> PeripheralModel::change(const ModelStart& start) {
     };
     MACULA_TRY(PeripheralModel next, begun());
     next.generation_ = generation_;
-    MACULA_TRY_VOID(next.goOnShowing(shown_, shownKey_));
-    for (HeldOut& h : next.heldOut_) {
-        MACULA_TRY(const double errorBefore, next.before_->differenceTo(*h.picture));
-        h.shownError = h.bestError = errorBefore / h.coverage;
-    }
+    next.goOnShowing(shown_, shownKey_);
+    for (HeldOut& h : next.heldOut_) MACULA_TRY_VOID(next.judgeShown(h));
     if (isOwn)
-        next.before_.reset();
+        next.isOfBefore_ = false;
     else
         MACULA_TRY_VOID(next.showIfBetter());
     if (!now.training.options.key.empty())
@@ -135,7 +134,7 @@ PeripheralState PeripheralModel::lastGood() const {
     state.generation = generation_;
     state.training = trainer_.lastGood();
     for (const HeldOut& h : heldOut_) state.heldOut.push_back(h.picture);
-    if (before_) {
+    if (isOfBefore_) {
         state.before = shown_;
         state.beforeKey = shownKey_;
     }

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <span>
 #include <utility>
 
 #include "pipeline/hybrid/drawn_views.h"
@@ -51,24 +52,29 @@ Result<std::optional<WantedView>> PeripheralModel::wantedView() {
     MACULA_TRY(
         std::vector<WantedView> wanted,
         wantedViews(knownViews(), notes_.seenMm, trainer_.lastGood().splats.originMm, seed, options_.wanted));
-    wanted.resize(std::min(wanted.size(), kLooks));
-    std::vector<Camera> cameras;
-    std::transform(wanted.begin(), wanted.end(), std::back_inserter(cameras),
-                   [](const WantedView& view) { return view.camera; });
     // What is shown may be of before.
     MACULA_TRY(const splat::Splats now, trainer_.snapshot());
     const glm::dvec2 size(options_.wanted.sizePx);
     const glm::ivec2 small = glm::max(glm::ivec2(size * (kLookSidePx / std::max(size.x, size.y))), 1);
-    MACULA_TRY(const DrawnViews drawn, drawViews(device_, now, cameras, small));
-    for (std::size_t i = 0; i < wanted.size(); ++i) {
-        const double sum = std::accumulate(drawn.pictures[i].begin(), drawn.pictures[i].end(), 0.0,
-                                           [](double s, const glm::vec4& p) { return s + double(p.a); });
-        if (now.size() > 0 && sum < kLeastCoverage * double(drawn.pictures[i].size())) continue;
-        ++notes_.asked;
-        asked_.push_back(wanted[i].camera);
-        if (asked_.size() > kMostAsked) asked_.erase(asked_.begin());
-        return Wanted(wanted[i]);
+    // The best ones are of what nobody saw yet, where there may be nothing: then those behind them are looked
+    // at.
+    for (std::size_t first = 0; first < wanted.size(); first += kLooks) {
+        const std::span looks = std::span(wanted).subspan(first, std::min(kLooks, wanted.size() - first));
+        std::vector<Camera> cameras;
+        std::transform(looks.begin(), looks.end(), std::back_inserter(cameras),
+                       [](const WantedView& view) { return view.camera; });
+        MACULA_TRY(const DrawnViews drawn, drawViews(device_, now, cameras, small));
+        for (std::size_t i = 0; i < looks.size(); ++i) {
+            const double sum = std::accumulate(drawn.pictures[i].begin(), drawn.pictures[i].end(), 0.0,
+                                               [](double s, const glm::vec4& p) { return s + double(p.a); });
+            if (now.size() > 0 && sum < kLeastCoverage * double(drawn.pictures[i].size())) continue;
+            ++notes_.asked;
+            asked_.push_back(looks[i].camera);
+            if (asked_.size() > kMostAsked) asked_.erase(asked_.begin());
+            return Wanted(looks[i]);
+        }
     }
+    ++notes_.asked;  // others are drawn the next time
     return Wanted();
 }
 
@@ -102,14 +108,32 @@ double PeripheralModel::degreesBesideHeldOut(const splat::RasterView& view) cons
     return least;
 }
 
+// By a model that is on the device for as long as that takes: a picture is held out a few times, and a second
+// model that stayed there would take room from the one that learns.
+Result<void> PeripheralModel::judgeShown(HeldOut& heldOut) const {
+    const auto errorOf = [&](const splat::Splats& splats) -> Result<double> {
+        splat::TrainerOptions options = notes_.first;
+        options.capacity = 0;  // no more than there are
+        const splat::Splats here = relativeTo(splats, trainer_.lastGood().splats.originMm);
+        MACULA_TRY(splat::Trainer judge, splat::Trainer::create(device_, here, options));
+        MACULA_TRY(const double error, judge.differenceTo(*heldOut.picture));
+        return error / heldOut.coverage;
+    };
+    MACULA_TRY(heldOut.shownError, errorOf(*shown_));
+    heldOut.bestError = heldOut.shownError;
+    if (best_ != shown_) {
+        MACULA_TRY(heldOut.bestError, errorOf(*best_));
+    }
+    return {};
+}
+
+// What is shown and what was best are judged by it as they are, not as the model is now: else what has become
+// worse since would pass for what was shown.
 Result<void> PeripheralModel::takeHeldOut(const std::shared_ptr<const splat::TrainingView>& picture) {
     HeldOut taken{.picture = picture, .coverage = coverageOf(*picture)};
     MACULA_TRY(const double error, trainer_.differenceTo(*picture));
-    taken.error = taken.shownError = taken.bestError = error / taken.coverage;
-    if (before_) {
-        MACULA_TRY(const double errorBefore, before_->differenceTo(*picture));
-        taken.shownError = errorBefore / taken.coverage;
-    }
+    taken.error = error / taken.coverage;
+    MACULA_TRY_VOID(judgeShown(taken));
     heldOut_.push_back(std::move(taken));
     trend_.forget();
     return {};
@@ -132,7 +156,7 @@ Result<Offered> PeripheralModel::offer(TracedView view, bool mayBeHeldOut) {
             MACULA_TRY_VOID(takeHeldOut(std::make_shared<const splat::TrainingView>(
                 reducedTo(std::move(picture), options_.heldOutSidePx))));
             ++notes_.offered;
-            if (before_) MACULA_TRY_VOID(showIfBetter());
+            if (isOfBefore_) MACULA_TRY_VOID(showIfBetter());
             // Now it can be told whether more steps are worth it.
             if (pause_ == Pause::notJudged && heldOut_.size() >= kLeastHeldOut) wake();
             return Offered::heldOut;

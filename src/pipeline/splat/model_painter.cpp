@@ -52,6 +52,18 @@ Result<const DevicePicture*> ModelPainter::drawOnDevice(const RasterView& view) 
     return &rasterizer_.picture();
 }
 
+Result<void> ModelPainter::drawBands(const RasterView& view, const Take& take, std::uint64_t mostPixels) {
+    const int rows = static_cast<int>(
+        std::clamp<std::uint64_t>(mostPixels / std::uint64_t(view.sizePx.x), 1, kMaxRasterSide));
+    for (int first = 0; first < view.sizePx.y; first += rows) {
+        const glm::ivec2 size(view.sizePx.x, std::min(rows, view.sizePx.y - first));
+        const bool isWhole = size == view.sizePx;
+        MACULA_TRY(const SplatPicture band, draw(isWhole ? view : partOf(view, {0, first}, size)));
+        MACULA_TRY_VOID(take(band));
+    }
+    return {};
+}
+
 Result<SplatPicture> ModelPainter::draw(const RasterView& view) {
     MACULA_TRY(const DevicePicture* drawn, drawOnDevice(view));
     SplatPicture picture{.sizePx = view.sizePx};

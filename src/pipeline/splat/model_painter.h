@@ -1,6 +1,8 @@
 // Pictures of one model that does not change, of whatever size: for those who only look.
 #pragma once
 
+#include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -32,8 +34,17 @@ class ModelPainter {
     // drawn; done when what was submitted is. outOfMemory when the picture, or what shows in it, is too large
     // for the device.
     Result<const DevicePicture*> drawOnDevice(const RasterView& view);
-    // The same, read. outOfMemory when the picture, or what shows in it, is too large for the device.
+    // The same, read, of any size: a picture of more than `mostPixels` is drawn in bands of whole rows, from
+    // top to bottom, and no more than one is held. What `take` returns as an error ends it. outOfMemory when
+    // what shows in a band is too much for the device.
+    using Take = std::function<Result<void>(const SplatPicture& band)>;
+    Result<void> drawBands(const RasterView& view, const Take& take,
+                           std::uint64_t mostPixels = kMostPixelsAtOnce);
+    // In one.
     Result<SplatPicture> draw(const RasterView& view);
+
+    // What fits the smallest buffers that Vulkan allows, 128 MiB; one row of kMaxRasterSide is less.
+    static constexpr std::uint64_t kMostPixelsAtOnce = (std::uint64_t(1) << 27) / sizeof(glm::vec4);
 
     bool projectsOnHost() const { return !parameters_.has_value(); }
 

@@ -24,6 +24,14 @@ bool isRotation(const glm::dmat3& m) {
     return worst < 1e-4 && glm::determinant(m) > 0.0;
 }
 
+// What lies farther out than so many sides of the picture is projected as if it lay there: its true
+// projection there may fill the picture, far from what the splat is in space.
+constexpr double kBeyondPicture = 0.15;
+
+glm::dvec2 wholeSize(const RasterView& view) {
+    return view.wholePx.x > 0 ? view.wholePx : view.sizePx;
+}
+
 Result<void> checkPicture(const glm::ivec2& sizePx, double nearMm) {
     if (sizePx.x < 1 || sizePx.y < 1 || sizePx.x > kMaxRasterSide || sizePx.y > kMaxRasterSide)
         return notUsable(fmt::format("A picture of {} x {} pixels cannot be made.", sizePx.x, sizePx.y),
@@ -49,6 +57,25 @@ Result<RasterView> rasterView(const Camera& camera, const glm::ivec2& sizePx, co
         .sizePx = sizePx,
         .nearMm = nearMm,
     };
+}
+
+RasterView partOf(const RasterView& whole, const glm::ivec2& atPx, const glm::ivec2& sizePx) {
+    RasterView part = whole;
+    part.principalPx -= glm::dvec2(atPx);
+    part.sizePx = sizePx;
+    part.wholePx = whole.sizePx;
+    part.atPx = atPx;
+    return part;
+}
+
+glm::dvec2 lowestSlope(const RasterView& view) {
+    const glm::dvec2 principalPx = view.principalPx + glm::dvec2(view.atPx);
+    return -(principalPx + kBeyondPicture * wholeSize(view)) / view.focalPx;
+}
+
+glm::dvec2 highestSlope(const RasterView& view) {
+    const glm::dvec2 principalPx = view.principalPx + glm::dvec2(view.atPx);
+    return ((1.0 + kBeyondPicture) * wholeSize(view) - principalPx) / view.focalPx;
 }
 
 Result<void> validate(const RasterView& view) {
@@ -103,6 +130,8 @@ shared::SplatView splatView(const RasterView& view, const Blending& blending) {
         .focalPx = view.focalPx,
         .principalPx = view.principalPx,
         .sizePx = view.sizePx,
+        .lowestSlope = lowestSlope(view),
+        .highestSlope = highestSlope(view),
         .nearMm = static_cast<float>(view.nearMm),
         .lowPassPx2 = static_cast<float>(blending.lowPassPx2),
         .lowPassLeastPx2 = static_cast<float>(blending.lowPassLeastPx2),

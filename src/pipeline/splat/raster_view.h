@@ -20,7 +20,16 @@ struct RasterView {
     glm::dvec2 principalPx{0.0};      // where x/z = y/z = 0 is; the first pixel's centre is at (0.5, 0.5)
     glm::ivec2 sizePx{0};             // columns and rows, 1 to kMaxRasterSide; row 0 on top
     double nearMm = 2.0;              // along z; a splat whose centre is nearer is not drawn
+    glm::ivec2 wholePx{0};            // of the picture of which this is a part; 0: it is whole
+    glm::ivec2 atPx{0};               // where its first pixel lies in that
 };
+
+// A part of a picture that is whole: the same pixels, but for rounding.
+RasterView partOf(const RasterView& whole, const glm::ivec2& atPx, const glm::ivec2& sizePx);
+
+// x/z and y/z of the picture's edges, 0.15 of its sides farther out. The whole one's, also of a part.
+glm::dvec2 lowestSlope(const RasterView& view);
+glm::dvec2 highestSlope(const RasterView& view);
 
 // Square pixels, the camera's vertical field of view over the height. Fails with usage where basis(camera)
 // does, and when the size or the near plane is not usable.

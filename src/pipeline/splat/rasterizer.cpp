@@ -126,11 +126,20 @@ shared::SplatFrame Rasterizer::frameOf(const RasterView& view, const Blending& b
             .tileRows = shape_.tileRows};
 }
 
+// Buffers are made larger while commands are recorded, and what they replace is not freed before that ends:
+// when both are more than there is room for, it is done once more.
 Result<void> Rasterizer::inOne(const char* label, const std::function<Result<void>(gpu::Recorder&)>& record) {
-    MACULA_TRY(auto recorder, gpu::Recorder::create(device_, label));
-    MACULA_TRY_VOID(record(recorder));
-    MACULA_TRY([[maybe_unused]] const gpu::Ticket ticket, recorder.submit());
-    return {};
+    const auto once = [&]() -> Result<void> {
+        MACULA_TRY(auto recorder, gpu::Recorder::create(device_, label));
+        MACULA_TRY_VOID(record(recorder));
+        MACULA_TRY([[maybe_unused]] const gpu::Ticket ticket, recorder.submit());
+        return {};
+    };
+    Result<void> done = once();
+    if (done || done.error().code != ErrorCode::outOfMemory || device_->pendingDestructions() == 0)
+        return done;
+    MACULA_TRY_VOID(device_->waitForAll());
+    return once();
 }
 
 void Rasterizer::recordProject(gpu::Recorder& recorder, const SplatBuffer& parameters, std::uint32_t count,

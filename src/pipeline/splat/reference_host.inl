@@ -14,18 +14,20 @@ struct MACULA_HOST : GlslInCpp<MACULA_REAL> {
         vec3 right, down, forward, eyeMm;
         vec2 focalPx, principalPx;
         ivec2 sizePx;
+        vec2 lowestSlope, highestSlope;
         Real nearMm, lowPassPx2, lowPassLeastPx2;
         int compensated;
         Real maxAlpha, minAlpha, fringe, minTransmittance;
     };
     // A field added to the shared block must be added above and below.
-    static_assert(sizeof(shared::SplatView) == 4 * (4 * 3 + 2 * 2 + 2 + 3 + 1 + 4));
+    static_assert(sizeof(shared::SplatView) == 4 * (4 * 3 + 2 * 2 + 2 + 2 * 2 + 3 + 1 + 4));
 
     MACULA_HOST(const RasterView& raster, const Blending& blending)
         : frame{glm::transpose(raster.cameraFromWorld)[0], glm::transpose(raster.cameraFromWorld)[1],
                glm::transpose(raster.cameraFromWorld)[2], raster.eyeMm,
                raster.focalPx,           raster.principalPx,
-               raster.sizePx,            Real(raster.nearMm),
+               raster.sizePx,            lowestSlope(raster),
+               highestSlope(raster),     Real(raster.nearMm),
                Real(blending.lowPassPx2), Real(blending.lowPassLeastPx2),
                blending.compensated ? 1 : 0,
                Real(blending.maxAlpha),  Real(blending.minAlpha),
@@ -38,7 +40,6 @@ struct MACULA_HOST : GlslInCpp<MACULA_REAL> {
 #undef float
 #undef MAX_LOG_SCALE
 #undef MIN_QUATERNION
-#undef BEYOND_PICTURE
 #undef SH_0
 #undef SH_1
 #undef HARD_EDGE

@@ -59,6 +59,29 @@ bool clampTo(float& value, float limit) {
     return true;
 }
 
+// The largest deviation along an axis that is still part of a picture: a splat many times as large as all of
+// the model around it lies over every picture like fog, and comes from a file that is damaged. Models of few
+// splats, or all in one place, are measured by the splats themselves.
+float largestLogScale(const Splats& splats) {
+    constexpr double kTimesTheModel = 10.0;
+    glm::dvec3 low(std::numeric_limits<double>::infinity());
+    glm::dvec3 high = -low;
+    std::vector<float> scales;
+    for (std::size_t i = 0; i < splats.size(); ++i) {
+        const glm::vec3& scale = splats.logScale[i];
+        const float largest = std::max({scale.x, scale.y, scale.z});
+        if (!finite(splats.position[i]) || !(largest <= kMaxLogScale)) continue;
+        low = glm::min(low, glm::dvec3(splats.position[i]));
+        high = glm::max(high, glm::dvec3(splats.position[i]));
+        scales.push_back(largest);
+    }
+    if (scales.empty()) return kMaxLogScale;
+    const auto middle = scales.begin() + static_cast<std::ptrdiff_t>((scales.size() - 1) / 2);
+    std::nth_element(scales.begin(), middle, scales.end());
+    const double extent = std::max(glm::length(high - low), std::exp(double{*middle}));
+    return static_cast<float>(std::min(std::log(kTimesTheModel * extent), double{kMaxLogScale}));
+}
+
 }  // namespace
 
 void Splats::resize(std::size_t count) {
@@ -98,12 +121,15 @@ Result<void> Splats::validate() const {
 Result<Repair> repair(Splats& splats) {
     MACULA_TRY_VOID(validateWhole(splats));
     Repair done;
+    const float largest = largestLogScale(splats);
     const std::size_t coefficients = shCount(splats.shDegree);
     std::size_t kept = 0;
     for (std::size_t i = 0; i < splats.size(); ++i) {
+        const glm::vec3& scale = splats.logScale[i];
+        const bool floods = std::max({scale.x, scale.y, scale.z}) > largest;
         bool clamped = clampTo(splats.opacityLogit[i], kMaxOpacityLogit);
         for (int axis = 0; axis < 3; ++axis) clamped |= clampTo(splats.logScale[i][axis], kMaxLogScale);
-        if (!isGood(splats, i)) {
+        if (floods || !isGood(splats, i)) {
             ++done.dropped;
             continue;
         }

@@ -91,9 +91,11 @@ struct Repair {
     std::size_t clamped = 0;  // splats changed, and kept
 };
 
-// Makes a model valid. Log scales are clamped to +-kMaxLogScale and logits to +-kMaxOpacityLogit, infinite
-// ones too (a flat splat has the log scale -inf, an opaque one the logit +inf); then bad splats are removed.
-// Others keep their order and every bit. Fails where validate would for the model as a whole.
+// Makes a model valid. Log scales are clamped to -kMaxLogScale and logits to +-kMaxOpacityLogit, infinite
+// ones too (a flat splat has the log scale -inf, an opaque one the logit +inf). Removed are bad splats, and
+// those that would flood every picture: a log scale above kMaxLogScale, +inf too, or a deviation of more than
+// ten times the model's extent and the middle one of its splats'. Others keep their order and every bit.
+// Fails where validate would for the model as a whole.
 Result<Repair> repair(Splats& splats);
 
 // Of the splats' centres, in mm of the world (originMm added). Empty, low > high, for no splats. The model

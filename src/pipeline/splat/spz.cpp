@@ -16,6 +16,7 @@
 #include "pipeline/splat/gzip.h"
 #include "pipeline/splat/model_notes.h"
 #include "pipeline/splat/spz_codes.h"
+#include "pipeline/splat/spz_container.h"
 
 namespace macula::splat {
 
@@ -25,7 +26,8 @@ static_assert(std::endian::native == std::endian::little, "the header is written
 
 constexpr std::uint32_t kMagic = 0x5053474e;  // "NGSP"
 constexpr std::string_view kMagicText = "NGSP";
-constexpr std::uint32_t kVersion = 3;
+constexpr std::uint32_t kLastGzipVersion = 3;
+constexpr std::uint32_t kContainerVersion = 4;
 constexpr std::uint32_t kMostSplats = 10'000'000;
 constexpr int kMostFractionalBits = 20;      // a millionth of a mm; float32 has no more
 constexpr int kMostFractionalBitsRead = 31;  // of models a few thousandths of a unit across
@@ -34,9 +36,15 @@ constexpr std::uint8_t kAntialiased = 1;
 constexpr std::uint8_t kHasExtensions = 2;
 constexpr std::size_t kMostExtensionBytes = std::size_t{1} << 24;
 
+// Models that are alike in all their splats are packed by hundreds, and a small file may claim millions of
+// them: what is unpacked may be so many times the file, or as much as nobody's memory lacks. Real ones are
+// packed by less than 15, even point clouds with bands of zeros.
+constexpr std::uint64_t kMostPacking = 32;
+constexpr std::uint64_t kAlwaysUnpacked = std::uint64_t{32} << 20;
+
 struct Header {
     std::uint32_t magic = kMagic;
-    std::uint32_t version = kVersion;
+    std::uint32_t version = kContainerVersion;
     std::uint32_t count = 0;
     std::uint8_t shDegree = 0;
     std::uint8_t fractionalBits = 0;
@@ -45,11 +53,18 @@ struct Header {
 
     std::size_t positionBytes() const { return version == 1 ? 2 : 3; }
     std::size_t rotationBytes() const { return version < 3 ? 3 : 4; }
-    std::size_t splatBytes() const {
-        return 3 * positionBytes() + 1 + 3 + 3 + rotationBytes() + 3 * shCount(shDegree);
+    // Of each attribute, in the order of the file.
+    std::array<std::size_t, 6> streamBytes() const {
+        const std::size_t n = count;
+        return {3 * n * positionBytes(), n, 3 * n, 3 * n, n * rotationBytes(), 3 * n * shCount(shDegree)};
+    }
+    std::size_t bytes() const {
+        std::size_t sum = 0;
+        for (const std::size_t stream : streamBytes()) sum += stream;
+        return sum;
     }
 };
-static_assert(sizeof(Header) == 16);
+static_assert(sizeof(Header) == kSpzHeaderBytes);
 
 // Signs of the real spherical harmonics when y and z change theirs.
 constexpr std::array<float, 15> kTurn{-1, -1, 1, -1, 1, 1, -1, 1, -1, 1, -1, -1, 1, -1, 1};
@@ -164,13 +179,17 @@ Splats splatsOf(const Header& header, const std::vector<std::uint8_t>& bytes) {
     return splats;
 }
 
+bool mayBeUnpacked(std::uint64_t bytes, std::uint64_t packedBytes) {
+    return bytes <= std::max(kAlwaysUnpacked, kMostPacking * packedBytes);
+}
+
 Result<void> check(const Header& header, std::size_t packedBytes) {
     if (header.magic != kMagic)
         return unusable("The file is gzip, but no SPZ model is in it.", "Choose a model of Gaussians.");
-    if (header.version < 1 || header.version > kVersion)
+    if (header.version < 1 || header.version > kContainerVersion)
         return unusable(
-            fmt::format("The SPZ file has version {}; 1 to {} are read.", header.version, kVersion),
-            "Convert it to version 3, or to PLY.");
+            fmt::format("The SPZ file has version {}; 1 to {} are read.", header.version, kContainerVersion),
+            "Convert it to version 4, or to PLY.");
     if (header.shDegree > kMaxShDegree)
         return unusable(fmt::format("The SPZ file has spherical harmonics of degree {}; 0 to {} are read.",
                                     header.shDegree, kMaxShDegree),
@@ -180,7 +199,9 @@ Result<void> check(const Header& header, std::size_t packedBytes) {
         return unusable(fmt::format("The SPZ file counts {} splats; no more than {} are read.", header.count,
                                     kMostSplats),
                         "Convert it to PLY, of which there is no such limit.");
-    if (std::uint64_t{header.count} * header.splatBytes() > kMostDeflated * packedBytes) return damaged();
+    if (!mayBeUnpacked(header.bytes(), packedBytes))
+        return unusable(
+            fmt::format("The SPZ file counts {} splats, for which it is too small.", header.count));
     return {};
 }
 
@@ -198,11 +219,10 @@ std::string commentOf(const Splats& splats) {
     return text;
 }
 
-// In the order of the file.
+// All but the header, in the order of the file.
 std::vector<std::uint8_t> payload(const Splats& splats, const Header& header, std::size_t& clamped) {
-    std::vector<std::uint8_t> out(sizeof header);
-    std::memcpy(out.data(), &header, sizeof header);
-    out.reserve(sizeof header + splats.size() * header.splatBytes());
+    std::vector<std::uint8_t> out;
+    out.reserve(header.bytes());
     const auto add = [&](std::uint32_t value, int bytes) {
         for (int i = 0; i < bytes; ++i) out.push_back(static_cast<std::uint8_t>(value >> (8 * i)));
     };
@@ -246,7 +266,7 @@ std::vector<std::uint8_t> payload(const Splats& splats, const Header& header, st
 
 }  // namespace
 
-Result<SpzBytes> encodeSpz(const Splats& splats) {
+Result<SpzBytes> encodeSpz(const Splats& splats, SpzVersion version) {
     MACULA_TRY_VOID(splats.validate());
     if (splats.size() == 0) return unusable("The model holds no splats.", "Train it first.");
     if (splats.size() > kMostSplats)
@@ -254,40 +274,78 @@ Result<SpzBytes> encodeSpz(const Splats& splats) {
             fmt::format("The model has {} splats; an SPZ file holds at most {}.", splats.size(), kMostSplats),
             "Write a PLY.");
     MACULA_TRY(const int bits, fractionalBits(splats));
-    const Header header{.count = static_cast<std::uint32_t>(splats.size()),
+    const bool zstd = version == SpzVersion::zstd;
+    const Header header{.version = zstd ? kContainerVersion : kLastGzipVersion,
+                        .count = static_cast<std::uint32_t>(splats.size()),
                         .shDegree = static_cast<std::uint8_t>(splats.shDegree),
                         .fractionalBits = static_cast<std::uint8_t>(bits),
                         .flags = splats.lowPass == LowPass::classic ? std::uint8_t{0} : kAntialiased};
+    const auto headerBytes = std::bit_cast<std::array<std::byte, kSpzHeaderBytes>>(header);
     SpzBytes file;
-    const std::vector<std::uint8_t> data = payload(splats, header, file.clamped);
-    MACULA_TRY(file.bytes, gzip(std::as_bytes(std::span(data)), commentOf(splats)));
+    std::vector<std::uint8_t> data = payload(splats, header, file.clamped);
+    if (zstd) {
+        MACULA_TRY(file.bytes, packSpzStreams(headerBytes, commentOf(splats), std::as_bytes(std::span(data)),
+                                              header.streamBytes()));
+    } else {
+        const auto* begin = reinterpret_cast<const std::uint8_t*>(headerBytes.data());
+        data.insert(data.begin(), begin, begin + headerBytes.size());
+        MACULA_TRY(file.bytes, gzip(std::as_bytes(std::span(data)), commentOf(splats)));
+    }
+    if (!mayBeUnpacked(header.bytes(), file.bytes.size()))
+        return unusable(
+            "The model's splats are so much alike that its SPZ file could not be told from a false one.",
+            "Write a PLY.");
     return file;
 }
 
-Result<ModelFile> decodeSpz(std::span<const std::byte> bytes, BadSplats bad) {
-    if (bytes.size() >= kMagicText.size() &&
-        std::memcmp(bytes.data(), kMagicText.data(), kMagicText.size()) == 0)
-        return unusable("The SPZ file has version 4 or later; 1 to 3 are read.",
-                        "Convert it to version 3, or to PLY.");
-    if (bytes.size() > std::numeric_limits<std::uint32_t>::max())
-        return unusable("The file is larger than any SPZ model.", "Check that it is the file you meant.");
+namespace {
+
+Result<ModelFile> finished(const Header& header, const std::vector<std::uint8_t>& data,
+                           const std::string& notes, BadSplats bad) {
+    Splats splats = splatsOf(header, data);
+    MACULA_TRY_VOID(applyNotes(linesOf(notes), splats));
+    const bool antialiased = (header.flags & kAntialiased) != 0;
+    if (!antialiased) splats.lowPass = LowPass::classic;
+    if (antialiased && splats.lowPass == LowPass::classic) splats.lowPass = LowPass::compensated;
+    if (splats.colourSpace == ColourSpace::linear) toLinear(splats);
+    return finishModel(std::move(splats), bad);
+}
+
+Result<ModelFile> decodeContainer(std::span<const std::byte> bytes, BadSplats bad) {
+    Header header;
+    if (bytes.size() < sizeof header) return damaged();
+    std::memcpy(&header, bytes.data(), sizeof header);
+    MACULA_TRY_VOID(check(header, bytes.size()));
+    if (header.version != kContainerVersion) return damaged();  // earlier ones lie in gzip
+    std::vector<std::uint8_t> data(header.bytes());
+    std::string notes;
+    if (!unpackSpzStreams(bytes, header.streamBytes(), std::as_writable_bytes(std::span(data)), notes))
+        return damaged();
+    return finished(header, data, notes, bad);
+}
+
+Result<ModelFile> decodeGzip(std::span<const std::byte> bytes, BadSplats bad) {
     Gunzip packed(bytes);
     Header header;
     if (!packed.read(std::as_writable_bytes(std::span(&header, 1)))) return damaged();
     MACULA_TRY_VOID(check(header, bytes.size()));
+    if (header.version > kLastGzipVersion) return damaged();
+    std::vector<std::uint8_t> data(header.bytes());
+    // What comes behind is not looked at, and checked only so far as to know that the whole is undamaged.
+    const std::size_t most = (header.flags & kHasExtensions) != 0 ? kMostExtensionBytes : 0;
+    if (!packed.read(std::as_writable_bytes(std::span(data))) || !packed.endsWithin(most)) return damaged();
+    return finished(header, data, packed.comment(), bad);
+}
+
+}  // namespace
+
+Result<ModelFile> decodeSpz(std::span<const std::byte> bytes, BadSplats bad) {
+    if (bytes.size() > std::numeric_limits<std::uint32_t>::max())
+        return unusable("The file is larger than any SPZ model.", "Check that it is the file you meant.");
+    const bool container = bytes.size() >= kMagicText.size() &&
+                           std::memcmp(bytes.data(), kMagicText.data(), kMagicText.size()) == 0;
     try {
-        std::vector<std::uint8_t> data(header.count * header.splatBytes());
-        // What comes behind is not looked at, and checked only so far as to know that the whole is undamaged.
-        const std::size_t most = (header.flags & kHasExtensions) != 0 ? kMostExtensionBytes : 0;
-        if (!packed.read(std::as_writable_bytes(std::span(data))) || !packed.endsWithin(most))
-            return damaged();
-        Splats splats = splatsOf(header, data);
-        MACULA_TRY_VOID(applyNotes(linesOf(packed.comment()), splats));
-        const bool antialiased = (header.flags & kAntialiased) != 0;
-        if (!antialiased) splats.lowPass = LowPass::classic;
-        if (antialiased && splats.lowPass == LowPass::classic) splats.lowPass = LowPass::compensated;
-        if (splats.colourSpace == ColourSpace::linear) toLinear(splats);
-        return finishModel(std::move(splats), bad);
+        return container ? decodeContainer(bytes, bad) : decodeGzip(bytes, bad);
     } catch (const std::bad_alloc&) {
         return Error{ErrorCode::outOfMemory,
                      "The model does not fit into memory.",

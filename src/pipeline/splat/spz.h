@@ -1,17 +1,18 @@
-// SPZ, Niantic's packed splats (github.com/nianticlabs/spz, README; MIT): the form for transport. A gzip
-// stream of 16 bytes (magic "NGSP", version, number of splats, degree, fractional bits of positions, flags,
-// 0; little endian), then by attribute: positions, opacities, colours, scales, rotations, spherical harmonics
-// (per splat coefficient by coefficient, red, green, blue).
+// SPZ, Niantic's packed splats (github.com/nianticlabs/spz, README; MIT): the form for transport. A header of
+// 16 bytes (magic "NGSP", version, number of splats, degree, fractional bits of positions, flags, one more;
+// little endian), then by attribute: positions, opacities, colours, scales, rotations, spherical harmonics
+// (per splat coefficient by coefficient, red, green, blue). To version 3 all of it is one gzip stream; from 4
+// on each attribute is one of zstd (spz_container.h).
 //
 // Axes. The file's are x right, y up, z back (RUB). The model's x, y, z become x, -y, -z in the file, and the
 // same brings them back: a half turn about x, so left stays left and nothing is mirrored; rotations and
 // spherical harmonics turn with it. It is the turn from PLY's axes (x right, y down, z forward), so a model
 // has the same coordinates in memory whichever format it came in. A patient is x left, y anterior, z inferior
-// in the file. Units are those of the model, mm in ours. Origin, axes and colour space lie in the comment of
-// the gzip header (model_notes.h), which other programs skip.
+// in the file. Units are those of the model, mm in ours. Origin, axes and colour space (model_notes.h) lie in
+// the comment of the gzip header, or in a record of the container: other programs skip both.
 //
-// Version 3 is written: its rotations are off by 0.005 rad at most, those of version 2 by 0.2 rad where w is
-// near 0, which shows in needles.
+// Version 4 is written, 3 for those who ask: their rotations are off by 0.005 rad at most, those of version 2
+// by 0.2 rad where w is near 0, which shows in needles.
 //
 // What is lost, at most: position 2^-(b + 1) mm in each axis, with as many fractional bits b <= 20 as the
 // farthest splat leaves (0.00002 mm within 256 mm of the origin); a factor of exp(1/32) in scale; 1/510 in
@@ -35,14 +36,16 @@ struct SpzBytes {
     std::size_t clamped = 0;  // splats with a scale, colour or coefficient beyond what 8 bits reach
 };
 
-// 20 bytes a splat of degree 0, 29 of degree 1, before gzip packs them. Fails with inputNotUsable when the
-// model is not valid, empty, has more than 10 million splats (other readers stop there) or one more than
-// 8 km from its origin.
-Result<SpzBytes> encodeSpz(const Splats& splats);
+enum class SpzVersion { gzip = 3, zstd = 4 };
 
-// Versions 1 to 3, degrees 0 to 3; those of version 4 say what to do. Without a comment of ours the model is
-// foreign: axes unknown, colours of the display, low-pass by the file's flag for antialiasing. Errors as
-// readModel; never unpacks more than the header says, and not before that fits the size of the file.
+// 20 bytes a splat of degree 0, 29 of degree 1, before they are packed. Fails with inputNotUsable when the
+// model is not valid, empty, has more than 10 million splats (other readers stop there), one more than
+// 8 km from its origin, or is packed so much that decodeSpz would refuse it.
+Result<SpzBytes> encodeSpz(const Splats& splats, SpzVersion version = SpzVersion::zstd);
+
+// Versions 1 to 4, degrees 0 to 3. Without notes of ours the model is foreign: axes unknown, colours of the
+// display, low-pass by the file's flag for antialiasing. Errors as readModel; never unpacks more than the
+// header says, and of that no more than 32 times the file, or 32 MiB.
 Result<ModelFile> decodeSpz(std::span<const std::byte> bytes, BadSplats bad = BadSplats::refuse);
 
 // By the first four bytes of a file: gzip, or version 4.

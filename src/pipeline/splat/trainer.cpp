@@ -132,11 +132,12 @@ TrainingStage Trainer::stageNow() const {
 
 // First each once. Of those that come later, one at every kNewEvery steps, so that hundreds of new ones in a
 // row do not displace what the others show. Else half of the time any, and half of the time one by its loss.
-std::size_t Trainer::nextView() const {
+std::optional<std::size_t> Trainer::nextView() const {
     std::vector<std::size_t> known;
     std::optional<std::size_t> firstNew;
     double sum = 0.0;
     for (std::size_t i = 0; i < views_.size(); ++i) {
+        if (views_[i].hasNoRoom) continue;
         if (views_[i].loss < 0.0) {
             firstNew = firstNew.value_or(i);
             continue;
@@ -145,7 +146,8 @@ std::size_t Trainer::nextView() const {
         sum += views_[i].loss;
     }
     const bool isFirstRound = known.size() == steps_;
-    if (firstNew && (isFirstRound || known.empty() || steps_ % kNewEvery == 0)) return *firstNew;
+    if (firstNew && (isFirstRound || known.empty() || steps_ % kNewEvery == 0)) return firstNew;
+    if (known.empty()) return std::nullopt;
     Dice dice(options_.seed, steps_, 0);
     const double share = dice();
     if (dice() < 0.5 || !(sum > 0.0))
@@ -193,10 +195,22 @@ Result<double> Trainer::differenceTo(const TrainingView& view) {
     return double(result.l1);
 }
 
-Result<void> Trainer::oneStep() {
-    View& view = views_[nextView()];
+// Of what was dropped while commands were recorded nothing could be freed then. Now it can, and that may be
+// the memory which there was too little of.
+Result<bool> Trainer::tryStepTwice(const PictureLevel& level, Loss& loss, const LossStep& over) {
+    Result<bool> done = tryStep(level, loss, over);
+    if (done || done.error().code != ErrorCode::outOfMemory || device_->pendingDestructions() == 0)
+        return done;
+    MACULA_TRY_VOID(device_->waitForAll());
+    return tryStep(level, loss, over);
+}
+
+Result<shared::SplatLossResult> Trainer::stepOf(View& view) {
+    if (!view.pictures) {
+        MACULA_TRY(view.pictures, PicturePyramid::upload(device_, *lossKernels_, *view.given));
+    }
     const TrainingStage stage = stageNow();
-    MACULA_TRY(const PictureLevel* level, view.pictures.halved(stage.halvings, *lossKernels_));
+    MACULA_TRY(const PictureLevel* level, view.pictures->halved(stage.halvings, *lossKernels_));
     MACULA_TRY(Loss * loss, lossFor(level->view.sizePx));
     Dice dice(options_.seed, steps_, 1);
     const double red = dice();
@@ -207,14 +221,40 @@ Result<void> Trainer::oneStep() {
                         .coverageOnly = view.given->kind == ViewKind::outline};
 
     for (bool done = false; !done;) {
-        MACULA_TRY(done, tryStep(*level, *loss, over));
+        MACULA_TRY(done, tryStepTwice(*level, *loss, over));
     }
-    MACULA_TRY(const shared::SplatLossResult result, loss->read());
-    view.loss = double(result.loss);
-    view.l1 = double(result.l1);
-    ++steps_;
-    if (isTimeToRegroup()) MACULA_TRY_VOID(regroupSplats());
-    return {};
+    return loss->read();
+}
+
+// The same step would draw the same view again, and fail for ever: so others take its turn.
+Result<void> Trainer::oneStep() {
+    Error noRoom;
+    while (const std::optional<std::size_t> next = nextView()) {
+        View& view = views_[*next];
+        const Result<shared::SplatLossResult> result = stepOf(view);
+        if (!result && result.error().code == ErrorCode::outOfMemory) {
+            view.hasNoRoom = true;
+            noRoom = result.error();
+            continue;
+        }
+        if (!result) return result.error();
+        view.loss = double(result->loss);
+        view.l1 = double(result->l1);
+        ++steps_;
+        if (isTimeToRegroup()) MACULA_TRY_VOID(regroupSplats());
+        return {};
+    }
+    tryAllAgain();
+    return noRoom;
+}
+
+void Trainer::tryAllAgain() {
+    for (View& view : views_) view.hasNoRoom = false;
+}
+
+void Trainer::releasePictures() {
+    for (View& view : views_) view.pictures.reset();
+    loss_.reset();
 }
 
 bool Trainer::isTimeToRegroup() const {
@@ -251,6 +291,7 @@ Result<void> Trainer::regroupSplats() {
     MACULA_TRY(auto recorder, gpu::Recorder::create(device_, "clear statistics"));
     rasterizer_.clearStatistics(recorder);
     MACULA_TRY([[maybe_unused]] const gpu::Ticket ticket, recorder.submit());
+    tryAllAgain();
     return {};
 }
 
@@ -282,6 +323,7 @@ TrainingReport Trainer::report() const {
     double pictures = 0.0;
     for (const View& view : views_) {
         if (view.given->kind != ViewKind::picture) continue;
+        if (view.loss < 0.0 && view.hasNoRoom) continue;
         pictures += 1.0;
         if (view.loss < 0.0) continue;
         report.loss += view.loss;

@@ -59,6 +59,8 @@ class Trainer {
     // device cannot hold it, or not what comparing it takes (loss.h). The picture stays on the host as well,
     // and is shared with states.
     Result<void> addView(TrainingView view);
+    // Frees what the views take on the device, most of all there is; each is made again when it is needed.
+    void releasePictures();
     // What is no picture takes no part any more: for when pictures say what it said.
     void forgetStandIns();
     std::size_t viewCount() const { return views_.size(); }
@@ -73,7 +75,8 @@ class Trainer {
     Result<double> differenceTo(const TrainingView& view);
 
     // `steps` steps; fewer when `keepGoing` (may be empty), which is asked after each, says no. usage without
-    // views.
+    // views. A view for which the device has no room, of pairs most of all, is left out until splats are
+    // regrouped or training goes on in another way; outOfMemory when there is room for none.
     Result<TrainingReport> step(std::uint64_t steps, const std::function<bool()>& keepGoing = {});
     // As many steps as fit, at least one.
     Result<TrainingReport> stepFor(double budgetMs);
@@ -92,10 +95,11 @@ class Trainer {
 
   private:
     struct View {
-        PicturePyramid pictures;
+        std::optional<PicturePyramid> pictures;  // empty: released
         std::shared_ptr<const TrainingView> given;
         double loss = -1.0;  // when it was drawn last; below 0: never
         double l1 = 0.0;
+        bool hasNoRoom = false;  // left out
     };
 
     Trainer(std::shared_ptr<gpu::Device> device, TrainerOptions options, Splats like,
@@ -106,11 +110,14 @@ class Trainer {
     Result<void> restore(const TrainingState& state);  // all but views
     Result<void> keep();
     Result<void> oneStep();
+    Result<shared::SplatLossResult> stepOf(View& view);
     Result<bool> tryStep(const PictureLevel& level, Loss& loss, const LossStep& over);
+    Result<bool> tryStepTwice(const PictureLevel& level, Loss& loss, const LossStep& over);
+    void tryAllAgain();
     bool isTimeToRegroup() const;
     Result<void> regroupSplats();
     TrainingStage stageNow() const;
-    std::size_t nextView() const;
+    std::optional<std::size_t> nextView() const;
     Result<Loss*> lossFor(glm::ivec2 sizePx);
 
     std::shared_ptr<gpu::Device> device_;

@@ -42,6 +42,7 @@ Result<void> Trainer::goBack() {
         views_[i].loss = lastGood_.views[i].loss;
         views_[i].l1 = lastGood_.views[i].l1;
     }
+    tryAllAgain();
     return {};
 }
 
@@ -71,6 +72,7 @@ Result<void> Trainer::goOnWith(const TrainerOptions& options, int shDegree) {
     other.lastGood_ = std::move(now);
     other.views_ = std::move(views_);
     other.loss_ = std::move(loss_);
+    other.tryAllAgain();
     *this = std::move(other);
     return {};
 }

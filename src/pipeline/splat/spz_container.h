@@ -1,0 +1,33 @@
+// The container of SPZ version 4 (github.com/nianticlabs/spz, extensions/README.md, and what readers of it
+// agree on): 32 bytes of header, of which the first 16 are those of earlier versions, with the number of
+// streams in the last of them, then the offset of the table of contents (u32) and 12 zeros; records of
+// others, each a type (u32), a length (u32) and so many bytes; the table, for each stream its packed and
+// unpacked size (u64); the streams, one zstd frame each. Little endian, nothing packed but the streams.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+
+namespace macula::splat {
+
+inline constexpr std::size_t kSpzHeaderBytes = 16;
+
+// `header` is the first 16 bytes; flag and number of streams are set here. `notes` become a record of our own
+// type, which other programs skip. The streams lie in `data` one behind the other, and have these sizes;
+// empty ones are left out. The same data give the same bytes. Fails with outOfMemory.
+Result<std::vector<std::byte>> packSpzStreams(std::array<std::byte, kSpzHeaderBytes> header,
+                                              const std::string& notes, std::span<const std::byte> data,
+                                              std::span<const std::size_t> sizes);
+
+// Fills `data`, in which the streams have these sizes, and `notes` if there are any of ours. False when the
+// file is cut off or damaged, or its streams have other sizes.
+bool unpackSpzStreams(std::span<const std::byte> file, std::span<const std::size_t> sizes,
+                      std::span<std::byte> data, std::string& notes);
+
+}  // namespace macula::splat
