@@ -55,9 +55,10 @@ function(macula_module name)
     target_link_libraries(macula_${name} PUBLIC ${M_PUBLIC} PRIVATE ${M_PRIVATE})
 endfunction()
 
-# macula_plugin(NAME SOURCES … PRIVATE …): macula-NAME.so, which base/module.h loads: beside the programs in the build, and in a
+# macula_plugin(NAME SOURCES … PRIVATE …): macula-NAME.so, which base/plugin.h loads: beside the programs in the build, and in a
 # folder of its own once installed.
 include(GNUInstallDirs)
+set(MACULA_PLUGIN_DIR ${CMAKE_INSTALL_LIBDIR}/macula)  # under the prefix
 function(macula_plugin name)
     cmake_parse_arguments(M "" "" "SOURCES;PRIVATE" ${ARGN})
     add_library(macula_plugin_${name} MODULE ${M_SOURCES})
@@ -66,7 +67,7 @@ function(macula_plugin name)
     target_include_directories(macula_plugin_${name} PRIVATE ${PROJECT_SOURCE_DIR}/src)
     target_compile_options(macula_plugin_${name} PRIVATE ${MACULA_WARNINGS})
     target_link_libraries(macula_plugin_${name} PRIVATE ${M_PRIVATE})
-    install(TARGETS macula_plugin_${name} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/macula)
+    install(TARGETS macula_plugin_${name} LIBRARY DESTINATION ${MACULA_PLUGIN_DIR})
 endfunction()
 
 # Where time goes into starting, reading and comparing, a second of a compiler is worth more than a millisecond of a run.

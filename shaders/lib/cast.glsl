@@ -81,13 +81,18 @@ bool nextCell(INOUT(CellWalk) cells, float endMm) {
     return true;
 }
 
-Corners cornersOfCell(CellWalk cells) {
+// Of the cell that lies so many voxels beside it.
+Corners cornersBeside(CellWalk cells, ivec3 offset) {
     ivec3 last = params.volumeSize - ivec3(1);
-    ivec3 low = ivec3(cells.cell);
+    ivec3 low = ivec3(cells.cell) + offset;
     Corners c;
     c.fraction = vec3(0.0);
     fetchCorners(clamp(low, ivec3(0), last), clamp(low + ivec3(1), ivec3(0), last), c.near, c.far);
     return c;
+}
+
+Corners cornersOfCell(CellWalk cells) {
+    return cornersBeside(cells, ivec3(0));
 }
 
 // Central differences at the corners of a cell, of which the gradient between them is the interpolation: what gradientAt
@@ -97,16 +102,6 @@ struct CellGradient {
     Corners y;
     Corners z;
 };
-
-// Those a voxel further along an axis.
-Corners cornersBeside(CellWalk cells, ivec3 offset) {
-    ivec3 last = params.volumeSize - ivec3(1);
-    ivec3 low = ivec3(cells.cell) + offset;
-    Corners c;
-    c.fraction = vec3(0.0);
-    fetchCorners(clamp(low, ivec3(0), last), clamp(low + ivec3(1), ivec3(0), last), c.near, c.far);
-    return c;
-}
 
 // What is at both ends of a difference in the cell itself is not fetched again.
 CellGradient gradientOfCell(CellWalk cells, Corners c) {

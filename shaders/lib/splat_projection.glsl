@@ -19,7 +19,6 @@
 //
 // Needs splat_types.glsl, splat_shape.glsl, picture.glsl.
 
-
 // What the projection and its derivative share.
 struct SplatSight {
     vec3 inCamera;      // mm; along x, y, z of the camera

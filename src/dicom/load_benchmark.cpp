@@ -1,11 +1,11 @@
 #include "dicom/load_benchmark.h"
 
-#include "base/module.h"
+#include "base/plugin.h"
 
 namespace macula::dicom {
 
 Result<LoadBenchmark> benchmarkLoading(const LoadBenchmarkOptions& options, Progress& progress) {
-    MACULA_TRY(void* symbol, symbolOfModule("macula-load-benchmark", "maculaBenchmarkLoading"));
+    MACULA_TRY(void* symbol, symbolOfPlugin("macula-load-benchmark", "maculaBenchmarkLoading"));
     Result<LoadBenchmark> result = LoadBenchmark{};
     reinterpret_cast<decltype(&maculaBenchmarkLoading)>(symbol)(options, progress, result);
     return result;

@@ -36,13 +36,13 @@ struct LoadBenchmark {
     std::size_t differingVoxels = 0;  // where ITK's value is another than ours
 };
 
-// A first round, which warms the cache, is not timed. Fails like `load`. In a module (base/module.h), because
-// nothing else needs the readers beside which ours is measured.
+// A first round, which warms the cache, is not timed. Fails like `load`. In a plug-in (base/plugin.h),
+// because nothing else needs the readers beside which ours is measured.
 Result<LoadBenchmark> benchmarkLoading(const LoadBenchmarkOptions& options, Progress& progress);
 
 }  // namespace macula::dicom
 
-// What the module exports.
+// The plug-in's export, which benchmarkLoading calls.
 extern "C" void maculaBenchmarkLoading(const macula::dicom::LoadBenchmarkOptions& options,
                                        macula::Progress& progress,
                                        macula::Result<macula::dicom::LoadBenchmark>& result);

@@ -2,7 +2,7 @@
 
 #include "base/itk_for_clang.h"
 
-// DCMTK before ITK: both have macros of their own for the same platform.
+// DCMTK is included before ITK, because both define macros for the platform.
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dcrledrg.h>
 #include <dcmtk/dcmdata/dctk.h>
@@ -34,7 +34,7 @@ using Clock = std::chrono::steady_clock;
 using FloatImage = itk::Image<float, 3>;
 using ShortImage = itk::Image<short, 3>;
 
-// A line of /proc/self/status, in bytes.
+// Reads a line of /proc/self/status that is in kB; returns bytes, 0 when there is none.
 std::uint64_t ownMemory(std::string_view name) {
     std::ifstream stream("/proc/self/status");
     for (std::string line; std::getline(stream, line);) {

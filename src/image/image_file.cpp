@@ -1,6 +1,6 @@
 #include "image/image_file.h"
 
-#include "base/module.h"
+#include "base/plugin.h"
 #include "image/picture_files.h"
 
 namespace macula::image {
@@ -8,7 +8,7 @@ namespace macula::image {
 namespace {
 
 Result<const PictureFiles*> load() {
-    MACULA_TRY(void* symbol, symbolOfModule("macula-openimageio", "maculaPictureFiles"));
+    MACULA_TRY(void* symbol, symbolOfPlugin("macula-openimageio", "maculaPictureFiles"));
     return reinterpret_cast<decltype(&maculaPictureFiles)>(symbol)();
 }
 

@@ -1,4 +1,4 @@
-// The only place that knows OpenImageIO, built as a module of its own (picture_files.h). Its exceptions,
+// The only place that knows OpenImageIO, built as a plug-in (picture_files.h). Its exceptions,
 // should it have any, stop in here.
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>

@@ -1,5 +1,5 @@
-// What reads and writes picture files: a module (base/module.h), because OpenImageIO brings some 230
-// libraries along, which take half a second to load.
+// The functions of the plug-in that reads and writes picture files (base/plugin.h). It is one because
+// OpenImageIO brings some 230 libraries along, which take half a second to load.
 #pragma once
 
 #include "image/image_file.h"
@@ -19,5 +19,5 @@ struct PictureFiles {
 
 }  // namespace macula::image
 
-// What the module exports. Never null.
+// The plug-in's export. Never null.
 extern "C" const macula::image::PictureFiles* maculaPictureFiles();

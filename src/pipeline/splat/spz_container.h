@@ -2,7 +2,8 @@
 // agree on): 32 bytes of header, of which the first 16 are those of earlier versions, with the number of
 // streams in the last of them, then the offset of the table of contents (u32) and 12 zeros; records of
 // others, each a type (u32), a length (u32) and so many bytes; the table, for each stream its packed and
-// unpacked size (u64); the streams, one zstd frame each. Little endian, nothing packed but the streams.
+// unpacked size (u64); the streams, one zstd frame each. Numbers are little endian; only the streams are
+// packed.
 #pragma once
 
 #include <array>

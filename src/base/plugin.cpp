@@ -1,4 +1,4 @@
-#include "base/module.h"
+#include "base/plugin.h"
 
 #include <dlfcn.h>
 
@@ -16,21 +16,21 @@ fs::path folderOfThis() {
     std::error_code unknown;
     fs::path file;
     if (dladdr(reinterpret_cast<const void*>(&folderOfThis), &info) != 0) file = info.dli_fname;
-    // Of a program it is the word that it was called by, which may have been found by PATH.
+    // For a program, dladdr gives argv[0], which the shell may have found by PATH.
     if (!file.is_absolute()) file = "/proc/self/exe";
     return fs::canonical(file, unknown).parent_path();
 }
 
 }  // namespace
 
-Result<void*> symbolOfModule(const char* module, const char* symbol) {
+Result<void*> symbolOfPlugin(const char* name, const char* symbol) {
     const fs::path folder = folderOfThis();
-    const std::string file = std::string(module) + ".so";
+    const std::string file = std::string(name) + ".so";
     std::string why;
-    for (const fs::path& place : {folder / file, folder / MACULA_MODULES_FROM_BIN / file}) {
+    for (const fs::path& place : {folder / file, folder / MACULA_PLUGINS_FROM_BIN / file}) {
         void* loaded = dlopen(place.c_str(), RTLD_NOW | RTLD_LOCAL);
         if (loaded == nullptr) {
-            // Of the place where it is, if it is at one.
+            // The reason that counts is that of the place where the file exists, if it exists at one.
             std::error_code unknown;
             if (why.empty() || fs::exists(place, unknown)) why = dlerror();
             continue;
