@@ -1,7 +1,8 @@
 // Ray casting: one march along each ray through the one walk, without chance. What the clip removes is skipped.
 //
-// Needs, beside path.glsl: castLook(), useShading(), constants; params.windowLow and windowHigh, in table entries,
-// params.entryCount, params.stepsPerEntry, params.ambient and params.diffuse.
+// Needs, beside path.glsl: castLook(), useShading(), constants; blocksOfBrick(brick) and fetchFrom(blocks, voxel) for the
+// voxels of one brick; params.windowLow and windowHigh, in table entries, params.entryCount, params.stepsPerEntry,
+// params.ambient and params.diffuse.
 
 // At most so many steps in one cell; and so many once a ray has taken MANY_ROUNDS, as lavapipe ends long loops.
 #define CAST_STEPS 64
@@ -35,107 +36,189 @@ bool nextPiece(INOUT(BrickWalk) walk, INOUT(float) toMm, INOUT(int) rounds) {
     return false;
 }
 
-// A ray from cell to cell: between eight voxel centres, so that along the ray the interpolated value is one cubic, and its
-// corners are fetched once. Half a voxel beyond the outer centres a cell has the same corner twice.
+// A ray from cell to cell: between eight voxel centres, so that along the ray the interpolated value is one cubic. From one
+// cell to the next four of its corners stay, and only four are fetched. Half a voxel beyond the outer centres a cell has the
+// same corner twice.
+//
+// Along each axis that the ray goes down, the volume is mirrored: in the walk's own coordinates every ray goes up.
 struct CellWalk {
+    vec3 side;       // 1, or -1 along the axes that are mirrored
+    vec3 shift;      // see mirrored()
     vec3 origin;     // in voxels, with integers at centres
-    vec3 direction;  // voxels per mm
+    vec3 direction;  // voxels per mm, none below 0
     vec3 inverse;
-    vec3 next;       // cell
-    vec3 cell;       // under way: its low corner
-    float fromMm;    // where the ray enters it
+    vec3 cell;       // its low corner
+    vec3 faceMm;     // where the ray meets the cell's high faces
+    float fromMm;    // where it enters the cell
     float toMm;      // and leaves it
+    Corners corners;
+    Blocks blocks;     // of the brick under way
+    ivec3 firstVoxel;  // of this brick, not mirrored
+    ivec3 lastVoxel;
 };
+
+// To the walk's coordinates, and from them.
+vec3 mirrored(CellWalk cells, vec3 p) {
+    return p * cells.side + cells.shift;
+}
 
 CellWalk startCells(vec3 originVoxel, vec3 directionVoxel) {
     CellWalk cells;
-    cells.origin = originVoxel - vec3(0.5);
-    cells.direction = directionVoxel;
-    cells.inverse = vec3(safeInverse(directionVoxel.x), safeInverse(directionVoxel.y), safeInverse(directionVoxel.z));
-    cells.next = vec3(0.0);
-    cells.cell = vec3(0.0);
-    cells.fromMm = float(0.0);
-    cells.toMm = float(0.0);
+    cells.side = vec3(directionVoxel.x < float(0.0) ? float(-1.0) : float(1.0),
+                      directionVoxel.y < float(0.0) ? float(-1.0) : float(1.0),
+                      directionVoxel.z < float(0.0) ? float(-1.0) : float(1.0));
+    cells.shift = (vec3(1.0) - cells.side) * float(0.5) * vec3(params.volumeSize - ivec3(1));
+    cells.origin = mirrored(cells, originVoxel - vec3(0.5));
+    cells.direction = directionVoxel * cells.side;
+    cells.inverse = vec3(safeInverse(cells.direction.x), safeInverse(cells.direction.y), safeInverse(cells.direction.z));
     return cells;
 }
 
-void enterCells(INOUT(CellWalk) cells, float atMm) {
-    cells.toMm = atMm;
-    cells.next = floor(cells.origin + cells.direction * atMm);
+// A corner's voxel. Rounding may carry a cell across a face of its brick: its corners are those of the face then.
+ivec3 voxelOf(CellWalk cells, vec3 corner) {
+    return clamp(ivec3(mirrored(cells, corner)), cells.firstVoxel, cells.lastVoxel);
 }
 
-// False at the end. By index from cell to cell: rounding can neither stall it nor make it skip one.
+void leaveCellAt(INOUT(CellWalk) cells, float endMm) {
+    cells.faceMm = (cells.cell + vec3(1.0) - cells.origin) * cells.inverse;
+    cells.toMm = min(max(min(min(cells.faceMm.x, cells.faceMm.y), cells.faceMm.z), cells.fromMm), endMm);
+}
+
+// Where a ray is at a part of its way through the cell, 0 to 1: between the corners, 0 to 1 along each axis.
+vec3 fractionIn(CellWalk cells, float part) {
+    float atMm = mix(cells.fromMm, cells.toMm, part);
+    return clamp(cells.origin + cells.direction * atMm - cells.cell, vec3(0.0), vec3(1.0));
+}
+
+bool hasGradients() {
+    return castLook() == kCastMatter && (useGradientOpacity() || useShading());
+}
+
+// The first cell of a stretch in one brick. The value where the ray enters it.
+float enterBrick(INOUT(CellWalk) cells, BrickWalk walk, float endMm) {
+    ivec3 brick = clamp(ivec3(floor(walk.origin + walk.direction * (float(0.5) * (walk.distanceMm + endMm)))), ivec3(0),
+                        params.gridSize - ivec3(1));
+    cells.blocks = blocksOfBrick(brick);
+    cells.firstVoxel = max(brick * BRICK - ivec3(1), ivec3(0));
+    cells.lastVoxel = min(brick * BRICK + ivec3(BRICK - 1), params.volumeSize - ivec3(1));
+    cells.fromMm = walk.distanceMm;
+    cells.cell = floor(cells.origin + cells.direction * cells.fromMm);
+    leaveCellAt(cells, endMm);
+    ivec3 a = voxelOf(cells, cells.cell);
+    ivec3 b = voxelOf(cells, cells.cell + vec3(1.0));
+    cells.corners.near = vec4(fetchFrom(cells.blocks, a), fetchFrom(cells.blocks, ivec3(b.x, a.y, a.z)),
+                              fetchFrom(cells.blocks, ivec3(a.x, b.y, a.z)), fetchFrom(cells.blocks, ivec3(b.x, b.y, a.z)));
+    cells.corners.far = vec4(fetchFrom(cells.blocks, ivec3(a.x, a.y, b.z)), fetchFrom(cells.blocks, ivec3(b.x, a.y, b.z)),
+                             fetchFrom(cells.blocks, ivec3(a.x, b.y, b.z)), fetchFrom(cells.blocks, b));
+    return interpolated(cells.corners, fractionIn(cells, float(0.0)));
+}
+
+// The corners of the next cell along x, along y, or else along z, of which four lie `ahead`.
+Corners movedOn(Corners c, vec4 ahead, bool x, bool y) {
+    Corners next;
+    next.fraction = vec3(0.0);
+    next.near = vec4(x ? c.near.y : (y ? c.near.z : c.far.x), x ? ahead.x : (y ? c.near.w : c.far.y),
+                     x ? c.near.w : (y ? ahead.x : c.far.z), x ? ahead.y : (y ? ahead.y : c.far.w));
+    next.far = vec4(x ? c.far.y : (y ? c.far.z : ahead.x), x ? ahead.z : (y ? c.far.w : ahead.y),
+                    x ? c.far.w : (y ? ahead.z : ahead.z), ahead.w);
+    return next;
+}
+
+// On through the face that the ray meets first, false at the end. By index from cell to cell: rounding can neither stall it
+// nor make it skip one.
 bool nextCell(INOUT(CellWalk) cells, float endMm) {
     if (cells.toMm >= endMm) return false;
-    vec3 up = vec3(cells.direction.x < float(0.0) ? float(0.0) : float(1.0),
-                   cells.direction.y < float(0.0) ? float(0.0) : float(1.0),
-                   cells.direction.z < float(0.0) ? float(0.0) : float(1.0));
-    vec3 toFace = (cells.next + up - cells.origin) * cells.inverse;
-    float exitMm = min(min(toFace.x, toFace.y), toFace.z);
-    vec3 step = up * float(2.0) - vec3(1.0);
-    cells.cell = cells.next;
-    cells.next += vec3(toFace.x <= exitMm ? step.x : float(0.0), toFace.y <= exitMm ? step.y : float(0.0),
-                       toFace.z <= exitMm ? step.z : float(0.0));
+    bool x = cells.faceMm.x <= min(cells.faceMm.y, cells.faceMm.z);
+    bool y = !x && cells.faceMm.y <= cells.faceMm.z;
+    bool z = !x && !y;
+    cells.cell += vec3(x ? float(1.0) : float(0.0), y ? float(1.0) : float(0.0), z ? float(1.0) : float(0.0));
     cells.fromMm = cells.toMm;
-    cells.toMm = min(max(exitMm, cells.fromMm), endMm);
+    leaveCellAt(cells, endMm);
+
+    // The four corners on the far side: (low, low), (high, low), (low, high), (high, high) along the other two axes.
+    ivec3 a = voxelOf(cells, cells.cell);
+    ivec3 b = voxelOf(cells, cells.cell + vec3(1.0));
+    vec4 ahead = vec4(fetchFrom(cells.blocks, ivec3(x ? b.x : a.x, y ? b.y : a.y, z ? b.z : a.z)),
+                      fetchFrom(cells.blocks, ivec3(b.x, x || y ? b.y : a.y, z ? b.z : a.z)),
+                      fetchFrom(cells.blocks, ivec3(x ? b.x : a.x, x ? a.y : b.y, b.z)), fetchFrom(cells.blocks, b));
+    cells.corners = movedOn(cells.corners, ahead, x, y);
     return true;
 }
 
-// Of the cell that lies so many voxels beside it.
-Corners cornersBeside(CellWalk cells, ivec3 offset) {
-    ivec3 last = params.volumeSize - ivec3(1);
-    ivec3 low = ivec3(cells.cell) + offset;
-    Corners c;
-    c.fraction = vec3(0.0);
-    fetchCorners(clamp(low, ivec3(0), last), clamp(low + ivec3(1), ivec3(0), last), c.near, c.far);
+// The value along the ray through the cell: a cubic, by the part of the way, 0 to 1, above its value at 0.
+struct Cubic {
+    float start;
+    vec3 slopes;
+};
+
+float valueOf(Cubic c, float part) {
+    return c.start + part * (c.slopes.x + part * (c.slopes.y + part * c.slopes.z));
+}
+
+Cubic cubicIn(CellWalk cells, float start) {
+    vec3 entry = fractionIn(cells, float(0.0));
+    vec3 exit = fractionIn(cells, float(1.0));
+    float toMiddle = interpolated(cells.corners, (entry + exit) * float(0.5)) - start;
+    float toEnd = interpolated(cells.corners, exit) - start;
+    vec3 across = exit - entry;
+    vec4 d = cells.corners.far - cells.corners.near;
+    float third = (d.x - d.y - d.z + d.w) * (across.x * across.y * across.z);
+    Cubic c;
+    c.start = start;
+    c.slopes = vec3(float(4.0) * toMiddle - toEnd + float(0.5) * third,
+                    float(2.0) * toEnd - float(4.0) * toMiddle - float(1.5) * third, third);
     return c;
 }
 
-Corners cornersOfCell(CellWalk cells) {
-    return cornersBeside(cells, ivec3(0));
+// In voxels with integers at faces.
+vec3 positionIn(CellWalk cells, vec3 fraction) {
+    return mirrored(cells, cells.cell + fraction) + vec3(0.5);
 }
 
-// Central differences at the corners of a cell, of which the gradient between them is the interpolation: what gradientAt
-// comes to, with the voxels around fetched once for the whole cell.
+// Central differences at the corners of a cell, per voxel: between them gradientAt() is their interpolation.
 struct CellGradient {
     Corners x;
     Corners y;
     Corners z;
 };
 
-// What is at both ends of a difference in the cell itself is not fetched again.
-CellGradient gradientOfCell(CellWalk cells, Corners c) {
+// At a corner of the cell's neighbourhood and the three beside it along u and v. `blocks` has those of all of it.
+vec4 fetchFour(CellWalk cells, Blocks blocks, vec3 corner, vec3 u, vec3 v) {
+    ivec3 last = params.volumeSize - ivec3(1);
+    return vec4(fetchFrom(blocks, clamp(ivec3(mirrored(cells, corner)), ivec3(0), last)),
+                fetchFrom(blocks, clamp(ivec3(mirrored(cells, corner + u)), ivec3(0), last)),
+                fetchFrom(blocks, clamp(ivec3(mirrored(cells, corner + v)), ivec3(0), last)),
+                fetchFrom(blocks, clamp(ivec3(mirrored(cells, corner + u + v)), ivec3(0), last)));
+}
+
+// For the whole cell at once: a branch within the steps would skip nothing where eight rays are one vector. What is at both
+// ends of a difference in the cell itself is there already.
+CellGradient gradientOfCell(CellWalk cells) {
+    vec3 x = vec3(float(1.0), float(0.0), float(0.0));
+    vec3 y = vec3(float(0.0), float(1.0), float(0.0));
+    vec3 z = vec3(float(0.0), float(0.0), float(1.0));
+    // Four voxels along each axis lie in two blocks at most.
+    vec3 end = max(mirrored(cells, cells.cell - vec3(1.0)), mirrored(cells, cells.cell + vec3(2.0)));
+    Blocks blocks = blocksOfBrick(clamp(ivec3(end), ivec3(0), params.volumeSize - ivec3(1)) >> 3);
+    vec4 near = cells.corners.near;
+    vec4 far = cells.corners.far;
     CellGradient gradient;
-    Corners before = cornersBeside(cells, ivec3(-1, 0, 0));
-    Corners after = cornersBeside(cells, ivec3(1, 0, 0));
-    gradient.x.near = vec4(c.near.y - before.near.x, after.near.y - c.near.x, c.near.w - before.near.z, after.near.w - c.near.z) * float(0.5);
-    gradient.x.far = vec4(c.far.y - before.far.x, after.far.y - c.far.x, c.far.w - before.far.z, after.far.w - c.far.z) * float(0.5);
-    before = cornersBeside(cells, ivec3(0, -1, 0));
-    after = cornersBeside(cells, ivec3(0, 1, 0));
-    gradient.y.near = vec4(c.near.z - before.near.x, c.near.w - before.near.y, after.near.z - c.near.x, after.near.w - c.near.y) * float(0.5);
-    gradient.y.far = vec4(c.far.z - before.far.x, c.far.w - before.far.y, after.far.z - c.far.x, after.far.w - c.far.y) * float(0.5);
-    before = cornersBeside(cells, ivec3(0, 0, -1));
-    after = cornersBeside(cells, ivec3(0, 0, 1));
-    gradient.z.near = (c.far - before.near) * float(0.5);
-    gradient.z.far = (after.far - c.near) * float(0.5);
-    gradient.x.fraction = vec3(0.0);
-    gradient.y.fraction = vec3(0.0);
-    gradient.z.fraction = vec3(0.0);
+    vec4 before = fetchFour(cells, blocks, cells.cell - x, y, z);
+    vec4 after = fetchFour(cells, blocks, cells.cell + x * float(2.0), y, z);
+    gradient.x.near = vec4(near.y - before.x, after.x - near.x, near.w - before.y, after.y - near.z) * float(0.5);
+    gradient.x.far = vec4(far.y - before.z, after.z - far.x, far.w - before.w, after.w - far.z) * float(0.5);
+    before = fetchFour(cells, blocks, cells.cell - y, x, z);
+    after = fetchFour(cells, blocks, cells.cell + y * float(2.0), x, z);
+    gradient.y.near = vec4(near.z - before.x, near.w - before.y, after.x - near.x, after.y - near.y) * float(0.5);
+    gradient.y.far = vec4(far.z - before.z, far.w - before.w, after.z - far.x, after.w - far.y) * float(0.5);
+    gradient.z.near = (far - fetchFour(cells, blocks, cells.cell - z, x, y)) * float(0.5);
+    gradient.z.far = (fetchFour(cells, blocks, cells.cell + z * float(2.0), x, y) - near) * float(0.5);
     return gradient;
 }
 
-vec3 gradientIn(INOUT(CellGradient) gradient, vec3 fraction) {
-    gradient.x.fraction = fraction;
-    gradient.y.fraction = fraction;
-    gradient.z.fraction = fraction;
-    return worldGradient(vec3(interpolated(gradient.x), interpolated(gradient.y), interpolated(gradient.z)));
-}
-
-// The value at a part of the way through the cell, 0 to 1.
-float valueIn(CellWalk cells, INOUT(Corners) corners, float part) {
-    float atMm = mix(cells.fromMm, cells.toMm, part);
-    corners.fraction = clamp(cells.origin + cells.direction * atMm - cells.cell, vec3(0.0), vec3(1.0));
-    return interpolated(corners);
+vec3 gradientIn(CellWalk cells, CellGradient gradient, vec3 fraction) {
+    return worldGradient(vec3(interpolated(gradient.x, fraction), interpolated(gradient.y, fraction),
+                              interpolated(gradient.z, fraction)) * cells.side);
 }
 
 // What a headlight leaves of a colour: ambient + diffuse |cos| of the angle between the ray and the gradient (Lambert, both
@@ -146,9 +229,11 @@ float headlight(vec3 gradient, vec3 worldDirection) {
     return params.ambient + params.diffuse * cosine;
 }
 
-vec3 albedoOfEntry(float entry) {
+// Albedo, and extinction per mm.
+vec4 matterOfEntry(float entry) {
     int low = int(entry);
-    return mix(fetchAlbedo(low), fetchAlbedo(low + 1), entry - float(low));
+    vec4 matter = fetchMatter(low);
+    return matter + (fetchMatter(low + 1) - matter) * (entry - float(low));
 }
 
 // Emission and absorption: the integral over the ray of transmittance * extinction * colour, premultiplied, and one minus
@@ -161,31 +246,32 @@ vec4 castMatter(vec3 worldDirection, float phase, INOUT(int) rounds) {
     CellWalk cells = startCells(params.originVoxel, directionVoxel);
     float face = float(0.0);
     if (useClip() && params.greyFaces != 0) face = stopAtFace(walk, params.originVoxel, directionVoxel);
-    int least = useGradientOpacity() || useShading() ? 2 : 1;  // gradients change within a cell too
+    int least = hasGradients() ? 2 : 1;  // gradients change within a cell too
     vec3 colour = vec3(0.0);
     float transmittance = float(1.0);
     float toMm = walk.distanceMm;
     while (transmittance >= float(CAST_OPAQUE) && nextPiece(walk, toMm, rounds)) {
-        enterCells(cells, walk.distanceMm);
-        while (transmittance >= float(CAST_OPAQUE) && nextCell(cells, toMm)) {
+        float atEnd = enterBrick(cells, walk, toMm);
+        do {
             rounds += 1;
-            Corners corners = cornersOfCell(cells);
-            // For the whole cell: a branch within the steps would skip nothing where eight rays are one vector.
+            Cubic value = cubicIn(cells, atEnd);
             CellGradient gradients;
-            if (useGradientOpacity() || useShading()) gradients = gradientOfCell(cells, corners);
-            float middle = valueIn(cells, corners, float(0.5));
-            float change = abs(valueIn(cells, corners, float(0.0)) - middle) + abs(valueIn(cells, corners, float(1.0)) - middle);
+            if (hasGradients()) gradients = gradientOfCell(cells);
+            float middle = valueOf(value, float(0.5));
+            atEnd = valueOf(value, float(1.0));
+            float change = abs(middle - value.start) + abs(atEnd - middle);
             int most = rounds < MANY_ROUNDS ? CAST_STEPS : CAST_STEPS_LATE;
             int steps = clamp(int(ceil(min(change * params.stepsPerEntry * transmittance, float(CAST_STEPS)))), least, most);
             float step = (cells.toMm - cells.fromMm) / float(steps);
             for (int i = 0; i < steps && transmittance >= float(CAST_OPAQUE); ++i) {
                 rounds += 1;
-                float entry = valueIn(cells, corners, (float(i) + phase) / float(steps));
-                vec3 at = cells.cell + corners.fraction + vec3(0.5);
-                float extinction = isMasked(at) ? float(0.0) : extinctionOfEntry(entry);
-                vec3 emitted = albedoOfEntry(entry);
-                if (useGradientOpacity() || useShading()) {
-                    vec3 gradient = gradientIn(gradients, corners.fraction);
+                float part = (float(i) + phase) / float(steps);
+                vec3 fraction = fractionIn(cells, part);
+                vec4 matter = matterOfEntry(max(valueOf(value, part), float(0.0)));
+                vec3 emitted = vec3(matter);
+                float extinction = isMasked(positionIn(cells, fraction)) ? float(0.0) : matter.w;
+                if (hasGradients()) {
+                    vec3 gradient = gradientIn(cells, gradients, fraction);
                     if (useGradientOpacity()) extinction = thinnedByGradient(extinction, gradient);
                     if (useShading()) emitted *= headlight(gradient, worldDirection);
                 }
@@ -193,7 +279,7 @@ vec4 castMatter(vec3 worldDirection, float phase, INOUT(int) rounds) {
                 colour += emitted * (transmittance * (float(1.0) - through));
                 transmittance *= through;
             }
-        }
+        } while (transmittance >= float(CAST_OPAQUE) && nextCell(cells, toMm));
     }
     // What is left at the early end goes to what was seen: opaque matter is opaque.
     if (transmittance < float(CAST_OPAQUE)) return vec4(colour / (float(1.0) - transmittance), float(1.0));
@@ -228,21 +314,21 @@ vec4 castValues(vec3 worldDirection, INOUT(int) rounds) {
         // Half an entry is kept back for rounding.
         bool matters = castLook() == kCastMean ||
                        walk.majorant + float(0.5) > (sign > float(0.0) ? best + float(1.0) : best + float(params.entryCount));
-        enterCells(cells, walk.distanceMm);
-        while (matters && nextCell(cells, toMm)) {
+        float atEnd = enterBrick(cells, walk, toMm);
+        while (matters) {
             rounds += 1;
-            Corners corners = cornersOfCell(cells);
-            float first = valueIn(cells, corners, float(0.0));
-            float middle = valueIn(cells, corners, float(0.5));
-            float last = valueIn(cells, corners, float(1.0));
-            float here = max(max(sign * first, sign * last), sign * middle);
-            here = max(here, max(sign * valueIn(cells, corners, float(0.25)), sign * valueIn(cells, corners, float(0.75))));
+            Cubic value = cubicIn(cells, atEnd);
+            float middle = valueOf(value, float(0.5));
+            atEnd = valueOf(value, float(1.0));
+            float here = max(max(sign * value.start, sign * atEnd), sign * middle);
+            here = max(here, max(sign * valueOf(value, float(0.25)), sign * valueOf(value, float(0.75))));
             vec3 centre = walkPositionAt(walk, float(0.5) * (cells.fromMm + cells.toMm));
-            bool counts = isCounted(corners) && !isMasked(centre);
+            bool counts = isCounted(cells.corners) && !isMasked(centre);
             float length = counts ? cells.toMm - cells.fromMm : float(0.0);
             best = counts ? max(best, here) : best;
-            sum += (first + float(4.0) * middle + last) * (length * float(1.0 / 6.0));
+            sum += (value.start + float(4.0) * middle + atEnd) * (length * float(1.0 / 6.0));
             lengthMm += length;
+            matters = nextCell(cells, toMm);
         }
     }
     if (best <= float(-1e9)) return vec4(0.0);

@@ -21,9 +21,12 @@ Corners cornersAround(vec3 p) {
     return c;
 }
 
+float interpolated(Corners c, vec3 fraction) {
+    return mix(mix(mix(c.near.x, c.near.y, fraction.x), mix(c.near.z, c.near.w, fraction.x), fraction.y),
+               mix(mix(c.far.x, c.far.y, fraction.x), mix(c.far.z, c.far.w, fraction.x), fraction.y), fraction.z);
+}
 float interpolated(Corners c) {
-    return mix(mix(mix(c.near.x, c.near.y, c.fraction.x), mix(c.near.z, c.near.w, c.fraction.x), c.fraction.y),
-               mix(mix(c.far.x, c.far.y, c.fraction.x), mix(c.far.z, c.far.w, c.fraction.x), c.fraction.y), c.fraction.z);
+    return interpolated(c, c.fraction);
 }
 
 // The value at a point, as a continuous position in the tables.

@@ -12,6 +12,7 @@ layout(constant_id = 3) const bool kMask = false;
 layout(constant_id = 4) const bool kGradientOpacity = false;
 layout(constant_id = 5) const bool kShading = false;
 layout(constant_id = 6) const int kCast = 0;
+layout(constant_id = 8) const bool kCoarse = true;  // some blocks are kept coarsely
 #ifdef OF_SURFACE_POINTS
 layout(constant_id = 7) const bool kGreyFaces = false;
 #else
@@ -25,7 +26,7 @@ layout(binding = 0, scalar) readonly buffer Params {
 };
 layout(binding = 1) uniform usamplerBuffer poolTexels;        // blocks of voxels, as positions in the tables
 layout(binding = 2) uniform samplerBuffer extinctionTexels;   // per mm, by entry; after them the gradient opacity
-layout(binding = 3) uniform samplerBuffer albedoTexels;       // by entry
+layout(binding = 3) uniform samplerBuffer albedoTexels;       // by entry; w: extinction per mm
 layout(binding = 4) uniform samplerBuffer boundTexels;        // by brick
 layout(binding = 5) uniform samplerBuffer environmentTexels;  // radiance and pdf per steradian, by texel
 layout(binding = 6) uniform samplerBuffer cumulativeTexels;   // see environment.glsl
@@ -39,8 +40,11 @@ layout(binding = 8) uniform usamplerBuffer maskTexels;        // a bit for each 
 float valueIn(uint word, ivec3 within) {
     int level = int(word >> 30);
     int rest = int(word & 0x3fffffffu);
-    ivec3 cell = within >> level;
-    int inside = (((cell.z << (3 - level)) | cell.y) << (3 - level)) | cell.x;
+    int inside = (within.z << 6) | (within.y << 3) | within.x;
+    if (kCoarse) {
+        ivec3 cell = within >> level;
+        inside = (((cell.z << (3 - level)) | cell.y) << (3 - level)) | cell.x;
+    }
     uint value = texelFetch(poolTexels, level == 3 ? 0 : (rest << 3) + inside).x;
     return float(level == 3 ? uint(rest) : value);
 }
@@ -78,6 +82,27 @@ void fetchCorners(ivec3 low, ivec3 high, out vec4 near, out vec4 far) {
                valueIn(farWords.y, ivec3(inHigh.x, inLow.y, inHigh.z)),
                valueIn(farWords.z, ivec3(inLow.x, inHigh.y, inHigh.z)), valueIn(farWords.w, inHigh));
 }
+
+// The words of the blocks that a brick lies in, as in the table: at the low end of z, and at its high end.
+struct Blocks {
+    uvec4 near;
+    uvec4 far;
+    ivec3 high;  // the first voxel of the high ones
+};
+Blocks blocksOfBrick(ivec3 brick) {
+    Blocks blocks;
+    int last = (params.volumeSize.z - 1) >> 3;
+    blocks.near = texelFetch(blockTexels, tableIndex(brick.xy, max(brick.z - 1, 0)));
+    blocks.far = texelFetch(blockTexels, tableIndex(brick.xy, min(brick.z, last)));
+    blocks.high = brick << 3;
+    return blocks;
+}
+float fetchFrom(Blocks blocks, ivec3 voxel) {
+    uvec4 layer = voxel.z >= blocks.high.z ? blocks.far : blocks.near;
+    uvec2 row = voxel.y >= blocks.high.y ? layer.zw : layer.xy;
+    return valueIn(voxel.x >= blocks.high.x ? row.y : row.x, voxel & ivec3(7));
+}
+
 float fetchExtinction(int entry) {
     return texelFetch(extinctionTexels, entry).x;
 }
@@ -86,6 +111,9 @@ float fetchGradientOpacity(int step) {
 }
 vec3 fetchAlbedo(int entry) {
     return texelFetch(albedoTexels, entry).xyz;
+}
+vec4 fetchMatter(int entry) {
+    return texelFetch(albedoTexels, entry);
 }
 float fetchBound(int brick) {
     return texelFetch(boundTexels, brick).x;

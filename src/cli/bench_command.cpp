@@ -25,9 +25,9 @@ struct Options {
 };
 
 nlohmann::ordered_json toJson(const trace::BenchmarkReport::Contender& contender) {
-    return {{"msPerSamplePerPixel", contender.wallMsPerSample},
-            {"wallMsPerPicture", contender.wallMsPerPicture},
-            {"cpuMsPerPicture", contender.cpuMsPerPicture}};
+    return {{"secondsPerSample", contender.secondsPerSample},
+            {"cpuSecondsPerSample", contender.cpuSecondsPerSample},
+            {"microsecondsPerPixel", contender.microsecondsPerPixel}};
 }
 
 // How the ratios stand against those of an earlier run, by filter; nothing when that file has none.
@@ -95,6 +95,7 @@ void addBench(CLI::App& app, Action& action) {
         ->check(CLI::Range(1, 1000));
     command->add_option("--baseline", options->baseline, "Output of an earlier run to compare ratios with");
     command->callback([options, &action] { action = [options] { return benchTrace(*options); }; });
+    addBenchCast(*bench, action);
     addBenchFoveal(*bench, action);
     addBenchTradeoff(*bench, action);
     addBenchLoad(*bench, action);

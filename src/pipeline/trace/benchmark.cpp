@@ -40,9 +40,9 @@ BenchmarkReport::Contender contender(const std::vector<Spent>& turns, const Benc
         cpu.push_back(turn.cpuMs / options.samplesPerPixel);
     }
     const double pixels = double(options.view.width) * options.view.height;
-    return {.wallMsPerPicture = median(wall),
-            .cpuMsPerPicture = median(cpu),
-            .wallMsPerSample = median(wall) / pixels};
+    return {.secondsPerSample = median(wall) / 1e3,
+            .cpuSecondsPerSample = median(cpu) / 1e3,
+            .microsecondsPerPixel = median(wall) / pixels * 1e3};
 }
 
 }  // namespace

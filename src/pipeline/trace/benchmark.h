@@ -18,14 +18,14 @@ struct BenchmarkOptions {
     int repetitions = 5;  // device and reference take turns, so that a busy neighbour hits both
 };
 
-// Medians over the repetitions. A "sample" is one sample of one pixel. CPU time is that of all threads of
+// Medians over the repetitions. CPU time is that of all threads of
 // this process: on a CPU device it does not depend on who else is running; on a GPU it is only what the
 // driver used.
 struct BenchmarkReport {
     struct Contender {
-        double wallMsPerPicture = 0.0;  // one sample of every pixel
-        double cpuMsPerPicture = 0.0;
-        double wallMsPerSample = 0.0;
+        double secondsPerSample = 0.0;  // of every pixel
+        double cpuSecondsPerSample = 0.0;
+        double microsecondsPerPixel = 0.0;  // of one sample of one pixel
     };
     Filter filter = Filter::trilinear;
     Contender device;

@@ -46,6 +46,7 @@ class DeviceScene {
     LightFrame lightFrame() const { return environment_ ? environment_->frame() : LightFrame::patient; }
     // What kernels are specialised for.
     bool isClipped() const { return clip_.hasShape(); }
+    bool holdsCoarseBlocks() const { return voxels_ && voxels_->holdsCoarseBlocks(); }
     bool isMasked() const { return clip_.mask.has_value(); }
     bool hasGreyFaces() const { return clip_.hasShape() && clip_.greyFaces.has_value(); }
 

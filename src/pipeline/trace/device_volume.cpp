@@ -114,6 +114,8 @@ Result<void> DeviceVolume::bring(const BrickGrid& grid, std::uint64_t slotsAllow
         room_.grow(slots);
         MACULA_CHECK(placeAll(grid, uploads));
     }
+    holdsCoarse_ = std::any_of(resident_.begin(), resident_.end(),
+                               [](std::uint8_t level) { return level > kFullLevel && level < kSingle; });
     MACULA_TRY_VOID(uploadBlocks(grid, uploads));
     memory_.poolBytes = room_.slots() * kSlotBytes;
     memory_.uploadedBlocks = uploads.size();

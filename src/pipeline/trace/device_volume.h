@@ -44,6 +44,8 @@ class DeviceVolume {
 
     std::span<const std::uint8_t> levels() const { return plan_.levels; }  // by block
     bool isCoarse() const { return plan_.coarse > 0; }
+    // The same of all that is kept, whether it is shown or not.
+    bool holdsCoarseBlocks() const { return holdsCoarse_; }
     const std::optional<Message>& message() const { return message_; }
     VoxelMemory memory() const;
 
@@ -76,8 +78,9 @@ class DeviceVolume {
     std::optional<gpu::TexelBuffer> pool_;
     BlockPool room_;                      // of pool_
     std::vector<std::uint8_t> resident_;  // by block: its level in the pool, or kAbsent
-    std::vector<std::uint32_t> words_;    // what table_ has, or is to have
-    std::size_t firstStale_ = 0;          // of words_; none when not before endStale_
+    bool holdsCoarse_ = false;
+    std::vector<std::uint32_t> words_;  // what table_ has, or is to have
+    std::size_t firstStale_ = 0;        // of words_; none when not before endStale_
     std::size_t endStale_ = 0;
     Coarsening plan_;
     std::optional<Message> message_;

@@ -82,9 +82,13 @@ struct MACULA_HOST : GlslInCpp<MACULA_REAL> {
         far = {fetchStored({low.x, low.y, high.z}), fetchStored({high.x, low.y, high.z}),
                fetchStored({low.x, high.y, high.z}), fetchStored(high)};
     }
+    struct Blocks {};
+    Blocks blocksOfBrick(const ivec3&) const { return {}; }
+    Real fetchFrom(Blocks, const ivec3& voxel) const { return fetchStored(voxel); }
     Real fetchExtinction(int entry) const { return Real(extinction_[entry]); }
     Real fetchGradientOpacity(int step) const { return Real(gradientOpacity_[step]); }
     vec3 fetchAlbedo(int entry) const { return vec3(glm::vec3(albedo_[entry])); }
+    vec4 fetchMatter(int entry) const { return vec4(fetchAlbedo(entry), fetchExtinction(entry)); }
     Real fetchBound(int brick) const { return Real(bounds_[brick]); }
     vec4 fetchEnvironment(int texel) const {
         return vec4(vec3(environment_[texel].radiance), Real(environment_[texel].pdfPerSr));

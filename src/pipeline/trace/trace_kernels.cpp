@@ -26,8 +26,10 @@ const gpu::ShaderCode& samplesCodeOf(const TraceVariant& variant) {
 }  // namespace
 
 SceneKind kindOf(const DeviceScene& scene) {
-    return {
-        .clip = scene.isClipped(), .mask = scene.isMasked(), .gradientOpacity = scene.hasGradientOpacity()};
+    return {.clip = scene.isClipped(),
+            .mask = scene.isMasked(),
+            .gradientOpacity = scene.hasGradientOpacity(),
+            .coarse = scene.holdsCoarseBlocks()};
 }
 
 TraceVariant variantOf(const Settings& settings, SceneKind scene) {
@@ -49,6 +51,7 @@ Result<TraceKernels::Found> TraceKernels::samples(const TraceVariant& variant) {
                                         {"kClip", variant.scene.clip},
                                         {"kMask", variant.scene.mask},
                                         {"kGradientOpacity", variant.scene.gradientOpacity},
+                                        {"kCoarse", variant.scene.coarse},
                                         {"kShading", variant.shading},
                                         {"kCast", castOf(variant.look)}}}));
     return Found{&samples_.emplace(variant, std::move(kernel)).first->second, true};
@@ -79,7 +82,8 @@ Result<const gpu::Kernel*> TraceKernels::find(std::map<SceneKind, gpu::Kernel>& 
     if (const auto found = kernels.find(scene); found != kernels.end()) return &found->second;
     gpu::KernelOptions options{.specializations = {{"kClip", scene.clip},
                                                    {"kMask", scene.mask},
-                                                   {"kGradientOpacity", scene.gradientOpacity}}};
+                                                   {"kGradientOpacity", scene.gradientOpacity},
+                                                   {"kCoarse", scene.coarse}}};
     options.specializations.insert(options.specializations.end(), more.begin(), more.end());
     MACULA_TRY(gpu::Kernel kernel, gpu::Kernel::create(device_, code, options));
     return &kernels.emplace(scene, std::move(kernel)).first->second;

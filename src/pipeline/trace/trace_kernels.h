@@ -21,11 +21,12 @@ struct SceneKind {
     bool clip = false;
     bool mask = false;
     bool gradientOpacity = false;
+    bool coarse = false;     // not all of its blocks of voxels are whole
     bool greyFaces = false;  // of a clip; counts for surface points only
 
     bool operator<(const SceneKind& b) const {
-        return std::tie(clip, mask, gradientOpacity, greyFaces) <
-               std::tie(b.clip, b.mask, b.gradientOpacity, b.greyFaces);
+        return std::tie(clip, mask, gradientOpacity, coarse, greyFaces) <
+               std::tie(b.clip, b.mask, b.gradientOpacity, b.coarse, b.greyFaces);
     }
 };
 

@@ -104,7 +104,7 @@ Medium makeMedium(const Volume& volume, const BrickGrid& grid, const TransferFun
         medium.extinctionPerMm[entry] = static_cast<float>(extinctionPerMm(function, value));
         medium.albedo[entry] =
             glm::vec4(function.albedo * linearFromSrgb(colour.r), function.albedo * linearFromSrgb(colour.g),
-                      function.albedo * linearFromSrgb(colour.b), 0.0);
+                      function.albedo * linearFromSrgb(colour.b), medium.extinctionPerMm[entry]);
     }
     medium.extinctionPerMm.back() = medium.extinctionPerMm[map.tableSize() - 2];
     medium.albedo.back() = medium.albedo[map.tableSize() - 2];

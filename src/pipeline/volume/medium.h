@@ -19,7 +19,7 @@ namespace macula {
 
 struct Medium {
     std::vector<float> extinctionPerMm;  // by entry
-    std::vector<glm::vec4> albedo;       // by entry; linear RGB, w unused
+    std::vector<glm::vec4> albedo;       // by entry; linear RGB, and in w its extinction again
     glm::ivec3 gridSize{0};
     // By brick, see shaders/lib/brick_walk.glsl: a bound above the extinction anywhere in the brick, rounded
     // up; or, in an empty brick, minus the Chebyshev distance in bricks to the nearest that is not, at most
