@@ -11,9 +11,9 @@
 // Below this transmittance nothing behind is seen.
 #define CAST_OPAQUE 0.00390625
 
-// The next stretch of the ray that is shown and has matter in it: walk.distanceMm to toMm. toMm is where the one before
-// ended, at first walk.distanceMm. False at the end.
-bool nextPiece(INOUT(BrickWalk) walk, INOUT(float) toMm, INOUT(int) rounds) {
+// The next stretch of the ray that is shown and whose brick has a bound above `least`: walk.distanceMm to toMm. toMm is where
+// the one before ended, at first walk.distanceMm. False at the end.
+bool nextPiece(INOUT(BrickWalk) walk, float least, INOUT(float) toMm, INOUT(int) rounds) {
     walk.distanceMm = toMm;
     do {
         rounds += 1;
@@ -21,7 +21,7 @@ bool nextPiece(INOUT(BrickWalk) walk, INOUT(float) toMm, INOUT(int) rounds) {
             // One cut may end inside another.
             for (int i = 0; i < 3; ++i) walk.distanceMm = max(walk.distanceMm, endOfCut(walk.cutFrom, walk.cutTo, walk.distanceMm));
         }
-        if (walk.majorant > float(0.0) && walk.distanceMm < walk.segmentEndMm) {
+        if (walk.majorant > least && walk.distanceMm < walk.segmentEndMm) {
             toMm = walk.segmentEndMm;
             if (useClip()) {
                 vec3 cut = walk.cutFrom;
@@ -250,7 +250,7 @@ vec4 castMatter(vec3 worldDirection, float phase, INOUT(int) rounds) {
     vec3 colour = vec3(0.0);
     float transmittance = float(1.0);
     float toMm = walk.distanceMm;
-    while (transmittance >= float(CAST_OPAQUE) && nextPiece(walk, toMm, rounds)) {
+    while (transmittance >= float(CAST_OPAQUE) && nextPiece(walk, float(0.0), toMm, rounds)) {
         float atEnd = enterBrick(cells, walk, toMm);
         do {
             rounds += 1;
@@ -299,8 +299,9 @@ bool isCounted(Corners corners) {
 
 // The largest, smallest or mean value along what is shown of the ray, as the grey that the window gives it; nothing where
 // the ray meets no values. The mean is exact, by Simpson's rule on cubics; an extreme is that at a face of a cell, where
-// most lie, or at one of three points between. A mask counts for a whole cell, as it is in the middle of its stretch. The medium of a projection bounds how much a brick can change the answer
-// (src/pipeline/volume/medium.h), so that bricks which cannot are not looked at.
+// most lie, or at one of three points between. A mask counts for a whole cell, as it is in the middle of its stretch. The medium
+// of a projection bounds how much a brick can change the answer (src/pipeline/volume/medium.h), so that bricks which cannot are
+// not looked at.
 vec4 castValues(vec3 worldDirection, INOUT(int) rounds) {
     vec3 directionVoxel = voxelsPerMm(worldDirection);
     BrickWalk walk = startEyeWalk(params.originVoxel, directionVoxel);
@@ -310,12 +311,11 @@ vec4 castValues(vec3 worldDirection, INOUT(int) rounds) {
     float sum = float(0.0);
     float lengthMm = float(0.0);
     float toMm = walk.distanceMm;
-    while (nextPiece(walk, toMm, rounds)) {
-        // Half an entry is kept back for rounding.
-        bool matters = castLook() == kCastMean ||
-                       walk.majorant + float(0.5) > (sign > float(0.0) ? best + float(1.0) : best + float(params.entryCount));
+    // What a brick's bound must be above to change the answer: half an entry is kept back for rounding.
+    float least = float(0.0);
+    while (nextPiece(walk, least, toMm, rounds)) {
         float atEnd = enterBrick(cells, walk, toMm);
-        while (matters) {
+        do {
             rounds += 1;
             Cubic value = cubicIn(cells, atEnd);
             float middle = valueOf(value, float(0.5));
@@ -328,8 +328,9 @@ vec4 castValues(vec3 worldDirection, INOUT(int) rounds) {
             best = counts ? max(best, here) : best;
             sum += (value.start + float(4.0) * middle + atEnd) * (length * float(1.0 / 6.0));
             lengthMm += length;
-            matters = nextCell(cells, toMm);
-        }
+        } while (nextCell(cells, toMm));
+        if (castLook() == kCastMaximum) least = max(best + float(0.5), float(0.0));
+        if (castLook() == kCastMinimum) least = max(best + float(params.entryCount) - float(0.5), float(0.0));
     }
     if (best <= float(-1e9)) return vec4(0.0);
     float entry = castLook() == kCastMean ? (lengthMm > float(0.0) ? sum / lengthMm : best) : sign * best;

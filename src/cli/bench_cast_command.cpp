@@ -112,13 +112,14 @@ Json toJson(const Contender& contender, Json error) {
 // Both, in turns. Without VTK ours alone, and why is told once.
 Result<Json> measure(const Options& options, const BenchStudy& study, const Subject& subject,
                      trace::PathTracer& tracer, std::optional<Error>& withoutVtk) {
-    const bool projection = trace::isProjection(subject.look);
-    const trace::Settings settings{
-        .look = subject.look,
-        .shading = subject.shading,
-        .window = projection ? std::optional(subject.look == Look::mip ? maximumWindow(*study.volume)
-                                                                       : seriesWindow(*study.volume))
-                             : std::nullopt};
+    const Volume& volume = *study.volume;
+    trace::Settings settings{.look = subject.look, .shading = subject.shading};
+    if (trace::isProjection(subject.look)) {
+        settings.window = subject.look == Look::mip
+                              ? maximumWindow(volume)
+                              : windowOver({volume.unitsFromStored()(volume.storedRange().low),
+                                            volume.unitsFromStored()(volume.storedRange().high)});
+    }
     Contender ours;
     MACULA_TRY(ours.firstSeconds, timeOnce(study, tracer, settings));
     std::optional<Error> failure;
