@@ -9,7 +9,6 @@
 
 #include "base/phantom.h"
 #include "pipeline/gpu/transfer.h"
-#include "shader/statistics.h"
 #include "trace/gpu_scene.h"
 #include "trace/scenes.h"
 
@@ -179,61 +178,6 @@ TEST_F(Adaptive, TheEstimateIsHonest) {
         EXPECT_NEAR(std::log(ratio), 0.0, std::log(1.25)) << fireflies;
         RecordProperty(fireflies ? "firefliesAdaptive" : "softAdaptive", std::to_string(ratio));
     }
-}
-
-// Samples decide where the next ones go, which must not lean on the mean: pictures of many seeds against one
-// of even samples, by parts of 8 x 8 pixels. Thresholds: see shader/statistics.h.
-TEST_F(Adaptive, IsNotBiased) {
-    constexpr int kSize = 24;
-    constexpr int kSeeds = 24;
-    constexpr std::size_t kParts = kSize * kSize / 64;
-    const auto add = [](const TracedImage& image, std::vector<double>& sums, std::vector<double>& squares) {
-        std::vector<double> parts(kParts + 1, 0.0);  // the last is the whole
-        for (std::size_t i = 0; i < image.radiance.size(); ++i) {
-            const double light = double(image.radiance[i].g);
-            parts[i / kSize / 8 * (kSize / 8) + i % kSize / 8] += light;
-            parts[kParts] += light;
-        }
-        for (std::size_t i = 0; i <= kParts; ++i) {
-            sums[i] += parts[i];
-            squares[i] += parts[i] * parts[i];
-        }
-    };
-    std::vector<double> sums(kParts + 1), squares(kParts + 1), trueSums(kParts + 1), trueSquares(kParts + 1);
-    constexpr int kTruths = 12;
-    PathTracer t = phantomTracer(kSize, {}, true);
-    for (int seed = 0; seed < kSeeds; ++seed) {
-        ASSERT_TRUE(t.setSettings({.seed = std::uint32_t(100 + seed)}).ok());
-        traceAbout(t, 16.0);
-        add(*t.readback(), sums, squares);
-    }
-    for (int seed = 0; seed < kTruths; ++seed) {
-        ASSERT_TRUE(t.setSettings({.seed = std::uint32_t(1000 + seed)}).ok());
-        ASSERT_TRUE(*t.trace(64));
-        add(*t.readback(), trueSums, trueSquares);
-    }
-    const auto varianceOfMean = [](double sum, double square, int n) {
-        return (square / n - sum / n * sum / n) / (n - 1);
-    };
-    double chi = 0.0;
-    int counted = 0;
-    for (std::size_t i = 0; i <= kParts; ++i) {
-        const double variance = varianceOfMean(sums[i], squares[i], kSeeds) +
-                                varianceOfMean(trueSums[i], trueSquares[i], kTruths);
-        if (variance < 1e-12) continue;
-        const double deviate = (sums[i] / kSeeds - trueSums[i] / kTruths) / std::sqrt(variance);
-        EXPECT_LT(std::abs(deviate), statistics::kDeviateLimit + 1.0) << i;  // Student's t
-        if (i == kParts) {
-            RecordProperty("deviateOfAll", std::to_string(deviate));
-            RecordProperty("relative", std::to_string(sums[i] / kSeeds / (trueSums[i] / kTruths)));
-            RecordProperty("relativeError", std::to_string(std::sqrt(variance) / (trueSums[i] / kTruths)));
-            continue;
-        }
-        chi += deviate * deviate;
-        ++counted;
-    }
-    ASSERT_GT(counted, 4);
-    EXPECT_LT(chi / counted, 1.15 + statistics::kDeviateLimit * std::sqrt(2.0 / counted));
 }
 
 TEST_F(Adaptive, StopsWhenItHasConvergedAndGoesOnWhenMoreIsAsked) {
