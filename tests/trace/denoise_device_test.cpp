@@ -334,6 +334,50 @@ TEST_F(DenoiseOnDevice, ASmallMoveOfTheGazeKeepsWhatWasKnownAndAJumpForgetsIt) {
     EXPECT_EQ(after(true, near, exposed).radiance, known.radiance);
 }
 
+// Lights on the camera turn with it, and matter is lit otherwise: a turn of three degrees forgets what half a
+// degree keeps; lights on the patient stay where they are.
+TEST_F(DenoiseOnDevice, ATurnForgetsSoonerWhereTheLightsTurnWithIt) {
+    const Scene scene;
+    View first = scene.view;
+    first.width = first.height = 24;
+    const auto turned = [&](double degrees) {
+        View view = first;
+        const glm::dmat4 turn = glm::rotate(glm::dmat4(1.0), glm::radians(degrees), glm::dvec3(0, 0, 1));
+        view.camera.positionMm =
+            glm::dvec3(turn * glm::dvec4(first.camera.positionMm - first.camera.targetMm, 0.0)) +
+            first.camera.targetMm;
+        return view;
+    };
+    for (const LightFrame frame : {LightFrame::camera, LightFrame::patient}) {
+        LightRig rig;
+        rig.frame = frame;
+        rig.ambientHorizon = {0.5, 0.5, 0.5};
+        rig.lights = {{.azimuthDeg = 60, .elevationDeg = 30, .angularRadiusDeg = 20, .radiance = 5}};
+        const Settings settings{.seed = 2, .denoising = Denoising::on};
+        PathTracer t = tracer(scene.volume, scene.bone, Environment::fromRig(rig), first, settings);
+        const auto keeps = [&](double degrees) {
+            std::vector<glm::vec4> pictures[2];
+            for (const bool known : {false, true}) {
+                Settings other = settings;
+                other.seed = 1;
+                EXPECT_TRUE(t.setView(first).ok() && t.setSettings(other).ok());
+                EXPECT_TRUE(*t.trace(4));
+                EXPECT_TRUE(t.display(glm::vec3(0.0f)).ok());
+                if (!known) {
+                    EXPECT_TRUE(t.setTransferFunction(scene.bone).ok());  // forgets
+                }
+                EXPECT_TRUE(t.setView(turned(degrees)).ok() && t.setSettings(settings).ok());
+                EXPECT_TRUE(*t.trace(1));
+                pictures[known ? 1 : 0] = t.readback()->radiance;
+            }
+            return pictures[0] != pictures[1];
+        };
+        EXPECT_TRUE(keeps(0.5));
+        EXPECT_EQ(keeps(3.0), frame == LightFrame::patient);
+        EXPECT_FALSE(keeps(25.0));
+    }
+}
+
 // The variance that the film reports, by the textbook: from the samples one by one, and of coverage, where
 // each sample is a coin of known odds, by what it truly is.
 TEST_F(DenoiseOnDevice, VarianceIsThatOfTheSamples) {

@@ -269,6 +269,10 @@ TEST(DenoiseHistory, CountsWhereTheSameWasSeenAndNowhereElse) {
         return afterAShift(plane, 0, other.guides(), 32).moments[200].y == 4.0;
     };
     EXPECT_FALSE(differs([](TruePixel&) {}));
+    // Four pixels are 0.4 mm wide there, and the spread of depth adds less than half of a tenth.
+    EXPECT_FALSE(differs([](TruePixel& p) { p.depthMm = 100.3; }));
+    EXPECT_TRUE(differs([](TruePixel& p) { p.depthMm = 100.5; }));
+    EXPECT_TRUE(differs([](TruePixel& p) { p.depthMm = 99.5; }));
     EXPECT_TRUE(differs([](TruePixel& p) { p.depthMm = 110; }));
     EXPECT_TRUE(differs([](TruePixel& p) { p.normal = {1, 0, 0}; }));
     EXPECT_TRUE(differs([](TruePixel& p) { p.albedo = {0.1, 0.1, 0.9}; }));

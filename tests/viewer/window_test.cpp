@@ -79,7 +79,7 @@ TEST_F(WindowTest, AMissingFolderIsToldInTheWindowAndTheStudyStays) {
 
 TEST_F(WindowTest, LoadingCanBeCancelled) {
     const dicom::test::TemporaryFolder folder;
-    write(dicom::test::smallVolume(), folder.path());
+    dicom::test::write(dicom::test::smallVolume(), folder.path());
     int cancelled = 0;
     QObject::connect(&*window_, &MainWindow::loadingCancelled, &*window_, [&] { ++cancelled; });
     window_->open(folder.path());
