@@ -63,6 +63,27 @@ TEST_F(RenderThreadTest, PublishingDoesNotWaitForAStepUnderWay) {
     EXPECT_LE(steps, 2);  // of a thousand inputs the last one counts
 }
 
+// Nothing of it is left when it is gone: a step under way is waited for.
+TEST_F(RenderThreadTest, IsNotGoneBeforeItsStepIsOver) {
+    std::promise<void> began;
+    std::atomic<bool> isOver = false;
+    {
+        RenderThread thread(*std::move(instance_), {}, [&](const RenderEvent& event) {
+            if (!std::holds_alternative<Preparing>(event)) return;
+            began.set_value();
+            std::this_thread::sleep_for(std::chrono::milliseconds(100));
+            isOver = true;
+            throw std::bad_alloc();  // as above
+        });
+        thread.publish({.surface = (VkSurfaceKHR)std::uintptr_t(1),  // a pointer or a number, by platform
+                        .width = 100,
+                        .height = 100,
+                        .visible = true});
+        began.get_future().wait();
+    }
+    EXPECT_TRUE(isOver);
+}
+
 TEST_F(RenderThreadTest, WithoutASurfaceNothingIsDone) {
     std::atomic<int> events = 0;
     {
