@@ -219,6 +219,23 @@ TEST_F(Adaptive, WhatIsCastStaysEvenAndConvergesToo) {
     }
 }
 
+// Black matter in the dark has no light that could be noisy: what is left is that of its coverage, before a
+// backdrop of middle grey.
+TEST_F(Adaptive, CoverageIsNoisyBeforeMiddleGrey) {
+    constexpr std::uint32_t kSamples = 64;
+    const auto [volume, view] = scenes::slab(10.0, 32);
+    PathTracer t = tracer(volume, scenes::homogeneous(0.05, 0.0), Environment::constant(glm::vec3(0.0f)),
+                          view, {.seed = 3});
+    ASSERT_TRUE(*t.trace(kSamples));
+    const double covered = -std::expm1(-0.5);
+    const double standardError = 0.18 * std::sqrt(covered * (1.0 - covered) / kSamples);
+    // Khronos' neutral tone map takes x - 6.25 x^2 away from dark x; what is left is dark to sRGB, too, or
+    // not.
+    const double mapped = 6.25 * standardError * standardError;
+    const double shown = mapped <= 0.0031308 ? 12.92 * mapped : 1.055 * std::pow(mapped, 1.0 / 2.4) - 0.055;
+    EXPECT_NEAR(t.estimateError()->rms, 0.5 * shown, 0.1 * 0.5 * shown);
+}
+
 TEST_F(Adaptive, NothingVisibleConvergesAtOnce) {
     const auto volume = scenes::volumeOf({1, 1, 1}, glm::dmat4(1.0), [](int, int, int) { return 0; });
     PathTracer t = tracer(
