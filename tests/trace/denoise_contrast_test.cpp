@@ -1,5 +1,6 @@
 // What a radiologist looks for and noise hides: the denoiser must not take it for noise. Measured by
 // contrast, beside that of a converged picture that was not denoised.
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -11,11 +12,11 @@ namespace {
 
 using DenoiseContrast = DeviceTest;
 
-constexpr int kSide = 64;           // pixels
-constexpr double kFieldMm = 48.0;   // that they show
-constexpr double kLesionX = -10.0;  // mm, its middle
-constexpr double kLesionRadius = 5.0;
-constexpr double kFissureX = 10.5;  // mm, a gap one voxel wide
+constexpr int kSide = 64;             // pixels
+constexpr double kFieldMm = 48.0;     // that they show
+constexpr double kLesionXMm = -10.0;  // mm, its middle
+constexpr double kLesionRadiusMm = 5.0;
+constexpr double kFissureXMm = 10.5;  // mm, a gap one voxel wide
 
 // A block of tissue, its face towards the eye. In the face a round lesion, a little darker in colour, and a
 // fissure from top to bottom, into which little light finds its way.
@@ -24,8 +25,8 @@ std::shared_ptr<const Volume> tissue() {
     const glm::dvec3 first = 0.5 * (1.0 - glm::dvec3(size));
     return scenes::volumeOf(size, affine({1, 0, 0}, {0, 1, 0}, {0, 0, 1}, first), [&](int i, int j, int k) {
         const glm::dvec3 mm = first + glm::dvec3(i, j, k);
-        if (j < 6 || (mm.x == kFissureX && j < 20)) return 0;
-        return glm::length(mm - glm::dvec3(kLesionX, first.y + 6, 0)) < kLesionRadius ? 700 : 500;
+        if (j < 6 || (mm.x == kFissureXMm && j < 20)) return 0;
+        return glm::length(mm - glm::dvec3(kLesionXMm, first.y + 6, 0)) < kLesionRadiusMm ? 700 : 500;
     });
 }
 
@@ -36,7 +37,7 @@ TransferFunction tissueFunction() {
     return function;
 }
 
-// Luminance, around there and beside it: how much darker it is, in parts.
+// How much darker each is than what is beside it, in parts of that.
 struct Contrasts {
     double lesion = 0.0;
     double fissure = 0.0;
@@ -46,14 +47,14 @@ Contrasts contrasts(const TracedImage& image) {
     std::array<int, 4> counts{};
     for (int y = 0; y < kSide; ++y) {
         for (int x = 0; x < kSide; ++x) {
-            const double mmX = kFieldMm * ((x + 0.5) / kSide - 0.5);
-            const double mmZ = kFieldMm * (0.5 - (y + 0.5) / kSide);
-            const double fromLesion = std::hypot(mmX - kLesionX, mmZ);
-            const double fromFissure = std::abs(mmX - kFissureX);
-            const bool inTheMiddle = std::abs(mmZ) < 16.0;
+            const double xMm = kFieldMm * ((x + 0.5) / kSide - 0.5);
+            const double zMm = kFieldMm * (0.5 - (y + 0.5) / kSide);
+            const double fromLesion = std::hypot(xMm - kLesionXMm, zMm);
+            const double fromFissure = std::abs(xMm - kFissureXMm);
+            const bool inTheMiddle = std::abs(zMm) < 16.0;
             int place = -1;
-            if (fromLesion < 0.7 * kLesionRadius) place = 0;
-            if (fromLesion > 1.3 * kLesionRadius && fromLesion < 1.8 * kLesionRadius) place = 1;
+            if (fromLesion < 0.7 * kLesionRadiusMm) place = 0;
+            if (fromLesion > 1.3 * kLesionRadiusMm && fromLesion < 1.8 * kLesionRadiusMm) place = 1;
             if (inTheMiddle && fromFissure < 0.4) place = 2;
             if (inTheMiddle && fromFissure > 3.0 && fromFissure < 6.0) place = 3;
             if (place < 0) continue;
@@ -66,7 +67,8 @@ Contrasts contrasts(const TracedImage& image) {
     return {1.0 - mean(0) / mean(1), 1.0 - mean(2) / mean(3)};
 }
 
-class Parts {
+// Of several pictures.
+class Mean {
   public:
     void add(double part) {
         sum_ += part;
@@ -105,8 +107,8 @@ TEST_F(DenoiseContrast, ALowContrastLesionAndAFissureStay) {
     };
     for (const auto& [samples, ofLesion, ofFissure] : {Least{8, 0.67, 0.7}, Least{32, 0.9, 0.93}}) {
         SCOPED_TRACE(samples);
-        Parts lesion;
-        Parts fissure;
+        Mean lesion;
+        Mean fissure;
         for (std::uint32_t seed = 0; seed < 6; ++seed) {
             Settings settings{.bounces = 2, .seed = 10 + seed};
             ASSERT_TRUE(t.setTransferFunction(tissueFunction()).ok());  // nothing is known from before

@@ -1,6 +1,7 @@
 // The denoiser on the device against its maths in double, and denoising as users of the tracer meet it.
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
+#include <optional>
 
 #include "base/phantom.h"
 #include "pipeline/gpu/transfer.h"
