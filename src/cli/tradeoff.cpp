@@ -4,7 +4,9 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <optional>
 
+#include "image/masked_metrics.h"
 #include "image/metrics.h"
 
 namespace macula::cli {
@@ -17,27 +19,11 @@ double msSince(Clock::time_point start) {
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
-// Over the pixels of the mask; background is right in every picture, and would flatter them all.
-double maskedPsnr(const image::Image& reference, const image::Image& test, const std::vector<bool>& mask) {
-    double squares = 0.0;
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < mask.size(); ++i) {
-        if (!mask[i]) continue;
-        for (std::size_t c = 0; c < 3; ++c) {
-            const double d = double(reference.pixels[3 * i + c]) - double(test.pixels[3 * i + c]);
-            squares += d * d;
-        }
-        count += 3;
-    }
-    if (count == 0) return std::numeric_limits<double>::quiet_NaN();
-    return -10.0 * std::log10(squares / static_cast<double>(count));
-}
-
 class Bench {
   public:
     Bench(const BenchStudy& study, const TradeoffOptions& options) : study_(study), options_(options) {}
 
-    Result<void> converge(Tradeoff& result, std::vector<bool>& mask, Progress& progress) const {
+    Result<void> converge(Tradeoff& result, image::Mask& mask, Progress& progress) const {
         const trace::Settings settings{.bounces = options_.convergedBounces,
                                        .seed = 12345,
                                        .filter = trace::Filter::trilinear,
@@ -65,14 +51,14 @@ class Bench {
         MACULA_TRY(const image::Flip left, image::flip(result.converged, half));
         result.convergedFlip = left.mean;
         MACULA_TRY(const trace::TracedImage traced, truth.readback());
-        for (const glm::vec4& pixel : traced.radiance) mask.push_back(pixel.a > 0.0f);
+        for (const glm::vec4& pixel : traced.radiance) mask.push_back(pixel.a > 0.0f ? 1 : 0);
         MACULA_TRY(const trace::Statistics statistics, truth.statistics());
         result.convergedLost = statistics.nonFiniteSamples + statistics.abandonedSamples;
         return {};
     }
 
-    Result<void> run(trace::Filter filter, trace::Denoising denoising, int bounces,
-                     const std::vector<bool>& mask, Tradeoff& result, Progress& progress) const {
+    Result<void> run(trace::Filter filter, trace::Denoising denoising, int bounces, const image::Mask& mask,
+                     Tradeoff& result, Progress& progress) const {
         const trace::Settings settings{.bounces = bounces,
                                        .seed = 1,
                                        .filter = filter,
@@ -102,7 +88,8 @@ class Bench {
                                 .samples = samples,
                                 .traceMs = traceMs,
                                 .displayMs = msSince(start)};
-            point.psnrDb = maskedPsnr(result.converged, picture, mask);
+            MACULA_TRY(const std::optional<double> psnr, image::maskedPsnr(result.converged, picture, mask));
+            point.psnrDb = psnr.value_or(std::numeric_limits<double>::quiet_NaN());
             MACULA_TRY(point.ssim, image::ssim(result.converged, picture));
             MACULA_TRY(const image::Flip flip, image::flip(result.converged, picture));
             point.flip = flip.mean;
@@ -123,7 +110,7 @@ Result<Tradeoff> measureTradeoff(const BenchStudy& study, const TradeoffOptions&
                                  Progress& progress) {
     const Bench bench(study, options);
     Tradeoff result;
-    std::vector<bool> mask;
+    image::Mask mask;  // background is right in every picture, and would flatter them all
     progress.beginStage("Tracing the converged picture", options.convergedSamples);
     MACULA_TRY_VOID(bench.converge(result, mask, progress));
     progress.beginStage("Measuring", 4 * options.bounces.size() * options.samples.size());

@@ -218,6 +218,23 @@ TEST(Geometry, slicesShiftedSideways) {
     EXPECT_EQ(onlyKey(stackPlanes(planes)), key::kNotReconstructable);
 }
 
+// Slices that drift off their line, as those of a patient who breathes: up to a tenth of their distance. A
+// drift in one direction is a tilted gantry, however far it goes.
+TEST(Geometry, slicesDriftSidewaysByATenthOfTheirDistance) {
+    const auto drifted = [](double mm) {
+        auto planes = evenStack(7, 2.0);
+        for (int k = 0; k < 7; ++k) {
+            planes[std::size_t(k)].plane.positionMm.x += 0.5 * k;
+            planes[std::size_t(k)].plane.positionMm.y += mm * (1.0 - std::abs(k - 3) / 3.0);
+        }
+        return stackPlanes(planes);
+    };
+    EXPECT_TRUE(drifted(0.19).worldFromVoxel);
+    EXPECT_FALSE(drifted(0.21).worldFromVoxel);
+    EXPECT_TRUE(has(drifted(0.21), key::kNotReconstructable));
+    EXPECT_FALSE(drifted(-0.21).worldFromVoxel);
+}
+
 TEST(Geometry, duplicatePositionsAreOrderedByInstanceNumberAndRefused) {
     auto planes = evenStack(4, 2.0);
     planes[1].plane.positionMm = planes[0].plane.positionMm;

@@ -381,7 +381,8 @@ TEST(Pixels, cutOffAnywhere) {
     }
 }
 
-// No byte of a file may make the reader crash, or take more memory than there is; a sanitizer sees the rest.
+// Whatever bytes of its first frame are damaged: the second one is read as it is, nothing is written beyond
+// the cells that were asked for, and what cannot be decoded is said. A sanitizer sees what is read beyond.
 TEST(Pixels, damagedAnywhere) {
     const TemporaryFolder folder;
     std::uint32_t state = 12345;
@@ -392,15 +393,65 @@ TEST(Pixels, damagedAnywhere) {
         const PixelLayout layout = layoutOf(uid, 2);
         const std::string header = imageHeader(layout);
         const std::string whole = header + encapsulated(parts.fragments, basicOffsets(parts));
+        int refused = 0;
         for (int round = 0; round < 300; ++round) {
             std::string bytes = whole;
-            for (int change = 0; change < 1 + round % 4; ++change)
-                bytes[header.size() + random() % (bytes.size() - header.size())] =
-                    static_cast<char>(random());
+            for (int change = 0; change < 1 + round % 4; ++change) {
+                const std::string& fragment = parts.fragments[random() % 3];
+                bytes[whole.find(fragment) + random() % fragment.size()] = static_cast<char>(random());
+            }
             auto reader = PixelReader::open(save(folder, bytes), layout);
-            if (!reader) continue;
-            for (const int frame : {0, 1}) (void)readFrame(*reader, frame);
+            ASSERT_TRUE(reader) << round << ": " << reader.error().message;
+            std::vector<std::uint16_t> cells(kCells + 16, 0xABCD);
+            const auto read = reader->read(0, std::span(cells).first(kCells));
+            refused += read.ok() ? 0 : 1;
+            if (!read) {
+                EXPECT_EQ(read.error().code, ErrorCode::inputNotUsable);
+                EXPECT_FALSE(read.error().message.empty());
+            }
+            for (std::size_t i = kCells; i < cells.size(); ++i) ASSERT_EQ(cells[i], 0xABCD) << round;
+            const auto second = readFrame(*reader, 1);
+            ASSERT_TRUE(second) << round << ": " << second.error().message;
+            ASSERT_EQ(*second, cellsOf(1)) << round;
         }
+        EXPECT_GT(refused, 20);  // the damage does damage
+    }
+}
+
+// Of the items and of the table of offsets: what is read all the same is what was written.
+TEST(Pixels, damagedBetweenTheFrames) {
+    const TemporaryFolder folder;
+    std::uint32_t state = 54321;
+    const auto random = [&] { return state = state * 1664525u + 1013904223u, state >> 8; };
+    for (const char* uid : kLossless) {
+        SCOPED_TRACE(uid);
+        const Fragments parts = cut(streams(uid, 2), 3);
+        const PixelLayout layout = layoutOf(uid, 2);
+        const std::string header = imageHeader(layout);
+        const std::string whole = header + encapsulated(parts.fragments, basicOffsets(parts));
+        std::vector<std::size_t> between;  // bytes that are of no fragment
+        std::size_t at = header.size();
+        for (const std::string& fragment : parts.fragments) {
+            const std::size_t begin = whole.find(fragment, at);
+            for (; at < begin; ++at) between.push_back(at);
+            at += fragment.size();
+        }
+        int refused = 0;
+        for (int round = 0; round < 300; ++round) {
+            std::string bytes = whole;
+            bytes[between[random() % between.size()]] ^= static_cast<char>(1 + random() % 255);
+            auto reader = PixelReader::open(save(folder, bytes), layout);
+            for (const int frame : {0, 1}) {
+                const auto cells =
+                    reader ? readFrame(*reader, frame) : Result<std::vector<std::uint16_t>>(reader.error());
+                refused += cells ? 0 : 1;
+                if (cells) {
+                    ASSERT_EQ(*cells, cellsOf(frame)) << round;
+                }
+            }
+        }
+        EXPECT_GT(refused, 200);
+        EXPECT_LT(refused, 550);
     }
 }
 

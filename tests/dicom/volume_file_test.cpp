@@ -231,6 +231,17 @@ TEST(VolumeFile, ShearIsKeptInEveryFormat) {
     EXPECT_NEAR(m[8] * spacing[2], 2.5, 1e-12);
 }
 
+// Nor a little of it, once it moves a corner by more than a hundredth of a millimetre: readers that prefer
+// the qform would place the volume elsewhere.
+TEST(VolumeFile, NiftiSaysNoQformThatMovesACorner) {
+    const TemporaryFolder folder;
+    for (const auto& [mmPerSlice, code] : {std::pair(0.0005, 1), std::pair(0.02, 0)}) {  // of six slices
+        const glm::dmat4 sheared = affine({0.5, 0, 0}, {0, 0.5, 0}, {0, mmPerSlice, 2.5}, {-20, -30, 40});
+        expectWritten(smallVolume(sheared, {1.0, 0.0}, "MR"), folder / "s.nii");
+        EXPECT_EQ(readNiftiBytes(folder / "s.nii").qformCode(), code) << mmPerSlice;
+    }
+}
+
 TEST(VolumeFile, DetachedValuesKeepTheirName) {
     const TemporaryFolder folder;
     for (const std::string name : {"a.b.nhdr", "c.MHD", "d.mhd"}) {

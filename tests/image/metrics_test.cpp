@@ -83,6 +83,23 @@ TEST(Flip, IsSymmetricAndLocalAndGrowsWithTheDifference) {
               0.5 * flip(grey(0.5f, 64, 64), checks(16), {.pixelsPerDegree = 200})->mean);
 }
 
+// An edge and a line count for more than their colour: in the middle of an edge, which is no line, and in
+// that of a line, which is no edge. Both are as wide as what an eye is drawn to.
+TEST(Flip, AnEdgeAndALineCountForMoreThanTheirColour) {
+    constexpr int kSide = 65;
+    constexpr std::size_t kMiddle = 32 * kSide + 32;
+    const Image dark = grey(0.4f, kSide, kSide);
+    const float ofColour = flip(dark, grey(0.5f, kSide, kSide))->perPixel[kMiddle];
+    const Image edge = picture(kSide, kSide, [](int x, int, int) {
+        return 0.5f + 0.1f * float(std::tanh(0.5 * (x - 32)));  // 0.5 in the middle
+    });
+    EXPECT_GT(flip(dark, edge)->perPixel[kMiddle], 1.2f * ofColour);
+    const Image line = picture(kSide, kSide, [](int x, int, int) {
+        return 0.4f + 0.1f * float(std::exp(-std::pow((x - 32) / 3.0, 2.0)));  // and less around it
+    });
+    EXPECT_GT(flip(dark, line)->perPixel[kMiddle], 1.2f * ofColour);
+}
+
 TEST(Metrics, OfPicturesThatCannotBeComparedAreErrors) {
     Image linear = grey(0.5f);
     linear.encoding = Encoding::linear;

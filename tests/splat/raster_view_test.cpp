@@ -1,5 +1,6 @@
 #include "pipeline/splat/raster_view.h"
 
+#include <cmath>
 #include <limits>
 
 #include "splat/reference_scenes.h"
@@ -41,6 +42,17 @@ TEST(RasterView, LeftIsLeftAndUpIsUp) {
     EXPECT_LT(centroid(picture(anterior, ViewDirection::superior)).y, -4.0);
     EXPECT_NEAR(centroid(picture(superior, ViewDirection::anterior)).x, 0.0, 1e-6);
     EXPECT_NEAR(centroid(picture(left, ViewDirection::anterior)).y, 0.0, 1e-6);
+}
+
+// Beyond 1.3 times the field of view splats are projected as on its edge: as the renderers do that models are
+// trained with (Kerbl et al. 2023).
+TEST(RasterView, SlopesEndAtThirteenTenthsOfTheField) {
+    const Camera camera{.positionMm = {0, -400, 0}, .verticalFovDeg = 50};
+    const RasterView view = rasterView(camera, {60, 40}, glm::dvec3(0)).value();
+    const double tanHalf = std::tan(glm::radians(25.0));
+    const glm::dvec2 most(1.3 * 1.5 * tanHalf, 1.3 * tanHalf);
+    EXPECT_LT(glm::distance(highestSlope(view), most), 1e-12);
+    EXPECT_LT(glm::distance(lowestSlope(view), -most), 1e-12);
 }
 
 TEST(RasterView, PicksThePixelThatAPinholeDoes) {

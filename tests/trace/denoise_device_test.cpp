@@ -1,6 +1,7 @@
 // The denoiser on the device against its maths in double, and denoising as users of the tracer meet it.
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
+#include <optional>
 
 #include "base/phantom.h"
 #include "pipeline/gpu/transfer.h"
@@ -334,30 +335,97 @@ TEST_F(DenoiseOnDevice, ASmallMoveOfTheGazeKeepsWhatWasKnownAndAJumpForgetsIt) {
     EXPECT_EQ(after(true, near, exposed).radiance, known.radiance);
 }
 
-// The variance that the film reports is that of means over many pictures.
-TEST_F(DenoiseOnDevice, VarianceIsThatOfRepeatedPictures) {
-    const auto [volume, view] = scenes::slab(10.0, 32);
-    PathTracer t = tracer(volume, scenes::homogeneous(0.2), Environment::constant(glm::vec3(1.0f)), view, {});
-    ASSERT_TRUE(*t.trace(1));
-    const auto once = t.readback();
-    for (const glm::vec2& variance : once->variance) EXPECT_TRUE(std::isinf(variance.x));
-    ASSERT_TRUE(t.setSettings({.seed = 3}).ok());
-    ASSERT_TRUE(*t.trace(16));
-    const auto image = t.readback();
-    // All pixels see the same: the spread between them is the variance within them.
-    glm::dvec2 sum(0.0), squares(0.0), variance(0.0);
-    for (std::size_t i = 0; i < image->radiance.size(); ++i) {
-        const glm::dvec2 value(glm::dot(glm::dvec3(image->radiance[i]), glm::dvec3(0.2126, 0.7152, 0.0722)),
-                               image->radiance[i].a);
-        sum += value;
-        squares += value * value;
-        variance += glm::dvec2(image->variance[i]);
+// Lights on the camera turn with it, and matter is lit otherwise: a turn of three degrees forgets what half a
+// degree keeps; lights on the patient stay where they are.
+TEST_F(DenoiseOnDevice, ATurnForgetsSoonerWhereTheLightsTurnWithIt) {
+    const Scene scene;
+    View first = scene.view;
+    first.width = first.height = 24;
+    const auto turned = [&](double degrees) {
+        View view = first;
+        const glm::dmat4 turn = glm::rotate(glm::dmat4(1.0), glm::radians(degrees), glm::dvec3(0, 0, 1));
+        view.camera.positionMm =
+            glm::dvec3(turn * glm::dvec4(first.camera.positionMm - first.camera.targetMm, 0.0)) +
+            first.camera.targetMm;
+        return view;
+    };
+    for (const LightFrame frame : {LightFrame::camera, LightFrame::patient}) {
+        LightRig rig;
+        rig.frame = frame;
+        rig.ambientHorizon = {0.5, 0.5, 0.5};
+        rig.lights = {{.azimuthDeg = 60, .elevationDeg = 30, .angularRadiusDeg = 20, .radiance = 5}};
+        const Settings settings{.seed = 2, .denoising = Denoising::on};
+        PathTracer t = tracer(scene.volume, scene.bone, Environment::fromRig(rig), first, settings);
+        const auto keeps = [&](double degrees) {
+            std::vector<glm::vec4> pictures[2];
+            for (const bool known : {false, true}) {
+                Settings other = settings;
+                other.seed = 1;
+                EXPECT_TRUE(t.setView(first).ok() && t.setSettings(other).ok());
+                EXPECT_TRUE(*t.trace(4));
+                EXPECT_TRUE(t.display(glm::vec3(0.0f)).ok());
+                if (!known) {
+                    EXPECT_TRUE(t.setTransferFunction(scene.bone).ok());  // forgets
+                }
+                EXPECT_TRUE(t.setView(turned(degrees)).ok() && t.setSettings(settings).ok());
+                EXPECT_TRUE(*t.trace(1));
+                pictures[known ? 1 : 0] = t.readback()->radiance;
+            }
+            return pictures[0] != pictures[1];
+        };
+        EXPECT_TRUE(keeps(0.5));
+        EXPECT_EQ(keeps(3.0), frame == LightFrame::patient);
+        EXPECT_FALSE(keeps(25.0));
     }
-    const double n = double(image->radiance.size());
-    const glm::dvec2 between = squares / n - sum / n * (sum / n);
-    // A variance of n values is uncertain by sqrt(2 / n), 4.4 %.
-    EXPECT_NEAR(variance.x / n / between.x, 1.0, 0.2);
-    EXPECT_NEAR(variance.y / n / between.y, 1.0, 0.2);
+}
+
+// The variance that the film reports, by the textbook: from the samples one by one, and of coverage, where
+// each sample is a coin of known odds, by what it truly is.
+TEST_F(DenoiseOnDevice, VarianceIsThatOfTheSamples) {
+    const auto [volume, view] = scenes::slab(10.0, 64);
+    PathTracer t =
+        tracer(volume, scenes::homogeneous(0.2), Environment::constant(glm::vec3(1.0f)), view, {.seed = 3});
+    constexpr int kSamples = 5;
+    const auto values = [](const TracedImage& image) {  // luminance and coverage
+        std::vector<glm::dvec2> result;
+        for (const glm::vec4& pixel : image.radiance)
+            result.emplace_back(glm::dot(glm::dvec3(pixel), glm::dvec3(0.2126, 0.7152, 0.0722)), pixel.a);
+        return result;
+    };
+    std::vector<std::vector<glm::dvec2>> sums;
+    std::optional<TracedImage> image;
+    for (int n = 1; n <= kSamples; ++n) {
+        ASSERT_TRUE(*t.trace(1));
+        image = *t.readback();
+        sums.push_back(values(*image));
+        for (glm::dvec2& value : sums.back()) value *= n;
+        if (n > 1) continue;
+        for (const glm::vec2& variance : image->variance) EXPECT_TRUE(std::isinf(variance.x));
+    }
+    double ofCoverage = 0.0;
+    for (std::size_t i = 0; i < image->variance.size(); ++i) {
+        const glm::dvec2 mean = sums.back()[i] / double(kSamples);
+        glm::dvec2 squares(0.0);
+        for (std::size_t n = 0; n < kSamples; ++n) {
+            const glm::dvec2 off = sums[n][i] - (n > 0 ? sums[n - 1][i] : glm::dvec2(0.0)) - mean;
+            squares += off * off;
+        }
+        const glm::dvec2 exact = squares / double(kSamples * (kSamples - 1));
+        ASSERT_NEAR(double(image->variance[i].x), exact.x, 1e-5 * (1.0 + exact.x)) << i;
+        ASSERT_NEAR(double(image->variance[i].y), exact.y, 1e-5) << i;
+        ofCoverage += double(image->variance[i].y);
+    }
+    ofCoverage /= double(image->variance.size());
+    const double odds = -std::expm1(-2.0);
+    const double truth = odds * (1.0 - odds) / kSamples;
+    // Of a coin's variance by n tosses: the fourth moment, and the square of the second.
+    const double fourth = odds * (1.0 - odds) * (1.0 - 3.0 * odds * (1.0 - odds));
+    const double second = odds * (1.0 - odds);
+    const double uncertain =
+        std::sqrt((fourth - second * second * (kSamples - 3.0) / (kSamples - 1.0)) / kSamples) / kSamples /
+        std::sqrt(double(image->variance.size()));
+    EXPECT_NEAR(ofCoverage, truth, 4.5 * uncertain);
+    EXPECT_LT(4.5 * uncertain, 0.1 * truth);  // without n / (n - 1) it would be a fifth less
 }
 
 }  // namespace

@@ -36,24 +36,79 @@ TEST(Denoise, KeepsTheLightOfEveryPicture) {
     }
 }
 
-// And the mean over many seeds is the truth, pixel by pixel within a part of the picture.
-TEST(Denoise, HasNoBiasOnAverage) {
-    constexpr int kSeeds = 48;
+// Where the guides do not tell one light from another, some flows over the edge between them. That bias stays
+// small beside the noise of the plain picture at every number of samples: it has to fall as fast. At a fifth
+// of the noise it adds 2 % to the error.
+TEST(Denoise, BiasIsSmallBesideTheNoise) {
+    constexpr int kSeeds = 32;
     const TruePicture picture = scenery(32);
-    glm::dvec4 sum(0.0);
-    glm::dvec4 squares(0.0);
-    glm::dvec4 truth(0.0);
-    for (std::size_t i = 0; i < picture.pixels.size(); ++i) truth += picture.truth(i);
-    for (int seed = 0; seed < kSeeds; ++seed) {
-        const glm::dvec4 light = total(denoised(picture, picture.film(4, std::uint32_t(seed))));
-        sum += light;
-        squares += light * light;
+    const std::size_t pixels = picture.pixels.size();
+    for (const std::uint32_t samples : {4u, 32u, 256u}) {
+        std::vector<glm::dvec4> sum(pixels), squares(pixels);
+        double noise = 0.0;  // mean square of light and coverage
+        for (std::uint32_t seed = 0; seed < kSeeds; ++seed) {
+            const DenoiseFilm film = picture.film(samples, 1000 * samples + seed);
+            const auto filtered = denoised(picture, film);
+            for (std::size_t i = 0; i < pixels; ++i) {
+                const glm::dvec4 off = filtered[i] - picture.truth(i);
+                sum[i] += off;
+                squares[i] += off * off;
+            }
+            noise += meanSquaredError(picture, means(film)) / kSeeds;
+        }
+        glm::dvec4 bias(0.0);
+        for (std::size_t i = 0; i < pixels; ++i) {
+            // The square of a mean of pictures has the variance of that mean in it.
+            const glm::dvec4 mean = sum[i] / double(kSeeds);
+            bias += mean * mean - (squares[i] / double(kSeeds) - mean * mean) / (kSeeds - 1.0);
+        }
+        const double ofAll = glm::dot(bias, glm::dvec4(1.0)) / double(pixels);
+        EXPECT_LT(std::sqrt(std::max(ofAll, 0.0) / noise), 0.2) << samples;
     }
-    for (int c = 0; c < 4; ++c) {
-        const double mean = sum[c] / kSeeds;
-        const double error = std::sqrt((squares[c] / kSeeds - mean * mean) / (kSeeds - 1));
-        EXPECT_NEAR(mean, truth[c], 4.5 * error) << c;
-        EXPECT_LT(error, 0.02 * truth[c]);
+}
+
+// What flows over the middle of a picture, in parts of the light on one side of it. The light differs by a
+// fifth, which noise hides.
+double flowOverTheMiddle(const std::function<void(TruePixel&)>& change, std::uint32_t samples) {
+    const TruePicture picture(32, 32, [&](int x, int) {
+        TruePixel p;
+        p.light = glm::dvec3(x < 16 ? 1.0 : 0.8);
+        if (x >= 16) change(p);
+        return p;
+    });
+    constexpr int kSeeds = 16;
+    double lost = 0.0;
+    for (std::uint32_t seed = 0; seed < kSeeds; ++seed) {
+        const DenoiseFilm film = picture.film(samples, seed);
+        const auto plain = means(film);
+        const auto filtered = denoised(picture, film);
+        double before = 0.0;
+        double after = 0.0;
+        for (std::size_t i = 0; i < plain.size(); ++i) {
+            if (i % 32 >= 16) continue;
+            before += plain[i].y;
+            after += filtered[i].y;
+        }
+        lost += (1.0 - after / before) / kSeeds;
+    }
+    return lost;
+}
+
+// Each guide tells lights apart that differ little. 100 mm away, where a pixel is 0.1 mm wide.
+TEST(Denoise, LittleFlowsBetweenWhatTheGuidesTellApart) {
+    for (const std::uint32_t samples : {1u, 4u}) {
+        const double free = flowOverTheMiddle([](TruePixel&) {}, samples);
+        const double depth = flowOverTheMiddle([](TruePixel& p) { p.depthMm = 107.0; }, samples);
+        const double turned = flowOverTheMiddle([](TruePixel& p) { p.normal = {1, 0, 0}; }, samples);
+        const double opposed = flowOverTheMiddle([](TruePixel& p) { p.normal = {0, 1, 0}; }, samples);
+        const double thin = flowOverTheMiddle([](TruePixel& p) { p.coverage = 0.5; }, samples);
+        const double thinner = flowOverTheMiddle([](TruePixel& p) { p.coverage = 0.2; }, samples);
+        ASSERT_GT(free, 0.01) << samples;  // there is something to hold back
+        EXPECT_LT(depth, 0.002 * free) << samples;
+        EXPECT_LT(turned, 0.25 * free) << samples;
+        EXPECT_LT(opposed, 0.04 * free) << samples;
+        EXPECT_LT(thin, 0.25 * free) << samples;
+        EXPECT_LT(thinner, 0.03 * free) << samples;
     }
 }
 
@@ -96,13 +151,26 @@ TEST(Denoise, ManySamplesAreThePlainMeanWithinItsError) {
     const DenoiseFilm film = picture.film(1u << 14, 3);
     const auto plain = means(film);
     const auto filtered = denoised(picture, film);
+    // Of the mean of light that comes in one sample of so many, exponentially distributed.
+    double squares = 0.0;
+    double squaresOfAlpha = 0.0;
+    int count = 0;
     for (std::size_t i = 0; i < plain.size(); ++i) {
-        // Of a sample of the light: twice its square less its mean's, with the chance to meet matter.
-        const glm::dvec3 mean = picture.pixels[i].albedo * picture.pixels[i].light;
-        const double error = mean.x / std::sqrt(double(1u << 14));
-        EXPECT_NEAR(filtered[i].x, plain[i].x, 5.5 * error);
-        EXPECT_NEAR(filtered[i].w, plain[i].w, 5.5 * 0.5 / std::sqrt(double(1u << 14)));
+        const TruePixel& p = picture.pixels[i];
+        if (p.coverage <= 0.0) continue;
+        const double perSample = p.coverage * (2.0 - p.coverage) / double(1u << 14);
+        const double light = (filtered[i].x - plain[i].x) / (p.albedo.x * p.light.x * std::sqrt(perSample));
+        EXPECT_LT(std::abs(light), 2.0) << i;
+        squares += light * light;
+        ++count;
+        if (p.coverage == 1.0) {
+            EXPECT_NEAR(filtered[i].w, plain[i].w, 1e-12);
+        }
+        const double alpha = (filtered[i].w - plain[i].w) / std::sqrt(0.16 / double(1u << 14));
+        squaresOfAlpha += p.coverage < 1.0 ? alpha * alpha : 0.0;
     }
+    EXPECT_LT(std::sqrt(squares / count), 0.15);
+    EXPECT_LT(std::sqrt(squaresOfAlpha / count), 0.02);
 }
 
 TEST(Denoise, WhereNothingIsNothingComes) {
@@ -201,6 +269,10 @@ TEST(DenoiseHistory, CountsWhereTheSameWasSeenAndNowhereElse) {
         return afterAShift(plane, 0, other.guides(), 32).moments[200].y == 4.0;
     };
     EXPECT_FALSE(differs([](TruePixel&) {}));
+    // Four pixels are 0.4 mm wide there, and the spread of depth adds less than half of a tenth.
+    EXPECT_FALSE(differs([](TruePixel& p) { p.depthMm = 100.3; }));
+    EXPECT_TRUE(differs([](TruePixel& p) { p.depthMm = 100.5; }));
+    EXPECT_TRUE(differs([](TruePixel& p) { p.depthMm = 99.5; }));
     EXPECT_TRUE(differs([](TruePixel& p) { p.depthMm = 110; }));
     EXPECT_TRUE(differs([](TruePixel& p) { p.normal = {1, 0, 0}; }));
     EXPECT_TRUE(differs([](TruePixel& p) { p.albedo = {0.1, 0.1, 0.9}; }));

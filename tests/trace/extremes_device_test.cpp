@@ -22,18 +22,22 @@ TEST_F(ExtremesOnDevice, areThoseOfTheReference) {
         const auto params = makeTraceParams(*scene.volume, medium, scene.environment, scene.view, settings);
         const auto sums = ReferenceTracer(*scene.volume, medium, scene.environment)
                               .trace(*params, settings.filter, Precision::twofold, 0, kSamples);
-        // The same random numbers; float sends a few paths another way.
-        double device = 0.0;
-        double reference = 0.0;
+        // The same random numbers; float sends hardly a path another way.
+        glm::dvec4 device(0.0);
+        glm::dvec4 reference(0.0);
         int different = 0;
         for (std::size_t i = 0; i < sums.size(); ++i) {
             for (int c = 0; c < 4; ++c) ASSERT_TRUE(std::isfinite(image->radiance[i][c]));
-            device += double(image->radiance[i].a);
-            reference += sums[i].a / kSamples;
-            different += std::abs(double(image->radiance[i].a) - sums[i].a / kSamples) > 1e-4 ? 1 : 0;
+            const glm::dvec4 here(image->radiance[i]);
+            const glm::dvec4 there = sums[i] / double(kSamples);
+            device += here;
+            reference += there;
+            const bool same =
+                std::abs(here.a - there.a) < 1e-6 && std::abs(here.g - there.g) < 1e-3 * there.g + 1e-6;
+            different += same ? 0 : 1;
         }
-        EXPECT_NEAR(device, reference, 0.01 * reference + 1e-6);
-        EXPECT_LE(different, int(sums.size()) / 6);
+        for (int c = 0; c < 4; ++c) EXPECT_NEAR(device[c], reference[c], 2e-3 * reference[c]) << c;
+        EXPECT_LE(different, int(sums.size()) / 25);
     }
 }
 

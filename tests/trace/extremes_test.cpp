@@ -2,6 +2,8 @@
 // everything finite. The errors measured here stand in docs/numerical-limits.md.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "pipeline/trace/reference_tracer.h"
 #include "trace/dense_march.h"
 #include "trace/extreme_scenes.h"
@@ -13,12 +15,17 @@ class Extremes : public ::testing::TestWithParam<scenes::ExtremeScene> {};
 
 // Mean coverage of the picture, by rays through points that fill it evenly without a grid (the R2 sequence):
 // edges along rows or columns would meet a grid's lines.
-double denseCoverage(const scenes::ExtremeScene& scene) {
+struct Dense {
+    double coverage = 0.0;
+    double error = 0.0;  // what as many rays again changed
+};
+Dense denseCoverage(const scenes::ExtremeScene& scene) {
     const CameraBasis eye = *basis(scene.view.camera);
     const double half = std::tan(glm::radians(scene.view.camera.verticalFovDeg) / 2.0);
-    constexpr int kRays = 20000;
+    constexpr int kRays = 40000;
     constexpr int kStepsPerVoxel = 8;
     double sum = 0.0;
+    double sumOfHalf = 0.0;
     for (int n = 1; n <= kRays; ++n) {
         const double x = 2.0 * std::fmod(n * 0.7548776662466927, 1.0) - 1.0;
         const double y = 2.0 * std::fmod(n * 0.5698402909980532, 1.0) - 1.0;
@@ -26,46 +33,49 @@ double denseCoverage(const scenes::ExtremeScene& scene) {
             glm::normalize(eye.forward + eye.right * (x * half) + eye.up * (y * half));
         sum -= std::expm1(-scenes::opticalDepth(*scene.volume, scene.function, scene.view.camera.positionMm,
                                                 direction, kStepsPerVoxel));
+        if (n == kRays / 2) sumOfHalf = sum;
     }
-    return sum / kRays;
+    return {sum / kRays, std::abs(sum / kRays - 2.0 * sumOfHalf / kRays)};
+}
+
+glm::dvec4 meanOf(const scenes::ExtremeScene& scene, Precision precision, std::uint32_t samples) {
+    const Medium medium = makeMedium(*scene.volume, makeBrickGrid(*scene.volume), scene.function);
+    const ReferenceTracer tracer(*scene.volume, medium, scene.environment);
+    const auto params = makeTraceParams(*scene.volume, medium, scene.environment, scene.view,
+                                        {.bounces = 2, .seed = 77, .filter = Filter::trilinear});
+    EXPECT_TRUE(params);
+    glm::dvec4 sum(0.0);
+    for (const glm::dvec4& pixel : tracer.trace(*params, Filter::trilinear, precision, 0, samples)) {
+        for (int c = 0; c < 4; ++c) EXPECT_TRUE(std::isfinite(pixel[c]));
+        sum += pixel;
+    }
+    return sum / (double(samples) * scene.view.width * scene.view.height);
 }
 
 TEST_P(Extremes, coverageIsThatOfADenseMarch) {
     const scenes::ExtremeScene& scene = GetParam();
-    const Medium medium = makeMedium(*scene.volume, makeBrickGrid(*scene.volume), scene.function);
-    const ReferenceTracer tracer(*scene.volume, medium, scene.environment);
-    const double exact = denseCoverage(scene);
-    constexpr std::uint32_t kSamples = 256;
-    const double pixels = double(scene.view.width) * scene.view.height;
-    glm::dvec4 means[2];
-    for (const Precision precision : {Precision::single, Precision::twofold}) {
-        const auto params = makeTraceParams(*scene.volume, medium, scene.environment, scene.view,
-                                            {.bounces = 2, .seed = 77, .filter = Filter::trilinear});
-        ASSERT_TRUE(params) << params.error().message;
-        glm::dvec4 sum(0.0);
-        double variance = 0.0;
-        for (const glm::dvec4& pixel : tracer.trace(*params, Filter::trilinear, precision, 0, kSamples)) {
-            for (int c = 0; c < 4; ++c) ASSERT_TRUE(std::isfinite(pixel[c]));
-            const double p = pixel.a / kSamples;
-            variance += p * (1.0 - p) / kSamples;
-            sum += pixel / double(kSamples);
-        }
-        const glm::dvec4 mean = sum / pixels;
-        means[precision == Precision::twofold ? 1 : 0] = mean;
-        // Pixels are sampled at random points here and at nine there: that error falls with the number of
-        // pixels.
-        const double error = std::sqrt(variance) / pixels;
-        EXPECT_NEAR(mean.a, exact, 5.0 * error + scene.tolerance + 2e-3 * exact)
-            << "precision " << int(precision);
-        if (precision == Precision::single) {
-            RecordProperty("coverage", std::to_string(exact));
-            RecordProperty("errorMillionths", static_cast<int>(1e6 * (mean.a - exact)));
-            RecordProperty("chanceMillionths", static_cast<int>(1e6 * error));
-        }
+    const Dense exact = denseCoverage(scene);
+    // Where little is seen, little is traced.
+    const std::uint32_t samples = exact.coverage < 0.02 ? 8192 : 1024;
+    // Of one coin for all pixels: as large as it can be. Each sample has a place of its own in its pixel.
+    const double chance = std::sqrt(exact.coverage * (1.0 - exact.coverage) /
+                                    (double(samples) * scene.view.width * scene.view.height));
+    const glm::dvec4 rough = meanOf(scene, Precision::single, samples);
+    const glm::dvec4 fine = meanOf(scene, Precision::twofold, samples);
+    for (const glm::dvec4& mean : {rough, fine})
+        EXPECT_NEAR(mean.a, exact.coverage, 4.5 * chance + exact.error);
+    EXPECT_LE(exact.error, chance);
+    if (exact.coverage > 1e-5) {
+        EXPECT_LT(4.5 * chance, 0.12 * exact.coverage) << "too few samples to tell";
     }
-    RecordProperty("floatMillionths", static_cast<int>(1e6 * (means[0].a - means[1].a)));
-    EXPECT_NEAR(means[0].a, means[1].a, 5e-3 * means[1].a + 1e-6)
-        << "float and double, the same random numbers";
+    RecordProperty("coverage", std::to_string(exact.coverage));
+    RecordProperty("errorMillionths", static_cast<int>(1e6 * (rough.a - exact.coverage)));
+    RecordProperty("chanceMillionths", static_cast<int>(1e6 * chance));
+    RecordProperty("floatMillionths", static_cast<int>(1e6 * (rough.a - fine.a)));
+    // The same random numbers: a few paths go another way.
+    const double onePath = 1.0 / (double(samples) * scene.view.width * scene.view.height);
+    EXPECT_NEAR(rough.a, fine.a, 1e-4 * fine.a + 2.0 * onePath) << "float and double";
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(rough[c], fine[c], 5e-3 * fine[c]) << "float and double";
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, Extremes, ::testing::ValuesIn(scenes::extremeScenes()), [](const auto& p) {
@@ -73,6 +83,37 @@ INSTANTIATE_TEST_SUITE_P(Scenes, Extremes, ::testing::ValuesIn(scenes::extremeSc
     for (const char c : p.param.name) name += std::isalnum(static_cast<unsigned char>(c)) ? c : '_';
     return name;
 });
+
+// Light of what differs only in its unit of length, its place, or the unit of its values; of light that is a
+// million times as strong; of none; and of matter so thin that all that it scatters gets out.
+TEST(Extremes, lightKeepsItsUnits) {
+    const std::vector<scenes::ExtremeScene> all = scenes::extremeScenes();
+    const auto light = [&](const std::string& name) {
+        const auto scene =
+            std::find_if(all.begin(), all.end(), [&](const auto& s) { return s.name == name; });
+        EXPECT_NE(scene, all.end()) << name;
+        return meanOf(*scene, Precision::single, name == "almost nothing" ? 1024 : 64);
+    };
+    const auto expectSame = [](const glm::dvec4& a, const glm::dvec4& b) {
+        for (int c = 0; c < 4; ++c) EXPECT_NEAR(a[c], b[c], 1e-3 * b[c]);
+    };
+    const glm::dvec4 ball = light("a ball");
+    EXPECT_GT(ball.g, 0.1);
+    for (const char* same : {"voxels of 0.01 mm", "voxels of 50 mm", "100 m from the scanner's origin"}) {
+        SCOPED_TRACE(same);
+        expectSame(light(same), ball);
+    }
+    expectSame(light("slope of a million"), light("slope of a millionth"));
+    glm::dvec4 spark = light("one texel of one");
+    EXPECT_GT(spark.g, 0.0);
+    expectSame(light("one texel of a million"), spark * glm::dvec4(1e6, 1e6, 1e6, 1.0));
+    const glm::dvec4 dark = light("no light at all");
+    EXPECT_EQ(glm::dvec3(dark), glm::dvec3(0.0));
+    EXPECT_EQ(dark.a, ball.a);
+    const glm::dvec4 thin = light("almost nothing");
+    EXPECT_GT(thin.a, 0.0);
+    EXPECT_NEAR(thin.g, thin.a, 0.01 * thin.a);  // hardly any is scattered twice
+}
 
 // How far float takes a ray off its way: where it meets the volume, at every distance and size of voxel.
 TEST(Extremes, raysMeetTheVolumeWhereTheyShould) {

@@ -1,11 +1,13 @@
 // The noise of a block as the shader works it out, against its definition.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <random>
 
 #include "base/glsl_in_cpp.h"
+#include "pipeline/trace/sampling_plan.h"
 
 namespace macula::trace {
 namespace {
@@ -76,6 +78,69 @@ TEST(Noise, OfCoverageShowsOnABackdrop) {
     const double shown = 0.5 * host.shownGrey(standardError);
     EXPECT_NEAR(host.noiseOfBlock({0, 0}, {8, 8}, 1.0, 0.18).x, shown * shown, 1e-9);
     EXPECT_EQ(host.noiseOfBlock({0, 0}, {8, 8}, 1.0, 0.18).y, 1.0);
+}
+
+// Samples decide where the next ones go, which must not lean on the mean: of blocks that happened to have few
+// bright samples, fewer are taken. Pictures of soft light on the left, and on the right of light that comes
+// in few samples, adapted as the tracer does it. That it draws the very samples that the plan says,
+// Adaptive.EachPixelHasTheFirstOfItsSamples shows.
+TEST(Noise, APlanThatFollowsItDoesNotLeanOnTheMean) {
+    constexpr int kSide = 48;
+    constexpr std::size_t kPixels = kSide * kSide;
+    constexpr int kPictures = 1000;
+    const auto oddsAt = [](std::size_t i) { return i % kSide < kSide / 2 ? 0.5 : 0.02; };
+    constexpr double kLight = 0.2;  // everywhere, on average
+    std::mt19937 random(11);
+    const auto draw = [&](NoiseHost& host, std::size_t i, unsigned samples) {
+        const double brightness = kLight / oddsAt(i);
+        const int bright = std::binomial_distribution<int>(int(samples), oddsAt(i))(random);
+        host.sums_[i] += NoiseHost::vec4(NoiseHost::vec3(bright * brightness), double(samples));
+        host.squares_[i] += bright * brightness * brightness;
+        host.counts_[i] += samples;
+    };
+    std::array<double, 2> sums{};  // of the halves
+    std::array<double, 2> squares{};
+    double samplesOfHalves[2] = {};
+    for (int picture = 0; picture < kPictures; ++picture) {
+        NoiseHost host(kPixels);
+        SamplingPlan plan(kSide, kSide);
+        plan.beginEven(kEvenSamples);
+        while (true) {
+            while (plan.hasPass()) {
+                for (const shared::PlannedBlock& planned : plan.next(1e9, 1, 1000)) {
+                    for (int p = 0; p < 64; ++p) {
+                        const int x = int(planned.block) % plan.blocks().x * 8 + p % 8;
+                        const int y = int(planned.block) / plan.blocks().x * 8 + p / 8;
+                        draw(host, std::size_t(y * kSide + x), planned.sampleCount);
+                    }
+                }
+            }
+            if (plan.meanSamples() >= 16.0) break;
+            std::vector<shared::BlockNoise> noises;
+            for (int y = 0; y < plan.blocks().y; ++y) {
+                for (int x = 0; x < plan.blocks().x; ++x) {
+                    const NoiseHost::vec2 noise = host.noiseOfBlock({x, y}, {kSide, kSide}, 1.0, 0.18);
+                    noises.push_back({.squaredError = float(noise.x), .isSeen = noise.y > 0.0 ? 1u : 0u});
+                }
+            }
+            plan.beginAdaptive(noises, 0.5 * plan.meanSamples(), 16);
+        }
+        std::array<double, 2> halves{};
+        for (std::size_t i = 0; i < kPixels; ++i) {
+            halves[i % kSide < kSide / 2 ? 0 : 1] += host.sums_[i].x / host.counts_[i] / (0.5 * kPixels);
+            samplesOfHalves[i % kSide < kSide / 2 ? 0 : 1] += host.counts_[i] / (0.5 * kPixels) / kPictures;
+        }
+        for (std::size_t half = 0; half < 2; ++half) {
+            sums[half] += halves[half] / kPictures;
+            squares[half] += halves[half] * halves[half] / kPictures;
+        }
+    }
+    EXPECT_GT(samplesOfHalves[1], 1.2 * samplesOfHalves[0]);  // it adapts
+    for (std::size_t half = 0; half < 2; ++half) {
+        const double error = std::sqrt((squares[half] - sums[half] * sums[half]) / (kPictures - 1));
+        EXPECT_NEAR(sums[half], kLight, 4.5 * error) << half;
+        EXPECT_LT(4.5 * error, 0.01 * kLight) << half;
+    }
 }
 
 // Nothing there, one pixel in the corner block, nothing sampled, and what is no number.

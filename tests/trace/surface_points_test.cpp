@@ -64,6 +64,20 @@ TEST(ShareLight, AmongNeighboursThatFaceTheSameWay) {
     shareLight({}, {});
 }
 
+// By the square of the cosine between the ways that they face.
+TEST(ShareLight, TheLessTheMoreTheyAreTurned) {
+    for (const double degrees : {0.0, 30.0, 60.0, 89.0}) {
+        const double angle = glm::radians(degrees);
+        std::vector<SurfacePoint> points{
+            facing({0, 0, 0}, {0, 0, -0.4f}),
+            facing({0, 0, 0}, 0.3f * glm::vec3(std::sin(angle), 0, -std::cos(angle)))};
+        shareLight(points, std::vector<GatheredLight>{{glm::dvec3(1.0), 1.0}, {glm::dvec3(0.0), 1.0}});
+        const double share = std::cos(angle) * std::cos(angle);
+        EXPECT_NEAR(double(points[0].radiance.x), 1.0 / (1.0 + share), 1e-5) << degrees;
+        EXPECT_NEAR(double(points[1].radiance.x), share / (1.0 + share), 1e-5) << degrees;
+    }
+}
+
 // Light is a weighted mean: no point becomes brighter than the brightest of its neighbours, and equal ones
 // stay as they are.
 TEST(ShareLight, IsAMean) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+
 namespace macula::viewer {
 namespace {
 
@@ -51,6 +53,17 @@ TEST(MotionScale, DoesNotFlickerBetweenTwoScales) {
         motion.observe(w, h, noise * 3000e-6 * w * h, 8);
     }
     EXPECT_EQ(changes, 0);
+}
+
+// A finer scale has to fit with a quarter of the budget to spare; else one quicker frame would change it, and
+// the next one back.
+TEST(MotionScale, GetsFinerOnlyWithRoomToSpare) {
+    for (const auto& [finerMs, finer] : {std::pair(0.9, false), std::pair(0.7, true)}) {
+        MotionScale motion(kBudgetMs, 4000);
+        const int settled = settle(motion, 3000, 0);
+        const int pixels = scaledEdge(800, settled - 1) * scaledEdge(600, settled - 1);
+        EXPECT_EQ(settle(motion, finerMs * kBudgetMs * 1e6 / pixels, 0) < settled, finer) << finerMs;
+    }
 }
 
 TEST(MotionScale, ScaledEdgesAreNeverEmpty) {

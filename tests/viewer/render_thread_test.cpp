@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <future>
 #include <new>
 #include <optional>
 #include <thread>
@@ -23,8 +24,64 @@ class RenderThreadTest : public testing::Test {
     std::optional<gpu::Instance> instance_;
 };
 
-TEST_F(RenderThreadTest, StopsAtOnceWhenNothingWasPublished) {
-    const RenderThread thread(*std::move(instance_), {}, [](const RenderEvent&) {});
+// However early: before its thread has begun, and while it waits for the first input.
+TEST_F(RenderThreadTest, StopsWhenNothingWasPublished) {
+    std::atomic<int> events = 0;
+    for (int i = 0; i < 20; ++i) {
+        auto instance = gpu::Instance::create();
+        ASSERT_TRUE(instance.ok());
+        const RenderThread thread(*std::move(instance), {}, [&](const RenderEvent&) { ++events; });
+        if (i % 2) std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+    EXPECT_EQ(events, 0);
+}
+
+// The user interface is not held up by a picture, however long it takes: here as long as it publishes.
+TEST_F(RenderThreadTest, PublishingDoesNotWaitForAStepUnderWay) {
+    std::promise<void> began;
+    std::promise<void> published;
+    std::atomic<int> steps = 0;
+    {
+        RenderThread thread(*std::move(instance_), {}, [&](const RenderEvent& event) {
+            if (!std::holds_alternative<Preparing>(event)) return;
+            if (++steps == 1) {
+                began.set_value();
+                published.get_future().wait();
+            }
+            throw std::bad_alloc();  // the surface below is not real, and nothing has touched it yet
+        });
+        const auto surface = (VkSurfaceKHR)std::uintptr_t(1);  // a pointer or a number, by platform
+        thread.publish({.surface = surface, .width = 99, .height = 100, .visible = true});
+        began.get_future().wait();
+        for (int i = 0; i < 1000; ++i)
+            thread.publish({.surface = surface, .width = 100 + i, .height = 100, .visible = true});
+        EXPECT_EQ(steps, 1);
+        published.set_value();
+        thread.releaseSurface();
+    }
+    EXPECT_GE(steps, 1);
+    EXPECT_LE(steps, 2);  // of a thousand inputs the last one counts
+}
+
+// Nothing of it is left when it is gone: a step under way is waited for.
+TEST_F(RenderThreadTest, IsNotGoneBeforeItsStepIsOver) {
+    std::promise<void> began;
+    std::atomic<bool> isOver = false;
+    {
+        RenderThread thread(*std::move(instance_), {}, [&](const RenderEvent& event) {
+            if (!std::holds_alternative<Preparing>(event)) return;
+            began.set_value();
+            std::this_thread::sleep_for(std::chrono::milliseconds(100));
+            isOver = true;
+            throw std::bad_alloc();  // as above
+        });
+        thread.publish({.surface = (VkSurfaceKHR)std::uintptr_t(1),  // a pointer or a number, by platform
+                        .width = 100,
+                        .height = 100,
+                        .visible = true});
+        began.get_future().wait();
+    }
+    EXPECT_TRUE(isOver);
 }
 
 TEST_F(RenderThreadTest, WithoutASurfaceNothingIsDone) {

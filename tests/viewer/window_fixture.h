@@ -39,6 +39,9 @@ class WindowTest : public testing::Test {
     void SetUp() override {
         if (const std::string why = test::ensureDisplay(); !why.empty()) GTEST_SKIP() << why;
         application_.emplace(argc_, argv_);
+        makeWindow();
+    }
+    void makeWindow() {
         auto instance = createInstanceForWindows();
         if (!instance) FAIL() << "packaging/bootstrap installs a Vulkan driver: " << instance.error().message;
         auto catalogue = builtInCatalogue();

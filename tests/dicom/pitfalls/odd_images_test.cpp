@@ -138,11 +138,18 @@ TEST_F(OddPosition, isAGapAndNamed) {
     }
 }
 
+// Whatever stackPlanes would refuse the whole stack for: more than a tenth of the distance of slices.
 TEST_F(OddPosition, shiftedBesideTheStack) {
-    auto slices = withOddSlice(series, {});
-    slices[5].positionMm += 40.0 * slices[5].rowDirection;
-    writeFiles(folder.path(), series, slices);
-    expectGapAtFive(open(), series, key::kOddPosition);
+    const std::vector<Slice> straight = withOddSlice(series, {});
+    const double stepMm = glm::distance(straight[0].positionMm, straight[1].positionMm);
+    for (const double mm : {0.15 * stepMm, 40.0}) {
+        SCOPED_TRACE(mm);
+        const TemporaryFolder own;
+        auto slices = straight;
+        slices[5].positionMm += mm * slices[5].rowDirection;
+        writeFiles(own.path(), series, slices);
+        expectGapAtFive(Opened(own.path()), series, key::kOddPosition);
+    }
 }
 
 TEST_F(OddPosition, farBeyondTheEndOfTheStack) {

@@ -26,6 +26,7 @@ TEST_F(D09Rescale, slopePerSliceIsExactInEverySlice) {
     EXPECT_TRUE(opened.says(key::kPerSliceRescale)) << opened.keys();
     const auto volume = opened.onlyVolume();
     ASSERT_NE(volume, nullptr);
+    EXPECT_EQ(volume->unit(), Unit::raw);  // Units (0054,1001) are not there
     expectGrid(*volume, series.size, series.expectedAffine());
     // The oblique grid keeps place and k alike.
     for (const Slice& slice : slices) {
@@ -57,6 +58,7 @@ TEST_F(D09Rescale, interceptPerSlice) {
     writeFiles(folder.path(), series, slices);
     const auto volume = open().onlyVolume();
     ASSERT_NE(volume, nullptr);
+    EXPECT_EQ(volume->unit(), Unit::hounsfield);
     for (const Slice& slice : slices)
         EXPECT_EQ(volume->value(3, 2, slice.place), rawAt(series, slice, 3, 2) + slice.intercept);
 }
@@ -68,6 +70,9 @@ TEST_F(D09Rescale, missingTagsAreOneAndZeroAndSaid) {
     const Opened opened = open();
     EXPECT_TRUE(opened.says(key::kMissingRescale)) << opened.keys();
     expectOnlyVolume(opened, series);
+    const auto volume = opened.onlyVolume();
+    ASSERT_NE(volume, nullptr);
+    EXPECT_EQ(volume->unit(), Unit::raw);  // whether they are HU nobody knows
     // MR has no rescale in its definition: nothing is missing there.
     const TemporaryFolder mr;
     series.modality = "MR";
@@ -79,7 +84,11 @@ TEST_F(D09Rescale, negativeSlope) {
     series.slope = -1.0;
     series.intercept = 5000.0;
     writeFiles(folder.path(), series);
-    expectOnlyVolume(open(), series);
+    const Opened opened = open();
+    expectOnlyVolume(opened, series);
+    const auto volume = opened.onlyVolume();
+    ASSERT_NE(volume, nullptr);
+    EXPECT_EQ(volume->unit(), Unit::hounsfield);
 }
 
 TEST_F(D09Rescale, tinyAndHugeSlopes) {
@@ -95,6 +104,7 @@ TEST_F(D09Rescale, tinyAndHugeSlopes) {
         writeFiles(own.path(), s);
         const auto volume = Opened(own.path()).onlyVolume();
         ASSERT_NE(volume, nullptr);
+        EXPECT_EQ(volume->unit(), Unit::hounsfield);
         for (const Slice& slice : slicesOf(s)) {
             const double exact = rawAt(s, slice, 4, 3) * slope;
             EXPECT_NEAR(volume->value(4, 3, slice.place), exact, 1e-6 * exact);
@@ -169,6 +179,7 @@ TEST_F(D09Rescale, modalityLookupTable) {
     EXPECT_TRUE(opened.says(key::kModalityLut)) << opened.keys();
     const auto volume = opened.onlyVolume();
     ASSERT_NE(volume, nullptr);
+    EXPECT_EQ(volume->unit(), Unit::hounsfield);
     for (int k = 0; k < 3; ++k) {
         for (int j = 0; j < 7; ++j) {
             for (int i = 0; i < 8; ++i) {
@@ -215,12 +226,13 @@ TEST_F(D09Rescale, doseGrid) {
                          put(item, DCM_DoseUnits, "GY");
                          put(item, DCM_DoseGridScaling, "0.125");
                      }}});
-    const Opened opened = open();
-    if (opened.volumes().empty()) {
-        EXPECT_FALSE(opened.keys().empty());
-    } else {
-        expectOnlyVolume(opened, series);
-    }
+    const auto volume = open().onlyVolume();
+    ASSERT_NE(volume, nullptr);
+    EXPECT_EQ(volume->unit(), Unit::other);
+    EXPECT_EQ(volume->unitName(), "Gy");
+    expectGrid(*volume, series.size, series.worldFromVoxel);
+    for (const Slice& slice : slicesOf(series))
+        EXPECT_EQ(volume->value(3, 2, slice.place), rawAt(series, slice, 3, 2) * 0.125);
 }
 
 TEST_F(D09Rescale, floatPixelDataAreTheValues) {
@@ -243,6 +255,7 @@ TEST_F(D09Rescale, floatPixelDataAreTheValues) {
     writeFiles(folder.path(), series, slices);
     const auto volume = open().onlyVolume();
     ASSERT_NE(volume, nullptr);
+    EXPECT_EQ(volume->unit(), Unit::raw);
     EXPECT_EQ(volume->format(), VoxelFormat::float32);
     for (int k = 0; k < 4; ++k) {
         for (int n = 0; n < 56; ++n)
