@@ -153,7 +153,8 @@ Result<void> PathTracer::setSettings(const Settings& settings) {
     sameLight.seed = settings.seed;
     sameLight.exposure = settings.exposure;
     if (settings != sameLight) impl_->looksOther();
-    return {};
+    return isDenoised(settings) && impl_->scene.scene().isComplete() ? impl_->scene.scene().keepForGradients()
+                                                                     : Result<void>();
 }
 
 void PathTracer::forgetViews() {
@@ -373,6 +374,8 @@ Result<bool> PathTracer::develop(const std::function<bool()>& keepGoing) {
 
 Result<const Guides*> PathTracer::guides() {
     MACULA_TRY_VOID(impl_->prepare());
+    MACULA_TRY_VOID(impl_->scene.scene().keepForGradients());
+    MACULA_TRY_VOID(impl_->prepare());
     return impl_->history.guides(impl_->scene, impl_->kernels);
 }
 
@@ -423,7 +426,10 @@ Result<SurfacePoints> PathTracer::surfacePoints(const SurfacePointOptions& optio
 
 Result<TracedImage> PathTracer::readback() {
     Impl& t = *impl_;
-    MACULA_TRY(const std::vector<GuidePixel> pixels, readGuides());
+    MACULA_TRY_VOID(t.prepare());
+    MACULA_TRY(const Guides* guides,
+               t.history.guides(t.scene, t.kernels));  // of which depths are read, no normals
+    MACULA_TRY(const std::vector<GuidePixel> pixels, guides->read());
     const Film& film = t.accumulation.film();
     TracedImage image{.width = t.view.width,
                       .height = t.view.height,

@@ -152,7 +152,8 @@ class PathTracer {
     Result<TracedLight> light();
 
     // Of the view that was set last, on the device: valid until the next call. Motion is towards the last
-    // view before it that was traced.
+    // view before it that was traced. Normals need a few more voxels; where these make others coarser, the
+    // picture begins anew.
     Result<const Guides*> guides();
     Result<std::vector<GuidePixel>> readGuides();  // row 0 on top; waits
 

@@ -84,6 +84,8 @@ Result<void> ViewHistory::makeGuides(const SceneView& scene, TraceKernels& kerne
         guides_.reset();
         MACULA_TRY(guides_, Guides::create(device_, view_->width, view_->height));
     }
+    if (scene.scene().keepsForGradients() && !haveNormals_) guides_->begin();
+    haveNormals_ = scene.scene().keepsForGradients();
     if (guides_->isWhole()) return {};
     MACULA_TRY(const shared::GuidePush push, guidePush(*view_, viewBefore_));
     MACULA_TRY(const gpu::Kernel* kernel, kernels.guides(kindOf(scene.scene())));
