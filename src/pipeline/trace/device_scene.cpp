@@ -9,6 +9,7 @@
 #include "pipeline/trace/scene.h"
 #include "pipeline/volume/clip_bricks.h"
 #include "pipeline/volume/visible_box.h"
+#include "pipeline/volume/visible_hull.h"
 #include "pipeline/volume/voxel_blocks.h"
 
 namespace macula::trace {
@@ -172,6 +173,14 @@ Box DeviceScene::seenMm() const {
     const MaskBits* mask = maskBits_ ? &*maskBits_ : nullptr;
     return visibleBoxMm(*volume_, grid_,
                         makeMedium(*volume_, grid_, fitted(*function_, *volume_), ofEye, mask));
+}
+
+std::vector<glm::dvec3> DeviceScene::outlineMm() const {
+    MACULA_CHECK(isComplete());
+    const MaskBits* mask = maskBits_ ? &*maskBits_ : nullptr;
+    if (!projection_) return visibleHullMm(*volume_, grid_, medium_, clip_, mask);
+    return visibleHullMm(*volume_, grid_,
+                         makeMedium(*volume_, grid_, fitted(*function_, *volume_), clip_, mask), clip_, mask);
 }
 
 VoxelMemory DeviceScene::voxelMemory() const {

@@ -74,6 +74,9 @@ class DeviceScene {
     // path-traced look.
     Box seenMm() const;
 
+    // The outline of its matter (visibleHullMm), whatever the look. When complete.
+    std::vector<glm::dvec3> outlineMm() const;
+
     // What the voxels take; nothing without a volume.
     VoxelMemory voxelMemory() const;
     // What a person has to know about what is shown.

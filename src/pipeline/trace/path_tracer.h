@@ -117,6 +117,10 @@ class PathTracer {
     // is not in it. usage for projections.
     Result<Box> seenMm();
 
+    // Points around all of the matter that can be seen, LPS mm, for a view that fits (framePoints); none
+    // where there is nothing. Projections show all of the volume instead. No view is needed.
+    Result<std::vector<glm::dvec3>> outlineMm() const;
+
     // Henyey-Greenstein g of what is shown; 0 before anything is.
     double anisotropy() const;
 

@@ -46,6 +46,7 @@ class ViewHistory {
                              TraceKernels& kernels, const std::function<bool()>& keepGoing);
 
   private:
+    void limitLag(const View& view, LightFrame lights);
     Result<void> makeGuides(const SceneView& scene, TraceKernels& kernels,
                             const std::function<bool()>& keepGoing);
 
@@ -55,6 +56,9 @@ class ViewHistory {
     std::optional<Denoiser> denoiser_;
     std::optional<View> view_;  // nothing before the first page
     std::uint32_t seed_ = 0;
+    double lagDeg_ =
+        0.0;  // by so much the views of what is known have turned, in the mean; of lights on the camera
+    float historySamples_ = Denoiser::kHistorySamples;  // what is known of them may count for
     View viewBefore_;
     bool forgets_ = true;
     std::optional<std::uint64_t> denoisedEdition_;  // of the film, when the denoiser ran
