@@ -6,6 +6,7 @@
 #define INOUT(type) inout type
 #define PRECISE precise
 #include "lib/picture.glsl"
+#include "lib/fovea.glsl"
 #include "shared/denoise_params.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;

@@ -11,7 +11,7 @@
 //
 // Three kernels: denoise_gather.glsl, denoise_prepare.glsl, and denoise_filter.glsl once for each pass.
 //
-// Needs from its host: denoise (DenoisePush).
+// Needs from its host: denoise (DenoisePush); and fovea.glsl.
 
 // Light above this is taken as this, so that its square over the smallest mass squared is a number.
 #define MOST_LIGHT 1e12
@@ -26,6 +26,15 @@ int indexOf(ivec2 pixel) {
 
 bool isInside(ivec2 pixel) {
     return pixel.x >= 0 && pixel.y >= 0 && pixel.x < denoise.imageSize.x && pixel.y < denoise.imageSize.y;
+}
+
+// Width at distance 1 of what a pixel shows.
+float pixelAngleAt(ivec2 pixel) {
+    if (!(denoise.foveaMagnification > float(1.0))) return denoise.pixelAngle;
+    Fovea fovea = Fovea(denoise.planeHalfSize, denoise.gaze, denoise.foveaRadius, denoise.foveaMagnification);
+    vec2 stored = vec2(float(2 * pixel.x + 1) / float(denoise.imageSize.x) - float(1.0),
+                       float(1.0) - float(2 * pixel.y + 1) / float(denoise.imageSize.y));
+    return denoise.pixelAngle * sqrt(seenArea(fovea, stored * denoise.planeHalfSize));
 }
 
 // Mass: coverage * albedo, and coverage.

@@ -45,7 +45,7 @@ Filtered filterPixel(ivec2 pixel) {
         float apart = sqrt(float(x * x + y * y)) * float(denoise.stride);
         float toleranceMm = float(0.5) * ((noise.z + noiseQ.z) * apart + noise.w + noiseQ.w);
         bool depths = surface.w >= float(0.0) && surfaceQ.w >= float(0.0);
-        float deviation = (surface.w - surfaceQ.w) / max(toleranceMm, float(1e-6));
+        float deviation = (surface.w - surfaceQ.w) / max(toleranceMm, float(1e-12));
         float stop = depths ? float(DEPTH_STOP) * deviation * deviation : float(0.0);
         vec3 across = normal - vec3(surfaceQ.x, surfaceQ.y, surfaceQ.z);
         stop += depths ? float(0.5 * NORMAL_STOP) * dot(across, across) : float(0.0);

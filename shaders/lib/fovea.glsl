@@ -56,8 +56,8 @@ vec2 storedFromSeen(Fovea fovea, vec2 seen) {
     return fovea.gaze + offset * ((fovea.radius + s) / q);
 }
 
-// Steradians that a unit of area of the stored picture shows.
-float seenSolidAngle(Fovea fovea, vec2 stored) {
+// Area of the picture as seen that a unit of area of the stored one shows.
+float seenArea(Fovea fovea, vec2 stored) {
     vec2 offset = stored - fovea.gaze;
     float r = sqrt(dot(offset, offset));
     float slope = float(1.0) / fovea.magnification;
@@ -69,7 +69,12 @@ float seenSolidAngle(Fovea fovea, vec2 stored) {
         slope += float(2.0) * bend * beyond;
     }
     // In polar coordinates around the gaze the map leaves the angle alone, so its area is dq/dr times q/r.
-    vec2 seen = fovea.gaze + offset * scale;
+    return slope * scale;
+}
+
+// Likewise, steradians.
+float seenSolidAngle(Fovea fovea, vec2 stored) {
+    vec2 seen = seenFromStored(fovea, stored);
     float distance2 = float(1.0) + dot(seen, seen);
-    return slope * scale / (distance2 * sqrt(distance2));
+    return seenArea(fovea, stored) / (distance2 * sqrt(distance2));
 }

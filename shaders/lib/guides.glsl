@@ -181,7 +181,7 @@ Guide guideOf(vec2 pixel, Eye before) {
         vec3 below = eyeDirection(pixel + vec2(float(0.0), float(1.0))) - direction;
         float footprintMm = m.halfMm * sqrt(max(dot(aside, aside), dot(below, below)));
         float spreadMm = (m.farMm >= float(0.0) ? m.farMm : m.endMm) - m.nearMm;
-        guide.confidence = float(4.0) * footprintMm / (float(4.0) * footprintMm + max(spreadMm, float(1e-6)));
+        guide.confidence = float(4.0) * footprintMm / (float(4.0) * footprintMm + max(spreadMm, float(1e-20)));
         guide.confidence *= clamp(float(4.0) * guide.coverage - float(2.0), float(0.0), float(1.0));
         guide.normal = surfaceNormal(params.originVoxel + directionVoxel * m.halfMm, direction);
     }

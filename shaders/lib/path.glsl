@@ -10,6 +10,11 @@ vec3 voxelsPerMm(vec3 worldDirection) {
            params.voxelFromWorldZ * worldDirection.z;
 }
 
+// How far a ray goes from voxel to voxel; `directionVoxel` is in voxels per mm.
+float voxelMm(vec3 directionVoxel) {
+    return float(1.0) / length(directionVoxel);
+}
+
 vec3 worldFromEnvironment(vec3 direction) {
     return params.worldFromEnvironmentX * direction.x + params.worldFromEnvironmentY * direction.y +
            params.worldFromEnvironmentZ * direction.z;
@@ -60,7 +65,7 @@ BrickWalk startLightWalk(vec3 originVoxel, vec3 directionVoxel) {
 float stopAtFace(INOUT(BrickWalk) walk, vec3 originVoxel, vec3 directionVoxel) {
     ClipSpans spans = clipSpans(originVoxel, directionVoxel);
     float face = max(walk.distanceMm, float(0.0));
-    float slack = float(1e-3) + float(1e-6) * face;  // a float of a far eye has no thousandth of a mm
+    float slack = float(1e-3) * voxelMm(directionVoxel) + float(1e-6) * face;  // a float of a far eye has no thousandth of a voxel
     bool first = spans.from >= walk.distanceMm - slack;  // else the ray enters the volume through its own side
     float grey = float(0.0);
     for (int i = 0; i < 4 && grey <= float(0.0); ++i) {

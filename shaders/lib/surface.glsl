@@ -75,8 +75,8 @@ bool meetsMatter(INOUT(BrickWalk) walk, INOUT(Rng) rng, INOUT(int) rounds) {
 // behind it; and what is on one is seen only from where the face is met.
 bool isOpen(vec3 at, vec3 outwards, bool onFace) {
     if (!hasGreyFaces()) return true;
-    float far = startWalk(at, outwards, nothingClipped()).endMm + float(1.0);
-    float slack = float(1e-2) + float(1e-5) * far;
+    float far = startWalk(at, outwards, nothingClipped()).endMm + voxelMm(outwards);
+    float slack = float(1e-2) * voxelMm(outwards) + float(1e-5) * far;
     vec3 eye = at + outwards * far;
     BrickWalk walk = startEyeWalk(eye, -outwards);
     walk.endMm = min(walk.endMm, onFace ? far + slack : far - slack);

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+
+#include "base/check.h"
 
 namespace macula {
 
@@ -61,6 +64,51 @@ Result<CameraBasis> basis(const Camera& camera) {
     if (!(sine > 1e-6)) return fail("The camera's up direction is parallel to its view.");
     const glm::dvec3 right = glm::normalize(side);
     return CameraBasis{right, glm::cross(right, forward), forward};
+}
+
+CameraBasis standardBasis(ViewDirection from) {
+    const StandardView view = standardView(from);
+    return {.right = glm::cross(-view.fromDirection, view.up), .up = view.up, .forward = -view.fromDirection};
+}
+
+std::array<glm::dvec3, 8> cornersOf(const Box& box) {
+    std::array<glm::dvec3, 8> corners;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        corners[i] = {(i & 1) != 0 ? box.high.x : box.low.x, (i & 2) != 0 ? box.high.y : box.low.y,
+                      (i & 4) != 0 ? box.high.z : box.low.z};
+    }
+    return corners;
+}
+
+Camera framePoints(std::span<const glm::dvec3> pointsMm, const CameraBasis& axes, double verticalFovDeg,
+                   double aspectWidthOverHeight) {
+    MACULA_CHECK(!pointsMm.empty());
+    const double halfHeight = kFittedPart * std::tan(glm::radians(verticalFovDeg) / 2.0);
+    const glm::dvec2 half(halfHeight * aspectWidthOverHeight, halfHeight);
+    // A point at p (across) and w (along the view) is in the middle part of the picture of an eye at e and g
+    // where |p - e| <= half (w - g): e lies between low + half g and high - half g, so far along as these
+    // leave room.
+    glm::dvec2 low(-std::numeric_limits<double>::infinity());
+    glm::dvec2 high(std::numeric_limits<double>::infinity());
+    Box box{glm::dvec3(high.x), glm::dvec3(low.x)};
+    for (const glm::dvec3& point : pointsMm) {
+        const glm::dvec2 across(glm::dot(point, axes.right), glm::dot(point, axes.up));
+        const double along = glm::dot(point, axes.forward);
+        low = glm::max(low, across - half * along);
+        high = glm::min(high, across + half * along);
+        box = {glm::min(box.low, point), glm::max(box.high, point)};
+    }
+    const glm::dvec2 room = (high - low) / (2.0 * half);
+    const double nearest = std::min(room.x, room.y);
+    // However small they are, the eye is not at them.
+    const double target = glm::dot(box.centre(), axes.forward);
+    const double along = std::min(nearest, target - std::max(1e-6 * std::abs(target), 1e-9));
+    const glm::dvec2 across = 0.5 * (low + high);
+    const glm::dvec3 eye = axes.right * across.x + axes.up * across.y + axes.forward * along;
+    return {.positionMm = eye,
+            .targetMm = eye + axes.forward * (target - along),
+            .up = axes.up,
+            .verticalFovDeg = verticalFovDeg};
 }
 
 Camera frameBox(const Box& box, ViewDirection from, double verticalFovDeg, double aspectWidthOverHeight) {

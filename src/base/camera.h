@@ -1,6 +1,9 @@
 // A pinhole camera in patient LPS mm.
 #pragma once
 
+#include <array>
+#include <span>
+
 #include "base/frames.h"
 #include "base/result.h"
 
@@ -27,5 +30,19 @@ Result<CameraBasis> basis(const Camera& camera);
 // Looks at the centre of `box` from a standard direction, superior up (anterior up for the views from above
 // and below), far enough that the whole box is in the picture.
 Camera frameBox(const Box& box, ViewDirection from, double verticalFovDeg, double aspectWidthOverHeight);
+
+// The axes of the picture of frameBox.
+CameraBasis standardBasis(ViewDirection from);
+
+// Looks along `axes` at `points`, at least one, from as near as their outline leaves a margin: it fills
+// `kFittedPart` of the width or of the height of the picture, and is in the middle of it. The target is
+// beside the middle of the box around them, so that a camera that walks around the target keeps them in the
+// middle about as well.
+inline constexpr double kFittedPart = 0.9;
+Camera framePoints(std::span<const glm::dvec3> pointsMm, const CameraBasis& axes, double verticalFovDeg,
+                   double aspectWidthOverHeight);
+
+// Of a box, for framePoints.
+std::array<glm::dvec3, 8> cornersOf(const Box& box);
 
 }  // namespace macula

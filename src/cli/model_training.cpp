@@ -1,29 +1,17 @@
 #include "cli/model_training.h"
 
 #include <algorithm>
-#include <chrono>
 #include <utility>
 
 namespace macula::cli {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-double secondsSince(Clock::time_point start) {
-    return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-// trained.trainSeconds have gone by.
 void runSteps(splat::Trainer& trainer, const TrainingEnd& end, Progress& progress, Trained& trained) {
-    const auto start = Clock::now();
-    const double before = trained.trainSeconds;
+    const double start = end.budget.spentSeconds();
     const std::uint64_t last = trained.firstStep + end.steps;
     const std::uint64_t steps = last - std::min(last, trainer.report().steps);
-    const auto mayGoOn = [&] {
-        return !progress.cancelled() &&
-               (end.budgetSeconds <= 0.0 || before + secondsSince(start) < end.budgetSeconds);
-    };
+    const auto mayGoOn = [&] { return !progress.cancelled() && !end.budget.isSpent(); };
     const auto run = [&]() -> Result<splat::TrainingState> {
         if (steps > 0 && mayGoOn()) {
             MACULA_TRY_VOID(trainer.step(steps, [&] {
@@ -40,7 +28,7 @@ void runSteps(splat::Trainer& trainer, const TrainingEnd& end, Progress& progres
     trained.report.steps = trained.state.steps;
     trained.report.splats = static_cast<std::uint32_t>(trained.state.splats.size());
     trained.interrupted = progress.cancelled() && trained.state.steps < last;
-    trained.trainSeconds = before + secondsSince(start);
+    trained.trainSeconds += end.budget.spentSeconds() - start;
 }
 
 Error stopped() {
@@ -52,16 +40,20 @@ Error stopped() {
 Result<Trained> trainFirst(const std::shared_ptr<gpu::Device>& device, const EvaluatedScene& scene,
                            const hybrid::FirstModelOptions& options, const TrainingEnd& end,
                            Progress& progress) {
+    const double start = end.budget.spentSeconds();
     MACULA_TRY(SceneOnDevice onDevice, putOnDevice(device, scene));
+    const double putSeconds = end.budget.spentSeconds() - start;
     // One step, or none, is made there; the others here, where they can be stopped with nothing lost.
     hybrid::FirstModelOptions begin = options;
-    begin.budgetMs = 0.0;
+    begin.beginsOnly = true;
+    begin.budget = &end.budget;
     auto made = hybrid::makeFirstModel(device, onDevice.tracer, onDevice.traced.seenMm(), begin, progress);
     if (!made) return made.error().code == ErrorCode::cancelled ? stopped() : made.error();
     Trained trained{.device = gpu::describe(device->info()),
-                    .pointsSeconds = made->pointsSeconds,
+                    .pointsSeconds = putSeconds + made->pointsSeconds,
                     .viewsSeconds = made->viewsSeconds,
                     .trainSeconds = made->trainSeconds,
+                    .viewsTraced = made->viewsTraced,
                     .viewsGivenUp = made->viewsGivenUp};
     runSteps(made->trainer, end, progress, trained);
     return trained;
@@ -70,10 +62,10 @@ Result<Trained> trainFirst(const std::shared_ptr<gpu::Device>& device, const Eva
 Result<Trained> trainOn(const std::shared_ptr<gpu::Device>& device, const splat::TrainingState& saved,
                         const TrainingEnd& end, Progress& progress) {
     progress.beginStage("Training", static_cast<std::size_t>(end.steps));
-    const auto start = Clock::now();
+    const double start = end.budget.spentSeconds();
     MACULA_TRY(splat::Trainer trainer, splat::Trainer::resume(device, saved));
     Trained trained{.device = gpu::describe(device->info()), .firstStep = saved.steps};
-    trained.trainSeconds = secondsSince(start);
+    trained.trainSeconds = end.budget.spentSeconds() - start;
     if (progress.cancelled()) return stopped();
     runSteps(trainer, end, progress, trained);
     return trained;
@@ -83,10 +75,10 @@ Result<void> trainToTheEnd(const std::shared_ptr<gpu::Device>& device, Trained& 
                            const TrainingEnd& end, Progress& progress) {
     const std::uint64_t last = failed.firstStep + end.steps;
     progress.beginStage("Training", static_cast<std::size_t>(last - std::min(last, failed.state.steps)));
-    const auto start = Clock::now();
+    const double start = end.budget.spentSeconds();
     MACULA_TRY(splat::Trainer trainer, splat::Trainer::resume(device, failed.state));
     failed.device = gpu::describe(device->info());
-    failed.trainSeconds += secondsSince(start);
+    failed.trainSeconds += end.budget.spentSeconds() - start;
     runSteps(trainer, end, progress, failed);
     return {};
 }

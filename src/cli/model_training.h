@@ -9,6 +9,7 @@
 
 #include "base/progress.h"
 #include "base/result.h"
+#include "base/time_budget.h"
 #include "cli/evaluated_scene.h"
 #include "pipeline/hybrid/first_model.h"
 #include "pipeline/splat/trainer.h"
@@ -17,8 +18,8 @@ namespace macula::cli {
 
 // When to stop; whatever comes first.
 struct TrainingEnd {
-    std::uint64_t steps = 0;     // that are to follow
-    double budgetSeconds = 0.0;  // of training; 0: as long as the steps take
+    std::uint64_t steps = 0;  // that are to follow
+    TimeBudget budget;        // of all that is done, points and views as well
 };
 
 // What is on the host when the device is done: a lost device takes nothing of it along.
@@ -29,10 +30,11 @@ struct Trained {
     std::uint64_t firstStep = 0;  // 0, or what it went on from
     splat::TrainingState state;
     splat::TrainingReport report;
-    bool interrupted = false;  // by the user, with steps still to come
-    double pointsSeconds = 0.0;
+    bool interrupted = false;    // by the user, with steps still to come
+    double pointsSeconds = 0.0;  // putting the volume on the device included
     double viewsSeconds = 0.0;
     double trainSeconds = 0.0;
+    std::size_t viewsTraced = 0;
     std::size_t viewsGivenUp = 0;
 };
 

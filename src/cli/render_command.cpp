@@ -107,14 +107,23 @@ std::string lightsOf(const Options& options) {
     return options.settings.look == trace::Look::clear ? "even" : kDefaultLights;
 }
 
-Result<Camera> chooseCamera(const Options& options, const Volume* volume, const glm::ivec2& size) {
-    if (!options.camera.empty()) {
-        MACULA_TRY(Camera camera, readCamera(options.camera));
-        if (options.fovDeg > 0.0) camera.verticalFovDeg = options.fovDeg;
-        return camera;
+// Nothing: one that what is seen fills.
+Result<std::optional<Camera>> givenCamera(const Options& options) {
+    if (options.camera.empty()) return std::optional<Camera>();
+    MACULA_TRY(Camera camera, readCamera(options.camera));
+    if (options.fovDeg > 0.0) camera.verticalFovDeg = options.fovDeg;
+    return std::optional(camera);
+}
+
+Result<Camera> fittedCamera(const Options& options, const trace::PathTracer& tracer, const Volume& volume,
+                            const glm::ivec2& size) {
+    MACULA_TRY(std::vector<glm::dvec3> outline, tracer.outlineMm());
+    if (isProjection(options.settings.look) || outline.empty()) {
+        const auto corners = cornersOf(volume.worldBox());
+        outline.assign(corners.begin(), corners.end());
     }
-    return frameBox(volume->worldBox(), options.view, options.fovDeg > 0.0 ? options.fovDeg : kDefaultFovDeg,
-                    static_cast<double>(size.x) / size.y);
+    return framePoints(outline, standardBasis(options.view),
+                       options.fovDeg > 0.0 ? options.fovDeg : kDefaultFovDeg, double(size.x) / size.y);
 }
 
 Result<void> traceAll(trace::PathTracer& tracer, std::uint32_t samplesPerPixel, Progress& progress) {
@@ -161,7 +170,8 @@ struct Scene {
     Clip clip;
     TransferFunction preset;
     trace::Environment environment;
-    trace::View view;
+    std::optional<Camera> camera;  // nothing: one that fits
+    glm::ivec2 sizePx{0};
     trace::Settings settings;
     std::uint32_t samplesPerPixel = 0;
     bool keepUnfinished = false;  // when it is stopped, where noise is traced away
@@ -170,23 +180,30 @@ struct Scene {
 // What the device has made of it, brought to the host: a lost device takes nothing of it along.
 struct Drawn {
     std::string device;
+    Camera camera;
     double seconds = 0.0;
     trace::Statistics statistics;
     std::vector<std::uint8_t> rgba;            // for the eye, or
     std::optional<trace::TracedImage> traced;  // linear
 };
 
-Result<Drawn> draw(const std::shared_ptr<gpu::Device>& device, const Scene& scene,
-                   const trace::MemoryLimits& memory, bool linear, Progress& progress) {
+Result<Drawn> draw(const std::shared_ptr<gpu::Device>& device, const Scene& scene, const Options& options,
+                   Progress& progress) {
     const auto start = std::chrono::steady_clock::now();
     Drawn drawn{.device = gpu::describe(device->info())};
-    MACULA_TRY(trace::PathTracer tracer, trace::PathTracer::create(device, memory));
+    MACULA_TRY(trace::PathTracer tracer, trace::PathTracer::create(device, options.memory));
     MACULA_TRY_VOID(tracer.setVolume(scene.volume));
     MACULA_TRY_VOID(tracer.setClip(scene.clip));  // first: what it hides is not uploaded
     MACULA_TRY_VOID(tracer.setTransferFunction(scene.preset));
     MACULA_TRY_VOID(tracer.setEnvironment(scene.environment));
     MACULA_TRY_VOID(tracer.setSettings(scene.settings));
-    MACULA_TRY_VOID(tracer.setView(scene.view));
+    if (scene.camera) {
+        drawn.camera = *scene.camera;
+    } else {
+        MACULA_TRY(drawn.camera, fittedCamera(options, tracer, *scene.volume, scene.sizePx));
+    }
+    MACULA_TRY_VOID(
+        tracer.setView({.camera = drawn.camera, .width = scene.sizePx.x, .height = scene.sizePx.y}));
     const double error = scene.settings.errorThreshold;
     MACULA_TRY_VOID(error > 0.0 ? traceUntilConverged(tracer, error, scene.samplesPerPixel,
                                                       scene.keepUnfinished, progress)
@@ -194,7 +211,7 @@ Result<Drawn> draw(const std::shared_ptr<gpu::Device>& device, const Scene& scen
     drawn.seconds = secondsSince(start);
     MACULA_TRY_VOID(tracer.estimateError());
     MACULA_TRY(drawn.statistics, tracer.statistics());
-    if (linear) {
+    if (isExr(options.output)) {
         MACULA_TRY(drawn.traced, tracer.readback());
     } else {
         MACULA_TRY(drawn.rgba, tracer.readDisplay(kBackground));
@@ -298,7 +315,7 @@ Result<void> render(const Options& options) {
     if (!options.clip.empty()) {
         MACULA_TRY(clip, chooseClip(options.clip));
     }
-    if (!options.camera.empty()) MACULA_TRY_VOID(chooseCamera(options, nullptr, size));
+    MACULA_TRY(const std::optional<Camera> camera, givenCamera(options));
     MACULA_TRY(gpu::LastingDevice device, openDevice(options.device));
 
     Progress progress(terminalProgressBar(), interruptToken());
@@ -312,7 +329,6 @@ Result<void> render(const Options& options) {
         printNote(note);
         study.notes.push_back(std::move(note));
     }
-    MACULA_TRY(record.camera, chooseCamera(options, study.volume.get(), size));
     record.seriesDigest = study.seriesDigest;
     record.preset = preset.publicName;
     record.lights = publicLightsName(lightsOf(options));
@@ -333,17 +349,19 @@ Result<void> render(const Options& options) {
                       .clip = std::move(shown.clip),
                       .preset = preset.function,
                       .environment = environment,
-                      .view = {record.camera, size.x, size.y},
+                      .camera = camera,
+                      .sizePx = size,
                       .settings = record.settings,
                       .samplesPerPixel = effort.samplesPerPixel,
                       .keepUnfinished = options.keepUnfinished};
     Drawn drawn;
     const auto drawOn = [&](const std::shared_ptr<gpu::Device>& on) -> Result<void> {
-        MACULA_TRY(drawn, draw(on, scene, options.memory, isExr(options.output), progress));
+        MACULA_TRY(drawn, draw(on, scene, options, progress));
         return {};
     };
     MACULA_TRY_VOID(device.run(drawOn));
     record.device = drawn.device;
+    record.camera = drawn.camera;
     record.traceSeconds = drawn.seconds;
     record.statistics = drawn.statistics;
     if (options.error > 0.0 && !record.statistics.converged) {

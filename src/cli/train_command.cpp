@@ -132,11 +132,13 @@ nlohmann::ordered_json toJson(const Trained& trained, const StudyInput& study, c
     if (options.resume.empty())
         json.update({{"points", m.points.count},
                      {"views", m.views},
+                     {"viewsTraced", trained.viewsTraced},
                      {"directions", m.directions},
                      {"viewsGivenUp", trained.viewsGivenUp},
                      {"samplesPerPixel", m.samplesPerPixel},
                      {"size", m.sizePx},
                      {"bounces", m.bounces}});
+    if (options.budgetSeconds > 0.0) json["budgetSeconds"] = options.budgetSeconds;
     json.update({{"iterationsBefore", stepsBefore},
                  {"iterations", trained.report.steps},
                  {"plannedIterations", plannedSteps(trained.state)},
@@ -169,6 +171,12 @@ fs::path placeFor(const Options& options, bool cutShort) {
     return placeOfUnfinished(options.output);
 }
 
+std::string howTimeWasSpent(const Trained& trained, std::size_t views) {
+    return fmt::format("Points took {:.1f} s, views {:.1f} s ({} of {} traced), training {:.1f} s.",
+                       trained.pointsSeconds, trained.viewsSeconds, trained.viewsTraced, views,
+                       trained.trainSeconds);
+}
+
 // Of a training that did not come to its end.
 std::string whatIsWritten(const Trained& trained, std::uint64_t steps, const fs::path& path) {
     std::string sentence = fmt::format("Stopped after {} of {} steps; the model is written as it is then.",
@@ -195,7 +203,8 @@ Result<void> train(const Options& options) {
     const std::string key = trainingKey(*study.volume, preset.function, shown.clip, lights);
     if (saved) MACULA_TRY_VOID(checkTrainingKey(saved->options.key, key, options.resume));
 
-    const TrainingEnd end{.steps = stepsToCome(options, saved), .budgetSeconds = options.budgetSeconds};
+    TrainingEnd end{.steps = stepsToCome(options, saved)};
+    if (options.budgetSeconds > 0.0) end.budget = TimeBudget(options.budgetSeconds);
     std::optional<Trained> begun;  // no device takes it along
     const Result<void> ended = device.run([&](const std::shared_ptr<gpu::Device>& on) -> Result<void> {
         if (begun) {
@@ -223,6 +232,7 @@ Result<void> train(const Options& options) {
     MACULA_TRY_VOID(write(path, options, trained.state));
     const bool isWhole = trained.report.steps >= trained.firstStep + end.steps;
     if (!isWhole && !trained.interrupted) printNote(whatIsWritten(trained, end.steps, path));
+    if (end.budget.isLimited() && !saved) printNote(howTimeWasSpent(trained, options.model.views));
     const std::uint64_t stepsBefore = saved ? saved->steps : 0;
     const std::string text =
         jsonText(toJson(trained, study, preset.publicName, shown.tableRemoved, options, stepsBefore)) + "\n";
@@ -244,9 +254,11 @@ CLI::Option* addTrainingOptions(CLI::App& command, Options& o) {
                        ->capture_default_str()
                        ->check(CLI::Range(1u, trace::kMaxSurfacePoints));
     command
-        .add_option("--budget", o.budgetSeconds,
-                    "Seconds of training, after points and views are there; may end it before the last "
-                    "iterations, in which rates fall and light is put right")
+        .add_option(
+            "--budget", o.budgetSeconds,
+            "Seconds for points, views and training together, once the series is read. Fewer views are "
+            "traced where they would leave less than half for training, which may end before the last "
+            "iterations, in which rates fall and light is put right")
         ->check(between(0.1, 1e6));
     command
         .add_option("--pause-after", o.pauseAfter,

@@ -260,6 +260,7 @@ Result<bool> FrameRenderer::applyScene(const Interrupts& interrupts) {
     if (applied_.volume != input_.volume) {
         listener_(Preparing{"Preparing the volume"});
         traced_->sceneChanged();
+        outlineOf_.reset();
         // After a failure the tracer has neither the old one nor the new one; so with the other parts.
         applied_.volume = nullptr;
         applied_.transferFunction = nullptr;
@@ -271,6 +272,7 @@ Result<bool> FrameRenderer::applyScene(const Interrupts& interrupts) {
     if (applied_.clip != drawing.clip) {
         if (applied_.transferFunction) listener_(Preparing{"Preparing what is shown"});
         traced_->sceneChanged();
+        outlineOf_.reset();
         applied_.clip.reset();
         MACULA_TRY_VOID(tracer.setClip(drawing.clip ? *drawing.clip : Clip{}));
         applied_.clip = drawing.clip;
@@ -278,6 +280,7 @@ Result<bool> FrameRenderer::applyScene(const Interrupts& interrupts) {
     }
     if (applied_.transferFunction != drawing.transferFunction) {
         traced_->sceneChanged();
+        outlineOf_.reset();
         applied_.transferFunction = nullptr;
         MACULA_TRY_VOID(tracer.setTransferFunction(*drawing.transferFunction));
         applied_.transferFunction = drawing.transferFunction;
@@ -288,6 +291,12 @@ Result<bool> FrameRenderer::applyScene(const Interrupts& interrupts) {
         applied_.lights = nullptr;
         MACULA_TRY_VOID(tracer.setEnvironment(trace::Environment::fromRig(*drawing.lights)));
         applied_.lights = drawing.lights;
+    }
+    if (outlineOf_ != input_.study) {
+        MACULA_TRY(std::vector<glm::dvec3> outline, tracer.outlineMm());
+        listener_(
+            OutlineFound{input_.study, std::make_shared<const std::vector<glm::dvec3>>(std::move(outline))});
+        outlineOf_ = input_.study;
     }
     return true;
 }

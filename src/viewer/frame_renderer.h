@@ -109,6 +109,7 @@ class FrameRenderer {
         VkExtent2D window{};
         std::uint64_t exposures = 0;
     } applied_;
+    std::optional<std::uint64_t> outlineOf_;  // study whose outline, of what is applied, was told
 
     PictureCourse course_;
     bool restart_ = false;    // the picture must begin anew

@@ -26,7 +26,7 @@ void showKeys(QWidget* parent) {
                              "right, superior, inferior</td></tr>"
                              "<tr><td>Right drag in maximum, minimum, average</td><td>Window: wider to the "
                              "right, brighter up; Ctrl + R resets it</td></tr>"
-                             "<tr><td>F</td><td>Fit the whole volume</td></tr>"
+                             "<tr><td>F</td><td>Fit what is visible</td></tr>"
                              "<tr><td>N</td><td>Patient, study and series over the picture, or "
                              "not</td></tr>"
                              "<tr><td>Ctrl + 1 to 6</td><td>Cinematic, clear, ray cast, maximum, "

@@ -133,7 +133,7 @@ void MainWindow::makeMenus() {
                         this, [this, direction = standard.direction] { viewport_->showFrom(direction); });
     }
     view->addSeparator();
-    view->addAction(tr("Fit the whole volume\tF"), this, [this] { viewport_->fit(); });
+    view->addAction(tr("Fit what is visible\tF"), this, [this] { viewport_->fit(); });
     view->addSeparator();
     names_ = view->addAction(tr("Patient and study over the picture\tN"));
     names_->setObjectName(QStringLiteral("names"));

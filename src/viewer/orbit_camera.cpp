@@ -47,11 +47,18 @@ Camera toCamera(const OrbitCamera& camera) {
             .verticalFovDeg = camera.verticalFovDeg};
 }
 
-OrbitCamera framed(const Box& box, ViewDirection from, double verticalFovDeg, double aspectWidthOverHeight) {
-    const Camera straight = frameBox(box, from, verticalFovDeg, aspectWidthOverHeight);
-    OrbitCamera camera{.targetMm = straight.targetMm,
-                       .distanceMm = glm::distance(straight.positionMm, straight.targetMm),
-                       .verticalFovDeg = verticalFovDeg};
+OrbitCamera fitted(OrbitCamera camera, std::span<const glm::dvec3> pointsMm, double aspectWidthOverHeight) {
+    const Directions d = directions(camera);
+    const Camera straight = framePoints(pointsMm, {.right = d.right, .up = d.up, .forward = -d.eye},
+                                        camera.verticalFovDeg, aspectWidthOverHeight);
+    camera.targetMm = straight.targetMm;
+    camera.distanceMm = glm::distance(straight.positionMm, straight.targetMm);
+    return camera;
+}
+
+OrbitCamera framed(std::span<const glm::dvec3> pointsMm, ViewDirection from, double verticalFovDeg,
+                   double aspectWidthOverHeight) {
+    OrbitCamera camera{.verticalFovDeg = verticalFovDeg};
     switch (from) {
         case ViewDirection::anterior:
             break;
@@ -72,7 +79,7 @@ OrbitCamera framed(const Box& box, ViewDirection from, double verticalFovDeg, do
             camera.elevationDeg = -90.0;
             break;
     }
-    return camera;
+    return fitted(camera, pointsMm, aspectWidthOverHeight);
 }
 
 OrbitCamera orbited(OrbitCamera camera, double azimuthDeg, double elevationDeg) {

@@ -1,6 +1,8 @@
 // A camera on a turntable: it looks at a target and walks around it, the patient's superior axis upright.
 #pragma once
 
+#include <span>
+
 #include "base/camera.h"
 #include "base/frames.h"
 
@@ -19,8 +21,11 @@ struct OrbitCamera {
 
 Camera toCamera(const OrbitCamera& camera);
 
-// Looks at the centre of `box` from `from` with all of it in the picture.
-OrbitCamera framed(const Box& box, ViewDirection from, double verticalFovDeg, double aspectWidthOverHeight);
+// Looks at the points from `from`, or from the side that `camera` looks from, as near as they fit
+// (framePoints).
+OrbitCamera framed(std::span<const glm::dvec3> pointsMm, ViewDirection from, double verticalFovDeg,
+                   double aspectWidthOverHeight);
+OrbitCamera fitted(OrbitCamera camera, std::span<const glm::dvec3> pointsMm, double aspectWidthOverHeight);
 
 // Walks the eye around the target: towards the patient's left and up, seen from the front.
 OrbitCamera orbited(OrbitCamera camera, double azimuthDeg, double elevationDeg);

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <string>
 #include <variant>
 #include <vector>
@@ -41,6 +42,12 @@ struct ModelChanged {
     hybrid::ModelNews model{};
 };
 
+// What can be seen of the matter, found anew after each change of volume, preset or clip: its outline.
+struct OutlineFound {
+    std::uint64_t study = 0;
+    std::shared_ptr<const std::vector<glm::dvec3>> pointsMm;  // see trace::PathTracer::outlineMm
+};
+
 // A picture was shown.
 struct FrameShown {
     std::uint64_t inputSequence = 0;       // of the input it was made from
@@ -75,8 +82,8 @@ struct RenderFailure {
     bool pictureRemains = false;
 };
 
-using RenderEvent = std::variant<DeviceReady, DeviceRestarting, Preparing, ModelChanged, FrameShown,
-                                 PictureRemoved, RenderFailure>;
+using RenderEvent = std::variant<DeviceReady, DeviceRestarting, Preparing, ModelChanged, OutlineFound,
+                                 FrameShown, PictureRemoved, RenderFailure>;
 using RenderListener = std::function<void(RenderEvent)>;
 
 }  // namespace macula::viewer

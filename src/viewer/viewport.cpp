@@ -166,7 +166,7 @@ void Viewport::connectWindow() {
     connect(window_, &VulkanWindow::resized, this, [this] {
         // A view nobody has touched goes on fitting the window.
         if (untouched_ && input_.volume) {
-            camera_ = framed(input_.volume->worldBox(), framedFrom_, kVerticalFovDeg, aspect());
+            camera_ = framed(outlineMm(), framedFrom_, kVerticalFovDeg, aspect());
         }
         publish();
     });
@@ -189,6 +189,7 @@ void Viewport::connectWindow() {
 void Viewport::setStudy(std::shared_ptr<const Volume> volume, std::vector<std::string> names, Drawing drawing,
                         ViewDirection from) {
     ++input_.study;
+    outline_.reset();
     names_ = std::move(names);
     input_.volume = std::move(volume);
     input_.drawing = std::move(drawing);
@@ -233,20 +234,13 @@ void Viewport::setPictureSizeHint(QSize pixels) {
 void Viewport::showFrom(ViewDirection from) {
     if (!input_.volume) return;
     framedFrom_ = from;
-    setCamera(framed(input_.volume->worldBox(), from, kVerticalFovDeg, aspect()));
+    setCamera(framed(outlineMm(), from, kVerticalFovDeg, aspect()));
     untouched_ = true;
 }
 
 void Viewport::fit() {
     if (!input_.volume) return;
-    // Far enough for any direction: as if the corner-to-corner line stood across the picture.
-    const Box box = input_.volume->worldBox();
-    OrbitCamera camera = camera_;
-    camera.targetMm = box.centre();
-    const double halfAngle = glm::radians(camera.verticalFovDeg) / 2.0;
-    const double halfNarrow = std::atan(std::tan(halfAngle) * std::min(1.0, aspect()));
-    camera.distanceMm = 0.5 * box.diagonal() / std::sin(halfNarrow);
-    setCamera(camera);
+    setCamera(fitted(camera_, outlineMm(), aspect()));
 }
 
 bool Viewport::handleKey(const QKeyEvent& event) {
@@ -349,6 +343,23 @@ double Viewport::sceneDiagonalMm() const {
     return input_.volume ? input_.volume->worldBox().diagonal() : 1000.0;
 }
 
+// Until it is found, and in projections, all of the volume.
+std::vector<glm::dvec3> Viewport::outlineMm() const {
+    if (outline_ && !outline_->empty() && !trace::isProjection(input_.drawing.settings.look))
+        return *outline_;
+    const auto corners = cornersOf(input_.volume->worldBox());
+    return {corners.begin(), corners.end()};
+}
+
+// The first one moves a camera that nobody has touched. Later ones, of other presets, do not: what is
+// compared stays where it is.
+void Viewport::onOutline(const OutlineFound& found) {
+    if (found.study != input_.study || !input_.volume) return;
+    const bool isFirst = !outline_;
+    outline_ = found.pointsMm;
+    if (isFirst && untouched_) showFrom(framedFrom_);
+}
+
 double Viewport::aspect() const {
     return window_->height() > 0 ? double(window_->width()) / window_->height() : 1.0;
 }
@@ -359,6 +370,8 @@ void Viewport::onRendered(const RenderEvent& event) {
     if (const auto* frame = std::get_if<FrameShown>(&event)) {
         if (frame->study != input_.study) return;  // that picture is being taken off the screen
         setLetters(frame->letters);
+    } else if (const auto* outline = std::get_if<OutlineFound>(&event)) {
+        onOutline(*outline);
     } else if (const auto* failure = std::get_if<RenderFailure>(&event)) {
         setLetters({});
         // A picture that stays after an error would be taken for that of what is wanted now; unless something

@@ -30,8 +30,8 @@ class Viewport : public QWidget {
     Viewport(gpu::Instance instance, std::string preferredDevice, QWidget* parent = nullptr);
     ~Viewport() override;
 
-    // A new study, with the camera framing it from `from`: all at once, so that no volume is ever drawn as
-    // another. What was shown goes off the screen before the first picture of it comes, and the
+    // A new study, with a camera that what is seen of it fits, from `from`: all at once, so that no volume is
+    // ever drawn as another. What was shown goes off the screen before the first picture of it comes, and the
     // letters at the edges with it. A null volume shows nothing. After an error that left a picture on screen
     // the window is hidden until the next change of study, drawing or camera.
     // `names` are lines that say whose it is: they stand over each of its pictures, unless they are hidden.
@@ -46,7 +46,7 @@ class Viewport : public QWidget {
     void setPictureSizeHint(QSize pixels);
 
     void showFrom(ViewDirection from);
-    void fit();  // the whole volume, from where the camera is
+    void fit();  // what is visible, from the side where the camera is
     // Arrows, +, -, F, N (names) and the letters of the standard views. False for any other key.
     bool handleKey(const QKeyEvent& event);
 
@@ -71,6 +71,8 @@ class Viewport : public QWidget {
     void nudge();             // an interaction without an end: a key, a notch of the wheel
     std::uint64_t publish();  // its number
     double sceneDiagonalMm() const;
+    std::vector<glm::dvec3> outlineMm() const;  // of what is to fit
+    void onOutline(const OutlineFound& found);
     double aspect() const;
     void onRendered(const RenderEvent& event);
     void setLetters(const EdgeLetters& letters);
@@ -99,6 +101,8 @@ class Viewport : public QWidget {
     bool dragging_ = false;
     ViewDirection framedFrom_ = ViewDirection::anterior;
     bool untouched_ = true;  // nobody moved the camera since it was framed
+    std::shared_ptr<const std::vector<glm::dvec3>>
+        outline_;  // of the study as it was last drawn; null before
 
     std::unique_ptr<RenderThread> renderThread_;
 };

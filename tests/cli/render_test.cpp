@@ -145,6 +145,26 @@ TEST_F(Render, ExrHoldsLightAndDepth) {
     EXPECT_GT(hits, 50);
 }
 
+// To a pixel of 40 at each end.
+TEST_F(Render, WhatIsSeenFillsThePicture) {
+    for (const std::string from : {"anterior", "left", "superior"}) {
+        const image::Image image = render("a.exr", {"--view", from, "--preset", "cinematic-bone"});
+        ASSERT_EQ(image.channels, 5);
+        glm::ivec2 low(1000);
+        glm::ivec2 high(-1);
+        for (int y = 0; y < image.height; ++y) {
+            for (int x = 0; x < image.width; ++x) {
+                if (image.pixels[std::size_t(5 * (y * image.width + x) + 3)] < 0.1f) continue;
+                low = glm::min(low, glm::ivec2(x, y));
+                high = glm::max(high, glm::ivec2(x, y) + 1);
+            }
+        }
+        const glm::dvec2 part = glm::dvec2(high - low) / glm::dvec2(image.width, image.height);
+        EXPECT_GE(std::max(part.x, part.y), 0.85) << from;
+        EXPECT_LE(std::max(part.x, part.y), 0.95) << from;
+    }
+}
+
 TEST_F(Render, SameSeedSamePictureOtherSeedAnother) {
     const auto first = render("1.png", {"--seed", "5"}).pixels;
     EXPECT_EQ(first, render("2.png", {"--seed", "5"}).pixels);

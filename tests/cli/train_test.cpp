@@ -46,7 +46,7 @@ TEST_F(Train, WritesAModelAndTellsWhatWasDone) {
 
 TEST_F(Train, ABudgetEndsItEarly) {
     const Ran ran = runMacula(
-        small({"-o", at("model.macula"), "--budget", "0.2", "--degree", "1", "--json", "-"}, "1000000"));
+        small({"-o", at("model.macula"), "--budget", "2", "--degree", "1", "--json", "-"}, "1000000"));
     ASSERT_EQ(ran.exitCode, 0) << ran.err;
     const json report = json::parse(ran.out);
     EXPECT_GE(report["iterations"].get<int>(), 1);
@@ -55,11 +55,19 @@ TEST_F(Train, ABudgetEndsItEarly) {
     ASSERT_TRUE(state.ok());
     EXPECT_EQ(state->splats.shDegree, 1);
     EXPECT_EQ(state->steps, report["iterations"].get<std::uint64_t>());
-    ASSERT_EQ(state->views.size(), 5u);
-    const auto standsIn = [](const splat::TrainingState::View& view) {
-        return view.given->kind == splat::ViewKind::standIn;
-    };
-    EXPECT_EQ(std::count_if(state->views.begin(), state->views.end(), standsIn), 2);
+    // Points and views are paid from the same budget.
+    EXPECT_EQ(report["budgetSeconds"], 2.0);
+    const json& seconds = report["seconds"];
+    const double training = seconds["training"].get<double>();
+    EXPECT_GE(seconds["points"].get<double>() + seconds["views"].get<double>() + training, 1.9);
+    EXPECT_LT(training, 2.0);
+    EXPECT_GT(seconds["points"].get<double>(), 0.0);
+    EXPECT_GT(seconds["views"].get<double>(), 0.0);
+    EXPECT_NE(ran.err.find("Points took"), std::string::npos) << ran.err;
+    const std::size_t traced = report["viewsTraced"].get<std::size_t>();
+    EXPECT_GE(traced, 1u);
+    EXPECT_LE(traced, 3u);
+    EXPECT_GE(state->views.size(), traced);
 }
 
 // In another process, with nothing but the file: the same bytes as if it had not stopped.

@@ -425,6 +425,67 @@ std::vector<std::uint32_t> orderOnDevice(const splat::ReferenceSplats& splats, c
     return order;
 }
 
+// A clock that goes on by the same whenever it is looked at: once for each view, side and step.
+TEST_F(Views, ABudgetIsOfPointsViewsAndTrainingTogether) {
+    constexpr double kTick = 0.25;
+    double now = 1000.0;
+    const auto clock = [&now] { return now += kTick; };
+    Progress progress;
+    FirstModelOptions options{.points = {.count = 60, .paths = 2},
+                              .views = 40,
+                              .samplesPerPixel = 1,
+                              .directions = 40,
+                              .sizePx = 16,
+                              .iterations = 1000,
+                              .capacity = 60};
+    for (const double seconds : {6.0, 24.0}) {
+        trace::PathTracer tracer = this->tracer();
+        const TimeBudget budget(seconds, clock);
+        options.budget = &budget;
+        auto model = makeFirstModel(device(), tracer, scene().seenMm(), options, progress);
+        ASSERT_TRUE(model.ok()) << model.error().message;
+        const double spent = model->pointsSeconds + model->viewsSeconds + model->trainSeconds;
+        EXPECT_GE(spent, seconds - kTick);
+        EXPECT_LE(spent, seconds + 3 * kTick);
+        EXPECT_LE(model->viewsSeconds, 0.5 * seconds + 3 * kTick);
+        EXPECT_GE(model->viewsTraced, 2u);
+        EXPECT_LE(double(model->viewsTraced) * kTick, 0.4 * seconds);
+        EXPECT_GT(model->trainer.viewCount(), model->viewsTraced) << "what was not traced is lit";
+        EXPECT_GE(double(model->trainer.report().steps) * kTick, 0.4 * seconds);
+    }
+    // One view and one step, however little there is.
+    trace::PathTracer tracer = this->tracer();
+    const TimeBudget nothing(0.1, clock);
+    options.budget = &nothing;
+    auto model = makeFirstModel(device(), tracer, scene().seenMm(), options, progress);
+    ASSERT_TRUE(model.ok()) << model.error().message;
+    EXPECT_EQ(model->viewsTraced, 1u);
+    EXPECT_EQ(model->trainer.viewCount(), 1u);
+    EXPECT_EQ(model->trainer.report().steps, 1u);
+}
+
+// Those for which there is time are spread over all of them, and the same as they would be otherwise.
+TEST_F(Views, AreSpreadWhereTimeEnds) {
+    trace::PathTracer tracer = this->tracer();
+    Progress progress;
+    const std::vector<Camera> cameras = this->cameras(6);
+    ViewTracing options{.sizePx = {24, 20}, .samplesPerPixel = 1};
+    const auto all = traceViews(tracer, cameras, options, progress);
+    ASSERT_TRUE(all.ok());
+    EXPECT_TRUE(all->leftOut.empty());
+    int asked = 0;
+    options.hasTimeToTrace = [&asked] { return ++asked <= 3; };
+    const auto some = traceViews(tracer, cameras, options, progress);
+    ASSERT_TRUE(some.ok());
+    ASSERT_EQ(some->views.size(), 3u);
+    ASSERT_EQ(some->leftOut.size(), 3u);
+    for (const std::size_t i : {0u, 1u, 2u}) {
+        EXPECT_EQ(some->views[i].camera.positionMm, cameras[2 * i].positionMm);
+        EXPECT_TRUE(same(some->views[i].rgba, all->views[2 * i].rgba));
+        EXPECT_EQ(some->leftOut[i].positionMm, cameras[2 * i + 1].positionMm);
+    }
+}
+
 // To each pixel, against the reference in double; with splats that were split.
 TEST_F(Views, TrainedModelsAreDrawnAsTheReferenceDoes) {
     trace::PathTracer tracer = this->tracer();

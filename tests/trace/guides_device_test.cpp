@@ -62,6 +62,90 @@ TEST_F(GuidesOnDevice, DepthIsWhereTransmittanceFallsToOneHalf) {
     for (const float mm : thin->depthMm) EXPECT_TRUE(std::isinf(mm));
 }
 
+// Values that fall along `outwards`, 5000 in the middle of the volume, 100 less for each mm.
+std::shared_ptr<const Volume> tilted(const glm::dvec3& outwards) {
+    const glm::ivec3 size(48);
+    return scenes::volumeOf(size, glm::dmat4(1.0), [&](int i, int j, int k) {
+        const double mm = glm::dot(glm::dvec3(i, j, k) - 0.5 * glm::dvec3(size), outwards);
+        return static_cast<std::uint16_t>(std::lround(5000.0 - 100.0 * mm));
+    });
+}
+
+// Not where the volume ends, beyond which its outer voxels go on.
+void expectNormals(const std::vector<GuidePixel>& pixels, const glm::dvec3& normal, const std::string& what) {
+    int hits = 0;
+    for (int y = 8; y < 40; ++y) {
+        for (int x = 8; x < 40; ++x) {
+            const GuidePixel& pixel = pixels[std::size_t(y * 48 + x)];
+            if (pixel.depthMm < 0.0f) continue;
+            ++hits;
+            EXPECT_LT(glm::distance(glm::dvec3(pixel.normal), normal), 0.02) << what << " " << x << " " << y;
+        }
+    }
+    EXPECT_GT(hits, 600) << what;
+}
+
+// A gradient takes voxels of bricks in which nothing is visible: beyond a surface, and beyond a face of a
+// clip that shows grey values.
+TEST_F(GuidesOnDevice, NormalsAreRightBesideBricksThatShowNothing) {
+    const Environment sky = Environment::constant(glm::vec3(1.0f));
+    TransferFunction dense = scenes::homogeneous(50.0);
+    dense.opacity = {{5000, 0.0}, {5000, 0.5}};
+    TransferFunction nothing = dense;
+    nothing.opacity = {{60000, 0.0}, {60000, 0.5}};
+    for (const double side : {1.0, -1.0}) {
+        const glm::dvec3 outwards = side * glm::normalize(glm::dvec3(0.2, 1.0, 0.3));
+        const auto volume = tilted(outwards);
+        const View view{
+            .camera = frameBox(volume->worldBox(),
+                               side > 0 ? ViewDirection::posterior : ViewDirection::anterior, 30, 1.0),
+            .width = 48,
+            .height = 48};
+        PathTracer t = tracer(volume, dense, sky, view, {});
+        // Depths alone need no gradients, and the guides that they are read from are not taken for those with
+        // normals.
+        ASSERT_TRUE(*t.trace(1));
+        const std::uint64_t before = t.statistics()->voxels.shownBlocks;
+        ASSERT_TRUE(t.readback().ok());
+        EXPECT_EQ(t.statistics()->voxels.shownBlocks, before);
+        expectNormals(*t.readGuides(), outwards, "surface");
+        EXPECT_EQ(t.statistics()->samplesPerPixel, 1u) << "what was traced stays";
+
+        const glm::dvec3 kept = -side * glm::normalize(glm::dvec3(0.1, 1.0, 0.05));
+        const Clip clip{
+            .planes = {{kept, glm::dot(kept, glm::dvec3(24.0))}},
+            .greyFaces = DisplayWindow{.center = 5000, .width = 10000, .function = "LINEAR_EXACT"}};
+        PathTracer face = tracer(volume, nothing, sky, view, {});
+        ASSERT_TRUE(face.setClip(clip).ok());
+        expectNormals(*face.readGuides(), outwards, "face");
+    }
+}
+
+// The filter is steered by normals, whenever it is asked for.
+TEST_F(GuidesOnDevice, DenoisingBringsTheVoxelsOfGradients) {
+    const auto volume = tilted(glm::normalize(glm::dvec3(0.2, 1.0, 0.3)));
+    TransferFunction dense = scenes::homogeneous(50.0);
+    dense.opacity = {{5000, 0.0}, {5000, 0.5}};
+    const View view{
+        .camera = frameBox(volume->worldBox(), ViewDirection::posterior, 30, 1.0), .width = 48, .height = 48};
+    const Environment sky = Environment::constant(glm::vec3(1.0f));
+    PathTracer always = tracer(volume, dense, sky, view, {.denoising = Denoising::on});
+    ASSERT_TRUE(*always.trace(2));
+    PathTracer later = tracer(volume, dense, sky, view, {});
+    ASSERT_TRUE(*later.trace(2));
+    const auto plain = later.readback()->radiance;
+    const std::uint64_t few = later.statistics()->voxels.shownBlocks;
+    ASSERT_TRUE(later.setSettings({.denoising = Denoising::on}).ok());
+    EXPECT_EQ(later.statistics()->samplesPerPixel, 2u);
+    EXPECT_GT(later.statistics()->voxels.shownBlocks, few);
+    EXPECT_EQ(later.statistics()->voxels.shownBlocks, always.statistics()->voxels.shownBlocks);
+    const auto filtered = later.readback()->radiance;
+    EXPECT_NE(filtered, plain);
+    EXPECT_EQ(filtered, always.readback()->radiance);
+    ASSERT_TRUE(later.setSettings({}).ok());
+    EXPECT_EQ(later.readback()->radiance, plain);
+}
+
 TEST_F(GuidesOnDevice, OfPicturesOfAnyShapeAreFinite) {
     const auto [volume, view] = scenes::slab(10.0, 8);
     for (const auto& [width, height] : {std::pair(1, 1), std::pair(1, 37), std::pair(41, 1)}) {

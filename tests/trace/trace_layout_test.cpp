@@ -124,7 +124,10 @@ TEST(TraceLayout, ParametersAndPushConstantsAgreeInEveryKernel) {
             *denoise->pushConstants->block.find("denoise"),
             {MACULA_FIELD(shared::DenoisePush, imageSize), MACULA_FIELD(shared::DenoisePush, stride),
              MACULA_FIELD(shared::DenoisePush, last), MACULA_FIELD(shared::DenoisePush, pixelAngle),
-             MACULA_FIELD(shared::DenoisePush, historySamples), MACULA_FIELD(shared::DenoisePush, firstRow)});
+             MACULA_FIELD(shared::DenoisePush, historySamples), MACULA_FIELD(shared::DenoisePush, firstRow),
+             MACULA_FIELD(shared::DenoisePush, planeHalfSize), MACULA_FIELD(shared::DenoisePush, gaze),
+             MACULA_FIELD(shared::DenoisePush, foveaRadius),
+             MACULA_FIELD(shared::DenoisePush, foveaMagnification)});
     }
     const auto display = gpu::reflectSpirv(shaders::trace_display_comp.words);
     ASSERT_TRUE(display.ok());

@@ -31,16 +31,33 @@ void expectNear(const glm::dvec3& a, const glm::dvec3& b, double tolerance) {
     EXPECT_NEAR(a.z, b.z, tolerance);
 }
 
-TEST(OrbitCamera, StandardViewsAreThoseOfFrameBox) {
+TEST(OrbitCamera, StandardViewsAreThoseOfTheCommand) {
     for (const auto from : {ViewDirection::anterior, ViewDirection::posterior, ViewDirection::left,
                             ViewDirection::right, ViewDirection::superior, ViewDirection::inferior}) {
-        const Camera expected = frameBox(kBox, from, 30, 1.25);
-        const Camera camera = toCamera(framed(kBox, from, 30, 1.25));
+        const Camera expected = framePoints(cornersOf(kBox), standardBasis(from), 30, 1.25);
+        const Camera camera = toCamera(framed(cornersOf(kBox), from, 30, 1.25));
         expectNear(camera.positionMm, expected.positionMm, 1e-9);
         expectNear(camera.targetMm, expected.targetMm, 1e-9);
         expectNear(basis(camera)->up, basis(expected)->up, 1e-9);
         expectNear(basis(camera)->right, basis(expected)->right, 1e-9);
     }
+}
+
+TEST(OrbitCamera, FitsFromWhereItLooks) {
+    const OrbitCamera before = someCamera();
+    const OrbitCamera camera = fitted(before, cornersOf(kBox), 1.25);
+    EXPECT_EQ(camera.azimuthDeg, before.azimuthDeg);
+    EXPECT_EQ(camera.elevationDeg, before.elevationDeg);
+    glm::dvec2 low(1e9);
+    glm::dvec2 high(-1e9);
+    for (const glm::dvec3& corner : cornersOf(kBox)) {
+        low = glm::min(low, project(camera, corner));
+        high = glm::max(high, project(camera, corner));
+    }
+    const glm::dvec2 part = (high - low) / glm::dvec2(1.25 * kHeightPx, kHeightPx);
+    EXPECT_NEAR(std::max(part.x, part.y), 0.9, 1e-9);
+    EXPECT_NEAR(low.x + high.x, 0.0, 0.01 * kHeightPx);
+    EXPECT_NEAR(low.y + high.y, 0.0, 0.01 * kHeightPx);
 }
 
 TEST(OrbitCamera, OrbitKeepsTargetAndDistance) {
@@ -107,18 +124,19 @@ TEST(OrbitCamera, ZoomStopsBeforeTheTargetAndBeforeThePatientIsLost) {
 }
 
 TEST(OrbitCamera, LettersAreThoseOfARadiologicalDisplay) {
-    const EdgeLetters front = edgeLetters(framed(kBox, ViewDirection::anterior, 30, 1));
+    const EdgeLetters front = edgeLetters(framed(cornersOf(kBox), ViewDirection::anterior, 30, 1));
     EXPECT_EQ(front.left, "R");
     EXPECT_EQ(front.right, "L");
     EXPECT_EQ(front.top, "S");
     EXPECT_EQ(front.bottom, "I");
-    const EdgeLetters below = edgeLetters(framed(kBox, ViewDirection::inferior, 30, 1));
+    const EdgeLetters below = edgeLetters(framed(cornersOf(kBox), ViewDirection::inferior, 30, 1));
     EXPECT_EQ(below.left, "R");
     EXPECT_EQ(below.top, "A");
-    const EdgeLetters above = edgeLetters(framed(kBox, ViewDirection::superior, 30, 1));
+    const EdgeLetters above = edgeLetters(framed(cornersOf(kBox), ViewDirection::superior, 30, 1));
     EXPECT_EQ(above.left, "L");
     EXPECT_EQ(above.top, "A");
-    const EdgeLetters oblique = edgeLetters(orbited(framed(kBox, ViewDirection::anterior, 30, 1), 30, 0));
+    const EdgeLetters oblique =
+        edgeLetters(orbited(framed(cornersOf(kBox), ViewDirection::anterior, 30, 1), 30, 0));
     EXPECT_EQ(oblique.right, "LP");
 }
 

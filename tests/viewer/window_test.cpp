@@ -12,6 +12,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/paths.h"
+#include "base/phantom.h"
 #include "support.h"
 #include "viewer/window_fixture.h"
 
@@ -57,15 +59,30 @@ TEST_F(WindowTest, KeysMoveTheCameraAndPresetsStayUsable) {
     EXPECT_NEAR(viewport.camera().azimuthDeg, 90.0, 1e-9);
     pressKey(Qt::Key_Right);
     EXPECT_NEAR(viewport.camera().azimuthDeg, 95.0, 1e-9);
+    pressKey(Qt::Key_F);
     const glm::dvec3 target = viewport.camera().targetMm;
+    const double distance = viewport.camera().distanceMm;
     pressKey(Qt::Key_Left, Qt::ShiftModifier);
     EXPECT_GT(glm::distance(viewport.camera().targetMm, target), 1.0);
-    const double distance = viewport.camera().distanceMm;
     pressKey(Qt::Key_Plus);
     EXPECT_LT(viewport.camera().distanceMm, distance);
     pressKey(Qt::Key_F);
     EXPECT_NEAR(glm::distance(viewport.camera().targetMm, target), 0.0, 1e-9);
+    EXPECT_NEAR(viewport.camera().distanceMm, distance, 1e-9);
+    EXPECT_NEAR(viewport.camera().azimuthDeg, 95.0, 1e-9);
     EXPECT_TRUE(waitForConverged());
+}
+
+// What fits is what is visible, not the box of the volume: it is looked at from nearer.
+TEST_F(WindowTest, FitsWhatIsVisible) {
+    window_->open(std::nullopt);
+    ASSERT_TRUE(waitForConverged());
+    Viewport& viewport = window_->viewport();
+    const auto corners = cornersOf(phantom::make().worldBox());
+    const double aspect = double(viewport.window().width()) / viewport.window().height();
+    const OrbitCamera ofBox = framed(corners, ViewDirection::anterior, 30.0, aspect);
+    EXPECT_LT(viewport.camera().distanceMm, 0.99 * ofBox.distanceMm);
+    EXPECT_EQ(viewport.camera().azimuthDeg, 0.0);
 }
 
 TEST_F(WindowTest, AMissingFolderIsToldInTheWindowAndTheStudyStays) {

@@ -3,6 +3,7 @@
 // of.
 #pragma once
 
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -14,8 +15,10 @@
 namespace macula::hybrid {
 
 // One for each camera: black, with the coverage of each pixel, and no samples. `tracer` is left
-// with another view. `cancelled` when `progress` says so.
+// with another view. `cancelled` when `progress` says so. `hasTime` (may be empty) is asked before each: when
+// it says no, the rest is left out.
 Result<std::vector<TracedView>> coverageViews(trace::PathTracer& tracer, std::span<const Camera> cameras,
-                                              const glm::ivec2& sizePx, Progress& progress);
+                                              const glm::ivec2& sizePx, Progress& progress,
+                                              const std::function<bool()>& hasTime = {});
 
 }  // namespace macula::hybrid

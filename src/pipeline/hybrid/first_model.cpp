@@ -1,8 +1,8 @@
 #include "pipeline/hybrid/first_model.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "pipeline/hybrid/learnt_views.h"
@@ -13,11 +13,29 @@ namespace macula::hybrid {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
+// Of what is left of a budget once points and views are chosen, so much is left when no more views are
+// traced, and when no more sides are lit.
+constexpr double kLeftAfterTracing = 0.6;
+constexpr double kLeftAfterLighting = 0.5;
 
-double secondsSince(Clock::time_point start) {
-    return std::chrono::duration<double>(Clock::now() - start).count();
-}
+// Whether one more of what was made since it was asked last leaves so much of a budget.
+class Allowance {
+  public:
+    Allowance(const TimeBudget& budget, double leaveSeconds)
+        : budget_(&budget), leaveSeconds_(leaveSeconds) {}
+
+    bool operator()() {
+        const double left = budget_->leftSeconds();
+        const double took = leftSeconds_.value_or(left) - left;
+        leftSeconds_ = left;
+        return left - took >= leaveSeconds_;
+    }
+
+  private:
+    const TimeBudget* budget_;
+    double leaveSeconds_;
+    std::optional<double> leftSeconds_;  // when it was asked last
+};
 
 Error cancelled() {
     return {ErrorCode::cancelled, "The training was cancelled.", {}, {}};
@@ -36,12 +54,12 @@ Result<void> learnFromAll(splat::Trainer& trainer, const Box& seenMm, ViewSetPic
     return {};
 }
 
-Result<void> train(FirstModel& model, const FirstModelOptions& options, Progress& progress) {
+Result<void> train(FirstModel& model, const FirstModelOptions& options, const TimeBudget& budget,
+                   Progress& progress) {
     progress.beginStage("Training", static_cast<std::size_t>(options.iterations));
-    const auto start = Clock::now();
     const auto keepGoing = [&] {
         progress.advance();
-        return !progress.cancelled() && 1000.0 * secondsSince(start) < options.budgetMs;
+        return !options.beginsOnly && !progress.cancelled() && !budget.isSpent();
     };
     MACULA_TRY_VOID(model.trainer.step(options.iterations, keepGoing));
     if (progress.cancelled()) return cancelled();
@@ -81,12 +99,13 @@ splat::TrainerOptions trainerOptions(const FirstModelOptions& options) {
 
 Result<FirstModel> makeFirstModel(const std::shared_ptr<gpu::Device>& device, trace::PathTracer& tracer,
                                   const Box& seenMm, const FirstModelOptions& options, Progress& progress) {
-    auto start = Clock::now();
+    const TimeBudget withoutEnd;
+    const TimeBudget& budget = options.budget != nullptr ? *options.budget : withoutEnd;
+    const double before = budget.spentSeconds();
     MACULA_TRY(ModelStart first, startFromPoints(tracer, seenMm, {}, options.points, progress));
     first.splats.setShDegree(options.shDegree);
-    const double pointsSeconds = secondsSince(start);
+    const double withPoints = budget.spentSeconds();
 
-    start = Clock::now();
     std::size_t givenUp = 0;
     ViewSetPictures pictures;
     if (options.views > 0) {
@@ -102,25 +121,31 @@ Result<FirstModel> makeFirstModel(const std::shared_ptr<gpu::Device>& device, tr
                             .samplesPerPixel = options.samplesPerPixel,
                             .kept = options.kept};
         tracing.settings.bounces = options.bounces;
+        if (budget.isLimited()) {
+            const double left = budget.leftSeconds();
+            tracing.hasTimeToTrace = Allowance(budget, kLeftAfterTracing * left);
+            tracing.hasTimeToLight = Allowance(budget, kLeftAfterLighting * left);
+        }
         tracing.settings.seed =
             static_cast<std::uint32_t>(options.trial) * 0x9e3779b9u;  // far from other trials
         const ViewSet set{.traced = std::move(traced.cameras), .sides = std::move(sides.cameras)};
         MACULA_TRY(pictures, makePictures(tracer, seenMm, set, tracing, progress));
     }
-    const double viewsSeconds = secondsSince(start);
+    const double withViews = budget.spentSeconds();
 
-    start = Clock::now();
     MACULA_TRY(splat::Trainer trainer, splat::Trainer::create(device, first.splats, trainerOptions(options)));
     const std::size_t fromKept = pictures.fromKept;
+    const std::size_t viewsTraced = pictures.traced.size();
     const bool canLearn = !pictures.traced.empty();
     MACULA_TRY_VOID(learnFromAll(trainer, seenMm, std::move(pictures)));
     FirstModel model{.trainer = std::move(trainer),
-                     .pointsSeconds = pointsSeconds,
-                     .viewsSeconds = viewsSeconds,
+                     .pointsSeconds = withPoints - before,
+                     .viewsSeconds = withViews - withPoints,
+                     .viewsTraced = viewsTraced,
                      .viewsGivenUp = givenUp,
                      .viewsFromKept = fromKept};
-    if (options.iterations > 0 && canLearn) MACULA_TRY_VOID(train(model, options, progress));
-    model.trainSeconds = secondsSince(start);
+    if (options.iterations > 0 && canLearn) MACULA_TRY_VOID(train(model, options, budget, progress));
+    model.trainSeconds = budget.spentSeconds() - withViews;
     return model;
 }
 

@@ -2,12 +2,12 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
 #include <memory>
 
 #include "base/frames.h"
 #include "base/progress.h"
 #include "base/result.h"
+#include "base/time_budget.h"
 #include "pipeline/gpu/device.h"
 #include "pipeline/hybrid/kept_views.h"
 #include "pipeline/splat/trainer.h"
@@ -30,18 +30,23 @@ struct FirstModelOptions {
     int bounces = 4;
     std::uint64_t trial = 0;  // another draw of the views, their noise, and their order in training
     std::uint64_t iterations = 700;
-    double budgetMs = std::numeric_limits<double>::infinity();  // of training; what comes first ends it
-    std::uint32_t capacity = 11000;                             // splats, at least as many as points
-    const KeptViews* kept = nullptr;                            // see ViewTracing
+    bool beginsOnly = false;  // one of these steps, or none: who calls goes on
+    // Of points, views and training together. Points are not cut short; of what is left then, four tenths are
+    // for tracing views, one at least, a tenth is for lighting what was not traced, and the rest for
+    // training, one step at least.
+    const TimeBudget* budget = nullptr;  // null: without end
+    std::uint32_t capacity = 11000;      // splats, at least as many as points
+    const KeptViews* kept = nullptr;     // see ViewTracing
     int shDegree = 1;  // of their colours: 0.3 to 0.6 dB, for 9 bytes more of each in an SPZ file
 };
 
 struct FirstModel {
     splat::Trainer trainer;  // can go on, and take more views
-    // Of the wall, kernels compiled on the way included.
+    // By the clock of the budget, kernels compiled on the way included.
     double pointsSeconds = 0.0;
     double viewsSeconds = 0.0;      // choosing and tracing them
     double trainSeconds = 0.0;      // making the trainer and giving it its pictures included
+    std::size_t viewsTraced = 0;    // fewer than wanted where the budget was short
     std::size_t viewsGivenUp = 0;   // none of the tries showed enough, and the last one was taken
     std::size_t viewsFromKept = 0;  // that took no time
 };

@@ -1,7 +1,10 @@
 #include "pipeline/hybrid/traced_views.h"
 
 #include <algorithm>
+#include <bit>
 #include <limits>
+#include <numeric>
+#include <optional>
 #include <utility>
 
 #include "pipeline/hybrid/pixel_coverage.h"
@@ -52,6 +55,25 @@ Result<void> addSamplesAndLight(trace::PathTracer& tracer, const trace::View& vi
     return {};
 }
 
+// By bit reversal: of any first few, about as many are in one half as in the other, and so on in these.
+std::vector<std::size_t> spreadOrder(std::size_t count) {
+    std::vector<std::size_t> order;
+    const std::size_t all = std::bit_ceil(std::max<std::size_t>(count, 1));
+    for (std::size_t i = 0; i < all; ++i) {
+        std::size_t reversed = 0;
+        for (std::size_t bit = 1; bit < all; bit *= 2) reversed = 2 * reversed + ((i & bit) != 0 ? 1 : 0);
+        if (reversed < count) order.push_back(reversed);
+    }
+    return order;
+}
+
+std::vector<std::size_t> orderOf(std::size_t count, bool mayEnd) {
+    if (mayEnd) return spreadOrder(count);
+    std::vector<std::size_t> order(count);
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    return order;
+}
+
 }  // namespace
 
 Result<TracedView> traceView(trace::PathTracer& tracer, const trace::View& view,
@@ -87,15 +109,20 @@ Result<ViewsToLearn> traceViews(trace::PathTracer& tracer, std::span<const Camer
     const std::uint32_t samples = options.samplesPerPixel;
     progress.beginStage("Tracing views", cameras.size() * samples);
     ViewsToLearn learnt;
-    for (const Camera& camera : cameras) {
+    std::vector<std::optional<TracedView>> made(cameras.size());
+    bool isFirst = true;
+    for (const std::size_t i : orderOf(cameras.size(), bool(options.hasTimeToTrace))) {
+        const Camera& camera = cameras[i];
+        const bool hasTime = !options.hasTimeToTrace || options.hasTimeToTrace();
+        if (!hasTime && !isFirst) break;
+        isFirst = false;
         trace::Settings settings = options.settings;
-        settings.seed += static_cast<std::uint32_t>(learnt.views.size());
+        settings.seed += static_cast<std::uint32_t>(i);
         const trace::View view{.camera = camera, .width = options.sizePx.x, .height = options.sizePx.y};
         const ViewMaking making{.view = view, .settings = settings, .samplesPerPixel = samples};
         if (options.kept != nullptr && options.light == nullptr) {
-            MACULA_TRY(std::optional<TracedView> known, options.kept->find(making));
-            if (known) {
-                learnt.views.push_back(std::move(*known));
+            MACULA_TRY(made[i], options.kept->find(making));
+            if (made[i]) {
                 ++learnt.fromKept;
                 progress.advance(samples);
                 if (progress.cancelled()) return cancelled();
@@ -108,10 +135,16 @@ Result<ViewsToLearn> traceViews(trace::PathTracer& tracer, std::span<const Camer
         } else {
             MACULA_TRY_VOID(addSamples(tracer, view, settings, samples, progress));
         }
-        MACULA_TRY(TracedView traced, readToLearnFrom(tracer, camera));
+        MACULA_TRY(made[i], readToLearnFrom(tracer, camera));
         if (options.kept != nullptr && options.light == nullptr)
-            MACULA_TRY_VOID(options.kept->keep(making, traced));
-        learnt.views.push_back(std::move(traced));
+            MACULA_TRY_VOID(options.kept->keep(making, *made[i]));
+    }
+    for (std::size_t i = 0; i < cameras.size(); ++i) {
+        if (made[i]) {
+            learnt.views.push_back(std::move(*made[i]));
+        } else {
+            learnt.leftOut.push_back(cameras[i]);
+        }
     }
     return learnt;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -26,6 +27,12 @@ struct ViewTracing {
     // Asked before views are made, and given them then: one by one, so that who is cancelled goes on where he
     // was, or sets that light each other (view_set.h). Of what the tracer has. Null: nothing is kept.
     const KeptViews* kept = nullptr;
+    // Asked before each view: when it says no, that and the rest are left out, but for the first view. Views
+    // are then traced in an order in which the first few are spread over all of them. Empty: all, in their
+    // order.
+    std::function<bool()> hasTimeToTrace = {};
+    // Likewise for what is not traced, after that: view_set.h.
+    std::function<bool()> hasTimeToLight = {};
     // Gets the light that is found on the way; then `kept` is not asked and keeps nothing. Null: nobody wants
     // it.
     LightInSpace* light = nullptr;
@@ -33,6 +40,7 @@ struct ViewTracing {
 
 struct ViewsToLearn {
     std::vector<TracedView> views;  // by camera
+    std::vector<Camera> leftOut;    // those for which there was no time
     std::size_t fromKept = 0;       // of these
 };
 

@@ -1,5 +1,6 @@
 #include "pipeline/hybrid/view_set.h"
 
+#include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <utility>
@@ -53,29 +54,32 @@ ViewSetPictures asPictures(std::vector<TracedView> views, std::size_t traced) {
 }
 
 // One after the other, because there may be hundreds.
-Result<std::vector<TracedView>> litByAll(trace::PathTracer& tracer, const Box& seenMm, const ViewSet& set,
-                                         ViewTracing tracing, Progress& progress) {
+Result<ViewSetPictures> litByAll(trace::PathTracer& tracer, const Box& seenMm, const ViewSet& set,
+                                 ViewTracing tracing, Progress& progress) {
     LightInSpace light(pixelMm(set.traced, seenMm, tracing.sizePx));
     tracing.light = &light;
     MACULA_TRY(ViewsToLearn traced, traceViews(tracer, set.traced, tracing, progress));
     light.finish();
-    std::vector<TracedView> views = std::move(traced.views);
-    const double own = kSeenByOneIn / (kSeenByOneIn + double(views.size()));
+    ViewSetPictures pictures{.traced = std::move(traced.views), .areLit = true};
+    const double own = kSeenByOneIn / (kSeenByOneIn + double(pictures.traced.size()));
     progress.beginStage("Lighting views", set.traced.size() + set.sides.size());
     const auto lightNext = [&](const Camera& camera) -> Result<TracedView> {
         if (progress.cancelled()) return Error{ErrorCode::cancelled, "Stopped.", {}, {}};
         progress.advance();
         return litView(tracer, camera, tracing.sizePx, light);
     };
-    for (TracedView& view : views) {
+    for (TracedView& view : pictures.traced) {
         MACULA_TRY(TracedView lit, lightNext(view.camera));
         view = combined(view, std::move(lit), own);
     }
-    for (const Camera& camera : set.sides) {
+    std::vector<Camera> sides = std::move(traced.leftOut);
+    sides.insert(sides.end(), set.sides.begin(), set.sides.end());
+    for (const Camera& camera : sides) {
+        if (tracing.hasTimeToLight && !tracing.hasTimeToLight()) break;
         MACULA_TRY(TracedView lit, lightNext(camera));
-        views.push_back(std::move(lit));
+        pictures.sides.push_back(std::move(lit));
     }
-    return views;
+    return pictures;
 }
 
 }  // namespace
@@ -84,7 +88,8 @@ Result<ViewSetPictures> makePictures(trace::PathTracer& tracer, const Box& seenM
                                      const ViewTracing& tracing, Progress& progress) {
     if (std::abs(tracer.anisotropy()) > kMostAnisotropy || set.traced.empty()) {
         MACULA_TRY(ViewsToLearn traced, traceViews(tracer, set.traced, tracing, progress));
-        MACULA_TRY(std::vector<TracedView> sides, coverageViews(tracer, set.sides, tracing.sizePx, progress));
+        MACULA_TRY(std::vector<TracedView> sides,
+                   coverageViews(tracer, set.sides, tracing.sizePx, progress, tracing.hasTimeToLight));
         return ViewSetPictures{
             .traced = std::move(traced.views), .sides = std::move(sides), .fromKept = traced.fromKept};
     }
@@ -97,8 +102,13 @@ Result<ViewSetPictures> makePictures(trace::PathTracer& tracer, const Box& seenM
             return pictures;
         }
     }
-    MACULA_TRY(std::vector<TracedView> views, litByAll(tracer, seenMm, set, tracing, progress));
-    if (tracing.kept != nullptr) MACULA_TRY_VOID(tracing.kept->keepSet(makings, views));
+    MACULA_TRY(ViewSetPictures pictures, litByAll(tracer, seenMm, set, tracing, progress));
+    const bool isWhole =
+        pictures.traced.size() == set.traced.size() && pictures.sides.size() == set.sides.size();
+    if (tracing.kept == nullptr || !isWhole) return pictures;
+    std::vector<TracedView> views = std::move(pictures.traced);
+    std::move(pictures.sides.begin(), pictures.sides.end(), std::back_inserter(views));
+    MACULA_TRY_VOID(tracing.kept->keepSet(makings, views));
     return asPictures(std::move(views), set.traced.size());
 }
 

@@ -26,7 +26,7 @@ struct ViewSet {
 };
 
 struct ViewSetPictures {
-    std::vector<TracedView> traced;  // by camera
+    std::vector<TracedView> traced;  // by camera, those for which there was time
     std::vector<TracedView> sides;   // likewise
     // What leaves matter towards one side is not what leaves it towards another, where matter scatters more
     // forwards than back (|g| above 0.1): then `traced` is as it was traced, and of `sides` only coverage is
@@ -35,8 +35,9 @@ struct ViewSetPictures {
     std::size_t fromKept = 0;  // took no time; lit ones all or none
 };
 
-// `tracing` says how views are traced; its `light` is not looked at. `seenMm` is what can be seen
-// (TracedScene). For `tracer` and `progress`, what traceViews says.
+// `tracing` says how views are traced; its `light` is not looked at. Views for which there was no time are
+// lit as sides are, before these, while there is time for that. `seenMm` is what can be seen (TracedScene).
+// For `tracer` and `progress`, what traceViews says.
 Result<ViewSetPictures> makePictures(trace::PathTracer& tracer, const Box& seenMm, const ViewSet& set,
                                      const ViewTracing& tracing, Progress& progress);
 

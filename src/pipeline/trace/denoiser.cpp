@@ -17,8 +17,6 @@ namespace {
 // the first, and the second spreads that.
 constexpr std::array kStrides{1, 2, 4, 8, 16, 1, 2, 4, 8};
 constexpr int kFirstSweep = 5;  // of these
-// What the view before may count for: more would blur what is resampled from view to view.
-constexpr float kHistorySamples = 32.0f;
 
 // Rows of one dispatch for whoever may be interrupted: on a CPU device, where a pixel of a pass takes up to
 // 0.3 microseconds, some 40 ms.
@@ -84,7 +82,8 @@ Result<Denoiser> Denoiser::create(const std::shared_ptr<gpu::Device>& device,
 }
 
 Result<bool> Denoiser::run(const Film& film, const Guides& now, const Guides* before, float pixelAngle,
-                           Denoising how, const std::function<bool()>& keepGoing) {
+                           Denoising how, const std::function<bool()>& keepGoing, const FoveaInPlane& fovea,
+                           float historySamples) {
     MACULA_CHECK(how != Denoising::off);
     MACULA_CHECK_EQ(film.width(), width_);
     MACULA_CHECK_EQ(film.height(), height_);
@@ -106,8 +105,12 @@ Result<bool> Denoiser::run(const Film& film, const Guides& now, const Guides* be
                                  .stride = 1,
                                  .last = 0,
                                  .pixelAngle = pixelAngle,
-                                 .historySamples = history ? kHistorySamples : 0.0f,
-                                 .firstRow = row_};
+                                 .historySamples = history ? historySamples : 0.0f,
+                                 .firstRow = row_,
+                                 .planeHalfSize = fovea.halfSize,
+                                 .gaze = fovea.gaze,
+                                 .foveaRadius = static_cast<float>(fovea.radius),
+                                 .foveaMagnification = static_cast<float>(fovea.magnification)};
         if (stage_ == 0) {
             recorder.dispatch(kernels_->gather, threads, push,
                               {film.sums(), film.counts(), film.squares(), now.surfaces(), now.matters(),

@@ -15,6 +15,7 @@
 #include "pipeline/gpu/resources.h"
 #include "pipeline/trace/film.h"
 #include "pipeline/trace/guides.h"
+#include "pipeline/trace/scene.h"
 #include "pipeline/trace/settings.h"
 
 namespace macula::trace {
@@ -38,13 +39,17 @@ class Denoiser {
     int width() const { return width_; }
     int height() const { return height_; }
 
-    // `pixelAngle` is the width of a pixel at distance 1. `before` are the guides of the view before, which
-    // must be those of the run that advance() kept; null when there are none. All of one size. `how`: not
-    // off. `keepGoing` is asked between dispatches of some 40 ms, which are waited for; when it says no, the
-    // next run of the same goes on there, unless that is given up before. When it is empty nothing is waited
-    // for. Whether all is done.
+    // What views before may count for, at most: more would blur what is resampled from view to view.
+    static constexpr float kHistorySamples = 32.0f;
+
+    // `pixelAngle` is the width of a pixel at distance 1, as stored, and `fovea` where that is more than what
+    // it shows. `before` are the guides of the view before, which must be those of the run that advance()
+    // kept; null when there are none. All of one size. `how`: not off. `keepGoing` is asked between
+    // dispatches of some 40 ms, which are waited for; when it says no, the next run of the same goes on
+    // there, unless that is given up before. When it is empty nothing is waited for. Whether all is done.
     Result<bool> run(const Film& film, const Guides& now, const Guides* before, float pixelAngle,
-                     Denoising how, const std::function<bool()>& keepGoing = {});
+                     Denoising how, const std::function<bool()>& keepGoing = {},
+                     const FoveaInPlane& fovea = {}, float historySamples = kHistorySamples);
     // What was begun and not finished.
     void giveUp() { stage_ = row_ = 0; }
 

@@ -9,6 +9,8 @@
 #include "pipeline/trace/scene.h"
 #include "pipeline/volume/clip_bricks.h"
 #include "pipeline/volume/visible_box.h"
+#include "pipeline/volume/visible_hull.h"
+#include "pipeline/volume/voxel_blocks.h"
 
 namespace macula::trace {
 
@@ -31,12 +33,9 @@ std::optional<Projection> projectionOf(Look look) {
     return std::nullopt;
 }
 
-// Gradients reach a voxel beyond what can be seen: into the next bricks.
-void addNeighbours(std::span<const float> bounds, std::vector<std::uint8_t>& alsoShown) {
-    alsoShown.resize(bounds.size(), 0);
-    for (std::size_t brick = 0; brick < bounds.size(); ++brick) {
-        if (bounds[brick] == -1.0f) alsoShown[brick] = 1;
-    }
+// The normals of guides steer the denoiser.
+bool takesGradients(const Settings& settings) {
+    return isDenoised(settings) || (settings.look == Look::dvr && settings.shading == Shading::headlight);
 }
 
 }  // namespace
@@ -45,6 +44,7 @@ Result<void> DeviceScene::setVolume(std::shared_ptr<const Volume> volume) {
     MACULA_CHECK(volume != nullptr);
     ++edition_;
     voxels_.reset();
+    gradients_ = false;
     extinction_.reset();
     mask_.reset();
     maskBits_.reset();
@@ -92,6 +92,13 @@ Result<void> DeviceScene::makeMask() {
     return {};
 }
 
+Result<void> DeviceScene::showVoxels() {
+    std::vector<std::uint8_t> alsoShown = bricksAtGreyFaces(clip_, *volume_, grid_);
+    if (hasGradientOpacity() || (gradients_ && !projection_))
+        addReachOfGradients(grid_, medium_.bounds, alsoShown);
+    return voxels_->show(grid_, medium_.bounds, alsoShown, medium_.extinctionPerMm);
+}
+
 Result<void> DeviceScene::makeTables() {
     ++edition_;
     MACULA_TRY_VOID(makeMask());
@@ -101,9 +108,7 @@ Result<void> DeviceScene::makeTables() {
     extinction_.reset();  // all or none: tables of different length must never meet
     albedo_.reset();
     bounds_.reset();
-    std::vector<std::uint8_t> alsoShown = bricksAtGreyFaces(clip_, *volume_, grid_);
-    if (shading_ || hasGradientOpacity()) addNeighbours(medium_.bounds, alsoShown);
-    MACULA_TRY_VOID(voxels_->show(grid_, medium_.bounds, alsoShown, medium_.extinctionPerMm));
+    MACULA_TRY_VOID(showVoxels());
     if (voxels_->isCoarse()) coverCoarseBlocks(medium_, grid_, voxels_->levels());
     std::vector<float> opacities = medium_.extinctionPerMm;
     opacities.insert(opacities.end(), medium_.gradientOpacity.begin(), medium_.gradientOpacity.end());
@@ -135,14 +140,24 @@ bool DeviceScene::isComplete() const {
 
 Result<void> DeviceScene::makeReadyFor(const Settings& settings) {
     MACULA_CHECK(isComplete());
+    const bool gradients = takesGradients(settings);
     const auto projection = projectionOf(settings.look);
-    const bool shading = settings.look == Look::dvr && settings.shading == Shading::headlight;
-    if (projection != projection_ || shading != shading_) {
-        projection_ = projection;
-        shading_ = shading;
-        MACULA_TRY_VOID(makeTables());
-    }
-    return {};
+    if (projection == projection_) return gradients ? keepForGradients() : Result<void>();
+    projection_ = projection;
+    gradients_ = gradients_ || gradients;
+    return makeTables();
+}
+
+Result<void> DeviceScene::keepForGradients() {
+    MACULA_CHECK(isComplete());
+    if (gradients_) return {};
+    gradients_ = true;
+    if (projection_ || hasGradientOpacity()) return {};
+    // What was there before stays as it is, and so does what was seen of it, unless something has to become
+    // coarser.
+    if (voxels_->isCoarse()) return makeTables();
+    MACULA_TRY_VOID(showVoxels());
+    return voxels_->isCoarse() ? makeTables() : Result<void>();
 }
 
 Result<shared::TraceParams> DeviceScene::params(const View& view, const Settings& settings) const {
@@ -158,6 +173,14 @@ Box DeviceScene::seenMm() const {
     const MaskBits* mask = maskBits_ ? &*maskBits_ : nullptr;
     return visibleBoxMm(*volume_, grid_,
                         makeMedium(*volume_, grid_, fitted(*function_, *volume_), ofEye, mask));
+}
+
+std::vector<glm::dvec3> DeviceScene::outlineMm() const {
+    MACULA_CHECK(isComplete());
+    const MaskBits* mask = maskBits_ ? &*maskBits_ : nullptr;
+    if (!projection_) return visibleHullMm(*volume_, grid_, medium_, clip_, mask);
+    return visibleHullMm(*volume_, grid_,
+                         makeMedium(*volume_, grid_, fitted(*function_, *volume_), clip_, mask), clip_, mask);
 }
 
 VoxelMemory DeviceScene::voxelMemory() const {

@@ -62,6 +62,11 @@ class DeviceScene {
 
     // When complete. Sees to the tables and bounds of the look.
     Result<void> makeReadyFor(const Settings& settings);
+    // The voxels that gradients reach, of whatever can be seen (addReachOfGradients), are there from now on,
+    // as they are for settings that take gradients; until the next volume. Its edition stays while nothing is
+    // coarse. When complete.
+    Result<void> keepForGradients();
+    bool keepsForGradients() const { return gradients_; }
     // When made ready for them, see makeTraceParams.
     Result<shared::TraceParams> params(const View& view, const Settings& settings) const;
 
@@ -69,6 +74,9 @@ class DeviceScene {
     // it may cast shadow. Empty, low > high, when there is nothing. When complete, and ready for a
     // path-traced look.
     Box seenMm() const;
+
+    // The outline of its matter (visibleHullMm), whatever the look. When complete.
+    std::vector<glm::dvec3> outlineMm() const;
 
     // What the voxels take; nothing without a volume.
     VoxelMemory voxelMemory() const;
@@ -81,6 +89,7 @@ class DeviceScene {
   private:
     Result<void> makeMask();
     Result<void> makeTables();
+    Result<void> showVoxels();
     std::shared_ptr<gpu::Device> device_;
     MemoryLimits limits_;
     std::uint64_t edition_ = 0;
@@ -88,7 +97,7 @@ class DeviceScene {
     BrickGrid grid_;
     Medium medium_;
     std::optional<Projection> projection_;      // what medium_ is for; nothing: matter
-    bool shading_ = false;                      // whether it needs gradients
+    bool gradients_ = false;                    // whether what these reach is kept
     std::optional<TransferFunction> function_;  // as it was given
     Clip clip_;
     std::optional<DeviceVolume> voxels_;

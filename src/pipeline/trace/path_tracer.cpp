@@ -140,6 +140,12 @@ Result<Box> PathTracer::seenMm() {
     return impl_->scene.scene().seenMm();
 }
 
+Result<std::vector<glm::dvec3>> PathTracer::outlineMm() const {
+    const DeviceScene& scene = impl_->scene.scene();
+    if (!scene.isComplete()) return nothingToTrace();
+    return scene.outlineMm();
+}
+
 Result<void> PathTracer::setSettings(const Settings& settings) {
     const Settings before = std::exchange(impl_->settings, settings);
     // Samples stay while only what is shown of them differs, and how many are enough. The same settings once
@@ -148,12 +154,14 @@ Result<void> PathTracer::setSettings(const Settings& settings) {
     sameSamples.denoising = settings.denoising;
     sameSamples.errorThreshold = settings.errorThreshold;
     if (settings != sameSamples || settings == before) impl_->stale = true;
-    // The light that arrives from each point stays what it was while these differ besides.
+    // The light that arrives from each point stays what it was while these differ besides. Grey faces are
+    // another light for each exposure, so that they look the same.
     Settings sameLight = sameSamples;
     sameLight.seed = settings.seed;
-    sameLight.exposure = settings.exposure;
+    if (!impl_->scene.scene().hasGreyFaces()) sameLight.exposure = settings.exposure;
     if (settings != sameLight) impl_->looksOther();
-    return {};
+    return isDenoised(settings) && impl_->scene.scene().isComplete() ? impl_->scene.scene().keepForGradients()
+                                                                     : Result<void>();
 }
 
 void PathTracer::forgetViews() {
@@ -373,6 +381,8 @@ Result<bool> PathTracer::develop(const std::function<bool()>& keepGoing) {
 
 Result<const Guides*> PathTracer::guides() {
     MACULA_TRY_VOID(impl_->prepare());
+    MACULA_TRY_VOID(impl_->scene.scene().keepForGradients());
+    MACULA_TRY_VOID(impl_->prepare());
     return impl_->history.guides(impl_->scene, impl_->kernels);
 }
 
@@ -423,7 +433,10 @@ Result<SurfacePoints> PathTracer::surfacePoints(const SurfacePointOptions& optio
 
 Result<TracedImage> PathTracer::readback() {
     Impl& t = *impl_;
-    MACULA_TRY(const std::vector<GuidePixel> pixels, readGuides());
+    MACULA_TRY_VOID(t.prepare());
+    MACULA_TRY(const Guides* guides,
+               t.history.guides(t.scene, t.kernels));  // of which depths are read, no normals
+    MACULA_TRY(const std::vector<GuidePixel> pixels, guides->read());
     const Film& film = t.accumulation.film();
     TracedImage image{.width = t.view.width,
                       .height = t.view.height,

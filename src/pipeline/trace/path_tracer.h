@@ -117,6 +117,10 @@ class PathTracer {
     // is not in it. usage for projections.
     Result<Box> seenMm();
 
+    // Points around all of the matter that can be seen, LPS mm, for a view that fits (framePoints); none
+    // where there is nothing. Projections show all of the volume instead. No view is needed.
+    Result<std::vector<glm::dvec3>> outlineMm() const;
+
     // Henyey-Greenstein g of what is shown; 0 before anything is.
     double anisotropy() const;
 
@@ -152,7 +156,8 @@ class PathTracer {
     Result<TracedLight> light();
 
     // Of the view that was set last, on the device: valid until the next call. Motion is towards the last
-    // view before it that was traced.
+    // view before it that was traced. Normals need a few more voxels; where these make others coarser, the
+    // picture begins anew.
     Result<const Guides*> guides();
     Result<std::vector<GuidePixel>> readGuides();  // row 0 on top; waits
 

@@ -14,8 +14,15 @@ namespace {
 // A class, because the shader functions read their tables as globals.
 struct Host : GlslInCpp<double> {
     explicit Host(const shared::DenoisePush& push)
-        : denoise{push.imageSize, push.stride, push.last, double(push.pixelAngle),
-                  double(push.historySamples)} {}
+        : denoise{push.imageSize,
+                  push.stride,
+                  push.last,
+                  double(push.pixelAngle),
+                  double(push.historySamples),
+                  vec2(push.planeHalfSize),
+                  vec2(push.gaze),
+                  double(push.foveaRadius),
+                  double(push.foveaMagnification)} {}
 
     struct {
         ivec2 imageSize;
@@ -23,6 +30,10 @@ struct Host : GlslInCpp<double> {
         int last;
         double pixelAngle;
         double historySamples;
+        vec2 planeHalfSize;
+        vec2 gaze;
+        double foveaRadius;
+        double foveaMagnification;
     } denoise;
     const DenoiseFilm* film = nullptr;
     const DenoiseGuides* now = nullptr;
@@ -54,6 +65,7 @@ struct Host : GlslInCpp<double> {
 #include "lib/denoise_filter.glsl"
 #include "lib/denoise_gather.glsl"
 #include "lib/denoise_prepare.glsl"
+#include "lib/fovea.glsl"
 #include "lib/picture.glsl"
 #undef float
 };

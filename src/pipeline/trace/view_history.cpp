@@ -16,6 +16,9 @@ constexpr double kFarthestGaze = 0.1;
 // A view that turned by more shows other sides of things: nothing is gained from the one before.
 constexpr double kMostTurnDeg = 20.0;
 constexpr double kMostTurnWithLightsDeg = 1.0;
+// What is known of a view is from many before it: with lights that turn along, the mean of these may lie so
+// far back.
+constexpr double kMostLagWithLightsDeg = 2.0;
 
 // With the gaze within `farthest`, in half widths and half heights of the picture.
 bool sameFovea(const std::optional<Foveation>& a, const std::optional<Foveation>& b, double farthest) {
@@ -30,6 +33,16 @@ bool sameView(const View& a, const View& b) {
            a.camera.verticalFovDeg == b.camera.verticalFovDeg && sameFovea(a.foveation, b.foveation, 0.0);
 }
 
+// By how much its axes have turned, at most; nothing where there are none.
+std::optional<double> turnDeg(const Camera& from, const Camera& to) {
+    const auto eyeFrom = basis(from);
+    const auto eyeTo = basis(to);
+    if (!eyeFrom || !eyeTo) return std::nullopt;
+    const double cosine =
+        std::min(glm::dot(eyeFrom->forward, eyeTo->forward), glm::dot(eyeFrom->up, eyeTo->up));
+    return glm::degrees(std::acos(std::clamp(cosine, -1.0, 1.0)));
+}
+
 // Whether `to` can use what `from` has shown: it is as large and as wide, and the light stayed where it was.
 bool continues(const View& from, const View& to, LightFrame lights) {
     if (from.width != to.width || from.height != to.height ||
@@ -37,14 +50,10 @@ bool continues(const View& from, const View& to, LightFrame lights) {
         !sameFovea(from.foveation, to.foveation, kFarthestGaze)) {
         return false;
     }
-    const auto eyeFrom = basis(from.camera);
-    const auto eyeTo = basis(to.camera);
-    if (!eyeFrom || !eyeTo) return false;
     // What turns with the camera lights matter otherwise from degree to degree.
-    const double turned =
-        std::min(glm::dot(eyeFrom->forward, eyeTo->forward), glm::dot(eyeFrom->up, eyeTo->up));
     const double most = lights == LightFrame::camera ? kMostTurnWithLightsDeg : kMostTurnDeg;
-    return turned >= std::cos(glm::radians(most));
+    const std::optional<double> turned = turnDeg(from.camera, to.camera);
+    return turned && *turned <= most;
 }
 
 }  // namespace
@@ -66,10 +75,25 @@ void ViewHistory::turnPage(const View& view, std::uint32_t seed, bool wasTraced,
     if (!view_ || forgets_) viewBefore_ = view;
     // The same random numbers once more would tell nothing new.
     if (denoiser_ && (forgets_ || again || !continues(viewBefore_, view, lights))) denoiser_->forget();
+    limitLag(view, lights);
     view_ = view;
     seed_ = seed;
     forgets_ = false;
     restart();
+}
+
+// A record of h samples with one new sample or more of this view lies back by at most h / (h + 1) of what it
+// lay back before and was turned since.
+void ViewHistory::limitLag(const View& view, LightFrame lights) {
+    historySamples_ = Denoiser::kHistorySamples;
+    if (lights != LightFrame::camera || !denoiser_ || !denoiser_->remembers()) {
+        lagDeg_ = 0.0;
+        return;
+    }
+    const double lag = lagDeg_ + turnDeg(viewBefore_.camera, view.camera).value_or(0.0);
+    const double beyond = lag - kMostLagWithLightsDeg;
+    if (beyond > 0.0) historySamples_ = std::min(historySamples_, float(kMostLagWithLightsDeg / beyond));
+    lagDeg_ = lag * historySamples_ / (historySamples_ + 1.0);
 }
 
 void ViewHistory::restart() {
@@ -84,6 +108,8 @@ Result<void> ViewHistory::makeGuides(const SceneView& scene, TraceKernels& kerne
         guides_.reset();
         MACULA_TRY(guides_, Guides::create(device_, view_->width, view_->height));
     }
+    if (scene.scene().keepsForGradients() && !haveNormals_) guides_->begin();
+    haveNormals_ = scene.scene().keepsForGradients();
     if (guides_->isWhole()) return {};
     MACULA_TRY(const shared::GuidePush push, guidePush(*view_, viewBefore_));
     MACULA_TRY(const gpu::Kernel* kernel, kernels.guides(kindOf(scene.scene())));
@@ -113,7 +139,8 @@ Result<bool> ViewHistory::denoiseSome(const Film& film, std::uint64_t edition, D
     const double pixelAngle =
         2.0 * std::tan(glm::radians(view_->camera.verticalFovDeg) / 2.0) / view_->height;
     MACULA_TRY(const bool isWhole, denoiser_->run(film, *guides_, guidesBefore_ ? &*guidesBefore_ : nullptr,
-                                                  static_cast<float>(pixelAngle), how, keepGoing));
+                                                  static_cast<float>(pixelAngle), how, keepGoing,
+                                                  foveaInPlane(*view_), historySamples_));
     if (!isWhole) return false;
     denoisedEdition_ = edition;
     denoisedAs_ = how;

@@ -33,8 +33,8 @@ class ViewHistory {
     // The picture begins again, of the view that was set last.
     void restart();
 
-    // Of that view; motion is towards the last one before it that was traced. `scene` looks at it. Valid
-    // until the next call.
+    // Of that view; their normals are true where the scene keeps voxels for gradients. Motion is towards the
+    // last one before it that was traced. `scene` looks at it. Valid until the next call.
     Result<const Guides*> guides(const SceneView& scene, TraceKernels& kernels);
     // vec4 for each pixel, see Denoiser::result(), of a film of that view; `how` is not off. Made again when
     // the film's `edition` is another one, or `how` is. Valid until the next call.
@@ -46,14 +46,19 @@ class ViewHistory {
                              TraceKernels& kernels, const std::function<bool()>& keepGoing);
 
   private:
+    void limitLag(const View& view, LightFrame lights);
     Result<void> makeGuides(const SceneView& scene, TraceKernels& kernels,
                             const std::function<bool()>& keepGoing);
 
     std::shared_ptr<gpu::Device> device_;
     std::optional<Guides> guides_, guidesBefore_;
+    bool haveNormals_ = false;  // those under way or made: all voxels that gradients reach were there
     std::optional<Denoiser> denoiser_;
     std::optional<View> view_;  // nothing before the first page
     std::uint32_t seed_ = 0;
+    double lagDeg_ =
+        0.0;  // by so much the views of what is known have turned, in the mean; of lights on the camera
+    float historySamples_ = Denoiser::kHistorySamples;  // what is known of them may count for
     View viewBefore_;
     bool forgets_ = true;
     std::optional<std::uint64_t> denoisedEdition_;  // of the film, when the denoiser ran

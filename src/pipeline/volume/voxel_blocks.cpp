@@ -1,6 +1,7 @@
 #include "pipeline/volume/voxel_blocks.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "base/check.h"
 #include "base/parallel.h"
@@ -71,6 +72,27 @@ std::vector<std::uint8_t> blocksToShow(const BrickGrid& grid, std::span<const fl
         }
     });
     return show;
+}
+
+void addReachOfGradients(const BrickGrid& grid, std::span<const float> bounds,
+                         std::vector<std::uint8_t>& alsoShown) {
+    MACULA_CHECK_EQ(bounds.size(), grid.ranges.size());
+    MACULA_CHECK(alsoShown.empty() || alsoShown.size() == bounds.size());
+    const std::vector<std::uint8_t> marked = std::move(alsoShown);
+    alsoShown.assign(bounds.size(), 0);
+    const auto needed = [&](std::size_t brick) {
+        return bounds[brick] > 0.0f || (!marked.empty() && marked[brick]);
+    };
+    parallelFor(std::size_t(grid.size.y) * std::size_t(grid.size.z), [&](std::size_t row) {
+        const int y = static_cast<int>(row) % grid.size.y;
+        const int z = static_cast<int>(row) / grid.size.y;
+        for (int x = 0; x < grid.size.x; ++x) {
+            const std::size_t brick = grid.index(x, y, z);
+            alsoShown[brick] = needed(brick) || (x > 0 && needed(grid.index(x - 1, y, z))) ||
+                               (y > 0 && needed(grid.index(x, y - 1, z))) ||
+                               (z > 0 && needed(grid.index(x, y, z - 1)));
+        }
+    });
 }
 
 void writeBlock(const Volume& volume, const EntryMap& map, glm::ivec3 block, std::uint8_t level,

@@ -36,6 +36,12 @@ constexpr std::uint32_t blockWord(std::uint8_t level, std::uint32_t unitOrValue)
 std::vector<std::uint8_t> blocksToShow(const BrickGrid& grid, std::span<const float> bounds,
                                        std::span<const std::uint8_t> alsoShown = {});
 
+// Gradients take differences to a voxel on either side, and so reach into the next brick up along each axis
+// (what they reach below, a brick touches itself): these are marked in `alsoShown` (by brick, or empty:
+// none), for the visible bricks and for those that are marked already.
+void addReachOfGradients(const BrickGrid& grid, std::span<const float> bounds,
+                         std::vector<std::uint8_t>& alsoShown);
+
 // Writes a block's entries at a level below kSingle, x fastest, poolValues(level) of them. Averages are of
 // entries, rounded to the nearest. Beyond the volume values are 0, and never read.
 void writeBlock(const Volume& volume, const EntryMap& map, glm::ivec3 block, std::uint8_t level,

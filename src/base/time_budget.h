@@ -1,0 +1,35 @@
+// How long something may take in all, whatever it does first.
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <limits>
+#include <utility>
+
+namespace macula {
+
+// Begins when it is made; copies go on together.
+class TimeBudget {
+  public:
+    using Clock = std::function<double()>;  // seconds since some time; never goes back
+
+    static double steadySeconds() {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+    }
+
+    TimeBudget() : TimeBudget(std::numeric_limits<double>::infinity()) {}  // without end
+    explicit TimeBudget(double seconds, Clock clock = steadySeconds)
+        : clock_(std::move(clock)), seconds_(seconds), start_(clock_()) {}
+
+    bool isLimited() const { return seconds_ < std::numeric_limits<double>::infinity(); }
+    double spentSeconds() const { return clock_() - start_; }
+    double leftSeconds() const { return seconds_ - spentSeconds(); }
+    bool isSpent() const { return isLimited() && leftSeconds() <= 0.0; }
+
+  private:
+    Clock clock_;
+    double seconds_;
+    double start_;
+};
+
+}  // namespace macula
