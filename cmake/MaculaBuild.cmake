@@ -73,6 +73,12 @@ endfunction()
 # Where time goes into starting, reading and comparing, a second of a compiler is worth more than a millisecond of a run.
 set(MACULA_QUICK_TO_COMPILE $<$<CONFIG:RelWithDebInfo>:-O1>)
 
+# Where files of others are read: an index out of range ends the program, and is not used.
+set(MACULA_HARDENED $<$<CONFIG:RelWithDebInfo,Release>:-D_GLIBCXX_ASSERTIONS>)
+if(NOT MACULA_SANITIZE AND NOT MACULA_FUZZ)  # which look closer, and cannot where this does
+    list(APPEND MACULA_HARDENED $<$<CONFIG:RelWithDebInfo,Release>:-U_FORTIFY_SOURCE> $<$<CONFIG:RelWithDebInfo,Release>:-D_FORTIFY_SOURCE=2>)
+endif()
+
 # macula_test(NAME SOURCES … LIBS … [TIMEOUT seconds] [SHARES thing]): one GoogleTest executable, one ctest entry per test; two that
 # share a thing, such as the display, never run at once.
 function(macula_test name)
