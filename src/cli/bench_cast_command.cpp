@@ -82,8 +82,8 @@ Result<double> timeOnce(const BenchStudy& study, trace::PathTracer& tracer, cons
     return secondsSince(since);
 }
 
-Result<Json> errorOf(const Contender& contender) {
-    MACULA_TRY(const image::Flip flip, image::flip(contender.converged, contender.picture));
+Result<Json> errorOf(const image::Image& converged, const image::Image& picture) {
+    MACULA_TRY(const image::Flip flip, image::flip(converged, picture));
     return Json(flip.mean);
 }
 
@@ -129,7 +129,7 @@ Result<Json> measure(const Options& options, const BenchStudy& study, const Subj
         ours.seconds.push_back(taken ? *taken : 0.0);
     };
     std::optional<Contender> vtk;
-    double stepMm = 0.0;
+    VtkCast theirs;
     if (!withoutVtk) {
         auto cast = castWithVtk({.volume = study.volume.get(),
                                  .function = fitted(study.function, *study.volume),
@@ -141,8 +141,8 @@ Result<Json> measure(const Options& options, const BenchStudy& study, const Subj
                                  .threads = coreCount()},
                                 turn);
         if (cast) {
-            stepMm = cast->stepMm;
-            vtk = Contender{cast->firstSeconds, cast->seconds, cast->picture, cast->converged};
+            theirs = std::move(*cast);
+            vtk = Contender{theirs.firstSeconds, theirs.seconds, theirs.picture, theirs.converged};
         } else {
             withoutVtk = cast.error();
         }
@@ -152,13 +152,16 @@ Result<Json> measure(const Options& options, const BenchStudy& study, const Subj
     MACULA_TRY(ours.picture, drawOnce(study, tracer, settings, 1));
     MACULA_TRY(ours.converged, drawOnce(study, tracer, settings, kConverged));
 
-    MACULA_TRY(Json error, errorOf(ours));
+    MACULA_TRY(Json error, errorOf(ours.converged, ours.picture));
     Json result = {{"look", subject.name}, {"ours", toJson(ours, error)}, {"vtk", nullptr}};
     MACULA_TRY_VOID(savePictures(options.pictures, std::string(subject.name) + "-macula", ours));
     if (vtk) {
-        MACULA_TRY(Json vtkError, errorOf(*vtk));
+        MACULA_TRY(Json vtkError, errorOf(vtk->converged, vtk->picture));
         result["vtk"] = toJson(*vtk, vtkError);
-        result["vtk"]["stepMm"] = stepMm;
+        MACULA_TRY(Json fineError, errorOf(vtk->converged, theirs.fine));
+        result["vtk"]["stepMm"] = theirs.stepMm;
+        result["vtk"]["secondsInThirdSteps"] = theirs.fineSeconds;
+        result["vtk"]["flipInThirdSteps"] = fineError;
         std::vector<double> ratios;
         for (std::size_t n = 0; n < vtk->seconds.size(); ++n)
             ratios.push_back(ours.seconds[n] / vtk->seconds[n]);
@@ -174,8 +177,9 @@ void print(const Json& result) {
     fmt::print("{:8}{:9.3f} s {:8.4f}", result["look"].get<std::string>(),
                ours["secondsPerPicture"].get<double>(), ours["flipToConverged"].get<double>());
     if (!vtk.is_null()) {
-        fmt::print("{:11.3f} s {:8.4f}{:9.2f}", vtk["secondsPerPicture"].get<double>(),
-                   vtk["flipToConverged"].get<double>(), result["oursOverVtk"].get<double>());
+        fmt::print("{:11.3f} s {:8.4f}{:9.2f}{:11.3f} s {:8.4f}", vtk["secondsPerPicture"].get<double>(),
+                   vtk["flipToConverged"].get<double>(), result["oursOverVtk"].get<double>(),
+                   vtk["secondsInThirdSteps"].get<double>(), vtk["flipInThirdSteps"].get<double>());
     }
     fmt::print("\n");
     std::fflush(stdout);
@@ -190,7 +194,9 @@ Result<void> benchCast(const Options& options) {
     json["repetitions"] = options.turns;
     json["results"] = Json::array();
     std::optional<Error> withoutVtk;
-    if (!options.json) fmt::print("look       a picture     FLIP     VTK (CPU)     FLIP  ours/VTK\n");
+    if (!options.json)
+        fmt::print(
+            "look       a picture     FLIP     VTK (CPU)     FLIP  ours/VTK   in 1/3 steps     FLIP\n");
     progress.beginStage("Measuring", std::size(kSubjects));
     for (const Subject& subject : kSubjects) {
         if (progress.cancelled()) return Error{ErrorCode::cancelled, "The benchmark was cancelled.", {}, {}};

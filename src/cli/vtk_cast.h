@@ -28,7 +28,9 @@ struct VtkCast {
     std::vector<double> seconds;  // of each further picture
     double stepMm = 0.0;          // VTK's own choice: half of the mean spacing
     image::Image picture;         // display-encoded RGB, over black
-    image::Image converged;       // nine rays to a pixel, in steps of a third
+    double fineSeconds = 0.0;     // in steps of a third
+    image::Image fine;
+    image::Image converged;  // nine rays to a pixel, in steps of a third
 };
 
 // After each further picture `afterTurn` is called, so that contenders take turns. In a plug-in that is built

@@ -67,8 +67,10 @@ void setCurves(const VtkCastOptions& options, vtkVolumeProperty& property) {
         const double high = options.window.center + 0.5 * options.window.width;
         colour->AddRGBPoint(low, 0, 0, 0);
         colour->AddRGBPoint(high, 1, 1, 1);
-        opacity->AddPoint(low, 1.0);
-        opacity->AddPoint(high, 1.0);
+        // A sum that is full ends early.
+        const double share = options.look == Look::average ? 1e-3 : 1.0;
+        opacity->AddPoint(low, share);
+        opacity->AddPoint(high, share);
     } else {
         for (const OpacityPoint& p : options.function.opacity)
             opacity->AddPoint(p.value, p.opacity, p.midpoint, p.sharpness);
@@ -185,6 +187,9 @@ Result<VtkCast> cast(const VtkCastOptions& options, const std::function<void()>&
     mapper->LockSampleDistanceToInputSpacingOff();
     mapper->SetSampleDistance(static_cast<float>(result.stepMm / kFiner));
     mapper->SetInteractiveSampleDistance(static_cast<float>(result.stepMm / kFiner));
+    seconds();
+    result.fineSeconds = seconds();
+    result.fine = pictureOf(*window, options.view, 1);
     window->SetSize(options.view.width * kFiner, options.view.height * kFiner);
     window->Render();
     result.converged = pictureOf(*window, options.view, kFiner);
