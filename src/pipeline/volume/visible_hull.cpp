@@ -13,7 +13,7 @@ namespace macula {
 namespace {
 
 constexpr double kLeastDepth = 0.1;  // optical; less is no outline
-constexpr int kBisections = 10;       // to a thousandth of a voxel
+constexpr int kBisections = 10;      // to a thousandth of a voxel
 
 double cross(const glm::dvec2& o, const glm::dvec2& a, const glm::dvec2& b) {
     return (a.x - o.x) * (b.y - o.y) - (a.y - o.y) * (b.x - o.x);
