@@ -55,6 +55,7 @@ const std::vector<Library> kLibraries{
     {"ITK", {"itk", "ITK"}, {"dicom", "segment"}},
     {"OpenImageIO", {"OpenImageIO/", "OpenEXR/", "Imath/"}, {"image"}},
     {"CLI11", {"CLI/"}, {"cli"}},
+    {"VTK", {"vtk"}, {"cli"}},
     {"pugixml", {"pugi"}, {"presets"}},
     {"SQLite", {"sqlite3"}, {}},
     {"OpenXR", {"openxr/"}, {}}};

@@ -146,13 +146,13 @@ TEST_F(Words, ASheetNamesEachPicture) {
     EXPECT_EQ(metadata.at("macula:view"), "anterior");
 }
 
-// README.md: "this one sees `ct_cta_rider` from the front".
-TEST_F(Words, TheReadmesCameraSeesItsStudy) {
+// docs/command.md: "this one sees `ct_cta_rider` from the front".
+TEST_F(Words, TheCameraOfTheDocsSeesItsStudy) {
     const fs::path study = macula::test::sharedFolder() / "data/ct_cta_rider";
     if (!fs::exists(study)) GTEST_SKIP() << "the study is not here";
-    std::istringstream readme(readAll(macula::test::projectFolder() / "README.md"));
+    std::istringstream page(readAll(macula::test::projectFolder() / "docs/command.md"));
     std::string camera;
-    for (std::string line; camera.empty() && std::getline(readme, line);) {
+    for (std::string line; camera.empty() && std::getline(page, line);) {
         if (line.starts_with("    {\"positionMm\"")) camera = line;
     }
     ASSERT_FALSE(camera.empty());
