@@ -30,11 +30,12 @@ class Viewport : public QWidget {
     Viewport(gpu::Instance instance, std::string preferredDevice, QWidget* parent = nullptr);
     ~Viewport() override;
 
-    // A new study, with a camera that what is seen of it fits, from `from`: all at once, so that no volume is
-    // ever drawn as another. What was shown goes off the screen before the first picture of it comes, and the
-    // letters at the edges with it. A null volume shows nothing. After an error that left a picture on screen
-    // the window is hidden until the next change of study, drawing or camera.
-    // `names` are lines that say whose it is: they stand over each of its pictures, unless they are hidden.
+    // Shows a new study, with a camera that looks from `from` and fits what is visible. Volume, drawing and
+    // names change at once, so that no volume is ever drawn under another's name. The old picture and its
+    // orientation letters leave the screen before the first picture of the new study comes. A null volume
+    // shows nothing. After an error that left a picture on screen the window is hidden until the next change
+    // of study, drawing or camera. `names` are lines that say whose it is: they stand over each of its
+    // pictures, unless they are hidden.
     void setStudy(std::shared_ptr<const Volume> volume, std::vector<std::string> names, Drawing drawing,
                   ViewDirection from);
     void showNames(bool shown);

@@ -35,8 +35,9 @@ struct ViewSetPictures {
     std::size_t fromKept = 0;  // took no time; lit ones all or none
 };
 
-// `tracing` says how views are traced; its `light` is not looked at. Views for which there was no time are
-// lit as sides are, before these, while there is time for that. `seenMm` is what can be seen (TracedScene).
+// `tracing` says how views are traced; its `light` is ignored. Views that the time budget left untraced are
+// lit from the light of the traced ones, as sides are and before these, until the budget for lighting is
+// spent. `seenMm` is the box of visible matter (TracedScene).
 // For `tracer` and `progress`, what traceViews says.
 Result<ViewSetPictures> makePictures(trace::PathTracer& tracer, const Box& seenMm, const ViewSet& set,
                                      const ViewTracing& tracing, Progress& progress);

@@ -93,8 +93,9 @@ struct Repair {
 
 // Makes a model valid. Log scales are clamped to -kMaxLogScale and logits to +-kMaxOpacityLogit, infinite
 // ones too (a flat splat has the log scale -inf, an opaque one the logit +inf). Removed are bad splats, and
-// those that would flood every picture: a log scale above kMaxLogScale, +inf too, or a deviation of more than
-// ten times the model's extent and the middle one of its splats'. Others keep their order and every bit.
+// those that would flood every picture: their log scale is above kMaxLogScale or +inf, or their standard
+// deviation is above ten times the extent of the model and above ten times the median deviation. The other
+// splats keep their order, and their values to the bit.
 // Fails where validate would for the model as a whole.
 Result<Repair> repair(Splats& splats);
 

@@ -38,9 +38,9 @@ struct SpzBytes {
 
 enum class SpzVersion { gzip = 3, zstd = 4 };
 
-// 20 bytes a splat of degree 0, 29 of degree 1, before they are packed. Fails with inputNotUsable when the
-// model is not valid, empty, has more than 10 million splats (other readers stop there), one more than
-// 8 km from its origin, or is packed so much that decodeSpz would refuse it.
+// Takes 20 bytes a splat of degree 0, 29 of degree 1, before compression. Fails with inputNotUsable when the
+// model is not valid, is empty, has more than 10 million splats (other readers stop there), has a splat more
+// than 8 km from its origin, or compresses so well that decodeSpz would take it for a decompression bomb.
 Result<SpzBytes> encodeSpz(const Splats& splats, SpzVersion version = SpzVersion::zstd);
 
 // Versions 1 to 4, degrees 0 to 3. Without notes of ours the model is foreign: axes unknown, colours of the

@@ -42,11 +42,11 @@ class Denoiser {
     // What views before may count for, at most: more would blur what is resampled from view to view.
     static constexpr float kHistorySamples = 32.0f;
 
-    // `pixelAngle` is the width of a pixel at distance 1, as stored, and `fovea` where that is more than what
-    // it shows. `before` are the guides of the view before, which must be those of the run that advance()
-    // kept; null when there are none. All of one size. `how`: not off. `keepGoing` is asked between
-    // dispatches of some 40 ms, which are waited for; when it says no, the next run of the same goes on
-    // there, unless that is given up before. When it is empty nothing is waited for. Whether all is done.
+    // Filters a picture; true when it is finished. `pixelAngle` is the width of a stored pixel at distance 1;
+    // `fovea` says where a foveated pixel shows less than that. `before` are the guides of the previous view,
+    // those of the run that advance() kept, or null. All pictures have one size; `how` is not off.
+    // `keepGoing` is asked between dispatches of some 40 ms, each of which is waited for; after a no the next
+    // run of the same picture continues, unless giveUp() came first. An empty `keepGoing` waits for nothing.
     Result<bool> run(const Film& film, const Guides& now, const Guides* before, float pixelAngle,
                      Denoising how, const std::function<bool()>& keepGoing = {},
                      const FoveaInPlane& fovea = {}, float historySamples = kHistorySamples);

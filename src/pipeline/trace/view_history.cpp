@@ -82,8 +82,8 @@ void ViewHistory::turnPage(const View& view, std::uint32_t seed, bool wasTraced,
     restart();
 }
 
-// A record of h samples with one new sample or more of this view lies back by at most h / (h + 1) of what it
-// lay back before and was turned since.
+// The temporal history is a running mean: h samples of it, blended with one new sample, keep h / (h + 1) of
+// the angle by which it lags. This lowers h until that angle is at most kMostLagWithLightsDeg.
 void ViewHistory::limitLag(const View& view, LightFrame lights) {
     historySamples_ = Denoiser::kHistorySamples;
     if (lights != LightFrame::camera || !denoiser_ || !denoiser_->remembers()) {
