@@ -1,7 +1,8 @@
-// Where the parameters of splats lie on the device: for parameters, their gradients and the optimiser's moments alike.
+// Where the parameters of splats lie on the device: for parameters, their gradients and the optimiser's
+// moments alike.
 //
-// One float array of components; component k of splat i is at k * capacity + i, so that neighbouring threads, a splat each,
-// read neighbouring numbers. What they mean: src/pipeline/splat/splats.h.
+// One float array of components; component k of splat i is at k * capacity + i, so that neighbouring threads,
+// a splat each, read neighbouring numbers. What they mean: src/pipeline/splat/model/splats.h.
 #ifndef MACULA_SHARED_SPLAT_LAYOUT_H
 #define MACULA_SHARED_SPLAT_LAYOUT_H
 #include "shared/shared.h"

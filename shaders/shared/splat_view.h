@@ -1,5 +1,5 @@
 // What splats are drawn with: the eye, the picture, and how they blend. Made by
-// src/pipeline/splat/raster_view.h.
+// src/pipeline/splat/draw/raster_view.h.
 #ifndef MACULA_SHARED_SPLAT_VIEW_H
 #define MACULA_SHARED_SPLAT_VIEW_H
 #include "shared/shared.h"
@@ -7,7 +7,7 @@ MACULA_SHARED_BEGIN
 
 // The camera has x to the right, y down, z forward; pixel (column, row) has its centre at (column + 0.5, row
 // + 0.5), row 0 on top. A field added here must be added to the struct of the same name in
-// src/pipeline/splat/reference_host.inl.
+// src/pipeline/splat/draw/reference_host.inl.
 struct SplatView {
     vec3 right;  // axes of the camera in the world: orthonormal
     vec3 down;

@@ -13,11 +13,13 @@
 
 #include "base/parallel.h"
 #include "base/progress_bar.h"
-#include "cli/bench_study.h"
 #include "cli/command.h"
 #include "cli/interrupt.h"
 #include "cli/json_text.h"
-#include "cli/vtk_cast.h"
+#include "cli/report.h"
+#include "cli/study_options.h"
+#include "evaluate/bench_study.h"
+#include "evaluate/vtk_cast.h"
 #include "image/image_file.h"
 #include "image/metrics.h"
 #include "pipeline/volume/volume_fit.h"
@@ -31,7 +33,7 @@ using Json = nlohmann::ordered_json;
 using trace::Look;
 
 struct Options {
-    BenchStudyOptions study;
+    evaluate::BenchStudyOptions study;
     std::filesystem::path pictures;  // a folder; none when empty
     int turns = 5;
     bool json = false;
@@ -69,14 +71,15 @@ double secondsSince(std::chrono::steady_clock::time_point start) {
 }
 
 // One sample a pixel, from the first one, into a picture on the host.
-Result<image::Image> drawOnce(const BenchStudy& study, trace::PathTracer& tracer,
+Result<image::Image> drawOnce(const evaluate::BenchStudy& study, trace::PathTracer& tracer,
                               const trace::Settings& settings, int samples) {
     MACULA_TRY_VOID(tracer.setSettings(settings));
     MACULA_TRY([[maybe_unused]] const bool all, tracer.trace(samples));
     return study.readShown(tracer);
 }
 
-Result<double> timeOnce(const BenchStudy& study, trace::PathTracer& tracer, const trace::Settings& settings) {
+Result<double> timeOnce(const evaluate::BenchStudy& study, trace::PathTracer& tracer,
+                        const trace::Settings& settings) {
     const auto since = std::chrono::steady_clock::now();
     MACULA_TRY([[maybe_unused]] const image::Image picture, drawOnce(study, tracer, settings, 1));
     return secondsSince(since);
@@ -110,7 +113,7 @@ Json toJson(const Contender& contender, Json error) {
 }
 
 // Both, in turns. Without VTK ours alone, and why is told once.
-Result<Json> measure(const Options& options, const BenchStudy& study, const Subject& subject,
+Result<Json> measure(const Options& options, const evaluate::BenchStudy& study, const Subject& subject,
                      trace::PathTracer& tracer, std::optional<Error>& withoutVtk) {
     const Volume& volume = *study.volume;
     trace::Settings settings{.look = subject.look, .shading = subject.shading};
@@ -129,17 +132,17 @@ Result<Json> measure(const Options& options, const BenchStudy& study, const Subj
         ours.seconds.push_back(taken ? *taken : 0.0);
     };
     std::optional<Contender> vtk;
-    VtkCast theirs;
+    evaluate::VtkCast theirs;
     if (!withoutVtk) {
-        auto cast = castWithVtk({.volume = study.volume.get(),
-                                 .function = fitted(study.function, *study.volume),
-                                 .view = study.view,
-                                 .look = subject.look,
-                                 .shading = subject.shading != trace::Shading::none,
-                                 .window = settings.window.value_or(DisplayWindow{}),
-                                 .turns = options.turns,
-                                 .threads = coreCount()},
-                                turn);
+        auto cast = evaluate::castWithVtk({.volume = study.volume.get(),
+                                           .function = fitted(study.function, *study.volume),
+                                           .view = study.view,
+                                           .look = subject.look,
+                                           .shading = subject.shading != trace::Shading::none,
+                                           .window = settings.window.value_or(DisplayWindow{}),
+                                           .turns = options.turns,
+                                           .threads = coreCount()},
+                                          turn);
         if (cast) {
             theirs = std::move(*cast);
             vtk = Contender{theirs.firstSeconds, theirs.seconds, theirs.picture, theirs.converged};
@@ -187,7 +190,8 @@ void print(const Json& result) {
 
 Result<void> benchCast(const Options& options) {
     Progress progress(terminalProgressBar(), interruptToken());
-    MACULA_TRY(const BenchStudy study, openBenchStudy(options.study, progress));
+    MACULA_TRY(const evaluate::BenchStudy study, evaluate::openBenchStudy(options.study, progress));
+    printNotes(study.notes, study.warnings);
     MACULA_TRY(trace::PathTracer tracer, study.makeTracer());
     Json json = describe("cast", study);
     json["threads"] = coreCount();

@@ -8,23 +8,25 @@
 #include "base/atomic_file.h"
 #include "base/parallel.h"
 #include "base/progress_bar.h"
-#include "cli/bench_study.h"
 #include "cli/command.h"
 #include "cli/interrupt.h"
 #include "cli/json_text.h"
-#include "pipeline/trace/benchmark.h"
+#include "cli/report.h"
+#include "cli/study_options.h"
+#include "evaluate/bench_study.h"
+#include "evaluate/trace_benchmark.h"
 
 namespace macula::cli {
 
 namespace {
 
 struct Options {
-    BenchStudyOptions study;
+    evaluate::BenchStudyOptions study;
     std::filesystem::path baseline;
-    trace::BenchmarkOptions benchmark;
+    evaluate::TraceBenchmarkOptions benchmark;
 };
 
-nlohmann::ordered_json toJson(const trace::BenchmarkReport::Contender& contender) {
+nlohmann::ordered_json toJson(const evaluate::TraceBenchmark::Contender& contender) {
     return {{"secondsPerSample", contender.secondsPerSample},
             {"cpuSecondsPerSample", contender.cpuSecondsPerSample},
             {"microsecondsPerPixel", contender.microsecondsPerPixel}};
@@ -52,10 +54,12 @@ Result<void> compare(const std::filesystem::path& baseline, nlohmann::ordered_js
 
 Result<void> benchTrace(Options options) {
     Progress progress(terminalProgressBar(), interruptToken());
-    MACULA_TRY(const BenchStudy study, openBenchStudy(options.study, progress));
+    MACULA_TRY(const evaluate::BenchStudy study, evaluate::openBenchStudy(options.study, progress));
+    printNotes(study.notes, study.warnings);
     options.benchmark.view = study.view;
-    MACULA_TRY(const auto reports, trace::benchmark(study.device, study.volume, study.function,
-                                                    study.environment, options.benchmark, progress));
+    MACULA_TRY(const auto reports,
+               evaluate::benchmarkTracing(study.device, study.volume, study.function, study.environment,
+                                          options.benchmark, progress));
 
     nlohmann::ordered_json json = describe("trace", study);
     json["referenceThreads"] = coreCount();
@@ -63,7 +67,7 @@ Result<void> benchTrace(Options options) {
     json["samplesPerPixel"] = options.benchmark.samplesPerPixel;
     json["repetitions"] = options.benchmark.repetitions;
     json["results"] = nlohmann::ordered_json::array();
-    for (const trace::BenchmarkReport& report : reports) {
+    for (const evaluate::TraceBenchmark& report : reports) {
         json["results"].push_back({{"filter", trace::nameOf(report.filter)},
                                    {"device", toJson(report.device)},
                                    {"reference", toJson(report.reference)},

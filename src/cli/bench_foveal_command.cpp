@@ -7,12 +7,14 @@
 
 #include "base/parallel.h"
 #include "base/progress_bar.h"
-#include "cli/bench_study.h"
 #include "cli/command.h"
-#include "cli/foveal_benchmark.h"
 #include "cli/interrupt.h"
 #include "cli/json_text.h"
 #include "cli/number_range.h"
+#include "cli/report.h"
+#include "cli/study_options.h"
+#include "evaluate/bench_study.h"
+#include "evaluate/foveal_benchmark.h"
 #include "pipeline/trace/settings.h"
 
 namespace macula::cli {
@@ -20,19 +22,20 @@ namespace macula::cli {
 namespace {
 
 struct Options {
-    BenchStudyOptions study;
-    FovealOptions foveal;
+    evaluate::BenchStudyOptions study;
+    evaluate::FovealOptions foveal;
 };
 
-nlohmann::ordered_json toJson(const TimeToError& time) {
+nlohmann::ordered_json toJson(const evaluate::TimeToError& time) {
     if (!time.reached) return {{"reached", false}, {"samples", time.samples}, {"flip", time.flip}};
     return {{"reached", true}, {"samples", time.samples}, {"ms", time.ms}, {"flip", time.flip}};
 }
 
 Result<void> benchFoveal(const Options& options) {
     Progress progress(terminalProgressBar(), interruptToken());
-    MACULA_TRY(const BenchStudy study, openBenchStudy(options.study, progress));
-    MACULA_TRY(const FovealReport report, measureFoveal(study, options.foveal, progress));
+    MACULA_TRY(const evaluate::BenchStudy study, evaluate::openBenchStudy(options.study, progress));
+    printNotes(study.notes, study.warnings);
+    MACULA_TRY(const evaluate::FovealReport report, measureFoveal(study, options.foveal, progress));
     nlohmann::ordered_json json = describe("foveal", study);
     json["referenceThreads"] = coreCount();
     json["bounces"] = options.foveal.bounces;
@@ -49,7 +52,7 @@ Result<void> benchFoveal(const Options& options) {
             {"flip", options.foveal.flip},           {"convergedSamples", options.foveal.convergedSamples},
             {"flipOfItsHalf", report.convergedFlip}, {"plain", toJson(report.plain)},
             {"denoised", toJson(report.denoised)},   {"adaptiveDenoised", toJson(report.adaptive)}};
-        const auto ratio = [&](const char* name, const TimeToError& time) {
+        const auto ratio = [&](const char* name, const evaluate::TimeToError& time) {
             if (time.reached && report.plain.reached) json["timeToError"][name] = time.ms / report.plain.ms;
         };
         ratio("denoisedOverPlain", report.denoised);
@@ -63,7 +66,7 @@ Result<void> benchFoveal(const Options& options) {
 
 void addBenchFoveal(CLI::App& bench, Action& action) {
     auto options = std::make_shared<Options>();
-    FovealOptions& o = options->foveal;
+    evaluate::FovealOptions& o = options->foveal;
     auto* command = bench.add_subcommand(
         "foveal",
         "One picture for the fovea, with guides and denoising, beside the scalar C++ reference; and the time "

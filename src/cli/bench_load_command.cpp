@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "app/study/study_input.h"
 #include "base/atomic_file.h"
 #include "base/parallel.h"
 #include "base/progress_bar.h"
@@ -13,11 +14,10 @@
 #include "cli/command.h"
 #include "cli/interrupt.h"
 #include "cli/json_text.h"
-#include "cli/study_input.h"
-#include "dicom/header_benchmark.h"
-#include "dicom/load_benchmark.h"
 #include "dicom/loader.h"
 #include "dicom/scan.h"
+#include "evaluate/header_benchmark.h"
+#include "evaluate/load_benchmark.h"
 
 namespace macula::cli {
 
@@ -33,7 +33,7 @@ struct Options {
     bool json = false;
 };
 
-Json toJson(const std::optional<dicom::LoadBenchmark::Contender>& contender) {
+Json toJson(const std::optional<evaluate::LoadBenchmark::Contender>& contender) {
     if (!contender) return nullptr;
     return {{"seconds", contender->seconds},
             {"peakBytes", contender->peakBytes},
@@ -70,7 +70,7 @@ std::vector<std::filesystem::path> filesOf(const dicom::Stack& stack) {
     return files;
 }
 
-void print(const dicom::HeaderBenchmark& headers, const dicom::LoadBenchmark& load) {
+void print(const evaluate::HeaderBenchmark& headers, const evaluate::LoadBenchmark& load) {
     constexpr double kMiB = 1 << 20;
     fmt::print(
         "Headers: {:.0f}/s, a bare DCMTK loop {:.0f}/s: {:.2f} times as fast; {:.0f} files/s with sorting\n",
@@ -95,16 +95,16 @@ void print(const dicom::HeaderBenchmark& headers, const dicom::LoadBenchmark& lo
 Result<void> benchLoad(const Options& options) {
     Progress progress(terminalProgressBar(), interruptToken());
     const std::size_t threads = coreCount();
-    MACULA_TRY(const dicom::HeaderBenchmark headers,
-               dicom::benchmarkHeaders(options.path, threads, options.rounds, progress));
+    MACULA_TRY(const evaluate::HeaderBenchmark headers,
+               evaluate::benchmarkHeaders(options.path, threads, options.rounds, progress));
     MACULA_TRY(const dicom::Scan scan, dicom::scanFolder(options.path, progress));
-    MACULA_TRY(const dicom::Choice chosen, chooseVolume(scan, options.series));
-    dicom::LoadBenchmarkOptions loading{
+    MACULA_TRY(const dicom::Choice chosen, app::chooseVolume(scan, options.series));
+    evaluate::LoadBenchmarkOptions loading{
         .files = filesOf(*chosen.stack),
         .load = [&](Progress& quiet) { return dicom::loadVolume(*chosen.series, *chosen.stack, quiet); },
         .threads = threads,
         .rounds = options.rounds};
-    MACULA_TRY(const dicom::LoadBenchmark load, dicom::benchmarkLoading(loading, progress));
+    MACULA_TRY(const evaluate::LoadBenchmark load, evaluate::benchmarkLoading(loading, progress));
     if (!options.json && options.baseline.empty()) {
         print(headers, load);
         return {};

@@ -7,58 +7,60 @@
 
 #include "base/atomic_file.h"
 #include "base/progress_bar.h"
-#include "cli/bench_study.h"
 #include "cli/command.h"
 #include "cli/interrupt.h"
 #include "cli/json_text.h"
 #include "cli/output_file.h"
 #include "cli/report.h"
-#include "cli/svg_plot.h"
-#include "cli/tradeoff.h"
+#include "cli/study_options.h"
+#include "evaluate/bench_study.h"
+#include "evaluate/svg_plot.h"
+#include "evaluate/tradeoff.h"
 
 namespace macula::cli {
 
 namespace {
 
 struct Options {
-    BenchStudyOptions study;
+    evaluate::BenchStudyOptions study;
     std::filesystem::path plot;
     bool json = false;
     bool overwrite = false;
-    TradeoffOptions tradeoff;
+    evaluate::TradeoffOptions tradeoff;
 };
 
-bool isDenoised(const TradeoffPoint& point) {
+bool isDenoised(const evaluate::TradeoffPoint& point) {
     return point.denoising == trace::Denoising::on;
 }
 
-double totalMs(const TradeoffPoint& point) {
+double totalMs(const evaluate::TradeoffPoint& point) {
     return point.traceMs + point.displayMs;
 }
 
 // FLIP and PSNR over time, a curve for each number of bounces; dashed where denoised.
-std::vector<Plot> plotsOf(const Tradeoff& tradeoff, const TradeoffOptions& options) {
-    std::vector<Plot> plots;
+std::vector<evaluate::Plot> plotsOf(const evaluate::Tradeoff& tradeoff,
+                                    const evaluate::TradeoffOptions& options) {
+    std::vector<evaluate::Plot> plots;
     for (const trace::Filter filter : {trace::Filter::stochastic, trace::Filter::trilinear}) {
-        Plot flip{.title = fmt::format("Error against time, {} filtering", trace::nameOf(filter)),
-                  .xTitle = "ms, for tracing and display",
-                  .yTitle = "FLIP to the converged picture",
-                  .logarithmicX = true,
-                  .logarithmicY = true,
-                  .curves = {}};
-        Plot psnr = flip;
+        evaluate::Plot flip{.title = fmt::format("Error against time, {} filtering", trace::nameOf(filter)),
+                            .xTitle = "ms, for tracing and display",
+                            .yTitle = "FLIP to the converged picture",
+                            .logarithmicX = true,
+                            .logarithmicY = true,
+                            .curves = {}};
+        evaluate::Plot psnr = flip;
         psnr.title = fmt::format("PSNR against time, {} filtering", trace::nameOf(filter));
         psnr.yTitle = "PSNR in dB, where matter is";
         psnr.logarithmicY = false;
         for (const bool denoised : {false, true}) {
             for (const int bounces : options.bounces) {
-                Curve curve{.name = fmt::format("{} bounce{}{}", bounces, bounces == 1 ? "" : "s",
-                                                denoised ? ", denoised" : ""),
-                            .x = {},
-                            .y = {},
-                            .dashed = denoised};
-                Curve inDb = curve;
-                for (const TradeoffPoint& point : tradeoff.points) {
+                evaluate::Curve curve{.name = fmt::format("{} bounce{}{}", bounces, bounces == 1 ? "" : "s",
+                                                          denoised ? ", denoised" : ""),
+                                      .x = {},
+                                      .y = {},
+                                      .dashed = denoised};
+                evaluate::Curve inDb = curve;
+                for (const evaluate::TradeoffPoint& point : tradeoff.points) {
                     if (point.filter != filter || point.bounces != bounces || isDenoised(point) != denoised)
                         continue;
                     curve.x.push_back(totalMs(point));
@@ -76,7 +78,7 @@ std::vector<Plot> plotsOf(const Tradeoff& tradeoff, const TradeoffOptions& optio
     return plots;
 }
 
-nlohmann::ordered_json toJson(const TradeoffPoint& point) {
+nlohmann::ordered_json toJson(const evaluate::TradeoffPoint& point) {
     return {{"filter", trace::nameOf(point.filter)},
             {"denoised", isDenoised(point)},
             {"bounces", point.bounces},
@@ -93,8 +95,9 @@ Result<void> benchTradeoff(Options options) {
     files.read(options.study.path);
     MACULA_TRY_VOID(files.write(options.plot));
     Progress progress(terminalProgressBar(), interruptToken());
-    MACULA_TRY(const BenchStudy study, openBenchStudy(options.study, progress));
-    MACULA_TRY(const Tradeoff tradeoff, measureTradeoff(study, options.tradeoff, progress));
+    MACULA_TRY(const evaluate::BenchStudy study, evaluate::openBenchStudy(options.study, progress));
+    printNotes(study.notes, study.warnings);
+    MACULA_TRY(const evaluate::Tradeoff tradeoff, measureTradeoff(study, options.tradeoff, progress));
     if (tradeoff.convergedLost > 0) {
         printNote(fmt::format("The converged picture lacks {} samples, which were too long or not a number.",
                               tradeoff.convergedLost));
@@ -107,12 +110,12 @@ Result<void> benchTradeoff(Options options) {
                              {"ms", tradeoff.convergedMs},
                              {"flipOfItsHalf", tradeoff.convergedFlip}};
         json["results"] = nlohmann::ordered_json::array();
-        for (const TradeoffPoint& point : tradeoff.points) json["results"].push_back(toJson(point));
+        for (const evaluate::TradeoffPoint& point : tradeoff.points) json["results"].push_back(toJson(point));
         fmt::print("{}\n", jsonText(json));
     } else {
         fmt::print("{:>10} {:>8} {:>7} {:>7} {:>9} {:>8} {:>7} {:>6}\n", "filter", "denoised", "bounces",
                    "samples", "ms", "PSNR dB", "SSIM", "FLIP");
-        for (const TradeoffPoint& p : tradeoff.points) {
+        for (const evaluate::TradeoffPoint& p : tradeoff.points) {
             fmt::print("{:>10} {:>8} {:>7} {:>7} {:>9.1f} {:>8.2f} {:>7.4f} {:>6.4f}\n",
                        trace::nameOf(p.filter), isDenoised(p) ? "yes" : "no", p.bounces, p.samples,
                        totalMs(p), p.psnrDb, p.ssim, p.flip);

@@ -12,15 +12,17 @@
 #include "base/atomic_file.h"
 #include "base/parallel.h"
 #include "base/progress_bar.h"
-#include "cli/bench_study.h"
 #include "cli/command.h"
 #include "cli/interrupt.h"
 #include "cli/json_text.h"
-#include "pipeline/hybrid/first_model.h"
-#include "pipeline/hybrid/initial_splats.h"
-#include "pipeline/hybrid/traced_views.h"
-#include "pipeline/splat/benchmark.h"
-#include "pipeline/splat/model_painter.h"
+#include "cli/report.h"
+#include "cli/study_options.h"
+#include "evaluate/bench_study.h"
+#include "evaluate/training_benchmark.h"
+#include "pipeline/hybrid/model/first_model.h"
+#include "pipeline/hybrid/model/initial_splats.h"
+#include "pipeline/hybrid/views/view_tracing.h"
+#include "pipeline/splat/draw/model_painter.h"
 
 namespace macula::cli {
 
@@ -29,7 +31,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 struct Options {
-    BenchStudyOptions study;
+    evaluate::BenchStudyOptions study;
     std::filesystem::path baseline;
     std::uint32_t splats = 10000;
     int shDegree = hybrid::FirstModelOptions{}.shDegree;  // as models are trained
@@ -48,17 +50,17 @@ double millisecondsOf(const std::function<Result<void>()>& work, Result<void>& d
 }
 
 // By name, in the order of a step.
-std::vector<std::pair<const char*, splat::StageBenchmark>> stagesOf(const splat::TrainingBenchmark& b) {
+std::vector<std::pair<const char*, evaluate::StageBenchmark>> stagesOf(const evaluate::TrainingBenchmark& b) {
     return {{"project", b.project}, {"lists", b.lists}, {"deviceLists", b.deviceLists},
             {"raster", b.raster},   {"loss", b.loss},   {"backward", b.backward},
             {"adam", b.adam},       {"step", b.step}};
 }
 
-Json toJson(const splat::StageTime& time) {
+Json toJson(const evaluate::StageTime& time) {
     return {{"wallMs", time.wallMs}, {"cpuMs", time.cpuMs}};
 }
 
-Json toJson(const splat::TrainingBenchmark& benchmark, const glm::ivec2& sizePx) {
+Json toJson(const evaluate::TrainingBenchmark& benchmark, const glm::ivec2& sizePx) {
     Json stages = Json::object();
     for (const auto& [name, stage] : stagesOf(benchmark)) {
         stages[name] = {{"device", toJson(stage.device)},
@@ -129,7 +131,8 @@ void compare(const Json& earlier, const std::string& ratioKey, Json& results) {
     }
 }
 
-void print(const splat::TrainingBenchmark& benchmark, const glm::ivec2& sizePx, const gpu::Device& device) {
+void print(const evaluate::TrainingBenchmark& benchmark, const glm::ivec2& sizePx,
+           const gpu::Device& device) {
     fmt::print("{} x {}, {} pairs of splats and tiles, {:.1f} steps a second\n", sizePx.x, sizePx.y,
                benchmark.pairs, 1000.0 / benchmark.step.device.wallMs);
     fmt::print("{:>11} {:>10} {:>10} {:>13} {:>13} {:>10}\n", "stage", "ms", "CPU ms", "reference ms",
@@ -155,7 +158,8 @@ Result<double> medianMs(int repetitions, const std::function<Result<void>()>& wo
 
 class Bench {
   public:
-    Bench(const BenchStudy& study, const Options& options, trace::PathTracer tracer, Progress& progress)
+    Bench(const evaluate::BenchStudy& study, const Options& options, trace::PathTracer tracer,
+          Progress& progress)
         : study_(study), options_(options), tracer_(std::move(tracer)), progress_(progress) {}
 
     Result<Json> run() {
@@ -165,7 +169,7 @@ class Bench {
         const glm::ivec2 whole(options_.study.size);
         // Small pictures come first in training.
         for (const glm::ivec2& size : {whole, (whole + 1) / 2}) {
-            MACULA_TRY(const splat::TrainingBenchmark benchmark, measure(size));
+            MACULA_TRY(const evaluate::TrainingBenchmark benchmark, measure(size));
             if (!options_.json && options_.baseline.empty()) print(benchmark, size, *study_.device);
             json["results"].push_back(toJson(benchmark, size));
         }
@@ -196,11 +200,11 @@ class Bench {
         return std::move(traced.views.front());
     }
 
-    Result<splat::TrainingBenchmark> measure(const glm::ivec2& sizePx) {
+    Result<evaluate::TrainingBenchmark> measure(const glm::ivec2& sizePx) {
         MACULA_TRY(hybrid::TracedView traced, traceOne(sizePx));
         MACULA_TRY(const splat::RasterView view, splat::rasterView(traced.camera, sizePx, model_.originMm));
         progress_.beginStage("Measuring", static_cast<std::size_t>(options_.repetitions));
-        return splat::benchmarkTraining(
+        return evaluate::benchmarkTraining(
             study_.device, model_, {.view = view, .pixels = std::move(traced.rgba)},
             {.trainer = hybrid::trainerOptions({}), .repetitions = options_.repetitions}, progress_);
     }
@@ -234,7 +238,7 @@ class Bench {
                     {"samplesPerPixel", kSamplesPerPixel}};
     }
 
-    const BenchStudy& study_;
+    const evaluate::BenchStudy& study_;
     const Options& options_;
     trace::PathTracer tracer_;
     Progress& progress_;
@@ -248,7 +252,8 @@ Result<void> benchTrain(const Options& options) {
     if (compares) {
         MACULA_TRY(baseline, readBaseline(options.baseline));
     }
-    MACULA_TRY(const BenchStudy study, openBenchStudy(options.study, progress));
+    MACULA_TRY(const evaluate::BenchStudy study, evaluate::openBenchStudy(options.study, progress));
+    printNotes(study.notes, study.warnings);
     Json json = describe("train", study);
     json["deviceKind"] = gpu::deviceTypeName(study.device->info().type);
     json["referenceThreads"] = coreCount();

@@ -9,23 +9,24 @@
 #include <memory>
 #include <utility>
 
+#include "app/choice/clip_choice.h"
+#include "app/choice/lights_choice.h"
+#include "app/open_device.h"
+#include "app/study/shown_clip.h"
+#include "app/study/study_input.h"
+#include "app/study/study_preset.h"
 #include "base/atomic_file.h"
 #include "base/progress_bar.h"
-#include "cli/clip_choice.h"
 #include "cli/command.h"
-#include "cli/evaluation_report.h"
 #include "cli/interrupt.h"
 #include "cli/json_text.h"
-#include "cli/lights_choice.h"
-#include "cli/model_evaluation.h"
 #include "cli/model_options.h"
 #include "cli/number_range.h"
-#include "cli/open_device.h"
 #include "cli/output_file.h"
 #include "cli/report.h"
-#include "cli/shown_clip.h"
-#include "cli/study_input.h"
-#include "cli/study_preset.h"
+#include "cli/study_options.h"
+#include "evaluate/evaluation_report.h"
+#include "evaluate/model_evaluation.h"
 #include "image/image_file.h"
 #include "pipeline/trace/settings.h"
 
@@ -46,10 +47,10 @@ struct Options {
     bool fit = false;
     std::string clip;
     bool removeTable = false;
-    std::string lights = kDefaultLights;
+    std::string lights = app::kDefaultLights;
     std::string device;
     int truthSizePx = 0;  // 0: as the views
-    EvaluationOptions evaluation;
+    evaluate::EvaluationOptions evaluation;
     fs::path json;
     fs::path pictures;
     bool overwrite = false;
@@ -88,9 +89,9 @@ Result<void> check(const Options& options) {
     if (!options.series.empty() && options.series.size() != options.paths.size())
         return Error{
             ErrorCode::usage, "There is not one series for each path.", {}, "Give --series once for each."};
-    for (const std::string& preset : options.presets) MACULA_TRY_VOID(presetToDraw(preset, options.fit));
-    MACULA_TRY_VOID(choosePatientLights(options.lights));
-    if (!options.clip.empty()) MACULA_TRY_VOID(chooseClip(options.clip));
+    for (const std::string& preset : options.presets) MACULA_TRY_VOID(app::presetToDraw(preset, options.fit));
+    MACULA_TRY_VOID(app::choosePatientLights(options.lights));
+    if (!options.clip.empty()) MACULA_TRY_VOID(app::chooseClip(options.clip));
     std::error_code error;
     if (!options.pictures.empty() && !fs::is_directory(options.pictures, error))
         return Error{ErrorCode::outputNotWritable, "The folder for pictures does not exist.",
@@ -99,7 +100,7 @@ Result<void> check(const Options& options) {
 }
 
 struct Study {
-    StudyInput input;
+    app::StudyInput input;
     Clip clip;
     bool tableRemoved = false;
 };
@@ -107,20 +108,23 @@ struct Study {
 Result<Study> openStudy(const Options& options, std::size_t place, Progress& progress) {
     Study study;
     MACULA_TRY(study.input,
-               loadStudy(options.paths[place], options.series.empty() ? "" : options.series[place], progress,
-                         0, options.how));
+               app::loadStudy(options.paths[place], options.series.empty() ? "" : options.series[place],
+                              progress, 0, options.how));
     bringTo16Bits(study.input);
     ClipPreset clip;
     if (!options.clip.empty()) {
-        MACULA_TRY(clip, chooseClip(options.clip));
+        MACULA_TRY(clip, app::chooseClip(options.clip));
     }
-    MACULA_TRY(ShownClip shown, shownClip(clip, options.removeTable, *study.input.volume, progress));
+    MACULA_TRY(app::ShownClip shown,
+               app::shownClip(clip, options.removeTable, *study.input.volume, progress));
+    printNotes(shown.notes);
     study.clip = std::move(shown.clip);
     study.tableRemoved = shown.tableRemoved;
     return study;
 }
 
-Result<void> writePictures(const Options& options, std::size_t scene, const SceneEvaluation& evaluation) {
+Result<void> writePictures(const Options& options, std::size_t scene,
+                           const evaluate::SceneEvaluation& evaluation) {
     const glm::ivec2 size = options.evaluation.truth.sizePx;
     for (std::size_t view = 0; view < evaluation.pictures.size(); ++view) {
         MACULA_TRY_VOID(
@@ -129,7 +133,7 @@ Result<void> writePictures(const Options& options, std::size_t scene, const Scen
     return {};
 }
 
-Result<void> tell(const EvaluationReport& report, const fs::path& json) {
+Result<void> tell(const evaluate::EvaluationReport& report, const fs::path& json) {
     const std::string text = jsonText(toJson(report)) + "\n";
     if (json == "-") {
         fmt::print("{}", text);
@@ -141,22 +145,23 @@ Result<void> tell(const EvaluationReport& report, const fs::path& json) {
 
 // Adds each scene to the report as soon as it is finished.
 Result<void> evaluateScenes(const Options& options, const trace::Environment& lights,
-                            gpu::LastingDevice& device, EvaluationReport& report) {
+                            gpu::LastingDevice& device, evaluate::EvaluationReport& report) {
     Progress progress(terminalProgressBar(), interruptToken());
     for (std::size_t place = 0; place < options.paths.size(); ++place) {
         MACULA_TRY(Study study, openStudy(options, place, progress));
         for (const std::string& typed : options.presets) {
-            MACULA_TRY(StudyPreset preset, choosePresetFor(study.input, typed, options.fit));
+            MACULA_TRY(app::StudyPreset preset, app::choosePresetFor(study.input, typed, options.fit));
+            printNotes(study.input.notes, study.input.warnings);
             study.input.notes.clear();  // were told, once
-            const EvaluatedScene scene{.volume = study.input.volume,
-                                       .function = std::move(preset.function),
-                                       .clip = study.clip,
-                                       .environment = lights};
-            EvaluatedStudy evaluated{.studyDigest = study.input.seriesDigest,
-                                     .preset = preset.publicName,
-                                     .voxels = study.input.volume->size(),
-                                     .tableRemoved = study.tableRemoved,
-                                     .evaluation = {}};
+            const app::StudyScene scene{.volume = study.input.volume,
+                                        .function = std::move(preset.function),
+                                        .clip = study.clip,
+                                        .environment = lights};
+            evaluate::EvaluatedStudy evaluated{.studyDigest = study.input.seriesDigest,
+                                               .preset = preset.publicName,
+                                               .voxels = study.input.volume->size(),
+                                               .tableRemoved = study.tableRemoved,
+                                               .evaluation = {}};
             const auto use = [&](const std::shared_ptr<gpu::Device>& on) -> Result<void> {
                 report.device = gpu::describe(on->info());
                 MACULA_TRY(evaluated.evaluation, evaluateModel(on, scene, options.evaluation, progress));
@@ -176,19 +181,19 @@ Result<void> evaluateScenes(const Options& options, const trace::Environment& li
 Result<void> evaluate(Options options) {
     const auto start = std::chrono::steady_clock::now();
     MACULA_TRY_VOID(check(options));
-    EvaluationOptions& evaluation = options.evaluation;
+    evaluate::EvaluationOptions& evaluation = options.evaluation;
     evaluation.truth.sizePx =
         glm::ivec2(options.truthSizePx > 0 ? options.truthSizePx : evaluation.model.sizePx);
     evaluation.truth.bounces = evaluation.model.bounces;
     if (options.paths.empty()) options.paths.emplace_back();
     if (options.presets.empty()) options.presets.emplace_back();
-    MACULA_TRY(const trace::Environment lights, chooseLights(options.lights));
-    MACULA_TRY(gpu::LastingDevice device, openDevice(options.device));
-    EvaluationReport report{.device = {},
-                            .lights = publicLightsName(options.lights),
-                            .clip = publicClipName(options.clip),
-                            .options = evaluation,
-                            .scenes = {}};
+    MACULA_TRY(const trace::Environment lights, app::chooseLights(options.lights));
+    MACULA_TRY(gpu::LastingDevice device, app::openDevice(options.device, printNote));
+    evaluate::EvaluationReport report{.device = {},
+                                      .lights = app::publicLightsName(options.lights),
+                                      .clip = app::publicClipName(options.clip),
+                                      .options = evaluation,
+                                      .scenes = {}};
     const Result<void> evaluated = evaluateScenes(options, lights, device, report);
     const bool isFile = !options.json.empty() && options.json != "-";
     const fs::path json = evaluated || !isFile ? options.json : placeOfUnfinished(options.json);
@@ -203,7 +208,7 @@ Result<void> evaluate(Options options) {
 }
 
 void addProtocolOptions(CLI::App& command, Options& o) {
-    EvaluationOptions& e = o.evaluation;
+    evaluate::EvaluationOptions& e = o.evaluation;
     addModelOptions(command, e.model);
     command
         .add_option("--truth-views", e.truthViews,
@@ -228,7 +233,7 @@ void addProtocolOptions(CLI::App& command, Options& o) {
         ->needs(cache);
 }
 
-void addRefinementOptions(CLI::App& command, RefinementPlan& plan) {
+void addRefinementOptions(CLI::App& command, evaluate::RefinementPlan& plan) {
     command.add_option("--more-views", plan.views, "Views that are traced for going on")
         ->capture_default_str()
         ->check(CLI::Range(1, kMostViews));
@@ -284,14 +289,14 @@ void addEvaluate(CLI::App& app, Action& action) {
             "First models: made of a few views, compared with traced pictures from elsewhere",
             std::make_shared<Options>(), action);
     auto refined = std::make_shared<Options>();
-    RefinementPlan& plan = refined->evaluation.refinement.emplace();
+    evaluate::RefinementPlan& plan = refined->evaluation.refinement.emplace();
     auto* refine =
         addVerb(*evaluateApp, "refine",
                 "Models that go on: a first one, then more views and more splats, compared on the way",
                 refined, action);
     addRefinementOptions(*refine, plan);
     auto taught = std::make_shared<Options>();
-    LivePlan& live = taught->evaluation.live.emplace();
+    evaluate::LivePlan& live = taught->evaluation.live.emplace();
     auto* byItself =
         addVerb(*evaluateApp, "live", "Models as the window makes them by itself, compared on the way",
                 taught, action);

@@ -8,6 +8,8 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "app/study/segmentation_input.h"
+#include "app/study/study_input.h"
 #include "base/progress_bar.h"
 #include "base/sha256.h"
 #include "cli/command.h"
@@ -16,9 +18,8 @@
 #include "cli/json_text.h"
 #include "cli/output_file.h"
 #include "cli/report.h"
-#include "cli/segmentation_input.h"
-#include "cli/study_input.h"
-#include "dicom/volume_file.h"
+#include "cli/study_options.h"
+#include "formats/volume_file.h"
 
 namespace macula::cli {
 
@@ -43,7 +44,7 @@ double secondsSince(Clock::time_point start) {
 
 // Fails now, not after the series was loaded.
 Result<void> checkExport(const Options& options) {
-    MACULA_TRY(const auto files, dicom::filesOfVolumeFile(options.output));
+    MACULA_TRY(const auto files, formats::filesOfVolumeFile(options.output));
     OutputFiles outputs(options.overwrite);
     outputs.read(options.path);
     for (const fs::path& file : files) MACULA_TRY_VOID(outputs.write(file));
@@ -52,7 +53,8 @@ Result<void> checkExport(const Options& options) {
 
 Result<void> exportSegmentation(const Options& options, const dicom::Scan& scan, const dicom::Series& series,
                                 Progress& progress) {
-    MACULA_TRY(const SegmentationInput input, loadSegmentation(scan, series, options.volume, progress));
+    MACULA_TRY(const app::SegmentationInput input,
+               app::loadSegmentation(scan, series, options.volume, progress));
     const LabelMap& map = input.map;
     std::vector<std::string> notes;
     if (!input.onItsSeries) {
@@ -63,7 +65,7 @@ Result<void> exportSegmentation(const Options& options, const dicom::Scan& scan,
     }
     for (const Message& message : map.messages()) notes.push_back(message.sentence);
     for (const std::string& note : notes) printNote(note);
-    MACULA_TRY_VOID(dicom::writeVolumeFile(map, options.output, progress));
+    MACULA_TRY_VOID(formats::writeVolumeFile(map, options.output, progress));
 
     nlohmann::ordered_json segments = nlohmann::ordered_json::array();
     for (const Segment& segment : map.segments()) {
@@ -86,11 +88,11 @@ Result<void> exportSegmentation(const Options& options, const dicom::Scan& scan,
     return {};
 }
 
-Result<void> exportVolume(const Options& options, const StudyInput& study, double loadSeconds,
+Result<void> exportVolume(const Options& options, const app::StudyInput& study, double loadSeconds,
                           Progress& progress) {
     std::vector<std::string> notes = study.notes;
     const Volume& volume = *study.volume;
-    printNotes(study);
+    printNotes(study.notes, study.warnings);
     if (isSheared(volume.worldFromVoxel())) {
         notes.emplace_back(
             "The slices are tilted against their axis, and the file says so; some programs do not understand "
@@ -98,10 +100,10 @@ Result<void> exportVolume(const Options& options, const StudyInput& study, doubl
         printWarning(notes.back());
     }
     const auto start = Clock::now();
-    MACULA_TRY_VOID(dicom::writeVolumeFile(volume, options.output, progress));
+    MACULA_TRY_VOID(formats::writeVolumeFile(volume, options.output, progress));
     const double writeSeconds = secondsSince(start);
 
-    MACULA_TRY(const dicom::VolumeFileInfo written, dicom::readVolumeFileInfo(options.output));
+    MACULA_TRY(const formats::VolumeFileInfo written, formats::readVolumeFileInfo(options.output));
     if (!options.json) {
         fmt::print("Wrote {} x {} x {} voxels, {}, {}\n", written.size.x, written.size.y, written.size.z,
                    written.values, written.format);
@@ -126,14 +128,14 @@ Result<void> exportSeries(const Options& options) {
     MACULA_TRY_VOID(checkExport(options));
     Progress progress(terminalProgressBar(), interruptToken());
     const auto start = Clock::now();
-    if (options.series.empty() || dicom::isVolumeFileName(options.path) || options.path == "phantom:") {
-        MACULA_TRY(const StudyInput study,
-                   loadStudy(options.path, options.series, progress, options.volume, options.how));
+    if (options.series.empty() || formats::isVolumeFileName(options.path) || options.path == "phantom:") {
+        MACULA_TRY(const app::StudyInput study,
+                   app::loadStudy(options.path, options.series, progress, options.volume, options.how));
         return exportVolume(options, study, secondsSince(start), progress);
     }
     MACULA_TRY(const dicom::Scan scan, dicom::scanFolder(options.path, progress, options.how));
     const dicom::Series* series = findSeries(scan, options.series);
-    if (series != nullptr && isSegmentationSeries(*series)) {
+    if (series != nullptr && app::isSegmentationSeries(*series)) {
         if (dicom::findAllSeries(scan, options.series).empty() &&
             options.series.find('.') != std::string::npos) {
             return Error{ErrorCode::usage, "The series holds segmentations, and has no stacks.",
@@ -141,8 +143,8 @@ Result<void> exportSeries(const Options& options) {
         }
         return exportSegmentation(options, scan, *series, progress);
     }
-    MACULA_TRY(const StudyInput study,
-               loadStudy(scan, options.path, options.series, progress, options.volume));
+    MACULA_TRY(const app::StudyInput study,
+               app::loadStudy(scan, options.path, options.series, progress, options.volume));
     return exportVolume(options, study, secondsSince(start), progress);
 }
 

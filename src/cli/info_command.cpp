@@ -8,15 +8,16 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "app/study/study_input.h"
 #include "base/progress_bar.h"
 #include "cli/command.h"
 #include "cli/interrupt.h"
 #include "cli/json_text.h"
 #include "cli/scan_json.h"
-#include "cli/study_input.h"
+#include "cli/study_options.h"
 #include "cli/volume_file_info.h"
-#include "dicom/transfer_syntax.h"
-#include "dicom/volume_file.h"
+#include "dicom/read/transfer_syntax.h"
+#include "formats/volume_file.h"
 
 namespace macula::cli {
 
@@ -170,7 +171,7 @@ void printAsJson(const Error& error, const Options& options) {
 
 Result<void> showWhatIsThere(const Options& options) {
     Progress progress(terminalProgressBar(), interruptToken());
-    if (dicom::isVolumeFileName(options.path)) return showVolumeFile(options.path, options.json, progress);
+    if (formats::isVolumeFileName(options.path)) return showVolumeFile(options.path, options.json, progress);
     if (options.path == "phantom:") {
         showPhantom(options.json);
         return {};

@@ -8,9 +8,10 @@
 #include <iostream>
 #include <new>
 
+#include "app/choice/nearest_name.h"
+#include "app/exit_codes.h"
 #include "cli/command.h"
 #include "cli/interrupt.h"
-#include "cli/nearest_name.h"
 #include "cli/report.h"
 
 namespace {
@@ -43,7 +44,7 @@ int tellThatStdoutFailed() {
                              "Standard output could not be written to the end.",
                              {},
                              "Check free space where it goes."});
-    return macula::cli::exitCode(macula::ErrorCode::outputNotWritable);
+    return macula::app::exitCodeOf(macula::ErrorCode::outputNotWritable);
 }
 
 bool stdoutIsWhole() {
@@ -89,23 +90,23 @@ int run(int argc, char** argv) {
             const Error unknown{ErrorCode::usage,
                                 fmt::format("There is no verb {}.", argv[1]),
                                 {},
-                                cli::choiceAmong(argv[1], verbs) + " See macula --help."};
+                                app::choiceAmong(argv[1], verbs) + " See macula --help."};
             cli::printError(unknown);
-            return cli::exitCode(unknown.code);
+            return app::exitCodeOf(unknown.code);
         }
         const std::string verb = chosen.empty() ? "" : chosen.front()->get_name() + " ";
         const Error usage{ErrorCode::usage, message, {}, "See macula " + verb + "--help."};
         cli::printError(usage);
-        return cli::exitCode(usage.code);
+        return app::exitCodeOf(usage.code);
     }
 
     if (const auto none = refuseEmptyWords(app); !none) {
         cli::printError(none.error());
-        return cli::exitCode(none.error().code);
+        return app::exitCodeOf(none.error().code);
     }
     if (const auto done = action(); !done) {
         cli::printError(done.error());
-        return cli::exitCode(done.error().code);
+        return app::exitCodeOf(done.error().code);
     }
     return stdoutIsWhole() ? 0 : tellThatStdoutFailed();
 }

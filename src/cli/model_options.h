@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/result.h"
-#include "pipeline/hybrid/first_model.h"
+#include "pipeline/hybrid/model/first_model.h"
 
 namespace macula::cli {
 

@@ -6,8 +6,8 @@
 #include <algorithm>
 
 #include "base/draft.h"
-#include "dicom/folder.h"
-#include "dicom/volume_file.h"
+#include "dicom/read/folder.h"
+#include "formats/volume_file.h"
 
 namespace macula::cli {
 
@@ -78,7 +78,7 @@ void OutputFiles::read(const fs::path& path) {
     files_.push_back(wholePath(found));
     // Reading the list of a disc reads the disc.
     if (found.filename().string().starts_with("DICOMDIR")) folders_.push_back(wholePath(folderOf(found)));
-    if (const auto values = dicom::valuesFileOf(found)) files_.push_back(wholePath(*values));
+    if (const auto values = formats::valuesFileOf(found)) files_.push_back(wholePath(*values));
 }
 
 Result<void> OutputFiles::checkExisting(const fs::path& path) const {

@@ -8,14 +8,14 @@
 #include <utility>
 #include <vector>
 
+#include "app/choice/clip_choice.h"
+#include "app/choice/lights_choice.h"
+#include "app/choice/preset_choice.h"
+#include "app/choice/quality_choice.h"
 #include "base/atomic_file.h"
-#include "cli/clip_choice.h"
 #include "cli/command.h"
 #include "cli/json_text.h"
-#include "cli/lights_choice.h"
 #include "cli/output_file.h"
-#include "cli/preset_choice.h"
-#include "cli/quality_choice.h"
 #include "cli/report.h"
 #include "pipeline/volume/transfer_function_json.h"
 #include "presets/catalogue.h"
@@ -51,9 +51,9 @@ nlohmann::ordered_json describeAsJson(const TransferFunction& preset) {
 
 Result<void> listAll(const Options& options) {
     MACULA_TRY(const std::vector<TransferFunction> presets, presets::builtInPresets());
-    MACULA_TRY(const std::vector<trace::LightRig> rigs, builtInLights());
-    MACULA_TRY(const std::vector<ClipPreset> clips, builtInClips());
-    MACULA_TRY(const std::vector<trace::Quality> qualities, builtInQualities());
+    MACULA_TRY(const std::vector<trace::LightRig> rigs, app::builtInLights());
+    MACULA_TRY(const std::vector<ClipPreset> clips, app::builtInClips());
+    MACULA_TRY(const std::vector<trace::Quality> qualities, app::builtInQualities());
     if (options.json) {
         nlohmann::ordered_json list = {{"presets", nlohmann::json::array()},
                                        {"lights", nlohmann::json::array()}};
@@ -99,7 +99,7 @@ void printOpacity(std::string_view title, const std::vector<OpacityPoint>& point
 }
 
 Result<void> show(const Options& options) {
-    MACULA_TRY(const presets::ImportedPreset chosen, choosePreset(options.preset));
+    MACULA_TRY(const presets::ImportedPreset chosen, app::choosePreset(options.preset));
     const TransferFunction& preset = chosen.function;
     for (const std::string& note : chosen.notes) printNote(note);
     if (options.json) {
@@ -154,7 +154,7 @@ Result<void> importFile(const Options& options) {
 }
 
 Result<void> exportPreset(const Options& options) {
-    MACULA_TRY(const presets::ImportedPreset chosen, choosePreset(options.preset));
+    MACULA_TRY(const presets::ImportedPreset chosen, app::choosePreset(options.preset));
     for (const std::string& note : chosen.notes) printNote(note);
     OutputFiles files(options.overwrite);
     files.read(options.preset);

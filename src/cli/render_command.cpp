@@ -11,25 +11,27 @@
 #include <optional>
 #include <utility>
 
+#include "app/camera/camera_file.h"
+#include "app/camera/view_directions.h"
+#include "app/choice/clip_choice.h"
+#include "app/choice/lights_choice.h"
+#include "app/choice/nearest_name.h"
+#include "app/choice/quality_choice.h"
+#include "app/open_device.h"
+#include "app/study/nothing_visible.h"
+#include "app/study/shown_clip.h"
+#include "app/study/study_input.h"
+#include "app/study/study_preset.h"
 #include "base/progress_bar.h"
-#include "cli/camera_file.h"
-#include "cli/clip_choice.h"
 #include "cli/command.h"
 #include "cli/interrupt.h"
-#include "cli/lights_choice.h"
-#include "cli/nearest_name.h"
-#include "cli/nothing_visible.h"
+#include "cli/name_option.h"
 #include "cli/number_range.h"
-#include "cli/open_device.h"
 #include "cli/output_file.h"
 #include "cli/picture_size.h"
-#include "cli/quality_choice.h"
 #include "cli/render_statistics.h"
 #include "cli/report.h"
-#include "cli/shown_clip.h"
-#include "cli/study_input.h"
-#include "cli/study_preset.h"
-#include "cli/view_directions.h"
+#include "cli/study_options.h"
 #include "pipeline/trace/path_tracer.h"
 #include "pipeline/trace/scene.h"
 #include "pipeline/volume/volume_fit.h"
@@ -104,13 +106,13 @@ Result<std::optional<DisplayWindow>> chooseWindow(const Options& options, const 
 // Soft light from everywhere shows shape by shadow alone, and nothing glares: that is the clear look.
 std::string lightsOf(const Options& options) {
     if (!options.lights.empty()) return options.lights;
-    return options.settings.look == trace::Look::clear ? "even" : kDefaultLights;
+    return options.settings.look == trace::Look::clear ? "even" : app::kDefaultLights;
 }
 
 // Nothing: one that what is seen fills.
 Result<std::optional<Camera>> givenCamera(const Options& options) {
     if (options.camera.empty()) return std::optional<Camera>();
-    MACULA_TRY(Camera camera, readCamera(options.camera));
+    MACULA_TRY(Camera camera, app::readCamera(options.camera));
     if (options.fovDeg > 0.0) camera.verticalFovDeg = options.fovDeg;
     return std::optional(camera);
 }
@@ -249,7 +251,7 @@ Result<Effort> effortOf(const Options& options) {
     // Chance needs many samples; what has none needs a few for smooth edges.
     if (!trace::isPathTraced(options.settings.look)) effort.samplesPerPixel = 8;
     if (!options.quality.empty()) {
-        MACULA_TRY(const trace::Quality quality, chooseQuality(options.quality));
+        MACULA_TRY(const trace::Quality quality, app::chooseQuality(options.quality));
         effort.samplesPerPixel = quality.samplesPerPixel;
         effort.settings.bounces = quality.bounces;
         effort.settings.filter = quality.filter;
@@ -308,31 +310,32 @@ Result<void> render(const Options& options) {
     MACULA_TRY_VOID(checkFiles(options));
     MACULA_TRY(const glm::ivec2 size, parseSize(options.size));
     MACULA_TRY(const Effort effort, effortOf(options));
-    MACULA_TRY(const trace::Environment environment, chooseLights(lightsOf(options)));
+    MACULA_TRY(const trace::Environment environment, app::chooseLights(lightsOf(options)));
     if (!options.window.empty()) MACULA_TRY_VOID(parseWindow(options.window));
-    if (!options.preset.empty()) MACULA_TRY_VOID(presetToDraw(options.preset, options.fit));
+    if (!options.preset.empty()) MACULA_TRY_VOID(app::presetToDraw(options.preset, options.fit));
     ClipPreset clip;
     if (!options.clip.empty()) {
-        MACULA_TRY(clip, chooseClip(options.clip));
+        MACULA_TRY(clip, app::chooseClip(options.clip));
     }
     MACULA_TRY(const std::optional<Camera> camera, givenCamera(options));
-    MACULA_TRY(gpu::LastingDevice device, openDevice(options.device));
+    MACULA_TRY(gpu::LastingDevice device, app::openDevice(options.device, printNote));
 
     Progress progress(terminalProgressBar(), interruptToken());
     auto start = std::chrono::steady_clock::now();
-    MACULA_TRY(StudyInput study, loadStudy(options.path, options.series, progress, 0, options.how));
+    MACULA_TRY(app::StudyInput study, app::loadStudy(options.path, options.series, progress, 0, options.how));
     bringTo16Bits(study);
     RenderRecord record;
     record.loadSeconds = secondsSince(start);
-    MACULA_TRY(const StudyPreset preset, choosePresetFor(study, options.preset, options.fit));
+    MACULA_TRY(const app::StudyPreset preset, app::choosePresetFor(study, options.preset, options.fit));
+    printNotes(study.notes, study.warnings);
     for (std::string& note : optionsWithoutEffect(options)) {
         printNote(note);
         study.notes.push_back(std::move(note));
     }
     record.seriesDigest = study.seriesDigest;
     record.preset = preset.publicName;
-    record.lights = publicLightsName(lightsOf(options));
-    record.clip = publicClipName(options.clip);
+    record.lights = app::publicLightsName(lightsOf(options));
+    record.clip = app::publicClipName(options.clip);
     record.width = size.x;
     record.height = size.y;
     record.settings = effort.settings;
@@ -342,7 +345,8 @@ Result<void> render(const Options& options) {
     if (isProjection(options.settings.look))
         record.window = record.settings.window.value_or(seriesWindow(*study.volume));
 
-    MACULA_TRY(ShownClip shown, shownClip(clip, options.removeTable, *study.volume, progress));
+    MACULA_TRY(app::ShownClip shown, app::shownClip(clip, options.removeTable, *study.volume, progress));
+    printNotes(shown.notes);
     record.notes.insert(record.notes.end(), shown.notes.begin(), shown.notes.end());
     record.tableRemoved = shown.tableRemoved;
     const Scene scene{.volume = study.volume,
@@ -369,7 +373,7 @@ Result<void> render(const Options& options) {
         printNote(record.notes.back());
     }
     if (isEmpty(drawn)) {
-        record.notes.push_back(whyNothingIsVisible(*study.volume));
+        record.notes.push_back(app::whyNothingIsVisible(*study.volume));
         printWarning(record.notes.back());
     }
     for (const Message& message : record.statistics.messages) {

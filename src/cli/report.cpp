@@ -20,23 +20,6 @@ void printLine(std::string line) {
 
 }  // namespace
 
-int exitCode(ErrorCode code) {
-    switch (code) {
-        case ErrorCode::usage:
-        case ErrorCode::outputNotWritable:
-            return 2;
-        case ErrorCode::inputNotUsable:
-            return 3;
-        case ErrorCode::deviceNotUsable:
-        case ErrorCode::deviceLost:
-        case ErrorCode::outOfMemory:
-            return 4;
-        case ErrorCode::cancelled:
-            return 130;  // 128 + SIGINT, as shells expect
-    }
-    return 3;
-}
-
 std::string describe(const Error& error) {
     std::string line = error.message;
     if (!error.hint.empty()) line += " " + error.hint;
@@ -54,6 +37,13 @@ void printNote(std::string_view sentence) {
 
 void printWarning(std::string_view sentence) {
     printLine("macula: warning: " + std::string(sentence));
+}
+
+void printNotes(std::span<const std::string> notes, std::span<const std::string> warnings) {
+    for (const std::string& note : notes) {
+        const bool isWarning = std::find(warnings.begin(), warnings.end(), note) != warnings.end();
+        isWarning ? printWarning(note) : printNote(note);
+    }
 }
 
 void printWritten(const std::filesystem::path& path, std::chrono::steady_clock::time_point start) {

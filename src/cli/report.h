@@ -1,18 +1,15 @@
-// What the command says when something is wrong, and how it ends.
+// What the command says when something is wrong.
 #pragma once
 
 #include <chrono>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
 
 #include "base/result.h"
 
 namespace macula::cli {
-
-// 0 done, 2 usage (or a place that cannot be written to), 3 input not usable, 4 device not usable or out of
-// memory, 130 interrupted.
-int exitCode(ErrorCode code);
 
 // One line: "The folder does not exist. Check the path. (/some/where)".
 std::string describe(const Error& error);
@@ -22,6 +19,8 @@ void printError(const Error& error);
 void printNote(std::string_view sentence);
 // Of what changes what is seen, or takes its ground away: look before you rely on it.
 void printWarning(std::string_view sentence);
+// Each as a warning if it is among `warnings`, else as a note.
+void printNotes(std::span<const std::string> notes, std::span<const std::string> warnings = {});
 
 // What was made, where, and how long that took since `start`; on stderr, as stdout is for what was asked for.
 void printWritten(const std::filesystem::path& path, std::chrono::steady_clock::time_point start);

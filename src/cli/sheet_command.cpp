@@ -7,16 +7,18 @@
 #include <map>
 #include <memory>
 
+#include "app/camera/view_directions.h"
+#include "app/choice/lights_choice.h"
+#include "app/open_device.h"
+#include "app/study/study_input.h"
+#include "app/study/study_preset.h"
 #include "base/progress_bar.h"
 #include "cli/command.h"
 #include "cli/interrupt.h"
-#include "cli/lights_choice.h"
-#include "cli/open_device.h"
+#include "cli/name_option.h"
 #include "cli/output_file.h"
 #include "cli/report.h"
-#include "cli/study_input.h"
-#include "cli/study_preset.h"
-#include "cli/view_directions.h"
+#include "cli/study_options.h"
 #include "image/image_file.h"
 #include "pipeline/trace/path_tracer.h"
 #include "pipeline/trace/scene.h"
@@ -59,12 +61,12 @@ struct Sheet {
 };
 
 // Presets are drawn as --preset NAME draws them; what is made for other units looks as it does there.
-Result<void> drawRow(trace::PathTracer& tracer, const StudyInput& study, const TransferFunction& preset,
+Result<void> drawRow(trace::PathTracer& tracer, const app::StudyInput& study, const TransferFunction& preset,
                      const Options& options, int column, int row, Sheet& sheet) {
     MACULA_TRY_VOID(tracer.setTransferFunction(preset));
     for (const trace::LookName& look : trace::kLooks) {
         MACULA_TRY(const trace::Environment lights,
-                   chooseLights(look.look == trace::Look::clear ? "even" : kDefaultLights));
+                   app::chooseLights(look.look == trace::Look::clear ? "even" : app::kDefaultLights));
         MACULA_TRY_VOID(tracer.setEnvironment(lights));
         MACULA_TRY_VOID(
             tracer.setSettings({.look = look.look, .window = presetWindow(preset, *study.volume)}));
@@ -79,7 +81,7 @@ Result<void> drawRow(trace::PathTracer& tracer, const StudyInput& study, const T
 }
 
 // What each picture is of, by its column and row from 1, and what there is to say of the study.
-image::Metadata metadata(const Options& options, const StudyInput& study,
+image::Metadata metadata(const Options& options, const app::StudyInput& study,
                          const std::vector<TransferFunction>& presets, int rows) {
     const int looks = static_cast<int>(trace::kLooks.size());
     std::string pictures;
@@ -92,7 +94,7 @@ image::Metadata metadata(const Options& options, const StudyInput& study,
     }
     return {{"Software", "Macula " MACULA_VERSION},
             {"macula:series", study.seriesDigest},
-            {"macula:view", nameOf(options.view)},
+            {"macula:view", app::nameOf(options.view)},
             {"macula:samples", fmt::to_string(options.samplesPerPixel)},
             {"macula:tilePx", fmt::to_string(options.tile)},
             {"macula:pictures", pictures},
@@ -109,11 +111,11 @@ Result<void> makeSheet(const Options& options) {
     files.read(options.path);
     MACULA_TRY_VOID(files.write(options.output));
     MACULA_TRY(const std::vector<TransferFunction> presets, presets::builtInPresets());
-    MACULA_TRY(gpu::LastingDevice device, openDevice(options.device));
+    MACULA_TRY(gpu::LastingDevice device, app::openDevice(options.device, printNote));
     Progress progress(terminalProgressBar(), interruptToken());
-    MACULA_TRY(StudyInput study, loadStudy(options.path, options.series, progress, 0, options.how));
+    MACULA_TRY(app::StudyInput study, app::loadStudy(options.path, options.series, progress, 0, options.how));
     bringTo16Bits(study);
-    printNotes(study);
+    printNotes(study.notes, study.warnings);
 
     const int looks = static_cast<int>(trace::kLooks.size());
     Sheet sheet{.tile = options.tile, .columns = looks * options.panels, .rgba = {}};
@@ -143,7 +145,7 @@ Result<void> makeSheet(const Options& options) {
     for (int i = 0; i < static_cast<int>(presets.size()); ++i) {
         const TransferFunction& preset = presets[static_cast<std::size_t>(i)];
         fmt::print("panel {} row {:>2}  {}\n", i / rows + 1, i % rows + 1, preset.name);
-        for (const std::string& note : notesOf({preset, {}}, *study.volume))
+        for (const std::string& note : app::notesOf({preset, {}}, *study.volume))
             fmt::print("                {}\n", note);
     }
     return {};

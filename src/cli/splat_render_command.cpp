@@ -9,22 +9,23 @@
 #include <memory>
 #include <optional>
 
+#include "app/camera/framed_model.h"
+#include "app/camera/splat_cameras.h"
+#include "app/camera/view_directions.h"
+#include "app/open_device.h"
 #include "base/progress_bar.h"
 #include "cli/command.h"
-#include "cli/framed_model.h"
 #include "cli/interrupt.h"
+#include "cli/name_option.h"
 #include "cli/number_range.h"
-#include "cli/open_device.h"
 #include "cli/output_file.h"
 #include "cli/picture_names.h"
 #include "cli/picture_size.h"
 #include "cli/report.h"
-#include "cli/splat_cameras.h"
-#include "cli/view_directions.h"
 #include "image/image_file.h"
-#include "pipeline/splat/displayed.h"
-#include "pipeline/splat/model_file.h"
-#include "pipeline/splat/model_painter.h"
+#include "pipeline/splat/draw/displayed.h"
+#include "pipeline/splat/draw/model_painter.h"
+#include "pipeline/splat/files/model_file.h"
 
 namespace macula::cli {
 
@@ -80,19 +81,20 @@ Result<std::optional<glm::ivec2>> sizeOf(const Options& options) {
 }
 
 // Of files; none when none is given.
-Result<std::vector<SplatCamera>> readCameras(const Options& options, const std::optional<glm::ivec2>& size) {
-    if (!options.cameras.empty()) return readSplatCameras(options.cameras, size);
-    std::vector<SplatCamera> cameras;
+Result<std::vector<app::SplatCamera>> readCameras(const Options& options,
+                                                  const std::optional<glm::ivec2>& size) {
+    if (!options.cameras.empty()) return app::readSplatCameras(options.cameras, size);
+    std::vector<app::SplatCamera> cameras;
     for (const std::string& path : options.camera) {
-        MACULA_TRY(SplatCamera camera, readSplatCamera(path, size));
+        MACULA_TRY(app::SplatCamera camera, app::readSplatCamera(path, size));
         cameras.push_back(std::move(camera));
     }
     return cameras;
 }
 
-Result<std::vector<Shot>> shotsOf(const std::vector<SplatCamera>& cameras, const Options& options) {
+Result<std::vector<Shot>> shotsOf(const std::vector<app::SplatCamera>& cameras, const Options& options) {
     std::vector<std::string> wishes;
-    for (const SplatCamera& camera : cameras) wishes.push_back(camera.name);
+    for (const app::SplatCamera& camera : cameras) wishes.push_back(camera.name);
     const std::vector<std::string> names = pictureNames(wishes);
     std::vector<Shot> shots;
     OutputFiles files(options.overwrite);
@@ -191,10 +193,10 @@ Error aboutShot(Error error, const Shot& shot) {
 }
 
 // Around the model, for which no camera was given.
-Result<std::vector<SplatCamera>> camerasAround(const splat::Splats& splats, const Options& options,
-                                               const std::optional<glm::ivec2>& size) {
-    MACULA_TRY(std::vector<SplatCamera> cameras,
-               framedCameras(splats, options.from, size.value_or(kDefaultCameraSize)));
+Result<std::vector<app::SplatCamera>> camerasAround(const splat::Splats& splats, const Options& options,
+                                                    const std::optional<glm::ivec2>& size) {
+    MACULA_TRY(std::vector<app::SplatCamera> cameras,
+               app::framedCameras(splats, options.from, size.value_or(app::kDefaultCameraSize)));
     if (splats.axes == splat::Axes::unknown)
         printNote(
             "This model does not say which way is up: it is drawn along its own +z, -y up. --camera or "
@@ -205,7 +207,7 @@ Result<std::vector<SplatCamera>> camerasAround(const splat::Splats& splats, cons
 Result<void> splatRender(const Options& options) {
     MACULA_TRY(const glm::vec3 background, parseBackground(options.background));
     MACULA_TRY(const std::optional<glm::ivec2> size, sizeOf(options));
-    MACULA_TRY(std::vector<SplatCamera> cameras, readCameras(options, size));
+    MACULA_TRY(std::vector<app::SplatCamera> cameras, readCameras(options, size));
     const bool isGiven = !cameras.empty();
     MACULA_TRY(std::vector<Shot> shots, shotsOf(cameras, options));
     MACULA_TRY(const splat::Splats splats, loadModel(options));
@@ -215,10 +217,10 @@ Result<void> splatRender(const Options& options) {
     }
     for (Shot& shot : shots) {
         shot.view.eyeMm -= splats.originMm;
-        shot.view.nearMm = options.near.value_or(isGiven ? usualNearOf(splats) : shot.view.nearMm);
+        shot.view.nearMm = options.near.value_or(isGiven ? app::usualNearOf(splats) : shot.view.nearMm);
         MACULA_TRY_VOID(splat::validate(shot.view));
     }
-    MACULA_TRY(gpu::LastingDevice device, openDevice(options.device));
+    MACULA_TRY(gpu::LastingDevice device, app::openDevice(options.device, printNote));
 
     Progress progress(terminalProgressBar(), interruptToken());
     progress.beginStage("Drawing", shots.size());

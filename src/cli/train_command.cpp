@@ -11,26 +11,27 @@
 #include <optional>
 #include <utility>
 
+#include "app/choice/clip_choice.h"
+#include "app/choice/lights_choice.h"
+#include "app/model/model_key.h"
+#include "app/model/model_training.h"
+#include "app/open_device.h"
+#include "app/study/shown_clip.h"
+#include "app/study/study_input.h"
+#include "app/study/study_preset.h"
 #include "base/atomic_file.h"
 #include "base/progress_bar.h"
-#include "cli/clip_choice.h"
 #include "cli/command.h"
 #include "cli/interrupt.h"
 #include "cli/json_text.h"
-#include "cli/lights_choice.h"
 #include "cli/model_options.h"
-#include "cli/model_training.h"
 #include "cli/number_range.h"
-#include "cli/open_device.h"
 #include "cli/output_file.h"
 #include "cli/report.h"
-#include "cli/shown_clip.h"
-#include "cli/study_input.h"
-#include "cli/study_preset.h"
-#include "cli/training_key.h"
-#include "pipeline/splat/displayed.h"
-#include "pipeline/splat/model_file.h"
-#include "pipeline/splat/training_file.h"
+#include "cli/study_options.h"
+#include "pipeline/splat/draw/displayed.h"
+#include "pipeline/splat/files/model_file.h"
+#include "pipeline/splat/files/training_file.h"
 #include "pipeline/trace/settings.h"
 
 namespace macula::cli {
@@ -48,7 +49,7 @@ struct Options {
     bool fit = false;
     std::string clip;
     bool removeTable = false;
-    std::string lights = kDefaultLights;
+    std::string lights = app::kDefaultLights;
     std::string device;
     fs::path output;
     fs::path json;
@@ -89,9 +90,9 @@ Result<trace::Environment> check(const Options& options) {
                      {},
                      "Give --display-colours with .ply or .spz."};
     MACULA_TRY_VOID(checkFiles(options));
-    if (!options.preset.empty()) MACULA_TRY_VOID(presetToDraw(options.preset, options.fit));
-    if (!options.clip.empty()) MACULA_TRY_VOID(chooseClip(options.clip));
-    return choosePatientLights(options.lights);
+    if (!options.preset.empty()) MACULA_TRY_VOID(app::presetToDraw(options.preset, options.fit));
+    if (!options.clip.empty()) MACULA_TRY_VOID(app::chooseClip(options.clip));
+    return app::choosePatientLights(options.lights);
 }
 
 // The training to go on with, if any.
@@ -104,9 +105,9 @@ Result<std::optional<splat::TrainingState>> savedTraining(const Options& options
     if (std::none_of(state.views.begin(), state.views.end(), isPicture))
         return Error{ErrorCode::inputNotUsable, "The saved training has no views to learn from.",
                      options.resume.string(), "Train anew, with --views above 0."};
-    if (!options.iterationsGiven && state.steps >= plannedSteps(state))
+    if (!options.iterationsGiven && state.steps >= app::plannedSteps(state))
         return Error{ErrorCode::usage,
-                     fmt::format("The saved training has all of its {} steps.", plannedSteps(state)),
+                     fmt::format("The saved training has all of its {} steps.", app::plannedSteps(state)),
                      {},
                      "Give --iterations for as many more."};
     return std::optional(std::move(state));
@@ -114,20 +115,21 @@ Result<std::optional<splat::TrainingState>> savedTraining(const Options& options
 
 std::uint64_t stepsToCome(const Options& options, const std::optional<splat::TrainingState>& saved) {
     const bool isRest = saved && !options.iterationsGiven;
-    const std::uint64_t wanted = isRest ? plannedSteps(*saved) - saved->steps : options.model.iterations;
+    const std::uint64_t wanted = isRest ? app::plannedSteps(*saved) - saved->steps : options.model.iterations;
     return options.pauseAfter > 0 ? std::min(wanted, options.pauseAfter) : wanted;
 }
 
 // What the model begins with is told of a training that began here; a saved one does not say all of it.
-nlohmann::ordered_json toJson(const Trained& trained, const StudyInput& study, const std::string& preset,
-                              bool tableRemoved, const Options& options, std::uint64_t stepsBefore) {
+nlohmann::ordered_json toJson(const app::Trained& trained, const app::StudyInput& study,
+                              const std::string& preset, bool tableRemoved, const Options& options,
+                              std::uint64_t stepsBefore) {
     const hybrid::FirstModelOptions& m = options.model;
     nlohmann::ordered_json json{{"version", MACULA_VERSION},
                                 {"device", trained.device},
                                 {"study", study.seriesDigest},
                                 {"preset", preset},
-                                {"lights", publicLightsName(options.lights)},
-                                {"clip", publicClipName(options.clip)},
+                                {"lights", app::publicLightsName(options.lights)},
+                                {"clip", app::publicClipName(options.clip)},
                                 {"tableRemoved", tableRemoved}};
     if (options.resume.empty())
         json.update({{"points", m.points.count},
@@ -141,7 +143,7 @@ nlohmann::ordered_json toJson(const Trained& trained, const StudyInput& study, c
     if (options.budgetSeconds > 0.0) json["budgetSeconds"] = options.budgetSeconds;
     json.update({{"iterationsBefore", stepsBefore},
                  {"iterations", trained.report.steps},
-                 {"plannedIterations", plannedSteps(trained.state)},
+                 {"plannedIterations", app::plannedSteps(trained.state)},
                  {"interrupted", trained.interrupted},
                  {"splats", trained.report.splats},
                  {"loss", trained.report.loss},
@@ -171,14 +173,14 @@ fs::path placeFor(const Options& options, bool cutShort) {
     return placeOfUnfinished(options.output);
 }
 
-std::string howTimeWasSpent(const Trained& trained, std::size_t views) {
+std::string howTimeWasSpent(const app::Trained& trained, std::size_t views) {
     return fmt::format("Points took {:.1f} s, views {:.1f} s ({} of {} traced), training {:.1f} s.",
                        trained.pointsSeconds, trained.viewsSeconds, trained.viewsTraced, views,
                        trained.trainSeconds);
 }
 
 // Of a training that did not come to its end.
-std::string whatIsWritten(const Trained& trained, std::uint64_t steps, const fs::path& path) {
+std::string whatIsWritten(const app::Trained& trained, std::uint64_t steps, const fs::path& path) {
     std::string sentence = fmt::format("Stopped after {} of {} steps; the model is written as it is then.",
                                        trained.report.steps - trained.firstStep, steps);
     if (splat::extensionOf(path) == ".macula") sentence += " --resume goes on with it.";
@@ -189,39 +191,42 @@ Result<void> train(const Options& options) {
     const auto start = Clock::now();
     MACULA_TRY(const trace::Environment lights, check(options));
     MACULA_TRY(const std::optional<splat::TrainingState> saved, savedTraining(options));
-    MACULA_TRY(gpu::LastingDevice device, openDevice(options.device));
+    MACULA_TRY(gpu::LastingDevice device, app::openDevice(options.device, printNote));
     Progress progress(terminalProgressBar(), interruptToken());
-    MACULA_TRY(StudyInput study, loadStudy(options.path, options.series, progress, 0, options.how));
+    MACULA_TRY(app::StudyInput study, app::loadStudy(options.path, options.series, progress, 0, options.how));
     bringTo16Bits(study);
-    MACULA_TRY(const StudyPreset preset, choosePresetFor(study, options.preset, options.fit));
+    MACULA_TRY(const app::StudyPreset preset, app::choosePresetFor(study, options.preset, options.fit));
+    printNotes(study.notes, study.warnings);
     ClipPreset clip;
     if (!options.clip.empty()) {
-        MACULA_TRY(clip, chooseClip(options.clip));
+        MACULA_TRY(clip, app::chooseClip(options.clip));
     }
-    MACULA_TRY(const ShownClip shown, shownClip(clip, options.removeTable, *study.volume, progress));
+    MACULA_TRY(const app::ShownClip shown,
+               app::shownClip(clip, options.removeTable, *study.volume, progress));
+    printNotes(shown.notes);
 
-    const std::string key = trainingKey(*study.volume, preset.function, shown.clip, lights);
-    if (saved) MACULA_TRY_VOID(checkTrainingKey(saved->options.key, key, options.resume));
+    const std::string key = app::trainingKey(*study.volume, preset.function, shown.clip, lights);
+    if (saved) MACULA_TRY_VOID(app::checkTrainingKey(saved->options.key, key, options.resume));
 
-    TrainingEnd end{.steps = stepsToCome(options, saved)};
+    app::TrainingEnd end{.steps = stepsToCome(options, saved)};
     if (options.budgetSeconds > 0.0) end.budget = TimeBudget(options.budgetSeconds);
-    std::optional<Trained> begun;  // no device takes it along
+    std::optional<app::Trained> begun;  // no device takes it along
     const Result<void> ended = device.run([&](const std::shared_ptr<gpu::Device>& on) -> Result<void> {
         if (begun) {
-            MACULA_TRY_VOID(trainToTheEnd(on, *begun, end, progress));
+            MACULA_TRY_VOID(app::trainToTheEnd(on, *begun, end, progress));
         } else if (saved) {
-            MACULA_TRY(begun, trainOn(on, *saved, end, progress));
+            MACULA_TRY(begun, app::trainOn(on, *saved, end, progress));
         } else {
-            const EvaluatedScene scene{.volume = study.volume,
-                                       .function = preset.function,
-                                       .clip = shown.clip,
-                                       .environment = lights};
-            MACULA_TRY(begun, trainFirst(on, scene, options.model, end, progress));
+            const app::StudyScene scene{.volume = study.volume,
+                                        .function = preset.function,
+                                        .clip = shown.clip,
+                                        .environment = lights};
+            MACULA_TRY(begun, app::trainFirst(on, scene, options.model, end, progress));
         }
         return begun->failure ? Result<void>(*begun->failure) : Result<void>();
     });
     if (!begun) return ended.error();
-    Trained& trained = *begun;
+    app::Trained& trained = *begun;
     trained.state.options.key = key;
     if (trained.viewsGivenUp > 0)
         printNote(

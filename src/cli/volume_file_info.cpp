@@ -5,14 +5,14 @@
 #include "base/phantom.h"
 #include "cli/grid_json.h"
 #include "cli/json_text.h"
-#include "dicom/volume_file.h"
+#include "formats/volume_file.h"
 
 namespace macula::cli {
 
 namespace {
 
 // `volume` is null where memory does not suffice for it.
-void show(const dicom::VolumeFileInfo& info, const Volume* volume, bool isJson) {
+void show(const formats::VolumeFileInfo& info, const Volume* volume, bool isJson) {
     nlohmann::ordered_json grid = gridToJson(info.size, info.worldFromVoxel);
     if (isJson) {
         nlohmann::ordered_json file = {{"format", info.format}, {"values", info.values}};
@@ -41,8 +41,8 @@ void show(const dicom::VolumeFileInfo& info, const Volume* volume, bool isJson) 
 }  // namespace
 
 Result<void> showVolumeFile(const std::filesystem::path& path, bool json, Progress& progress) {
-    MACULA_TRY(dicom::VolumeFileInfo info, dicom::readVolumeFileInfo(path));
-    const auto volume = dicom::readVolumeFile(path, progress);
+    MACULA_TRY(formats::VolumeFileInfo info, formats::readVolumeFileInfo(path));
+    const auto volume = formats::readVolumeFile(path, progress);
     if (!volume && volume.error().code != ErrorCode::outOfMemory) return volume.error();
     if (volume) info.assumptions = (*volume)->provenance().assumptions;
     show(info, volume ? volume->get() : nullptr, json);

@@ -5,13 +5,13 @@
 #include <numeric>
 #include <tuple>
 
+#include "base/available_memory.h"
 #include "base/parallel.h"
-#include "dicom/alternation.h"
-#include "dicom/frame_decoder.h"
-#include "dicom/memory.h"
-#include "dicom/odd_images.h"
-#include "dicom/slice_sources.h"
-#include "dicom/value_unit.h"
+#include "dicom/pixels/alternation.h"
+#include "dicom/pixels/frame_decoder.h"
+#include "dicom/pixels/slice_sources.h"
+#include "dicom/pixels/value_unit.h"
+#include "dicom/split/odd_images.h"
 
 namespace macula::dicom {
 

@@ -8,14 +8,14 @@
 
 #include "base/log.h"
 #include "base/parallel.h"
-#include "dicom/copies.h"
-#include "dicom/dictionary.h"
-#include "dicom/examination.h"
-#include "dicom/folder.h"
-#include "dicom/join.h"
-#include "dicom/media_directory.h"
-#include "dicom/neighbours.h"
-#include "dicom/split.h"
+#include "dicom/read/dictionary.h"
+#include "dicom/read/examination.h"
+#include "dicom/read/folder.h"
+#include "dicom/read/media_directory.h"
+#include "dicom/split/copies.h"
+#include "dicom/split/join.h"
+#include "dicom/split/neighbours.h"
+#include "dicom/split/split.h"
 
 namespace macula::dicom {
 

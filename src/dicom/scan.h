@@ -8,7 +8,7 @@
 
 #include "base/progress.h"
 #include "base/result.h"
-#include "dicom/series.h"
+#include "dicom/split/series.h"
 
 namespace macula::dicom {
 

@@ -15,8 +15,8 @@
 #include "base/draft.h"
 #include "base/parallel.h"
 #include "base/sha256.h"
-#include "dicom/examination.h"
-#include "dicom/quiet_toolkit.h"
+#include "dicom/read/examination.h"
+#include "dicom/read/quiet_toolkit.h"
 
 namespace macula::dicom {
 

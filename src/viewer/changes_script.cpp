@@ -11,7 +11,7 @@
 #include <fstream>
 #include <utility>
 
-#include "viewer/exit_codes.h"
+#include "app/exit_codes.h"
 
 namespace macula::viewer {
 
@@ -54,12 +54,12 @@ ChangesScript::ChangesScript(MainWindow& window, ChangesScriptOptions options, Q
     silence_.setInterval(kSilenceMs);
     connect(&silence_, &QTimer::timeout, this, [this] {
         std::fputs("No picture came for a minute.\n", stderr);
-        finish(exitCodeOf(ErrorCode::deviceNotUsable));
+        finish(app::exitCodeOf(ErrorCode::deviceNotUsable));
     });
     connect(&window_, &MainWindow::frameShown, this, &ChangesScript::onFrame);
     connect(&window_, &MainWindow::failed, this, [this](const Error& error) {
         std::fprintf(stderr, "%s %s\n", error.message.c_str(), error.hint.c_str());
-        finish(exitCodeOf(error.code));
+        finish(app::exitCodeOf(error.code));
     });
 }
 
@@ -67,7 +67,7 @@ void ChangesScript::start() {
     silence_.start();
 }
 
-void ChangesScript::onFrame(const FrameShown& frame) {
+void ChangesScript::onFrame(const app::FrameShown& frame) {
     silence_.start();
     ++pictures_[std::string(nameOf(frame.picture))];
     if (std::exchange(hasBegun_, true)) return;
@@ -109,7 +109,7 @@ void ChangesScript::change() {
         case 8:
             ++changes_["study"];
             isPhantom_ = !isPhantom_;
-            window_.open(isPhantom_ ? StudySource() : options_.study);
+            window_.open(isPhantom_ ? app::StudySource() : options_.study);
             break;
         default:
             ++changes_["drag"];
@@ -169,7 +169,7 @@ void ChangesScript::report() {
     };
     std::fputs(QJsonDocument(json).toJson(QJsonDocument::Indented).constData(), stdout);
     std::fflush(stdout);
-    finish(kExitDone);
+    finish(app::kExitDone);
 }
 
 void ChangesScript::finish(int exitCode) {

@@ -15,7 +15,7 @@
 namespace macula::viewer {
 
 struct ChangesScriptOptions {
-    StudySource study;  // in turns with the phantom; none: the phantom alone
+    app::StudySource study;  // in turns with the phantom; none: the phantom alone
     double seconds = 300.0;
     std::uint32_t seed = 1;
 };
@@ -37,7 +37,7 @@ class ChangesScript : public QObject {
     void finished(int exitCode);
 
   private:
-    void onFrame(const FrameShown& frame);
+    void onFrame(const app::FrameShown& frame);
     void change();
     void drag();
     void chooseIn(const char* accessibleName);

@@ -13,10 +13,10 @@
 #include <malloc.h>
 #endif
 
+#include "app/exit_codes.h"
 #include "viewer/changes_script.h"
 #include "viewer/command_line.h"
 #include "viewer/display_check.h"
-#include "viewer/exit_codes.h"
 #include "viewer/orbit_script.h"
 
 namespace {
@@ -28,17 +28,17 @@ int fail(const Error& error) {
     std::fprintf(stderr, "macula-viewer: %s%s%s%s %s\n", error.message.c_str(),
                  error.where.empty() ? "" : " (", error.where.c_str(), error.where.empty() ? "" : ")",
                  error.hint.c_str());
-    return exitCodeOf(error.code);
+    return app::exitCodeOf(error.code);
 }
 
 Result<MainWindowOptions> windowOptions(const CommandLine& line) {
-    MACULA_TRY(Catalogue catalogue, builtInCatalogue());
+    MACULA_TRY(app::Catalogue catalogue, app::builtInCatalogue());
     MainWindowOptions options{.catalogue = std::move(catalogue), .device = line.device.toStdString()};
     if (!line.preset.isEmpty()) {
-        MACULA_TRY(options.preset, findPreset(options.catalogue, line.preset.toStdString()));
+        MACULA_TRY(options.preset, app::findPreset(options.catalogue, line.preset.toStdString()));
     }
     if (!line.lights.isEmpty()) {
-        MACULA_TRY(options.lights, findLights(options.catalogue, line.lights.toStdString()));
+        MACULA_TRY(options.lights, app::findLights(options.catalogue, line.lights.toStdString()));
     }
     options.firstView = line.view;
     if (line.size) options.pictureSize = *line.size;
@@ -71,7 +71,8 @@ int run(QApplication& application, const CommandLine& line) {
         return code;
     }
     MainWindow window(*std::move(instance), *std::move(options));
-    const StudySource source = line.folder ? StudySource(line.folder->toStdString()) : StudySource();
+    const app::StudySource source =
+        line.folder ? app::StudySource(line.folder->toStdString()) : app::StudySource();
     std::optional<OrbitScript> orbit;
     std::optional<ChangesScript> changes;
     const auto begin = [&](auto& script) {
@@ -108,7 +109,7 @@ int main(int argc, char** argv) {
     if (!line) return fail(line.error());
     if (line->print) {
         std::fputs(line->print->toLocal8Bit().constData(), stdout);
-        return kExitDone;
+        return app::kExitDone;
     }
     std::optional<DisplayCheck> display(std::in_place);
     if (!display->found()) {

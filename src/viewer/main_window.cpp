@@ -174,7 +174,8 @@ void MainWindow::makeLookMenu() {
     window->setToolTip(tr("Of the values: that of the series"));
     resetWindow_ = window;
     connect(viewport_, &Viewport::windowDragged, this, [this](QPointF byHeights) {
-        if (const auto from = drawing().settings.window) windows_.drag(lookChosen(), *from, byHeights);
+        if (const auto from = drawing().settings.window)
+            windows_.drag(lookChosen(), *from, {byHeights.x(), byHeights.y()});
         redraw();
     });
     connect(looks_, &ChoiceMenu::changed, this, &MainWindow::redraw);
@@ -255,7 +256,7 @@ void MainWindow::connectLoader() {
     });
     connect(&loader_, &StudyLoader::progressed, loading_, &WorkBar::setProgress);
     connect(loading_, &WorkBar::cancelClicked, &loader_, &StudyLoader::cancel);
-    connect(&loader_, &StudyLoader::loaded, this, [this](const LoadedStudy& study) {
+    connect(&loader_, &StudyLoader::loaded, this, [this](const app::OpenedStudy& study) {
         loading_->hide();
         showStudy(study);
     });
@@ -298,11 +299,12 @@ trace::Look MainWindow::lookChosen() const {
 }
 
 // Everything that was chosen, for the study that is open.
-Drawing MainWindow::drawing() const {
+app::Drawing MainWindow::drawing() const {
     const trace::Look look = lookChosen();
-    Drawing drawing{.transferFunction = preset_,
-                    .lights = options_.lights ? options_.lights : defaultLights(options_.catalogue, look),
-                    .clip = clip_};
+    app::Drawing drawing{
+        .transferFunction = preset_,
+        .lights = options_.lights ? options_.lights : app::defaultLights(options_.catalogue, look),
+        .clip = clip_};
     drawing.settings.look = look;
     QStringList remarks;
     if (look == trace::Look::dvr && shading_->isChecked() && preset_ && preset_->lighting.shade) {
@@ -311,7 +313,8 @@ Drawing MainWindow::drawing() const {
     }
     if (trace::isProjection(look) && study_.volume) {
         drawing.settings.window = windows_.of(look, *study_.volume);
-        remarks << windowText(*drawing.settings.window, study_.volume->unitName());
+        remarks << QString::fromStdString(
+            app::windowText(*drawing.settings.window, study_.volume->unitName()));
     }
     if (clip_ && clip_->mask) remarks << tr("table left out");
     if (clip_ && clip_->hasShape()) remarks << tr("clipped");
@@ -320,7 +323,7 @@ Drawing MainWindow::drawing() const {
 }
 
 void MainWindow::redraw() {
-    Drawing now = drawing();
+    app::Drawing now = drawing();
     const trace::Look look = now.settings.look;
     select(*lights_, options_.catalogue.lights, now.lights);
     lights_->setEnabled(trace::isPathTraced(look));
@@ -351,7 +354,7 @@ void MainWindow::updateClip() {
     redraw();
 }
 
-void MainWindow::open(StudySource source) {
+void MainWindow::open(app::StudySource source) {
     loader_.open(std::move(source));
 }
 
@@ -409,13 +412,13 @@ void MainWindow::choosePreset(int index) {
     viewport_->setFocus();
 }
 
-void MainWindow::showStudy(const LoadedStudy& study) {
+void MainWindow::showStudy(const app::OpenedStudy& study) {
     study_ = study;
     const Volume& volume = *study_.volume;
     QStringList notes;
     auto preset = options_.preset;
     if (!preset || !suits(*preset, volume.unit())) {
-        const auto wanted = std::exchange(preset, presetFor(options_.catalogue, volume));
+        const auto wanted = std::exchange(preset, app::presetFor(options_.catalogue, volume));
         // A curve over Hounsfield units means nothing on the raw numbers of a scanner, and the reverse.
         if (wanted) {
             notes << tr("The preset %1 is not made for this kind of volume; %2 is used instead.")
@@ -431,7 +434,7 @@ void MainWindow::showStudy(const LoadedStudy& study) {
     windows_.forgetAll();
     clip_.reset();
     clearStudyTexts();
-    Drawing first = drawing();
+    app::Drawing first = drawing();
     visibilityNote_ = visibilityNote(first, volume, options_.catalogue);
     viewport_->setStudy(study_.volume, linesOf(study_.identity), std::move(first), options_.firstView);
     volumes_->setVolumes(study_.volumeTitles, study_.volumeIndex);
@@ -462,7 +465,7 @@ void MainWindow::showNotes() {
     }
 }
 
-void MainWindow::setStudyTexts(const LoadedStudy& study) {
+void MainWindow::setStudyTexts(const app::OpenedStudy& study) {
     const glm::ivec3 size = study.volume->size();
     const glm::dvec3 spacing = study.volume->spacingMm();
     const QString text = QStringLiteral("%1 %2×%3×%4, %5×%6×%7 mm")
@@ -497,27 +500,27 @@ void MainWindow::clearStudyTexts() {
     modelText_->setFullText({});
 }
 
-void MainWindow::onRendered(const RenderEvent& event) {
-    if (const auto* frame = std::get_if<FrameShown>(&event)) {
+void MainWindow::onRendered(const app::RenderEvent& event) {
+    if (const auto* frame = std::get_if<app::FrameShown>(&event)) {
         onFrame(*frame);
-    } else if (const auto* ready = std::get_if<DeviceReady>(&event)) {
+    } else if (const auto* ready = std::get_if<app::DeviceReady>(&event)) {
         deviceText_->setFullText(QString::fromStdString(ready->name));
         deviceText_->setToolTip(QString::fromStdString(ready->description));
         if (!study_.volume) fidelity_->setFullText(tr("No study is open"));  // nothing else comes
-    } else if (std::holds_alternative<DeviceRestarting>(event)) {
+    } else if (std::holds_alternative<app::DeviceRestarting>(event)) {
         fidelity_->setFullText(tr("Starting the graphics device again…"));
         deviceNote_ =
             tr("The graphics device stopped responding and is started again; the picture is made "
                "anew. If this comes back, update the graphics driver.");
         deviceIsBack_ = false;
         showNotes();
-    } else if (const auto* changed = std::get_if<ModelChanged>(&event)) {
+    } else if (const auto* changed = std::get_if<app::ModelChanged>(&event)) {
         if (changed->study == viewport_->study()) onModel(changed->model);
-    } else if (const auto* preparing = std::get_if<Preparing>(&event)) {
+    } else if (const auto* preparing = std::get_if<app::Preparing>(&event)) {
         fidelity_->setFullText(QString::fromStdString(preparing->what) + QStringLiteral("…"));
-    } else if (std::holds_alternative<PictureRemoved>(event)) {
+    } else if (std::holds_alternative<app::PictureRemoved>(event)) {
         setTitle({});
-    } else if (const auto* failure = std::get_if<RenderFailure>(&event)) {
+    } else if (const auto* failure = std::get_if<app::RenderFailure>(&event)) {
         clearStudyTexts();
         setTitle({});
         if (!std::exchange(deviceIsBack_, true)) {
@@ -534,7 +537,7 @@ void MainWindow::onModel(const hybrid::ModelNews& model) {
     modelText_->setFullText(modelText(model), whyNoModel(model));
 }
 
-void MainWindow::onFrame(const FrameShown& frame) {
+void MainWindow::onFrame(const app::FrameShown& frame) {
     QString text = fidelityText(frame);
     if (frame.samplesLeftOut > 0) text += tr(", %1 samples left out").arg(frame.samplesLeftOut);
     QStringList about;
@@ -555,7 +558,7 @@ void MainWindow::onFrame(const FrameShown& frame) {
     fidelity_->setFullText(text);
     onModel(frame.model);
     QString pictureText = QStringLiteral("%1×%2").arg(frame.width).arg(frame.height);
-    if (frame.framesPerSecond > 0.0 && frame.stage == Stage::moving) {
+    if (frame.framesPerSecond > 0.0 && frame.stage == app::Stage::moving) {
         pictureText += tr(", %1/s").arg(frame.framesPerSecond, 0, 'f', 1);
         rateEnds_.start();
     }

@@ -11,11 +11,11 @@
 #include <optional>
 #include <string>
 
-#include "viewer/catalogue.h"
+#include "app/choice/catalogue.h"
+#include "app/frame/projection_windows.h"
 #include "viewer/choice_menu.h"
-#include "viewer/loader_job.h"
-#include "viewer/projection_windows.h"
 #include "viewer/status_widgets.h"
+#include "viewer/study_loader.h"
 #include "viewer/table_removal.h"
 #include "viewer/volume_choice.h"
 
@@ -24,7 +24,7 @@ class QFileDialog;
 namespace macula::viewer {
 
 struct MainWindowOptions {
-    Catalogue catalogue;
+    app::Catalogue catalogue;
     std::string device = {};                              // as in gpu::chooseDevice
     std::shared_ptr<const TransferFunction> preset = {};  // null: by the volume's modality
     std::shared_ptr<const trace::LightRig> lights = {};   // null: by look
@@ -44,9 +44,9 @@ class MainWindow : public QMainWindow {
   public:
     MainWindow(gpu::Instance instance, MainWindowOptions options);
 
-    void open(StudySource source);
+    void open(app::StudySource source);
     // What open() ends with when all went well.
-    void showStudy(const LoadedStudy& study);
+    void showStudy(const app::OpenedStudy& study);
     void cancelLoading() { loader_.cancel(); }
     bool loading() const { return loader_.loading(); }
     bool searchingTable() const { return table_->searching(); }
@@ -64,7 +64,7 @@ class MainWindow : public QMainWindow {
     bool hidesSomething() const { return clip_ != nullptr; }
 
   signals:
-    void frameShown(const macula::viewer::FrameShown& frame);
+    void frameShown(const macula::app::FrameShown& frame);
     void studyShown();
     void loadingCancelled();
     void failed(const macula::Error& error);
@@ -83,7 +83,7 @@ class MainWindow : public QMainWindow {
     void connectLoader();
     void connectTable();
     trace::Look lookChosen() const;
-    Drawing drawing() const;
+    app::Drawing drawing() const;
     void redraw();      // what was chosen has changed
     void updateClip();  // what is hidden has
     void askForFolder();
@@ -92,10 +92,10 @@ class MainWindow : public QMainWindow {
     void openDropped(const Dropped& what);
     void choosePreset(int index);
     void showOpenError(const Error& error);
-    void onRendered(const RenderEvent& event);
-    void onFrame(const FrameShown& frame);
+    void onRendered(const app::RenderEvent& event);
+    void onFrame(const app::FrameShown& frame);
     void onModel(const hybrid::ModelNews& model);
-    void setStudyTexts(const LoadedStudy& study);
+    void setStudyTexts(const app::OpenedStudy& study);
     void setTitle(const QString& ofPicture);
     void clearStudyTexts();
     void showNotes();
@@ -103,7 +103,7 @@ class MainWindow : public QMainWindow {
 
     MainWindowOptions options_;
     StudyLoader loader_;
-    LoadedStudy study_;       // open; nothing of it is told before its picture is on screen
+    app::OpenedStudy study_;  // open; nothing of it is told before its picture is on screen
     QStringList studyNotes_;  // what is to be known about it
     QString presetNote_;      // and about the preset that was chosen for it
     QString visibilityNote_;  // and why nothing of it can be seen
@@ -112,7 +112,7 @@ class MainWindow : public QMainWindow {
     bool deviceIsBack_ = true;
     std::shared_ptr<const TransferFunction> preset_;  // of the study, which need not be the one asked for
     std::shared_ptr<const Clip> clip_;                // null: nothing is hidden
-    ProjectionWindows windows_;
+    app::ProjectionWindows windows_;
     QString lastFolder_;
 
     Viewport* viewport_ = nullptr;

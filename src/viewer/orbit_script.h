@@ -42,9 +42,9 @@ class OrbitScript : public QObject {
   private:
     enum class Phase { waiting, learning, orbiting, resting, reporting, done };
 
-    void onFrame(const FrameShown& frame);
-    void onFrameInMotion(const FrameShown& frame);
-    void onFrameAtRest(const FrameShown& frame);
+    void onFrame(const app::FrameShown& frame);
+    void onFrameInMotion(const app::FrameShown& frame);
+    void onFrameAtRest(const app::FrameShown& frame);
     void beginOrbit();
     void moveHand();
     void endOrbit();
@@ -68,7 +68,7 @@ class OrbitScript : public QObject {
     struct Followed {
         double atMs = 0.0;  // since the orbit began
         double latencyMs = 0.0;
-        OnScreen picture = OnScreen::nothing;
+        app::OnScreen picture = app::OnScreen::nothing;
         int width = 0;
         int height = 0;
         int scale = 1;
@@ -76,7 +76,7 @@ class OrbitScript : public QObject {
     };
     std::vector<Followed> followed_;
     QElapsedTimer resting_;
-    OnScreen atRest_ = OnScreen::nothing;  // on screen since
+    app::OnScreen atRest_ = app::OnScreen::nothing;  // on screen since
     double atRestSinceMs_ = 0.0;
     double longestPreviewMs_ = 0.0;  // a small picture, after the hand stopped
     double firstTracedMs_ = -1.0;    // after that, until a denoised one with all pixels began to show

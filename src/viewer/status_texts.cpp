@@ -21,22 +21,22 @@ QString lookText(trace::Look look) {
 
 }  // namespace
 
-QString fidelityText(const FrameShown& frame) {
+QString fidelityText(const app::FrameShown& frame) {
     const auto tr = [](const char* text) { return QCoreApplication::translate("Fidelity", text); };
     const QString remarks =
         frame.remarks.empty() ? QString() : QStringLiteral(", ") + QString::fromStdString(frame.remarks);
-    if (frame.picture == OnScreen::model) {
+    if (frame.picture == app::OnScreen::model) {
         return tr("Peripheral model, %L1 splats, %L2 steps").arg(frame.model.splats).arg(frame.model.steps) +
                remarks + (frame.greyFacesAreCoarse ? tr(", values on cut faces only coarsely") : QString());
     }
     QString text = lookText(frame.look) + remarks;
-    if (frame.picture == OnScreen::preview) {
+    if (frame.picture == app::OnScreen::preview) {
         text += tr(", preview");
         if (trace::isPathTraced(frame.look)) text += frame.denoised ? tr(", denoised") : tr(", smoothed");
         if (frame.scale > 1) text += tr(", 1/%1 of the pixels each way").arg(frame.scale);
         return text;
     }
-    const bool isComplete = frame.stage == Stage::converged;
+    const bool isComplete = frame.stage == app::Stage::converged;
     text += isComplete ? tr(", %1 samples").arg(frame.samplesPerPixel)
                        : tr(", %1 of %2 samples").arg(frame.samplesPerPixel).arg(frame.sampleLimit);
     if (frame.denoised) text += tr(", denoised");

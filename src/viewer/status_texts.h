@@ -3,15 +3,15 @@
 
 #include <QString>
 
+#include "app/frame/render_events.h"
 #include "base/volume.h"
-#include "pipeline/hybrid/model_news.h"
+#include "pipeline/hybrid/model/model_news.h"
 #include "pipeline/volume/transfer_function.h"
-#include "viewer/render_events.h"
 
 namespace macula::viewer {
 
 // What is on screen, how it was made, and how far it has come.
-QString fidelityText(const FrameShown& frame);
+QString fidelityText(const app::FrameShown& frame);
 
 // What the peripheral model is doing; empty where there is nothing to say.
 QString modelText(const hybrid::ModelNews& model);

@@ -12,6 +12,7 @@
 #include <variant>
 
 #include "base/log.h"
+#include "viewer/painted_text.h"
 
 namespace macula::viewer {
 
@@ -106,8 +107,8 @@ Viewport::Viewport(gpu::Instance instance, std::string preferredDevice, QWidget*
 
     // The events cross to this thread through its queue; those that come after this widget is gone are
     // dropped by Qt.
-    renderThread_ = std::make_unique<RenderThread>(
-        std::move(instance), std::move(preferredDevice), [this](RenderEvent event) {
+    renderThread_ = std::make_unique<app::RenderThread>(
+        std::move(instance), std::move(preferredDevice), [this](app::RenderEvent event) {
             QMetaObject::invokeMethod(
                 this, [this, event = std::move(event)] { onRendered(event); }, Qt::QueuedConnection);
         });
@@ -153,10 +154,10 @@ void Viewport::connectWindow() {
         renderThread_->releaseSurface();
     });
     connect(window_, &VulkanWindow::surfaceFailed, this, [this] {
-        emit rendered(RenderFailure{.error = {ErrorCode::deviceNotUsable,
-                                              "The window cannot show Vulkan pictures.",
-                                              {},
-                                              "Install a Vulkan driver for this display."}});
+        emit rendered(app::RenderFailure{.error = {ErrorCode::deviceNotUsable,
+                                                   "The window cannot show Vulkan pictures.",
+                                                   {},
+                                                   "Install a Vulkan driver for this display."}});
     });
     connect(window_, &VulkanWindow::exposed, this, [this] {
         ++input_.exposures;
@@ -166,7 +167,7 @@ void Viewport::connectWindow() {
     connect(window_, &VulkanWindow::resized, this, [this] {
         // A view nobody has touched goes on fitting the window.
         if (untouched_ && input_.volume) {
-            camera_ = framed(outlineMm(), framedFrom_, kVerticalFovDeg, aspect());
+            camera_ = app::framed(outlineMm(), framedFrom_, kVerticalFovDeg, aspect());
         }
         publish();
     });
@@ -186,8 +187,8 @@ void Viewport::connectWindow() {
     connect(window_, &VulkanWindow::dropped, this, &Viewport::dropped);
 }
 
-void Viewport::setStudy(std::shared_ptr<const Volume> volume, std::vector<std::string> names, Drawing drawing,
-                        ViewDirection from) {
+void Viewport::setStudy(std::shared_ptr<const Volume> volume, std::vector<std::string> names,
+                        app::Drawing drawing, ViewDirection from) {
     ++input_.study;
     outline_.reset();
     names_ = std::move(names);
@@ -201,7 +202,7 @@ void Viewport::setStudy(std::shared_ptr<const Volume> volume, std::vector<std::s
     }
 }
 
-void Viewport::setDrawing(Drawing drawing) {
+void Viewport::setDrawing(app::Drawing drawing) {
     if (drawing == input_.drawing) return;
     input_.drawing = std::move(drawing);
     publishChange();
@@ -234,13 +235,13 @@ void Viewport::setPictureSizeHint(QSize pixels) {
 void Viewport::showFrom(ViewDirection from) {
     if (!input_.volume) return;
     framedFrom_ = from;
-    setCamera(framed(outlineMm(), from, kVerticalFovDeg, aspect()));
+    setCamera(app::framed(outlineMm(), from, kVerticalFovDeg, aspect()));
     untouched_ = true;
 }
 
 void Viewport::fit() {
     if (!input_.volume) return;
-    setCamera(fitted(camera_, outlineMm(), aspect()));
+    setCamera(app::fitted(camera_, outlineMm(), aspect()));
 }
 
 bool Viewport::handleKey(const QKeyEvent& event) {
@@ -250,7 +251,8 @@ bool Viewport::handleKey(const QKeyEvent& event) {
     if (const auto arrow = arrowOfKey(event.key())) {
         nudge();
         if (shift) {
-            setCamera(pannedByDrag(camera_, arrow->x() * kPanStepOfHeight, arrow->y() * kPanStepOfHeight, 1));
+            setCamera(
+                app::pannedByDrag(camera_, arrow->x() * kPanStepOfHeight, arrow->y() * kPanStepOfHeight, 1));
         } else {
             // The eye goes where the arrow points.
             setCamera(orbited(camera_, arrow->x() * kOrbitStepDeg, -arrow->y() * kOrbitStepDeg));
@@ -286,9 +288,9 @@ void Viewport::applyDrag(VulkanWindow::Drag drag, QPointF byPixels) {
     const double height = window_->height();
     switch (drag) {
         case VulkanWindow::Drag::orbit:
-            return setCamera(orbitedByDrag(camera_, byPixels.x(), byPixels.y(), height));
+            return setCamera(app::orbitedByDrag(camera_, byPixels.x(), byPixels.y(), height));
         case VulkanWindow::Drag::pan:
-            return setCamera(pannedByDrag(camera_, byPixels.x(), byPixels.y(), height));
+            return setCamera(app::pannedByDrag(camera_, byPixels.x(), byPixels.y(), height));
         case VulkanWindow::Drag::windowOrZoom:
             if (trace::isProjection(input_.drawing.settings.look)) {
                 emit windowDragged(byPixels / std::max(height, 1.0));
@@ -306,7 +308,7 @@ void Viewport::nudge() {
     nudgeEnds_.start();
 }
 
-void Viewport::setCamera(const OrbitCamera& camera) {
+void Viewport::setCamera(const app::OrbitCamera& camera) {
     camera_ = camera;
     untouched_ = false;
     publishChange();
@@ -353,7 +355,7 @@ std::vector<glm::dvec3> Viewport::outlineMm() const {
 
 // The first one moves a camera that nobody has touched. Later ones, of other presets, do not: what is
 // compared stays where it is.
-void Viewport::onOutline(const OutlineFound& found) {
+void Viewport::onOutline(const app::OutlineFound& found) {
     if (found.study != input_.study || !input_.volume) return;
     const bool isFirst = !outline_;
     outline_ = found.pointsMm;
@@ -366,13 +368,13 @@ double Viewport::aspect() const {
 
 // The letters follow the picture, not the camera: while the next picture is made, the one on screen still has
 // its sides where they were.
-void Viewport::onRendered(const RenderEvent& event) {
-    if (const auto* frame = std::get_if<FrameShown>(&event)) {
+void Viewport::onRendered(const app::RenderEvent& event) {
+    if (const auto* frame = std::get_if<app::FrameShown>(&event)) {
         if (frame->study != input_.study) return;  // that picture is being taken off the screen
         setLetters(frame->letters);
-    } else if (const auto* outline = std::get_if<OutlineFound>(&event)) {
+    } else if (const auto* outline = std::get_if<app::OutlineFound>(&event)) {
         onOutline(*outline);
-    } else if (const auto* failure = std::get_if<RenderFailure>(&event)) {
+    } else if (const auto* failure = std::get_if<app::RenderFailure>(&event)) {
         setLetters({});
         // A picture that stays after an error would be taken for that of what is wanted now; unless something
         // else is wanted by now, which takes it off first.
@@ -381,14 +383,14 @@ void Viewport::onRendered(const RenderEvent& event) {
     emit rendered(event);
 }
 
-void Viewport::setLetters(const EdgeLetters& letters) {
+void Viewport::setLetters(const app::EdgeLetters& letters) {
     left_->setText(QString::fromStdString(letters.left));
     right_->setText(QString::fromStdString(letters.right));
     top_->setText(QString::fromStdString(letters.top));
     bottom_->setText(QString::fromStdString(letters.bottom));
 }
 
-EdgeLetters Viewport::letters() const {
+app::EdgeLetters Viewport::letters() const {
     return {.left = left_->text().toStdString(),
             .right = right_->text().toStdString(),
             .top = top_->text().toStdString(),

@@ -1,7 +1,7 @@
 // A widget that shows a volume, path traced, and lets a hand walk around it.
 #pragma once
 
-#include "viewer/render_thread.h"  // before Qt, see vulkan_window.h
+#include "app/frame/render_thread.h"  // before Qt, see vulkan_window.h
 #include "viewer/vulkan_window.h"
 
 #include <QLabel>
@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "viewer/orbit_camera.h"
+#include "app/camera/orbit_camera.h"
 
 namespace macula::viewer {
 
@@ -36,11 +36,11 @@ class Viewport : public QWidget {
     // shows nothing. After an error that left a picture on screen the window is hidden until the next change
     // of study, drawing or camera. `names` are lines that say whose it is: they stand over each of its
     // pictures, unless they are hidden.
-    void setStudy(std::shared_ptr<const Volume> volume, std::vector<std::string> names, Drawing drawing,
+    void setStudy(std::shared_ptr<const Volume> volume, std::vector<std::string> names, app::Drawing drawing,
                   ViewDirection from);
     void showNames(bool shown);
     bool namesShown() const { return namesShown_; }
-    void setDrawing(Drawing drawing);
+    void setDrawing(app::Drawing drawing);
     void setSampleLimit(std::uint32_t samplesPerPixel);
     // Whether the peripheral model, splats, is shown while a hand moves; if not, small traced pictures are.
     void setUsesModel(bool uses);
@@ -51,14 +51,14 @@ class Viewport : public QWidget {
     // Arrows, +, -, F, N (names) and the letters of the standard views. False for any other key.
     bool handleKey(const QKeyEvent& event);
 
-    const OrbitCamera& camera() const { return camera_; }
+    const app::OrbitCamera& camera() const { return camera_; }
     std::uint64_t study() const { return input_.study; }  // as in FrameShown
-    EdgeLetters letters() const;                          // those on screen; empty without a picture
+    app::EdgeLetters letters() const;                     // those on screen; empty without a picture
     VulkanWindow& window() { return *window_; }
     QSize pictureSize() const { return window_->pixels(); }
 
   signals:
-    void rendered(const macula::viewer::RenderEvent& event);
+    void rendered(const macula::app::RenderEvent& event);
     void namesToggled(bool shown);
     void windowDragged(QPointF byHeights);  // with the right button, in projections: see ProjectionWindows
     void dropped(const macula::viewer::Dropped& what);
@@ -66,17 +66,17 @@ class Viewport : public QWidget {
 
   private:
     void connectWindow();
-    void setCamera(const OrbitCamera& camera);
+    void setCamera(const app::OrbitCamera& camera);
     void publishChange();  // of what is to be seen
     void applyDrag(VulkanWindow::Drag drag, QPointF byPixels);
     void nudge();             // an interaction without an end: a key, a notch of the wheel
     std::uint64_t publish();  // its number
     double sceneDiagonalMm() const;
     std::vector<glm::dvec3> outlineMm() const;  // of what is to fit
-    void onOutline(const OutlineFound& found);
+    void onOutline(const app::OutlineFound& found);
     double aspect() const;
-    void onRendered(const RenderEvent& event);
-    void setLetters(const EdgeLetters& letters);
+    void onRendered(const app::RenderEvent& event);
+    void setLetters(const app::EdgeLetters& letters);
     void updateText();
     void layOut();
 
@@ -96,8 +96,8 @@ class Viewport : public QWidget {
     int textWidthPx_ = 0;
     double textPixelRatio_ = 0.0;
 
-    OrbitCamera camera_;
-    FrameInput input_;
+    app::OrbitCamera camera_;
+    app::FrameInput input_;
     std::uint64_t lastChange_ = 0;  // its number
     bool dragging_ = false;
     ViewDirection framedFrom_ = ViewDirection::anterior;
@@ -105,7 +105,7 @@ class Viewport : public QWidget {
     std::shared_ptr<const std::vector<glm::dvec3>>
         outline_;  // of the study as it was last drawn; null before
 
-    std::unique_ptr<RenderThread> renderThread_;
+    std::unique_ptr<app::RenderThread> renderThread_;
 };
 
 }  // namespace macula::viewer

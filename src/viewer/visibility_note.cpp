@@ -4,8 +4,8 @@
 #include <QStringList>
 #include <algorithm>
 
+#include "app/frame/projection_windows.h"
 #include "pipeline/trace/look.h"
-#include "viewer/projection_windows.h"
 
 namespace macula::viewer {
 
@@ -50,13 +50,13 @@ QString windowNote(const DisplayWindow& window, const ValueRange& values, const 
     const bool isAbove = values.low >= window.center + 0.5 * window.width;
     if (!isBelow && !isAbove) return {};
     return tr("All of this volume is %1 in the window %2: %3.")
-        .arg(isBelow ? tr("black") : tr("white"), windowText(window, volume.unitName()),
-             valuesText(values, volume));
+        .arg(isBelow ? tr("black") : tr("white"),
+             QString::fromStdString(app::windowText(window, volume.unitName())), valuesText(values, volume));
 }
 
 }  // namespace
 
-QString visibilityNote(const Drawing& drawing, const Volume& volume, const Catalogue& catalogue) {
+QString visibilityNote(const app::Drawing& drawing, const Volume& volume, const app::Catalogue& catalogue) {
     const std::optional<ValueRange>& values = volume.valueRange();
     if (!values) return tr("This volume has no values: all of it is padding.");
     if (trace::isProjection(drawing.settings.look))

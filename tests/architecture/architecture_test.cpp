@@ -21,44 +21,79 @@ using Names = std::set<std::string>;
 const fs::path kRoot = macula::test::projectFolder();
 constexpr int kMaxLines = 600;
 
-// Folder of src/ to the folders it may include besides itself.
-const std::map<std::string, Names> kArrows{
-    {"base", {}},
-    {"dicom", {"base"}},
-    {"segment", {"base"}},
-    {"image", {"base"}},
-    {"pipeline/gpu", {"base"}},
-    {"pipeline/volume", {"base", "pipeline/gpu"}},
-    {"pipeline/trace", {"base", "pipeline/gpu", "pipeline/volume"}},
-    {"pipeline/splat", {"base", "pipeline/gpu"}},
-    {"pipeline/hybrid", {"base", "pipeline/gpu", "pipeline/volume", "pipeline/trace", "pipeline/splat"}},
-    {"presets", {"base", "pipeline/volume"}},
-    {"viewer",
-     {"base", "dicom", "segment", "image", "presets", "pipeline/gpu", "pipeline/volume", "pipeline/trace",
-      "pipeline/splat", "pipeline/hybrid"}},
-    {"cli",
-     {"base", "dicom", "segment", "image", "presets", "pipeline/gpu", "pipeline/volume", "pipeline/trace",
-      "pipeline/splat", "pipeline/hybrid"}}};
-
 struct Library {
     std::string name;
     std::vector<std::string> prefixes;  // of what stands between the brackets
-    Names folders;                      // which may include it
 };
-const std::vector<Library> kLibraries{
-    {"Qt", {"Q", "Qt"}, {"viewer"}},
-    {"Vulkan",
-     {"vulkan/", "vk_"},
-     {"pipeline/gpu", "pipeline/volume", "pipeline/trace", "pipeline/splat", "pipeline/hybrid", "viewer"}},
-    {"DCMTK", {"dcmtk/"}, {"dicom"}},
-    {"OpenJPEG", {"openjpeg"}, {"dicom"}},
-    {"ITK", {"itk", "ITK"}, {"dicom", "segment"}},
-    {"OpenImageIO", {"OpenImageIO/", "OpenEXR/", "Imath/"}, {"image"}},
-    {"CLI11", {"CLI/"}, {"cli"}},
-    {"VTK", {"vtk"}, {"cli"}},
-    {"pugixml", {"pugi"}, {"presets"}},
-    {"SQLite", {"sqlite3"}, {}},
-    {"OpenXR", {"openxr/"}, {}}};
+const std::vector<Library> kLibraries{{"Qt", {"Q", "Qt"}},
+                                      {"Vulkan", {"vulkan/", "vk_"}},
+                                      {"DCMTK", {"dcmtk/"}},
+                                      {"OpenJPEG", {"openjpeg"}},
+                                      {"ITK", {"itk", "ITK"}},
+                                      {"GDCM", {"gdcm"}},
+                                      {"OpenImageIO", {"OpenImageIO/", "OpenEXR/", "Imath/"}},
+                                      {"CLI11", {"CLI/"}},
+                                      {"VTK", {"vtk"}},
+                                      {"pugixml", {"pugi"}},
+                                      {"SQLite", {"sqlite3"}},
+                                      {"OpenXR", {"openxr/"}}};
+
+// ARCHITECTURE.md: the arrows of its diagram, and who may use which library.
+struct Rules {
+    std::map<std::string, Names> arrows;     // folder to the folders that it may include, besides itself
+    std::map<std::string, Names> libraries;  // to the folders that may include them
+};
+
+std::string trimmed(std::string_view text) {
+    const auto from = text.find_first_not_of(" `\t");
+    if (from == std::string_view::npos) return {};
+    return std::string(text.substr(from, text.find_last_not_of(" `\t") - from + 1));
+}
+
+std::vector<std::string> partsOf(std::string_view line, std::string_view separator) {
+    std::vector<std::string> parts;
+    while (true) {
+        const std::size_t end = line.find(separator);
+        parts.push_back(trimmed(line.substr(0, end)));
+        if (end == std::string_view::npos) return parts;
+        line.remove_prefix(end + separator.size());
+    }
+}
+
+// What arrows lead to in several steps, they lead to.
+void close(std::map<std::string, Names>& arrows) {
+    for (bool grown = true; grown;) {
+        grown = false;
+        for (auto& [from, reached] : arrows) {
+            const Names before = reached;
+            for (const std::string& to : before) reached.insert(arrows[to].begin(), arrows[to].end());
+            grown = grown || reached.size() > before.size();
+        }
+    }
+}
+
+Rules readRules() {
+    Rules rules;
+    std::ifstream text(kRoot / "ARCHITECTURE.md");
+    bool isTable = false;
+    for (std::string line; std::getline(text, line);) {
+        if (const auto ends = partsOf(line, "-->"); ends.size() == 2) {
+            rules.arrows[ends[0]].insert(ends[1]);
+            rules.arrows[ends[1]];
+        }
+        isTable = line.starts_with("| library |") || (isTable && line.starts_with("|"));
+        const auto cells = partsOf(line, "|");
+        if (!isTable || cells.size() != 4 || cells[1] == "library" || cells[1].starts_with("-")) continue;
+        for (const std::string& folder : partsOf(cells[2], ",")) rules.libraries[cells[1]].insert(folder);
+    }
+    close(rules.arrows);
+    return rules;
+}
+
+const Rules& rules() {
+    static const Rules read = readRules();
+    return read;
+}
 
 struct Include {
     std::string file;  // relative to the repository
@@ -85,7 +120,7 @@ std::vector<fs::path> sourcesIn(const char* folder) {
 // "dicom", "pipeline/trace": the longest known folder that `path` begins with; else its first part.
 std::string folderOf(const std::string& path) {
     std::string best;
-    for (const auto& [folder, unused] : kArrows) {
+    for (const auto& [folder, unused] : rules().arrows) {
         if (path.starts_with(folder + "/") && folder.size() > best.size()) best = folder;
     }
     return best.empty() ? path.substr(0, path.find('/')) : best;
@@ -123,20 +158,29 @@ bool belongsTo(const Library& library, const std::string& target) {
     });
 }
 
+// Where `target` is looked for: shaders are included from shaders/, all else from src/.
+std::string folderOfTarget(const std::string& target) {
+    const bool isShader = target.starts_with("lib/") || target.starts_with("shared/");
+    return folderOf(isShader ? "shaders/" + target : target);
+}
+
 // Empty when the include is allowed, else why it is not.
 std::string whyForbidden(const Include& include) {
-    const std::string inside = include.file.substr(std::string_view("src/").size());
-    const std::string from = folderOf(inside);
-    const auto arrows = kArrows.find(from);
-    if (arrows == kArrows.end()) return "folder src/" + from + " is not in kArrows; say what it may include";
+    const bool isShader = include.file.starts_with("shaders/");
+    const std::string from = folderOf(isShader ? include.file : include.file.substr(4));  // after src/
+    const auto arrows = rules().arrows.find(from);
+    if (arrows == rules().arrows.end()) return from + " is not in the diagram of ARCHITECTURE.md";
 
     for (const Library& library : kLibraries) {
-        if (belongsTo(library, include.target) && !library.folders.contains(from)) {
-            return library.name + " is not for src/" + from;
-        }
+        if (!belongsTo(library, include.target)) continue;
+        const auto allowed = rules().libraries.find(library.name);
+        if (allowed == rules().libraries.end() || !allowed->second.contains(from))
+            return library.name + " is not for " + from;
     }
-    const std::string to = folderOf(include.target);
-    const bool ours = kArrows.contains(to) || to == "pipeline" || to == "session" || to == "xr";
+    const std::string shader = "shaders/" + include.target.substr(0, include.target.find('/'));
+    const std::string to =
+        isShader && rules().arrows.contains(shader) ? shader : folderOfTarget(include.target);
+    const bool ours = rules().arrows.contains(to) || to == "pipeline" || to == "session" || to == "xr";
     if (ours && to != from && !arrows->second.contains(to))
         return "no arrow leads from " + from + " to " + to;
     return {};
@@ -160,6 +204,19 @@ TEST(Architecture, RulesFire) {
     EXPECT_NE(whyForbidden("src/viewer/a.cpp", "#include <OpenImageIO/imageio.h>"), "");
     EXPECT_NE(whyForbidden("src/viewer/a.cpp", "#include \"cli/report.h\""), "");
     EXPECT_NE(whyForbidden("src/cli/a.cpp", "#include \"viewer/viewport.h\""), "");
+    EXPECT_NE(whyForbidden("src/app/a.cpp", "#include \"evaluate/tradeoff.h\""), "");
+    EXPECT_NE(whyForbidden("src/app/a.cpp", "#include <QObject>"), "");
+    EXPECT_NE(whyForbidden("src/app/a.cpp", "#include <CLI/App.hpp>"), "");
+    EXPECT_NE(whyForbidden("src/evaluate/a.cpp", "#include <CLI/App.hpp>"), "");
+    EXPECT_NE(whyForbidden("src/dicom/a.cpp", "#include <itkImage.h>"), "");
+    EXPECT_NE(whyForbidden("src/pipeline/gpu/a.cpp", "#include \"shared/trace_params.h\""), "");
+    EXPECT_NE(whyForbidden("shaders/shared/a.h", "#include \"lib/rng.glsl\""), "");
+    EXPECT_NE(whyForbidden("shaders/lib/a.glsl", "#include \"trace/film.glsl\""), "");
+    EXPECT_NE(whyForbidden("shaders/splat/a.comp", "#include \"trace/film.glsl\""), "");
+    EXPECT_EQ(whyForbidden("shaders/splat/a.comp", "#include \"lib/splat_lib.glsl\""), "");
+    EXPECT_EQ(whyForbidden("shaders/trace/a.comp", "#include \"shared/trace_params.h\""), "");
+    EXPECT_EQ(whyForbidden("src/pipeline/trace/a.cpp", "#include \"shared/trace_params.h\""), "");
+    EXPECT_EQ(whyForbidden("src/app/a.cpp", "#include \"pipeline/trace/path_tracer.h\""), "");
     EXPECT_NE(whyForbidden("src/cli/a.cpp", "#include <QtGui/QWindow>"), "");
     EXPECT_NE(whyForbidden("src/cli/a.cpp", "#include <vulkan/vulkan.h>"), "");
     EXPECT_NE(whyForbidden("src/image/a.cpp", "#include <vulkan/vulkan_core.h>"), "");
@@ -175,13 +232,36 @@ TEST(Architecture, RulesFire) {
     EXPECT_EQ(whyForbidden("src/cli/a.cpp", "#include \"presets/embedded_files.h\""), "");
 }
 
+// The diagram has no circle, knows every folder of src/ and shaders/, and names no library that nobody uses.
+TEST(Architecture, TheDiagramIsOfThisHouse) {
+    for (const auto& [from, reached] : rules().arrows)
+        EXPECT_FALSE(reached.contains(from)) << from << " leads back to itself";
+    for (const auto& [folder, unused] : rules().arrows) {
+        const fs::path path = kRoot / (folder.starts_with("shaders/") ? folder : "src/" + folder);
+        EXPECT_TRUE(fs::is_directory(path)) << path;
+    }
+    for (const auto& [name, folders] : rules().libraries) {
+        const auto known = std::ranges::find(kLibraries, name, &Library::name);
+        ASSERT_NE(known, kLibraries.end()) << name;
+        Names users;
+        for (const fs::path& path : sourcesIn("src")) {
+            for (const Include& include : includesOf(path)) {
+                if (belongsTo(*known, include.target)) users.insert(folderOf(include.file.substr(4)));
+            }
+        }
+        EXPECT_EQ(users, folders) << name << " is used elsewhere than ARCHITECTURE.md says";
+    }
+}
+
 TEST(Architecture, ArrowsPointDownOnly) {
     std::size_t count = 0;
-    for (const fs::path& path : sourcesIn("src")) {
-        for (const Include& include : includesOf(path)) {
-            ++count;
-            const std::string why = whyForbidden(include);
-            EXPECT_EQ(why, "") << include.file << ":" << include.line << " includes " << include.target;
+    for (const char* folder : {"src", "shaders"}) {
+        for (const fs::path& path : sourcesIn(folder)) {
+            for (const Include& include : includesOf(path)) {
+                ++count;
+                const std::string why = whyForbidden(include);
+                EXPECT_EQ(why, "") << include.file << ":" << include.line << " includes " << include.target;
+            }
         }
     }
     EXPECT_GT(count, 100u) << "the sources were not found at " << kRoot;

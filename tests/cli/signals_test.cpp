@@ -10,7 +10,7 @@
 #include <set>
 
 #include "cli/run_command.h"
-#include "pipeline/splat/model_file.h"
+#include "pipeline/splat/files/model_file.h"
 
 namespace macula::cli {
 namespace {

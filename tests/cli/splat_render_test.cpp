@@ -6,7 +6,7 @@
 #include "base/phantom.h"
 #include "cli/run_command.h"
 #include "image/image_file.h"
-#include "pipeline/splat/model_file.h"
+#include "pipeline/splat/files/model_file.h"
 
 namespace macula::cli {
 namespace {

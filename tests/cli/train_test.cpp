@@ -3,8 +3,8 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/run_command.h"
-#include "pipeline/splat/model_file.h"
-#include "pipeline/splat/training_file.h"
+#include "pipeline/splat/files/model_file.h"
+#include "pipeline/splat/files/training_file.h"
 
 namespace macula::cli {
 namespace {

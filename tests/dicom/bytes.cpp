@@ -2,7 +2,7 @@
 
 #include <zlib.h>
 
-#include "dicom/dataset.h"
+#include "dicom/read/dataset.h"
 
 namespace macula::dicom::test {
 

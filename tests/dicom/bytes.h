@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "dicom/tag.h"
+#include "dicom/read/tag.h"
 
 namespace macula::dicom::test {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "dicom/dataset.h"
+#include "dicom/read/dataset.h"
 #include "dicom/series_writer.h"
 
 namespace macula::dicom::test {

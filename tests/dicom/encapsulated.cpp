@@ -15,8 +15,8 @@
 #include <mutex>
 
 #include "bytes.h"
-#include "dicom/dataset.h"
-#include "dicom/quiet_toolkit.h"
+#include "dicom/read/dataset.h"
+#include "dicom/read/quiet_toolkit.h"
 
 namespace macula::dicom::test {
 

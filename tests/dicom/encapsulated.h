@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "dicom/pixels.h"
+#include "dicom/pixels/pixels.h"
 
 namespace macula::dicom::test {
 

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "dicom/split.h"
+#include "dicom/split/split.h"
 
 namespace macula::dicom::test {
 

@@ -2,10 +2,10 @@
 #include <fstream>
 
 #include "base/atomic_file.h"
+#include "base/available_memory.h"
 #include "bytes.h"
-#include "dicom/byte_source.h"
-#include "dicom/memory.h"
-#include "dicom/outline.h"
+#include "dicom/read/byte_source.h"
+#include "dicom/read/outline.h"
 #include "edit.h"
 #include "support.h"
 

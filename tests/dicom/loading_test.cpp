@@ -5,8 +5,8 @@
 #include <limits>
 
 #include "dicom/loader.h"
-#include "dicom/slice_sources.h"
-#include "dicom/value_unit.h"
+#include "dicom/pixels/slice_sources.h"
+#include "dicom/pixels/value_unit.h"
 #include "edit.h"
 #include "support.h"
 #include "synthetic.h"

@@ -11,8 +11,8 @@
 #include <map>
 #include <random>
 
-#include "dicom/dataset.h"
-#include "dicom/quiet_toolkit.h"
+#include "dicom/read/dataset.h"
+#include "dicom/read/quiet_toolkit.h"
 #include "support.h"
 
 namespace macula::dicom::test {

@@ -12,7 +12,7 @@
 
 #include "base/frames.h"
 #include "base/volume.h"
-#include "dicom/intensity.h"
+#include "dicom/pixels/intensity.h"
 
 class DcmItem;
 class DcmTagKey;

@@ -3,12 +3,12 @@
 #include <vector>
 
 #include "dicom/best_volume.h"
-#include "dicom/examination.h"
 #include "dicom/loader.h"
-#include "dicom/media_directory.h"
-#include "dicom/pixels.h"
+#include "dicom/pixels/pixels.h"
+#include "dicom/read/examination.h"
+#include "dicom/read/media_directory.h"
 #include "dicom/scan.h"
-#include "dicom/segmentation.h"
+#include "dicom/segmentation/segmentation.h"
 #include "fuzz/file_of_bytes.h"
 
 namespace macula::dicom {

@@ -11,7 +11,7 @@
 #include "base/check.h"
 #include "base/log.h"
 #include "dicom/best_volume.h"
-#include "dicom/split.h"
+#include "dicom/split/split.h"
 
 namespace macula::dicom {
 namespace {

@@ -1,16 +1,16 @@
 // Any bytes as a NIfTI, NRRD or MetaImage file, whichever they look like.
 #include <string_view>
 
-#include "dicom/volume_file.h"
+#include "formats/volume_file.h"
 #include "fuzz/file_of_bytes.h"
 
 namespace {
 
 void read(const std::uint8_t* data, std::size_t size, const std::string& name) {
     const std::filesystem::path file = macula::fuzz::fileOf(data, size, name);
-    (void)macula::dicom::readVolumeFileInfo(file);
+    (void)macula::formats::readVolumeFileInfo(file);
     macula::Progress progress;
-    const auto volume = macula::dicom::readVolumeFile(file, progress);
+    const auto volume = macula::formats::readVolumeFile(file, progress);
     if (volume) MACULA_CHECK(macula::isInvertibleAffine((*volume)->worldFromVoxel()));
 }
 

@@ -11,7 +11,7 @@
 #include "dicom/series_writer.h"
 #include "dicom/support.h"
 #include "dicom/synthetic.h"
-#include "dicom/volume_file.h"
+#include "formats/volume_file.h"
 
 namespace macula::dicom::test {
 namespace {

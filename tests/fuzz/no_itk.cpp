@@ -1,6 +1,6 @@
 // In place of what needs ITK, which Debian's clang cannot compile: NRRD and MetaImage files are not written
 // here.
-#include "dicom/itk_image_file.h"
+#include "formats/itk_image_file.h"
 
 namespace macula::dicom {
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/splat/splats.h"
+#include "pipeline/splat/model/splats.h"
 
 namespace macula::splat::testing {
 

@@ -6,8 +6,8 @@
 #include <memory>
 #include <string>
 
-#include "pipeline/splat/splat_components.h"
-#include "pipeline/splat/training_state.h"
+#include "pipeline/splat/model/splat_components.h"
+#include "pipeline/splat/train/training_state.h"
 #include "splat/model_support.h"
 
 namespace macula::splat::testing {

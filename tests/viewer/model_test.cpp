@@ -15,21 +15,21 @@ using macula::test::VulkanCall;
 
 class ModelTest : public WindowTest {
   protected:
-    std::vector<FrameShown> seen_;
+    std::vector<app::FrameShown> seen_;
 
     void SetUp() override {
         WindowTest::SetUp();
         if (!window_) return;
         QObject::connect(&*window_, &MainWindow::frameShown, &*window_,
-                         [this](const FrameShown& frame) { seen_.push_back(frame); });
+                         [this](const app::FrameShown& frame) { seen_.push_back(frame); });
     }
-    bool isOnScreen(OnScreen picture) const { return !seen_.empty() && seen_.back().picture == picture; }
-    bool waitFor(OnScreen picture, int seconds = 60) {
+    bool isOnScreen(app::OnScreen picture) const { return !seen_.empty() && seen_.back().picture == picture; }
+    bool waitFor(app::OnScreen picture, int seconds = 60) {
         return waitUntil([&] { return isOnScreen(picture); }, seconds);
     }
-    bool hasSeen(OnScreen picture) const {
+    bool hasSeen(app::OnScreen picture) const {
         return std::any_of(seen_.begin(), seen_.end(),
-                           [&](const FrameShown& frame) { return frame.picture == picture; });
+                           [&](const app::FrameShown& frame) { return frame.picture == picture; });
     }
     void loseNow() {
         seen_.clear();
@@ -64,13 +64,13 @@ class ModelTest : public WindowTest {
 TEST_F(ModelTest, InMotionEveryPictureIsOfTheModelWithAllPixelsAndAtRestItFadesIntoATracedOne) {
     window_->open(std::nullopt);
     ASSERT_TRUE(waitForConverged());
-    EXPECT_TRUE(hasSeen(OnScreen::model));
+    EXPECT_TRUE(hasSeen(app::OnScreen::model));
     press();
     seen_.clear();
     drag(6);
-    for (const FrameShown& frame : seen_) {
-        EXPECT_EQ(frame.picture, OnScreen::model);
-        EXPECT_EQ(frame.stage, Stage::moving);
+    for (const app::FrameShown& frame : seen_) {
+        EXPECT_EQ(frame.picture, app::OnScreen::model);
+        EXPECT_EQ(frame.stage, app::Stage::moving);
         EXPECT_EQ(QSize(frame.width, frame.height), window_->viewport().pictureSize());
         EXPECT_EQ(frame.scale, 1);
         EXPECT_GT(frame.model.splats, 1000u);
@@ -81,8 +81,8 @@ TEST_F(ModelTest, InMotionEveryPictureIsOfTheModelWithAllPixelsAndAtRestItFadesI
     seen_.clear();
     release();
     ASSERT_TRUE(waitForConverged());
-    EXPECT_TRUE(hasSeen(OnScreen::fading));
-    EXPECT_FALSE(hasSeen(OnScreen::preview));
+    EXPECT_TRUE(hasSeen(app::OnScreen::fading));
+    EXPECT_FALSE(hasSeen(app::OnScreen::preview));
     EXPECT_TRUE(window_->fidelity().startsWith(QLatin1String("Path traced, ")));
     // It goes on learning while nothing moves.
     EXPECT_TRUE(waitUntil([&] { return modelSays("Model learning") || modelSays("Model complete"); }, 60));
@@ -92,19 +92,19 @@ TEST_F(ModelTest, AnotherPresetIsNotShownByTheModelOfTheOneBeforeWhichComesBackW
     window_->open(std::nullopt);
     ASSERT_TRUE(waitForConverged());
     seen_.clear();
-    choosePreset("cinematic-soft-tissue");
-    ASSERT_TRUE(waitFor(OnScreen::model));
+    app::choosePreset("cinematic-soft-tissue");
+    ASSERT_TRUE(waitFor(app::OnScreen::model));
     // Before there was a model of it there were small pictures only.
-    EXPECT_EQ(seen_.front().picture, OnScreen::preview);
+    EXPECT_EQ(seen_.front().picture, app::OnScreen::preview);
     EXPECT_LT(seen_.back().model.steps, 60u);
     ASSERT_TRUE(waitForConverged());
     seen_.clear();
-    choosePreset("cinematic-bone");
+    app::choosePreset("cinematic-bone");
     ASSERT_TRUE(waitForConverged());
     seen_.clear();
-    choosePreset("cinematic-soft-tissue");
+    app::choosePreset("cinematic-soft-tissue");
     ASSERT_TRUE(waitUntil([&] { return !seen_.empty(); }));
-    EXPECT_EQ(seen_.front().picture, OnScreen::model);
+    EXPECT_EQ(seen_.front().picture, app::OnScreen::model);
 }
 
 TEST_F(ModelTest, WithoutItAndInLooksThatHaveNoneThereAreSmallPictures) {
@@ -113,10 +113,10 @@ TEST_F(ModelTest, WithoutItAndInLooksThatHaveNoneThereAreSmallPictures) {
     ASSERT_TRUE(waitForConverged());
     press();
     drag(3);
-    EXPECT_TRUE(isOnScreen(OnScreen::preview));
+    EXPECT_TRUE(isOnScreen(app::OnScreen::preview));
     release();
     ASSERT_TRUE(waitForConverged());
-    EXPECT_FALSE(hasSeen(OnScreen::model));
+    EXPECT_FALSE(hasSeen(app::OnScreen::model));
     EXPECT_TRUE(window_->modelState().isEmpty());
     window_->viewport().setUsesModel(true);
     pressKey(Qt::Key_4, Qt::ControlModifier);
@@ -124,7 +124,7 @@ TEST_F(ModelTest, WithoutItAndInLooksThatHaveNoneThereAreSmallPictures) {
     seen_.clear();
     pressKey(Qt::Key_L);
     ASSERT_TRUE(waitForConverged());
-    EXPECT_FALSE(hasSeen(OnScreen::model));
+    EXPECT_FALSE(hasSeen(app::OnScreen::model));
     EXPECT_TRUE(window_->modelState().isEmpty());
 }
 
@@ -141,16 +141,16 @@ TEST_F(ModelTest, WithoutMemoryForItTheWindowSaysSoAndIsAsItIsWithoutAModel) {
         EXPECT_GT(full.refused(), 0);
         press();
         drag(2);
-        EXPECT_TRUE(isOnScreen(OnScreen::preview));
+        EXPECT_TRUE(isOnScreen(app::OnScreen::preview));
         release();
-        ASSERT_TRUE(waitFor(OnScreen::traced)) << window_->message().toStdString();
-        EXPECT_FALSE(hasSeen(OnScreen::model));
+        ASSERT_TRUE(waitFor(app::OnScreen::traced)) << window_->message().toStdString();
+        EXPECT_FALSE(hasSeen(app::OnScreen::model));
         EXPECT_TRUE(modelSays("No memory for a model"));
         EXPECT_TRUE(window_->message().isEmpty()) << window_->message().toStdString();
     }
     // Another clip or function leaves another room: it is tried again.
-    choosePreset("cinematic-soft-tissue");
-    ASSERT_TRUE(waitFor(OnScreen::model));
+    app::choosePreset("cinematic-soft-tissue");
+    ASSERT_TRUE(waitFor(app::OnScreen::model));
     EXPECT_FALSE(modelSays("No memory"));
 }
 
@@ -161,23 +161,23 @@ TEST_F(ModelTest, ALostDeviceIsMadeGoodWhileItIsSearchedForAndWhileItIsShown) {
     loseNow();
     ASSERT_TRUE(waitForConverged());
     EXPECT_EQ(devicesLost(), 1);
-    EXPECT_TRUE(hasSeen(OnScreen::model));
+    EXPECT_TRUE(hasSeen(app::OnScreen::model));
 
     press();
     drag(2);
-    EXPECT_TRUE(isOnScreen(OnScreen::model));
+    EXPECT_TRUE(isOnScreen(app::OnScreen::model));
     loseNow();
     drag(2);
     release();
     EXPECT_EQ(devicesLost(), 1);
     ASSERT_TRUE(waitForConverged());
-    EXPECT_FALSE(hasSeen(OnScreen::preview)) << "what was learnt has outlived the device";
+    EXPECT_FALSE(hasSeen(app::OnScreen::preview)) << "what was learnt has outlived the device";
     EXPECT_TRUE(window_->message().isEmpty()) << window_->message().toStdString();
 }
 
 TEST_F(ModelTest, ALostDeviceIsMadeGoodWhileItFadesAndWhileItLearns) {
     window_->open(std::nullopt);
-    ASSERT_TRUE(waitFor(OnScreen::fading));
+    ASSERT_TRUE(waitFor(app::OnScreen::fading));
     loseNow();
     ASSERT_TRUE(waitForConverged());
     EXPECT_EQ(devicesLost(), 1);
@@ -186,7 +186,7 @@ TEST_F(ModelTest, ALostDeviceIsMadeGoodWhileItFadesAndWhileItLearns) {
     loseDeviceAt(VulkanCall::submit, 3);
     ASSERT_TRUE(waitForConverged());
     EXPECT_EQ(devicesLost(), 1);
-    EXPECT_FALSE(hasSeen(OnScreen::preview));
+    EXPECT_FALSE(hasSeen(app::OnScreen::preview));
     EXPECT_GT(coloursInTheMiddle(), 100);
 }
 

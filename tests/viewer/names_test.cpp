@@ -14,23 +14,23 @@
 namespace macula::viewer {
 namespace {
 
-const Identity kDoe{.patientName = "DOE^JOHN",
-                    .patientId = "4711",
-                    .studyDate = "20200304",
-                    .studyDescription = "Chest",
-                    .series = "CT, series 3: Lung"};
-const Identity kPhantom{.series = "Built-in phantom", .isOfNobody = true};
+const app::Identity kDoe{.patientName = "DOE^JOHN",
+                         .patientId = "4711",
+                         .studyDate = "20200304",
+                         .studyDescription = "Chest",
+                         .series = "CT, series 3: Lung"};
+const app::Identity kPhantom{.series = "Built-in phantom", .isOfNobody = true};
 
 class NamesTest : public WindowTest {
   protected:
     NamesTest() { usesModel_ = false; }
 
-    LoadedStudy ofDoe() const {
-        LoadedStudy study = smallStudy(Unit::hounsfield);
+    app::OpenedStudy ofDoe() const {
+        app::OpenedStudy study = smallStudy(Unit::hounsfield);
         study.identity = kDoe;
         return study;
     }
-    bool isNamed(const Identity& identity) { return WindowTest::isNamed(picture(), identity); }
+    bool isNamed(const app::Identity& identity) { return WindowTest::isNamed(picture(), identity); }
     QString title() const { return window_->windowTitle(); }
 };
 
@@ -112,13 +112,13 @@ TEST_F(ThreeStudiesTest, EveryPictureOfThreeStudiesNamesItsOwn) {
     const std::filesystem::path data = macula::test::sharedFolder() / "data";
     if (!std::filesystem::exists(data)) GTEST_SKIP() << "shared data is not here";
     QTemporaryDir empty;
-    std::vector<Identity> identities;
+    std::vector<app::Identity> identities;
     const std::filesystem::path paths[] = {data / "mr_head_sag_hfs", empty.path().toStdString(),
                                            data / "odd/nonisotropic_perslice_slope",
                                            data / "odd/gantry_tilt_4slices"};
     for (const auto& path : paths) {
         Progress progress;
-        const auto study = loadStudy(path, progress);
+        const auto study = app::openStudy(path, progress);
         if (study.ok()) identities.push_back(study->identity);
     }
     ASSERT_EQ(identities.size(), 3u);
@@ -162,9 +162,9 @@ TEST_F(ThreeStudiesTest, EveryPictureOfThreeStudiesNamesItsOwn) {
         pressKey(Qt::Key_L);
         ASSERT_TRUE(waitUntil([&] {
             look();
-            return (last_ && last_->stage == Stage::converged) || HasFatalFailure();
+            return (last_ && last_->stage == app::Stage::converged) || HasFatalFailure();
         }));
-        const Identity& identity = identities[std::size_t(wanted)];
+        const app::Identity& identity = identities[std::size_t(wanted)];
         EXPECT_TRUE(waitUntil([&] { return isNamed(identity); }, 60));
         EXPECT_TRUE(title().startsWith(QString::fromStdString(titleOf(identity)).simplified()));
     }

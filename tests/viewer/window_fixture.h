@@ -44,7 +44,7 @@ class WindowTest : public testing::Test {
     void makeWindow() {
         auto instance = createInstanceForWindows();
         if (!instance) FAIL() << "packaging/bootstrap installs a Vulkan driver: " << instance.error().message;
-        auto catalogue = builtInCatalogue();
+        auto catalogue = app::builtInCatalogue();
         ASSERT_TRUE(catalogue.ok()) << catalogue.error().message;
         MainWindowOptions options{.catalogue = *catalogue};
         // Not used for CT; and refused by the device's side of the program for all else.
@@ -55,7 +55,7 @@ class WindowTest : public testing::Test {
         options.sampleLimit = 2;
         options.usesModel = usesModel_;
         window_.emplace(*std::move(instance), std::move(options));
-        QObject::connect(&*window_, &MainWindow::frameShown, &*window_, [this](const FrameShown& frame) {
+        QObject::connect(&*window_, &MainWindow::frameShown, &*window_, [this](const app::FrameShown& frame) {
             last_ = frame;
             ++frames_;
         });
@@ -67,14 +67,14 @@ class WindowTest : public testing::Test {
         application_.reset();
     }
 
-    static LoadedStudy smallStudy(Unit unit) {
+    static app::OpenedStudy smallStudy(Unit unit) {
         auto volume = Volume::create({.size = glm::ivec3(8), .unit = unit, .modality = "CT"},
                                      std::vector<std::uint16_t>(512, 1000));
         return {.volume = std::make_shared<const Volume>(*std::move(volume)),
                 .identity = {.series = "Second", .isOfNobody = true},
                 .description = "Second"};
     }
-    static LoadedStudy studyThatCannotBeShown() { return smallStudy(Unit::raw); }
+    static app::OpenedStudy studyThatCannotBeShown() { return smallStudy(Unit::raw); }
     // What a person sees there.
     QImage middle() {
         VulkanWindow& target = window_->viewport().window();
@@ -92,7 +92,7 @@ class WindowTest : public testing::Test {
             .toImage();
     }
     // Whether exactly this stands over the picture.
-    static bool isNamed(const QImage& picture, const Identity& identity) {
+    static bool isNamed(const QImage& picture, const app::Identity& identity) {
         const auto text = paintText(linesOf(identity), picture.width(), 1.0);
         for (const VkRect2D& box : text->boxes) {
             for (int y = box.offset.y; y < box.offset.y + int(box.extent.height); ++y) {
@@ -119,7 +119,7 @@ class WindowTest : public testing::Test {
 
     bool waitForConverged(int seconds = 120) {
         last_.reset();
-        return waitUntil([&] { return last_ && last_->stage == Stage::converged; }, seconds);
+        return waitUntil([&] { return last_ && last_->stage == app::Stage::converged; }, seconds);
     }
     void sendMouse(QEvent::Type type, QPointF at, Qt::MouseButton button, Qt::MouseButtons held) {
         VulkanWindow& target = window_->viewport().window();
@@ -138,7 +138,7 @@ class WindowTest : public testing::Test {
     char* argv_[2] = {name_, nullptr};
     std::optional<QApplication> application_;
     std::optional<MainWindow> window_;
-    std::optional<FrameShown> last_;
+    std::optional<app::FrameShown> last_;
     int frames_ = 0;
 };
 

@@ -35,18 +35,18 @@ TEST_F(WindowTest, ThePhantomConvergesThenStopsAndStartsAgainWhenDragged) {
     waitUntil([&] { return idle.elapsed() > 500; });
     EXPECT_EQ(frames_, before);
 
-    const OrbitCamera camera = window_->viewport().camera();
+    const app::OrbitCamera camera = window_->viewport().camera();
     sendMouse(QEvent::MouseButtonPress, {100, 100}, Qt::LeftButton, Qt::LeftButton);
     sendMouse(QEvent::MouseMove, {160, 120}, Qt::NoButton, Qt::LeftButton);
     EXPECT_NE(window_->viewport().camera().azimuthDeg, camera.azimuthDeg);
     ASSERT_TRUE(waitUntil([&] { return frames_ > before; }));
-    EXPECT_EQ(last_->stage, Stage::moving);
-    EXPECT_EQ(last_->picture, OnScreen::model);
+    EXPECT_EQ(last_->stage, app::Stage::moving);
+    EXPECT_EQ(last_->picture, app::OnScreen::model);
     EXPECT_TRUE(window_->fidelity().startsWith(QStringLiteral("Peripheral model")));
     // As long as the hand holds on, the model stays.
     idle.restart();
     waitUntil([&] { return idle.elapsed() > 700; });
-    EXPECT_EQ(last_->stage, Stage::moving);
+    EXPECT_EQ(last_->stage, app::Stage::moving);
     sendMouse(QEvent::MouseButtonRelease, {160, 120}, Qt::LeftButton, Qt::NoButton);
     EXPECT_TRUE(waitForConverged());
 }
@@ -80,7 +80,7 @@ TEST_F(WindowTest, FitsWhatIsVisible) {
     Viewport& viewport = window_->viewport();
     const auto corners = cornersOf(phantom::make().worldBox());
     const double aspect = double(viewport.window().width()) / viewport.window().height();
-    const OrbitCamera ofBox = framed(corners, ViewDirection::anterior, 30.0, aspect);
+    const app::OrbitCamera ofBox = framed(corners, ViewDirection::anterior, 30.0, aspect);
     EXPECT_LT(viewport.camera().distanceMm, 0.99 * ofBox.distanceMm);
     EXPECT_EQ(viewport.camera().azimuthDeg, 0.0);
 }
@@ -185,7 +185,7 @@ TEST_F(WindowTest, HidingAndShowingKeepsThePicture) {
     window_->open(std::nullopt);
     ASSERT_TRUE(waitForConverged());
     const QImage before = picture();
-    const FrameShown shown = *last_;
+    const app::FrameShown shown = *last_;
     EXPECT_GT(coloursInTheMiddle(), 100);
     for (int i = 0; i < 2; ++i) {
         window_->hide();
@@ -193,7 +193,7 @@ TEST_F(WindowTest, HidingAndShowingKeepsThePicture) {
         window_->show();
         ASSERT_TRUE(waitUntil([&] { return window_->viewport().window().isExposed(); }));
         EXPECT_TRUE(waitUntil([&] { return picture() == before; }, 30));
-        EXPECT_EQ(last_->stage, Stage::converged);
+        EXPECT_EQ(last_->stage, app::Stage::converged);
         EXPECT_EQ(last_->samplesPerPixel, shown.samplesPerPixel);
     }
     window_->resize(window_->size() + QSize(64, 32));
@@ -281,7 +281,7 @@ TEST_F(WindowTest, MayBeClosedAtAnyMoment) {
              if (!waitUntil([&] { return last_.has_value(); })) return false;
              sendMouse(QEvent::MouseButtonPress, {100, 100}, Qt::LeftButton, Qt::LeftButton);
              sendMouse(QEvent::MouseMove, {160, 120}, Qt::NoButton, Qt::LeftButton);
-             return waitUntil([&] { return last_->stage == Stage::moving; });
+             return waitUntil([&] { return last_->stage == app::Stage::moving; });
          }}};
     for (const auto& [name, reach] : moments) {
         SCOPED_TRACE(name);

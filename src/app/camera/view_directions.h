@@ -1,0 +1,18 @@
+// The directions that a patient is looked at from, as a person types them: anterior, posterior, left, right,
+// superior, inferior.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "base/frames.h"
+
+namespace macula::app {
+
+// Nothing for a name that is none.
+std::optional<ViewDirection> viewDirectionOf(std::string_view name);
+
+std::string nameOf(ViewDirection direction);
+
+}  // namespace macula::app

@@ -1,0 +1,39 @@
+// What a user means by a name: a preset that the program carries, or a file.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/result.h"
+#include "presets/embedded_files.h"
+
+namespace macula::app {
+
+struct ChosenText {
+    std::string text;   // JSON
+    std::string where;  // for errors
+};
+
+// One of `files` by name, or a JSON file by its path. usage when it is neither, naming those there are;
+// `kind` is for that sentence: "clip".
+Result<ChosenText> chooseText(std::span<const presets::EmbeddedFile> files, std::string_view kind,
+                              const std::string& nameOrFile);
+
+// What may be told of that choice in a picture or a report: a built-in name, else "custom", as the name of a
+// user's file may say whose it is.
+std::string publicName(std::span<const presets::EmbeddedFile> files, const std::string& nameOrFile);
+
+// All of them, by parse(text, where).
+template <class T, class Parse>
+Result<std::vector<T>> parseAll(std::span<const presets::EmbeddedFile> files, const Parse& parse) {
+    std::vector<T> all;
+    for (const presets::EmbeddedFile& file : files) {
+        MACULA_TRY(T parsed, parse(file.text, std::string(file.name)));
+        all.push_back(std::move(parsed));
+    }
+    return all;
+}
+
+}  // namespace macula::app

@@ -1,0 +1,35 @@
+// The presets, light rigs and clips that the window offers.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/result.h"
+#include "pipeline/trace/environment.h"
+#include "pipeline/trace/look.h"
+#include "pipeline/volume/clip_json.h"
+#include "pipeline/volume/transfer_function.h"
+
+namespace macula::app {
+
+struct Catalogue {
+    std::vector<std::shared_ptr<const TransferFunction>> presets;  // never empty
+    std::vector<std::shared_ptr<const trace::LightRig>> lights;    // never empty
+    std::vector<std::shared_ptr<const ClipPreset>> clips;
+};
+
+// Those that are built in, Macula's own first.
+Result<Catalogue> builtInCatalogue();
+
+// By name, presets by number too. usage when there is none; the hint lists the names.
+Result<std::shared_ptr<const TransferFunction>> findPreset(const Catalogue& catalogue, std::string_view name);
+Result<std::shared_ptr<const trace::LightRig>> findLights(const Catalogue& catalogue, std::string_view name);
+
+// What a volume is shown with when nobody chose: presets::defaultTransfer, as in the `macula` command.
+std::shared_ptr<const TransferFunction> presetFor(const Catalogue& catalogue, const Volume& volume);
+// Likewise, by look.
+std::shared_ptr<const trace::LightRig> defaultLights(const Catalogue& catalogue, trace::Look look);
+
+}  // namespace macula::app

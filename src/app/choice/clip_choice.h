@@ -1,0 +1,21 @@
+// From what the user typed after --clip to a clip.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+#include "pipeline/volume/clip_json.h"
+
+namespace macula::app {
+
+// All built-in ones, by name.
+Result<std::vector<ClipPreset>> builtInClips();
+
+// A built-in name, or a JSON file. usage when it is neither; inputNotUsable when the file is malformed.
+Result<ClipPreset> chooseClip(const std::string& nameOrFile);
+
+// As publicPresetName.
+std::string publicClipName(const std::string& nameOrFile);
+
+}  // namespace macula::app

@@ -1,0 +1,94 @@
+#include "app/choice/lights_choice.h"
+
+#include <filesystem>
+
+#include "app/choice/built_in_choice.h"
+#include "app/choice/nearest_name.h"
+#include "base/atomic_file.h"
+#include "image/image_file.h"
+#include "pipeline/trace/light_rig_json.h"
+
+namespace macula::app {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+Result<trace::Environment> fromPicture(const fs::path& path) {
+    MACULA_TRY(const image::Image picture, image::readImage(path));
+    if (picture.encoding != image::Encoding::linear) {
+        return Error{ErrorCode::inputNotUsable, "The picture holds display colours, not light.",
+                     path.string(), "Give a Radiance HDR or OpenEXR picture."};
+    }
+    if (picture.width != 2 * picture.height) {
+        return Error{ErrorCode::inputNotUsable,
+                     fmt::format("The picture is {} by {} pixels, not twice as wide as high.", picture.width,
+                                 picture.height),
+                     path.string(), "Give an equirectangular panorama."};
+    }
+    if (const image::Faults faults = image::countFaults(picture); faults.total() > 0) {
+        return Error{ErrorCode::inputNotUsable,
+                     fmt::format("The picture holds {} values that are not finite and {} negative ones.",
+                                 faults.notFinite, faults.negative),
+                     path.string(), "Repair it, or give another one."};
+    }
+    const std::size_t count =
+        static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height);
+    const auto channels = static_cast<std::size_t>(picture.channels);
+    const bool grey = channels < 3;
+    std::vector<glm::vec3> radiance(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        const float* pixel = picture.pixels.data() + i * channels;
+        radiance[i] = grey ? glm::vec3(pixel[0]) : glm::vec3(pixel[0], pixel[1], pixel[2]);
+    }
+    auto environment = trace::Environment::fromImage(picture.width, picture.height, radiance);
+    if (!environment) {
+        Error error = environment.error();
+        error.where = path.string();
+        return error;
+    }
+    return environment;
+}
+
+}  // namespace
+
+Result<std::vector<trace::LightRig>> builtInLights() {
+    return parseAll<trace::LightRig>(presets::lightFiles(), trace::lightRigFromJson);
+}
+
+Result<trace::Environment> chooseLights(const std::string& nameOrFile) {
+    std::vector<std::string> names;
+    for (const auto& file : presets::lightFiles()) {
+        if (file.name == nameOrFile) {
+            MACULA_TRY(const trace::LightRig rig, trace::lightRigFromJson(file.text, std::string(file.name)));
+            return trace::Environment::fromRig(rig);
+        }
+        names.emplace_back(file.name);
+    }
+    const fs::path path = nameOrFile;
+    std::error_code error;
+    if (!path.has_extension() && !fs::exists(path, error)) {
+        return Error{ErrorCode::usage, "There are no such lights.", nameOrFile,
+                     choiceAmong(nameOrFile, names) + " Or give the path of a JSON, HDR or EXR file."};
+    }
+    if (path.extension() == ".json") {
+        MACULA_TRY(const std::string text, readText(path));
+        MACULA_TRY(const trace::LightRig rig, trace::lightRigFromJson(text, path.string()));
+        return trace::Environment::fromRig(rig);
+    }
+    return fromPicture(path);
+}
+
+std::string publicLightsName(const std::string& nameOrFile) {
+    return publicName(presets::lightFiles(), nameOrFile);
+}
+
+Result<trace::Environment> choosePatientLights(const std::string& nameOrFile) {
+    MACULA_TRY(trace::Environment lights, chooseLights(nameOrFile));
+    if (lights.frame() == trace::LightFrame::camera)
+        return Error{ErrorCode::usage, "These lights hang on the camera.", nameOrFile,
+                     "A peripheral model holds light that stays where it is: choose lights of the patient."};
+    return lights;
+}
+
+}  // namespace macula::app

@@ -1,0 +1,19 @@
+// From what the user typed after --preset to a transfer function.
+#pragma once
+
+#include <string>
+
+#include "base/result.h"
+#include "presets/imported_preset.h"
+
+namespace macula::app {
+
+// A built-in preset by name or number, or a file of any known format, "FILE#NAME" where it holds several.
+// usage when it is none of these; inputNotUsable when the file is malformed.
+Result<presets::ImportedPreset> choosePreset(const std::string& typed);
+
+// What may be told of that choice in a picture or a report: a built-in name, else "custom", as the name of a
+// user's file may say whose it is.
+std::string publicPresetName(const std::string& typed);
+
+}  // namespace macula::app

@@ -1,0 +1,32 @@
+// What a program tells who started it.
+#pragma once
+
+#include "base/result.h"
+
+namespace macula::app {
+
+inline constexpr int kExitDone = 0;
+inline constexpr int kExitFault = 1;        // of the program itself: please report it
+inline constexpr int kExitUsage = 2;        // or a place that cannot be written to
+inline constexpr int kExitInput = 3;        // not usable
+inline constexpr int kExitDevice = 4;       // not usable, or out of memory
+inline constexpr int kExitCancelled = 130;  // 128 + SIGINT, as shells expect
+
+constexpr int exitCodeOf(ErrorCode code) {
+    switch (code) {
+        case ErrorCode::usage:
+        case ErrorCode::outputNotWritable:
+            return kExitUsage;
+        case ErrorCode::inputNotUsable:
+            return kExitInput;
+        case ErrorCode::deviceNotUsable:
+        case ErrorCode::deviceLost:
+        case ErrorCode::outOfMemory:
+            return kExitDevice;
+        case ErrorCode::cancelled:
+            return kExitCancelled;
+    }
+    return kExitInput;
+}
+
+}  // namespace macula::app

@@ -1,0 +1,60 @@
+// What the render thread is told, as one value.
+#pragma once
+
+#include <vulkan/vulkan_core.h>
+
+#include <chrono>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <memory>
+#include <string>
+
+#include "app/camera/orbit_camera.h"
+#include "app/frame/picture_text.h"
+#include "base/camera.h"
+#include "base/volume.h"
+#include "pipeline/trace/environment.h"
+#include "pipeline/trace/path_tracer.h"
+#include "pipeline/volume/clip.h"
+#include "pipeline/volume/transfer_function.h"
+
+namespace macula::app {
+
+// How a volume is drawn, and what of it.
+struct Drawing {
+    std::shared_ptr<const TransferFunction> transferFunction{};
+    std::shared_ptr<const trace::LightRig> lights{};
+    std::shared_ptr<const Clip> clip{};  // null: all of the volume is shown
+    trace::Settings settings{};
+    std::string remarks{};  // what has to be said of pictures of it; no patient data
+
+    bool operator==(const Drawing&) const = default;
+};
+
+// Everything that decides what is on the screen. The UI thread publishes a whole new one after each change;
+// the render thread takes the newest and looks for itself what is different. Nothing in it is ever changed
+// after it was published.
+struct FrameInput {
+    std::uint64_t sequence = 0;  // grows by one with each input
+    std::chrono::steady_clock::time_point published{};
+
+    // Owned by the window. Null means: let go of the one you have.
+    VkSurfaceKHR surface = VK_NULL_HANDLE;
+    int width = 0;  // of the window, in device pixels
+    int height = 0;
+    bool visible = false;         // nothing is made for a window that nobody sees
+    std::uint64_t exposures = 0;  // grows when the window system has lost what was shown
+
+    std::uint64_t study = 0;                 // grows with each volume
+    std::shared_ptr<const Volume> volume{};  // null: nothing is open
+    Drawing drawing{};
+    Camera camera{};
+    EdgeLetters letters{};                      // of this camera; they come back with its pictures
+    std::shared_ptr<const PictureText> text{};  // over every picture of the study; null: nothing
+    glm::vec3 background{0.02f};                // linear
+    std::uint32_t sampleLimit = 512;  // per pixel; then it counts as converged, if noise is not gone before
+    bool interacting = false;         // a hand is moving something: stay fast
+    bool usesModel = true;            // of splats, while it moves
+};
+
+}  // namespace macula::app

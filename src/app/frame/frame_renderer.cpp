@@ -1,0 +1,576 @@
+#include "app/frame/frame_renderer.h"
+
+#include <cmath>
+#include <exception>
+#include <new>
+#include <utility>
+
+#include "base/check.h"
+#include "base/log.h"
+
+namespace macula::app {
+
+namespace {
+
+using std::chrono::duration;
+using std::chrono::milliseconds;
+
+double millisecondsBetween(std::chrono::steady_clock::time_point from,
+                           std::chrono::steady_clock::time_point to) {
+    return duration<double, std::milli>(to - from).count();
+}
+
+constexpr milliseconds kRateWindow{2000};
+constexpr milliseconds kModelToldEvery{500};
+// Of searching and of learning, at a time. A dispatch and a step of training may take longer on a CPU.
+constexpr double kSliceMs = 40.0;
+// Standard error of what is shown: one step of eight bits, which nobody sees.
+constexpr double kConverged = 1.0 / 255.0;
+constexpr std::uint64_t kShelfBytes = std::uint64_t(1) << 30;
+
+// The same picture on another size of window.
+bool isSameScene(FrameInput a, const FrameInput& b) {
+    a.width = b.width;
+    a.height = b.height;
+    return isSamePicture(a, b);
+}
+
+float encodedSrgb(float linear) {
+    return linear <= 0.0031308f ? 12.92f * linear : 1.055f * std::pow(linear, 1.0f / 2.4f) - 0.055f;
+}
+
+// A model holds light that stays where it is.
+bool canHaveModel(const FrameInput& input) {
+    return input.usesModel && trace::isPathTraced(input.drawing.settings.look) &&
+           input.drawing.lights->frame == trace::LightFrame::patient;
+}
+
+}  // namespace
+
+FrameRenderer::FrameRenderer(gpu::Instance instance, std::string preferredDevice, RenderListener listener)
+    : instance_(std::move(instance)),
+      preferredDevice_(std::move(preferredDevice)),
+      listener_(std::move(listener)) {}
+
+FrameRenderer::~FrameRenderer() {
+    releaseSurface();
+}
+
+void FrameRenderer::accept(FrameInput input) {
+    input.drawing.settings.errorThreshold = kConverged;
+    if (input.surface != input_.surface) releaseSurface();
+    if (input.study != input_.study || input.volume != input_.volume) {
+        // Nobody may take the picture of one patient for that of the next, not even while this one is
+        // prepared.
+        clear_ = true;
+        if (presenter_) presenter_->forget();
+        unreported_.reset();
+        splats_ = nullptr;
+        model_.reset();
+        shelf_.reset();
+        restart_ = true;
+    }
+    // What else is on the device leaves another room; and nobody knows how much.
+    if (traced_ &&
+        (input.volume != input_.volume || input.drawing.transferFunction != input_.drawing.transferFunction ||
+         input.drawing.clip != input_.drawing.clip || input.width != input_.width ||
+         input.height != input_.height)) {
+        traced_->roomChanged();
+        if (model_ && model_->news().stage == hybrid::ModelStage::noRoom) model_->hide();
+    }
+    if (!isSamePicture(input, input_)) {
+        restart_ = true;
+        // The window takes another size around the sentence that says so: nobody has asked for another try.
+        const bool stillGivenUp = givenUp_ && isSameScene(input, input_);
+        if (!stillGivenUp) halted_ = givenUp_ = false;
+    } else if (input.usesModel != input_.usesModel) {
+        restart_ = true;
+    } else if (input.background != input_.background) {
+        redisplay_ = true;
+    }
+    if (input.sampleLimit > input_.sampleLimit) course_.goOnTracing();
+    input_ = std::move(input);
+    tellCourse();
+}
+
+void FrameRenderer::tellCourse() {
+    course_.setHand(input_.interacting);
+    course_.setPreviewLimit(TracedPictures::previewLimit(input_));
+    ModelState state = ModelState::none;
+    if (model_ && model_->canBeDrawn())
+        state = ModelState::ready;
+    else if (model_ && model_->hasWork())
+        state = ModelState::searching;
+    course_.setModel(state, model_ && model_->hasWork());
+}
+
+bool FrameRenderer::hasWork() const {
+    if (!input_.visible || input_.surface == VK_NULL_HANDLE) return false;
+    if (input_.width <= 0 || input_.height <= 0) return false;
+    const bool isWindowRight = presenter_ && applied_.exposures == input_.exposures &&
+                               presenter_->text() == input_.text && !clear_ && !presenter_->owes();
+    if (halted_) return presenter_ && !isWindowRight;
+    if (restart_ || redisplay_ || !device_ || !isWindowRight) return true;
+    return isComplete() && course_.next(Clock::now()) != Step::none;
+}
+
+bool FrameRenderer::isComplete() const {
+    return input_.volume && input_.drawing.transferFunction && input_.drawing.lights;
+}
+
+void FrameRenderer::step(const Interrupts& interrupts) {
+    if (!hasWork()) return;
+    try {
+        if (const Result<void> done = tryStep(interrupts); !done) handle(done.error());
+    } catch (const std::bad_alloc&) {
+        fail(ErrorCode::outOfMemory, "There is not enough memory to show this study.",
+             "Close other programs, or open a smaller series.");
+    } catch (const std::exception&) {
+        fail(ErrorCode::deviceNotUsable, "The picture could not be made.",
+             "Open the study again, or start the program with another --device.");
+    }
+}
+
+void FrameRenderer::fail(ErrorCode code, const char* message, const char* hint) {
+    halted_ = true;  // first: it also holds when the rest fails
+    // Nobody knows how far the tracer got.
+    applied_.volume = nullptr;
+    applied_.transferFunction = nullptr;
+    applied_.lights = nullptr;
+    applied_.clip.reset();
+    splats_ = nullptr;
+    model_.reset();
+    if (traced_) traced_->sceneChanged();
+    try {
+        handle({code, message, {}, hint});
+    } catch (const std::exception&) {
+        log::error("An error could not be reported.");
+    }
+}
+
+Result<void> FrameRenderer::tryStep(const Interrupts& interrupts) {
+    MACULA_TRY_VOID(ensureDevice());
+    MACULA_TRY_VOID(ensurePresenter());
+    const bool mustClear = clear_ && !presenter_->owes();  // what it owes is empty already
+    if (halted_) return mustClear ? clearWindow() : Result<void>();
+    if (!isComplete()) {
+        const bool isNews = restart_ || redisplay_;
+        restart_ = redisplay_ = false;
+        return isNews || mustClear ? clearWindow() : Result<void>();
+    }
+    if (mustClear) MACULA_TRY_VOID(clearWindow());
+    if (restart_) {
+        MACULA_TRY(const bool complete, applyScene(interrupts));
+        if (!complete) return {};
+        MACULA_TRY_VOID(applyModel());
+        course_.want(traced_->hasFull(input_));
+        restart_ = redisplay_ = false;
+    }
+    tellCourse();
+    if (std::exchange(redisplay_, false)) return showAgain();
+    const Result<void> done = take(course_.next(Clock::now()), interrupts);
+    // What is traced comes first: without the model there may be room for it.
+    if (done || done.error().code != ErrorCode::outOfMemory || !model_ || !model_->canBeDrawn()) return done;
+    restart_ = true;
+    traced_->roomChanged();
+    return withoutModel(done.error());
+}
+
+// Whatever keeps the model from being made or drawn does not keep anybody from tracing.
+Result<void> FrameRenderer::withoutModel(const Error& error) {
+    if (device_->lost() || error.code == ErrorCode::deviceLost) return error;
+    log::warning("There is no peripheral model of this: {}", error.message);
+    splats_ = nullptr;
+    const auto stage =
+        error.code == ErrorCode::outOfMemory ? hybrid::ModelStage::noRoom : hybrid::ModelStage::failed;
+    if (model_)
+        model_->giveUp(stage);
+    else
+        whyNoModel_ = stage;
+    tellOfModel();
+    return {};
+}
+
+Result<void> FrameRenderer::ensureDevice() {
+    if (device_ && traced_ && compositor_) return {};
+    listener_(Preparing{"Starting the graphics device"});
+    if (!device_) {
+        gpu::DeviceOptions options;
+        options.preferred = preferredDevice_;
+        options.extensions.push_back(VK_KHR_SWAPCHAIN_EXTENSION_NAME);
+        MACULA_TRY(device_, gpu::Device::create(instance_, options));
+    }
+    MACULA_TRY(traced_, TracedPictures::create(device_));
+    MACULA_TRY(compositor_, hybrid::Compositor::create(device_));
+    applied_ = {};
+    restart_ = true;
+    listener_(DeviceReady{device_->info().name, gpu::describe(device_->info())});
+    return {};
+}
+
+Result<void> FrameRenderer::ensurePresenter() {
+    const VkExtent2D window{std::uint32_t(input_.width), std::uint32_t(input_.height)};
+    if (!presenter_) {
+        MACULA_TRY(Presenter presenter, Presenter::create(device_, input_.surface, window));
+        presenter_.emplace(std::move(presenter));
+        restart_ = true;
+    } else if (applied_.window.width != window.width || applied_.window.height != window.height) {
+        MACULA_TRY_VOID(presenter_->resize(window));
+    }
+    applied_.window = window;
+    // Of the study that the input is of: what was kept of another is forgotten by now.
+    const bool isOtherText = presenter_->text() != input_.text;
+    if (applied_.exposures != input_.exposures || isOtherText || presenter_->owes()) {
+        applied_.exposures = input_.exposures;
+        presenter_->setText(input_.text);
+        MACULA_TRY(const bool shown, presenter_->showAgain());
+        if (shown) {
+            if (std::exchange(clear_, false)) listener_(PictureRemoved{});
+            if (unreported_) listener_(*std::exchange(unreported_, std::nullopt));
+        }
+    }
+    return {};
+}
+
+Result<void> FrameRenderer::clearWindow() {
+    presenter_->forget();
+    unreported_.reset();
+    shown_.clear();
+    const glm::vec3 b = input_.background;
+    const VkClearColorValue colour{{encodedSrgb(b.r), encodedSrgb(b.g), encodedSrgb(b.b), 1.0f}};
+    MACULA_TRY_VOID(presenter_->showColour(colour));
+    clear_ = presenter_->owes();  // of a hidden window nothing is to be seen
+    if (!clear_) listener_(PictureRemoved{});
+    return {};
+}
+
+Result<bool> FrameRenderer::applyScene(const Interrupts& interrupts) {
+    const Drawing& drawing = input_.drawing;
+    // Each part may take long. Whoever waits for the surface, or has changed something, waits for one of
+    // them; what is done stays done, so that a hand that never rests does not keep the scene from being
+    // applied.
+    const auto interrupted = [&] { return interrupts.newInput() || interrupts.stopping(); };
+    trace::PathTracer& tracer = traced_->tracer();
+    // What a model of something else takes is room for this.
+    if (model_ && (applied_.volume != input_.volume || applied_.clip != drawing.clip ||
+                   applied_.transferFunction != drawing.transferFunction)) {
+        splats_ = nullptr;
+        model_->hide();
+    }
+    if (applied_.volume != input_.volume) {
+        listener_(Preparing{"Preparing the volume"});
+        traced_->sceneChanged();
+        outlineOf_.reset();
+        // After a failure the tracer has neither the old one nor the new one; so with the other parts.
+        applied_.volume = nullptr;
+        applied_.transferFunction = nullptr;
+        MACULA_TRY_VOID(tracer.setVolume(input_.volume));
+        applied_.volume = input_.volume;
+        if (interrupted()) return false;
+    }
+    // Before the transfer function: what is hidden is not brought to the device.
+    if (applied_.clip != drawing.clip) {
+        if (applied_.transferFunction) listener_(Preparing{"Preparing what is shown"});
+        traced_->sceneChanged();
+        outlineOf_.reset();
+        applied_.clip.reset();
+        MACULA_TRY_VOID(tracer.setClip(drawing.clip ? *drawing.clip : Clip{}));
+        applied_.clip = drawing.clip;
+        if (interrupted()) return false;
+    }
+    if (applied_.transferFunction != drawing.transferFunction) {
+        traced_->sceneChanged();
+        outlineOf_.reset();
+        applied_.transferFunction = nullptr;
+        MACULA_TRY_VOID(tracer.setTransferFunction(*drawing.transferFunction));
+        applied_.transferFunction = drawing.transferFunction;
+        if (interrupted()) return false;
+    }
+    if (applied_.lights != drawing.lights) {
+        traced_->sceneChanged();
+        applied_.lights = nullptr;
+        MACULA_TRY_VOID(tracer.setEnvironment(trace::Environment::fromRig(*drawing.lights)));
+        applied_.lights = drawing.lights;
+    }
+    if (outlineOf_ != input_.study) {
+        MACULA_TRY(std::vector<glm::dvec3> outline, tracer.outlineMm());
+        listener_(
+            OutlineFound{input_.study, std::make_shared<const std::vector<glm::dvec3>>(std::move(outline))});
+        outlineOf_ = input_.study;
+    }
+    return true;
+}
+
+// Whatever the model of before showed is not drawn any more from here on.
+Result<void> FrameRenderer::applyModel() {
+    splats_ = nullptr;
+    whyNoModel_ = hybrid::ModelStage::none;
+    if (!canHaveModel(input_)) {
+        if (model_) model_->hide();
+        return {};
+    }
+    if (!shelf_) shelf_ = std::make_shared<hybrid::ModelShelf>(kShelfBytes);
+    if (!model_) {
+        auto made =
+            hybrid::LiveModel::create(device_, traced_->tracer(), shelf_, hybrid::liveModelOptions(*device_));
+        if (!made) return withoutModel(made.error());
+        model_.emplace(*std::move(made));
+    }
+    const std::string key = sceneNames_.of(input_.study, input_.drawing);
+    if (const Result<void> shown = model_->show(key, input_.drawing.settings); !shown)
+        return withoutModel(shown.error());
+    tellOfModel();
+    return {};
+}
+
+Result<void> FrameRenderer::take(Step step, const Interrupts& interrupts) {
+    switch (step) {
+        case Step::none:
+            return {};
+        case Step::showModel:
+            return showModel();
+        case Step::showPreview:
+            return showPreview(interrupts);
+        case Step::search:
+            return search(interrupts);
+        case Step::trace:
+            return trace(interrupts);
+        case Step::showTraced:
+            return showTraced();
+        case Step::fade:
+            return fade();
+        case Step::learn:
+            return learn(interrupts);
+    }
+    return {};
+}
+
+Result<void> FrameRenderer::showModel() {
+    // No model is drawn of another patient, preset, clip or light than those of the picture that is wanted
+    // now.
+    MACULA_CHECK(model_->key() == sceneNames_.of(input_.study, input_.drawing));
+    const auto drawn = model_->draw(input_.camera, {input_.width, input_.height});
+    if (!drawn) return withoutModel(drawn.error());  // a small picture comes next
+    splats_ = *drawn;
+    MACULA_TRY(const gpu::Image* picture, composed(splats_, 0.0f));
+    course_.showedModel();
+    MACULA_TRY_VOID(show(*picture));
+    // One picture in flight: a longer queue would show where the hand was, not where it is.
+    return device_->waitForAll();
+}
+
+Result<void> FrameRenderer::showPreview(const Interrupts& interrupts) {
+    if (course_.onScreen() != OnScreen::preview) MACULA_TRY_VOID(traced_->beginPreview(input_));
+    MACULA_TRY(const bool isWhole, traced_->tracePreview(input_, [&] { return !interrupts.stopping(); }));
+    if (!isWhole) return {};
+    const Clock::time_point traced = Clock::now();
+    MACULA_TRY(const gpu::Image* picture, traced_->display(input_.background));
+    MACULA_TRY_VOID(device_->waitForAll());
+    const Clock::time_point developed = Clock::now();
+    course_.showedPreview(traced_->previewSamples(), developed);
+    MACULA_TRY_VOID(show(*picture));
+    MACULA_TRY_VOID(device_->waitForAll());
+    traced_->previewWasShown(millisecondsBetween(traced, developed),
+                             millisecondsBetween(developed, Clock::now()));
+    return {};
+}
+
+Result<void> FrameRenderer::trace(const Interrupts& interrupts) {
+    const auto keepGoing = [&] { return !interrupts.newInput() && !interrupts.stopping(); };
+    const Clock::time_point start = Clock::now();
+    MACULA_TRY_VOID(traced_->beginFull(input_));
+    MACULA_TRY(const TracedPictures::Progress progress, traced_->traceFull(input_, keepGoing));
+    const Clock::time_point now = Clock::now();
+    course_.spent(Step::trace, millisecondsBetween(start, now));
+    if (!progress.isNews) return {};
+    course_.traced(progress.isLast);
+    return course_.onScreen() == OnScreen::fading ? Result<void>() : showTraced();
+}
+
+Result<void> FrameRenderer::showTraced() {
+    MACULA_TRY(const gpu::Image* picture, traced_->display(input_.background));
+    course_.showedTraced();
+    return show(*picture);
+}
+
+Result<void> FrameRenderer::fade() {
+    const Clock::time_point now = Clock::now();
+    MACULA_TRY(const gpu::Image* picture,
+               composed(splats_, splats_ == nullptr ? 1.0f : static_cast<float>(course_.tracedShare(now))));
+    course_.faded(now);
+    MACULA_TRY_VOID(show(*picture));
+    return device_->waitForAll();
+}
+
+// A slice.
+Result<void> FrameRenderer::workOnModel(const std::function<bool()>& keepGoing) {
+    try {
+        return model_->work(kSliceMs, keepGoing);
+    } catch (const std::bad_alloc&) {
+        if (device_->lost()) throw;
+        return Error{ErrorCode::outOfMemory, "There is not enough memory for it.", {}, {}};
+    }
+}
+
+Result<void> FrameRenderer::search(const Interrupts& interrupts) {
+    const auto keepGoing = [&] { return !interrupts.newInput() && !interrupts.stopping(); };
+    course_.searched();
+    if (const Result<void> done = workOnModel(keepGoing); !done) return withoutModel(done.error());
+    tellOfModel();
+    return {};
+}
+
+Result<void> FrameRenderer::learn(const Interrupts& interrupts) {
+    const auto keepGoing = [&] { return !interrupts.newInput() && !interrupts.stopping(); };
+    const Clock::time_point start = Clock::now();
+    const Result<void> done = workOnModel(keepGoing);
+    course_.spent(Step::learn, millisecondsBetween(start, Clock::now()));
+    if (!done) return withoutModel(done.error());
+    tellOfModel();
+    return {};
+}
+
+// What is on screen, with another background.
+Result<void> FrameRenderer::showAgain() {
+    if (course_.onScreen() == OnScreen::nothing) return {};
+    if (course_.onScreen() != OnScreen::model && course_.onScreen() != OnScreen::fading) {
+        MACULA_TRY(const gpu::Image* picture, traced_->display(input_.background));
+        return show(*picture);
+    }
+    if (splats_ == nullptr) {
+        restart_ = true;
+        return {};
+    }
+    const bool isModel = course_.onScreen() == OnScreen::model;
+    MACULA_TRY(const gpu::Image* picture,
+               composed(splats_, isModel ? 0.0f : static_cast<float>(course_.tracedShare(Clock::now()))));
+    return show(*picture);
+}
+
+Result<const gpu::Image*> FrameRenderer::composed(const splat::DevicePicture* splats, float tracedShare) {
+    hybrid::Layers layers{
+        .splats = splats, .sizePx = {input_.width, input_.height}, .tracedShare = tracedShare};
+    if (model_) layers.splatGain = static_cast<float>(model_->gain());
+    trace::TracedLight light;
+    if (tracedShare > 0.0f) {
+        MACULA_TRY(light, traced_->light());
+        layers.traced = &light;
+    }
+    return compositor_->compose(
+        layers, {.background = input_.background, .exposure = float(input_.drawing.settings.exposure)});
+}
+
+Result<void> FrameRenderer::show(const gpu::Image& picture) {
+    MACULA_TRY(const bool visible, presenter_->show(picture));
+    const Clock::time_point now = Clock::now();
+    const OnScreen kind = course_.onScreen();
+    // The rate is that of what is shown now.
+    if (std::exchange(shownKind_, kind) != kind) shown_.clear();
+    if (visible) {
+        clear_ = false;
+        shown_.push_back(now);
+    }
+    while (!shown_.empty() && now - shown_.front() > kRateWindow) shown_.pop_front();
+    FrameShown frame{.inputSequence = input_.sequence,
+                     .study = input_.study,
+                     .letters = input_.letters,
+                     .picture = kind,
+                     .width = input_.width,
+                     .height = input_.height,
+                     .sampleLimit = TracedPictures::sampleLimit(input_),
+                     .look = input_.drawing.settings.look,
+                     .remarks = input_.drawing.remarks,
+                     .framesPerSecond = framesPerSecond(),
+                     .latencyMs = millisecondsBetween(input_.published, now)};
+    frame.model = modelNews();
+    frame.greyFacesAreCoarse = kind == OnScreen::model && input_.drawing.clip &&
+                               input_.drawing.clip->hasShape() && input_.drawing.clip->greyFaces;
+    const bool isTraced = kind == OnScreen::traced || kind == OnScreen::fading;
+    if (isTraced) frame.stage = course_.hasConverged() ? Stage::converged : Stage::converging;
+    if (isTraced || kind == OnScreen::preview) {
+        MACULA_TRY(const trace::Statistics statistics, traced_->statistics());
+        frame.width = traced_->width();
+        frame.height = traced_->height();
+        frame.scale = traced_->scale();
+        frame.samplesPerPixel = static_cast<std::uint64_t>(statistics.meanSamplesPerPixel);
+        frame.denoised = statistics.denoised;
+        frame.samplesLeftOut = statistics.nonFiniteSamples + statistics.abandonedSamples;
+    }
+    frame.messages = traced_->tracer().messages();
+    // The presenter has kept a picture that could not be shown now; it is shown as soon as it can be.
+    unreported_ = visible ? std::nullopt : std::optional(frame);
+    if (visible) listener_(frame);
+    return {};
+}
+
+// Not oftener than somebody reads it.
+hybrid::ModelNews FrameRenderer::modelNews() const {
+    return model_ ? model_->news() : hybrid::ModelNews{.stage = whyNoModel_};
+}
+
+void FrameRenderer::tellOfModel() {
+    const hybrid::ModelNews news = modelNews();
+    const Clock::time_point now = Clock::now();
+    if (news == modelTold_ || (news.stage == modelTold_.stage && now - modelToldAt_ < kModelToldEvery))
+        return;
+    modelTold_ = news;
+    modelToldAt_ = now;
+    listener_(ModelChanged{input_.study, news});
+}
+
+double FrameRenderer::framesPerSecond() const {
+    if (shown_.size() < 2) return 0.0;
+    const double spanMs = millisecondsBetween(shown_.front(), shown_.back());
+    return spanMs > 0.0 ? 1000.0 * double(shown_.size() - 1) / spanMs : 0.0;
+}
+
+void FrameRenderer::handle(Error error) {
+    // An error of another kind may have come of the loss; and what is lost while it is made is not there to
+    // be asked.
+    if ((device_ && device_->lost()) || error.code == ErrorCode::deviceLost) {
+        dropDevice();
+        if (losses_.mayGoOn()) {
+            halted_ = false;  // hasWork() is true without a device: the next step makes a new one
+            log::warning("The graphics device was lost; starting it again.");
+            listener_(DeviceRestarting{});
+            return;
+        }
+        error = gpu::lostTooOften();
+        givenUp_ = true;
+    }
+    halted_ = true;
+    clear_ = true;
+    if (traced_) traced_->sceneChanged();  // nobody knows what its film holds
+    try {
+        const Result<void> cleared = presenter_ ? clearWindow() : Result<void>{};
+        if (!cleared) {
+            log::warning("{}", cleared.error().message);
+            releaseSurface();
+        }
+    } catch (const std::exception&) {
+        log::warning("The window could not be cleared.");  // which must not keep the error from being told
+        releaseSurface();
+    }
+    listener_(RenderFailure{
+        .error = error, .inputSequence = input_.sequence, .pictureRemains = !presenter_ || clear_});
+}
+
+void FrameRenderer::dropDevice() {
+    releaseSurface();
+    if (model_) model_->save();
+    splats_ = nullptr;
+    model_.reset();
+    compositor_.reset();
+    traced_.reset();
+    device_.reset();
+    applied_ = {};
+}
+
+void FrameRenderer::releaseSurface() {
+    if (const Result<void> released = Presenter::release(std::exchange(presenter_, std::nullopt));
+        !released) {
+        log::warning("{}", released.error().message);
+    }
+}
+
+}  // namespace macula::app

@@ -1,0 +1,128 @@
+// Makes pictures out of inputs, in steps short enough to stay responsive.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "app/frame/frame_input.h"
+#include "app/frame/picture_course.h"
+#include "app/frame/presenter.h"
+#include "app/frame/render_events.h"
+#include "app/frame/scene_names.h"
+#include "app/frame/traced_pictures.h"
+#include "pipeline/gpu/device.h"
+#include "pipeline/gpu/instance.h"
+#include "pipeline/gpu/recovery.h"
+#include "pipeline/hybrid/frame/compositor.h"
+#include "pipeline/hybrid/model/live_model.h"
+
+namespace macula::app {
+
+// Asked between dispatches. Both must be cheap.
+struct Interrupts {
+    std::function<bool()> newInput;
+    std::function<bool()> stopping;
+};
+
+// Owns the device and all that is on it. A device that is lost is replaced, and the picture made anew from
+// the input; who listens is told, and when it is lost again and again it is left at that.
+//
+// What comes next is decided by PictureCourse; this does it. Small pictures and those of the model always get
+// finished, or the view would never follow a steady hand; all else is given up at once when a new input
+// comes.
+//
+// Used by one thread, the render thread.
+class FrameRenderer {
+  public:
+    FrameRenderer(gpu::Instance instance, std::string preferredDevice, RenderListener listener);
+    ~FrameRenderer();
+
+    void accept(FrameInput input);
+
+    // Whether step() has anything to do before the next input.
+    bool hasWork() const;
+    // At most one pass over the picture. Throws nothing.
+    void step(const Interrupts& interrupts);
+    // For what went wrong outside of step(): reports it, and rests until something changes. Throws nothing.
+    void fail(ErrorCode code, const char* message, const char* hint);
+
+    // Afterwards nothing refers to the surface of the last input.
+    void releaseSurface();
+
+  private:
+    using Clock = std::chrono::steady_clock;
+
+    Result<void> tryStep(const Interrupts& interrupts);
+    Result<void> ensureDevice();
+    Result<void> ensurePresenter();
+    Result<void> clearWindow();
+    Result<bool> applyScene(const Interrupts& interrupts);  // whether all of it is there
+    Result<void> applyModel();
+    Result<void> withoutModel(const Error& error);
+    bool isComplete() const;  // the input says all that a picture needs
+    void tellCourse();
+    Result<void> take(Step step, const Interrupts& interrupts);
+    Result<void> showModel();
+    Result<void> showPreview(const Interrupts& interrupts);
+    Result<void> trace(const Interrupts& interrupts);
+    Result<void> showTraced();
+    Result<void> fade();
+    Result<void> search(const Interrupts& interrupts);
+    Result<void> workOnModel(const std::function<bool()>& keepGoing);
+    Result<void> learn(const Interrupts& interrupts);
+    Result<void> showAgain();
+    Result<const gpu::Image*> composed(const splat::DevicePicture* splats, float tracedShare);
+    Result<void> show(const gpu::Image& picture);
+    hybrid::ModelNews modelNews() const;
+    void tellOfModel();
+    void handle(Error error);
+    void dropDevice();
+    double framesPerSecond() const;
+
+    gpu::Instance instance_;
+    std::string preferredDevice_;
+    RenderListener listener_;
+
+    std::shared_ptr<gpu::Device> device_;
+    std::optional<Presenter> presenter_;
+    std::optional<TracedPictures> traced_;
+    std::optional<hybrid::LiveModel> model_;
+    hybrid::ModelStage whyNoModel_ = hybrid::ModelStage::none;  // where there is not even one that is empty
+    std::optional<hybrid::Compositor> compositor_;
+    // Of this volume; outlives the device.
+    std::shared_ptr<hybrid::ModelShelf> shelf_;
+    SceneNames sceneNames_;
+    const splat::DevicePicture* splats_ = nullptr;  // of the picture that is wanted
+
+    FrameInput input_;
+    // What the device has by now; compared with the input to find what to bring there.
+    struct Applied {
+        std::shared_ptr<const Volume> volume;
+        std::shared_ptr<const TransferFunction> transferFunction;
+        std::shared_ptr<const trace::LightRig> lights;
+        std::optional<std::shared_ptr<const Clip>> clip;  // none: nobody knows which
+        VkExtent2D window{};
+        std::uint64_t exposures = 0;
+    } applied_;
+    std::optional<std::uint64_t> outlineOf_;  // study whose outline, of what is applied, was told
+
+    PictureCourse course_;
+    bool restart_ = false;    // the picture must begin anew
+    bool redisplay_ = false;  // the picture is right, but not what is on screen
+    bool clear_ = false;      // what is on screen belongs to another study
+    bool halted_ = false;     // after a failure, until something changes
+    bool givenUp_ = false;    // halted, as the device was lost too often: another size changes nothing
+    std::deque<Clock::time_point> shown_;  // of one kind of pictures
+    OnScreen shownKind_ = OnScreen::nothing;
+    hybrid::ModelNews modelTold_;
+    Clock::time_point modelToldAt_{};
+    gpu::LossCount losses_;
+    std::optional<FrameShown> unreported_;  // of the picture that the presenter keeps, while nobody sees it
+};
+
+}  // namespace macula::app

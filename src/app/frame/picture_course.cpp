@@ -1,0 +1,111 @@
+#include "app/frame/picture_course.h"
+
+#include <algorithm>
+
+namespace macula::app {
+
+std::string_view nameOf(OnScreen picture) {
+    switch (picture) {
+        case OnScreen::nothing:
+            return "nothing";
+        case OnScreen::preview:
+            return "small, traced";
+        case OnScreen::model:
+            return "model";
+        case OnScreen::fading:
+            return "model fading into traced";
+        case OnScreen::traced:
+            return "traced";
+    }
+    return "nothing";
+}
+
+void PictureCourse::want(bool isTraced) {
+    onScreen_ = OnScreen::nothing;
+    isTraced_ = isTraced;
+    hasConverged_ = hasConverged_ && isTraced;
+    previewSamples_ = 0;
+    hasSearched_ = false;
+    tracedMs_ = learntMs_ = 0.0;
+}
+
+void PictureCourse::setModel(ModelState state, bool learns) {
+    model_ = state;
+    learns_ = learns;
+}
+
+Step PictureCourse::next(TimePoint now) const {
+    switch (onScreen_) {
+        case OnScreen::nothing:
+            if (!handMoves_ && isTraced_) return Step::showTraced;
+            return model_ == ModelState::ready ? Step::showModel : Step::showPreview;
+        case OnScreen::preview: {
+            if (model_ == ModelState::ready) return Step::showModel;
+            const bool canRefine = previewSamples_ < previewLimit_;
+            if (model_ == ModelState::searching)
+                return handMoves_ && hasSearched_ && canRefine ? Step::showPreview : Step::search;
+            if (!handMoves_ && now - previewSince_ >= kSettle) return Step::trace;
+            return canRefine ? Step::showPreview : handMoves_ ? Step::none : Step::trace;
+        }
+        case OnScreen::model:
+            if (handMoves_) return Step::none;
+            return isTraced_ ? Step::showTraced : Step::trace;
+        case OnScreen::fading:
+            return Step::fade;
+        case OnScreen::traced: {
+            // A hand that holds the picture will move it soon.
+            const bool learns = learns_ && model_ == ModelState::ready && !handMoves_;
+            const bool searches = model_ == ModelState::searching && !handMoves_;
+            if (searches) return Step::search;
+            if (learns && (hasConverged_ || learntMs_ < tracedMs_)) return Step::learn;
+            return hasConverged_ ? Step::none : Step::trace;
+        }
+    }
+    return Step::none;
+}
+
+void PictureCourse::showedModel() {
+    onScreen_ = OnScreen::model;
+}
+
+void PictureCourse::showedPreview(std::uint64_t samples, TimePoint now) {
+    if (onScreen_ != OnScreen::preview) previewSince_ = now;
+    onScreen_ = OnScreen::preview;
+    previewSamples_ = samples;
+    hasSearched_ = false;
+    isTraced_ = hasConverged_ = false;
+}
+
+void PictureCourse::traced(bool hasConverged) {
+    isTraced_ = true;
+    hasConverged_ = hasConverged;
+    if (onScreen_ == OnScreen::fading) return;
+    if (onScreen_ != OnScreen::traced) tracedMs_ = learntMs_ = 0.0;  // the turns begin
+    const bool fades = onScreen_ == OnScreen::model;
+    onScreen_ = fades ? OnScreen::fading : OnScreen::traced;
+    fadingSince_.reset();
+}
+
+void PictureCourse::showedTraced() {
+    onScreen_ = OnScreen::traced;
+}
+
+double PictureCourse::tracedShare(TimePoint now) const {
+    using Ms = std::chrono::duration<double, std::milli>;
+    if (!fadingSince_) return 0.0;
+    const double t = std::clamp(Ms(now - *fadingSince_) / Ms(kFade), 0.0, 1.0);
+    return t * t * (3.0 - 2.0 * t);
+}
+
+void PictureCourse::faded(TimePoint now) {
+    if (onScreen_ != OnScreen::fading) return;
+    if (!fadingSince_) fadingSince_ = now;
+    if (tracedShare(now) >= 1.0) onScreen_ = OnScreen::traced;
+}
+
+void PictureCourse::spent(Step step, double ms) {
+    if (step == Step::trace) tracedMs_ += ms;
+    if (step == Step::learn) learntMs_ += ms;
+}
+
+}  // namespace macula::app

@@ -1,0 +1,96 @@
+// What a window shows next, and what is done for that meanwhile: the rules alone, without window, device or
+// clock.
+//
+// While a hand moves: the peripheral model, at once and with all pixels; where there is none, small traced
+// pictures. When it stops: the traced picture of this view if there is one; else the model stays until the
+// first is ready, and fades into it. Then the picture converges and the model learns in turns, until both are
+// done. A model is searched for when there is none: alone while nothing moves, in turns with small pictures
+// while a hand does.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+namespace macula::app {
+
+// Of the picture that is wanted, what there is to be seen.
+enum class OnScreen {
+    nothing,  // only what was wanted before, if anything
+    preview,  // a small traced picture
+    model,
+    fading,  // from the model to the traced picture
+    traced,  // all pixels
+};
+
+// As in reports; a literal.
+std::string_view nameOf(OnScreen picture);
+
+// What there is of a peripheral model for it.
+enum class ModelState { none, searching, ready };
+
+enum class Step {
+    none,  // all is done
+    showModel,
+    showPreview,  // another view, or more samples of this one
+    search,       // a slice of it: for the model
+    trace,        // a slice of it: all pixels
+    showTraced,   // what there is of that
+    fade,         // a little further
+    learn,        // a slice of it
+};
+
+class PictureCourse {
+  public:
+    using TimePoint = std::chrono::steady_clock::time_point;
+    static constexpr std::chrono::milliseconds kFade{200};
+    // Without a model, the small picture is refined for so long before the full one starts: it stays on
+    // screen during the long first pass of that, and should not be the noisiest of all.
+    static constexpr std::chrono::milliseconds kSettle{300};
+
+    // Another picture from now on, of the same scene or of another one. `isTraced`: of exactly this there is
+    // a traced one with all pixels, which has converged or can go on.
+    void want(bool isTraced);
+    void setHand(bool moves) { handMoves_ = moves; }
+    void setModel(ModelState state, bool learns);
+    // How many samples small pictures are worth while a hand holds still.
+    void setPreviewLimit(std::uint64_t samples) { previewLimit_ = samples; }
+    // More samples are asked for than it converged with.
+    void goOnTracing() { hasConverged_ = false; }
+
+    Step next(TimePoint now) const;
+
+    // What was done since.
+    void showedModel();
+    void showedPreview(std::uint64_t samples, TimePoint now);  // the traced picture with all pixels is lost
+    void searched() { hasSearched_ = true; }
+    // The traced picture has become worth showing, and was shown unless it fades in.
+    void traced(bool hasConverged);
+    void showedTraced();
+    void faded(TimePoint now);  // a step; the first begins it
+    // For the turns that tracing and learning take.
+    void spent(Step step, double ms);
+
+    OnScreen onScreen() const { return onScreen_; }
+    bool hasConverged() const { return onScreen_ == OnScreen::traced && hasConverged_; }
+    // While it fades: how much of the traced picture is seen, 0 to 1. 0 before its first step.
+    double tracedShare(TimePoint now) const;
+
+  private:
+    bool handMoves_ = false;
+    ModelState model_ = ModelState::none;
+    bool learns_ = false;
+    OnScreen onScreen_ = OnScreen::nothing;
+    bool isTraced_ = false;      // worth showing
+    bool hasConverged_ = false;  // what is traced
+    std::uint64_t previewLimit_ = 1;
+    std::uint64_t previewSamples_ = 0;
+    TimePoint previewSince_{};
+    bool hasSearched_ = false;  // since the last small picture
+    std::optional<TimePoint> fadingSince_;
+    double tracedMs_ = 0.0;
+    double learntMs_ = 0.0;
+};
+
+}  // namespace macula::app

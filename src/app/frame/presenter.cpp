@@ -1,0 +1,132 @@
+#include "app/frame/presenter.h"
+
+#include <utility>
+
+#include "pipeline/gpu/recorder.h"
+#include "pipeline/gpu/transfer.h"
+
+namespace macula::app {
+
+namespace {
+
+// Long enough for any window system, short enough that a stuck one does not hold up the render thread.
+constexpr std::uint64_t kAcquireTimeoutNs = 100'000'000;
+constexpr int kResizeAttempts = 3;
+
+}  // namespace
+
+Presenter::Presenter(std::shared_ptr<gpu::Device> device, gpu::Swapchain swapchain, VkExtent2D wanted)
+    : device_(std::move(device)), swapchain_(std::move(swapchain)), wanted_(wanted) {}
+
+Result<Presenter> Presenter::create(const std::shared_ptr<gpu::Device>& device, VkSurfaceKHR surface,
+                                    VkExtent2D extent) {
+    // Mailbox: tracing must not wait for the display.
+    MACULA_TRY(
+        gpu::Swapchain swapchain,
+        gpu::Swapchain::create(device, surface, {.extent = extent, .mode = gpu::PresentMode::mailbox}));
+    return Presenter(device, std::move(swapchain), extent);
+}
+
+Result<void> Presenter::resize(VkExtent2D extent) {
+    wanted_ = extent;
+    return swapchain_.resize(extent);
+}
+
+void Presenter::setText(std::shared_ptr<const PictureText> text) {
+    if (text == text_) return;
+    text_ = std::move(text);
+    textImage_.reset();
+}
+
+Result<gpu::BlitOverlay> Presenter::overlay() {
+    if (!text_ || isColour_) return gpu::BlitOverlay{};
+    if (!textImage_) {
+        MACULA_TRY(gpu::Image image, gpu::Image::create(device_, {.label = "text over the picture",
+                                                                  .width = text_->size.width,
+                                                                  .height = text_->size.height,
+                                                                  .format = VK_FORMAT_R8G8B8A8_UNORM}));
+        MACULA_TRY_VOID(gpu::uploadTo(image, std::span<const std::byte>(text_->rgba)));
+        textImage_ = std::move(image);
+    }
+    return gpu::BlitOverlay{&*textImage_, text_->boxes};
+}
+
+Result<bool> Presenter::show(const gpu::Image& picture) {
+    isColour_ = false;
+    MACULA_TRY_VOID(keep(picture));
+    return showAgain();
+}
+
+Result<void> Presenter::keep(const gpu::Image& picture) {
+    const VkExtent3D extent = picture.extent();
+    const bool fits = kept_ && kept_->extent().width == extent.width &&
+                      kept_->extent().height == extent.height && kept_->format() == picture.format();
+    if (!fits) {
+        keptIsValid_ = false;
+        MACULA_TRY(gpu::Image image, gpu::Image::create(device_, {.label = "picture shown",
+                                                                  .width = extent.width,
+                                                                  .height = extent.height,
+                                                                  .format = picture.format()}));
+        kept_ = std::move(image);
+    }
+    MACULA_TRY(gpu::Recorder recorder, gpu::Recorder::create(device_, "keep picture"));
+    recorder.copy(picture, *kept_);
+    MACULA_TRY([[maybe_unused]] const gpu::Ticket ticket, recorder.submit());
+    keptIsValid_ = true;
+    return {};
+}
+
+Result<bool> Presenter::showAgain() {
+    if (!keptIsValid_) return false;
+    owes_ = true;
+    MACULA_TRY(const gpu::BlitOverlay text, overlay());
+    for (int attempt = 0; attempt < kResizeAttempts; ++attempt) {
+        MACULA_TRY(const gpu::Swapchain::Frame frame, swapchain_.acquire(kAcquireTimeoutNs));
+        if (frame.status == gpu::Swapchain::Status::outOfDate) {
+            MACULA_TRY_VOID(swapchain_.resize(wanted_));
+            continue;
+        }
+        owes_ = frame.status != gpu::Swapchain::Status::hidden;
+        if (!frame.usable()) return false;
+        MACULA_TRY(gpu::Recorder recorder, gpu::Recorder::create(device_, "present"));
+        // Of the same size nothing is scaled, and on a CPU device that is faster said than found out.
+        const VkExtent3D size = kept_->extent();
+        const bool isSameSize = size.width == frame.extent.width && size.height == frame.extent.height;
+        recorder.blit(*kept_, frame.target(), isSameSize ? VK_FILTER_NEAREST : VK_FILTER_LINEAR, text);
+        MACULA_TRY(const gpu::Ticket ticket,
+                   recorder.submit({.wait = frame.available, .signal = frame.rendered}));
+        MACULA_TRY(const gpu::Swapchain::Status status, swapchain_.present(frame, ticket));
+        owes_ = status == gpu::Swapchain::Status::outOfDate;
+        if (status == gpu::Swapchain::Status::ready) return true;
+        // The window changed its size meanwhile. The input with the new size is on its way; until then this
+        // picture, scaled, is better than none.
+        MACULA_TRY_VOID(swapchain_.resize(wanted_));
+        if (status == gpu::Swapchain::Status::suboptimal) return true;
+    }
+    return false;
+}
+
+Result<bool> Presenter::showColour(const VkClearColorValue& colour) {
+    MACULA_TRY(const gpu::Image image,
+               gpu::Image::create(device_, {.label = "empty picture", .format = VK_FORMAT_R8G8B8A8_UNORM}));
+    MACULA_TRY(gpu::Recorder recorder, gpu::Recorder::create(device_, "empty picture"));
+    recorder.clear(image, colour);
+    MACULA_TRY([[maybe_unused]] const gpu::Ticket ticket, recorder.submit());
+    isColour_ = true;
+    MACULA_TRY_VOID(keep(image));
+    return showAgain();
+}
+
+Result<void> Presenter::release(std::optional<Presenter> presenter) {
+    if (!presenter) return {};
+    const std::shared_ptr<gpu::Device> device = presenter->device_;
+    if (device->lost()) return {};  // dropping the swapchain is all that is left to do
+    MACULA_TRY_VOID(device->waitForAll());
+    presenter.reset();
+    // Dropping only queued the destruction; the surface may go only after the swapchain is really gone.
+    MACULA_TRY_VOID(device->waitForAll());
+    device->collect();
+    return {};
+}
+
+}  // namespace macula::app

@@ -1,0 +1,52 @@
+#include "app/frame/projection_windows.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "pipeline/volume/window.h"
+
+namespace macula::app {
+
+namespace {
+
+constexpr double kWidthPerHeight = 20.0;  // times wider for a drag over the height of the picture
+constexpr double kNarrowest = 1e-3;       // of the volume's units
+constexpr double kWidest = 1e9;
+
+}  // namespace
+
+DisplayWindow ProjectionWindows::of(trace::Look look, const Volume& volume) const {
+    const auto& window = set_.at(std::size_t(look));
+    if (window) return *window;
+    if (look != trace::Look::mip) return seriesWindow(volume);
+    if (!maximum_) maximum_ = maximumWindow(volume);
+    return *maximum_;
+}
+
+void ProjectionWindows::drag(trace::Look look, const DisplayWindow& from, glm::dvec2 byHeights) {
+    DisplayWindow window = from;
+    window.width = std::clamp(from.width * std::pow(kWidthPerHeight, byHeights.x), kNarrowest, kWidest);
+    window.center = std::clamp(from.center + byHeights.y * from.width, -kWidest, kWidest);
+    set(look, window);
+}
+
+void ProjectionWindows::forget(trace::Look look) {
+    set(look, std::nullopt);
+}
+
+std::string windowText(const DisplayWindow& window, const std::string& unit) {
+    const int decimals = window.width >= 100.0 ? 0 : window.width >= 1.0 ? 1 : 4;
+    const auto number = [&](double value) {
+        // Whole numbers are written as such, and nothing as -0.
+        const double scale = std::pow(10.0, decimals);
+        const double rounded = std::round(value * scale) / scale;
+        return rounded == std::round(rounded) ? fmt::format("{}", std::llround(rounded))
+                                              : fmt::format("{:.{}f}", rounded, decimals);
+    };
+    const std::string text = fmt::format("W {} L {}", number(window.width), number(window.center));
+    return unit.empty() ? text : text + " " + unit;
+}
+
+}  // namespace macula::app

@@ -1,0 +1,89 @@
+// What the render thread reports, as values. It reports on its own thread; whoever listens hands them on.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "app/camera/orbit_camera.h"
+#include "app/frame/picture_course.h"
+#include "base/message.h"
+#include "base/result.h"
+#include "pipeline/hybrid/model/model_news.h"
+#include "pipeline/trace/look.h"
+
+namespace macula::app {
+
+struct DeviceReady {
+    std::string name;         // for people
+    std::string description;  // one line with type, memory and driver
+};
+
+// The device stopped responding. Another one is being started, and what was shown is made anew.
+struct DeviceRestarting {};
+
+// Some seconds may pass: a volume is being brought to the device.
+struct Preparing {
+    std::string what;  // "Preparing the volume". No patient data.
+};
+
+enum class Stage {
+    moving,      // a picture that follows the hand
+    converging,  // traced with all pixels, not yet all samples
+    converged,   // nothing more will change
+};
+
+// The peripheral model has come further, or there is none any more.
+struct ModelChanged {
+    std::uint64_t study = 0;
+    hybrid::ModelNews model{};
+};
+
+// What can be seen of the matter, found anew after each change of volume, preset or clip: its outline.
+struct OutlineFound {
+    std::uint64_t study = 0;
+    std::shared_ptr<const std::vector<glm::dvec3>> pointsMm;  // see trace::PathTracer::outlineMm
+};
+
+// A picture was shown.
+struct FrameShown {
+    std::uint64_t inputSequence = 0;       // of the input it was made from
+    std::uint64_t study = 0;               // likewise; whose picture it is
+    EdgeLetters letters{};                 // where the sides of the patient are in it
+    OnScreen picture = OnScreen::nothing;  // which kind
+    Stage stage = Stage::moving;
+    int width = 0;  // of what was drawn; the window's, divided by `scale`
+    int height = 0;
+    int scale = 1;
+    hybrid::ModelNews model{};
+    bool greyFacesAreCoarse = false;    // of a clip, by splats
+    std::uint64_t samplesPerPixel = 0;  // on average: noise decides where they go
+    std::uint64_t sampleLimit = 0;
+    bool denoised = false;  // filtered: smooth, and not quite what was traced
+    trace::Look look{};
+    std::string remarks{};             // of the drawing it was made from
+    double framesPerSecond = 0.0;      // of pictures shown lately; 0 when there was only one
+    double latencyMs = 0.0;            // from publishing the input to showing this picture
+    std::uint64_t samplesLeftOut = 0;  // not finite, or of paths too long for the device
+    std::vector<Message> messages{};   // what a person has to know about it
+};
+
+// What was shown is off the screen, and nothing is shown for now.
+struct PictureRemoved {};
+
+// Nothing more is shown until something changes. What was shown has been taken off the screen, unless
+// `pictureRemains`: then the device could not do that yet, or never will, and who owns the window hides it.
+struct RenderFailure {
+    Error error;
+    std::uint64_t inputSequence = 0;  // of the newest input then
+    bool pictureRemains = false;
+};
+
+using RenderEvent = std::variant<DeviceReady, DeviceRestarting, Preparing, ModelChanged, OutlineFound,
+                                 FrameShown, PictureRemoved, RenderFailure>;
+using RenderListener = std::function<void(RenderEvent)>;
+
+}  // namespace macula::app

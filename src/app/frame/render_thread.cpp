@@ -1,0 +1,95 @@
+#include "app/frame/render_thread.h"
+
+#include <chrono>
+#include <exception>
+#include <optional>
+#include <utility>
+
+#include "app/frame/frame_renderer.h"
+#include "base/log.h"
+
+#ifdef __linux__
+#include <sys/resource.h>
+#include <unistd.h>
+#endif
+
+namespace macula::app {
+
+namespace {
+
+// A dispatch is over in far less, a part of a scene nearly always.
+constexpr std::chrono::milliseconds kReleaseIsSlow{5000};
+
+// Where the device is the CPU, tracing takes every core for as long as it lasts. The threads of the driver
+// inherit the priority of the one that makes the device, so a step down here lets the user interface and the
+// window system go first. Where there is a GPU, this thread hardly runs.
+void giveWayToTheUserInterface() {
+#ifdef __linux__
+    constexpr int kNiceness = 5;
+    // On Linux this concerns the calling thread only. If it is refused, all works, only less smoothly.
+    setpriority(PRIO_PROCESS, id_t(gettid()), kNiceness);
+#endif
+}
+
+}  // namespace
+
+RenderThread::RenderThread(gpu::Instance instance, std::string preferredDevice, RenderListener listener)
+    : thread_([this, instance = std::move(instance), preferredDevice = std::move(preferredDevice),
+               listener = std::move(listener)](const std::stop_token& stop) mutable {
+          run(stop, std::move(instance), std::move(preferredDevice), std::move(listener));
+      }) {}
+
+RenderThread::~RenderThread() {
+    thread_.request_stop();
+    inputs_.close();
+}
+
+std::uint64_t RenderThread::publish(FrameInput input) {
+    input.sequence = last_.sequence + 1;
+    input.published = std::chrono::steady_clock::now();
+    last_ = input;
+    inputs_.publish(std::move(input));
+    return last_.sequence;
+}
+
+void RenderThread::releaseSurface() {
+    if (last_.surface == VK_NULL_HANDLE) return;
+    FrameInput without = last_;
+    without.surface = VK_NULL_HANDLE;
+    const std::uint64_t sequence = publish(std::move(without));
+    bool told = false;
+    while (true) {
+        const auto released = released_.takeFor(kReleaseIsSlow);
+        if (released && *released >= sequence) return;  // else it is of an earlier release
+        if (!released && !std::exchange(told, true))
+            log::warning("Waiting for the graphics device to let go of the window.");
+    }
+}
+
+void RenderThread::run(const std::stop_token& stop, gpu::Instance instance, std::string preferredDevice,
+                       RenderListener listener) {
+    giveWayToTheUserInterface();
+    FrameRenderer renderer(std::move(instance), std::move(preferredDevice), std::move(listener));
+    const Interrupts interrupts{.newInput = [this] { return inputs_.pending(); },
+                                .stopping = [&stop] { return stop.stop_requested(); }};
+    std::optional<std::uint64_t> owed;  // whoever waits for the surface waits until this is published
+    while (!stop.stop_requested()) {
+        try {
+            std::optional<FrameInput> input = renderer.hasWork() || owed ? inputs_.tryTake() : inputs_.take();
+            if (input) {
+                if (input->surface == VK_NULL_HANDLE) owed = input->sequence;
+                renderer.accept(std::move(*input));
+            }
+            if (owed) {
+                renderer.releaseSurface();
+                released_.publish(*std::exchange(owed, std::nullopt));
+            }
+        } catch (const std::exception&) {
+            renderer.fail(ErrorCode::outOfMemory, "There is not enough memory to show this study.",
+                          "Close other programs, or open a smaller series.");
+        }
+        renderer.step(interrupts);
+    }
+}
+
+}  // namespace macula::app

@@ -1,0 +1,43 @@
+// Names for all that decides what a peripheral model is of.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/frame/frame_input.h"
+
+namespace macula::app {
+
+// The same name means the same volume, transfer function, clip, lights, and settings that light depends on;
+// what is shown again has the name it had, while it is among the last that were named. No patient data.
+class SceneNames {
+  public:
+    static constexpr std::size_t kRemembered = 64;  // a function that is being edited is another at each step
+
+    // Of a drawing that is complete, of the study of that number.
+    std::string of(std::uint64_t study, const Drawing& drawing);
+
+  private:
+    struct Scene {
+        std::shared_ptr<const TransferFunction> transferFunction;  // kept, so that no other takes its place
+        std::shared_ptr<const trace::LightRig> lights;
+        Clip clip;
+        trace::Settings settings;
+
+        bool operator==(const Scene&) const = default;
+    };
+    static Scene sceneOf(const Drawing& drawing);
+
+    struct Named {
+        Scene scene;
+        std::uint64_t number;
+    };
+    std::uint64_t study_ = 0;
+    std::uint64_t count_ = 0;
+    std::vector<Named> named_;  // the one named last stands last
+};
+
+}  // namespace macula::app

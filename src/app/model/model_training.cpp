@@ -1,0 +1,90 @@
+#include "app/model/model_training.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace macula::app {
+
+namespace {
+
+void runSteps(splat::Trainer& trainer, const TrainingEnd& end, Progress& progress, Trained& trained) {
+    const double start = end.budget.spentSeconds();
+    const std::uint64_t last = trained.firstStep + end.steps;
+    const std::uint64_t steps = last - std::min(last, trainer.report().steps);
+    const auto mayGoOn = [&] { return !progress.cancelled() && !end.budget.isSpent(); };
+    const auto run = [&]() -> Result<splat::TrainingState> {
+        if (steps > 0 && mayGoOn()) {
+            MACULA_TRY_VOID(trainer.step(steps, [&] {
+                progress.advance();
+                return mayGoOn();
+            }));
+        }
+        return trainer.state();
+    };
+    Result<splat::TrainingState> state = run();
+    trained.failure = state.ok() ? std::nullopt : std::optional(state.error());
+    trained.state = state.ok() ? *std::move(state) : trainer.lastGood();
+    trained.report = trainer.report();
+    trained.report.steps = trained.state.steps;
+    trained.report.splats = static_cast<std::uint32_t>(trained.state.splats.size());
+    trained.interrupted = progress.cancelled() && trained.state.steps < last;
+    trained.trainSeconds += end.budget.spentSeconds() - start;
+}
+
+Error stopped() {
+    return {ErrorCode::cancelled, "Stopped before the first step; nothing was written.", {}, {}};
+}
+
+}  // namespace
+
+Result<Trained> trainFirst(const std::shared_ptr<gpu::Device>& device, const StudyScene& scene,
+                           const hybrid::FirstModelOptions& options, const TrainingEnd& end,
+                           Progress& progress) {
+    const double start = end.budget.spentSeconds();
+    MACULA_TRY(SceneOnDevice onDevice, putOnDevice(device, scene));
+    const double putSeconds = end.budget.spentSeconds() - start;
+    // One step, or none, is made there; the others here, where they can be stopped with nothing lost.
+    hybrid::FirstModelOptions begin = options;
+    begin.beginsOnly = true;
+    begin.budget = &end.budget;
+    auto made = hybrid::makeFirstModel(device, onDevice.tracer, onDevice.traced.seenMm(), begin, progress);
+    if (!made) return made.error().code == ErrorCode::cancelled ? stopped() : made.error();
+    Trained trained{.device = gpu::describe(device->info()),
+                    .pointsSeconds = putSeconds + made->pointsSeconds,
+                    .viewsSeconds = made->viewsSeconds,
+                    .trainSeconds = made->trainSeconds,
+                    .viewsTraced = made->viewsTraced,
+                    .viewsGivenUp = made->viewsGivenUp};
+    runSteps(made->trainer, end, progress, trained);
+    return trained;
+}
+
+Result<Trained> trainOn(const std::shared_ptr<gpu::Device>& device, const splat::TrainingState& saved,
+                        const TrainingEnd& end, Progress& progress) {
+    progress.beginStage("Training", static_cast<std::size_t>(end.steps));
+    const double start = end.budget.spentSeconds();
+    MACULA_TRY(splat::Trainer trainer, splat::Trainer::resume(device, saved));
+    Trained trained{.device = gpu::describe(device->info()), .firstStep = saved.steps};
+    trained.trainSeconds = end.budget.spentSeconds() - start;
+    if (progress.cancelled()) return stopped();
+    runSteps(trainer, end, progress, trained);
+    return trained;
+}
+
+Result<void> trainToTheEnd(const std::shared_ptr<gpu::Device>& device, Trained& failed,
+                           const TrainingEnd& end, Progress& progress) {
+    const std::uint64_t last = failed.firstStep + end.steps;
+    progress.beginStage("Training", static_cast<std::size_t>(last - std::min(last, failed.state.steps)));
+    const double start = end.budget.spentSeconds();
+    MACULA_TRY(splat::Trainer trainer, splat::Trainer::resume(device, failed.state));
+    failed.device = gpu::describe(device->info());
+    failed.trainSeconds += end.budget.spentSeconds() - start;
+    runSteps(trainer, end, progress, failed);
+    return {};
+}
+
+std::uint64_t plannedSteps(const splat::TrainingState& state) {
+    return state.options.optimizer.positionSteps;
+}
+
+}  // namespace macula::app

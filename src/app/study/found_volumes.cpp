@@ -1,0 +1,117 @@
+#include "app/study/found_volumes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "dicom/best_volume.h"
+
+namespace macula::app {
+
+namespace {
+
+Error notUsable(std::string sentence, const std::filesystem::path& where) {
+    return {ErrorCode::inputNotUsable, std::move(sentence), where.string(),
+            "Choose a folder with a CT or MR series of several parallel slices."};
+}
+
+bool sameFile(const std::filesystem::path& a, const std::filesystem::path& b) {
+    if (a.filename() != b.filename()) return false;  // the scan was of the file's own folder
+    std::error_code notThere;
+    return a == b || std::filesystem::equivalent(a, b, notThere);
+}
+
+// "CT, series 3: Thorax, ConvolutionKernel B30f, phase 2 of 20"
+std::string seriesLine(const dicom::Series& series, const dicom::Stack& stack) {
+    const std::string& modality = stack.modality.empty() ? series.modality : stack.modality;
+    std::string line = modality.empty() ? "Modality unknown" : modality;
+    line += series.number ? fmt::format(", series {}", *series.number) : ", series without a number";
+    line += series.description.empty() ? ", no description" : ": " + series.description;
+    for (const dicom::StackLabel& label : stack.splitBy)
+        line += fmt::format(", {} {}", label.attribute, label.value);
+    if (stack.phases > 1) line += fmt::format(", phase {} of {}", stack.phase + 1, stack.phases);
+    return line;
+}
+
+}  // namespace
+
+FoundVolumes::FoundVolumes(dicom::Scan scan) : scan_(std::move(scan)) {
+    for (const dicom::Study& study : scan_.studies) {
+        for (const dicom::Series& series : study.series) {
+            for (const dicom::Stack& stack : series.stacks) {
+                if (stack.canBeVolume()) volumes_.push_back({&study, &series, &stack});
+            }
+        }
+    }
+}
+
+std::vector<std::string> FoundVolumes::titles() const {
+    std::vector<std::string> titles;
+    for (const FoundVolume& volume : volumes_) {
+        const Identity identity = identityOf(volume);
+        std::string title;
+        if (scan_.patients > 1) {
+            const std::vector<std::string> lines = linesOf(identity);
+            title += lines[0] + ", " + lines[1] + ", ";
+        }
+        if (scan_.studies.size() > 1) {
+            title += identity.studyDate.empty() ? "no study date" : dateForPeople(identity.studyDate);
+            title += ", ";
+        }
+        titles.push_back(title + fmt::format("{}, {} \u00d7 {} \u00d7 {}", identity.series,
+                                             volume.stack->columns, volume.stack->rows,
+                                             volume.stack->slices.size()));
+    }
+    return titles;
+}
+
+Result<FoundVolumes::Choice> FoundVolumes::best(const std::filesystem::path& folder) const {
+    const dicom::Choice choice = dicom::bestVolume(scan_);
+    const auto index = indexOf(choice.stack);
+    if (!index) return notUsable(choice.why, folder);
+    return Choice{*index, choice.why};
+}
+
+Result<FoundVolumes::Choice> FoundVolumes::holding(const std::filesystem::path& file) const {
+    for (const dicom::Study& study : scan_.studies) {
+        for (const dicom::Series& series : study.series) {
+            for (const dicom::Stack& stack : series.stacks) {
+                const bool holds =
+                    std::any_of(stack.frames.begin(), stack.frames.end(),
+                                [&](const dicom::Frame& f) { return sameFile(f.instance->file, file); });
+                if (!holds) continue;
+                const auto index = indexOf(&stack);
+                if (index) return Choice{*index, "The images of the file that was opened."};
+                const Message* reason = stack.whyNoVolume();
+                return notUsable(reason != nullptr ? reason->sentence : "The images are no volume.", file);
+            }
+            for (const dicom::OtherObject& object : series.objects) {
+                if (sameFile(object.file, file)) return notUsable(object.kind + ": this is no image.", file);
+            }
+        }
+    }
+    for (const dicom::SkippedFile& skipped : scan_.skipped) {
+        if (sameFile(skipped.file, file)) return notUsable(skipped.message.sentence, file);
+    }
+    return notUsable("The file is not a DICOM image.", file);
+}
+
+std::optional<std::size_t> FoundVolumes::indexOf(const dicom::Stack* stack) const {
+    const auto found = std::find_if(volumes_.begin(), volumes_.end(),
+                                    [&](const FoundVolume& volume) { return volume.stack == stack; });
+    if (found == volumes_.end()) return std::nullopt;
+    return static_cast<std::size_t>(found - volumes_.begin());
+}
+
+Identity identityOf(const FoundVolume& volume) {
+    return {.patientName = volume.study->patientName,
+            .patientId = volume.study->patientId,
+            .birthDate = volume.study->patientBirthDate,
+            .sex = volume.study->patientSex,
+            .studyDate = volume.study->date,
+            .studyDescription = volume.study->description,
+            .series = seriesLine(*volume.series, *volume.stack)};
+}
+
+}  // namespace macula::app

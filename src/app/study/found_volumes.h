@@ -1,0 +1,51 @@
+// The volumes that a folder holds, to choose from.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/study/identity.h"
+#include "base/result.h"
+#include "dicom/scan.h"
+
+namespace macula::app {
+
+struct FoundVolume {
+    const dicom::Study* study = nullptr;
+    const dicom::Series* series = nullptr;
+    const dicom::Stack* stack = nullptr;
+};
+
+// Never changed after it was made. What it tells may name a patient.
+class FoundVolumes {
+  public:
+    explicit FoundVolumes(dicom::Scan scan);
+    FoundVolumes(const FoundVolumes&) = delete;
+    FoundVolumes& operator=(const FoundVolumes&) = delete;
+
+    const dicom::Scan& scan() const { return scan_; }
+    const std::vector<FoundVolume>& volumes() const { return volumes_; }  // in the order of the scan
+    // One line each, which tells apart patients and studies where there are several.
+    std::vector<std::string> titles() const;
+
+    struct Choice {
+        std::size_t index = 0;
+        std::string why;  // a sentence, without patient data
+    };
+    // The best one. inputNotUsable when there is none; the error's place is `folder`.
+    Result<Choice> best(const std::filesystem::path& folder) const;
+    // The one that `file` belongs to, and no other: beside it may lie those of another patient.
+    Result<Choice> holding(const std::filesystem::path& file) const;
+
+  private:
+    std::optional<std::size_t> indexOf(const dicom::Stack* stack) const;
+
+    dicom::Scan scan_;
+    std::vector<FoundVolume> volumes_;
+};
+
+Identity identityOf(const FoundVolume& volume);
+
+}  // namespace macula::app

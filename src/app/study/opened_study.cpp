@@ -1,0 +1,126 @@
+#include "app/study/opened_study.h"
+
+#include <algorithm>
+#include <exception>
+#include <new>
+#include <utility>
+
+#include "app/study/found_volumes.h"
+#include "base/phantom.h"
+#include "dicom/loader.h"
+#include "dicom/messages.h"
+#include "dicom/read/media_directory.h"
+#include "formats/volume_file.h"
+
+namespace macula::app {
+
+namespace {
+
+Result<OpenedStudy> openPhantom(Progress& progress) {
+    progress.beginStage("Making the phantom", 1);
+    auto volume = std::make_shared<const Volume>(phantom::make());
+    if (progress.cancelled()) return Error{ErrorCode::cancelled, "Loading was cancelled.", {}, {}};
+    progress.advance();
+    return OpenedStudy{.volume = std::move(volume),
+                       .identity = {.series = "Built-in phantom", .isOfNobody = true},
+                       .description = "Built-in phantom"};
+}
+
+// NIfTI and its kin: one volume, and nobody's name in it.
+Result<OpenedStudy> openVolumeFile(const std::filesystem::path& path, Progress& progress) {
+    MACULA_TRY(std::shared_ptr<const Volume> volume, formats::readVolumeFile(path, progress));
+    const std::string name = path.filename().string();
+    return OpenedStudy{
+        .volume = in16Bits(std::move(volume)), .identity = {.series = "File " + name}, .description = name};
+}
+
+bool isMediaDirectory(const std::filesystem::path& file) {
+    return dicom::readMediaDirectory(file).ok();
+}
+
+// Returns the question whether images are one series (dicom::key::kUidPerSlice), when the folder holds no
+// volume without an answer; else nothing.
+std::string joinQuestionOf(const FoundVolumes& found) {
+    const auto& messages = found.scan().messages;
+    const auto asked = std::ranges::find(messages, dicom::key::kUidPerSlice, &Message::key);
+    return found.volumes().empty() && asked != messages.end() ? asked->sentence : std::string();
+}
+
+Result<OpenedStudy> loadFound(std::shared_ptr<const FoundVolumes> found, std::size_t index,
+                              Progress& progress) {
+    const FoundVolume& chosen = found->volumes().at(index);
+    MACULA_TRY(std::shared_ptr<const Volume> volume,
+               dicom::loadVolume(*chosen.series, *chosen.stack, progress));
+    OpenedStudy study{.volume = in16Bits(std::move(volume)),
+                      .identity = identityOf(chosen),
+                      .description = chosen.series->description,
+                      .whyThisSeries = "The volume that was chosen.",
+                      .volumeTitles = found->titles(),
+                      .volumeIndex = index};
+    const auto tell = [&](const std::vector<Message>& messages) {
+        for (const Message& message : messages) {
+            if (message.severity != Severity::info) study.messages.push_back(message.sentence);
+        }
+    };
+    const dicom::Scan& scan = found->scan();
+    tell(scan.messages);
+    tell(chosen.series->messages);
+    tell(chosen.stack->messages);
+    tell(study.volume->provenance().messages);
+    if (!scan.skipped.empty()) {
+        study.messages.push_back(std::to_string(scan.skipped.size()) +
+                                 (scan.skipped.size() == 1 ? " file was" : " files were") +
+                                 " left out; `macula info` on the folder says why.");
+    }
+    study.found = std::move(found);
+    return study;
+}
+
+Result<OpenedStudy> openPath(const std::filesystem::path& given, Progress& progress, bool join) {
+    // Of a name without a folder the parent would be empty.
+    const std::filesystem::path path = std::filesystem::absolute(given).lexically_normal();
+    std::error_code notThere;
+    const bool isFile = std::filesystem::is_regular_file(path, notThere);
+    if (isFile && formats::isVolumeFileName(path)) return openVolumeFile(path, progress);
+    const bool isOneImage = isFile && !isMediaDirectory(path);
+    MACULA_TRY(dicom::Scan scan,
+               dicom::scanFolder(isFile ? path.parent_path() : path, progress, {.join = join}));
+    const auto found = std::make_shared<const FoundVolumes>(std::move(scan));
+    if (auto question = joinQuestionOf(*found); !question.empty())
+        return OpenedStudy{.volume = nullptr, .joinQuestion = std::move(question)};
+    MACULA_TRY(const FoundVolumes::Choice choice, isOneImage ? found->holding(path) : found->best(path));
+    MACULA_TRY(OpenedStudy study, loadFound(found, choice.index, progress));
+    study.whyThisSeries = choice.why;
+    return study;
+}
+
+// Nothing is known of what is thrown but that this study cannot be shown; the window must live on.
+template <class Load>
+Result<OpenedStudy> withoutExceptions(const StudySource& source, Load load) {
+    try {
+        return load();
+    } catch (const std::bad_alloc&) {
+        return Error{ErrorCode::outOfMemory,
+                     "There is not enough memory for this study.",
+                     {},
+                     "Close other programs, or open a smaller series."};
+    } catch (const std::exception&) {
+        return Error{ErrorCode::inputNotUsable, "The study could not be opened.",
+                     source ? source->string() : std::string(),
+                     "Run `macula info` on the folder to find out what is wrong with it."};
+    }
+}
+
+}  // namespace
+
+Result<OpenedStudy> openStudy(const StudySource& source, Progress& progress, bool join) {
+    return withoutExceptions(
+        source, [&] { return source ? openPath(*source, progress, join) : openPhantom(progress); });
+}
+
+Result<OpenedStudy> openFoundVolume(std::shared_ptr<const FoundVolumes> found, std::size_t index,
+                                    Progress& progress) {
+    return withoutExceptions({}, [&] { return loadFound(std::move(found), index, progress); });
+}
+
+}  // namespace macula::app

@@ -1,0 +1,44 @@
+// What a person opens: a folder, a file, or nothing.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/study/identity.h"
+#include "base/progress.h"
+#include "base/result.h"
+#include "base/volume.h"
+
+namespace macula::app {
+
+class FoundVolumes;
+
+// What came out of a folder. All strings are for the screen; they may name a patient.
+struct OpenedStudy {
+    std::shared_ptr<const Volume> volume;  // null when there is only a question
+    Identity identity = {};
+    std::string description = {};
+    std::string whyThisSeries = {};          // empty for the phantom
+    std::vector<std::string> messages = {};  // warnings about the series and about files left out
+    // All volumes of the folder, and which of them this is; null for the phantom and files of one volume.
+    std::shared_ptr<const FoundVolumes> found = {};
+    std::vector<std::string> volumeTitles = {};
+    std::size_t volumeIndex = 0;
+    std::string joinQuestion = {};  // see dicom::ScanOptions
+};
+
+// A folder, or the DICOMDIR in it, of which the best series is meant; an image, of which its own series in
+// its folder is meant; or a file that is a volume by itself (formats/volume_file.h). Nothing is the built-in
+// phantom.
+using StudySource = std::optional<std::filesystem::path>;
+
+// Scans, chooses the series and decodes it. Blocks; a file at a time sees a cancellation. Throws nothing.
+Result<OpenedStudy> openStudy(const StudySource& source, Progress& progress, bool join = false);
+// Decodes another volume of the folder.
+Result<OpenedStudy> openFoundVolume(std::shared_ptr<const FoundVolumes> found, std::size_t index,
+                                    Progress& progress);
+
+}  // namespace macula::app

@@ -1,0 +1,28 @@
+#include "app/study/scene_on_device.h"
+
+#include <utility>
+
+namespace macula::app {
+
+Result<SceneOnDevice> putOnDevice(const std::shared_ptr<gpu::Device>& device, const StudyScene& scene) {
+    MACULA_TRY(hybrid::TracedScene traced,
+               hybrid::TracedScene::create(scene.volume, scene.function, scene.clip, scene.environment));
+    if (!(traced.seenMm().low.x <= traced.seenMm().high.x))
+        return Error{ErrorCode::inputNotUsable,
+                     "Nothing of the series can be seen.",
+                     {},
+                     "Choose another preset or clip."};
+    MACULA_TRY(trace::PathTracer tracer, trace::PathTracer::create(device));
+    MACULA_TRY_VOID(tracer.setVolume(scene.volume));
+    MACULA_TRY_VOID(tracer.setClip(scene.clip));
+    MACULA_TRY_VOID(tracer.setTransferFunction(scene.function));
+    MACULA_TRY_VOID(tracer.setEnvironment(scene.environment));
+    MACULA_TRY(const trace::Statistics statistics, tracer.statistics());
+    SceneOnDevice onDevice{.traced = std::move(traced),
+                           .tracer = std::move(tracer),
+                           .isCoarse = statistics.voxels.coarseBlocks > 0};
+    for (const Message& message : statistics.messages) onDevice.notes.push_back(message.sentence);
+    return onDevice;
+}
+
+}  // namespace macula::app

@@ -1,0 +1,29 @@
+// The preset that a study is drawn with, and what there is to say about it. All verbs that draw ask here, so
+// that none of them keeps quiet about what another tells.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/study/study_input.h"
+#include "base/result.h"
+#include "presets/imported_preset.h"
+
+namespace macula::app {
+
+// As choosePreset, and `fit` stretches its range to the volume. Fails for a preset that could only be drawn
+// as something else.
+Result<presets::ImportedPreset> presetToDraw(const std::string& typed, bool fit);
+
+// What was changed when it was read, whether it is stretched to the volume, and whether it is made for it.
+std::vector<std::string> notesOf(const presets::ImportedPreset& preset, const Volume& volume);
+
+struct StudyPreset {
+    std::string publicName;     // see publicPresetName
+    TransferFunction function;  // not yet stretched: the tracer does that
+};
+
+// Of what was typed, or when that is empty by what the series shows. Its notes join those of the study.
+Result<StudyPreset> choosePresetFor(StudyInput& study, const std::string& typed, bool fit = false);
+
+}  // namespace macula::app

@@ -1,0 +1,17 @@
+// How much memory there is.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "base/result.h"
+
+namespace macula {
+
+// What this process can still get without swapping: base/process_limits.h.
+std::optional<std::uint64_t> availableMemory();
+
+// Names both amounts, so that a person can tell a series that is too large from a header that is broken.
+Error notEnoughMemory(std::uint64_t bytesNeeded, std::optional<std::uint64_t> bytesAvailable);
+
+}  // namespace macula

@@ -1,0 +1,40 @@
+#include "cli/name_option.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+#include <vector>
+
+#include "app/camera/view_directions.h"
+#include "app/choice/nearest_name.h"
+
+namespace macula::cli {
+
+CLI::Validator oneOf(std::map<std::string, int> numbersByName) {
+    std::vector<std::string> names;
+    for (const auto& [name, number] : numbersByName) names.push_back(name);
+    const std::string all = fmt::format("{}", fmt::join(names, "|"));
+    const auto toNumber = [numbers = std::move(numbersByName), names](std::string& text) -> std::string {
+        const auto found = numbers.find(text);
+        if (found == numbers.end())
+            return fmt::format("there is no {}. {}", text, app::choiceAmong(text, names));
+        text = std::to_string(found->second);
+        return {};
+    };
+    return {toNumber, all, "name"};
+}
+
+CLI::Validator asViewDirection() {
+    const auto toNumber = [](std::string& text) -> std::string {
+        const auto direction = app::viewDirectionOf(text);
+        if (!direction)
+            return text +
+                   " is no direction: choose anterior (the front), posterior, left, right, superior or "
+                   "inferior";
+        text = std::to_string(static_cast<int>(*direction));
+        return {};
+    };
+    return {toNumber, kViewDirectionNames, "direction"};
+}
+
+}  // namespace macula::cli

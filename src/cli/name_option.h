@@ -1,0 +1,20 @@
+// Options whose values are names.
+#pragma once
+
+#include <CLI/App.hpp>
+#include <CLI/Validators.hpp>
+#include <map>
+#include <string>
+
+namespace macula::cli {
+
+// Takes one of the names, and gives its number.
+CLI::Validator oneOf(std::map<std::string, int> numbersByName);
+
+// For an option of type ViewDirection, or several: names become values, and for others there is a sentence.
+CLI::Validator asViewDirection();
+
+// "anterior|posterior|...", for help.
+inline constexpr const char* kViewDirectionNames = "anterior|posterior|left|right|superior|inferior";
+
+}  // namespace macula::cli

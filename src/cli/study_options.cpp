@@ -1,0 +1,31 @@
+#include "cli/study_options.h"
+
+#include <CLI/App.hpp>
+#include <CLI/Option.hpp>
+#include <CLI/Validators.hpp>
+
+#include "app/choice/lights_choice.h"
+
+namespace macula::cli {
+
+void addJoin(CLI::App& command, dicom::ScanOptions& how) {
+    command.add_flag(
+        "--join", how.join,
+        "Take images for one series that agree in all but identifiers made anew for each of them");
+}
+
+void addBenchStudyOptions(CLI::App& command, evaluate::BenchStudyOptions& options, int size) {
+    options.size = size;
+    options.lights = app::kDefaultLights;
+    command.add_option("path", options.path, "Folder or file with DICOM; the built-in phantom when absent");
+    command.add_option("--series", options.series, "Which series: its number in `macula info`, or its UID");
+    addJoin(command, options.how);
+    command.add_option("--preset", options.preset, "Preset by name, number or file; default by modality");
+    command.add_option("--lights", options.lights, "Light rig by name or file")->capture_default_str();
+    command.add_option("--size", options.size, "Width and height in pixels")
+        ->capture_default_str()
+        ->check(CLI::Range(8, 4096));
+    command.add_option("--device", options.device, "Device by number or part of its name");
+}
+
+}  // namespace macula::cli

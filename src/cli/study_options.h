@@ -1,0 +1,19 @@
+// Options of the verbs that read a study.
+#pragma once
+
+#include "dicom/scan.h"
+#include "evaluate/bench_study.h"
+
+namespace CLI {
+class App;
+}
+
+namespace macula::cli {
+
+// --join, of every verb that reads a folder.
+void addJoin(CLI::App& command, dicom::ScanOptions& how);
+
+// What the benchmarks of the tracer have in common; `size` is the default.
+void addBenchStudyOptions(CLI::App& command, evaluate::BenchStudyOptions& options, int size);
+
+}  // namespace macula::cli

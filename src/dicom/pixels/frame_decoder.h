@@ -1,0 +1,64 @@
+// The frames of a stack, decoded on all cores, each to where it belongs.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "base/progress.h"
+#include "base/result.h"
+#include "dicom/pixels/intensity.h"
+#include "dicom/split/stack.h"
+
+namespace macula::dicom {
+
+enum class FrameState : std::uint8_t {
+    waiting,
+    decoded,
+    cutOff,      // the file ends before the frame does
+    damaged,     // or changed since the scan
+    unreadable,  // the file cannot be opened
+};
+
+class FrameDecoder {
+  public:
+    // Of each frame either `stored` or `values`, as plan.format says. All have to outlive the decoder.
+    struct Target {
+        std::span<std::uint16_t> stored;
+        std::span<float> values;
+    };
+
+    FrameDecoder(const Stack& stack, std::span<const SliceIntensity> intensities, const IntensityPlan& plan,
+                 std::span<const Target> targets);
+
+    // Frames in this order; a file with many frames is opened once by each thread. `onFirst` is called once,
+    // from a thread that decodes, when the first `count` of `order` are through, whether they could be
+    // decoded or not. Goes on when frames cannot be decoded; fails when memory runs out, or with cancelled.
+    Result<void> run(std::span<const std::size_t> order, std::size_t count,
+                     const std::function<void()>& onFirst, Progress& progress);
+
+    FrameState state(std::size_t frame) const { return states_[frame]; }
+    // Of a decoded frame: see intensity.h.
+    std::size_t cellsBeyondStoredBits(std::size_t frame) const { return beyondStoredBits_[frame]; }
+    std::size_t notFinite(std::size_t frame) const { return notFinite_[frame]; }
+    // Of the first frame, in the order of the stack, that could not be decoded.
+    std::optional<Error> failure() const;
+
+  private:
+    struct Worker;
+    Error decode(std::size_t frame, Worker& worker,
+                 const CancelToken& cancel);  // without a message when it went well
+
+    const Stack& stack_;
+    std::span<const SliceIntensity> intensities_;
+    const IntensityPlan& plan_;
+    std::span<const Target> targets_;
+    std::vector<FrameState> states_;  // each written by one thread, once
+    std::vector<Error> errors_;
+    std::vector<std::size_t> beyondStoredBits_;
+    std::vector<std::size_t> notFinite_;
+};
+
+}  // namespace macula::dicom

@@ -1,0 +1,115 @@
+// Reading headers. No file can make it throw, recurse, or take more memory than the header itself; where
+// there is no memory, std::bad_alloc is thrown.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/progress.h"
+#include "dicom/read/tags.h"
+
+namespace macula::dicom {
+
+enum class FileState {
+    complete,
+    notDicom,    // by its content; the extension plays no part
+    unreadable,  // cannot be opened or read
+    offline,     // its content is elsewhere, and cannot be had now: a cloud drive, a share, a tape
+    damaged,     // begins as DICOM, and cannot be parsed, or not without harm (see outline.h)
+    truncated,   // the header is whole, and the file ends inside the pixel data
+};
+
+struct HeaderFile;
+
+// Reads what stands before the pixel data; the pixels themselves are skipped, not read. Accepts files without
+// preamble and file meta information (PS3.10 7.1). Once `cancel` is cancelled, a deflated file seems to end.
+// Thread-safe.
+HeaderFile readHeader(const std::filesystem::path& file, const CancelToken& cancel = {});
+
+// A view of one file's data elements: of its top level, of an item, or of all that applies to one frame.
+// Immutable, cheap to copy, safe to read from several threads; keeps what it needs of the file alive.
+class Dataset {
+  public:
+    // The transfer syntax UID of the file meta information, or of what the file turned out to be without one.
+    const std::string& transferSyntaxUid() const;
+
+    // Present, and not empty.
+    bool has(Tag tag) const;
+
+    // All getters give nothing when the element is missing, empty, larger than 256 KiB, or does not hold what
+    // is asked for: never a default. Text is UTF-8 (converted from SpecificCharacterSet, PS3.3 C.12.1.1.2)
+    // without padding; text() keeps the backslashes between several values, texts() splits at them.
+    std::optional<std::string> text(Tag tag) const;
+    std::vector<std::string> texts(Tag tag) const;
+    // The same for what is read for every frame, and never long in a real file: nothing of values above 4
+    // KiB; at most 64 bytes; at most 16 values of 64 bytes.
+    std::string shortText(Tag tag) const;  // empty when there is none
+    std::vector<std::string> shortTexts(Tag tag) const;
+    std::vector<double> shortNumbers(Tag tag) const;  // as allNumbers
+    std::optional<double> number(Tag tag) const;      // finite
+    std::optional<std::vector<double>> numbers(Tag tag,
+                                               std::size_t count) const;  // exactly `count`, all finite
+    std::vector<double> allNumbers(Tag tag) const;  // every value; none when any of them is no number
+    std::optional<int> integer(Tag tag) const;
+    std::optional<std::uint16_t> word(Tag tag) const;  // the 16 bits of a US or SS, whichever the file says
+    std::vector<std::uint16_t> words(Tag tag) const;   // all of US, SS or OW; of bytes, two make one
+
+    // Some text of what this view shows (without what lies in sequences) is not in the character set that the
+    // file declares, and was read as what it most likely is: see character_set.h.
+    bool charsetFallback() const;
+
+    // The items of a sequence, in their order; none when it is missing or no sequence.
+    std::vector<Dataset> items(Tag sequence) const;
+
+    // What the file claims; 1 when it does not say (PS3.3 C.7.6.6).
+    int frameCount() const;
+    // All that applies to frame `i`, from 0 (PS3.3 C.7.6.16): the macros of its item of
+    // PerFrameFunctionalGroupsSequence, that item, the macros that all frames share, their item, and the top
+    // level, searched in this order until one has a value. Of each macro the first item. A frame that has no
+    // item is what the others are. Costs little, however many frames there are.
+    Dataset frame(int i) const;
+
+  private:
+    struct File;
+    struct Hit;
+    Dataset(std::shared_ptr<const File> file, std::vector<std::uint32_t> items);
+    Hit find(Tag tag) const;
+    friend HeaderFile readHeader(const std::filesystem::path& file, const CancelToken& cancel);
+
+    std::shared_ptr<const File> file_;
+    std::vector<std::uint32_t> items_;  // of the file's tree; the first that has a value is taken
+};
+
+// Where in the file the pixel data are.
+struct PixelDataExtent {
+    Tag tag{};                  // PixelData, FloatPixelData or DoubleFloatPixelData
+    bool encapsulated = false;  // as items of a sequence of fragments (PS3.5 A.4)
+    std::uint64_t offset =
+        0;  // of the value, or of the first item; in a deflated file, in what it inflates to
+    std::uint64_t bytesClaimed = 0;  // 0 when encapsulated
+    std::uint64_t bytesPresent = 0;  // of those; 0 when encapsulated
+};
+
+struct HeaderFile {
+    FileState state = FileState::notDicom;
+    std::optional<Dataset> header;                       // when complete or truncated
+    std::optional<std::uint64_t> nativePixelBytes = {};  // what the pixel data claim, unless encapsulated
+    bool strayBytes = false;  // something follows the pixel data that is no element
+    std::optional<PixelDataExtent> pixels = {};
+};
+
+// The 128 bytes and DICM of PS3.10 7.1 are there.
+bool hasPreamble(const std::filesystem::path& file);
+
+// Of a standard data element, as in PS3.6: "SliceThickness".
+std::optional<Tag> tagOfKeyword(std::string_view keyword);
+
+// offline or unreadable, by the errno of opening or reading a file.
+FileState stateOfFailure(int error);
+
+}  // namespace macula::dicom

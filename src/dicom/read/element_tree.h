@@ -1,0 +1,87 @@
+// The data elements of one header with their values, in flat arrays: no pointer, no recursion, and no memory
+// beyond that of the file itself.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "dicom/read/dictionary.h"
+#include "dicom/read/tag.h"
+
+namespace macula::dicom {
+
+struct Element {
+    Tag tag{};
+    Vr vr = 0;  // as the file says; 0 when it does not
+    bool bigEndian = false;
+    bool isSequence = false;
+    bool hasValue = false;     // false for what is too large to be kept, and for the pixel data
+    std::uint32_t length = 0;  // bytes of the value, or items of the sequence
+    std::uint32_t first = 0;   // where the value begins, or the number of the first item
+};
+
+// Filled by calls in the order of the file; every sequence and item that was opened has to be closed, and
+// finish() called, before anything is asked.
+class ElementTree {
+  public:
+    using ItemNumber = std::uint32_t;
+    static constexpr ItemNumber kNone = 0xFFFFFFFF;
+
+    ElementTree() { openItem(); }
+    void openItem();
+    void closeItem();
+    void openSequence(const Element& element);
+    void closeSequence();
+    void add(const Element& element) { openElements_.push_back(element); }
+    // Room for a value, to be filled at once; `element` is then added with it.
+    std::span<unsigned char> addValue(Element element);
+    // Closes what is still open.
+    void finish();
+
+    // What it takes, more or less.
+    std::size_t bytes() const {
+        return values_.size() + (elements_.size() + openElements_.size()) * sizeof(Element) +
+               (items_.size() + closedItems_.size()) * sizeof(Item);
+    }
+
+    ItemNumber root() const { return root_; }
+    // That an item is inside of; kNone for the root.
+    ItemNumber parent(ItemNumber item) const { return items_[item].parent; }
+    std::span<const Element> elements(ItemNumber item) const {
+        return {elements_.data() + items_[item].first, items_[item].count};  // sorted by tag
+    }
+    const Element* find(ItemNumber item, Tag tag) const;  // the first, should there be more; null when none
+    std::string_view value(const Element& element) const {
+        return element.hasValue ? std::string_view(values_).substr(element.first, element.length)
+                                : std::string_view();
+    }
+
+  private:
+    struct Item {
+        std::uint32_t first = 0;  // of elements_
+        std::uint32_t count = 0;
+        ItemNumber parent = kNone;
+    };
+    struct OpenSequence {
+        Element element;
+        std::size_t firstItem = 0;  // of closedItems_
+    };
+
+    ItemNumber place(const Item& item);
+
+    std::string values_;
+    std::vector<Element> elements_;
+    std::vector<Item> items_;
+    ItemNumber root_ = kNone;
+
+    // Of what is still open. The root is the first open item.
+    std::vector<Element> openElements_;
+    std::vector<std::size_t> openItems_;  // where in openElements_ they begin
+    std::vector<Item> closedItems_;       // of the open sequences
+    std::vector<OpenSequence> openSequences_;
+};
+
+}  // namespace macula::dicom

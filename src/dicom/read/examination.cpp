@@ -1,0 +1,110 @@
+#include "dicom/read/examination.h"
+
+#include <algorithm>
+
+#include "dicom/read/sop_class.h"
+#include "dicom/read/transfer_syntax.h"
+
+namespace macula::dicom {
+
+namespace {
+
+// What one frame takes in uncompressed pixel data; 0 when the file does not say.
+std::uint64_t bitsPerFrame(const Instance& instance, const Dataset& header) {
+    const int bits = header.integer(tag::kBitsAllocated).value_or(0);
+    if (instance.rows <= 0 || instance.columns <= 0 || bits <= 0 || bits > 64) return 0;
+    // Two pixels share their chroma samples: PS3.3 C.7.6.3.1.2.
+    const bool halfChroma = instance.photometricInterpretation.ends_with("_422");
+    const int samples = halfChroma ? 2 : std::clamp(instance.samplesPerPixel, 1, 4);
+    return static_cast<std::uint64_t>(instance.rows) * static_cast<std::uint64_t>(instance.columns) *
+           static_cast<std::uint64_t>(samples) * static_cast<std::uint64_t>(bits);
+}
+
+// Frames after the end of the file are dropped. An image that loses all of them is truncated.
+void dropFramesCutOff(Examination& found, const HeaderFile& read) {
+    if (!read.pixels) return;
+    const PixelDataExtent& pixels = *read.pixels;
+    if (pixels.encapsulated) {
+        // Which frames are whole is seen when they are decoded; of a single one it is clear.
+        if (found.state == FileState::truncated && found.frames.size() > 1) found.state = FileState::complete;
+        return;
+    }
+    const std::uint64_t bits = bitsPerFrame(*found.frames.front().instance, *read.header);
+    if (bits == 0) return;
+    const std::uint64_t whole = 8 * pixels.bytesPresent / bits;
+    if (whole >= found.frames.size()) {
+        if (found.state == FileState::truncated)
+            found.state = FileState::complete;  // only padding is missing
+        return;
+    }
+    found.frames.erase(found.frames.begin() + static_cast<std::ptrdiff_t>(whole), found.frames.end());
+    found.state = found.frames.empty() ? FileState::truncated : FileState::complete;
+}
+
+// An empty one is absent.
+bool hasInvalidFrameCount(const Dataset& header) {
+    const auto count = header.text(tag::kNumberOfFrames);
+    if (!count || count->find_first_not_of(' ') == std::string::npos) return false;
+    return !header.integer(tag::kNumberOfFrames);
+}
+
+OtherObject readObject(const std::filesystem::path& file, const Dataset& header,
+                       const std::string& sopClass) {
+    OtherObject object{.file = file, .sopClassUid = sopClass, .kind = describeSopClass(sopClass)};
+    for (const Dataset& item : header.items(tag::kReferencedSeries)) {
+        if (auto uid = item.text(tag::kSeriesInstanceUid))
+            object.referencedSeriesUids.push_back(std::move(*uid));
+    }
+    std::sort(object.referencedSeriesUids.begin(), object.referencedSeriesUids.end());
+    return object;
+}
+
+}  // namespace
+
+Examination examine(const std::filesystem::path& file, const CancelToken& cancel) {
+    Examination found;
+    const HeaderFile read = readHeader(file, cancel);
+    found.state = read.state;
+    if (!read.header) return found;
+    const Dataset& header = *read.header;
+    const auto text = [&](Tag tag) { return header.text(tag).value_or(""); };
+    const std::string sopClass = text(tag::kSopClassUid);
+    if (sopClass == sop_class::kMediaDirectory || header.has(tag::kDirectoryRecords)) {
+        found.kind = Examination::Kind::directory;
+        return found;
+    }
+    found.studyInstanceUid = text(tag::kStudyInstanceUid);
+    found.studyDate = text(tag::kStudyDate);
+    found.studyDescription = text(tag::kStudyDescription);
+    found.patientName = text(tag::kPatientName);
+    found.patient = patientIdentity(header);
+    found.seriesInstanceUid = text(tag::kSeriesInstanceUid);
+    found.modality = text(tag::kModality);
+    found.seriesDescription = text(tag::kSeriesDescription);
+    found.patientPosition = text(tag::kPatientPosition);
+    found.seriesNumber = header.integer(tag::kSeriesNumber);
+
+    const bool hasImage = header.has(tag::kRows) && header.has(tag::kColumns) && !isSegmentation(sopClass) &&
+                          sopClass != sop_class::kMrSpectroscopy;
+    if (!hasImage && isImage(sopClass)) {
+        found.state = FileState::damaged;  // cut off before them, at the border of two elements
+    } else if (!hasImage) {
+        found.kind = Examination::Kind::other;
+        found.object = readObject(file, header, sopClass);
+    } else if (!read.pixels) {
+        found.kind = Examination::Kind::imageWithoutPixels;
+    } else if (hasInvalidFrameCount(header)) {
+        found.kind = Examination::Kind::image;
+        found.invalidFrameCount = true;
+    } else {
+        found.kind = Examination::Kind::image;
+        found.frames = readFrames(file, read);
+        const auto claimed = static_cast<std::size_t>(found.frames.front().instance->framesClaimed);
+        dropFramesCutOff(found, read);
+        found.framesMissing = claimed - found.frames.size();
+    }
+    found.charsetFallback = header.charsetFallback();
+    return found;
+}
+
+}  // namespace macula::dicom

@@ -1,0 +1,87 @@
+#include "dicom/read/frame_plane.h"
+
+#include <cmath>
+
+namespace macula::dicom {
+
+namespace {
+
+// Between rows, between columns; and where it was taken from.
+struct Spacing {
+    std::vector<double> mm;
+    PixelSpacingSource source = PixelSpacingSource::none;
+};
+
+Spacing readSpacing(const Dataset& frame) {
+    if (const auto mm = frame.numbers(tag::kPixelSpacing, 2)) return {*mm, PixelSpacingSource::pixelSpacing};
+    if (auto mm = frame.numbers(tag::kImagerPixelSpacing, 2)) {
+        // At the detector; at the patient it is smaller by the magnification (PS3.3 C.8.7.10).
+        if (const auto magnification = frame.number(tag::kEstimatedMagnification);
+            magnification && *magnification > 0.0) {
+            for (double& value : *mm) value /= *magnification;
+        }
+        return {*mm, PixelSpacingSource::imagerPixelSpacing};
+    }
+    if (const auto mm = frame.numbers(tag::kNominalScannedPixelSpacing, 2)) {
+        return {*mm, PixelSpacingSource::nominalScannedPixelSpacing};
+    }
+    return {};
+}
+
+}  // namespace
+
+std::vector<double> frameOffsetsMm(const Dataset& header) {
+    // RT Dose: distances from the first plane along the normal (PS3.3 C.8.8.3.2).
+    std::vector<double> offsets = header.allNumbers(tag::kGridFrameOffsetVector);
+    if (!offsets.empty()) {
+        // Either distances from the first, or z coordinates of axial planes, whose normal may point to -z.
+        const auto position = header.numbers(tag::kImagePositionPatient, 3);
+        const auto orientation = header.numbers(tag::kImageOrientationPatient, 6);
+        const double first = offsets[0];
+        const bool areZ = first != 0.0 && position && std::abs((*position)[2] - first) < 1e-3;
+        const double normalZ =
+            orientation ? (*orientation)[0] * (*orientation)[4] - (*orientation)[1] * (*orientation)[3] : 1.0;
+        const double sign = areZ && normalZ < 0.0 ? -1.0 : 1.0;
+        for (double& offset : offsets) offset = sign * (offset - first);
+        return offsets;
+    }
+    // Nuclear medicine: the frame's slice number from 1, and a signed distance (PS3.3 C.8.4.15).
+    offsets = header.allNumbers(tag::kSliceVector);
+    const auto step = header.number(tag::kSpacingBetweenSlices);
+    if (!step) return {};
+    for (double& offset : offsets) offset = (offset - 1.0) * *step;
+    return offsets;
+}
+
+void readPlane(const Dataset& header, const Dataset& dataset, double offsetMm, Frame& frame) {
+    auto position = dataset.numbers(tag::kImagePositionPatient, 3);
+    auto orientation = dataset.numbers(tag::kImageOrientationPatient, 6);
+    if (!position && !orientation) {
+        // Nuclear medicine keeps them with the detector (PS3.3 C.8.4.11).
+        if (const auto detectors = header.items(tag::kDetectorInformation); !detectors.empty()) {
+            position = detectors.front().numbers(tag::kImagePositionPatient, 3);
+            orientation = detectors.front().numbers(tag::kImageOrientationPatient, 6);
+        }
+    }
+    frame.hasOrientation = orientation.has_value();
+    frame.sliceLocation = dataset.number(tag::kSliceLocation);
+    if (const auto thickness = dataset.number(tag::kSliceThickness); thickness && *thickness > 0.0)
+        frame.sliceThicknessMm = thickness;
+    const Spacing spacing = readSpacing(dataset);
+    frame.spacingSource = spacing.source;
+    if (!position) return;
+    frame.positionMm = glm::dvec3((*position)[0], (*position)[1], (*position)[2]);
+    if (!orientation) return;
+    const std::vector<double>& o = *orientation;
+    const glm::dvec3 row{o[0], o[1], o[2]};
+    const glm::dvec3 column{o[3], o[4], o[5]};
+    *frame.positionMm += offsetMm * glm::cross(row, column);
+    if (spacing.source == PixelSpacingSource::none) return;
+    frame.plane = ImagePlane{.positionMm = *frame.positionMm,
+                             .rowDirection = row,
+                             .columnDirection = column,
+                             .columnSpacingMm = spacing.mm[1],  // the first is between rows: PS3.3 10.7.1.3
+                             .rowSpacingMm = spacing.mm[0]};
+}
+
+}  // namespace macula::dicom

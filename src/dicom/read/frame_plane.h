@@ -1,0 +1,15 @@
+// Where a frame lies in the patient, as its data set says (PS3.3 C.7.6.2, C.7.6.16.2.3, C.7.6.16.2.4).
+#pragma once
+
+#include "dicom/read/instance.h"
+
+namespace macula::dicom {
+
+// Of objects that keep one position for all frames: how far each lies from it along the normal. Empty for
+// others.
+std::vector<double> frameOffsetsMm(const Dataset& header);
+
+// Fills in what belongs to it. `header` is the file's top level, `dataset` the frame's.
+void readPlane(const Dataset& header, const Dataset& dataset, double offsetMm, Frame& frame);
+
+}  // namespace macula::dicom

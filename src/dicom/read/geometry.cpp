@@ -1,0 +1,289 @@
+#include "dicom/read/geometry.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace macula::dicom {
+
+namespace {
+
+constexpr double kDirectionTolerance = 1e-3;  // of unit length and perpendicularity
+constexpr double kExactDirection = 1e-4;      // files often have 5 or 6 decimals; beyond this it is repaired
+constexpr double kSameDirection = 1e-4;       // per component, between slices
+constexpr double kSameSpacing = 1e-4;         // relative
+// No patient is as far away, and no pixel as small or large; beyond, sums of positions would lose the slices.
+constexpr double kMostMm = 1e7;
+constexpr double kLeastSpacingMm = 1e-6;
+constexpr double kMostSpacingMm = 1e5;
+constexpr double kUnevenErrorOfStep = 0.01;     // error of a slice's position that is worth telling
+constexpr double kIrregularErrorOfStep = 0.10;  // and the one above which slices are resampled
+constexpr double kExactOfStep = 0.01;           // a resampled slice this near to a plane is that plane
+constexpr double kTiltWorthTellingDeg = 0.1;
+constexpr double kMostTiltDeg = 60.0;  // no gantry tilts by 30
+constexpr double kDegPerRad = 57.29577951308232;
+
+bool near(const glm::dvec3& a, const glm::dvec3& b) {
+    const glm::dvec3 d = glm::abs(a - b);
+    return std::max({d.x, d.y, d.z}) <= kSameDirection;
+}
+
+bool near(double a, double b) {
+    return std::abs(a - b) <= kSameSpacing * std::max(std::abs(a), std::abs(b));
+}
+
+std::optional<Message> inconsistency(std::span<const StackedPlane> planes) {
+    const ImagePlane& first = planes[0].plane;
+    for (const StackedPlane& other : planes) {
+        if (!isUsable(other.plane)) return message(key::kInvalidOrientation);
+        if (!near(first.rowDirection, other.plane.rowDirection) ||
+            !near(first.columnDirection, other.plane.columnDirection)) {
+            return message(key::kNotParallel);
+        }
+        if (!near(first.columnSpacingMm, other.plane.columnSpacingMm) ||
+            !near(first.rowSpacingMm, other.plane.rowSpacingMm)) {
+            return message(key::kNotReconstructable, {{"reason", "their pixel spacings differ"}});
+        }
+    }
+    return {};
+}
+
+// Row and column as they are when they are as good as perpendicular unit vectors, else made so: the row kept,
+// the column turned.
+ImagePlane orthonormal(ImagePlane plane, std::vector<Message>& messages) {
+    const double dot = glm::dot(plane.rowDirection, plane.columnDirection);
+    const double worst = std::max({std::abs(dot), std::abs(glm::length(plane.rowDirection) - 1.0),
+                                   std::abs(glm::length(plane.columnDirection) - 1.0)});
+    if (worst <= kExactDirection) return plane;
+    plane.rowDirection = glm::normalize(plane.rowDirection);
+    plane.columnDirection = glm::normalize(
+        plane.columnDirection - glm::dot(plane.rowDirection, plane.columnDirection) * plane.rowDirection);
+    messages.push_back(message(key::kRepairedOrientation, {{"error", worst}}));
+    return plane;
+}
+
+// Positions along the stack, ascending, and the distances between them.
+struct Positions {
+    std::vector<double> alongMm;
+    std::vector<double> stepsMm;
+    double usualMm = 0.0;  // the median distance
+};
+
+// The grid place of each position when all distances are multiples of the usual one; nothing otherwise.
+std::optional<std::vector<std::size_t>> placesWithGaps(const Positions& positions) {
+    std::vector<std::size_t> places{0};
+    for (const double step : positions.stepsMm) {
+        const double multiple = std::round(step / positions.usualMm);
+        // The allowance does not grow with the gap: many irregular distances are near some multiple.
+        if (multiple < 1.0 || multiple > 1e6 ||
+            std::abs(step / positions.usualMm - multiple) > kIrregularErrorOfStep) {
+            return {};
+        }
+        places.push_back(places.back() + static_cast<std::size_t>(multiple));
+    }
+    const double gridStep = (positions.alongMm.back() - positions.alongMm.front()) / double(places.back());
+    for (std::size_t k = 0; k < places.size(); ++k) {
+        const double error = positions.alongMm[k] - positions.alongMm.front() - gridStep * double(places[k]);
+        if (std::abs(error) > kIrregularErrorOfStep * positions.usualMm) return {};
+    }
+    return places;
+}
+
+std::vector<SliceSource> slicesWithGaps(const std::vector<std::size_t>& places) {
+    std::vector<SliceSource> slices{{0, 0, 0.0}};
+    for (std::size_t k = 1; k < places.size(); ++k) {
+        const std::size_t steps = places[k] - places[k - 1];
+        for (std::size_t s = 1; s < steps; ++s) slices.push_back({k - 1, k, double(s) / double(steps)});
+        slices.push_back({k, k, 0.0});
+    }
+    return slices;
+}
+
+// `count` slices, evenly from the first position to the last.
+std::vector<SliceSource> slicesEvenly(const Positions& positions, std::size_t count) {
+    const double first = positions.alongMm.front();
+    const double step = (positions.alongMm.back() - first) / double(count - 1);
+    std::vector<SliceSource> slices;
+    std::size_t below = 0;
+    for (std::size_t s = 0; s < count; ++s) {
+        const double at = first + step * double(s);
+        while (below + 2 < positions.alongMm.size() && positions.alongMm[below + 1] <= at) ++below;
+        const double weight =
+            std::clamp((at - positions.alongMm[below]) / positions.stepsMm[below], 0.0, 1.0);
+        const double toleranceOfGap = kExactOfStep * step / positions.stepsMm[below];
+        // Of two planes that lie close both may be near enough: the nearer is meant.
+        if (std::min(weight, 1.0 - weight) <= toleranceOfGap) {
+            const std::size_t nearest = weight <= 0.5 ? below : below + 1;
+            slices.push_back({nearest, nearest, 0.0});
+        } else {
+            slices.push_back({below, below + 1, weight});
+        }
+    }
+    return slices;
+}
+
+// "5, 9-11": slices counted from 1, as they are on screen.
+std::string listInterpolated(const std::vector<SliceSource>& slices) {
+    std::string list;
+    for (std::size_t k = 0; k < slices.size();) {
+        std::size_t end = k;
+        while (end < slices.size() && slices[end].interpolated()) ++end;
+        if (end > k) {
+            if (list.size() > 100) return list + ", …";
+            list += fmt::format("{}{}", list.empty() ? "" : ", ", k + 1);
+            if (end > k + 1) list += fmt::format("-{}", end);
+        }
+        k = end + 1;
+    }
+    return list;
+}
+
+}  // namespace
+
+bool isUsable(const ImagePlane& plane) {
+    const auto within = [](double value, double target) {
+        return std::abs(value - target) <= kDirectionTolerance;
+    };
+    const auto isNear = [](double mm) { return std::abs(mm) <= kMostMm; };  // false for what is no number
+    const auto isSpacing = [](double mm) { return mm >= kLeastSpacingMm && mm <= kMostSpacingMm; };
+    return within(glm::length(plane.rowDirection), 1.0) && within(glm::length(plane.columnDirection), 1.0) &&
+           within(glm::dot(plane.rowDirection, plane.columnDirection), 0.0) &&
+           isSpacing(plane.columnSpacingMm) && isSpacing(plane.rowSpacingMm) && isNear(plane.positionMm.x) &&
+           isNear(plane.positionMm.y) && isNear(plane.positionMm.z);
+}
+
+StackGeometry stackPlanes(std::span<const StackedPlane> planes) {
+    StackGeometry stack;
+    stack.order.resize(planes.size());
+    std::iota(stack.order.begin(), stack.order.end(), std::size_t{0});
+    if (planes.empty()) return stack;
+
+    const glm::dvec3 normal = planes[0].plane.normal();
+    std::vector<double> along;
+    for (const StackedPlane& p : planes) along.push_back(glm::dot(p.plane.positionMm, normal));
+    const bool sortable = std::all_of(along.begin(), along.end(), [](double a) { return std::isfinite(a); });
+    std::stable_sort(stack.order.begin(), stack.order.end(), [&](std::size_t a, std::size_t b) {
+        if (sortable && along[a] != along[b]) return along[a] < along[b];
+        return planes[a].instanceNumber < planes[b].instanceNumber;
+    });
+
+    const auto fail = [&](Message why) {
+        stack.messages.push_back(std::move(why));
+        return stack;
+    };
+    if (auto problem = inconsistency(planes)) return fail(std::move(*problem));
+    if (planes.size() < 2) return fail(message(key::kSingleSlice));
+
+    Positions positions;
+    for (const std::size_t index : stack.order) positions.alongMm.push_back(along[index]);
+    for (std::size_t k = 1; k < planes.size(); ++k) {
+        positions.stepsMm.push_back(positions.alongMm[k] - positions.alongMm[k - 1]);
+    }
+    const std::vector<double>& steps = positions.stepsMm;
+    const auto duplicates =
+        std::count_if(steps.begin(), steps.end(), [](double s) { return s <= kSamePositionMm; });
+    if (duplicates > 0) {
+        return fail(message(key::kDuplicatePositions,
+                            {{"count", std::int64_t(duplicates)}, {"total", std::int64_t(planes.size())}}));
+    }
+    std::vector<double> sorted = steps;
+    std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2),
+                     sorted.end());
+    positions.usualMm = sorted[sorted.size() / 2];
+
+    const ImagePlane first = orthonormal(planes[stack.order.front()].plane, stack.messages);
+    const glm::dvec3 extent = planes[stack.order.back()].plane.positionMm - first.positionMm;
+    const double extentAlong = positions.alongMm.back() - positions.alongMm.front();
+
+    // Sideways every plane has to lie on the line from the first to the last, however they are spaced.
+    double largestSideways = 0.0;
+    for (std::size_t k = 0; k < planes.size(); ++k) {
+        const double share = (positions.alongMm[k] - positions.alongMm.front()) / extentAlong;
+        const glm::dvec3 error =
+            planes[stack.order[k]].plane.positionMm - (first.positionMm + share * extent);
+        largestSideways = std::max(largestSideways, glm::length(error));
+    }
+    if (largestSideways > kIrregularErrorOfStep * std::max(positions.usualMm, first.columnSpacingMm)) {
+        return fail(
+            message(key::kNotReconstructable, {{"reason", "they are shifted sideways against each other"}}));
+    }
+
+    if (!isInvertibleAffine(affine(first.rowDirection, first.columnDirection, extent, first.positionMm))) {
+        return fail(message(key::kNotReconstructable, {{"reason", "they lie beside each other"}}));
+    }
+
+    const auto [least, most] = std::minmax_element(steps.begin(), steps.end());
+    if (const auto places = placesWithGaps(positions)) {
+        const std::size_t total = places->back() + 1;
+        if (total > 2 * planes.size()) {
+            return fail(message(key::kMissingSlices, Severity::blocksVolume,
+                                {{"missing", std::int64_t(total - planes.size())},
+                                 {"total", std::int64_t(total)},
+                                 {"spacingMm", positions.usualMm}}));
+        }
+        stack.slices = slicesWithGaps(*places);
+    } else {
+        // Fine enough for the smallest distance, and bounded: one pair of almost equal positions among wide
+        // distances must not make a volume of thousands of slices, and a wide gap none of melted ones.
+        constexpr double kMostSlicesPerPlane = 4.0;
+        const double wantedMm =
+            std::clamp(*least, positions.usualMm / kMostSlicesPerPlane, positions.usualMm);
+        const double gridSteps = std::ceil(extentAlong / wantedMm - 1e-6);
+        constexpr double kWideGapOfStep = 8.0;
+        if (*most > kWideGapOfStep * positions.usualMm ||
+            !(gridSteps <= kMostSlicesPerPlane * double(planes.size()))) {
+            return fail(message(key::kSpacingTooIrregular, {{"leastMm", *least}, {"mostMm", *most}}));
+        }
+        stack.slices = slicesEvenly(positions, static_cast<std::size_t>(gridSteps) + 1);
+        stack.quality = StackGeometry::Quality::resampled;
+    }
+    const double gridStepMm = extentAlong / double(stack.slices.size() - 1);
+    const auto interpolated = static_cast<std::size_t>(std::count_if(
+        stack.slices.begin(), stack.slices.end(), [](const auto& s) { return s.interpolated(); }));
+    if (stack.quality == StackGeometry::Quality::resampled) {
+        stack.messages.push_back(message(
+            key::kIrregularSpacing, {{"leastMm", *least}, {"mostMm", *most}, {"spacingMm", gridStepMm}}));
+    } else if (interpolated > 0) {
+        stack.messages.push_back(message(key::kMissingSlices, {{"missing", std::int64_t(interpolated)},
+                                                               {"total", std::int64_t(stack.slices.size())},
+                                                               {"spacingMm", gridStepMm}}));
+        stack.quality = StackGeometry::Quality::resampled;
+    } else {
+        stack.quality = StackGeometry::Quality::even;
+    }
+    if (interpolated > 0) {
+        stack.messages.push_back(
+            message(key::kGapInterpolated,
+                    {{"count", std::int64_t(interpolated)}, {"slices", listInterpolated(stack.slices)}}));
+    }
+
+    const glm::dvec3 sliceStep = extent / double(stack.slices.size() - 1);
+    for (std::size_t k = 0; k < stack.slices.size(); ++k) {
+        if (stack.slices[k].interpolated()) continue;
+        const glm::dvec3 error = planes[stack.order[stack.slices[k].below]].plane.positionMm -
+                                 (first.positionMm + double(k) * sliceStep);
+        stack.largestErrorMm = std::max(stack.largestErrorMm, glm::length(error));
+    }
+    if (stack.largestErrorMm > kUnevenErrorOfStep * gridStepMm) {
+        stack.messages.push_back(message(key::kUnevenSpacing, {{"errorMm", stack.largestErrorMm}}));
+    }
+    const double cosTilt =
+        std::clamp(glm::dot(glm::normalize(sliceStep), glm::normalize(first.normal())), -1.0, 1.0);
+    const double tiltDeg = std::acos(cosTilt) * kDegPerRad;
+    if (tiltDeg > kMostTiltDeg) {
+        stack.quality = StackGeometry::Quality::none;
+        stack.slices.clear();
+        return fail(message(key::kNotReconstructable,
+                            {{"reason", "each is shifted sideways against the one before"}}));
+    }
+    if (tiltDeg > kTiltWorthTellingDeg) {
+        stack.messages.push_back(message(key::kTiltedStack, {{"degrees", tiltDeg}}));
+    }
+    stack.worldFromVoxel = affine(first.rowDirection * first.columnSpacingMm,
+                                  first.columnDirection * first.rowSpacingMm, sliceStep, first.positionMm);
+    return stack;
+}
+
+}  // namespace macula::dicom

@@ -1,0 +1,84 @@
+// One image file and its frames, as the header describes them. Enhanced multi-frame objects and single-frame
+// ones come out the same: each frame has its own plane, values and attributes (PS3.3 C.7.6.16).
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "dicom/pixels/intensity.h"
+#include "dicom/read/dataset.h"
+#include "dicom/read/geometry.h"
+#include "dicom/read/suv.h"
+
+namespace macula::dicom {
+
+// An optional is empty when the file does not say, or says nonsense. Paths and UIDs may name a patient: never
+// logged.
+
+// What all frames of a file share.
+struct Instance {
+    std::filesystem::path file;
+    std::string sopClassUid;
+    std::string sopInstanceUid;
+    std::string transferSyntaxUid;
+    std::string photometricInterpretation;
+    std::string modality;
+    std::optional<int> instanceNumber;
+    int columns = 0;
+    int rows = 0;
+    int frames = 1;
+    int framesClaimed = 1;  // by NumberOfFrames; more than the file has room for when it is cut off
+    int samplesPerPixel = 1;
+    std::optional<CellFormat> format;
+    bool multiFrame = false;        // NumberOfFrames is there: positions may lie in functional groups
+    bool greyscaleAssumed = false;  // PhotometricInterpretation is missing, as in ACR-NEMA files
+    bool lossy = false;             // compressed with loss, now or before
+    bool strayBytes = false;        // see HeaderFile
+    bool overlayInPixels = false;   // bits outside the stored ones are an overlay (retired: PS3.3 2004 C.9.2)
+    Suv suv;
+    std::string concatenationUid;  // PS3.3 C.7.6.16.2.2.4; empty when the file is no part of one
+    int concatenationTotal = 0;    // 0: not said
+};
+
+// Where the size of a pixel was taken from. All but the first are worse than a calibrated one (PS3.3 10.7).
+enum class PixelSpacingSource { none, pixelSpacing, imagerPixelSpacing, nominalScannedPixelSpacing };
+
+struct Frame {
+    std::shared_ptr<const Instance> instance;
+    int number = 0;  // of the file's frames, from 0
+
+    std::vector<std::string> imageType;  // of the frame, where frames have their own
+    std::string frameOfReferenceUid;
+    std::optional<glm::dvec3> positionMm;
+    std::optional<ImagePlane> plane;  // needs position, orientation and pixel spacing
+    bool hasOrientation = false;
+    PixelSpacingSource spacingSource = PixelSpacingSource::none;
+    std::optional<double> sliceLocation;
+    std::optional<double> sliceThicknessMm;  // above 0; plays no part in where slices lie
+
+    std::optional<double> slope;  // of RescaleSlope, or of the real world value mapping
+    std::optional<double> intercept;
+    bool rescaleInvalid = false;  // present, and not usable: no number, or a slope of 0
+    std::string rescaleType;      // also the unit of the real world value mapping, and of the modality LUT
+    std::string units;            // of PET (0054,1001)
+    bool realWorld = false;       // slope and intercept are of a real world value mapping
+    std::shared_ptr<const ModalityLut> modalityLut;  // then slope and intercept are not used
+    bool modalityLutInvalid = false;
+    std::optional<RawRange> padding;
+    std::optional<ValueRange> floatPadding;
+    std::vector<DisplayWindow> windows;
+    bool windowInvalid = false;
+
+    std::vector<std::string> attributes;  // of splitRules()
+};
+
+// From a header that has Rows and Columns; one entry per frame of the file, at least one.
+std::vector<Frame> readFrames(const std::filesystem::path& file, const HeaderFile& read);
+
+// What intensity.h needs, with 1 and 0 for a missing slope and intercept (stack.h tells of that).
+SliceIntensity sliceIntensity(const Frame& frame);
+
+}  // namespace macula::dicom

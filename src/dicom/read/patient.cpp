@@ -1,0 +1,36 @@
+#include "dicom/read/patient.h"
+
+#include <algorithm>
+
+namespace macula::dicom {
+
+std::string normalisedName(std::string_view name) {
+    // The first representation that is there: files in ideographic characters only may leave it empty.
+    while (name.starts_with('=')) name.remove_prefix(1);
+    name = name.substr(0, name.find('='));
+    std::string result;
+    for (const char c : name) {
+        if (c == ' ' && (result.empty() || result.back() == '^' || result.back() == ' ')) continue;
+        if (c == '^') {
+            while (result.ends_with(' ')) result.pop_back();
+        }
+        // By hand: std::tolower asks the locale, which must not decide who is who.
+        result += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    }
+    while (result.ends_with('^') || result.ends_with(' ')) result.pop_back();
+    return result;
+}
+
+PatientIdentity patientIdentity(const Dataset& header) {
+    const auto text = [&](Tag tag) { return header.text(tag).value_or(""); };
+    PatientIdentity patient{.id = text(tag::kPatientId),
+                            .name = normalisedName(text(tag::kPatientName)),
+                            .birthDate = text(tag::kPatientBirthDate),
+                            .sex = text(tag::kPatientSex)};
+    std::erase(patient.birthDate, '.');  // 2000.01.01, of before DICOM 3: PS3.5 6.2 note to DA
+    std::transform(patient.sex.begin(), patient.sex.end(), patient.sex.begin(),
+                   [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
+    return patient;
+}
+
+}  // namespace macula::dicom

@@ -1,0 +1,59 @@
+#include "dicom/read/quiet_toolkit.h"
+
+#include <dcmtk/config/osconfig.h>
+#include <dcmtk/oflog/appender.h>
+#include <dcmtk/oflog/oflog.h>
+#include <dcmtk/oflog/spi/filter.h>
+
+#include <mutex>
+
+namespace macula::dicom {
+
+namespace {
+
+namespace toolkit = dcmtk::log4cplus;
+
+thread_local int quiet = 0;
+
+// An event is handed to its appenders in the thread that it comes from.
+class OfThisThread : public toolkit::spi::Filter {
+  public:
+    toolkit::spi::FilterResult decide(const toolkit::spi::InternalLoggingEvent& /*event*/) const override {
+        return quiet > 0 ? toolkit::spi::DENY : toolkit::spi::NEUTRAL;
+    }
+};
+
+bool isThere(toolkit::spi::FilterPtr filter) {
+    for (; filter.get() != nullptr; filter = filter->next) {
+        if (dynamic_cast<const OfThisThread*>(filter.get()) != nullptr) return true;
+    }
+    return false;
+}
+
+// First in the chain of each appender: those of a host may come and go.
+void installFilters() {
+    for (const toolkit::SharedAppenderPtr& appender : toolkit::Logger::getRoot().getAllAppenders()) {
+        const toolkit::thread::MutexGuard lock(appender->access_mutex);
+        if (isThere(appender->getFilter())) continue;
+        const toolkit::spi::FilterPtr filter(new OfThisThread);
+        filter->next = appender->getFilter();
+        appender->setFilter(filter);
+    }
+}
+
+}  // namespace
+
+QuietToolkit::QuietToolkit() {
+    if (quiet++ == 0) installFilters();
+}
+
+QuietToolkit::~QuietToolkit() {
+    --quiet;
+}
+
+void silenceToolkit() {
+    static std::once_flag once;
+    std::call_once(once, [] { OFLog::configure(OFLogger::OFF_LOG_LEVEL); });
+}
+
+}  // namespace macula::dicom

@@ -1,0 +1,88 @@
+#include "dicom/read/sop_class.h"
+
+#include <algorithm>
+#include <array>
+
+namespace macula::dicom {
+
+namespace {
+
+struct Kind {
+    std::string_view root;  // the UID, or what it begins with when it ends in a dot
+    std::string_view name;
+    bool projection = false;
+};
+
+constexpr std::array kKinds = std::to_array<Kind>({
+    {"1.2.840.10008.5.1.4.1.1.1", "Computed radiography image", true},
+    {"1.2.840.10008.5.1.4.1.1.1.1", "Digital X-ray image", true},
+    {"1.2.840.10008.5.1.4.1.1.1.1.1", "Digital X-ray image, unprocessed", true},
+    {"1.2.840.10008.5.1.4.1.1.1.2", "Mammography image", true},
+    {"1.2.840.10008.5.1.4.1.1.1.2.1", "Mammography image, unprocessed", true},
+    {"1.2.840.10008.5.1.4.1.1.1.3", "Intra-oral X-ray image", true},
+    {"1.2.840.10008.5.1.4.1.1.12.1", "X-ray angiographic image", true},
+    {"1.2.840.10008.5.1.4.1.1.12.1.1", "Enhanced X-ray angiographic image", true},
+    {"1.2.840.10008.5.1.4.1.1.12.2", "X-ray radiofluoroscopic image", true},
+    {"1.2.840.10008.5.1.4.1.1.12.2.1", "Enhanced X-ray radiofluoroscopic image", true},
+    {"1.2.840.10008.5.1.4.1.1.77.1.", "Visible light image", true},
+    {"1.2.840.10008.5.1.4.1.1.3.1", "Ultrasound clip", false},
+    {"1.2.840.10008.5.1.4.1.1.6.1", "Ultrasound image", false},
+    {"1.2.840.10008.5.1.4.1.1.88.59", "Key object selection", false},
+    {"1.2.840.10008.5.1.4.1.1.88.", "Structured report", false},
+    {"1.2.840.10008.5.1.4.1.1.11.", "Presentation state", false},
+    {"1.2.840.10008.5.1.4.1.1.9.", "Waveform", false},
+    {"1.2.840.10008.5.1.4.1.1.66", "Raw data", false},
+    {"1.2.840.10008.5.1.4.1.1.66.1", "Spatial registration", false},
+    {"1.2.840.10008.5.1.4.1.1.66.2", "Spatial fiducials", false},
+    {"1.2.840.10008.5.1.4.1.1.66.3", "Deformable spatial registration", false},
+    {"1.2.840.10008.5.1.4.1.1.66.4", "Segmentation", false},
+    {"1.2.840.10008.5.1.4.1.1.66.5", "Surface segmentation", false},
+    {"1.2.840.10008.5.1.4.1.1.66.6", "Tractography", false},
+    {"1.2.840.10008.5.1.4.1.1.66.7", "Label map segmentation", false},
+    {"1.2.840.10008.5.1.4.1.1.67", "Real world value mapping", false},
+    {"1.2.840.10008.5.1.4.1.1.4.2", "MR spectroscopy", false},
+    {"1.2.840.10008.5.1.4.1.1.104.1", "PDF document", false},
+    {"1.2.840.10008.5.1.4.1.1.104.2", "CDA document", false},
+    {"1.2.840.10008.5.1.4.1.1.104.", "Document", false},
+    {"1.2.840.10008.5.1.4.1.1.481.3", "Radiotherapy structure set", false},
+    {"1.2.840.10008.5.1.4.1.1.481.5", "Radiotherapy plan", false},
+    {"1.2.840.10008.5.1.4.1.1.481.", "Radiotherapy object", false},
+});
+
+const Kind* kindOf(std::string_view uid) {
+    const auto found = std::find_if(kKinds.begin(), kKinds.end(), [&](const Kind& kind) {
+        return kind.root.ends_with('.') ? uid.starts_with(kind.root) : uid == kind.root;
+    });
+    return found == kKinds.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+bool isSegmentation(std::string_view sopClassUid) {
+    return sopClassUid == sop_class::kSegmentation || sopClassUid == sop_class::kLabelMapSegmentation;
+}
+
+bool isImage(std::string_view sopClassUid) {
+    static constexpr std::array kImages = std::to_array<std::string_view>(
+        {"2",     "2.1",   "2.2", "4",   "4.1", "4.3", "4.4", "20",  "128", "128.1", "130",
+         "481.1", "481.2", "3.1", "6.1", "6.2", "7",   "7.1", "7.2", "7.3", "7.4"});
+    constexpr std::string_view kRoot = "1.2.840.10008.5.1.4.1.1.";
+    if (isProjection(sopClassUid)) return true;
+    return sopClassUid.starts_with(kRoot) &&
+           std::find(kImages.begin(), kImages.end(), sopClassUid.substr(kRoot.size())) != kImages.end();
+}
+
+bool isProjection(std::string_view sopClassUid) {
+    const Kind* kind = kindOf(sopClassUid);
+    return kind != nullptr && kind->projection;
+}
+
+std::string describeSopClass(std::string_view sopClassUid) {
+    if (const Kind* kind = kindOf(sopClassUid)) return std::string(kind->name);
+    // What is no UID is not repeated: it may be anything.
+    const bool isUid = !sopClassUid.empty() && sopClassUid.size() <= 64 &&
+                       sopClassUid.find_first_not_of("0123456789.") == std::string_view::npos;
+    return isUid ? "Object of class " + std::string(sopClassUid) : "Object of unknown kind";
+}
+
+}  // namespace macula::dicom

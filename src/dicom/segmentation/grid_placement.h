@@ -1,0 +1,25 @@
+// Where the pixels of one image fall on a grid of voxels, when they fall on its voxels exactly.
+#pragma once
+
+#include <optional>
+
+#include "dicom/read/geometry.h"
+
+namespace macula::dicom {
+
+// Pixel (column, row) is voxel origin + column * columnStep + row * rowStep, which may lie outside of the
+// grid. The steps are along two axes of the grid, in either direction.
+struct GridPlacement {
+    glm::ivec3 origin{0};
+    glm::ivec3 columnStep{0};
+    glm::ivec3 rowStep{0};
+
+    bool operator==(const GridPlacement&) const = default;
+};
+
+// Nothing when a pixel is further than a hundredth of a voxel from the centre of its voxel. The transform is
+// affine; the plane is usable.
+std::optional<GridPlacement> placeOnGrid(const glm::dmat4& voxelFromWorld, const ImagePlane& plane,
+                                         int columns, int rows);
+
+}  // namespace macula::dicom

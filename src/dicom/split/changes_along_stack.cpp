@@ -1,0 +1,46 @@
+#include "dicom/split/changes_along_stack.h"
+
+#include <vector>
+
+namespace macula::dicom {
+
+namespace {
+
+// Places in stack.frames whose value is not that of the frame before.
+std::vector<std::size_t> changesOf(const Stack& stack, const SplitRules& rules, std::size_t attribute) {
+    std::vector<std::size_t> places;
+    for (std::size_t f = 1; f < stack.frames.size(); ++f) {
+        if (!sameValue(rules.attributes[attribute], stack.frames[f - 1].attributes[attribute],
+                       stack.frames[f].attributes[attribute])) {
+            places.push_back(f);
+        }
+    }
+    return places;
+}
+
+// Counted from 1, as on screen.
+std::int64_t sliceOf(const Stack& stack, std::size_t frame) {
+    std::size_t slice = 0;
+    while (slice + 1 < stack.slices.size() && stack.slices[slice].above < frame) ++slice;
+    return static_cast<std::int64_t>(slice) + 1;
+}
+
+}  // namespace
+
+void tellChanges(Stack& stack, const SplitRules& rules) {
+    if (!stack.canBeVolume()) return;
+    using Step = SplitRules::Soft::Step;
+    for (const SplitRules::Soft& rule : rules.soft) {
+        if (rule.step == Step::silent) continue;
+        if (!rule.modality.empty() && rule.modality != stack.modality) continue;
+        const auto places = changesOf(stack, rules, rule.attribute);
+        if (places.empty() || (rule.step == Step::once && places.size() != 1)) continue;
+        Message told = message(key::kChangesAlongStack, {{"attribute", rules.attributes[rule.attribute].name},
+                                                         {"slice", sliceOf(stack, places.front())},
+                                                         {"changes", std::int64_t(places.size())}});
+        stack.assumptions.push_back(told.sentence);
+        stack.messages.push_back(std::move(told));
+    }
+}
+
+}  // namespace macula::dicom

@@ -1,0 +1,55 @@
+// Ways to divide frames: by what they say, by where they lie.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "dicom/read/instance.h"
+#include "dicom/split/split_rules.h"
+
+namespace macula::dicom {
+
+struct Part {
+    std::vector<std::string> values;  // one per attribute, as the first of its frames has it
+    std::vector<std::size_t> frames;  // ascending
+};
+
+// Every frame is in exactly one part; no part is empty.
+using Partition = std::vector<Part>;
+
+// Frames with the same value of every one of `attributes`, ascending by value (numbers as numbers).
+Partition partitionByValue(std::span<const Frame> frames, const SplitRules& rules,
+                           const std::vector<std::size_t>& attributes);
+
+// Of the frames at each position the one with the lowest value into the first part, the next into the second.
+// Empty unless all frames have a value, no two at one position the same, and all positions have equally many
+// frames. With `mayLack` a quarter of the positions may have fewer, where values are numbers or times: these
+// go where the frames at the positions beside them would have it, if that is clear.
+Partition partitionByRank(std::span<const Frame> frames, const SplitRules& rules, std::size_t attribute,
+                          bool mayLack = false);
+
+// `count` runs, each of which is over before the next one begins: the frames sorted by the time that
+// `attribute` is, cut where the longest pauses are. Empty when a frame has no time, or there are fewer
+// pauses.
+Partition partitionByRuns(std::span<const Frame> frames, std::size_t attribute, std::size_t count);
+
+// Two sets of frames, each at multiples of one distance from its first, which is the same for both. Empty
+// when the frames lie otherwise, or on one lattice, be it of half that distance and with slices missing.
+Partition separateLattices(std::span<const Frame> frames);
+
+// How often the next frame along the normal is in another part than the one before.
+std::size_t alternations(std::span<const Frame> frames, const Partition& partition);
+
+// Frames of the first, the second … file with the same SOP Instance UID that lie at one position: an
+// identifier that was given to all slices tells nothing.
+Partition separateCopies(std::span<const Frame> frames);
+
+// The first frame at each position, and all others.
+Partition separateRepetitions(std::span<const Frame> frames);
+
+// Consecutive blocks between which many slices are missing. One part when there is no such gap.
+Partition separateAtGaps(std::span<const Frame> frames);
+
+}  // namespace macula::dicom

@@ -1,0 +1,45 @@
+// A series: what one SeriesInstanceUID of one patient's study holds.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "dicom/split/stack.h"
+
+namespace macula::dicom {
+
+// DICOM, but no image to show: a report, a structure set, a segmentation, a presentation state.
+struct OtherObject {
+    std::filesystem::path file;
+    std::string sopClassUid;
+    std::string kind;                               // "Segmentation"; for a person
+    std::vector<std::string> referencedSeriesUids;  // of a segmentation; sorted
+};
+
+// Descriptions, numbers and UIDs may name a patient: for the screen, never for the log.
+struct Series {
+    std::string studyInstanceUid;
+    std::string seriesInstanceUid;
+    std::string modality;
+    std::string description;
+    std::optional<int> number;
+    std::string
+        patientPosition;  // "HFS" …; for the reader only, geometry never depends on it (PS3.3 C.7.3.1.1.2)
+
+    // Of images: none, one, or several when they differ in what the split rules name. Never empty stacks.
+    std::vector<Stack> stacks;
+    std::vector<OtherObject> objects;
+    std::vector<std::string> transferSyntaxUids;  // of the images; distinct, sorted
+    std::size_t instances = 0;                    // image files in the stacks
+    bool scattered = false;                       // one image of those that key::kUidPerSlice asks about
+
+    std::vector<Message> messages;         // about the series as a whole; each stack has its own
+    std::vector<std::string> assumptions;  // that hold for each of its stacks
+
+    // A stack of it can be shown in 3D.
+    bool canBeVolume() const;
+};
+
+}  // namespace macula::dicom

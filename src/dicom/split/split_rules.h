@@ -1,0 +1,78 @@
+// What tells the images of a series apart, as data: rules/split.json, which says how to read it.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "dicom/read/dataset.h"
+
+namespace macula::dicom {
+
+struct Attribute {
+    enum class Kind { text, number, numbers, contains };
+
+    // Where it may be; `before` is put in front of the value where there is one: the date before a time.
+    struct Source {
+        std::optional<Tag> before;
+        Tag tag;
+
+        bool operator==(const Source&) const = default;
+    };
+
+    std::string name;  // DICOM keyword
+    std::vector<Source> tags;
+    Kind kind = Kind::text;
+    double tolerance = 0.0;
+    double relativeTolerance = 0.0;
+    std::string value;  // contains: what is looked for among the values
+
+    bool operator==(const Attribute&) const = default;
+};
+
+struct SplitRules {
+    struct Hard {
+        std::size_t attribute;  // in `attributes`
+        std::string message;    // key of the message that tells of a separation
+    };
+    struct Soft {
+        enum class Step { silent, once, always };
+
+        std::size_t attribute;
+        std::string modality;  // empty: any
+        bool evenToo = false;  // separates interleaved images also when they make an even volume together
+        bool interleavable = false;  // not those of MR that do not overlap: these are acquired interleaved
+        Step step = Step::silent;    // which changes along a stack are warned of
+    };
+    struct Phase {
+        enum class By { value, rank };
+
+        std::size_t attribute;
+        By by = By::value;
+        bool first = false;    // says what it is: asked before the soft attributes
+        bool assumed = false;  // no property of the image, only the best that is left
+    };
+
+    std::vector<Attribute> attributes;  // each once
+    std::vector<Hard> hard;
+    std::vector<Soft> soft;
+    std::vector<std::size_t> runs;  // times, in `attributes`
+    std::vector<Phase> phases;
+};
+
+// The rules of rules/split.json, built into the program.
+const SplitRules& splitRules();
+
+// The value of each attribute of the rules, as text ("" when the image does not have it), in the order of
+// `attributes`. `frame` is the data set of one frame.
+std::vector<std::string> readAttributes(const SplitRules& rules, const Dataset& frame);
+
+// Whether two values of an attribute are the same, within its tolerance.
+bool sameValue(const Attribute& attribute, std::string_view a, std::string_view b);
+
+// Nothing when the text is no number, or the first of several is none.
+std::optional<double> numberOf(std::string_view text);
+
+}  // namespace macula::dicom

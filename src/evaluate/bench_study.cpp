@@ -1,0 +1,71 @@
+#include "evaluate/bench_study.h"
+
+#include <fmt/format.h>
+
+#include "app/choice/lights_choice.h"
+#include "app/study/study_input.h"
+#include "app/study/study_preset.h"
+
+namespace macula::evaluate {
+
+Result<trace::PathTracer> BenchStudy::makeTracer() const {
+    MACULA_TRY(trace::PathTracer tracer, trace::PathTracer::create(device));
+    MACULA_TRY_VOID(tracer.setVolume(volume));
+    MACULA_TRY_VOID(tracer.setTransferFunction(function));
+    MACULA_TRY_VOID(tracer.setEnvironment(environment));
+    MACULA_TRY_VOID(tracer.setView(view));
+    return tracer;
+}
+
+Result<BenchStudy> openBenchStudy(const BenchStudyOptions& options, Progress& progress) {
+    MACULA_TRY(app::StudyInput study, app::loadStudy(options.path, options.series, progress, 0, options.how));
+    bringTo16Bits(study);
+    MACULA_TRY(app::StudyPreset preset, app::choosePresetFor(study, options.preset));
+    MACULA_TRY(trace::Environment environment, app::chooseLights(options.lights));
+    MACULA_TRY(const gpu::Instance instance, gpu::Instance::create());
+    gpu::DeviceOptions deviceOptions;
+    deviceOptions.preferred = options.device;
+    MACULA_TRY(auto device, gpu::Device::create(instance, deviceOptions));
+    return BenchStudy{
+        .volume = study.volume,
+        .function = std::move(preset.function),
+        .environment = std::move(environment),
+        .device = std::move(device),
+        .view = {.camera = frameBox(study.volume->worldBox(), ViewDirection::anterior, 30.0, 1.0),
+                 .width = options.size,
+                 .height = options.size},
+        .seriesDigest = study.seriesDigest,
+        .preset = std::move(preset.publicName),
+        .lights = app::publicLightsName(options.lights),
+        .notes = std::move(study.notes),
+        .warnings = std::move(study.warnings)};
+}
+
+Result<image::Image> BenchStudy::readShown(trace::PathTracer& tracer) const {
+    MACULA_TRY(const std::vector<std::uint8_t> rgba, tracer.readDisplay(glm::vec3(0.0f)));
+    image::Image image{.width = view.width,
+                       .height = view.height,
+                       .channels = 3,
+                       .encoding = image::Encoding::display,
+                       .pixels = {}};
+    image.pixels.reserve(rgba.size() / 4 * 3);
+    for (std::size_t i = 0; i < rgba.size(); i += 4) {
+        for (std::size_t c = 0; c < 3; ++c) image.pixels.push_back(static_cast<float>(rgba[i + c]) / 255.0f);
+    }
+    return image;
+}
+
+nlohmann::ordered_json describe(const std::string& benchmark, const BenchStudy& study) {
+    const glm::ivec3 voxels = study.volume->size();
+    return {{"benchmark", benchmark},
+            {"version", MACULA_VERSION},
+            {"device", study.device->info().name},
+            {"driver", study.device->info().driver},
+            {"study", study.seriesDigest},
+            {"voxels", {voxels.x, voxels.y, voxels.z}},
+            {"preset", study.preset},
+            {"lights", study.lights},
+            {"picture", {study.view.width, study.view.height}}};
+}
+
+}  // namespace macula::evaluate

@@ -1,0 +1,54 @@
+// What the benchmarks of the tracer have in common: what is traced, how it is seen, and on which device.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "base/progress.h"
+#include "base/result.h"
+#include "base/volume.h"
+#include "dicom/scan.h"
+#include "image/image.h"
+#include "pipeline/gpu/device.h"
+#include "pipeline/trace/environment.h"
+#include "pipeline/trace/path_tracer.h"
+#include "pipeline/volume/transfer_function.h"
+
+namespace macula::evaluate {
+
+struct BenchStudyOptions {
+    std::filesystem::path path;
+    std::string series;
+    dicom::ScanOptions how;
+    std::string preset;
+    std::string lights;
+    std::string device;
+    int size = 512;  // of the picture, which is square
+};
+
+struct BenchStudy {
+    std::shared_ptr<const Volume> volume;
+    TransferFunction function;
+    trace::Environment environment;
+    std::shared_ptr<gpu::Device> device;
+    trace::View view;  // from the front, all of the volume in it
+    std::string seriesDigest;
+    std::string preset;  // names that may be told
+    std::string lights;
+    std::vector<std::string> notes;     // sentences for a person about the study and the preset
+    std::vector<std::string> warnings;  // those of them that change what is seen
+
+    // With its study set; the settings are the caller's.
+    Result<trace::PathTracer> makeTracer() const;
+    // What such a tracer shows so far, over black; waits.
+    Result<image::Image> readShown(trace::PathTracer& tracer) const;
+};
+
+Result<BenchStudy> openBenchStudy(const BenchStudyOptions& options, Progress& progress);
+
+// What a report begins with.
+nlohmann::ordered_json describe(const std::string& benchmark, const BenchStudy& study);
+
+}  // namespace macula::evaluate

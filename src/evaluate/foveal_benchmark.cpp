@@ -1,0 +1,208 @@
+#include "evaluate/foveal_benchmark.h"
+
+#include <algorithm>
+#include <chrono>
+#include <functional>
+#include <iterator>
+
+#include "image/metrics.h"
+#include "pipeline/trace/reference_tracer.h"
+#include "pipeline/trace/scene.h"
+
+namespace macula::evaluate {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+Error cancelled() {
+    return {ErrorCode::cancelled, "The benchmark was cancelled.", {}, {}};
+}
+
+// `work` returns a Result<void>.
+template <class Work>
+Result<double> timedMs(const Work& work) {
+    const auto start = Clock::now();
+    MACULA_TRY_VOID(work());
+    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+double median(std::vector<double> values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+enum class Sampling { even, adaptive };
+
+class Bench {
+  public:
+    Bench(const BenchStudy& study, const FovealOptions& options, Progress& progress)
+        : study_(study), options_(options), progress_(progress) {}
+
+    trace::Settings settings(trace::Denoising denoising, std::uint32_t seed) const {
+        return {.bounces = options_.bounces,
+                .seed = seed,
+                .filter = trace::Filter::trilinear,
+                .denoising = denoising};
+    }
+
+    // Kernels made, and nothing known of the view.
+    Result<trace::PathTracer> warmTracer(const trace::Settings& settings) const {
+        MACULA_TRY(trace::PathTracer tracer, study_.makeTracer());
+        MACULA_TRY_VOID(tracer.setSettings(settings));
+        MACULA_TRY([[maybe_unused]] const FovealTimes first, show(tracer, 1));
+        MACULA_TRY_VOID(tracer.setTransferFunction(study_.function));
+        return tracer;
+    }
+
+    Result<void> trace(trace::PathTracer& tracer, std::uint32_t samples) const {
+        MACULA_TRY(const bool whole, tracer.trace(samples, [&] { return !progress_.cancelled(); }));
+        if (!whole || progress_.cancelled()) return cancelled();
+        return {};
+    }
+
+    Result<void> traceMore(trace::PathTracer& tracer, Sampling sampling) const {
+        if (sampling == Sampling::even) return trace(tracer, 1);
+        constexpr double kPortionMs = 100.0;
+        MACULA_TRY_VOID(tracer.traceFor(kPortionMs, [&] { return !progress_.cancelled(); }));
+        return progress_.cancelled() ? Result<void>(cancelled()) : Result<void>();
+    }
+
+    Result<void> guides(trace::PathTracer& tracer) const {
+        MACULA_TRY([[maybe_unused]] const trace::Guides* computed, tracer.guides());
+        return study_.device->waitForAll();
+    }
+
+    Result<void> display(trace::PathTracer& tracer) const {
+        MACULA_TRY([[maybe_unused]] const gpu::Image* picture, tracer.display(glm::vec3(0.0f)));
+        return study_.device->waitForAll();
+    }
+
+    // `samples` more, guides if they are new, and the picture as it is shown; each waited for.
+    Result<FovealTimes> show(trace::PathTracer& tracer, std::uint32_t samples) const {
+        FovealTimes times;
+        MACULA_TRY(times.traceMs, timedMs([&] { return trace(tracer, samples); }));
+        MACULA_TRY(times.guidesMs, timedMs([&]() -> Result<void> {
+                       MACULA_TRY([[maybe_unused]] const trace::Guides* guides, tracer.guides());
+                       return study_.device->waitForAll();
+                   }));
+        MACULA_TRY(times.displayMs, timedMs([&]() -> Result<void> {
+                       MACULA_TRY([[maybe_unused]] const gpu::Image* picture,
+                                  tracer.display(glm::vec3(0.0f)));
+                       return study_.device->waitForAll();
+                   }));
+        return times;
+    }
+
+    Result<void> measureTimes(FovealReport& report) const {
+        const TransferFunction function = fitted(study_.function, *study_.volume);
+        const Medium medium = makeMedium(*study_.volume, makeBrickGrid(*study_.volume), function);
+        const trace::ReferenceTracer reference(*study_.volume, medium, study_.environment);
+        const trace::Settings all = settings(trace::Denoising::on, 1);
+        MACULA_TRY(const shared::TraceParams params,
+                   makeTraceParams(*study_.volume, medium, study_.environment, study_.view, all));
+        MACULA_TRY(trace::PathTracer tracer, warmTracer(all));
+        std::vector<FovealTimes> turns;
+        for (int turn = 0; turn < options_.repetitions; ++turn) {
+            MACULA_TRY_VOID(tracer.setTransferFunction(study_.function));
+            MACULA_TRY(FovealTimes times, show(tracer, options_.samples));
+            MACULA_TRY(times.referenceTraceMs, timedMs([&]() -> Result<void> {
+                           (void)reference.trace(params, all.filter, trace::Precision::single, 0,
+                                                 options_.samples);
+                           return {};
+                       }));
+            turns.push_back(times);
+            progress_.advance();
+        }
+        const auto medianOf = [&](const std::function<double(const FovealTimes&)>& value) {
+            std::vector<double> values;
+            std::transform(turns.begin(), turns.end(), std::back_inserter(values), value);
+            return median(std::move(values));
+        };
+        report.times = {
+            .traceMs = medianOf([](const FovealTimes& t) { return t.traceMs; }),
+            .guidesMs = medianOf([](const FovealTimes& t) { return t.guidesMs; }),
+            .displayMs = medianOf([](const FovealTimes& t) { return t.displayMs; }),
+            .referenceTraceMs = medianOf([](const FovealTimes& t) { return t.referenceTraceMs; })};
+        report.totalMs = medianOf([](const FovealTimes& t) { return t.totalMs(); });
+        report.ratio = medianOf([](const FovealTimes& t) { return t.totalMs() / t.referenceTraceMs; });
+        return {};
+    }
+
+    Result<image::Image> converge(FovealReport& report) const {
+        MACULA_TRY(trace::PathTracer tracer, study_.makeTracer());
+        MACULA_TRY_VOID(tracer.setSettings(settings(trace::Denoising::off, 12345)));
+        const std::uint32_t first = options_.convergedSamples / 2;
+        MACULA_TRY_VOID(traceInPortions(tracer, first));
+        MACULA_TRY(const image::Image half, study_.readShown(tracer));
+        MACULA_TRY_VOID(traceInPortions(tracer, options_.convergedSamples - first));
+        MACULA_TRY(image::Image converged, study_.readShown(tracer));
+        MACULA_TRY(const image::Flip left, image::flip(converged, half));
+        report.convergedFlip = left.mean;
+        return converged;
+    }
+
+    // A little more each time until the picture is near enough. Only what a viewer would do counts: all
+    // tracing, the guides once, and the denoising and display of the last picture.
+    Result<TimeToError> timeToError(trace::Denoising denoising, Sampling sampling,
+                                    const image::Image& converged) const {
+        MACULA_TRY(trace::PathTracer tracer, warmTracer(settings(denoising, 1)));
+        TimeToError result;
+        double traceMs = 0.0;
+        double guidesMs = 0.0;
+        while (!result.reached && result.samples < options_.convergedSamples) {
+            MACULA_TRY(const double ms, timedMs([&] { return traceMore(tracer, sampling); }));
+            traceMs += ms;
+            if (denoising == trace::Denoising::on && guidesMs == 0.0) {
+                MACULA_TRY(guidesMs, timedMs([&] { return guides(tracer); }));
+            }
+            MACULA_TRY(const double displayMs, timedMs([&] { return display(tracer); }));
+            MACULA_TRY(const image::Image picture, study_.readShown(tracer));
+            MACULA_TRY(const image::Flip flip, image::flip(converged, picture));
+            MACULA_TRY(const trace::Statistics statistics, tracer.statistics());
+            result.samples = statistics.meanSamplesPerPixel;
+            result.ms = traceMs + guidesMs + displayMs;
+            result.flip = flip.mean;
+            result.reached = flip.mean <= options_.flip;
+        }
+        progress_.advance();
+        return result;
+    }
+
+  private:
+    Result<void> traceInPortions(trace::PathTracer& tracer, std::uint32_t samples) const {
+        constexpr std::uint32_t kPortion = 16;
+        for (std::uint32_t done = 0; done < samples; done += kPortion) {
+            const std::uint32_t count = std::min(kPortion, samples - done);
+            MACULA_TRY_VOID(trace(tracer, count));
+            progress_.advance(count);
+        }
+        return {};
+    }
+
+    const BenchStudy& study_;
+    const FovealOptions& options_;
+    Progress& progress_;
+};
+
+}  // namespace
+
+Result<FovealReport> measureFoveal(const BenchStudy& study, const FovealOptions& options,
+                                   Progress& progress) {
+    const Bench bench(study, options, progress);
+    FovealReport report;
+    progress.beginStage("Measuring", static_cast<std::size_t>(options.repetitions));
+    MACULA_TRY_VOID(bench.measureTimes(report));
+    if (options.convergedSamples == 0) return report;
+    progress.beginStage("Tracing the converged picture", options.convergedSamples);
+    MACULA_TRY(const image::Image converged, bench.converge(report));
+    progress.beginStage("Measuring the time to an error", 3);
+    using enum trace::Denoising;
+    MACULA_TRY(report.plain, bench.timeToError(off, Sampling::even, converged));
+    MACULA_TRY(report.denoised, bench.timeToError(on, Sampling::even, converged));
+    MACULA_TRY(report.adaptive, bench.timeToError(on, Sampling::adaptive, converged));
+    return report;
+}
+
+}  // namespace macula::evaluate

@@ -1,0 +1,53 @@
+// What one picture for the fovea costs, and how soon it is good: tracing, guides and denoising beside the
+// scalar C++ reference, which only traces; and the time to a given error, denoised and plain.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "base/progress.h"
+#include "base/result.h"
+#include "evaluate/bench_study.h"
+
+namespace macula::evaluate {
+
+struct FovealOptions {
+    std::uint32_t samples = 4;
+    int bounces = 4;
+    int repetitions = 5;  // device and reference take turns; medians are told
+    double flip = 0.05;   // the error that is to be reached
+    // Of the picture that counts as converged. It has as many bounces: what fewer leave out is another
+    // matter.
+    std::uint32_t convergedSamples = 512;
+};
+
+struct FovealTimes {
+    double traceMs = 0.0;
+    double guidesMs = 0.0;
+    double displayMs = 0.0;  // denoising and tone map
+    double referenceTraceMs = 0.0;
+
+    double totalMs() const { return traceMs + guidesMs + displayMs; }
+};
+
+// The first number of samples whose picture is as near as was asked for.
+struct TimeToError {
+    bool reached = false;  // with the samples of the converged picture at most
+    double samples = 0.0;  // of a pixel, on average
+    double ms = 0.0;       // for these samples, and for showing them once; guides and denoising with it
+    double flip = 0.0;
+};
+
+struct FovealReport {
+    FovealTimes times;           // medians, each by itself
+    double totalMs = 0.0;        // median of the sums
+    double ratio = 0.0;          // of the sum over the reference; median of the ratios of each turn
+    double convergedFlip = 0.0;  // what chance leaves: FLIP of the first half of the samples to all of them
+    TimeToError plain;           // even samples, as they come
+    TimeToError denoised;        // the same, filtered
+    TimeToError adaptive;        // samples where noise is, filtered
+};
+
+Result<FovealReport> measureFoveal(const BenchStudy& study, const FovealOptions& options, Progress& progress);
+
+}  // namespace macula::evaluate

@@ -1,0 +1,51 @@
+// Views that no model learns from, as the tracer sees them, and how near a model comes to them.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+#include "app/study/scene_on_device.h"
+#include "base/camera.h"
+#include "base/progress.h"
+#include "base/result.h"
+#include "evaluate/view_scores.h"
+#include "pipeline/hybrid/views/truth_pictures.h"
+#include "pipeline/splat/model/splats.h"
+
+namespace macula::evaluate {
+
+struct Comparison {
+    std::vector<ViewScores> scores;  // by view
+    double drawMs = 0.0;             // of a picture of the model, median; waited for and read
+    // As displayed, by view, truth on the left and model on the right; RGBA, opaque.
+    std::vector<std::vector<std::uint8_t>> pictures;
+};
+
+class HeldOutViews {
+  public:
+    // As truthPictures, of views chosen by the protocol; of fewer than its 32, some from each distance.
+    static Result<HeldOutViews> trace(std::shared_ptr<gpu::Device> device, app::SceneOnDevice& scene,
+                                      std::size_t count, const hybrid::TruthOptions& options,
+                                      const std::filesystem::path& cache, Progress& progress);
+
+    // The model must be valid. A stage of `progress`, a step for each view.
+    Result<Comparison> compare(const splat::Splats& model, Progress& progress) const;
+
+    std::vector<Camera> cameras() const;
+    double seconds() const { return seconds_; }  // that tracing them took
+    std::size_t fromCache() const;               // views of which all was there
+    std::size_t givenUp() const { return givenUp_; }
+
+  private:
+    explicit HeldOutViews(std::shared_ptr<gpu::Device> device) : device_(std::move(device)) {}
+
+    std::shared_ptr<gpu::Device> device_;
+    std::vector<hybrid::TruthPicture> truth_;
+    glm::ivec2 sizePx_{0};
+    double seconds_ = 0.0;
+    std::size_t givenUp_ = 0;
+};
+
+}  // namespace macula::evaluate

@@ -1,0 +1,49 @@
+// What speed costs in accuracy: the error of a traced picture against a converged one, and the time it took,
+// over the settings that trade one for the other.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "base/progress.h"
+#include "base/result.h"
+#include "evaluate/bench_study.h"
+#include "image/image.h"
+
+namespace macula::evaluate {
+
+struct TradeoffOptions {
+    double exposure = 1.0;
+    std::vector<std::uint32_t> samples{1, 2, 4, 8, 16, 32};  // ascending
+    std::vector<int> bounces{1, 2, 4, 8};
+    // Of the picture that counts as the truth: trilinear, not denoised.
+    std::uint32_t convergedSamples = 1024;
+    int convergedBounces = 64;
+};
+
+struct TradeoffPoint {
+    trace::Filter filter = trace::Filter::trilinear;
+    trace::Denoising denoising = trace::Denoising::off;
+    int bounces = 1;
+    std::uint32_t samples = 1;
+    double traceMs = 0.0;    // for all samples
+    double displayMs = 0.0;  // guides and denoising, if any, and the tone map
+    // Against the converged picture, display-encoded over black. PSNR over the pixels that show matter in it.
+    double psnrDb = 0.0;
+    double ssim = 0.0;
+    double flip = 0.0;
+};
+
+struct Tradeoff {
+    std::vector<TradeoffPoint> points;
+    image::Image converged;
+    double convergedMs = 0.0;
+    // What chance leaves in the converged picture: FLIP of its first half of the samples to all of them.
+    double convergedFlip = 0.0;
+    // Samples the converged picture left out: not a number, or too long for the device.
+    std::uint64_t convergedLost = 0;
+};
+
+Result<Tradeoff> measureTradeoff(const BenchStudy& study, const TradeoffOptions& options, Progress& progress);
+
+}  // namespace macula::evaluate

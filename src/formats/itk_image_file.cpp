@@ -1,0 +1,98 @@
+#include "formats/itk_image_file.h"
+
+#include "base/itk_for_clang.h"
+
+#include <itkMetaDataObject.h>
+#include <itkMetaImageIO.h>
+#include <itkNrrdImageIO.h>
+
+#include <array>
+
+namespace macula::formats {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Component {
+    itk::IOComponentEnum itk;
+    ScalarType type;
+};
+constexpr std::array<Component, 8> kComponents{{{itk::IOComponentEnum::CHAR, ScalarType::int8},
+                                                {itk::IOComponentEnum::UCHAR, ScalarType::uint8},
+                                                {itk::IOComponentEnum::SHORT, ScalarType::int16},
+                                                {itk::IOComponentEnum::USHORT, ScalarType::uint16},
+                                                {itk::IOComponentEnum::INT, ScalarType::int32},
+                                                {itk::IOComponentEnum::UINT, ScalarType::uint32},
+                                                {itk::IOComponentEnum::FLOAT, ScalarType::float32},
+                                                {itk::IOComponentEnum::DOUBLE, ScalarType::float64}}};
+
+itk::IOComponentEnum componentOf(ScalarType type) {
+    for (const Component& component : kComponents) {
+        if (component.type == type) return component.itk;
+    }
+    return itk::IOComponentEnum::UNKNOWNCOMPONENTTYPE;
+}
+
+// The whole image: what is read or written.
+itk::ImageIORegion wholeOf(const glm::ivec3& size) {
+    itk::ImageIORegion region(3);
+    for (unsigned axis = 0; axis < 3; ++axis) {
+        region.SetIndex(axis, 0);
+        region.SetSize(axis, static_cast<itk::SizeValueType>(size[int(axis)]));
+    }
+    return region;
+}
+
+Result<void> write(itk::ImageIOBase& io, const fs::path& path, const RawImage& image) try {
+    io.SetFileName(path.string());
+    io.SetNumberOfDimensions(3);
+    for (unsigned axis = 0; axis < 3; ++axis) {
+        const glm::dvec3 column(image.worldFromVoxel[int(axis)]);
+        const double spacing = glm::length(column);
+        io.SetDimensions(axis, static_cast<itk::SizeValueType>(image.size[int(axis)]));
+        io.SetSpacing(axis, spacing);
+        io.SetOrigin(axis, image.worldFromVoxel[3][int(axis)]);
+        // Need not be orthonormal: both formats keep a shear as it is.
+        io.SetDirection(axis,
+                        std::vector<double>{column.x / spacing, column.y / spacing, column.z / spacing});
+    }
+    io.SetComponentType(componentOf(image.type));
+    io.SetPixelType(itk::IOPixelEnum::SCALAR);
+    io.SetNumberOfComponents(1);
+    io.SetIORegion(wholeOf(image.size));
+    if (const std::string note = valueNote(image); !note.empty())
+        itk::EncapsulateMetaData<std::string>(io.GetMetaDataDictionary(), std::string(kValueNoteField), note);
+    io.Write(image.data.data());
+    // MetaIO does not notice a full disk.
+    std::error_code error;
+    std::uint64_t written = 0;
+    for (const auto& file : fs::directory_iterator(path.parent_path(), error))
+        written += file.file_size(error);
+    if (error || written <= image.data.size()) {
+        return Error{ErrorCode::outputNotWritable,
+                     "The file could not be written.",
+                     {},
+                     "Check free space and permissions."};
+    }
+    return {};
+} catch (const std::bad_alloc&) {
+    throw;
+} catch (const std::exception&) {
+    return Error{ErrorCode::outputNotWritable,
+                 "The file could not be written.",
+                 {},
+                 "Check free space and permissions."};
+}
+
+}  // namespace
+
+Result<void> writeNrrd(const fs::path& path, const RawImage& image) {
+    return write(*itk::NrrdImageIO::New(), path, image);
+}
+
+Result<void> writeMetaImage(const fs::path& path, const RawImage& image) {
+    return write(*itk::MetaImageIO::New(), path, image);
+}
+
+}  // namespace macula::formats

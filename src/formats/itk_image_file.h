@@ -1,0 +1,14 @@
+// NRRD and MetaImage files are written by ITK; text_header.h reads them.
+#pragma once
+
+#include <filesystem>
+
+#include "formats/raw_image.h"
+
+namespace macula::formats {
+
+// .nrrd and .mha are one file; .nhdr and .mhd leave the values in NAME.raw beside them.
+Result<void> writeNrrd(const std::filesystem::path& path, const RawImage& image);
+Result<void> writeMetaImage(const std::filesystem::path& path, const RawImage& image);
+
+}  // namespace macula::formats

@@ -1,0 +1,354 @@
+#include "formats/raw_image.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <cstring>
+#include <functional>
+#include <limits>
+#include <mutex>
+
+#include "base/available_memory.h"
+#include "base/parallel.h"
+
+namespace macula::formats {
+
+namespace {
+
+constexpr std::size_t kChunk = std::size_t{1} << 20;
+constexpr double kMost16 = 65535.0;
+
+// As in the notes that valueNote makes.
+constexpr std::array<std::pair<Unit, std::string_view>, 3> kUnitNames{
+    {{Unit::hounsfield, "HU"}, {Unit::becquerelsPerMillilitre, "Bq/mL"}, {Unit::suvBodyWeight, "SUVbw"}}};
+constexpr std::string_view kNoteBegin = "Macula";
+
+Error cancelled() {
+    return {ErrorCode::cancelled, "Stopped.", {}, {}};
+}
+
+// body(first, count) for portions of [0, count), on all cores, with progress.
+Result<void> inChunks(std::size_t count, Progress& progress,
+                      const std::function<void(std::size_t, std::size_t)>& body) {
+    parallelFor((count + kChunk - 1) / kChunk,
+                [&](std::size_t chunk) {
+                    const std::size_t first = chunk * kChunk;
+                    body(first, std::min(kChunk, count - first));
+                    progress.advance();
+                },
+                progress.token());
+    if (progress.cancelled()) return cancelled();
+    return {};
+}
+
+struct Summary {
+    double low = std::numeric_limits<double>::max();
+    double high = std::numeric_limits<double>::lowest();
+    bool whole = true;  // every value is a finite whole number
+
+    void add(double value) {
+        if (!(std::isfinite(value) && value == std::trunc(value))) whole = false;
+        low = std::min(low, value);  // a NaN changes neither
+        high = std::max(high, value);
+    }
+    void add(const Summary& other) {
+        low = std::min(low, other.low);
+        high = std::max(high, other.high);
+        whole = whole && other.whole;
+    }
+    bool wholeWithin(double least, double most) const { return whole && low >= least && high <= most; }
+};
+
+// Of valueAt(0) to valueAt(count - 1).
+template <class ValueAt>
+Result<Summary> summarise(std::size_t count, Progress& progress, const ValueAt& valueAt) {
+    std::mutex mutex;
+    Summary all;
+    MACULA_TRY_VOID(inChunks(count, progress, [&](std::size_t first, std::size_t length) {
+        Summary local;
+        for (std::size_t n = first; n < first + length; ++n) local.add(valueAt(n));
+        const std::lock_guard lock(mutex);
+        all.add(local);
+    }));
+    return all;
+}
+
+template <class T>
+T converted(double value) {
+    if constexpr (std::is_same_v<T, float>) {  // beyond its range, the language leaves open what happens
+        constexpr double kMost = std::numeric_limits<float>::max();
+        if (std::abs(value) > kMost)
+            return std::copysign(std::numeric_limits<float>::infinity(), float(value > 0 ? 1 : -1));
+    }
+    return static_cast<T>(value);
+}
+
+template <class T>
+T at(const std::byte* data, std::size_t n) {
+    T value;
+    std::memcpy(&value, data + n * sizeof(T), sizeof(T));
+    return value;
+}
+
+// Calls with a function that gives the n-th raw value as a double, which holds each of these types exactly.
+template <class Use>
+auto withRaw(const RawImage& image, const Use& use) {
+    const std::byte* data = image.data.data();
+    switch (image.type) {
+        case ScalarType::int8:
+            return use([data](std::size_t n) { return double(at<std::int8_t>(data, n)); });
+        case ScalarType::uint8:
+            return use([data](std::size_t n) { return double(at<std::uint8_t>(data, n)); });
+        case ScalarType::int16:
+            return use([data](std::size_t n) { return double(at<std::int16_t>(data, n)); });
+        case ScalarType::uint16:
+            return use([data](std::size_t n) { return double(at<std::uint16_t>(data, n)); });
+        case ScalarType::int32:
+            return use([data](std::size_t n) { return double(at<std::int32_t>(data, n)); });
+        case ScalarType::uint32:
+            return use([data](std::size_t n) { return double(at<std::uint32_t>(data, n)); });
+        case ScalarType::float32:
+            return use([data](std::size_t n) { return double(at<float>(data, n)); });
+        case ScalarType::float64:
+            break;
+    }
+    return use([data](std::size_t n) { return at<double>(data, n); });
+}
+
+template <class ValueAt>
+Result<RawImage> packed(RawImage image, std::size_t count, Progress& progress, const ValueAt& valueAt) {
+    progress.beginStage("Preparing the values", 2 * ((count + kChunk - 1) / kChunk));
+    MACULA_TRY(const Summary values, summarise(count, progress, valueAt));
+    const auto fill = [&]<class T>(T) {
+        image.data.resize(count * sizeof(T));
+        std::byte* out = image.data.data();
+        return inChunks(count, progress, [&, out](std::size_t first, std::size_t length) {
+            for (std::size_t n = first; n < first + length; ++n) {
+                const T value = converted<T>(valueAt(n));
+                std::memcpy(out + n * sizeof(T), &value, sizeof(T));
+            }
+        });
+    };
+    if (values.wholeWithin(-32768.0, 32767.0)) {
+        image.type = ScalarType::int16;
+        MACULA_TRY_VOID(fill(std::int16_t{}));
+    } else if (values.wholeWithin(0.0, kMost16)) {
+        image.type = ScalarType::uint16;
+        MACULA_TRY_VOID(fill(std::uint16_t{}));
+    } else {
+        image.type = ScalarType::float32;
+        MACULA_TRY_VOID(fill(float{}));
+    }
+    return image;
+}
+
+template <class RawAt>
+Result<std::shared_ptr<const Volume>> unpacked(RawImage& image, Progress& progress, const RawAt& raw) {
+    const std::size_t count = image.data.size() / bytesOf(image.type);
+    progress.beginStage("Preparing the values", 2 * ((count + kChunk - 1) / kChunk));
+    MACULA_TRY(const Summary values, summarise(count, progress, raw));
+    VolumeOptions options{.size = image.size,
+                          .worldFromVoxel = image.worldFromVoxel,
+                          .unit = image.unit,
+                          .modality = image.modality};
+    image.assumptions.push_back(
+        image.unit == Unit::raw
+            ? "The file does not name the unit of its values: none was assumed. Presets for Hounsfield units "
+              "do not fit."
+            : fmt::format("Macula wrote this file, with values in {}; a program that changed them since need "
+                          "not have said so.",
+                          unitSymbol(image.unit)));
+    const double slope = image.slope;
+    const double intercept = image.intercept;
+
+    if (values.whole && values.high - values.low <= kMost16) {
+        // A negative slope turns the order of the stored values around: theirs must be positive.
+        const bool shifted = slope < 0.0 || values.low < 0.0 || values.high > kMost16;
+        const double sign = slope < 0.0 ? -1.0 : 1.0;
+        const double origin = !shifted ? 0.0 : slope < 0.0 ? values.high : values.low;
+        options.unitsFromStored = {std::abs(slope), slope * origin + intercept};
+        options.provenance.assumptions = std::move(image.assumptions);
+        std::vector<std::uint16_t> voxels(count);
+        MACULA_TRY_VOID(inChunks(count, progress, [&](std::size_t first, std::size_t length) {
+            for (std::size_t n = first; n < first + length; ++n)
+                voxels[n] = static_cast<std::uint16_t>(sign * (raw(n) - origin));
+        }));
+        image.data = {};
+        MACULA_TRY(Volume volume, Volume::create(std::move(options), std::move(voxels)));
+        return std::shared_ptr<const Volume>(std::make_shared<Volume>(std::move(volume)));
+    }
+
+    std::vector<float> voxels(count);
+    std::atomic<bool> rounded{false};
+    std::atomic<std::size_t> notFinite{0};
+    MACULA_TRY_VOID(inChunks(count, progress, [&](std::size_t first, std::size_t length) {
+        bool inexact = false;
+        std::size_t none = 0;
+        for (std::size_t n = first; n < first + length; ++n) {
+            const double value = slope * raw(n) + intercept;
+            voxels[n] = converted<float>(value);
+            none += std::isfinite(voxels[n]) ? 0 : 1;
+            inexact = inexact || (std::isfinite(voxels[n]) && double(voxels[n]) != value);
+        }
+        notFinite += none;
+        if (inexact) rounded = true;
+    }));
+    if (rounded) image.assumptions.emplace_back("Values were rounded to 24 significant bits.");
+    if (notFinite > 0) {
+        image.assumptions.push_back(fmt::format(
+            "{} voxels hold no finite number: they are treated as outside of the scan.", notFinite.load()));
+    }
+    options.provenance.assumptions = std::move(image.assumptions);
+    image.data = {};
+    MACULA_TRY(Volume volume, Volume::createFloat(std::move(options), std::move(voxels)));
+    return std::shared_ptr<const Volume>(std::make_shared<Volume>(std::move(volume)));
+}
+
+}  // namespace
+
+std::size_t bytesOf(ScalarType type) {
+    switch (type) {
+        case ScalarType::int8:
+        case ScalarType::uint8:
+            return 1;
+        case ScalarType::int16:
+        case ScalarType::uint16:
+            return 2;
+        case ScalarType::int32:
+        case ScalarType::uint32:
+        case ScalarType::float32:
+            return 4;
+        case ScalarType::float64:
+            break;
+    }
+    return 8;
+}
+
+std::string_view nameOf(ScalarType type) {
+    switch (type) {
+        case ScalarType::int8:
+            return "int8";
+        case ScalarType::uint8:
+            return "uint8";
+        case ScalarType::int16:
+            return "int16";
+        case ScalarType::uint16:
+            return "uint16";
+        case ScalarType::int32:
+            return "int32";
+        case ScalarType::uint32:
+            return "uint32";
+        case ScalarType::float32:
+            return "float32";
+        case ScalarType::float64:
+            break;
+    }
+    return "float64";
+}
+
+std::string valueNote(const RawImageLayout& layout) {
+    for (const auto& [unit, name] : kUnitNames) {
+        if (unit != layout.unit) continue;
+        // Modality is a code of capitals (PS3.5 6.2, CS); what is none is left out.
+        const bool isCode =
+            layout.modality.size() <= 16 &&
+            layout.modality.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ") == std::string::npos;
+        return fmt::format("{}|{}|{}|{}", kNoteBegin, nameOf(layout.type), name,
+                           isCode ? layout.modality : std::string());
+    }
+    return {};
+}
+
+void readValueNote(std::string_view note, RawImageLayout& layout) {
+    std::vector<std::string> parts{""};
+    for (const char c : note) {
+        if (c == '|') {
+            parts.emplace_back();
+        } else if (c >= ' ' && c <= '~') {
+            parts.back() += c;
+        }
+    }
+    const bool isChanged = layout.slope != 1.0 || layout.intercept != 0.0;
+    if (parts.size() != 4 || parts[0] != kNoteBegin || parts[1] != nameOf(layout.type) || isChanged) return;
+    for (const auto& [unit, name] : kUnitNames) {
+        if (name != parts[2]) continue;
+        layout.unit = unit;
+        layout.modality = parts[3];
+    }
+}
+
+std::uint64_t RawImageLayout::bytes() const {
+    return std::uint64_t(size.x) * std::uint64_t(size.y) * std::uint64_t(size.z) * bytesOf(type);
+}
+
+Result<void> checkLayout(const RawImageLayout& layout, std::uint64_t bytesInFile, bool compressed) {
+    constexpr int kMostPerSide = 65536;       // as in Volume; three of them and 8 bytes fit 64 bits
+    constexpr std::uint64_t kDeflate = 1032;  // a longer match than 258 bytes in 2 bits there is not
+    const glm::ivec3 size = layout.size;
+    if (std::min({size.x, size.y, size.z}) < 2) {
+        return Error{ErrorCode::inputNotUsable,
+                     fmt::format("The image of {} x {} x {} voxels is no volume.", size.x, size.y, size.z),
+                     {},
+                     "Choose a file with a volume."};
+    }
+    if (std::max({size.x, size.y, size.z}) > kMostPerSide) {
+        return Error{ErrorCode::inputNotUsable,
+                     fmt::format("A volume of {} x {} x {} voxels cannot be shown.", size.x, size.y, size.z),
+                     {},
+                     "Choose a smaller one."};
+    }
+    const std::uint64_t needed = layout.bytes();
+    if (needed > (compressed ? kDeflate * bytesInFile : bytesInFile)) {
+        return Error{ErrorCode::inputNotUsable,
+                     fmt::format("The file is cut off: its header tells of {} x {} x {} voxels, and it is "
+                                 "too short for them.",
+                                 size.x, size.y, size.z),
+                     {},
+                     "Get the file again from where it came."};
+    }
+    const std::uint64_t voxels = needed / bytesOf(layout.type);
+    const std::uint64_t all = needed + voxels * sizeof(float);  // the volume is float32 at worst
+    if (const auto available = availableMemory(); available && all > *available)
+        return notEnoughMemory(all, *available);
+    return {};
+}
+
+Result<RawImage> rawImageOf(const Volume& volume, Progress& progress) {
+    RawImage image;
+    image.size = volume.size();
+    image.worldFromVoxel = volume.worldFromVoxel();
+    image.unit = volume.unit();
+    image.modality = volume.modality();
+    if (volume.format() == VoxelFormat::float32) {
+        const auto voxels = volume.floatVoxels();
+        return packed(std::move(image), voxels.size(), progress,
+                      [voxels](std::size_t n) { return double(voxels[n]); });
+    }
+    const auto voxels = volume.voxels();
+    const UnitsFromStored units = volume.unitsFromStored();
+    return packed(std::move(image), voxels.size(), progress,
+                  [voxels, units](std::size_t n) { return units(voxels[n]); });
+}
+
+Result<RawImage> rawImageOf(const LabelMap& map, Progress& progress) {
+    RawImage image;
+    image.size = map.size();
+    image.worldFromVoxel = map.worldFromVoxel();
+    const auto labels = map.labels();
+    return packed(std::move(image), labels.size(), progress,
+                  [labels](std::size_t n) { return double(labels[n]); });
+}
+
+Result<std::shared_ptr<const Volume>> volumeOf(RawImage image, Progress& progress) {
+    if (!(std::isfinite(image.slope) && image.slope != 0.0 && std::isfinite(image.intercept))) {
+        return Error{ErrorCode::inputNotUsable,
+                     "The map from stored values to units is not usable.",
+                     {},
+                     "Export the file again."};
+    }
+    MACULA_CHECK(image.data.size() == image.bytes());
+    return withRaw(image, [&](const auto& raw) { return unpacked(image, progress, raw); });
+}
+
+}  // namespace macula::formats

@@ -1,0 +1,62 @@
+// An image as a NIfTI, NRRD or MetaImage file holds it, and its way to and from a Volume.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/label_map.h"
+#include "base/progress.h"
+#include "base/result.h"
+#include "base/volume.h"
+
+namespace macula::formats {
+
+enum class ScalarType { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
+
+std::size_t bytesOf(ScalarType type);
+std::string_view nameOf(ScalarType type);  // "int16"
+
+// What a header says of the image.
+struct RawImageLayout {
+    glm::ivec3 size{0};
+    glm::dmat4 worldFromVoxel{1.0};  // patient LPS mm
+    ScalarType type = ScalarType::int16;
+    double slope = 1.0;  // value = slope * raw + intercept; the slope may be negative, not 0
+    double intercept = 0.0;
+    // What valueNote() told of a file that Macula wrote: other programs name no unit, and none is guessed.
+    Unit unit = Unit::raw;
+    std::string modality;
+    std::vector<std::string> assumptions;  // sentences, as in Provenance
+
+    std::uint64_t bytes() const;
+};
+
+// What Macula writes into a file beside the values: "Macula|int16|HU|CT", at most 79 characters; empty for
+// values without a unit.
+std::string valueNote(const RawImageLayout& layout);
+inline constexpr std::string_view kValueNoteField = "MaculaValues";  // where NRRD and MetaImage keep it
+// Fills in unit and modality. Takes nothing from a note whose type is not that of the file: then another
+// program has changed the values since.
+void readValueNote(std::string_view note, RawImageLayout& layout);
+
+struct RawImage : RawImageLayout {
+    std::vector<std::byte> data;  // i fastest, in the byte order of this machine
+};
+
+// Fails with inputNotUsable when the image is no volume (a side below 2), or its header claims more than
+// `bytesInFile` can hold (deflate packs at most 1 : 1032), and with outOfMemory when it does not fit.
+Result<void> checkLayout(const RawImageLayout& layout, std::uint64_t bytesInFile, bool compressed);
+
+// Values in units: int16 when each is a whole number in its range, else uint16 when so, else float32. Padding
+// keeps its value.
+Result<RawImage> rawImageOf(const Volume& volume, Progress& progress);
+Result<RawImage> rawImageOf(const LabelMap& map, Progress& progress);
+
+// 16 bits when that is exact, else float32. Values that are no finite number are padding, and counted.
+Result<std::shared_ptr<const Volume>> volumeOf(RawImage image, Progress& progress);
+
+}  // namespace macula::formats

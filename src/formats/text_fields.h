@@ -1,0 +1,58 @@
+// What the text headers of NRRD and MetaImage have in common.
+#pragma once
+
+#include <charconv>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "formats/raw_values.h"
+
+namespace macula::formats {
+
+Error headerNotUsable(std::string message, std::string hint = "Convert it with the program it comes from.");
+Error headerDamaged();
+// What is assumed where a file does not say how it lies in the patient.
+std::string lpsAssumed();
+
+std::string trimmed(const std::string& text);
+std::string lowerCase(std::string text);
+std::vector<std::string> words(const std::string& text);
+
+template <class T>
+std::optional<T> parseNumber(const std::string& text) {
+    T value{};
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || end != text.data() + text.size()) return {};
+    return value;
+}
+// Nothing when there are more or fewer, or one is no number.
+std::optional<std::vector<double>> parseNumbers(const std::string& text, std::size_t count);
+
+using Fields = std::map<std::string, std::string>;
+std::string valueOf(const Fields& fields, const std::string& key);  // empty when absent
+
+// The lines of a header, and where in the file the next one begins.
+class HeaderLines {
+  public:
+    explicit HeaderLines(const std::filesystem::path& path);
+
+    // Without its line break. Nothing at the end, and for a line that is too long or no text.
+    std::optional<std::string> next();
+    bool atEnd() const { return at_ >= text_.size(); }
+    std::uint64_t position() const { return at_; }
+
+  private:
+    std::string text_;
+    std::size_t at_ = 0;
+};
+
+Result<glm::ivec3> parseSize(const std::string& text);
+// Of a header that has as many axes as it says.
+Result<void> checkThreeAxes(const std::string& count);
+// The file with the values: a plain name in the folder of the header, and no link out of it.
+Result<std::filesystem::path> besideHeader(const std::filesystem::path& header, const std::string& name);
+
+}  // namespace macula::formats

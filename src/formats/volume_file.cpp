@@ -1,0 +1,211 @@
+#include "formats/volume_file.h"
+
+#include <algorithm>
+#include <array>
+
+#include "base/available_memory.h"
+#include "base/draft.h"
+#include "formats/itk_image_file.h"
+#include "formats/nifti.h"
+#include "formats/text_header.h"
+
+namespace macula::formats {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+enum class Format { nifti, nrrd, metaImage };
+
+struct Ending {
+    std::string_view text;
+    Format format;
+    bool detached;  // the values lie in a second file
+};
+constexpr std::array<Ending, 6> kEndings{{{".nii.gz", Format::nifti, false},
+                                          {".nii", Format::nifti, false},
+                                          {".nrrd", Format::nrrd, false},
+                                          {".nhdr", Format::nrrd, true},
+                                          {".mha", Format::metaImage, false},
+                                          {".mhd", Format::metaImage, true}}};
+
+const Ending* endingOf(const fs::path& path) {
+    std::string name = path.filename().string();
+    std::transform(name.begin(), name.end(), name.begin(),
+                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c; });
+    for (const Ending& ending : kEndings) {
+        if (name.size() > ending.text.size() && name.ends_with(ending.text)) return &ending;
+    }
+    return nullptr;
+}
+
+Result<Ending> knownEndingOf(const fs::path& path) {
+    if (const Ending* ending = endingOf(path)) return *ending;
+    return Error{ErrorCode::usage, "The ending of the name is that of no volume file.", path.string(),
+                 "Known are .nii, .nii.gz, .nrrd, .nhdr, .mha and .mhd."};
+}
+
+Error cannotWrite(const fs::path& path, const std::string& reason) {
+    return {ErrorCode::outputNotWritable, fmt::format("The file could not be put in place: {}.", reason),
+            path.string(), "Check free space and permissions."};
+}
+
+Result<void> writeFormat(Format format, const fs::path& path, const RawImage& image, Progress& progress) {
+    if (format == Format::nifti) return writeNifti(path, image, progress);
+    progress.beginStage("Writing", 1);
+    auto written = format == Format::nrrd ? writeNrrd(path, image) : writeMetaImage(path, image);
+    progress.advance();
+    return written;
+}
+
+Result<TextHeader> readTextHeader(Format format, const fs::path& path) {
+    return format == Format::nrrd ? readNrrdHeader(path) : readMetaImageHeader(path);
+}
+
+Result<RawImageLayout> readLayout(Format format, const fs::path& path) {
+    if (format == Format::nifti) return readNiftiLayout(path);
+    MACULA_TRY(TextHeader header, readTextHeader(format, path));
+    return std::move(header.layout);
+}
+
+Result<RawImage> readFormat(Format format, const fs::path& path, Progress& progress) {
+    if (format == Format::nifti) return readNifti(path, progress);
+    MACULA_TRY(TextHeader header, readTextHeader(format, path));
+    return readValues(std::move(header.layout), header.values, progress);
+}
+
+Error at(const fs::path& path, Error error) {
+    if (error.where.empty()) error.where = path.string();
+    return error;
+}
+
+Result<Ending> checkInput(const fs::path& path) {
+    MACULA_TRY(const Ending ending, knownEndingOf(path));
+    std::error_code error;
+    if (!fs::is_regular_file(path, error)) {
+        return Error{ErrorCode::inputNotUsable, "The file does not exist.", path.string(), "Check the path."};
+    }
+    return ending;
+}
+
+const char* nameOf(Format format) {
+    return format == Format::nifti ? "NIfTI" : format == Format::nrrd ? "NRRD" : "MetaImage";
+}
+
+// A header never stands beside values of another volume, also where the program is killed on the way: the
+// one that is replaced goes first, comes back where the values cannot be put in place, and the values come
+// before the new one.
+Result<void> putAllInPlace(const std::vector<fs::path>& files, const fs::path& draft,
+                           const fs::path& workshop) {
+    const fs::path& header = files.front();
+    if (files.size() == 1) return putInPlace(draft, header);
+    std::error_code notThere;
+    std::error_code error;
+    const fs::path before = workshop / "before";
+    const bool replaces = fs::is_regular_file(header, notThere);
+    if (replaces) fs::rename(header, before, error);
+    if (error) return cannotWrite(header, error.message());
+    const fs::path& values = files.back();
+    if (const auto placed = putInPlace(workshop / values.filename(), values); !placed) {
+        if (replaces) fs::rename(before, header, error);
+        return placed.error();
+    }
+    return putInPlace(draft, header);
+}
+
+// `Grid` is what rawImageOf takes.
+template <class Grid>
+Result<void> writeImage(const Grid& grid, std::size_t voxels, const fs::path& path, Progress& progress) try {
+    MACULA_TRY(const Ending ending, knownEndingOf(path));
+    MACULA_TRY(const auto files, filesOfVolumeFile(path));
+    const std::uint64_t most = std::uint64_t{sizeof(float)} * voxels;
+    if (const auto available = availableMemory(); available && most > *available)
+        return notEnoughMemory(most, *available);
+    // A folder, so that two files can be written under their own names: one names the other.
+    MACULA_TRY(const Draft workshop, Draft::beside(path, Draft::Kind::folder));
+    MACULA_TRY(const RawImage image, rawImageOf(grid, progress));
+    std::error_code unknown;
+    const auto space = fs::space(workshop.path(), unknown);
+    if (!unknown && ending.text != ".nii.gz" && space.available < image.data.size()) {  // MetaIO would print
+        return Error{ErrorCode::outputNotWritable, "There is not enough free space.", path.string(),
+                     fmt::format("The file needs {} MB.", image.data.size() / 1'000'000 + 1)};
+    }
+    // The ending in small letters: the libraries choose by it.
+    const std::string stem =
+        path.filename().string().substr(0, path.filename().string().size() - ending.text.size());
+    const fs::path draft = workshop.path() / (stem + std::string(ending.text));
+    if (const auto written = writeFormat(ending.format, draft, image, progress); !written)
+        return at(path, written.error());
+    if (progress.cancelled()) return Error{ErrorCode::cancelled, "Stopped; nothing was written.", {}, {}};
+    // No library tells of every byte that found no room, and readers compare the header with the file's size.
+    // Segments of a single slice are written too, which no reader takes for a volume.
+    const glm::ivec3 size = image.size;
+    const bool isVolume = std::min({size.x, size.y, size.z}) > 1;
+    if (isVolume && !readLayout(ending.format, draft)) return cannotWrite(path, "it did not become whole");
+    return putAllInPlace(files, draft, workshop.path());
+} catch (const std::bad_alloc&) {
+    return notEnoughMemory(std::uint64_t{sizeof(float)} * voxels, availableMemory());
+} catch (const std::exception&) {
+    return cannotWrite(path, "something unforeseen happened");
+}
+
+}  // namespace
+
+bool isVolumeFileName(const fs::path& path) {
+    return endingOf(path) != nullptr;
+}
+
+Result<std::vector<fs::path>> filesOfVolumeFile(const fs::path& path) {
+    MACULA_TRY(const Ending ending, knownEndingOf(path));
+    std::vector<fs::path> files{path};
+    if (ending.detached) files.push_back(fs::path(path).replace_extension(".raw"));
+    return files;
+}
+
+std::optional<fs::path> valuesFileOf(const fs::path& path) try {
+    const Ending* ending = endingOf(path);
+    if (ending == nullptr || ending->format == Format::nifti) return {};
+    const auto header = readTextHeader(ending->format, path);
+    return header && header->values.file != path ? std::optional(header->values.file) : std::nullopt;
+} catch (const std::exception&) {
+    return {};
+}
+
+Result<void> writeVolumeFile(const Volume& volume, const fs::path& path, Progress& progress) {
+    return writeImage(volume, volume.voxelCount(), path, progress);
+}
+
+Result<void> writeVolumeFile(const LabelMap& map, const fs::path& path, Progress& progress) {
+    return writeImage(map, map.labels().size(), path, progress);
+}
+
+Result<VolumeFileInfo> readVolumeFileInfo(const fs::path& path) try {
+    MACULA_TRY(const Ending ending, checkInput(path));
+    const auto layout = readLayout(ending.format, path);
+    if (!layout) return at(path, layout.error());
+    return VolumeFileInfo{nameOf(ending.format), std::string(nameOf(layout->type)), layout->size,
+                          layout->worldFromVoxel, layout->assumptions};
+} catch (const std::bad_alloc&) {
+    return Error{ErrorCode::outOfMemory, "There is not enough memory.", {}, "Close other programs."};
+} catch (const std::exception&) {
+    return Error{ErrorCode::inputNotUsable, "The file cannot be read.", path.string(),
+                 "Choose another file."};
+}
+
+Result<std::shared_ptr<const Volume>> readVolumeFile(const fs::path& path, Progress& progress) try {
+    MACULA_TRY(const Ending ending, checkInput(path));
+    auto image = readFormat(ending.format, path, progress);
+    if (!image) return at(path, image.error());
+    if (progress.cancelled()) return Error{ErrorCode::cancelled, "Stopped.", {}, {}};
+    auto volume = volumeOf(std::move(*image), progress);
+    if (!volume) return at(path, volume.error());
+    return volume;
+} catch (const std::bad_alloc&) {
+    return Error{ErrorCode::outOfMemory, "There is not enough memory for this volume.", path.string(),
+                 "Close other programs, or choose a smaller one."};
+} catch (const std::exception&) {
+    return Error{ErrorCode::inputNotUsable, "The file cannot be read.", path.string(),
+                 "Choose another file."};
+}
+
+}  // namespace macula::formats

@@ -1,0 +1,50 @@
+#include "pipeline/hybrid/frame/compositor.h"
+
+#include "base/check.h"
+#include "pipeline/gpu/recorder.h"
+#include "shaders/hybrid.h"
+#include "shared/compose_params.h"
+
+namespace macula::hybrid {
+
+Result<Compositor> Compositor::create(const std::shared_ptr<gpu::Device>& device) {
+    MACULA_TRY(gpu::Kernel kernel, gpu::Kernel::create(device, shaders::hybrid_compose_comp));
+    return Compositor(device, std::move(kernel));
+}
+
+Result<const gpu::Image*> Compositor::compose(const Layers& layers, const Display& display) {
+    MACULA_CHECK(layers.splats != nullptr || layers.tracedShare >= 1.0f);
+    MACULA_CHECK(layers.traced != nullptr || layers.tracedShare <= 0.0f);
+    const auto width = static_cast<std::uint32_t>(layers.sizePx.x);
+    const auto height = static_cast<std::uint32_t>(layers.sizePx.y);
+    if (layers.splats != nullptr) {
+        MACULA_CHECK_EQ(layers.splats->width, layers.sizePx.x);
+        MACULA_CHECK_EQ(layers.splats->height, layers.sizePx.y);
+    }
+    if (layers.traced != nullptr)
+        MACULA_CHECK_EQ(layers.traced->values->bytes(), std::uint64_t(width) * height * sizeof(glm::vec4));
+    if (!picture_ || picture_->extent().width != width || picture_->extent().height != height) {
+        picture_.reset();
+        MACULA_TRY(picture_, gpu::Image::create(device_, {.label = "composed picture",
+                                                          .width = width,
+                                                          .height = height,
+                                                          .format = VK_FORMAT_R8G8B8A8_UNORM}));
+    }
+    // Something has to be bound where nothing is read.
+    const gpu::Buffer& values =
+        layers.traced != nullptr ? *layers.traced->values : layers.splats->texels.buffer();
+    const gpu::Buffer& counts = layers.traced != nullptr ? *layers.traced->counts : values;
+    const gpu::Buffer& splats = layers.splats != nullptr ? layers.splats->texels.buffer() : values;
+    const shared::ComposePush push{
+        .background = display.background,
+        .exposure = display.exposure,
+        .splatGain = layers.splatGain,
+        .tracedShare = layers.tracedShare,
+        .tracedAreMeans = layers.traced != nullptr && layers.traced->areMeans ? 1 : 0};
+    MACULA_TRY(auto recorder, gpu::Recorder::create(device_, "compose"));
+    recorder.dispatch(kernel_, {width, height}, push, {splats, values, counts, *picture_});
+    MACULA_TRY([[maybe_unused]] const gpu::Ticket ticket, recorder.submit());
+    return &*picture_;
+}
+
+}  // namespace macula::hybrid

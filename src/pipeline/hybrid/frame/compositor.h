@@ -1,0 +1,52 @@
+// The picture that a person sees, of splats and of what is traced.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <memory>
+#include <optional>
+
+#include "base/result.h"
+#include "pipeline/gpu/device.h"
+#include "pipeline/gpu/kernel.h"
+#include "pipeline/gpu/resources.h"
+#include "pipeline/splat/draw/device_picture.h"
+#include "pipeline/trace/path_tracer.h"
+
+namespace macula::hybrid {
+
+// The two pictures that the compositor mixes. Each is linear premultiplied RGBA of `sizePx`; a null pointer
+// means that there is none.
+struct Layers {
+    const splat::DevicePicture* splats = nullptr;
+    const trace::TracedLight* traced = nullptr;
+    glm::ivec2 sizePx{0};
+    float splatGain = 1.0f;    // multiplies their light, not their coverage
+    float tracedShare = 0.0f;  // 0 to 1; must be 1 without splats, and 0 without what is traced
+};
+
+struct Display {
+    glm::vec3 background{0.0f};  // linear
+    float exposure = 1.0f;
+};
+
+// Used by one thread at a time, the one that uses the device. Nothing goes through the host, and nothing is
+// waited for.
+class Compositor {
+  public:
+    static Result<Compositor> create(const std::shared_ptr<gpu::Device>& device);
+
+    // Mixed as light (shaders/lib/compose.glsl), laid over the background, exposed, tone mapped and encoded
+    // as PathTracer::display: RGBA8, opaque, in layout GENERAL, valid until the next one of another size.
+    // outOfMemory.
+    Result<const gpu::Image*> compose(const Layers& layers, const Display& display);
+
+  private:
+    Compositor(std::shared_ptr<gpu::Device> device, gpu::Kernel kernel)
+        : device_(std::move(device)), kernel_(std::move(kernel)) {}
+
+    std::shared_ptr<gpu::Device> device_;
+    gpu::Kernel kernel_;
+    std::optional<gpu::Image> picture_;
+};
+
+}  // namespace macula::hybrid

@@ -1,0 +1,170 @@
+#include "pipeline/hybrid/light/light_in_space.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace macula::hybrid {
+
+namespace {
+
+constexpr std::uint64_t kFree = ~std::uint64_t(0);
+constexpr std::size_t kFirstSlots = 1u << 12;  // a power of two
+constexpr int kFarthest = 1 << 20;             // cells from the origin, in each direction
+constexpr int kCoarser = 3;                    // levels beyond the first
+constexpr float kMostRadiance = 1e6f;          // 1 is white; of more, sums would not be finite
+constexpr float kPrior = 0.5f;                 // samples that what is around counts for
+// A cell with so many samples counts in full beside its neighbours.
+constexpr double kEnough = 4.0;
+constexpr double kAtLeast = 1e-3;
+
+// Of a cell, 21 bits for each number.
+std::uint64_t keyOf(const glm::ivec3& at) {
+    const auto part = [](int v) { return static_cast<std::uint64_t>(std::int64_t(v) + kFarthest); };
+    return part(at.x) << 42 | part(at.y) << 21 | part(at.z);
+}
+
+glm::ivec3 cellOf(std::uint64_t key) {
+    const auto part = [&](int shift) { return int(key >> shift & 0x1fffff) - kFarthest; };
+    return {part(42), part(21), part(0)};
+}
+
+// Neighbours far apart: the finaliser of MurmurHash3.
+std::uint64_t scattered(std::uint64_t key) {
+    key ^= key >> 33;
+    key *= 0xff51afd7ed558ccdull;
+    key ^= key >> 33;
+    key *= 0xc4ceb9fe1a85ec53ull;
+    return key ^ key >> 33;
+}
+
+// Slot of the key, or the free one where it belongs.
+std::size_t slotOf(const std::vector<std::uint64_t>& keys, std::uint64_t key) {
+    std::size_t slot = scattered(key) & (keys.size() - 1);
+    while (keys[slot] != key && keys[slot] != kFree) slot = (slot + 1) & (keys.size() - 1);
+    return slot;
+}
+
+// False of what is not a number.
+bool isWithin(const glm::dvec3& cell, int most) {
+    return std::abs(cell.x) < most && std::abs(cell.y) < most && std::abs(cell.z) < most;
+}
+
+glm::ivec3 parentOf(const glm::ivec3& at) {
+    return {at.x >> 1, at.y >> 1, at.z >> 1};
+}
+
+// body(lobe, weight) for the three lobes that a direction lies between.
+template <class Body>
+void forEachLobe(const glm::dvec3& direction, const Body& body) {
+    for (int axis = 0; axis < 3; ++axis) {
+        const double along = direction[axis];
+        body(2 * std::size_t(axis) + (along < 0.0 ? 1 : 0), along * along);
+    }
+}
+
+}  // namespace
+
+const LightInSpace::Cell* LightInSpace::Level::find(const glm::ivec3& at) const {
+    if (keys.empty()) return nullptr;
+    const std::size_t slot = slotOf(keys, keyOf(at));
+    return keys[slot] == kFree ? nullptr : &cells[places[slot]];
+}
+
+LightInSpace::Cell& LightInSpace::Level::at(const glm::ivec3& at) {
+    if (2 * (cells.size() + 1) > keys.size()) grow();
+    const std::uint64_t key = keyOf(at);
+    const std::size_t slot = slotOf(keys, key);
+    if (keys[slot] != kFree) return cells[places[slot]];
+    keys[slot] = key;
+    places[slot] = static_cast<std::uint32_t>(cells.size());
+    return cells.emplace_back(Cell{});
+}
+
+void LightInSpace::Level::grow() {
+    const std::size_t slots = std::max(2 * keys.size(), kFirstSlots);
+    const auto oldKeys = std::exchange(keys, std::vector<std::uint64_t>(slots, kFree));
+    const auto oldPlaces = std::exchange(places, std::vector<std::uint32_t>(slots, 0));
+    for (std::size_t i = 0; i < oldKeys.size(); ++i) {
+        if (oldKeys[i] == kFree) continue;
+        const std::size_t slot = slotOf(keys, oldKeys[i]);
+        keys[slot] = oldKeys[i];
+        places[slot] = oldPlaces[i];
+    }
+}
+
+LightInSpace::Level LightInSpace::halved(const Level& level) {
+    Level half;
+    for (std::size_t slot = 0; slot < level.keys.size(); ++slot) {
+        if (level.keys[slot] == kFree) continue;
+        Cell& sums = half.at(parentOf(cellOf(level.keys[slot])));
+        const Cell& from = level.cells[level.places[slot]];
+        for (std::size_t lobe = 0; lobe < from.size(); ++lobe) sums[lobe] += from[lobe];
+    }
+    return half;
+}
+
+void LightInSpace::add(const glm::dvec3& atMm, const glm::dvec3& direction, const glm::vec3& radiance) {
+    const glm::dvec3 cell = glm::floor(atMm / cellMm_);
+    const bool isFinite = std::isfinite(radiance.x) && std::isfinite(radiance.y) && std::isfinite(radiance.z);
+    if (!isWithin(cell, kFarthest) || !isFinite) return;
+    Cell& sums = levels_.front().at(glm::ivec3(cell));
+    forEachLobe(direction, [&](std::size_t lobe, double weight) {
+        sums[lobe] += float(weight) * glm::vec4(glm::min(radiance, kMostRadiance), 1.0f);
+    });
+    // Cells that are far apart stay as many, until those next to each other are one.
+    while (cells() > mostCells_) {
+        levels_.front() = halved(levels_.front());
+        cellMm_ *= 2.0;
+    }
+}
+
+void LightInSpace::finish() {
+    for (int i = 0; i < kCoarser; ++i) levels_.push_back(halved(levels_.back()));
+    // From the coarsest on, so that what is around is a mean already.
+    for (std::size_t i = levels_.size(); i-- > 0;) {
+        Level& level = levels_[i];
+        for (std::size_t slot = 0; slot < level.keys.size(); ++slot) {
+            if (level.keys[slot] == kFree) continue;
+            Cell& cell = level.cells[level.places[slot]];
+            const Cell* around =
+                i + 1 < levels_.size() ? levels_[i + 1].find(parentOf(cellOf(level.keys[slot]))) : nullptr;
+            glm::vec4 fromAllSides(0.0f);
+            for (const glm::vec4& sum : cell) fromAllSides += sum;
+            for (std::size_t lobe = 0; lobe < cell.size(); ++lobe) {
+                const glm::vec3 usual = around != nullptr
+                                            ? glm::vec3((*around)[lobe])
+                                            : glm::vec3(fromAllSides) / std::max(fromAllSides.w, 1e-20f);
+                const float weight = cell[lobe].w;
+                cell[lobe] = glm::vec4((glm::vec3(cell[lobe]) + kPrior * usual) / (weight + kPrior), weight);
+            }
+        }
+    }
+    levels_.resize(1);  // the rest has said what it had to
+}
+
+std::optional<glm::vec3> LightInSpace::at(const glm::dvec3& atMm, const glm::dvec3& direction) const {
+    const glm::dvec3 place = atMm / cellMm_ - 0.5;
+    const glm::dvec3 low = glm::floor(place);
+    if (!isWithin(low, kFarthest - 1)) return {};
+    const glm::dvec3 part = place - low;
+    glm::dvec3 light(0.0);
+    double weights = 0.0;
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::ivec3 step(corner & 1, corner >> 1 & 1, corner >> 2);
+        const Cell* cell = levels_.front().find(glm::ivec3(low) + step);
+        if (cell == nullptr) continue;
+        const glm::dvec3 near = glm::mix(1.0 - part, part, glm::dvec3(step));
+        forEachLobe(direction, [&](std::size_t lobe, double along) {
+            const glm::vec4& mean = (*cell)[lobe];
+            const double weight =
+                near.x * near.y * near.z * along * (kAtLeast + std::min(double(mean.w), kEnough));
+            light += weight * glm::dvec3(mean);
+            weights += weight;
+        });
+    }
+    if (!(weights > 0.0)) return {};
+    return glm::vec3(light / weights);
+}
+
+}  // namespace macula::hybrid

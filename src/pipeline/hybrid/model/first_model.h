@@ -1,0 +1,64 @@
+// From a volume to its first peripheral model: points on what can be seen, views of it, and training.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "base/frames.h"
+#include "base/progress.h"
+#include "base/result.h"
+#include "base/time_budget.h"
+#include "pipeline/gpu/device.h"
+#include "pipeline/hybrid/views/view_cache.h"
+#include "pipeline/splat/train/trainer.h"
+#include "pipeline/trace/path_tracer.h"
+
+namespace macula::hybrid {
+
+struct FirstModelOptions {
+    trace::SurfacePointOptions points;
+    // Of as many paths of light, those of many views with few samples each teach more than those of few views
+    // with many: what a model has not seen from somewhere it does not know. docs/peripheral-model.md.
+    std::size_t views = 48;
+    std::uint32_t samplesPerPixel = 2;  // few will do: views light each other (view_set.h)
+    // Sides in all that the model learns from. Where fewer views are traced, the rest are only lit with what
+    // was found for these: that costs little, and without it what was seen from few sides is in the wrong
+    // place, and in the wrong light, for all others. Where matter scatters more to one side than to another
+    // (|g| above 0.1) only their coverage is told.
+    std::size_t directions = 48;
+    int sizePx = 512;
+    int bounces = 4;
+    std::uint64_t trial = 0;  // another draw of the views, their noise, and their order in training
+    std::uint64_t iterations = 700;
+    bool beginsOnly = false;  // one of these steps, or none: who calls goes on
+    // Of points, views and training together. Points are not cut short; of what is left then, four tenths are
+    // for tracing views, one at least, a tenth is for lighting what was not traced, and the rest for
+    // training, one step at least.
+    const TimeBudget* budget = nullptr;  // null: without end
+    std::uint32_t capacity = 11000;      // splats, at least as many as points
+    const ViewCache* kept = nullptr;     // see ViewTracing
+    int shDegree = 1;  // of their colours: 0.3 to 0.6 dB, for 9 bytes more of each in an SPZ file
+};
+
+struct FirstModel {
+    splat::Trainer trainer;  // can go on, and take more views
+    // By the clock of the budget, kernels compiled on the way included.
+    double pointsSeconds = 0.0;
+    double viewsSeconds = 0.0;      // choosing and tracing them
+    double trainSeconds = 0.0;      // making the trainer and giving it its pictures included
+    std::size_t viewsTraced = 0;    // fewer than wanted where the budget was short
+    std::size_t viewsGivenUp = 0;   // none of the tries showed enough, and the last one was taken
+    std::size_t viewsFromKept = 0;  // that took no time
+};
+
+// `tracer` has its volume, transfer function, environment and clip, and is left with other settings and
+// another view; `seenMm` is the box of what can be seen (TracedScene). Fails with inputNotUsable when nothing
+// can be, and with `cancelled` when `progress` says so. Lights must be the patient's: of those that hang on
+// the camera a model knows nothing.
+Result<FirstModel> makeFirstModel(const std::shared_ptr<gpu::Device>& device, trace::PathTracer& tracer,
+                                  const Box& seenMm, const FirstModelOptions& options, Progress& progress);
+
+// How such models are trained.
+splat::TrainerOptions trainerOptions(const FirstModelOptions& options);
+
+}  // namespace macula::hybrid

@@ -1,0 +1,280 @@
+#include "pipeline/hybrid/model/live_model.h"
+
+#include <chrono>
+#include <utility>
+
+#include "base/check.h"
+#include "base/log.h"
+#include "pipeline/hybrid/model/initial_splats.h"
+#include "pipeline/hybrid/model/model_start.h"
+#include "pipeline/hybrid/views/view_tracing.h"
+
+namespace macula::hybrid {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr int kSideOnCpuPx = 384;  // a view of 2 samples is traced in half a second on two cores
+
+bool isOutOfMemory(const Result<void>& done) {
+    return !done && done.error().code == ErrorCode::outOfMemory;
+}
+
+}  // namespace
+
+LiveModelOptions liveModelOptions(const gpu::Device& device) {
+    LiveModelOptions options;
+    if (device.isCpu()) options.model.wanted.sizePx = glm::ivec2(kSideOnCpuPx);
+    return options;
+}
+
+LiveModel::LiveModel(std::shared_ptr<gpu::Device> device, trace::PathTracer tracer,
+                     std::shared_ptr<ModelShelf> shelf, const LiveModelOptions& options)
+    : device_(std::move(device)), tracer_(std::move(tracer)), shelf_(std::move(shelf)), options_(options) {}
+
+Result<LiveModel> LiveModel::create(const std::shared_ptr<gpu::Device>& device,
+                                    const trace::PathTracer& beside, std::shared_ptr<ModelShelf> shelf,
+                                    const LiveModelOptions& options) {
+    MACULA_CHECK(shelf != nullptr);
+    MACULA_TRY(trace::PathTracer tracer, beside.ofSameScene());
+    return LiveModel(device, std::move(tracer), std::move(shelf), options);
+}
+
+Result<void> LiveModel::show(const std::string& key, const trace::Settings& settings) {
+    MACULA_CHECK(!key.empty() && trace::isPathTraced(settings.look));
+    if (key == key_) return {};
+    hide();
+    key_ = key;
+    settings_ = settings;
+    settings_.denoising = trace::Denoising::little;
+    settings_.errorThreshold = 0.0;
+    Result<void> done = tryShow();
+    if (isOutOfMemory(done)) {
+        end(ModelStage::noRoom);
+        return {};
+    }
+    if (!done) hide();
+    return done;
+}
+
+Result<void> LiveModel::tryShow() {
+    MACULA_TRY_VOID(tracer_.setSettings(settings_));
+    stage_ = ModelStage::searching;
+    const std::shared_ptr<const PeripheralState> kept = shelf_->find(key_);
+    if (!kept) return {};
+    MACULA_TRY(model_, PeripheralModel::resume(device_, *kept, options_.model));
+    views_ = kept->asked;  // the gauge's pictures were given without being asked for
+    stepsAtLastView_ = model_->report().training.steps;
+    gauge_.emplace(kept->seenMm);  // to be made anew, while what was learnt can be drawn
+    gain_ = kept->gain;
+    stage_ = ModelStage::learning;
+    return {};
+}
+
+void LiveModel::hide() {
+    putAway();
+    end(ModelStage::none);
+    key_.clear();
+}
+
+// What has taken its first steps: less is soon found again.
+void LiveModel::putAway() {
+    if (!canBeDrawn()) return;
+    Result<PeripheralState> state = model_->state();
+    PeripheralState kept = state ? *std::move(state) : model_->lastGood();
+    kept.gain = gain_;
+    shelf_->put(std::make_shared<const PeripheralState>(std::move(kept)));
+}
+
+void LiveModel::save() const {
+    if (!canBeDrawn()) return;
+    PeripheralState kept = model_->lastGood();
+    kept.gain = gain_;
+    shelf_->put(std::make_shared<const PeripheralState>(std::move(kept)));
+}
+
+void LiveModel::giveUp(ModelStage stage) {
+    putAway();
+    end(stage);
+}
+
+void LiveModel::end(ModelStage stage) {
+    model_.reset();
+    painter_.reset();
+    drawn_.reset();
+    gain_ = 1.0;
+    wanted_.reset();
+    seenMm_.reset();
+    points_.reset();
+    gauge_.reset();
+    views_ = 0;
+    stepsAtLastView_ = 0;
+    stage_ = stage;
+}
+
+Result<void> LiveModel::work(double budgetMs, const std::function<bool()>& keepGoing) {
+    MACULA_CHECK(hasWork());
+    const auto start = Clock::now();
+    const auto goesOn = [&] {
+        return std::chrono::duration<double, std::milli>(Clock::now() - start).count() < budgetMs &&
+               keepGoing();
+    };
+    Result<void> done =
+        stage_ == ModelStage::searching ? searchSome(budgetMs, goesOn) : learnSome(budgetMs, goesOn);
+    if (!isOutOfMemory(done)) return done;
+    log::warning("There is no room on the device for the peripheral model to learn.");
+    // What it has learnt can still be drawn.
+    if (canBeDrawn())
+        stage_ = ModelStage::resting;
+    else
+        end(ModelStage::noRoom);
+    return {};
+}
+
+// Points are of all that can be seen from anywhere; a view is asked for all the same.
+Result<void> LiveModel::beginSearch() {
+    MACULA_TRY_VOID(tracer_.setView({.width = 64, .height = 64}));
+    MACULA_TRY(const Box seen, tracer_.seenMm());
+    if (!(seen.diagonal() > 0.0) || glm::any(glm::greaterThan(seen.low, seen.high))) {
+        end(ModelStage::nothingToSee);
+        return {};
+    }
+    MACULA_TRY_VOID(tracer_.setView(
+        {.camera = frameBox(seen, ViewDirection::anterior, 20.0, 1.0), .width = 64, .height = 64}));
+    seenMm_ = seen;
+    return {};
+}
+
+Result<void> LiveModel::searchSome(double budgetMs, const std::function<bool()>& goesOn) {
+    if (model_) return takeFirstSteps(budgetMs, goesOn);
+    if (!seenMm_) MACULA_TRY_VOID(beginSearch());
+    if (!seenMm_) return {};  // there is nothing to be seen
+    if (!points_) {
+        MACULA_TRY(points_, tracer_.someSurfacePoints(options_.points, goesOn));
+        if (!points_) return {};
+        if (points_->points.empty()) {
+            end(ModelStage::nothingToSee);
+            return {};
+        }
+        gauge_.emplace(*seenMm_);
+        if (!goesOn()) return {};
+    }
+    MACULA_TRY_VOID(gauge_->traceSome(tracer_, settings_, goesOn));
+    if (!gauge_->isWhole()) return {};
+    const ModelStart start{.splats = initialSplats(*points_), .seenMm = *seenMm_, .key = key_};
+    MACULA_TRY(model_, PeripheralModel::begin(device_, start, options_.model));
+    points_.reset();
+    // Splats made of points alone are too bright, and too opaque where matter is thin. The trainer corrects
+    // that in some 40 steps with the six pictures that the gauge has traced.
+    for (const TracedView& picture : gauge_->pictures()) {
+        MACULA_TRY([[maybe_unused]] const Offered offered, model_->offer(picture, false));
+    }
+    return {};
+}
+
+Result<void> LiveModel::takeFirstSteps(double budgetMs, const std::function<bool()>& goesOn) {
+    const auto isDone = [&] { return model_->report().training.steps >= options_.stepsBeforeShown; };
+    if (!isDone() && !model_->isPaused())
+        MACULA_TRY_VOID(model_->step(budgetMs, [&] { return goesOn() && !isDone(); }));
+    if (!isDone() && !model_->isPaused()) return {};
+    MACULA_TRY_VOID(makeDrawable());
+    stage_ = ModelStage::learning;
+    return {};
+}
+
+// What is shown now, as bright as what is traced.
+Result<void> LiveModel::makeDrawable() {
+    const ShownModel shown = model_->shown();
+    MACULA_CHECK(!shown.isOfBefore);
+    if (painter_ && shown.splats == drawn_) return {};
+    painter_.reset();
+    drawn_ = shown.splats;
+    MACULA_TRY(splat::ModelPainter painter, splat::ModelPainter::create(device_, *drawn_));
+    if (gauge_ && gauge_->isWhole()) {
+        MACULA_TRY(gain_, gauge_->gainOf(painter, drawn_->originMm));
+    }
+    painter_.emplace(std::move(painter));
+    return {};
+}
+
+bool LiveModel::wantsView() const {
+    if (views_ >= options_.views) return false;
+    const PeripheralReport report = model_->report();
+    return report.pause == Pause::noViews ||
+           report.training.steps >= stepsAtLastView_ + options_.stepsBetweenViews;
+}
+
+Result<void> LiveModel::learnSome(double budgetMs, const std::function<bool()>& goesOn) {
+    if (!gauge_->isWhole()) {
+        MACULA_TRY_VOID(gauge_->traceSome(tracer_, settings_, goesOn));
+        if (gauge_->isWhole()) painter_.reset();
+        return gauge_->isWhole() ? makeDrawable() : Result<void>();
+    }
+    if (!wanted_ && wantsView()) {
+        MACULA_TRY(const std::optional<CandidatePose> wanted, model_->wantedView());
+        if (!wanted) {
+            views_ = options_.views;
+        } else {
+            trace::Settings settings = settings_;
+            // The same noise in all views would be learnt as if it were there.
+            settings.seed += static_cast<std::uint32_t>(views_);
+            tracer_.forgetViews();
+            MACULA_TRY_VOID(tracer_.setSettings(settings));
+            const glm::ivec2 sizePx = options_.model.wanted.sizePx;
+            MACULA_TRY_VOID(
+                tracer_.setView({.camera = wanted->camera, .width = sizePx.x, .height = sizePx.y}));
+            wanted_ = wanted->camera;
+        }
+    }
+    if (wanted_) return traceWanted(goesOn);
+    MACULA_TRY_VOID(model_->step(budgetMs, goesOn));
+    MACULA_TRY_VOID(makeDrawable());
+    if (model_->isPaused() && !wantsView()) stage_ = ModelStage::resting;
+    return {};
+}
+
+Result<void> LiveModel::traceWanted(const std::function<bool()>& goesOn) {
+    MACULA_TRY(const trace::Statistics before, tracer_.statistics());
+    if (before.samplesPerPixel < options_.samplesPerPixel) {
+        const auto missing = options_.samplesPerPixel - static_cast<std::uint32_t>(before.samplesPerPixel);
+        MACULA_TRY(const bool isWhole, tracer_.trace(missing, goesOn));
+        if (!isWhole || !goesOn()) return {};
+    }
+    MACULA_TRY(const bool isDeveloped, tracer_.develop(goesOn));
+    if (!isDeveloped) return {};
+    MACULA_TRY(TracedView view, readToLearnFrom(tracer_, *wanted_));
+    wanted_.reset();
+    ++views_;
+    MACULA_TRY([[maybe_unused]] const Offered offered, model_->offer(std::move(view)));
+    stepsAtLastView_ = model_->report().training.steps;
+    return {};
+}
+
+Result<const splat::DevicePicture*> LiveModel::draw(const Camera& camera, const glm::ivec2& sizePx) {
+    MACULA_CHECK(canBeDrawn());
+    const auto tryDraw = [&]() -> Result<const splat::DevicePicture*> {
+        MACULA_TRY_VOID(makeDrawable());
+        MACULA_TRY(const splat::RasterView view, splat::rasterView(camera, sizePx, drawn_->originMm));
+        return painter_->drawOnDevice(view);
+    };
+    auto picture = tryDraw();
+    if (!picture && picture.error().code == ErrorCode::outOfMemory) giveUp(ModelStage::noRoom);
+    return picture;
+}
+
+std::shared_ptr<const splat::Splats> LiveModel::shown() const {
+    return model_ ? model_->shown().splats : nullptr;
+}
+
+ModelNews LiveModel::news() const {
+    ModelNews news{.stage = stage_};
+    if (!model_) return news;
+    const PeripheralReport report = model_->report();
+    news.splats = static_cast<std::uint32_t>(model_->shown().splats->size());
+    news.steps = report.training.steps;
+    news.views = report.views + report.heldOut;
+    return news;
+}
+
+}  // namespace macula::hybrid

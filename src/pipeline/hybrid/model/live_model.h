@@ -1,0 +1,116 @@
+// The peripheral model of what is on a screen: found, taught while nothing moves, and drawn while something
+// does. All of it in slices, so that whoever has the thread keeps it.
+//
+//     model.show(key, settings);                       // what the scene shows now, or showed before
+//     if (model.hasWork()) model.work(20.0, keepGoing);
+//     if (model.canBeDrawn()) picture = model.draw(camera, sizePx);
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <glm/glm.hpp>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "base/camera.h"
+#include "base/frames.h"
+#include "base/result.h"
+#include "pipeline/gpu/device.h"
+#include "pipeline/hybrid/frame/brightness_gauge.h"
+#include "pipeline/hybrid/model/model_news.h"
+#include "pipeline/hybrid/model/model_shelf.h"
+#include "pipeline/hybrid/model/peripheral_model.h"
+#include "pipeline/splat/draw/device_picture.h"
+#include "pipeline/splat/draw/model_painter.h"
+#include "pipeline/trace/path_tracer.h"
+#include "pipeline/trace/surface_points.h"
+
+namespace macula::hybrid {
+
+struct LiveModelOptions {
+    PeripheralOptions model;              // wanted.sizePx: of the pictures that it learns from
+    trace::SurfacePointOptions points;    // count: at most model.firstCapacity
+    std::uint32_t samplesPerPixel = 2;    // of these pictures
+    std::size_t views = 48;               // pictures in all
+    std::uint64_t stepsBetweenViews = 8;  // of training
+    std::uint64_t stepsBeforeShown = 40;  // by the small pictures of the gauge
+};
+// What is fast enough on the device to be taught beside a picture that converges.
+LiveModelOptions liveModelOptions(const gpu::Device& device);
+
+// Used by one thread at a time, the one that uses the device.
+class LiveModel {
+  public:
+    // Of the scene that `beside` shows, of which it has a view of its own. Models that are put away go to the
+    // shelf, which may outlive the device.
+    static Result<LiveModel> create(const std::shared_ptr<gpu::Device>& device,
+                                    const trace::PathTracer& beside, std::shared_ptr<ModelShelf> shelf,
+                                    const LiveModelOptions& options);
+
+    // The scene shows what is called `key`, in a path-traced look with these settings, in light that stays
+    // where it is: nothing happens when it did already. Else the model of before is put away at once, and
+    // that of the key comes from the shelf, or is searched for. No model is ever drawn for another key than
+    // its own. Where the device has no room, the stage says so; other errors are told.
+    Result<void> show(const std::string& key, const trace::Settings& settings);
+    // The screen shows nothing that has a model: the one there is is put on the shelf, and none is drawn.
+    void hide();
+    // There is none for this key until another one is shown, `stage` says why: noRoom or failed. What was
+    // learnt goes to the shelf.
+    void giveUp(ModelStage stage);
+    // To the shelf, for a device that was lost: what was learnt until a few seconds ago.
+    void save() const;
+
+    bool canBeDrawn() const { return model_ && stage_ != ModelStage::searching; }
+    bool hasWork() const { return stage_ == ModelStage::searching || stage_ == ModelStage::learning; }
+    // A slice: about `budgetMs`, at least one dispatch of some 40 ms or one step; `keepGoing` is asked
+    // between these. Running out of memory ends the search or the learning, and is no error.
+    Result<void> work(double budgetMs, const std::function<bool()>& keepGoing);
+
+    // Linear, premultiplied; on the device until the next is drawn, done when what was submitted is. Its
+    // light is to be multiplied by gain() to be as bright as what is traced (brightness_gauge.h). Where it
+    // cannot be drawn for lack of memory it is given up, outOfMemory.
+    Result<const splat::DevicePicture*> draw(const Camera& camera, const glm::ivec2& sizePx);
+    double gain() const { return gain_; }
+
+    // What is drawn; null when nothing is.
+    std::shared_ptr<const splat::Splats> shown() const;
+    ModelNews news() const;
+    const std::string& key() const { return key_; }
+
+  private:
+    LiveModel(std::shared_ptr<gpu::Device> device, trace::PathTracer tracer,
+              std::shared_ptr<ModelShelf> shelf, const LiveModelOptions& options);
+
+    void putAway();
+    Result<void> makeDrawable();
+    void end(ModelStage stage);
+    Result<void> tryShow();
+    Result<void> searchSome(double budgetMs, const std::function<bool()>& goesOn);
+    Result<void> takeFirstSteps(double budgetMs, const std::function<bool()>& goesOn);
+    Result<void> beginSearch();
+    Result<void> learnSome(double budgetMs, const std::function<bool()>& goesOn);
+    Result<void> traceWanted(const std::function<bool()>& goesOn);
+    bool wantsView() const;
+
+    std::shared_ptr<gpu::Device> device_;
+    trace::PathTracer tracer_;
+    std::shared_ptr<ModelShelf> shelf_;
+    LiveModelOptions options_;
+    std::string key_;  // empty: nothing is shown
+    trace::Settings settings_;
+    ModelStage stage_ = ModelStage::none;
+    // While it is searching, once that has begun, or later, until the gauge is there.
+    std::optional<Box> seenMm_;
+    std::optional<trace::SurfacePoints> points_;  // found, while the gauge is made
+    std::optional<BrightnessGauge> gauge_;
+    std::optional<PeripheralModel> model_;
+    std::optional<Camera> wanted_;  // the view that is traced for it now
+    std::size_t views_ = 0;         // that it was given, or asked for in vain
+    std::uint64_t stepsAtLastView_ = 0;
+    std::shared_ptr<const splat::Splats> drawn_;  // what the painter has
+    std::optional<splat::ModelPainter> painter_;
+    double gain_ = 1.0;  // of that
+};
+
+}  // namespace macula::hybrid

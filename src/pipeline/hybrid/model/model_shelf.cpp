@@ -1,0 +1,46 @@
+#include "pipeline/hybrid/model/model_shelf.h"
+
+#include <algorithm>
+
+#include "pipeline/splat/model/splat_components.h"
+
+namespace macula::hybrid {
+
+namespace {
+
+std::uint64_t bytesOf(const splat::TrainingView& view) {
+    return view.pixels.size() * sizeof(glm::vec4);
+}
+
+}  // namespace
+
+std::uint64_t bytesOf(const PeripheralState& state) {
+    const auto components = static_cast<std::uint64_t>(splat::componentCount(state.training.splats.shDegree));
+    // Parameters, two moments, steps and statistics.
+    std::uint64_t bytes = state.training.splats.size() * (12 * components + 20);
+    for (const auto& view : state.training.views) bytes += bytesOf(*view.given);
+    for (const auto& view : state.heldOut) bytes += bytesOf(*view);
+    return bytes;
+}
+
+void ModelShelf::put(std::shared_ptr<const PeripheralState> state) {
+    states_.remove_if(
+        [&](const auto& other) { return other->training.options.key == state->training.options.key; });
+    if (bytesOf(*state) > mostBytes_) return;
+    states_.push_front(std::move(state));
+    std::uint64_t bytes = 0;
+    states_.erase(std::find_if(states_.begin(), states_.end(),
+                               [&](const auto& kept) {
+                                   bytes += bytesOf(*kept);
+                                   return bytes > mostBytes_;
+                               }),
+                  states_.end());
+}
+
+std::shared_ptr<const PeripheralState> ModelShelf::find(const std::string& key) const {
+    const auto found = std::find_if(states_.begin(), states_.end(),
+                                    [&](const auto& state) { return state->training.options.key == key; });
+    return found == states_.end() ? nullptr : *found;
+}
+
+}  // namespace macula::hybrid

@@ -1,0 +1,32 @@
+// Peripheral models of what was shown before, to go on with when it is shown again.
+#pragma once
+
+#include <cstdint>
+#include <list>
+#include <memory>
+#include <string>
+
+#include "pipeline/hybrid/model/peripheral_state.h"
+
+namespace macula::hybrid {
+
+// Of its pictures, and of what there is for each splat. About: what is small beside these is left out.
+std::uint64_t bytesOf(const PeripheralState& state);
+
+// By key; what was put there last stays longest. Together they take at most so many bytes.
+class ModelShelf {
+  public:
+    explicit ModelShelf(std::uint64_t mostBytes) : mostBytes_(mostBytes) {}
+
+    // Instead of what has the same key. One that is larger than all there is room for is not kept.
+    void put(std::shared_ptr<const PeripheralState> state);
+    // Null when there is none.
+    std::shared_ptr<const PeripheralState> find(const std::string& key) const;
+    std::size_t size() const { return states_.size(); }
+
+  private:
+    std::uint64_t mostBytes_;
+    std::list<std::shared_ptr<const PeripheralState>> states_;  // newest first
+};
+
+}  // namespace macula::hybrid

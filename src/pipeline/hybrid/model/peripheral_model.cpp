@@ -1,0 +1,220 @@
+#include "pipeline/hybrid/model/peripheral_model.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <utility>
+
+#include "pipeline/hybrid/model/refinement.h"
+#include "pipeline/hybrid/model/training_rounds.h"
+#include "pipeline/hybrid/views/held_out.h"
+
+namespace macula::hybrid {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double secondsSince(Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+constexpr std::size_t kFewViews = 12;      // of which nobody knows whether they are enough
+constexpr std::uint64_t kLeastSteps = 10;  // between judging: of a few steps nothing can be seen
+
+}  // namespace
+
+std::string_view describe(Pause pause) {
+    switch (pause) {
+        case Pause::none:
+            return "It is learning.";
+        case Pause::noViews:
+            return "There is no picture to learn from yet.";
+        case Pause::flat:
+            return "It has learnt what its pictures can teach it.";
+        case Pause::notJudged:
+            return "It has learnt for as long as is usual; there are too few pictures to tell more.";
+        case Pause::outOfMemory:
+            return "The graphics device has no memory left to learn with.";
+    }
+    return {};
+}
+
+// So that the held-out pictures have at most judgingShare of the pixels of all that is drawn.
+std::uint64_t PeripheralModel::stepsBetweenJudging() const {
+    double heldOut = 0.0;
+    for (const HeldOut& h : heldOut_) heldOut += double(h.picture->pixels.size());
+    double learnt = 0.0;
+    for (std::size_t i = 0; i < trainer_.viewCount(); ++i) learnt += double(trainer_.view(i).pixels.size());
+    const double each = learnt / double(std::max<std::size_t>(trainer_.viewCount(), 1));
+    const double steps = std::ceil(heldOut / std::max(options_.judgingShare * each, 1.0));
+    return std::max(kLeastSteps, static_cast<std::uint64_t>(std::min(steps, 1e6)));
+}
+
+Result<void> PeripheralModel::step(double budgetMs, const std::function<bool()>& keepGoing) {
+    if (isPaused()) return {};
+    const auto start = Clock::now();
+    const auto goesOn = [&] {
+        return 1000.0 * secondsSince(start) < budgetMs && (!keepGoing || keepGoing());
+    };
+    const auto work = [&]() -> Result<void> {
+        if (isTorn_) MACULA_TRY_VOID(trainer_.goBack());
+        isTorn_ = false;
+        do {
+            MACULA_TRY_VOID(isJudging_ ? judgeNext() : learn(goesOn));
+        } while (!isPaused() && goesOn());
+        return {};
+    };
+    Result<void> done = work();
+    if (!done && done.error().code == ErrorCode::outOfMemory) {
+        pause_ = Pause::outOfMemory;
+        isTorn_ = true;
+    }
+    return done;
+}
+
+// Until it is time to judge.
+Result<void> PeripheralModel::learn(const std::function<bool()>& goesOn) {
+    MACULA_TRY_VOID(beginRoundIfDue());
+    const std::uint64_t every = stepsBetweenJudging();
+    const std::uint64_t left = every - trainer_.report().steps % every;
+    const auto start = Clock::now();
+    const Result<splat::TrainingReport> trained = trainer_.step(left, goesOn);
+    trainingSeconds_ += secondsSince(start);
+    if (!trained) return trained.error();
+    isJudging_ = trained->steps % every == 0;
+    judged_ = 0;
+    return {};
+}
+
+// One picture after the other, so that no call takes long; the model stays as it is until all are compared.
+Result<void> PeripheralModel::judgeNext() {
+    if (judged_ < heldOut_.size()) {
+        const auto start = Clock::now();
+        HeldOut& h = heldOut_[judged_++];
+        MACULA_TRY(const double difference, trainer_.differenceTo(*h.picture));
+        h.error = difference / h.coverage;
+        judgingSeconds_ += secondsSince(start);
+        trainingSeconds_ += secondsSince(start);
+    }
+    if (judged_ < heldOut_.size()) return {};
+    isJudging_ = false;
+    if (!heldOut_.empty()) trend_.add(trainingSeconds_, *report().error);
+    MACULA_TRY_VOID(showIfBetter());
+    return pauseOrSettle();
+}
+
+void PeripheralModel::wake() {
+    pause_ = Pause::none;
+    trend_.forget();
+}
+
+Result<void> PeripheralModel::beginRoundIfDue() {
+    const double views = double(trainer_.viewCount());
+    if (notes_.roundViews == 0) notes_.roundViews = trainer_.viewCount();
+    const splat::TrainingReport now = trainer_.report();
+    if (!isSettled(trainer_.lastGood().options, now.steps) || trainer_.viewCount() <= notes_.roundViews ||
+        views < (1.0 + options_.newViewsForRound) * double(notes_.roundViews))
+        return {};
+    notes_.roundViews = trainer_.viewCount();
+    const auto more = static_cast<std::uint32_t>(
+        std::min(options_.splatsGrow * double(now.splats), double(options_.mostSplats)));
+    const std::uint32_t room = std::max(more, notes_.first.capacity);
+    MACULA_TRY(bool hasBegun, beginRound(room));
+    noRoom_ = !hasBegun;
+    if (!hasBegun) {
+        const auto present = std::max(trainer_.lastGood().options.capacity, now.splats);
+        MACULA_TRY(hasBegun, beginRound(std::min(present, room)));
+    }
+    // One that did not begin is tried again with as many more views, not at every step: the model would never
+    // pause.
+    if (hasBegun) ++rounds_;
+    return {};
+}
+
+Result<bool> PeripheralModel::beginRound(std::uint32_t capacity) {
+    // A round has few new views, and what is shown should not have to wait for long until it is better again.
+    constexpr double kWarmer = 3.0;
+    const RefinementOptions round{.iterations = options_.roundSteps, .capacity = capacity, .warmer = kWarmer};
+    return goOnWith(comparedAsJudged(refinementTraining(notes_.first, trainer_.report(), round)),
+                    std::max(options_.shDegree, trainer_.lastGood().splats.shDegree));
+}
+
+// Without memory for it all goes on as it was: false.
+Result<bool> PeripheralModel::goOnWith(const splat::TrainerOptions& options, int shDegree) {
+    const Result<void> done = trainer_.goOnWith(options, shDegree);
+    if (!done && done.error().code != ErrorCode::outOfMemory) return done.error();
+    trend_.forget();
+    return done.ok();
+}
+
+// What was shown before a change stays until the new model is nearer to what there is now; after that what is
+// shown follows the model, as long as that does not get worse.
+Result<void> PeripheralModel::showIfBetter() {
+    double error = 0.0;
+    double shownError = 0.0;
+    double bestError = 0.0;
+    for (const HeldOut& h : heldOut_) {
+        error += h.error;
+        shownError += h.shownError;
+        bestError += h.bestError;
+    }
+    const bool areTooFew = heldOut_.size() < kLeastHeldOut;
+    if (isOfBefore_ && (areTooFew || !(error < shownError))) return {};
+    // With few views it soon knows those by heart, and gets worse from elsewhere.
+    if (areTooFew && trainer_.viewCount() < kFewViews) return {};
+    // Not of what was shown last: a little worse again and again would be much.
+    if (!isOfBefore_ && error > (1.0 + options_.shownMayBeWorse) * bestError) return {};
+    const bool isBest = isOfBefore_ || error <= bestError;
+    MACULA_TRY(splat::Splats now, trainer_.snapshot());
+    shown_ = std::make_shared<const splat::Splats>(std::move(now));
+    shownKey_ = trainer_.lastGood().options.key;
+    ++generation_;
+    if (isBest) best_ = shown_;
+    isOfBefore_ = false;
+    for (HeldOut& h : heldOut_) {
+        h.shownError = h.error;
+        if (isBest) h.bestError = h.error;
+    }
+    return {};
+}
+
+Result<void> PeripheralModel::pauseOrSettle() {
+    const splat::TrainerOptions& now = trainer_.lastGood().options;
+    const std::uint64_t steps = trainer_.report().steps;
+    const bool settled = isSettled(now, steps);
+    if (heldOut_.size() < kLeastHeldOut) {
+        if (settled) pause_ = Pause::notJudged;
+        return {};
+    }
+    if (!trend_.isFlat()) return {};
+    if (settled) {
+        pause_ = Pause::flat;
+        return {};
+    }
+    MACULA_TRY_VOID(
+        goOnWith(settling(now, steps, options_.settlingSteps), trainer_.lastGood().splats.shDegree));
+    return {};
+}
+
+PeripheralReport PeripheralModel::report() const {
+    PeripheralReport report{.pause = pause_,
+                            .training = trainer_.report(),
+                            .trainingSeconds = trainingSeconds_,
+                            .judgingSeconds = judgingSeconds_,
+                            .views = trainer_.viewCount(),
+                            .heldOut = heldOut_.size(),
+                            .fallPerSecond = trend_.fallPerSecond(),
+                            .rounds = rounds_,
+                            .noRoom = noRoom_};
+    if (heldOut_.empty()) return report;
+    report.error = 0.0;
+    report.shownError = 0.0;
+    for (const HeldOut& h : heldOut_) {
+        *report.error += h.error / double(heldOut_.size());
+        *report.shownError += h.shownError / double(heldOut_.size());
+    }
+    return report;
+}
+
+}  // namespace macula::hybrid

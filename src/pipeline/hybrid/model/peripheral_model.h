@@ -1,0 +1,195 @@
+// The peripheral model as something that runs by itself: it learns for as long as that is of use, says from
+// where it wants to see more, takes in whatever picture it is offered, and goes on when what is shown is
+// changed. Whoever owns it has the device and the tracer, and does in turn:
+//
+//     model.step(20.0);                                // nothing while it is paused
+//     if (draw(model.shown()); ...)                    // a copy on the host, which no loss takes away
+//     if (wanted = model.wantedView()) model.offer(traced(wanted->camera));
+//     if (presetWasChosen) model.change(start);
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/result.h"
+#include "pipeline/gpu/device.h"
+#include "pipeline/hybrid/model/error_trend.h"
+#include "pipeline/hybrid/model/model_start.h"
+#include "pipeline/hybrid/model/peripheral_state.h"
+#include "pipeline/hybrid/views/candidate_poses.h"
+#include "pipeline/hybrid/views/traced_view.h"
+#include "pipeline/hybrid/views/training_views.h"
+#include "pipeline/splat/train/trainer.h"
+
+namespace macula::hybrid {
+
+struct PeripheralOptions {
+    std::uint64_t firstSteps = 700;       // of the first round (first_model.h)
+    std::uint64_t roundSteps = 1000;      // of each later one (refinement.h)
+    std::uint64_t settlingSteps = 100;    // in which rates fall when a round is of no more use
+    std::uint32_t firstCapacity = 11000;  // splats
+    double splatsGrow = 1.5;              // a later round may have so many times those there are
+    std::uint32_t mostSplats = 50000;     // and no more than that
+    int shDegree = 1;                     // of colours, from the start on; never less than the start has
+    // A later round begins when the model has so many more views, in parts of those it had at the last one.
+    double newViewsForRound = 0.25;
+    // Learnt and held out. A picture of 512 x 512 takes 5 MB on the device and 4 MB on the host.
+    std::size_t mostViews = 256;
+    // Of the device's memory that is free or theirs, they take no more than that.
+    double viewsShare = 0.5;
+    // At most: a larger one is reduced, by halves. More than that is not to be seen in so few splats.
+    int learntSidePx = 1024;
+    int heldOutSidePx = 256;  // at most: larger ones are reduced
+    // Of the pixels it trains with, so many are compared with held-out pictures, which costs less.
+    double judgingShare = 0.1;
+    // What is shown is made new when the error is at most so much more than that of the best that was shown.
+    double shownMayBeWorse = 0.01;
+    ErrorTrendOptions trend;
+    CandidateOptions wanted;
+    std::uint32_t seed = 0;
+    std::uint64_t shelfBytes = std::uint64_t(1) << 30;  // on the host, for what was shown before
+};
+
+enum class Pause {
+    none,
+    noViews,      // there is nothing to learn from yet
+    flat,         // the held-out error falls no more by what is worth it
+    notJudged,    // all rates have come to rest, and too few pictures are held out to tell more
+    outOfMemory,  // the step that failed would fail again
+};
+// For a person: "It has learnt what its views can teach it."
+std::string_view describe(Pause pause);
+
+// What became of a view that was offered.
+enum class Offered { learnt, heldOut, nothingNew, full };
+
+struct ShownModel {
+    std::shared_ptr<const splat::Splats> splats;  // valid; never null
+    // A larger one whenever `splats` are others, in a model that goes on with another one's state too.
+    std::uint64_t generation = 0;
+    bool isOfBefore = false;  // of what was shown before the last change
+};
+
+struct PeripheralReport {
+    Pause pause = Pause::none;
+    splat::TrainingReport training;
+    double trainingSeconds = 0.0;  // of the wall, since it began or was changed; judging included
+    double judgingSeconds = 0.0;   // of these
+    std::size_t views = 0;         // learnt
+    std::size_t heldOut = 0;
+    std::optional<double> error;          // mean over the held-out pictures, as they are now
+    std::optional<double> shownError;     // of what is shown, in the same
+    std::optional<double> fallPerSecond;  // ErrorTrend
+    std::uint64_t rounds = 0;
+    bool noRoom = false;  // for more splats: the device had no memory, and it goes on with those there are
+};
+
+// Used by one thread at a time, the one that uses the device. All that is decided is so by numbers of steps
+// and views, but for when the error has stopped falling, which is by time: then rates settle early, and
+// once they have, it pauses. What it learns is a function of the seed, of what it was offered after which
+// step, and of when it settled and was paused.
+class PeripheralModel {
+  public:
+    // Shows the start at once. usage and inputNotUsable as Trainer::create; outOfMemory.
+    static Result<PeripheralModel> begin(const std::shared_ptr<gpu::Device>& device, const ModelStart& start,
+                                         const PeripheralOptions& options);
+    // Goes on with lastGood() of another one, after its device was lost, say. The trainer goes on to the same
+    // bits; whether it had paused is found out again. Fails as Trainer::resume.
+    static Result<PeripheralModel> resume(const std::shared_ptr<gpu::Device>& device,
+                                          const PeripheralState& state, const PeripheralOptions& options);
+
+    // Learns for about `budgetMs`, at least one step of training or one comparison, and pauses by itself;
+    // `keepGoing` (may be empty) is asked after each. Does nothing while it is paused. deviceLost: shown()
+    // and lastGood() are what is left. outOfMemory: it pauses, and goes on from lastGood() when it wakes.
+    Result<void> step(double budgetMs, const std::function<bool()>& keepGoing = {});
+    bool isPaused() const { return pause_ != Pause::none; }
+
+    // From where a new picture would teach it most (wanted_views.h), of those views in which it shows
+    // enough; never one that it has, or that was among the last eight it asked for. Nothing when it is full
+    // or no view shows enough. Draws a few small pictures, more only where the first ones show too little.
+    Result<std::optional<CandidatePose>> wantedView();
+
+    // Of any field of view and size; a large one is reduced. Learnt if it shows something new (admit), at
+    // once awake again; a few are held out instead (held_out.h; awake again if it had paused as notJudged and
+    // now can be), if `mayBeHeldOut` or there are fewer than two of these: say no for what a person looks at,
+    // because of that it should know all. Fails as Trainer::addView, and then nothing has changed.
+    Result<Offered> offer(TracedView view, bool mayBeHeldOut = true);
+
+    // Of how much is in the way, without light (coverage_views.h): learnt, whatever it knows from there.
+    Result<Offered> offerOutline(TracedView view);
+
+    // What is shown was changed: everything that was learnt until now goes on the shelf, and it begins anew:
+    // with what is on the shelf for that key, else with `start`, else, if that has no splats or what is shown
+    // is of that key, with what is shown. Points (startFromPoints) are best for another preset or clip, what
+    // is shown for other lights: docs/peripheral-model.md. What was shown stays until the mean error of the
+    // new model is less over the held-out pictures of the new look, at least two. Pictures of the old model
+    // are not on the device while the new one is made. Fails as begin, and then it goes on as before.
+    Result<void> change(const ModelStart& start);
+
+    ShownModel shown() const { return {shown_, generation_, isOfBefore_}; }
+    PeripheralReport report() const;
+
+    // What resume needs; waits. lastGood: at most two seconds of training older, and on the host already.
+    Result<PeripheralState> state() const;
+    PeripheralState lastGood() const;
+
+  private:
+    struct HeldOut {
+        std::shared_ptr<const splat::TrainingView> picture;
+        double coverage = 0.0;
+        double error = 0.0;       // of the model, when it was last judged
+        double shownError = 0.0;  // of what is shown
+        double bestError = 0.0;   // of the best that was shown since the last change
+    };
+
+    PeripheralModel(std::shared_ptr<gpu::Device> device, const PeripheralOptions& options,
+                    splat::Trainer trainer, PeripheralState notes);
+
+    static Result<splat::Trainer> beginTrainer(const std::shared_ptr<gpu::Device>& device,
+                                               const ModelStart& start, const PeripheralOptions& options);
+    void goOnShowing(const std::shared_ptr<const splat::Splats>& splats, const std::string& key);
+    Result<void> judgeShown(HeldOut& heldOut) const;
+    Result<void> takeHeldOut(const std::shared_ptr<const splat::TrainingView>& picture);
+    bool isFull() const;
+    bool isKnown(const splat::RasterView& view) const;
+    double degreesBesideHeldOut(const splat::RasterView& view) const;
+    std::vector<KnownPose> knownViews() const;
+    std::uint64_t stepsBetweenJudging() const;
+    Result<void> beginRoundIfDue();
+    Result<bool> beginRound(std::uint32_t capacity);
+    Result<bool> goOnWith(const splat::TrainerOptions& options, int shDegree);
+    Result<void> learn(const std::function<bool()>& goesOn);
+    Result<void> judgeNext();
+    Result<void> showIfBetter();
+    Result<void> pauseOrSettle();
+    void wake();
+
+    std::shared_ptr<gpu::Device> device_;
+    PeripheralOptions options_;
+    splat::Trainer trainer_;
+    PeripheralState notes_;  // but for `training` and `heldOut`
+    std::vector<HeldOut> heldOut_;
+    std::vector<Camera> asked_;  // and not come yet
+    std::shared_ptr<const splat::Splats> shown_;
+    std::shared_ptr<const splat::Splats> best_;  // of what was shown since the last change
+    bool isOfBefore_ = false;                    // what is shown, of before the last change
+    std::string shownKey_;                       // of what it is
+    std::uint64_t generation_;
+    ErrorTrend trend_;
+    bool isJudging_ = false;
+    std::size_t judged_ = 0;  // since then
+    Pause pause_ = Pause::noViews;
+    std::uint64_t rounds_ = 1;
+    bool noRoom_ = false;
+    bool isTorn_ = false;                   // a step failed: the trainer has to go back
+    mutable std::vector<double> coverage_;  // of the views of the trainer, as far as it was needed
+    double trainingSeconds_ = 0.0;
+    double judgingSeconds_ = 0.0;
+};
+
+}  // namespace macula::hybrid

@@ -1,0 +1,144 @@
+// How a peripheral model begins, and begins again when what is shown was changed.
+#include <algorithm>
+#include <utility>
+
+#include "pipeline/hybrid/model/first_model.h"
+#include "pipeline/hybrid/model/model_shelf.h"
+#include "pipeline/hybrid/model/peripheral_model.h"
+#include "pipeline/hybrid/model/training_rounds.h"
+
+namespace macula::hybrid {
+
+namespace {
+
+splat::TrainerOptions firstRound(const std::string& key, const PeripheralOptions& options) {
+    FirstModelOptions first;
+    first.iterations = options.firstSteps;
+    first.capacity = options.firstCapacity;
+    first.sizePx = options.wanted.sizePx.y;
+    first.trial = options.seed;
+    // A start from points looks best at the size it is looked at; halved pictures would undo that for a
+    // while. And no squares at last.
+    splat::TrainerOptions training = comparedAsJudged(trainerOptions(first));
+    training.key = key;
+    return training;
+}
+
+}  // namespace
+
+PeripheralModel::PeripheralModel(std::shared_ptr<gpu::Device> device, const PeripheralOptions& options,
+                                 splat::Trainer trainer, PeripheralState notes)
+    : device_(std::move(device)),
+      options_(options),
+      trainer_(std::move(trainer)),
+      notes_(std::move(notes)),
+      shown_(std::make_shared<const splat::Splats>(trainer_.lastGood().splats)),
+      best_(shown_),
+      shownKey_(trainer_.lastGood().options.key),
+      generation_(notes_.generation + 1),
+      trend_(options_.trend),
+      pause_(trainer_.viewCount() > 0 ? Pause::none : Pause::noViews) {
+    if (!notes_.shelf) notes_.shelf = std::make_shared<ModelShelf>(options_.shelfBytes);
+}
+
+Result<splat::Trainer> PeripheralModel::beginTrainer(const std::shared_ptr<gpu::Device>& device,
+                                                     const ModelStart& start,
+                                                     const PeripheralOptions& options) {
+    if (!(start.seenMm.diagonal() > 0.0))
+        return Error{ErrorCode::usage,
+                     "There is nothing to be seen.",
+                     {},
+                     "Choose a preset that shows something of the series."};
+    splat::Splats splats = start.splats;
+    splats.setShDegree(std::max(options.shDegree, splats.shDegree));
+    return splat::Trainer::create(device, splats, firstRound(start.key, options));
+}
+
+Result<PeripheralModel> PeripheralModel::begin(const std::shared_ptr<gpu::Device>& device,
+                                               const ModelStart& start, const PeripheralOptions& options) {
+    MACULA_TRY(splat::Trainer trainer, beginTrainer(device, start, options));
+    PeripheralState notes{.seenMm = start.seenMm};
+    notes.first = trainer.lastGood().options;
+    return PeripheralModel(device, options, std::move(trainer), std::move(notes));
+}
+
+Result<PeripheralModel> PeripheralModel::resume(const std::shared_ptr<gpu::Device>& device,
+                                                const PeripheralState& state,
+                                                const PeripheralOptions& options) {
+    splat::TrainingState training = state.training;
+    training.options = comparedAsJudged(std::move(training.options));  // those of a file may end by squares
+    MACULA_TRY(splat::Trainer trainer, splat::Trainer::resume(device, training));
+    PeripheralState notes = state;
+    if (notes.first.capacity == 0) notes.first = firstRound(state.training.options.key, options);
+    notes.training = {};
+    notes.heldOut.clear();
+    notes.before = nullptr;
+    PeripheralModel model(device, options, std::move(trainer), std::move(notes));
+    if (state.before) model.goOnShowing(state.before, state.beforeKey);
+    for (const auto& picture : state.heldOut) MACULA_TRY_VOID(model.takeHeldOut(picture));
+    return model;
+}
+
+// While the model itself is not shown yet.
+void PeripheralModel::goOnShowing(const std::shared_ptr<const splat::Splats>& splats,
+                                  const std::string& key) {
+    shown_ = best_ = splats;
+    shownKey_ = key;
+    isOfBefore_ = true;
+}
+
+Result<void> PeripheralModel::change(const ModelStart& start) {
+    MACULA_TRY(PeripheralState now, state());
+    const bool hasKey = !start.key.empty();
+    if (hasKey && start.key == now.training.options.key) return {};
+    now.before = nullptr;
+    now.beforeKey.clear();
+    // Changed back before anything else was shown: what is shown is of this already.
+    const bool isOwn = hasKey && start.key == shownKey_;
+    const std::shared_ptr<ModelShelf> shelf = std::exchange(now.shelf, nullptr);
+    const auto kept = hasKey ? shelf->find(start.key) : nullptr;
+    // On a card that is full there is no room for two models, and never for those of both in all their
+    // pictures.
+    trainer_.releasePictures();
+    const auto begun = [&]() -> Result<PeripheralModel> {
+        if (kept) return resume(device_, *kept, options_);
+        if (start.splats.size() > 0 && !isOwn) return begin(device_, start, options_);
+        ModelStart warm = start;
+        warm.splats = *shown_;
+        return begin(device_, warm, options_);
+    };
+    MACULA_TRY(PeripheralModel next, begun());
+    next.generation_ = generation_;
+    next.goOnShowing(shown_, shownKey_);
+    for (HeldOut& h : next.heldOut_) MACULA_TRY_VOID(next.judgeShown(h));
+    if (isOwn)
+        next.isOfBefore_ = false;
+    else
+        MACULA_TRY_VOID(next.showIfBetter());
+    if (!now.training.options.key.empty())
+        shelf->put(std::make_shared<const PeripheralState>(std::move(now)));
+    next.notes_.shelf = shelf;
+    *this = std::move(next);
+    return {};
+}
+
+Result<PeripheralState> PeripheralModel::state() const {
+    PeripheralState state = lastGood();
+    if (isTorn_) return state;
+    MACULA_TRY(state.training, trainer_.state());
+    return state;
+}
+
+PeripheralState PeripheralModel::lastGood() const {
+    PeripheralState state = notes_;
+    state.generation = generation_;
+    state.training = trainer_.lastGood();
+    for (const HeldOut& h : heldOut_) state.heldOut.push_back(h.picture);
+    if (isOfBefore_) {
+        state.before = shown_;
+        state.beforeKey = shownKey_;
+    }
+    return state;
+}
+
+}  // namespace macula::hybrid

@@ -1,0 +1,181 @@
+// The views of a peripheral model: those it asks for, and those it is offered.
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <span>
+#include <utility>
+
+#include "pipeline/hybrid/model/peripheral_model.h"
+#include "pipeline/hybrid/views/drawn_views.h"
+#include "pipeline/hybrid/views/held_out.h"
+
+namespace macula::hybrid {
+
+namespace {
+
+// On the device, with smaller copies: a third more than those of LossTarget.
+constexpr double kBytesOfPixel = 27.0;
+constexpr std::size_t kMostAsked = 8;  // that are waited for
+constexpr std::size_t kLooks = 8;      // at what a wanted view shows
+constexpr int kLookSidePx = 32;
+constexpr double kLeastCoverage = 0.04;  // as PoseLimits
+// Of a view in which hardly anything shows the error is not that of its few pixels.
+constexpr double kLeastShare = 0.02;
+
+double coverageOf(const splat::TrainingView& view) {
+    return std::max(meanCoverage(view), kLeastShare);
+}
+
+}  // namespace
+
+std::vector<KnownPose> PeripheralModel::knownViews() const {
+    std::vector<KnownPose> known;
+    while (coverage_.size() < trainer_.viewCount())
+        coverage_.push_back(coverageOf(trainer_.view(coverage_.size())));
+    for (std::size_t i = 0; i < trainer_.viewCount(); ++i) {
+        if (trainer_.view(i).kind != splat::ViewKind::picture) continue;  // no picture of it was seen
+        known.push_back({.view = trainer_.view(i).view, .error = trainer_.lastDifference(i) / coverage_[i]});
+    }
+    for (const HeldOut& h : heldOut_) known.push_back({.view = h.picture->view, .error = h.error});
+    for (const Camera& camera : asked_) {
+        const auto view =
+            splat::rasterView(camera, options_.wanted.sizePx, trainer_.lastGood().splats.originMm);
+        if (view) known.push_back({.view = *view});
+    }
+    return known;
+}
+
+Result<std::optional<CandidatePose>> PeripheralModel::wantedView() {
+    using Wanted = std::optional<CandidatePose>;
+    if (isFull()) return Wanted();
+    const std::uint64_t seed = (std::uint64_t(options_.seed) << 32) + notes_.asked;
+    MACULA_TRY(std::vector<CandidatePose> wanted,
+               candidatePoses(knownViews(), notes_.seenMm, trainer_.lastGood().splats.originMm, seed,
+                              options_.wanted));
+    // What is shown may be of before.
+    MACULA_TRY(const splat::Splats now, trainer_.snapshot());
+    const glm::dvec2 size(options_.wanted.sizePx);
+    const glm::ivec2 small = glm::max(glm::ivec2(size * (kLookSidePx / std::max(size.x, size.y))), 1);
+    // The best ones are of what nobody saw yet, where there may be nothing: then those behind them are looked
+    // at.
+    for (std::size_t first = 0; first < wanted.size(); first += kLooks) {
+        const std::span looks = std::span(wanted).subspan(first, std::min(kLooks, wanted.size() - first));
+        std::vector<Camera> cameras;
+        std::transform(looks.begin(), looks.end(), std::back_inserter(cameras),
+                       [](const CandidatePose& view) { return view.camera; });
+        MACULA_TRY(const DrawnViews drawn, drawViews(device_, now, cameras, small));
+        for (std::size_t i = 0; i < looks.size(); ++i) {
+            const double sum = std::accumulate(drawn.pictures[i].begin(), drawn.pictures[i].end(), 0.0,
+                                               [](double s, const glm::vec4& p) { return s + double(p.a); });
+            if (now.size() > 0 && sum < kLeastCoverage * double(drawn.pictures[i].size())) continue;
+            ++notes_.asked;
+            asked_.push_back(looks[i].camera);
+            if (asked_.size() > kMostAsked) asked_.erase(asked_.begin());
+            return Wanted(looks[i]);
+        }
+    }
+    ++notes_.asked;  // others are drawn the next time
+    return Wanted();
+}
+
+bool PeripheralModel::isFull() const {
+    if (trainer_.viewCount() + heldOut_.size() >= options_.mostViews) return true;
+    double bytes = 0.0;
+    for (std::size_t i = 0; i < trainer_.viewCount(); ++i)
+        bytes += kBytesOfPixel * double(trainer_.view(i).pixels.size());
+    return bytes > options_.viewsShare * (bytes + double(device_->memoryAvailableBytes()));
+}
+
+bool PeripheralModel::isKnown(const splat::RasterView& view) const {
+    const double radiusMm = 0.5 * notes_.seenMm.diagonal();
+    const auto same = [&](const splat::RasterView& other) {
+        return isSamePose(view, other, radiusMm, options_.wanted.admission);
+    };
+    for (std::size_t i = 0; i < trainer_.viewCount(); ++i)
+        if (trainer_.view(i).kind == splat::ViewKind::picture && same(trainer_.view(i).view)) return true;
+    return std::any_of(heldOut_.begin(), heldOut_.end(),
+                       [&](const HeldOut& h) { return same(h.picture->view); });
+}
+
+double PeripheralModel::degreesBesideHeldOut(const splat::RasterView& view) const {
+    const glm::dvec3 centre = notes_.seenMm.centre() - trainer_.lastGood().splats.originMm;
+    double least = 180.0;
+    for (const HeldOut& h : heldOut_) {
+        const glm::dvec3 a = view.eyeMm - centre;
+        const glm::dvec3 b = h.picture->view.eyeMm - centre;
+        least = std::min(least, glm::degrees(std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b))));
+    }
+    return least;
+}
+
+// By a model that is on the device for as long as that takes: a picture is held out a few times, and a second
+// model that stayed there would take room from the one that learns.
+Result<void> PeripheralModel::judgeShown(HeldOut& heldOut) const {
+    const auto errorOf = [&](const splat::Splats& splats) -> Result<double> {
+        splat::TrainerOptions options = notes_.first;
+        options.capacity = 0;  // no more than there are
+        const splat::Splats here = relativeTo(splats, trainer_.lastGood().splats.originMm);
+        MACULA_TRY(splat::Trainer judge, splat::Trainer::create(device_, here, options));
+        MACULA_TRY(const double error, judge.differenceTo(*heldOut.picture));
+        return error / heldOut.coverage;
+    };
+    MACULA_TRY(heldOut.shownError, errorOf(*shown_));
+    heldOut.bestError = heldOut.shownError;
+    if (best_ != shown_) {
+        MACULA_TRY(heldOut.bestError, errorOf(*best_));
+    }
+    return {};
+}
+
+// What is shown and what was best are judged by it as they are, not as the model is now: else what has become
+// worse since would pass for what was shown.
+Result<void> PeripheralModel::takeHeldOut(const std::shared_ptr<const splat::TrainingView>& picture) {
+    HeldOut taken{.picture = picture, .coverage = coverageOf(*picture)};
+    MACULA_TRY(const double error, trainer_.differenceTo(*picture));
+    taken.error = error / taken.coverage;
+    MACULA_TRY_VOID(judgeShown(taken));
+    heldOut_.push_back(std::move(taken));
+    trend_.forget();
+    return {};
+}
+
+Result<Offered> PeripheralModel::offer(TracedView view, bool mayBeHeldOut) {
+    const glm::dvec3 originMm = trainer_.lastGood().splats.originMm;
+    const double radiusMm = 0.5 * notes_.seenMm.diagonal();
+    MACULA_TRY(splat::TrainingView picture, trainingView(trainer_, notes_.seenMm, std::move(view)));
+    picture = reducedTo(std::move(picture), options_.learntSidePx);
+    const splat::RasterView& from = picture.view;
+    std::erase_if(asked_, [&](const Camera& camera) {
+        const auto asked = splat::rasterView(camera, options_.wanted.sizePx, originMm);
+        return asked && isSamePose(*asked, from, radiusMm, options_.wanted.admission);
+    });
+    if (isFull()) return Offered::full;
+    if ((mayBeHeldOut || heldOut_.size() < kLeastHeldOut) && !isKnown(from)) {
+        if (isHeldOut(notes_.offered, heldOut_.size(), degreesBesideHeldOut(from))) {
+            picture.weight = 1.0f;
+            MACULA_TRY_VOID(takeHeldOut(std::make_shared<const splat::TrainingView>(
+                reducedTo(std::move(picture), options_.heldOutSidePx))));
+            ++notes_.offered;
+            if (isOfBefore_) MACULA_TRY_VOID(showIfBetter());
+            // Now it can be told whether more steps are worth it.
+            if (pause_ == Pause::notJudged && heldOut_.size() >= kLeastHeldOut) wake();
+            return Offered::heldOut;
+        }
+    }
+    MACULA_TRY(const Novelty novelty,
+               admit(trainer_, std::move(picture), radiusMm, options_.wanted.admission));
+    if (novelty == Novelty::none) return Offered::nothingNew;
+    if (novelty == Novelty::pose) ++notes_.offered;
+    wake();
+    return Offered::learnt;
+}
+
+Result<Offered> PeripheralModel::offerOutline(TracedView view) {
+    if (isFull()) return Offered::full;
+    MACULA_TRY(splat::TrainingView outline, coverageTrainingView(trainer_, notes_.seenMm, std::move(view)));
+    MACULA_TRY_VOID(trainer_.addView(reducedTo(std::move(outline), options_.learntSidePx)));
+    wake();
+    return Offered::learnt;
+}
+
+}  // namespace macula::hybrid

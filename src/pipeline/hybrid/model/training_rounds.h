@@ -1,0 +1,25 @@
+// How a model trains whose end nobody knows: in rounds, in each of which rates fall, and which end early when
+// that is of no more use.
+#pragma once
+
+#include <cstdint>
+
+#include "pipeline/splat/train/trainer_options.h"
+
+namespace macula::hybrid {
+
+// Whole pictures, compared alike from the first step to the last: absolute differences, never squares. What
+// is shown is chosen by absolute differences (Trainer::differenceTo); squares give the model the light that
+// these leave out, 2 to 5 % where pictures are noisy, but may raise that error, and then the older copy stays
+// shown.
+splat::TrainerOptions comparedAsJudged(splat::TrainerOptions options);
+
+// Whether all rates have come to their last values.
+bool isSettled(const splat::TrainerOptions& options, std::uint64_t stepsDone);
+
+// Rates go on from where they are after `stepsDone`, without a jump, and come to the same last values within
+// `steps` steps; splats are neither split nor removed any more, and pictures are as comparedAsJudged
+// has them.
+splat::TrainerOptions settling(splat::TrainerOptions options, std::uint64_t stepsDone, std::uint64_t steps);
+
+}  // namespace macula::hybrid

@@ -1,0 +1,68 @@
+#include "pipeline/hybrid/views/traced_scene.h"
+
+#include <span>
+#include <type_traits>
+
+#include "base/fingerprint.h"
+#include "base/sha256.h"
+#include "pipeline/trace/scene.h"
+#include "pipeline/volume/brick_grid.h"
+#include "pipeline/volume/mask_bits.h"
+#include "pipeline/volume/visible_box.h"
+#include "pipeline/volume/volume_fit.h"
+#include "shaders/trace.h"
+
+namespace macula::hybrid {
+
+namespace {
+
+// Arrays of numbers without gaps between them, to be hashed as they lie.
+template <class T>
+std::string hashOf(std::span<const T> values) {
+    static_assert(std::is_trivially_copyable_v<T> && sizeof(T) % alignof(float) == 0);
+    return sha256Hex(std::as_bytes(values)) + "\n";
+}
+
+}  // namespace
+
+Result<TracedScene> TracedScene::create(std::shared_ptr<const Volume> volume,
+                                        const TransferFunction& function, const Clip& clip,
+                                        const trace::Environment& environment) {
+    MACULA_CHECK(volume != nullptr && volume->format() == VoxelFormat::stored16);
+    MACULA_TRY_VOID(validate(function));
+    MACULA_TRY_VOID(validate(clip));
+    TracedScene scene(std::move(volume), clip, environment);
+    const Volume& v = *scene.volume_;
+    const TransferFunction fit = fitted(function, v);
+    const BrickGrid grid = makeBrickGrid(v);
+    std::optional<MaskBits> mask;
+    if (clip.mask) mask = maskBits(*clip.mask, v);
+    // Bounds that leave out all that is hidden from the eye: the tracer's own keep it where it casts shadow.
+    Clip ofEye = clip;
+    ofEye.removedCastsShadow = false;
+    scene.medium_ = makeMedium(v, grid, fit, ofEye, mask ? &*mask : nullptr);
+    scene.seenMm_ = visibleBoxMm(v, grid, scene.medium_);
+
+    static_assert(sizeof(EntryRange) == 4 && sizeof(trace::EnvironmentTexel) == 16);
+    const Medium& medium = scene.medium_;
+    std::string text = fingerprint(v) + "\n" + hashOf<EntryRange>(grid.ranges);
+    text += hashOf<float>(medium.extinctionPerMm) + hashOf<glm::vec4>(medium.albedo) +
+            hashOf<float>(medium.gradientOpacity) + hashOf<float>(medium.bounds);
+    text += mask ? hashOf<std::uint32_t>(mask->words) : "no mask\n";
+    text += hashOf<trace::EnvironmentTexel>(environment.texels());
+    text += hashOf<std::uint32_t>(shaders::trace_path_comp.words);
+    scene.digest_ = sha256Hex(text);
+    return scene;
+}
+
+Result<std::string> TracedScene::pictureKey(const trace::View& view, const trace::Settings& settings,
+                                            std::uint32_t samplesPerPixel) const {
+    MACULA_CHECK(trace::isPathTraced(settings.look));
+    MACULA_TRY(const shared::TraceParams params,
+               makeTraceParams(*volume_, medium_, environment_, view, settings, clip_));
+    return sha256Hex(fmt::format("{} {} {} {} {}", digest_, sha256Hex(std::as_bytes(std::span(&params, 1))),
+                                 trace::nameOf(settings.filter), nameOf(settings.denoising),
+                                 samplesPerPixel));
+}
+
+}  // namespace macula::hybrid

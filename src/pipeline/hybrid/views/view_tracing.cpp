@@ -1,0 +1,169 @@
+#include "pipeline/hybrid/views/view_tracing.h"
+
+#include <algorithm>
+#include <bit>
+#include <limits>
+#include <numeric>
+#include <optional>
+#include <utility>
+
+#include "pipeline/hybrid/light/pixel_coverage.h"
+
+namespace macula::hybrid {
+
+namespace {
+
+Error cancelled() {
+    return {ErrorCode::cancelled, "Stopped.", {}, {}};
+}
+
+// In small portions, so that progress moves.
+Result<void> addSamples(trace::PathTracer& tracer, const trace::View& view, const trace::Settings& settings,
+                        std::uint32_t samplesPerPixel, Progress& progress) {
+    constexpr std::uint32_t kPortion = 8;
+    MACULA_TRY_VOID(tracer.setSettings(settings));
+    MACULA_TRY_VOID(tracer.setView(view));
+    for (std::uint32_t done = 0; done < samplesPerPixel;) {
+        const std::uint32_t count = std::min(kPortion, samplesPerPixel - done);
+        MACULA_TRY(const bool whole, tracer.trace(count, [&] { return !progress.cancelled(); }));
+        if (!whole || progress.cancelled()) return cancelled();
+        done += count;
+        progress.advance(count);
+    }
+    return {};
+}
+
+// Likewise, and keeps the light that they find.
+Result<void> addSamplesAndLight(trace::PathTracer& tracer, const trace::View& view,
+                                const trace::Settings& settings, std::uint32_t samplesPerPixel,
+                                LightInSpace& light, Progress& progress) {
+    MACULA_TRY_VOID(tracer.setSettings(settings));
+    MACULA_TRY_VOID(tracer.setView(view));
+    for (std::uint32_t done = 0; done < samplesPerPixel;) {
+        const std::uint32_t count = std::min(shared::kPrimarySamples, samplesPerPixel - done);
+        MACULA_TRY(const std::vector<shared::PrimaryVertex> met,
+                   tracer.tracePrimaries(count, [&] { return !progress.cancelled(); }));
+        if (progress.cancelled()) return cancelled();
+        for (const shared::PrimaryVertex& vertex : met) {
+            const glm::dvec3 way(vertex.fromEyeMm);
+            if (way == glm::dvec3(0.0)) continue;
+            light.add(view.camera.positionMm + way, glm::normalize(way), vertex.radiance);
+        }
+        done += count;
+        progress.advance(count);
+    }
+    return {};
+}
+
+// By bit reversal: of any first few, about as many are in one half as in the other, and so on in these.
+std::vector<std::size_t> spreadOrder(std::size_t count) {
+    std::vector<std::size_t> order;
+    const std::size_t all = std::bit_ceil(std::max<std::size_t>(count, 1));
+    for (std::size_t i = 0; i < all; ++i) {
+        std::size_t reversed = 0;
+        for (std::size_t bit = 1; bit < all; bit *= 2) reversed = 2 * reversed + ((i & bit) != 0 ? 1 : 0);
+        if (reversed < count) order.push_back(reversed);
+    }
+    return order;
+}
+
+std::vector<std::size_t> orderOf(std::size_t count, bool mayEnd) {
+    if (mayEnd) return spreadOrder(count);
+    std::vector<std::size_t> order(count);
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    return order;
+}
+
+}  // namespace
+
+Result<TracedView> traceView(trace::PathTracer& tracer, const trace::View& view,
+                             const trace::Settings& settings, std::uint32_t samplesPerPixel,
+                             Progress& progress) {
+    MACULA_TRY_VOID(addSamples(tracer, view, settings, samplesPerPixel, progress));
+    MACULA_TRY(trace::TracedImage image, tracer.readback());
+    return TracedView{.camera = view.camera,
+                      .sizePx = {view.width, view.height},
+                      .rgba = std::move(image.radiance),
+                      .samplesPerPixel = double(samplesPerPixel)};
+}
+
+Result<TracedView> readToLearnFrom(trace::PathTracer& tracer, const Camera& camera) {
+    MACULA_TRY(trace::TracedImage image, tracer.readback());
+    MACULA_TRY(const std::vector<trace::GuidePixel> guides, tracer.readGuides());
+    MACULA_TRY(const trace::Statistics statistics, tracer.statistics());
+    const glm::ivec2 sizePx(image.width, image.height);
+    const std::vector<float> coverage = pixelCoverage(guides, sizePx);
+    constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
+    for (std::size_t i = 0; i < coverage.size(); ++i) {
+        image.radiance[i].a = coverage[i];
+        if (image.samples[i] == 0) image.radiance[i] = glm::vec4(kUnknown);
+    }
+    return TracedView{.camera = camera,
+                      .sizePx = sizePx,
+                      .rgba = std::move(image.radiance),
+                      .samplesPerPixel = statistics.meanSamplesPerPixel};
+}
+
+Result<TracedViews> traceViews(trace::PathTracer& tracer, std::span<const Camera> cameras,
+                               const ViewTracing& options, Progress& progress) {
+    const std::uint32_t samples = options.samplesPerPixel;
+    progress.beginStage("Tracing views", cameras.size() * samples);
+    TracedViews learnt;
+    std::vector<std::optional<TracedView>> made(cameras.size());
+    bool isFirst = true;
+    for (const std::size_t i : orderOf(cameras.size(), bool(options.hasTimeToTrace))) {
+        const Camera& camera = cameras[i];
+        const bool hasTime = !options.hasTimeToTrace || options.hasTimeToTrace();
+        if (!hasTime && !isFirst) break;
+        isFirst = false;
+        trace::Settings settings = options.settings;
+        settings.seed += static_cast<std::uint32_t>(i);
+        const trace::View view{.camera = camera, .width = options.sizePx.x, .height = options.sizePx.y};
+        const ViewMaking making{.view = view, .settings = settings, .samplesPerPixel = samples};
+        if (options.kept != nullptr && options.light == nullptr) {
+            MACULA_TRY(made[i], options.kept->find(making));
+            if (made[i]) {
+                ++learnt.fromKept;
+                progress.advance(samples);
+                if (progress.cancelled()) return cancelled();
+                continue;
+            }
+        }
+        tracer.forgetViews();
+        if (options.light != nullptr) {
+            MACULA_TRY_VOID(addSamplesAndLight(tracer, view, settings, samples, *options.light, progress));
+        } else {
+            MACULA_TRY_VOID(addSamples(tracer, view, settings, samples, progress));
+        }
+        MACULA_TRY(made[i], readToLearnFrom(tracer, camera));
+        if (options.kept != nullptr && options.light == nullptr)
+            MACULA_TRY_VOID(options.kept->keep(making, *made[i]));
+    }
+    for (std::size_t i = 0; i < cameras.size(); ++i) {
+        if (made[i]) {
+            learnt.views.push_back(std::move(*made[i]));
+        } else {
+            learnt.leftOut.push_back(cameras[i]);
+        }
+    }
+    return learnt;
+}
+
+PoseAcceptance showsEnough(trace::PathTracer& tracer, double radiusMm, const PoseLimits& limits,
+                           const Progress& progress) {
+    return [&tracer, &progress, radiusMm, limits](const Camera& camera) -> Result<bool> {
+        if (progress.cancelled()) return cancelled();
+        MACULA_TRY_VOID(tracer.setView({.camera = camera, .width = limits.sizePx, .height = limits.sizePx}));
+        MACULA_TRY(const std::vector<trace::GuidePixel> pixels, tracer.readGuides());
+        double coverage = 0.0;
+        std::size_t near = 0;
+        for (const trace::GuidePixel& pixel : pixels) {
+            coverage += double(pixel.coverage);
+            if (pixel.depthMm >= 0.0f && double(pixel.depthMm) < limits.nearRadii * radiusMm) ++near;
+        }
+        const auto count = double(pixels.size());
+        return coverage >= limits.leastCoverage * count && double(near) <= limits.mostNear * count;
+    };
+}
+
+}  // namespace macula::hybrid

@@ -1,0 +1,44 @@
+// From a picture of splats to what is looked at or stored.
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <span>
+#include <vector>
+
+#include "pipeline/splat/model/splats.h"
+
+namespace macula::splat {
+
+struct DisplayOptions {
+    glm::vec3 background{0.0f};  // as it is to be on the display, each 0 to 1
+    float exposure = 1.0f;       // multiplies linear radiance before the tone map; others have none
+};
+
+// 8-bit RGBA, opaque, of premultiplied `pixels`. Linear radiance is laid over the background, exposed, tone
+// mapped and encoded, as displayColour in shaders/lib/picture.glsl; the background is put through the inverse
+// of that first, so that it is shown as it was asked for (but for the brightest saturated colours, which the
+// tone map has none of: they come out darker, of the same hue). Colours of the display are laid over the
+// background as they are, as 3DGS does.
+std::vector<std::uint8_t> displayed(std::span<const glm::vec4> pixels, ColourSpace space,
+                                    const DisplayOptions& options);
+
+// The same before it is rounded to 8 bits, each 0 to 1.
+std::vector<glm::vec3> displayedExactly(std::span<const glm::vec4> pixels, ColourSpace space,
+                                        const DisplayOptions& options);
+
+// Premultiplied linear radiance. Colours of the display are taken as sRGB: each pixel's own colour, without
+// what is behind it, is decoded.
+std::vector<glm::vec4> linearRadiance(std::span<const glm::vec4> pixels, ColourSpace space);
+
+// A model for programs that blend what is displayed: the colour of each splat as it is displayed alone, and
+// how that changes with direction to first order. Where splats are seen through each other it comes out a
+// little different. The model must be valid; one of the display's colours is what it was.
+Splats asDisplayed(Splats splats);
+
+// Of the splats that a pixel shows, in mm along the camera's z, from their sums of weight times depth;
+// +infinity where coverage is not above minCoverage.
+std::vector<float> meanDepthsMm(std::span<const glm::vec4> pixels, std::span<const float> depthSums,
+                                float minCoverage = 0.5f);
+
+}  // namespace macula::splat

@@ -1,0 +1,341 @@
+#include "pipeline/splat/draw/rasterizer.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "base/check.h"
+#include "pipeline/gpu/transfer.h"
+#include "shaders/splat.h"
+
+namespace macula::splat {
+
+namespace {
+
+using shared::kPairValues;
+using shared::kScreenTexels;
+
+RasterShape chosenShape(const RasterShape& asked, const gpu::Device& device) {
+    RasterShape shape = asked;
+    if (shape.tileRows > 0) return shape;
+    // A tile of a graphics card is as many threads as it runs together: 8 x 4.
+    shape.tileRows = device.isCpu() ? 16 : 8;
+    shape.rowsPerThread = device.isCpu() ? 16 : 2;
+    return shape;
+}
+
+// Of the kernel whose sums are laid out by it: 32 where that can be had. A device that has several sizes may
+// choose another for each kernel unless it is told.
+std::uint32_t askedSubgroupSize(const gpu::DeviceInfo& info) {
+    return info.maxSubgroupSize == 0 ? 0 : std::clamp(32u, info.minSubgroupSize, info.maxSubgroupSize);
+}
+
+bool makesLists(const gpu::Device& device, std::uint32_t capacity, ListMaker wanted) {
+    if (wanted == ListMaker::host || capacity > kMostSplatsInDeviceLists) return false;
+    return wanted == ListMaker::device || !device.isCpu();
+}
+
+}  // namespace
+
+Rasterizer::Rasterizer(std::shared_ptr<gpu::Device> device, std::uint32_t capacity, RasterShape shape,
+                       int slots, Kernels kernels, gpu::Buffer frame, gpu::TexelBuffer screen,
+                       TileBuffers tileBuffers, std::optional<DeviceTileLists> deviceLists,
+                       gpu::Buffer visible, gpu::Buffer statistics)
+    : device_(std::move(device)),
+      capacity_(capacity),
+      shape_(shape),
+      slots_(slots),
+      kernels_(std::move(kernels)),
+      frame_(std::move(frame)),
+      screen_(std::move(screen)),
+      tileBuffers_(std::move(tileBuffers)),
+      deviceLists_(std::move(deviceLists)),
+      visible_(std::move(visible)),
+      statistics_(std::move(statistics)) {}
+
+Result<Rasterizer> Rasterizer::create(const std::shared_ptr<gpu::Device>& device, std::uint32_t capacity,
+                                      int shDegree, const RasterShape& askedShape) {
+    MACULA_CHECK_LT(0u, capacity);
+    const RasterShape shape = chosenShape(askedShape, *device);
+    MACULA_CHECK_EQ(shape.tileRows % shape.rowsPerThread, 0);
+    const int threadRows = shape.tileRows / shape.rowsPerThread;
+    const int threads = shared::kTileColumns * threadRows;
+    const std::uint32_t asked = askedSubgroupSize(device->info());
+    const int subgroup = static_cast<int>(asked > 0 ? asked : device->info().subgroupSize);
+    const int slots = (threads + subgroup - 1) / subgroup;
+
+    const std::vector<gpu::Specialization> tile{{"kRows", shape.rowsPerThread}, {2u, threads}};
+    const std::vector<gpu::Specialization> degree{{"kDegree", shDegree}};
+    std::vector<gpu::Specialization> tileSlots = tile;
+    tileSlots.emplace_back("kSlots", slots);
+    tileSlots.emplace_back("kLanes", std::min(threads, subgroup));
+    std::vector<gpu::Specialization> degreeSlots = degree;
+    degreeSlots.emplace_back("kSlots", slots);
+    MACULA_TRY(gpu::Kernel project,
+               gpu::Kernel::create(device, shaders::splat_project_comp, {.specializations = degree}));
+    MACULA_TRY(gpu::Kernel raster,
+               gpu::Kernel::create(device, shaders::splat_raster_comp, {.specializations = tile}));
+    Kernels kernels{.project = std::move(project), .raster = std::move(raster)};
+    if (shDegree <= 1) {
+        if (subgroup < shared::kTileColumns)
+            return Error{ErrorCode::deviceNotUsable,
+                         "This device runs too few threads together to train models.",
+                         {},
+                         "Choose another device: `macula devices` lists them."};
+        MACULA_TRY(kernels.rasterBack,
+                   gpu::Kernel::create(device, shaders::splat_raster_back_comp,
+                                       {.specializations = tileSlots, .subgroupSize = asked}));
+        MACULA_TRY(kernels.gather,
+                   gpu::Kernel::create(device, shaders::splat_gather_comp, {.specializations = degreeSlots}));
+    }
+    MACULA_TRY(gpu::Buffer frame,
+               gpu::Buffer::create(device, {.label = "splat frame", .bytes = sizeof(shared::SplatFrame)}));
+    MACULA_TRY(gpu::TexelBuffer screen,
+               gpu::TexelBuffer::create(device, {.label = "splats in the picture",
+                                                 .elements = std::uint64_t(capacity) * kScreenTexels,
+                                                 .format = VK_FORMAT_R32G32B32A32_SFLOAT,
+                                                 .usage = kReadAndWritten}));
+    const bool onDevice = makesLists(*device, capacity, shape.lists);
+    MACULA_TRY(TileBuffers tileBuffers,
+               TileBuffers::create(device, onDevice ? TileBuffers::Maker::device : TileBuffers::Maker::host,
+                                   capacity));
+    std::optional<DeviceTileLists> deviceLists;
+    if (onDevice) {
+        MACULA_TRY(deviceLists, DeviceTileLists::create(device, capacity, shape.mostPairs));
+    }
+    MACULA_TRY(gpu::Buffer visible, gpu::Buffer::create(device, {.label = "visible splats",
+                                                                 .bytes = std::uint64_t(capacity) * 4}));
+    MACULA_TRY(
+        gpu::Buffer statistics,
+        gpu::Buffer::create(device, {.label = "statistics of splats",
+                                     .bytes = std::uint64_t(capacity) * sizeof(shared::SplatStatistics)}));
+    Rasterizer rasterizer(device, capacity, shape, slots, std::move(kernels), std::move(frame),
+                          std::move(screen), std::move(tileBuffers), std::move(deviceLists),
+                          std::move(visible), std::move(statistics));
+    MACULA_TRY(auto recorder, gpu::Recorder::create(device, "clear statistics"));
+    rasterizer.clearStatistics(recorder);
+    MACULA_TRY([[maybe_unused]] const gpu::Ticket ticket, recorder.submit());
+    return rasterizer;
+}
+
+shared::SplatFrame Rasterizer::frameOf(const RasterView& view, const Blending& blending) const {
+    const glm::ivec2 tileSize(shared::kTileColumns, shape_.tileRows);
+    return {.view = splatView(view, blending),
+            .count = 0,
+            .capacity = capacity_,
+            .tiles = (view.sizePx + tileSize - 1) / tileSize,
+            .tileRows = shape_.tileRows};
+}
+
+// Buffers are made larger while commands are recorded, and what they replace is not freed before that ends:
+// when both are more than there is room for, it is done once more.
+Result<void> Rasterizer::inOne(const char* label, const std::function<Result<void>(gpu::Recorder&)>& record) {
+    const auto once = [&]() -> Result<void> {
+        MACULA_TRY(auto recorder, gpu::Recorder::create(device_, label));
+        MACULA_TRY_VOID(record(recorder));
+        MACULA_TRY([[maybe_unused]] const gpu::Ticket ticket, recorder.submit());
+        return {};
+    };
+    Result<void> done = once();
+    if (done || done.error().code != ErrorCode::outOfMemory || device_->pendingDestructions() == 0)
+        return done;
+    MACULA_TRY_VOID(device_->waitForAll());
+    return once();
+}
+
+void Rasterizer::recordProject(gpu::Recorder& recorder, const SplatBuffer& parameters, std::uint32_t count,
+                               const RasterView& view, const Blending& blending) {
+    shared::SplatFrame frame = frameOf(view, blending);
+    frame.count = count;
+    frame.capacity = parameters.capacity();
+    recorder.update(frame_, std::as_bytes(std::span(&frame, 1)));
+    if (count > 0)
+        recorder.dispatch(kernels_.project, {count}, {frame_, screen_.buffer(), parameters.values()});
+    tiles_ = frame.tiles;
+}
+
+Result<void> Rasterizer::recordLists(gpu::Recorder& recorder, std::uint32_t count, std::uint64_t mostPairs) {
+    pairCount_ = 0;
+    if (count > 0) {
+        MACULA_TRY_VOID(
+            deviceLists_->record(recorder, frame_, screen_, count, tiles_, mostPairs, tileBuffers_));
+    } else {
+        MACULA_TRY_VOID(
+            tileBuffers_.makeRoomFor(static_cast<std::uint64_t>(tiles_.x) * std::uint64_t(tiles_.y), 1));
+        recorder.fill(tileBuffers_.ranges->buffer(), 0);
+    }
+    settled_ = count == 0;
+    pairRoom_ = std::min(mostPairs, deviceLists_->capacity());
+    mostPairs_ = mostPairs;
+    return {};
+}
+
+// Pairs whose derivatives there can be room for.
+std::uint64_t Rasterizer::mostDifferentiated() const {
+    if (!kernels_.gather) return kMostSorted;
+    const gpu::DeviceInfo& info = device_->info();
+    const std::uint64_t floats =
+        std::min({std::uint64_t(info.maxStorageBufferBytes) / sizeof(float),
+                  info.maxAllocationBytes / sizeof(float), std::uint64_t(info.maxTexelBufferElements)});
+    return floats / (std::uint64_t(kPairValues) * std::uint64_t(slots_));
+}
+
+// A group for each tile, so that its subgroups are whole.
+gpu::Threads Rasterizer::tileThreads() const {
+    const int threads = shared::kTileColumns * shape_.tileRows / shape_.rowsPerThread;
+    return {static_cast<std::uint32_t>(tiles_.x * threads), static_cast<std::uint32_t>(tiles_.y)};
+}
+
+void Rasterizer::recordRaster(gpu::Recorder& recorder, const gpu::TexelBuffer& screen) {
+    recorder.dispatch(
+        kernels_.raster, tileThreads(),
+        {frame_, screen, *tileBuffers_.ranges, *tileBuffers_.entries, picture_->texels.buffer(), *depths_});
+}
+
+Result<void> Rasterizer::recordDraw(gpu::Recorder& recorder, const SplatBuffer& parameters,
+                                    std::uint32_t count, const RasterView& view, const Blending& blending) {
+    MACULA_CHECK(listsOnDevice());
+    MACULA_CHECK_LE(count, capacity_);
+    MACULA_CHECK_LE(count, parameters.capacity());
+    count_ = 0;
+    MACULA_TRY_VOID(makePicture(view.sizePx));
+    recordProject(recorder, parameters, count, view, blending);
+    MACULA_TRY_VOID(recordLists(recorder, count, mostDifferentiated()));
+    recordRaster(recorder, screen_);
+    count_ = count;
+    return {};
+}
+
+Result<bool> Rasterizer::settle() {
+    MACULA_CHECK(picture_.has_value());
+    if (settled_) return true;
+    MACULA_TRY(const std::uint64_t wanted, deviceLists_->wanted());
+    if (wanted <= pairRoom_) {
+        settled_ = true;
+        pairCount_ = pairRoom_ = wanted;
+        return true;
+    }
+    count_ = 0;  // nothing can be differentiated
+    if (wanted > mostPairs_) return tooManyPairs();
+    MACULA_TRY_VOID(deviceLists_->makeRoomForPairs(wanted));
+    return false;
+}
+
+Result<void> Rasterizer::makePicture(glm::ivec2 sizePx) {
+    if (picture_ && picture_->width == sizePx.x && picture_->height == sizePx.y) return {};
+    picture_.reset();
+    depths_.reset();
+    const std::uint64_t bytes = std::uint64_t(sizePx.x) * std::uint64_t(sizePx.y) * sizeof(glm::vec4);
+    const std::uint64_t most =
+        std::min<std::uint64_t>(device_->info().maxStorageBufferBytes, device_->info().maxAllocationBytes);
+    if (bytes > most)
+        return Error{
+            ErrorCode::outOfMemory,
+            fmt::format("A picture of {} x {} pixels is too large for this device.", sizePx.x, sizePx.y),
+            {},
+            fmt::format("Choose one of at most {:.1f} million pixels.",
+                        static_cast<double>(most) / sizeof(glm::vec4) / 1e6)};
+    MACULA_TRY(picture_, DevicePicture::create(device_, "picture of splats", sizePx.x, sizePx.y));
+    MACULA_TRY(depths_, gpu::Buffer::create(device_, {.label = "depths of splats",
+                                                      .bytes = std::uint64_t(sizePx.x) *
+                                                               std::uint64_t(sizePx.y) * sizeof(float)}));
+    return {};
+}
+
+// Of a CPU device it is read where it lies: for a million splats that saves as much as sorting takes.
+Result<std::span<const glm::vec4>> Rasterizer::readScreen(std::uint32_t count) {
+    const std::size_t texels = std::size_t(count) * kScreenTexels;
+    const gpu::Buffer& buffer = screen_.buffer();
+    if (!buffer.mapped().empty() && buffer.hostCached()) {
+        MACULA_TRY_VOID(device_->waitForAll());
+        return std::span(reinterpret_cast<const glm::vec4*>(buffer.mapped().data()), texels);
+    }
+    screenCopy_.resize(texels);
+    if (count > 0) MACULA_TRY_VOID(gpu::readInto(buffer, 0, std::as_writable_bytes(std::span(screenCopy_))));
+    return std::span<const glm::vec4>(screenCopy_);
+}
+
+Result<void> Rasterizer::draw(const SplatBuffer& parameters, std::uint32_t count, const RasterView& view,
+                              const Blending& blending, const Submitted& submitted) {
+    MACULA_CHECK_LE(count, capacity_);
+    MACULA_CHECK_LE(count, parameters.capacity());
+    const auto tell = [&](DrawStage stage) { return submitted ? submitted(stage) : Result<void>(); };
+    for (bool settled = false; !settled;) {
+        count_ = 0;
+        MACULA_TRY_VOID(makePicture(view.sizePx));
+        MACULA_TRY_VOID(inOne("project splats", [&](gpu::Recorder& recorder) -> Result<void> {
+            recordProject(recorder, parameters, count, view, blending);
+            return {};
+        }));
+        MACULA_TRY_VOID(tell(DrawStage::project));
+        if (listsOnDevice()) {
+            MACULA_TRY_VOID(inOne("lists of tiles", [&](gpu::Recorder& recorder) {
+                return recordLists(recorder, count, kMostSorted);
+            }));
+        } else {
+            MACULA_TRY(const std::span<const glm::vec4> screen, readScreen(count));
+            MACULA_TRY_VOID(sortOnHost(screen, view, blending, count > 0));
+        }
+        MACULA_TRY_VOID(tell(DrawStage::lists));
+        MACULA_TRY_VOID(inOne("draw splats", [&](gpu::Recorder& recorder) -> Result<void> {
+            recordRaster(recorder, screen_);
+            return {};
+        }));
+        MACULA_TRY_VOID(tell(DrawStage::raster));
+        count_ = count;
+        MACULA_TRY(settled, settle());
+    }
+    return {};
+}
+
+Result<void> Rasterizer::drawProjected(std::span<const glm::vec4> screen, const RasterView& view,
+                                       const Blending& blending) {
+    count_ = 0;
+    MACULA_TRY_VOID(makePicture(view.sizePx));
+    MACULA_TRY_VOID(makeRoom(hostScreen_, device_, "splats projected on the host",
+                             VK_FORMAT_R32G32B32A32_SFLOAT, screen.size(),
+                             VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT));
+    if (!screen.empty()) MACULA_TRY_VOID(gpu::uploadTo<glm::vec4>(hostScreen_->buffer(), screen));
+    MACULA_TRY_VOID(sortOnHost(screen, view, blending, false));
+    const shared::SplatFrame frame = frameOf(view, blending);
+    return inOne("draw splats", [&](gpu::Recorder& recorder) -> Result<void> {
+        recorder.update(frame_, std::as_bytes(std::span(&frame, 1)));
+        recordRaster(recorder, *hostScreen_);
+        return {};
+    });
+}
+
+Result<void> Rasterizer::sortOnHost(std::span<const glm::vec4> screen, const RasterView& view,
+                                    const Blending& blending, bool withPairs) {
+    // What a tile's list can hold; the backward pass needs more, and asks for it then.
+    std::uint64_t mostPairs = std::min<std::uint64_t>(
+        device_->info().maxTexelBufferElements, device_->info().maxAllocationBytes / sizeof(glm::uvec2));
+    if (shape_.mostPairs > 0) mostPairs = std::min(mostPairs, shape_.mostPairs);
+    settled_ = true;
+    pairCount_ = 0;
+    if (!sortIntoTiles(screen, view, blending, shape_.tileRows, mostPairs, lists_)) return tooManyPairs();
+    MACULA_TRY_VOID(tileBuffers_.upload(lists_, withPairs));
+    tiles_ = lists_.tiles;
+    pairCount_ = pairRoom_ = lists_.entries.size();
+    return {};
+}
+
+Result<void> Rasterizer::recordBackward(gpu::Recorder& recorder, const SplatBuffer& parameters,
+                                        const DevicePicture& gradient, SplatBuffer& gradients) {
+    MACULA_CHECK(kernels_.gather.has_value() && picture_.has_value());
+    MACULA_CHECK_EQ(gradient.width, picture_->width);
+    MACULA_CHECK_EQ(gradient.height, picture_->height);
+    if (count_ == 0) return {};
+    // Of a picture that is not settled, pairRoom_ is all that lists on the device have room for.
+    MACULA_TRY_VOID(makeRoom(pairs_, device_, "derivatives of pairs", VK_FORMAT_R32_SFLOAT,
+                             pairRoom_ * std::uint64_t(kPairValues) * std::uint64_t(slots_), kReadAndWritten,
+                             settled_ ? Room::toGrow : Room::exact));
+    recorder.dispatch(kernels_.rasterBack.value(), tileThreads(),
+                      {frame_, screen_, *tileBuffers_.ranges, *tileBuffers_.entries, picture_->texels,
+                       gradient.texels, pairs_->buffer()});
+    recorder.dispatch(kernels_.gather.value(), {count_},
+                      {frame_, screen_, parameters.values(), tileBuffers_.pairs, *pairs_,
+                       gradients.values().buffer(), visible_, statistics_});
+    return {};
+}
+
+}  // namespace macula::splat

@@ -1,0 +1,138 @@
+// Draws splats on the device, and finds how each parameter would have to change for the picture to change:
+// the same kernels for showing a model and for training it. What a picture of splats is exactly is told by
+// shaders/lib/splat_projection.glsl and splat_blend.glsl; reference_rasterizer.h is the slow form of the
+// same.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "base/result.h"
+#include "pipeline/gpu/kernel.h"
+#include "pipeline/gpu/recorder.h"
+#include "pipeline/gpu/resources.h"
+#include "pipeline/splat/draw/device_picture.h"
+#include "pipeline/splat/draw/device_tile_lists.h"
+#include "pipeline/splat/draw/raster_view.h"
+#include "pipeline/splat/draw/tile_buffers.h"
+#include "pipeline/splat/draw/tile_lists.h"
+#include "pipeline/splat/model/splat_buffer.h"
+#include "shared/splat_frame.h"
+
+namespace macula::splat {
+
+// Where lists of tiles are made. `fast`: on a CPU device by the host, else by the device.
+enum class ListMaker { fast, host, device };
+
+// How a tile is shared out. Zeros: what is fast on the device.
+struct RasterShape {
+    int tileRows = 0;             // pixels, a multiple of rowsPerThread
+    int rowsPerThread = 0;        // pixels of one column
+    std::uint64_t mostPairs = 0;  // of splats and tiles in a picture
+    ListMaker lists = ListMaker::fast;
+};
+
+// What a picture is made in.
+enum class DrawStage { project, lists, raster };
+
+// Used by one thread at a time, the one that uses the device.
+class Rasterizer {
+  public:
+    // For models of that capacity and degree.
+    static Result<Rasterizer> create(const std::shared_ptr<gpu::Device>& device, std::uint32_t capacity,
+                                     int shDegree, const RasterShape& shape = {});
+
+    // Draws the first `count` splats. The view and the blending must be valid. Waits, for the projection,
+    // whose result is sorted on the host, or for all where the device makes the lists; the picture is done
+    // when what was submitted is. outOfMemory when there are too many pairs of splats and tiles, or the
+    // picture is too large; then there is no picture until the next draw that succeeds. `submitted` (may be
+    // empty) is told after the work of each stage was submitted, to measure it: where it fails, so does this.
+    using Submitted = std::function<Result<void>(DrawStage)>;
+    Result<void> draw(const SplatBuffer& parameters, std::uint32_t count, const RasterView& view,
+                      const Blending& blending, const Submitted& submitted = {});
+
+    // Lists are made on the device, and recordDraw is there.
+    bool listsOnDevice() const { return deviceLists_.has_value(); }
+    // As draw, without waiting for anything. Whether there was room for all pairs is known when it is done;
+    // if not, the picture is empty and no splat shows in it.
+    Result<void> recordDraw(gpu::Recorder& recorder, const SplatBuffer& parameters, std::uint32_t count,
+                            const RasterView& view, const Blending& blending);
+    // After recordDraw was submitted, waits: true when the picture is right. False: now there is room, record
+    // it again. outOfMemory as draw. True after draw.
+    Result<bool> settle();
+
+    // The same of what projectOnHost made. Nothing can be differentiated then.
+    Result<void> drawProjected(std::span<const glm::vec4> screen, const RasterView& view,
+                               const Blending& blending);
+
+    // Of the last view, until the next is drawn. Premultiplied; a is the coverage.
+    const DevicePicture& picture() const { return *picture_; }
+    // Float for each pixel: sum of weight times depth of the centre in mm; over a, the mean depth.
+    const gpu::Buffer& depths() const { return *depths_; }
+    // Pairs of splats and tiles in it.
+    std::uint64_t pairCount() const { return pairCount_; }
+    // As they lie on the device, with room for more than there are: TileLists has their order.
+    const TileBuffers& tileLists() const { return tileBuffers_; }
+
+    // After draw, of the same parameters: the derivative by each, from that by the picture (its rgb, and its
+    // coverage in a), of splats that show; those of others stay what they were. Of degree 0 or 1.
+    Result<void> recordBackward(gpu::Recorder& recorder, const SplatBuffer& parameters,
+                                const DevicePicture& gradient, SplatBuffer& gradients);
+    // A uint for each splat, not 0 for those that showed when recordBackward was last done.
+    const gpu::Buffer& visible() const { return visible_; }
+    // SplatStatistics for each splat, summed by every recordBackward since they were cleared.
+    const gpu::Buffer& statistics() const { return statistics_; }
+    void clearStatistics(gpu::Recorder& recorder) { recorder.fill(statistics_, 0u); }
+
+  private:
+    struct Kernels {
+        gpu::Kernel project;
+        gpu::Kernel raster;
+        std::optional<gpu::Kernel> rasterBack;  // not of degrees that are only drawn
+        std::optional<gpu::Kernel> gather;
+    };
+    Rasterizer(std::shared_ptr<gpu::Device> device, std::uint32_t capacity, RasterShape shape, int slots,
+               Kernels kernels, gpu::Buffer frame, gpu::TexelBuffer screen, TileBuffers tileBuffers,
+               std::optional<DeviceTileLists> deviceLists, gpu::Buffer visible, gpu::Buffer statistics);
+
+    shared::SplatFrame frameOf(const RasterView& view, const Blending& blending) const;
+    Result<void> inOne(const char* label, const std::function<Result<void>(gpu::Recorder&)>& record);
+    void recordProject(gpu::Recorder& recorder, const SplatBuffer& parameters, std::uint32_t count,
+                       const RasterView& view, const Blending& blending);
+    Result<void> recordLists(gpu::Recorder& recorder, std::uint32_t count, std::uint64_t mostPairs);
+    std::uint64_t mostDifferentiated() const;
+    gpu::Threads tileThreads() const;
+    void recordRaster(gpu::Recorder& recorder, const gpu::TexelBuffer& screen);
+    Result<std::span<const glm::vec4>> readScreen(std::uint32_t count);
+    Result<void> sortOnHost(std::span<const glm::vec4> screen, const RasterView& view,
+                            const Blending& blending, bool withPairs);
+    Result<void> makePicture(glm::ivec2 sizePx);
+
+    std::shared_ptr<gpu::Device> device_;
+    std::uint32_t capacity_;
+    RasterShape shape_;
+    int slots_;  // of a pair: subgroups that work on a tile
+    Kernels kernels_;
+    gpu::Buffer frame_;
+    gpu::TexelBuffer screen_;
+    TileBuffers tileBuffers_;
+    std::optional<DeviceTileLists> deviceLists_;
+    gpu::Buffer visible_;
+    gpu::Buffer statistics_;
+    std::optional<gpu::TexelBuffer> hostScreen_;  // what was projected on the host
+    std::optional<gpu::TexelBuffer> pairs_;       // their derivatives
+    std::optional<DevicePicture> picture_;
+    std::optional<gpu::Buffer> depths_;
+    std::vector<glm::vec4> screenCopy_;  // where the host cannot read the device's
+    std::uint32_t count_ = 0;
+    glm::ivec2 tiles_{0};
+    std::uint64_t pairCount_ = 0;
+    std::uint64_t pairRoom_ = 0;   // that the lists may have
+    std::uint64_t mostPairs_ = 0;  // that they may be made to have room for
+    bool settled_ = true;
+    TileLists lists_;  // of the host
+};
+
+}  // namespace macula::splat

@@ -1,0 +1,91 @@
+#include "pipeline/splat/files/gzip.h"
+
+#include <zlib.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <limits>
+
+#include "base/check.h"
+#include "pipeline/splat/files/deflated.h"
+
+namespace macula::splat {
+
+namespace {
+
+constexpr int kGzipOnly = MAX_WBITS + 16;
+constexpr int kUnknownSystem = 255;
+constexpr std::size_t kMostComment = 4096;
+
+}  // namespace
+
+Result<std::vector<std::byte>> gzip(std::span<const std::byte> data, const std::string& comment) {
+    constexpr int kMemoryLevel = 8;
+    std::string text = comment;
+    gz_header header{};
+    header.os = kUnknownSystem;
+    if (!text.empty()) header.comment = reinterpret_cast<Bytef*>(text.data());
+    return deflated(data, {Z_BEST_COMPRESSION, kGzipOnly, kMemoryLevel, Z_DEFAULT_STRATEGY}, &header);
+}
+
+struct Gunzip::State {
+    z_stream stream{};
+    gz_header header{};
+    std::array<Bytef, kMostComment> comment{};
+    bool usable = false;
+    bool ended = false;
+};
+
+Gunzip::Gunzip(std::span<const std::byte> packed) : state_(std::make_unique<State>()) {
+    MACULA_CHECK_LE(packed.size(), std::numeric_limits<uInt>::max());
+    State& s = *state_;
+    s.stream.next_in = zlibBytes(packed);
+    s.stream.avail_in = static_cast<uInt>(packed.size());
+    s.header.comment = s.comment.data();
+    s.header.comm_max = static_cast<uInt>(s.comment.size());
+    s.usable = inflateInit2(&s.stream, kGzipOnly) == Z_OK;
+    if (s.usable) inflateGetHeader(&s.stream, &s.header);
+}
+
+Gunzip::~Gunzip() {
+    if (state_->usable) inflateEnd(&state_->stream);
+}
+
+bool Gunzip::read(std::span<std::byte> out) {
+    State& s = *state_;
+    if (!s.usable || s.ended) return out.empty();
+    MACULA_CHECK_LE(out.size(), std::numeric_limits<uInt>::max());
+    s.stream.next_out = reinterpret_cast<Bytef*>(out.data());
+    s.stream.avail_out = static_cast<uInt>(out.size());
+    while (s.stream.avail_out > 0) {
+        const int status = inflate(&s.stream, Z_NO_FLUSH);
+        s.ended = status == Z_STREAM_END;
+        if (status != Z_OK) break;
+    }
+    return s.stream.avail_out == 0;
+}
+
+bool Gunzip::endsWithin(std::size_t most) {
+    State& s = *state_;
+    std::array<Bytef, 4096> none{};
+    std::size_t further = 0;
+    while (s.usable && !s.ended && further <= most) {
+        s.stream.next_out = none.data();
+        s.stream.avail_out = static_cast<uInt>(none.size());
+        const int status = inflate(&s.stream, Z_NO_FLUSH);
+        s.ended = status == Z_STREAM_END;
+        further += none.size() - s.stream.avail_out;
+        if (status != Z_OK) break;
+    }
+    return s.ended && further <= most;
+}
+
+std::string Gunzip::comment() const {
+    const State& s = *state_;
+    if (s.header.comment == Z_NULL) return {};  // inflate's word for none
+    const auto end = std::find(s.comment.begin(), s.comment.end(), Bytef{0});
+    return {s.comment.begin(), end};
+}
+
+}  // namespace macula::splat

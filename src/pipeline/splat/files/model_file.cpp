@@ -1,0 +1,130 @@
+#include "pipeline/splat/files/model_file.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <fstream>
+#include <string_view>
+
+#include "base/atomic_file.h"
+#include "pipeline/splat/files/chunk_file.h"
+#include "pipeline/splat/files/ply.h"
+#include "pipeline/splat/files/spz.h"
+#include "pipeline/splat/files/training_file.h"
+
+namespace macula::splat {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// 10 million splats of degree 3 take 650 MB before they are packed.
+constexpr std::uint64_t kMostSpzBytes = std::uint64_t{1} << 30;
+
+Error unreadable(const fs::path& path) {
+    return {ErrorCode::inputNotUsable, "The model cannot be read.", path.string(),
+            "Check the path and its permissions."};
+}
+
+Result<std::vector<std::byte>> bytesOf(std::istream& stream, std::uint64_t size) {
+    std::vector<std::byte> bytes(size);
+    stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size));
+    if (static_cast<std::uint64_t>(stream.gcount()) != size) return unreadable({});
+    return bytes;
+}
+
+Result<ModelFile> readByContent(const fs::path& path, BadSplats bad) {
+    std::error_code error;
+    if (fs::is_directory(path, error))
+        return Error{ErrorCode::inputNotUsable, "That is a folder, not a model.", path.string(),
+                     "Choose a .ply, .spz or .macula file."};
+    if (!fs::is_regular_file(path, error))
+        return Error{ErrorCode::inputNotUsable, "The model does not exist.", path.string(),
+                     "Check the path."};
+    const std::uint64_t size = fs::file_size(path, error);
+    std::ifstream stream(path, std::ios::binary);
+    if (error || !stream) return unreadable(path);
+    std::array<char, kChunkFileMagic.size()> start{};
+    stream.read(start.data(), start.size());
+    const std::string_view begin(start.data(), static_cast<std::size_t>(stream.gcount()));
+    stream.clear();
+    stream.seekg(0);
+    if (begin.starts_with("ply")) return readPly(stream, size, bad);
+    if (looksLikeTraining(begin)) return readTrainedModel(stream, size, bad);
+    if (!looksLikeSpz(begin.substr(0, 4)))
+        return Error{ErrorCode::inputNotUsable, "The file is no PLY, SPZ or .macula model.", path.string(),
+                     "Choose a model of Gaussians, or convert it to PLY."};
+    if (size > kMostSpzBytes)
+        return Error{ErrorCode::inputNotUsable, "The file is larger than any SPZ model.", path.string(),
+                     "Check that it is the file you meant."};
+    MACULA_TRY(const std::vector<std::byte> bytes, bytesOf(stream, size));
+    return decodeSpz(bytes, bad);
+}
+
+Result<std::size_t> writeTo(std::ostream& stream, const Splats& splats, bool spz) {
+    std::size_t clamped = 0;
+    if (spz) {
+        MACULA_TRY(const SpzBytes file, encodeSpz(splats));
+        clamped = file.clamped;
+        stream.write(reinterpret_cast<const char*>(file.bytes.data()),
+                     static_cast<std::streamsize>(file.bytes.size()));
+    } else {
+        MACULA_TRY_VOID(writePly(stream, splats));
+    }
+    stream.flush();
+    if (!stream)
+        return Error{ErrorCode::outputNotWritable,
+                     "The model could not be written.",
+                     {},
+                     "Check free space and permissions."};
+    return clamped;
+}
+
+}  // namespace
+
+std::string extensionOf(const fs::path& path) {
+    std::string extension = path.extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return extension;
+}
+
+Result<ModelFile> readModel(const fs::path& path, BadSplats bad) {
+    Result<ModelFile> model = readByContent(path, bad);
+    if (model.ok()) return model;
+    Error error = model.error();
+    error.where = path.string();
+    return error;
+}
+
+Result<std::size_t> writeModel(const fs::path& path, const Splats& splats) {
+    const std::string extension = extensionOf(path);
+    if (extension != ".ply" && extension != ".spz")
+        return Error{ErrorCode::usage, "Models are written as .ply or .spz.", path.string(),
+                     "Give the file one of these extensions."};
+    std::size_t clamped = 0;
+    MACULA_TRY_VOID(writeAtomically(path, [&](const fs::path& temporary) -> Result<void> {
+        std::ofstream stream(temporary, std::ios::binary);
+        MACULA_TRY(clamped, writeTo(stream, splats, extension == ".spz"));
+        return {};
+    }));
+    return clamped;
+}
+
+Result<ModelFile> finishModel(Splats splats, BadSplats bad) {
+    ModelFile model{std::move(splats), {}};
+    if (bad != BadSplats::refuse) {
+        MACULA_TRY(model.repaired, repair(model.splats));
+    } else {
+        MACULA_TRY_VOID(model.splats.validate());
+    }
+    if (model.splats.size() == 0 && bad != BadSplats::repairOrNone)
+        return Error{ErrorCode::inputNotUsable,
+                     model.repaired.dropped > 0 ? "None of the model's splats can be used."
+                                                : "The model holds no splats.",
+                     {},
+                     "Export or train it again."};
+    return model;
+}
+
+}  // namespace macula::splat

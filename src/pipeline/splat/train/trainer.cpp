@@ -1,0 +1,339 @@
+#include "pipeline/splat/train/trainer.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <random>
+
+#include "pipeline/gpu/transfer.h"
+
+namespace macula::splat {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double millisecondsSince(Clock::time_point time) {
+    return std::chrono::duration<double, std::milli>(Clock::now() - time).count();
+}
+
+constexpr int kMostHalvings = 15;
+constexpr std::uint64_t kNewEvery = 6;  // steps; docs/peripheral-model.md, "512 views"
+
+// Random numbers of a step, the same whenever it is done.
+class Dice {
+  public:
+    Dice(std::uint32_t seed, std::uint64_t step, std::uint32_t purpose) {
+        std::seed_seq sequence{seed, static_cast<std::uint32_t>(step), static_cast<std::uint32_t>(step >> 32),
+                               purpose};
+        engine_.seed(sequence);
+    }
+    double operator()() { return (engine_() + 0.5) / 4294967296.0; }  // 0 to 1
+
+  private:
+    std::mt19937 engine_;
+};
+
+Result<void> check(const TrainerOptions& o) {
+    const bool stages = std::all_of(o.stages.begin(), o.stages.end(), [](const TrainingStage& stage) {
+        return stage.halvings >= 0 && stage.halvings <= kMostHalvings;
+    });
+    const auto isShare = [](double share) { return share >= 0.0 && share <= 1.0; };
+    const bool density =
+        o.density.every > 0 && isShare(o.density.unseenShare) && isShare(o.density.splitShare);
+    if (stages && density && o.loss.dssimWeight >= 0.0f && o.loss.dssimWeight <= 1.0f &&
+        o.loss.exposure > 0.0f && std::isfinite(o.loss.exposure))
+        return {};
+    return Error{
+        ErrorCode::usage,
+        "The settings of the training make no sense.",
+        {},
+        "Pictures are halved 0 to 15 times, the weight of D-SSIM and the shares of splats are 0 to 1, the "
+        "exposure and the steps between density control above 0."};
+}
+
+}  // namespace
+
+Trainer::Trainer(std::shared_ptr<gpu::Device> device, TrainerOptions options, Splats like,
+                 std::shared_ptr<const LossKernels> lossKernels, SplatBuffer parameters,
+                 SplatBuffer gradients, Rasterizer rasterizer, Optimizer optimizer)
+    : device_(std::move(device)),
+      options_(std::move(options)),
+      like_(std::move(like)),
+      lossKernels_(std::move(lossKernels)),
+      parameters_(std::move(parameters)),
+      gradients_(std::move(gradients)),
+      rasterizer_(std::move(rasterizer)),
+      optimizer_(std::move(optimizer)) {}
+
+Result<Trainer> Trainer::create(const std::shared_ptr<gpu::Device>& device, const Splats& model,
+                                const TrainerOptions& options, ListMaker lists) {
+    MACULA_TRY_VOID(check(options));
+    MACULA_TRY_VOID(model.validate());
+    if (model.shDegree > 1) {
+        return Error{ErrorCode::usage,
+                     "Models of this degree of colour can be shown, but not trained.",
+                     {},
+                     "Reduce the model to degree 1."};
+    }
+    const auto count = static_cast<std::uint32_t>(model.size());
+    const std::uint32_t capacity = std::max({options.capacity, count, 1u});
+    const int degree = model.shDegree;
+    MACULA_TRY(auto lossKernels, LossKernels::create(device));
+    MACULA_TRY(SplatBuffer parameters, SplatBuffer::create(device, "splats", capacity, degree));
+    MACULA_TRY(SplatBuffer gradients, SplatBuffer::create(device, "derivatives", capacity, degree));
+    MACULA_TRY(Rasterizer rasterizer, Rasterizer::create(device, capacity, degree, {.lists = lists}));
+    MACULA_TRY(Optimizer optimizer, Optimizer::create(device, capacity, degree, options.optimizer));
+    MACULA_TRY_VOID(parameters.upload(componentsOf(model)));
+    Splats like = model;
+    like.resize(0);
+    Trainer trainer(device, options, std::move(like), std::move(lossKernels), std::move(parameters),
+                    std::move(gradients), std::move(rasterizer), std::move(optimizer));
+    trainer.count_ = count;
+    trainer.options_.capacity = capacity;
+    MACULA_TRY_VOID(trainer.keep());
+    return trainer;
+}
+
+Result<void> Trainer::addView(TrainingView view) {
+    return addView(std::make_shared<const TrainingView>(std::move(view)));
+}
+
+Result<void> Trainer::addView(std::shared_ptr<const TrainingView> given) {
+    MACULA_TRY(PicturePyramid pictures, PicturePyramid::upload(device_, *lossKernels_, *given));
+    // Now, because a view that no step can compare would stop all that follow.
+    MACULA_TRY([[maybe_unused]] const Loss* loss, lossFor(given->view.sizePx));
+    lastGood_.views.push_back({.given = given});
+    views_.push_back({.pictures = std::move(pictures), .given = std::move(given)});
+    return {};
+}
+
+void Trainer::forgetStandIns() {
+    const auto standsIn = [](const auto& view) { return view.given->kind != ViewKind::picture; };
+    std::erase_if(views_, standsIn);
+    std::erase_if(lastGood_.views, standsIn);
+}
+
+Result<Loss*> Trainer::lossFor(glm::ivec2 sizePx) {
+    const std::uint64_t pixels = std::uint64_t(sizePx.x) * std::uint64_t(sizePx.y);
+    if (!loss_ || loss_->mostPixels() < pixels) {
+        loss_.reset();  // both at once may be more than there is room for
+        MACULA_TRY(loss_, Loss::create(device_, lossKernels_, pixels));
+    }
+    return &*loss_;
+}
+
+TrainingStage Trainer::stageNow() const {
+    TrainingStage now;
+    for (const TrainingStage& stage : options_.stages)
+        if (stage.firstStep <= steps_) now = stage;
+    return now;
+}
+
+// First each once. Of those that come later, one at every kNewEvery steps, so that hundreds of new ones in a
+// row do not displace what the others show. Else half of the time any, and half of the time one by its loss.
+std::optional<std::size_t> Trainer::nextView() const {
+    std::vector<std::size_t> known;
+    std::optional<std::size_t> firstNew;
+    double sum = 0.0;
+    for (std::size_t i = 0; i < views_.size(); ++i) {
+        if (views_[i].hasNoRoom) continue;
+        if (views_[i].loss < 0.0) {
+            firstNew = firstNew.value_or(i);
+            continue;
+        }
+        known.push_back(i);
+        sum += views_[i].loss;
+    }
+    const bool isFirstRound = known.size() == steps_;
+    if (firstNew && (isFirstRound || known.empty() || steps_ % kNewEvery == 0)) return firstNew;
+    if (known.empty()) return std::nullopt;
+    Dice dice(options_.seed, steps_, 0);
+    const double share = dice();
+    if (dice() < 0.5 || !(sum > 0.0))
+        return known[std::min(static_cast<std::size_t>(share * double(known.size())), known.size() - 1)];
+    double left = share * sum;
+    std::size_t k = 0;
+    while (k + 1 < known.size() && left >= views_[known[k]].loss) left -= views_[known[k++]].loss;
+    return known[k];
+}
+
+// False when there was no room for all that shows: then nothing has moved, and now there is.
+Result<bool> Trainer::tryStep(const PictureLevel& level, Loss& loss, const LossStep& over) {
+    const Blending blending = blendingOf(like_.lowPass);
+    if (!rasterizer_.listsOnDevice())
+        MACULA_TRY_VOID(rasterizer_.draw(parameters_, count_, level.view, blending));
+    MACULA_TRY(auto recorder, gpu::Recorder::create(device_, "training step"));
+    if (rasterizer_.listsOnDevice())
+        MACULA_TRY_VOID(rasterizer_.recordDraw(recorder, parameters_, count_, level.view, blending));
+    loss.record(recorder, rasterizer_.picture(), level.target, options_.loss, over);
+    MACULA_TRY_VOID(rasterizer_.recordBackward(recorder, parameters_, loss.gradient(), gradients_));
+    optimizer_.record(recorder, parameters_, gradients_, rasterizer_.visible(), count_);
+    const Result<gpu::Ticket> submitted = recorder.submit();
+    if (!submitted) {
+        optimizer_.takeBack();
+        return submitted.error();
+    }
+    Result<bool> settled = rasterizer_.settle();
+    if (!settled || !*settled) optimizer_.takeBack();
+    return settled;
+}
+
+Result<double> Trainer::differenceTo(const TrainingView& view) {
+    MACULA_TRY(const PicturePyramid pictures, PicturePyramid::upload(device_, *lossKernels_, view));
+    const PictureLevel& level = pictures.whole();
+    MACULA_TRY(Loss * loss, lossFor(level.view.sizePx));
+    MACULA_TRY_VOID(rasterizer_.draw(parameters_, count_, level.view, blendingOf(like_.lowPass)));
+    MACULA_TRY(auto recorder, gpu::Recorder::create(device_, "compare"));
+    loss->record(recorder, rasterizer_.picture(), level.target, options_.loss,
+                 {.measure = LossMeasure::absolute,
+                  .background = glm::vec3(0.0f),
+                  .viewWeight = 1.0f,
+                  .coverageOnly = view.kind == ViewKind::outline});
+    MACULA_TRY([[maybe_unused]] const gpu::Ticket ticket, recorder.submit());
+    MACULA_TRY(const shared::SplatLossResult result, loss->read());
+    return double(result.l1);
+}
+
+// Of what was dropped while commands were recorded nothing could be freed then. Now it can, and that may be
+// the memory which there was too little of.
+Result<bool> Trainer::tryStepTwice(const PictureLevel& level, Loss& loss, const LossStep& over) {
+    Result<bool> done = tryStep(level, loss, over);
+    if (done || done.error().code != ErrorCode::outOfMemory || device_->pendingDestructions() == 0)
+        return done;
+    MACULA_TRY_VOID(device_->waitForAll());
+    return tryStep(level, loss, over);
+}
+
+Result<shared::SplatLossResult> Trainer::stepOf(View& view) {
+    if (!view.pictures) {
+        MACULA_TRY(view.pictures, PicturePyramid::upload(device_, *lossKernels_, *view.given));
+    }
+    const TrainingStage stage = stageNow();
+    MACULA_TRY(const PictureLevel* level, view.pictures->halved(stage.halvings, *lossKernels_));
+    MACULA_TRY(Loss * loss, lossFor(level->view.sizePx));
+    Dice dice(options_.seed, steps_, 1);
+    const double red = dice();
+    const double green = dice();
+    const LossStep over{.measure = stage.measure,
+                        .background = glm::vec3(red, green, dice()),
+                        .viewWeight = view.given->weight,
+                        .coverageOnly = view.given->kind == ViewKind::outline};
+
+    for (bool done = false; !done;) {
+        MACULA_TRY(done, tryStepTwice(*level, *loss, over));
+    }
+    return loss->read();
+}
+
+// The same step would draw the same view again, and fail for ever: so others take its turn.
+Result<void> Trainer::oneStep() {
+    Error noRoom;
+    while (const std::optional<std::size_t> next = nextView()) {
+        View& view = views_[*next];
+        const Result<shared::SplatLossResult> result = stepOf(view);
+        if (!result && result.error().code == ErrorCode::outOfMemory) {
+            view.hasNoRoom = true;
+            noRoom = result.error();
+            continue;
+        }
+        if (!result) return result.error();
+        view.loss = double(result->loss);
+        view.l1 = double(result->l1);
+        ++steps_;
+        if (isTimeToRegroup()) MACULA_TRY_VOID(regroupSplats());
+        return {};
+    }
+    tryAllAgain();
+    return noRoom;
+}
+
+void Trainer::tryAllAgain() {
+    for (View& view : views_) view.hasNoRoom = false;
+}
+
+void Trainer::releasePictures() {
+    for (View& view : views_) view.pictures.reset();
+    loss_.reset();
+}
+
+bool Trainer::isTimeToRegroup() const {
+    const DensityOptions& density = options_.density;
+    return steps_ >= density.firstStep && steps_ <= density.lastStep &&
+           (steps_ - density.firstStep) % density.every == 0;
+}
+
+// Splats that stay keep what the optimiser knows of them.
+Result<void> Trainer::regroupSplats() {
+    MACULA_TRY(const Splats before, snapshot());
+    MACULA_TRY(auto statistics, gpu::read<shared::SplatStatistics>(rasterizer_.statistics()));
+    statistics.resize(count_);
+    MACULA_TRY(const OptimizerState known, optimizer_.download(count_));
+    const Regrouped regrouped = regroup(before, statistics, options_.density, parameters_.capacity());
+    const std::size_t count = regrouped.source.size();
+    const auto components = static_cast<std::size_t>(parameters_.components());
+    OptimizerState state{.stepsDone = known.stepsDone,
+                         .steps = std::vector<std::uint32_t>(count, 0),
+                         .first = std::vector<float>(count * components, 0.0f),
+                         .second = std::vector<float>(count * components, 0.0f)};
+    for (std::size_t i = 0; i < count; ++i) {
+        if (regrouped.isNew[i] != 0) continue;
+        const std::size_t from = regrouped.source[i];
+        state.steps[i] = known.steps[from];
+        for (std::size_t k = 0; k < components; ++k) {
+            state.first[k * count + i] = known.first[k * count_ + from];
+            state.second[k * count + i] = known.second[k * count_ + from];
+        }
+    }
+    MACULA_TRY_VOID(optimizer_.upload(state));
+    MACULA_TRY_VOID(parameters_.upload(componentsOf(regrouped.splats)));
+    count_ = static_cast<std::uint32_t>(count);
+    MACULA_TRY(auto recorder, gpu::Recorder::create(device_, "clear statistics"));
+    rasterizer_.clearStatistics(recorder);
+    MACULA_TRY([[maybe_unused]] const gpu::Ticket ticket, recorder.submit());
+    tryAllAgain();
+    return {};
+}
+
+Result<TrainingReport> Trainer::step(std::uint64_t steps, const std::function<bool()>& keepGoing) {
+    if (views_.empty())
+        return Error{ErrorCode::usage, "There is no picture to learn from.", {}, "Add views first."};
+    for (std::uint64_t i = 0; i < steps; ++i) {
+        MACULA_TRY_VOID(oneStep());
+        if (!(millisecondsSince(keptAt_) < options_.keepEveryMs)) MACULA_TRY_VOID(keep());
+        if (keepGoing && !keepGoing()) break;
+    }
+    return report();
+}
+
+Result<TrainingReport> Trainer::stepFor(double budgetMs) {
+    const auto start = Clock::now();
+    return step(UINT64_MAX, [&] { return millisecondsSince(start) < budgetMs; });
+}
+
+Result<Splats> Trainer::snapshot() const {
+    MACULA_TRY(const std::vector<float> components, parameters_.download(count_));
+    return splatsOf(components, like_);
+}
+
+TrainingReport Trainer::report() const {
+    TrainingReport report{.steps = steps_, .splats = count_};
+    double weights = 0.0;
+    double drawn = 0.0;
+    double pictures = 0.0;
+    for (const View& view : views_) {
+        if (view.given->kind != ViewKind::picture) continue;
+        if (view.loss < 0.0 && view.hasNoRoom) continue;
+        pictures += 1.0;
+        if (view.loss < 0.0) continue;
+        report.loss += view.loss;
+        report.l1 += view.l1;
+        weights += double(view.given->weight);
+        drawn += 1.0;
+    }
+    report.loss = drawn == pictures && drawn > 0.0 ? report.loss / weights : 0.0;
+    report.l1 /= std::max(drawn, 1.0);
+    return report;
+}
+
+}  // namespace macula::splat

@@ -1,0 +1,42 @@
+// Opens a folder without keeping anybody waiting.
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <memory>
+
+#include "app/study/opened_study.h"
+#include "viewer/background_job.h"
+
+namespace macula::viewer {
+
+// One load at a time, on a thread of its own. A new one cancels the one before, whose outcome is not
+// reported. Lives on the UI thread, and so do its signals.
+class StudyLoader : public QObject {
+    Q_OBJECT
+
+  public:
+    explicit StudyLoader(QObject* parent = nullptr);
+
+    void open(app::StudySource source, bool join = false);
+    void open(std::shared_ptr<const app::FoundVolumes> found, std::size_t index);
+    void cancel();  // `cancelled` follows
+    bool loading() const { return job_.running(); }
+    bool atRest() const { return job_.atRest(); }  // cancelled ones have noticed, too
+
+  signals:
+    void began();
+    void progressed(const QString& stage, double fraction);
+    void loaded(const macula::app::OpenedStudy& study);
+    void askedToJoin(const QString& path, const QString& question);  // open(path, true) is yes
+    void failed(const macula::Error& error);
+    void cancelled();
+
+  private:
+    void tellOutcome(const Result<app::OpenedStudy>& outcome);
+
+    BackgroundJob<app::OpenedStudy> job_;
+    app::StudySource source_;
+};
+
+}  // namespace macula::viewer

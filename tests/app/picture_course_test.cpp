@@ -1,0 +1,244 @@
+// What is shown when: the rules, driven by a made-up hand and clock.
+#include "app/frame/picture_course.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace macula::app {
+namespace {
+
+using std::chrono::milliseconds;
+
+class PictureCourseTest : public testing::Test {
+  protected:
+    PictureCourse course_;
+    PictureCourse::TimePoint now_{};
+    int samples_ = 0;  // of the full picture
+
+    Step next() const { return course_.next(now_); }
+    // As the renderer does it, each in 20 ms. What was done.
+    Step go(bool isWorthShowing = false, bool hasConverged = false) {
+        const Step step = next();
+        now_ += milliseconds(20);
+        switch (step) {
+            case Step::showModel:
+                course_.showedModel();
+                break;
+            case Step::showPreview:
+                course_.showedPreview(++samples_, now_);
+                break;
+            case Step::search:
+                course_.searched();
+                break;
+            case Step::trace:
+                course_.spent(step, 20.0);
+                if (isWorthShowing) course_.traced(hasConverged);
+                break;
+            case Step::showTraced:
+                course_.showedTraced();
+                break;
+            case Step::fade:
+                course_.faded(now_);
+                break;
+            case Step::learn:
+                course_.spent(step, 20.0);
+                break;
+            case Step::none:
+                break;
+        }
+        return step;
+    }
+    void want(bool isTraced = false) {
+        samples_ = 0;
+        course_.want(isTraced);
+    }
+};
+
+TEST_F(PictureCourseTest, InMotionTheModelIsShownOnceForEachViewAndNothingElseIsDone) {
+    course_.setModel(ModelState::ready, true);
+    course_.setHand(true);
+    for (int view = 0; view < 3; ++view) {
+        want();
+        EXPECT_EQ(go(), Step::showModel);
+        EXPECT_EQ(course_.onScreen(), OnScreen::model);
+        // Neither learning nor tracing while a hand has it.
+        EXPECT_EQ(next(), Step::none);
+    }
+}
+
+TEST_F(PictureCourseTest, WhenTheHandStopsTheModelStaysUntilThePictureIsWorthShowingAndFadesIntoIt) {
+    course_.setModel(ModelState::ready, true);
+    course_.setHand(true);
+    want();
+    go();
+    course_.setHand(false);
+    // First the picture, however much there is to learn.
+    for (int i = 0; i < 5; ++i) {
+        EXPECT_EQ(go(), Step::trace);
+        EXPECT_EQ(course_.onScreen(), OnScreen::model);
+    }
+    EXPECT_EQ(go(true), Step::trace);
+    EXPECT_EQ(course_.onScreen(), OnScreen::fading);
+    double share = -1.0;
+    int frames = 0;
+    while (course_.onScreen() == OnScreen::fading) {
+        EXPECT_GE(course_.tracedShare(now_), share);
+        share = course_.tracedShare(now_);
+        EXPECT_EQ(go(), Step::fade);
+        ++frames;
+    }
+    EXPECT_GE(frames, 5);
+    EXPECT_LE(frames, 15);
+    EXPECT_EQ(course_.onScreen(), OnScreen::traced);
+    EXPECT_EQ(course_.tracedShare(now_), 1.0);
+    // From then on both in turns.
+    int traced = 0;
+    int learnt = 0;
+    for (int i = 0; i < 20; ++i) {
+        const Step step = go();
+        traced += step == Step::trace ? 1 : 0;
+        learnt += step == Step::learn ? 1 : 0;
+    }
+    EXPECT_EQ(traced + learnt, 20);
+    EXPECT_NEAR(traced, learnt, 2);
+}
+
+TEST_F(PictureCourseTest, BothGoOnUntilBothAreDone) {
+    course_.setModel(ModelState::ready, true);
+    want();
+    go();
+    go(true, true);
+    while (next() == Step::fade) go();
+    EXPECT_TRUE(course_.hasConverged());
+    EXPECT_EQ(go(), Step::learn);
+    EXPECT_EQ(go(), Step::learn);
+    course_.setModel(ModelState::ready, false);
+    EXPECT_EQ(next(), Step::none);
+    course_.goOnTracing();
+    EXPECT_FALSE(course_.hasConverged());
+    EXPECT_EQ(next(), Step::trace);
+    // A hand that holds it will move it: no learning.
+    course_.goOnTracing();
+    course_.setModel(ModelState::ready, true);
+    course_.setHand(true);
+    for (int i = 0; i < 6; ++i) EXPECT_EQ(go(true), Step::trace);
+    go(true, true);
+    EXPECT_EQ(next(), Step::none);
+}
+
+TEST_F(PictureCourseTest, APictureOfExactlyThisViewIsShownAtOnceWhenTheHandRests) {
+    course_.setModel(ModelState::ready, false);
+    want(true);
+    EXPECT_EQ(go(), Step::showTraced);
+    EXPECT_EQ(course_.onScreen(), OnScreen::traced);
+    // Dragged there and back: in motion the model, then the picture that there was.
+    course_.setHand(true);
+    want(false);
+    EXPECT_EQ(go(), Step::showModel);
+    want(true);
+    EXPECT_EQ(go(), Step::showModel);
+    EXPECT_EQ(next(), Step::none);
+    course_.setHand(false);
+    EXPECT_EQ(go(), Step::showTraced);
+}
+
+TEST_F(PictureCourseTest, AConvergedPictureStaysConvergedThereAndBackAndIsForgottenElsewhere) {
+    course_.setModel(ModelState::ready, false);
+    want();
+    go();
+    go(true, true);
+    while (next() == Step::fade) go();
+    EXPECT_EQ(next(), Step::none);
+    want(true);
+    EXPECT_EQ(go(), Step::showTraced);
+    EXPECT_EQ(next(), Step::none);
+    want(false);
+    EXPECT_EQ(go(), Step::showModel);
+    EXPECT_EQ(next(), Step::trace);
+}
+
+TEST_F(PictureCourseTest, WithoutAModelItIsSearchedForInTurnsWithSmallPicturesAndThenTakesTheirPlace) {
+    course_.setPreviewLimit(64);
+    course_.setModel(ModelState::searching, true);
+    course_.setHand(true);
+    for (int view = 0; view < 3; ++view) {
+        want();
+        EXPECT_EQ(go(), Step::showPreview);
+        EXPECT_EQ(go(), Step::search);
+        EXPECT_EQ(go(), Step::showPreview);
+        EXPECT_EQ(go(), Step::search);
+    }
+    // At rest nothing is in its way.
+    course_.setHand(false);
+    for (int i = 0; i < 10; ++i) EXPECT_EQ(go(), Step::search);
+    course_.setModel(ModelState::ready, true);
+    EXPECT_EQ(go(), Step::showModel);
+    EXPECT_EQ(go(), Step::trace);
+}
+
+// There is nothing to see, no room, or nobody wants one: as it was before there were models.
+TEST_F(PictureCourseTest, WithoutAnyModelASmallPictureSettlesAndTheFullOneFollows) {
+    course_.setPreviewLimit(64);
+    course_.setModel(ModelState::none, false);
+    want();
+    const auto began = now_;
+    while (next() == Step::showPreview) go();
+    EXPECT_GE(now_ - began, PictureCourse::kSettle);
+    EXPECT_LT(now_ - began, PictureCourse::kSettle + milliseconds(100));
+    EXPECT_EQ(go(true), Step::trace);
+    EXPECT_EQ(course_.onScreen(), OnScreen::traced);
+    // In motion they are refined as far as that is worth it.
+    course_.setHand(true);
+    course_.setPreviewLimit(3);
+    want();
+    for (int i = 0; i < 3; ++i) EXPECT_EQ(go(), Step::showPreview);
+    EXPECT_EQ(next(), Step::none);
+}
+
+TEST_F(PictureCourseTest, ASmallPictureIsNeverShownWhereThereIsAModel) {
+    course_.setModel(ModelState::ready, true);
+    for (const bool moves : {true, false, true}) {
+        course_.setHand(moves);
+        want();
+        for (int i = 0; i < 30; ++i) EXPECT_NE(go(i % 7 == 3), Step::showPreview);
+    }
+    // The device has no room for it any more.
+    course_.setModel(ModelState::none, false);
+    course_.setHand(true);
+    want();
+    EXPECT_EQ(go(), Step::showPreview);
+}
+
+// Another preset or study: the model of before is not asked for, and the next one shows at once when it is
+// there.
+TEST_F(PictureCourseTest, AfterAChangeNothingOfBeforeIsShown) {
+    course_.setModel(ModelState::ready, true);
+    want();
+    go();
+    go(true, true);
+    while (next() == Step::fade) go();
+    course_.setModel(ModelState::searching, true);
+    want(false);
+    EXPECT_EQ(course_.onScreen(), OnScreen::nothing);
+    EXPECT_FALSE(course_.hasConverged());
+    EXPECT_EQ(go(), Step::showPreview);
+    course_.setModel(ModelState::ready, true);
+    EXPECT_EQ(go(), Step::showModel);
+}
+
+TEST_F(PictureCourseTest, AFadeIsLeftAtOnceWhenAnotherViewIsWanted) {
+    course_.setModel(ModelState::ready, true);
+    want();
+    go();
+    go(true);
+    EXPECT_EQ(course_.onScreen(), OnScreen::fading);
+    course_.setHand(true);
+    want();
+    EXPECT_EQ(go(), Step::showModel);
+    EXPECT_EQ(next(), Step::none);
+}
+
+}  // namespace
+}  // namespace macula::app

@@ -1,0 +1,131 @@
+// The rules for slices that interleave, for frames of reference, and for what changes along a stack.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "dicom/split/split.h"
+#include "frames_by_hand.h"
+
+namespace macula::dicom {
+namespace {
+
+using namespace test;
+
+void setFrameOfReference(Frames& made, const std::string& uid) {
+    made.set("FrameOfReferenceUID", uid);
+    made.frames.back().frameOfReferenceUid = uid;
+}
+
+// That two slices share one says that it means something.
+TEST(Split, framesOfReferenceThatSlicesShareAreNeverJoined) {
+    Frames made;
+    for (int k = 0; k < 12; ++k) {
+        made.add(2.0 * k);
+        setFrameOfReference(made, "1.2." + std::to_string(k / 2));
+    }
+    for (const Stack& stack : splitOf(made).stacks) EXPECT_LE(stack.frames.size(), 2u);
+}
+
+TEST(Split, aFrameOfReferencePerSliceIsNone) {
+    Frames made;
+    for (int k = 0; k < 12; ++k) {
+        made.add(2.0 * k);
+        setFrameOfReference(made, "1.2." + std::to_string(k));
+    }
+    const Split split = splitOf(made);
+    ASSERT_EQ(split.stacks.size(), 1u) << keys(split);
+    EXPECT_TRUE(split.stacks[0].isEven());
+    EXPECT_TRUE(has(split.stacks[0].messages, key::kFrameOfReferencePerSlice));
+    for (const Frame& frame : split.stacks[0].frames) EXPECT_TRUE(frame.frameOfReferenceUid.empty());
+}
+
+TEST(Split, aFrameOfReferencePerSliceOfAnUnevenStackIsTakenAtItsWord) {
+    Frames made;
+    for (int k = 0; k < 12; ++k) {
+        made.add(2.0 * k + (k % 3 == 0 ? 0.7 : 0.0));
+        setFrameOfReference(made, "1.2." + std::to_string(k));
+    }
+    for (const Stack& stack : splitOf(made).stacks) EXPECT_FALSE(stack.canBeVolume());
+}
+
+TEST(Split, aFrameOfReferenceThatSomeSlicesLackIsTheirs) {
+    Frames made;
+    for (int k = 0; k < 12; ++k) {
+        made.add(2.0 * k);
+        if (k != 4 && k != 5) setFrameOfReference(made, "1.2.3");
+    }
+    const Split split = splitOf(made);
+    ASSERT_EQ(split.stacks.size(), 1u) << keys(split);
+    EXPECT_TRUE(has(split.stacks[0].messages, key::kFrameOfReferenceMissing));
+}
+
+// Every other slice names one: as likely two stacks as one.
+TEST(Split, aFrameOfReferenceInEveryOtherSliceSeparates) {
+    Frames made;
+    for (int k = 0; k < 12; ++k) {
+        made.add(2.0 * k);
+        if (k % 2 == 0) setFrameOfReference(made, "1.2.3");
+    }
+    EXPECT_EQ(splitOf(made).stacks.size(), 2u);
+}
+
+// Slices of 2D MR that do not overlap, odd and even ones in passes of their own.
+TEST(Split, anInterleavedAcquisitionStaysWhole) {
+    for (const bool overlap : {false, true}) {
+        Frames made;
+        for (int k = 0; k < 12; ++k) {
+            made.add(2.5 * k).sliceThicknessMm = overlap ? 5.0 : 2.5;
+            made.set("AcquisitionNumber", k % 2 ? "1" : "2");
+        }
+        EXPECT_EQ(splitOf(made, "MR").stacks.size(), overlap ? 2u : 1u);
+        EXPECT_EQ(splitOf(made, "CT").stacks.size(), 2u);
+    }
+}
+
+TEST(Split, oneOfTwoInterleavedAcquisitionsLacksASlice) {
+    Frames made;
+    for (int k = 0; k < 24; ++k) {
+        if (k == 7) continue;
+        made.add(1.25 * k);
+        made.set("AcquisitionNumber", k % 2 ? "1" : "2");
+    }
+    const Split split = splitOf(made);
+    ASSERT_EQ(split.stacks.size(), 2u) << keys(split);
+    EXPECT_EQ(split.stacks[1].frames.size(), 12u);
+}
+
+// A step: kernel in a block in the middle, acquisitions one above the other. Many acquisitions are a table
+// that moves between them.
+TEST(Split, changesAlongAStackAreWarnedOf) {
+    Frames made;
+    for (int k = 0; k < 12; ++k) {
+        made.add(2.0 * k);
+        made.set("ConvolutionKernel", k >= 4 && k < 8 ? "B30" : "B70")
+            .set("AcquisitionNumber", std::to_string(k / 2));
+    }
+    const Split split = splitOf(made);
+    ASSERT_EQ(split.stacks.size(), 1u) << keys(split);
+    const auto& messages = split.stacks[0].messages;
+    ASSERT_EQ(std::count_if(messages.begin(), messages.end(),
+                            [](const Message& m) { return m.key == key::kChangesAlongStack; }),
+              1);
+    const auto told = std::find_if(messages.begin(), messages.end(),
+                                   [](const Message& m) { return m.key == key::kChangesAlongStack; });
+    EXPECT_NE(told->sentence.find("ConvolutionKernel changes along the slices, first at slice 5"),
+              std::string::npos)
+        << told->sentence;
+}
+
+// A volume that lacks slices is not taken for two.
+TEST(Split, missingSlicesAreNoSecondLattice) {
+    for (const int missing : {1, 6, 11}) {
+        Frames made;
+        for (int k = 0; k < 14; ++k) {
+            if (k != missing) made.add(2.0 * k);
+        }
+        EXPECT_EQ(splitOf(made).stacks.size(), 1u) << missing;
+    }
+}
+
+}  // namespace
+}  // namespace macula::dicom

@@ -1,0 +1,327 @@
+// The peripheral model of what is on a screen, beside the tracer that makes its pictures.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "gpu/lose_device.h"
+#include "pipeline/hybrid/frame/compositor.h"
+#include "pipeline/hybrid/model/live_model.h"
+#include "pipeline/hybrid/views/view_tracing.h"
+#include "trace/extreme_scenes.h"
+#include "trace/gpu_scene.h"
+
+namespace macula::hybrid {
+namespace {
+
+using macula::test::loseDeviceAt;
+using macula::test::VulkanCall;
+
+constexpr glm::ivec3 kVoxels{24, 24, 24};
+constexpr glm::ivec2 kSize{64, 48};
+
+bool always() {
+    return true;
+}
+bool never() {
+    return false;
+}
+
+class LiveModelTest : public trace::DeviceTest {
+  protected:
+    const std::shared_ptr<const Volume> volume_ =
+        scenes::volumeOf(kVoxels, scenes::grid(glm::dvec3(1.0), kVoxels), scenes::blob(kVoxels, 1000));
+    const TransferFunction function_ = scenes::ramp(100, 500, 0.6, 1.0);
+    const trace::Environment lights_ = trace::Environment::constant(glm::vec3(1.0f));
+    const std::shared_ptr<ModelShelf> shelf_ = std::make_shared<ModelShelf>(std::uint64_t(1) << 30);
+
+    static LiveModelOptions options() {
+        LiveModelOptions o;
+        o.model.firstSteps = 120;
+        o.model.roundSteps = 60;
+        o.model.settlingSteps = 20;
+        o.model.firstCapacity = 300;
+        o.model.mostSplats = 300;
+        o.model.trend = {.leastFallPerSecond = 0.01, .window = 5, .leastSeconds = 0.02};
+        o.model.wanted.sizePx = glm::ivec2(48);
+        o.points = {.count = 250, .paths = 32};
+        o.samplesPerPixel = 4;
+        o.views = 10;
+        o.stepsBetweenViews = 4;
+        return o;
+    }
+    trace::View view() const {
+        trace::View view = scenes::lookAt(*volume_);
+        view.width = kSize.x;
+        view.height = kSize.y;
+        return view;
+    }
+    trace::PathTracer onScreen() { return tracer(volume_, function_, lights_, view(), {}); }
+    LiveModel beside(const trace::PathTracer& screen) {
+        return std::move(LiveModel::create(device(), screen, shelf_, options())).value();
+    }
+    static void search(LiveModel& model) {
+        for (int i = 0; i < 1000 && model.news().stage == ModelStage::searching; ++i)
+            ASSERT_TRUE(model.work(20.0, always).ok());
+        ASSERT_TRUE(model.canBeDrawn());
+    }
+    static void learn(LiveModel& model, std::uint64_t steps = UINT64_MAX) {
+        for (int i = 0; i < 5000 && model.hasWork() && model.news().steps < steps; ++i)
+            ASSERT_TRUE(model.work(20.0, always).ok());
+    }
+    std::vector<glm::vec4> drawn(LiveModel& model, const Camera& camera) {
+        const auto picture = model.draw(camera, kSize);
+        EXPECT_TRUE(picture.ok());
+        return (*picture)->read().value();
+    }
+    static double luminance(const glm::vec4& p) { return 0.2126 * p.x + 0.7152 * p.y + 0.0722 * p.z; }
+};
+
+TEST_F(LiveModelTest, IsFoundTaughtAndDrawnBesideAPictureThatStaysAsItIs) {
+    trace::PathTracer screen = onScreen();
+    ASSERT_TRUE(*screen.trace(64));
+    const std::vector<glm::vec4> traced = screen.readback()->radiance;
+    LiveModel model = beside(screen);
+    EXPECT_EQ(model.news(), ModelNews{});
+    EXPECT_FALSE(model.hasWork());
+    ASSERT_TRUE(model.show("a", {}).ok());
+    EXPECT_EQ(model.news().stage, ModelStage::searching);
+    EXPECT_FALSE(model.canBeDrawn());
+    search(model);
+    EXPECT_NEAR(model.news().splats, 250, 15);
+    const auto error = [&] {
+        const std::vector<glm::vec4> picture = drawn(model, view().camera);
+        double sum = 0.0;
+        for (std::size_t i = 0; i < picture.size(); ++i) sum += double(glm::length(picture[i] - traced[i]));
+        return sum / double(picture.size());
+    };
+    const double atFirst = error();
+    EXPECT_LT(atFirst, 0.15);
+    learn(model);
+    EXPECT_EQ(model.news().stage, ModelStage::resting);
+    EXPECT_FALSE(model.hasWork());
+    // Those that it asked for, and some of the gauge's six.
+    EXPECT_GT(model.news().views, 10u);
+    EXPECT_LE(model.news().views, 16u);
+    EXPECT_GE(model.news().steps, 100u);
+    EXPECT_LT(error(), atFirst);
+    // What is on screen has the samples that it had.
+    EXPECT_EQ(screen.statistics()->samplesPerPixel, 64u);
+    EXPECT_EQ(screen.readback()->radiance, traced);
+}
+
+// The same light and coverage on average as what is traced, over what both show, from all sides.
+TEST_F(LiveModelTest, IsAsBrightAsWhatIsTraced) {
+    trace::PathTracer screen = onScreen();
+    LiveModel model = beside(screen);
+    ASSERT_TRUE(model.show("a", {}).ok());
+    search(model);
+    learn(model);
+    double ofModel = 0.0;
+    double ofTracer = 0.0;
+    for (int side = 0; side < 12; ++side) {
+        Camera camera = view().camera;
+        const double angle = glm::radians(30.0 * side);
+        const double distance = glm::length(camera.positionMm);
+        camera.positionMm =
+            distance * glm::dvec3(std::sin(angle), -std::cos(angle), 0.3 * std::sin(2 * angle));
+        ASSERT_TRUE(screen.setView({.camera = camera, .width = kSize.x, .height = kSize.y}).ok());
+        ASSERT_TRUE(*screen.trace(64));
+        const std::vector<glm::vec4> traced = screen.readback()->radiance;
+        const std::vector<glm::vec4> picture = drawn(model, camera);
+        for (std::size_t i = 0; i < traced.size(); ++i) {
+            if (traced[i].w < 0.5f || picture[i].w < 0.5f) continue;
+            ofModel += model.gain() * luminance(picture[i]);
+            ofTracer += luminance(traced[i]);
+        }
+    }
+    EXPECT_NEAR(ofModel / ofTracer, 1.0, 0.02);
+}
+
+TEST_F(LiveModelTest, GivesTheThreadBackAfterEachDispatchAndGoesOnThere) {
+    trace::PathTracer screen = onScreen();
+    LiveModel whole = beside(screen);
+    ASSERT_TRUE(whole.show("whole", {}).ok());
+    search(whole);
+    LiveModel model = beside(screen);
+    ASSERT_TRUE(model.show("pieces", {}).ok());
+    int pieces = 0;
+    for (; model.news().stage == ModelStage::searching && pieces < 1000; ++pieces)
+        ASSERT_TRUE(model.work(1e9, never).ok());
+    EXPECT_GT(pieces, 2);
+    ASSERT_TRUE(model.canBeDrawn());
+    EXPECT_EQ(drawn(model, view().camera), drawn(whole, view().camera));
+    // Views and steps, too.
+    const ModelNews before = model.news();
+    for (int i = 0; i < 5000 && model.news().views < before.views + 2; ++i)
+        ASSERT_TRUE(model.work(1e9, never).ok());
+    EXPECT_EQ(model.news().views, before.views + 2);
+    EXPECT_LE(model.news().steps, before.steps + 20);
+}
+
+TEST_F(LiveModelTest, IsNeverDrawnForAnotherKeyAndComesBackAsItWas) {
+    trace::PathTracer screen = onScreen();
+    LiveModel model = beside(screen);
+    ASSERT_TRUE(model.show("a", {}).ok());
+    search(model);
+    learn(model, 12);
+    const ModelNews before = model.news();
+    const std::vector<glm::vec4> whole = drawn(model, view().camera);
+    ASSERT_TRUE(model.show("a", {}).ok());
+    EXPECT_EQ(model.news(), before);
+
+    Clip half;
+    half.planes = {{glm::dvec3(1, 0, 0), 0.0}};
+    ASSERT_TRUE(screen.setClip(half).ok());
+    ASSERT_TRUE(model.show("half", {}).ok());
+    EXPECT_FALSE(model.canBeDrawn());
+    EXPECT_EQ(model.news().stage, ModelStage::searching);
+    search(model);
+    const std::vector<glm::vec4> clipped = drawn(model, view().camera);
+    double right = 0.0;
+    double left = 0.0;
+    for (int y = 0; y < kSize.y; ++y) {
+        for (int x = 0; x < kSize.x; ++x)
+            (x < kSize.x / 2 ? left : right) += double(clipped[std::size_t(y * kSize.x + x)].w);
+    }
+    // Seen from the front, what lies to the patient's left, at +x, is at the right.
+    EXPECT_GT(right, 10.0 * left);
+
+    ASSERT_TRUE(screen.setClip({}).ok());
+    ASSERT_TRUE(model.show("a", {}).ok());
+    ASSERT_TRUE(model.canBeDrawn());
+    EXPECT_EQ(model.news().steps, before.steps);
+    EXPECT_EQ(model.news().views, before.views);
+    const std::vector<glm::vec4> again = drawn(model, view().camera);
+    // What was learnt last is in it, which need not have been shown yet.
+    double difference = 0.0;
+    for (std::size_t i = 0; i < again.size(); ++i)
+        difference += double(glm::length(again[i] - whole[i])) / double(again.size());
+    EXPECT_LT(difference, 0.05);
+    model.hide();
+    EXPECT_FALSE(model.canBeDrawn());
+    EXPECT_EQ(model.news().stage, ModelStage::none);
+}
+
+TEST_F(LiveModelTest, OfNothingThereIsNone) {
+    trace::PathTracer screen = onScreen();
+    ASSERT_TRUE(screen.setTransferFunction(scenes::ramp(60000, 61000, 0.6, 1.0)).ok());
+    LiveModel model = beside(screen);
+    ASSERT_TRUE(model.show("nothing", {}).ok());
+    for (int i = 0; i < 10 && model.hasWork(); ++i) ASSERT_TRUE(model.work(20.0, always).ok());
+    EXPECT_EQ(model.news().stage, ModelStage::nothingToSee);
+    EXPECT_FALSE(model.canBeDrawn());
+}
+
+// Whatever is done while the device has no memory left: what was learnt stays, nothing else is touched, and
+// it is made once there is room.
+TEST_F(LiveModelTest, WithoutMemoryItSaysSoAndKeepsWhatItHas) {
+    trace::PathTracer screen = onScreen();
+    ASSERT_TRUE(*screen.trace(4));
+    const std::vector<glm::vec4> traced = screen.readback()->radiance;
+    LiveModel model = beside(screen);
+    {
+        ASSERT_TRUE(model.show("a", {}).ok());
+        const macula::test::NoMemory full;
+        for (int i = 0; i < 1000 && model.hasWork(); ++i) ASSERT_TRUE(model.work(20.0, always).ok());
+        EXPECT_GT(full.refused(), 0);
+        EXPECT_EQ(model.news().stage, ModelStage::noRoom);
+        EXPECT_FALSE(model.canBeDrawn());
+        ASSERT_TRUE(model.show("a", {}).ok());
+        EXPECT_FALSE(model.hasWork()) << "the same is not tried again";
+    }
+    EXPECT_EQ(screen.readback()->radiance, traced);
+    model.hide();
+    ASSERT_TRUE(model.show("a", {}).ok());
+    search(model);
+    learn(model, 30);
+    const Camera front = view().camera;
+    const std::vector<glm::vec4> before = drawn(model, front);
+    {
+        // Pictures of another size than any that it has room for.
+        const macula::test::NoMemory full;
+        const auto picture = model.draw(front, {1500, 1100});
+        EXPECT_GT(full.refused(), 0);
+        ASSERT_FALSE(picture.ok());
+        EXPECT_EQ(picture.error().code, ErrorCode::outOfMemory);
+        EXPECT_EQ(model.news().stage, ModelStage::noRoom);
+        EXPECT_FALSE(model.canBeDrawn());
+    }
+    model.hide();
+    ASSERT_TRUE(model.show("a", {}).ok());
+    ASSERT_TRUE(model.canBeDrawn()) << "what was learnt is on the shelf";
+    EXPECT_GE(model.news().steps, 30u);
+    EXPECT_EQ(drawn(model, front).size(), before.size());
+}
+
+// From splats to what the window is given, no pixel and no splat goes through the host.
+TEST_F(LiveModelTest, APictureInMotionStaysOnTheDevice) {
+    trace::PathTracer screen = onScreen();
+    LiveModel model = beside(screen);
+    ASSERT_TRUE(model.show("a", {}).ok());
+    search(model);
+    Compositor compositor = *Compositor::create(device());
+    const auto frame = [&](double degrees) {
+        Camera camera = view().camera;
+        const double distance = glm::length(camera.positionMm);
+        camera.positionMm =
+            distance * glm::dvec3(std::sin(glm::radians(degrees)), -std::cos(glm::radians(degrees)), 0.0);
+        const auto splats = model.draw(camera, kSize);
+        ASSERT_TRUE(splats.ok());
+        ASSERT_TRUE(compositor.compose({.splats = *splats, .sizePx = kSize}, {}).ok());
+        ASSERT_TRUE(device()->waitForAll().ok());
+    };
+    frame(0.0);
+    const std::uint64_t before = device()->bytesRead();
+    for (int i = 1; i <= 5; ++i) frame(10.0 * i);
+    EXPECT_EQ(device()->bytesRead(), before);
+}
+
+// The device is lost while it searches, while it learns, and while it is drawn; what was learnt is not.
+TEST_F(LiveModelTest, WhatWasLearntOutlivesTheDevice) {
+    const auto withOwnDevice = [&](const std::function<void(LiveModel&)>& doThis) {
+        const std::shared_ptr<gpu::Device> own = *gpu::Device::create(instance());
+        trace::PathTracer screen = *trace::PathTracer::create(own);
+        ASSERT_TRUE(screen.setVolume(volume_).ok());
+        ASSERT_TRUE(screen.setTransferFunction(function_).ok());
+        ASSERT_TRUE(screen.setEnvironment(lights_).ok());
+        LiveModel model = *LiveModel::create(own, screen, shelf_, options());
+        ASSERT_TRUE(model.show("a", {}).ok());
+        doThis(model);
+        loseDeviceAt(VulkanCall::submit, 1, 0);
+    };
+    const auto lose = [](LiveModel& model) {
+        loseDeviceAt(VulkanCall::submit, 2, 1);
+        Result<void> done;
+        for (int i = 0; i < 100 && done; ++i) done = model.work(20.0, always);
+        ASSERT_FALSE(done.ok());
+        EXPECT_EQ(done.error().code, ErrorCode::deviceLost);
+        model.save();
+    };
+    withOwnDevice([&](LiveModel& model) {
+        lose(model);
+        EXPECT_EQ(shelf_->size(), 0u);
+    });
+    withOwnDevice([&](LiveModel& model) {
+        EXPECT_FALSE(model.canBeDrawn());
+        search(model);
+        learn(model, 30);
+        lose(model);
+    });
+    withOwnDevice([&](LiveModel& model) {
+        ASSERT_TRUE(model.canBeDrawn());
+        EXPECT_GT(model.news().views, 0u);
+        loseDeviceAt(VulkanCall::submit, 1, 1);
+        const auto picture = model.draw(view().camera, kSize);
+        ASSERT_FALSE(picture.ok());
+        EXPECT_EQ(picture.error().code, ErrorCode::deviceLost);
+        model.save();
+    });
+    withOwnDevice([&](LiveModel& model) {
+        ASSERT_TRUE(model.canBeDrawn());
+        learn(model);
+        EXPECT_EQ(model.news().stage, ModelStage::resting);
+    });
+}
+
+}  // namespace
+}  // namespace macula::hybrid

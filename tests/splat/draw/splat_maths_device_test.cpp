@@ -1,0 +1,194 @@
+// shaders/lib/splat_*.glsl gives the same on a device as in C++, whatever the splat: before any kernel is
+// built on it.
+#include <cmath>
+#include <limits>
+
+#include "gpu/gpu_test.h"
+#include "gpu/shared_layout.h"
+#include "pipeline/gpu/kernel.h"
+#include "pipeline/gpu/recorder.h"
+#include "pipeline/gpu/transfer.h"
+#include "pipeline/splat/draw/reference_host.h"
+#include "shaders/test_splat.h"
+#include "splat/draw/reference_scenes.h"
+
+namespace macula::splat {
+namespace {
+
+#define OUT(type) type&
+#define INOUT(type) type&
+struct Single : reference::HostSingle {
+    using HostSingle::HostSingle;
+#include "splat/splat_outcome.glsl"
+};
+struct Twofold : reference::HostTwofold {
+    using HostTwofold::HostTwofold;
+#define float double
+#include "splat/splat_outcome.glsl"
+#undef float
+};
+#undef OUT
+#undef INOUT
+
+using shared::SplatView;
+
+// Ordinary splats, and then what raster_extremes_test.cpp is about.
+std::vector<Single::Splat> splatsOfAllKinds() {
+    std::vector<Single::Splat> splats;
+    Dice dice(17);
+    for (int i = 0; i < 400; ++i) {
+        Single::Splat splat{dice.vec3(-50, 50), dice.vec3(-2, 3), dice.quaternion(),
+                            float(dice.uniform(-4, 6))};
+        if (i % 4 == 1) splat.logScale.x = 6.0f;    // needles
+        if (i % 4 == 2) splat.logScale.y = -12.0f;  // discs
+        if (i % 8 == 3) splat.position.y = float(dice.uniform(-520, -480));
+        if (i % 8 == 7) splat.position *= 6.0f;
+        splats.push_back(splat);
+    }
+    const Single::Splat plain{{0, 0, 0}, {0, 1, 2}, {1, 0, 0, 0}, 1.0f};
+    const auto with = [&](auto change) {
+        Single::Splat splat = plain;
+        change(splat);
+        splats.push_back(splat);
+    };
+    for (const float logScale : {-100.0f, -20.0f, 20.0f, 100.0f}) {
+        with([&](Single::Splat& s) { s.logScale = glm::vec3(logScale); });
+        with([&](Single::Splat& s) { s.logScale.x = logScale; });
+    }
+    for (const float length : {0.0f, 1e-35f, 1e-6f, 1e6f, 1e37f})
+        with([&](Single::Splat& s) { s.rotation = glm::vec4(length, -length, 0.5f * length, 0); });
+    for (const float logit : {-80.0f, 80.0f, 1e38f}) with([&](Single::Splat& s) { s.opacityLogit = logit; });
+    for (const float far : {-1e30f, -501.0f, -500.0f, 1e5f, 1e20f, 1e38f})
+        with([&](Single::Splat& s) { s.position.y = far; });
+    return splats;
+}
+
+// The last of the list above: those that may not be drawn.
+std::vector<Single::Splat> splatsNotFinite() {
+    std::vector<Single::Splat> splats;
+    for (const float bad : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(),
+                            -std::numeric_limits<float>::infinity()}) {
+        for (int k = 0; k < 11; ++k) {
+            Single::Splat splat{{0, 0, 0}, {0, 1, 2}, {1, 0, 0, 0}, 1.0f};
+            (k < 3    ? splat.position[k]
+             : k < 6  ? splat.logScale[k - 3]
+             : k < 10 ? splat.rotation[k - 6]
+                      : splat.opacityLogit) = bad;
+            splats.push_back(splat);
+        }
+    }
+    return splats;
+}
+
+RasterView someView() {
+    RasterView view = frontView({160, 120});
+    view.focalPx = {1000, 900};
+    return view;
+}
+
+class SplatDevice : public gpu::GpuTest {
+  protected:
+    std::vector<Single::Outcome> run(const std::vector<Single::Splat>& splats, const Blending& blending) {
+        using gpu::Buffer;
+        const auto count = static_cast<std::uint32_t>(splats.size());
+        const gpu::Kernel kernel = gpu::expectOk(gpu::Kernel::create(device(), shaders::splat_outcome_comp));
+        const Buffer view =
+            gpu::expectOk(Buffer::create(device(), {.label = "view", .bytes = sizeof(SplatView)}));
+        const Buffer in = gpu::expectOk(
+            Buffer::create(device(), {.label = "splats", .bytes = count * sizeof(Single::Splat)}));
+        const Buffer out = gpu::expectOk(
+            Buffer::create(device(), {.label = "outcomes", .bytes = count * sizeof(Single::Outcome)}));
+        gpu::expectOk(gpu::uploadTo<SplatView>(view, std::vector{splatView(someView(), blending)}));
+        gpu::expectOk(gpu::uploadTo<Single::Splat>(in, splats));
+        auto recorder = gpu::expectOk(gpu::Recorder::create(device(), "outcomes"));
+        recorder.dispatch(kernel, {count}, count, {view, in, out});
+        gpu::expectOk(recorder.submit());
+        return gpu::expectOk(gpu::read<Single::Outcome>(out));
+    }
+};
+
+// The largest difference of two vectors, relative to the length of the second, or to `least`.
+template <int n, class Real>
+double differenceOf(const glm::vec<n, float>& a, const glm::vec<n, Real>& b, double least = 1e-6) {
+    const glm::vec<n, double> exact(b);
+    return glm::length(glm::vec<n, double>(a) - exact) / std::max(glm::length(exact), least);
+}
+double differenceOf(float a, double b) {
+    return differenceOf(glm::vec1(a), glm::dvec1(b));
+}
+
+TEST_F(SplatDevice, ComputesWhatCppComputes) {
+    const std::vector<Single::Splat> splats = splatsOfAllKinds();
+    for (const LowPass lowPass : kLowPasses) {
+        const Blending blending = blendingOf(lowPass);
+        const std::vector<Single::Outcome> outcomes = run(splats, blending);
+        Twofold host(someView(), blending);
+        std::size_t visible = 0;
+        for (std::size_t i = 0; i < splats.size(); ++i) {
+            SCOPED_TRACE(i);
+            const Single::Splat& s = splats[i];
+            const Single::Outcome& ours = outcomes[i];
+            const Twofold::Outcome exact =
+                host.outcomeOf({s.position, s.logScale, s.rotation, double(s.opacityLogit)}, host.frame);
+            ASSERT_EQ(ours.screen.opacity > 0.0f, exact.screen.opacity > 0.0);
+            EXPECT_LT(differenceOf(ours.colour, exact.colour), 1e-5);
+            EXPECT_LT(differenceOf(ours.byBand.s2, exact.byBand.s2), 1e-4);
+            if (!(exact.screen.opacity > 0.0)) {
+                EXPECT_EQ(ours.transmittance, 0.8f);
+                continue;
+            }
+            ++visible;
+            EXPECT_LT(differenceOf(ours.screen.mean, exact.screen.mean), 1e-5);
+            EXPECT_LT(differenceOf(ours.screen.conic.x, exact.screen.conic.x), 1e-4);
+            EXPECT_LT(differenceOf(ours.screen.conic.y, exact.screen.conic.y), 1e-4);
+            EXPECT_LT(differenceOf(ours.screen.conic.z, exact.screen.conic.z), 1e-4);
+            EXPECT_LT(differenceOf(ours.screen.opacity, exact.screen.opacity), 1e-4);
+            EXPECT_LT(differenceOf(ours.screen.depthMm, exact.screen.depthMm), 1e-5);
+            EXPECT_LT(differenceOf(ours.screen.extent, exact.screen.extent), 1e-5);
+            EXPECT_LE(glm::length(glm::dvec2(ours.first - exact.first)), 1.0);
+            EXPECT_LE(glm::length(glm::dvec2(ours.end - exact.end)), 1.0);
+            EXPECT_TRUE(ours.shows == exact.shows || ours.first != exact.first || ours.end != exact.end);
+            EXPECT_LT(glm::length(glm::dvec3(ours.blended) - exact.blended), 1e-4);
+            EXPECT_NEAR(ours.transmittance, exact.transmittance, 1e-4);
+            EXPECT_LT(differenceOf(ours.byScreen.colour, exact.byScreen.colour), 1e-3);
+            EXPECT_LT(differenceOf(ours.byScreen.opacity, exact.byScreen.opacity), 1e-3);
+            EXPECT_LT(differenceOf(ours.byScreen.conic, exact.byScreen.conic), 1e-3);
+            EXPECT_LT(differenceOf(ours.bySplat.position, exact.bySplat.position), 1e-3);
+            EXPECT_LT(differenceOf(ours.bySplat.logScale, exact.bySplat.logScale), 1e-3);
+            // That of a sphere is 0.
+            const double leastTurn = std::max(1e-5, 1e-3 * glm::length(exact.bySplat.logScale));
+            EXPECT_LT(differenceOf(ours.bySplat.rotation, exact.bySplat.rotation, leastTurn), 1e-3);
+            EXPECT_LT(differenceOf(ours.bySplat.opacityLogit, exact.bySplat.opacityLogit), 1e-3);
+            EXPECT_LT(differenceOf(ours.byPositionOfColour, exact.byPositionOfColour), 1e-4);
+        }
+        EXPECT_GT(visible, 250u);
+    }
+}
+
+TEST_F(SplatDevice, LeavesOutWhatIsNotFinite) {
+    const std::vector<Single::Splat> splats = splatsNotFinite();
+    for (const Single::Outcome& outcome : run(splats, {})) {
+        EXPECT_EQ(outcome.screen.opacity, 0.0f);
+        EXPECT_EQ(outcome.transmittance, 0.8f);
+    }
+}
+
+TEST(SplatLayout, ViewIsLaidOutAlike) {
+    const auto reflection = gpu::reflectSpirv(shaders::splat_outcome_comp.words);
+    ASSERT_TRUE(reflection.ok());
+    const gpu::ReflectedMember* view = reflection->bindings.front().block.find("view");
+    ASSERT_NE(view, nullptr);
+    expectLayoutMatches<SplatView>(
+        *view,
+        {MACULA_FIELD(SplatView, right), MACULA_FIELD(SplatView, down), MACULA_FIELD(SplatView, forward),
+         MACULA_FIELD(SplatView, eyeMm), MACULA_FIELD(SplatView, focalPx),
+         MACULA_FIELD(SplatView, principalPx), MACULA_FIELD(SplatView, sizePx),
+         MACULA_FIELD(SplatView, lowestSlope), MACULA_FIELD(SplatView, highestSlope),
+         MACULA_FIELD(SplatView, nearMm), MACULA_FIELD(SplatView, lowPassPx2),
+         MACULA_FIELD(SplatView, lowPassLeastPx2), MACULA_FIELD(SplatView, compensated),
+         MACULA_FIELD(SplatView, maxAlpha), MACULA_FIELD(SplatView, minAlpha),
+         MACULA_FIELD(SplatView, fringe), MACULA_FIELD(SplatView, minTransmittance)});
+}
+
+}  // namespace
+}  // namespace macula::splat

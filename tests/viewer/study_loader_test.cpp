@@ -1,0 +1,104 @@
+#include "viewer/study_loader.h"
+
+#include <gtest/gtest.h>
+
+#include <QCoreApplication>
+#include <QElapsedTimer>
+#include <QThread>
+#include <optional>
+
+#include "base/paths.h"
+#include "base/phantom.h"
+
+namespace macula::viewer {
+namespace {
+
+// Runs the event loop until `done` or a minute has passed.
+template <class Done>
+bool waitUntil(Done done) {
+    QElapsedTimer waited;
+    waited.start();
+    while (!done()) {
+        if (waited.elapsed() > 60'000) return false;
+        QCoreApplication::processEvents(QEventLoop::AllEvents, 20);
+    }
+    return true;
+}
+
+class StudyLoaderTest : public testing::Test {
+  protected:
+    StudyLoaderTest() : application_(argc_, argv_) {}
+
+    int argc_ = 1;
+    char name_[5] = "test";
+    char* argv_[2] = {name_, nullptr};
+    QCoreApplication application_;
+};
+
+TEST_F(StudyLoaderTest, DeliversThePhantomOnTheThreadThatAsked) {
+    StudyLoader loader;
+    std::shared_ptr<const Volume> volume;
+    QObject::connect(&loader, &StudyLoader::loaded, &loader, [&](const app::OpenedStudy& study) {
+        EXPECT_EQ(QThread::currentThread(), application_.thread());
+        volume = study.volume;
+    });
+    loader.open(std::nullopt);
+    EXPECT_TRUE(loader.loading());
+    ASSERT_TRUE(waitUntil([&] { return volume != nullptr; }));
+    EXPECT_FALSE(loader.loading());
+    EXPECT_EQ(volume->size(), phantom::Options{}.size);
+}
+
+TEST_F(StudyLoaderTest, AMissingFolderIsAnErrorWithAHint) {
+    StudyLoader loader;
+    std::optional<Error> error;
+    QObject::connect(&loader, &StudyLoader::failed, &loader, [&](const Error& e) { error = e; });
+    loader.open("/no/such/folder");
+    ASSERT_TRUE(waitUntil([&] { return error.has_value(); }));
+    EXPECT_EQ(error->code, ErrorCode::inputNotUsable);
+    EXPECT_FALSE(error->message.empty());
+    EXPECT_FALSE(error->hint.empty());
+}
+
+TEST_F(StudyLoaderTest, CancelEndsTheLoadAndNothingIsDelivered) {
+    StudyLoader loader;
+    int outcomes = 0;
+    bool cancelled = false;
+    QObject::connect(&loader, &StudyLoader::loaded, &loader, [&](const app::OpenedStudy&) { ++outcomes; });
+    QObject::connect(&loader, &StudyLoader::failed, &loader, [&](const Error&) { ++outcomes; });
+    QObject::connect(&loader, &StudyLoader::cancelled, &loader, [&] { cancelled = true; });
+    loader.open(macula::test::sharedFolder() / "data");
+    loader.cancel();
+    EXPECT_TRUE(cancelled);
+    EXPECT_FALSE(loader.loading());
+    // The worker notices, and long before it would have been through.
+    QElapsedTimer sinceCancelled;
+    sinceCancelled.start();
+    ASSERT_TRUE(waitUntil([&] { return loader.atRest(); }));
+    EXPECT_LT(sinceCancelled.elapsed(), 5000);
+    // The next load is not disturbed by what is left of the one before.
+    loader.open(std::nullopt);
+    ASSERT_TRUE(waitUntil([&] { return outcomes > 0; }));
+    EXPECT_EQ(outcomes, 1);
+}
+
+TEST_F(StudyLoaderTest, ANewLoadReplacesTheOneBefore) {
+    StudyLoader loader;
+    int failures = 0;
+    std::shared_ptr<const Volume> volume;
+    QObject::connect(&loader, &StudyLoader::failed, &loader, [&](const Error&) { ++failures; });
+    QObject::connect(&loader, &StudyLoader::loaded, &loader,
+                     [&](const app::OpenedStudy& study) { volume = study.volume; });
+    loader.open("/no/such/folder");
+    loader.open(std::nullopt);
+    ASSERT_TRUE(waitUntil([&] { return volume != nullptr; }));
+    EXPECT_EQ(failures, 0);
+}
+
+TEST_F(StudyLoaderTest, MayBeDestroyedWhileLoading) {
+    StudyLoader loader;
+    loader.open(std::nullopt);
+}
+
+}  // namespace
+}  // namespace macula::viewer
