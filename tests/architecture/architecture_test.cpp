@@ -11,12 +11,14 @@
 #include <string_view>
 #include <vector>
 
+#include "architecture/sources.h"
 #include "base/paths.h"
 
 namespace {
 
 namespace fs = std::filesystem;
 using Names = std::set<std::string>;
+using macula::test::sourcesIn;
 
 const fs::path kRoot = macula::test::projectFolder();
 constexpr int kMaxLines = 600;
@@ -100,22 +102,6 @@ struct Include {
     int line = 0;
     std::string target;
 };
-
-bool isSource(const fs::path& path) {
-    const std::string extension = path.extension().string();
-    return extension == ".h" || extension == ".cpp" || extension == ".inl" || extension == ".glsl" ||
-           extension == ".comp" || extension == ".vert" || extension == ".frag";
-}
-
-std::vector<fs::path> sourcesIn(const char* folder) {
-    std::vector<fs::path> files;
-    if (!fs::is_directory(kRoot / folder)) return files;
-    for (const auto& entry : fs::recursive_directory_iterator(kRoot / folder)) {
-        if (entry.is_regular_file() && isSource(entry.path())) files.push_back(entry.path());
-    }
-    std::sort(files.begin(), files.end());
-    return files;
-}
 
 // "dicom", "pipeline/trace": the longest known folder that `path` begins with; else its first part.
 std::string folderOf(const std::string& path) {
