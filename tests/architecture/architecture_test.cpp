@@ -78,8 +78,10 @@ Rules readRules() {
     Rules rules;
     std::ifstream text(kRoot / "ARCHITECTURE.md");
     bool isTable = false;
+    bool isGraph = false;  // other diagrams are flowcharts
     for (std::string line; std::getline(text, line);) {
-        if (const auto ends = partsOf(line, "-->"); ends.size() == 2) {
+        isGraph = line == "graph TD" || (isGraph && line != "```");
+        if (const auto ends = partsOf(line, "-->"); isGraph && ends.size() == 2) {
             rules.arrows[ends[0]].insert(ends[1]);
             rules.arrows[ends[1]];
         }

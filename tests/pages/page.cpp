@@ -67,6 +67,32 @@ bool isPath(std::string_view code) {
            code.find("NAME") == std::string_view::npos && code.find("…") == std::string_view::npos;
 }
 
+bool isWord(char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+}
+
+// What stands for other names: conventions, and endings of files.
+bool isPlaceholder(std::string_view name) {
+    static const std::set<std::string, std::less<>> kConventions{"PascalCase", "camelCase", "kName"};
+    return name.find("NAME") != std::string_view::npos || kConventions.contains(name) ||
+           name.starts_with(".") || name.starts_with("_");
+}
+
+bool isFileName(std::string_view name) {
+    static const std::set<std::string, std::less<>> kEndings{".h", ".cpp", ".inl", ".glsl", ".comp", ".json"};
+    const std::size_t dot = name.rfind('.');
+    return dot != std::string_view::npos && dot > 0 && kEndings.contains(name.substr(dot)) &&
+           std::ranges::all_of(name, [](char c) { return isWord(c) || c == '.' || c == '/' || c == '-'; });
+}
+
+bool isInMixedCase(std::string_view name) {
+    const auto has = [&](int (*is)(int)) {
+        return std::ranges::any_of(name, [&](char c) { return is(static_cast<unsigned char>(c)) != 0; });
+    };
+    return has(std::isupper) && has(std::islower) &&
+           std::ranges::all_of(name, [](char c) { return isWord(c) || c == ':'; });
+}
+
 }  // namespace
 
 Page readPage(std::string_view markdown) {
@@ -118,6 +144,48 @@ std::vector<std::string> brokenReferences(const Page& page, const fs::path& root
         if (isPath(code.text) && !fs::exists(root / code.text)) tell(code, "does not exist");
     }
     return broken;
+}
+
+Sources readSources(const fs::path& root) {
+    Sources sources;
+    for (const char* folder : {"src", "shaders", "tests", "presets", "cmake"}) {
+        for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
+            if (!entry.is_regular_file()) continue;
+            sources.files.push_back("/" + entry.path().lexically_relative(root).generic_string());
+            if (std::string_view(folder) != "src" && std::string_view(folder) != "shaders") continue;
+            std::ifstream stream(entry.path());
+            std::string word;
+            for (auto c = std::istreambuf_iterator<char>(stream); c != std::istreambuf_iterator<char>();
+                 ++c) {
+                if (isWord(*c)) {
+                    word += *c;
+                } else if (!word.empty()) {
+                    sources.words.insert(std::move(word));
+                    word.clear();
+                }
+            }
+        }
+    }
+    return sources;
+}
+
+std::vector<std::string> unknownNames(const Page& page, const Sources& sources) {
+    std::vector<std::string> unknown;
+    for (const PageText& code : page.codeSpans) {
+        const std::string& name = code.text;
+        if (isPlaceholder(name)) continue;
+        bool isKnown = true;
+        if (isFileName(name)) {
+            isKnown = std::ranges::any_of(
+                sources.files, [&](const std::string& file) { return file.ends_with("/" + name); });
+        } else if (isInMixedCase(name)) {
+            std::istringstream parts(name);
+            for (std::string part; std::getline(parts, part, ':');)
+                isKnown = isKnown && (part.empty() || sources.words.contains(part));
+        }
+        if (!isKnown) unknown.push_back(std::to_string(code.line) + ": " + name);
+    }
+    return unknown;
 }
 
 }  // namespace macula::test

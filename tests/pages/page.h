@@ -28,4 +28,15 @@ Page readPage(std::string_view markdown);
 std::vector<std::string> brokenReferences(const Page& page, const std::filesystem::path& root,
                                           const std::filesystem::path& file);
 
+// What the sources of this repository are called, and what is said in them.
+struct Sources {
+    std::vector<std::string> files;  // "/src/base/volume.h"
+    std::set<std::string> words;     // identifiers, and words of comments
+};
+Sources readSources(const std::filesystem::path& root);
+
+// "line: name" for each name in backticks that no source has: of a file ("trace/settings.h"), and of what is
+// written in mixed case, as types and functions are ("PathTracer", "gpu::Device").
+std::vector<std::string> unknownNames(const Page& page, const Sources& sources);
+
 }  // namespace macula::test

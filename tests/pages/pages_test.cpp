@@ -79,6 +79,25 @@ TEST(Pages, ACommandThatMaculaRefusesIsFound) {
     EXPECT_TRUE(maculaWords("./run FOLDER").empty());
 }
 
+TEST(Pages, ANameThatNoSourceHasIsFound) {
+    const Sources sources = readSources(projectFolder());
+    const auto unknown = [&](std::string_view markdown) { return unknownNames(readPage(markdown), sources); };
+    EXPECT_EQ(
+        unknown("`PathTracer`, `gpu::Device`, `volume.h`, `trace/settings.h`, `views`, `NAME.json`").size(),
+        0u);
+    EXPECT_EQ(unknown("a\n`PathTraces`"), std::vector<std::string>{"2: PathTraces"});
+    EXPECT_EQ(unknown("`gpu::Divice`").size(), 1u);
+    EXPECT_EQ(unknown("`trace/volume.h` is in another folder").size(), 1u);
+}
+
+// Of the two pages about the code.
+TEST(Pages, NamesAreInTheCode) {
+    const Sources sources = readSources(projectFolder());
+    for (const char* file : {"ARCHITECTURE.md", "CONTRIBUTING.md"})
+        for (const std::string& name : unknownNames(readFile(file), sources))
+            ADD_FAILURE() << file << ":" << name << " is in no source";
+}
+
 TEST(Pages, ReferencesLeadSomewhere) {
     std::size_t count = 0;
     for (const char* folder : {".", "docs", "docs/measurements"}) {

@@ -109,7 +109,7 @@ class PeripheralModel {
     Result<void> step(double budgetMs, const std::function<bool()>& keepGoing = {});
     bool isPaused() const { return pause_ != Pause::none; }
 
-    // From where a new picture would teach it most (wanted_views.h), of those views in which it shows
+    // From where a new picture would teach it most (candidate_poses.h), of those views in which it shows
     // enough; never one that it has, or that was among the last eight it asked for. Nothing when it is full
     // or no view shows enough. Draws a few small pictures, more only where the first ones show too little.
     Result<std::optional<CandidatePose>> wantedView();
