@@ -61,7 +61,7 @@ Result<ViewScores> scoresOf(const hybrid::TruthPicture& truth, std::span<const g
 std::optional<image::SquareError> squareErrorOver(std::span<const ViewScores> views);
 
 struct Spread {
-    std::size_t count = 0;  // of what has a number
+    std::size_t count = 0;  // values that there are
     double mean = 0.0;
     double p10 = 0.0;
     double p50 = 0.0;

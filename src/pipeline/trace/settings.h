@@ -77,7 +77,7 @@ constexpr bool isDenoised(const Settings& settings) {
 // A picture that is stored larger where the eye looks: see shaders/lib/fovea.glsl.
 struct Foveation {
     glm::dvec2 gaze{0.0};        // in the picture: -1 to 1, right and up are positive
-    double fieldDeg = 15.0;      // of view, of what is magnified; smaller where there is no room for it
+    double fieldDeg = 15.0;      // field of view of what is magnified; less where there is no room
     double magnification = 2.5;  // 1 to 16: how many times more pixels along each side
 };
 

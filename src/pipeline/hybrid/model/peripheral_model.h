@@ -45,9 +45,11 @@ struct PeripheralOptions {
     // At most: a larger one is reduced, by halves. More than that is not to be seen in so few splats.
     int learntSidePx = 1024;
     int heldOutSidePx = 256;  // at most: larger ones are reduced
-    // Of the pixels it trains with, so many are compared with held-out pictures, which costs less.
+    // Held-out pictures are judged so seldom that their pixels are at most this part of those that training
+    // draws.
     double judgingShare = 0.1;
-    // What is shown is made new when the error is at most so much more than that of the best that was shown.
+    // The shown model is replaced by the trained one when the held-out error of that is at most this part
+    // above the error of the best that was shown.
     double shownMayBeWorse = 0.01;
     ErrorTrendOptions trend;
     CandidateOptions wanted;
