@@ -11,7 +11,7 @@ void require(bool condition, const char* kernel, const std::string& what) {
     if (!condition) checkFailed(__FILE__, __LINE__, kernel, what);
 }
 
-// The shader's constant that is meant; there must be one.
+// The id of the specialization constant that is wanted; the shader must have it.
 std::uint32_t resolve(const Specialization& wanted, const Reflection& reflection, const char* kernel) {
     for (const ReflectedSpecialization& offered : reflection.specializations)
         if (wanted.name.empty() ? offered.id == wanted.id : offered.name == wanted.name) return offered.id;
