@@ -7,7 +7,7 @@ MACULA_SHARED_BEGIN
 MACULA_SHARED_CONST int kPixelLayers = 8;
 
 struct PixelLayers {
-    vec4 nearMm;  // along the centre ray, to opacity 1/16, 3/16, 5/16, 7/16; negative where it is never reached
+    vec4 nearMm;  // along the centre ray, to opacity 1/16, 3/16, 5/16, 7/16; negative: never
     vec4 farMm;   // 9/16, 11/16, 13/16, 15/16
     float coverage;
     float meanMm;  // of the first half of what hides; negative where nothing does
