@@ -64,7 +64,7 @@ struct Sheet {
 Result<void> drawRow(trace::PathTracer& tracer, const app::StudyInput& study, const TransferFunction& preset,
                      const Options& options, int column, int row, Sheet& sheet) {
     MACULA_TRY_VOID(tracer.setTransferFunction(preset));
-    for (const trace::LookName& look : trace::kLooks) {
+    for (const trace::LookTraits& look : trace::kLooks) {
         MACULA_TRY(const trace::Environment lights,
                    app::chooseLights(look.look == trace::Look::clear ? "even" : app::kDefaultLights));
         MACULA_TRY_VOID(tracer.setEnvironment(lights));
@@ -140,7 +140,7 @@ Result<void> makeSheet(const Options& options) {
                                     sheet.rgba, metadata(options, study, presets, rows)));
     printWritten(options.output, start);
     fmt::print("columns");
-    for (const trace::LookName& look : trace::kLooks) fmt::print("  {}", look.name);
+    for (const trace::LookTraits& look : trace::kLooks) fmt::print("  {}", look.name);
     fmt::print("\n");
     for (int i = 0; i < static_cast<int>(presets.size()); ++i) {
         const TransferFunction& preset = presets[static_cast<std::size_t>(i)];

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "viewer/keys.h"
+
 namespace macula::viewer {
 
 TableRemoval::TableRemoval(QObject* parent)
@@ -14,7 +16,7 @@ TableRemoval::TableRemoval(QObject* parent)
                   .ended = [this](const Result<Found>& outcome) { onEnded(outcome); }}) {
     action_.setObjectName(QStringLiteral("remove-table"));
     action_.setCheckable(true);
-    action_.setShortcut(QKeySequence(Qt::CTRL | Qt::Key_T));
+    action_.setShortcut(keyOf(KeyAction::removeTable));
     connect(&action_, &QAction::triggered, this, &TableRemoval::onTriggered);
     setVolume(nullptr);
 }
@@ -33,6 +35,12 @@ void TableRemoval::setVolume(std::shared_ptr<const Volume> volume) {
         action_.setToolTip(tr("Leave out the table and what else lies beside the patient"));
     }
     if (job_.cancel()) emit ended();
+}
+
+void TableRemoval::ask(bool removed) {
+    if (!action_.isEnabled() || action_.isChecked() == removed) return;
+    action_.setChecked(removed);
+    onTriggered();
 }
 
 void TableRemoval::cancel() {
