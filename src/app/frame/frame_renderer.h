@@ -95,7 +95,7 @@ class FrameRenderer {
     std::optional<Presenter> presenter_;
     std::optional<TracedPictures> traced_;
     std::optional<hybrid::LiveModel> model_;
-    hybrid::ModelStage whyNoModel_ = hybrid::ModelStage::none;  // where there is not even one that is empty
+    hybrid::ModelStage whyNoModel_ = hybrid::ModelStage::none;  // why model_ is empty
     std::optional<hybrid::Compositor> compositor_;
     // Of this volume; outlives the device.
     std::shared_ptr<hybrid::ModelShelf> shelf_;
@@ -103,7 +103,7 @@ class FrameRenderer {
     const splat::DevicePicture* splats_ = nullptr;  // of the picture that is wanted
 
     FrameInput input_;
-    // What the device has by now; compared with the input to find what to bring there.
+    // What was brought to the device. The comparison with the input tells what has to be brought next.
     struct Applied {
         std::shared_ptr<const Volume> volume;
         std::shared_ptr<const TransferFunction> transferFunction;
