@@ -14,6 +14,8 @@ struct Camera {
     glm::dvec3 targetMm{0.0};
     glm::dvec3 up{0.0, 0.0, 1.0};  // need not be perpendicular to the view direction, only not parallel
     double verticalFovDeg = 30.0;
+
+    bool operator==(const Camera&) const = default;
 };
 
 // Orthonormal: right = forward x up, as seen in the picture.

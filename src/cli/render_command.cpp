@@ -83,14 +83,13 @@ std::vector<std::string> optionsWithoutEffect(const RenderOptions& options) {
 Result<std::optional<DisplayWindow>> projectionWindow(const RenderOptions& options,
                                                       const TransferFunction& preset, const Volume& volume) {
     if (!isProjection(options.settings.look)) return std::optional<DisplayWindow>();
-    app::ProjectionWindows windows;
     if (!options.window.empty()) {
         MACULA_TRY(const DisplayWindow window, parseWindow(options.window));
-        windows.set(options.settings.look, window);
-    } else if (!options.preset.empty()) {
-        windows.set(options.settings.look, presetWindow(preset, volume));
+        return std::optional(window);
     }
-    return std::optional(windows.of(options.settings.look, volume));
+    std::optional<DisplayWindow> window;
+    if (!options.preset.empty()) window = presetWindow(preset, volume);
+    return window ? window : std::optional(app::SeriesWindows().of(options.settings.look, volume));
 }
 
 // All that can be wrong on the command line, the study not yet read.

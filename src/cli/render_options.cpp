@@ -17,7 +17,7 @@ namespace {
 
 std::map<std::string, int> looksByName() {
     std::map<std::string, int> looks;
-    for (const trace::LookName& look : trace::kLooks) looks.emplace(look.name, static_cast<int>(look.look));
+    for (const trace::LookTraits& look : trace::kLooks) looks.emplace(look.name, static_cast<int>(look.look));
     return looks;
 }
 

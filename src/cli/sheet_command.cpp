@@ -63,7 +63,7 @@ Result<void> makeSheet(const Options& options) {
     MACULA_TRY_VOID(image::writePng(options.output, size.x, size.y, rgba, metadata(sheet, study)));
     printWritten(options.output, start);
     fmt::print("columns");
-    for (const trace::LookName& look : trace::kLooks) fmt::print("  {}", look.name);
+    for (const trace::LookTraits& look : trace::kLooks) fmt::print("  {}", look.name);
     fmt::print("\n");
     for (std::size_t i = 0; i < sheet.presets.size(); ++i) {
         const app::SheetPlace place = placeOf(sheet, i);

@@ -13,7 +13,7 @@ namespace macula::evaluate {
 
 struct FovealOptions {
     std::uint32_t samples = 4;
-    int bounces = 4;
+    int bounces = trace::kDefaultBounces;
     int repetitions = 5;  // device and reference take turns; medians are told
     double flip = 0.05;   // the error that is to be reached
     // Of the picture that counts as converged. It has as many bounces: what fewer leave out is another

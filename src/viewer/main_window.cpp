@@ -16,10 +16,12 @@
 #include <utility>
 #include <variant>
 
-#include "pipeline/volume/clip_json.h"
+#include "app/camera/view_directions.h"
+#include "app/state/drawing_of.h"
 #include "pipeline/volume/window.h"
 #include "viewer/help_boxes.h"
 #include "viewer/join_question.h"
+#include "viewer/keys.h"
 #include "viewer/status_texts.h"
 #include "viewer/visibility_note.h"
 
@@ -27,24 +29,17 @@ namespace macula::viewer {
 
 namespace {
 
-struct StandardView {
-    ViewDirection direction;
-    const char* name;
-    const char* key;
-};
 constexpr std::chrono::milliseconds kRateLasts{1000};
-
-constexpr std::array kStandardViews{
-    StandardView{ViewDirection::anterior, QT_TRANSLATE_NOOP("View", "Anterior"), "A"},
-    StandardView{ViewDirection::posterior, QT_TRANSLATE_NOOP("View", "Posterior"), "P"},
-    StandardView{ViewDirection::left, QT_TRANSLATE_NOOP("View", "Left"), "L"},
-    StandardView{ViewDirection::right, QT_TRANSLATE_NOOP("View", "Right"), "R"},
-    StandardView{ViewDirection::superior, QT_TRANSLATE_NOOP("View", "Superior"), "S"},
-    StandardView{ViewDirection::inferior, QT_TRANSLATE_NOOP("View", "Inferior"), "I"},
-};
 
 QString asText(std::string_view text) {
     return QString::fromUtf8(text.data(), qsizetype(text.size()));
+}
+
+// With a capital.
+QString asTitle(const std::string& name) {
+    QString title = QString::fromStdString(name);
+    if (!title.isEmpty()) title[0] = title[0].toUpper();
+    return title;
 }
 
 QString titleOr(const std::string& title, const std::string& name) {
@@ -76,6 +71,7 @@ MainWindow::MainWindow(gpu::Instance instance, MainWindowOptions options)
       loading_(new WorkBar),
       table_(new TableRemoval(this)),
       searching_(new WorkBar) {
+    state_.lights = options_.lights;
     setTitle({});
     setAcceptDrops(true);
 
@@ -114,28 +110,39 @@ void MainWindow::makeMenus() {
     QMenu* file = menuBar()->addMenu(tr("&File"));
     file->setToolTipsVisible(true);
     QAction* openFolder = file->addAction(tr("&Open Folder…"), this, &MainWindow::askForFolder);
-    openFolder->setShortcut(QKeySequence::Open);
+    openFolder->setShortcut(keyOf(KeyAction::openFolder));
     openFolder->setToolTip(tr("Open the best volume in a folder of DICOM files"));
     QAction* openFile = file->addAction(tr("Open &File…"), this, &MainWindow::askForFile);
-    openFile->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_O));
+    openFile->setShortcut(keyOf(KeyAction::openFile));
     openFile->setToolTip(tr("Open the series of an image, a DICOMDIR, or a NIfTI, NRRD or MetaImage file"));
     QAction* phantom = file->addAction(tr("Open &Phantom"), this, [this] { open(std::nullopt); });
     phantom->setToolTip(tr("Open the built-in phantom study"));
     file->addSeparator();
+    QAction* openView = file->addAction(tr("Open &View…"), this, &MainWindow::askForView);
+    openView->setShortcut(keyOf(KeyAction::openView));
+    openView->setToolTip(tr("Show this study as it was when a view was saved"));
+    QAction* saveView = file->addAction(tr("&Save View…"), this, &MainWindow::askWhereToSaveView);
+    saveView->setShortcut(keyOf(KeyAction::saveView));
+    saveView->setToolTip(
+        tr("Preset, clip, lights, look, window and camera, for another time or `macula render --state`"));
+    file->addSeparator();
     QAction* quit = file->addAction(tr("&Quit"), this, &QWidget::close);
-    quit->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_Q));
+    quit->setShortcut(keyOf(KeyAction::quit));
 
     // The keys of this menu are handled by the viewport, so that they do nothing while a list has the focus.
     QMenu* view = menuBar()->addMenu(tr("&View"));
-    for (const StandardView& standard : kStandardViews) {
-        view->addAction(QStringLiteral("%1\t%2").arg(QApplication::translate("View", standard.name),
-                                                     QString::fromLatin1(standard.key)),
-                        this, [this, direction = standard.direction] { viewport_->showFrom(direction); });
+    const auto withKey = [](const QString& title, KeyAction action) {
+        return title + QLatin1Char('\t') + keyOf(action).toString();
+    };
+    for (const KeyRow& row : kKeys) {
+        if (const auto direction = viewDirectionOf(row.action))
+            view->addAction(withKey(asTitle(app::nameOf(*direction)), row.action), this,
+                            [this, from = *direction] { viewport_->showFrom(from); });
     }
     view->addSeparator();
-    view->addAction(tr("Fit what is visible\tF"), this, [this] { viewport_->fit(); });
+    view->addAction(withKey(tr("Fit what is visible"), KeyAction::fit), this, [this] { viewport_->fit(); });
     view->addSeparator();
-    names_ = view->addAction(tr("Patient and study over the picture\tN"));
+    names_ = view->addAction(withKey(tr("Patient and study over the picture"), KeyAction::names));
     names_->setObjectName(QStringLiteral("names"));
     names_->setCheckable(true);
     names_->setChecked(true);
@@ -146,40 +153,46 @@ void MainWindow::makeMenus() {
 
     QMenu* help = menuBar()->addMenu(tr("&Help"));
     help->addAction(tr("&Keys and Mouse"), this, [this] { showKeys(this); })
-        ->setShortcut(QKeySequence(Qt::Key_F1));
+        ->setShortcut(keyOf(KeyAction::help));
     help->addAction(tr("&About Macula"), this, [this] { showAbout(this); });
 }
 
 void MainWindow::makeLookMenu() {
     looks_ = new ChoiceMenu(tr("&Look"), this);
     menuBar()->addMenu(looks_);
-    int key = Qt::Key_1;
-    for (const trace::LookName& look : trace::kLooks) {
+    for (const trace::LookTraits& look : trace::kLooks) {
         looks_->addChoice(asText(look.title), QStringLiteral("look-") + asText(look.name))
-            ->setShortcut(QKeySequence(Qt::CTRL | Qt::Key(key++)));
+            ->setShortcut(keyOf(look.look));
     }
     looks_->addSeparator();
     shading_ = looks_->addAction(tr("&Shade Ray Cast"));
     shading_->setObjectName(QStringLiteral("shade-ray-cast"));
     shading_->setCheckable(true);
-    shading_->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_0));
+    shading_->setShortcut(keyOf(KeyAction::shade));
     shading_->setToolTip(tr("Light ray casts from the eye, as much as the preset says"));
     shading_->setChecked(true);
     QAction* window = looks_->addAction(tr("Reset &Window"), this, [this] {
-        windows_.forget(lookChosen());
+        state_.windows.at(std::size_t(state_.settings.look)).reset();
         redraw();
     });
     window->setObjectName(QStringLiteral("reset-window"));
-    window->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_R));
+    window->setShortcut(keyOf(KeyAction::resetWindow));
     window->setToolTip(tr("Of the values: that of the series"));
     resetWindow_ = window;
     connect(viewport_, &Viewport::windowDragged, this, [this](QPointF byHeights) {
         if (const auto from = drawing().settings.window)
-            windows_.drag(lookChosen(), *from, {byHeights.x(), byHeights.y()});
+            state_.windows.at(std::size_t(state_.settings.look)) =
+                app::dragged(*from, {byHeights.x(), byHeights.y()});
         redraw();
     });
-    connect(looks_, &ChoiceMenu::changed, this, &MainWindow::redraw);
-    connect(shading_, &QAction::triggered, this, &MainWindow::redraw);
+    connect(looks_, &ChoiceMenu::changed, this, [this](int index) {
+        state_.settings.look = trace::kLooks.at(std::size_t(index)).look;
+        redraw();
+    });
+    connect(shading_, &QAction::triggered, this, [this](bool shaded) {
+        state_.settings.shading = shaded ? trace::Shading::headlight : trace::Shading::none;
+        redraw();
+    });
 }
 
 void MainWindow::makeClipMenu() {
@@ -187,13 +200,16 @@ void MainWindow::makeClipMenu() {
     menuBar()->addMenu(clips_);
     clips_->addAction(&table_->action());
     clips_->addSeparator();
-    clips_->addChoice(tr("&No Clip"), QStringLiteral("no-clip"))
-        ->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_U));
+    clips_->addChoice(tr("&No Clip"), QStringLiteral("no-clip"))->setShortcut(keyOf(KeyAction::noClip));
     for (const auto& clip : options_.catalogue.clips) {
         clips_->addChoice(titleOr(clip->title, clip->name),
                           QStringLiteral("clip-") + QString::fromStdString(clip->name));
     }
-    connect(clips_, &ChoiceMenu::changed, this, &MainWindow::updateClip);
+    connect(clips_, &ChoiceMenu::changed, this, [this](int index) {
+        state_.clip.reset();
+        if (index > 0) state_.clip = *options_.catalogue.clips.at(std::size_t(index) - 1);  // 0 is no clip
+        updateClip();
+    });
 }
 
 void MainWindow::makeToolBar() {
@@ -224,7 +240,7 @@ void MainWindow::makeToolBar() {
 
     connect(presets_, &QComboBox::activated, this, &MainWindow::choosePreset);
     connect(lights_, &QComboBox::activated, this, [this](int index) {
-        options_.lights = options_.catalogue.lights[std::size_t(index)];
+        state_.lights = options_.catalogue.lights[std::size_t(index)];
         redraw();
         viewport_->setFocus();
     });
@@ -285,6 +301,7 @@ void MainWindow::connectTable() {
     connect(searching_, &WorkBar::cancelClicked, table_, &TableRemoval::cancel);
     connect(table_, &TableRemoval::ended, searching_, &QWidget::hide);
     connect(table_, &TableRemoval::changed, this, [this] {
+        state_.leavesTableOut = table_->action().isChecked();
         updateClip();
         showNotes();
     });
@@ -294,32 +311,8 @@ void MainWindow::connectTable() {
     });
 }
 
-trace::Look MainWindow::lookChosen() const {
-    return trace::kLooks.at(std::size_t(looks_->chosen())).look;
-}
-
-// Everything that was chosen, for the study that is open.
 app::Drawing MainWindow::drawing() const {
-    const trace::Look look = lookChosen();
-    app::Drawing drawing{
-        .transferFunction = preset_,
-        .lights = options_.lights ? options_.lights : app::defaultLights(options_.catalogue, look),
-        .clip = clip_};
-    drawing.settings.look = look;
-    QStringList remarks;
-    if (look == trace::Look::dvr && shading_->isChecked() && preset_ && preset_->lighting.shade) {
-        drawing.settings.shading = trace::Shading::headlight;
-        remarks << tr("shaded");
-    }
-    if (trace::isProjection(look) && study_.volume) {
-        drawing.settings.window = windows_.of(look, *study_.volume);
-        remarks << QString::fromStdString(
-            app::windowText(*drawing.settings.window, study_.volume->unitName()));
-    }
-    if (clip_ && clip_->mask) remarks << tr("table left out");
-    if (clip_ && clip_->hasShape()) remarks << tr("clipped");
-    drawing.remarks = remarks.join(QStringLiteral(", ")).toStdString();
-    return drawing;
+    return app::drawingOf(state_, options_.catalogue, seriesWindows_, study_.volume, clip_);
 }
 
 void MainWindow::redraw() {
@@ -341,16 +334,7 @@ void MainWindow::redraw() {
 }
 
 void MainWindow::updateClip() {
-    clip_.reset();
-    if (study_.volume) {
-        Clip clip;
-        // Number 0 is no clip.
-        if (clips_->chosen() > 0) {
-            clip = clipFor(*options_.catalogue.clips.at(std::size_t(clips_->chosen()) - 1), *study_.volume);
-        }
-        clip.mask = table_->mask();
-        if (!clip.isNothing()) clip_ = std::make_shared<const Clip>(std::move(clip));
-    }
+    clip_ = study_.volume ? app::clipOf(state_, *study_.volume, table_->mask()) : nullptr;
     redraw();
 }
 
@@ -362,22 +346,23 @@ void MainWindow::askForFolder() {
     auto* dialog = new QFileDialog(this, tr("Open a folder of DICOM files"), lastFolder_);
     dialog->setFileMode(QFileDialog::Directory);
     dialog->setOption(QFileDialog::ShowDirsOnly);
-    ask(dialog);
+    ask(dialog, [this](const QString& path) { open(path.toStdString()); });
 }
 
 void MainWindow::askForFile() {
     auto* dialog = new QFileDialog(this, tr("Open an image or a volume"), lastFolder_);
     dialog->setFileMode(QFileDialog::ExistingFile);
-    ask(dialog);
+    ask(dialog, [this](const QString& path) { open(path.toStdString()); });
 }
 
-void MainWindow::ask(QFileDialog* dialog) {
+void MainWindow::ask(QFileDialog* dialog, std::function<void(const QString&)> then) {
     viewport_->window().endDrag();  // the dialog will see the button go up
     dialog->setAttribute(Qt::WA_DeleteOnClose);
-    connect(dialog, &QFileDialog::fileSelected, this, [this, dialog](const QString& path) {
-        lastFolder_ = dialog->directory().absolutePath();
-        open(path.toStdString());
-    });
+    connect(dialog, &QFileDialog::fileSelected, this,
+            [this, dialog, then = std::move(then)](const QString& path) {
+                lastFolder_ = dialog->directory().absolutePath();
+                then(path);
+            });
     dialog->open();  // exec() would run a second event loop
 }
 
@@ -400,13 +385,13 @@ void MainWindow::showOpenError(const Error& error) {
 
 void MainWindow::choosePreset(int index) {
     options_.preset = options_.catalogue.presets[std::size_t(index)];  // kept for the next study
-    preset_ = options_.preset;
+    state_.preset = options_.preset;
     if (study_.volume) {
-        const QString before = std::exchange(presetNote_, presetWarning(*preset_, *study_.volume));
+        const QString before = std::exchange(presetNote_, presetWarning(*state_.preset, *study_.volume));
         if (presetNote_ != before) showNotes();
         // In projections it is a window, and of those each look has its own.
-        if (const trace::Look look = lookChosen(); trace::isProjection(look))
-            windows_.set(look, presetWindow(*preset_, *study_.volume));
+        if (const trace::Look look = state_.settings.look; trace::isProjection(look))
+            state_.windows.at(std::size_t(look)) = presetWindow(*state_.preset, *study_.volume);
     }
     redraw();
     viewport_->setFocus();
@@ -427,11 +412,14 @@ void MainWindow::showStudy(const app::OpenedStudy& study) {
     }
     presetNote_ = presetWarning(*preset, volume);
     select(*presets_, options_.catalogue.presets, preset);
-    preset_ = preset;
-    // What was hidden of the study before may be what matters in this one.
+    // What was hidden of the study before may be what matters in this one, and its windows mean nothing here.
+    state_ = {.seriesDigest = study_.seriesDigest,
+              .preset = preset,
+              .lights = state_.lights,
+              .settings = state_.settings};
     table_->setVolume(study_.volume);
     clips_->choose(0);
-    windows_.forgetAll();
+    seriesWindows_.forget();
     clip_.reset();
     clearStudyTexts();
     app::Drawing first = drawing();
@@ -463,109 +451,6 @@ void MainWindow::showNotes() {
     } else {
         notes_->showNote(notes.join(QLatin1Char(' ')));
     }
-}
-
-void MainWindow::setStudyTexts(const app::OpenedStudy& study) {
-    const glm::ivec3 size = study.volume->size();
-    const glm::dvec3 spacing = study.volume->spacingMm();
-    const QString text = QStringLiteral("%1 %2×%3×%4, %5×%6×%7 mm")
-                             .arg(QString::fromStdString(study.volume->modality()))
-                             .arg(size.x)
-                             .arg(size.y)
-                             .arg(size.z)
-                             .arg(spacing.x, 0, 'f', 2)
-                             .arg(spacing.y, 0, 'f', 2)
-                             .arg(spacing.z, 0, 'f', 2);
-    volumeText_->setFullText(text);
-    const QString why = QString::fromStdString(study.whyThisSeries);
-    // The description of a series may name a patient.
-    if (options_.namesPatient) description_->setFullText(QString::fromStdString(study.description), why);
-    description_->setStatusTip(why);
-}
-
-// Names what is on screen, no sooner and no later.
-void MainWindow::setTitle(const QString& ofPicture) {
-    QString title = ofPicture.simplified();
-    if (!options_.namesPatient) title.clear();
-    title.replace(QLatin1String("[*]"), QLatin1String("[*][*]"));  // Qt's mark for what is not saved
-    setWindowTitle(title.isEmpty() ? QStringLiteral("Macula") : title + QStringLiteral(" \u2013 Macula"));
-}
-
-void MainWindow::clearStudyTexts() {
-    rateEnds_.stop();
-    volumeText_->setFullText({});
-    description_->setFullText({});
-    description_->setStatusTip({});
-    pictureText_->setFullText({});
-    modelText_->setFullText({});
-}
-
-void MainWindow::onRendered(const app::RenderEvent& event) {
-    if (const auto* frame = std::get_if<app::FrameShown>(&event)) {
-        onFrame(*frame);
-    } else if (const auto* ready = std::get_if<app::DeviceReady>(&event)) {
-        deviceText_->setFullText(QString::fromStdString(ready->name));
-        deviceText_->setToolTip(QString::fromStdString(ready->description));
-        if (!study_.volume) fidelity_->setFullText(tr("No study is open"));  // nothing else comes
-    } else if (std::holds_alternative<app::DeviceRestarting>(event)) {
-        fidelity_->setFullText(tr("Starting the graphics device again…"));
-        deviceNote_ =
-            tr("The graphics device stopped responding and is started again; the picture is made "
-               "anew. If this comes back, update the graphics driver.");
-        deviceIsBack_ = false;
-        showNotes();
-    } else if (const auto* changed = std::get_if<app::ModelChanged>(&event)) {
-        if (changed->study == viewport_->study()) onModel(changed->model);
-    } else if (const auto* preparing = std::get_if<app::Preparing>(&event)) {
-        fidelity_->setFullText(QString::fromStdString(preparing->what) + QStringLiteral("…"));
-    } else if (std::holds_alternative<app::PictureRemoved>(event)) {
-        setTitle({});
-    } else if (const auto* failure = std::get_if<app::RenderFailure>(&event)) {
-        clearStudyTexts();
-        setTitle({});
-        if (!std::exchange(deviceIsBack_, true)) {
-            deviceNote_.clear();  // the error says what became of it
-            showNotes();
-        }
-        fidelity_->setFullText(tr("No picture"));
-        messages_->showError(failure->error);
-        emit failed(failure->error);
-    }
-}
-
-void MainWindow::onModel(const hybrid::ModelNews& model) {
-    modelText_->setFullText(modelText(model), whyNoModel(model));
-}
-
-void MainWindow::onFrame(const app::FrameShown& frame) {
-    QString text = fidelityText(frame);
-    if (frame.samplesLeftOut > 0) text += tr(", %1 samples left out").arg(frame.samplesLeftOut);
-    QStringList about;
-    for (const Message& message : frame.messages)
-        about << QString::fromStdString(message.sentence) << QString::fromStdString(message.action);
-    if (!about.isEmpty()) text += tr(", less than the full resolution");  // also when the note is dismissed
-    // Only when it is news: who has dismissed it has read it.
-    if (const QString note = about.join(QLatin1Char(' ')); note != pictureNote_) {
-        pictureNote_ = note;
-        showNotes();
-    }
-    if (!std::exchange(deviceIsBack_, true)) {
-        deviceNote_ =
-            tr("The graphics device stopped responding and was started again. If this comes back, "
-               "update the graphics driver.");
-        if (notes_->isVisible()) showNotes();  // else it was read and dismissed
-    }
-    fidelity_->setFullText(text);
-    onModel(frame.model);
-    QString pictureText = QStringLiteral("%1×%2").arg(frame.width).arg(frame.height);
-    if (frame.framesPerSecond > 0.0 && frame.stage == app::Stage::moving) {
-        pictureText += tr(", %1/s").arg(frame.framesPerSecond, 0, 'f', 1);
-        rateEnds_.start();
-    }
-    pictureText_->setFullText(pictureText);
-    setStudyTexts(study_);
-    setTitle(QString::fromStdString(titleOf(study_.identity)));
-    emit frameShown(frame);
 }
 
 void MainWindow::keyPressEvent(QKeyEvent* event) {

@@ -7,12 +7,14 @@
 #include <QMainWindow>
 #include <QStringList>
 #include <QTimer>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 
 #include "app/choice/catalogue.h"
 #include "app/frame/projection_windows.h"
+#include "app/state/study_state.h"
 #include "viewer/choice_menu.h"
 #include "viewer/status_widgets.h"
 #include "viewer/study_loader.h"
@@ -61,6 +63,10 @@ class MainWindow : public QMainWindow {
     QString fidelity() const { return fidelity_->fullText(); }  // how true the picture is
     QString modelState() const { return modelText_->fullText(); }  // what the peripheral model is doing
     bool hasStudy() const { return study_.volume != nullptr; }
+    // All that was chosen, with the camera of now; and another one of the same study. usage when it is of
+    // another, or none is open.
+    app::StudyState state() const;
+    Result<void> setState(const app::StudyState& state);
     bool hidesSomething() const { return clip_ != nullptr; }
 
   signals:
@@ -82,13 +88,17 @@ class MainWindow : public QMainWindow {
     void makeStatusBar();
     void connectLoader();
     void connectTable();
-    trace::Look lookChosen() const;
     app::Drawing drawing() const;
     void redraw();      // what was chosen has changed
     void updateClip();  // what is hidden has
+    void showChosen();  // in menus and lists
+    void openView(const QString& path);
+    void saveView(const QString& path);
+    void askForView();
+    void askWhereToSaveView();
     void askForFolder();
     void askForFile();
-    void ask(QFileDialog* dialog);
+    void ask(QFileDialog* dialog, std::function<void(const QString&)> then);
     void openDropped(const Dropped& what);
     void choosePreset(int index);
     void showOpenError(const Error& error);
@@ -110,9 +120,10 @@ class MainWindow : public QMainWindow {
     QString pictureNote_;     // and about what the device shows of it
     QString deviceNote_;      // and about the device
     bool deviceIsBack_ = true;
-    std::shared_ptr<const TransferFunction> preset_;  // of the study, which need not be the one asked for
-    std::shared_ptr<const Clip> clip_;                // null: nothing is hidden
-    app::ProjectionWindows windows_;
+    // What was chosen for the study that is open. Its preset need not be the one asked for.
+    app::StudyState state_;
+    std::shared_ptr<const Clip> clip_;  // that it comes to; null: nothing is hidden
+    app::SeriesWindows seriesWindows_;
     QString lastFolder_;
 
     Viewport* viewport_ = nullptr;

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "app/study/shown_clip.h"
+#include "viewer/keys.h"
 
 namespace macula::viewer {
 
@@ -16,7 +17,7 @@ TableRemoval::TableRemoval(QObject* parent)
                   .ended = [this](const Result<Found>& outcome) { onEnded(outcome); }}) {
     action_.setObjectName(QStringLiteral("remove-table"));
     action_.setCheckable(true);
-    action_.setShortcut(QKeySequence(Qt::CTRL | Qt::Key_T));
+    action_.setShortcut(keyOf(KeyAction::removeTable));
     connect(&action_, &QAction::triggered, this, &TableRemoval::onTriggered);
     setVolume(nullptr);
 }
@@ -35,6 +36,12 @@ void TableRemoval::setVolume(std::shared_ptr<const Volume> volume) {
         action_.setToolTip(tr("Leave out the table and what else lies beside the patient"));
     }
     if (job_.cancel()) emit ended();
+}
+
+void TableRemoval::ask(bool removed) {
+    if (!action_.isEnabled() || action_.isChecked() == removed) return;
+    action_.setChecked(removed);
+    onTriggered();
 }
 
 void TableRemoval::cancel() {

@@ -28,6 +28,8 @@ class TableRemoval : public QObject {
     QAction& action() { return action_; }
     void setVolume(std::shared_ptr<const Volume> volume);  // ends a search, of which nothing is told any more
 
+    // As if somebody had checked the action, or had not.
+    void ask(bool removed);
     bool searching() const { return job_.running(); }
     void cancel();
 

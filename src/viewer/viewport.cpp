@@ -12,6 +12,7 @@
 #include <variant>
 
 #include "base/log.h"
+#include "viewer/keys.h"
 #include "viewer/painted_text.h"
 
 namespace macula::viewer {
@@ -39,25 +40,6 @@ QLabel* edgeLabel(QWidget* parent, const QString& edge) {
     const QSize text = label->fontMetrics().boundingRect(QStringLiteral("WWW")).size();
     label->setMinimumSize(text.width(), text.height() + 2);
     return label;
-}
-
-std::optional<ViewDirection> standardViewOfKey(int key) {
-    switch (key) {
-        case Qt::Key_A:
-            return ViewDirection::anterior;
-        case Qt::Key_P:
-            return ViewDirection::posterior;
-        case Qt::Key_L:
-            return ViewDirection::left;
-        case Qt::Key_R:
-            return ViewDirection::right;
-        case Qt::Key_S:
-            return ViewDirection::superior;
-        case Qt::Key_I:
-            return ViewDirection::inferior;
-        default:
-            return std::nullopt;
-    }
 }
 
 // Steps to the right and down.
@@ -239,6 +221,11 @@ void Viewport::showFrom(ViewDirection from) {
     untouched_ = true;
 }
 
+void Viewport::showFrom(const Camera& camera) {
+    if (!input_.volume) return;
+    setCamera(app::orbitCameraOf(camera));
+}
+
 void Viewport::fit() {
     if (!input_.volume) return;
     setCamera(app::fitted(camera_, outlineMm(), aspect()));
@@ -259,10 +246,10 @@ bool Viewport::handleKey(const QKeyEvent& event) {
         }
         return true;
     }
-    if (const auto view = standardViewOfKey(event.key())) {
-        showFrom(*view);
-        return true;
-    }
+    const std::optional<KeyAction> action = actionOf(event);
+    if (action == KeyAction::fit) return fit(), true;
+    if (action == KeyAction::names) return showNames(!namesShown_), true;
+    if (const auto view = action ? viewDirectionOf(*action) : std::nullopt) return showFrom(*view), true;
     switch (event.key()) {
         case Qt::Key_Plus:
         case Qt::Key_Equal:  // the same key without shift on many keyboards
@@ -272,12 +259,6 @@ bool Viewport::handleKey(const QKeyEvent& event) {
         case Qt::Key_Minus:
             nudge();
             setCamera(zoomed(camera_, 1.0 / kZoomPerNotch, sceneDiagonalMm()));
-            return true;
-        case Qt::Key_F:
-            fit();
-            return true;
-        case Qt::Key_N:
-            showNames(!namesShown_);
             return true;
         default:
             return false;

@@ -47,7 +47,8 @@ class Viewport : public QWidget {
     void setPictureSizeHint(QSize pixels);
 
     void showFrom(ViewDirection from);
-    void fit();  // what is visible, from the side where the camera is
+    void showFrom(const Camera& camera);  // as near as a turntable comes to it: see app::orbitCameraOf
+    void fit();                           // what is visible, from the side where the camera is
     // Arrows, +, -, F, N (names) and the letters of the standard views. False for any other key.
     bool handleKey(const QKeyEvent& event);
 

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "pipeline/volume/window.h"
 
 namespace macula::app {
@@ -19,45 +21,30 @@ Volume volumeWith(std::vector<DisplayWindow> windows) {
     return *std::move(volume);
 }
 
-TEST(ProjectionWindows, WhatWasSetInALookComesBeforeTheSeriesAndIsOfThatLookAlone) {
+TEST(SeriesWindows, AreThoseOfTheSeriesAndForMipOneThatIsNotMostlyWhite) {
     const Volume plain = volumeWith({});
     const Volume named = volumeWith({{.center = 40.0, .width = 400.0, .explanation = {}, .function = {}}});
-    ProjectionWindows windows;
+    SeriesWindows windows;
     EXPECT_EQ(windowText(windows.of(Look::average, plain), "HU"), "W 2000 L 0 HU");
-    // Of MIP one that is not mostly white.
     EXPECT_EQ(windows.of(Look::mip, plain), maximumWindow(plain));
     EXPECT_NE(windows.of(Look::mip, plain), windows.of(Look::average, plain));
-    windows.forgetAll();
+    windows.forget();
     EXPECT_EQ(windowText(windows.of(Look::mip, named), "HU"), "W 400 L 40 HU");
-    windows.set(Look::mip,
-                DisplayWindow{.center = 825.0, .width = 1350.0, .explanation = {}, .function = {}});
-    EXPECT_EQ(windowText(windows.of(Look::mip, named), {}), "W 1350 L 825");
     EXPECT_EQ(windowText(windows.of(Look::average, named), "HU"), "W 400 L 40 HU");
-
-    windows.drag(Look::mip, windows.of(Look::mip, named), {0.0, -0.1});
-    EXPECT_DOUBLE_EQ(windows.of(Look::mip, named).center, 825.0 - 135.0);  // up: brighter
-    EXPECT_DOUBLE_EQ(windows.of(Look::mip, named).width, 1350.0);
-    windows.forget(Look::mip);
-    EXPECT_DOUBLE_EQ(windows.of(Look::mip, named).center, 40.0);
 }
 
-TEST(ProjectionWindows, DraggingThereAndBackIsTheSameWindowAndNoneIsEverEmpty) {
+TEST(DraggedWindow, ThereAndBackIsTheSameWindowAndNoneIsEverEmpty) {
     const DisplayWindow first{.center = 40.0, .width = 400.0, .explanation = {}, .function = {}};
-    const Volume volume = volumeWith({first});
-    ProjectionWindows windows;
-    windows.drag(Look::minip, first, {0.5, 0.0});
-    EXPECT_GT(windows.of(Look::minip, volume).width, 1000.0);
-    windows.drag(Look::minip, windows.of(Look::minip, volume), {-0.5, 0.0});
-    EXPECT_NEAR(windows.of(Look::minip, volume).width, 400.0, 1e-9);
-    windows.drag(Look::minip, first, {-1000.0, 0.0});
-    EXPECT_GT(windows.of(Look::minip, volume).width, 0.0);
-    windows.drag(Look::minip, first, {1000.0, 1000.0});
-    EXPECT_TRUE(std::isfinite(windows.of(Look::minip, volume).width));
-    windows.forgetAll();
-    EXPECT_EQ(windows.of(Look::minip, volume), first);
+    EXPECT_DOUBLE_EQ(dragged(first, {0.0, -0.1}).center, 0.0);  // up: brighter
+    EXPECT_DOUBLE_EQ(dragged(first, {0.0, -0.1}).width, 400.0);
+    const DisplayWindow wide = dragged(first, {0.5, 0.0});
+    EXPECT_GT(wide.width, 1000.0);
+    EXPECT_NEAR(dragged(wide, {-0.5, 0.0}).width, 400.0, 1e-9);
+    EXPECT_GT(dragged(first, {-1000.0, 0.0}).width, 0.0);
+    EXPECT_TRUE(std::isfinite(dragged(first, {1000.0, 1000.0}).width));
 }
 
-TEST(ProjectionWindows, NumbersAreAsExactAsTheWindowIsWide) {
+TEST(WindowText, NumbersAreAsExactAsTheWindowIsWide) {
     const auto text = [](double width, double center) {
         return windowText({.center = center, .width = width, .explanation = {}, .function = {}}, "HU");
     };

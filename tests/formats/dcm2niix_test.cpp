@@ -10,6 +10,9 @@
 #include "support.h"
 
 namespace macula::formats::test {
+
+using namespace dicom;
+using namespace dicom::test;
 namespace {
 
 namespace fs = std::filesystem;

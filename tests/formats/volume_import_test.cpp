@@ -8,6 +8,8 @@
 #include "support.h"
 
 namespace macula::formats::test {
+
+using namespace dicom::test;  // what the tests of readers share
 namespace {
 
 namespace fs = std::filesystem;

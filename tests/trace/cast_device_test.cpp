@@ -160,7 +160,7 @@ TEST_F(CastOnDevice, DrawsWhatTheReferenceDraws) {
         Clip clip = trial == 0 ? Clip{} : scenes::anyClip(chance, volume->worldBox());
         if (trial == 2)
             clip.greyFaces = DisplayWindow{.center = 40, .width = 400, .explanation = {}, .function = {}};
-        for (const LookName& look : kLooks) {
+        for (const LookTraits& look : kLooks) {
             if (isPathTraced(look.look)) continue;
             Settings settings{.exposure = 1.3, .look = look.look};
             settings.window = DisplayWindow{.center = 0, .width = 2000, .explanation = {}, .function = {}};
@@ -317,7 +317,7 @@ TEST_F(CastOnDevice, DegenerateVolumes) {
         const View view{.camera = frameBox(volume->worldBox(), ViewDirection::anterior, 20, 1.0),
                         .width = 9,
                         .height = 9};
-        for (const LookName& look : kLooks) {
+        for (const LookTraits& look : kLooks) {
             Settings settings{.look = look.look};
             settings.window =
                 DisplayWindow{.center = 700, .width = 100, .explanation = {}, .function = "LINEAR_EXACT"};

@@ -14,14 +14,26 @@ glm::dvec3 vector(const JsonNode& node) {
 
 }  // namespace
 
+Camera cameraFrom(const JsonNode& node) {
+    node.allowOnly({"positionMm", "targetMm", "up", "verticalFovDeg"});
+    const Camera camera{vector(node["positionMm"]), vector(node["targetMm"]), vector(node["up"]),
+                        node["verticalFovDeg"].number({0.1, 170.0})};
+    return camera;
+}
+
+nlohmann::ordered_json toJson(const Camera& camera) {
+    const auto list = [](const glm::dvec3& p) { return nlohmann::ordered_json{p.x, p.y, p.z}; };
+    return {{"positionMm", list(camera.positionMm)},
+            {"targetMm", list(camera.targetMm)},
+            {"up", list(camera.up)},
+            {"verticalFovDeg", camera.verticalFovDeg}};
+}
+
 Result<Camera> readCamera(const std::filesystem::path& path) {
     MACULA_TRY(const std::string text, readText(path));
     const JsonDocument document(text, path.string());
     MACULA_TRY_VOID(document.status());
-    const JsonNode root = document.root();
-    root.allowOnly({"positionMm", "targetMm", "up", "verticalFovDeg"});
-    const Camera camera{vector(root["positionMm"]), vector(root["targetMm"]), vector(root["up"]),
-                        root["verticalFovDeg"].number({0.1, 170.0})};
+    const Camera camera = cameraFrom(document.root());
     MACULA_TRY_VOID(document.status());
     if (const auto valid = basis(camera); !valid) {
         Error error = valid.error();

@@ -47,6 +47,21 @@ Camera toCamera(const OrbitCamera& camera) {
             .verticalFovDeg = camera.verticalFovDeg};
 }
 
+OrbitCamera orbitCameraOf(const Camera& camera) {
+    const glm::dvec3 toEye = camera.positionMm - camera.targetMm;
+    const double distanceMm = glm::length(toEye);
+    const glm::dvec3 eye = toEye / distanceMm;
+    // Above and below, the upright of the picture says how the turntable stands.
+    constexpr double kAtThePole = 1e-9;
+    glm::dvec3 outward = eye;
+    if (std::hypot(eye.x, eye.y) < kAtThePole) outward = eye.z > 0.0 ? -camera.up : camera.up;
+    return {.targetMm = camera.targetMm,
+            .distanceMm = distanceMm,
+            .azimuthDeg = wrapped(glm::degrees(std::atan2(outward.x, -outward.y))),
+            .elevationDeg = glm::degrees(std::asin(std::clamp(eye.z, -1.0, 1.0))),
+            .verticalFovDeg = camera.verticalFovDeg};
+}
+
 OrbitCamera fitted(OrbitCamera camera, std::span<const glm::dvec3> pointsMm, double aspectWidthOverHeight) {
     const Directions d = directions(camera);
     const Camera straight = framePoints(pointsMm, {.right = d.right, .up = d.up, .forward = -d.eye},

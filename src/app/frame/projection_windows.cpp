@@ -17,23 +17,17 @@ constexpr double kWidest = 1e9;
 
 }  // namespace
 
-DisplayWindow ProjectionWindows::of(trace::Look look, const Volume& volume) const {
-    const auto& window = set_.at(std::size_t(look));
-    if (window) return *window;
+DisplayWindow SeriesWindows::of(trace::Look look, const Volume& volume) const {
     if (look != trace::Look::mip) return seriesWindow(volume);
     if (!maximum_) maximum_ = maximumWindow(volume);
     return *maximum_;
 }
 
-void ProjectionWindows::drag(trace::Look look, const DisplayWindow& from, glm::dvec2 byHeights) {
+DisplayWindow dragged(const DisplayWindow& from, glm::dvec2 byHeights) {
     DisplayWindow window = from;
     window.width = std::clamp(from.width * std::pow(kWidthPerHeight, byHeights.x), kNarrowest, kWidest);
     window.center = std::clamp(from.center + byHeights.y * from.width, -kWidest, kWidest);
-    set(look, window);
-}
-
-void ProjectionWindows::forget(trace::Look look) {
-    set(look, std::nullopt);
+    return window;
 }
 
 std::string windowText(const DisplayWindow& window, const std::string& unit) {

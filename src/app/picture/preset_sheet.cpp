@@ -41,7 +41,7 @@ Result<void> drawRow(trace::PathTracer& tracer, const SheetRequest& request, con
                      const SheetPlace& place, const Progress& progress, Sheet& sheet) {
     MACULA_TRY_VOID(tracer.setTransferFunction(preset));
     int column = place.panel * kLookCount;
-    for (const trace::LookName& look : trace::kLooks) {
+    for (const trace::LookTraits& look : trace::kLooks) {
         MACULA_TRY(const trace::Environment lights, chooseLights(std::string(defaultLightsFor(look.look))));
         MACULA_TRY_VOID(tracer.setEnvironment(lights));
         MACULA_TRY_VOID(

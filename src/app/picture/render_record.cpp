@@ -2,15 +2,13 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/camera/camera_file.h"
+
 namespace macula::app {
 
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json toJson(const glm::dvec3& vector) {
-    return {vector.x, vector.y, vector.z};
-}
 
 // "-200,0,35": no more digits than say which it is.
 std::string numbers(const glm::dvec3& vector) {
@@ -83,11 +81,7 @@ Json toJson(const RenderRecord& record) {
             {"tableRemoved", record.tableRemoved},
             {"filter", trace::nameOf(record.settings.filter)},
             {"device", record.device},
-            {"camera",
-             {{"positionMm", toJson(record.camera.positionMm)},
-              {"targetMm", toJson(record.camera.targetMm)},
-              {"up", toJson(record.camera.up)},
-              {"verticalFovDeg", record.camera.verticalFovDeg}}},
+            {"camera", toJson(record.camera)},
             {"width", record.width},
             {"height", record.height},
             {"bounces", record.settings.bounces},

@@ -6,7 +6,9 @@
 #include <utility>
 
 #include "app/study/found_volumes.h"
+#include "base/fingerprint.h"
 #include "base/phantom.h"
+#include "base/sha256.h"
 #include "dicom/loader.h"
 #include "dicom/messages.h"
 #include "dicom/read/media_directory.h"
@@ -22,6 +24,7 @@ Result<OpenedStudy> openPhantom(Progress& progress) {
     if (progress.cancelled()) return Error{ErrorCode::cancelled, "Loading was cancelled.", {}, {}};
     progress.advance();
     return OpenedStudy{.volume = std::move(volume),
+                       .seriesDigest = "phantom",
                        .identity = {.series = "Built-in phantom", .isOfNobody = true},
                        .description = "Built-in phantom"};
 }
@@ -30,8 +33,11 @@ Result<OpenedStudy> openPhantom(Progress& progress) {
 Result<OpenedStudy> openVolumeFile(const std::filesystem::path& path, Progress& progress) {
     MACULA_TRY(std::shared_ptr<const Volume> volume, formats::readVolumeFile(path, progress));
     const std::string name = path.filename().string();
-    return OpenedStudy{
-        .volume = in16Bits(std::move(volume)), .identity = {.series = "File " + name}, .description = name};
+    std::string digest = fingerprint(*volume);
+    return OpenedStudy{.volume = in16Bits(std::move(volume)),
+                       .seriesDigest = std::move(digest),
+                       .identity = {.series = "File " + name},
+                       .description = name};
 }
 
 bool isMediaDirectory(const std::filesystem::path& file) {
@@ -52,6 +58,7 @@ Result<OpenedStudy> loadFound(std::shared_ptr<const FoundVolumes> found, std::si
     MACULA_TRY(std::shared_ptr<const Volume> volume,
                dicom::loadVolume(*chosen.series, *chosen.stack, progress));
     OpenedStudy study{.volume = in16Bits(std::move(volume)),
+                      .seriesDigest = sha256Hex(chosen.series->seriesInstanceUid),
                       .identity = identityOf(chosen),
                       .description = chosen.series->description,
                       .whyThisSeries = "The volume that was chosen.",

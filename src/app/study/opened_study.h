@@ -19,6 +19,7 @@ class FoundVolumes;
 // What came out of a folder. All strings are for the screen; they may name a patient.
 struct OpenedStudy {
     std::shared_ptr<const Volume> volume;  // null when there is only a question
+    std::string seriesDigest = {};         // see StudyInput
     Identity identity = {};
     std::string description = {};
     std::string whyThisSeries = {};          // empty for the phantom

@@ -27,9 +27,18 @@ Result<gpu::TexelBuffer> makeTexels(const std::shared_ptr<gpu::Device>& device, 
 
 // What a look needs of the scene beside its transfer function.
 std::optional<Projection> projectionOf(Look look) {
-    if (look == Look::mip) return Projection::maximum;
-    if (look == Look::minip) return Projection::minimum;
-    if (look == Look::average) return Projection::mean;
+    switch (look) {
+        case Look::mip:
+            return Projection::maximum;
+        case Look::minip:
+            return Projection::minimum;
+        case Look::average:
+            return Projection::mean;
+        case Look::cinematic:
+        case Look::clear:
+        case Look::dvr:
+            break;
+    }
     return std::nullopt;
 }
 

@@ -22,6 +22,8 @@ struct SoftLight {
     double angularRadiusDeg = 20.0;
     glm::dvec3 colour{1.0};  // linear
     double radiance = 1.0;
+
+    bool operator==(const SoftLight&) const = default;
 };
 
 // A built-in or user-made arrangement of lights over an ambient sky. Radiance is linear; 1 on a white surface
@@ -34,6 +36,8 @@ struct LightRig {
     glm::dvec3 ambientHorizon{0.0};
     glm::dvec3 ambientNadir{0.0};
     std::vector<SoftLight> lights;
+
+    bool operator==(const LightRig&) const = default;
 };
 
 struct EnvironmentTexel {

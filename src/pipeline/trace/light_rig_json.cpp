@@ -1,6 +1,9 @@
 #include "pipeline/trace/light_rig_json.h"
 
+#include <nlohmann/json.hpp>
+
 #include "pipeline/volume/json_reader.h"
+#include "pipeline/volume/json_writer.h"
 
 namespace macula::trace {
 
@@ -52,6 +55,28 @@ Result<LightRig> lightRigFromJson(std::string_view text, const std::string& wher
     if (dark) root.fail("a light or an ambient sky that is not black");
     MACULA_TRY_VOID(document.status());
     return rig;
+}
+
+std::string toJson(const LightRig& rig) {
+    using Json = nlohmann::ordered_json;
+    const auto rgb = [](const glm::dvec3& colour) { return Json{colour.x, colour.y, colour.z}; };
+    Json lights = Json::array();
+    for (const SoftLight& light : rig.lights) {
+        lights.push_back({{"azimuthDeg", light.azimuthDeg},
+                          {"elevationDeg", light.elevationDeg},
+                          {"angularRadiusDeg", light.angularRadiusDeg},
+                          {"color", rgb(light.colour)},
+                          {"radiance", light.radiance}});
+    }
+    return prettyJson({{"version", 1},
+                       {"name", rig.name},
+                       {"title", rig.title},
+                       {"frame", rig.frame == LightFrame::camera ? "camera" : "patient"},
+                       {"ambient",
+                        {{"zenith", rgb(rig.ambientZenith)},
+                         {"horizon", rgb(rig.ambientHorizon)},
+                         {"nadir", rgb(rig.ambientNadir)}}},
+                       {"lights", std::move(lights)}});
 }
 
 }  // namespace macula::trace

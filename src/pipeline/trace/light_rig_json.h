@@ -13,4 +13,7 @@ namespace macula::trace {
 // the file, for the error.
 Result<LightRig> lightRigFromJson(std::string_view text, const std::string& where);
 
+// Reading it back gives an equal rig.
+std::string toJson(const LightRig& rig);
+
 }  // namespace macula::trace

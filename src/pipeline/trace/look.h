@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <string_view>
 
@@ -16,32 +17,57 @@ enum class Look {
     average,    // the mean over the length, as in an X-ray
 };
 
-struct LookName {
+// What makes the pictures of a look.
+enum class LookKind {
+    paths,   // random light paths: path.comp
+    matter,  // matter under a transfer function, marched without chance: cast.comp
+    values,  // values through a window, marched without chance: cast.comp
+};
+
+// The one table of looks. `--look`, the window's menu and docs/presets.md are made from it or held to it.
+struct LookTraits {
     Look look;
-    std::string_view name;   // as in --look
+    LookKind kind;
+    std::string_view name;   // as in --look and in files
     std::string_view title;  // for people
 };
-inline constexpr std::array<LookName, 6> kLooks{{{Look::cinematic, "cinematic", "Cinematic"},
-                                                 {Look::clear, "clear", "Clear"},
-                                                 {Look::dvr, "dvr", "Ray cast"},
-                                                 {Look::mip, "mip", "Maximum (MIP)"},
-                                                 {Look::minip, "minip", "Minimum (MinIP)"},
-                                                 {Look::average, "average", "Average (X-ray)"}}};
+inline constexpr std::array<LookTraits, 6> kLooks{
+    {{Look::cinematic, LookKind::paths, "cinematic", "Cinematic"},
+     {Look::clear, LookKind::paths, "clear", "Clear"},
+     {Look::dvr, LookKind::matter, "dvr", "Ray cast"},
+     {Look::mip, LookKind::values, "mip", "Maximum (MIP)"},
+     {Look::minip, LookKind::values, "minip", "Minimum (MinIP)"},
+     {Look::average, LookKind::values, "average", "Average (X-ray)"}}};
+
+constexpr const LookTraits& traitsOf(Look look) {
+    return kLooks.at(static_cast<std::size_t>(look));
+}
+static_assert(
+    [] {
+        for (std::size_t i = 0; i < kLooks.size(); ++i) {
+            if (static_cast<std::size_t>(kLooks[i].look) != i) return false;
+        }
+        return static_cast<std::size_t>(Look::average) + 1 == kLooks.size();
+    }(),
+    "the table has the looks in the order of the enumeration, all of them");
 
 constexpr std::string_view nameOf(Look look) {
-    for (const LookName& known : kLooks) {
-        if (known.look == look) return known.name;
-    }
-    return {};
+    return traitsOf(look).name;
 }
 
-// Random light paths; else one march for each sample, the same every time.
-constexpr bool isPathTraced(Look look) {
-    return look == Look::cinematic || look == Look::clear;
+// Nothing for a name that no look has.
+constexpr std::optional<Look> lookNamed(std::string_view name) {
+    for (const LookTraits& known : kLooks) {
+        if (known.name == name) return known.look;
+    }
+    return std::nullopt;
 }
-// Values through a window, not matter under a transfer function.
+
+constexpr bool isPathTraced(Look look) {
+    return traitsOf(look).kind == LookKind::paths;
+}
 constexpr bool isProjection(Look look) {
-    return look == Look::mip || look == Look::minip || look == Look::average;
+    return traitsOf(look).kind == LookKind::values;
 }
 
 }  // namespace macula::trace

@@ -45,11 +45,13 @@ enum class Shading {
 };
 
 inline constexpr int kMaxBounces = 1024;
+inline constexpr int kDefaultBounces =
+    4;  // of pictures, of views to learn from, and of what models are compared with
 inline constexpr double kMaxGain = 1e6;  // of exposure and strength of light
 inline constexpr int kMaxPictureSide = 16384;
 
 struct Settings {
-    int bounces = 4;  // vertices per path, 1 to kMaxBounces
+    int bounces = kDefaultBounces;  // vertices of a path, 1 to kMaxBounces
     std::uint32_t seed = 0;
     Filter filter = Filter::trilinear;
     double exposure = 1.0;  // above 0; multiplies radiance before the tone map; projections undo it
@@ -74,10 +76,14 @@ constexpr bool isDenoised(const Settings& settings) {
     return settings.denoising != Denoising::off && isPathTraced(settings.look);
 }
 
+// Of view, of what the tracer sees for the fovea.
+inline constexpr double kFovealFieldDeg = 20.0;
+
 // A picture that is stored larger where the eye looks: see shaders/lib/fovea.glsl.
 struct Foveation {
-    glm::dvec2 gaze{0.0};        // in the picture: -1 to 1, right and up are positive
-    double fieldDeg = 15.0;      // of view, of what is magnified; smaller where there is no room for it
+    glm::dvec2 gaze{0.0};  // in the picture: -1 to 1, right and up are positive
+    double fieldDeg =
+        kFovealFieldDeg;         // of view, of what is magnified; smaller where there is no room for it
     double magnification = 2.5;  // 1 to 16: how many times more pixels along each side
 };
 
@@ -92,6 +98,7 @@ struct View {
 // A plain picture of what lies around a point of another view's picture: `gaze` as in Foveation, `fieldDeg`
 // the field of view of a square of `pixels` on each side. Same eye, same up. The point is of the picture as
 // seen.
-Result<View> fovealWindow(const View& view, const glm::dvec2& gaze, double fieldDeg = 20.0, int pixels = 512);
+Result<View> fovealWindow(const View& view, const glm::dvec2& gaze, double fieldDeg = kFovealFieldDeg,
+                          int pixels = 512);
 
 }  // namespace macula::trace

@@ -12,9 +12,18 @@ constexpr int kMaxRoundsCpu = 16000;    // see path.comp
 constexpr int kMaxRoundsGpu = 1 << 24;  // no limit is known: only so that nothing runs for ever
 
 int castOf(Look look) {
-    if (look == Look::mip) return shared::kCastMaximum;
-    if (look == Look::minip) return shared::kCastMinimum;
-    if (look == Look::average) return shared::kCastMean;
+    switch (look) {
+        case Look::mip:
+            return shared::kCastMaximum;
+        case Look::minip:
+            return shared::kCastMinimum;
+        case Look::average:
+            return shared::kCastMean;
+        case Look::cinematic:
+        case Look::clear:
+        case Look::dvr:
+            break;
+    }
     return shared::kCastMatter;
 }
 

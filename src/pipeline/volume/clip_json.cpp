@@ -1,8 +1,10 @@
 #include "pipeline/volume/clip_json.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "pipeline/volume/json_reader.h"
+#include "pipeline/volume/json_writer.h"
 #include "pipeline/volume/window.h"
 
 namespace macula {
@@ -11,6 +13,7 @@ namespace {
 
 constexpr JsonRange kFraction{-10.0, 10.0};
 constexpr JsonRange kPositive{1e-9, 1e9};
+using Json = nlohmann::ordered_json;
 
 glm::dvec3 point(const JsonNode& node) {
     const std::vector<double> p = node.numbers(3, kFraction);
@@ -97,6 +100,41 @@ Result<ClipPreset> clipPresetFromJson(std::string_view text, const std::string& 
     }
     MACULA_TRY_VOID(document.status());
     return preset;
+}
+
+std::string toJson(const ClipPreset& preset) {
+    const Clip& clip = preset.clip;
+    const auto list = [](const glm::dvec3& p) { return Json{p.x, p.y, p.z}; };
+    const auto name = [](Keep keep) { return keep == Keep::outside ? "outside" : "inside"; };
+    const auto letter = [](double sign, char positive, char negative) {
+        return std::string(1, sign > 0.0 ? positive : negative);
+    };
+    Json json{{"version", 1}, {"name", preset.name}, {"title", preset.title}};
+    if (clip.box) {
+        json["box"] = {{"low", list(clip.box->centreMm - clip.box->halfSizeMm)},
+                       {"high", list(clip.box->centreMm + clip.box->halfSizeMm)},
+                       {"keep", name(clip.ofBox)}};
+    }
+    for (std::size_t i = 0; i < clip.planes.size(); ++i)
+        json["planes"].push_back({{"normal", list(clip.planes[i].normal)}, {"at", list(preset.planesAt[i])}});
+    if (clip.cut) {
+        const glm::dvec3& t = clip.cut->towards;
+        json["cut"] = {{"at", list(clip.cut->pointMm)},
+                       {"towards", letter(t.x, 'L', 'R') + letter(t.y, 'P', 'A') + letter(t.z, 'S', 'I')}};
+    }
+    if (clip.ball) {
+        json["ball"] = {{"centre", list(clip.ball->centreMm)},
+                        {"radius", clip.ball->radiusMm},
+                        {"keep", name(clip.ofBall)}};
+    }
+    if (clip.removedCastsShadow) json["removedCastsShadow"] = true;
+    if (preset.greyFacesOfSeries) {
+        json["greyFaces"] = "series";
+    } else if (clip.greyFaces) {
+        json["greyFaces"] = {{"center", clip.greyFaces->center}, {"width", clip.greyFaces->width}};
+    }
+    if (clip.facesBelowWindowAreBlack) json["belowWindow"] = "black";
+    return prettyJson(json);
 }
 
 Clip clipFor(const ClipPreset& preset, const Volume& volume) {

@@ -85,6 +85,8 @@ struct TransferFunction {
     // The JSON file that this was read from; toJson writes into it, so that keys which mean nothing to Macula
     // survive. Empty when there is none.
     std::string document = {};
+
+    bool operator==(const TransferFunction&) const = default;
 };
 
 // 0 to 1, at a value. Exact: curved pieces are evaluated, not approximated.

@@ -9,6 +9,7 @@
 #include "base/result.h"
 #include "base/time_budget.h"
 #include "pipeline/gpu/device.h"
+#include "pipeline/hybrid/views/traced_view.h"
 #include "pipeline/hybrid/views/view_cache.h"
 #include "pipeline/splat/train/trainer.h"
 #include "pipeline/trace/path_tracer.h"
@@ -26,8 +27,8 @@ struct FirstModelOptions {
     // place, and in the wrong light, for all others. Where matter scatters more to one side than to another
     // (|g| above 0.1) only their coverage is told.
     std::size_t directions = 48;
-    int sizePx = 512;
-    int bounces = 4;
+    int sizePx = kTrainingSizePx;
+    int bounces = trace::kDefaultBounces;
     std::uint64_t trial = 0;  // another draw of the views, their noise, and their order in training
     std::uint64_t iterations = 700;
     bool beginsOnly = false;  // one of these steps, or none: who calls goes on

@@ -7,6 +7,7 @@
 #include "base/frames.h"
 #include "base/progress.h"
 #include "base/result.h"
+#include "pipeline/hybrid/views/traced_view.h"
 #include "pipeline/hybrid/views/view_cache.h"
 #include "pipeline/splat/train/trainer.h"
 #include "pipeline/trace/path_tracer.h"
@@ -16,8 +17,8 @@ namespace macula::hybrid {
 struct RefinementOptions {
     std::size_t views = 64;
     std::uint32_t samplesPerPixel = 4;  // few will do: views light each other (view_set.h)
-    int sizePx = 512;
-    int bounces = 4;
+    int sizePx = kTrainingSizePx;
+    int bounces = trace::kDefaultBounces;
     std::uint64_t iterations = 2000;  // that are to follow: rates fall and splats become more over them
     std::uint32_t capacity = 50000;   // splats; the model keeps those it has if they are more
     // How many times larger the steps are at first than where the training before ended, so that there is use

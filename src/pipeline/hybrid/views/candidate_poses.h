@@ -10,6 +10,7 @@
 #include "base/camera.h"
 #include "base/frames.h"
 #include "base/result.h"
+#include "pipeline/hybrid/views/traced_view.h"
 #include "pipeline/hybrid/views/training_views.h"
 #include "pipeline/splat/draw/raster_view.h"
 
@@ -24,7 +25,7 @@ struct KnownPose {
 };
 
 struct CandidateOptions {
-    glm::ivec2 sizePx{512};
+    glm::ivec2 sizePx{kTrainingSizePx};
     double verticalFovDeg = 20.0;
     std::size_t candidates = 128;
     // The error is taken to grow by as much again with every so many degrees from the nearest view that sees

@@ -10,6 +10,10 @@
 
 namespace macula::hybrid {
 
+// Width and height in pixels of what is learnt from, and of what models are compared with, unless somebody
+// says otherwise.
+inline constexpr int kTrainingSizePx = 512;
+
 struct TracedView {
     Camera camera;
     glm::ivec2 sizePx{0};         // columns, rows

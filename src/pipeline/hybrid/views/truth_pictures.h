@@ -16,9 +16,10 @@
 namespace macula::hybrid {
 
 struct TruthOptions {
-    glm::ivec2 sizePx{512};
+    glm::ivec2 sizePx{kTrainingSizePx};
     std::uint32_t samplesPerPixel = 1024;  // every pixel has as many; even: each half gets half of them
-    int bounces = 4;  // as the training views have: what fewer leave out is another matter
+    int bounces =
+        trace::kDefaultBounces;  // as the training views have: what fewer leave out is another matter
     double exposure = 1.0;
 };
 

@@ -20,7 +20,7 @@ namespace macula::hybrid {
 // with `progress` leave it with other settings and another view, and give `cancelled` when that says so.
 
 struct ViewTracing {
-    glm::ivec2 sizePx{512};
+    glm::ivec2 sizePx{kTrainingSizePx};
     std::uint32_t samplesPerPixel = 8;
     // Of the seed, each view takes the next: the same noise in all views would be learnt as if it were there.
     trace::Settings settings = {.denoising = trace::Denoising::little};

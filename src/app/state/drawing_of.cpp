@@ -1,0 +1,42 @@
+#include "app/state/drawing_of.h"
+
+#include <fmt/ranges.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace macula::app {
+
+Drawing drawingOf(const StudyState& state, const Catalogue& catalogue, const SeriesWindows& seriesWindows,
+                  const std::shared_ptr<const Volume>& volume, std::shared_ptr<const Clip> clip) {
+    const trace::Look look = state.settings.look;
+    Drawing drawing{.transferFunction = state.preset,
+                    .lights = state.lights ? state.lights : defaultLights(catalogue, look),
+                    .clip = std::move(clip),
+                    .settings = state.settings};
+    std::vector<std::string> remarks;
+    // Shaded is what is cast, and only where the preset wants it.
+    const bool isShaded = look == trace::Look::dvr && state.preset && state.preset->lighting.shade &&
+                          state.settings.shading == trace::Shading::headlight;
+    drawing.settings.shading = isShaded ? trace::Shading::headlight : trace::Shading::none;
+    if (isShaded) remarks.emplace_back("shaded");
+    if (trace::isProjection(look) && volume) {
+        const auto& set = state.windows.at(std::size_t(look));
+        drawing.settings.window = set ? *set : seriesWindows.of(look, *volume);
+        remarks.push_back(windowText(*drawing.settings.window, volume->unitName()));
+    }
+    if (drawing.clip && drawing.clip->mask) remarks.emplace_back("table left out");
+    if (drawing.clip && drawing.clip->hasShape()) remarks.emplace_back("clipped");
+    drawing.remarks = fmt::format("{}", fmt::join(remarks, ", "));
+    return drawing;
+}
+
+std::shared_ptr<const Clip> clipOf(const StudyState& state, const Volume& volume, std::optional<Mask> mask) {
+    Clip clip;
+    if (state.clip) clip = clipFor(*state.clip, volume);
+    clip.mask = std::move(mask);
+    return clip.isNothing() ? nullptr : std::make_shared<const Clip>(std::move(clip));
+}
+
+}  // namespace macula::app

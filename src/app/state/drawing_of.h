@@ -1,0 +1,24 @@
+// From what was chosen to what is drawn.
+#pragma once
+
+#include <memory>
+
+#include "app/choice/catalogue.h"
+#include "app/frame/frame_input.h"
+#include "app/frame/projection_windows.h"
+#include "app/state/study_state.h"
+#include "base/volume.h"
+#include "pipeline/volume/clip.h"
+
+namespace macula::app {
+
+// Of the volume that is open, or none. `clip` is what clipOf makes of the state: made once for each change,
+// as it may be as large as the volume. What is not chosen is taken from the catalogue and from the volume.
+// Remarks say what has to be known of pictures of it: "shaded", "W 400 L 40 HU", "table left out", "clipped".
+Drawing drawingOf(const StudyState& state, const Catalogue& catalogue, const SeriesWindows& seriesWindows,
+                  const std::shared_ptr<const Volume>& volume, std::shared_ptr<const Clip> clip);
+
+// The clip of the state with `mask`, if anything is hidden; else null.
+std::shared_ptr<const Clip> clipOf(const StudyState& state, const Volume& volume, std::optional<Mask> mask);
+
+}  // namespace macula::app

@@ -1,0 +1,44 @@
+// The numbers that a person may turn, in one table: command options, sliders, JSON keys and
+// docs/parameters.md are made from it or held to it.
+#pragma once
+
+#include <array>
+#include <span>
+#include <string_view>
+
+#include "pipeline/trace/settings.h"
+
+namespace macula::app {
+
+// What has to be made again after a change, from the least to the most; each includes those before it.
+enum class Stale {
+    nothing,
+    display,  // the picture is as it was traced, and is only shown otherwise
+    camera,   // samples and guides; the peripheral model stays
+    light,    // what light matter sends out: peripheral model and picture begin anew
+    matter,   // what can be seen: tables, bricks on the device, outline
+    volume,   // all
+};
+
+struct Parameter {
+    std::string_view id;      // JSON key
+    std::string_view option;  // of the command
+    std::string_view label;   // for people
+    std::string_view unit;    // "degrees"; empty: a count or a factor
+    double low = 0.0;         // that is allowed
+    double high = 0.0;
+    bool isWhole = false;
+    Stale stale = Stale::light;
+    std::string_view does;  // a sentence
+    double (*get)(const trace::Settings&);
+    void (*set)(trace::Settings&, double);
+
+    double fallback() const { return get(trace::Settings{}); }
+};
+
+std::span<const Parameter> parameters();
+
+// By id. It must be one of the table.
+const Parameter& parameter(std::string_view id);
+
+}  // namespace macula::app

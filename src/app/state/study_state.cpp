@@ -1,0 +1,71 @@
+#include "app/state/study_state.h"
+
+#include <algorithm>
+#include <functional>
+
+namespace macula::app {
+
+bool isSame(const TransferFunction& a, const TransferFunction& b) {
+    const auto drawn = [](TransferFunction function) {
+        function.document.clear();
+        return function;
+    };
+    return drawn(a) == drawn(b);
+}
+
+namespace {
+
+// Of two pointers, one of which may be null.
+template <class T, class Same>
+bool sameValue(const std::shared_ptr<const T>& a, const std::shared_ptr<const T>& b, const Same& same) {
+    return a == b || (a && b && same(*a, *b));
+}
+bool samePreset(const StudyState& a, const StudyState& b) {
+    return sameValue(a.preset, b.preset,
+                     [](const TransferFunction& x, const TransferFunction& y) { return isSame(x, y); });
+}
+bool sameLights(const StudyState& a, const StudyState& b) {
+    return sameValue(a.lights, b.lights, std::equal_to<trace::LightRig>());
+}
+
+// Settings without what the table of parameters has, and without what is no part of a state.
+trace::Settings withoutParameters(trace::Settings settings) {
+    const trace::Settings usual;
+    for (const Parameter& p : parameters()) p.set(settings, p.fallback());
+    settings.seed = usual.seed;
+    settings.window = usual.window;
+    settings.denoising = usual.denoising;
+    return settings;
+}
+
+Stale staleAfter(const trace::Settings& before, const trace::Settings& after) {
+    Stale stale = Stale::nothing;
+    for (const Parameter& p : parameters()) {
+        if (p.get(before) != p.get(after)) stale = std::max(stale, p.stale);
+    }
+    if (before.denoising != after.denoising) stale = std::max(stale, Stale::display);
+    if (!(withoutParameters(before) == withoutParameters(after))) stale = std::max(stale, Stale::light);
+    return stale;
+}
+
+}  // namespace
+
+bool StudyState::operator==(const StudyState& b) const {
+    return seriesDigest == b.seriesDigest && samePreset(*this, b) && clip == b.clip &&
+           leavesTableOut == b.leavesTableOut && sameLights(*this, b) && settings == b.settings &&
+           windows == b.windows && camera == b.camera && otherKeys == b.otherKeys;
+}
+
+Stale staleAfter(const StudyState& before, const StudyState& after) {
+    if (before.seriesDigest != after.seriesDigest) return Stale::volume;
+    if (!samePreset(before, after) || before.clip != after.clip ||
+        before.leavesTableOut != after.leavesTableOut)
+        return Stale::matter;
+    Stale stale = staleAfter(before.settings, after.settings);
+    if (!sameLights(before, after)) stale = std::max(stale, Stale::light);
+    if (before.camera != after.camera) stale = std::max(stale, Stale::camera);
+    if (before.windows != after.windows) stale = std::max(stale, Stale::display);
+    return stale;
+}
+
+}  // namespace macula::app

@@ -1,0 +1,60 @@
+// All that a person can choose about how a study is shown, as one value: window, command, evaluation, headset
+// and session store speak it. Frames: patient LPS, mm.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "app/frame/frame_input.h"
+#include "app/state/parameters.h"
+#include "base/camera.h"
+#include "base/result.h"
+#include "base/volume.h"
+#include "pipeline/trace/environment.h"
+#include "pipeline/trace/settings.h"
+#include "pipeline/volume/clip_json.h"
+#include "pipeline/volume/transfer_function.h"
+
+namespace macula::app {
+
+struct StudyState {
+    // Which volume: see StudyInput::seriesDigest. Empty: whichever is open.
+    std::string seriesDigest = {};
+    // Nothing: what the volume is shown with when nobody chose (presets::defaultTransfer). A fit to the
+    // volume is part of it, and is made when it is drawn.
+    std::shared_ptr<const TransferFunction> preset = {};
+    std::optional<ClipPreset> clip = {};  // nothing: all of the volume is shown
+    bool leavesTableOut = false;          // and what else lies beside the patient; of CT
+    // Nothing: those of the look.
+    std::shared_ptr<const trace::LightRig> lights = {};
+    // Look, shading and the parameters. `seed` is of a picture and not of a state; `window` is in `windows`.
+    trace::Settings settings = {.shading = trace::Shading::headlight};
+    // Of projections, by look: what somebody set. Nothing: that of the series.
+    std::array<std::optional<DisplayWindow>, trace::kLooks.size()> windows = {};
+    std::optional<Camera> camera = {};  // nothing: one that fits what is visible
+    // A JSON object of what a newer Macula has written and this one does not know. It is written back.
+    std::string otherKeys = {};
+
+    // By value, also of preset and lights.
+    bool operator==(const StudyState& b) const;
+};
+
+// Whether both draw the same, whatever else is in the files that they come from.
+bool isSame(const TransferFunction& a, const TransferFunction& b);
+
+// What has to be made again when one follows the other.
+Stale staleAfter(const StudyState& before, const StudyState& after);
+
+// Readable text; reading it gives an equal state. Holds no name of a patient: presets, clips and lights that
+// a person named may.
+std::string toJson(const StudyState& state);
+
+// inputNotUsable: the message tells the line or the key, the hint what was expected. `where` is for the
+// error. Keys that are not known are kept.
+Result<StudyState> studyStateFromJson(std::string_view text, const std::string& where);
+
+}  // namespace macula::app

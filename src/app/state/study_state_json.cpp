@@ -1,0 +1,155 @@
+// StudyState as JSON:
+//   { "version": 1, "series": "<SHA-256>", "look": "dvr", "shading": true, "filter": "trilinear",
+//     "denoising": "denoised", <a key for each row of parameters()>,
+//     "preset": {as presets/transfer}, "clip": {as presets/clip}, "leavesTableOut": true,
+//     "lights": {as presets/lights}, "windows": { "mip": { "center": 40, "width": 400 } },
+//     "camera": {as camera_file.h} }
+// Everything but the version may be left out.
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "app/camera/camera_file.h"
+#include "app/state/study_state.h"
+#include "pipeline/trace/light_rig_json.h"
+#include "pipeline/volume/json_reader.h"
+#include "pipeline/volume/json_writer.h"
+#include "pipeline/volume/transfer_function_json.h"
+
+namespace macula::app {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double kVersion = 1.0;
+constexpr std::array kFilters{trace::Filter::trilinear, trace::Filter::stochastic};
+constexpr std::array kDenoisings{trace::Denoising::off, trace::Denoising::little, trace::Denoising::on};
+
+bool isKnown(const std::string& key) {
+    constexpr std::array kKeys{"version", "series", "look",           "shading", "filter",  "denoising",
+                               "preset",  "clip",   "leavesTableOut", "lights",  "windows", "camera"};
+    return std::ranges::find(kKeys, key) != kKeys.end() ||
+           std::ranges::find(parameters(), key, &Parameter::id) != parameters().end();
+}
+
+// One of `values`, by nameOf.
+template <class Values, class T>
+void readName(const JsonNode& root, const char* key, const Values& values, T& value) {
+    const auto node = root.find(key);
+    if (!node) return;
+    std::string names;
+    for (const auto& each : values) {
+        if (nameOf(each) == node->text()) {
+            value = each;
+            return;
+        }
+        names += (names.empty() ? "\"" : ", \"") + std::string(nameOf(each)) + "\"";
+    }
+    node->fail("one of " + names);
+}
+
+void readParameters(const JsonNode& root, trace::Settings& settings) {
+    for (const Parameter& p : parameters()) {
+        const auto node = root.find(p.id);
+        if (!node) continue;
+        const double value = node->number({p.low, p.high});
+        if (p.isWhole && value != std::floor(value)) node->fail("a whole number");
+        p.set(settings, value);
+    }
+}
+
+void readWindows(const JsonNode& root, StudyState& state) {
+    const auto windows = root.find("windows");
+    if (!windows) return;
+    for (const trace::LookTraits& look : trace::kLooks) {
+        const auto node = windows->find(look.name);
+        if (!node) continue;
+        node->allowOnly({"center", "width"});
+        state.windows.at(std::size_t(look.look)) =
+            DisplayWindow{.center = (*node)["center"].number({-1e9, 1e9}),
+                          .width = (*node)["width"].number({1e-9, 1e9}),
+                          .explanation = {},
+                          .function = "LINEAR_EXACT"};
+    }
+}
+
+// An object within the text, read by the reader of its own format.
+template <class T, class Read>
+Result<std::optional<T>> readPart(const Json& all, const char* key, const Read& read) {
+    if (!all.contains(key)) return std::optional<T>();
+    MACULA_TRY(T part, read(all[key].dump()));
+    return std::optional<T>(std::move(part));
+}
+
+}  // namespace
+
+std::string toJson(const StudyState& state) {
+    Json json{{"version", kVersion}};
+    if (!state.seriesDigest.empty()) json["series"] = state.seriesDigest;
+    json["look"] = nameOf(state.settings.look);
+    json["shading"] = state.settings.shading == trace::Shading::headlight;
+    json["filter"] = nameOf(state.settings.filter);
+    json["denoising"] = nameOf(state.settings.denoising);
+    for (const Parameter& p : parameters()) json[std::string(p.id)] = p.get(state.settings);
+    if (state.preset) json["preset"] = Json::parse(toJson(*state.preset));
+    if (state.clip) json["clip"] = Json::parse(toJson(*state.clip));
+    if (state.leavesTableOut) json["leavesTableOut"] = true;
+    if (state.lights) json["lights"] = Json::parse(toJson(*state.lights));
+    for (const trace::LookTraits& look : trace::kLooks) {
+        if (const auto& window = state.windows.at(std::size_t(look.look)))
+            json["windows"][std::string(look.name)] = {{"center", window->center}, {"width", window->width}};
+    }
+    if (state.camera) json["camera"] = toJson(*state.camera);
+    if (!state.otherKeys.empty()) {
+        const Json others = Json::parse(state.otherKeys);
+        for (const auto& [key, value] : others.items()) json[key] = value;
+    }
+    return prettyJson(json);
+}
+
+Result<StudyState> studyStateFromJson(std::string_view text, const std::string& where) {
+    const JsonDocument document(text, where);
+    MACULA_TRY_VOID(document.status());
+    const JsonNode root = document.root();
+    StudyState state;
+    if (root["version"].number() != kVersion)
+        root["version"].fail("version 1; newer ones need a newer Macula");
+    if (const auto node = root.find("series")) state.seriesDigest = node->text();
+    std::array<trace::Look, trace::kLooks.size()> looks{};
+    std::ranges::transform(trace::kLooks, looks.begin(), &trace::LookTraits::look);
+    readName(root, "look", looks, state.settings.look);
+    readName(root, "filter", kFilters, state.settings.filter);
+    readName(root, "denoising", kDenoisings, state.settings.denoising);
+    if (const auto node = root.find("shading"))
+        state.settings.shading = node->boolean() ? trace::Shading::headlight : trace::Shading::none;
+    readParameters(root, state.settings);
+    if (const auto node = root.find("leavesTableOut")) state.leavesTableOut = node->boolean();
+    readWindows(root, state);
+    if (const auto node = root.find("camera")) {
+        state.camera = cameraFrom(*node);
+        if (!basis(*state.camera)) node->fail("an eye, a target and an upright that make a camera");
+    }
+    MACULA_TRY_VOID(document.status());
+
+    // Valid JSON by now, and an object.
+    const Json all = Json::parse(text);
+    MACULA_TRY(const auto preset, readPart<TransferFunction>(all, "preset", [&](const std::string& part) {
+                   return transferFunctionFromJson(part, where);
+               }));
+    if (preset) state.preset = std::make_shared<const TransferFunction>(*preset);
+    MACULA_TRY(state.clip, readPart<ClipPreset>(all, "clip", [&](const std::string& part) {
+                   return clipPresetFromJson(part, where);
+               }));
+    MACULA_TRY(const auto lights, readPart<trace::LightRig>(all, "lights", [&](const std::string& part) {
+                   return trace::lightRigFromJson(part, where);
+               }));
+    if (lights) state.lights = std::make_shared<const trace::LightRig>(*lights);
+    Json others = Json::object();
+    for (const auto& [key, value] : all.items()) {
+        if (!isKnown(key)) others[key] = value;
+    }
+    if (!others.empty()) state.otherKeys = others.dump();
+    return state;
+}
+
+}  // namespace macula::app

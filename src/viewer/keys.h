@@ -1,0 +1,86 @@
+// What keys and mouse do in the window, in one table: viewport, menus and help are made from it, and a test
+// holds docs/window.md to it.
+#pragma once
+
+#include <QKeySequence>
+#include <QString>
+#include <array>
+#include <optional>
+
+#include "base/frames.h"
+#include "pipeline/trace/look.h"
+
+class QKeyEvent;
+
+namespace macula::viewer {
+
+enum class KeyAction {
+    orbit,
+    pan,
+    zoom,
+    window,
+    anterior,
+    posterior,
+    left,
+    right,
+    superior,
+    inferior,
+    fit,
+    names,
+    look,
+    shade,
+    resetWindow,
+    removeTable,
+    noClip,
+    openFolder,
+    openFile,
+    openView,
+    saveView,
+    quit,
+    help,
+};
+
+struct KeyRow {
+    KeyAction action;
+    const char* hand;      // what else does it, in words; the keys, where they are more than one
+    const char* sequence;  // the key, as QKeySequence reads it; empty: see `hand`
+    const char* does;
+};
+inline constexpr std::array kKeys{
+    KeyRow{KeyAction::orbit, "Left drag, arrows", "", "Walk around the patient"},
+    KeyRow{KeyAction::pan, "Middle drag, Shift + left drag, Shift + arrows", "", "Move sideways"},
+    KeyRow{KeyAction::zoom, "Wheel, right drag, Ctrl + left drag, + and -", "", "Closer, farther"},
+    KeyRow{KeyAction::window, "Right drag in maximum, minimum, average", "",
+           "Window: wider to the right, brighter up"},
+    KeyRow{KeyAction::resetWindow, "", "Ctrl+R", "Window of the series again"},
+    KeyRow{KeyAction::anterior, "", "A", "Look from anterior"},
+    KeyRow{KeyAction::posterior, "", "P", "Look from posterior"},
+    KeyRow{KeyAction::left, "", "L", "Look from the patient's left"},
+    KeyRow{KeyAction::right, "", "R", "Look from the patient's right"},
+    KeyRow{KeyAction::superior, "", "S", "Look from superior"},
+    KeyRow{KeyAction::inferior, "", "I", "Look from inferior"},
+    KeyRow{KeyAction::fit, "", "F", "Fit what is visible"},
+    KeyRow{KeyAction::names, "", "N", "Patient, study and series over the picture, or not"},
+    KeyRow{KeyAction::look, "Ctrl+1 to Ctrl+6", "", "Cinematic, clear, ray cast, maximum, minimum, average"},
+    KeyRow{KeyAction::shade, "", "Ctrl+0", "Shade the ray cast, or not"},
+    KeyRow{KeyAction::removeTable, "", "Ctrl+T", "Remove the table of a CT, or show it again"},
+    KeyRow{KeyAction::noClip, "", "Ctrl+U", "No clip"},
+    KeyRow{KeyAction::openFolder, "Drop a folder or a file", "Ctrl+O", "Open a study"},
+    KeyRow{KeyAction::openFile, "", "Ctrl+Shift+O", "Open an image or a volume file"},
+    KeyRow{KeyAction::saveView, "", "Ctrl+S", "Save the view: preset, clip, lights, look, window, camera"},
+    KeyRow{KeyAction::openView, "", "Ctrl+Shift+V", "Open a view that was saved"},
+    KeyRow{KeyAction::help, "", "F1", "All keys"},
+    KeyRow{KeyAction::quit, "", "Ctrl+Q", "Quit"},
+};
+
+// Empty for what only a hand does.
+QKeySequence keyOf(KeyAction action);
+// "Ctrl+1" and so on, in the order of trace::kLooks.
+QKeySequence keyOf(trace::Look look);
+// What is pressed in a help text: "Drop a folder or a file, Ctrl+O".
+QString pressedFor(const KeyRow& row);
+// Of keys without Ctrl or Alt, which act on the picture only.
+std::optional<KeyAction> actionOf(const QKeyEvent& event);
+std::optional<ViewDirection> viewDirectionOf(KeyAction action);
+
+}  // namespace macula::viewer

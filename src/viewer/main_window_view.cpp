@@ -1,0 +1,106 @@
+// Views: what was chosen, shown in the menus, saved, and opened again.
+#include <QFileDialog>
+#include <algorithm>
+
+#include "app/state/drawing_of.h"
+#include "base/atomic_file.h"
+#include "viewer/main_window.h"
+#include "viewer/status_texts.h"
+
+namespace macula::viewer {
+
+namespace {
+
+// In a list that is shown in a menu or a box; -1: it is none of them.
+template <class Items, class Same>
+int indexOf(const Items& items, const Same& isSame) {
+    const auto found =
+        std::find_if(items.begin(), items.end(), [&](const auto& item) { return isSame(*item); });
+    return found == items.end() ? -1 : int(found - items.begin());
+}
+
+Error anotherSeries() {
+    return {ErrorCode::inputNotUsable,
+            "The view was saved of another series.",
+            {},
+            "Open that series first, or choose another view."};
+}
+
+}  // namespace
+
+app::StudyState MainWindow::state() const {
+    app::StudyState state = state_;
+    if (study_.volume) state.camera = toCamera(viewport_->camera());
+    return state;
+}
+
+Result<void> MainWindow::setState(const app::StudyState& state) {
+    if (!study_.volume)
+        return Error{ErrorCode::usage, "No study is open.", {}, "Open the study that the view is of first."};
+    if (!state.seriesDigest.empty() && state.seriesDigest != study_.seriesDigest) return anotherSeries();
+    state_ = state;
+    state_.seriesDigest = study_.seriesDigest;
+    state_.camera.reset();  // the viewport's, from here on
+    if (!state_.preset) state_.preset = app::presetFor(options_.catalogue, *study_.volume);
+    presetNote_ = presetWarning(*state_.preset, *study_.volume);
+    showChosen();
+    table_->ask(state_.leavesTableOut);
+    updateClip();
+    showNotes();
+    if (state.camera) viewport_->showFrom(*state.camera);
+    return {};
+}
+
+void MainWindow::showChosen() {
+    presets_->setCurrentIndex(indexOf(options_.catalogue.presets, [&](const TransferFunction& preset) {
+        return app::isSame(preset, *state_.preset);
+    }));
+    looks_->choose(int(state_.settings.look));
+    shading_->setChecked(state_.settings.shading == trace::Shading::headlight);
+    // Number 0 is no clip; a clip of its own is none of the menu's.
+    const auto isShown = [&](const ClipPreset& clip) { return state_.clip && clip == *state_.clip; };
+    clips_->choose(state_.clip ? indexOf(options_.catalogue.clips, isShown) + 1 : 0);
+}
+
+void MainWindow::askForView() {
+    auto* dialog = new QFileDialog(this, tr("Open a view"), lastFolder_, tr("Views (*.json)"));
+    dialog->setFileMode(QFileDialog::ExistingFile);
+    ask(dialog, [this](const QString& path) { openView(path); });
+}
+
+void MainWindow::askWhereToSaveView() {
+    if (!study_.volume)
+        return messages_->showError({ErrorCode::usage,
+                                     tr("There is no view to save yet.").toStdString(),
+                                     {},
+                                     tr("Open a study first.").toStdString()});
+    auto* dialog = new QFileDialog(this, tr("Save the view"), lastFolder_, tr("Views (*.json)"));
+    dialog->setAcceptMode(QFileDialog::AcceptSave);
+    dialog->setDefaultSuffix(QStringLiteral("json"));
+    dialog->selectFile(QStringLiteral("view.json"));
+    ask(dialog, [this](const QString& path) { saveView(path); });
+}
+
+void MainWindow::openView(const QString& path) {
+    const auto shown = [&]() -> Result<void> {
+        MACULA_TRY(const std::string text, readText(path.toStdString()));
+        MACULA_TRY(const app::StudyState state, app::studyStateFromJson(text, path.toStdString()));
+        return setState(state);
+    }();
+    if (shown) {
+        messages_->hide();
+    } else {
+        messages_->showError(shown.error());
+    }
+}
+
+void MainWindow::saveView(const QString& path) {
+    const Result<void> written = writeTextAtomically(path.toStdString(), app::toJson(state()));
+    if (written) {
+        messages_->hide();
+    } else {
+        messages_->showError(written.error());
+    }
+}
+
+}  // namespace macula::viewer
