@@ -16,6 +16,8 @@ namespace macula::formats::test {
 namespace {
 
 namespace fs = std::filesystem;
+using namespace dicom;
+using namespace dicom::test;
 
 const char* const kEndings[] = {".nii", ".nii.gz", ".nrrd", ".nhdr", ".mha", ".mhd"};
 

@@ -11,6 +11,8 @@ namespace macula::formats::test {
 namespace {
 
 namespace fs = std::filesystem;
+using namespace dicom;
+using namespace dicom::test;
 
 std::shared_ptr<const Volume> import(const fs::path& path) {
     Progress progress;
