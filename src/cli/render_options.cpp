@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <map>
 
+#include "app/state/parameters.h"
 #include "cli/name_option.h"
 #include "cli/number_range.h"
 #include "cli/output_options.h"
@@ -19,6 +20,10 @@ std::map<std::string, int> looksByName() {
     std::map<std::string, int> looks;
     for (const trace::LookTraits& look : trace::kLooks) looks.emplace(look.name, static_cast<int>(look.look));
     return looks;
+}
+
+std::string helpOf(const app::Parameter& p) {
+    return fmt::format("{} (default: {:g})", p.does, p.fallback());
 }
 
 }  // namespace
@@ -72,8 +77,9 @@ void addRenderOptions(CLI::App& command, RenderOptions& options) {
         .add_option("--error", o.effort.error,
                     "Trace until noise is this small, 0.01 of black to white; then --spp is about the most")
         ->check(between(1e-4, 1.0));
-    command.add_option("--bounces", o.effort.bounces, "Scattering events per path of cinematic (default: 4)")
-        ->check(CLI::Range(1, trace::kMaxBounces));
+    const app::Parameter& bounces = app::parameter("bounces");
+    command.add_option(std::string(bounces.option), o.effort.bounces, helpOf(bounces))
+        ->check(CLI::Range(int(bounces.low), int(bounces.high)));
     command.add_flag_function(
         "--denoise,!--no-denoise", [&o](std::int64_t count) { o.effort.denoise = count > 0; },
         "Filter the noise out, guided by what is seen, or not; the picture says that it is denoised");
@@ -81,16 +87,13 @@ void addRenderOptions(CLI::App& command, RenderOptions& options) {
                        "Of the random numbers; the same seed gives the same picture");
     command.add_option("--lights", o.lights,
                        "Name from macula presets, light rig JSON, or HDR or EXR panorama");
-    command
-        .add_option("--light-rotation", o.settings.lightRotationDeg,
-                    "Degrees to turn the lights about the vertical, towards the patient's left")
-        ->check(between(-360.0, 360.0));
-    command.add_option("--light-strength", o.settings.lightStrength, "Multiplies the lights (default: 1)")
-        ->check(between(0.0, trace::kMaxGain));
-    command
-        .add_option("--exposure", o.settings.exposure,
-                    "Multiplies the picture before the tone map (default: 1)")
-        ->check(between(1e-6, trace::kMaxGain));
+    for (const app::Parameter& p : app::parameters()) {
+        if (p.id == bounces.id) continue;  // which a quality sets too
+        command
+            .add_option_function<double>(
+                std::string(p.option), [&p, &o](double value) { p.set(o.settings, value); }, helpOf(p))
+            ->check(between(p.low, p.high));
+    }
     command.add_flag("--remove-table", o.removeTable,
                      "Leave out the table and what else lies beside the patient; CT only. What went is said");
     command.add_option("--clip", o.clip,

@@ -123,8 +123,7 @@ void MainWindow::makeMenus() {
     openView->setToolTip(tr("Show this study as it was when a view was saved"));
     QAction* saveView = file->addAction(tr("&Save View…"), this, &MainWindow::askWhereToSaveView);
     saveView->setShortcut(keyOf(KeyAction::saveView));
-    saveView->setToolTip(
-        tr("Preset, clip, lights, look, window and camera, for another time or `macula render --state`"));
+    saveView->setToolTip(tr("Preset, clip, lights, look, window and camera, for another time"));
     file->addSeparator();
     QAction* quit = file->addAction(tr("&Quit"), this, &QWidget::close);
     quit->setShortcut(keyOf(KeyAction::quit));

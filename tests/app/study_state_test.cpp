@@ -3,12 +3,15 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <fstream>
 #include <functional>
 #include <limits>
 #include <nlohmann/json.hpp>
 
 #include "app/choice/catalogue.h"
 #include "app/state/drawing_of.h"
+#include "base/paths.h"
 #include "base/phantom.h"
 
 namespace macula::app {
@@ -165,6 +168,18 @@ TEST(Parameters, FallBackToWhatTheTracerHasAndTakeWhatTheyAllow) {
         }
         EXPECT_EQ(&parameter(p.id), &p);
     }
+}
+
+TEST(Parameters, AreThoseOfThePage) {
+    constexpr std::array kStale{"nothing", "display", "camera", "light", "matter", "volume"};
+    std::string table;
+    for (const Parameter& p : parameters())
+        table += fmt::format("| {} | `{}` | {:g} | {:g} | {:g} |{} | {} | {} |\n", p.id, p.option, p.low,
+                             p.high, p.fallback(), p.unit.empty() ? "" : fmt::format(" {}", p.unit), p.does,
+                             kStale.at(std::size_t(p.stale)));
+    std::ifstream page(test::projectFolder() / "docs/parameters.md");
+    const std::string text{std::istreambuf_iterator<char>(page), {}};
+    EXPECT_NE(text.find(table), std::string::npos) << "docs/parameters.md should say:\n" << table;
 }
 
 TEST(DrawingOf, TakesWhatIsNotChosenFromCatalogueAndSeriesAndSaysWhatIsHidden) {

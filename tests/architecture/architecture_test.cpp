@@ -29,19 +29,14 @@ struct Library {
     std::string name;
     std::vector<std::string> prefixes;  // of what stands between the brackets
 };
-const std::vector<Library> kLibraries{{"Qt", {"Q", "Qt"}},
-                                      {"Vulkan", {"vulkan/", "vk_"}},
-                                      {"DCMTK", {"dcmtk/"}},
-                                      {"OpenJPEG", {"openjpeg"}},
-                                      {"ITK", {"itk", "ITK"}},
-                                      {"GDCM", {"gdcm"}},
-                                      {"niftilib", {"nifti"}},
-                                      {"OpenImageIO", {"OpenImageIO/", "OpenEXR/", "Imath/"}},
-                                      {"CLI11", {"CLI/"}},
-                                      {"VTK", {"vtk"}},
-                                      {"pugixml", {"pugi"}},
-                                      {"SQLite", {"sqlite3"}},
-                                      {"OpenXR", {"openxr/"}}};
+const std::vector<Library> kLibraries{
+    {"Qt", {"Q", "Qt"}},     {"Vulkan", {"vulkan/", "vk_"}},
+    {"DCMTK", {"dcmtk/"}},   {"OpenJPEG", {"openjpeg"}},
+    {"ITK", {"itk", "ITK"}}, {"GDCM", {"gdcm"}},
+    {"niftilib", {"nifti"}}, {"OpenImageIO", {"OpenImageIO/", "OpenEXR/", "Imath/"}},
+    {"CLI11", {"CLI/"}},     {"VTK", {"vtk"}},
+    {"pugixml", {"pugi"}},   {"SQLite", {"sqlite3"}},
+    {"OpenXR", {"openxr/"}}};
 
 // ARCHITECTURE.md: the arrows of its diagram, and who may use which library.
 struct Rules {

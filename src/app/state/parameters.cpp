@@ -10,7 +10,7 @@ namespace {
 
 using trace::Settings;
 
-constexpr std::array<Parameter, 5> kParameters{
+constexpr std::array<Parameter, 4> kParameters{
     {{.id = "bounces",
       .option = "--bounces",
       .label = "Bounces",
@@ -51,18 +51,7 @@ constexpr std::array<Parameter, 5> kParameters{
       .stale = Stale::light,
       .does = "Multiplies the lights",
       .get = [](const Settings& s) { return s.lightStrength; },
-      .set = [](Settings& s, double value) { s.lightStrength = value; }},
-     {.id = "errorThreshold",
-      .option = "--error",
-      .label = "Noise that is left",
-      .unit = "of black to white",
-      .low = 0.0,
-      .high = 1.0,
-      .stale = Stale::display,
-      .does = "Trace until the standard error of the picture is this small; 0: for as many samples as are "
-              "asked for",
-      .get = [](const Settings& s) { return s.errorThreshold; },
-      .set = [](Settings& s, double value) { s.errorThreshold = value; }}}};
+      .set = [](Settings& s, double value) { s.lightStrength = value; }}}};
 
 }  // namespace
 

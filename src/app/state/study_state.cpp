@@ -33,6 +33,7 @@ trace::Settings withoutParameters(trace::Settings settings) {
     const trace::Settings usual;
     for (const Parameter& p : parameters()) p.set(settings, p.fallback());
     settings.seed = usual.seed;
+    settings.errorThreshold = usual.errorThreshold;
     settings.window = usual.window;
     settings.denoising = usual.denoising;
     return settings;

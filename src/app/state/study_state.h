@@ -31,7 +31,8 @@ struct StudyState {
     bool leavesTableOut = false;          // and what else lies beside the patient; of CT
     // Nothing: those of the look.
     std::shared_ptr<const trace::LightRig> lights = {};
-    // Look, shading and the parameters. `seed` is of a picture and not of a state; `window` is in `windows`.
+    // Look, shading and the parameters. Seed and threshold of noise are of a picture and not of a
+    // state; `window` is in `windows`.
     trace::Settings settings = {.shading = trace::Shading::headlight};
     // Of projections, by look: what somebody set. Nothing: that of the series.
     std::array<std::optional<DisplayWindow>, trace::kLooks.size()> windows = {};

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "pipeline/hybrid/model/first_model.h"
+#include "pipeline/hybrid/model/training_rounds.h"
 #include "pipeline/hybrid/views/training_set.h"
 #include "pipeline/hybrid/views/training_views.h"
 
@@ -38,14 +39,13 @@ std::size_t picturesOf(const splat::Trainer& trainer) {
 splat::TrainerOptions refinementTraining(splat::TrainerOptions before, const splat::TrainingReport& now,
                                          const RefinementOptions& options) {
     const std::uint64_t steps = std::max<std::uint64_t>(options.iterations, 1);
-    splat::OptimizerOptions& rates = before.optimizer;
-    rates.position = std::min(rates.position, options.warmer * rates.positionAtLast);
-    const double others = std::min(1.0, options.warmer * rates.othersAtLast);
-    for (double* rate : {&rates.logScale, &rates.rotation, &rates.opacityLogit, &rates.dc, &rates.sh})
-        *rate *= others;
-    rates.othersAtLast /= others;
-    rates.decayFrom = now.steps;
-    rates.positionSteps = now.steps + steps;
+    // Larger steps again than the training before ended with, which fall as they did.
+    const splat::OptimizerOptions& rates = before.optimizer;
+    before.optimizer =
+        following(rates, {.position = std::min(rates.position, options.warmer * rates.positionAtLast),
+                          .others = std::min(1.0, options.warmer * rates.othersAtLast),
+                          .holdUntil = now.steps,
+                          .fallUntil = now.steps + steps});
     before.capacity = options.capacity;
     before.stages = {{.firstStep = 0, .halvings = 0},
                      {.firstStep = now.steps + static_cast<std::uint64_t>(kSquaresFrom * double(steps)),

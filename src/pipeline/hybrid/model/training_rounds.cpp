@@ -17,6 +17,16 @@ double fallen(const splat::OptimizerOptions& rates, std::uint64_t stepsDone) {
 
 }  // namespace
 
+splat::OptimizerOptions following(splat::OptimizerOptions rates, const RateSchedule& schedule) {
+    rates.position = schedule.position;
+    for (double* rate : {&rates.logScale, &rates.rotation, &rates.opacityLogit, &rates.dc, &rates.sh})
+        *rate *= schedule.others;
+    rates.othersAtLast /= schedule.others;  // a share of the rate that it falls from
+    rates.decayFrom = schedule.holdUntil;
+    rates.positionSteps = schedule.fallUntil;
+    return rates;
+}
+
 splat::TrainerOptions comparedAsJudged(splat::TrainerOptions options) {
     options.stages = {{.firstStep = 0, .halvings = 0}};
     return options;
@@ -27,15 +37,14 @@ bool isSettled(const splat::TrainerOptions& options, std::uint64_t stepsDone) {
 }
 
 splat::TrainerOptions settling(splat::TrainerOptions options, std::uint64_t stepsDone, std::uint64_t steps) {
-    splat::OptimizerOptions& rates = options.optimizer;
+    const splat::OptimizerOptions& rates = options.optimizer;
+    // From where they are by now, at once towards their last.
     const double share = fallen(rates, stepsDone);
-    rates.position *= std::pow(rates.positionAtLast / rates.position, share);
-    const double others = std::pow(rates.othersAtLast, share);
-    for (double* rate : {&rates.logScale, &rates.rotation, &rates.opacityLogit, &rates.dc, &rates.sh})
-        *rate *= others;
-    rates.othersAtLast /= others;
-    rates.decayFrom = stepsDone;
-    rates.positionSteps = stepsDone + std::max<std::uint64_t>(steps, 1);
+    options.optimizer =
+        following(rates, {.position = rates.position * std::pow(rates.positionAtLast / rates.position, share),
+                          .others = std::pow(rates.othersAtLast, share),
+                          .holdUntil = stepsDone,
+                          .fallUntil = stepsDone + std::max<std::uint64_t>(steps, 1)});
     options.density.lastStep = std::min(options.density.lastStep, stepsDone);
     return comparedAsJudged(std::move(options));
 }

@@ -8,6 +8,16 @@
 
 namespace macula::hybrid {
 
+// From where the rates of a training go on: they hold until step `holdUntil`, and have fallen to their last
+// at step `fallUntil`.
+struct RateSchedule {
+    double position = 0.0;  // rate of positions, to begin with
+    double others = 1.0;    // all other rates times this, to begin with; their last stay what they are
+    std::uint64_t holdUntil = 0;
+    std::uint64_t fallUntil = 0;
+};
+splat::OptimizerOptions following(splat::OptimizerOptions rates, const RateSchedule& schedule);
+
 // Whole pictures, compared alike from the first step to the last: absolute differences, never squares. What
 // is shown is chosen by absolute differences (Trainer::differenceTo); squares give the model the light that
 // these leave out, 2 to 5 % where pictures are noisy, but may raise that error, and then the older copy stays
