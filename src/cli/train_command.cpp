@@ -63,10 +63,9 @@ struct Options {
 };
 
 Result<void> checkModelName(const fs::path& path) {
-    const std::string extension = splat::extensionOf(path);
-    if (extension == ".ply" || extension == ".spz" || extension == ".macula") return {};
+    if (splat::modelFormatOf(path) != nullptr) return {};
     return Error{ErrorCode::usage, "The model's name says no format.", path.string(),
-                 "End it with .ply, .spz or .macula."};
+                 "End it with " + splat::modelExtensions(true) + "."};
 }
 
 Result<void> checkFiles(const Options& options) {
@@ -84,7 +83,7 @@ Result<void> checkFiles(const Options& options) {
 Result<trace::Environment> check(const Options& options) {
     MACULA_TRY_VOID(checkModelName(options.output));
     MACULA_TRY_VOID(checkModelOptions(options.model));
-    if (options.displayColours && splat::extensionOf(options.output) == ".macula")
+    if (options.displayColours && splat::modelFormatOf(options.output)->keepsTraining)
         return Error{ErrorCode::usage,
                      "What goes on learning needs linear colours.",
                      {},
@@ -157,7 +156,7 @@ nlohmann::ordered_json toJson(const app::Trained& trained, const app::StudyInput
 
 // With all that training needs to go on, or the splats alone.
 Result<void> write(const fs::path& path, const Options& options, const splat::TrainingState& state) {
-    if (splat::extensionOf(path) == ".macula") return splat::writeTraining(path, state);
+    if (splat::modelFormatOf(path)->keepsTraining) return splat::writeTraining(path, state);
     MACULA_TRY(
         const std::size_t clamped,
         splat::writeModel(path, options.displayColours ? splat::asDisplayed(state.splats) : state.splats));
@@ -183,7 +182,7 @@ std::string howTimeWasSpent(const app::Trained& trained, std::size_t views) {
 std::string whatIsWritten(const app::Trained& trained, std::uint64_t steps, const fs::path& path) {
     std::string sentence = fmt::format("Stopped after {} of {} steps; the model is written as it is then.",
                                        trained.report.steps - trained.firstStep, steps);
-    if (splat::extensionOf(path) == ".macula") sentence += " --resume goes on with it.";
+    if (splat::modelFormatOf(path)->keepsTraining) sentence += " --resume goes on with it.";
     return sentence;
 }
 

@@ -14,7 +14,8 @@
 
 namespace macula::formats::test {
 
-using namespace dicom::test;  // what the tests of readers share
+using namespace dicom;  // what the tests of readers share
+using namespace dicom::test;
 namespace {
 
 namespace fs = std::filesystem;
