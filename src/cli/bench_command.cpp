@@ -4,17 +4,16 @@
 #include <CLI/Validators.hpp>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 
-#include "base/atomic_file.h"
-#include "base/parallel.h"
 #include "base/progress_bar.h"
 #include "cli/command.h"
 #include "cli/interrupt.h"
 #include "cli/json_text.h"
 #include "cli/report.h"
 #include "cli/study_options.h"
-#include "evaluate/bench_study.h"
-#include "evaluate/trace_benchmark.h"
+#include "evaluate/baseline.h"
+#include "evaluate/benchmark_reports.h"
 
 namespace macula::cli {
 
@@ -26,55 +25,20 @@ struct Options {
     evaluate::TraceBenchmarkOptions benchmark;
 };
 
-nlohmann::ordered_json toJson(const evaluate::TraceBenchmark::Contender& contender) {
-    return {{"secondsPerSample", contender.secondsPerSample},
-            {"cpuSecondsPerSample", contender.cpuSecondsPerSample},
-            {"microsecondsPerPixel", contender.microsecondsPerPixel}};
-}
-
-// How the ratios stand against those of an earlier run, by filter; nothing when that file has none.
-Result<void> compare(const std::filesystem::path& baseline, nlohmann::ordered_json& results) {
-    MACULA_TRY(const std::string text, readText(baseline));
-    const auto earlier = nlohmann::ordered_json::parse(text, nullptr, false);
-    if (earlier.is_discarded() || !earlier.contains("results") || !earlier["results"].is_array()) {
-        return Error{ErrorCode::inputNotUsable, "The baseline is no output of macula bench.",
-                     baseline.string(), "Make one with: macula bench trace > baseline.json"};
-    }
-    for (auto& result : results) {
-        for (const auto& before : earlier["results"]) {
-            const bool usable =
-                before.is_object() && before.contains("cpuRatio") && before["cpuRatio"].is_number();
-            if (!usable || before.value("filter", nlohmann::ordered_json()) != result["filter"]) continue;
-            result["cpuRatioOverBaseline"] =
-                result["cpuRatio"].get<double>() / before["cpuRatio"].get<double>();
-        }
-    }
-    return {};
-}
-
 Result<void> benchTrace(Options options) {
+    std::optional<evaluate::Baseline> baseline;
+    if (!options.baseline.empty()) {
+        MACULA_TRY(baseline, evaluate::Baseline::read(options.baseline, "trace"));
+    }
     Progress progress(terminalProgressBar(), interruptToken());
     MACULA_TRY(const evaluate::BenchStudy study, evaluate::openBenchStudy(options.study, progress));
     printNotes(study.notes, study.warnings);
     options.benchmark.view = study.view;
-    MACULA_TRY(const auto reports,
+    MACULA_TRY(const auto results,
                evaluate::benchmarkTracing(study.device, study.volume, study.function, study.environment,
                                           options.benchmark, progress));
-
-    nlohmann::ordered_json json = describe("trace", study);
-    json["referenceThreads"] = coreCount();
-    json["bounces"] = options.benchmark.settings.bounces;
-    json["samplesPerPixel"] = options.benchmark.samplesPerPixel;
-    json["repetitions"] = options.benchmark.repetitions;
-    json["results"] = nlohmann::ordered_json::array();
-    for (const evaluate::TraceBenchmark& report : reports) {
-        json["results"].push_back({{"filter", trace::nameOf(report.filter)},
-                                   {"device", toJson(report.device)},
-                                   {"reference", toJson(report.reference)},
-                                   {"wallRatio", report.wallRatio},
-                                   {"cpuRatio", report.cpuRatio}});
-    }
-    if (!options.baseline.empty()) MACULA_TRY_VOID(compare(options.baseline, json["results"]));
+    nlohmann::ordered_json json = reportOf(study, options.benchmark, results);
+    if (baseline) baseline->compare(evaluate::kTraceRatios, json["results"]);
     fmt::print("{}\n", jsonText(json));
     return {};
 }

@@ -5,7 +5,6 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "base/parallel.h"
 #include "base/progress_bar.h"
 #include "cli/command.h"
 #include "cli/interrupt.h"
@@ -13,8 +12,7 @@
 #include "cli/number_range.h"
 #include "cli/report.h"
 #include "cli/study_options.h"
-#include "evaluate/bench_study.h"
-#include "evaluate/foveal_benchmark.h"
+#include "evaluate/benchmark_reports.h"
 #include "pipeline/trace/settings.h"
 
 namespace macula::cli {
@@ -26,39 +24,12 @@ struct Options {
     evaluate::FovealOptions foveal;
 };
 
-nlohmann::ordered_json toJson(const evaluate::TimeToError& time) {
-    if (!time.reached) return {{"reached", false}, {"samples", time.samples}, {"flip", time.flip}};
-    return {{"reached", true}, {"samples", time.samples}, {"ms", time.ms}, {"flip", time.flip}};
-}
-
 Result<void> benchFoveal(const Options& options) {
     Progress progress(terminalProgressBar(), interruptToken());
     MACULA_TRY(const evaluate::BenchStudy study, evaluate::openBenchStudy(options.study, progress));
     printNotes(study.notes, study.warnings);
     MACULA_TRY(const evaluate::FovealReport report, measureFoveal(study, options.foveal, progress));
-    nlohmann::ordered_json json = describe("foveal", study);
-    json["referenceThreads"] = coreCount();
-    json["bounces"] = options.foveal.bounces;
-    json["samplesPerPixel"] = options.foveal.samples;
-    json["repetitions"] = options.foveal.repetitions;
-    json["times"] = {{"traceMs", report.times.traceMs},
-                     {"guidesMs", report.times.guidesMs},
-                     {"denoiseAndDisplayMs", report.times.displayMs},
-                     {"totalMs", report.totalMs},
-                     {"referenceTraceMs", report.times.referenceTraceMs},
-                     {"totalOverReferenceTrace", report.ratio}};
-    if (options.foveal.convergedSamples > 0) {
-        json["timeToError"] = {
-            {"flip", options.foveal.flip},           {"convergedSamples", options.foveal.convergedSamples},
-            {"flipOfItsHalf", report.convergedFlip}, {"plain", toJson(report.plain)},
-            {"denoised", toJson(report.denoised)},   {"adaptiveDenoised", toJson(report.adaptive)}};
-        const auto ratio = [&](const char* name, const evaluate::TimeToError& time) {
-            if (time.reached && report.plain.reached) json["timeToError"][name] = time.ms / report.plain.ms;
-        };
-        ratio("denoisedOverPlain", report.denoised);
-        ratio("adaptiveDenoisedOverPlain", report.adaptive);
-    }
-    fmt::print("{}\n", jsonText(json));
+    fmt::print("{}\n", jsonText(reportOf(study, options.foveal, report)));
     return {};
 }
 

@@ -3,30 +3,24 @@
 #include <CLI/App.hpp>
 #include <CLI/Option.hpp>
 #include <CLI/Validators.hpp>
-#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <memory>
-#include <utility>
 
 #include "app/choice/clip_choice.h"
 #include "app/choice/lights_choice.h"
 #include "app/open_device.h"
-#include "app/study/shown_clip.h"
-#include "app/study/study_input.h"
-#include "app/study/study_preset.h"
-#include "base/atomic_file.h"
+#include "app/output/output_files.h"
 #include "base/progress_bar.h"
 #include "cli/command.h"
 #include "cli/interrupt.h"
 #include "cli/json_text.h"
 #include "cli/model_options.h"
 #include "cli/number_range.h"
-#include "cli/output_file.h"
+#include "cli/output_options.h"
 #include "cli/report.h"
 #include "cli/study_options.h"
-#include "evaluate/evaluation_report.h"
-#include "evaluate/model_evaluation.h"
+#include "evaluate/study_evaluation.h"
 #include "image/image_file.h"
 #include "pipeline/trace/settings.h"
 
@@ -40,17 +34,9 @@ namespace fs = std::filesystem;
 constexpr int kMostTruthSizePx = 2800;
 
 struct Options {
-    std::vector<fs::path> paths;
-    std::vector<std::string> series;  // for each path, or none
-    dicom::ScanOptions how;
-    std::vector<std::string> presets;  // each for each path
-    bool fit = false;
-    std::string clip;
-    bool removeTable = false;
-    std::string lights = app::kDefaultLights;
+    evaluate::StudyEvaluationOptions studies{.lights = app::kDefaultLights};
     std::string device;
     int truthSizePx = 0;  // 0: as the views
-    evaluate::EvaluationOptions evaluation;
     fs::path json;
     fs::path pictures;
     bool overwrite = false;
@@ -62,17 +48,16 @@ fs::path pictureOf(const Options& options, std::size_t scene, std::size_t view) 
 }
 
 Result<void> checkFiles(const Options& options) {
-    OutputFiles files(options.overwrite);
-    for (const fs::path& path : options.paths) files.read(path);
-    for (const std::string& preset : options.presets) files.read(preset);
-    files.read(options.clip);
-    files.read(options.lights);
+    const evaluate::StudyEvaluationOptions& studies = options.studies;
+    app::OutputFiles files(options.overwrite);
+    for (const fs::path& path : studies.paths) files.read(path);
+    for (const std::string& preset : studies.presets) files.read(preset);
+    files.read(studies.clip);
+    files.read(studies.lights);
     MACULA_TRY_VOID(files.write(options.json));
     if (options.pictures.empty()) return {};
-    const std::size_t scenes =
-        std::max<std::size_t>(options.paths.size(), 1) * std::max<std::size_t>(options.presets.size(), 1);
-    for (std::size_t scene = 0; scene < scenes; ++scene) {
-        for (std::size_t view = 0; view < options.evaluation.truthViews; ++view)
+    for (std::size_t scene = 0; scene < studies.scenes(); ++scene) {
+        for (std::size_t view = 0; view < studies.evaluation.truthViews; ++view)
             MACULA_TRY_VOID(files.write(pictureOf(options, scene, view)));
     }
     return {};
@@ -80,18 +65,8 @@ Result<void> checkFiles(const Options& options) {
 
 // All that can be wrong on the command line, before anything takes time.
 Result<void> check(const Options& options) {
-    MACULA_TRY_VOID(checkModelOptions(options.evaluation.model));
-    if (options.evaluation.truth.samplesPerPixel % 2 != 0)
-        return Error{ErrorCode::usage,
-                     "What is compared with is traced in two halves.",
-                     {},
-                     "Give --truth-spp an even number."};
-    if (!options.series.empty() && options.series.size() != options.paths.size())
-        return Error{
-            ErrorCode::usage, "There is not one series for each path.", {}, "Give --series once for each."};
-    for (const std::string& preset : options.presets) MACULA_TRY_VOID(app::presetToDraw(preset, options.fit));
-    MACULA_TRY_VOID(app::choosePatientLights(options.lights));
-    if (!options.clip.empty()) MACULA_TRY_VOID(app::chooseClip(options.clip));
+    MACULA_TRY_VOID(checkModelOptions(options.studies.evaluation.model));
+    MACULA_TRY_VOID(check(options.studies));
     std::error_code error;
     if (!options.pictures.empty() && !fs::is_directory(options.pictures, error))
         return Error{ErrorCode::outputNotWritable, "The folder for pictures does not exist.",
@@ -99,33 +74,10 @@ Result<void> check(const Options& options) {
     return checkFiles(options);
 }
 
-struct Study {
-    app::StudyInput input;
-    Clip clip;
-    bool tableRemoved = false;
-};
-
-Result<Study> openStudy(const Options& options, std::size_t place, Progress& progress) {
-    Study study;
-    MACULA_TRY(study.input,
-               app::loadStudy(options.paths[place], options.series.empty() ? "" : options.series[place],
-                              progress, 0, options.how));
-    bringTo16Bits(study.input);
-    ClipPreset clip;
-    if (!options.clip.empty()) {
-        MACULA_TRY(clip, app::chooseClip(options.clip));
-    }
-    MACULA_TRY(app::ShownClip shown,
-               app::shownClip(clip, options.removeTable, *study.input.volume, progress));
-    printNotes(shown.notes);
-    study.clip = std::move(shown.clip);
-    study.tableRemoved = shown.tableRemoved;
-    return study;
-}
-
 Result<void> writePictures(const Options& options, std::size_t scene,
                            const evaluate::SceneEvaluation& evaluation) {
-    const glm::ivec2 size = options.evaluation.truth.sizePx;
+    if (options.pictures.empty()) return {};
+    const glm::ivec2 size = options.studies.evaluation.truth.sizePx;
     for (std::size_t view = 0; view < evaluation.pictures.size(); ++view) {
         MACULA_TRY_VOID(
             image::writePng(pictureOf(options, scene, view), 2 * size.x, size.y, evaluation.pictures[view]));
@@ -134,81 +86,43 @@ Result<void> writePictures(const Options& options, std::size_t scene,
 }
 
 Result<void> tell(const evaluate::EvaluationReport& report, const fs::path& json) {
-    const std::string text = jsonText(toJson(report)) + "\n";
-    if (json == "-") {
-        fmt::print("{}", text);
-        return {};
-    }
-    fmt::print("{}", tableOf(report));
-    return json.empty() ? Result<void>() : writeTextAtomically(json, text);
+    if (json != "-") fmt::print("{}", tableOf(report));
+    return json.empty() ? Result<void>() : printOrWrite(json, jsonText(toJson(report)));
 }
 
-// Adds each scene to the report as soon as it is finished.
-Result<void> evaluateScenes(const Options& options, const trace::Environment& lights,
-                            gpu::LastingDevice& device, evaluate::EvaluationReport& report) {
-    Progress progress(terminalProgressBar(), interruptToken());
-    for (std::size_t place = 0; place < options.paths.size(); ++place) {
-        MACULA_TRY(Study study, openStudy(options, place, progress));
-        for (const std::string& typed : options.presets) {
-            MACULA_TRY(app::StudyPreset preset, app::choosePresetFor(study.input, typed, options.fit));
-            printNotes(study.input.notes, study.input.warnings);
-            study.input.notes.clear();  // were told, once
-            const app::StudyScene scene{.volume = study.input.volume,
-                                        .function = std::move(preset.function),
-                                        .clip = study.clip,
-                                        .environment = lights};
-            evaluate::EvaluatedStudy evaluated{.studyDigest = study.input.seriesDigest,
-                                               .preset = preset.publicName,
-                                               .voxels = study.input.volume->size(),
-                                               .tableRemoved = study.tableRemoved,
-                                               .evaluation = {}};
-            const auto use = [&](const std::shared_ptr<gpu::Device>& on) -> Result<void> {
-                report.device = gpu::describe(on->info());
-                MACULA_TRY(evaluated.evaluation, evaluateModel(on, scene, options.evaluation, progress));
-                return {};
-            };
-            MACULA_TRY_VOID(device.run(use));
-            if (!options.pictures.empty())
-                MACULA_TRY_VOID(writePictures(options, report.scenes.size(), evaluated.evaluation));
-            evaluated.evaluation.pictures.clear();
-            report.scenes.push_back(std::move(evaluated));
-        }
-    }
-    return {};
-}
-
-// What fails after hours takes nothing along of what was finished before.
-Result<void> evaluate(Options options) {
+Result<void> evaluateAll(Options options) {
     const auto start = std::chrono::steady_clock::now();
     MACULA_TRY_VOID(check(options));
-    evaluate::EvaluationOptions& evaluation = options.evaluation;
+    evaluate::StudyEvaluationOptions& studies = options.studies;
+    evaluate::EvaluationOptions& evaluation = studies.evaluation;
     evaluation.truth.sizePx =
         glm::ivec2(options.truthSizePx > 0 ? options.truthSizePx : evaluation.model.sizePx);
     evaluation.truth.bounces = evaluation.model.bounces;
-    if (options.paths.empty()) options.paths.emplace_back();
-    if (options.presets.empty()) options.presets.emplace_back();
-    MACULA_TRY(const trace::Environment lights, app::chooseLights(options.lights));
     MACULA_TRY(gpu::LastingDevice device, app::openDevice(options.device, printNote));
     evaluate::EvaluationReport report{.device = {},
-                                      .lights = app::publicLightsName(options.lights),
-                                      .clip = app::publicClipName(options.clip),
+                                      .lights = app::publicLightsName(studies.lights),
+                                      .clip = app::publicClipName(studies.clip),
                                       .options = evaluation,
                                       .scenes = {}};
-    const Result<void> evaluated = evaluateScenes(options, lights, device, report);
+    Progress progress(terminalProgressBar(), interruptToken());
+    const evaluate::EvaluationListener listener{
+        .noted = [](const auto& notes, const auto& warnings) { printNotes(notes, warnings); },
+        .evaluated = [&](std::size_t scene,
+                         const auto& evaluated) { return writePictures(options, scene, evaluated); }};
+    const Result<void> ended = evaluateStudies(studies, device, listener, progress, report);
+    if (report.scenes.empty()) return ended;
     const bool isFile = !options.json.empty() && options.json != "-";
-    const fs::path json = evaluated || !isFile ? options.json : placeOfUnfinished(options.json);
-    if (!report.scenes.empty()) {
-        MACULA_TRY_VOID(tell(report, json));
-        if (!evaluated)
-            printNote(fmt::format("Only {} of {} scenes were finished; their numbers are kept.",
-                                  report.scenes.size(), options.paths.size() * options.presets.size()));
-    }
-    if (isFile && !report.scenes.empty()) printWritten(json, start);
-    return evaluated;
+    const fs::path json = ended || !isFile ? options.json : app::placeOfUnfinished(options.json);
+    MACULA_TRY_VOID(tell(report, json));
+    if (!ended)
+        printNote(fmt::format("Only {} of {} scenes were finished; their numbers are kept.",
+                              report.scenes.size(), studies.scenes()));
+    if (isFile) printWritten(json, start);
+    return ended;
 }
 
 void addProtocolOptions(CLI::App& command, Options& o) {
-    evaluate::EvaluationOptions& e = o.evaluation;
+    evaluate::EvaluationOptions& e = o.studies.evaluation;
     addModelOptions(command, e.model);
     command
         .add_option("--truth-views", e.truthViews,
@@ -258,17 +172,17 @@ CLI::App* addVerb(CLI::App& evaluateApp, const std::string& name, const std::str
                   const std::shared_ptr<Options>& options, Action& action) {
     Options& o = *options;
     auto* command = evaluateApp.add_subcommand(name, help);
-    command->add_option("PATH", o.paths,
+    command->add_option("PATH", o.studies.paths,
                         "Folders with DICOM files, volume files, or phantom: (default), each a scene");
-    command->add_option("--series", o.series,
+    command->add_option("--series", o.studies.series,
                         "Place in the list of macula info, or series UID: once for each PATH");
-    addJoin(*command, o.how);
-    command->add_option("--preset", o.presets,
+    addJoin(*command, o.studies.how);
+    command->add_option("--preset", o.studies.presets,
                         "Name, number or file; several times: every PATH with every preset");
-    command->add_flag("--fit", o.fit, "Stretch the presets' range to the series, for MR");
-    command->add_option("--clip", o.clip, "Name from macula presets, or JSON file");
-    command->add_flag("--remove-table", o.removeTable, "Leave out the table; CT only");
-    command->add_option("--lights", o.lights, "Name from macula presets, light rig JSON, or panorama")
+    command->add_flag("--fit", o.studies.fit, "Stretch the presets' range to the series, for MR");
+    command->add_option("--clip", o.studies.clip, "Name from macula presets, or JSON file");
+    command->add_flag("--remove-table", o.studies.removeTable, "Leave out the table; CT only");
+    command->add_option("--lights", o.studies.lights, "Name from macula presets, light rig JSON, or panorama")
         ->capture_default_str();
     addProtocolOptions(*command, o);
     command->add_option("--pictures", o.pictures,
@@ -276,7 +190,7 @@ CLI::App* addVerb(CLI::App& evaluateApp, const std::string& name, const std::str
     command->add_option("--json", o.json, "File for all numbers; - for stdout, without the table");
     addOverwrite(*command, o.overwrite);
     command->add_option("--device", o.device, "Number or part of the name, see macula devices");
-    command->callback([options, &action] { action = [options] { return evaluate(*options); }; });
+    command->callback([options, &action] { action = [options] { return evaluateAll(*options); }; });
     return command;
 }
 
@@ -289,14 +203,14 @@ void addEvaluate(CLI::App& app, Action& action) {
             "First models: made of a few views, compared with traced pictures from elsewhere",
             std::make_shared<Options>(), action);
     auto refined = std::make_shared<Options>();
-    evaluate::RefinementPlan& plan = refined->evaluation.refinement.emplace();
+    evaluate::RefinementPlan& plan = refined->studies.evaluation.refinement.emplace();
     auto* refine =
         addVerb(*evaluateApp, "refine",
                 "Models that go on: a first one, then more views and more splats, compared on the way",
                 refined, action);
     addRefinementOptions(*refine, plan);
     auto taught = std::make_shared<Options>();
-    evaluate::LivePlan& live = taught->evaluation.live.emplace();
+    evaluate::LivePlan& live = taught->studies.evaluation.live.emplace();
     auto* byItself =
         addVerb(*evaluateApp, "live", "Models as the window makes them by itself, compared on the way",
                 taught, action);

@@ -2,21 +2,21 @@
 #include <CLI/App.hpp>
 #include <CLI/Option.hpp>
 #include <CLI/Validators.hpp>
-#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <utility>
 
-#include "app/study/segmentation_input.h"
+#include "app/elapsed.h"
+#include "app/output/output_files.h"
 #include "app/study/study_input.h"
+#include "app/study/volume_export.h"
 #include "base/progress_bar.h"
-#include "base/sha256.h"
 #include "cli/command.h"
-#include "cli/grid_json.h"
 #include "cli/interrupt.h"
 #include "cli/json_text.h"
-#include "cli/output_file.h"
+#include "cli/output_options.h"
 #include "cli/report.h"
 #include "cli/study_options.h"
 #include "formats/volume_file.h"
@@ -26,7 +26,6 @@ namespace macula::cli {
 namespace {
 
 namespace fs = std::filesystem;
-using Clock = std::chrono::steady_clock;
 
 struct Options {
     fs::path path;
@@ -38,14 +37,10 @@ struct Options {
     dicom::ScanOptions how;
 };
 
-double secondsSince(Clock::time_point start) {
-    return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
 // Fails now, not after the series was loaded.
 Result<void> checkExport(const Options& options) {
     MACULA_TRY(const auto files, formats::filesOfVolumeFile(options.output));
-    OutputFiles outputs(options.overwrite);
+    app::OutputFiles outputs(options.overwrite);
     outputs.read(options.path);
     for (const fs::path& file : files) MACULA_TRY_VOID(outputs.write(file));
     return {};
@@ -55,83 +50,42 @@ Result<void> exportSegmentation(const Options& options, const dicom::Scan& scan,
                                 Progress& progress) {
     MACULA_TRY(const app::SegmentationInput input,
                app::loadSegmentation(scan, series, options.volume, progress));
-    const LabelMap& map = input.map;
-    std::vector<std::string> notes;
-    if (!input.onItsSeries) {
-        notes.emplace_back(
-            input.hasImages ? "It does not lie on the voxels of the images it was drawn on: it is on a grid "
-                              "of its own."
-                            : "The images it was drawn on are not there: it is on a grid of its own.");
-    }
-    for (const Message& message : map.messages()) notes.push_back(message.sentence);
-    for (const std::string& note : notes) printNote(note);
-    MACULA_TRY_VOID(formats::writeVolumeFile(map, options.output, progress));
-
-    nlohmann::ordered_json segments = nlohmann::ordered_json::array();
-    for (const Segment& segment : map.segments()) {
-        const auto voxels = std::count(map.labels().begin(), map.labels().end(), segment.number);
-        segments.push_back({{"number", segment.number}, {"label", segment.label}, {"voxels", voxels}});
-    }
-    if (!options.json) {
-        fmt::print("Wrote {} x {} x {} voxels\n", map.size().x, map.size().y, map.size().z);
-        for (const auto& segment : segments) {
-            fmt::print("  {:>5}  {} ({} voxels)\n", segment["number"].get<int>(),
-                       segment["label"].get<std::string>(), segment["voxels"].get<std::int64_t>());
-        }
+    printNotes(notesOf(input));
+    MACULA_TRY(const app::ExportedSegmentation exported,
+               app::exportSegmentation(input, series.seriesInstanceUid, options.output, progress));
+    if (options.json) {
+        fmt::print("{}\n", jsonText(toJson(exported)));
         return {};
     }
-    nlohmann::ordered_json json = {
-        {"version", MACULA_VERSION}, {"series", sha256Hex(series.seriesInstanceUid)}, {"segments", segments}};
-    json.update(gridToJson(map.size(), map.worldFromVoxel()));
-    json["notes"] = notes;
-    fmt::print("{}\n", jsonText(json));
+    fmt::print("Wrote {} x {} x {} voxels\n", exported.size.x, exported.size.y, exported.size.z);
+    for (const app::ExportedSegment& segment : exported.segments)
+        fmt::print("  {:>5}  {} ({} voxels)\n", segment.number, segment.label, segment.voxels);
     return {};
 }
 
-Result<void> exportVolume(const Options& options, const app::StudyInput& study, double loadSeconds,
+Result<void> exportVolume(const Options& options, app::StudyInput study, double loadSeconds,
                           Progress& progress) {
-    std::vector<std::string> notes = study.notes;
-    const Volume& volume = *study.volume;
+    noteWhatOthersMisread(study);
     printNotes(study.notes, study.warnings);
-    if (isSheared(volume.worldFromVoxel())) {
-        notes.emplace_back(
-            "The slices are tilted against their axis, and the file says so; some programs do not understand "
-            "that, and show the patient askew.");
-        printWarning(notes.back());
-    }
-    const auto start = Clock::now();
-    MACULA_TRY_VOID(formats::writeVolumeFile(volume, options.output, progress));
-    const double writeSeconds = secondsSince(start);
-
-    MACULA_TRY(const formats::VolumeFileInfo written, formats::readVolumeFileInfo(options.output));
-    if (!options.json) {
-        fmt::print("Wrote {} x {} x {} voxels, {}, {}\n", written.size.x, written.size.y, written.size.z,
-                   written.values, written.format);
+    MACULA_TRY(const app::ExportedVolume exported, app::exportVolume(study, options.output, progress));
+    if (options.json) {
+        fmt::print("{}\n", jsonText(toJson(exported, loadSeconds)));
         return {};
     }
-    nlohmann::ordered_json json = {{"version", MACULA_VERSION},
-                                   {"series", study.seriesDigest},
-                                   {"format", written.format},
-                                   {"values", written.values},
-                                   {"unit", volume.unitName()}};
-    json.update(gridToJson(written.size, volume.worldFromVoxel()));
-    json["sheared"] = isSheared(volume.worldFromVoxel());
-    if (const auto& range = volume.valueRange()) json["valueRange"] = {range->low, range->high};
-    json["loadSeconds"] = loadSeconds;
-    json["writeSeconds"] = writeSeconds;
-    json["notes"] = notes;
-    fmt::print("{}\n", jsonText(json));
+    const formats::VolumeFileInfo& file = exported.file;
+    fmt::print("Wrote {} x {} x {} voxels, {}, {}\n", file.size.x, file.size.y, file.size.z, file.values,
+               file.format);
     return {};
 }
 
 Result<void> exportSeries(const Options& options) {
     MACULA_TRY_VOID(checkExport(options));
     Progress progress(terminalProgressBar(), interruptToken());
-    const auto start = Clock::now();
+    const auto start = std::chrono::steady_clock::now();
     if (options.series.empty() || formats::isVolumeFileName(options.path) || options.path == "phantom:") {
-        MACULA_TRY(const app::StudyInput study,
+        MACULA_TRY(app::StudyInput study,
                    app::loadStudy(options.path, options.series, progress, options.volume, options.how));
-        return exportVolume(options, study, secondsSince(start), progress);
+        return exportVolume(options, std::move(study), app::secondsSince(start), progress);
     }
     MACULA_TRY(const dicom::Scan scan, dicom::scanFolder(options.path, progress, options.how));
     const dicom::Series* series = findSeries(scan, options.series);
@@ -143,9 +97,9 @@ Result<void> exportSeries(const Options& options) {
         }
         return exportSegmentation(options, scan, *series, progress);
     }
-    MACULA_TRY(const app::StudyInput study,
+    MACULA_TRY(app::StudyInput study,
                app::loadStudy(scan, options.path, options.series, progress, options.volume));
-    return exportVolume(options, study, secondsSince(start), progress);
+    return exportVolume(options, std::move(study), app::secondsSince(start), progress);
 }
 
 }  // namespace

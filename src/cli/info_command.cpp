@@ -8,12 +8,12 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "app/study/scan_json.h"
 #include "app/study/study_input.h"
 #include "base/progress_bar.h"
 #include "cli/command.h"
 #include "cli/interrupt.h"
 #include "cli/json_text.h"
-#include "cli/scan_json.h"
 #include "cli/study_options.h"
 #include "cli/volume_file_info.h"
 #include "dicom/read/transfer_syntax.h"
@@ -84,7 +84,7 @@ void print(const std::vector<Message>& messages, std::string_view indent) {
 std::string describe(const dicom::Stack& stack) {
     std::string text;
     for (const dicom::StackLabel& split : stack.splitBy) {
-        text += fmt::format("  {} {}", printable(split.attribute), orNone(shownValue(split)));
+        text += fmt::format("  {} {}", printable(split.attribute), orNone(app::shownValue(split)));
     }
     if (stack.phases > 1) text += fmt::format("  phase {} of {}", stack.phase + 1, stack.phases);
     return text;
@@ -163,7 +163,7 @@ void printText(const dicom::Scan& scan, const dicom::Choice& best, const Options
 
 // Programs that asked for a document get one also where nothing could be read.
 void printAsJson(const Error& error, const Options& options) {
-    auto json = toJson(dicom::Scan{}, dicom::Choice{}, PatientData::leaveOut);
+    auto json = toJson(dicom::Scan{}, dicom::Choice{}, app::PatientData::leaveOut);
     json["error"] = {{"sentence", error.message}, {"action", error.hint}};
     if (options.patient && !error.where.empty()) json["error"]["where"] = error.where;
     fmt::print("{}\n", json.dump(4, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
@@ -182,7 +182,8 @@ Result<void> showWhatIsThere(const Options& options) {
         printText(scan, best, options);
         return {};
     }
-    const auto json = toJson(scan, best, options.patient ? PatientData::include : PatientData::leaveOut);
+    const auto json =
+        toJson(scan, best, options.patient ? app::PatientData::include : app::PatientData::leaveOut);
     fmt::print("{}\n", jsonText(json));
     return {};
 }

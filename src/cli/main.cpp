@@ -108,7 +108,7 @@ int run(int argc, char** argv) {
         cli::printError(done.error());
         return app::exitCodeOf(done.error().code);
     }
-    return stdoutIsWhole() ? 0 : tellThatStdoutFailed();
+    return stdoutIsWhole() ? app::kExitDone : tellThatStdoutFailed();
 }
 
 }  // namespace
@@ -120,11 +120,11 @@ int main(int argc, char** argv) {
     } catch (const std::bad_alloc&) {
         std::fputs("macula: There is not enough memory. Close other programs, or open a smaller series.\n",
                    stderr);
-        return 4;
+        return macula::app::kExitDevice;
     } catch (const std::exception&) {
         if (!stdoutIsWhole()) return tellThatStdoutFailed();
         std::fputs("macula: Something went wrong that Macula did not foresee. Please report what you did.\n",
                    stderr);
-        return 1;
+        return macula::app::kExitFault;
     }
 }

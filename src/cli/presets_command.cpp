@@ -4,21 +4,18 @@
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <set>
 #include <utility>
 #include <vector>
 
-#include "app/choice/clip_choice.h"
-#include "app/choice/lights_choice.h"
+#include "app/choice/built_in_list.h"
 #include "app/choice/preset_choice.h"
-#include "app/choice/quality_choice.h"
+#include "app/output/output_files.h"
 #include "base/atomic_file.h"
 #include "cli/command.h"
 #include "cli/json_text.h"
-#include "cli/output_file.h"
+#include "cli/output_options.h"
 #include "cli/report.h"
 #include "pipeline/volume/transfer_function_json.h"
-#include "presets/catalogue.h"
 #include "presets/preset_file.h"
 
 namespace macula::cli {
@@ -33,55 +30,23 @@ struct Options {
     bool overwrite = false;        // likewise
 };
 
-std::string unitOf(const TransferFunction& preset) {
-    return preset.unit == Unit::hounsfield ? "HU" : "raw";
-}
-
-nlohmann::ordered_json describeAsJson(const TransferFunction& preset) {
-    nlohmann::ordered_json json = {{"name", preset.name},
-                                   {"title", preset.title},
-                                   {"number", nullptr},
-                                   {"modality", preset.modalities},
-                                   {"unit", unitOf(preset)},
-                                   {"source", preset.source},
-                                   {"fitted", preset.fitToVolume.has_value()}};
-    if (preset.number) json["number"] = *preset.number;
-    return json;
-}
-
 Result<void> listAll(const Options& options) {
-    MACULA_TRY(const std::vector<TransferFunction> presets, presets::builtInPresets());
-    MACULA_TRY(const std::vector<trace::LightRig> rigs, app::builtInLights());
-    MACULA_TRY(const std::vector<ClipPreset> clips, app::builtInClips());
-    MACULA_TRY(const std::vector<trace::Quality> qualities, app::builtInQualities());
+    MACULA_TRY(const app::BuiltIns all, app::builtIns());
     if (options.json) {
-        nlohmann::ordered_json list = {{"presets", nlohmann::json::array()},
-                                       {"lights", nlohmann::json::array()}};
-        for (const TransferFunction& preset : presets) list["presets"].push_back(describeAsJson(preset));
-        for (const trace::LightRig& rig : rigs)
-            list["lights"].push_back({{"name", rig.name}, {"title", rig.title}});
-        for (const ClipPreset& clip : clips)
-            list["clips"].push_back({{"name", clip.name}, {"title", clip.title}});
-        for (const trace::Quality& quality : qualities) {
-            list["qualities"].push_back({{"name", quality.name},
-                                         {"title", quality.title},
-                                         {"samplesPerPixel", quality.samplesPerPixel},
-                                         {"bounces", quality.bounces}});
-        }
-        fmt::print("{}\n", jsonText(list));
+        fmt::print("{}\n", jsonText(toJson(all)));
         return {};
     }
     fmt::print("Presets (--preset NAME or NUMBER)\n");
-    for (const TransferFunction& preset : presets) {
+    for (const TransferFunction& preset : all.presets) {
         fmt::print("  {:>3}  {:<28}{:<8}{:<11}{}\n", preset.number.value_or(0), preset.name,
                    fmt::join(preset.modalities, ", "), preset.source, preset.title);
     }
     fmt::print("Lights (--lights)\n");
-    for (const trace::LightRig& rig : rigs) fmt::print("       {:<28}{}\n", rig.name, rig.title);
+    for (const trace::LightRig& rig : all.lights) fmt::print("       {:<28}{}\n", rig.name, rig.title);
     fmt::print("Clips (--clip)\n");
-    for (const ClipPreset& clip : clips) fmt::print("       {:<28}{}\n", clip.name, clip.title);
+    for (const ClipPreset& clip : all.clips) fmt::print("       {:<28}{}\n", clip.name, clip.title);
     fmt::print("Qualities (--quality)\n");
-    for (const trace::Quality& quality : qualities) {
+    for (const trace::Quality& quality : all.qualities) {
         fmt::print("       {:<28}{} samples, {} bounces{}\n", quality.name, quality.samplesPerPixel,
                    quality.bounces, quality.denoising == trace::Denoising::on ? ", denoised" : "");
     }
@@ -110,7 +75,7 @@ Result<void> show(const Options& options) {
     if (preset.number) fmt::print("number             {}\n", *preset.number);
     fmt::print("source             {}\n", preset.source.empty() ? "unknown" : preset.source);
     fmt::print("modality           {}\n", fmt::join(preset.modalities, ", "));
-    fmt::print("values             {}\n", unitOf(preset));
+    fmt::print("values             {}\n", app::unitOf(preset));
     if (preset.effectiveRange)
         fmt::print("effective range    {:g} to {:g}\n", preset.effectiveRange->low,
                    preset.effectiveRange->high);
@@ -136,15 +101,13 @@ Result<void> importFile(const Options& options) {
                      "Give -o a folder that exists, for one file each; or choose one: macula presets export "
                      "FILE#NAME -o FILE.json."};
     }
-    OutputFiles files(options.overwrite);
+    app::OutputFiles files(options.overwrite);
     files.read(options.input);
-    std::set<std::string> taken;
-    std::vector<std::pair<std::filesystem::path, std::string>> texts;
     for (const presets::ImportedPreset& preset : all) {
         for (const std::string& note : preset.notes) printNote(preset.function.title + ": " + note);
-        TransferFunction function = preset.function;
-        for (int copy = 2; !taken.insert(function.name).second; ++copy)
-            function.name = fmt::format("{}-{}", preset.function.name, copy);
+    }
+    std::vector<std::pair<std::filesystem::path, std::string>> texts;
+    for (const TransferFunction& function : app::withDifferentNames(all)) {
         texts.emplace_back(toFolder ? options.output / (function.name + ".json") : options.output,
                            toJson(function));
         MACULA_TRY_VOID(files.write(texts.back().first));
@@ -156,7 +119,7 @@ Result<void> importFile(const Options& options) {
 Result<void> exportPreset(const Options& options) {
     MACULA_TRY(const presets::ImportedPreset chosen, app::choosePreset(options.preset));
     for (const std::string& note : chosen.notes) printNote(note);
-    OutputFiles files(options.overwrite);
+    app::OutputFiles files(options.overwrite);
     files.read(options.preset);
     MACULA_TRY_VOID(files.write(options.output));
     return writeTextAtomically(options.output, toJson(chosen.function));

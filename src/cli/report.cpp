@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "app/elapsed.h"
 #include "base/progress_bar.h"
 
 namespace macula::cli {
@@ -47,8 +48,7 @@ void printNotes(std::span<const std::string> notes, std::span<const std::string>
 }
 
 void printWritten(const std::filesystem::path& path, std::chrono::steady_clock::time_point start) {
-    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    printLine(fmt::format("Wrote {} in {:.1f} s", path.string(), seconds));
+    printLine(fmt::format("Wrote {} in {:.1f} s", path.string(), app::secondsSince(start)));
 }
 
 }  // namespace macula::cli

@@ -2,8 +2,6 @@
 #include <CLI/App.hpp>
 #include <CLI/Option.hpp>
 #include <CLI/Validators.hpp>
-#include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -13,19 +11,17 @@
 #include "app/camera/splat_cameras.h"
 #include "app/camera/view_directions.h"
 #include "app/open_device.h"
+#include "app/output/output_files.h"
+#include "app/picture/model_picture.h"
+#include "app/picture/picture_names.h"
 #include "base/progress_bar.h"
 #include "cli/command.h"
 #include "cli/interrupt.h"
 #include "cli/name_option.h"
 #include "cli/number_range.h"
-#include "cli/output_file.h"
-#include "cli/picture_names.h"
-#include "cli/picture_size.h"
+#include "cli/output_options.h"
 #include "cli/report.h"
-#include "image/image_file.h"
-#include "pipeline/splat/draw/displayed.h"
-#include "pipeline/splat/draw/model_painter.h"
-#include "pipeline/splat/files/model_file.h"
+#include "cli/typed_values.h"
 
 namespace macula::cli {
 
@@ -54,19 +50,6 @@ const std::map<std::string, splat::LowPass> kForeignLowPasses{{"3dgs", splat::Lo
                                                               {"antialiased", splat::LowPass::compensated},
                                                               {"mip", splat::LowPass::mip}};
 
-Result<glm::vec3> parseBackground(const std::string& text) {
-    glm::vec3 colour(-1.0f);
-    int used = 0;
-    const bool read = std::sscanf(text.c_str(), "%f,%f,%f%n", &colour.x, &colour.y, &colour.z, &used) == 3 &&
-                      used == static_cast<int>(text.size());
-    const auto isShare = [](float v) { return v >= 0.0f && v <= 1.0f; };
-    if (!read || !isShare(colour.x) || !isShare(colour.y) || !isShare(colour.z)) {
-        return Error{ErrorCode::usage, "The background is not usable.", text,
-                     "Give --background as R,G,B, each from 0 to 1: 1,1,1 is white."};
-    }
-    return colour;
-}
-
 struct Shot {
     std::string name;
     splat::RasterView view;
@@ -80,24 +63,12 @@ Result<std::optional<glm::ivec2>> sizeOf(const Options& options) {
     return std::optional(size);
 }
 
-// Of files; none when none is given.
-Result<std::vector<app::SplatCamera>> readCameras(const Options& options,
-                                                  const std::optional<glm::ivec2>& size) {
-    if (!options.cameras.empty()) return app::readSplatCameras(options.cameras, size);
-    std::vector<app::SplatCamera> cameras;
-    for (const std::string& path : options.camera) {
-        MACULA_TRY(app::SplatCamera camera, app::readSplatCamera(path, size));
-        cameras.push_back(std::move(camera));
-    }
-    return cameras;
-}
-
 Result<std::vector<Shot>> shotsOf(const std::vector<app::SplatCamera>& cameras, const Options& options) {
     std::vector<std::string> wishes;
     for (const app::SplatCamera& camera : cameras) wishes.push_back(camera.name);
-    const std::vector<std::string> names = pictureNames(wishes);
+    const std::vector<std::string> names = app::pictureNames(wishes);
     std::vector<Shot> shots;
-    OutputFiles files(options.overwrite);
+    app::OutputFiles files(options.overwrite);
     files.read(options.model);
     files.read(options.cameras);
     for (const std::string& camera : options.camera) files.read(camera);
@@ -126,69 +97,9 @@ Result<void> makeFolder(const fs::path& folder) {
     return {};
 }
 
-// The model as it is to be drawn, and a word about what a person would not expect.
-Result<splat::Splats> loadModel(const Options& options) {
-    MACULA_TRY(splat::ModelFile file, splat::readModel(options.model, splat::BadSplats::repairOrNone));
-    splat::Splats& splats = file.splats;
-    if (file.repaired.dropped > 0)
-        printNote(
-            fmt::format("{} of the model's splats hold what is no number or no rotation, or are so large "
-                        "that they would fill every picture: left out.",
-                        file.repaired.dropped));
-    if (splats.size() == 0) printNote("The model holds no splats: the pictures are empty.");
-    if (options.lowPass && splats.lowPass == splat::LowPass::adaptive) {
-        printNote("This model is one of Macula's and has a low-pass of its own: --low-pass does nothing.");
-    } else if (options.lowPass) {
-        splats.lowPass = *options.lowPass;
-    }
-    if (options.exposure && splats.colourSpace == splat::ColourSpace::display)
-        printNote("The colours of this model are those of the display: --exposure does nothing.");
-    return splats;
-}
-
-image::Metadata metadata(const Options& options, const splat::Splats& splats, const std::string& device) {
-    const bool linear = splats.colourSpace == splat::ColourSpace::linear;
-    return {{"Software", "Macula " MACULA_VERSION},
-            {"macula:look", "splats"},
-            {"macula:splats", fmt::to_string(splats.size())},
-            {"macula:colours", linear ? "linear" : "display"},
-            {"macula:exposure", linear ? fmt::format("{:.6g}", options.exposure.value_or(1.0)) : "none"},
-            {"macula:background", options.background},
-            {"macula:device", device}};
-}
-
-// What is written of a picture, gathered band by band: as 32-bit floats only where that is wanted.
-struct Drawn {
-    std::vector<std::uint8_t> displayed;
-    std::vector<glm::vec4> radiance;
-    std::vector<float> depthsMm;
-    bool isEmpty = true;
-
-    void add(const splat::SplatPicture& band, splat::ColourSpace space, const splat::DisplayOptions& display,
-             bool withDepths) {
-        const auto append = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
-        append(displayed, splat::displayed(band.rgba, space, display));
-        isEmpty = isEmpty && std::none_of(band.rgba.begin(), band.rgba.end(),
-                                          [](const glm::vec4& pixel) { return pixel.w > 0.0f; });
-        if (!withDepths) return;
-        append(radiance, splat::linearRadiance(band.rgba, space));
-        append(depthsMm, splat::meanDepthsMm(band.rgba, band.depthSums));
-    }
-};
-
-Result<void> write(const Shot& shot, const Drawn& drawn, const image::Metadata& about) {
-    const glm::ivec2 size = shot.view.sizePx;
-    if (!shot.exr.empty()) {
-        MACULA_TRY_VOID(image::writeExr(shot.exr, size.x, size.y,
-                                        std::span(&drawn.radiance.front().x, drawn.radiance.size() * 4),
-                                        drawn.depthsMm, about));
-    }
-    return image::writePng(shot.png, size.x, size.y, drawn.displayed, about);
-}
-
 Error aboutShot(Error error, const Shot& shot) {
     if (error.code == ErrorCode::outOfMemory) error.hint += " --size sets it for all cameras.";
-    if (error.where.empty() && error.code != ErrorCode::cancelled) error.where = shot.name;
+    if (error.where.empty()) error.where = shot.name;
     return error;
 }
 
@@ -207,10 +118,15 @@ Result<std::vector<app::SplatCamera>> camerasAround(const splat::Splats& splats,
 Result<void> splatRender(const Options& options) {
     MACULA_TRY(const glm::vec3 background, parseBackground(options.background));
     MACULA_TRY(const std::optional<glm::ivec2> size, sizeOf(options));
-    MACULA_TRY(std::vector<app::SplatCamera> cameras, readCameras(options, size));
+    MACULA_TRY(std::vector<app::SplatCamera> cameras,
+               app::readSplatCameras(options.cameras, options.camera, size));
     const bool isGiven = !cameras.empty();
     MACULA_TRY(std::vector<Shot> shots, shotsOf(cameras, options));
-    MACULA_TRY(const splat::Splats splats, loadModel(options));
+    MACULA_TRY(const app::ModelToDraw model, app::readModelToDraw(options.model, options.lowPass));
+    const splat::Splats& splats = model.splats;
+    printNotes(model.notes);
+    if (options.exposure && splats.colourSpace == splat::ColourSpace::display)
+        printNote("The colours of this model are those of the display: --exposure does nothing.");
     if (!isGiven) {
         MACULA_TRY(cameras, camerasAround(splats, options, size));
         MACULA_TRY(shots, shotsOf(cameras, options));
@@ -237,19 +153,16 @@ Result<void> splatRender(const Options& options) {
         MACULA_TRY(splat::ModelPainter painter, splat::ModelPainter::create(on, splats));
         for (; done < shots.size(); ++done) {
             if (progress.cancelled()) return stopped();
-            Drawn drawn;
-            const glm::ivec2 sizePx = shots[done].view.sizePx;
-            drawn.displayed.reserve(4 * std::size_t(sizePx.x) * std::size_t(sizePx.y));
-            const Result<void> all =
-                painter.drawBands(shots[done].view, [&](const splat::SplatPicture& band) -> Result<void> {
-                    if (progress.cancelled()) return stopped();
-                    drawn.add(band, splats.colourSpace, display, options.depth);
-                    return {};
-                });
-            if (!all) return aboutShot(all.error(), shots[done]);
+            const Shot& shot = shots[done];
+            const Result<app::ModelPicture> drawn =
+                app::drawModel(painter, shot.view, splats.colourSpace, display, options.depth, progress);
+            if (!drawn)
+                return drawn.error().code == ErrorCode::cancelled ? stopped()
+                                                                  : aboutShot(drawn.error(), shot);
             MACULA_TRY_VOID(makeFolder(options.output));  // not before there is something to put in
-            MACULA_TRY_VOID(write(shots[done], drawn, metadata(options, splats, gpu::describe(on->info()))));
-            if (splats.size() > 0 && drawn.isEmpty) empty.push_back(shots[done].name);
+            MACULA_TRY_VOID(writeModelPicture(*drawn, shot.view.sizePx, shot.png, shot.exr,
+                                              app::metadata(splats, display, gpu::describe(on->info()))));
+            if (splats.size() > 0 && drawn->isEmpty) empty.push_back(shot.name);
             progress.advance();
         }
         return {};

@@ -4,7 +4,6 @@
 #include <CLI/Validators.hpp>
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -14,24 +13,23 @@
 #include "app/choice/clip_choice.h"
 #include "app/choice/lights_choice.h"
 #include "app/model/model_key.h"
+#include "app/model/model_output.h"
 #include "app/model/model_training.h"
+#include "app/model/training_record.h"
 #include "app/open_device.h"
+#include "app/output/output_files.h"
 #include "app/study/shown_clip.h"
 #include "app/study/study_input.h"
 #include "app/study/study_preset.h"
-#include "base/atomic_file.h"
 #include "base/progress_bar.h"
 #include "cli/command.h"
 #include "cli/interrupt.h"
 #include "cli/json_text.h"
 #include "cli/model_options.h"
 #include "cli/number_range.h"
-#include "cli/output_file.h"
+#include "cli/output_options.h"
 #include "cli/report.h"
 #include "cli/study_options.h"
-#include "pipeline/splat/draw/displayed.h"
-#include "pipeline/splat/files/model_file.h"
-#include "pipeline/splat/files/training_file.h"
 #include "pipeline/trace/settings.h"
 
 namespace macula::cli {
@@ -39,7 +37,6 @@ namespace macula::cli {
 namespace {
 
 namespace fs = std::filesystem;
-using Clock = std::chrono::steady_clock;
 
 struct Options {
     fs::path path;
@@ -62,53 +59,39 @@ struct Options {
     hybrid::FirstModelOptions model;
 };
 
-Result<void> checkModelName(const fs::path& path) {
-    if (splat::modelFormatOf(path) != nullptr) return {};
-    return Error{ErrorCode::usage, "The model's name says no format.", path.string(),
-                 "End it with " + splat::modelExtensions(true) + "."};
-}
-
 Result<void> checkFiles(const Options& options) {
-    OutputFiles files(options.overwrite);
+    app::OutputFiles files(options.overwrite);
     for (const fs::path& input : {options.path, fs::path(options.preset), fs::path(options.clip),
                                   fs::path(options.lights), options.resume})
         files.read(input);
     // A training that goes on may take the place of what it was.
-    MACULA_TRY_VOID(isSameFile(options.output, options.resume) ? files.writeOn(options.output)
-                                                               : files.write(options.output));
+    MACULA_TRY_VOID(app::isSameFile(options.output, options.resume) ? files.writeOn(options.output)
+                                                                    : files.write(options.output));
     return files.write(options.json);
 }
 
 // All that can be wrong on the command line, before anything takes time.
 Result<trace::Environment> check(const Options& options) {
-    MACULA_TRY_VOID(checkModelName(options.output));
+    MACULA_TRY_VOID(app::checkModelName(options.output));
     MACULA_TRY_VOID(checkModelOptions(options.model));
-    if (options.displayColours && splat::modelFormatOf(options.output)->keepsTraining)
+    if (options.displayColours && app::holdsTraining(options.output))
         return Error{ErrorCode::usage,
                      "What goes on learning needs linear colours.",
                      {},
                      "Give --display-colours with .ply or .spz."};
     MACULA_TRY_VOID(checkFiles(options));
     if (!options.preset.empty()) MACULA_TRY_VOID(app::presetToDraw(options.preset, options.fit));
-    if (!options.clip.empty()) MACULA_TRY_VOID(app::chooseClip(options.clip));
+    MACULA_TRY_VOID(app::chooseClip(options.clip));
     return app::choosePatientLights(options.lights);
 }
 
 // The training to go on with, if any.
 Result<std::optional<splat::TrainingState>> savedTraining(const Options& options) {
     if (options.resume.empty()) return std::optional<splat::TrainingState>();
-    MACULA_TRY(splat::TrainingState state, splat::readTraining(options.resume));
-    const auto isPicture = [](const splat::TrainingState::View& view) {
-        return view.given->kind == splat::ViewKind::picture;
-    };
-    if (std::none_of(state.views.begin(), state.views.end(), isPicture))
-        return Error{ErrorCode::inputNotUsable, "The saved training has no views to learn from.",
-                     options.resume.string(), "Train anew, with --views above 0."};
-    if (!options.iterationsGiven && state.steps >= app::plannedSteps(state))
-        return Error{ErrorCode::usage,
-                     fmt::format("The saved training has all of its {} steps.", app::plannedSteps(state)),
-                     {},
-                     "Give --iterations for as many more."};
+    MACULA_TRY(splat::TrainingState state,
+               app::readTrainingToGoOn(options.resume, options.iterationsGiven
+                                                           ? std::optional(options.model.iterations)
+                                                           : std::nullopt));
     return std::optional(std::move(state));
 }
 
@@ -118,76 +101,14 @@ std::uint64_t stepsToCome(const Options& options, const std::optional<splat::Tra
     return options.pauseAfter > 0 ? std::min(wanted, options.pauseAfter) : wanted;
 }
 
-// What the model begins with is told of a training that began here; a saved one does not say all of it.
-nlohmann::ordered_json toJson(const app::Trained& trained, const app::StudyInput& study,
-                              const std::string& preset, bool tableRemoved, const Options& options,
-                              std::uint64_t stepsBefore) {
-    const hybrid::FirstModelOptions& m = options.model;
-    nlohmann::ordered_json json{{"version", MACULA_VERSION},
-                                {"device", trained.device},
-                                {"study", study.seriesDigest},
-                                {"preset", preset},
-                                {"lights", app::publicLightsName(options.lights)},
-                                {"clip", app::publicClipName(options.clip)},
-                                {"tableRemoved", tableRemoved}};
-    if (options.resume.empty())
-        json.update({{"points", m.points.count},
-                     {"views", m.views},
-                     {"viewsTraced", trained.viewsTraced},
-                     {"directions", m.directions},
-                     {"viewsGivenUp", trained.viewsGivenUp},
-                     {"samplesPerPixel", m.samplesPerPixel},
-                     {"size", m.sizePx},
-                     {"bounces", m.bounces}});
-    if (options.budgetSeconds > 0.0) json["budgetSeconds"] = options.budgetSeconds;
-    json.update({{"iterationsBefore", stepsBefore},
-                 {"iterations", trained.report.steps},
-                 {"plannedIterations", app::plannedSteps(trained.state)},
-                 {"interrupted", trained.interrupted},
-                 {"splats", trained.report.splats},
-                 {"loss", trained.report.loss},
-                 {"meanDifference", trained.report.l1},
-                 {"seconds",
-                  {{"points", trained.pointsSeconds},
-                   {"views", trained.viewsSeconds},
-                   {"training", trained.trainSeconds}}}});
-    return json;
-}
-
-// With all that training needs to go on, or the splats alone.
-Result<void> write(const fs::path& path, const Options& options, const splat::TrainingState& state) {
-    if (splat::modelFormatOf(path)->keepsTraining) return splat::writeTraining(path, state);
-    MACULA_TRY(
-        const std::size_t clamped,
-        splat::writeModel(path, options.displayColours ? splat::asDisplayed(state.splats) : state.splats));
-    if (clamped > 0)
-        printNote(
-            fmt::format("{} splats have numbers that this format cannot hold; they were limited.", clamped));
-    return {};
-}
-
 // A training that goes on takes the place of what it was, however far it came.
 fs::path placeFor(const Options& options, bool cutShort) {
-    if (!cutShort || isSameFile(options.output, options.resume)) return options.output;
-    return placeOfUnfinished(options.output);
-}
-
-std::string howTimeWasSpent(const app::Trained& trained, std::size_t views) {
-    return fmt::format("Points took {:.1f} s, views {:.1f} s ({} of {} traced), training {:.1f} s.",
-                       trained.pointsSeconds, trained.viewsSeconds, trained.viewsTraced, views,
-                       trained.trainSeconds);
-}
-
-// Of a training that did not come to its end.
-std::string whatIsWritten(const app::Trained& trained, std::uint64_t steps, const fs::path& path) {
-    std::string sentence = fmt::format("Stopped after {} of {} steps; the model is written as it is then.",
-                                       trained.report.steps - trained.firstStep, steps);
-    if (splat::modelFormatOf(path)->keepsTraining) sentence += " --resume goes on with it.";
-    return sentence;
+    if (!cutShort || app::isSameFile(options.output, options.resume)) return options.output;
+    return app::placeOfUnfinished(options.output);
 }
 
 Result<void> train(const Options& options) {
-    const auto start = Clock::now();
+    const auto start = std::chrono::steady_clock::now();
     MACULA_TRY(const trace::Environment lights, check(options));
     MACULA_TRY(const std::optional<splat::TrainingState> saved, savedTraining(options));
     MACULA_TRY(gpu::LastingDevice device, app::openDevice(options.device, printNote));
@@ -196,10 +117,7 @@ Result<void> train(const Options& options) {
     bringTo16Bits(study);
     MACULA_TRY(const app::StudyPreset preset, app::choosePresetFor(study, options.preset, options.fit));
     printNotes(study.notes, study.warnings);
-    ClipPreset clip;
-    if (!options.clip.empty()) {
-        MACULA_TRY(clip, app::chooseClip(options.clip));
-    }
+    MACULA_TRY(const ClipPreset clip, app::chooseClip(options.clip));
     MACULA_TRY(const app::ShownClip shown,
                app::shownClip(clip, options.removeTable, *study.volume, progress));
     printNotes(shown.notes);
@@ -209,44 +127,38 @@ Result<void> train(const Options& options) {
 
     app::TrainingEnd end{.steps = stepsToCome(options, saved)};
     if (options.budgetSeconds > 0.0) end.budget = TimeBudget(options.budgetSeconds);
-    std::optional<app::Trained> begun;  // no device takes it along
-    const Result<void> ended = device.run([&](const std::shared_ptr<gpu::Device>& on) -> Result<void> {
-        if (begun) {
-            MACULA_TRY_VOID(app::trainToTheEnd(on, *begun, end, progress));
-        } else if (saved) {
-            MACULA_TRY(begun, app::trainOn(on, *saved, end, progress));
-        } else {
-            const app::StudyScene scene{.volume = study.volume,
-                                        .function = preset.function,
-                                        .clip = shown.clip,
-                                        .environment = lights};
-            MACULA_TRY(begun, app::trainFirst(on, scene, options.model, end, progress));
-        }
-        return begun->failure ? Result<void>(*begun->failure) : Result<void>();
-    });
-    if (!begun) return ended.error();
-    app::Trained& trained = *begun;
+    const app::StudyScene scene{
+        .volume = study.volume, .function = preset.function, .clip = shown.clip, .environment = lights};
+    app::LastingTraining lasting = trainLasting(device, scene, options.model, saved, end, progress);
+    if (!lasting.trained) return lasting.ended.error();
+    app::Trained& trained = *lasting.trained;
     trained.state.options.key = key;
     if (trained.viewsGivenUp > 0)
         printNote(
             fmt::format("{} of the {} views show little of the anatomy, or from very near: nothing "
                         "better was found.",
                         trained.viewsGivenUp, std::max(options.model.views, options.model.directions)));
-    const fs::path path = placeFor(options, trained.interrupted || !ended.ok());
-    MACULA_TRY_VOID(write(path, options, trained.state));
+    const fs::path path = placeFor(options, trained.interrupted || !lasting.ended.ok());
+    MACULA_TRY(const std::size_t clamped, app::writeTrained(path, trained.state, options.displayColours));
+    if (clamped > 0)
+        printNote(
+            fmt::format("{} splats have numbers that this format cannot hold; they were limited.", clamped));
     const bool isWhole = trained.report.steps >= trained.firstStep + end.steps;
     if (!isWhole && !trained.interrupted) printNote(whatIsWritten(trained, end.steps, path));
     if (end.budget.isLimited() && !saved) printNote(howTimeWasSpent(trained, options.model.views));
-    const std::uint64_t stepsBefore = saved ? saved->steps : 0;
-    const std::string text =
-        jsonText(toJson(trained, study, preset.publicName, shown.tableRemoved, options, stepsBefore)) + "\n";
-    if (options.json == "-") fmt::print("{}", text);
-    if (!options.json.empty() && options.json != "-")
-        MACULA_TRY_VOID(writeTextAtomically(options.json, text));
+    const app::TrainingRecord record{.seriesDigest = study.seriesDigest,
+                                     .preset = preset.publicName,
+                                     .lights = app::publicLightsName(options.lights),
+                                     .clip = app::publicClipName(options.clip),
+                                     .tableRemoved = shown.tableRemoved,
+                                     .begun = saved ? std::nullopt : std::optional(options.model),
+                                     .budgetSeconds = options.budgetSeconds,
+                                     .stepsBefore = saved ? saved->steps : 0};
+    if (!options.json.empty()) MACULA_TRY_VOID(printOrWrite(options.json, jsonText(toJson(record, trained))));
     printWritten(path, start);
     if (trained.interrupted)
         return Error{ErrorCode::cancelled, whatIsWritten(trained, end.steps, path), path.string(), {}};
-    return ended;
+    return lasting.ended;
 }
 
 // Returns what tells whether --iterations was given.

@@ -2,8 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/study/grid_json.h"
 #include "base/phantom.h"
-#include "cli/grid_json.h"
 #include "cli/json_text.h"
 #include "formats/volume_file.h"
 
@@ -13,11 +13,11 @@ namespace {
 
 // `volume` is null where memory does not suffice for it.
 void show(const formats::VolumeFileInfo& info, const Volume* volume, bool isJson) {
-    nlohmann::ordered_json grid = gridToJson(info.size, info.worldFromVoxel);
+    nlohmann::ordered_json grid = app::gridToJson(info.size, info.worldFromVoxel);
     if (isJson) {
         nlohmann::ordered_json file = {{"format", info.format}, {"values", info.values}};
         file.update(grid);
-        file["sheared"] = isSheared(info.worldFromVoxel);
+        file["sheared"] = app::isSheared(info.worldFromVoxel);
         if (volume != nullptr) {
             file["unit"] = volume->unitName();
             if (const auto& range = volume->valueRange()) file["valueRange"] = {range->low, range->high};
@@ -29,12 +29,12 @@ void show(const formats::VolumeFileInfo& info, const Volume* volume, bool isJson
     const auto mm = grid["spacingMm"].get<std::vector<double>>();
     fmt::print("{}  {}  {} x {} x {}  {:.4g} x {:.4g} x {:.4g} mm  {}\n", info.format, info.values,
                info.size.x, info.size.y, info.size.z, mm[0], mm[1], mm[2],
-               orientationOf(info.worldFromVoxel));
+               app::orientationOf(info.worldFromVoxel));
     if (volume != nullptr && volume->valueRange()) {
         fmt::print("  values {:g} to {:g}{}{}\n", volume->valueRange()->low, volume->valueRange()->high,
                    volume->unitName().empty() ? "" : " ", volume->unitName());
     }
-    if (isSheared(info.worldFromVoxel)) fmt::print("  the axes are not perpendicular (sheared)\n");
+    if (app::isSheared(info.worldFromVoxel)) fmt::print("  the axes are not perpendicular (sheared)\n");
     for (const std::string& assumption : info.assumptions) fmt::print("  assumed: {}\n", assumption);
 }
 

@@ -1,10 +1,10 @@
 #include "evaluate/foveal_benchmark.h"
 
 #include <algorithm>
-#include <chrono>
 #include <functional>
 #include <iterator>
 
+#include "evaluate/measurement.h"
 #include "image/metrics.h"
 #include "pipeline/trace/reference_tracer.h"
 #include "pipeline/trace/scene.h"
@@ -13,8 +13,6 @@ namespace macula::evaluate {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 Error cancelled() {
     return {ErrorCode::cancelled, "The benchmark was cancelled.", {}, {}};
 }
@@ -22,15 +20,8 @@ Error cancelled() {
 // `work` returns a Result<void>.
 template <class Work>
 Result<double> timedMs(const Work& work) {
-    const auto start = Clock::now();
-    MACULA_TRY_VOID(work());
-    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
-
-double median(std::vector<double> values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
+    MACULA_TRY(const Spent spent, timed(work));
+    return spent.wallMs;
 }
 
 enum class Sampling { even, adaptive };

@@ -11,6 +11,7 @@
 #include "base/progress.h"
 #include "base/result.h"
 #include "base/volume.h"
+#include "dicom/scan.h"
 
 namespace macula::evaluate {
 
@@ -21,17 +22,20 @@ struct LoadBenchmarkOptions {
     int rounds = 5;           // the contenders take turns, so that a busy neighbour hits all
 };
 
+// One file for each slice, in their order; nothing when slices are interpolated, or share a file.
+std::vector<std::filesystem::path> filesOf(const dicom::Stack& stack);
+
+struct Loading {
+    double seconds = 0.0;          // median
+    std::uint64_t peakBytes = 0;   // resident memory of the process while it loaded; largest of all rounds
+    double secondsOverOurs = 0.0;  // median of the ratios of each round
+};
+
 struct LoadBenchmark {
-    struct Contender {
-        double seconds = 0.0;         // median
-        std::uint64_t peakBytes = 0;  // resident memory of the process while it loaded; largest of all rounds
-        double secondsOverOurs = 0.0;  // median of the ratios of each round
-    };
     std::uint64_t bytesBefore = 0;  // resident before each of them
-    Contender ours;
-    std::optional<Contender> itk;  // itk::ImageSeriesReader with GDCM; absent when that cannot read the files
-    std::optional<Contender>
-        dcmtk;  // chooseRepresentation and a copy of the cells, nothing else; absent likewise
+    Loading ours;
+    std::optional<Loading> itk;    // itk::ImageSeriesReader with GDCM; absent when that cannot read the files
+    std::optional<Loading> dcmtk;  // chooseRepresentation and a copy of the cells alone; absent likewise
     std::size_t voxels = 0;
     std::size_t differingVoxels = 0;  // where ITK's value is another than ours
 };

@@ -17,20 +17,19 @@
 
 #include <algorithm>
 #include <atomic>
-#include <chrono>
 #include <cmath>
 #include <fstream>
 #include <thread>
 
 #include "dicom/read/dataset.h"
 #include "dicom/read/quiet_toolkit.h"
+#include "evaluate/measurement.h"
 
 namespace macula::evaluate {
 
 namespace {
 
 namespace fs = std::filesystem;
-using Clock = std::chrono::steady_clock;
 using FloatImage = itk::Image<float, 3>;
 using ShortImage = itk::Image<short, 3>;
 
@@ -50,7 +49,7 @@ void forgetPeak() {
 }
 
 struct Timed {
-    std::vector<double> seconds;
+    Contender spent;
     std::uint64_t peakBytes = 0;
     bool works = true;
 
@@ -58,7 +57,7 @@ struct Timed {
     void run(bool counts, const Work& work) {
         if (!works) return;
         forgetPeak();
-        const auto since = Clock::now();
+        Watch watch;
         try {
             works = work();
         } catch (const std::bad_alloc&) {
@@ -66,24 +65,17 @@ struct Timed {
         } catch (const std::exception&) {  // ITK throws at what it cannot read
             works = false;
         }
-        const double taken = std::chrono::duration<double>(Clock::now() - since).count();
+        const Spent taken = watch.lap();
         if (!counts) return;
-        seconds.push_back(taken);
+        spent.turns.push_back(taken);
         peakBytes = std::max(peakBytes, ownMemory("VmHWM:"));
     }
 };
 
-double median(std::vector<double> values) {
-    std::sort(values.begin(), values.end());
-    const std::size_t half = values.size() / 2;
-    return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
-}
-
-LoadBenchmark::Contender summarise(const Timed& timed, const Timed& ours) {
-    std::vector<double> ratios;
-    for (std::size_t n = 0; n < timed.seconds.size(); ++n)
-        ratios.push_back(timed.seconds[n] / ours.seconds[n]);
-    return {median(timed.seconds), timed.peakBytes, median(ratios)};
+Loading summarise(const Timed& timed, const Timed& ours) {
+    return {.seconds = timed.spent.medians().wallMs / 1e3,
+            .peakBytes = timed.peakBytes,
+            .secondsOverOurs = timed.spent.ratioTo(ours.spent).wall};
 }
 
 template <class Image>

@@ -16,10 +16,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-double secondsSince(Clock::time_point start) {
-    return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
 // As the window shows it: light times gain.
 splat::Splats asBrightAs(splat::Splats splats, double gain) {
     for (glm::vec3& dc : splats.dc) dc = splat::dcOfColour(static_cast<float>(gain) * splat::colourOfDc(dc));
@@ -82,13 +78,13 @@ class Evaluation {
         auto start = Clock::now();
         while (model.news().stage == hybrid::ModelStage::searching && goesOn())
             MACULA_TRY_VOID(model.work(kSliceMs, goesOn));
-        report_.pointsSeconds = secondsSince(start);
+        report_.pointsSeconds = app::secondsSince(start);
         progress_.advance();
         progress_.beginStage("Learning", static_cast<std::size_t>(std::ceil(plan.seconds)));
         start = Clock::now();
         double next = 0.0;
         for (std::size_t told = 0;;) {
-            const double seconds = secondsSince(start);
+            const double seconds = app::secondsSince(start);
             const bool isLast = !model.hasWork() || seconds >= plan.seconds;
             if (progress_.cancelled()) return Error{ErrorCode::cancelled, "Stopped.", {}, {}};
             if (!model.canBeDrawn())
@@ -106,7 +102,7 @@ class Evaluation {
             }
             if (isLast) return {};
             MACULA_TRY_VOID(model.work(kSliceMs, goesOn));
-            for (; told < static_cast<std::size_t>(secondsSince(start)); ++told) progress_.advance();
+            for (; told < static_cast<std::size_t>(app::secondsSince(start)); ++told) progress_.advance();
         }
     }
 
@@ -147,7 +143,7 @@ class Evaluation {
                 return !progress_.cancelled();
             }));
             if (progress_.cancelled()) return Error{ErrorCode::cancelled, "Stopped.", {}, {}};
-            seconds += secondsSince(start);
+            seconds += app::secondsSince(start);
             done += count;
             MACULA_TRY_VOID(keep(trainer, seconds));
         }

@@ -1,51 +1,11 @@
 #include "evaluate/trace_benchmark.h"
 
-#include <algorithm>
-#include <chrono>
-#include <ctime>
+#include <iterator>
 
 #include "pipeline/trace/reference_tracer.h"
 #include "pipeline/trace/scene.h"
 
 namespace macula::evaluate {
-
-namespace {
-
-struct Spent {
-    double wallMs = 0.0;
-    double cpuMs = 0.0;
-};
-
-// std::clock is the processor time of all threads of the process.
-template <class Work>
-Spent timed(const Work& work) {
-    const auto wall = std::chrono::steady_clock::now();
-    const std::clock_t cpu = std::clock();
-    work();
-    return {std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - wall).count(),
-            1000.0 * double(std::clock() - cpu) / CLOCKS_PER_SEC};
-}
-
-double median(std::vector<double> values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
-
-TraceBenchmark::Contender contender(const std::vector<Spent>& turns, const TraceBenchmarkOptions& options) {
-    std::vector<double> wall;
-    std::vector<double> cpu;
-    for (const Spent& turn : turns) {
-        wall.push_back(turn.wallMs / options.samplesPerPixel);
-        cpu.push_back(turn.cpuMs / options.samplesPerPixel);
-    }
-    const double pixels = double(options.view.width) * options.view.height;
-    return {.secondsPerSample = median(wall) / 1e3,
-            .cpuSecondsPerSample = median(cpu) / 1e3,
-            .microsecondsPerPixel = median(wall) / pixels * 1e3};
-}
-
-}  // namespace
 
 Result<std::vector<TraceBenchmark>> benchmarkTracing(const std::shared_ptr<gpu::Device>& device,
                                                      const std::shared_ptr<const Volume>& volume,
@@ -73,29 +33,29 @@ Result<std::vector<TraceBenchmark>> benchmarkTracing(const std::shared_ptr<gpu::
         MACULA_TRY([[maybe_unused]] const bool warm, tracer.trace(2));
         progress.advance();
 
-        std::vector<Spent> deviceTurns;
-        std::vector<Spent> referenceTurns;
-        std::vector<double> wallRatios;
-        std::vector<double> cpuRatios;
+        Contender ours;
+        Contender scalar;
         for (int turn = 0; turn < options.repetitions; ++turn) {
             if (progress.cancelled())
                 return Error{ErrorCode::cancelled, "The benchmark was cancelled.", {}, {}};
             MACULA_TRY_VOID(tracer.setSettings(settings));  // from the first sample again
-            Result<bool> traced = true;
-            deviceTurns.push_back(timed([&] { traced = tracer.trace(options.samplesPerPixel); }));
-            if (!traced) return traced.error();
-            referenceTurns.push_back(timed([&] {
-                (void)reference.trace(params, filter, trace::Precision::single, 0, options.samplesPerPixel);
-            }));
-            wallRatios.push_back(deviceTurns.back().wallMs / referenceTurns.back().wallMs);
-            cpuRatios.push_back(deviceTurns.back().cpuMs / referenceTurns.back().cpuMs);
+            MACULA_TRY(const Spent traced, timed([&]() -> Result<void> {
+                           MACULA_TRY([[maybe_unused]] const bool all, tracer.trace(options.samplesPerPixel));
+                           return {};
+                       }));
+            MACULA_TRY(const Spent compared, timed([&]() -> Result<void> {
+                           (void)reference.trace(params, filter, trace::Precision::single, 0,
+                                                 options.samplesPerPixel);
+                           return {};
+                       }));
+            ours.turns.push_back(traced / options.samplesPerPixel);
+            scalar.turns.push_back(compared / options.samplesPerPixel);
             progress.advance();
         }
         reports.push_back({.filter = filter,
-                           .device = contender(deviceTurns, options),
-                           .reference = contender(referenceTurns, options),
-                           .wallRatio = median(wallRatios),
-                           .cpuRatio = median(cpuRatios)});
+                           .device = ours.medians(),
+                           .reference = scalar.medians(),
+                           .ratio = ours.ratioTo(scalar)});
     }
     return reports;
 }

@@ -7,6 +7,7 @@
 
 #include "base/progress.h"
 #include "base/result.h"
+#include "evaluate/measurement.h"
 #include "pipeline/trace/path_tracer.h"
 
 namespace macula::evaluate {
@@ -18,20 +19,12 @@ struct TraceBenchmarkOptions {
     int repetitions = 5;  // device and reference take turns, so that a busy neighbour hits both
 };
 
-// Medians over the repetitions. CPU time is that of all threads of
-// this process: on a CPU device it does not depend on who else is running; on a GPU it is only what the
-// driver used.
+// Medians over the repetitions.
 struct TraceBenchmark {
-    struct Contender {
-        double secondsPerSample = 0.0;  // of every pixel
-        double cpuSecondsPerSample = 0.0;
-        double microsecondsPerPixel = 0.0;  // of one sample of one pixel
-    };
     trace::Filter filter = trace::Filter::trilinear;
-    Contender device;
-    Contender reference;
-    double wallRatio = 0.0;  // device over reference; median of the ratios of each turn
-    double cpuRatio = 0.0;
+    Spent device;  // on one sample of every pixel
+    Spent reference;
+    Ratio ratio;  // device over reference
 };
 
 // One report per filter, `settings.filter` is not used. The first dispatches, which compile the kernel, are

@@ -1,23 +1,20 @@
 #include "evaluate/tradeoff.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
+#include "evaluate/measurement.h"
 #include "image/masked_metrics.h"
 #include "image/metrics.h"
 
 namespace macula::evaluate {
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double msSince(Clock::time_point start) {
-    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
 
 class Bench {
   public:
@@ -30,7 +27,7 @@ class Bench {
                                        .exposure = options_.exposure};
         MACULA_TRY(trace::PathTracer truth, study_.makeTracer());
         MACULA_TRY_VOID(truth.setSettings(settings));
-        const auto start = Clock::now();
+        Watch watch;
         image::Image half;
         constexpr std::uint32_t kPortion = 16;
         for (std::uint32_t done = 0; done < options_.convergedSamples;) {
@@ -46,7 +43,7 @@ class Bench {
             }
             progress.advance(count);
         }
-        result.convergedMs = msSince(start);
+        result.convergedMs = watch.lap().wallMs;
         MACULA_TRY(result.converged, study_.readShown(truth));
         MACULA_TRY(const image::Flip left, image::flip(result.converged, half));
         result.convergedFlip = left.mean;
@@ -74,20 +71,19 @@ class Bench {
         double traceMs = 0.0;
         std::uint32_t done = 0;
         for (const std::uint32_t samples : options_.samples) {
-            auto start = Clock::now();
+            Watch watch;
             MACULA_TRY(const bool whole, tracer.trace(samples - done, [&] { return !progress.cancelled(); }));
             if (!whole || progress.cancelled())
                 return Error{ErrorCode::cancelled, "The benchmark was cancelled.", {}, {}};
-            traceMs += msSince(start);
+            traceMs += watch.lap().wallMs;
             done = samples;
-            start = Clock::now();
             MACULA_TRY(const image::Image picture, study_.readShown(tracer));
             TradeoffPoint point{.filter = filter,
                                 .denoising = denoising,
                                 .bounces = bounces,
                                 .samples = samples,
                                 .traceMs = traceMs,
-                                .displayMs = msSince(start)};
+                                .displayMs = watch.lap().wallMs};
             MACULA_TRY(const std::optional<double> psnr, image::maskedPsnr(result.converged, picture, mask));
             point.psnrDb = psnr.value_or(std::numeric_limits<double>::quiet_NaN());
             MACULA_TRY(point.ssim, image::ssim(result.converged, picture));
@@ -121,6 +117,45 @@ Result<Tradeoff> measureTradeoff(const BenchStudy& study, const TradeoffOptions&
         }
     }
     return result;
+}
+
+std::vector<Plot> plotsOf(const Tradeoff& tradeoff, const TradeoffOptions& options) {
+    std::vector<Plot> plots;
+    for (const trace::Filter filter : {trace::Filter::stochastic, trace::Filter::trilinear}) {
+        Plot flip{.title = fmt::format("Error against time, {} filtering", trace::nameOf(filter)),
+                  .xTitle = "ms, for tracing and display",
+                  .yTitle = "FLIP to the converged picture",
+                  .logarithmicX = true,
+                  .logarithmicY = true,
+                  .curves = {}};
+        Plot psnr = flip;
+        psnr.title = fmt::format("PSNR against time, {} filtering", trace::nameOf(filter));
+        psnr.yTitle = "PSNR in dB, where matter is";
+        psnr.logarithmicY = false;
+        for (const bool denoised : {false, true}) {
+            for (const int bounces : options.bounces) {
+                Curve curve{.name = fmt::format("{} bounce{}{}", bounces, bounces == 1 ? "" : "s",
+                                                denoised ? ", denoised" : ""),
+                            .x = {},
+                            .y = {},
+                            .dashed = denoised};
+                Curve inDb = curve;
+                for (const TradeoffPoint& point : tradeoff.points) {
+                    if (point.filter != filter || point.bounces != bounces || point.isDenoised() != denoised)
+                        continue;
+                    curve.x.push_back(point.totalMs());
+                    curve.y.push_back(point.flip);
+                    inDb.x.push_back(point.totalMs());
+                    inDb.y.push_back(point.psnrDb);
+                }
+                flip.curves.push_back(std::move(curve));
+                psnr.curves.push_back(std::move(inDb));
+            }
+        }
+        plots.push_back(std::move(flip));
+        plots.push_back(std::move(psnr));
+    }
+    return plots;
 }
 
 }  // namespace macula::evaluate

@@ -8,6 +8,7 @@
 #include "base/progress.h"
 #include "base/result.h"
 #include "evaluate/bench_study.h"
+#include "evaluate/svg_plot.h"
 #include "image/image.h"
 
 namespace macula::evaluate {
@@ -32,6 +33,9 @@ struct TradeoffPoint {
     double psnrDb = 0.0;
     double ssim = 0.0;
     double flip = 0.0;
+
+    bool isDenoised() const { return denoising == trace::Denoising::on; }
+    double totalMs() const { return traceMs + displayMs; }
 };
 
 struct Tradeoff {
@@ -45,5 +49,8 @@ struct Tradeoff {
 };
 
 Result<Tradeoff> measureTradeoff(const BenchStudy& study, const TradeoffOptions& options, Progress& progress);
+
+// FLIP and PSNR over time, by filter; a curve for each number of bounces, dashed where denoised.
+std::vector<Plot> plotsOf(const Tradeoff& tradeoff, const TradeoffOptions& options);
 
 }  // namespace macula::evaluate

@@ -1,8 +1,5 @@
 #include "evaluate/training_benchmark.h"
 
-#include <algorithm>
-#include <chrono>
-#include <ctime>
 #include <functional>
 #include <limits>
 #include <utility>
@@ -25,41 +22,9 @@ namespace {
 // Over which both compare.
 constexpr glm::vec3 kBackground{0.25f, 0.5f, 0.75f};
 
-// std::clock is the processor time of all threads of the process.
-class Watch {
-  public:
-    // Since the last call, or since this was made.
-    StageTime lap() {
-        const auto wall = std::chrono::steady_clock::now();
-        const std::clock_t cpu = std::clock();
-        const StageTime time{std::chrono::duration<double, std::milli>(wall - wall_).count(),
-                             1000.0 * double(cpu - cpu_) / CLOCKS_PER_SEC};
-        wall_ = wall;
-        cpu_ = cpu;
-        return time;
-    }
-
-  private:
-    std::chrono::steady_clock::time_point wall_ = std::chrono::steady_clock::now();
-    std::clock_t cpu_ = std::clock();
-};
-
-StageTime operator+(const StageTime& a, const StageTime& b) {
-    return {a.wallMs + b.wallMs, a.cpuMs + b.cpuMs};
-}
-StageTime operator-(const StageTime& a, const StageTime& b) {
-    return {std::max(a.wallMs - b.wallMs, 0.0), std::max(a.cpuMs - b.cpuMs, 0.0)};
-}
-
 struct Turn {
-    StageTime project, lists, deviceLists, raster, loss, backward, adam, step;
+    Spent project, lists, deviceLists, raster, loss, backward, adam, step;
 };
-
-double median(std::vector<double> values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
 
 // All that a step needs, on the device.
 struct Tools {
@@ -140,8 +105,8 @@ class Bench {
         MACULA_TRY_VOID(draw(t.deviceSorted, sorted));
         turn.deviceLists = sorted.lists;
         MACULA_TRY_VOID(draw(t.rasterizer, turn));
-        const auto timed = [&](StageTime& time,
-                               const std::function<Result<void>(gpu::Recorder&)>& record) -> Result<void> {
+        const auto timeOf = [&](Spent& time,
+                                const std::function<Result<void>(gpu::Recorder&)>& record) -> Result<void> {
             watch.lap();
             MACULA_TRY(auto recorder, gpu::Recorder::create(device_, "benchmark"));
             MACULA_TRY_VOID(record(recorder));
@@ -150,14 +115,14 @@ class Bench {
             time = watch.lap();
             return {};
         };
-        MACULA_TRY_VOID(timed(turn.loss, [&](gpu::Recorder& recorder) -> Result<void> {
+        MACULA_TRY_VOID(timeOf(turn.loss, [&](gpu::Recorder& recorder) -> Result<void> {
             t.loss.record(recorder, t.rasterizer.picture(), t.target, options_.loss, kOver);
             return {};
         }));
-        MACULA_TRY_VOID(timed(turn.backward, [&](gpu::Recorder& recorder) {
+        MACULA_TRY_VOID(timeOf(turn.backward, [&](gpu::Recorder& recorder) {
             return t.rasterizer.recordBackward(recorder, t.parameters, t.loss.gradient(), t.gradients);
         }));
-        MACULA_TRY_VOID(timed(turn.adam, [&](gpu::Recorder& recorder) -> Result<void> {
+        MACULA_TRY_VOID(timeOf(turn.adam, [&](gpu::Recorder& recorder) -> Result<void> {
             t.optimizer.record(recorder, t.moved, t.gradients, t.rasterizer.visible(), count);
             return {};
         }));
@@ -234,29 +199,17 @@ class Bench {
     std::vector<double> parameters_;
 };
 
-StageTime medianOf(const std::vector<Turn>& turns, StageTime Turn::*stage) {
-    std::vector<double> wall;
-    std::vector<double> cpu;
-    for (const Turn& turn : turns) {
-        wall.push_back((turn.*stage).wallMs);
-        cpu.push_back((turn.*stage).cpuMs);
-    }
-    return {median(std::move(wall)), median(std::move(cpu))};
+Contender contenderOf(const std::vector<Turn>& turns, Spent Turn::*stage) {
+    Contender contender;
+    for (const Turn& turn : turns) contender.turns.push_back(turn.*stage);
+    return contender;
 }
 
 StageBenchmark compare(const std::vector<Turn>& device, const std::vector<Turn>& reference,
-                       StageTime Turn::*stage) {
-    const auto ratio = [&](double StageTime::*number) {
-        std::vector<double> ratios;
-        for (std::size_t i = 0; i < device.size(); ++i)
-            ratios.push_back((device[i].*stage).*number /
-                             std::max((reference[i].*stage).*number, 1e-3));  // a clock's tick
-        return median(std::move(ratios));
-    };
-    return {.device = medianOf(device, stage),
-            .reference = medianOf(reference, stage),
-            .wallRatio = ratio(&StageTime::wallMs),
-            .cpuRatio = ratio(&StageTime::cpuMs)};
+                       Spent Turn::*stage) {
+    const Contender ours = contenderOf(device, stage);
+    const Contender scalar = contenderOf(reference, stage);
+    return {.device = ours.medians(), .reference = scalar.medians(), .ratio = ours.ratioTo(scalar)};
 }
 
 }  // namespace
@@ -282,12 +235,12 @@ Result<TrainingBenchmark> benchmarkTraining(const std::shared_ptr<gpu::Device>& 
         referenceTurns.push_back(bench.referenceTurn());
         progress.advance();
     }
-    const auto stage = [&](StageTime Turn::*which) { return compare(deviceTurns, referenceTurns, which); };
+    const auto stage = [&](Spent Turn::*which) { return compare(deviceTurns, referenceTurns, which); };
     return TrainingBenchmark{
         .pairs = bench.pairs(),
         .project = stage(&Turn::project),
-        .lists = {.device = medianOf(deviceTurns, &Turn::lists), .reference = {}},
-        .deviceLists = {.device = medianOf(deviceTurns, &Turn::deviceLists), .reference = {}},
+        .lists = {.device = contenderOf(deviceTurns, &Turn::lists).medians(), .reference = {}},
+        .deviceLists = {.device = contenderOf(deviceTurns, &Turn::deviceLists).medians(), .reference = {}},
         .raster = stage(&Turn::raster),
         .loss = stage(&Turn::loss),
         .backward = stage(&Turn::backward),

@@ -8,6 +8,7 @@
 
 #include "base/progress.h"
 #include "base/result.h"
+#include "evaluate/measurement.h"
 #include "pipeline/gpu/device.h"
 #include "pipeline/splat/train/trainer_options.h"
 #include "pipeline/splat/train/training_view.h"
@@ -19,18 +20,11 @@ struct TrainingBenchmarkOptions {
     int repetitions = 5;            // device and reference take turns, so that a busy neighbour hits both
 };
 
-// Medians over the turns, until the work is done. CPU time is that of all threads of this process: on a CPU
-// device it hardly depends on who else is running; on a GPU it is only what host and driver used.
-struct StageTime {
-    double wallMs = 0.0;
-    double cpuMs = 0.0;
-};
-
+// Medians over the turns, until the work is done.
 struct StageBenchmark {
-    StageTime device;
-    std::optional<StageTime> reference;  // of what the reference has as a stage of its own
-    double wallRatio = 0.0;              // device over reference; median of the ratios of each turn
-    double cpuRatio = 0.0;
+    Spent device;
+    std::optional<Spent> reference;  // of what the reference has as a stage of its own
+    Ratio ratio;                     // device over reference
 };
 
 struct TrainingBenchmark {

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "app/study/shown_clip.h"
 #include "viewer/keys.h"
 
 namespace macula::viewer {
@@ -50,10 +51,7 @@ void TableRemoval::cancel() {
 }
 
 std::optional<Mask> TableRemoval::mask() const {
-    if (!asked_ || !found_ || !(found_->removedMl > 0.0)) return std::nullopt;
-    // Shares the life of what was found: a map may be as large as the volume.
-    return Mask{.labels = std::shared_ptr<const LabelMap>(found_, &found_->map),
-                .numbers = {segment::PatientMask::kPatient}};
+    return asked_ && found_ ? app::maskOf(found_) : std::nullopt;
 }
 
 QStringList TableRemoval::notes() const {

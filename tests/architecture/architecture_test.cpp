@@ -22,6 +22,8 @@ using macula::test::sourcesIn;
 
 const fs::path kRoot = macula::test::projectFolder();
 constexpr int kMaxLines = 600;
+constexpr int kMaxLinesOfAVerb = 250;
+constexpr int kMaxLinesOfAllVerbs = 3000;
 
 struct Library {
     std::string name;
@@ -33,6 +35,7 @@ const std::vector<Library> kLibraries{{"Qt", {"Q", "Qt"}},
                                       {"OpenJPEG", {"openjpeg"}},
                                       {"ITK", {"itk", "ITK"}},
                                       {"GDCM", {"gdcm"}},
+                                      {"niftilib", {"nifti"}},
                                       {"OpenImageIO", {"OpenImageIO/", "OpenEXR/", "Imath/"}},
                                       {"CLI11", {"CLI/"}},
                                       {"VTK", {"vtk"}},
@@ -273,12 +276,40 @@ TEST(Architecture, HeavyHeadersStayInFewFiles) {
     }
 }
 
+std::ptrdiff_t linesOf(const fs::path& path) {
+    std::ifstream text(path);
+    return std::count(std::istreambuf_iterator<char>(text), {}, '\n');
+}
+
 TEST(Architecture, NoFileIsTwoThings) {
     for (const char* folder : {"src", "shaders", "tests", "presets"}) {
         for (const fs::path& path : sourcesIn(folder)) {
-            std::ifstream text(path);
-            const auto lines = std::count(std::istreambuf_iterator<char>(text), {}, '\n');
-            EXPECT_LE(lines, kMaxLines) << path.lexically_relative(kRoot) << ": split it by what it is about";
+            EXPECT_LE(linesOf(path), kMaxLines)
+                << path.lexically_relative(kRoot) << ": split it by what it is about";
+        }
+    }
+}
+
+// What it does is in app and evaluate, where tests and other programs reach it.
+TEST(Architecture, AVerbIsOptionsAndPrinting) {
+    std::ptrdiff_t all = 0;
+    for (const fs::path& path : sourcesIn("src/cli")) {
+        const std::ptrdiff_t lines = linesOf(path);
+        EXPECT_LE(lines, kMaxLinesOfAVerb) << path.lexically_relative(kRoot);
+        all += lines;
+    }
+    EXPECT_GT(all, 0);
+    EXPECT_LT(all, kMaxLinesOfAllVerbs);
+}
+
+// Who calls decides what is printed, and where to.
+TEST(Architecture, WhatProgramsSharePrintsNothing) {
+    for (const char* folder : {"src/app", "src/evaluate"}) {
+        for (const fs::path& path : sourcesIn(folder)) {
+            std::ifstream stream(path);
+            const std::string text{std::istreambuf_iterator<char>(stream), {}};
+            for (const char* way : {"fmt::print", "std::cout", "std::cerr", "fputs", "printf(", "std::puts"})
+                EXPECT_EQ(text.find(way), std::string::npos) << path.lexically_relative(kRoot) << ": " << way;
         }
     }
 }

@@ -8,6 +8,8 @@
 namespace macula::evaluate {
 namespace {
 
+using namespace dicom::test;
+
 // What it measures, and of how many files; how fast is for `macula bench load` to say.
 TEST(HeaderBenchmark, countsTheHeadersOfAllFiles) {
     const TemporaryFolder folder;

@@ -19,6 +19,8 @@ using namespace dicom::test;
 namespace {
 
 namespace fs = std::filesystem;
+using namespace dicom;
+using namespace dicom::test;
 
 const char* const kEndings[] = {".nii", ".nii.gz", ".nrrd", ".nhdr", ".mha", ".mhd"};
 

@@ -121,4 +121,16 @@ Result<std::vector<SplatCamera>> readSplatCameras(const std::filesystem::path& p
     return cameras;
 }
 
+Result<std::vector<SplatCamera>> readSplatCameras(const std::filesystem::path& list,
+                                                  std::span<const std::string> files,
+                                                  std::optional<glm::ivec2> size) {
+    if (!list.empty()) return readSplatCameras(list, size);
+    std::vector<SplatCamera> cameras;
+    for (const std::string& file : files) {
+        MACULA_TRY(SplatCamera camera, readSplatCamera(file, size));
+        cameras.push_back(std::move(camera));
+    }
+    return cameras;
+}
+
 }  // namespace macula::app

@@ -14,6 +14,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -39,6 +40,11 @@ Result<SplatCamera> readSplatCamera(const std::filesystem::path& path, std::opti
 
 // A cameras.json, at least one camera.
 Result<std::vector<SplatCamera>> readSplatCameras(const std::filesystem::path& path,
+                                                  std::optional<glm::ivec2> size);
+
+// The cameras of `list`, a cameras.json; where that is empty one of each of `files`.
+Result<std::vector<SplatCamera>> readSplatCameras(const std::filesystem::path& list,
+                                                  std::span<const std::string> files,
                                                   std::optional<glm::ivec2> size);
 
 }  // namespace macula::app

@@ -11,6 +11,10 @@
 
 namespace macula::app {
 
+// Null when there is none of that name.
+const presets::EmbeddedFile* findBuiltIn(std::span<const presets::EmbeddedFile> files, std::string_view name);
+std::vector<std::string> namesOf(std::span<const presets::EmbeddedFile> files);
+
 struct ChosenText {
     std::string text;   // JSON
     std::string where;  // for errors

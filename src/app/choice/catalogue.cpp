@@ -3,17 +3,15 @@
 #include <algorithm>
 #include <utility>
 
-#include "pipeline/trace/light_rig_json.h"
+#include "app/choice/clip_choice.h"
+#include "app/choice/lights_choice.h"
+#include "app/choice/nearest_name.h"
 #include "presets/catalogue.h"
 #include "presets/default_preset.h"
-#include "presets/embedded_files.h"
 
 namespace macula::app {
 
 namespace {
-
-constexpr std::string_view kLights = "studio";
-constexpr std::string_view kLightsOfClear = "even";
 
 template <class Item>
 std::shared_ptr<const Item> byName(const std::vector<std::shared_ptr<const Item>>& items,
@@ -25,14 +23,11 @@ std::shared_ptr<const Item> byName(const std::vector<std::shared_ptr<const Item>
 
 template <class Item>
 Result<std::shared_ptr<const Item>> findOrExplain(const std::vector<std::shared_ptr<const Item>>& items,
-                                                  std::string_view name, const std::string& kind) {
+                                                  std::string_view name, std::string_view sentence) {
     if (auto found = byName(items, name)) return found;
-    std::string names;
-    for (const auto& item : items) names += (names.empty() ? "" : ", ") + item->name;
-    return Error{ErrorCode::usage,
-                 "There is no " + kind + " '" + std::string(name) + "'.",
-                 {},
-                 "There are: " + names + "."};
+    std::vector<std::string> names;
+    for (const auto& item : items) names.push_back(item->name);
+    return noSuchName(sentence, std::string(name), names);
 }
 
 }  // namespace
@@ -45,14 +40,12 @@ Result<Catalogue> builtInCatalogue() {
         if (validate(function))
             catalogue.presets.push_back(std::make_shared<const TransferFunction>(function));
     }
-    for (const presets::EmbeddedFile& file : presets::lightFiles()) {
-        MACULA_TRY(trace::LightRig rig, trace::lightRigFromJson(file.text, std::string(file.name)));
+    MACULA_TRY(std::vector<trace::LightRig> rigs, builtInLights());
+    for (trace::LightRig& rig : rigs)
         catalogue.lights.push_back(std::make_shared<const trace::LightRig>(std::move(rig)));
-    }
-    for (const presets::EmbeddedFile& file : presets::clipFiles()) {
-        MACULA_TRY(ClipPreset clip, clipPresetFromJson(file.text, std::string(file.name)));
+    MACULA_TRY(std::vector<ClipPreset> clips, builtInClips());
+    for (ClipPreset& clip : clips)
         catalogue.clips.push_back(std::make_shared<const ClipPreset>(std::move(clip)));
-    }
     MACULA_CHECK(!catalogue.presets.empty() && !catalogue.lights.empty());
     return catalogue;
 }
@@ -62,11 +55,11 @@ Result<std::shared_ptr<const TransferFunction>> findPreset(const Catalogue& cata
     for (const auto& preset : catalogue.presets) {
         if (presets::isMeant(*preset, name)) return preset;
     }
-    return findOrExplain(catalogue.presets, name, "preset");
+    return findOrExplain(catalogue.presets, name, "There is no such preset.");
 }
 
 Result<std::shared_ptr<const trace::LightRig>> findLights(const Catalogue& catalogue, std::string_view name) {
-    return findOrExplain(catalogue.lights, name, "light rig");
+    return findOrExplain(catalogue.lights, name, "There are no such lights.");
 }
 
 std::shared_ptr<const TransferFunction> presetFor(const Catalogue& catalogue, const Volume& volume) {
@@ -76,8 +69,7 @@ std::shared_ptr<const TransferFunction> presetFor(const Catalogue& catalogue, co
 }
 
 std::shared_ptr<const trace::LightRig> defaultLights(const Catalogue& catalogue, trace::Look look) {
-    const bool clear = look == trace::Look::clear;
-    if (auto lights = byName(catalogue.lights, clear ? kLightsOfClear : kLights)) return lights;
+    if (auto lights = byName(catalogue.lights, defaultLightsFor(look))) return lights;
     return catalogue.lights.front();
 }
 

@@ -9,6 +9,7 @@ Result<std::vector<ClipPreset>> builtInClips() {
 }
 
 Result<ClipPreset> chooseClip(const std::string& nameOrFile) {
+    if (nameOrFile.empty()) return ClipPreset{};
     MACULA_TRY(const ChosenText chosen, chooseText(presets::clipFiles(), "clip", nameOrFile));
     return clipPresetFromJson(chosen.text, chosen.where);
 }

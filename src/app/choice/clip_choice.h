@@ -12,7 +12,8 @@ namespace macula::app {
 // All built-in ones, by name.
 Result<std::vector<ClipPreset>> builtInClips();
 
-// A built-in name, or a JSON file. usage when it is neither; inputNotUsable when the file is malformed.
+// A built-in name, or a JSON file; nothing typed leaves all of the volume. usage when it is neither;
+// inputNotUsable when the file is malformed.
 Result<ClipPreset> chooseClip(const std::string& nameOrFile);
 
 // As publicPresetName.

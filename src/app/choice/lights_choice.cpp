@@ -52,29 +52,29 @@ Result<trace::Environment> fromPicture(const fs::path& path) {
 
 }  // namespace
 
+std::string_view defaultLightsFor(trace::Look look) {
+    return look == trace::Look::clear ? "even" : kDefaultLights;
+}
+
 Result<std::vector<trace::LightRig>> builtInLights() {
     return parseAll<trace::LightRig>(presets::lightFiles(), trace::lightRigFromJson);
 }
 
 Result<trace::Environment> chooseLights(const std::string& nameOrFile) {
-    std::vector<std::string> names;
-    for (const auto& file : presets::lightFiles()) {
-        if (file.name == nameOrFile) {
-            MACULA_TRY(const trace::LightRig rig, trace::lightRigFromJson(file.text, std::string(file.name)));
-            return trace::Environment::fromRig(rig);
-        }
-        names.emplace_back(file.name);
-    }
+    const auto fromJson = [](std::string_view text, const std::string& where) -> Result<trace::Environment> {
+        MACULA_TRY(const trace::LightRig rig, trace::lightRigFromJson(text, where));
+        return trace::Environment::fromRig(rig);
+    };
+    if (const presets::EmbeddedFile* file = findBuiltIn(presets::lightFiles(), nameOrFile))
+        return fromJson(file->text, std::string(file->name));
     const fs::path path = nameOrFile;
     std::error_code error;
-    if (!path.has_extension() && !fs::exists(path, error)) {
-        return Error{ErrorCode::usage, "There are no such lights.", nameOrFile,
-                     choiceAmong(nameOrFile, names) + " Or give the path of a JSON, HDR or EXR file."};
-    }
+    if (!path.has_extension() && !fs::exists(path, error))
+        return noSuchName("There are no such lights.", nameOrFile, namesOf(presets::lightFiles()),
+                          "Or give the path of a JSON, HDR or EXR file.");
     if (path.extension() == ".json") {
         MACULA_TRY(const std::string text, readText(path));
-        MACULA_TRY(const trace::LightRig rig, trace::lightRigFromJson(text, path.string()));
-        return trace::Environment::fromRig(rig);
+        return fromJson(text, path.string());
     }
     return fromPicture(path);
 }

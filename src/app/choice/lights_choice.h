@@ -2,14 +2,19 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/result.h"
 #include "pipeline/trace/environment.h"
+#include "pipeline/trace/look.h"
 
 namespace macula::app {
 
 inline constexpr const char* kDefaultLights = "studio";
+// By name, of a look that nobody chose lights for: soft light from everywhere shows shape by shadow alone,
+// and nothing glares, which is the clear look.
+std::string_view defaultLightsFor(trace::Look look);
 
 // All built-in ones, by name.
 Result<std::vector<trace::LightRig>> builtInLights();

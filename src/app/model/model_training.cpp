@@ -1,7 +1,11 @@
 #include "app/model/model_training.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
+
+#include "pipeline/splat/files/training_file.h"
 
 namespace macula::app {
 
@@ -81,6 +85,42 @@ Result<void> trainToTheEnd(const std::shared_ptr<gpu::Device>& device, Trained& 
     failed.trainSeconds += end.budget.spentSeconds() - start;
     runSteps(trainer, end, progress, failed);
     return {};
+}
+
+LastingTraining trainLasting(gpu::LastingDevice& device, const StudyScene& scene,
+                             const hybrid::FirstModelOptions& options,
+                             const std::optional<splat::TrainingState>& saved, const TrainingEnd& end,
+                             Progress& progress) {
+    LastingTraining lasting;
+    std::optional<Trained>& begun = lasting.trained;  // no device takes it along
+    lasting.ended = device.run([&](const std::shared_ptr<gpu::Device>& on) -> Result<void> {
+        if (begun) {
+            MACULA_TRY_VOID(trainToTheEnd(on, *begun, end, progress));
+        } else if (saved) {
+            MACULA_TRY(begun, trainOn(on, *saved, end, progress));
+        } else {
+            MACULA_TRY(begun, trainFirst(on, scene, options, end, progress));
+        }
+        return begun->failure ? Result<void>(*begun->failure) : Result<void>();
+    });
+    return lasting;
+}
+
+Result<splat::TrainingState> readTrainingToGoOn(const std::filesystem::path& path,
+                                                std::optional<std::uint64_t> moreSteps) {
+    MACULA_TRY(splat::TrainingState state, splat::readTraining(path));
+    const auto isPicture = [](const splat::TrainingState::View& view) {
+        return view.given->kind == splat::ViewKind::picture;
+    };
+    if (std::none_of(state.views.begin(), state.views.end(), isPicture))
+        return Error{ErrorCode::inputNotUsable, "The saved training has no views to learn from.",
+                     path.string(), "Train anew, with --views above 0."};
+    if (!moreSteps && state.steps >= plannedSteps(state))
+        return Error{ErrorCode::usage,
+                     fmt::format("The saved training has all of its {} steps.", plannedSteps(state)),
+                     {},
+                     "Give --iterations for as many more."};
+    return state;
 }
 
 std::uint64_t plannedSteps(const splat::TrainingState& state) {

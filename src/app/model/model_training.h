@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -11,6 +12,7 @@
 #include "base/progress.h"
 #include "base/result.h"
 #include "base/time_budget.h"
+#include "pipeline/gpu/recovery.h"
 #include "pipeline/hybrid/model/first_model.h"
 #include "pipeline/splat/train/trainer.h"
 
@@ -53,6 +55,22 @@ Result<Trained> trainOn(const std::shared_ptr<gpu::Device>& device, const splat:
 // `failed` is what it was.
 Result<void> trainToTheEnd(const std::shared_ptr<gpu::Device>& device, Trained& failed,
                            const TrainingEnd& end, Progress& progress);
+
+// Either of the first two, and the third for each device that is lost on the way.
+struct LastingTraining {
+    std::optional<Trained> trained;  // nothing when it did not begin
+    Result<void> ended;              // why it is not whole, unless it was stopped
+};
+LastingTraining trainLasting(gpu::LastingDevice& device, const StudyScene& scene,
+                             const hybrid::FirstModelOptions& options,
+                             const std::optional<splat::TrainingState>& saved, const TrainingEnd& end,
+                             Progress& progress);
+
+// A training that was saved, to go on with: `moreSteps`, or as many as are left of its plan. Fails as
+// splat::readTraining; with inputNotUsable when there is nothing to learn from, with usage when its plan has
+// come to its end and no more steps are given.
+Result<splat::TrainingState> readTrainingToGoOn(const std::filesystem::path& path,
+                                                std::optional<std::uint64_t> moreSteps);
 
 // Steps after which the rates of a training have fallen to where they are to stay.
 std::uint64_t plannedSteps(const splat::TrainingState& state);

@@ -1,11 +1,14 @@
 #include "app/study/shown_clip.h"
 
-#include <memory>
 #include <utility>
 
-#include "segment/patient.h"
-
 namespace macula::app {
+
+std::optional<Mask> maskOf(const std::shared_ptr<const segment::PatientMask>& found) {
+    if (!(found->removedMl > 0.0)) return std::nullopt;
+    return Mask{.labels = std::shared_ptr<const LabelMap>(found, &found->map),
+                .numbers = {segment::PatientMask::kPatient}};
+}
 
 Result<ShownClip> shownClip(const ClipPreset& preset, bool removeTable, const Volume& volume,
                             Progress& progress) {
@@ -13,9 +16,8 @@ Result<ShownClip> shownClip(const ClipPreset& preset, bool removeTable, const Vo
     if (!removeTable) return shown;
     MACULA_TRY(segment::PatientMask patient, segment::findPatient(volume, progress));
     for (const Message& message : patient.messages) shown.notes.push_back(message.sentence);
-    shown.tableRemoved = patient.removedMl > 0.0;
-    shown.clip.mask = Mask{.labels = std::make_shared<const LabelMap>(std::move(patient.map)),
-                           .numbers = {segment::PatientMask::kPatient}};
+    shown.clip.mask = maskOf(std::make_shared<const segment::PatientMask>(std::move(patient)));
+    shown.tableRemoved = shown.clip.mask.has_value();
     return shown;
 }
 

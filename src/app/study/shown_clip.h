@@ -1,6 +1,8 @@
 // What is shown of a study: the clip that was chosen, and without the table where that was asked for.
 #pragma once
 
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,8 +10,13 @@
 #include "base/result.h"
 #include "base/volume.h"
 #include "pipeline/volume/clip_json.h"
+#include "segment/patient.h"
 
 namespace macula::app {
+
+// Without the table and what else lies beside the patient; nothing where none of that was found. Shares the
+// life of what was found: a map may be as large as the volume.
+std::optional<Mask> maskOf(const std::shared_ptr<const segment::PatientMask>& found);
 
 struct ShownClip {
     Clip clip;
@@ -17,6 +24,7 @@ struct ShownClip {
     std::vector<std::string> notes;  // about the table
 };
 
+// Fails as segment::findPatient where the table is to be removed.
 Result<ShownClip> shownClip(const ClipPreset& preset, bool removeTable, const Volume& volume,
                             Progress& progress);
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace macula::cli {
+namespace macula::app {
 
 // One name for each wish, without ending, that is safe in any folder: no path, nothing but letters, digits,
 // "._-" and what is not ASCII, at most 120 bytes. "left/0001.JPG" becomes "left_0001"; of a path from the
@@ -14,4 +14,4 @@ namespace macula::cli {
 // "_2".
 std::vector<std::string> pictureNames(std::span<const std::string> wishes);
 
-}  // namespace macula::cli
+}  // namespace macula::app

@@ -1,26 +1,18 @@
-#include "cli/output_file.h"
+#include "app/output/output_files.h"
 
 #include <unistd.h>
 
-#include <CLI/App.hpp>
 #include <algorithm>
 
 #include "base/draft.h"
 #include "dicom/read/folder.h"
 #include "formats/volume_file.h"
 
-namespace macula::cli {
+namespace macula::app {
 
 namespace fs = std::filesystem;
 
 namespace {
-
-std::string loweredExtension(const fs::path& path) {
-    std::string extension = path.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-    return extension;
-}
 
 fs::path wholePath(const fs::path& path) {
     std::error_code error;
@@ -117,11 +109,6 @@ Result<void> OutputFiles::writeOn(const fs::path& path) {
     return take(path);
 }
 
-void addOverwrite(CLI::App& command, bool& overwrite) {
-    command.add_flag("--overwrite", overwrite, "Replace what is there already; never what is read");
-    command.add_flag("--force", overwrite)->group("");
-}
-
 fs::path placeOfUnfinished(const fs::path& wanted) {
     std::error_code error;
     if (!fs::exists(wanted, error)) return wanted;
@@ -134,14 +121,4 @@ bool isSameFile(const fs::path& a, const fs::path& b) {
     return !a.empty() && !b.empty() && (wholePath(a) == wholePath(b) || fs::equivalent(a, b, error));
 }
 
-Result<void> checkPictureName(const fs::path& path) {
-    if (isExr(path) || loweredExtension(path) == ".png") return {};
-    return Error{ErrorCode::usage, "The picture must be a .png or .exr file.", path.string(),
-                 "Give -o a name with one of these endings."};
-}
-
-bool isExr(const fs::path& path) {
-    return loweredExtension(path) == ".exr";
-}
-
-}  // namespace macula::cli
+}  // namespace macula::app

@@ -1,10 +1,10 @@
-#include "cli/scan_json.h"
+#include "app/study/scan_json.h"
 
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
 
-namespace macula::cli {
+namespace macula::app {
 
 namespace {
 
@@ -26,7 +26,7 @@ Json toJson(const glm::dmat4& matrix) {
 
 Json toJson(const std::vector<Message>& messages) {
     Json list = Json::array();
-    for (const Message& message : messages) list.push_back(cli::toJson(message));
+    for (const Message& message : messages) list.push_back(app::toJson(message));
     return list;
 }
 
@@ -166,4 +166,4 @@ Json toJson(const dicom::Scan& scan, const dicom::Choice& best, PatientData pati
     return json;
 }
 
-}  // namespace macula::cli
+}  // namespace macula::app

@@ -1,9 +1,9 @@
-#include "cli/grid_json.h"
+#include "app/study/grid_json.h"
 
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-namespace macula::cli {
+namespace macula::app {
 
 namespace {
 
@@ -43,4 +43,4 @@ bool isSheared(const glm::dmat4& worldFromVoxel) {
     return false;
 }
 
-}  // namespace macula::cli
+}  // namespace macula::app

@@ -1,17 +1,17 @@
 // What a render was made from and what it took: in the metadata of the picture, and as JSON.
 #pragma once
 
-#include <filesystem>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "app/picture/drawn_picture.h"
 #include "base/camera.h"
-#include "base/result.h"
 #include "image/image_file.h"
 #include "pipeline/trace/path_tracer.h"
 
-namespace macula::cli {
+namespace macula::app {
 
 // Holds no patient data: the series is a digest, and files of the user are named by their kind only.
 struct RenderRecord {
@@ -31,11 +31,15 @@ struct RenderRecord {
     double loadSeconds = 0.0;
     double traceSeconds = 0.0;
     std::vector<std::string> notes;
+
+    // What was drawn, and how; with its notes.
+    void add(const PictureRequest& request, const DrawnPicture& picture);
 };
 
+// For the picture itself: keys "macula:…" and "Software".
 image::Metadata metadata(const RenderRecord& record);
 
-// To a file, whole or not at all; to stdout when the path is "-".
-Result<void> writeStatistics(const RenderRecord& record, const std::filesystem::path& path);
+// All of it, with times; the error is null when it is not known.
+nlohmann::ordered_json toJson(const RenderRecord& record);
 
-}  // namespace macula::cli
+}  // namespace macula::app

@@ -1,4 +1,4 @@
-#include "cli/picture_names.h"
+#include "app/picture/picture_names.h"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 
 #include "base/utf8.h"
 
-namespace macula::cli {
+namespace macula::app {
 
 namespace {
 
@@ -80,4 +80,4 @@ std::vector<std::string> pictureNames(std::span<const std::string> wishes) {
     return names;
 }
 
-}  // namespace macula::cli
+}  // namespace macula::app

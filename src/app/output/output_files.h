@@ -9,11 +9,7 @@
 
 #include "base/result.h"
 
-namespace CLI {
-class App;
-}
-
-namespace macula::cli {
+namespace macula::app {
 
 class OutputFiles {
   public:
@@ -41,9 +37,6 @@ class OutputFiles {
     std::set<std::filesystem::path> tidied_;              // folders
 };
 
-// --overwrite, and words of before that still work.
-void addOverwrite(CLI::App& command, bool& overwrite);
-
 // Where to put a result that was cut short: a finished one is never replaced by it, so beside that one if it
 // is there ("model-unfinished.ply" beside "model.ply").
 std::filesystem::path placeOfUnfinished(const std::filesystem::path& wanted);
@@ -51,8 +44,4 @@ std::filesystem::path placeOfUnfinished(const std::filesystem::path& wanted);
 // Also of files that are not there yet.
 bool isSameFile(const std::filesystem::path& a, const std::filesystem::path& b);
 
-// usage for an extension that is neither .png nor .exr, in any case of letters.
-Result<void> checkPictureName(const std::filesystem::path& path);
-bool isExr(const std::filesystem::path& path);
-
-}  // namespace macula::cli
+}  // namespace macula::app

@@ -6,7 +6,7 @@
 
 #include "base/frames.h"
 
-namespace macula::cli {
+namespace macula::app {
 
 // size, spacingMm, orientation, worldFromVoxel (rows; patient LPS mm).
 nlohmann::ordered_json gridToJson(const glm::ivec3& size, const glm::dmat4& worldFromVoxel);
@@ -17,4 +17,4 @@ std::string orientationOf(const glm::dmat4& worldFromVoxel);
 // The axes are not perpendicular, by more than 0.05 degrees: slices of a tilted gantry.
 bool isSheared(const glm::dmat4& worldFromVoxel);
 
-}  // namespace macula::cli
+}  // namespace macula::app

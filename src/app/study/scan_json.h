@@ -5,7 +5,7 @@
 
 #include "dicom/best_volume.h"
 
-namespace macula::cli {
+namespace macula::app {
 
 enum class PatientData { leaveOut, include };  // names, IDs, dates, descriptions of studies, paths of files
 
@@ -15,4 +15,4 @@ std::string shownValue(const dicom::StackLabel& label);
 nlohmann::ordered_json toJson(const Message& message);
 nlohmann::ordered_json toJson(const dicom::Scan& scan, const dicom::Choice& best, PatientData patientData);
 
-}  // namespace macula::cli
+}  // namespace macula::app

@@ -1,0 +1,37 @@
+// All that the programs carry to choose from by name, and presets that become files.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "base/result.h"
+#include "pipeline/trace/environment.h"
+#include "pipeline/trace/quality.h"
+#include "pipeline/volume/clip_json.h"
+#include "pipeline/volume/transfer_function.h"
+#include "presets/imported_preset.h"
+
+namespace macula::app {
+
+struct BuiltIns {
+    std::vector<TransferFunction> presets;
+    std::vector<trace::LightRig> lights;
+    std::vector<ClipPreset> clips;
+    std::vector<trace::Quality> qualities;  // the fastest first
+};
+Result<BuiltIns> builtIns();
+
+// Names and titles; of presets their number, modality, unit, source, and whether they are fitted, of
+// qualities samples and bounces.
+nlohmann::ordered_json toJson(const BuiltIns& all);
+
+// What the values of a preset are: "HU", or "raw".
+std::string_view unitOf(const TransferFunction& preset);
+
+// The presets of a file, in its order: of the same name all but the first get "-2", "-3", so that each can be
+// a file of its own.
+std::vector<TransferFunction> withDifferentNames(std::span<const presets::ImportedPreset> imported);
+
+}  // namespace macula::app

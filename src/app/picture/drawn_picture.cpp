@@ -1,0 +1,128 @@
+#include "app/picture/drawn_picture.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include "app/elapsed.h"
+#include "app/study/nothing_visible.h"
+#include "pipeline/trace/scene.h"
+
+namespace macula::app {
+
+namespace {
+
+const glm::vec3 kBackground(0.0f);
+
+Result<Camera> fittedCamera(const PictureRequest& request, const trace::PathTracer& tracer) {
+    MACULA_TRY(std::vector<glm::dvec3> outline, tracer.outlineMm());
+    if (isProjection(request.settings.look) || outline.empty()) {
+        const auto corners = cornersOf(request.scene.volume->worldBox());
+        outline.assign(corners.begin(), corners.end());
+    }
+    return framePoints(outline, standardBasis(request.from), request.verticalFovDeg,
+                       double(request.sizePx.x) / request.sizePx.y);
+}
+
+Result<void> traceAll(trace::PathTracer& tracer, std::uint32_t samplesPerPixel, Progress& progress) {
+    // Small portions, so that progress moves and Ctrl-C is quick.
+    const std::uint32_t portion = std::clamp<std::uint32_t>(samplesPerPixel / 64, 1, 16);
+    progress.beginStage("Tracing", samplesPerPixel);
+    for (std::uint32_t done = 0; done < samplesPerPixel;) {
+        const std::uint32_t count = std::min(portion, samplesPerPixel - done);
+        MACULA_TRY(const bool whole, tracer.trace(count, [&] { return !progress.cancelled(); }));
+        if (!whole || progress.cancelled()) {
+            return Error{ErrorCode::cancelled, "Stopped; nothing was written.", {}, {}};
+        }
+        done += count;
+        progress.advance(count);
+    }
+    return {};
+}
+
+// As many samples as it takes, and where they are needed. Who stops it may want the picture as it is then.
+Result<void> traceUntilConverged(trace::PathTracer& tracer, const PictureRequest& request,
+                                 Progress& progress) {
+    constexpr double kPortionMs = 200.0;
+    constexpr std::size_t kSteps = 1000;
+    progress.beginStage("Tracing until the noise is gone", kSteps);
+    std::size_t shown = 0;
+    for (;;) {
+        MACULA_TRY_VOID(tracer.traceFor(kPortionMs, [&] { return !progress.cancelled(); }));
+        MACULA_TRY(const trace::Statistics statistics, tracer.statistics());
+        if (statistics.converged) return {};
+        if (progress.cancelled() && (!request.keepUnfinished || statistics.samplesPerPixel == 0))
+            return Error{ErrorCode::cancelled, "Stopped; nothing was written.", {}, {}};
+        if (progress.cancelled() || statistics.meanSamplesPerPixel >= request.samplesPerPixel) break;
+        // Noise falls with the root of the samples.
+        const double left = statistics.estimatedError / request.settings.errorThreshold;
+        const auto done = static_cast<std::size_t>(double(kSteps) / std::max(left * left, 1.0));
+        if (done > shown) progress.advance(done - std::exchange(shown, done));
+    }
+    return {};
+}
+
+}  // namespace
+
+Result<DrawnPicture> drawPicture(const std::shared_ptr<gpu::Device>& device, const PictureRequest& request,
+                                 Progress& progress) {
+    const auto start = std::chrono::steady_clock::now();
+    const StudyScene& scene = request.scene;
+    DrawnPicture drawn{.device = gpu::describe(device->info())};
+    MACULA_TRY(trace::PathTracer tracer, trace::PathTracer::create(device, request.memory));
+    MACULA_TRY_VOID(tracer.setVolume(scene.volume));
+    MACULA_TRY_VOID(tracer.setClip(scene.clip));  // first: what it hides is not uploaded
+    MACULA_TRY_VOID(tracer.setTransferFunction(scene.function));
+    MACULA_TRY_VOID(tracer.setEnvironment(scene.environment));
+    MACULA_TRY_VOID(tracer.setSettings(request.settings));
+    if (request.camera) {
+        drawn.camera = *request.camera;
+    } else {
+        MACULA_TRY(drawn.camera, fittedCamera(request, tracer));
+    }
+    MACULA_TRY_VOID(
+        tracer.setView({.camera = drawn.camera, .width = request.sizePx.x, .height = request.sizePx.y}));
+    MACULA_TRY_VOID(request.settings.errorThreshold > 0.0
+                        ? traceUntilConverged(tracer, request, progress)
+                        : traceAll(tracer, request.samplesPerPixel, progress));
+    drawn.seconds = secondsSince(start);
+    MACULA_TRY_VOID(tracer.estimateError());
+    MACULA_TRY(drawn.statistics, tracer.statistics());
+    if (request.isLinear) {
+        MACULA_TRY(drawn.traced, tracer.readback());
+    } else {
+        MACULA_TRY(drawn.rgba, tracer.readDisplay(kBackground));
+    }
+    return drawn;
+}
+
+bool isEmpty(const DrawnPicture& drawn) {
+    if (drawn.traced)
+        return std::all_of(drawn.traced->radiance.begin(), drawn.traced->radiance.end(),
+                           [](const glm::vec4& pixel) { return pixel.w <= 0.0f; });
+    for (std::size_t i = 0; i < drawn.rgba.size(); ++i) {
+        if (i % 4 != 3 && drawn.rgba[i] != 0) return false;
+    }
+    return true;
+}
+
+std::vector<PictureNote> notesOf(const DrawnPicture& drawn, const PictureRequest& request) {
+    const trace::Statistics& statistics = drawn.statistics;
+    std::vector<PictureNote> notes;
+    if (request.settings.errorThreshold > 0.0 && !statistics.converged)
+        notes.push_back({"The picture is noisier than was asked for."});
+    if (isEmpty(drawn))
+        notes.push_back({.sentence = whyNothingIsVisible(*request.scene.volume), .isWarning = true});
+    for (const Message& message : statistics.messages) notes.push_back({message.sentence, message.action});
+    if (statistics.nonFiniteSamples > 0)
+        notes.push_back({fmt::format("{} samples were not finite and were dropped; please report this.",
+                                     statistics.nonFiniteSamples)});
+    if (statistics.abandonedSamples > 0)
+        notes.push_back({fmt::format("{} light paths were too long for the device and were dropped.",
+                                     statistics.abandonedSamples)});
+    return notes;
+}
+
+}  // namespace macula::app

@@ -1,0 +1,43 @@
+// A picture that is drawn whole, without a window.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/picture/picture_request.h"
+#include "base/progress.h"
+#include "base/result.h"
+
+namespace macula::app {
+
+// What the device has made of a request, brought to the host: a lost device takes nothing of it along.
+struct DrawnPicture {
+    std::string device;
+    Camera camera;  // the one that was asked for, or found
+    double seconds = 0.0;
+    trace::Statistics statistics;
+    // One of both, row 0 on top: display-encoded over black, 4 bytes a pixel; or linear.
+    std::vector<std::uint8_t> rgba;
+    std::optional<trace::TracedImage> traced;
+};
+
+// Fails as trace::PathTracer; with `cancelled` when it is stopped, unless what is unfinished is kept and
+// there is some of it.
+Result<DrawnPicture> drawPicture(const std::shared_ptr<gpu::Device>& device, const PictureRequest& request,
+                                 Progress& progress);
+
+// Nothing is seen in it: it is black, as the background is, or clear.
+bool isEmpty(const DrawnPicture& picture);
+
+// What a person has to know of a picture, without patient data.
+struct PictureNote {
+    std::string sentence;
+    std::string action = {};  // what to do about it; may be empty
+    bool isWarning = false;   // look before you rely on it
+};
+std::vector<PictureNote> notesOf(const DrawnPicture& picture, const PictureRequest& request);
+
+}  // namespace macula::app

@@ -1,0 +1,50 @@
+// Pictures of a model of Gaussians, ours or another's.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/progress.h"
+#include "base/result.h"
+#include "image/image_file.h"
+#include "pipeline/splat/draw/displayed.h"
+#include "pipeline/splat/draw/model_painter.h"
+#include "pipeline/splat/draw/raster_view.h"
+#include "pipeline/splat/model/splats.h"
+
+namespace macula::app {
+
+struct ModelToDraw {
+    splat::Splats splats;
+    std::vector<std::string> notes;  // what a person would not expect
+};
+
+// `lowPass` is how a model was trained to be drawn whose file does not tell. Fails as splat::readModel with
+// BadSplats::repairOrNone.
+Result<ModelToDraw> readModelToDraw(const std::filesystem::path& path, std::optional<splat::LowPass> lowPass);
+
+struct ModelPicture {
+    std::vector<std::uint8_t> displayed;  // 4 bytes a pixel, row 0 on top
+    std::vector<glm::vec4> radiance;      // linear, premultiplied; and depth: only where these are wanted
+    std::vector<float> depthsMm;          // mean along the view, in the model's unit
+    bool isEmpty = true;                  // nothing of the model is in it
+};
+
+// Band by band: as 32-bit floats only where `withDepths` asks for these. Fails as ModelPainter::drawBands,
+// and with `cancelled`.
+Result<ModelPicture> drawModel(splat::ModelPainter& painter, const splat::RasterView& view,
+                               splat::ColourSpace space, const splat::DisplayOptions& display,
+                               bool withDepths, const Progress& progress);
+
+image::Metadata metadata(const splat::Splats& splats, const splat::DisplayOptions& display,
+                         const std::string& device);
+
+// Whole or not at all each; no EXR where `exr` is empty.
+Result<void> writeModelPicture(const ModelPicture& picture, const glm::ivec2& sizePx,
+                               const std::filesystem::path& png, const std::filesystem::path& exr,
+                               const image::Metadata& metadata);
+
+}  // namespace macula::app

@@ -1,0 +1,20 @@
+// Pictures as files: .png for the eye, .exr for linear light and depth.
+#pragma once
+
+#include <filesystem>
+
+#include "app/picture/drawn_picture.h"
+#include "base/result.h"
+#include "image/image_file.h"
+
+namespace macula::app {
+
+// usage for an extension that is neither .png nor .exr, in any case of letters.
+Result<void> checkPictureName(const std::filesystem::path& path);
+bool isExr(const std::filesystem::path& path);
+
+// Whole or not at all: what is linear as EXR with depth as channel Z, else PNG; the name is not asked.
+Result<void> writePicture(const std::filesystem::path& path, const DrawnPicture& picture,
+                          const glm::ivec2& sizePx, const image::Metadata& metadata);
+
+}  // namespace macula::app

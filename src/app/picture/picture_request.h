@@ -1,0 +1,30 @@
+// What a picture is drawn of, and with what.
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <optional>
+
+#include "app/study/scene_on_device.h"
+#include "base/camera.h"
+#include "base/frames.h"
+#include "pipeline/trace/path_tracer.h"
+
+namespace macula::app {
+
+struct PictureRequest {
+    StudyScene scene;
+    // Patient LPS mm; nothing: one from `from`, of `verticalFovDeg`, that what can be seen fills.
+    std::optional<Camera> camera;
+    ViewDirection from = ViewDirection::anterior;
+    double verticalFovDeg = 30.0;
+    glm::ivec2 sizePx{768};  // each from 1 to trace::kMaxPictureSide
+    trace::Settings settings;
+    // All of them; or, with Settings::errorThreshold, about the most that noise is traced away with.
+    std::uint32_t samplesPerPixel = 64;
+    bool keepUnfinished = false;  // with an errorThreshold: who stops it wants the picture as it is then
+    bool isLinear = false;        // light and depth are wanted instead of what is displayed
+    trace::MemoryLimits memory;
+};
+
+}  // namespace macula::app

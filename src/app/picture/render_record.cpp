@@ -1,0 +1,109 @@
+#include "app/picture/render_record.h"
+
+#include <nlohmann/json.hpp>
+
+#include "app/camera/camera_file.h"
+
+namespace macula::app {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// "-200,0,35": no more digits than say which it is.
+std::string numbers(const glm::dvec3& vector) {
+    return fmt::format("{:.6g},{:.6g},{:.6g}", vector.x, vector.y, vector.z);
+}
+
+std::string windowText(const std::optional<DisplayWindow>& window) {
+    return window ? fmt::format("{:.6g},{:.6g}", window->center, window->width) : "none";
+}
+
+Json windowJson(const std::optional<DisplayWindow>& window) {
+    return window ? Json{{"center", window->center}, {"width", window->width}} : Json();
+}
+
+}  // namespace
+
+void RenderRecord::add(const PictureRequest& request, const DrawnPicture& picture) {
+    device = picture.device;
+    camera = picture.camera;
+    width = request.sizePx.x;
+    height = request.sizePx.y;
+    settings = request.settings;
+    statistics = picture.statistics;
+    traceSeconds = picture.seconds;
+    for (PictureNote& note : notesOf(picture, request)) notes.push_back(std::move(note.sentence));
+}
+
+image::Metadata metadata(const RenderRecord& record) {
+    const trace::Settings& settings = record.settings;
+    return {{"Software", "Macula " MACULA_VERSION},
+            {"macula:series", record.seriesDigest},
+            {"macula:look", std::string(trace::nameOf(record.settings.look))},
+            {"macula:preset", record.preset},
+            {"macula:lights", record.lights},
+            {"macula:clip", record.clip},
+            {"macula:tableRemoved", record.tableRemoved ? "yes" : "no"},
+            {"macula:filter", std::string(trace::nameOf(record.settings.filter))},
+            {"macula:samples", fmt::format("{:.6g}", record.statistics.meanSamplesPerPixel)},
+            {"macula:bounces", fmt::to_string(record.settings.bounces)},
+            {"macula:seed", fmt::to_string(record.settings.seed)},
+            {"macula:denoised", record.statistics.denoised ? "yes" : "no"},
+            {"macula:fitted", record.presetFitted ? "yes" : "no"},
+            {"macula:shading", settings.shading == trace::Shading::headlight ? "headlight" : "none"},
+            {"macula:window", windowText(record.window)},
+            {"macula:exposure", fmt::format("{:.6g}", settings.exposure)},
+            {"macula:lightRotationDeg", fmt::format("{:.6g}", settings.lightRotationDeg)},
+            {"macula:lightStrength", fmt::format("{:.6g}", settings.lightStrength)},
+            {"macula:cameraPositionMm", numbers(record.camera.positionMm)},
+            {"macula:cameraTargetMm", numbers(record.camera.targetMm)},
+            {"macula:cameraUp", numbers(record.camera.up)},
+            {"macula:verticalFovDeg", fmt::format("{:.6g}", record.camera.verticalFovDeg)},
+            {"macula:notes", fmt::format("{}", fmt::join(record.notes, " "))},
+            {"macula:device", record.device}};
+}
+
+Json toJson(const RenderRecord& record) {
+    const double pixelSamples = record.statistics.meanSamplesPerPixel * record.width * record.height;
+    return {{"version", MACULA_VERSION},
+            {"series", record.seriesDigest},
+            {"look", trace::nameOf(record.settings.look)},
+            {"preset", record.preset},
+            {"lights", record.lights},
+            {"lightRotationDeg", record.settings.lightRotationDeg},
+            {"lightStrength", record.settings.lightStrength},
+            {"exposure", record.settings.exposure},
+            {"presetFitted", record.presetFitted},
+            {"shading", record.settings.shading == trace::Shading::headlight ? "headlight" : "none"},
+            {"window", windowJson(record.window)},
+            {"clip", record.clip},
+            {"tableRemoved", record.tableRemoved},
+            {"filter", trace::nameOf(record.settings.filter)},
+            {"device", record.device},
+            {"camera", toJson(record.camera)},
+            {"width", record.width},
+            {"height", record.height},
+            {"bounces", record.settings.bounces},
+            {"seed", record.settings.seed},
+            {"denoised", record.statistics.denoised},
+            {"samplesPerPixel", record.statistics.samplesPerPixel},
+            {"meanSamplesPerPixel", record.statistics.meanSamplesPerPixel},
+            {"estimatedError", record.statistics.estimatedError},  // null: not known
+            {"converged", record.statistics.converged},
+            {"nonFiniteSamples", record.statistics.nonFiniteSamples},
+            {"abandonedSamples", record.statistics.abandonedSamples},
+            {"voxels",
+             {{"visibleBricks", record.statistics.voxels.visibleBricks},
+              {"shownBlocks", record.statistics.voxels.shownBlocks},
+              {"coarseBlocks", record.statistics.voxels.coarseBlocks},
+              {"poolBytes", record.statistics.voxels.poolBytes},
+              {"gridBytes", record.statistics.voxels.gridBytes}}},
+            {"loadSeconds", record.loadSeconds},
+            {"traceSeconds", record.traceSeconds},
+            {"deviceMs", record.statistics.deviceMs},
+            {"nsPerSample", pixelSamples > 0.0 ? record.statistics.deviceMs * 1e6 / pixelSamples : 0.0},
+            {"notes", record.notes}};
+}
+
+}  // namespace macula::app

@@ -1,0 +1,110 @@
+#include "cli/render_options.h"
+
+#include <CLI/Option.hpp>
+#include <CLI/Validators.hpp>
+#include <cstdint>
+#include <map>
+
+#include "cli/name_option.h"
+#include "cli/number_range.h"
+#include "cli/output_options.h"
+#include "cli/study_options.h"
+#include "pipeline/trace/settings.h"
+
+namespace macula::cli {
+
+namespace {
+
+std::map<std::string, int> looksByName() {
+    std::map<std::string, int> looks;
+    for (const trace::LookTraits& look : trace::kLooks) looks.emplace(look.name, static_cast<int>(look.look));
+    return looks;
+}
+
+}  // namespace
+
+void addRenderOptions(CLI::App& command, RenderOptions& options) {
+    RenderOptions& o = options;
+    command.add_option(
+        "PATH", o.path,
+        "Folder with DICOM files, volume file (NIfTI, NRRD, MetaImage), or phantom: (default)");
+    command
+        .add_option("-o,--output", o.output,
+                    "Picture to write: OUT.png for display, OUT.exr for linear light and depth")
+        ->required();
+    addJoin(command, o.how);
+    command.add_option("--series", o.series,
+                       "Place in the list of macula info, or series UID (default: the best)");
+    command.add_option(
+        "--preset", o.preset,
+        "Name or number from macula presets, or preset file (default: by what the series shows)");
+    command.add_flag("--fit", o.fit, "Stretch the preset's range to the series, for MR: see docs/presets.md");
+    auto* view = command.add_option("--view", o.view, "Where the viewer stands (default: anterior)")
+                     ->transform(asViewDirection())
+                     ->option_text(kViewDirectionNames);
+    command
+        .add_option("--camera", o.camera,
+                    "JSON file: positionMm, targetMm, up, verticalFovDeg; patient LPS mm")
+        ->excludes(view);
+    command
+        .add_option("--fov", o.fovDeg, "Vertical field of view in degrees (default: that of --camera, or 30)")
+        ->check(between(0.1, 170.0));
+    command.add_option("--size", o.size, "Picture size in pixels (default: 768x768)")->option_text("WxH");
+    command
+        .add_option("--look", o.settings.look, "How it is drawn, see docs/presets.md (default: cinematic)")
+        ->transform(oneOf(looksByName()))
+        ->option_text("cinematic|clear|dvr|mip|minip|average");
+    command
+        .add_option("--window", o.window,
+                    "Of mip, minip and average (default: range of --preset, else window of the series)")
+        ->option_text("CENTRE,WIDTH");
+    command.add_flag_callback(
+        "--shading", [&o] { o.settings.shading = trace::Shading::headlight; },
+        "Light dvr from the eye, with the preset's ambient and diffuse parts");
+    command.add_option(
+        "--quality", o.effort.quality,
+        "draft, normal, high, reference, or JSON file: samples, bounces, filter and denoising at once");
+    command
+        .add_option("--spp", o.effort.samplesPerPixel,
+                    "Samples per pixel (default: 64, or 8 for looks without chance)")
+        ->check(CLI::Range(1u, app::kMostSamplesPerPixel));
+    command
+        .add_option("--error", o.effort.error,
+                    "Trace until noise is this small, 0.01 of black to white; then --spp is about the most")
+        ->check(between(1e-4, 1.0));
+    command.add_option("--bounces", o.effort.bounces, "Scattering events per path of cinematic (default: 4)")
+        ->check(CLI::Range(1, trace::kMaxBounces));
+    command.add_flag_function(
+        "--denoise,!--no-denoise", [&o](std::int64_t count) { o.effort.denoise = count > 0; },
+        "Filter the noise out, guided by what is seen, or not; the picture says that it is denoised");
+    command.add_option("--seed", o.settings.seed,
+                       "Of the random numbers; the same seed gives the same picture");
+    command.add_option("--lights", o.lights,
+                       "Name from macula presets, light rig JSON, or HDR or EXR panorama");
+    command
+        .add_option("--light-rotation", o.settings.lightRotationDeg,
+                    "Degrees to turn the lights about the vertical, towards the patient's left")
+        ->check(between(-360.0, 360.0));
+    command.add_option("--light-strength", o.settings.lightStrength, "Multiplies the lights (default: 1)")
+        ->check(between(0.0, trace::kMaxGain));
+    command
+        .add_option("--exposure", o.settings.exposure,
+                    "Multiplies the picture before the tone map (default: 1)")
+        ->check(between(1e-6, trace::kMaxGain));
+    command.add_flag("--remove-table", o.removeTable,
+                     "Leave out the table and what else lies beside the patient; CT only. What went is said");
+    command.add_option("--clip", o.clip,
+                       "Name from macula presets, or JSON file: what is shown of the volume");
+    command
+        .add_option_function<std::uint64_t>(
+            "--voxel-memory", [&o](std::uint64_t mebibytes) { o.memory.voxelBytes = mebibytes << 20; },
+            "At most so many MiB of the device for voxels (default: what is free)")
+        ->check(CLI::Range(1, 1 << 20));
+    command.add_option("--device", o.device, "Number or part of the name, see macula devices");
+    command.add_flag("--keep-unfinished", o.keepUnfinished,
+                     "When --error is stopped (Ctrl-C), write the picture as it is then");
+    addOverwrite(command, o.overwrite);
+    command.add_option("--json", o.json, "Write what was done and how long it took; - for stdout");
+}
+
+}  // namespace macula::cli

@@ -1,0 +1,22 @@
+// Values that are typed as several numbers. What cannot be read is usage.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <string>
+
+#include "base/result.h"
+#include "base/volume.h"
+
+namespace macula::cli {
+
+// --size WIDTHxHEIGHT: in pixels, each from 1 to trace::kMaxPictureSide.
+Result<glm::ivec2> parseSize(const std::string& text);
+
+// --window CENTRE,WIDTH: as DICOM has them but exactly, black at centre - width / 2, white at centre + width
+// / 2; the width above 0.
+Result<DisplayWindow> parseWindow(const std::string& text);
+
+// --background R,G,B: each from 0 to 1.
+Result<glm::vec3> parseBackground(const std::string& text);
+
+}  // namespace macula::cli

@@ -1,0 +1,212 @@
+#include "evaluate/benchmark_reports.h"
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+
+#include "base/parallel.h"
+
+namespace macula::evaluate {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json spentJson(const Spent& spent) {
+    return {{"wallMs", spent.wallMs}, {"cpuMs", spent.cpuMs}};
+}
+
+// On one sample of every pixel.
+Json sampleJson(const Spent& spent, const trace::View& view) {
+    return {{"secondsPerSample", spent.wallMs / 1e3},
+            {"cpuSecondsPerSample", spent.cpuMs / 1e3},
+            {"microsecondsPerPixel", spent.wallMs / (double(view.width) * view.height) * 1e3}};
+}
+
+Json toJson(const TimeToError& time) {
+    if (!time.reached) return {{"reached", false}, {"samples", time.samples}, {"flip", time.flip}};
+    return {{"reached", true}, {"samples", time.samples}, {"ms", time.ms}, {"flip", time.flip}};
+}
+
+Json toJson(const TradeoffPoint& point) {
+    return {{"filter", trace::nameOf(point.filter)},
+            {"denoised", point.isDenoised()},
+            {"bounces", point.bounces},
+            {"samples", point.samples},
+            {"traceMs", point.traceMs},
+            {"displayMs", point.displayMs},
+            {"psnrDb", point.psnrDb},
+            {"ssim", point.ssim},
+            {"flip", point.flip}};
+}
+
+Json toJson(const std::optional<Loading>& loading) {
+    if (!loading) return nullptr;
+    return {{"seconds", loading->seconds},
+            {"peakBytes", loading->peakBytes},
+            {"secondsOverOurs", loading->secondsOverOurs}};
+}
+
+Json toJson(const CastTime& time) {
+    return {{"firstSeconds", time.firstSeconds},
+            {"secondsPerPicture", time.secondsPerPicture},
+            {"flipToConverged", time.flip}};
+}
+
+Json toJson(const CastBenchmark& benchmark) {
+    Json json = {{"look", benchmark.subject}, {"ours", toJson(benchmark.ours)}, {"vtk", nullptr}};
+    if (!benchmark.vtk) return json;
+    json["vtk"] = toJson(benchmark.vtk->time);
+    json["vtk"]["stepMm"] = benchmark.vtk->stepMm;
+    json["vtk"]["secondsInThirdSteps"] = benchmark.vtk->secondsInThirdSteps;
+    json["vtk"]["flipInThirdSteps"] = benchmark.vtk->flipInThirdSteps;
+    json["oursOverVtk"] = benchmark.oursOverVtk;
+    return json;
+}
+
+Json toJson(const SizedTrainingBenchmark& sized) {
+    Json stages = Json::object();
+    for (const auto& [name, stage] : stagesOf(sized.training)) {
+        stages[name] = {{"device", spentJson(stage.device)},
+                        {"reference", stage.reference ? spentJson(*stage.reference) : Json()},
+                        {"wallRatio", stage.reference ? Json(stage.ratio.wall) : Json()},
+                        {"cpuRatio", stage.reference ? Json(stage.ratio.cpu) : Json()}};
+    }
+    return {{"picture", {sized.sizePx.x, sized.sizePx.y}},
+            {"pairs", sized.training.pairs},
+            {"stages", std::move(stages)},
+            {"stepsPerSecond", stepsPerSecond(sized.training)}};
+}
+
+}  // namespace
+
+Json reportOf(const BenchStudy& study, const TraceBenchmarkOptions& options,
+              std::span<const TraceBenchmark> results) {
+    Json json = describe("trace", study);
+    json["referenceThreads"] = coreCount();
+    json["bounces"] = options.settings.bounces;
+    json["samplesPerPixel"] = options.samplesPerPixel;
+    json["repetitions"] = options.repetitions;
+    json["results"] = Json::array();
+    for (const TraceBenchmark& result : results) {
+        json["results"].push_back({{"filter", trace::nameOf(result.filter)},
+                                   {"device", sampleJson(result.device, options.view)},
+                                   {"reference", sampleJson(result.reference, options.view)},
+                                   {"wallRatio", result.ratio.wall},
+                                   {"cpuRatio", result.ratio.cpu}});
+    }
+    return json;
+}
+
+Json reportOf(const BenchStudy& study, const FovealOptions& options, const FovealReport& result) {
+    Json json = describe("foveal", study);
+    json["referenceThreads"] = coreCount();
+    json["bounces"] = options.bounces;
+    json["samplesPerPixel"] = options.samples;
+    json["repetitions"] = options.repetitions;
+    json["times"] = {{"traceMs", result.times.traceMs},
+                     {"guidesMs", result.times.guidesMs},
+                     {"denoiseAndDisplayMs", result.times.displayMs},
+                     {"totalMs", result.totalMs},
+                     {"referenceTraceMs", result.times.referenceTraceMs},
+                     {"totalOverReferenceTrace", result.ratio}};
+    if (options.convergedSamples > 0) {
+        json["timeToError"] = {{"flip", options.flip},
+                               {"convergedSamples", options.convergedSamples},
+                               {"flipOfItsHalf", result.convergedFlip},
+                               {"plain", toJson(result.plain)},
+                               {"denoised", toJson(result.denoised)},
+                               {"adaptiveDenoised", toJson(result.adaptive)}};
+        const auto ratio = [&](const char* name, const TimeToError& time) {
+            if (time.reached && result.plain.reached) json["timeToError"][name] = time.ms / result.plain.ms;
+        };
+        ratio("denoisedOverPlain", result.denoised);
+        ratio("adaptiveDenoisedOverPlain", result.adaptive);
+    }
+    return json;
+}
+
+Json reportOf(const BenchStudy& study, const TradeoffOptions& options, const Tradeoff& result) {
+    Json json = describe("trace-tradeoff", study);
+    json["converged"] = {{"samples", options.convergedSamples},
+                         {"bounces", options.convergedBounces},
+                         {"lost", result.convergedLost},
+                         {"ms", result.convergedMs},
+                         {"flipOfItsHalf", result.convergedFlip}};
+    json["results"] = Json::array();
+    for (const TradeoffPoint& point : result.points) json["results"].push_back(toJson(point));
+    return json;
+}
+
+Json reportOf(const BenchStudy& study, int turns, std::span<const CastBenchmark> results) {
+    Json json = describe("cast", study);
+    json["threads"] = coreCount();
+    json["repetitions"] = turns;
+    json["results"] = Json::array();
+    for (const CastBenchmark& result : results) json["results"].push_back(toJson(result));
+    return json;
+}
+
+Json reportOf(std::string_view seriesDigest, const HeaderBenchmark& headers,
+              const LoadBenchmarkOptions& options, const LoadBenchmark& loading) {
+    const auto ratio = [](const std::optional<Loading>& contender) {
+        return contender ? Json(contender->secondsOverOurs) : Json();
+    };
+    return {{"benchmark", "load"},
+            {"version", MACULA_VERSION},
+            {"threads", options.threads},
+            {"rounds", options.rounds},
+            {"study", seriesDigest},
+            {"voxels", loading.voxels},
+            {"headers",
+             {{"files", headers.files},
+              {"oursPerSecond", headers.headersPerSecond},
+              {"dcmtkPerSecond", headers.bareDcmtkPerSecond},
+              {"scanPerSecond", headers.scanPerSecond}}},
+            {"loading",
+             {{"bytesBefore", loading.bytesBefore},
+              {"ours", toJson(loading.ours)},
+              {"itk", toJson(loading.itk)},
+              {"dcmtk", toJson(loading.dcmtk)},
+              {"voxelsWhereItkDiffers", loading.itk ? Json(loading.differingVoxels) : Json()}}},
+            {"results",
+             {{"headersOverDcmtk", headers.headersPerSecond / headers.bareDcmtkPerSecond},
+              {"itkOverOurs", ratio(loading.itk)},
+              {"dcmtkOverOurs", ratio(loading.dcmtk)}}}};
+}
+
+Json beginningOf(const BenchStudy& study, const StudyTrainingOptions& options) {
+    Json json = describe("train", study);
+    json["deviceKind"] = gpu::deviceTypeName(study.device->info().type);
+    json["referenceThreads"] = coreCount();
+    json["repetitions"] = options.repetitions;
+    json["shDegree"] = options.shDegree;
+    return json;
+}
+
+Json toJson(const StudyTrainingReport& report) {
+    Json json = {{"splats", report.splats}, {"results", Json::array()}};
+    for (const SizedTrainingBenchmark& result : report.results) json["results"].push_back(toJson(result));
+    if (report.fromVolume)
+        json["fromVolume"] = {{"firstSplatsMs", report.fromVolume->firstSplatsMs},
+                              {"firstPictureMs", report.fromVolume->firstPictureMs},
+                              {"tracedViewMs", report.fromVolume->tracedViewMs},
+                              {"samplesPerPixel", StudyTrainingBench::kSamplesPerPixel}};
+    return json;
+}
+
+std::vector<std::pair<const char*, StageBenchmark>> stagesOf(const TrainingBenchmark& b) {
+    return {{"project", b.project}, {"lists", b.lists}, {"deviceLists", b.deviceLists},
+            {"raster", b.raster},   {"loss", b.loss},   {"backward", b.backward},
+            {"adam", b.adam},       {"step", b.step}};
+}
+
+double stepsPerSecond(const TrainingBenchmark& benchmark) {
+    return 1000.0 / benchmark.step.device.wallMs;
+}
+
+std::string_view trainingRatioOf(const gpu::Device& device) {
+    return device.isCpu() ? "cpuRatio" : "wallRatio";
+}
+
+}  // namespace macula::evaluate

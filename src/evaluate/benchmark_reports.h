@@ -1,0 +1,48 @@
+// What the benchmarks found, as JSON. Each begins as `describe` of its study; none holds patient data.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <span>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "evaluate/bench_study.h"
+#include "evaluate/cast_benchmark.h"
+#include "evaluate/foveal_benchmark.h"
+#include "evaluate/header_benchmark.h"
+#include "evaluate/load_benchmark.h"
+#include "evaluate/study_training_benchmark.h"
+#include "evaluate/trace_benchmark.h"
+#include "evaluate/tradeoff.h"
+
+namespace macula::evaluate {
+
+nlohmann::ordered_json reportOf(const BenchStudy& study, const TraceBenchmarkOptions& options,
+                                std::span<const TraceBenchmark> results);
+nlohmann::ordered_json reportOf(const BenchStudy& study, const FovealOptions& options,
+                                const FovealReport& result);
+nlohmann::ordered_json reportOf(const BenchStudy& study, const TradeoffOptions& options,
+                                const Tradeoff& result);
+nlohmann::ordered_json reportOf(const BenchStudy& study, int turns, std::span<const CastBenchmark> results);
+// `seriesDigest` as app::StudyInput has it.
+nlohmann::ordered_json reportOf(std::string_view seriesDigest, const HeaderBenchmark& headers,
+                                const LoadBenchmarkOptions& options, const LoadBenchmark& loading);
+
+// In two parts, so that a baseline of something else is refused before hours of measuring: what is measured,
+// and what was found.
+nlohmann::ordered_json beginningOf(const BenchStudy& study, const StudyTrainingOptions& options);
+nlohmann::ordered_json toJson(const StudyTrainingReport& report);
+
+// By name, in the order of a step.
+std::vector<std::pair<const char*, StageBenchmark>> stagesOf(const TrainingBenchmark& benchmark);
+double stepsPerSecond(const TrainingBenchmark& benchmark);
+
+// Which of the ratios a report of a device is compared by: processor time of the process says little about
+// the work of a device that is no CPU.
+std::string_view trainingRatioOf(const gpu::Device& device);
+inline constexpr std::string_view kTraceRatios[] = {"cpuRatio"};
+// Larger is better.
+inline constexpr std::string_view kLoadRatios[] = {"headersOverDcmtk", "itkOverOurs", "dcmtkOverOurs"};
+
+}  // namespace macula::evaluate

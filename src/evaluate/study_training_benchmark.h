@@ -1,0 +1,73 @@
+// How fast a model of a study is begun and trained: training_benchmark.h of what a person would open.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "base/progress.h"
+#include "base/result.h"
+#include "evaluate/bench_study.h"
+#include "evaluate/training_benchmark.h"
+#include "pipeline/hybrid/model/first_model.h"
+#include "pipeline/hybrid/views/view_tracing.h"
+#include "pipeline/splat/model/splats.h"
+
+namespace macula::evaluate {
+
+struct StudyTrainingOptions {
+    std::uint32_t splats = 10000;                         // points on what can be seen; may become fewer
+    int shDegree = hybrid::FirstModelOptions{}.shDegree;  // as models are trained
+    int repetitions = 5;                                  // medians are told
+};
+
+struct SizedTrainingBenchmark {
+    glm::ivec2 sizePx{0};  // of the picture that is learnt from
+    TrainingBenchmark training;
+};
+
+// From a volume that is on the device, with kernels compiled.
+struct BeginningBenchmark {
+    double firstSplatsMs = 0.0;
+    double firstPictureMs = 0.0;  // of these, from the start
+    double tracedViewMs = 0.0;
+};
+
+struct StudyTrainingReport {
+    std::size_t splats = 0;
+    std::vector<SizedTrainingBenchmark> results;
+    std::optional<BeginningBenchmark> fromVolume;
+};
+
+class StudyTrainingBench {
+  public:
+    // What `macula train` gives its views.
+    static constexpr std::uint32_t kSamplesPerPixel = 2;
+
+    // Finds the model. inputNotUsable when nothing of the series can be seen. `study` and `progress` must
+    // live as long.
+    static Result<StudyTrainingBench> create(const BenchStudy& study, const StudyTrainingOptions& options,
+                                             Progress& progress);
+
+    std::size_t splats() const { return model_.size(); }
+    // Of the view of the study. Fails as benchmarkTraining and hybrid::traceViews.
+    Result<SizedTrainingBenchmark> measure(const glm::ivec2& sizePx);
+    // Of a picture of that size.
+    Result<BeginningBenchmark> measureBeginning(const glm::ivec2& sizePx);
+
+  private:
+    StudyTrainingBench(const BenchStudy& study, const StudyTrainingOptions& options, trace::PathTracer tracer,
+                       Progress& progress)
+        : study_(study), options_(options), tracer_(std::move(tracer)), progress_(progress) {}
+
+    Result<void> findModel();
+    Result<hybrid::TracedView> traceOne(const glm::ivec2& sizePx);
+
+    const BenchStudy& study_;
+    StudyTrainingOptions options_;
+    trace::PathTracer tracer_;
+    Progress& progress_;
+    splat::Splats model_;
+};
+
+}  // namespace macula::evaluate

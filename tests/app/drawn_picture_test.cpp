@@ -1,0 +1,241 @@
+// A small picture of the phantom, and what is told of it.
+#include "app/picture/drawn_picture.h"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "app/choice/lights_choice.h"
+#include "app/choice/preset_choice.h"
+#include "app/picture/picture_file.h"
+#include "app/picture/preset_sheet.h"
+#include "app/picture/render_record.h"
+#include "base/phantom.h"
+#include "gpu/gpu_test.h"
+#include "support.h"
+
+namespace macula::app {
+namespace {
+
+class DrawnPictureTest : public gpu::GpuTest {
+  protected:
+    static PictureRequest request(trace::Look look = trace::Look::cinematic) {
+        PictureRequest asked{.scene = {.volume = std::make_shared<const Volume>(phantom::make(
+                                           {.size = {48, 42, 30}, .spacingMm = {6.4, 6.4, 10.0}})),
+                                       .function = choosePreset("cinematic-bone")->function,
+                                       .environment = *chooseLights("studio")},
+                             .sizePx = {40, 30},
+                             .samplesPerPixel = 2};
+        asked.settings.look = look;
+        return asked;
+    }
+    DrawnPicture draw(const PictureRequest& asked) {
+        Progress progress;
+        return gpu::expectOk(drawPicture(device(), asked, progress));
+    }
+    // Columns and rows that show something.
+    static glm::ivec2 extentOf(const DrawnPicture& picture, const glm::ivec2& size) {
+        glm::ivec2 low(size);
+        glm::ivec2 high(-1);
+        for (int y = 0; y < size.y; ++y) {
+            for (int x = 0; x < size.x; ++x) {
+                const std::uint8_t* pixel = &picture.rgba[4 * static_cast<std::size_t>(y * size.x + x)];
+                if (std::max({pixel[0], pixel[1], pixel[2]}) == 0) continue;
+                low = glm::min(low, glm::ivec2(x, y));
+                high = glm::max(high, glm::ivec2(x, y));
+            }
+        }
+        return high - low + 1;
+    }
+};
+
+// The same request, the same bytes: samples are a function of their number.
+TEST_F(DrawnPictureTest, IsAFunctionOfTheRequest) {
+    const PictureRequest asked = request();
+    const DrawnPicture picture = draw(asked);
+    EXPECT_EQ(picture.rgba.size(), 4u * 40u * 30u);
+    EXPECT_FALSE(picture.traced);
+    EXPECT_FALSE(isEmpty(picture));
+    EXPECT_EQ(picture.statistics.samplesPerPixel, 2u);
+    EXPECT_TRUE(notesOf(picture, asked).empty());
+    EXPECT_EQ(draw(asked).rgba, picture.rgba);
+}
+
+TEST_F(DrawnPictureTest, IsFilledByWhatCanBeSeenUnlessACameraIsGiven) {
+    PictureRequest asked = request(trace::Look::dvr);
+    asked.sizePx = {64, 64};
+    const DrawnPicture fitted = draw(asked);
+    const glm::ivec2 extent = extentOf(fitted, asked.sizePx);
+    EXPECT_NEAR(std::max(extent.x, extent.y), 0.9 * 64, 4.0);
+    EXPECT_EQ(fitted.camera.verticalFovDeg, asked.verticalFovDeg);
+
+    asked.camera = fitted.camera;
+    EXPECT_EQ(draw(asked).rgba, fitted.rgba);
+    asked.camera->positionMm =
+        asked.camera->targetMm + 2.0 * (asked.camera->positionMm - asked.camera->targetMm);
+    const glm::ivec2 farther = extentOf(draw(asked), asked.sizePx);
+    EXPECT_NEAR(std::max(farther.x, farther.y), 0.45 * 64, 4.0);
+}
+
+TEST_F(DrawnPictureTest, SaysThatNothingIsSeen) {
+    PictureRequest asked = request(trace::Look::dvr);
+    asked.camera = Camera{.positionMm = {0.0, -2000.0, 0.0}, .targetMm = {0.0, -4000.0, 0.0}};
+    for (const bool isLinear : {false, true}) {
+        asked.isLinear = isLinear;
+        const DrawnPicture picture = draw(asked);
+        EXPECT_EQ(picture.traced.has_value(), isLinear);
+        EXPECT_TRUE(isEmpty(picture));
+        const std::vector<PictureNote> notes = notesOf(picture, asked);
+        ASSERT_EQ(notes.size(), 1u);
+        EXPECT_TRUE(notes.front().isWarning);
+    }
+}
+
+TEST_F(DrawnPictureTest, IsLinearLightAndDepthWhereThatIsWanted) {
+    PictureRequest asked = request(trace::Look::dvr);
+    asked.isLinear = true;
+    const DrawnPicture picture = draw(asked);
+    EXPECT_TRUE(picture.rgba.empty());
+    ASSERT_TRUE(picture.traced);
+    EXPECT_EQ(picture.traced->width, 40);
+    EXPECT_EQ(picture.traced->height, 30);
+    EXPECT_FALSE(isEmpty(picture));
+}
+
+TEST_F(DrawnPictureTest, ThatIsStoppedIsNone) {
+    const CancelToken token;
+    token.cancel();
+    Progress progress({}, token);
+    for (const double error : {0.0, 0.001}) {
+        PictureRequest asked = request();
+        asked.settings.errorThreshold = error;
+        const auto stopped = drawPicture(device(), asked, progress);
+        ASSERT_FALSE(stopped);
+        EXPECT_EQ(stopped.error().code, ErrorCode::cancelled);
+    }
+}
+
+// It ends where noise is small enough, or with about the most samples, and then says so.
+TEST_F(DrawnPictureTest, TracesNoiseAwayAsFarAsItMay) {
+    PictureRequest asked = request();
+    asked.settings.errorThreshold = 0.2;
+    asked.samplesPerPixel = 4096;
+    const DrawnPicture good = draw(asked);
+    EXPECT_TRUE(good.statistics.converged);
+    EXPECT_TRUE(notesOf(good, asked).empty());
+
+    asked.settings.errorThreshold = 1e-6;
+    asked.samplesPerPixel = 8;
+    const DrawnPicture noisy = draw(asked);
+    EXPECT_FALSE(noisy.statistics.converged);
+    EXPECT_GE(noisy.statistics.meanSamplesPerPixel, 8.0);
+    ASSERT_EQ(notesOf(noisy, asked).size(), 1u);
+    EXPECT_NE(notesOf(noisy, asked).front().sentence.find("noisier"), std::string::npos);
+}
+
+TEST_F(DrawnPictureTest, IsWrittenWithWhatIsKnownOfIt) {
+    const PictureRequest asked = request(trace::Look::dvr);
+    const DrawnPicture picture = draw(asked);
+    RenderRecord record{.seriesDigest = "phantom", .preset = "cinematic-bone", .notes = {"A note."}};
+    record.add(asked, picture);
+    const dicom::test::TemporaryFolder folder;
+    ASSERT_TRUE(writePicture(folder / "a.png", picture, asked.sizePx, metadata(record)));
+    const std::vector<std::string> keys{"macula:look", "macula:preset", "macula:samples", "macula:notes"};
+    const auto read = image::readMetadata(folder / "a.png", keys);
+    ASSERT_TRUE(read);
+    std::map<std::string, std::string> values(read->begin(), read->end());
+    EXPECT_EQ(values["macula:look"], "dvr");
+    EXPECT_EQ(values["macula:preset"], "cinematic-bone");
+    EXPECT_EQ(values["macula:samples"], "2");
+    EXPECT_EQ(values["macula:notes"], "A note.");
+
+    const auto json = toJson(record);
+    EXPECT_EQ(json["width"], 40);
+    EXPECT_EQ(json["height"], 30);
+    EXPECT_EQ(json["samplesPerPixel"], 2);
+    EXPECT_TRUE(json["window"].is_null());
+}
+
+// The names of a patient are in the images, and the folder is named after him: neither gets into a picture.
+TEST_F(DrawnPictureTest, TellsNothingOfThePatient) {
+    const dicom::test::TemporaryFolder parent;
+    const std::filesystem::path folder = parent / "ROENTGEN-ANNA";
+    const auto files =
+        dicom::test::write(phantom::make({.size = {48, 42, 30}, .spacingMm = {6.4, 6.4, 10.0}}), folder);
+    for (const std::filesystem::path& file : files) {
+        std::ifstream stream(file, std::ios::binary);
+        std::string bytes{std::istreambuf_iterator<char>(stream), {}};
+        const std::size_t name = bytes.find("PHANTOM^MACULA");
+        ASSERT_NE(name, std::string::npos);
+        std::ofstream(file, std::ios::binary) << bytes.replace(name, 14, "ROENTGEN^ANNA ");
+    }
+    Progress progress;
+    auto study = loadStudy(folder, "", progress);
+    ASSERT_TRUE(study) << study.error().message;
+    bringTo16Bits(*study);
+
+    PictureRequest asked = request(trace::Look::dvr);
+    asked.scene.volume = study->volume;
+    RenderRecord record{.seriesDigest = study->seriesDigest,
+                        .preset = publicPresetName(folder.string() + "/roentgen.json"),
+                        .lights = publicLightsName(folder.string() + "/roentgen.hdr"),
+                        .notes = study->notes};
+    record.add(asked, draw(asked));
+    std::string told = toJson(record).dump();
+    for (const auto& [key, value] : metadata(record)) told += key + " " + value + "\n";
+    for (const auto& [key, value] : metadata(SheetRequest{.volume = study->volume, .presets = {{}}}, *study))
+        told += key + " " + value + "\n";
+    std::ranges::transform(told, told.begin(), [](unsigned char c) { return std::tolower(c); });
+    EXPECT_NE(told.find(study->seriesDigest), std::string::npos);
+    for (const char* word : {"roentgen", "anna"})
+        EXPECT_EQ(told.find(word), std::string::npos) << word << told;
+}
+
+// Three presets in two panels: two rows, the third preset alone in the second panel.
+TEST(PresetSheet, HasARowForEachPresetOfAPanel) {
+    const SheetRequest request{.presets = std::vector<TransferFunction>(3), .tilePx = 10, .panels = 2};
+    EXPECT_EQ(sizeOf(request), glm::ivec2(10 * 6 * 2, 20));
+    EXPECT_EQ(placeOf(request, 1).panel, 0);
+    EXPECT_EQ(placeOf(request, 1).row, 1);
+    EXPECT_EQ(placeOf(request, 2).panel, 1);
+    EXPECT_EQ(placeOf(request, 2).row, 0);
+}
+
+// A tile is the picture that the tracer alone makes, and what no preset fills stays black.
+TEST_F(DrawnPictureTest, IsATileOfTheSheet) {
+    const PictureRequest asked = request();
+    SheetRequest sheet{.volume = asked.scene.volume,
+                       .presets = std::vector(3, asked.scene.function),
+                       .tilePx = 16,
+                       .panels = 2,
+                       .samplesPerPixel = 1};
+    Progress progress;
+    const std::vector<std::uint8_t> rgba = gpu::expectOk(drawSheet(device(), sheet, progress));
+    const glm::ivec2 size = sizeOf(sheet);
+    ASSERT_EQ(rgba.size(), 4u * std::size_t(size.x) * std::size_t(size.y));
+    const auto tileAt = [&](int column, int row) {
+        std::vector<std::uint8_t> tile;
+        for (int y = 0; y < 16; ++y) {
+            const auto from = rgba.begin() + 4 * ((row * 16 + y) * size.x + column * 16);
+            tile.insert(tile.end(), from, from + 4 * 16);
+        }
+        return tile;
+    };
+    for (int look = 0; look < 6; ++look) {
+        EXPECT_EQ(tileAt(look, 0), tileAt(look, 1)) << look;      // of the same preset
+        EXPECT_EQ(tileAt(look, 0), tileAt(look + 6, 0)) << look;  // in the other panel
+        EXPECT_EQ(tileAt(look + 6, 1), std::vector<std::uint8_t>(4 * 16 * 16)) << look;
+    }
+    PictureRequest alone = asked;
+    alone.camera = frameBox(asked.scene.volume->worldBox(), sheet.view, 30.0, 1.0);
+    alone.sizePx = {16, 16};
+    alone.samplesPerPixel = 1;
+    EXPECT_EQ(tileAt(0, 0), draw(alone).rgba);
+}
+
+}  // namespace
+}  // namespace macula::app

@@ -1,0 +1,57 @@
+#include "evaluate/measurement.h"
+
+#include <gtest/gtest.h>
+
+namespace macula::evaluate {
+namespace {
+
+TEST(Median, isTheMiddleOrTheMeanOfBothInTheMiddle) {
+    EXPECT_EQ(median({3.0}), 3.0);
+    EXPECT_EQ(median({5.0, 1.0, 2.0}), 2.0);
+    EXPECT_EQ(median({8.0, 1.0, 2.0, 4.0}), 3.0);
+}
+
+// A busy neighbour that slows one turn of both changes neither ratio.
+TEST(Contender, isComparedTurnByTurn) {
+    const Contender ours{.turns = {{10.0, 20.0}, {100.0, 20.0}, {12.0, 30.0}}};
+    const Contender theirs{.turns = {{20.0, 10.0}, {200.0, 10.0}, {24.0, 10.0}}};
+    const Ratio ratio = ours.ratioTo(theirs);
+    EXPECT_DOUBLE_EQ(ratio.wall, 0.5);
+    EXPECT_DOUBLE_EQ(ratio.cpu, 2.0);
+    EXPECT_EQ(ours.medians().wallMs, 12.0);
+    EXPECT_EQ(ours.medians().cpuMs, 20.0);
+    EXPECT_DOUBLE_EQ(ours.ratioTo(ours).wall, 1.0);
+}
+
+TEST(Contender, thatTookNoTimeTookATick) {
+    const Contender ours{.turns = {{1.0, 1.0}}};
+    const Contender none{.turns = {{0.0, 0.0}}};
+    EXPECT_DOUBLE_EQ(ours.ratioTo(none).wall, 1000.0);
+    EXPECT_DOUBLE_EQ(none.ratioTo(ours).cpu, 0.0);
+}
+
+TEST(Spent, isNeverLessThanNothing) {
+    const Spent left = Spent{3.0, 1.0} - Spent{1.0, 2.0};
+    EXPECT_EQ(left.wallMs, 2.0);
+    EXPECT_EQ(left.cpuMs, 0.0);
+    EXPECT_EQ((Spent{3.0, 1.0} / 2.0).wallMs, 1.5);
+}
+
+TEST(Timed, failsAsTheWork) {
+    const auto failed = timed([]() -> Result<void> {
+        return Error{ErrorCode::cancelled, "Stopped.", {}, {}};
+    });
+    ASSERT_FALSE(failed);
+    EXPECT_EQ(failed.error().code, ErrorCode::cancelled);
+    int runs = 0;
+    const auto spent = timed([&]() -> Result<void> {
+        ++runs;
+        return {};
+    });
+    ASSERT_TRUE(spent);
+    EXPECT_EQ(runs, 1);
+    EXPECT_GE(spent->wallMs, 0.0);
+}
+
+}  // namespace
+}  // namespace macula::evaluate
