@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <map>
 
-#include "app/state/parameters.h"
 #include "cli/name_option.h"
 #include "cli/number_range.h"
 #include "cli/output_options.h"
@@ -22,14 +21,8 @@ std::map<std::string, int> looksByName() {
     return looks;
 }
 
-std::string helpOf(const app::Parameter& p) {
-    return fmt::format("{} (default: {:g})", p.does, p.fallback());
-}
-
-}  // namespace
-
-void addRenderOptions(CLI::App& command, RenderOptions& options) {
-    RenderOptions& o = options;
+// Which series, and which preset.
+void addStudyOptions(CLI::App& command, RenderOptions& o) {
     command.add_option(
         "PATH", o.path,
         "Folder with DICOM files, volume file (NIfTI, NRRD, MetaImage), or phantom: (default)");
@@ -44,6 +37,10 @@ void addRenderOptions(CLI::App& command, RenderOptions& options) {
         "--preset", o.preset,
         "Name or number from macula presets, or preset file (default: by what the series shows)");
     command.add_flag("--fit", o.fit, "Stretch the preset's range to the series, for MR: see docs/presets.md");
+}
+
+// From where it is seen, and in which look.
+void addViewOptions(CLI::App& command, RenderOptions& o) {
     auto* view = command.add_option("--view", o.view, "Where the viewer stands (default: anterior)")
                      ->transform(asViewDirection())
                      ->option_text(kViewDirectionNames);
@@ -66,6 +63,10 @@ void addRenderOptions(CLI::App& command, RenderOptions& options) {
     command.add_flag_callback(
         "--shading", [&o] { o.settings.shading = trace::Shading::headlight; },
         "Light dvr from the eye, with the preset's ambient and diffuse parts");
+}
+
+// How many samples are traced, and how they are filtered.
+void addEffortOptions(CLI::App& command, RenderOptions& o) {
     command.add_option(
         "--quality", o.effort.quality,
         "draft, normal, high, reference, or JSON file: samples, bounces, filter and denoising at once");
@@ -77,23 +78,38 @@ void addRenderOptions(CLI::App& command, RenderOptions& options) {
         .add_option("--error", o.effort.error,
                     "Trace until noise is this small, 0.01 of black to white; then --spp is about the most")
         ->check(between(1e-4, 1.0));
-    const app::Parameter& bounces = app::parameter("bounces");
-    command.add_option(std::string(bounces.option), o.effort.bounces, helpOf(bounces))
-        ->check(CLI::Range(int(bounces.low), int(bounces.high)));
+    command.add_option("--bounces", o.effort.bounces, "Scattering events per path of cinematic (default: 4)")
+        ->check(CLI::Range(1, trace::kMaxBounces));
     command.add_flag_function(
         "--denoise,!--no-denoise", [&o](std::int64_t count) { o.effort.denoise = count > 0; },
         "Filter the noise out, guided by what is seen, or not; the picture says that it is denoised");
     command.add_option("--seed", o.settings.seed,
                        "Of the random numbers; the same seed gives the same picture");
+}
+
+void addLightOptions(CLI::App& command, RenderOptions& o) {
     command.add_option("--lights", o.lights,
                        "Name from macula presets, light rig JSON, or HDR or EXR panorama");
-    for (const app::Parameter& p : app::parameters()) {
-        if (p.id == bounces.id) continue;  // which a quality sets too
-        command
-            .add_option_function<double>(
-                std::string(p.option), [&p, &o](double value) { p.set(o.settings, value); }, helpOf(p))
-            ->check(between(p.low, p.high));
-    }
+    command
+        .add_option("--light-rotation", o.settings.lightRotationDeg,
+                    "Degrees to turn the lights about the vertical, towards the patient's left")
+        ->check(between(-360.0, 360.0));
+    command.add_option("--light-strength", o.settings.lightStrength, "Multiplies the lights (default: 1)")
+        ->check(between(0.0, trace::kMaxGain));
+    command
+        .add_option("--exposure", o.settings.exposure,
+                    "Multiplies the picture before the tone map (default: 1)")
+        ->check(between(1e-6, trace::kMaxGain));
+}
+
+}  // namespace
+
+void addRenderOptions(CLI::App& command, RenderOptions& options) {
+    RenderOptions& o = options;
+    addStudyOptions(command, o);
+    addViewOptions(command, o);
+    addEffortOptions(command, o);
+    addLightOptions(command, o);
     command.add_flag("--remove-table", o.removeTable,
                      "Leave out the table and what else lies beside the patient; CT only. What went is said");
     command.add_option("--clip", o.clip,

@@ -116,7 +116,15 @@ Page readPage(std::string_view markdown) {
         }
         mayIndent = line.empty();
         if (line.starts_with("#")) addHeading(page, line);
-        addLinks(page, withoutCode(page, line, number), number);
+        const int first = number;
+        // Code that goes on in the next line.
+        for (std::string more; std::ranges::count(line, '`') % 2 == 1 && std::getline(lines, more);) {
+            ++number;
+            mayIndent = more.find_first_not_of(' ') == std::string::npos;
+            if (mayIndent) break;
+            line += " " + more.substr(more.find_first_not_of(' '));
+        }
+        addLinks(page, withoutCode(page, line, first), first);
     }
     return page;
 }

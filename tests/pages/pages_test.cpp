@@ -54,6 +54,7 @@ TEST(Pages, ABrokenReferenceIsFound) {
         broken("`src/base/volume.h` `src/cli/NAME_command.cpp` `shaders/lib/splat_*.glsl` `a/b`").size(), 0u);
     EXPECT_EQ(broken("`src/base/no_such_file.h`").size(), 1u);
     EXPECT_EQ(broken("- a list\n    `src/base/no_such_file.h`, which goes on").size(), 1u);
+    EXPECT_EQ(readPage("as `macula\n  bench speed` is").codeSpans.at(0).text, "macula bench speed");
 }
 
 TEST(Pages, ACommandThatMaculaRefusesIsFound) {
