@@ -1,5 +1,5 @@
-// Where the light of a pixel comes from, found without chance: its centre ray in eight layers, each of which hides an eighth of
-// what is behind it all, by the march of guides.glsl.
+// Where the light of a pixel comes from, found without chance by the march of guides.glsl: the depths of eight layers along the
+// centre ray. Each layer takes an eighth of the light from behind.
 //
 // Needs guides.glsl, with MARCH_STEP defined as layerStep before it.
 #define LAYERS 8

@@ -48,12 +48,12 @@ struct Path {
     float face;          // what the eye ray meets when no matter stops it: the grey of a face of the clip; 0 if none
 };
 
-// What a ray from the eye is shown.
+// A ray from the eye meets what the clip leaves.
 BrickWalk startEyeWalk(vec3 originVoxel, vec3 directionVoxel) {
     return startWalk(originVoxel, directionVoxel, clipSpans(originVoxel, directionVoxel));
 }
 
-// What light meets: the same, or all of the volume when what is removed still casts shadow.
+// A ray of light meets the clipped volume as the eye does, or all of it when what is removed still casts shadow.
 BrickWalk startLightWalk(vec3 originVoxel, vec3 directionVoxel) {
     if (useClip() && params.clipShadows == 0) return startEyeWalk(originVoxel, directionVoxel);
     return startWalk(originVoxel, directionVoxel, nothingClipped());

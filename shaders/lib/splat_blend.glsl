@@ -20,7 +20,7 @@ float powerAt(vec3 conic, vec2 offset) {
     return float(0.5) * (conic.x * u * u + conic.z * offset.y * offset.y);
 }
 
-// Before limits.
+// Alpha before it is limited and faded (limitedAlpha).
 float rawAlphaAt(ScreenSplat screen, vec2 pixel) {
     return screen.opacity * exp(-powerAt(screen.conic, pixel - screen.mean));
 }

@@ -1,4 +1,4 @@
-// Where the light of a pixel comes from: see shaders/lib/layers.glsl.
+// The depths of eight layers of matter along the centre ray of a pixel: see shaders/lib/layers.glsl.
 #ifndef MACULA_SHARED_PIXEL_LAYERS_H
 #define MACULA_SHARED_PIXEL_LAYERS_H
 #include "shared/shared.h"
@@ -7,7 +7,7 @@ MACULA_SHARED_BEGIN
 MACULA_SHARED_CONST int kPixelLayers = 8;
 
 struct PixelLayers {
-    vec4 nearMm;  // along the centre ray, to where opacity is 1/16, 3/16, 5/16, 7/16; negative where it never is
+    vec4 nearMm;  // along the centre ray, to opacity 1/16, 3/16, 5/16, 7/16; negative: never
     vec4 farMm;   // 9/16, 11/16, 13/16, 15/16
     float coverage;
     float meanMm;  // of the first half of what hides; negative where nothing does

@@ -1,10 +1,11 @@
-// What a sample of a pixel has met first.
+// The primary vertex of a sample: where it first met matter, and the light from there.
 #ifndef MACULA_SHARED_PRIMARY_VERTEX_H
 #define MACULA_SHARED_PRIMARY_VERTEX_H
 #include "shared/shared.h"
 MACULA_SHARED_BEGIN
 
-// Of a pixel, that are told at once. A picture of 1400 x 1400 takes 94 MB then, which every device has in one buffer.
+// The samples of a pixel whose primary vertices one pass tells. A picture of 1400 x 1400 takes 94 MB then,
+// which every device has in one buffer.
 MACULA_SHARED_CONST uint kPrimarySamples = 2u;
 
 struct PrimaryVertex {

@@ -4,13 +4,13 @@
 #include "shared/shared.h"
 MACULA_SHARED_BEGIN
 
-// Dispatches are of whole groups of so many threads: what a kernel does depends on no push constant, for each value of which
-// lavapipe would compile it again.
+// Dispatches are of whole groups of so many threads: what a kernel does depends on no push constant, for each
+// value of which lavapipe would compile it again.
 MACULA_SHARED_CONST uint kSurfaceGroup = 64u;
 
-// So many threads share the work of one point.
+// The number of threads that share the work of one point.
 MACULA_SHARED_CONST uint kSurfaceLanes = 8u;
-// Paths of each, of a pass.
+// The number of light paths of each of these threads in a pass.
 MACULA_SHARED_CONST uint kSurfacePaths = 4u;
 
 // A box that rays are sent through, voxel coordinates with integers at voxel faces.

@@ -49,7 +49,7 @@ struct TraceParams {
     int greyFaces;  // 1: the faces of the clip show the values themselves; 2: and are black, not clear, below
                     // the window
     float greyLow;  // table entry that is black there
-    float greyHigh;  // and white
+    float greyHigh;  // table entry that is white there
     float exposure;  // that will be applied: grey is divided by it
 
     // Where the picture is stored larger, see shaders/lib/fovea.glsl; magnification 1: nowhere.
@@ -66,17 +66,17 @@ struct TraceParams {
     // Ray casting, see shaders/lib/cast.glsl.
     int entryCount;       // of the tables
     float windowLow;      // entry that is black
-    float windowHigh;     // and white
+    float windowHigh;     // entry that is white
     float paddingEntry;   // what padding became; -1: there is none
-    float stepsPerEntry;  // over so many entries, one step
+    float stepsPerEntry;  // integration steps for a change of the value by one entry
     float ambient;        // of a headlight
     float diffuse;
 };
 
 MACULA_SHARED_CONST int kBlockEdge = 8;  // pixels; a work group traces such a square of the picture
 
-// Of a pixel: so many, from a multiple of so many on, are less noisy together than by themselves, see
-// shaders/lib/net.glsl. A power of two.
+// So many samples of a pixel, from a multiple of that number on, are one net: together they are less noisy
+// than so many independent ones, see shaders/lib/net.glsl. A power of two.
 MACULA_SHARED_CONST uint kNetSamples = 4u;
 
 // What a work group does in a dispatch, see src/pipeline/trace/sampling_plan.h. Blocks are numbered row by

@@ -20,7 +20,7 @@ Splat fetchSplat(int splat) {
     return s;
 }
 
-// Before what is below 0 is cut off, see lib/splat_colour.glsl.
+// The sum over bands, before visibleColour (lib/splat_colour.glsl) cuts off what is below 0.
 vec3 colourSumOf(int splat, vec3 direction) {
     vec3 sum = colourOfBand0(fetchParameters3(kSplatDc, splat));
     if (kDegree >= 1) sum += colourOfBand1(direction, fetchSh(0, splat), fetchSh(1, splat), fetchSh(2, splat));

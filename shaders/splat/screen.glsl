@@ -1,4 +1,4 @@
-// Splats in the picture, as project.comp leaves them.
+// Splats projected into the picture, as project.comp writes them.
 layout(binding = 1) uniform samplerBuffer screenTexels;
 
 struct Shown {

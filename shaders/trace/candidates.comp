@@ -1,5 +1,4 @@
-// Places that can be seen, by rays from all sides, and how much of what is seen each stands for: what surface points are
-// chosen from.
+// Candidates for surface points: where rays from all sides meet visible matter, and how much of it each stands for.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 

@@ -1,4 +1,4 @@
-// What samples are gathered on: src/pipeline/trace/film.h.
+// The film, on which samples are summed: src/pipeline/trace/film.h.
 layout(binding = 9, scalar) buffer Sums {
     vec4 sums[];  // premultiplied radiance and coverage
 };

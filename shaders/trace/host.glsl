@@ -24,13 +24,13 @@ const bool kGreyFaces = false;  // not asked for
 layout(binding = 0, scalar) readonly buffer Params {
     TraceParams params;
 };
-layout(binding = 1) uniform usamplerBuffer poolTexels;        // blocks of voxels, as positions in the tables
+layout(binding = 1) uniform usamplerBuffer poolTexels;        // the pool: voxels of blocks, as table entries
 layout(binding = 2) uniform samplerBuffer extinctionTexels;   // per mm, by entry; after them the gradient opacity
 layout(binding = 3) uniform samplerBuffer albedoTexels;       // by entry; w: extinction per mm
 layout(binding = 4) uniform samplerBuffer boundTexels;        // by brick
 layout(binding = 5) uniform samplerBuffer environmentTexels;  // radiance and pdf per steradian, by texel
 layout(binding = 6) uniform samplerBuffer cumulativeTexels;   // see environment.glsl
-layout(binding = 7) uniform usamplerBuffer blockTexels;       // where they are
+layout(binding = 7) uniform usamplerBuffer blockTexels;       // by brick, words of four blocks: level and place in the pool
 layout(binding = 8) uniform usamplerBuffer maskTexels;        // a bit for each voxel: whether the mask shows it
 
 // Voxels are kept in blocks of 8 x 8 x 8. A word says at which level one is kept, 0 to 3 halvings of its edge (bits 30 and

@@ -1,4 +1,4 @@
-// Adds samples to a picture.
+// Adds light paths, as samples, to the pixels of some blocks of the picture.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 

@@ -13,7 +13,7 @@ layout(binding = 15, scalar) writeonly buffer Primaries {
 
 vec3 metMm;  // by the sample under way, from the eye
 
-// Of samples that are complete, by their place. They are written when all are: with a store inside the loop
+// The primary vertices of complete samples. They are written when all samples are complete: with a store inside the loop
 // lavapipe takes two fifths longer.
 PrimaryVertex found[kPrimarySamples];
 uint isFound = 0u;  // a bit for each

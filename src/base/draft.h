@@ -1,4 +1,4 @@
-// What is being written, beside the place that it is for, until it is whole.
+// A draft: what is being written, under a hidden name beside its target, until it is whole.
 #pragma once
 
 #include <filesystem>
@@ -14,7 +14,7 @@ class Draft {
   public:
     enum class Kind { file, folder };
 
-    // Fails with outputNotWritable, at first for a folder that does not exist.
+    // Fails with outputNotWritable, for instance where the folder of the target does not exist.
     static Result<Draft> beside(const std::filesystem::path& target, Kind kind);
 
     Draft(Draft&& other) noexcept;

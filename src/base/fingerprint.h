@@ -1,4 +1,4 @@
-// What tells two volumes apart when their UIDs do not.
+// A digest of a volume, to tell two apart whose UIDs do not.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// How long something may take in all, whatever it does first.
+// A time budget that all stages of a job share.
 #pragma once
 
 #include <chrono>

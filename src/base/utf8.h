@@ -1,4 +1,4 @@
-// Text as programs everywhere take it.
+// Text in UTF-8.
 #pragma once
 
 #include <string_view>

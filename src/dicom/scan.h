@@ -42,7 +42,7 @@ struct Scan {
     std::size_t mediaDirectories = 0;  // DICOMDIR
     int patients = 0;                  // see patient.h for what tells them apart
 
-    std::size_t imageCount() const;   // files
+    std::size_t imageCount() const;   // files that hold images
     std::size_t objectCount() const;  // DICOM objects that are no images
 };
 

@@ -24,7 +24,8 @@ splat::Splats asBrightAs(splat::Splats splats, double gain) {
     return splats;
 }
 
-// Models are kept as they come, and compared when all are there: nothing runs between their steps.
+// Snapshots are only kept while training runs, and compared when all are there, so that nothing else runs
+// between its steps.
 class Evaluation {
   public:
     Evaluation(std::shared_ptr<gpu::Device> device, const EvaluationOptions& options,

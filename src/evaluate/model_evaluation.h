@@ -62,9 +62,10 @@ struct SceneEvaluation {
     // For the truth.
     std::vector<Camera> truthCameras;
     double truthSeconds = 0.0;
-    std::size_t truthFromCache = 0;                   // views of which all was there
-    std::size_t viewsFromCache = 0;                   // to learn from, that took no time
-    std::size_t viewsGivenUp = 0;                     // of all sets: none of the tries showed enough
+    std::size_t truthFromCache = 0;  // views of which all was there
+    std::size_t viewsFromCache = 0;  // to learn from, that took no time
+    // Views of training, refinement and truth of which no draw showed enough matter: the last draw was taken.
+    std::size_t viewsGivenUp = 0;
     std::vector<Snapshot> snapshots;                  // the first model; refined, each after it; never none
     std::vector<std::vector<std::uint8_t>> pictures;  // of the last model, see Comparison
 

@@ -83,7 +83,7 @@ class Bench {
           optimizer_(model.size(), model.shDegree, options.optimizer),
           parameters_(toDouble(componentsOf(model))) {}
 
-    // Each stage until it is done.
+    // Times each stage until the device has done it.
     Result<Turn> deviceTurn() {
         Turn turn;
         Tools& t = tools_;

@@ -21,7 +21,7 @@ namespace macula::evaluate {
 struct ViewScores {
     std::optional<double> psnrDb;
     std::optional<double> maskedPsnrDb;
-    std::optional<double> maskedPsnrLessNoiseDb;  // nothing where the mean square is not above 0 either
+    std::optional<double> maskedPsnrLessNoiseDb;  // also absent where the mean square is not above 0
     std::optional<double> maskedMseLessNoise;  // below 0 where the error is less than the noise leaves to see
     std::optional<double> maskedMseLessNoiseError;  // standard error of that, by noise of the truth
     std::optional<double> coveredPsnrDb;
@@ -61,7 +61,7 @@ Result<ViewScores> scoresOf(const hybrid::TruthPicture& truth, std::span<const g
 std::optional<image::SquareError> squareErrorOver(std::span<const ViewScores> views);
 
 struct Spread {
-    std::size_t count = 0;  // of what has a number
+    std::size_t count = 0;  // values that there are
     double mean = 0.0;
     double p10 = 0.0;
     double p50 = 0.0;

@@ -1,5 +1,6 @@
 #include "formats/nifti.h"
 
+#include <nifti2_io.h>
 #include <zlib.h>
 
 #include <algorithm>
@@ -21,31 +22,13 @@ namespace fs = std::filesystem;
 static_assert(std::endian::native == std::endian::little,
               "headers and data are written as they lie in memory");
 
-constexpr std::size_t kHeaderBytes = 348;
+constexpr std::size_t kHeaderBytes = sizeof(nifti_1_header);
+static_assert(kHeaderBytes == 348);
 constexpr std::int32_t kNifti2Bytes = 540;
-constexpr std::size_t kDataOffset = 352;  // the header, and four zeros: no extensions
+constexpr std::array<char, 4> kNoExtensions{};  // what follows the header
+constexpr std::size_t kDataOffset = kHeaderBytes + kNoExtensions.size();
 constexpr std::size_t kPortion = std::size_t{1} << 20;
 
-// Offsets into the header.
-constexpr std::size_t kDim = 40;
-constexpr std::size_t kDatatype = 70;
-constexpr std::size_t kBitpix = 72;
-constexpr std::size_t kPixdim = 76;
-constexpr std::size_t kVoxOffset = 108;
-constexpr std::size_t kSlope = 112;
-constexpr std::size_t kIntercept = 116;
-constexpr std::size_t kUnits = 123;
-constexpr std::size_t kDescription = 148;  // 80 characters, the last a zero
-constexpr std::size_t kDescriptionBytes = 80;
-constexpr std::size_t kQformCode = 252;
-constexpr std::size_t kSformCode = 254;
-constexpr std::size_t kQuatern = 256;
-constexpr std::size_t kQoffset = 268;
-constexpr std::size_t kSrow = 280;
-constexpr std::size_t kMagic = 344;
-
-// The scanner's axes: what DICOM's patient coordinates are, with two of them turned around.
-constexpr std::int16_t kScannerCode = 1;
 // The qform may differ from the affine by so much at a corner; of a half turn, float32 keeps no more.
 constexpr double kQformToleranceMm = 0.01;
 
@@ -55,14 +38,14 @@ struct Datatype {
     std::int16_t code;
     ScalarType type;
 };
-constexpr std::array<Datatype, 8> kDatatypes{{{2, ScalarType::uint8},
-                                              {4, ScalarType::int16},
-                                              {8, ScalarType::int32},
-                                              {16, ScalarType::float32},
-                                              {64, ScalarType::float64},
-                                              {256, ScalarType::int8},
-                                              {512, ScalarType::uint16},
-                                              {768, ScalarType::uint32}}};
+constexpr std::array<Datatype, 8> kDatatypes{{{DT_UINT8, ScalarType::uint8},
+                                              {DT_INT16, ScalarType::int16},
+                                              {DT_INT32, ScalarType::int32},
+                                              {DT_FLOAT32, ScalarType::float32},
+                                              {DT_FLOAT64, ScalarType::float64},
+                                              {DT_INT8, ScalarType::int8},
+                                              {DT_UINT16, ScalarType::uint16},
+                                              {DT_UINT32, ScalarType::uint32}}};
 
 Error notUsable(std::string message, std::string hint = "Convert it with the program it comes from.") {
     return {ErrorCode::inputNotUsable, std::move(message), {}, std::move(hint)};
@@ -76,83 +59,22 @@ std::int32_t swapped32(std::uint32_t value) {
     return static_cast<std::int32_t>(__builtin_bswap32(value));
 }
 
-class Header {
-  public:
-    explicit Header(bool swapped = false) : swapped_(swapped) {}
-
-    std::array<std::byte, kDataOffset> bytes{};
-
-    template <class T>
-    T get(std::size_t offset) const {
-        std::array<std::byte, sizeof(T)> raw;
-        std::memcpy(raw.data(), bytes.data() + offset, sizeof(T));
-        if (swapped_) std::reverse(raw.begin(), raw.end());
-        return std::bit_cast<T>(raw);
-    }
-    template <class T>
-    void set(std::size_t offset, T value) {
-        std::memcpy(bytes.data() + offset, &value, sizeof(T));
-    }
-    bool swapped() const { return swapped_; }
-
-  private:
-    bool swapped_;
-};
-
-// The rotation of the quaternion (1 - b² - c² - d², b, c, d).
-glm::dmat3 rotationOf(double b, double c, double d) {
-    const double a = std::sqrt(std::max(0.0, 1.0 - b * b - c * c - d * d));
-    return {glm::dvec3(a * a + b * b - c * c - d * d, 2 * (b * c + a * d), 2 * (b * d - a * c)),
-            glm::dvec3(2 * (b * c - a * d), a * a + c * c - b * b - d * d, 2 * (c * d + a * b)),
-            glm::dvec3(2 * (b * d + a * c), 2 * (c * d - a * b), a * a + d * d - b * b - c * c)};
+glm::dmat4 qformOf(const nifti_1_header& header) {
+    // The library takes spacings that are not positive for 1.
+    const auto [m] = nifti_quatern_to_dmat44(header.quatern_b, header.quatern_c, header.quatern_d, 0, 0, 0, 1,
+                                             1, 1, header.pixdim[0]);
+    const auto axis = [&](int n) {
+        return glm::dvec3(m[0][n], m[1][n], m[2][n]) * double(header.pixdim[n + 1]);
+    };
+    return affine(axis(0), axis(1), axis(2), {header.qoffset_x, header.qoffset_y, header.qoffset_z});
 }
 
-// b, c, d of a rotation, with a >= 0. Of the four ways to get there, the one that divides by the largest.
-glm::dvec3 quaternionOf(const glm::dmat3& m) {
-    const double xx = m[0][0], yy = m[1][1], zz = m[2][2];
-    const std::array<double, 4> squares{1 + xx + yy + zz, 1 + xx - yy - zz, 1 - xx + yy - zz,
-                                        1 - xx - yy + zz};
-    const auto largest = std::max_element(squares.begin(), squares.end()) - squares.begin();
-    const double most = 0.5 * std::sqrt(squares[static_cast<std::size_t>(largest)]);
-    const double f = 0.25 / most;
-    double a = 0.0;
-    glm::dvec3 q(0.0);
-    switch (largest) {
-        case 0:
-            a = most;
-            q = {f * (m[1][2] - m[2][1]), f * (m[2][0] - m[0][2]), f * (m[0][1] - m[1][0])};
-            break;
-        case 1:
-            a = f * (m[1][2] - m[2][1]);
-            q = {most, f * (m[0][1] + m[1][0]), f * (m[0][2] + m[2][0])};
-            break;
-        case 2:
-            a = f * (m[2][0] - m[0][2]);
-            q = {f * (m[0][1] + m[1][0]), most, f * (m[1][2] + m[2][1])};
-            break;
-        default:
-            a = f * (m[0][1] - m[1][0]);
-            q = {f * (m[0][2] + m[2][0]), f * (m[1][2] + m[2][1]), most};
-            break;
-    }
-    return a < 0.0 ? -q : q;
-}
-
-glm::dmat4 qformOf(const Header& header) {
-    const auto number = [&](std::size_t offset) { return double(header.get<float>(offset)); };
-    const glm::dmat3 rotation = rotationOf(number(kQuatern), number(kQuatern + 4), number(kQuatern + 8));
-    const double handedness = number(kPixdim) < 0.0 ? -1.0 : 1.0;
-    return affine(rotation[0] * number(kPixdim + 4), rotation[1] * number(kPixdim + 8),
-                  rotation[2] * number(kPixdim + 12) * handedness,
-                  {number(kQoffset), number(kQoffset + 4), number(kQoffset + 8)});
-}
-
-glm::dmat4 sformOf(const Header& header) {
+glm::dmat4 sformOf(const nifti_1_header& header) {
     glm::dmat4 m(1.0);
-    for (int row = 0; row < 3; ++row) {
-        for (int column = 0; column < 4; ++column)
-            m[column][row] =
-                double(header.get<float>(kSrow + 16 * std::size_t(row) + 4 * std::size_t(column)));
+    for (int column = 0; column < 4; ++column) {
+        m[column][0] = header.srow_x[column];
+        m[column][1] = header.srow_y[column];
+        m[column][2] = header.srow_z[column];
     }
     return m;
 }
@@ -167,11 +89,8 @@ double largestDifferenceMm(const glm::dmat4& a, const glm::dmat4& b, const glm::
     return most;
 }
 
-Result<Header> headerFor(const RawImageLayout& image) {
-    Header header;
-    const auto number = [&](std::size_t offset, double value) {
-        header.set(offset, static_cast<float>(value));
-    };
+Result<nifti_1_header> headerFor(const RawImageLayout& image) {
+    nifti_1_header header{};
     const glm::ivec3 size = image.size;
     if (std::max({size.x, size.y, size.z}) > 32767) {
         return Error{
@@ -180,52 +99,49 @@ Result<Header> headerFor(const RawImageLayout& image) {
             {},
             "Write a .nrrd or .mha file."};
     }
-    header.set(0, static_cast<std::int32_t>(kHeaderBytes));
-    header.set(38, 'r');  // "regular", which some readers ask for
+    header.sizeof_hdr = kHeaderBytes;
+    header.regular = 'r';  // some readers ask for it
     const std::array<int, 8> dim{3, size.x, size.y, size.z, 1, 1, 1, 1};
-    for (std::size_t i = 0; i < dim.size(); ++i) header.set(kDim + 2 * i, static_cast<std::int16_t>(dim[i]));
+    std::transform(dim.begin(), dim.end(), header.dim, [](int n) { return static_cast<short>(n); });
     for (const Datatype& known : kDatatypes) {
-        if (known.type == image.type) header.set(kDatatype, known.code);
+        if (known.type == image.type) header.datatype = known.code;
     }
-    header.set(kBitpix, static_cast<std::int16_t>(8 * bytesOf(image.type)));
-    number(kVoxOffset, kDataOffset);
-    number(kSlope, image.slope);
-    number(kIntercept, image.intercept);
-    header.set(kUnits, char{2});  // mm
-    std::memcpy(header.bytes.data() + kMagic, "n+1", 4);
+    header.bitpix = static_cast<short>(8 * bytesOf(image.type));
+    header.vox_offset = kDataOffset;
+    header.scl_slope = static_cast<float>(image.slope);
+    header.scl_inter = static_cast<float>(image.intercept);
+    header.xyzt_units = NIFTI_UNITS_MM;
+    std::memcpy(header.magic, "n+1", sizeof(header.magic));
     const std::string note = valueNote(image);
-    std::memcpy(header.bytes.data() + kDescription, note.data(),
-                std::min(note.size(), kDescriptionBytes - 1));
+    std::memcpy(header.descrip, note.data(), std::min(note.size(), sizeof(header.descrip) - 1));
 
     const glm::dmat4 rasFromVoxel = kLpsFromRas * image.worldFromVoxel;  // the map is its own inverse
-    for (std::size_t row = 0; row < 3; ++row) {
-        for (std::size_t column = 0; column < 4; ++column)
-            number(kSrow + 16 * row + 4 * column, rasFromVoxel[int(column)][int(row)]);
+    nifti_dmat44 rows{};
+    for (int column = 0; column < 4; ++column) {
+        for (int row = 0; row < 4; ++row) rows.m[row][column] = rasFromVoxel[column][row];
+        header.srow_x[column] = static_cast<float>(rows.m[0][column]);
+        header.srow_y[column] = static_cast<float>(rows.m[1][column]);
+        header.srow_z[column] = static_cast<float>(rows.m[2][column]);
     }
-    header.set(kSformCode, kScannerCode);
+    // What is the scanner's are DICOM's patient coordinates, with two axes turned around.
+    header.sform_code = NIFTI_XFORM_SCANNER_ANAT;
 
-    glm::dmat3 axes(rasFromVoxel);
-    glm::dvec3 spacing(0.0);
-    for (int axis = 0; axis < 3; ++axis) {
-        spacing[axis] = glm::length(axes[axis]);
-        axes[axis] /= spacing[axis];
-    }
-    const double handedness = glm::determinant(axes) < 0.0 ? -1.0 : 1.0;
-    axes[2] *= handedness;
-    const glm::dvec3 quaternion = quaternionOf(axes);
-    number(kPixdim, handedness);
+    std::array<double, 10> q{};
+    nifti_dmat44_to_quatern(rows, &q[0], &q[1], &q[2], &q[3], &q[4], &q[5], &q[6], &q[7], &q[8], &q[9]);
+    const auto at = [&](std::size_t n) { return static_cast<float>(q[n]); };
+    nifti_1_header withQform = header;
+    withQform.qform_code = NIFTI_XFORM_SCANNER_ANAT;
+    withQform.quatern_b = at(0), withQform.quatern_c = at(1), withQform.quatern_d = at(2);
+    withQform.qoffset_x = at(3), withQform.qoffset_y = at(4), withQform.qoffset_z = at(5);
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        number(kPixdim + 4 + 4 * axis, spacing[int(axis)]);
-        number(kQuatern + 4 * axis, quaternion[int(axis)]);
-        number(kQoffset + 4 * axis, rasFromVoxel[3][int(axis)]);
+        header.pixdim[1 + axis] = withQform.pixdim[1 + axis] = at(6 + axis);
     }
-    if (largestDifferenceMm(qformOf(header), sformOf(header), size) <= kQformToleranceMm) {
-        header.set(kQformCode, kScannerCode);
-    } else {  // sheared: a rotation and three spacings cannot say it, and half the truth is none
-        for (std::size_t offset = kQuatern; offset < kSrow; offset += 4) number(offset, 0.0);
-        number(kPixdim, 1.0);
-    }
-    return header;
+    withQform.pixdim[0] = at(9);
+    header.pixdim[0] = 1.0f;
+    // Of a sheared image it is not written: a rotation and three spacings cannot say it, and half the truth
+    // is none.
+    const bool isTrue = largestDifferenceMm(qformOf(withQform), sformOf(header), size) <= kQformToleranceMm;
+    return isTrue ? withQform : header;
 }
 
 struct CloseGz {
@@ -235,17 +151,17 @@ using GzFile = std::unique_ptr<std::remove_pointer_t<gzFile>, CloseGz>;
 
 struct Opened {
     fs::path path;
-    Header header;
+    nifti_1_header header;
+    bool swapped = false;
     bool compressed = false;
 };
 
 Result<Opened> open(const fs::path& path) {
     const GzFile file(gzopen(path.c_str(), "rb"));
     if (!file) return notUsable("The file cannot be read.", "Check the path and its permissions.");
-    std::array<std::byte, kDataOffset> bytes{};
-    const int got = gzread(file.get(), bytes.data(), kHeaderBytes);
-    std::int32_t first = 0;
-    std::memcpy(&first, bytes.data(), sizeof(first));
+    nifti_1_header header{};
+    const int got = gzread(file.get(), &header, kHeaderBytes);
+    const std::int32_t first = header.sizeof_hdr;
     const bool swapped = first == swapped32(kHeaderBytes);
     if (first == kNifti2Bytes || first == swapped32(kNifti2Bytes)) {
         return notUsable("This is a NIfTI-2 file; Macula reads NIfTI-1.");
@@ -253,17 +169,15 @@ Result<Opened> open(const fs::path& path) {
     if (got < 4 || !(swapped || first == std::int32_t(kHeaderBytes)))
         return notUsable("This is no NIfTI file.");
     if (got < static_cast<int>(kHeaderBytes)) return cutOff();
-    Opened opened{path, Header(swapped), gzdirect(file.get()) == 0};
-    opened.header.bytes = bytes;
-    return opened;
+    if (swapped) nifti_swap_as_nifti1(&header);
+    return Opened{path, header, swapped, gzdirect(file.get()) == 0};
 }
 
 Result<ScalarType> typeOf(std::int16_t code) {
     for (const Datatype& known : kDatatypes) {
         if (known.code == code) return known.type;
     }
-    constexpr std::int16_t kRgb = 128, kRgba = 2304;
-    if (code == kRgb || code == kRgba) {
+    if (code == DT_RGB24 || code == DT_RGBA32) {
         return notUsable("The image is in colour; a volume needs one value in each voxel.");
     }
     return notUsable(
@@ -272,12 +186,12 @@ Result<ScalarType> typeOf(std::int16_t code) {
                     code));
 }
 
-Result<glm::ivec3> sizeOf(const Header& header) {
-    const int axes = header.get<std::int16_t>(kDim);
+Result<glm::ivec3> sizeOf(const nifti_1_header& header) {
+    const int axes = header.dim[0];
     if (axes < 1 || axes > 7) return notUsable("The header of the NIfTI file is damaged.");
     std::array<int, 7> length{1, 1, 1, 1, 1, 1, 1};
     for (std::size_t axis = 0; axis < std::size_t(axes); ++axis) {
-        length[axis] = header.get<std::int16_t>(kDim + 2 + 2 * axis);
+        length[axis] = header.dim[axis + 1];
         if (length[axis] < 1) return notUsable("The header of the NIfTI file is damaged.");
     }
     if (length[3] > 1) {
@@ -293,15 +207,15 @@ Result<glm::ivec3> sizeOf(const Header& header) {
 }
 
 // Millimetres in one unit of the header; mm when it does not say.
-double unitMm(const Header& header) {
-    const int units = std::to_integer<int>(header.bytes[kUnits]) & 7;
-    return units == 1 ? 1000.0 : units == 3 ? 0.001 : 1.0;
+double unitMm(const nifti_1_header& header) {
+    const int units = XYZT_TO_SPACE(header.xyzt_units);
+    return units == NIFTI_UNITS_METER ? 1000.0 : units == NIFTI_UNITS_MICRON ? 0.001 : 1.0;
 }
 
-glm::dmat4 rasFromVoxelOf(const Header& header, const glm::ivec3& size,
+glm::dmat4 rasFromVoxelOf(const nifti_1_header& header, const glm::ivec3& size,
                           std::vector<std::string>& assumptions) {
-    const bool hasSform = header.get<std::int16_t>(kSformCode) > 0;
-    const bool hasQform = header.get<std::int16_t>(kQformCode) > 0;
+    const bool hasSform = header.sform_code > 0;
+    const bool hasQform = header.qform_code > 0;
     if (hasSform) {
         const glm::dmat4 sform = sformOf(header);
         if (hasQform) {
@@ -320,44 +234,40 @@ glm::dmat4 rasFromVoxelOf(const Header& header, const glm::ivec3& size,
     assumptions.emplace_back(
         "The file does not say how the image lies in the patient: its axes were taken to lead to the right, "
         "to the front and up. Left and right may be exchanged.");
-    const auto spacing = [&](std::size_t axis) { return double(header.get<float>(kPixdim + 4 * axis)); };
-    return affine({spacing(1), 0, 0}, {0, spacing(2), 0}, {0, 0, spacing(3)}, glm::dvec3(0.0));
+    return affine({header.pixdim[1], 0, 0}, {0, header.pixdim[2], 0}, {0, 0, header.pixdim[3]},
+                  glm::dvec3(0.0));
 }
 
 Result<ValuesInFile> valuesOf(const Opened& opened) {
-    const double offset = opened.header.get<float>(kVoxOffset);
+    const double offset = opened.header.vox_offset;
     constexpr double kMost = 1e9;  // what extensions of the header may hold, and some
     if (!(offset >= double(kHeaderBytes) && offset <= kMost))
         return notUsable("The header of the NIfTI file is damaged.");
-    ValuesInFile values{
-        .file = opened.path, .compressed = opened.compressed, .bigEndian = opened.header.swapped()};
+    ValuesInFile values{.file = opened.path, .compressed = opened.compressed, .bigEndian = opened.swapped};
     (opened.compressed ? values.skip : values.offset) = static_cast<std::uint64_t>(offset);
     return values;
 }
 
 Result<RawImageLayout> layoutOf(const Opened& opened) {
-    const Header& header = opened.header;
-    std::array<char, 4> magic{};
-    std::memcpy(magic.data(), header.bytes.data() + kMagic, magic.size());
-    if (std::memcmp(magic.data(), "ni1", 4) == 0) {
+    const nifti_1_header& header = opened.header;
+    if (std::memcmp(header.magic, "ni1", 4) == 0) {
         return notUsable("The header and the image lie in two files (.hdr and .img).",
                          "Write them to one .nii file.");
     }
-    if (std::memcmp(magic.data(), "n+1", 4) != 0) {
+    if (std::memcmp(header.magic, "n+1", 4) != 0) {
         return notUsable("This is an ANALYZE file, which does not tell left from right.",
                          "Write it as NIfTI.");
     }
     RawImageLayout layout;
     MACULA_TRY(layout.size, sizeOf(header));
-    MACULA_TRY(layout.type, typeOf(header.get<std::int16_t>(kDatatype)));
-    const double slope = header.get<float>(kSlope);
-    const double intercept = header.get<float>(kIntercept);
+    MACULA_TRY(layout.type, typeOf(header.datatype));
+    const double slope = header.scl_slope;
+    const double intercept = header.scl_inter;
     if (std::isfinite(slope) && slope != 0.0 && std::isfinite(intercept)) {  // else: raw values are meant
         layout.slope = slope;
         layout.intercept = intercept;
     }
-    readValueNote({reinterpret_cast<const char*>(header.bytes.data() + kDescription), kDescriptionBytes},
-                  layout);
+    readValueNote({header.descrip, sizeof(header.descrip)}, layout);
     glm::dmat4 rasFromVoxel = rasFromVoxelOf(header, layout.size, layout.assumptions);
     const double scale = unitMm(header);
     for (int column = 0; column < 4; ++column)
@@ -375,7 +285,7 @@ Result<RawImageLayout> layoutOf(const Opened& opened) {
 }  // namespace
 
 Result<void> writeNifti(const fs::path& path, const RawImage& image, Progress& progress) {
-    MACULA_TRY(const Header header, headerFor(image));
+    MACULA_TRY(const nifti_1_header header, headerFor(image));
     const auto failed = [] {
         return Error{ErrorCode::outputNotWritable,
                      "The file could not be written.",
@@ -387,7 +297,9 @@ Result<void> writeNifti(const fs::path& path, const RawImage& image, Progress& p
     if (!file) return failed();
     gzbuffer(file.get(), kPortion);
     progress.beginStage("Writing", (image.data.size() + kPortion - 1) / kPortion);
-    if (gzwrite(file.get(), header.bytes.data(), kDataOffset) != static_cast<int>(kDataOffset))
+    if (gzwrite(file.get(), &header, kHeaderBytes) != static_cast<int>(kHeaderBytes) ||
+        gzwrite(file.get(), kNoExtensions.data(), kNoExtensions.size()) !=
+            static_cast<int>(kNoExtensions.size()))
         return failed();
     for (std::size_t at = 0; at < image.data.size(); at += kPortion) {
         const auto length = static_cast<unsigned>(std::min(kPortion, image.data.size() - at));

@@ -1,8 +1,8 @@
 // NIfTI-1 files, .nii and .nii.gz.
 //
 // Not by ITK: its NIfTI reader and writer (5.2.1) make every affine orthonormal in silence, so a series of a
-// tilted gantry would change its shape on the way. The format is one header of 348 bytes:
-// https://nifti.nimh.nih.gov/pub/dist/src/niftilib/nifti1.h
+// tilted gantry would change its shape on the way. Header and quaternions are niftilib's; its readers, which
+// trust what the header says of sizes and open a second file that it names, are not used.
 #pragma once
 
 #include <filesystem>

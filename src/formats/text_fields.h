@@ -1,13 +1,13 @@
 // What the text headers of NRRD and MetaImage have in common.
 #pragma once
 
-#include <charconv>
 #include <filesystem>
 #include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "base/parsing.h"
 #include "formats/raw_values.h"
 
 namespace macula::formats {
@@ -17,17 +17,9 @@ Error headerDamaged();
 // What is assumed where a file does not say how it lies in the patient.
 std::string lpsAssumed();
 
-std::string trimmed(const std::string& text);
 std::string lowerCase(std::string text);
 std::vector<std::string> words(const std::string& text);
 
-template <class T>
-std::optional<T> parseNumber(const std::string& text) {
-    T value{};
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size()) return {};
-    return value;
-}
 // Nothing when there are more or fewer, or one is no number.
 std::optional<std::vector<double>> parseNumbers(const std::string& text, std::size_t count);
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "presets/numbers.h"
+#include "base/parsing.h"
 #include "presets/preset_name.h"
 #include "presets/vtk_curve.h"
 #include "presets/xml_document.h"
@@ -37,7 +37,7 @@ class PointReader {
 
   private:
     double number(pugi::xml_node point, const char* key, double low, double high) {
-        const std::optional<double> read = numberFrom(point.attribute(key).value());
+        const std::optional<double> read = finiteNumber(point.attribute(key).value());
         if (read && *read >= low && *read <= high) return *read;
         if (!error_) {
             error_ = Error{ErrorCode::inputNotUsable,

@@ -7,10 +7,6 @@
 
 namespace macula::presets {
 
-// The whole of `text`, spaces around it aside. Nothing for what is no number, is not finite, or too large for
-// a double.
-std::optional<double> numberFrom(std::string_view text);
-
 // All numbers of a text in which they stand between spaces. Nothing when one of them is none, or there are
 // more than `most`.
 std::optional<std::vector<double>> numbersFrom(std::string_view text, std::size_t most);

@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "presets/numbers.h"
+#include "base/parsing.h"
 #include "presets/xml_document.h"
 
 namespace macula::presets {
@@ -24,7 +24,7 @@ class Converter {
         if (type == "string" || type == "date" || type == "data") return Json(std::string(text));
         if (type == "true" || type == "false") return Json(type == "true");
         if (type == "real" || type == "integer") {
-            const std::optional<double> number = numberFrom(text);
+            const std::optional<double> number = finiteNumber(text);
             if (number) return Json(*number);
             return fail("holds a number that cannot be read");
         }

@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "presets/numbers.h"
+#include "base/parsing.h"
 #include "presets/preset_name.h"
 #include "presets/slicer_light.h"
 #include "presets/vtk_curve.h"
@@ -51,7 +51,7 @@ Result<ImportedPresets> presetsFromSlicerVp(const PresetText& file) {
     const std::optional<Interpolation> interpolation = interpolationFrom(lines[0]);
     if (!interpolation) return fail(0, "the interpolation, 0 for nearest or 1 for linear");
     function.interpolation = *interpolation;
-    const std::optional<double> shade = numberFrom(lines[1]);
+    const std::optional<double> shade = finiteNumber(lines[1]);
     if (!shade || (*shade != 0.0 && *shade != 1.0)) return fail(1, "whether it is shaded, 0 or 1");
     Lighting& light = function.lighting;
     light.shade = *shade == 1.0;

@@ -1,88 +1,45 @@
 #include "segment/distance.h"
 
+#include "segment/itk_image.h"
+
+#include <itkSignedMaurerDistanceMapImageFilter.h>
+
 #include <algorithm>
-#include <cmath>
 #include <limits>
-#include <span>
 
 #include "base/parallel.h"
 
 namespace macula::segment {
 
-namespace {
-
-constexpr float kFar = std::numeric_limits<float>::infinity();
-
-void takeNearer(std::span<float> to, std::span<const float> from, float more) {
-    for (std::size_t n = 0; n < to.size(); ++n) to[n] = std::min(to[n], from[n] + more);
+Result<std::vector<float>> distanceTo(const Grid& grid, const Mask& mask) try {
+    if (std::find_if(mask.begin(), mask.end(), [](std::uint8_t in) { return in != 0; }) == mask.end())
+        return std::vector<float>(mask.size(), std::numeric_limits<float>::infinity());
+    using Filter = itk::SignedMaurerDistanceMapImageFilter<MaskImage, itk::Image<float, 3>>;
+    const auto filter = Filter::New();
+    filter->SetInput(imageOf(grid, mask));
+    filter->SetSquaredDistance(false);
+    filter->SetUseImageSpacing(true);
+    filter->SetNumberOfWorkUnits(static_cast<itk::ThreadIdType>(coreCount()));
+    filter->Update();
+    const float* signedMm = filter->GetOutput()->GetBufferPointer();  // negative within
+    std::vector<float> mm(mask.size());
+    std::transform(signedMm, signedMm + mask.size(), mm.begin(), [](float d) { return std::max(d, 0.0f); });
+    return mm;
+} catch (const itk::ExceptionObject&) {
+    return itkFailed();
 }
 
-// One axis of the squared distance: each line (of `length` elements) takes the least of the lines beside it,
-// each farther by the square of its offset. Of a line beside itself the elements are the lines.
-void spread(std::span<const float> from, std::span<float> to, std::size_t lines, std::size_t length,
-            double spacingMm, double reachMm) {
-    std::copy(from.begin(), from.end(), to.begin());
-    const auto reach = static_cast<std::size_t>(reachMm / spacingMm);
-    for (std::size_t offset = 1; offset <= std::min(reach, lines - 1); ++offset) {
-        const double mm = double(offset) * spacingMm;
-        const auto more = static_cast<float>(mm * mm);
-        const std::size_t shift = offset * length;
-        const std::size_t count = (lines - offset) * length;
-        takeNearer(to.first(count), from.subspan(shift, count), more);
-        takeNearer(to.subspan(shift, count), from.first(count), more);
-    }
-}
-
-}  // namespace
-
-std::vector<float> distanceTo(const Grid& grid, const Mask& mask, double reachMm) {
-    const auto na = std::size_t(grid.size.x);
-    const auto nb = std::size_t(grid.size.y);
-    const auto nc = std::size_t(grid.size.z);
-    const std::size_t slice = grid.sliceSize();
-    std::vector<float> squared(mask.size());
-    parallelFor(nc, [&](std::size_t c) {
-        std::vector<float> buffer(slice);
-        const std::span<float> out(squared.data() + c * slice, slice);
-        for (std::size_t n = 0; n < slice; ++n) out[n] = mask[c * slice + n] != 0 ? 0.0f : kFar;
-        for (std::size_t b = 0; b < nb; ++b)
-            spread(out.subspan(b * na, na), std::span(buffer).subspan(b * na, na), na, 1, grid.spacingMm.x,
-                   reachMm);
-        spread(buffer, out, nb, na, grid.spacingMm.y, reachMm);
-    });
-    // Row by row of all slices at once: what is read and written stays in the cache.
-    const auto limit = static_cast<float>(reachMm * reachMm);
-    std::vector<float> distance(mask.size());
-    parallelFor(nb, [&](std::size_t b) {
-        std::vector<float> from(nc * na);
-        std::vector<float> to(nc * na);
-        for (std::size_t c = 0; c < nc; ++c)
-            std::copy_n(squared.data() + c * slice + b * na, na, from.data() + c * na);
-        spread(from, to, nc, na, grid.spacingMm.z, reachMm);
-        for (std::size_t c = 0; c < nc; ++c) {
-            for (std::size_t a = 0; a < na; ++a) {
-                const float value = to[c * na + a];
-                distance[c * slice + b * na + a] = value <= limit ? std::sqrt(value) : kFar;
-            }
-        }
-    });
-    return distance;
-}
-
-Mask opened(const Grid& grid, const Mask& mask, double radiusMm, double reachMm,
-            std::vector<float>& depthMm) {
+Result<Opened> opened(const Grid& grid, const Mask& mask, double radiusMm) {
     Mask other(mask.size());
     std::transform(mask.begin(), mask.end(), other.begin(),
                    [](std::uint8_t in) { return std::uint8_t(in != 0 ? 0 : 1); });
-    depthMm = distanceTo(grid, other, reachMm);
+    MACULA_TRY(std::vector<float> depthMm, distanceTo(grid, other));
     const auto radius = static_cast<float>(radiusMm);
-    for (std::size_t n = 0; n < mask.size(); ++n) {
-        other[n] = depthMm[n] > radius ? 1 : 0;
-        depthMm[n] = std::min(depthMm[n], static_cast<float>(reachMm));
-    }
-    const std::vector<float> toCore = distanceTo(grid, other, radiusMm);
+    std::transform(depthMm.begin(), depthMm.end(), other.begin(),
+                   [&](float depth) { return std::uint8_t(depth > radius ? 1 : 0); });
+    MACULA_TRY(const std::vector<float> toCore, distanceTo(grid, other));
     for (std::size_t n = 0; n < mask.size(); ++n) other[n] = mask[n] != 0 && toCore[n] <= radius ? 1 : 0;
-    return other;
+    return Opened{std::move(other), std::move(depthMm)};
 }
 
 }  // namespace macula::segment

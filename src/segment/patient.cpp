@@ -21,10 +21,8 @@ constexpr double kRimMm = 4.5;         // what opening takes off the patient's o
 constexpr double kSkinMm = 4.0;        // of air kept around the patient, with hair and the edge of the skin
 constexpr double kAppendageMl = 20.0;  // ears and fingers are smaller, sheets and tubes larger
 constexpr double kAppendageMm = 80.0;
-constexpr double kNearThickMm = 8.0;
 constexpr double kLeastDepthMm = 8.0;  // radius of the largest ball in a patient: in a child's wrist
 constexpr double kBodyDepthMm = 12.0;
-constexpr double kDeepestMm = 16.0;  // nothing asks for more
 constexpr double kLeastPatientMl = 5.0;
 constexpr double kReportedMl = 1.0;
 constexpr std::size_t kSteps = 8;
@@ -40,11 +38,10 @@ struct Thick {
 };
 
 Result<Thick> thickOf(const CoarseGrid& coarse, const Mask& dense, const CancelToken& token) {
-    std::vector<float> depthMm;
-    Mask mask = opened(coarse.grid, dense, kThickMm, kDeepestMm, depthMm);
-    fillEnclosed(coarse.grid, coarse.outside, mask, token);
-    MACULA_TRY(Parts parts, partsOf(coarse.grid, mask, false, depthMm));
-    return Thick{std::move(mask), std::move(parts)};
+    MACULA_TRY(Opened thick, opened(coarse.grid, dense, kThickMm));
+    fillEnclosed(coarse.grid, coarse.outside, thick.mask, token);
+    MACULA_TRY(Parts parts, partsOf(coarse.grid, thick.mask, false, thick.depthMm));
+    return Thick{std::move(thick.mask), std::move(parts)};
 }
 
 const Part* largestOf(const Parts& parts) {
@@ -89,7 +86,7 @@ std::vector<char> patientParts(const CoarseGrid& coarse, Parts& parts) {
     if (largest == nullptr || double(largest->blocks) * coarse.blockMl < kLeastPatientMl) return kept;
     for (std::size_t n = 0; n < kept.size(); ++n) {
         const Part& part = parts.parts[n];
-        const bool second = part.depthMm >= std::max(kLeastDepthMm, 0.25 * double(largest->depthMm)) &&
+        const bool second = part.depthMm >= kLeastDepthMm &&
                             double(part.blocks) * coarse.blockMl >= kLeastSecondMl &&
                             !isFurniture(coarse.grid, part);
         kept[n] = &part == largest || second ? 1 : 0;
@@ -110,7 +107,7 @@ Result<void> addThinParts(const CoarseGrid& coarse, const Mask& solid, const Mas
         return solid[n] != 0 && patient[n] == 0 && (beyond.empty() || beyond[n] == 0);
     };
     // The edge hangs together with the rest; a cover that lies close to the skin does not.
-    const std::vector<float> toCore = distanceTo(coarse.grid, patient, kRimMm);
+    MACULA_TRY(const std::vector<float> toCore, distanceTo(coarse.grid, patient));
     Mask withRim = patient;
     for (std::size_t n = 0; n < patient.size(); ++n) {
         if (isFree(n) && toCore[n] <= float(kRimMm)) withRim[n] = 1;
@@ -123,7 +120,7 @@ Result<void> addThinParts(const CoarseGrid& coarse, const Mask& solid, const Mas
         patient[n] = joined.labels[n] != 0 && joined.parts[joined.labels[n] - 1].touches ? 1 : 0;
 
     const double besideMm = 1.5 * std::min(coarse.grid.spacingMm.x, coarse.grid.spacingMm.y);
-    const std::vector<float> toPatient = distanceTo(coarse.grid, patient, besideMm);
+    MACULA_TRY(const std::vector<float> toPatient, distanceTo(coarse.grid, patient));
     Mask thin(patient.size());
     for (std::size_t n = 0; n < patient.size(); ++n) thin[n] = isFree(n) ? 1 : 0;
     MACULA_TRY(Parts parts, partsOf(coarse.grid, thin, true, {}));
@@ -139,13 +136,15 @@ Result<void> addThinParts(const CoarseGrid& coarse, const Mask& solid, const Mas
     return {};
 }
 
-// Widens the patient into the air around, up to half way to anything else.
-Mask withSkin(const CoarseGrid& coarse, const Mask& patient, const Mask& other, const Mask& beyond) {
-    const std::vector<float> toPatient = distanceTo(coarse.grid, patient, kSkinMm);
-    const std::vector<float> toOther = distanceTo(coarse.grid, other, kSkinMm);
+// Widens the patient into the air around, up to half way to anything else. What is half way is the patient's,
+// however ITK rounds both distances.
+Result<Mask> withSkin(const CoarseGrid& coarse, const Mask& patient, const Mask& other, const Mask& beyond) {
+    MACULA_TRY(const std::vector<float> toPatient, distanceTo(coarse.grid, patient));
+    MACULA_TRY(const std::vector<float> toOther, distanceTo(coarse.grid, other));
+    constexpr float kRoundingMm = 1e-4f;
     Mask mask(patient.size());
     for (std::size_t n = 0; n < mask.size(); ++n) {
-        const bool near = toPatient[n] <= float(kSkinMm) && toPatient[n] <= toOther[n] &&
+        const bool near = toPatient[n] <= float(kSkinMm) && toPatient[n] <= toOther[n] + kRoundingMm &&
                           (beyond.empty() || beyond[n] == 0);
         mask[n] = patient[n] != 0 || near ? 1 : 0;
     }
@@ -245,7 +244,7 @@ class Search {
             const Part& part = thick.parts.parts[n];
             isBody[n] = part.depthMm >= kBodyDepthMm && 10 * part.blocks >= largest->blocks ? 1 : 0;
         }
-        const std::vector<float> toThick = distanceTo(coarse_.grid, thick.mask, kNearThickMm);
+        MACULA_TRY(const std::vector<float> toThick, distanceTo(coarse_.grid, thick.mask));
         MACULA_TRY_VOID(step());
         surface_ = findTableSurface(coarse_.grid, faint_, maskOf(thick.parts, isBody), toThick, token());
         if (!surface_.found()) {
@@ -264,7 +263,7 @@ class Search {
             other[n] = solid_[n] != 0 && patient[n] == 0 ? 1 : 0;
             patientBlocks += patient[n];
         }
-        const Mask mask = withSkin(coarse_, patient, other, surface_.beyond);
+        MACULA_TRY(const Mask mask, withSkin(coarse_, patient, other, surface_.beyond));
         MACULA_TRY_VOID(step());
         // What is reported is what goes: solid, and not in the mask.
         std::transform(other.begin(), other.end(), mask.begin(), other.begin(),

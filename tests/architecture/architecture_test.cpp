@@ -11,12 +11,14 @@
 #include <string_view>
 #include <vector>
 
+#include "architecture/sources.h"
 #include "base/paths.h"
 
 namespace {
 
 namespace fs = std::filesystem;
 using Names = std::set<std::string>;
+using macula::test::sourcesIn;
 
 const fs::path kRoot = macula::test::projectFolder();
 constexpr int kMaxLines = 600;
@@ -33,6 +35,7 @@ const std::vector<Library> kLibraries{{"Qt", {"Q", "Qt"}},
                                       {"OpenJPEG", {"openjpeg"}},
                                       {"ITK", {"itk", "ITK"}},
                                       {"GDCM", {"gdcm"}},
+                                      {"niftilib", {"nifti"}},
                                       {"OpenImageIO", {"OpenImageIO/", "OpenEXR/", "Imath/"}},
                                       {"CLI11", {"CLI/"}},
                                       {"VTK", {"vtk"}},
@@ -78,8 +81,10 @@ Rules readRules() {
     Rules rules;
     std::ifstream text(kRoot / "ARCHITECTURE.md");
     bool isTable = false;
+    bool isGraph = false;  // other diagrams are flowcharts
     for (std::string line; std::getline(text, line);) {
-        if (const auto ends = partsOf(line, "-->"); ends.size() == 2) {
+        isGraph = line == "graph TD" || (isGraph && line != "```");
+        if (const auto ends = partsOf(line, "-->"); isGraph && ends.size() == 2) {
             rules.arrows[ends[0]].insert(ends[1]);
             rules.arrows[ends[1]];
         }
@@ -102,22 +107,6 @@ struct Include {
     int line = 0;
     std::string target;
 };
-
-bool isSource(const fs::path& path) {
-    const std::string extension = path.extension().string();
-    return extension == ".h" || extension == ".cpp" || extension == ".inl" || extension == ".glsl" ||
-           extension == ".comp" || extension == ".vert" || extension == ".frag";
-}
-
-std::vector<fs::path> sourcesIn(const char* folder) {
-    std::vector<fs::path> files;
-    if (!fs::is_directory(kRoot / folder)) return files;
-    for (const auto& entry : fs::recursive_directory_iterator(kRoot / folder)) {
-        if (entry.is_regular_file() && isSource(entry.path())) files.push_back(entry.path());
-    }
-    std::sort(files.begin(), files.end());
-    return files;
-}
 
 // "dicom", "pipeline/trace": the longest known folder that `path` begins with; else its first part.
 std::string folderOf(const std::string& path) {

@@ -54,7 +54,7 @@ TEST(Messages, eachIsGivenOutSomewhere) {
     const std::filesystem::path folder = macula::test::projectFolder() / "src/dicom";
     const std::string header = read(folder / "messages.h");
     std::string sources = read(folder / "rules/split.json");
-    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
         const auto file = entry.path().filename();
         if (file != "messages.cpp" && file != "messages.h" && entry.is_regular_file())
             sources += read(entry.path());

@@ -16,6 +16,8 @@ using namespace dicom::test;
 namespace {
 
 namespace fs = std::filesystem;
+using namespace dicom;
+using namespace dicom::test;
 
 #define SKIP_WITHOUT_DCM2NIIX() \
     if (std::system("command -v dcm2niix >/dev/null 2>&1") != 0) GTEST_SKIP() << "dcm2niix is not installed"

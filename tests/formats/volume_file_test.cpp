@@ -14,10 +14,13 @@
 
 namespace macula::formats::test {
 
-using namespace dicom::test;  // what the tests of readers share
+using namespace dicom;  // what the tests of readers share
+using namespace dicom::test;
 namespace {
 
 namespace fs = std::filesystem;
+using namespace dicom;
+using namespace dicom::test;
 
 const char* const kEndings[] = {".nii", ".nii.gz", ".nrrd", ".nhdr", ".mha", ".mhd"};
 

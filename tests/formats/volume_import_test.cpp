@@ -13,6 +13,8 @@ using namespace dicom::test;  // what the tests of readers share
 namespace {
 
 namespace fs = std::filesystem;
+using namespace dicom;
+using namespace dicom::test;
 
 std::shared_ptr<const Volume> import(const fs::path& path) {
     Progress progress;

@@ -2,7 +2,7 @@
 // here.
 #include "formats/itk_image_file.h"
 
-namespace macula::dicom {
+namespace macula::formats {
 
 namespace {
 
@@ -20,4 +20,4 @@ Result<void> writeMetaImage(const std::filesystem::path&, const RawImage&) {
     return notHere();
 }
 
-}  // namespace macula::dicom
+}  // namespace macula::formats

@@ -1,10 +1,11 @@
-// Our distances against those of ITK.
+// Distances against those to every block of the mask, and what is made of them.
 #include "segment/distance.h"
 
 #include <gtest/gtest.h>
-#include <itkSignedMaurerDistanceMapImageFilter.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <random>
 
 #include "segment/itk_image.h"
@@ -12,35 +13,31 @@
 namespace macula::segment {
 namespace {
 
-TEST(Distance, IsThatOfItk) {
+TEST(Distance, IsThatToTheNearestBlock) {
     const Grid grid{.size = {41, 37, 29}, .spacingMm = {2.1, 1.7, 3.3}};
     std::mt19937 random(7);
     Mask mask(grid.count());
     for (int n = 0; n < 25; ++n) mask[random() % mask.size()] = 1;
     for (int b = 5; b < 15; ++b) std::fill_n(mask.begin() + std::ptrdiff_t(grid.index(8, b, 12)), 9, 1);
-
-    using Filter = itk::SignedMaurerDistanceMapImageFilter<MaskImage, itk::Image<float, 3>>;
-    const auto filter = Filter::New();
-    filter->SetInput(imageOf(grid, mask));
-    filter->SetSquaredDistance(false);
-    filter->SetUseImageSpacing(true);
-    filter->Update();
-    const float* expected = filter->GetOutput()->GetBufferPointer();
-
-    const double reachMm = 12.0;
-    const std::vector<float> actual = distanceTo(grid, mask, reachMm);
-    std::size_t within = 0;
-    for (std::size_t n = 0; n < mask.size(); ++n) {
-        const float truth = std::max(expected[n], 0.0f);
-        if (std::abs(truth - reachMm) < 1e-3) continue;
-        if (truth > reachMm) {
-            ASSERT_TRUE(std::isinf(actual[n])) << n;
-        } else {
-            ASSERT_NEAR(actual[n], truth, 1e-4) << n;
-            ++within;
+    std::vector<glm::dvec3> inMask;
+    const auto forEachBlock = [&](const auto& use) {
+        std::size_t n = 0;
+        for (int c = 0; c < grid.size.z; ++c) {
+            for (int b = 0; b < grid.size.y; ++b) {
+                for (int a = 0; a < grid.size.x; ++a) use(n++, glm::dvec3(a, b, c) * grid.spacingMm);
+            }
         }
-    }
-    EXPECT_GT(within, mask.size() / 4);
+    };
+    forEachBlock([&](std::size_t n, const glm::dvec3& at) {
+        if (mask[n] != 0) inMask.push_back(at);
+    });
+    const auto actual = distanceTo(grid, mask);
+    ASSERT_TRUE(actual.ok());
+    forEachBlock([&](std::size_t n, const glm::dvec3& at) {
+        double nearest = std::numeric_limits<double>::infinity();
+        for (const glm::dvec3& other : inMask) nearest = std::min(nearest, glm::distance(at, other));
+        ASSERT_NEAR((*actual)[n], nearest, 1e-4) << n;
+    });
 }
 
 // They are of the whole process, in which Macula may be a guest.
@@ -52,7 +49,10 @@ TEST(Itk, KeepsTheWarningsOfItsOtherUsers) {
 
 TEST(Distance, OfNothingIsInfinite) {
     const Grid grid{.size = {3, 1, 2}};
-    for (const float mm : distanceTo(grid, Mask(6), 5.0)) EXPECT_TRUE(std::isinf(mm));
+    const auto distance = distanceTo(grid, Mask(6));
+    ASSERT_TRUE(distance.ok());
+    ASSERT_EQ(distance->size(), 6u);
+    for (const float mm : *distance) EXPECT_TRUE(std::isinf(mm));
 }
 
 // A plate 3 blocks thick beside a cube of 9, and a plate that the edge of the grid cuts.
@@ -65,8 +65,9 @@ TEST(Distance, OpeningKeepsWhatIsThick) {
             for (int a = 20; a < 23; ++a) mask[grid.index(a, b, c)] = 1;
         }
     }
-    std::vector<float> depthMm;
-    const Mask open = opened(grid, mask, 2.5, 10.0, depthMm);
+    const auto result = opened(grid, mask, 2.5);
+    ASSERT_TRUE(result.ok());
+    const auto& [open, depthMm] = *result;
     EXPECT_EQ(open[grid.index(8, 8, 8)], 1);
     EXPECT_EQ(open[grid.index(4, 8, 8)], 1);
     EXPECT_EQ(open[grid.index(21, 8, 8)], 0);

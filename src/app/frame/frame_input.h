@@ -54,7 +54,7 @@ struct FrameInput {
     glm::vec3 background{0.02f};                // linear
     std::uint32_t sampleLimit = 512;  // per pixel; then it counts as converged, if noise is not gone before
     bool interacting = false;         // a hand is moving something: stay fast
-    bool usesModel = true;            // of splats, while it moves
+    bool usesModel = true;            // draw the peripheral model while the view moves
 };
 
 }  // namespace macula::app

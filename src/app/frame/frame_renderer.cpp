@@ -62,13 +62,12 @@ void FrameRenderer::accept(FrameInput input) {
     if (input.study != input_.study || input.volume != input_.volume) {
         // Nobody may take the picture of one patient for that of the next, not even while this one is
         // prepared.
-        clear_ = true;
+        duty_.otherStudy();
         if (presenter_) presenter_->forget();
         unreported_.reset();
         splats_ = nullptr;
         model_.reset();
         shelf_.reset();
-        restart_ = true;
     }
     // What else is on the device leaves another room; and nobody knows how much.
     if (traced_ &&
@@ -79,14 +78,12 @@ void FrameRenderer::accept(FrameInput input) {
         if (model_ && model_->news().stage == hybrid::ModelStage::noRoom) model_->hide();
     }
     if (!isSamePicture(input, input_)) {
-        restart_ = true;
-        // The window takes another size around the sentence that says so: nobody has asked for another try.
-        const bool stillGivenUp = givenUp_ && isSameScene(input, input_);
-        if (!stillGivenUp) halted_ = givenUp_ = false;
+        // The window takes another size around the sentence that says that the device was lost.
+        isSameScene(input, input_) ? duty_.otherSizeOnly() : duty_.otherPicture();
     } else if (input.usesModel != input_.usesModel) {
-        restart_ = true;
+        duty_.beginAnew();
     } else if (input.background != input_.background) {
-        redisplay_ = true;
+        duty_.otherBackground();
     }
     if (input.sampleLimit > input_.sampleLimit) course_.goOnTracing();
     input_ = std::move(input);
@@ -108,10 +105,13 @@ bool FrameRenderer::hasWork() const {
     if (!input_.visible || input_.surface == VK_NULL_HANDLE) return false;
     if (input_.width <= 0 || input_.height <= 0) return false;
     const bool isWindowRight = presenter_ && applied_.exposures == input_.exposures &&
-                               presenter_->text() == input_.text && !clear_ && !presenter_->owes();
-    if (halted_) return presenter_ && !isWindowRight;
-    if (restart_ || redisplay_ || !device_ || !isWindowRight) return true;
-    return isComplete() && course_.next(Clock::now()) != Step::none;
+                               presenter_->text() == input_.text && !duty_.isForeign() && !presenter_->owes();
+    if (duty_.isHalted()) return presenter_ && !isWindowRight;
+    return !device_ || !isWindowRight || work() != RenderDuty::Work::nothing;
+}
+
+RenderDuty::Work FrameRenderer::work() const {
+    return duty_.work(isComplete(), [&] { return course_.next(Clock::now()) != Step::none; });
 }
 
 bool FrameRenderer::isComplete() const {
@@ -132,7 +132,7 @@ void FrameRenderer::step(const Interrupts& interrupts) {
 }
 
 void FrameRenderer::fail(ErrorCode code, const char* message, const char* hint) {
-    halted_ = true;  // first: it also holds when the rest fails
+    duty_.halt();  // first: it also holds when the rest fails
     // Nobody knows how far the tracer got.
     applied_.volume = nullptr;
     applied_.transferFunction = nullptr;
@@ -151,27 +151,38 @@ void FrameRenderer::fail(ErrorCode code, const char* message, const char* hint) 
 Result<void> FrameRenderer::tryStep(const Interrupts& interrupts) {
     MACULA_TRY_VOID(ensureDevice());
     MACULA_TRY_VOID(ensurePresenter());
-    const bool mustClear = clear_ && !presenter_->owes();  // what it owes is empty already
-    if (halted_) return mustClear ? clearWindow() : Result<void>();
-    if (!isComplete()) {
-        const bool isNews = restart_ || redisplay_;
-        restart_ = redisplay_ = false;
-        return isNews || mustClear ? clearWindow() : Result<void>();
-    }
+    const bool mustClear = duty_.isForeign() && !presenter_->owes();  // what it owes is empty already
     if (mustClear) MACULA_TRY_VOID(clearWindow());
-    if (restart_) {
-        MACULA_TRY(const bool complete, applyScene(interrupts));
-        if (!complete) return {};
-        MACULA_TRY_VOID(applyModel());
-        course_.want(traced_->hasFull(input_));
-        restart_ = redisplay_ = false;
+    tellCourse();
+    switch (work()) {
+        case RenderDuty::Work::nothing:
+            return {};
+        case RenderDuty::Work::clear:
+            duty_.appliedScene();  // there is none
+            return mustClear ? Result<void>() : clearWindow();
+        case RenderDuty::Work::background:
+            duty_.showedBackground();
+            return showAgain();
+        case RenderDuty::Work::scene: {
+            MACULA_TRY(const bool complete, applyScene(interrupts));
+            if (!complete) return {};
+            MACULA_TRY_VOID(applyModel());
+            course_.want(traced_->hasFull(input_));
+            duty_.appliedScene();
+            break;
+        }
+        case RenderDuty::Work::course:
+            break;
     }
     tellCourse();
-    if (std::exchange(redisplay_, false)) return showAgain();
+    return takeNext(interrupts);
+}
+
+Result<void> FrameRenderer::takeNext(const Interrupts& interrupts) {
     const Result<void> done = take(course_.next(Clock::now()), interrupts);
     // What is traced comes first: without the model there may be room for it.
     if (done || done.error().code != ErrorCode::outOfMemory || !model_ || !model_->canBeDrawn()) return done;
-    restart_ = true;
+    duty_.beginAnew();
     traced_->roomChanged();
     return withoutModel(done.error());
 }
@@ -203,7 +214,7 @@ Result<void> FrameRenderer::ensureDevice() {
     MACULA_TRY(traced_, TracedPictures::create(device_));
     MACULA_TRY(compositor_, hybrid::Compositor::create(device_));
     applied_ = {};
-    restart_ = true;
+    duty_.beginAnew();
     listener_(DeviceReady{device_->info().name, gpu::describe(device_->info())});
     return {};
 }
@@ -213,7 +224,7 @@ Result<void> FrameRenderer::ensurePresenter() {
     if (!presenter_) {
         MACULA_TRY(Presenter presenter, Presenter::create(device_, input_.surface, window));
         presenter_.emplace(std::move(presenter));
-        restart_ = true;
+        duty_.beginAnew();
     } else if (applied_.window.width != window.width || applied_.window.height != window.height) {
         MACULA_TRY_VOID(presenter_->resize(window));
     }
@@ -225,7 +236,8 @@ Result<void> FrameRenderer::ensurePresenter() {
         presenter_->setText(input_.text);
         MACULA_TRY(const bool shown, presenter_->showAgain());
         if (shown) {
-            if (std::exchange(clear_, false)) listener_(PictureRemoved{});
+            if (duty_.isForeign()) listener_(PictureRemoved{});
+            duty_.showedOurs();
             if (unreported_) listener_(*std::exchange(unreported_, std::nullopt));
         }
     }
@@ -239,8 +251,12 @@ Result<void> FrameRenderer::clearWindow() {
     const glm::vec3 b = input_.background;
     const VkClearColorValue colour{{encodedSrgb(b.r), encodedSrgb(b.g), encodedSrgb(b.b), 1.0f}};
     MACULA_TRY_VOID(presenter_->showColour(colour));
-    clear_ = presenter_->owes();  // of a hidden window nothing is to be seen
-    if (!clear_) listener_(PictureRemoved{});
+    if (presenter_->owes()) {
+        duty_.owesClearing();
+    } else {  // of a hidden window nothing is to be seen
+        duty_.showedOurs();
+        listener_(PictureRemoved{});
+    }
     return {};
 }
 
@@ -438,7 +454,7 @@ Result<void> FrameRenderer::showAgain() {
         return show(*picture);
     }
     if (splats_ == nullptr) {
-        restart_ = true;
+        duty_.beginAnew();
         return {};
     }
     const bool isModel = course_.onScreen() == OnScreen::model;
@@ -467,7 +483,7 @@ Result<void> FrameRenderer::show(const gpu::Image& picture) {
     // The rate is that of what is shown now.
     if (std::exchange(shownKind_, kind) != kind) shown_.clear();
     if (visible) {
-        clear_ = false;
+        duty_.showedOurs();
         shown_.push_back(now);
     }
     while (!shown_.empty() && now - shown_.front() > kRateWindow) shown_.pop_front();
@@ -530,16 +546,15 @@ void FrameRenderer::handle(Error error) {
     if ((device_ && device_->lost()) || error.code == ErrorCode::deviceLost) {
         dropDevice();
         if (losses_.mayGoOn()) {
-            halted_ = false;  // hasWork() is true without a device: the next step makes a new one
+            duty_.startedAgain();  // hasWork() is true without a device: the next step makes a new one
             log::warning("The graphics device was lost; starting it again.");
             listener_(DeviceRestarting{});
             return;
         }
         error = gpu::lostTooOften();
-        givenUp_ = true;
+        duty_.lostTooOften();
     }
-    halted_ = true;
-    clear_ = true;
+    duty_.failed();
     if (traced_) traced_->sceneChanged();  // nobody knows what its film holds
     try {
         const Result<void> cleared = presenter_ ? clearWindow() : Result<void>{};
@@ -551,8 +566,9 @@ void FrameRenderer::handle(Error error) {
         log::warning("The window could not be cleared.");  // which must not keep the error from being told
         releaseSurface();
     }
-    listener_(RenderFailure{
-        .error = error, .inputSequence = input_.sequence, .pictureRemains = !presenter_ || clear_});
+    listener_(RenderFailure{.error = error,
+                            .inputSequence = input_.sequence,
+                            .pictureRemains = !presenter_ || duty_.isForeign()});
 }
 
 void FrameRenderer::dropDevice() {

@@ -12,6 +12,7 @@
 #include "app/frame/frame_input.h"
 #include "app/frame/picture_course.h"
 #include "app/frame/presenter.h"
+#include "app/frame/render_duty.h"
 #include "app/frame/render_events.h"
 #include "app/frame/scene_names.h"
 #include "app/frame/traced_pictures.h"
@@ -64,6 +65,8 @@ class FrameRenderer {
     Result<bool> applyScene(const Interrupts& interrupts);  // whether all of it is there
     Result<void> applyModel();
     Result<void> withoutModel(const Error& error);
+    RenderDuty::Work work() const;
+    Result<void> takeNext(const Interrupts& interrupts);
     bool isComplete() const;  // the input says all that a picture needs
     void tellCourse();
     Result<void> take(Step step, const Interrupts& interrupts);
@@ -92,7 +95,7 @@ class FrameRenderer {
     std::optional<Presenter> presenter_;
     std::optional<TracedPictures> traced_;
     std::optional<hybrid::LiveModel> model_;
-    hybrid::ModelStage whyNoModel_ = hybrid::ModelStage::none;  // where there is not even one that is empty
+    hybrid::ModelStage whyNoModel_ = hybrid::ModelStage::none;  // why model_ is empty
     std::optional<hybrid::Compositor> compositor_;
     // Of this volume; outlives the device.
     std::shared_ptr<hybrid::ModelShelf> shelf_;
@@ -100,7 +103,7 @@ class FrameRenderer {
     const splat::DevicePicture* splats_ = nullptr;  // of the picture that is wanted
 
     FrameInput input_;
-    // What the device has by now; compared with the input to find what to bring there.
+    // What was brought to the device. The comparison with the input tells what has to be brought next.
     struct Applied {
         std::shared_ptr<const Volume> volume;
         std::shared_ptr<const TransferFunction> transferFunction;
@@ -112,11 +115,7 @@ class FrameRenderer {
     std::optional<std::uint64_t> outlineOf_;  // study whose outline, of what is applied, was told
 
     PictureCourse course_;
-    bool restart_ = false;    // the picture must begin anew
-    bool redisplay_ = false;  // the picture is right, but not what is on screen
-    bool clear_ = false;      // what is on screen belongs to another study
-    bool halted_ = false;     // after a failure, until something changes
-    bool givenUp_ = false;    // halted, as the device was lost too often: another size changes nothing
+    RenderDuty duty_;
     std::deque<Clock::time_point> shown_;  // of one kind of pictures
     OnScreen shownKind_ = OnScreen::nothing;
     hybrid::ModelNews modelTold_;

@@ -11,9 +11,9 @@
 
 namespace macula::app {
 
-// What projections of a volume are seen through when nobody has set a window: that of the series, for MIP only
-// if that is not mostly white. A window belongs to a look, as the largest value along a ray and the mean have
-// little to do with each other.
+// What projections of a volume are seen through when nobody has set a window: that of the series, for MIP
+// only if that is not mostly white. A window belongs to a look, as the largest value along a ray and the mean
+// have little to do with each other.
 class SeriesWindows {
   public:
     DisplayWindow of(trace::Look look, const Volume& volume) const;

@@ -43,7 +43,7 @@ class TracedPictures {
     // Nothing when it is of that already, worth showing or not.
     Result<void> beginFull(const FrameInput& input);
     struct Progress {
-        bool isNews = false;  // it is now, or again, worth showing
+        bool isNews = false;  // the full picture has become worth showing, or worth showing again
         bool isLast = false;  // and will not change any more
     };
     // A slice of it. `keepGoing` is asked between dispatches of some 40 ms.

@@ -9,14 +9,14 @@
 namespace macula::app {
 
 Result<void> checkModelName(const std::filesystem::path& path) {
-    const std::string extension = splat::extensionOf(path);
-    if (extension == ".ply" || extension == ".spz" || extension == ".macula") return {};
+    if (splat::modelFormatOf(path) != nullptr) return {};
     return Error{ErrorCode::usage, "The model's name says no format.", path.string(),
-                 "End it with .ply, .spz or .macula."};
+                 "End it with " + splat::modelExtensions(true) + "."};
 }
 
 bool holdsTraining(const std::filesystem::path& path) {
-    return splat::extensionOf(path) == ".macula";
+    const splat::ModelFormat* format = splat::modelFormatOf(path);
+    return format != nullptr && format->keepsTraining;
 }
 
 Result<std::size_t> writeTrained(const std::filesystem::path& path, const splat::TrainingState& state,

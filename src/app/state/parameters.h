@@ -1,5 +1,5 @@
-// The numbers that a person may turn, in one table: command options, sliders, JSON keys and
-// docs/parameters.md are made from it or held to it.
+// The numbers that a person may turn, in one table: command options, sliders and JSON keys are made from it
+// or held to it.
 #pragma once
 
 #include <array>

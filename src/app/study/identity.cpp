@@ -4,6 +4,8 @@
 #include <cctype>
 #include <sstream>
 
+#include "base/parsing.h"
+
 namespace macula::app {
 
 namespace {
@@ -13,12 +15,6 @@ std::vector<std::string> split(const std::string& text, char separator) {
     std::istringstream stream(text);
     for (std::string part; std::getline(stream, part, separator);) parts.push_back(part);
     return parts;
-}
-
-std::string trimmed(const std::string& text) {
-    const std::size_t first = text.find_first_not_of(' ');
-    if (first == std::string::npos) return {};
-    return text.substr(first, text.find_last_not_of(' ') - first + 1);
 }
 
 std::string joined(const std::vector<std::string>& parts, const char* separator) {
@@ -31,7 +27,7 @@ std::string joined(const std::vector<std::string>& parts, const char* separator)
 }
 
 std::string or_(const std::string& text, const char* instead) {
-    const std::string shown = trimmed(text);
+    const std::string shown(trimmed(text));
     return shown.empty() ? std::string(instead) : shown;
 }
 
@@ -47,8 +43,8 @@ std::string representationForPeople(const std::string& representation) {
 }
 
 std::string studyLine(const Identity& identity) {
-    return joined({or_(dateForPeople(trimmed(identity.studyDate)), "no study date"),
-                   trimmed(identity.studyDescription)},
+    return joined({or_(dateForPeople(std::string(trimmed(identity.studyDate))), "no study date"),
+                   std::string(trimmed(identity.studyDescription))},
                   ", ");
 }
 
@@ -75,11 +71,11 @@ std::string dateForPeople(const std::string& date) {
 
 std::vector<std::string> linesOf(const Identity& identity) {
     if (identity.isOfNobody) return {identity.series};
-    const std::string birth = trimmed(identity.birthDate);
-    const std::string id = trimmed(identity.patientId);
+    const std::string birth(trimmed(identity.birthDate));
+    const std::string id(trimmed(identity.patientId));
     return {nameLine(identity),
             joined({id.empty() ? "No patient ID" : "ID " + id,
-                    birth.empty() ? "" : "born " + dateForPeople(birth), trimmed(identity.sex)},
+                    birth.empty() ? "" : "born " + dateForPeople(birth), std::string(trimmed(identity.sex))},
                    ", "),
             studyLine(identity), identity.series};
 }

@@ -1,10 +1,10 @@
 #include "app/study/study_input.h"
 
 #include <algorithm>
-#include <charconv>
 #include <optional>
 
 #include "base/fingerprint.h"
+#include "base/parsing.h"
 #include "base/phantom.h"
 #include "base/sha256.h"
 #include "dicom/loader.h"
@@ -14,14 +14,6 @@
 namespace macula::app {
 
 namespace {
-
-// "12" is 12; anything else nothing.
-std::optional<std::size_t> wholeNumber(std::string_view text) {
-    std::size_t value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (text.empty() || error != std::errc() || end != text.data() + text.size()) return {};
-    return value;
-}
 
 const dicom::Series* atPlace(const dicom::Scan& scan, std::size_t place) {
     for (const dicom::Study& study : scan.studies) {
@@ -61,8 +53,8 @@ Result<dicom::Choice> chooseStack(const dicom::Series& series, std::optional<std
 const dicom::Series* findSeries(const dicom::Scan& scan, const std::string& wanted) {
     if (!dicom::findAllSeries(scan, wanted).empty()) return dicom::findSeries(scan, wanted);
     const std::size_t point = wanted.find('.');
-    const auto place = wholeNumber(std::string_view(wanted).substr(0, point));
-    if (point != std::string::npos && !wholeNumber(std::string_view(wanted).substr(point + 1)))
+    const auto place = parseNumber<std::size_t>(std::string_view(wanted).substr(0, point));
+    if (point != std::string::npos && !parseNumber<std::size_t>(std::string_view(wanted).substr(point + 1)))
         return nullptr;
     return place ? atPlace(scan, *place) : nullptr;
 }
@@ -79,8 +71,9 @@ Result<dicom::Choice> chooseVolume(const dicom::Scan& scan, const std::string& w
     }
     const std::size_t point = wanted.find('.');
     const bool isUid = !dicom::findAllSeries(scan, wanted).empty();
-    const auto stack =
-        isUid || point == std::string::npos ? given : wholeNumber(std::string_view(wanted).substr(point + 1));
+    const auto stack = isUid || point == std::string::npos
+                           ? given
+                           : parseNumber<std::size_t>(std::string_view(wanted).substr(point + 1));
     const dicom::Series* series = findSeries(scan, wanted);
     if (series != nullptr && (stack || isUid || point == std::string::npos))
         return chooseStack(*series, stack);

@@ -1,4 +1,4 @@
-// RLE Lossless (PS3.5 annex G).
+// RLE Lossless (PS3.5 annex G). Not by DCMTK, whose decoder reads wherever the RLE header points.
 #pragma once
 
 #include <cstddef>

@@ -1,6 +1,7 @@
 #include "dicom/read/character_set.h"
 
-#include <iconv.h>
+#include <dcmtk/config/osconfig.h>
+#include <dcmtk/ofstd/ofchrenc.h>
 
 #include <algorithm>
 #include <array>
@@ -79,39 +80,14 @@ bool isJapanese(std::string_view declared) {
     return false;
 }
 
-// Opening one takes longer than most texts.
-class Converters {
-  public:
-    ~Converters() {
-        for (const auto& [name, converter] : open_) {
-            if (converter != kFailed) iconv_close(converter);
-        }
-    }
-    // The whole of it or nothing.
-    std::optional<std::string> convert(std::string_view bytes, Encoding from) {
-        const auto [entry, isNew] = open_.try_emplace(from, kFailed);
-        if (isNew) entry->second = iconv_open(kUtf8, from);
-        if (entry->second == kFailed) return {};
-        iconv(entry->second, nullptr, nullptr, nullptr, nullptr);
-        std::string input(bytes);
-        std::string output(4 * bytes.size() + 16, '\0');
-        char* in = input.data();
-        char* out = output.data();
-        std::size_t inLeft = input.size();
-        std::size_t outLeft = output.size();
-        if (iconv(entry->second, &in, &inLeft, &out, &outLeft) == static_cast<std::size_t>(-1)) return {};
-        output.resize(output.size() - outLeft);
-        return output;
-    }
-
-  private:
-    inline static const iconv_t kFailed = reinterpret_cast<iconv_t>(-1);
-    std::map<std::string_view, iconv_t> open_;
-};
-
-Converters& converters() {
-    thread_local Converters all;
-    return all;
+// The whole of it or nothing. Opening a converter takes longer than most texts.
+std::optional<std::string> converted(std::string_view bytes, Encoding from, Encoding to = kUtf8) {
+    thread_local std::map<std::pair<std::string_view, std::string_view>, OFCharacterEncoding> converters;
+    const auto [entry, isNew] = converters.try_emplace({from, to});
+    if (isNew) entry->second.selectEncoding(from, to);
+    OFString text;
+    if (!entry->second || entry->second.convertString(bytes.data(), bytes.size(), text).bad()) return {};
+    return std::string(text.data(), text.length());
 }
 
 std::optional<std::string> katakana(std::string_view bytes) {
@@ -135,7 +111,7 @@ std::optional<std::string> convert(std::string_view bytes, Encoding from) {
     const bool isLatin = std::string_view(from).starts_with("ISO-8859");
     const auto isC1 = [](char c) { return (static_cast<unsigned char>(c) & 0xE0) == 0x80; };
     if (isLatin && std::any_of(bytes.begin(), bytes.end(), isC1)) return {};  // no characters: PS3.5 6.1.3
-    return converters().convert(bytes, from);
+    return converted(bytes, from);
 }
 
 // As what is left to try, which cannot fail. The 32 codes that are no characters in Latin-1 are those of
@@ -147,7 +123,7 @@ std::string latin1(std::string_view bytes) {
             result += c;
             continue;
         }
-        const auto one = converters().convert({&c, 1}, "CP1252");
+        const auto one = converted({&c, 1}, "CP1252");
         result += one ? *one : std::string(kReplacement);
     }
     return result;
@@ -398,30 +374,8 @@ void dropControls(std::string& text) {
 }  // namespace
 
 bool isValidUtf8(std::string_view text) {
-    for (std::size_t i = 0; i < text.size();) {
-        const auto lead = static_cast<unsigned char>(text[i]);
-        std::size_t more = 0;
-        std::uint32_t code = lead;
-        std::uint32_t least = 0;
-        if (lead >= 0xF0 && lead < 0xF8) {
-            more = 3, code = lead & 0x07, least = 0x10000;
-        } else if (lead >= 0xE0) {
-            more = 2, code = lead & 0x0F, least = 0x800;
-        } else if (lead >= 0xC0) {
-            more = 1, code = lead & 0x1F, least = 0x80;
-        } else if (lead >= 0x80) {
-            return false;
-        }
-        if (lead >= 0xF8 || more >= text.size() - i) return false;
-        for (std::size_t k = 1; k <= more; ++k) {
-            const auto next = static_cast<unsigned char>(text[i + k]);
-            if ((next & 0xC0) != 0x80) return false;
-            code = code << 6 | (next & 0x3F);
-        }
-        if (code < least || code > 0x10FFFF || (code >= 0xD800 && code <= 0xDFFF)) return false;
-        i += more + 1;
-    }
-    return true;
+    // To UTF-16, which has no codes above U+10FFFF; the C library's UTF-8 has.
+    return converted(text, kUtf8, "UTF-16LE").has_value();
 }
 
 DecodedText decodeText(std::string_view bytes, std::string_view declared, Delimiters delimiters) {

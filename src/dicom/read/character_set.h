@@ -1,4 +1,8 @@
 // Text of DICOM files as UTF-8. PS3.3 C.12.1.1.2, PS3.5 6.1.
+//
+// Escape sequences are followed here and not by DCMTK's DcmSpecificCharacterSet (3.6.7), which over glibc has
+// no converter for kanji, reads ISO_IR 13 as Shift-JIS, does not know Latin-9, and of text that breaks a rule
+// gives nothing.
 #pragma once
 
 #include <string>

@@ -202,7 +202,7 @@ std::vector<double> Dataset::allNumbers(Tag tag) const {
     std::vector<double> values;
     if (hit.isText()) {
         for (const std::string_view part : splitAtBackslash(trimmed(hit.bytes))) {
-            const auto value = parseNumber(part);
+            const auto value = finiteNumber(part);
             if (!value) return {};
             values.push_back(*value);
         }

@@ -69,6 +69,10 @@ struct Positions {
     std::vector<double> alongMm;
     std::vector<double> stepsMm;
     double usualMm = 0.0;  // the median distance
+
+    double extentMm() const { return alongMm.back() - alongMm.front(); }
+    double leastMm() const { return *std::min_element(stepsMm.begin(), stepsMm.end()); }
+    double mostMm() const { return *std::max_element(stepsMm.begin(), stepsMm.end()); }
 };
 
 // The grid place of each position when all distances are multiples of the usual one; nothing otherwise.
@@ -140,6 +144,162 @@ std::string listInterpolated(const std::vector<SliceSource>& slices) {
     return list;
 }
 
+// Where along the normal of the first plane each lies, in the order given.
+std::vector<double> alongNormal(std::span<const StackedPlane> planes) {
+    const glm::dvec3 normal = planes[0].plane.normal();
+    std::vector<double> along;
+    for (const StackedPlane& p : planes) along.push_back(glm::dot(p.plane.positionMm, normal));
+    return along;
+}
+
+// Ascending along the normal, then by instance number, then as given.
+std::vector<std::size_t> sortedOrder(std::span<const StackedPlane> planes, const std::vector<double>& along) {
+    std::vector<std::size_t> order(planes.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    const bool sortable = std::all_of(along.begin(), along.end(), [](double a) { return std::isfinite(a); });
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        if (sortable && along[a] != along[b]) return along[a] < along[b];
+        return planes[a].instanceNumber < planes[b].instanceNumber;
+    });
+    return order;
+}
+
+// Of two planes or more.
+Positions positionsInOrder(const std::vector<std::size_t>& order, const std::vector<double>& along) {
+    Positions positions;
+    for (const std::size_t index : order) positions.alongMm.push_back(along[index]);
+    for (std::size_t k = 1; k < order.size(); ++k) {
+        positions.stepsMm.push_back(positions.alongMm[k] - positions.alongMm[k - 1]);
+    }
+    std::vector<double> sorted = positions.stepsMm;
+    std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2),
+                     sorted.end());
+    positions.usualMm = sorted[sorted.size() / 2];
+    return positions;
+}
+
+std::optional<Message> duplicates(const Positions& positions) {
+    const std::vector<double>& steps = positions.stepsMm;
+    const auto count =
+        std::count_if(steps.begin(), steps.end(), [](double s) { return s <= kSamePositionMm; });
+    if (count == 0) return {};
+    return message(key::kDuplicatePositions,
+                   {{"count", std::int64_t(count)}, {"total", std::int64_t(positions.alongMm.size())}});
+}
+
+// The line on which the planes of a stack have to lie: from the first position to the last.
+struct StackLine {
+    ImagePlane first;  // orthonormal
+    glm::dvec3 extentMm{0.0};
+};
+
+// Sideways every plane has to lie on the line, however they are spaced, and the line has to leave the plane.
+std::optional<Message> offTheLine(std::span<const StackedPlane> planes, const std::vector<std::size_t>& order,
+                                  const Positions& positions, const StackLine& line) {
+    const ImagePlane& first = line.first;
+    double largestSideways = 0.0;
+    for (std::size_t k = 0; k < planes.size(); ++k) {
+        const double share = (positions.alongMm[k] - positions.alongMm.front()) / positions.extentMm();
+        const glm::dvec3 error =
+            planes[order[k]].plane.positionMm - (first.positionMm + share * line.extentMm);
+        largestSideways = std::max(largestSideways, glm::length(error));
+    }
+    if (largestSideways > kIrregularErrorOfStep * std::max(positions.usualMm, first.columnSpacingMm)) {
+        return message(key::kNotReconstructable,
+                       {{"reason", "they are shifted sideways against each other"}});
+    }
+    if (!isInvertibleAffine(
+            affine(first.rowDirection, first.columnDirection, line.extentMm, first.positionMm))) {
+        return message(key::kNotReconstructable, {{"reason", "they lie beside each other"}});
+    }
+    return {};
+}
+
+// Sets the slices of the stack, and its quality where they are resampled; or says why there is no volume.
+std::optional<Message> placeSlices(const Positions& positions, StackGeometry& stack) {
+    const std::size_t planes = positions.alongMm.size();
+    if (const auto places = placesWithGaps(positions)) {
+        const std::size_t total = places->back() + 1;
+        if (total > 2 * planes) {
+            return message(key::kMissingSlices, Severity::blocksVolume,
+                           {{"missing", std::int64_t(total - planes)},
+                            {"total", std::int64_t(total)},
+                            {"spacingMm", positions.usualMm}});
+        }
+        stack.slices = slicesWithGaps(*places);
+        return {};
+    }
+    // Fine enough for the smallest distance, and bounded: one pair of almost equal positions among wide
+    // distances must not make a volume of thousands of slices, and a wide gap none of melted ones.
+    constexpr double kMostSlicesPerPlane = 4.0;
+    constexpr double kWideGapOfStep = 8.0;
+    const double wantedMm =
+        std::clamp(positions.leastMm(), positions.usualMm / kMostSlicesPerPlane, positions.usualMm);
+    const double gridSteps = std::ceil(positions.extentMm() / wantedMm - 1e-6);
+    if (positions.mostMm() > kWideGapOfStep * positions.usualMm ||
+        !(gridSteps <= kMostSlicesPerPlane * double(planes))) {
+        return message(key::kSpacingTooIrregular,
+                       {{"leastMm", positions.leastMm()}, {"mostMm", positions.mostMm()}});
+    }
+    stack.slices = slicesEvenly(positions, static_cast<std::size_t>(gridSteps) + 1);
+    stack.quality = StackGeometry::Quality::resampled;
+    return {};
+}
+
+double gridStepMm(const Positions& positions, const StackGeometry& stack) {
+    return positions.extentMm() / double(stack.slices.size() - 1);
+}
+
+glm::dvec3 sliceStepMm(const StackLine& line, const StackGeometry& stack) {
+    return line.extentMm / double(stack.slices.size() - 1);
+}
+
+// Says what of the slices is interpolated and why, and settles the quality of the stack.
+void tellSpacing(const Positions& positions, StackGeometry& stack) {
+    const double spacingMm = gridStepMm(positions, stack);
+    const auto interpolated = std::count_if(stack.slices.begin(), stack.slices.end(),
+                                            [](const auto& s) { return s.interpolated(); });
+    if (stack.quality == StackGeometry::Quality::resampled) {
+        stack.messages.push_back(message(
+            key::kIrregularSpacing,
+            {{"leastMm", positions.leastMm()}, {"mostMm", positions.mostMm()}, {"spacingMm", spacingMm}}));
+    } else if (interpolated > 0) {
+        stack.messages.push_back(message(key::kMissingSlices, {{"missing", std::int64_t(interpolated)},
+                                                               {"total", std::int64_t(stack.slices.size())},
+                                                               {"spacingMm", spacingMm}}));
+        stack.quality = StackGeometry::Quality::resampled;
+    } else {
+        stack.quality = StackGeometry::Quality::even;
+    }
+    if (interpolated > 0) {
+        stack.messages.push_back(
+            message(key::kGapInterpolated,
+                    {{"count", std::int64_t(interpolated)}, {"slices", listInterpolated(stack.slices)}}));
+    }
+}
+
+// How far planes that are slices lie from their place on the even grid.
+void tellUnevenness(std::span<const StackedPlane> planes, const Positions& positions, const StackLine& line,
+                    StackGeometry& stack) {
+    const glm::dvec3 sliceStep = sliceStepMm(line, stack);
+    for (std::size_t k = 0; k < stack.slices.size(); ++k) {
+        if (stack.slices[k].interpolated()) continue;
+        const glm::dvec3 error = planes[stack.order[stack.slices[k].below]].plane.positionMm -
+                                 (line.first.positionMm + double(k) * sliceStep);
+        stack.largestErrorMm = std::max(stack.largestErrorMm, glm::length(error));
+    }
+    if (stack.largestErrorMm > kUnevenErrorOfStep * gridStepMm(positions, stack)) {
+        stack.messages.push_back(message(key::kUnevenSpacing, {{"errorMm", stack.largestErrorMm}}));
+    }
+}
+
+// Between the way from slice to slice and the normal of the planes: 0 unless the gantry was tilted.
+double tiltDegOf(const StackLine& line, const StackGeometry& stack) {
+    const double cosTilt = std::clamp(
+        glm::dot(glm::normalize(sliceStepMm(line, stack)), glm::normalize(line.first.normal())), -1.0, 1.0);
+    return std::acos(cosTilt) * kDegPerRad;
+}
+
 }  // namespace
 
 bool isUsable(const ImagePlane& plane) {
@@ -156,133 +316,40 @@ bool isUsable(const ImagePlane& plane) {
 
 StackGeometry stackPlanes(std::span<const StackedPlane> planes) {
     StackGeometry stack;
-    stack.order.resize(planes.size());
-    std::iota(stack.order.begin(), stack.order.end(), std::size_t{0});
     if (planes.empty()) return stack;
-
-    const glm::dvec3 normal = planes[0].plane.normal();
-    std::vector<double> along;
-    for (const StackedPlane& p : planes) along.push_back(glm::dot(p.plane.positionMm, normal));
-    const bool sortable = std::all_of(along.begin(), along.end(), [](double a) { return std::isfinite(a); });
-    std::stable_sort(stack.order.begin(), stack.order.end(), [&](std::size_t a, std::size_t b) {
-        if (sortable && along[a] != along[b]) return along[a] < along[b];
-        return planes[a].instanceNumber < planes[b].instanceNumber;
-    });
+    const std::vector<double> along = alongNormal(planes);
+    stack.order = sortedOrder(planes, along);
 
     const auto fail = [&](Message why) {
+        stack.quality = StackGeometry::Quality::none;
+        stack.slices.clear();
         stack.messages.push_back(std::move(why));
         return stack;
     };
     if (auto problem = inconsistency(planes)) return fail(std::move(*problem));
     if (planes.size() < 2) return fail(message(key::kSingleSlice));
+    const Positions positions = positionsInOrder(stack.order, along);
+    if (auto problem = duplicates(positions)) return fail(std::move(*problem));
 
-    Positions positions;
-    for (const std::size_t index : stack.order) positions.alongMm.push_back(along[index]);
-    for (std::size_t k = 1; k < planes.size(); ++k) {
-        positions.stepsMm.push_back(positions.alongMm[k] - positions.alongMm[k - 1]);
-    }
-    const std::vector<double>& steps = positions.stepsMm;
-    const auto duplicates =
-        std::count_if(steps.begin(), steps.end(), [](double s) { return s <= kSamePositionMm; });
-    if (duplicates > 0) {
-        return fail(message(key::kDuplicatePositions,
-                            {{"count", std::int64_t(duplicates)}, {"total", std::int64_t(planes.size())}}));
-    }
-    std::vector<double> sorted = steps;
-    std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2),
-                     sorted.end());
-    positions.usualMm = sorted[sorted.size() / 2];
+    StackLine line{orthonormal(planes[stack.order.front()].plane, stack.messages)};
+    line.extentMm = planes[stack.order.back()].plane.positionMm - line.first.positionMm;
+    if (auto problem = offTheLine(planes, stack.order, positions, line)) return fail(std::move(*problem));
+    if (auto problem = placeSlices(positions, stack)) return fail(std::move(*problem));
+    tellSpacing(positions, stack);
+    tellUnevenness(planes, positions, line, stack);
 
-    const ImagePlane first = orthonormal(planes[stack.order.front()].plane, stack.messages);
-    const glm::dvec3 extent = planes[stack.order.back()].plane.positionMm - first.positionMm;
-    const double extentAlong = positions.alongMm.back() - positions.alongMm.front();
-
-    // Sideways every plane has to lie on the line from the first to the last, however they are spaced.
-    double largestSideways = 0.0;
-    for (std::size_t k = 0; k < planes.size(); ++k) {
-        const double share = (positions.alongMm[k] - positions.alongMm.front()) / extentAlong;
-        const glm::dvec3 error =
-            planes[stack.order[k]].plane.positionMm - (first.positionMm + share * extent);
-        largestSideways = std::max(largestSideways, glm::length(error));
-    }
-    if (largestSideways > kIrregularErrorOfStep * std::max(positions.usualMm, first.columnSpacingMm)) {
-        return fail(
-            message(key::kNotReconstructable, {{"reason", "they are shifted sideways against each other"}}));
-    }
-
-    if (!isInvertibleAffine(affine(first.rowDirection, first.columnDirection, extent, first.positionMm))) {
-        return fail(message(key::kNotReconstructable, {{"reason", "they lie beside each other"}}));
-    }
-
-    const auto [least, most] = std::minmax_element(steps.begin(), steps.end());
-    if (const auto places = placesWithGaps(positions)) {
-        const std::size_t total = places->back() + 1;
-        if (total > 2 * planes.size()) {
-            return fail(message(key::kMissingSlices, Severity::blocksVolume,
-                                {{"missing", std::int64_t(total - planes.size())},
-                                 {"total", std::int64_t(total)},
-                                 {"spacingMm", positions.usualMm}}));
-        }
-        stack.slices = slicesWithGaps(*places);
-    } else {
-        // Fine enough for the smallest distance, and bounded: one pair of almost equal positions among wide
-        // distances must not make a volume of thousands of slices, and a wide gap none of melted ones.
-        constexpr double kMostSlicesPerPlane = 4.0;
-        const double wantedMm =
-            std::clamp(*least, positions.usualMm / kMostSlicesPerPlane, positions.usualMm);
-        const double gridSteps = std::ceil(extentAlong / wantedMm - 1e-6);
-        constexpr double kWideGapOfStep = 8.0;
-        if (*most > kWideGapOfStep * positions.usualMm ||
-            !(gridSteps <= kMostSlicesPerPlane * double(planes.size()))) {
-            return fail(message(key::kSpacingTooIrregular, {{"leastMm", *least}, {"mostMm", *most}}));
-        }
-        stack.slices = slicesEvenly(positions, static_cast<std::size_t>(gridSteps) + 1);
-        stack.quality = StackGeometry::Quality::resampled;
-    }
-    const double gridStepMm = extentAlong / double(stack.slices.size() - 1);
-    const auto interpolated = static_cast<std::size_t>(std::count_if(
-        stack.slices.begin(), stack.slices.end(), [](const auto& s) { return s.interpolated(); }));
-    if (stack.quality == StackGeometry::Quality::resampled) {
-        stack.messages.push_back(message(
-            key::kIrregularSpacing, {{"leastMm", *least}, {"mostMm", *most}, {"spacingMm", gridStepMm}}));
-    } else if (interpolated > 0) {
-        stack.messages.push_back(message(key::kMissingSlices, {{"missing", std::int64_t(interpolated)},
-                                                               {"total", std::int64_t(stack.slices.size())},
-                                                               {"spacingMm", gridStepMm}}));
-        stack.quality = StackGeometry::Quality::resampled;
-    } else {
-        stack.quality = StackGeometry::Quality::even;
-    }
-    if (interpolated > 0) {
-        stack.messages.push_back(
-            message(key::kGapInterpolated,
-                    {{"count", std::int64_t(interpolated)}, {"slices", listInterpolated(stack.slices)}}));
-    }
-
-    const glm::dvec3 sliceStep = extent / double(stack.slices.size() - 1);
-    for (std::size_t k = 0; k < stack.slices.size(); ++k) {
-        if (stack.slices[k].interpolated()) continue;
-        const glm::dvec3 error = planes[stack.order[stack.slices[k].below]].plane.positionMm -
-                                 (first.positionMm + double(k) * sliceStep);
-        stack.largestErrorMm = std::max(stack.largestErrorMm, glm::length(error));
-    }
-    if (stack.largestErrorMm > kUnevenErrorOfStep * gridStepMm) {
-        stack.messages.push_back(message(key::kUnevenSpacing, {{"errorMm", stack.largestErrorMm}}));
-    }
-    const double cosTilt =
-        std::clamp(glm::dot(glm::normalize(sliceStep), glm::normalize(first.normal())), -1.0, 1.0);
-    const double tiltDeg = std::acos(cosTilt) * kDegPerRad;
+    const double tiltDeg = tiltDegOf(line, stack);
     if (tiltDeg > kMostTiltDeg) {
-        stack.quality = StackGeometry::Quality::none;
-        stack.slices.clear();
         return fail(message(key::kNotReconstructable,
                             {{"reason", "each is shifted sideways against the one before"}}));
     }
     if (tiltDeg > kTiltWorthTellingDeg) {
         stack.messages.push_back(message(key::kTiltedStack, {{"degrees", tiltDeg}}));
     }
-    stack.worldFromVoxel = affine(first.rowDirection * first.columnSpacingMm,
-                                  first.columnDirection * first.rowSpacingMm, sliceStep, first.positionMm);
+    const ImagePlane& first = line.first;
+    stack.worldFromVoxel =
+        affine(first.rowDirection * first.columnSpacingMm, first.columnDirection * first.rowSpacingMm,
+               sliceStepMm(line, stack), first.positionMm);
     return stack;
 }
 

@@ -9,6 +9,8 @@
 
 #include "dicom/read/dataset.h"
 #include "dicom/read/folder.h"
+#include "dicom/read/sop_class.h"
+#include "dicom/read/tags.h"
 
 namespace macula::dicom {
 
@@ -16,9 +18,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::string_view kMediaStorageDirectory = "1.2.840.10008.1.3.10";
 constexpr Tag kMediaStorageSopClass{0x0002, 0x0002};
-constexpr Tag kRecords{0x0004, 0x1220};
 constexpr Tag kRecordInUse{0x0004, 0x1410};
 constexpr Tag kReferencedFile{0x0004, 0x1500};
 
@@ -135,14 +135,14 @@ class Resolver {
 Result<MediaDirectory> readMediaDirectory(const fs::path& path) try {
     const HeaderFile read = readHeader(path);
     const bool isDirectory =
-        read.header && (read.header->text(kMediaStorageSopClass) == kMediaStorageDirectory ||
-                        !read.header->items(kRecords).empty());
+        read.header && (read.header->text(kMediaStorageSopClass) == sop_class::kMediaDirectory ||
+                        !read.header->items(tag::kDirectoryRecords).empty());
     if (!isDirectory) {
         return Error{ErrorCode::inputNotUsable, "The file is not the directory of a DICOM disc.",
                      path.string(), "Open the folder instead."};
     }
     Resolver resolver(path.parent_path());
-    for (const Dataset& record : read.header->items(kRecords)) {
+    for (const Dataset& record : read.header->items(tag::kDirectoryRecords)) {
         constexpr std::uint16_t kNotInUse = 0;
         if (record.word(kRecordInUse) == kNotInUse) continue;
         if (const auto components = record.texts(kReferencedFile); !components.empty())

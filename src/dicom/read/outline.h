@@ -1,5 +1,9 @@
 // The shape of a DICOM file, from its element headers alone and without recursion: where the pixel data are,
 // and, in a tree, all that stands before them.
+//
+// DCMTK's parser recurses and inflates without bounds, so this walk came before it as a check. It visits
+// every element; keeping what it sees made the parser superfluous, and headers five times as fast. A test
+// compares each element of all real files with DCMTK.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,9 @@
 #include "dicom/read/sop_class.h"
 
+#include <dcmtk/config/osconfig.h>
+#include <dcmtk/dcmdata/dcuid.h>
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 
@@ -63,13 +67,9 @@ bool isSegmentation(std::string_view sopClassUid) {
 }
 
 bool isImage(std::string_view sopClassUid) {
-    static constexpr std::array kImages = std::to_array<std::string_view>(
-        {"2",     "2.1",   "2.2", "4",   "4.1", "4.3", "4.4", "20",  "128", "128.1", "130",
-         "481.1", "481.2", "3.1", "6.1", "6.2", "7",   "7.1", "7.2", "7.3", "7.4"});
-    constexpr std::string_view kRoot = "1.2.840.10008.5.1.4.1.1.";
-    if (isProjection(sopClassUid)) return true;
-    return sopClassUid.starts_with(kRoot) &&
-           std::find(kImages.begin(), kImages.end(), sopClassUid.substr(kRoot.size())) != kImages.end();
+    const std::string uid(sopClassUid);
+    // Doses, which DCMTK does not count as images, lie in slices.
+    return isProjection(uid) || uid == UID_RTDoseStorage || dcmIsImageStorageSOPClassUID(uid.c_str());
 }
 
 bool isProjection(std::string_view sopClassUid) {
@@ -82,7 +82,9 @@ std::string describeSopClass(std::string_view sopClassUid) {
     // What is no UID is not repeated: it may be anything.
     const bool isUid = !sopClassUid.empty() && sopClassUid.size() <= 64 &&
                        sopClassUid.find_first_not_of("0123456789.") == std::string_view::npos;
-    return isUid ? "Object of class " + std::string(sopClassUid) : "Object of unknown kind";
+    if (!isUid) return "Object of unknown kind";
+    const std::string uid(sopClassUid);
+    return fmt::format("Object of class {}", dcmFindNameOfUID(uid.c_str(), uid.c_str()));
 }
 
 }  // namespace macula::dicom

@@ -25,7 +25,8 @@ bool isImage(std::string_view sopClassUid);
 // Images that look through or at the patient from outside, and are no slices, whatever else they say.
 bool isProjection(std::string_view sopClassUid);
 
-// For a person: "Segmentation", "Structured report"; the UID when it is none of the common ones.
+// For a person: "Segmentation", "Structured report"; the keyword, or the UID of none that DCMTK
+// knows, when it is none of the common ones.
 std::string describeSopClass(std::string_view sopClassUid);
 
 }  // namespace macula::dicom

@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 
 #include <bit>
-#include <charconv>
-#include <cmath>
 #include <cstring>
 
 namespace macula::dicom {
@@ -68,13 +66,6 @@ bool usesCharacterSet(Vr vr) {
     }
 }
 
-std::string_view trimmed(std::string_view text) {
-    constexpr std::string_view kPadding{" \t\r\n\0", 5};
-    const std::size_t begin = text.find_first_not_of(kPadding);
-    if (begin == std::string_view::npos) return {};
-    return text.substr(begin, text.find_last_not_of(kPadding) - begin + 1);
-}
-
 std::vector<std::string_view> splitAtBackslash(std::string_view text) {
     std::vector<std::string_view> parts;
     for (std::size_t begin = 0;;) {
@@ -83,15 +74,6 @@ std::vector<std::string_view> splitAtBackslash(std::string_view text) {
         if (end == std::string_view::npos) return parts;
         begin = end + 1;
     }
-}
-
-std::optional<double> parseNumber(std::string_view text) {
-    text = trimmed(text);
-    if (text.starts_with('+')) text.remove_prefix(1);
-    double value = 0.0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) return {};
-    return value;
 }
 
 std::vector<double> binaryNumbers(Vr vr, std::string_view bytes, bool bigEndian) {

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/parsing.h"
 #include "dicom/read/dictionary.h"
 
 namespace macula::dicom {
@@ -13,10 +14,7 @@ namespace macula::dicom {
 bool isTextVr(Vr vr);
 // Text in the character set of the file (PS3.5 6.1.2.2); other text is in the default one.
 bool usesCharacterSet(Vr vr);
-// Without padding on either side.
-std::string_view trimmed(std::string_view text);
 std::vector<std::string_view> splitAtBackslash(std::string_view text);  // each trimmed
-std::optional<double> parseNumber(std::string_view text);               // finite
 
 // Of binary numbers; empty when the VR is none of these, or the length does not fit.
 std::vector<double> binaryNumbers(Vr vr, std::string_view bytes, bool bigEndian);

@@ -13,7 +13,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr Tag kReferencedSeriesSequence{0x0008, 0x1115};
 constexpr Tag kSegmentationType{0x0062, 0x0001};
 constexpr Tag kSegmentSequence{0x0062, 0x0002};
 constexpr Tag kSegmentNumber{0x0062, 0x0004};
@@ -24,8 +23,6 @@ constexpr Tag kSegmentAlgorithmName{0x0062, 0x0009};
 constexpr Tag kReferencedSegmentNumber{0x0062, 0x000B};
 constexpr Tag kRecommendedCieLab{0x0062, 0x000D};
 constexpr Tag kMaximumFractionalValue{0x0062, 0x000E};
-constexpr Tag kSpacingBetweenSlices{0x0018, 0x0088};
-constexpr Tag kSliceThickness{0x0018, 0x0050};
 constexpr int kMostRows = 65535;
 
 Error notUsable(const fs::path& file, std::string message,
@@ -104,7 +101,7 @@ Result<Segmentation> readSegmentation(const fs::path& file) try {
                               .columns = header.integer(tag::kColumns).value_or(0),
                               .rows = header.integer(tag::kRows).value_or(0),
                               .segments = readSegments(header)};
-    for (const Dataset& series : header.items(kReferencedSeriesSequence)) {
+    for (const Dataset& series : header.items(tag::kReferencedSeries)) {
         if (auto uid = series.text(tag::kSeriesInstanceUid))
             segmentation.referencedSeriesUids.push_back(std::move(*uid));
     }
@@ -145,7 +142,7 @@ Result<Segmentation> readSegmentation(const fs::path& file) try {
         segmentation.frames.push_back({*plane, *number});
     }
     const Dataset first = header.frame(0);
-    for (const Tag tag : {kSpacingBetweenSlices, kSliceThickness}) {
+    for (const Tag tag : {tag::kSpacingBetweenSlices, tag::kSliceThickness}) {
         if (const auto spacing = first.number(tag); spacing && *spacing > 0 && segmentation.spacingMm == 0.0)
             segmentation.spacingMm = *spacing;
     }

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/check.h"
+#include "base/parsing.h"
 #include "base/utf8.h"
 #include "dicom/rules/embedded.h"
 
@@ -157,13 +158,7 @@ bool sameValue(const Attribute& attribute, std::string_view a, std::string_view 
 }
 
 std::optional<double> numberOf(std::string_view text) {
-    text = text.substr(0, text.find('\\'));
-    while (!text.empty() && (text.front() == ' ' || text.front() == '+')) text.remove_prefix(1);
-    while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
-    double value = 0.0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) return {};
-    return value;
+    return finiteNumber(text.substr(0, text.find('\\')));
 }
 
 }  // namespace macula::dicom

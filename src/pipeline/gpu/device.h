@@ -35,7 +35,8 @@ struct DeviceOptions {
     // (xrCreateVulkanDeviceKHR).
     VkPhysicalDevice physical = VK_NULL_HANDLE;
     std::function<VkResult(VkPhysicalDevice, const VkDeviceCreateInfo&, VkDevice*)> createDevice;
-    bool separateMemory = false;  // as on a graphics card, also where it is not so: for tests
+    // Takes device memory for unmapped, as on a graphics card, to test staging copies without one.
+    bool separateMemory = false;
 };
 
 // A VkDevice with one queue for everything (compute, transfer, graphics where there is any).
@@ -80,7 +81,8 @@ class Device : public std::enable_shared_from_this<Device> {
     // deviceLost when it is; asked before anything is made or moved. `doing` as in vulkanError.
     Result<void> checkNotLost(std::string_view doing) const;
 
-    // Bytes that were brought to the host (transfer.h), ever: who says that nothing is, can be asked.
+    // Bytes read back to the host so far (transfer.h). Tests ask, to prove that drawing a frame reads nothing
+    // back.
     std::uint64_t bytesRead() const { return bytesRead_; }
     void countRead(std::uint64_t bytes) { bytesRead_ += bytes; }
 
@@ -141,12 +143,13 @@ class Device : public std::enable_shared_from_this<Device> {
     std::uint32_t maxGroups_[3] = {0, 0, 0};
     Functions functions_;
     VkSemaphore timeline_ = VK_NULL_HANDLE;
-    // By where the shader's words lie, which are static, and the constants it was specialized by, as text.
+    // The cache of compiled kernels. Its key is the address of the shader's words, which are static data, and
+    // its specialization constants as text.
     std::map<std::pair<const std::uint32_t*, std::string>, std::shared_ptr<const CompiledKernel>> kernels_;
     std::vector<Commands> freeCommands_;
     std::atomic<Ticket> submitted_{0};
     std::uint64_t bytesRead_ = 0;
-    mutable std::atomic<bool> lost_{false};  // a question may find it out, too
+    mutable std::atomic<bool> lost_{false};  // mutable: a const query may discover the loss
 
     mutable std::mutex droppedMutex_;  // guards the two below: resources are dropped on any thread
     std::vector<Dropped> dropped_;

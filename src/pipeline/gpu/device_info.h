@@ -34,8 +34,8 @@ struct DeviceInfo {
     std::uint32_t maxPushConstantBytes = 0;
     std::uint32_t maxImageEdge2D = 0;
     std::uint32_t maxImageEdge3D = 0;
-    std::uint32_t subgroupSize = 0;     // what shaders have that ask for none, or the largest of several
-    std::uint32_t minSubgroupSize = 0;  // what KernelOptions::subgroupSize may ask for; both 0: nothing
+    std::uint32_t subgroupSize = 0;  // of kernels that require none; where the driver may choose, the largest
+    std::uint32_t minSubgroupSize = 0;  // what KernelOptions::subgroupSize may require; 0: nothing
     std::uint32_t maxSubgroupSize = 0;
     std::uint32_t maxGroupsX = 0;  // of one dispatch
     bool floatAtomicAdd = false;   // atomicAdd of floats in storage buffers (VK_EXT_shader_atomic_float)

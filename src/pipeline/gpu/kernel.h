@@ -44,13 +44,13 @@ struct Specialization {
 struct KernelOptions {
     std::vector<Specialization>
         specializations;  // a variant of the shader; a name it does not have is a failed check
-    // That its subgroups are to have, from DeviceInfo::minSubgroupSize to maxSubgroupSize, a power of two; 0:
-    // what the driver likes, which may be another than DeviceInfo::subgroupSize.
+    // The subgroup size that the kernel requires: a power of two from DeviceInfo::minSubgroupSize to
+    // maxSubgroupSize. 0: the driver chooses, perhaps another than DeviceInfo::subgroupSize.
     std::uint32_t subgroupSize = 0;
 };
 
-// What a device compiled. It keeps it as long as it lives: who asks next for the same shader with the same
-// constants has it at once.
+// A compiled pipeline. The device caches it as long as it lives: the next Kernel of the same shader and
+// constants is there at once.
 struct CompiledKernel {
     explicit CompiledKernel(VkDevice on) : device(on) {}
     CompiledKernel(const CompiledKernel&) = delete;
@@ -87,7 +87,7 @@ class Kernel {
     Kernel(std::shared_ptr<Device> device, const CompiledKernel& compiled)
         : device_(std::move(device)), compiled_(&compiled) {}
 
-    std::shared_ptr<Device> device_;  // which owns the other
+    std::shared_ptr<Device> device_;  // its cache owns what compiled_ points to
     const CompiledKernel* compiled_;
 };
 

@@ -164,8 +164,8 @@ class Recorder {
               Order order = Order::afterPrevious);
     // Of the same size and format.
     void copy(const Image& from, const Image& to, Order order = Order::afterPrevious);
-    // What is small, from the command buffer itself: at most kMaxUpdateBytes, a multiple of 4. So nobody
-    // needs to wait until the device has read what was there before.
+    // Writes a few bytes that travel in the command buffer itself: at most kMaxUpdateBytes, a multiple of 4.
+    // So nobody has to wait until earlier work has read what was there before.
     void update(const Buffer& buffer, std::span<const std::byte> bytes, Order order = Order::afterPrevious);
     void fill(const Buffer& buffer, std::uint32_t value, Order order = Order::afterPrevious);  // all of it
     void clear(const Image& image, const VkClearColorValue& value, Order order = Order::afterPrevious);
@@ -188,10 +188,12 @@ class Recorder {
     // For what this class does not offer. Put barrier() before and after.
     VkCommandBuffer commands() const { return commands_.buffer; }
 
-    // Once. The work starts now; the recorder may be dropped at once, or kept to ask for timings.
+    // May be called once. The work starts now; the recorder may be dropped at once, or kept to ask for
+    // timings.
     Result<Ticket> submit(const SubmitOptions& options = {});
 
-    // In order of their start; none where the queue has no timestamps. Waits for the submission.
+    // The timed sections in order of their start; none where the queue has no timestamps. Waits for the
+    // submission.
     Result<std::vector<Timing>> timings();
 
   private:

@@ -13,7 +13,7 @@
 
 namespace macula::gpu {
 
-inline constexpr int kMostLosses = 3;  // the last of so many within kLossWindow is the end
+inline constexpr int kMostLosses = 3;  // the third loss within kLossWindow is an error
 inline constexpr std::chrono::seconds kLossWindow{60};
 
 // How often devices were lost lately. What is lost again and again is not lost by chance: then whoever counts
@@ -22,7 +22,7 @@ class LossCount {
   public:
     using Clock = std::chrono::steady_clock;
 
-    // One more. False when it was one too many.
+    // Counts a loss. False when it was one too many.
     bool mayGoOn(Clock::time_point now = Clock::now());
 
   private:

@@ -174,6 +174,57 @@ Result<TexelBuffer> TexelBuffer::create(const std::shared_ptr<Device>& device,
     return result;
 }
 
+namespace {
+
+constexpr VkImageSubresourceRange kWholeImage{VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
+
+// An error too where the device cannot use the format so.
+VkResult createImage(const Device& device, const ImageOptions& options, VkExtent3D extent, VkImage& handle) {
+    VkImageCreateInfo info{VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO};
+    info.imageType = options.shape == ImageShape::volume ? VK_IMAGE_TYPE_3D : VK_IMAGE_TYPE_2D;
+    info.format = options.format;
+    info.extent = extent;
+    info.mipLevels = 1;
+    info.arrayLayers = 1;
+    info.samples = VK_SAMPLE_COUNT_1_BIT;
+    info.tiling = VK_IMAGE_TILING_OPTIMAL;
+    info.usage = options.usage;
+    VkImageFormatProperties properties{};
+    if (const VkResult status = vkGetPhysicalDeviceImageFormatProperties(
+            device.physical(), info.format, info.imageType, info.tiling, info.usage, 0, &properties);
+        status < 0)
+        return status;
+    return vkCreateImage(device.handle(), &info, nullptr, &handle);
+}
+
+VkResult createView(const Device& device, const ImageOptions& options, VkImage image, VkImageView& view) {
+    VkImageViewCreateInfo info{VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO};
+    info.image = image;
+    info.viewType = options.shape == ImageShape::volume ? VK_IMAGE_VIEW_TYPE_3D : VK_IMAGE_VIEW_TYPE_2D;
+    info.format = options.format;
+    info.subresourceRange = kWholeImage;
+    return vkCreateImageView(device.handle(), &info, nullptr, &view);
+}
+
+// Submits the move; what is submitted later waits for it.
+Result<void> moveToGeneral(const std::shared_ptr<Device>& device, VkImage image) {
+    MACULA_TRY(auto recorder, Recorder::create(device, "image to GENERAL"));
+    VkImageMemoryBarrier2 barrier{VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2};
+    barrier.dstStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
+    barrier.dstAccessMask = VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT;
+    barrier.newLayout = VK_IMAGE_LAYOUT_GENERAL;
+    barrier.image = image;
+    barrier.subresourceRange = kWholeImage;
+    VkDependencyInfo dependency{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
+    dependency.imageMemoryBarrierCount = 1;
+    dependency.pImageMemoryBarriers = &barrier;
+    vkCmdPipelineBarrier2(recorder.commands(), &dependency);
+    MACULA_TRY_VOID(recorder.submit());
+    return {};
+}
+
+}  // namespace
+
 Result<Image> Image::create(const std::shared_ptr<Device>& device, const ImageOptions& options) {
     MACULA_CHECK(device != nullptr);
     MACULA_CHECK(options.width > 0 && options.height > 0 && options.depth > 0);
@@ -195,25 +246,10 @@ Result<Image> Image::create(const std::shared_ptr<Device>& device, const ImageOp
     if (result.bytes() > info.maxAllocationBytes)
         return tooLarge(*device, what, bytesText(result.bytes()), bytesText(info.maxAllocationBytes));
 
-    VkImageCreateInfo imageInfo{VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO};
-    imageInfo.imageType = isVolume ? VK_IMAGE_TYPE_3D : VK_IMAGE_TYPE_2D;
-    imageInfo.format = options.format;
-    imageInfo.extent = result.extent();
-    imageInfo.mipLevels = 1;
-    imageInfo.arrayLayers = 1;
-    imageInfo.samples = VK_SAMPLE_COUNT_1_BIT;
-    imageInfo.tiling = VK_IMAGE_TILING_OPTIMAL;
-    imageInfo.usage = options.usage;
     const std::string doing =
         fmt::format("create the {} of {} x {} x {}", what, options.width, options.height, options.depth);
-    VkImageFormatProperties properties{};
-    if (const VkResult status =
-            vkGetPhysicalDeviceImageFormatProperties(device->physical(), options.format, imageInfo.imageType,
-                                                     imageInfo.tiling, options.usage, 0, &properties);
-        status < 0)
-        return device->failed(status, doing);
     VkImage handle = VK_NULL_HANDLE;
-    if (const VkResult status = vkCreateImage(device->handle(), &imageInfo, nullptr, &handle); status < 0)
+    if (const VkResult status = createImage(*device, options, result.extent(), handle); status < 0)
         return device->failed(status, doing);
     result.image_ = Handle(device, handle);
     device->setName(VK_OBJECT_TYPE_IMAGE, reinterpret_cast<std::uint64_t>(handle), options.label);
@@ -227,34 +263,14 @@ Result<Image> Image::create(const std::shared_ptr<Device>& device, const ImageOp
         status < 0)
         return device->failed(status, doing);
 
-    constexpr VkImageSubresourceRange kWhole{VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
     constexpr VkImageUsageFlags kViewable = VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_SAMPLED_BIT;
     if (options.usage & kViewable) {
-        VkImageViewCreateInfo viewInfo{VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO};
-        viewInfo.image = handle;
-        viewInfo.viewType = isVolume ? VK_IMAGE_VIEW_TYPE_3D : VK_IMAGE_VIEW_TYPE_2D;
-        viewInfo.format = options.format;
-        viewInfo.subresourceRange = kWhole;
         VkImageView view = VK_NULL_HANDLE;
-        if (const VkResult status = vkCreateImageView(device->handle(), &viewInfo, nullptr, &view);
-            status < 0)
+        if (const VkResult status = createView(*device, options, handle, view); status < 0)
             return device->failed(status, doing);
         result.view_ = Handle(device, view);
     }
-
-    MACULA_TRY(auto recorder, Recorder::create(device, "image to GENERAL"));
-    VkImageMemoryBarrier2 barrier{VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2};
-    barrier.dstStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
-    barrier.dstAccessMask = VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT;
-    barrier.newLayout = VK_IMAGE_LAYOUT_GENERAL;
-    barrier.image = handle;
-    barrier.subresourceRange = kWhole;
-    VkDependencyInfo dependency{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
-    dependency.imageMemoryBarrierCount = 1;
-    dependency.pImageMemoryBarriers = &barrier;
-    vkCmdPipelineBarrier2(recorder.commands(), &dependency);
-    auto submitted = recorder.submit();
-    if (!submitted.ok()) return submitted.error();
+    MACULA_TRY_VOID(moveToGeneral(device, handle));
     return result;
 }
 

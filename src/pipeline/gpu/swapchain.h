@@ -73,7 +73,7 @@ class Swapchain {
   private:
     struct Slot {
         Handle<VkSemaphore> available;
-        Ticket usedBy = 0;  // its wait is over when this is done
+        Ticket usedBy = 0;  // the submission that waits for it: done, and the semaphore may be used again
     };
 
     // At once, not deferred: the caller may destroy the surface right after.

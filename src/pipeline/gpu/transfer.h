@@ -26,7 +26,7 @@ Result<void> uploadTo(const Buffer& buffer, std::span<const T> values) {
     return uploadTo(buffer, 0, std::as_bytes(values));
 }
 
-// After all work submitted so far. Waits.
+// Reads bytes back after all work submitted so far. Waits.
 Result<std::vector<std::byte>> readBytes(const Buffer& buffer, std::uint64_t offsetBytes,
                                          std::uint64_t bytes);
 Result<std::vector<std::byte>> readBytes(const Image& image);

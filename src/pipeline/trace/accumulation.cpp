@@ -14,7 +14,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::uint32_t kMaxBlocks = 65535;  // of one dispatch: what every device allows
-constexpr std::uint32_t kMinBlocks = 4;      // so that no thread of a CPU device is idle
+constexpr std::uint32_t kMinBlocks = 4;      // of one dispatch, so that no thread of a CPU device is idle
 
 }  // namespace
 

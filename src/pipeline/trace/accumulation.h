@@ -38,8 +38,9 @@ class Accumulation {
     // looks at the picture's view. Where it fails, nobody knows what the film holds.
     Result<void> step(const SceneView& scene, TraceKernels& kernels, const TraceVariant& variant, int bounces,
                       double ms);
-    // From now on where samples of kPrimarySamples in a row meet matter is kept as well, of steps whose
-    // variant tells it; what was kept before is cleared. outOfMemory.
+    // Begins to keep the primary vertex of samples too: where each first meets matter, for kPrimarySamples
+    // samples of each pixel in a row, in steps whose variant tells it. Clears what was kept before.
+    // outOfMemory.
     Result<void> clearPrimaries();
     Result<std::vector<shared::PrimaryVertex>> readPrimaries() const;  // waits; after clearPrimaries
 
@@ -48,7 +49,7 @@ class Accumulation {
     Result<bool> hasLostPaths() const;
 
     const Film& film() const { return *film_; }
-    // Of the film: grows whenever something is added to it, or it is cleared.
+    // The edition of the film grows whenever something is added to it, or it is cleared.
     std::uint64_t edition() const { return edition_; }
     double deviceMs() const { return deviceMs_; }  // spent since it began
 
@@ -57,7 +58,7 @@ class Accumulation {
     bool isMeasured() const { return estimate_ && measuredEdition_ == edition_; }
     // The last one made since it began, which may be of fewer samples.
     const std::optional<ErrorEstimate>& estimate() const { return estimate_; }
-    // By block, of that.
+    // The noise of each block behind that estimate.
     const std::vector<shared::BlockNoise>& noises() const { return noises_; }
 
   private:
@@ -71,7 +72,7 @@ class Accumulation {
     double deviceMs_ = 0.0;
 
     std::optional<NoiseMap> noiseMap_;
-    std::uint64_t measuredEdition_ = 0;  // that the map is of, or is being made of
+    std::uint64_t measuredEdition_ = 0;  // edition of the film that the noise map measures, or has measured
     std::vector<shared::BlockNoise> noises_;
     std::optional<ErrorEstimate> estimate_;
 };

@@ -29,12 +29,12 @@ class DeviceScene {
         : device_(std::move(device)), limits_(limits) {}
 
     const std::shared_ptr<gpu::Device>& device() const { return device_; }
-    // A larger one whenever what bindings() gives, or what is seen of it, has become another: who has
-    // looked at an earlier one begins anew.
+    // Grows whenever bindings() gives something else, or something else can be seen: pictures of an earlier
+    // edition begin anew.
     std::uint64_t edition() const { return edition_; }
 
-    // Voxels are uploaded when it is known which of them can be seen. outOfMemory when the device cannot hold
-    // the grid of the volume. The transfer function has to be set again.
+    // Uploads no voxels yet: only the transfer function, which has to be set again, tells which can be seen.
+    // outOfMemory when the device cannot hold the grid of the volume.
     Result<void> setVolume(std::shared_ptr<const Volume> volume);
     // After setVolume. Rebuilds the tables and the bound on extinction of every brick, and uploads the voxels
     // that have become visible. outOfMemory when the device cannot hold even the coarsest.
@@ -52,15 +52,15 @@ class DeviceScene {
 
     double anisotropy() const { return function_ ? function_->anisotropy : 0.0; }
 
-    // Of the look that it was made ready for last.
+    // In the look that makeReadyFor() prepared last.
     bool hasGradientOpacity() const { return !medium_.gradientOpacity.empty(); }
 
     bool isComplete() const;
-    // Likewise, and of what it shows.
+    // Majorants and empty distances by brick (Medium::bounds), in that look as well.
     std::span<const float> bounds() const { return medium_.bounds; }
     const std::shared_ptr<const Volume>& volume() const { return volume_; }
 
-    // When complete. Sees to the tables and bounds of the look.
+    // Makes the tables and majorants that the look needs. When complete.
     Result<void> makeReadyFor(const Settings& settings);
     // The voxels that gradients reach, of whatever can be seen (addReachOfGradients), are there from now on,
     // as they are for settings that take gradients; until the next volume. Its edition stays while nothing is

@@ -44,7 +44,7 @@ class DeviceVolume {
 
     std::span<const std::uint8_t> levels() const { return plan_.levels; }  // by block
     bool isCoarse() const { return plan_.coarse > 0; }
-    // The same of all that is kept, whether it is shown or not.
+    // Whether any block in the pool is coarse, also of those that are hidden now.
     bool holdsCoarseBlocks() const { return holdsCoarse_; }
     const std::optional<Message>& message() const { return message_; }
     VoxelMemory memory() const;

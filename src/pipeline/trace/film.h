@@ -1,4 +1,4 @@
-// What samples are gathered on, pixel by pixel.
+// The film: on it samples are summed, pixel by pixel.
 #pragma once
 
 #include <cstdint>
@@ -29,7 +29,7 @@ class Film {
 
     const gpu::Buffer& squares() const {
         return squares_;
-    }  // vec2: sum of squares of luminance, its rounding
+    }  // vec2: sum of squares of luminance, and its compensation
 
     struct Faults {
         std::uint32_t nonFinite = 0;  // samples that were not a number
@@ -44,7 +44,7 @@ class Film {
     int width_;
     int height_;
     gpu::Buffer sums_;
-    gpu::Buffer lost_;  // vec4: what rounding took from the sums
+    gpu::Buffer lost_;  // vec4: the compensation of Kahan's summation
     gpu::Buffer counts_;
     gpu::Buffer faults_;
     gpu::Buffer squares_;

@@ -16,7 +16,7 @@ constexpr std::uint32_t kBlocksPerDispatchCpu = 1 << 12;
 // Eight for each group, of which some graphics cards allow no more than 65535.
 constexpr std::uint32_t kBlocksPerDispatchGpu = 1 << 18;
 
-// Grey, of which 18 of 100 parts come back: what may lie behind a picture with an alpha channel.
+// 18 % grey: a backdrop as may lie behind a picture with an alpha channel.
 constexpr float kBackdrop = 0.18f;
 
 }  // namespace

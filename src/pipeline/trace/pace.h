@@ -1,4 +1,4 @@
-// How fast the device turns out to be, by what it traces.
+// The measured pace of the device, by kind of dispatch. It decides how large the next dispatch may be.
 #pragma once
 
 #include <map>
@@ -21,7 +21,7 @@ struct Work {
 
 class Pace {
   public:
-    // Samples of a block; a careful guess until something was learnt.
+    // Samples of one block per millisecond; a careful guess until something was learnt.
     double perMs(const Work& work) const;
     void learn(const Work& work, double blockSamples, double ms);
 

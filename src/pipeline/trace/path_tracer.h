@@ -38,7 +38,7 @@ namespace macula::trace {
 class DeviceScene;
 
 struct Statistics {
-    std::uint64_t samplesPerPixel = 0;  // that every pixel has, see traceFor()
+    std::uint64_t samplesPerPixel = 0;  // the least that any pixel has: traceFor() gives some more
     double meanSamplesPerPixel = 0.0;   // what they have on average
     // Standard error of what is shown, display-encoded, 0 to 1, RMS over the parts of the picture that show
     // something; as of the last pass of traceFor() or estimateError(). +infinity before.

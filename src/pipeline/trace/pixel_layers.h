@@ -1,4 +1,5 @@
-// Where the light of each pixel of a picture comes from.
+// The depths at which the centre ray of each pixel has lost an eighth more of its light
+// (shaders/lib/layers.glsl).
 #pragma once
 
 #include <memory>
@@ -12,7 +13,8 @@
 
 namespace macula::trace {
 
-// Of what the scene looks at, by layers.comp as compiled for it (TraceKernels); row 0 on top. Waits.
+// Finds them for the view of the scene, by layers.comp as compiled for that scene (TraceKernels); row 0 on
+// top. Waits.
 Result<std::vector<shared::PixelLayers>> findLayers(const std::shared_ptr<gpu::Device>& device,
                                                     const SceneView& scene, const gpu::Kernel& kernel,
                                                     int width, int height);

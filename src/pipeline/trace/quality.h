@@ -1,4 +1,5 @@
-// Points on the curve of time against error, by name: presets/schema/quality.schema.json is the reference.
+// Quality presets: named points on the curve of time against error. presets/schema/quality.schema.json is the
+// reference.
 #pragma once
 
 #include <string>

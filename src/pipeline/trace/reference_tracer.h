@@ -29,7 +29,7 @@ class ReferenceTracer {
     std::vector<glm::dvec4> trace(const shared::TraceParams& params, Filter filter, Precision precision,
                                   std::uint32_t firstSample, std::uint32_t sampleCount) const;
 
-    // The same for ray casting. The medium must be of that kind.
+    // The same for ray casting. The medium must have been made for what is cast: matter, or that projection.
     struct Cast {
         int kind = shared::kCastMatter;  // of trace_params.h
         bool shading = false;
@@ -46,7 +46,7 @@ class ReferenceTracer {
                           const glm::dvec3& originVoxel, const glm::dvec3& worldDirection,
                           std::uint32_t samples) const;
 
-    // Of the centre ray of each pixel, row 0 on top.
+    // The guides of each pixel, by its centre ray; row 0 on top.
     std::vector<GuideOf<double>> guides(const shared::TraceParams& params, const shared::GuidePush& before,
                                         Precision precision) const;
 

@@ -19,13 +19,14 @@ constexpr double kLeastWeight = 0.25;
 constexpr double kLeastWeightUnseen = 1.0 / 16.0;
 constexpr double kMostWeight = 8.0;
 
-// Of the most that a block can get in a pass: what they get on average. And what is worth a visit, of what a
-// pixel has.
+// kRoom: the average samples of a block in an adaptive pass, in parts of the most that one may get. kWorthIt:
+// a block is visited for no fewer samples than this part of the mean over the picture.
 constexpr double kRoom = 0.25;
 constexpr double kWorthIt = 0.25;
 
 constexpr double kNearlyWorst = 0.95;
-constexpr double kNearlyWorstFactor = 2.0;  // of the threshold
+// A converged picture has its 95th percentile at no more than so many times the threshold.
+constexpr double kNearlyWorstFactor = 2.0;
 
 // A step through `blocks` that visits each once and spreads any few of them evenly: near the golden section
 // and coprime.

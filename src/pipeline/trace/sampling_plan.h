@@ -15,7 +15,7 @@
 
 namespace macula::trace {
 
-// Of every pixel before anything adapts, and before anything counts as converged.
+// The samples that every pixel has before sampling adapts, and before a picture may count as converged.
 inline constexpr std::uint32_t kEvenSamples = 8;
 
 // Of what is shown, display-encoded, black 0 to white 1: the standard error of the mean, over the blocks
@@ -24,7 +24,7 @@ struct ErrorEstimate {
     double rms = 0.0;
     double nearlyWorst = 0.0;  // 95 of 100 blocks have less
 };
-// What is not a number, or more than 1, counts as 1: black taken for white.
+// A noise that is no number, or above 1, counts as 1: black taken for white.
 ErrorEstimate estimateOf(std::span<const shared::BlockNoise> noises);
 // A threshold of 0 is never reached. That no part is twice as noisy as was asked for is part of it.
 bool isConverged(const ErrorEstimate& estimate, double threshold);

@@ -1,4 +1,4 @@
-// A scene as it is looked at: what kernels are given.
+// One view of a scene: its block of parameters, and the scene's tables, as kernels read them.
 #pragma once
 
 #include <cstdint>

@@ -76,15 +76,14 @@ constexpr bool isDenoised(const Settings& settings) {
     return settings.denoising != Denoising::off && isPathTraced(settings.look);
 }
 
-// Of view, of what the tracer sees for the fovea.
+// The field of view of what the tracer draws for the fovea.
 inline constexpr double kFovealFieldDeg = 20.0;
 
 // A picture that is stored larger where the eye looks: see shaders/lib/fovea.glsl.
 struct Foveation {
-    glm::dvec2 gaze{0.0};  // in the picture: -1 to 1, right and up are positive
-    double fieldDeg =
-        kFovealFieldDeg;         // of view, of what is magnified; smaller where there is no room for it
-    double magnification = 2.5;  // 1 to 16: how many times more pixels along each side
+    glm::dvec2 gaze{0.0};               // in the picture: -1 to 1, right and up are positive
+    double fieldDeg = kFovealFieldDeg;  // of what is magnified; less where there is no room
+    double magnification = 2.5;         // 1 to 16: how many times more pixels along each side
 };
 
 // What one picture shows.

@@ -20,7 +20,7 @@ using shared::SurfaceCandidate;
 using shared::SurfaceCell;
 
 constexpr double kDispatchMs = 40.0;
-constexpr std::uint32_t kFirstRays = 1u << 12;  // of a dispatch, before anything is known of the device
+constexpr std::uint32_t kFirstRays = 1u << 12;  // of the first dispatch, when its pace is unknown
 constexpr std::uint32_t kMostRays = 1u << 20;   // of a round: 20 MiB of candidates
 constexpr double kRaysPerWanted = 32.0;         // then what is seen is too faint, or too small
 // Rays through small cells have a way before them, too: they have to be fewer by as much.

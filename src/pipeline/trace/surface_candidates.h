@@ -1,4 +1,4 @@
-// Places on what can be seen, found by rays from all sides: what surface points are chosen from.
+// Candidates for surface points: the places where rays from all sides meet visible matter.
 #pragma once
 
 #include <functional>
@@ -52,8 +52,8 @@ struct SurfaceCandidates {
 // The search for them. Used by one thread at a time, the one that uses the device.
 class CandidateSearch {
   public:
-    // For so many that they tell as much as `wanted` of equal weight, or as can be found in a few times more
-    // rays.
+    // Searches until the effective sample size of the candidates' weights is `wanted`, or a few times as many
+    // rays have found no more.
     static Result<CandidateSearch> begin(const SceneView& scene, double wanted);
 
     bool isDone() const { return isDone_; }

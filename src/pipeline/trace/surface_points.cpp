@@ -97,7 +97,8 @@ class Measurement {
     void finish(const Volume& volume, SurfacePoints& result) const;
 
   private:
-    // Whole groups: those beyond the last one are measured for nothing.
+    // Points of one work group: a dispatch has whole groups, and what they measure beyond the last point is
+    // dropped.
     static constexpr std::uint32_t kGrain = kSurfaceGroup / kSurfaceLanes;
 
     std::uint32_t countNow() const {

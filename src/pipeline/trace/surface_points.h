@@ -26,7 +26,7 @@ class SceneView;
 
 struct SurfacePointOptions {
     std::uint32_t count = 10000;           // 1 to kMaxSurfacePoints
-    std::uint32_t paths = 32;              // of light, for each point; rounded up to a multiple of 32
+    std::uint32_t paths = 32;              // light paths for each point; rounded up to a multiple of 32
     std::uint32_t candidatesPerPoint = 4;  // to choose from; more are more evenly spread
 };
 
@@ -50,9 +50,10 @@ struct SurfacePoints {
     std::uint64_t lostPaths = 0;  // too long for the device, or not finite: their light is missing
 };
 
-// The search for them, of what `scene` looks at, as an eye is shown it; at most `count`: fewer of what is so
-// faint or so small that of 32 rays for each candidate too few meet it, none when nothing can be seen. The
-// same for the same seed on the same device. Used by one thread at a time, the one that uses the device.
+// The search for surface points in what `scene` shows an eye. It finds at most `count`: fewer where matter is
+// so faint or small that of 32 rays for each candidate too few meet it, and none when nothing can be seen.
+// The same seed gives the same points on the same device. Used by one thread at a time, the one that uses the
+// device.
 class SurfacePointSearch {
   public:
     // usage when an option is out of its range.

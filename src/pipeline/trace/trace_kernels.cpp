@@ -84,7 +84,7 @@ Result<const gpu::Kernel*> TraceKernels::surfacePoints(SceneKind scene) {
         {{"kMaxRounds", device_->isCpu() ? kMaxRoundsCpu : kMaxRoundsGpu}, {"kGreyFaces", scene.greyFaces}});
 }
 
-// As compiled for the scene, and with `more`.
+// Finds or compiles the kernel for that kind of scene, with `more` specialization constants.
 Result<const gpu::Kernel*> TraceKernels::find(std::map<SceneKind, gpu::Kernel>& kernels,
                                               const gpu::ShaderCode& code, SceneKind scene,
                                               const std::vector<gpu::Specialization>& more) {

@@ -30,7 +30,7 @@ struct SceneKind {
     }
 };
 
-// Of the look that it looked at last; but for grey faces.
+// The kind that kernels have to be compiled for, in the look prepared last; without greyFaces.
 SceneKind kindOf(const DeviceScene& scene);
 
 // What a kernel is compiled for.
@@ -47,7 +47,7 @@ struct TraceVariant {
     }
 };
 
-// As few different ones as there are kernels for: looks that differ only in parameters are one.
+// Gives the same variant to settings that differ only in parameters, so that no kernel is compiled twice.
 TraceVariant variantOf(const Settings& settings, SceneKind scene);
 
 // Used by one thread at a time, the one that uses the device.

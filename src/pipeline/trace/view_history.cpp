@@ -50,7 +50,7 @@ bool continues(const View& from, const View& to, LightFrame lights) {
         !sameFovea(from.foveation, to.foveation, kFarthestGaze)) {
         return false;
     }
-    // What turns with the camera lights matter otherwise from degree to degree.
+    // Lights that hang on the camera turn with it, and shade matter otherwise from degree to degree.
     const double most = lights == LightFrame::camera ? kMostTurnWithLightsDeg : kMostTurnDeg;
     const std::optional<double> turned = turnDeg(from.camera, to.camera);
     return turned && *turned <= most;

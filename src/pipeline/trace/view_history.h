@@ -1,5 +1,4 @@
-// What a view shows beside its light, what the view before it showed, and the picture that both make less
-// noisy.
+// The guides of a view and of the view before it, and the picture that is denoised with both.
 #pragma once
 
 #include <cstdint>
@@ -56,9 +55,9 @@ class ViewHistory {
     std::optional<Denoiser> denoiser_;
     std::optional<View> view_;  // nothing before the first page
     std::uint32_t seed_ = 0;
-    double lagDeg_ =
-        0.0;  // by so much the views of what is known have turned, in the mean; of lights on the camera
-    float historySamples_ = Denoiser::kHistorySamples;  // what is known of them may count for
+    // The mean angle between this view and those in the history; only counted for lights on the camera.
+    double lagDeg_ = 0.0;
+    float historySamples_ = Denoiser::kHistorySamples;  // samples that the history may count for, at most
     View viewBefore_;
     bool forgets_ = true;
     std::optional<std::uint64_t> denoisedEdition_;  // of the film, when the denoiser ran

@@ -23,8 +23,8 @@ struct VoxelMemory {
     std::uint64_t shownBlocks = 0;   // of voxels, that visible bricks touch
     std::uint64_t coarseBlocks = 0;  // of these, kept more coarsely than the volume is
     std::uint64_t poolBytes = 0;     // on the device, for voxels
-    std::uint64_t gridBytes =
-        0;  // on the device, for where they are and for bounds: by volume, whatever is visible
+    std::uint64_t gridBytes = 0;  // on the device, for the table of blocks and the majorants: by the size of
+                                  // the volume, whatever is visible
     std::uint64_t uploadedBlocks = 0;  // by the latest change of what is visible
     std::uint64_t uploadedBytes = 0;   // likewise; of voxels
 };

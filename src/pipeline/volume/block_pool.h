@@ -1,4 +1,5 @@
-// Who has which part of the pool of voxels: book-keeping only, the voxels are on the device.
+// The allocator of the pool of voxels. It only keeps account of which part is free; the voxels are on the
+// device.
 #pragma once
 
 #include <array>
@@ -10,8 +11,8 @@
 
 namespace macula {
 
-// A pool is a row of slots; a slot is free, or holds blocks of one level. So nothing has to be moved
-// together, and an emptied slot serves any level again.
+// A pool is a row of slots; a slot is free, or holds blocks of one level. So the pool needs no compaction,
+// and an emptied slot serves any level again.
 class BlockPool {
   public:
     std::uint64_t slots() const { return slots_.size(); }
@@ -22,7 +23,7 @@ class BlockPool {
 
     // Where the block begins, in units of 8 values; nothing when there is no room. `level` below kSingle.
     std::optional<std::uint32_t> allocate(std::uint8_t level);
-    // What allocate() gave, at the same level.
+    // Frees what allocate() gave for that level.
     void release(std::uint8_t level, std::uint32_t unit);
 
   private:
@@ -33,7 +34,7 @@ class BlockPool {
 
     std::vector<Slot> slots_;
     std::vector<std::uint32_t> free_;  // the last is used next
-    // By level, slots that may have room: looked at before they are believed.
+    // By level, slots that may have room. Entries may be stale: allocate() checks each.
     std::array<std::vector<std::uint32_t>, kSingle> partial_;
 };
 

@@ -1,4 +1,4 @@
-// What a clip means for bricks.
+// Which bricks a clip or a mask empties, and which hold grey faces of a clip.
 #pragma once
 
 #include <cstdint>

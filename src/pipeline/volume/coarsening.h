@@ -24,11 +24,11 @@ inline constexpr std::uint32_t kSlotValues = poolValues(kFullLevel);
 // The levels at which what is to be shown (blocksToShow) fits into `slots`; it always does, single values
 // take none.
 //
-// A block of one value is kept as one always, which loses nothing. Otherwise those blocks are coarsened first
-// whose extinction varies least, for that is what light can tell apart: within opaque or evenly thin matter
-// nothing is lost but shades of colour, so among equals those go first whose values vary least. No block goes
-// on to the next level while another has not come to this one: the worst that is seen stays as fine as it can
-// be.
+// A block whose voxels are all alike is always kept as a single value, which loses nothing. Otherwise those
+// blocks are coarsened first whose extinction varies least, for that is what light can tell apart: within
+// opaque or evenly thin matter nothing is lost but shades of colour, so among equals those go first whose
+// values vary least. No block goes on to the next level while another has not come to this one: the worst
+// that is seen stays as fine as it can be.
 Coarsening fitBlocks(const BrickGrid& grid, std::span<const std::uint8_t> show,
                      std::span<const float> extinctionPerMm, std::uint64_t slots);
 

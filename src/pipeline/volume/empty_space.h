@@ -1,4 +1,4 @@
-// How far light may leap through bricks that hold nothing.
+// Empty-space leaping: how far each empty brick is from matter.
 #pragma once
 
 #include <glm/glm.hpp>

@@ -21,9 +21,9 @@ struct Medium {
     std::vector<float> extinctionPerMm;  // by entry
     std::vector<glm::vec4> albedo;       // by entry; linear RGB, and in w its extinction again
     glm::ivec3 gridSize{0};
-    // By brick, see shaders/lib/brick_walk.glsl: a bound above the extinction anywhere in the brick, rounded
-    // up; or, in an empty brick, minus the Chebyshev distance in bricks to the nearest that is not, at most
-    // 255.
+    // The majorant of each brick, see shaders/lib/brick_walk.glsl: a bound on the extinction anywhere in it,
+    // rounded up. Of an empty brick: minus the Chebyshev distance in bricks to the nearest that is not empty,
+    // at most 255.
     std::vector<float> bounds;
     float anisotropy = 0.0f;
     // Over the length of the gradient of values, in steps of `gradientStep` units per mm from 0; empty when

@@ -1,4 +1,4 @@
-// Where in the world there is anything to see.
+// The bounding box of visible matter.
 #pragma once
 
 #include "base/volume.h"

@@ -19,8 +19,8 @@ inline constexpr std::uint8_t kFullLevel = 0;
 inline constexpr std::uint8_t kSingle = 3;
 inline constexpr std::uint8_t kAbsent = 255;  // not kept: no visible brick touches it
 
-// Values a block takes in the pool: 512, 64, 8. A single value takes none, it lies in the table (see
-// blockWord).
+// The number of values that a block takes in the pool, by its level: 512, 64, 8. A single value takes none:
+// it lies in the table (see blockWord).
 constexpr std::uint32_t poolValues(std::uint8_t level) {
     return level < kSingle ? 512u >> (3 * level) : 0u;
 }
@@ -31,8 +31,8 @@ constexpr std::uint32_t blockWord(std::uint8_t level, std::uint32_t unitOrValue)
     return (std::uint32_t(level) << 30) | unitOrValue;
 }
 
-// By block: 1 where a brick touches it that is visible (`bounds` above 0, by brick) or of `alsoShown` (by
-// brick, or empty: none), 0 elsewhere. On all cores.
+// Marks the blocks to keep: 1 where a brick touches the block that is visible (`bounds` above 0) or marked in
+// `alsoShown`, 0 elsewhere. Both are lists by brick; `alsoShown` may be empty. On all cores.
 std::vector<std::uint8_t> blocksToShow(const BrickGrid& grid, std::span<const float> bounds,
                                        std::span<const std::uint8_t> alsoShown = {});
 

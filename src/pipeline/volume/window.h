@@ -1,4 +1,4 @@
-// Windows (PS3.3 C.11.2) that nobody gave.
+// Default windows (PS3.3 C.11.2), for when nobody chose one.
 #pragma once
 
 #include <optional>

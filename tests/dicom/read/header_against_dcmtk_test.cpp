@@ -47,7 +47,7 @@ void compareElement(DcmElement& theirs, const Dataset& ours, Comparison& done) {
     if (kNumbers.find(vr + ' ') != std::string_view::npos) {
         std::vector<double> numbers;
         for (const std::string_view part : splitAtBackslash(expected)) {
-            if (const auto number = parseNumber(part)) numbers.push_back(*number);
+            if (const auto number = finiteNumber(part)) numbers.push_back(*number);
         }
         if (numbers.size() != splitAtBackslash(expected).size()) numbers.clear();  // some are empty
         ++done.numbers;

@@ -6,13 +6,13 @@
 #include <cstring>
 #include <random>
 
+#include "gpu/shared_device.h"
 #include "gpu/shared_layout.h"
 #include "pipeline/gpu/spirv_reflection.h"
 #include "pipeline/gpu/transfer.h"
 #include "pipeline/splat/draw/radix_sort.h"
 #include "pipeline/splat/draw/rasterizer.h"
 #include "shaders/splat.h"
-#include "splat/device_test.h"
 #include "splat/draw/reference_scenes.h"
 
 namespace macula::splat {
@@ -20,7 +20,7 @@ namespace {
 
 using shared::SplatListState;
 
-class RadixSortOnDevice : public DeviceTest {
+class RadixSortOnDevice : public gpu::SharedDeviceTest {
   protected:
     static gpu::Buffer bufferOf(const std::vector<glm::uvec2>& items) {
         gpu::Buffer buffer = std::move(*gpu::Buffer::create(
@@ -95,7 +95,7 @@ struct Seen {
     std::vector<glm::uvec2> ranges, entries, pairs;
 };
 
-class DeviceLists : public DeviceTest {
+class DeviceLists : public gpu::SharedDeviceTest {
   protected:
     static std::vector<glm::uvec2> firstOf(const gpu::TexelBuffer& texels, std::size_t count) {
         std::vector<glm::uvec2> values = *gpu::read<glm::uvec2>(texels.buffer());

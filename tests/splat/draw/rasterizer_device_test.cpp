@@ -2,19 +2,19 @@
 #include <cmath>
 
 #include "base/worst.h"
+#include "gpu/shared_device.h"
 #include "gpu/shared_layout.h"
 #include "pipeline/gpu/spirv_reflection.h"
 #include "pipeline/gpu/transfer.h"
 #include "pipeline/splat/draw/rasterizer.h"
 #include "pipeline/splat/draw/reference_rasterizer.h"
 #include "shaders/splat.h"
-#include "splat/device_test.h"
 #include "splat/draw/reference_scenes.h"
 
 namespace macula::splat {
 namespace {
 
-class RasterizerOnDevice : public DeviceTest {
+class RasterizerOnDevice : public gpu::SharedDeviceTest {
   protected:
     struct Drawn {
         SplatBuffer parameters;

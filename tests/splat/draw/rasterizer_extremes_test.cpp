@@ -7,11 +7,11 @@
 #include <memory>
 
 #include "base/worst.h"
+#include "gpu/shared_device.h"
 #include "pipeline/gpu/transfer.h"
 #include "pipeline/splat/draw/model_painter.h"
 #include "pipeline/splat/draw/rasterizer.h"
 #include "pipeline/splat/draw/reference_rasterizer.h"
-#include "splat/device_test.h"
 #include "splat/draw/reference_scenes.h"
 
 namespace macula::splat {
@@ -61,7 +61,7 @@ struct Off {
     bool finite = true;
 };
 
-class RasterizerExtremes : public DeviceTest {
+class RasterizerExtremes : public gpu::SharedDeviceTest {
   protected:
     struct Tools {
         SplatBuffer parameters;

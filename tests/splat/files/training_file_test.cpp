@@ -3,11 +3,15 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstring>
 #include <fstream>
 #include <functional>
+#include <map>
+#include <set>
 #include <sstream>
 
+#include "base/paths.h"
 #include "pipeline/splat/files/chunk_file.h"
 #include "pipeline/splat/files/option_lines.h"
 #include "splat/training_support.h"
@@ -234,6 +238,54 @@ TEST(TrainingFile, IsAModelAsWell) {
     EXPECT_EQ(readModel(path).error().where, path.string());
     EXPECT_EQ(writeTraining(folder / "none" / "a.macula", state).error().code, ErrorCode::outputNotWritable);
     fs::remove_all(folder);
+}
+
+// What the page says of chunks, the table in code, and what is written are the same.
+TEST(TrainingFile, ThePageAndTheTableSayWhatIsWritten) {
+    std::map<std::string, std::string> onPage;  // name to stride
+    std::ifstream page(macula::test::projectFolder() / "docs/model-files.md");
+    bool isTable = false;
+    for (std::string line; std::getline(page, line);) {
+        isTable = line.starts_with("| chunk | stride |") || (isTable && line.starts_with("|"));
+        const std::size_t names = isTable ? line.find('`') : std::string::npos;
+        if (names == std::string::npos) continue;
+        const std::size_t end = line.find('|', 1);
+        const std::size_t next = line.find('|', end + 1);
+        const std::string stride = line.substr(end + 2, next - end - 3);
+        for (std::size_t at = names; at < end; at = line.find('`', at)) {
+            const std::size_t close = line.find('`', at + 1);
+            onPage[line.substr(at + 1, close - at - 1)] = stride;
+            at = close + 1;
+        }
+    }
+    const std::string bytes = fileOf(randomState(5, 1, 2, {8, 8}, 3));
+    std::istringstream stream(bytes);
+    auto file = ChunkFile::open(stream, bytes.size(), kTrainingFileVersion);
+    ASSERT_TRUE(file.ok());
+    std::set<std::string> written;
+    for (const ChunkEntry& entry : file->entries()) {
+        const auto row = std::ranges::find(kTrainingChunks, entry.name, &TrainingChunk::name);
+        ASSERT_NE(row, kTrainingChunks.end()) << entry.name;
+        EXPECT_EQ(entry.stride, row->stride) << entry.name;
+        written.insert(entry.name);
+    }
+    EXPECT_EQ(written.size(), kTrainingChunks.size());
+    EXPECT_EQ(onPage.size(), kTrainingChunks.size());
+    for (const TrainingChunk& chunk : kTrainingChunks)
+        EXPECT_EQ(onPage[std::string(chunk.name)], std::to_string(chunk.stride)) << chunk.name;
+}
+
+TEST(ModelFormats, AreThoseOfThePage) {
+    std::ifstream page(macula::test::projectFolder() / "docs/model-files.md");
+    const std::string text{std::istreambuf_iterator<char>(page), {}};
+    for (const ModelFormat& format : kModelFormats) {
+        EXPECT_NE(text.find("| `" + std::string(format.extension) + "` |"), std::string::npos);
+        EXPECT_EQ(modelFormatOf("A" + std::string(format.extension)), &format);
+    }
+    EXPECT_EQ(modelFormatOf("a.PLY"), &kModelFormats[0]);
+    EXPECT_EQ(modelFormatOf("a.obj"), nullptr);
+    EXPECT_EQ(modelExtensions(true), ".ply, .spz or .macula");
+    EXPECT_EQ(modelExtensions(false), ".ply or .spz");
 }
 
 }  // namespace

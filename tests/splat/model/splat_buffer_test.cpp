@@ -3,17 +3,17 @@
 
 #include <random>
 
+#include "gpu/shared_device.h"
 #include "gpu/shared_layout.h"
 #include "pipeline/gpu/spirv_reflection.h"
 #include "shaders/splat.h"
 #include "shared/splat_adam_params.h"
 #include "shared/splat_loss_params.h"
-#include "splat/device_test.h"
 
 namespace macula::splat {
 namespace {
 
-using SplatsOnDevice = DeviceTest;
+using SplatsOnDevice = gpu::SharedDeviceTest;
 
 Splats anySplats(std::size_t count, int shDegree) {
     Splats splats{.originMm = {1e5, -2.0, 3.0}, .colourSpace = ColourSpace::display};

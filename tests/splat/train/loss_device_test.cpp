@@ -2,9 +2,9 @@
 #include <bit>
 #include <limits>
 
+#include "gpu/shared_device.h"
 #include "pipeline/gpu/transfer.h"
 #include "pipeline/splat/train/loss.h"
-#include "splat/device_test.h"
 #include "splat/train/loss_pictures.h"
 
 namespace macula::splat {
@@ -17,7 +17,7 @@ std::vector<glm::vec4> narrowed(const Pixels& pixels) {
     return {pixels.begin(), pixels.end()};
 }
 
-class LossOnDevice : public DeviceTest {
+class LossOnDevice : public gpu::SharedDeviceTest {
   protected:
     static const std::shared_ptr<const LossKernels>& kernels() {
         static const std::shared_ptr<const LossKernels> made = *LossKernels::create(device());

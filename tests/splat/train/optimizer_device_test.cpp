@@ -3,18 +3,18 @@
 #include <limits>
 #include <random>
 
+#include "gpu/shared_device.h"
 #include "pipeline/gpu/transfer.h"
 #include "pipeline/splat/train/optimizer.h"
 #include "pipeline/splat/train/reference_optimizer.h"
 #include "shared/splat_layout.h"
-#include "splat/device_test.h"
 
 namespace macula::splat {
 namespace {
 
 using Visible = std::vector<std::uint32_t>;
 
-class OptimizerOnDevice : public DeviceTest {
+class OptimizerOnDevice : public gpu::SharedDeviceTest {
   protected:
     // A model, its gradients and its optimiser.
     struct Training {

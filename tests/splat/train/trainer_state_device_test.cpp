@@ -24,7 +24,7 @@ class TrainerState : public TrainingTest {
 
     void TearDown() override {
         test::loseDeviceAt(VulkanCall::submit, 1, 0);
-        DeviceTest::TearDown();
+        gpu::SharedDeviceTest::TearDown();
     }
 
     // Pictures of three sizes, and splats that go and are split, both at steps of their own.

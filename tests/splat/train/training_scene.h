@@ -3,14 +3,14 @@
 
 #include <map>
 
+#include "gpu/shared_device.h"
 #include "pipeline/splat/train/trainer.h"
-#include "splat/device_test.h"
 #include "splat/draw/reference_scenes.h"
 #include "splat/model_support.h"
 
 namespace macula::splat {
 
-class TrainingTest : public DeviceTest {
+class TrainingTest : public gpu::SharedDeviceTest {
   protected:
     static constexpr std::size_t kSplats = 60;
     static constexpr std::uint32_t kNumber = 60;

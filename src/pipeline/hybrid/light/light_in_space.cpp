@@ -29,7 +29,7 @@ glm::ivec3 cellOf(std::uint64_t key) {
     return {part(42), part(21), part(0)};
 }
 
-// Neighbours far apart: the finaliser of MurmurHash3.
+// The hash of a cell is the finaliser of MurmurHash3, which puts neighbours far apart.
 std::uint64_t scattered(std::uint64_t key) {
     key ^= key >> 33;
     key *= 0xff51afd7ed558ccdull;
@@ -121,7 +121,7 @@ void LightInSpace::add(const glm::dvec3& atMm, const glm::dvec3& direction, cons
 
 void LightInSpace::finish() {
     for (int i = 0; i < kCoarser; ++i) levels_.push_back(halved(levels_.back()));
-    // From the coarsest on, so that what is around is a mean already.
+    // From the coarsest level on, so that the cells around hold means already.
     for (std::size_t i = levels_.size(); i-- > 0;) {
         Level& level = levels_[i];
         for (std::size_t slot = 0; slot < level.keys.size(); ++slot) {

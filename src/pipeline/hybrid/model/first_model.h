@@ -21,7 +21,7 @@ struct FirstModelOptions {
     // Of as many paths of light, those of many views with few samples each teach more than those of few views
     // with many: what a model has not seen from somewhere it does not know. docs/peripheral-model.md.
     std::size_t views = 48;
-    std::uint32_t samplesPerPixel = 2;  // few will do: views light each other (view_set.h)
+    std::uint32_t samplesPerPixel = 2;  // few will do: views light each other (training_set.h)
     // Sides in all that the model learns from. Where fewer views are traced, the rest are only lit with what
     // was found for these: that costs little, and without it what was seen from few sides is in the wrong
     // place, and in the wrong light, for all others. Where matter scatters more to one side than to another

@@ -13,7 +13,7 @@ namespace macula::hybrid {
 
 struct ModelStart {
     splat::Splats splats;  // valid; may be none
-    Box seenMm;            // of what can be seen (TracedScene)
+    Box seenMm;            // box of visible matter (TracedScene)
     std::string key;       // of volume, preset, clip and lights; the caller's
 };
 

@@ -45,9 +45,11 @@ struct PeripheralOptions {
     // At most: a larger one is reduced, by halves. More than that is not to be seen in so few splats.
     int learntSidePx = 1024;
     int heldOutSidePx = 256;  // at most: larger ones are reduced
-    // Of the pixels it trains with, so many are compared with held-out pictures, which costs less.
+    // Held-out pictures are judged so seldom that their pixels are at most this part of those that training
+    // draws.
     double judgingShare = 0.1;
-    // What is shown is made new when the error is at most so much more than that of the best that was shown.
+    // The shown model is replaced by the trained one when the held-out error of that is at most this part
+    // above the error of the best that was shown.
     double shownMayBeWorse = 0.01;
     ErrorTrendOptions trend;
     CandidateOptions wanted;
@@ -109,7 +111,7 @@ class PeripheralModel {
     Result<void> step(double budgetMs, const std::function<bool()>& keepGoing = {});
     bool isPaused() const { return pause_ != Pause::none; }
 
-    // From where a new picture would teach it most (wanted_views.h), of those views in which it shows
+    // From where a new picture would teach it most (candidate_poses.h), of those views in which it shows
     // enough; never one that it has, or that was among the last eight it asked for. Nothing when it is full
     // or no view shows enough. Draws a few small pictures, more only where the first ones show too little.
     Result<std::optional<CandidatePose>> wantedView();

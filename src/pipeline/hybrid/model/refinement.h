@@ -16,7 +16,7 @@ namespace macula::hybrid {
 
 struct RefinementOptions {
     std::size_t views = 64;
-    std::uint32_t samplesPerPixel = 4;  // few will do: views light each other (view_set.h)
+    std::uint32_t samplesPerPixel = 4;  // few will do: views light each other (training_set.h)
     int sizePx = kTrainingSizePx;
     int bounces = trace::kDefaultBounces;
     std::uint64_t iterations = 2000;  // that are to follow: rates fall and splats become more over them
@@ -35,7 +35,7 @@ struct MoreViews {
     std::size_t fromKept = 0;  // that took no time
 };
 
-// Traces the views (view_sampling.h: extension) and gives them to `trainer`, which forgets what stood in
+// Traces the views (pose_sampling.h: extension) and gives them to `trainer`, which forgets what stood in
 // for pictures when it has these from enough sides. Its next `options.iterations` steps are then as
 // refinementTraining has them. `tracer` and `seenMm` as for makeFirstModel, whose model this goes on with.
 // Once: a second time would trace the same views. `cancelled` when `progress` says so. After outOfMemory the

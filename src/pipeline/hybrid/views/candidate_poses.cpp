@@ -10,7 +10,7 @@ namespace macula::hybrid {
 
 namespace {
 
-// With more views known, nearer and further off the centre, as in training and refinement (view_sampling.h).
+// With more views known, nearer and further off the centre, as in training and refinement (pose_sampling.h).
 PoseSampling candidatesBeside(std::size_t known, std::uint64_t seed, const CandidateOptions& options) {
     constexpr double kEach = 0.04;
     const double grown = kEach * double(known);

@@ -19,7 +19,8 @@ struct TracedView {
     glm::ivec2 sizePx{0};         // columns, rows
     std::vector<glm::vec4> rgba;  // linear, premultiplied; row 0 on top
     double samplesPerPixel = 0.0;
-    bool isLit = false;  // by what several views found (view_set.h): it has no noise of its own
+    bool isLit = false;  // marched through the light that several views found (training_set.h): it has no
+                         // noise of its own
 };
 
 }  // namespace macula::hybrid

@@ -25,13 +25,13 @@ struct ViewTracing {
     // Of the seed, each view takes the next: the same noise in all views would be learnt as if it were there.
     trace::Settings settings = {.denoising = trace::Denoising::little};
     // Asked before views are made, and given them then: one by one, so that who is cancelled goes on where he
-    // was, or sets that light each other (view_set.h). Of what the tracer has. Null: nothing is kept.
+    // was, or sets that light each other (training_set.h). Of what the tracer has. Null: nothing is kept.
     const ViewCache* kept = nullptr;
     // Asked before each view: when it says no, that and the rest are left out, but for the first view. Views
     // are then traced in an order in which the first few are spread over all of them. Empty: all, in their
     // order.
     std::function<bool()> hasTimeToTrace = {};
-    // Likewise for what is not traced, after that: view_set.h.
+    // Likewise for what is not traced, after that: training_set.h.
     std::function<bool()> hasTimeToLight = {};
     // Gets the light that is found on the way; then `kept` is not asked and keeps nothing. Null: nobody wants
     // it.

@@ -179,7 +179,8 @@ std::uint64_t Rasterizer::mostDifferentiated() const {
     return floats / (std::uint64_t(kPairValues) * std::uint64_t(slots_));
 }
 
-// A group for each tile, so that its subgroups are whole.
+// One work group for each tile. The kernel requires its subgroup size: with another, sums of derivatives
+// would lie in wrong places.
 gpu::Threads Rasterizer::tileThreads() const {
     const int threads = shared::kTileColumns * shape_.tileRows / shape_.rowsPerThread;
     return {static_cast<std::uint32_t>(tiles_.x * threads), static_cast<std::uint32_t>(tiles_.y)};

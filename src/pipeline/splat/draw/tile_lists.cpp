@@ -29,8 +29,8 @@ Host::ScreenSplat screenSplat(std::span<const glm::vec4> screen, std::uint32_t s
             .extent = {t[1].w, t[2].w}};
 }
 
-// Splats are worked on in parts, side by side. Fewer than these are not worth a thread: when they are sorted,
-// and when their tiles are found.
+// Splats are sorted, and their tiles found, in parts on all cores. A part of fewer splats than these is not
+// worth a thread.
 constexpr std::size_t kSortedInPart = 1 << 15;
 constexpr std::size_t kTiledInPart = 1 << 12;
 // Counts are kept by part and tile: no more parts than that.
@@ -138,8 +138,8 @@ void forEachTile(Host& host, const Host::ScreenSplat& s, const glm::ivec2& sizeP
 // Pairs in the order of depth, by part. False when there are more than `mostPairs`.
 bool collectPairs(std::span<const glm::vec4> screen, const Host& prototype, const glm::ivec2& tileSize,
                   std::size_t parts, std::uint64_t mostPairs, TileLists& lists) {
-    constexpr std::size_t kAhead = 12;   // splats lie anywhere in memory
-    constexpr std::size_t kTold = 4096;  // pairs between two looks at how many all parts have
+    constexpr std::size_t kAhead = 12;   // prefetch distance in splats, which lie in memory in no order
+    constexpr std::size_t kTold = 4096;  // a part adds its pairs to the total after so many
     const std::vector<glm::uvec2>& keys = lists.scratch.keys;
     const std::size_t tiles = lists.ranges.size();
     lists.scratch.counts.assign(parts * tiles, 0);

@@ -1,5 +1,7 @@
 #include "pipeline/splat/files/model_file.h"
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -37,7 +39,7 @@ Result<ModelFile> readByContent(const fs::path& path, BadSplats bad) {
     std::error_code error;
     if (fs::is_directory(path, error))
         return Error{ErrorCode::inputNotUsable, "That is a folder, not a model.", path.string(),
-                     "Choose a .ply, .spz or .macula file."};
+                     "Choose a " + modelExtensions(true) + " file."};
     if (!fs::is_regular_file(path, error))
         return Error{ErrorCode::inputNotUsable, "The model does not exist.", path.string(),
                      "Check the path."};
@@ -82,11 +84,22 @@ Result<std::size_t> writeTo(std::ostream& stream, const Splats& splats, bool spz
 
 }  // namespace
 
-std::string extensionOf(const fs::path& path) {
+const ModelFormat* modelFormatOf(const fs::path& path) {
     std::string extension = path.extension().string();
     std::transform(extension.begin(), extension.end(), extension.begin(),
                    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return extension;
+    const auto found = std::ranges::find(kModelFormats, extension, &ModelFormat::extension);
+    return found == kModelFormats.end() ? nullptr : &*found;
+}
+
+std::string modelExtensions(bool withTraining) {
+    std::vector<std::string_view> extensions;
+    for (const ModelFormat& format : kModelFormats) {
+        if (withTraining || !format.keepsTraining) extensions.push_back(format.extension);
+    }
+    const std::string_view last = extensions.back();
+    extensions.pop_back();
+    return fmt::format("{} or {}", fmt::join(extensions, ", "), last);
 }
 
 Result<ModelFile> readModel(const fs::path& path, BadSplats bad) {
@@ -98,14 +111,14 @@ Result<ModelFile> readModel(const fs::path& path, BadSplats bad) {
 }
 
 Result<std::size_t> writeModel(const fs::path& path, const Splats& splats) {
-    const std::string extension = extensionOf(path);
-    if (extension != ".ply" && extension != ".spz")
-        return Error{ErrorCode::usage, "Models are written as .ply or .spz.", path.string(),
+    const ModelFormat* format = modelFormatOf(path);
+    if (format == nullptr || format->keepsTraining)
+        return Error{ErrorCode::usage, "Models are written as " + modelExtensions(false) + ".", path.string(),
                      "Give the file one of these extensions."};
     std::size_t clamped = 0;
     MACULA_TRY_VOID(writeAtomically(path, [&](const fs::path& temporary) -> Result<void> {
         std::ofstream stream(temporary, std::ios::binary);
-        MACULA_TRY(clamped, writeTo(stream, splats, extension == ".spz"));
+        MACULA_TRY(clamped, writeTo(stream, splats, format->name == "SPZ"));
         return {};
     }));
     return clamped;

@@ -30,7 +30,7 @@ void widen(float filter, glm::vec3& logScale, float& opacityLogit) {
     if (filter == 0.0f) return;
     const double logFilter = std::log(std::abs(double(filter)));
     if (std::isnan(logFilter)) {
-        opacityLogit = filter;  // no splat, as one of any other number that is none
+        opacityLogit = filter;  // not finite: repair drops the splat, as it does for any other such number
         return;
     }
     double logShare = 0.0;

@@ -16,7 +16,7 @@ class PlyValues {
     PlyValues(std::istream& stream, PlyFormat format, std::uint64_t bytes)
         : stream_(*stream.rdbuf()), format_(format), left_(bytes) {}
 
-    // Whether what is left could be that many elements.
+    // Whether the bytes that are left suffice for all elements that the header announces.
     bool canHold(const PlyElement& element) const;
 
     // False at the end of the data, and for what is no number. Numbers of ascii files that are larger than

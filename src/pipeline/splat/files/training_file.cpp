@@ -1,5 +1,6 @@
 #include "pipeline/splat/files/training_file.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cstring>
 #include <fstream>
@@ -20,8 +21,6 @@ namespace fs = std::filesystem;
 
 constexpr std::uint64_t kMostSplats = std::uint64_t(1) << 28;
 constexpr std::uint64_t kMostViews = std::uint64_t(1) << 20;
-constexpr std::uint32_t kNumber = 4;  // strides: a float or u32
-constexpr std::uint32_t kPixel = sizeof(glm::vec4);
 constexpr std::string_view kOption = "option ";
 
 // A view in the file: RasterView, its weight, and what its loss was.
@@ -37,7 +36,19 @@ struct ViewRecord {
     float weight;
     ViewKind kind;
 };
-static_assert(sizeof(ViewRecord) == 168);
+
+constexpr std::uint32_t strideOf(std::string_view name) {
+    const auto* found = std::ranges::find(kTrainingChunks, name, &TrainingChunk::name);
+    return found->stride;  // not a chunk of the table: no constant expression
+}
+static_assert(strideOf("splats") == sizeof(float) && strideOf("steps") == sizeof(std::uint32_t));
+static_assert(strideOf("stats") == sizeof(shared::SplatStatistics));
+static_assert(strideOf("views") == sizeof(ViewRecord) && strideOf("pixels") == sizeof(glm::vec4));
+
+// A chunk of the table, with its stride.
+Chunk chunkOf(std::string_view name, std::span<const std::byte> bytes) {
+    return {std::string(name), bytes, strideOf(name)};
+}
 
 ViewRecord recordOf(const TrainingState::View& view) {
     const RasterView& v = view.given->view;
@@ -190,18 +201,18 @@ Result<void> writeTraining(std::ostream& stream, const TrainingState& state) {
     for (const TrainingState::View& view : state.views) records.push_back(recordOf(view));
 
     std::vector<Chunk> chunks{
-        {"model", std::as_bytes(std::span(model)), 0},
-        {"splats", bytesOf(components), kNumber},
-        {"training", std::as_bytes(std::span(training)), 0},
-        {"key", std::as_bytes(std::span(state.options.key)), 0},
-        {"first", bytesOf(state.optimizer.first), kNumber},
-        {"second", bytesOf(state.optimizer.second), kNumber},
-        {"steps", bytesOf(state.optimizer.steps), kNumber},
-        {"stats", bytesOf(state.statistics), sizeof(shared::SplatStatistics)},
-        {"views", bytesOf(records), sizeof(ViewRecord)},
+        chunkOf("model", std::as_bytes(std::span(model))),
+        chunkOf("splats", bytesOf(components)),
+        chunkOf("training", std::as_bytes(std::span(training))),
+        chunkOf("key", std::as_bytes(std::span(state.options.key))),
+        chunkOf("first", bytesOf(state.optimizer.first)),
+        chunkOf("second", bytesOf(state.optimizer.second)),
+        chunkOf("steps", bytesOf(state.optimizer.steps)),
+        chunkOf("stats", bytesOf(state.statistics)),
+        chunkOf("views", bytesOf(records)),
     };
     for (const TrainingState::View& view : state.views)
-        chunks.push_back({"pixels", bytesOf(view.given->pixels), kPixel});
+        chunks.push_back(chunkOf("pixels", bytesOf(view.given->pixels)));
     return writeChunks(stream, kTrainingFileVersion, chunks);
 }
 

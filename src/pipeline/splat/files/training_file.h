@@ -1,25 +1,14 @@
 // .macula files: a model and all that its training needs to go on exactly (training_state.h).
 //
-// A chunk_file.h of version kTrainingFileVersion with these chunks, in which N is the number of splats, K
-// that of components for each (splat_components.h), V that of views:
-//   model     text, a line each: those of model_notes.h; "splats N"; "degree D"
-//   splats    float: component k of splat i at k * N + i, positions relative to the origin
-//   training  text, a line each: "trainer T", its version; "steps S"; "optimizer-steps S"; "views V"; and
-//             "option NAME VALUE" for each of option_lines.h
-//   key       what the caller says the pictures show
-//   first     float: the first moments, as splats
-//   second    float: the second moments
-//   steps     u32 of each splat
-//   stats     four float of each splat, SplatStatistics of shaders/shared/splat_frame.h
-//   views     for each view the 168 bytes of a ViewRecord (training_file.cpp)
-//   pixels    as often as there are views, in their order: premultiplied RGBA in float, row 0 on top
-// Chunks of other names are left alone. All but the texts are packed. The pictures are what it was trained
-// with and tell as much of a patient as others do; no name is in it unless the caller puts one into the key.
+// A chunk_file.h of version kTrainingFileVersion with the chunks of kTrainingChunks; docs/model-files.md says
+// what each holds. Chunks of other names are left alone. The pictures are what it was trained with and tell
+// as much of a patient as others do; no name is in it unless the caller puts one into the key.
 //
 // Of 12 pictures of 512 x 512 with 8 samples, 64 % of each empty, and 10 000 splats: 13 MB of 52, written in
 // 0.21 s and read in 0.15 s of one core; its splats alone in 2 ms.
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <istream>
 #include <ostream>
@@ -32,6 +21,23 @@
 namespace macula::splat {
 
 inline constexpr std::uint32_t kTrainingFileVersion = 1;
+
+// Bytes of an element, by which a chunk is packed (chunk_file.h); 0: text, not packed.
+struct TrainingChunk {
+    std::string_view name;
+    std::uint32_t stride;
+};
+// A test holds the table of docs/model-files.md to this one, and this one to what is written.
+inline constexpr std::array<TrainingChunk, 10> kTrainingChunks{{{"model", 0},
+                                                                {"splats", 4},
+                                                                {"training", 0},
+                                                                {"key", 0},
+                                                                {"first", 4},
+                                                                {"second", 4},
+                                                                {"steps", 4},
+                                                                {"stats", 16},
+                                                                {"views", 168},
+                                                                {"pixels", 16}}};
 
 // Whole or not at all. Bit for bit what readTraining gives. inputNotUsable for a state that is not valid;
 // outputNotWritable; outOfMemory.

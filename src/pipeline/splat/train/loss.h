@@ -15,7 +15,7 @@
 
 namespace macula::splat {
 
-// Of pictures of any size.
+// The kernels of the loss, for pictures of any size.
 struct LossKernels {
     int rowOutputs = 0;  // pixels of a row in one strip: one sum of the loss for each
     gpu::Kernel windows;
@@ -50,7 +50,8 @@ class LossTarget {
     gpu::TexelBuffer windows_;
 };
 
-// Of pictures of any shape, up to so many pixels. Used by one thread at a time, the one that uses the device.
+// The loss of pictures of any shape with at most mostPixels(). Used by one thread at a time, the one that
+// uses the device.
 class Loss {
   public:
     // outOfMemory when the device cannot hold 180 bytes for each pixel, or 64 for each in one buffer

@@ -39,7 +39,7 @@ class Optimizer {
     Result<std::uint32_t> skipped() const;
 
     std::uint64_t stepsDone() const { return stepsDone_; }
-    // Of the first `count` splats. Waits.
+    // Reads back the moments and steps of the first `count` splats. Waits.
     Result<OptimizerState> download(std::uint32_t count) const;
     // Splats from steps.size() on begin anew. inputNotUsable when the arrays do not belong together or do not
     // fit.

@@ -1,0 +1,36 @@
+// Numbers in text that others wrote: with a point, whatever the locale.
+#pragma once
+
+#include <charconv>
+#include <cmath>
+#include <optional>
+#include <string_view>
+
+namespace macula {
+
+// Without what pads it on either side: blanks, ends of lines, the zeros of DICOM.
+constexpr std::string_view trimmed(std::string_view text) {
+    constexpr std::string_view kPadding{" \t\r\n\0", 5};
+    const std::size_t begin = text.find_first_not_of(kPadding);
+    if (begin == std::string_view::npos) return {};
+    return text.substr(begin, text.find_last_not_of(kPadding) - begin + 1);
+}
+
+// The whole of `text`, which has nothing around the number.
+template <class T>
+std::optional<T> parseNumber(std::string_view text) {
+    T value{};
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || end != text.data() + text.size()) return {};
+    return value;
+}
+
+// The whole of `text`, padding and a plus sign aside. Nothing for what is not finite.
+inline std::optional<double> finiteNumber(std::string_view text) {
+    text = trimmed(text);
+    if (text.starts_with('+')) text.remove_prefix(1);
+    const auto value = parseNumber<double>(text);
+    return value && std::isfinite(*value) ? value : std::nullopt;
+}
+
+}  // namespace macula

@@ -1,0 +1,32 @@
+// One instance and device for a whole test program, with validation on. gpu_test.h has one for each test.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <memory>
+
+#include "pipeline/gpu/device.h"
+#include "pipeline/gpu/instance.h"
+
+namespace macula::gpu {
+
+// Every test ends without a word from the validation layer.
+class SharedDeviceTest : public ::testing::Test {
+  protected:
+    static Instance& instance() {
+        static Instance made = [] {
+            auto result =
+                Instance::create({.extensions = {}, .validation = Validation::on, .createInstance = {}});
+            return std::move(result).value();
+        }();
+        return made;
+    }
+    static const std::shared_ptr<Device>& device() {
+        static const std::shared_ptr<Device> made = *Device::create(instance());
+        return made;
+    }
+
+    void TearDown() override { EXPECT_EQ(instance().validationMessageCount(), 0u); }
+};
+
+}  // namespace macula::gpu
