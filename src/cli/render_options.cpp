@@ -21,10 +21,8 @@ std::map<std::string, int> looksByName() {
     return looks;
 }
 
-}  // namespace
-
-void addRenderOptions(CLI::App& command, RenderOptions& options) {
-    RenderOptions& o = options;
+// What is drawn, and where to.
+void addInput(CLI::App& command, RenderOptions& o) {
     command.add_option(
         "PATH", o.path,
         "Folder with DICOM files, volume file (NIfTI, NRRD, MetaImage), or phantom: (default)");
@@ -39,6 +37,10 @@ void addRenderOptions(CLI::App& command, RenderOptions& options) {
         "--preset", o.preset,
         "Name or number from macula presets, or preset file (default: by what the series shows)");
     command.add_flag("--fit", o.fit, "Stretch the preset's range to the series, for MR: see docs/presets.md");
+}
+
+// From where.
+void addCamera(CLI::App& command, RenderOptions& o) {
     auto* view = command.add_option("--view", o.view, "Where the viewer stands (default: anterior)")
                      ->transform(asViewDirection())
                      ->option_text(kViewDirectionNames);
@@ -50,6 +52,10 @@ void addRenderOptions(CLI::App& command, RenderOptions& options) {
         .add_option("--fov", o.fovDeg, "Vertical field of view in degrees (default: that of --camera, or 30)")
         ->check(between(0.1, 170.0));
     command.add_option("--size", o.size, "Picture size in pixels (default: 768x768)")->option_text("WxH");
+}
+
+// How.
+void addLook(CLI::App& command, RenderOptions& o) {
     command
         .add_option("--look", o.settings.look, "How it is drawn, see docs/presets.md (default: cinematic)")
         ->transform(oneOf(looksByName()))
@@ -61,6 +67,10 @@ void addRenderOptions(CLI::App& command, RenderOptions& options) {
     command.add_flag_callback(
         "--shading", [&o] { o.settings.shading = trace::Shading::headlight; },
         "Light dvr from the eye, with the preset's ambient and diffuse parts");
+}
+
+// With how much work.
+void addEffort(CLI::App& command, RenderOptions& o) {
     command.add_option(
         "--quality", o.effort.quality,
         "draft, normal, high, reference, or JSON file: samples, bounces, filter and denoising at once");
@@ -79,6 +89,10 @@ void addRenderOptions(CLI::App& command, RenderOptions& options) {
         "Filter the noise out, guided by what is seen, or not; the picture says that it is denoised");
     command.add_option("--seed", o.settings.seed,
                        "Of the random numbers; the same seed gives the same picture");
+}
+
+// In which light.
+void addLights(CLI::App& command, RenderOptions& o) {
     command.add_option("--lights", o.lights,
                        "Name from macula presets, light rig JSON, or HDR or EXR panorama");
     command
@@ -91,6 +105,17 @@ void addRenderOptions(CLI::App& command, RenderOptions& options) {
         .add_option("--exposure", o.settings.exposure,
                     "Multiplies the picture before the tone map (default: 1)")
         ->check(between(1e-6, trace::kMaxGain));
+}
+
+}  // namespace
+
+void addRenderOptions(CLI::App& command, RenderOptions& options) {
+    RenderOptions& o = options;
+    addInput(command, o);
+    addCamera(command, o);
+    addLook(command, o);
+    addEffort(command, o);
+    addLights(command, o);
     command.add_flag("--remove-table", o.removeTable,
                      "Leave out the table and what else lies beside the patient; CT only. What went is said");
     command.add_option("--clip", o.clip,
