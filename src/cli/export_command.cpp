@@ -88,7 +88,7 @@ Result<void> exportSeries(const Options& options) {
         return exportVolume(options, std::move(study), app::secondsSince(start), progress);
     }
     MACULA_TRY(const dicom::Scan scan, dicom::scanFolder(options.path, progress, options.how));
-    const dicom::Series* series = findSeries(scan, options.series);
+    const dicom::Series* series = app::seriesMeant(scan, options.series);
     if (series != nullptr && app::isSegmentationSeries(*series)) {
         if (dicom::findAllSeries(scan, options.series).empty() &&
             options.series.find('.') != std::string::npos) {

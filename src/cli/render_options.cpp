@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <map>
 
+#include "app/state/parameters.h"
 #include "cli/name_option.h"
 #include "cli/number_range.h"
 #include "cli/output_options.h"
@@ -21,8 +22,19 @@ std::map<std::string, int> looksByName() {
     return looks;
 }
 
-// Which series, and which preset.
-void addStudyOptions(CLI::App& command, RenderOptions& o) {
+std::string lookNames() {
+    std::string names;
+    for (const trace::LookTraits& look : trace::kLooks)
+        names += (names.empty() ? "" : "|") + std::string(look.name);
+    return names;
+}
+
+std::string helpOf(const app::Parameter& p) {
+    return fmt::format("{} (default: {:g})", p.does, p.fallback());
+}
+
+// What is drawn, and where to.
+void addInput(CLI::App& command, RenderOptions& o) {
     command.add_option(
         "PATH", o.path,
         "Folder with DICOM files, volume file (NIfTI, NRRD, MetaImage), or phantom: (default)");
@@ -39,8 +51,8 @@ void addStudyOptions(CLI::App& command, RenderOptions& o) {
     command.add_flag("--fit", o.fit, "Stretch the preset's range to the series, for MR: see docs/presets.md");
 }
 
-// From where it is seen, and in which look.
-void addViewOptions(CLI::App& command, RenderOptions& o) {
+// From where.
+void addCamera(CLI::App& command, RenderOptions& o) {
     auto* view = command.add_option("--view", o.view, "Where the viewer stands (default: anterior)")
                      ->transform(asViewDirection())
                      ->option_text(kViewDirectionNames);
@@ -52,10 +64,14 @@ void addViewOptions(CLI::App& command, RenderOptions& o) {
         .add_option("--fov", o.fovDeg, "Vertical field of view in degrees (default: that of --camera, or 30)")
         ->check(between(0.1, 170.0));
     command.add_option("--size", o.size, "Picture size in pixels (default: 768x768)")->option_text("WxH");
+}
+
+// How.
+void addLook(CLI::App& command, RenderOptions& o) {
     command
         .add_option("--look", o.settings.look, "How it is drawn, see docs/presets.md (default: cinematic)")
         ->transform(oneOf(looksByName()))
-        ->option_text("cinematic|clear|dvr|mip|minip|average");
+        ->option_text(lookNames());
     command
         .add_option("--window", o.window,
                     "Of mip, minip and average (default: range of --preset, else window of the series)")
@@ -65,8 +81,8 @@ void addViewOptions(CLI::App& command, RenderOptions& o) {
         "Light dvr from the eye, with the preset's ambient and diffuse parts");
 }
 
-// How many samples are traced, and how they are filtered.
-void addEffortOptions(CLI::App& command, RenderOptions& o) {
+// With how much work.
+void addEffort(CLI::App& command, RenderOptions& o) {
     command.add_option(
         "--quality", o.effort.quality,
         "draft, normal, high, reference, or JSON file: samples, bounces, filter and denoising at once");
@@ -78,8 +94,9 @@ void addEffortOptions(CLI::App& command, RenderOptions& o) {
         .add_option("--error", o.effort.error,
                     "Trace until noise is this small, 0.01 of black to white; then --spp is about the most")
         ->check(between(1e-4, 1.0));
-    command.add_option("--bounces", o.effort.bounces, "Scattering events per path of cinematic (default: 4)")
-        ->check(CLI::Range(1, trace::kMaxBounces));
+    const app::Parameter& bounces = app::parameter("bounces");
+    command.add_option(std::string(bounces.option), o.effort.bounces, helpOf(bounces))
+        ->check(CLI::Range(int(bounces.low), int(bounces.high)));
     command.add_flag_function(
         "--denoise,!--no-denoise", [&o](std::int64_t count) { o.effort.denoise = count > 0; },
         "Filter the noise out, guided by what is seen, or not; the picture says that it is denoised");
@@ -87,29 +104,28 @@ void addEffortOptions(CLI::App& command, RenderOptions& o) {
                        "Of the random numbers; the same seed gives the same picture");
 }
 
-void addLightOptions(CLI::App& command, RenderOptions& o) {
+// In which light.
+void addLights(CLI::App& command, RenderOptions& o) {
     command.add_option("--lights", o.lights,
                        "Name from macula presets, light rig JSON, or HDR or EXR panorama");
-    command
-        .add_option("--light-rotation", o.settings.lightRotationDeg,
-                    "Degrees to turn the lights about the vertical, towards the patient's left")
-        ->check(between(-360.0, 360.0));
-    command.add_option("--light-strength", o.settings.lightStrength, "Multiplies the lights (default: 1)")
-        ->check(between(0.0, trace::kMaxGain));
-    command
-        .add_option("--exposure", o.settings.exposure,
-                    "Multiplies the picture before the tone map (default: 1)")
-        ->check(between(1e-6, trace::kMaxGain));
+    for (const app::Parameter& p : app::parameters()) {
+        if (p.isWhole) continue;  // bounces, which a quality sets too
+        command
+            .add_option_function<double>(
+                std::string(p.option), [&p, &o](double value) { p.set(o.settings, value); }, helpOf(p))
+            ->check(between(p.low, p.high));
+    }
 }
 
 }  // namespace
 
 void addRenderOptions(CLI::App& command, RenderOptions& options) {
     RenderOptions& o = options;
-    addStudyOptions(command, o);
-    addViewOptions(command, o);
-    addEffortOptions(command, o);
-    addLightOptions(command, o);
+    addInput(command, o);
+    addCamera(command, o);
+    addLook(command, o);
+    addEffort(command, o);
+    addLights(command, o);
     command.add_flag("--remove-table", o.removeTable,
                      "Leave out the table and what else lies beside the patient; CT only. What went is said");
     command.add_option("--clip", o.clip,

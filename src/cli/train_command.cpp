@@ -88,17 +88,8 @@ Result<trace::Environment> check(const Options& options) {
 // The training to go on with, if any.
 Result<std::optional<splat::TrainingState>> savedTraining(const Options& options) {
     if (options.resume.empty()) return std::optional<splat::TrainingState>();
-    MACULA_TRY(splat::TrainingState state,
-               app::readTrainingToGoOn(options.resume, options.iterationsGiven
-                                                           ? std::optional(options.model.iterations)
-                                                           : std::nullopt));
+    MACULA_TRY(splat::TrainingState state, app::readTrainingToGoOn(options.resume, !options.iterationsGiven));
     return std::optional(std::move(state));
-}
-
-std::uint64_t stepsToCome(const Options& options, const std::optional<splat::TrainingState>& saved) {
-    const bool isRest = saved && !options.iterationsGiven;
-    const std::uint64_t wanted = isRest ? app::plannedSteps(*saved) - saved->steps : options.model.iterations;
-    return options.pauseAfter > 0 ? std::min(wanted, options.pauseAfter) : wanted;
 }
 
 // A training that goes on takes the place of what it was, however far it came.
@@ -125,7 +116,9 @@ Result<void> train(const Options& options) {
     const std::string key = app::trainingKey(*study.volume, preset.function, shown.clip, lights);
     if (saved) MACULA_TRY_VOID(app::checkTrainingKey(saved->options.key, key, options.resume));
 
-    app::TrainingEnd end{.steps = stepsToCome(options, saved)};
+    app::TrainingEnd end{.steps = saved && !options.iterationsGiven ? app::stepsLeft(*saved)
+                                                                    : options.model.iterations};
+    if (options.pauseAfter > 0) end.steps = std::min(end.steps, options.pauseAfter);
     if (options.budgetSeconds > 0.0) end.budget = TimeBudget(options.budgetSeconds);
     const app::StudyScene scene{
         .volume = study.volume, .function = preset.function, .clip = shown.clip, .environment = lights};

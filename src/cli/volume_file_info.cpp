@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/study/grid_json.h"
+#include "app/study/volume_file_json.h"
 #include "base/phantom.h"
 #include "cli/json_text.h"
 #include "formats/volume_file.h"
@@ -13,20 +14,12 @@ namespace {
 
 // `volume` is null where memory does not suffice for it.
 void show(const formats::VolumeFileInfo& info, const Volume* volume, bool isJson) {
-    nlohmann::ordered_json grid = app::gridToJson(info.size, info.worldFromVoxel);
+    const nlohmann::ordered_json json = app::toJson(info, volume);
     if (isJson) {
-        nlohmann::ordered_json file = {{"format", info.format}, {"values", info.values}};
-        file.update(grid);
-        file["sheared"] = app::isSheared(info.worldFromVoxel);
-        if (volume != nullptr) {
-            file["unit"] = volume->unitName();
-            if (const auto& range = volume->valueRange()) file["valueRange"] = {range->low, range->high};
-        }
-        file["assumptions"] = info.assumptions;
-        fmt::print("{}\n", jsonText(nlohmann::ordered_json{{"volumeFile", file}}));
+        fmt::print("{}\n", jsonText(nlohmann::ordered_json{{"volumeFile", json}}));
         return;
     }
-    const auto mm = grid["spacingMm"].get<std::vector<double>>();
+    const auto mm = json["spacingMm"].get<std::vector<double>>();
     fmt::print("{}  {}  {} x {} x {}  {:.4g} x {:.4g} x {:.4g} mm  {}\n", info.format, info.values,
                info.size.x, info.size.y, info.size.z, mm[0], mm[1], mm[2],
                app::orientationOf(info.worldFromVoxel));

@@ -3,26 +3,18 @@
 #include <QCommandLineParser>
 #include <QCoreApplication>
 #include <QRegularExpression>
-#include <array>
-#include <utility>
+
+#include "app/camera/view_directions.h"
+#include "pipeline/trace/settings.h"
 
 namespace macula::viewer {
 
 namespace {
 
-constexpr int kLargestEdge = 16384;
+constexpr int kLargestEdge = trace::kMaxPictureSide;
 constexpr int kSmallestEdge = 160;
 constexpr double kShortestScriptSeconds = 1e-3;
 constexpr double kLongestScriptSeconds = 3600.0;
-
-constexpr std::array<std::pair<const char*, ViewDirection>, 6> kViews{{
-    {"anterior", ViewDirection::anterior},
-    {"posterior", ViewDirection::posterior},
-    {"left", ViewDirection::left},
-    {"right", ViewDirection::right},
-    {"superior", ViewDirection::superior},
-    {"inferior", ViewDirection::inferior},
-}};
 
 Error usage(const QString& message, const char* hint = "Run macula-viewer --help.") {
     return {ErrorCode::usage, message.toStdString(), {}, hint};
@@ -48,11 +40,65 @@ Result<double> parseSeconds(const QString& text, double least) {
 }
 
 Result<ViewDirection> parseView(const QString& text) {
-    for (const auto& [name, direction] : kViews) {
-        if (text == QLatin1String(name)) return direction;
-    }
+    if (const auto direction = app::viewDirectionOf(text.toStdString())) return *direction;
     return usage(QStringLiteral("There is no view '%1'.").arg(text),
                  "The views are anterior, posterior, left, right, superior and inferior.");
+}
+
+// The options that Qt does not bring.
+struct Options {
+    const QCommandLineOption preset{"preset", "What is seen, e.g. ct-bone.", "NAME"};
+    const QCommandLineOption lights{"lights", "Where the light comes from, e.g. studio.", "NAME"};
+    const QCommandLineOption view{"view",
+                                  "Looked at from anterior, posterior, left, right, superior or "
+                                  "inferior.",
+                                  "DIRECTION", "anterior"};
+    const QCommandLineOption device{"device", "Index or part of the name of the Vulkan device.", "NAME"};
+    const QCommandLineOption size{"size", "Of the picture in pixels, e.g. 800x600.", "WxH"};
+    const QCommandLineOption samples{"spp", "Samples per pixel of a converged picture.", "N", "512"};
+    const QCommandLineOption noModel{
+        "no-model", "Small traced pictures while a hand moves, instead of a model of splats."};
+    const QCommandLineOption script{
+        "script",
+        "Drive the window, measure it, print JSON, quit. 'orbit': turn the volume, "
+        "then rest. 'changes': preset, clip, lights, look, study and size in quick "
+        "turns.",
+        "NAME"};
+    const QCommandLineOption screenshots{"screenshots", "Where the script writes its screenshots.", "FOLDER"};
+    const QCommandLineOption withPatient{
+        "with-patient", "Screenshots name patient and study; without this, nothing in the window does."};
+    const QCommandLineOption wait{"wait", "How long the model learns before the script orbits.", "S", "0"};
+    const QCommandLineOption seconds{"seconds", "How long the script orbits, at least, or makes changes.",
+                                     "S", "8"};
+    const QCommandLineOption rest{"rest", "How long it rests afterwards, unless the picture converges.", "S",
+                                  "300"};
+
+    void addTo(QCommandLineParser& parser) const {
+        parser.addOptions({preset, lights, view, device, size, samples, noModel, script, screenshots,
+                           withPatient, wait, seconds, rest});
+    }
+};
+
+// What drives the window instead of a hand, and how long.
+Result<void> readScript(const QCommandLineParser& parser, const Options& options, CommandLine& result) {
+    MACULA_TRY(result.waitSeconds, parseSeconds(parser.value(options.wait), 0.0));
+    MACULA_TRY(result.seconds, parseSeconds(parser.value(options.seconds), kShortestScriptSeconds));
+    MACULA_TRY(result.restSeconds, parseSeconds(parser.value(options.rest), kShortestScriptSeconds));
+    if (parser.isSet(options.script)) {
+        const QString name = parser.value(options.script);
+        if (name == QLatin1String("orbit"))
+            result.script = CommandLine::Script::orbit;
+        else if (name == QLatin1String("changes"))
+            result.script = CommandLine::Script::changes;
+        else
+            return usage(QStringLiteral("There is no script '%1'.").arg(name),
+                         "The scripts are 'orbit' and 'changes'.");
+    }
+    result.screenshots = parser.value(options.screenshots);
+    if (!result.screenshots.isEmpty() && result.script != CommandLine::Script::orbit)
+        return usage(QStringLiteral("--screenshots needs --script orbit."));
+    result.namesPatient = result.screenshots.isEmpty() || parser.isSet(options.withPatient);
+    return {};
 }
 
 }  // namespace
@@ -67,36 +113,10 @@ Result<CommandLine> parseCommandLine(const QStringList& arguments) {
         QStringLiteral("A folder with DICOM files, or a file: one of its images, its "
                        "DICOMDIR, or NIfTI, NRRD or MetaImage."),
         QStringLiteral("[FOLDER]"));
+    const Options options;
+    options.addTo(parser);
     const QCommandLineOption help = parser.addHelpOption();
     const QCommandLineOption version = parser.addVersionOption();
-    const QCommandLineOption preset("preset", "What is seen, e.g. ct-bone.", "NAME");
-    const QCommandLineOption lights("lights", "Where the light comes from, e.g. studio.", "NAME");
-    const QCommandLineOption view("view",
-                                  "Looked at from anterior, posterior, left, right, superior or "
-                                  "inferior.",
-                                  "DIRECTION", "anterior");
-    const QCommandLineOption device("device", "Index or part of the name of the Vulkan device.", "NAME");
-    const QCommandLineOption size("size", "Of the picture in pixels, e.g. 800x600.", "WxH");
-    const QCommandLineOption samples("spp", "Samples per pixel of a converged picture.", "N", "512");
-    const QCommandLineOption noModel(
-        "no-model", "Small traced pictures while a hand moves, instead of a model of splats.");
-    const QCommandLineOption script(
-        "script",
-        "Drive the window, measure it, print JSON, quit. 'orbit': turn the volume, "
-        "then rest. 'changes': preset, clip, lights, look, study and size in quick "
-        "turns.",
-        "NAME");
-    const QCommandLineOption screenshots("screenshots", "Where the script writes its screenshots.", "FOLDER");
-    const QCommandLineOption withPatient(
-        "with-patient", "Screenshots name patient and study; without this, nothing in the window does.");
-    const QCommandLineOption wait("wait", "How long the model learns before the script orbits.", "S", "0");
-    const QCommandLineOption seconds("seconds", "How long the script orbits, at least, or makes changes.",
-                                     "S", "8");
-    const QCommandLineOption rest("rest", "How long it rests afterwards, unless the picture converges.", "S",
-                                  "300");
-    parser.addOptions({preset, lights, view, device, size, samples, noModel, script, screenshots, withPatient,
-                       wait, seconds, rest});
-
     if (!parser.parse(arguments)) return usage(parser.errorText() + QLatin1Char('.'));
     CommandLine result;
     if (parser.isSet(help)) {
@@ -112,37 +132,20 @@ Result<CommandLine> parseCommandLine(const QStringList& arguments) {
     const QStringList folders = parser.positionalArguments();
     if (folders.size() > 1) return usage(QStringLiteral("Only one folder can be opened at a time."));
     if (!folders.isEmpty()) result.folder = folders.front();
-    result.preset = parser.value(preset);
-    result.lights = parser.value(lights);
-    result.device = parser.value(device);
-    result.screenshots = parser.value(screenshots);
-    MACULA_TRY(result.view, parseView(parser.value(view)));
-    if (parser.isSet(size)) {
-        MACULA_TRY(result.size, parseSize(parser.value(size)));
+    result.preset = parser.value(options.preset);
+    result.lights = parser.value(options.lights);
+    result.device = parser.value(options.device);
+    MACULA_TRY(result.view, parseView(parser.value(options.view)));
+    if (parser.isSet(options.size)) {
+        MACULA_TRY(result.size, parseSize(parser.value(options.size)));
     }
     bool isNumber = false;
-    result.samples = parser.value(samples).toUInt(&isNumber);
+    result.samples = parser.value(options.samples).toUInt(&isNumber);
     if (!isNumber || result.samples == 0) {
-        return usage(QStringLiteral("'%1' is not a number of samples.").arg(parser.value(samples)));
+        return usage(QStringLiteral("'%1' is not a number of samples.").arg(parser.value(options.samples)));
     }
-    MACULA_TRY(result.waitSeconds, parseSeconds(parser.value(wait), 0.0));
-    MACULA_TRY(result.seconds, parseSeconds(parser.value(seconds), kShortestScriptSeconds));
-    MACULA_TRY(result.restSeconds, parseSeconds(parser.value(rest), kShortestScriptSeconds));
-    result.usesModel = !parser.isSet(noModel);
-    if (parser.isSet(script)) {
-        const QString name = parser.value(script);
-        if (name == QLatin1String("orbit"))
-            result.script = CommandLine::Script::orbit;
-        else if (name == QLatin1String("changes"))
-            result.script = CommandLine::Script::changes;
-        else
-            return usage(QStringLiteral("There is no script '%1'.").arg(name),
-                         "The scripts are 'orbit' and 'changes'.");
-    }
-    if (!result.screenshots.isEmpty() && result.script != CommandLine::Script::orbit) {
-        return usage(QStringLiteral("--screenshots needs --script orbit."));
-    }
-    result.namesPatient = result.screenshots.isEmpty() || parser.isSet(withPatient);
+    result.usesModel = !parser.isSet(options.noModel);
+    MACULA_TRY_VOID(readScript(parser, options, result));
     return result;
 }
 

@@ -140,7 +140,9 @@ TEST_F(DrawnPictureTest, TracesNoiseAwayAsFarAsItMay) {
 TEST_F(DrawnPictureTest, IsWrittenWithWhatIsKnownOfIt) {
     const PictureRequest asked = request(trace::Look::dvr);
     const DrawnPicture picture = draw(asked);
-    RenderRecord record{.seriesDigest = "phantom", .preset = "cinematic-bone", .notes = {"A note."}};
+    RenderRecord record;
+    record.preset = "cinematic-bone";
+    record.notes = {"A note."};
     record.add(asked, picture);
     const dicom::test::TemporaryFolder folder;
     ASSERT_TRUE(writePicture(folder / "a.png", picture, asked.sizePx, metadata(record)));
@@ -180,10 +182,11 @@ TEST_F(DrawnPictureTest, TellsNothingOfThePatient) {
 
     PictureRequest asked = request(trace::Look::dvr);
     asked.scene.volume = study->volume;
-    RenderRecord record{.seriesDigest = study->seriesDigest,
-                        .preset = publicPresetName(folder.string() + "/roentgen.json"),
-                        .lights = publicLightsName(folder.string() + "/roentgen.hdr"),
-                        .notes = study->notes};
+    RenderRecord record;
+    record.seriesDigest = study->seriesDigest;
+    record.preset = publicPresetName(folder.string() + "/roentgen.json");
+    record.lights = publicLightsName(folder.string() + "/roentgen.hdr");
+    record.notes = study->notes;
     record.add(asked, draw(asked));
     std::string told = toJson(record).dump();
     for (const auto& [key, value] : metadata(record)) told += key + " " + value + "\n";

@@ -3,7 +3,6 @@
 
 #include <fstream>
 #include <iterator>
-#include <map>
 #include <sstream>
 #include <string>
 
@@ -17,12 +16,6 @@ using macula::test::Function;
 using macula::test::functionsOf;
 
 constexpr int kMostLines = 80;
-
-// "file function" of those that are longer and wait to be split, with the lines that they may have until
-// then.
-const std::map<std::string, int> kNotYetSplit{
-    {"src/viewer/command_line.cpp parseCommandLine", 88},
-};
 
 // "name:line+lines" of each function, or "braces do not match".
 std::string found(std::string_view source) {
@@ -80,7 +73,6 @@ TEST(FunctionLength, OverlooksCommentsLiteralsAndDirectives) {
 
 TEST(FunctionLength, IsAtMostEightyLines) {
     std::size_t count = 0;
-    std::map<std::string, int> waiting = kNotYetSplit;
     for (const char* folder : {"src", "shaders"}) {
         for (const auto& path : macula::test::sourcesIn(folder)) {
             const std::string file = path.lexically_relative(macula::test::projectFolder()).generic_string();
@@ -89,20 +81,13 @@ TEST(FunctionLength, IsAtMostEightyLines) {
             bool isBalanced = false;
             for (const Function& f : functionsOf(source, isBalanced)) {
                 ++count;
-                int most = kMostLines;
-                if (const auto known = waiting.find(file + " " + f.name); known != waiting.end()) {
-                    EXPECT_GT(f.lines, kMostLines) << known->first << " is split: take it off the list";
-                    most = known->second;
-                    waiting.erase(known);
-                }
-                EXPECT_LE(f.lines, most) << file << ":" << f.line << ": " << f.name << " has " << f.lines
-                                         << " lines: split it into named steps";
+                EXPECT_LE(f.lines, kMostLines) << file << ":" << f.line << ": " << f.name << " has "
+                                               << f.lines << " lines: split it into named steps";
             }
             EXPECT_TRUE(isBalanced) << file << ": the braces were not understood";
         }
     }
     EXPECT_GT(count, 1000u) << "the sources were not found";
-    for (const auto& [name, lines] : waiting) ADD_FAILURE() << name << " is gone: take it off the list";
 }
 
 }  // namespace

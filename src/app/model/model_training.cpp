@@ -106,8 +106,7 @@ LastingTraining trainLasting(gpu::LastingDevice& device, const StudyScene& scene
     return lasting;
 }
 
-Result<splat::TrainingState> readTrainingToGoOn(const std::filesystem::path& path,
-                                                std::optional<std::uint64_t> moreSteps) {
+Result<splat::TrainingState> readTrainingToGoOn(const std::filesystem::path& path, bool toItsEnd) {
     MACULA_TRY(splat::TrainingState state, splat::readTraining(path));
     const auto isPicture = [](const splat::TrainingState::View& view) {
         return view.given->kind == splat::ViewKind::picture;
@@ -115,7 +114,7 @@ Result<splat::TrainingState> readTrainingToGoOn(const std::filesystem::path& pat
     if (std::none_of(state.views.begin(), state.views.end(), isPicture))
         return Error{ErrorCode::inputNotUsable, "The saved training has no views to learn from.",
                      path.string(), "Train anew, with --views above 0."};
-    if (!moreSteps && state.steps >= plannedSteps(state))
+    if (toItsEnd && stepsLeft(state) == 0)
         return Error{ErrorCode::usage,
                      fmt::format("The saved training has all of its {} steps.", plannedSteps(state)),
                      {},
@@ -125,6 +124,10 @@ Result<splat::TrainingState> readTrainingToGoOn(const std::filesystem::path& pat
 
 std::uint64_t plannedSteps(const splat::TrainingState& state) {
     return state.options.optimizer.positionSteps;
+}
+
+std::uint64_t stepsLeft(const splat::TrainingState& state) {
+    return plannedSteps(state) - std::min(plannedSteps(state), state.steps);
 }
 
 }  // namespace macula::app

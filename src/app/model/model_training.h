@@ -66,13 +66,13 @@ LastingTraining trainLasting(gpu::LastingDevice& device, const StudyScene& scene
                              const std::optional<splat::TrainingState>& saved, const TrainingEnd& end,
                              Progress& progress);
 
-// A training that was saved, to go on with: `moreSteps`, or as many as are left of its plan. Fails as
-// splat::readTraining; with inputNotUsable when there is nothing to learn from, with usage when its plan has
-// come to its end and no more steps are given.
-Result<splat::TrainingState> readTrainingToGoOn(const std::filesystem::path& path,
-                                                std::optional<std::uint64_t> moreSteps);
+// A training that was saved, to go on with. Fails as splat::readTraining; with inputNotUsable when there is
+// nothing to learn from; with usage when no steps are left of its plan, if `toItsEnd` is all that is wanted.
+Result<splat::TrainingState> readTrainingToGoOn(const std::filesystem::path& path, bool toItsEnd);
 
 // Steps after which the rates of a training have fallen to where they are to stay.
 std::uint64_t plannedSteps(const splat::TrainingState& state);
+// Of these, those that are still to come.
+std::uint64_t stepsLeft(const splat::TrainingState& state);
 
 }  // namespace macula::app

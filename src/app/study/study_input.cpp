@@ -50,7 +50,7 @@ Result<dicom::Choice> chooseStack(const dicom::Series& series, std::optional<std
 
 }  // namespace
 
-const dicom::Series* findSeries(const dicom::Scan& scan, const std::string& wanted) {
+const dicom::Series* seriesMeant(const dicom::Scan& scan, const std::string& wanted) {
     if (!dicom::findAllSeries(scan, wanted).empty()) return dicom::findSeries(scan, wanted);
     const std::size_t point = wanted.find('.');
     const auto place = parseNumber<std::size_t>(std::string_view(wanted).substr(0, point));
@@ -74,7 +74,7 @@ Result<dicom::Choice> chooseVolume(const dicom::Scan& scan, const std::string& w
     const auto stack = isUid || point == std::string::npos
                            ? given
                            : parseNumber<std::size_t>(std::string_view(wanted).substr(point + 1));
-    const dicom::Series* series = findSeries(scan, wanted);
+    const dicom::Series* series = seriesMeant(scan, wanted);
     if (series != nullptr && (stack || isUid || point == std::string::npos))
         return chooseStack(*series, stack);
     if (isUid) {

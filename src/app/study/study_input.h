@@ -32,7 +32,7 @@ Result<StudyInput> loadStudy(const dicom::Scan& scan, const std::filesystem::pat
                              const std::string& series, Progress& progress, std::size_t volume = 0);
 
 // The series of that place or UID; null when there is none, or several patients have it.
-const dicom::Series* findSeries(const dicom::Scan& scan, const std::string& wanted);
+const dicom::Series* seriesMeant(const dicom::Scan& scan, const std::string& wanted);
 
 // The same choice, of a folder that was read. `why` is empty when there was nothing to choose from.
 Result<dicom::Choice> chooseVolume(const dicom::Scan& scan, const std::string& series,
