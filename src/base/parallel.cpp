@@ -54,7 +54,8 @@ void parallelFor(std::size_t count, const std::function<void(std::size_t)>& body
             helpers.reserve(wanted);
             while (helpers.size() < wanted) helpers.emplace_back(work);
         } catch (const std::exception&) {
-            // No memory or no threads left to this process: those that there are do all of it.
+            // No memory or no threads left to this process: those that there are do all of it. oneTBB
+            // (2021.8) would throw, with nothing done.
         }
         work();
     }

@@ -61,10 +61,10 @@ std::int32_t swapped32(std::uint32_t value) {
 
 glm::dmat4 qformOf(const nifti_1_header& header) {
     // The library takes spacings that are not positive for 1.
-    const auto [m] = nifti_quatern_to_dmat44(header.quatern_b, header.quatern_c, header.quatern_d, 0, 0, 0, 1,
-                                             1, 1, header.pixdim[0]);
+    const nifti_dmat44 rows = nifti_quatern_to_dmat44(header.quatern_b, header.quatern_c, header.quatern_d, 0,
+                                                      0, 0, 1, 1, 1, header.pixdim[0]);
     const auto axis = [&](int n) {
-        return glm::dvec3(m[0][n], m[1][n], m[2][n]) * double(header.pixdim[n + 1]);
+        return glm::dvec3(rows.m[0][n], rows.m[1][n], rows.m[2][n]) * double(header.pixdim[n + 1]);
     };
     return affine(axis(0), axis(1), axis(2), {header.qoffset_x, header.qoffset_y, header.qoffset_z});
 }

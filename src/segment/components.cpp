@@ -1,24 +1,16 @@
 #include "segment/components.h"
 
-#include "segment/itk_image.h"
-
-#include <itkConnectedComponentImageFilter.h>
-
 #include <algorithm>
 #include <limits>
 
+#include "segment/itk_filters.h"
+
 namespace macula::segment {
 
-Result<Parts> partsOf(const Grid& grid, const Mask& mask, bool corners,
-                      const std::vector<float>& depthMm) try {
-    using Filter = itk::ConnectedComponentImageFilter<MaskImage, itk::Image<std::uint32_t, 3>>;
-    const auto filter = Filter::New();
-    filter->SetInput(imageOf(grid, mask));
-    filter->SetFullyConnected(corners);
-    filter->Update();
-    const std::uint32_t* labels = filter->GetOutput()->GetBufferPointer();
-    Parts found{{labels, labels + mask.size()}, {}};
-    found.parts.resize(filter->GetObjectCount(),
+Result<Parts> partsOf(const Grid& grid, const Mask& mask, bool corners, const std::vector<float>& depthMm) {
+    MACULA_TRY(Labels labels, connectedParts(grid, mask, corners));
+    Parts found{std::move(labels.ofBlock), {}};
+    found.parts.resize(labels.count,
                        {.low = glm::ivec3(std::numeric_limits<int>::max()), .high = glm::ivec3(-1)});
     std::size_t at = 0;
     for (int c = 0; c < grid.size.z; ++c) {
@@ -34,8 +26,6 @@ Result<Parts> partsOf(const Grid& grid, const Mask& mask, bool corners,
         }
     }
     return found;
-} catch (const itk::ExceptionObject&) {
-    return itkFailed();
 }
 
 void countPersistent(const Grid& grid, Parts& parts) {

@@ -1,6 +1,8 @@
 #include "segment/enclosed.h"
 
-#include "base/parallel.h"
+#include <algorithm>
+
+#include "segment/itk_filters.h"
 
 namespace macula::segment {
 
@@ -9,65 +11,48 @@ namespace {
 // A region is the room, not an organ, when the field of view bounds more than this share of it.
 constexpr double kOpenShare = 1.0 / 3.0;
 
-class SliceFill {
-  public:
-    SliceFill(const Grid& grid, const std::uint8_t* outside, std::uint8_t* mask)
-        : size_(grid.size), outside_(outside), mask_(mask), seen_(grid.sliceSize()) {}
-
-    void run() {
-        for (std::size_t seed = 0; seed < seen_.size(); ++seed) {
-            if (seen_[seed] == 0 && mask_[seed] == 0 && outside_[seed] == 0) flood(seed);
-        }
-    }
-
-  private:
-    void flood(std::size_t seed) {
-        region_.assign(1, seed);
-        seen_[seed] = 1;
-        open_ = closed_ = 0;
-        for (std::size_t next = 0; next < region_.size(); ++next) {
-            const std::size_t at = region_[next];
-            const int a = int(at % std::size_t(size_.x));
-            const int b = int(at / std::size_t(size_.x));
-            visit(a > 0, at - 1);
-            visit(a + 1 < size_.x, at + 1);
-            visit(b > 0, at - std::size_t(size_.x));
-            visit(b + 1 < size_.y, at + std::size_t(size_.x));
-        }
-        if (double(open_) > kOpenShare * double(open_ + closed_)) return;
-        for (const std::size_t at : region_) mask_[at] = 1;
-    }
-
-    void visit(bool within, std::size_t at) {
-        if (!within || outside_[at] != 0) {
-            ++open_;
-        } else if (seen_[at] == 0 && mask_[at] == 0) {
-            seen_[at] = 1;
-            region_.push_back(at);
-        } else if (seen_[at] == 0) {
-            ++closed_;
-        }
-    }
-
-    glm::ivec3 size_;
-    const std::uint8_t* outside_;
-    std::uint8_t* mask_;
-    Mask seen_;
-    std::vector<std::size_t> region_;
-    std::size_t open_ = 0;
-    std::size_t closed_ = 0;
+struct Border {
+    std::size_t open = 0;
+    std::size_t closed = 0;
 };
+
+Result<void> fillSlice(const Grid& slice, const std::uint8_t* outside, std::uint8_t* mask) {
+    Mask hollow(slice.count());
+    for (std::size_t n = 0; n < hollow.size(); ++n) hollow[n] = mask[n] == 0 && outside[n] == 0 ? 1 : 0;
+    MACULA_TRY(const Labels regions, connectedParts(slice, hollow, false));
+    std::vector<Border> borders(regions.count + 1);
+    for (std::size_t n = 0; n < hollow.size(); ++n) {
+        if (hollow[n] == 0) continue;
+        Border& border = borders[regions.ofBlock[n]];
+        const auto look = [&](bool within, std::size_t beside) {
+            if (!within || outside[beside] != 0) {
+                ++border.open;
+            } else if (mask[beside] != 0) {
+                ++border.closed;
+            }
+        };
+        const auto na = std::size_t(slice.size.x);
+        look(n % na > 0, n - 1);
+        look((n + 1) % na > 0, n + 1);
+        look(n >= na, n - na);
+        look(n + na < hollow.size(), n + na);
+    }
+    for (std::size_t n = 0; n < hollow.size(); ++n) {
+        const Border& border = borders[regions.ofBlock[n]];
+        const bool isEnclosed = double(border.open) <= kOpenShare * double(border.open + border.closed);
+        if (hollow[n] != 0 && isEnclosed) mask[n] = 1;
+    }
+    return {};
+}
 
 }  // namespace
 
-void fillEnclosed(const Grid& grid, const Mask& outside, Mask& mask, const CancelToken& token) {
-    parallelFor(
-        std::size_t(grid.size.z),
-        [&](std::size_t c) {
-            const std::size_t first = c * grid.sliceSize();
-            SliceFill(grid, outside.data() + first, mask.data() + first).run();
-        },
-        token);
+Result<void> fillEnclosed(const Grid& grid, const Mask& outside, Mask& mask, const CancelToken& token) {
+    Grid slice = grid;
+    slice.size.z = 1;
+    for (std::size_t first = 0; first < mask.size() && !token.cancelled(); first += slice.count())
+        MACULA_TRY_VOID(fillSlice(slice, outside.data() + first, mask.data() + first));
+    return {};
 }
 
 }  // namespace macula::segment

@@ -7,9 +7,10 @@
 #include "base/parallel.h"
 #include "segment/coarse_grid.h"
 #include "segment/components.h"
-#include "segment/distance.h"
 #include "segment/enclosed.h"
+#include "segment/itk_filters.h"
 #include "segment/messages.h"
+#include "segment/opening.h"
 #include "segment/table_surface.h"
 
 namespace macula::segment {
@@ -39,7 +40,7 @@ struct Thick {
 
 Result<Thick> thickOf(const CoarseGrid& coarse, const Mask& dense, const CancelToken& token) {
     MACULA_TRY(Opened thick, opened(coarse.grid, dense, kThickMm));
-    fillEnclosed(coarse.grid, coarse.outside, thick.mask, token);
+    MACULA_TRY_VOID(fillEnclosed(coarse.grid, coarse.outside, thick.mask, token));
     MACULA_TRY(Parts parts, partsOf(coarse.grid, thick.mask, false, thick.depthMm));
     return Thick{std::move(thick.mask), std::move(parts)};
 }
@@ -211,7 +212,7 @@ class Search {
         Mask patient = maskOf(thick.parts, kept);
         MACULA_TRY_VOID(addThinParts(coarse_, solid_, surface_.beyond, patient));
         MACULA_TRY_VOID(step());
-        fillEnclosed(coarse_.grid, coarse_.outside, patient, token());
+        MACULA_TRY_VOID(fillEnclosed(coarse_.grid, coarse_.outside, patient, token()));
         return finish(patient);
     }
 

@@ -1,14 +1,15 @@
 // Distances against those to every block of the mask, and what is made of them.
-#include "segment/distance.h"
+#include "segment/itk_filters.h"
 
 #include <gtest/gtest.h>
+#include <itkObject.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>
 
-#include "segment/itk_image.h"
+#include "segment/opening.h"
 
 namespace macula::segment {
 namespace {
@@ -43,7 +44,8 @@ TEST(Distance, IsThatToTheNearestBlock) {
 // They are of the whole process, in which Macula may be a guest.
 TEST(Itk, KeepsTheWarningsOfItsOtherUsers) {
     const Grid grid{.size = {3, 3, 3}};
-    EXPECT_NE(imageOf(grid, Mask(grid.count())), nullptr);
+    EXPECT_TRUE(distanceTo(grid, Mask(grid.count(), 1)).ok());
+    EXPECT_TRUE(connectedParts(grid, Mask(grid.count(), 1), true).ok());
     EXPECT_TRUE(itk::Object::GetGlobalWarningDisplay());
 }
 

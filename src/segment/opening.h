@@ -1,13 +1,10 @@
-// Distances in mm to a mask, and the morphology that is made of them: exact on anisotropic grids.
+// Morphology by distances in mm: exact on anisotropic grids.
 #pragma once
 
 #include "base/result.h"
 #include "segment/coarse_grid.h"
 
 namespace macula::segment {
-
-// Of each block, to the nearest one in the mask, mm; 0 within, infinite where the mask is empty.
-Result<std::vector<float>> distanceTo(const Grid& grid, const Mask& mask);
 
 struct Opened {
     Mask mask;

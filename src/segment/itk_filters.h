@@ -1,0 +1,22 @@
+// What ITK does for this folder. Its headers are read in one file, where its exceptions end.
+#pragma once
+
+#include <cstdint>
+
+#include "base/result.h"
+#include "segment/coarse_grid.h"
+
+namespace macula::segment {
+
+struct Labels {
+    std::vector<std::uint32_t> ofBlock;  // 0: none; else from 1
+    std::size_t count = 0;
+};
+
+// Of the connected parts of a mask: over faces, edges and corners when `corners`, else over faces only.
+Result<Labels> connectedParts(const Grid& grid, const Mask& mask, bool corners);
+
+// Of each block, to the nearest one in the mask, mm; 0 within, infinite where the mask is empty.
+Result<std::vector<float>> distanceTo(const Grid& grid, const Mask& mask);
+
+}  // namespace macula::segment
