@@ -12,6 +12,12 @@ inline constexpr int kExitInput = 3;        // not usable
 inline constexpr int kExitDevice = 4;       // not usable, or out of memory
 inline constexpr int kExitCancelled = 130;  // 128 + SIGINT, as shells expect
 
+// For help texts.
+inline constexpr const char* kExitCodes =
+    "0 done, 1 a fault of the program, 2 usage or output not writable, 3 input not usable, 4 device not "
+    "usable "
+    "or out of memory, 130 stopped";
+
 constexpr int exitCodeOf(ErrorCode code) {
     switch (code) {
         case ErrorCode::usage:

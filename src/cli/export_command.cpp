@@ -111,9 +111,8 @@ void addExport(CLI::App& app, Action& action) {
         "export", "Write a series, of images or of segmentations, to a NIfTI, NRRD or MetaImage file");
     command->add_option("PATH", o.path, "Folder with DICOM files, or a volume file to convert")->required();
     command
-        ->add_option(
-            "-o,--output", o.output,
-            "File to write: .nii, .nii.gz, .nrrd, .nhdr, .mha or .mhd; values in units, patient left out")
+        ->add_option("-o,--output", o.output,
+                     "File to write: " + formats::volumeFileEndings() + "; values in units, patient left out")
         ->required();
     command->add_option("--series", o.series,
                         "Place in the list of macula info (3, or 3.2), or series UID (default: the best)");

@@ -57,9 +57,7 @@ int run(int argc, char** argv) {
     CLI::App app{"Macula: path-traced anatomy from DICOM.", "macula"};
     app.set_version_flag("--version", "macula " MACULA_VERSION);
     app.require_subcommand(1);
-    app.footer(
-        "Exit codes: 0 done, 2 usage or output not writable, 3 input not usable, 4 device not usable or out "
-        "of memory, 130 stopped.");
+    app.footer("Exit codes: " + std::string(app::kExitCodes) + ".");
 
     cli::Action action;
     cli::addInfo(app, action);

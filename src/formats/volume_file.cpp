@@ -42,7 +42,7 @@ const Ending* endingOf(const fs::path& path) {
 Result<Ending> knownEndingOf(const fs::path& path) {
     if (const Ending* ending = endingOf(path)) return *ending;
     return Error{ErrorCode::usage, "The ending of the name is that of no volume file.", path.string(),
-                 "Known are .nii, .nii.gz, .nrrd, .nhdr, .mha and .mhd."};
+                 "Known are " + volumeFileEndings() + "."};
 }
 
 Error cannotWrite(const fs::path& path, const std::string& reason) {
@@ -150,6 +150,12 @@ Result<void> writeImage(const Grid& grid, std::size_t voxels, const fs::path& pa
 }
 
 }  // namespace
+
+std::string volumeFileEndings() {
+    std::string endings;
+    for (const Ending& ending : kEndings) endings += (endings.empty() ? "" : ", ") + std::string(ending.text);
+    return endings;
+}
 
 bool isVolumeFileName(const fs::path& path) {
     return endingOf(path) != nullptr;

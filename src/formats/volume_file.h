@@ -15,6 +15,9 @@
 
 namespace macula::formats {
 
+// ".nii.gz, .nii, ...": all that are known.
+std::string volumeFileEndings();
+
 // By the ending of the name, in any case of letters.
 bool isVolumeFileName(const std::filesystem::path& path);
 
