@@ -131,7 +131,7 @@ Result<void> PixelReader::Impl::open() {
         return fail("The file cannot be read.", "Check that the file or disc is still there.");
     ElementTree tree;
     ByteSource source(path, cancel);
-    const Outline outline = outlineOf(source, hasPreamble(path), &tree);
+    const Outline outline = outlineOf(source, hasPreamble(source), &tree);
     const auto same = [&](Tag tag, int wanted) { return wordOf(tree, tag).value_or(wanted) == wanted; };
     if (outline.transferSyntaxUid != layout.transferSyntaxUid || !same(tag::kRows, layout.rows) ||
         !same(tag::kColumns, layout.columns) || !same(tag::kBitsAllocated, layout.format.bitsAllocated)) {

@@ -292,8 +292,7 @@ Dataset Dataset::frame(int i) const {
     return {file_, std::move(chain)};
 }
 
-bool hasPreamble(const fs::path& file) {
-    ByteSource source(file);
+bool hasPreamble(ByteSource& source) {
     return sniff(source) == Sniff::part10;
 }
 

@@ -24,6 +24,7 @@ enum class FileState {
     truncated,   // the header is whole, and the file ends inside the pixel data
 };
 
+class ByteSource;
 struct HeaderFile;
 
 // Reads what stands before the pixel data; the pixels themselves are skipped, not read. Accepts files without
@@ -104,7 +105,7 @@ struct HeaderFile {
 };
 
 // The 128 bytes and DICM of PS3.10 7.1 are there.
-bool hasPreamble(const std::filesystem::path& file);
+bool hasPreamble(ByteSource& source);
 
 // Of a standard data element, as in PS3.6: "SliceThickness".
 std::optional<Tag> tagOfKeyword(std::string_view keyword);
