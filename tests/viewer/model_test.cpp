@@ -92,17 +92,17 @@ TEST_F(ModelTest, AnotherPresetIsNotShownByTheModelOfTheOneBeforeWhichComesBackW
     window_->open(std::nullopt);
     ASSERT_TRUE(waitForConverged());
     seen_.clear();
-    app::choosePreset("cinematic-soft-tissue");
+    choosePreset("cinematic-soft-tissue");
     ASSERT_TRUE(waitFor(app::OnScreen::model));
     // Before there was a model of it there were small pictures only.
     EXPECT_EQ(seen_.front().picture, app::OnScreen::preview);
     EXPECT_LT(seen_.back().model.steps, 60u);
     ASSERT_TRUE(waitForConverged());
     seen_.clear();
-    app::choosePreset("cinematic-bone");
+    choosePreset("cinematic-bone");
     ASSERT_TRUE(waitForConverged());
     seen_.clear();
-    app::choosePreset("cinematic-soft-tissue");
+    choosePreset("cinematic-soft-tissue");
     ASSERT_TRUE(waitUntil([&] { return !seen_.empty(); }));
     EXPECT_EQ(seen_.front().picture, app::OnScreen::model);
 }
@@ -149,7 +149,7 @@ TEST_F(ModelTest, WithoutMemoryForItTheWindowSaysSoAndIsAsItIsWithoutAModel) {
         EXPECT_TRUE(window_->message().isEmpty()) << window_->message().toStdString();
     }
     // Another clip or function leaves another room: it is tried again.
-    app::choosePreset("cinematic-soft-tissue");
+    choosePreset("cinematic-soft-tissue");
     ASSERT_TRUE(waitFor(app::OnScreen::model));
     EXPECT_FALSE(modelSays("No memory"));
 }

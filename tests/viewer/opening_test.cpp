@@ -133,17 +133,17 @@ TEST_F(OpeningTest, TwoFoldersAtOnceAreAnsweredAndNothingIsEverMoved) {
 TEST_F(OpeningTest, APresetForOtherValuesIsWarnedOfWhenItIsChosen) {
     window_->showStudy(ofUnit(Unit::hounsfield, "CT"));
     EXPECT_EQ(window_->notes(), QString());
-    app::choosePreset("cinematic-bone");
+    choosePreset("cinematic-bone");
     EXPECT_EQ(window_->notes(), QString());
     window_->showStudy(ofUnit(Unit::raw, "MR"));
-    app::choosePreset("cinematic-bone");
+    choosePreset("cinematic-bone");
     EXPECT_TRUE(window_->notes().contains(QStringLiteral("made for values in HU")))
         << window_->notes().toStdString();
-    app::choosePreset("cinematic-mr");
+    choosePreset("cinematic-mr");
     EXPECT_FALSE(window_->notes().contains(QStringLiteral("is made for")));
     // The right unit, and another modality.
     window_->showStudy(ofUnit(Unit::raw, "OT"));
-    app::choosePreset("cinematic-mr");
+    choosePreset("cinematic-mr");
     EXPECT_TRUE(window_->notes().contains(QStringLiteral("made for MR"))) << window_->notes().toStdString();
 }
 
@@ -163,7 +163,7 @@ TEST_F(OpeningTest, APictureInWhichNothingCanBeSeenSaysWhyAndWhatWouldShowSometh
     window_->showStudy(ofUnit(Unit::hounsfield, "CT"));
     const auto notes = [&](const char* text) { return window_->notes().contains(QString::fromUtf8(text)); };
     EXPECT_FALSE(notes("Nothing of this volume"));
-    app::choosePreset("ct-lung");
+    choosePreset("ct-lung");
     EXPECT_TRUE(notes("Nothing of this volume can be seen with the preset"))
         << window_->notes().toStdString();
     EXPECT_TRUE(notes("its values are 0 to 511 HU"));
@@ -172,7 +172,7 @@ TEST_F(OpeningTest, APictureInWhichNothingCanBeSeenSaysWhyAndWhatWouldShowSometh
     // Projections show values; those above the window are all white.
     window_->findChild<QAction*>(QStringLiteral("look-mip"))->trigger();
     EXPECT_FALSE(notes("this volume"));
-    app::choosePreset("ct-lung");
+    choosePreset("ct-lung");
     EXPECT_TRUE(notes("All of this volume is white in the window")) << window_->notes().toStdString();
     pressKey(Qt::Key_R, Qt::ControlModifier);
     EXPECT_FALSE(notes("this volume"));

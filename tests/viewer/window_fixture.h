@@ -19,6 +19,7 @@
 
 #include "gpu/lose_device.h"
 #include "viewer/display.h"
+#include "viewer/painted_text.h"
 
 namespace macula::viewer {
 

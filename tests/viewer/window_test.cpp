@@ -80,9 +80,32 @@ TEST_F(WindowTest, FitsWhatIsVisible) {
     Viewport& viewport = window_->viewport();
     const auto corners = cornersOf(phantom::make().worldBox());
     const double aspect = double(viewport.window().width()) / viewport.window().height();
-    const app::OrbitCamera ofBox = framed(corners, ViewDirection::anterior, 30.0, aspect);
+    const app::OrbitCamera ofBox = app::framed(corners, ViewDirection::anterior, 30.0, aspect);
     EXPECT_LT(viewport.camera().distanceMm, 0.99 * ofBox.distanceMm);
     EXPECT_EQ(viewport.camera().azimuthDeg, 0.0);
+}
+
+// What was chosen comes back from its text, camera and all; a view of another series is refused.
+TEST_F(WindowTest, AViewComesBackAsItWas) {
+    window_->open(std::nullopt);
+    ASSERT_TRUE(waitUntil([&] { return window_->hasStudy(); }));
+    app::StudyState state = window_->state();
+    EXPECT_EQ(state.seriesDigest, "phantom");
+    state.settings.look = trace::Look::average;
+    state.windows.at(std::size_t(trace::Look::average)) =
+        DisplayWindow{.center = 40.0, .width = 400.0, .explanation = {}, .function = "LINEAR_EXACT"};
+    state.camera->positionMm += glm::dvec3(100.0, 0.0, 50.0);
+    const auto read = app::studyStateFromJson(app::toJson(state), "view.json");
+    ASSERT_TRUE(read.ok());
+    ASSERT_TRUE(window_->setState(*read).ok());
+    const app::StudyState now = window_->state();
+    EXPECT_LE(staleAfter(*read, now), app::Stale::camera) << "whose last bits may differ";
+    EXPECT_LT(glm::distance(now.camera->positionMm, state.camera->positionMm), 1e-6);
+
+    app::StudyState ofAnother = state;
+    ofAnother.seriesDigest = "another";
+    EXPECT_FALSE(window_->setState(ofAnother).ok());
+    EXPECT_EQ(window_->state().settings.look, trace::Look::average);
 }
 
 TEST_F(WindowTest, AMissingFolderIsToldInTheWindowAndTheStudyStays) {
