@@ -1,4 +1,5 @@
-// How fast a model of a study is begun and trained: training_benchmark.h of what a person would open.
+// Measures how fast a step of training is (training_benchmark.h) on a model and a view of a study that a
+// person opens.
 #pragma once
 
 #include <cstdint>

@@ -2,8 +2,8 @@
 //
 // Not read by ITK (5.2.1), which does three things in silence here: it mirrors NRRD images of the space
 // left-anterior-superior, takes a damaged compressed MetaImage for a whole one, and opens whatever file a
-// header names, wherever that lies. Nor can its readers be fuzzed here: Debian's ITK does not compile with
-// clang.
+// header names, wherever that lies. Its readers cannot be fuzzed here either: Debian's ITK does not compile
+// with clang, which libFuzzer needs.
 #pragma once
 
 #include <filesystem>

@@ -300,7 +300,6 @@ void MainWindow::connectTable() {
     connect(searching_, &WorkBar::cancelClicked, table_, &TableRemoval::cancel);
     connect(table_, &TableRemoval::ended, searching_, &QWidget::hide);
     connect(table_, &TableRemoval::changed, this, [this] {
-        state_.leavesTableOut = table_->action().isChecked();
         updateClip();
         showNotes();
     });
@@ -412,10 +411,11 @@ void MainWindow::showStudy(const app::OpenedStudy& study) {
     presetNote_ = presetWarning(*preset, volume);
     select(*presets_, options_.catalogue.presets, preset);
     // What was hidden of the study before may be what matters in this one, and its windows mean nothing here.
+    // Of the rest stays what menus and lists show: a number of a view that was opened would go on unseen.
     state_ = {.seriesDigest = study_.seriesDigest,
               .preset = preset,
               .lights = state_.lights,
-              .settings = state_.settings};
+              .settings = {.look = state_.settings.look, .shading = state_.settings.shading}};
     table_->setVolume(study_.volume);
     clips_->choose(0);
     seriesWindows_.forget();

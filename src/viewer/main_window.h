@@ -63,8 +63,8 @@ class MainWindow : public QMainWindow {
     QString fidelity() const { return fidelity_->fullText(); }  // how true the picture is
     QString modelState() const { return modelText_->fullText(); }  // what the peripheral model is doing
     bool hasStudy() const { return study_.volume != nullptr; }
-    // All that was chosen, with the camera of now; and another one of the same study. usage when it is of
-    // another, or none is open.
+    // All that was chosen, with the camera of now; and another one of the same study. usage when none is
+    // open, inputNotUsable when it was saved of another series.
     app::StudyState state() const;
     Result<void> setState(const app::StudyState& state);
     bool hidesSomething() const { return clip_ != nullptr; }
@@ -120,7 +120,8 @@ class MainWindow : public QMainWindow {
     QString pictureNote_;     // and about what the device shows of it
     QString deviceNote_;      // and about the device
     bool deviceIsBack_ = true;
-    // What was chosen for the study that is open. Its preset need not be the one asked for.
+    // What was chosen for the study that is open, but for what widgets know: the camera is the viewport's,
+    // and whether the table is left out is its action's. Its preset need not be the one asked for.
     app::StudyState state_;
     std::shared_ptr<const Clip> clip_;  // that it comes to; null: nothing is hidden
     app::SeriesWindows seriesWindows_;

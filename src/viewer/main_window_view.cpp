@@ -31,6 +31,7 @@ Error anotherSeries() {
 app::StudyState MainWindow::state() const {
     app::StudyState state = state_;
     if (study_.volume) state.camera = toCamera(viewport_->camera());
+    state.leavesTableOut = table_->action().isChecked();
     return state;
 }
 

@@ -61,7 +61,7 @@ class Viewport : public QWidget {
   signals:
     void rendered(const macula::app::RenderEvent& event);
     void namesToggled(bool shown);
-    void windowDragged(QPointF byHeights);  // with the right button, in projections: see ProjectionWindows
+    void windowDragged(QPointF byHeights);  // with the right button, in projections: see app::dragged
     void dropped(const macula::viewer::Dropped& what);
     void keyNotHandled(QKeyEvent* event);
 

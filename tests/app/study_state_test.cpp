@@ -209,5 +209,14 @@ TEST(DrawingOf, TakesWhatIsNotChosenFromCatalogueAndSeriesAndSaysWhatIsHidden) {
     EXPECT_EQ(clipOf(StudyState{}, *volume, std::nullopt), nullptr);
 }
 
+TEST(DrawingOf, SaysWhichNumbersAreNotWhatTheyAreByDefault) {
+    const auto volume = std::make_shared<const Volume>(phantom::make({.size = glm::ivec3(16)}));
+    StudyState state{.preset = presetFor(catalogue(), *volume)};
+    state.settings.exposure = 3.0;
+    state.settings.lightRotationDeg = -45.0;
+    EXPECT_EQ(drawingOf(state, catalogue(), SeriesWindows(), volume, nullptr).remarks,
+              "exposure 3, light rotation -45 degrees");
+}
+
 }  // namespace
 }  // namespace macula::app

@@ -102,10 +102,23 @@ TEST_F(WindowTest, AViewComesBackAsItWas) {
     EXPECT_LE(staleAfter(*read, now), app::Stale::camera) << "whose last bits may differ";
     EXPECT_LT(glm::distance(now.camera->positionMm, state.camera->positionMm), 1e-6);
 
+    app::StudyState bright = state;
+    bright.settings.exposure = 3.0;
+    bright.leavesTableOut = true;
+    ASSERT_TRUE(window_->setState(bright).ok());
+    EXPECT_EQ(window_->state().settings.exposure, 3.0);
+
     app::StudyState ofAnother = state;
     ofAnother.seriesDigest = "another";
     EXPECT_FALSE(window_->setState(ofAnother).ok());
     EXPECT_EQ(window_->state().settings.look, trace::Look::average);
+
+    // The next study keeps what the menus show, and no number that nobody sees.
+    window_->open(std::nullopt);
+    ASSERT_TRUE(waitUntil([&] { return window_->state().settings.exposure == 1.0; }));
+    EXPECT_EQ(window_->state().settings.look, trace::Look::average);
+    EXPECT_FALSE(window_->state().leavesTableOut);
+    EXPECT_EQ(window_->state().windows.at(std::size_t(trace::Look::average)), std::nullopt);
 }
 
 TEST_F(WindowTest, AMissingFolderIsToldInTheWindowAndTheStudyStays) {

@@ -39,7 +39,6 @@ class RenderDuty {
     // Whether what is on screen belongs to another study, or to what failed.
     bool isForeign() const { return isForeign_; }
     bool isHalted() const { return run_ != Run::on; }
-    bool begins() const { return picture_ == Picture::begins; }
     // `isComplete`: the input says all that a picture needs. `courseGoesOn`: asked only then.
     template <class CourseGoesOn>
     Work work(bool isComplete, const CourseGoesOn& courseGoesOn) const {

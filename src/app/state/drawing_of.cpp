@@ -26,6 +26,11 @@ Drawing drawingOf(const StudyState& state, const Catalogue& catalogue, const Ser
         drawing.settings.window = set ? *set : seriesWindows.of(look, *volume);
         remarks.push_back(windowText(*drawing.settings.window, volume->unitName()));
     }
+    for (const Parameter& p : parameters()) {
+        if (p.get(state.settings) == p.fallback()) continue;
+        remarks.push_back(
+            fmt::format("{} {:g}{}{}", p.label, p.get(state.settings), p.unit.empty() ? "" : " ", p.unit));
+    }
     if (drawing.clip && drawing.clip->mask) remarks.emplace_back("table left out");
     if (drawing.clip && drawing.clip->hasShape()) remarks.emplace_back("clipped");
     drawing.remarks = fmt::format("{}", fmt::join(remarks, ", "));

@@ -1,5 +1,5 @@
-// The numbers that a person may turn, in one table: command options, sliders and JSON keys are made from it
-// or held to it.
+// The numbers that a person may turn, in one table: options of `macula render`, keys of saved views and
+// remarks on pictures are made from it, and a test holds docs/parameters.md to it.
 #pragma once
 
 #include <array>
@@ -23,7 +23,7 @@ enum class Stale {
 struct Parameter {
     std::string_view id;      // JSON key
     std::string_view option;  // of the command
-    std::string_view label;   // for people
+    std::string_view label;   // for people, within a sentence
     std::string_view unit;    // "degrees"; empty: a count or a factor
     double low = 0.0;         // that is allowed
     double high = 0.0;

@@ -1,5 +1,5 @@
-// All that a person can choose about how a study is shown, as one value: window, command, evaluation, headset
-// and session store speak it. Frames: patient LPS, mm.
+// All that a person can choose about how a study is shown, as one value with a text. The window is driven by
+// it, and saves and opens it as a view. Camera and clips are in patient LPS, mm.
 #pragma once
 
 #include <array>
@@ -9,7 +9,6 @@
 #include <string>
 #include <string_view>
 
-#include "app/frame/frame_input.h"
 #include "app/state/parameters.h"
 #include "base/camera.h"
 #include "base/result.h"
@@ -55,7 +54,7 @@ Stale staleAfter(const StudyState& before, const StudyState& after);
 std::string toJson(const StudyState& state);
 
 // inputNotUsable: the message tells the line or the key, the hint what was expected. `where` is for the
-// error. Keys that are not known are kept.
+// error. Of the outermost object keys that are not known are kept.
 Result<StudyState> studyStateFromJson(std::string_view text, const std::string& where);
 
 }  // namespace macula::app

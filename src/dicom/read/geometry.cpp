@@ -229,8 +229,9 @@ std::optional<Message> placeSlices(const Positions& positions, StackGeometry& st
         stack.slices = slicesWithGaps(*places);
         return {};
     }
-    // Fine enough for the smallest distance, and bounded: one pair of almost equal positions among wide
-    // distances must not make a volume of thousands of slices, and a wide gap none of melted ones.
+    // The step between slices of the volume is fine enough for the smallest distance between planes, and
+    // bounded from below: one pair of almost equal positions among wide distances must not make a volume of
+    // thousands of slices, and a wide gap none of melted ones.
     constexpr double kMostSlicesPerPlane = 4.0;
     constexpr double kWideGapOfStep = 8.0;
     const double wantedMm =

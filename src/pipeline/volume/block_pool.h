@@ -11,8 +11,8 @@
 
 namespace macula {
 
-// A pool is a row of slots; a slot is free, or holds blocks of one level. So the pool needs no compaction,
-// and an emptied slot serves any level again.
+// A slab allocator for blocks of voxels: a row of slots, each free or divided into blocks of one level. So
+// the pool is never compacted, and a slot that has become empty takes blocks of any level again.
 class BlockPool {
   public:
     std::uint64_t slots() const { return slots_.size(); }

@@ -8,6 +8,7 @@
 #include "base/atomic_file.h"
 #include "base/check.h"
 #include "base/sha256.h"
+#include "pipeline/trace/settings.h"
 
 namespace macula::hybrid {
 
@@ -17,7 +18,7 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little);
 
-constexpr int kMostSide = 16384;
+constexpr int kMostSide = trace::kMaxPictureSide;
 constexpr std::size_t kMostHeader = 512;
 
 std::string_view bytesOf(const std::vector<glm::vec4>& rgba) {

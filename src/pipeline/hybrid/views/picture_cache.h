@@ -12,7 +12,7 @@
 namespace macula::hybrid {
 
 struct KeptPicture {
-    glm::ivec2 sizePx{0};         // columns, rows; 1 to 16384 each
+    glm::ivec2 sizePx{0};         // columns, rows; 1 to trace::kMaxPictureSide each
     std::vector<glm::vec4> rgba;  // linear, premultiplied; row 0 on top
 };
 
