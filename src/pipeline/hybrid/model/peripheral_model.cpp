@@ -93,13 +93,13 @@ Result<void> PeripheralModel::judgeNext() {
         const auto start = Clock::now();
         HeldOut& h = heldOut_[judged_++];
         MACULA_TRY(const double difference, trainer_.differenceTo(*h.picture));
-        h.error = difference / h.coverage;
+        h.errors.trained = difference / h.coverage;
         judgingSeconds_ += secondsSince(start);
         trainingSeconds_ += secondsSince(start);
     }
     if (judged_ < heldOut_.size()) return {};
     isJudging_ = false;
-    if (!heldOut_.empty()) trend_.add(trainingSeconds_, *report().error);
+    if (!heldOut_.empty()) trend_.add(trainingSeconds_, meanErrors().trained);
     MACULA_TRY_VOID(showIfBetter());
     return pauseOrSettle();
 }
@@ -148,24 +148,27 @@ Result<bool> PeripheralModel::goOnWith(const splat::TrainerOptions& options, int
     return done.ok();
 }
 
+PeripheralModel::Errors PeripheralModel::meanErrors() const {
+    Errors mean;
+    for (const HeldOut& h : heldOut_) {
+        mean.trained += h.errors.trained / double(heldOut_.size());
+        mean.shown += h.errors.shown / double(heldOut_.size());
+        mean.best += h.errors.best / double(heldOut_.size());
+    }
+    return mean;
+}
+
 // What was shown before a change stays until the new model is nearer to what there is now; after that what is
 // shown follows the model, as long as that does not get worse.
 Result<void> PeripheralModel::showIfBetter() {
-    double error = 0.0;
-    double shownError = 0.0;
-    double bestError = 0.0;
-    for (const HeldOut& h : heldOut_) {
-        error += h.error;
-        shownError += h.shownError;
-        bestError += h.bestError;
-    }
+    const Errors mean = meanErrors();
     const bool areTooFew = heldOut_.size() < kLeastHeldOut;
-    if (isOfBefore_ && (areTooFew || !(error < shownError))) return {};
+    if (isOfBefore_ && (areTooFew || !(mean.trained < mean.shown))) return {};
     // With few views it soon knows those by heart, and gets worse from elsewhere.
     if (areTooFew && trainer_.viewCount() < kFewViews) return {};
     // Not of what was shown last: a little worse again and again would be much.
-    if (!isOfBefore_ && error > (1.0 + options_.shownMayBeWorse) * bestError) return {};
-    const bool isBest = isOfBefore_ || error <= bestError;
+    if (!isOfBefore_ && mean.trained > (1.0 + options_.shownMayBeWorse) * mean.best) return {};
+    const bool isBest = isOfBefore_ || mean.trained <= mean.best;
     MACULA_TRY(splat::Splats now, trainer_.snapshot());
     shown_ = std::make_shared<const splat::Splats>(std::move(now));
     shownKey_ = trainer_.lastGood().options.key;
@@ -173,8 +176,8 @@ Result<void> PeripheralModel::showIfBetter() {
     if (isBest) best_ = shown_;
     isOfBefore_ = false;
     for (HeldOut& h : heldOut_) {
-        h.shownError = h.error;
-        if (isBest) h.bestError = h.error;
+        h.errors.shown = h.errors.trained;
+        if (isBest) h.errors.best = h.errors.trained;
     }
     return {};
 }
@@ -208,12 +211,9 @@ PeripheralReport PeripheralModel::report() const {
                             .rounds = rounds_,
                             .noRoom = noRoom_};
     if (heldOut_.empty()) return report;
-    report.error = 0.0;
-    report.shownError = 0.0;
-    for (const HeldOut& h : heldOut_) {
-        *report.error += h.error / double(heldOut_.size());
-        *report.shownError += h.shownError / double(heldOut_.size());
-    }
+    const Errors mean = meanErrors();
+    report.error = mean.trained;
+    report.shownError = mean.shown;
     return report;
 }
 

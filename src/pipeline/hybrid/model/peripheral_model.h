@@ -141,12 +141,16 @@ class PeripheralModel {
     PeripheralState lastGood() const;
 
   private:
+    // Mean absolute difference to a held-out picture, over its coverage.
+    struct Errors {
+        double trained = 0.0;  // of the model, when it was last judged
+        double shown = 0.0;
+        double best = 0.0;  // of the best that was shown since the last change
+    };
     struct HeldOut {
         std::shared_ptr<const splat::TrainingView> picture;
         double coverage = 0.0;
-        double error = 0.0;       // of the model, when it was last judged
-        double shownError = 0.0;  // of what is shown
-        double bestError = 0.0;   // of the best that was shown since the last change
+        Errors errors;
     };
 
     PeripheralModel(std::shared_ptr<gpu::Device> device, const PeripheralOptions& options,
@@ -155,6 +159,7 @@ class PeripheralModel {
     static Result<splat::Trainer> beginTrainer(const std::shared_ptr<gpu::Device>& device,
                                                const ModelStart& start, const PeripheralOptions& options);
     void goOnShowing(const std::shared_ptr<const splat::Splats>& splats, const std::string& key);
+    Errors meanErrors() const;  // zeros where nothing is held out
     Result<void> judgeShown(HeldOut& heldOut) const;
     Result<void> takeHeldOut(const std::shared_ptr<const splat::TrainingView>& picture);
     bool isFull() const;

@@ -36,7 +36,7 @@ std::vector<KnownPose> PeripheralModel::knownViews() const {
         if (trainer_.view(i).kind != splat::ViewKind::picture) continue;  // no picture of it was seen
         known.push_back({.view = trainer_.view(i).view, .error = trainer_.lastDifference(i) / coverage_[i]});
     }
-    for (const HeldOut& h : heldOut_) known.push_back({.view = h.picture->view, .error = h.error});
+    for (const HeldOut& h : heldOut_) known.push_back({.view = h.picture->view, .error = h.errors.trained});
     for (const Camera& camera : asked_) {
         const auto view =
             splat::rasterView(camera, options_.wanted.sizePx, trainer_.lastGood().splats.originMm);
@@ -119,10 +119,10 @@ Result<void> PeripheralModel::judgeShown(HeldOut& heldOut) const {
         MACULA_TRY(const double error, judge.differenceTo(*heldOut.picture));
         return error / heldOut.coverage;
     };
-    MACULA_TRY(heldOut.shownError, errorOf(*shown_));
-    heldOut.bestError = heldOut.shownError;
+    MACULA_TRY(heldOut.errors.shown, errorOf(*shown_));
+    heldOut.errors.best = heldOut.errors.shown;
     if (best_ != shown_) {
-        MACULA_TRY(heldOut.bestError, errorOf(*best_));
+        MACULA_TRY(heldOut.errors.best, errorOf(*best_));
     }
     return {};
 }
@@ -132,7 +132,7 @@ Result<void> PeripheralModel::judgeShown(HeldOut& heldOut) const {
 Result<void> PeripheralModel::takeHeldOut(const std::shared_ptr<const splat::TrainingView>& picture) {
     HeldOut taken{.picture = picture, .coverage = coverageOf(*picture)};
     MACULA_TRY(const double error, trainer_.differenceTo(*picture));
-    taken.error = error / taken.coverage;
+    taken.errors.trained = error / taken.coverage;
     MACULA_TRY_VOID(judgeShown(taken));
     heldOut_.push_back(std::move(taken));
     trend_.forget();
