@@ -104,7 +104,8 @@ class Bench {
         Turn sorted;
         MACULA_TRY_VOID(draw(t.deviceSorted, sorted));
         turn.deviceLists = sorted.lists;
-        MACULA_TRY_VOID(draw(t.rasterizer, turn));
+        MACULA_TRY(const RasterPass pass, draw(t.rasterizer, turn));
+        pairs_ = pass.pairCount();
         const auto timeOf = [&](Spent& time,
                                 const std::function<Result<void>(gpu::Recorder&)>& record) -> Result<void> {
             watch.lap();
@@ -120,7 +121,7 @@ class Bench {
             return {};
         }));
         MACULA_TRY_VOID(timeOf(turn.backward, [&](gpu::Recorder& recorder) {
-            return t.rasterizer.recordBackward(recorder, t.parameters, t.loss.gradient(), t.gradients);
+            return t.rasterizer.recordBackward(recorder, pass, t.parameters, t.loss.gradient(), t.gradients);
         }));
         MACULA_TRY_VOID(timeOf(turn.adam, [&](gpu::Recorder& recorder) -> Result<void> {
             t.optimizer.record(recorder, t.moved, t.gradients, t.rasterizer.visible(), count);
@@ -158,7 +159,7 @@ class Bench {
         return turn;
     }
 
-    std::uint64_t pairs() const { return tools_.rasterizer.pairCount(); }
+    std::uint64_t pairs() const { return pairs_; }
 
   private:
     static constexpr LossStep kOver{.background = kBackground, .viewWeight = 1.0f};
@@ -195,6 +196,7 @@ class Bench {
     Blending blending_;
     Tools tools_;
     std::vector<glm::dvec4> target_;
+    std::uint64_t pairs_ = 0;  // of splats and tiles, of the last turn
     ReferenceOptimizer optimizer_;
     std::vector<double> parameters_;
 };

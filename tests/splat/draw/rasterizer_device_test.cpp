@@ -19,6 +19,7 @@ class RasterizerOnDevice : public gpu::SharedDeviceTest {
     struct Drawn {
         SplatBuffer parameters;
         Rasterizer rasterizer;
+        RasterPass pass;
     };
     static Drawn draw(const Splats& splats, const RasterView& view, const Blending& blending,
                       const RasterShape& shape = {}) {
@@ -28,8 +29,8 @@ class RasterizerOnDevice : public gpu::SharedDeviceTest {
         EXPECT_TRUE(parameters.upload(componentsOf(splats)).ok());
         Rasterizer rasterizer =
             std::move(*Rasterizer::create(device(), std::max(count, 1u), splats.shDegree, shape));
-        EXPECT_TRUE(rasterizer.draw(parameters, count, view, blending).ok());
-        return {std::move(parameters), std::move(rasterizer)};
+        const RasterPass pass = *rasterizer.draw(parameters, count, view, blending);
+        return {std::move(parameters), std::move(rasterizer), pass};
     }
 };
 
@@ -81,7 +82,8 @@ TEST_F(RasterizerOnDevice, DerivativesAreThoseOfTheReference) {
                 std::move(*SplatBuffer::create(device(), "gradients", drawn.parameters.capacity(), degree));
             auto recorder = std::move(*gpu::Recorder::create(device(), "test"));
             ASSERT_TRUE(
-                drawn.rasterizer.recordBackward(recorder, drawn.parameters, *uploaded, gradients).ok());
+                drawn.rasterizer.recordBackward(recorder, drawn.pass, drawn.parameters, *uploaded, gradients)
+                    .ok());
             ASSERT_TRUE(recorder.submit().ok());
             const auto found = gradients.download(drawn.parameters.capacity());
             ASSERT_TRUE(found.ok());
@@ -119,7 +121,7 @@ TEST_F(RasterizerOnDevice, NothingToDrawIsAnEmptyPicture) {
         const auto pixels = drawn.rasterizer.picture().read();
         ASSERT_TRUE(pixels.ok());
         for (const glm::vec4& pixel : *pixels) EXPECT_EQ(pixel, glm::vec4(0.0f));
-        EXPECT_EQ(drawn.rasterizer.pairCount(), 0u);
+        EXPECT_EQ(drawn.pass.pairCount(), 0u);
     }
 }
 
@@ -135,7 +137,9 @@ TEST_F(RasterizerOnDevice, ASplatThatDoesNotShowKeepsWhatWasThere) {
         DevicePicture::upload(device(), "gradient", 20, 9, std::vector<glm::vec4>(180, glm::vec4(0.5f)));
     for (int turn = 0; turn < 2; ++turn) {
         auto recorder = std::move(*gpu::Recorder::create(device(), "test"));
-        ASSERT_TRUE(drawn.rasterizer.recordBackward(recorder, drawn.parameters, *gradient, gradients).ok());
+        ASSERT_TRUE(
+            drawn.rasterizer.recordBackward(recorder, drawn.pass, drawn.parameters, *gradient, gradients)
+                .ok());
         ASSERT_TRUE(recorder.submit().ok());
     }
     const auto visible = gpu::read<std::uint32_t>(drawn.rasterizer.visible());
@@ -167,7 +171,9 @@ TEST_F(RasterizerOnDevice, PullsAddUp) {
             pixels.push_back(takesPart(i % 32 < 16, i / 32 < 16) ? glm::vec4(0, 0, 0, 1) : glm::vec4(0));
         const auto gradient = DevicePicture::upload(device(), "gradient", 32, 32, pixels);
         auto recorder = std::move(*gpu::Recorder::create(device(), "test"));
-        EXPECT_TRUE(drawn.rasterizer.recordBackward(recorder, drawn.parameters, *gradient, gradients).ok());
+        EXPECT_TRUE(
+            drawn.rasterizer.recordBackward(recorder, drawn.pass, drawn.parameters, *gradient, gradients)
+                .ok());
         EXPECT_TRUE(recorder.submit().ok());
         return double(gpu::read<shared::SplatStatistics>(drawn.rasterizer.statistics())->front().pull);
     };

@@ -67,6 +67,7 @@ class RasterizerExtremes : public gpu::SharedDeviceTest {
         SplatBuffer parameters;
         SplatBuffer gradients;
         Rasterizer rasterizer;
+        RasterPass pass = {};  // of the last picture
     };
     static Tools& tools() {
         if (!tools_) {
@@ -81,8 +82,10 @@ class RasterizerExtremes : public gpu::SharedDeviceTest {
 
     static Result<void> tryToDraw(const Splats& splats, const RasterView& view, const Blending& blending) {
         MACULA_TRY_VOID(tools().parameters.upload(componentsOf(splats)));
-        return tools().rasterizer.draw(tools().parameters, static_cast<std::uint32_t>(splats.size()), view,
-                                       blending);
+        MACULA_TRY(tools().pass,
+                   tools().rasterizer.draw(tools().parameters, static_cast<std::uint32_t>(splats.size()),
+                                           view, blending));
+        return {};
     }
     static std::vector<glm::vec4> draw(const Splats& splats, const RasterView& view,
                                        const Blending& blending = {}) {
@@ -143,9 +146,11 @@ class RasterizerExtremes : public gpu::SharedDeviceTest {
         ASSERT_TRUE(uploaded.ok());
         ASSERT_TRUE(tools().gradients.upload({}).ok());  // 0, as of splats that do not show
         auto recorder = std::move(*gpu::Recorder::create(device(), "test"));
-        ASSERT_TRUE(tools()
-                        .rasterizer.recordBackward(recorder, tools().parameters, *uploaded, tools().gradients)
-                        .ok());
+        ASSERT_TRUE(
+            tools()
+                .rasterizer
+                .recordBackward(recorder, tools().pass, tools().parameters, *uploaded, tools().gradients)
+                .ok());
         ASSERT_TRUE(recorder.submit().ok());
         const auto count = static_cast<std::uint32_t>(splats.size());
         const auto found = tools().gradients.download(count);

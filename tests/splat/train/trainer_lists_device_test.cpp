@@ -52,9 +52,11 @@ TEST_F(TrainerLists, AStepThatHasNoRoomIsDoneAgain) {
     Rasterizer rasterizer =
         std::move(*Rasterizer::create(device(), 10, model.shDegree, {.lists = ListMaker::device}));
     auto recorder = std::move(*gpu::Recorder::create(device(), "draw"));
-    ASSERT_TRUE(rasterizer.recordDraw(recorder, parameters, 10, view.view, blendingOf(model.lowPass)).ok());
+    Result<RasterPass> pass =
+        rasterizer.recordDraw(recorder, parameters, 10, view.view, blendingOf(model.lowPass));
+    ASSERT_TRUE(pass.ok());
     ASSERT_TRUE(recorder.submit().ok());
-    const Result<bool> hadRoom = rasterizer.settle();
+    const Result<bool> hadRoom = rasterizer.settle(*pass);
     ASSERT_TRUE(hadRoom.ok());
     EXPECT_FALSE(*hadRoom);
 

@@ -153,19 +153,25 @@ void Rasterizer::recordProject(gpu::Recorder& recorder, const SplatBuffer& param
     tiles_ = frame.tiles;
 }
 
-Result<void> Rasterizer::recordLists(gpu::Recorder& recorder, std::uint32_t count, std::uint64_t mostPairs) {
-    pairCount_ = 0;
-    if (count > 0) {
+RasterPass Rasterizer::beginPass(std::uint32_t splats) {
+    RasterPass pass;
+    pass.serial_ = ++serial_;
+    pass.splats_ = splats;
+    return pass;
+}
+
+Result<void> Rasterizer::recordLists(gpu::Recorder& recorder, std::uint64_t mostPairs, RasterPass& pass) {
+    if (pass.splats_ > 0) {
         MACULA_TRY_VOID(
-            deviceLists_->record(recorder, frame_, screen_, count, tiles_, mostPairs, tileBuffers_));
+            deviceLists_->record(recorder, frame_, screen_, pass.splats_, tiles_, mostPairs, tileBuffers_));
     } else {
         MACULA_TRY_VOID(
             tileBuffers_.makeRoomFor(static_cast<std::uint64_t>(tiles_.x) * std::uint64_t(tiles_.y), 1));
         recorder.fill(tileBuffers_.ranges->buffer(), 0);
     }
-    settled_ = count == 0;
-    pairRoom_ = std::min(mostPairs, deviceLists_->capacity());
-    mostPairs_ = mostPairs;
+    pass.isSettled_ = pass.splats_ == 0;
+    pass.pairs_ = pass.isSettled_ ? 0 : std::min(mostPairs, deviceLists_->capacity());
+    pass.mostPairs_ = mostPairs;
     return {};
 }
 
@@ -192,31 +198,31 @@ void Rasterizer::recordRaster(gpu::Recorder& recorder, const gpu::TexelBuffer& s
         {frame_, screen, *tileBuffers_.ranges, *tileBuffers_.entries, picture_->texels.buffer(), *depths_});
 }
 
-Result<void> Rasterizer::recordDraw(gpu::Recorder& recorder, const SplatBuffer& parameters,
-                                    std::uint32_t count, const RasterView& view, const Blending& blending) {
+Result<RasterPass> Rasterizer::recordDraw(gpu::Recorder& recorder, const SplatBuffer& parameters,
+                                          std::uint32_t count, const RasterView& view,
+                                          const Blending& blending) {
     MACULA_CHECK(listsOnDevice());
     MACULA_CHECK_LE(count, capacity_);
     MACULA_CHECK_LE(count, parameters.capacity());
-    count_ = 0;
+    RasterPass pass = beginPass(count);
     MACULA_TRY_VOID(makePicture(view.sizePx));
     recordProject(recorder, parameters, count, view, blending);
-    MACULA_TRY_VOID(recordLists(recorder, count, mostDifferentiated()));
+    MACULA_TRY_VOID(recordLists(recorder, mostDifferentiated(), pass));
     recordRaster(recorder, screen_);
-    count_ = count;
-    return {};
+    return pass;
 }
 
-Result<bool> Rasterizer::settle() {
-    MACULA_CHECK(picture_.has_value());
-    if (settled_) return true;
+Result<bool> Rasterizer::settle(RasterPass& pass) {
+    MACULA_CHECK_EQ(pass.serial_, serial_);
+    if (pass.isSettled_) return true;
     MACULA_TRY(const std::uint64_t wanted, deviceLists_->wanted());
-    if (wanted <= pairRoom_) {
-        settled_ = true;
-        pairCount_ = pairRoom_ = wanted;
+    if (wanted <= pass.pairs_) {
+        pass.isSettled_ = true;
+        pass.pairs_ = wanted;
         return true;
     }
-    count_ = 0;  // nothing can be differentiated
-    if (wanted > mostPairs_) return tooManyPairs();
+    serial_ = pass.serial_ + 1;  // it ends here: nothing of it can be differentiated
+    if (wanted > pass.mostPairs_) return tooManyPairs();
     MACULA_TRY_VOID(deviceLists_->makeRoomForPairs(wanted));
     return false;
 }
@@ -255,13 +261,14 @@ Result<std::span<const glm::vec4>> Rasterizer::readScreen(std::uint32_t count) {
     return std::span<const glm::vec4>(screenCopy_);
 }
 
-Result<void> Rasterizer::draw(const SplatBuffer& parameters, std::uint32_t count, const RasterView& view,
-                              const Blending& blending, const Submitted& submitted) {
+Result<RasterPass> Rasterizer::draw(const SplatBuffer& parameters, std::uint32_t count,
+                                    const RasterView& view, const Blending& blending,
+                                    const Submitted& submitted) {
     MACULA_CHECK_LE(count, capacity_);
     MACULA_CHECK_LE(count, parameters.capacity());
     const auto tell = [&](DrawStage stage) { return submitted ? submitted(stage) : Result<void>(); };
-    for (bool settled = false; !settled;) {
-        count_ = 0;
+    while (true) {
+        RasterPass pass = beginPass(count);
         MACULA_TRY_VOID(makePicture(view.sizePx));
         MACULA_TRY_VOID(inOne("project splats", [&](gpu::Recorder& recorder) -> Result<void> {
             recordProject(recorder, parameters, count, view, blending);
@@ -270,11 +277,11 @@ Result<void> Rasterizer::draw(const SplatBuffer& parameters, std::uint32_t count
         MACULA_TRY_VOID(tell(DrawStage::project));
         if (listsOnDevice()) {
             MACULA_TRY_VOID(inOne("lists of tiles", [&](gpu::Recorder& recorder) {
-                return recordLists(recorder, count, kMostSorted);
+                return recordLists(recorder, kMostSorted, pass);
             }));
         } else {
             MACULA_TRY(const std::span<const glm::vec4> screen, readScreen(count));
-            MACULA_TRY_VOID(sortOnHost(screen, view, blending, count > 0));
+            MACULA_TRY_VOID(sortOnHost(screen, view, blending, count > 0, pass));
         }
         MACULA_TRY_VOID(tell(DrawStage::lists));
         MACULA_TRY_VOID(inOne("draw splats", [&](gpu::Recorder& recorder) -> Result<void> {
@@ -282,21 +289,20 @@ Result<void> Rasterizer::draw(const SplatBuffer& parameters, std::uint32_t count
             return {};
         }));
         MACULA_TRY_VOID(tell(DrawStage::raster));
-        count_ = count;
-        MACULA_TRY(settled, settle());
+        MACULA_TRY(const bool isRight, settle(pass));
+        if (isRight) return pass;
     }
-    return {};
 }
 
 Result<void> Rasterizer::drawProjected(std::span<const glm::vec4> screen, const RasterView& view,
                                        const Blending& blending) {
-    count_ = 0;
+    RasterPass pass = beginPass(0);
     MACULA_TRY_VOID(makePicture(view.sizePx));
     MACULA_TRY_VOID(makeRoom(hostScreen_, device_, "splats projected on the host",
                              VK_FORMAT_R32G32B32A32_SFLOAT, screen.size(),
                              VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT));
     if (!screen.empty()) MACULA_TRY_VOID(gpu::uploadTo<glm::vec4>(hostScreen_->buffer(), screen));
-    MACULA_TRY_VOID(sortOnHost(screen, view, blending, false));
+    MACULA_TRY_VOID(sortOnHost(screen, view, blending, false, pass));
     const shared::SplatFrame frame = frameOf(view, blending);
     return inOne("draw splats", [&](gpu::Recorder& recorder) -> Result<void> {
         recorder.update(frame_, std::as_bytes(std::span(&frame, 1)));
@@ -306,34 +312,34 @@ Result<void> Rasterizer::drawProjected(std::span<const glm::vec4> screen, const 
 }
 
 Result<void> Rasterizer::sortOnHost(std::span<const glm::vec4> screen, const RasterView& view,
-                                    const Blending& blending, bool withPairs) {
+                                    const Blending& blending, bool withPairs, RasterPass& pass) {
     // What a tile's list can hold; the backward pass needs more, and asks for it then.
     std::uint64_t mostPairs = std::min<std::uint64_t>(
         device_->info().maxTexelBufferElements, device_->info().maxAllocationBytes / sizeof(glm::uvec2));
     if (shape_.mostPairs > 0) mostPairs = std::min(mostPairs, shape_.mostPairs);
-    settled_ = true;
-    pairCount_ = 0;
     if (!sortIntoTiles(screen, view, blending, shape_.tileRows, mostPairs, lists_)) return tooManyPairs();
     MACULA_TRY_VOID(tileBuffers_.upload(lists_, withPairs));
     tiles_ = lists_.tiles;
-    pairCount_ = pairRoom_ = lists_.entries.size();
+    pass.pairs_ = lists_.entries.size();
     return {};
 }
 
-Result<void> Rasterizer::recordBackward(gpu::Recorder& recorder, const SplatBuffer& parameters,
-                                        const DevicePicture& gradient, SplatBuffer& gradients) {
+Result<void> Rasterizer::recordBackward(gpu::Recorder& recorder, const RasterPass& pass,
+                                        const SplatBuffer& parameters, const DevicePicture& gradient,
+                                        SplatBuffer& gradients) {
+    MACULA_CHECK_EQ(pass.serial_, serial_);
     MACULA_CHECK(kernels_.gather.has_value() && picture_.has_value());
     MACULA_CHECK_EQ(gradient.width, picture_->width);
     MACULA_CHECK_EQ(gradient.height, picture_->height);
-    if (count_ == 0) return {};
-    // Of a picture that is not settled, pairRoom_ is all that lists on the device have room for.
+    if (pass.splats_ == 0) return {};
+    // Of a picture that is not settled, pairs_ is all that lists on the device have room for.
     MACULA_TRY_VOID(makeRoom(pairs_, device_, "derivatives of pairs", VK_FORMAT_R32_SFLOAT,
-                             pairRoom_ * std::uint64_t(kPairValues) * std::uint64_t(slots_), kReadAndWritten,
-                             settled_ ? Room::toGrow : Room::exact));
+                             pass.pairs_ * std::uint64_t(kPairValues) * std::uint64_t(slots_),
+                             kReadAndWritten, pass.isSettled_ ? Room::toGrow : Room::exact));
     recorder.dispatch(kernels_.rasterBack.value(), tileThreads(),
                       {frame_, screen_, *tileBuffers_.ranges, *tileBuffers_.entries, picture_->texels,
                        gradient.texels, pairs_->buffer()});
-    recorder.dispatch(kernels_.gather.value(), {count_},
+    recorder.dispatch(kernels_.gather.value(), {pass.splats_},
                       {frame_, screen_, parameters.values(), tileBuffers_.pairs, *pairs_,
                        gradients.values().buffer(), visible_, statistics_});
     return {};

@@ -37,6 +37,22 @@ struct RasterShape {
 // What a picture is made in.
 enum class DrawStage { project, lists, raster };
 
+// A picture of splats that was recorded: what finding its derivatives, and asking whether it is right, need.
+// It ends with the next picture of its rasterizer.
+class RasterPass {
+  public:
+    // Pairs of splats and tiles in it; of one that is not settled 0.
+    std::uint64_t pairCount() const { return isSettled_ ? pairs_ : 0; }
+
+  private:
+    friend class Rasterizer;
+    std::uint64_t serial_ = 0;
+    std::uint32_t splats_ = 0;
+    std::uint64_t pairs_ = 0;      // of one that is not settled: for how many the lists have room
+    std::uint64_t mostPairs_ = 0;  // that the lists may be made to have room for
+    bool isSettled_ = true;
+};
+
 // Used by one thread at a time, the one that uses the device.
 class Rasterizer {
   public:
@@ -50,18 +66,18 @@ class Rasterizer {
     // picture is too large; then there is no picture until the next draw that succeeds. `submitted` (may be
     // empty) is told after the work of each stage was submitted, to measure it: where it fails, so does this.
     using Submitted = std::function<Result<void>(DrawStage)>;
-    Result<void> draw(const SplatBuffer& parameters, std::uint32_t count, const RasterView& view,
-                      const Blending& blending, const Submitted& submitted = {});
+    Result<RasterPass> draw(const SplatBuffer& parameters, std::uint32_t count, const RasterView& view,
+                            const Blending& blending, const Submitted& submitted = {});
 
     // Lists are made on the device, and recordDraw is there.
     bool listsOnDevice() const { return deviceLists_.has_value(); }
     // As draw, without waiting for anything. Whether there was room for all pairs is known when it is done;
     // if not, the picture is empty and no splat shows in it.
-    Result<void> recordDraw(gpu::Recorder& recorder, const SplatBuffer& parameters, std::uint32_t count,
-                            const RasterView& view, const Blending& blending);
-    // After recordDraw was submitted, waits: true when the picture is right. False: now there is room, record
-    // it again. outOfMemory as draw. True after draw.
-    Result<bool> settle();
+    Result<RasterPass> recordDraw(gpu::Recorder& recorder, const SplatBuffer& parameters, std::uint32_t count,
+                                  const RasterView& view, const Blending& blending);
+    // After what was recorded is submitted, waits: true when the picture is right. False: now there is room,
+    // record it again. outOfMemory as draw. True of what draw made.
+    Result<bool> settle(RasterPass& pass);
 
     // The same of what projectOnHost made. Nothing can be differentiated then.
     Result<void> drawProjected(std::span<const glm::vec4> screen, const RasterView& view,
@@ -71,15 +87,14 @@ class Rasterizer {
     const DevicePicture& picture() const { return *picture_; }
     // Float for each pixel: sum of weight times depth of the centre in mm; over a, the mean depth.
     const gpu::Buffer& depths() const { return *depths_; }
-    // Pairs of splats and tiles in it.
-    std::uint64_t pairCount() const { return pairCount_; }
     // As they lie on the device, with room for more than there are: TileLists has their order.
     const TileBuffers& tileLists() const { return tileBuffers_; }
 
-    // After draw, of the same parameters: the derivative by each, from that by the picture (its rgb, and its
-    // coverage in a), of splats that show; those of others stay what they were. Of degree 0 or 1.
-    Result<void> recordBackward(gpu::Recorder& recorder, const SplatBuffer& parameters,
-                                const DevicePicture& gradient, SplatBuffer& gradients);
+    // Of the last picture and its parameters: the derivative by each, from that by the picture (its rgb, and
+    // its coverage in a), of splats that show; those of others stay what they were. Of degree 0 or 1.
+    Result<void> recordBackward(gpu::Recorder& recorder, const RasterPass& pass,
+                                const SplatBuffer& parameters, const DevicePicture& gradient,
+                                SplatBuffer& gradients);
     // A uint for each splat, not 0 for those that showed when recordBackward was last done.
     const gpu::Buffer& visible() const { return visible_; }
     // SplatStatistics for each splat, summed by every recordBackward since they were cleared.
@@ -101,13 +116,14 @@ class Rasterizer {
     Result<void> inOne(const char* label, const std::function<Result<void>(gpu::Recorder&)>& record);
     void recordProject(gpu::Recorder& recorder, const SplatBuffer& parameters, std::uint32_t count,
                        const RasterView& view, const Blending& blending);
-    Result<void> recordLists(gpu::Recorder& recorder, std::uint32_t count, std::uint64_t mostPairs);
+    RasterPass beginPass(std::uint32_t splats);
+    Result<void> recordLists(gpu::Recorder& recorder, std::uint64_t mostPairs, RasterPass& pass);
     std::uint64_t mostDifferentiated() const;
     gpu::Threads tileThreads() const;
     void recordRaster(gpu::Recorder& recorder, const gpu::TexelBuffer& screen);
     Result<std::span<const glm::vec4>> readScreen(std::uint32_t count);
     Result<void> sortOnHost(std::span<const glm::vec4> screen, const RasterView& view,
-                            const Blending& blending, bool withPairs);
+                            const Blending& blending, bool withPairs, RasterPass& pass);
     Result<void> makePicture(glm::ivec2 sizePx);
 
     std::shared_ptr<gpu::Device> device_;
@@ -126,13 +142,9 @@ class Rasterizer {
     std::optional<DevicePicture> picture_;
     std::optional<gpu::Buffer> depths_;
     std::vector<glm::vec4> screenCopy_;  // where the host cannot read the device's
-    std::uint32_t count_ = 0;
-    glm::ivec2 tiles_{0};
-    std::uint64_t pairCount_ = 0;
-    std::uint64_t pairRoom_ = 0;   // that the lists may have
-    std::uint64_t mostPairs_ = 0;  // that they may be made to have room for
-    bool settled_ = true;
-    TileLists lists_;  // of the host
+    std::uint64_t serial_ = 0;           // of the last pass
+    glm::ivec2 tiles_{0};                // of its picture
+    TileLists lists_;                    // of the host
 };
 
 }  // namespace macula::splat

@@ -161,20 +161,23 @@ std::optional<std::size_t> Trainer::nextView() const {
 // False when there was no room for all that shows: then nothing has moved, and now there is.
 Result<bool> Trainer::tryStep(const PictureLevel& level, Loss& loss, const LossStep& over) {
     const Blending blending = blendingOf(like_.lowPass);
-    if (!rasterizer_.listsOnDevice())
-        MACULA_TRY_VOID(rasterizer_.draw(parameters_, count_, level.view, blending));
+    RasterPass pass;
+    if (!rasterizer_.listsOnDevice()) {
+        MACULA_TRY(pass, rasterizer_.draw(parameters_, count_, level.view, blending));
+    }
     MACULA_TRY(auto recorder, gpu::Recorder::create(device_, "training step"));
-    if (rasterizer_.listsOnDevice())
-        MACULA_TRY_VOID(rasterizer_.recordDraw(recorder, parameters_, count_, level.view, blending));
+    if (rasterizer_.listsOnDevice()) {
+        MACULA_TRY(pass, rasterizer_.recordDraw(recorder, parameters_, count_, level.view, blending));
+    }
     loss.record(recorder, rasterizer_.picture(), level.target, options_.loss, over);
-    MACULA_TRY_VOID(rasterizer_.recordBackward(recorder, parameters_, loss.gradient(), gradients_));
+    MACULA_TRY_VOID(rasterizer_.recordBackward(recorder, pass, parameters_, loss.gradient(), gradients_));
     optimizer_.record(recorder, parameters_, gradients_, rasterizer_.visible(), count_);
     const Result<gpu::Ticket> submitted = recorder.submit();
     if (!submitted) {
         optimizer_.takeBack();
         return submitted.error();
     }
-    Result<bool> settled = rasterizer_.settle();
+    Result<bool> settled = rasterizer_.settle(pass);
     if (!settled || !*settled) optimizer_.takeBack();
     return settled;
 }
