@@ -20,7 +20,10 @@ layout(binding = 1, scalar) readonly buffer Traced {
 layout(binding = 2, scalar) readonly buffer Counts {
     uint counts[];
 };
-layout(binding = 3, rgba8) uniform writeonly image2D picture;
+layout(binding = 3, scalar) readonly buffer Weights {
+    float weights[];
+};
+layout(binding = 4, rgba8) uniform writeonly image2D picture;
 layout(push_constant, scalar) uniform Push {
     ComposePush push;
 };
@@ -32,9 +35,11 @@ void main() {
     int index = pixel.y * size.x + pixel.x;
     vec4 ofSplats = vec4(0.0);
     vec4 ofTracer = vec4(0.0);
-    if (push.tracedShare < 1.0) ofSplats = splats[index] * vec4(vec3(push.splatGain), 1.0);
-    if (push.tracedShare > 0.0)
+    float share = push.tracedShare;
+    if (push.tracedIsWeighted == 1) share *= weights[index];
+    if (share < 1.0) ofSplats = splats[index] * vec4(vec3(push.splatGain), 1.0);
+    if (share > 0.0)
         ofTracer = traced[index] / (push.tracedAreMeans == 1 ? 1.0 : float(max(counts[index], 1u)));
-    vec4 light = composed(ofSplats, ofTracer, push.tracedShare);
+    vec4 light = composed(ofSplats, ofTracer, share);
     imageStore(picture, pixel, vec4(displayColour(light, push.background, push.exposure), 1.0));
 }

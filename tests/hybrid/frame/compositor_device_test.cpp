@@ -74,7 +74,7 @@ TEST(ComposeLayout, PushConstantsAgree) {
         *compose->pushConstants->block.find("push"),
         {MACULA_FIELD(ComposePush, background), MACULA_FIELD(ComposePush, exposure),
          MACULA_FIELD(ComposePush, splatGain), MACULA_FIELD(ComposePush, tracedShare),
-         MACULA_FIELD(ComposePush, tracedAreMeans)});
+         MACULA_FIELD(ComposePush, tracedAreMeans), MACULA_FIELD(ComposePush, tracedIsWeighted)});
 }
 
 TEST_F(CompositorTest, MixesAsLightAndShowsAsTheTracerDoes) {

@@ -13,7 +13,7 @@ Result<Compositor> Compositor::create(const std::shared_ptr<gpu::Device>& device
 }
 
 Result<const gpu::Image*> Compositor::compose(const Layers& layers, const Display& display) {
-    MACULA_CHECK(layers.splats != nullptr || layers.tracedShare >= 1.0f);
+    MACULA_CHECK(layers.splats != nullptr || (layers.tracedShare >= 1.0f && layers.tracedWeights == nullptr));
     MACULA_CHECK(layers.traced != nullptr || layers.tracedShare <= 0.0f);
     const auto width = static_cast<std::uint32_t>(layers.sizePx.x);
     const auto height = static_cast<std::uint32_t>(layers.sizePx.y);
@@ -22,7 +22,7 @@ Result<const gpu::Image*> Compositor::compose(const Layers& layers, const Displa
         MACULA_CHECK_EQ(layers.splats->height, layers.sizePx.y);
     }
     if (layers.traced != nullptr)
-        MACULA_CHECK_EQ(layers.traced->values->bytes(), std::uint64_t(width) * height * sizeof(glm::vec4));
+        MACULA_CHECK_LE(std::uint64_t(width) * height * sizeof(glm::vec4), layers.traced->values->bytes());
     if (!picture_ || picture_->extent().width != width || picture_->extent().height != height) {
         picture_.reset();
         MACULA_TRY(picture_, gpu::Image::create(device_, {.label = "composed picture",
@@ -33,16 +33,19 @@ Result<const gpu::Image*> Compositor::compose(const Layers& layers, const Displa
     // Something has to be bound where nothing is read.
     const gpu::Buffer& values =
         layers.traced != nullptr ? *layers.traced->values : layers.splats->texels.buffer();
-    const gpu::Buffer& counts = layers.traced != nullptr ? *layers.traced->counts : values;
+    const bool hasCounts = layers.traced != nullptr && layers.traced->counts != nullptr;
+    const gpu::Buffer& counts = hasCounts ? *layers.traced->counts : values;
+    const gpu::Buffer& weights = layers.tracedWeights != nullptr ? *layers.tracedWeights : values;
     const gpu::Buffer& splats = layers.splats != nullptr ? layers.splats->texels.buffer() : values;
     const shared::ComposePush push{
         .background = display.background,
         .exposure = display.exposure,
         .splatGain = layers.splatGain,
         .tracedShare = layers.tracedShare,
-        .tracedAreMeans = layers.traced != nullptr && layers.traced->areMeans ? 1 : 0};
+        .tracedAreMeans = layers.traced != nullptr && layers.traced->areMeans ? 1 : 0,
+        .tracedIsWeighted = layers.tracedWeights != nullptr ? 1 : 0};
     MACULA_TRY(auto recorder, gpu::Recorder::create(device_, "compose"));
-    recorder.dispatch(kernel_, {width, height}, push, {splats, values, counts, *picture_});
+    recorder.dispatch(kernel_, {width, height}, push, {splats, values, counts, weights, *picture_});
     MACULA_TRY([[maybe_unused]] const gpu::Ticket ticket, recorder.submit());
     return &*picture_;
 }

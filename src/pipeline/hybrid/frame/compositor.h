@@ -19,9 +19,11 @@ namespace macula::hybrid {
 struct Layers {
     const splat::DevicePicture* splats = nullptr;
     const trace::TracedLight* traced = nullptr;
+    // Float for each pixel, 0 to 1, that its tracedShare is multiplied by: of what is reprojected. Null: 1.
+    const gpu::Buffer* tracedWeights = nullptr;
     glm::ivec2 sizePx{0};
     float splatGain = 1.0f;    // multiplies their light, not their coverage
-    float tracedShare = 0.0f;  // 0 to 1; must be 1 without splats, and 0 without what is traced
+    float tracedShare = 0.0f;  // 0 to 1; without splats, 1 and no weights; without what is traced, 0
 };
 
 struct Display {

@@ -1,0 +1,38 @@
+// A traced picture as it is kept for other eyes: what shines from each pixel, how far away that is, and how sure that is.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+
+#include "shared/reproject_params.h"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(binding = 0, scalar) readonly buffer Traced {
+    vec4 traced[];
+};
+layout(binding = 1, scalar) readonly buffer Counts {
+    uint counts[];
+};
+layout(binding = 2) uniform samplerBuffer surfaces;  // of the guides: normal, depth
+layout(binding = 3) uniform samplerBuffer motions;   // confidence in z
+layout(binding = 4, scalar) writeonly buffer Lights {
+    vec4 lights[];
+};
+layout(binding = 5, scalar) writeonly buffer Depths {
+    vec2 depths[];  // mm, negative where there is none; uncertainty, mm
+};
+layout(push_constant, scalar) uniform Push {
+    CapturePush push;
+};
+
+void main() {
+    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+    if (any(greaterThanEqual(pixel, push.size))) return;
+    int index = pixel.y * push.size.x + pixel.x;
+    vec4 light = traced[index] / (push.areMeans == 1 ? 1.0 : float(max(counts[index], 1u)));
+    lights[index] = light;
+    float depthMm = texelFetch(surfaces, index).w;
+    float confidence = texelFetch(motions, index).z;
+    // The inverse of how guides.glsl makes a confidence of a spread.
+    float spreadMm = 4.0 * push.pixelAngle * depthMm * (1.0 / max(confidence, 0.02) - 1.0);
+    depths[index] = depthMm >= 0.0 ? vec2(depthMm, spreadMm) : vec2(-1.0, light.w > 0.02 ? push.thinMm : 0.0);
+}

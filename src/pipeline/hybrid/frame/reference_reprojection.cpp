@@ -1,0 +1,60 @@
+#include "pipeline/hybrid/frame/reference_reprojection.h"
+
+#include "base/check.h"
+#include "base/glsl_in_cpp.h"
+#include "base/parallel.h"
+
+namespace macula::hybrid {
+
+namespace {
+
+#define OUT(type) type&
+
+// A class, because the shader functions read their tables as globals.
+struct Host : GlslInCpp<double> {
+    Host(const shared::ReprojectPush& push, const ReferenceCapture& picture)
+        : reproject{push.right,       push.up,       push.forward,       push.oursMm,
+                    push.beforeRight, push.beforeUp, push.beforeForward, push.middleMm,
+                    push.radiusMm,    push.size,     push.beforeSize,    push.edgeFade},
+          before(&picture) {}
+
+    struct {
+        vec3 right, up, forward, oursMm, beforeRight, beforeUp, beforeForward, middleMm;
+        double radiusMm;
+        ivec2 size, beforeSize;
+        double edgeFade;
+    } reproject;
+    const ReferenceCapture* before;
+
+    vec4 fetchLight(int pixel) const { return before->lights[static_cast<std::size_t>(pixel)]; }
+    vec2 fetchSurface(int pixel) const { return before->depths[static_cast<std::size_t>(pixel)]; }
+
+#define float double
+#include "lib/reproject.glsl"
+#undef float
+};
+
+#undef OUT
+
+}  // namespace
+
+ReferenceReprojection reproject(const shared::ReprojectPush& push, const ReferenceCapture& before) {
+    const auto pixels = std::size_t(push.beforeSize.x) * std::size_t(push.beforeSize.y);
+    MACULA_CHECK_EQ(before.lights.size(), pixels);
+    MACULA_CHECK_EQ(before.depths.size(), pixels);
+    const auto columns = std::size_t(push.size.x);
+    const auto rows = std::size_t(push.size.y);
+    ReferenceReprojection result{std::vector<glm::dvec4>(columns * rows),
+                                 std::vector<double>(columns * rows)};
+    parallelFor(rows, [&](std::size_t row) {
+        Host host(push, before);
+        for (std::size_t column = 0; column < columns; ++column) {
+            const auto seen = host.reprojectedAt({int(column), int(row)});
+            result.lights[row * columns + column] = seen.light;
+            result.weights[row * columns + column] = seen.weight;
+        }
+    });
+    return result;
+}
+
+}  // namespace macula::hybrid

@@ -1,0 +1,24 @@
+// Reprojection as scalar C++ in double: the same maths (shaders/lib/reproject.glsl), slow, for tests.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "shared/reproject_params.h"
+
+namespace macula::hybrid {
+
+// By pixel, row 0 on top.
+struct ReferenceCapture {
+    std::vector<glm::dvec4> lights;  // premultiplied, linear
+    std::vector<glm::dvec2> depths;  // mm from the eye, negative where there is none; uncertainty, mm
+};
+struct ReferenceReprojection {
+    std::vector<glm::dvec4> lights;
+    std::vector<double> weights;  // 0 to 1
+};
+
+// `before` is of push.beforeSize; the result of push.size.
+ReferenceReprojection reproject(const shared::ReprojectPush& push, const ReferenceCapture& before);
+
+}  // namespace macula::hybrid

@@ -1,0 +1,111 @@
+#include "pipeline/hybrid/frame/reprojection.h"
+
+#include <cmath>
+#include <utility>
+
+#include "base/check.h"
+#include "pipeline/gpu/recorder.h"
+#include "shaders/hybrid.h"
+
+namespace macula::hybrid {
+
+namespace {
+
+struct PictureAxes {
+    glm::vec3 right, up, forward;
+};
+
+// Half of the picture's width and height, at distance 1.
+Result<PictureAxes> axesOf(const Camera& camera, const glm::ivec2& sizePx) {
+    MACULA_TRY(const CameraBasis axes, basis(camera));
+    const double halfHeight = std::tan(0.5 * glm::radians(camera.verticalFovDeg));
+    const double halfWidth = halfHeight * double(sizePx.x) / double(sizePx.y);
+    return PictureAxes{axes.right * halfWidth, axes.up * halfHeight, axes.forward};
+}
+
+double pixelAngle(const Camera& camera, const glm::ivec2& sizePx) {
+    return 2.0 * std::tan(0.5 * glm::radians(camera.verticalFovDeg)) / double(sizePx.y);
+}
+
+Result<void> makeRoom(std::optional<gpu::Buffer>& buffer, const std::shared_ptr<gpu::Device>& device,
+                      const char* label, std::uint64_t bytes) {
+    if (buffer && buffer->bytes() >= bytes) return {};
+    buffer.reset();
+    MACULA_TRY(buffer, gpu::Buffer::create(device, {.label = label, .bytes = bytes}));
+    return {};
+}
+
+gpu::Threads threadsOf(const glm::ivec2& sizePx) {
+    return {static_cast<std::uint32_t>(sizePx.x), static_cast<std::uint32_t>(sizePx.y)};
+}
+
+}  // namespace
+
+Result<shared::ReprojectPush> reprojectionOf(const Camera& before, const glm::ivec2& beforeSizePx,
+                                             const Camera& now, const glm::ivec2& sizePx, const Box& seenMm,
+                                             double edgeFade) {
+    MACULA_TRY(const PictureAxes here, axesOf(now, sizePx));
+    MACULA_TRY(const PictureAxes there, axesOf(before, beforeSizePx));
+    return shared::ReprojectPush{.right = here.right,
+                                 .up = here.up,
+                                 .forward = here.forward,
+                                 .oursMm = now.positionMm - before.positionMm,
+                                 .beforeRight = there.right,
+                                 .beforeUp = there.up,
+                                 .beforeForward = there.forward,
+                                 .middleMm = seenMm.centre() - now.positionMm,
+                                 .radiusMm = float(0.5 * seenMm.diagonal()),
+                                 .size = sizePx,
+                                 .beforeSize = beforeSizePx,
+                                 .edgeFade = float(edgeFade)};
+}
+
+Result<Reprojection> Reprojection::create(const std::shared_ptr<gpu::Device>& device) {
+    MACULA_TRY(gpu::Kernel capture, gpu::Kernel::create(device, shaders::hybrid_capture_comp));
+    MACULA_TRY(gpu::Kernel reproject, gpu::Kernel::create(device, shaders::hybrid_reproject_comp));
+    return Reprojection(device, std::move(capture), std::move(reproject));
+}
+
+Result<CapturedPicture> Reprojection::capture(trace::PathTracer& tracer, const trace::View& view,
+                                              const Box& seenMm) {
+    MACULA_CHECK(!view.foveation.has_value());
+    const glm::ivec2 sizePx(view.width, view.height);
+    MACULA_TRY(splat::DevicePicture lights,
+               splat::DevicePicture::create(device_, "captured light", view.width, view.height));
+    MACULA_TRY(gpu::TexelBuffer depths,
+               gpu::TexelBuffer::create(
+                   device_,
+                   {.label = "captured depths",
+                    .elements = std::uint64_t(view.width) * std::uint64_t(view.height),
+                    .format = VK_FORMAT_R32G32_SFLOAT,
+                    .usage = VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT | VK_BUFFER_USAGE_STORAGE_BUFFER_BIT}));
+    MACULA_TRY(const trace::Guides* guides, tracer.guides());
+    MACULA_TRY(const trace::TracedLight light, tracer.light());
+    const shared::CapturePush push{.size = sizePx,
+                                   .pixelAngle = float(pixelAngle(view.camera, sizePx)),
+                                   .thinMm = float(0.25 * seenMm.diagonal()),
+                                   .areMeans = light.areMeans ? 1 : 0};
+    MACULA_TRY(auto recorder, gpu::Recorder::create(device_, "capture"));
+    recorder.dispatch(capture_, threadsOf(sizePx), push,
+                      {*light.values, *light.counts, guides->surfaces(), guides->motions(),
+                       lights.texels.buffer(), depths.buffer()});
+    MACULA_TRY([[maybe_unused]] const gpu::Ticket ticket, recorder.submit());
+    return CapturedPicture{view.camera, sizePx, std::move(lights), std::move(depths)};
+}
+
+Result<ReprojectedPicture> Reprojection::reproject(const CapturedPicture& before, const Camera& now,
+                                                   const glm::ivec2& sizePx, const Box& seenMm,
+                                                   double edgeFade) {
+    MACULA_TRY(const shared::ReprojectPush push,
+               reprojectionOf(before.camera, before.sizePx, now, sizePx, seenMm, edgeFade));
+    const std::uint64_t pixels = std::uint64_t(sizePx.x) * std::uint64_t(sizePx.y);
+    MACULA_TRY_VOID(makeRoom(lights_, device_, "reprojected light", pixels * sizeof(glm::vec4)));
+    MACULA_TRY_VOID(makeRoom(weights_, device_, "weights of reprojected light", pixels * sizeof(float)));
+    MACULA_TRY(auto recorder, gpu::Recorder::create(device_, "reproject"));
+    recorder.dispatch(reproject_, threadsOf(sizePx), push,
+                      {before.lights.texels, before.depths, *lights_, *weights_});
+    MACULA_TRY([[maybe_unused]] const gpu::Ticket ticket, recorder.submit());
+    return ReprojectedPicture{&*lights_, &*weights_};
+}
+
+}  // namespace macula::hybrid

@@ -1,0 +1,67 @@
+// A traced picture that is kept, and drawn as other eyes see it: by its depths, without rubber sheets across
+// edges (shaders/lib/reproject.glsl).
+#pragma once
+
+#include <glm/glm.hpp>
+#include <memory>
+#include <optional>
+
+#include "base/camera.h"
+#include "base/frames.h"
+#include "base/result.h"
+#include "pipeline/gpu/device.h"
+#include "pipeline/gpu/kernel.h"
+#include "pipeline/gpu/resources.h"
+#include "pipeline/splat/draw/device_picture.h"
+#include "pipeline/trace/path_tracer.h"
+#include "shared/reproject_params.h"
+
+namespace macula::hybrid {
+
+// On the device.
+struct CapturedPicture {
+    Camera camera;
+    glm::ivec2 sizePx{0};
+    splat::DevicePicture lights;  // linear, premultiplied: means of samples
+    gpu::TexelBuffer depths;      // vec2: mm from the eye, negative where there is none; uncertainty, mm
+};
+
+// Valid until the next picture is reprojected.
+struct ReprojectedPicture {
+    const gpu::Buffer* lights = nullptr;   // vec4 for each pixel: linear, premultiplied
+    const gpu::Buffer* weights = nullptr;  // float for each pixel: 0, nothing is known here, to 1
+};
+
+// From one eye to another. `seenMm` is around all that can be seen. Fails with usage where basis(camera)
+// does.
+Result<shared::ReprojectPush> reprojectionOf(const Camera& before, const glm::ivec2& beforeSizePx,
+                                             const Camera& now, const glm::ivec2& sizePx, const Box& seenMm,
+                                             double edgeFade);
+
+// Used by one thread at a time, the one that uses the device. Nothing goes through the host, and nothing is
+// waited for.
+class Reprojection {
+  public:
+    static Result<Reprojection> create(const std::shared_ptr<gpu::Device>& device);
+
+    // What `tracer` has traced so far, of its view, which is `view`, without foveation. Its guides are made
+    // where they are not there yet, which may take long. outOfMemory.
+    Result<CapturedPicture> capture(trace::PathTracer& tracer, const trace::View& view, const Box& seenMm);
+
+    // `edgeFade`: share of the sides of `before` over which its weight falls to nothing. outOfMemory; usage
+    // as reprojectionOf.
+    Result<ReprojectedPicture> reproject(const CapturedPicture& before, const Camera& now,
+                                         const glm::ivec2& sizePx, const Box& seenMm, double edgeFade);
+
+  private:
+    Reprojection(std::shared_ptr<gpu::Device> device, gpu::Kernel capture, gpu::Kernel reproject)
+        : device_(std::move(device)), capture_(std::move(capture)), reproject_(std::move(reproject)) {}
+
+    std::shared_ptr<gpu::Device> device_;
+    gpu::Kernel capture_;
+    gpu::Kernel reproject_;
+    std::optional<gpu::Buffer> lights_;  // of the last picture; may have room for more
+    std::optional<gpu::Buffer> weights_;
+};
+
+}  // namespace macula::hybrid
