@@ -11,6 +11,7 @@
 #include "base/paths.h"
 #include "pages/commands.h"
 #include "pages/page.h"
+#include "pipeline/trace/look.h"
 
 namespace macula::test {
 namespace {
@@ -109,6 +110,13 @@ TEST(Pages, ReferencesLeadSomewhere) {
         }
     }
     EXPECT_GT(count, 20u) << "the pages were not found";
+}
+
+TEST(Pages, EveryLookIsInItsTable) {
+    std::ifstream stream(projectFolder() / "docs/presets.md");
+    const std::string page{std::istreambuf_iterator<char>(stream), {}};
+    for (const trace::LookTraits& look : trace::kLooks)
+        EXPECT_NE(page.find("\n| `" + std::string(look.name) + "` |"), std::string::npos) << look.name;
 }
 
 // Logs of measurements are left out: they tell what was called once.
