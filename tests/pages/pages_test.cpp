@@ -112,6 +112,20 @@ TEST(Pages, ReferencesLeadSomewhere) {
     EXPECT_GT(count, 20u) << "the pages were not found";
 }
 
+TEST(Pages, EveryVerbIsOnItsPage) {
+    std::vector<std::string> lines;
+    for (const PageText& code : readFile("docs/command.md").codeLines) lines.push_back(code.text + " ");
+    for (const std::string group : {"", "bench", "evaluate"}) {
+        const auto& verbs = verbsBehind(group.empty() ? std::vector<std::string>{} : std::vector{group});
+        EXPECT_FALSE(verbs.empty()) << group;
+        for (const std::string& verb : verbs) {
+            const std::string call = "macula " + (group.empty() ? "" : group + " ") + verb + " ";
+            EXPECT_TRUE(std::ranges::any_of(lines, [&](const auto& line) { return line.starts_with(call); }))
+                << call;
+        }
+    }
+}
+
 TEST(Pages, EveryLookIsInItsTable) {
     std::ifstream stream(projectFolder() / "docs/presets.md");
     const std::string page{std::istreambuf_iterator<char>(stream), {}};
