@@ -59,16 +59,16 @@ std::vector<std::string> optionsWithoutEffect(const RenderOptions& options) {
     const trace::Settings& given = options.settings;
     const bool isTraced = trace::isPathTraced(given.look);
     std::vector<std::string> notes;
-    const auto check = [&](bool isGiven, const char* option, const char* of) {
+    const auto check = [&](bool isGiven, const char* option, const std::string& of) {
         if (isGiven) notes.push_back(fmt::format("{} does nothing in this look: it is of {}.", option, of));
     };
-    check(!options.window.empty() && !isProjection(given.look), "--window", "mip, minip and average");
+    check(!options.window.empty() && !isProjection(given.look), "--window", looksListed(trace::isProjection));
     check(options.effort.bounces && !isTraced, "--bounces", "cinematic");
     check(given.shading != usual.shading && given.look != trace::Look::dvr, "--shading", "dvr");
-    check(!options.lights.empty() && !isTraced, "--lights", "cinematic and clear");
-    check(given.lightRotationDeg != usual.lightRotationDeg && !isTraced, "--light-rotation",
-          "cinematic and clear");
-    check(given.lightStrength != usual.lightStrength && !isTraced, "--light-strength", "cinematic and clear");
+    const std::string traced = looksListed(trace::isPathTraced);
+    check(!options.lights.empty() && !isTraced, "--lights", traced);
+    check(given.lightRotationDeg != usual.lightRotationDeg && !isTraced, "--light-rotation", traced);
+    check(given.lightStrength != usual.lightStrength && !isTraced, "--light-strength", traced);
     check(given.exposure != usual.exposure && isProjection(given.look), "--exposure", "all but projections");
     if (options.effort.denoise.value_or(false) && !isTraced)
         notes.emplace_back("This look is never denoised: --denoise does nothing.");

@@ -74,7 +74,8 @@ void addLook(CLI::App& command, RenderOptions& o) {
         ->option_text(lookNames());
     command
         .add_option("--window", o.window,
-                    "Of mip, minip and average (default: range of --preset, else window of the series)")
+                    fmt::format("Of {} (default: range of --preset, else window of the series)",
+                                looksListed(trace::isProjection)))
         ->option_text("CENTRE,WIDTH");
     command.add_flag_callback(
         "--shading", [&o] { o.settings.shading = trace::Shading::headlight; },
@@ -118,6 +119,17 @@ void addLights(CLI::App& command, RenderOptions& o) {
 }
 
 }  // namespace
+
+std::string looksListed(bool (*isMeant)(trace::Look)) {
+    std::string listed;
+    std::string_view last;
+    for (const trace::LookTraits& look : trace::kLooks) {
+        if (!isMeant(look.look)) continue;
+        if (!last.empty()) listed += (listed.empty() ? "" : ", ") + std::string(last);
+        last = look.name;
+    }
+    return listed.empty() ? std::string(last) : fmt::format("{} and {}", listed, last);
+}
 
 void addRenderOptions(CLI::App& command, RenderOptions& options) {
     RenderOptions& o = options;

@@ -37,6 +37,9 @@ struct RenderOptions {
     bool keepUnfinished = false;
 };
 
+// "mip, minip and average": the looks that `isMeant` says.
+std::string looksListed(bool (*isMeant)(trace::Look));
+
 // Their defaults are what `options` holds; it must outlive the parsing.
 void addRenderOptions(CLI::App& command, RenderOptions& options);
 

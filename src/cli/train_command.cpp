@@ -30,6 +30,7 @@
 #include "cli/output_options.h"
 #include "cli/report.h"
 #include "cli/study_options.h"
+#include "pipeline/splat/files/model_file.h"
 #include "pipeline/trace/settings.h"
 
 namespace macula::cli {
@@ -78,7 +79,7 @@ Result<trace::Environment> check(const Options& options) {
         return Error{ErrorCode::usage,
                      "What goes on learning needs linear colours.",
                      {},
-                     "Give --display-colours with .ply or .spz."};
+                     "Give --display-colours with " + splat::modelExtensions(false) + "."};
     MACULA_TRY_VOID(checkFiles(options));
     if (!options.preset.empty()) MACULA_TRY_VOID(app::presetToDraw(options.preset, options.fit));
     MACULA_TRY_VOID(app::chooseClip(options.clip));

@@ -13,8 +13,8 @@
 namespace macula::evaluate {
 
 struct TraceBenchmarkOptions {
-    trace::View view;          // 512 x 512 unless told otherwise
-    trace::Settings settings;  // 4 bounces
+    trace::View view;  // 512 x 512 unless told otherwise
+    trace::Settings settings;
     std::uint32_t samplesPerPixel = 16;
     int repetitions = 5;  // device and reference take turns, so that a busy neighbour hits both
 };

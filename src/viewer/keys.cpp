@@ -14,7 +14,7 @@ QKeySequence keyOf(KeyAction action) {
 }
 
 QKeySequence keyOf(trace::Look look) {
-    static_assert(trace::kLooks.size() == 6, "the row of KeyAction::look names them");
+    static_assert(trace::kLooks.size() == 6, "the rows of KeyAction::look and KeyAction::window name them");
     return QKeySequence(Qt::CTRL | Qt::Key(Qt::Key_1 + int(look)));
 }
 

@@ -37,7 +37,7 @@ enum class KeyAction {
     openView,
     saveView,
     quit,
-    help,
+    help,  // the last: a test counts to it
 };
 
 struct KeyRow {

@@ -8,6 +8,7 @@
 #include "cli/run_command.h"
 #include "dicom/series_writer.h"
 #include "image/image_file.h"
+#include "pipeline/trace/look.h"
 #include "segment/scene.h"
 
 namespace macula::cli {
@@ -104,14 +105,15 @@ TEST_F(Render, WhatIsGivenItselfCountsMoreThanTheQuality) {
 }
 
 TEST_F(Render, EveryLook) {
-    for (const char* look : {"cinematic", "clear", "dvr", "mip", "minip", "average"}) {
+    for (const trace::LookTraits& traits : trace::kLooks) {
+        const std::string look(traits.name);
         const image::Image image =
             render("l.png", {"--look", look, "--window", "0,2200", "--json", at("l.json")});
-        EXPECT_GT(meanBrightness(image), std::string(look) == "minip" ? -1.0 : 0.005) << look;
+        EXPECT_GT(meanBrightness(image), look == "minip" ? -1.0 : 0.005) << look;
         const auto statistics = nlohmann::json::parse(readAll(at("l.json")));
         EXPECT_EQ(statistics["look"], look);
         EXPECT_EQ(statistics["samplesPerPixel"], 4);
-        EXPECT_EQ(statistics["lights"], std::string(look) == "clear" ? "even" : "studio");
+        EXPECT_EQ(statistics["lights"], look == "clear" ? "even" : "studio");
     }
 }
 

@@ -130,6 +130,10 @@ std::vector<std::string> maculaWords(std::string_view line) {
     return {program + 1, words.end()};
 }
 
+const std::set<std::string>& verbsBehind(const std::vector<std::string>& verb) {
+    return helpOf(verb).verbs;
+}
+
 std::string whyRefused(const std::vector<std::string>& words, bool isWhole) {
     Words verb;
     std::size_t at = 0;

@@ -2,6 +2,7 @@
 // held to what the built command says of itself.
 #pragma once
 
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,6 +12,9 @@ namespace macula::test {
 // The words of a line that calls `macula`, from the verb on: without the program, a comment behind #, and the
 // brackets around what may be left out. Empty for any other line.
 std::vector<std::string> maculaWords(std::string_view line);
+
+// What may follow these words, by the help of `macula`.
+const std::set<std::string>& verbsBehind(const std::vector<std::string>& verb);
 
 // Why `macula` would refuse these words, or nothing: a verb or option that it does not have, a choice that
 // is not among the option's, a preset, light, clip or quality that is not built in. Words in capitals, files

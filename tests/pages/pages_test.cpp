@@ -11,6 +11,7 @@
 #include "base/paths.h"
 #include "pages/commands.h"
 #include "pages/page.h"
+#include "pipeline/trace/look.h"
 
 namespace macula::test {
 namespace {
@@ -109,6 +110,27 @@ TEST(Pages, ReferencesLeadSomewhere) {
         }
     }
     EXPECT_GT(count, 20u) << "the pages were not found";
+}
+
+TEST(Pages, EveryVerbIsOnItsPage) {
+    std::vector<std::string> lines;
+    for (const PageText& code : readFile("docs/command.md").codeLines) lines.push_back(code.text + " ");
+    for (const std::string group : {"", "bench", "evaluate"}) {
+        const auto& verbs = verbsBehind(group.empty() ? std::vector<std::string>{} : std::vector{group});
+        EXPECT_FALSE(verbs.empty()) << group;
+        for (const std::string& verb : verbs) {
+            const std::string call = "macula " + (group.empty() ? "" : group + " ") + verb + " ";
+            EXPECT_TRUE(std::ranges::any_of(lines, [&](const auto& line) { return line.starts_with(call); }))
+                << call;
+        }
+    }
+}
+
+TEST(Pages, EveryLookIsInItsTable) {
+    std::ifstream stream(projectFolder() / "docs/presets.md");
+    const std::string page{std::istreambuf_iterator<char>(stream), {}};
+    for (const trace::LookTraits& look : trace::kLooks)
+        EXPECT_NE(page.find("\n| `" + std::string(look.name) + "` |"), std::string::npos) << look.name;
 }
 
 // Logs of measurements are left out: they tell what was called once.

@@ -28,6 +28,7 @@ TEST(PresetFiles, AllAreReadAndNamedAsTheirFile) {
     EXPECT_EQ(presets::transferFiles().size(), test::filesIn("presets/transfer", ".json"));
     EXPECT_GE(presets::transferFiles().size(), 31u) << "all of 3D Slicer's";
     std::set<int> numbers{0};
+    std::set<std::string> ids;
     for (const auto& file : presets::transferFiles()) {
         const auto preset = transferFunctionFromJson(file.text, std::string(file.name));
         ASSERT_TRUE(preset.ok()) << file.name << ": " << preset.error().message << " " << preset.error().hint;
@@ -37,6 +38,9 @@ TEST(PresetFiles, AllAreReadAndNamedAsTheirFile) {
         EXPECT_FALSE(preset->source.empty());
         EXPECT_TRUE(numbers.insert(preset->number.value_or(0)).second)
             << file.name << ": the number is taken";
+        const std::size_t id = file.text.find("\"id\": ");
+        ASSERT_NE(id, std::string_view::npos) << file.name;
+        EXPECT_TRUE(ids.emplace(file.text.substr(id, 44)).second) << file.name << ": the id is taken";
     }
     EXPECT_EQ(presets::lightFiles().size(), test::filesIn("presets/lights", ".json"));
     for (const auto& file : presets::lightFiles()) {

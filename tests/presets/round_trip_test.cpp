@@ -54,7 +54,7 @@ TEST(RoundTrip, FilesThatAreCarriedAreWrittenAsTheyAre) {
     for (const auto& file : presets::transferFiles()) {
         const auto preset = transferFunctionFromJson(file.text, std::string(file.name));
         ASSERT_TRUE(preset.ok());
-        EXPECT_EQ(toJson(*preset), file.text) << file.name;
+        EXPECT_EQ(toJson(*preset), file.text) << file.name << ": let macula presets import write it";
         expectStable(*preset);
     }
 }

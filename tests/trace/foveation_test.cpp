@@ -111,7 +111,7 @@ TEST(Foveation, windowLooksWhereTheGazeIs) {
         const auto window = fovealWindow(view, gaze);
         ASSERT_TRUE(window);
         EXPECT_EQ(window->width, 512);
-        EXPECT_EQ(window->camera.verticalFovDeg, 20.0);
+        EXPECT_EQ(window->camera.verticalFovDeg, kFovealFieldDeg);
         EXPECT_EQ(window->camera.positionMm, view.camera.positionMm);
         const CameraBasis looks = *basis(window->camera);
         // Its middle is the point of the picture.

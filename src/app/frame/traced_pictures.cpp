@@ -21,7 +21,7 @@ constexpr double kNsPerPixelGuessCpu = 4000.0;
 constexpr double kNsPerPixelGuessGpu = 50.0;
 // In motion light may bounce this often. With fewer, bone turns from ivory to grey: its colour is made by
 // many bounces, and the picture would change its look each time a hand lets go.
-constexpr int kPreviewBounces = 4;
+constexpr int kPreviewBounces = trace::kDefaultBounces;
 // Of each pixel before a small picture is shown. Denoised, one is enough: the view before helps, and what
 // a second costs is better spent on pixels. A picture that is not would be a cloud of dots.
 constexpr std::uint32_t kPreviewSamples = 1;

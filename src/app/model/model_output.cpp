@@ -16,7 +16,7 @@ Result<void> checkModelName(const std::filesystem::path& path) {
 
 bool holdsTraining(const std::filesystem::path& path) {
     const splat::ModelFormat* format = splat::modelFormatOf(path);
-    return format != nullptr && format->keepsTraining;
+    return format != nullptr && format->keepsTraining();
 }
 
 Result<std::size_t> writeTrained(const std::filesystem::path& path, const splat::TrainingState& state,

@@ -9,7 +9,7 @@
 
 namespace macula::app {
 
-// usage for a name that ends in none of .ply, .spz and .macula.
+// usage for a name with the ending of none of splat::kModelFormats.
 Result<void> checkModelName(const std::filesystem::path& path);
 
 // Whether what is written there can go on learning: .macula holds all that takes, others the splats alone.

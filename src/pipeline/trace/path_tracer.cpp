@@ -182,8 +182,7 @@ TraceVariant PathTracer::Impl::variant() const {
 
 std::uint32_t PathTracer::Impl::mostPerDispatch() const {
     if (!isPathTraced(settings.look)) return std::max(std::min(kMaxRaysPerDispatch, mostSamples), 1u);
-    const int bounces = settings.look == Look::clear ? 1 : settings.bounces;
-    const auto most = static_cast<std::uint32_t>(std::max(kMaxVerticesPerDispatch / bounces, 1));
+    const auto most = static_cast<std::uint32_t>(std::max(kMaxVerticesPerDispatch / verticesOf(settings), 1));
     return std::max(std::min(most, mostSamples), 1u);
 }
 

@@ -187,7 +187,7 @@ Result<shared::TraceParams> makeTraceParams(const Volume& volume, const Medium& 
     params.gridSize = medium.gridSize;
     params.imageSize = {view.width, view.height};
     params.environmentSize = {environment.width(), environment.height()};
-    params.bounces = settings.look == Look::clear ? 1 : settings.bounces;
+    params.bounces = verticesOf(settings);
     params.seed = settings.seed;
     params.anisotropy = medium.anisotropy;
     writeClip(clip, volume, params);

@@ -76,6 +76,11 @@ constexpr bool isDenoised(const Settings& settings) {
     return settings.denoising != Denoising::off && isPathTraced(settings.look);
 }
 
+// Of a path of these settings: the clear look scatters once.
+constexpr int verticesOf(const Settings& settings) {
+    return settings.look == Look::clear ? 1 : settings.bounces;
+}
+
 // The field of view of what the tracer draws for the fovea.
 inline constexpr double kFovealFieldDeg = 20.0;
 

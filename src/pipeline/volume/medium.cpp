@@ -120,9 +120,16 @@ Medium makeMedium(const Volume& volume, const BrickGrid& grid, Projection projec
     medium.albedo.resize(count, glm::vec4(1.0f));
     medium.extinctionPerMm.resize(count, 1.0f);
     for (std::size_t entry = 0; entry < count; ++entry) {
-        if (projection == Projection::maximum) medium.extinctionPerMm[entry] = static_cast<float>(entry + 1);
-        if (projection == Projection::minimum)
-            medium.extinctionPerMm[entry] = static_cast<float>(count - entry);
+        switch (projection) {
+            case Projection::maximum:
+                medium.extinctionPerMm[entry] = static_cast<float>(entry + 1);
+                break;
+            case Projection::minimum:
+                medium.extinctionPerMm[entry] = static_cast<float>(count - entry);
+                break;
+            case Projection::mean:
+                break;
+        }
     }
     if (map.padding) medium.extinctionPerMm[std::size_t(map.air - map.low)] = 0.0f;
     boundBricks(medium, volume, grid, clip, mask);

@@ -26,7 +26,7 @@ struct KnownPose {
 
 struct CandidateOptions {
     glm::ivec2 sizePx{kTrainingSizePx};
-    double verticalFovDeg = 20.0;
+    double verticalFovDeg = kTrainingFieldDeg;
     std::size_t candidates = 128;
     // The error is taken to grow by as much again with every so many degrees from the nearest view that sees
     // the same, and with every halving of what a pixel shows.

@@ -11,6 +11,7 @@
 #include "base/camera.h"
 #include "base/frames.h"
 #include "base/result.h"
+#include "pipeline/hybrid/views/traced_view.h"
 
 namespace macula::hybrid {
 
@@ -29,7 +30,7 @@ struct PoseSampling {
     double increment = 0.04;
     double mostVariability = 1.7;
     std::uint64_t seed = 42;
-    double verticalFovDeg = 20.0;
+    double verticalFovDeg = kTrainingFieldDeg;
     int mostTries = 200;  // for each view
 };
 

@@ -13,6 +13,8 @@ namespace macula::hybrid {
 // Width and height in pixels of what is learnt from, and of what models are compared with, unless somebody
 // says otherwise.
 inline constexpr int kTrainingSizePx = 512;
+// Their vertical field of view.
+inline constexpr double kTrainingFieldDeg = 20.0;
 
 struct TracedView {
     Camera camera;

@@ -7,8 +7,11 @@
 #include <cctype>
 #include <fstream>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "base/atomic_file.h"
+#include "base/check.h"
 #include "pipeline/splat/files/chunk_file.h"
 #include "pipeline/splat/files/ply.h"
 #include "pipeline/splat/files/spz.h"
@@ -22,6 +25,19 @@ namespace fs = std::filesystem;
 
 // 10 million splats of degree 3 take 650 MB before they are packed.
 constexpr std::uint64_t kMostSpzBytes = std::uint64_t{1} << 30;
+
+// "a, b or c".
+std::string listed(std::vector<std::string_view> names) {
+    const std::string_view last = names.back();
+    names.pop_back();
+    return fmt::format("{} or {}", fmt::join(names, ", "), last);
+}
+
+std::string modelNames() {
+    std::vector<std::string_view> names;
+    for (const ModelFormat& format : kModelFormats) names.push_back(format.name);
+    return listed(std::move(names));
+}
 
 Error unreadable(const fs::path& path) {
     return {ErrorCode::inputNotUsable, "The model cannot be read.", path.string(),
@@ -54,7 +70,7 @@ Result<ModelFile> readByContent(const fs::path& path, BadSplats bad) {
     if (begin.starts_with("ply")) return readPly(stream, size, bad);
     if (looksLikeTraining(begin)) return readTrainedModel(stream, size, bad);
     if (!looksLikeSpz(begin.substr(0, 4)))
-        return Error{ErrorCode::inputNotUsable, "The file is no PLY, SPZ or .macula model.", path.string(),
+        return Error{ErrorCode::inputNotUsable, "The file is no " + modelNames() + " model.", path.string(),
                      "Choose a model of Gaussians, or convert it to PLY."};
     if (size > kMostSpzBytes)
         return Error{ErrorCode::inputNotUsable, "The file is larger than any SPZ model.", path.string(),
@@ -63,15 +79,21 @@ Result<ModelFile> readByContent(const fs::path& path, BadSplats bad) {
     return decodeSpz(bytes, bad);
 }
 
-Result<std::size_t> writeTo(std::ostream& stream, const Splats& splats, bool spz) {
+Result<std::size_t> writeTo(std::ostream& stream, const Splats& splats, ModelKind kind) {
     std::size_t clamped = 0;
-    if (spz) {
-        MACULA_TRY(const SpzBytes file, encodeSpz(splats));
-        clamped = file.clamped;
-        stream.write(reinterpret_cast<const char*>(file.bytes.data()),
-                     static_cast<std::streamsize>(file.bytes.size()));
-    } else {
-        MACULA_TRY_VOID(writePly(stream, splats));
+    switch (kind) {
+        case ModelKind::ply:
+            MACULA_TRY_VOID(writePly(stream, splats));
+            break;
+        case ModelKind::spz: {
+            MACULA_TRY(const SpzBytes file, encodeSpz(splats));
+            clamped = file.clamped;
+            stream.write(reinterpret_cast<const char*>(file.bytes.data()),
+                         static_cast<std::streamsize>(file.bytes.size()));
+            break;
+        }
+        case ModelKind::training:
+            MACULA_CHECK(false);  // writeTraining's
     }
     stream.flush();
     if (!stream)
@@ -95,11 +117,9 @@ const ModelFormat* modelFormatOf(const fs::path& path) {
 std::string modelExtensions(bool withTraining) {
     std::vector<std::string_view> extensions;
     for (const ModelFormat& format : kModelFormats) {
-        if (withTraining || !format.keepsTraining) extensions.push_back(format.extension);
+        if (withTraining || !format.keepsTraining()) extensions.push_back(format.extension);
     }
-    const std::string_view last = extensions.back();
-    extensions.pop_back();
-    return fmt::format("{} or {}", fmt::join(extensions, ", "), last);
+    return listed(std::move(extensions));
 }
 
 Result<ModelFile> readModel(const fs::path& path, BadSplats bad) {
@@ -112,13 +132,13 @@ Result<ModelFile> readModel(const fs::path& path, BadSplats bad) {
 
 Result<std::size_t> writeModel(const fs::path& path, const Splats& splats) {
     const ModelFormat* format = modelFormatOf(path);
-    if (format == nullptr || format->keepsTraining)
+    if (format == nullptr || format->keepsTraining())
         return Error{ErrorCode::usage, "Models are written as " + modelExtensions(false) + ".", path.string(),
                      "Give the file one of these extensions."};
     std::size_t clamped = 0;
     MACULA_TRY_VOID(writeAtomically(path, [&](const fs::path& temporary) -> Result<void> {
         std::ofstream stream(temporary, std::ios::binary);
-        MACULA_TRY(clamped, writeTo(stream, splats, format->name == "SPZ"));
+        MACULA_TRY(clamped, writeTo(stream, splats, format->kind));
         return {};
     }));
     return clamped;

@@ -13,14 +13,19 @@
 
 namespace macula::splat {
 
-// The formats, in one table: readers, writers, messages and docs/model-files.md go by it.
+enum class ModelKind { ply, spz, training };
+
+// The formats, in one table: writers, messages and docs/model-files.md go by it.
 struct ModelFormat {
+    ModelKind kind;
     std::string_view extension;  // small letters, with the dot
     std::string_view name;
-    bool keepsTraining = false;  // written by writeTraining
+    // Written by writeTraining.
+    constexpr bool keepsTraining() const { return kind == ModelKind::training; }
 };
-inline constexpr std::array<ModelFormat, 3> kModelFormats{
-    {{".ply", "PLY"}, {".spz", "SPZ"}, {".macula", ".macula", true}}};
+inline constexpr std::array<ModelFormat, 3> kModelFormats{{{ModelKind::ply, ".ply", "PLY"},
+                                                           {ModelKind::spz, ".spz", "SPZ"},
+                                                           {ModelKind::training, ".macula", ".macula"}}};
 // By extension; null for another.
 const ModelFormat* modelFormatOf(const std::filesystem::path& path);
 // ".ply, .spz or .macula"; `withTraining`: also what writeModel does not write.
@@ -40,9 +45,10 @@ struct ModelFile {
 // does not fit. No more memory is asked for than a file of that size can fill.
 Result<ModelFile> readModel(const std::filesystem::path& path, BadSplats bad = BadSplats::refuse);
 
-// By extension, .ply or .spz; whole or not at all. Returns the number of splats that the format could not
-// hold as they are (see SpzBytes; 0 for PLY). Fails with usage for another extension, with inputNotUsable for
-// a model that is not valid or empty, with outputNotWritable when it cannot be written.
+// By extension, of a format that keeps no training; whole or not at all. Returns the number of splats that
+// the format could not hold as they are (see SpzBytes; 0 for PLY). Fails with usage for another extension,
+// with inputNotUsable for a model that is not valid or empty, with outputNotWritable when it cannot be
+// written.
 Result<std::size_t> writeModel(const std::filesystem::path& path, const Splats& splats);
 
 // The last step of every reader: refuses a model that is empty or not valid, or repairs it.

@@ -187,31 +187,33 @@ Result<void> checkTrainer(std::uint64_t version) {
 
 Result<void> writeTraining(std::ostream& stream, const TrainingState& state) {
     MACULA_TRY_VOID(state.validate());
-    std::vector<std::string> lines = notesOf(state.splats);
-    lines.push_back(fmt::format("splats {}", state.splats.size()));
-    lines.push_back(fmt::format("degree {}", state.splats.shDegree));
+    // The bindings count the members: one more, and this does not compile until it is written.
+    const auto& [trainerVersion, options, steps, splats, optimizer, statistics, views] = state;
+    const auto& [stepsDone, stepsOfEach, first, second] = optimizer;
+    std::vector<std::string> lines = notesOf(splats);
+    lines.push_back(fmt::format("splats {}", splats.size()));
+    lines.push_back(fmt::format("degree {}", splats.shDegree));
     const std::string model = joined(lines);
-    lines = {fmt::format("trainer {}", state.trainerVersion), fmt::format("steps {}", state.steps),
-             fmt::format("optimizer-steps {}", state.optimizer.stepsDone),
-             fmt::format("views {}", state.views.size())};
-    for (const std::string& option : linesOf(state.options)) lines.push_back(std::string(kOption) + option);
+    lines = {fmt::format("trainer {}", trainerVersion), fmt::format("steps {}", steps),
+             fmt::format("optimizer-steps {}", stepsDone), fmt::format("views {}", views.size())};
+    for (const std::string& option : linesOf(options)) lines.push_back(std::string(kOption) + option);
     const std::string training = joined(lines);
-    const std::vector<float> components = componentsOf(state.splats);
+    const std::vector<float> components = componentsOf(splats);
     std::vector<ViewRecord> records;
-    for (const TrainingState::View& view : state.views) records.push_back(recordOf(view));
+    for (const TrainingState::View& view : views) records.push_back(recordOf(view));
 
     std::vector<Chunk> chunks{
         chunkOf("model", std::as_bytes(std::span(model))),
         chunkOf("splats", bytesOf(components)),
         chunkOf("training", std::as_bytes(std::span(training))),
-        chunkOf("key", std::as_bytes(std::span(state.options.key))),
-        chunkOf("first", bytesOf(state.optimizer.first)),
-        chunkOf("second", bytesOf(state.optimizer.second)),
-        chunkOf("steps", bytesOf(state.optimizer.steps)),
-        chunkOf("stats", bytesOf(state.statistics)),
+        chunkOf("key", std::as_bytes(std::span(options.key))),
+        chunkOf("first", bytesOf(first)),
+        chunkOf("second", bytesOf(second)),
+        chunkOf("steps", bytesOf(stepsOfEach)),
+        chunkOf("stats", bytesOf(statistics)),
         chunkOf("views", bytesOf(records)),
     };
-    for (const TrainingState::View& view : state.views)
+    for (const TrainingState::View& view : views)
         chunks.push_back(chunkOf("pixels", bytesOf(view.given->pixels)));
     return writeChunks(stream, kTrainingFileVersion, chunks);
 }
