@@ -126,6 +126,33 @@ Json reportOf(const BenchStudy& study, const FovealOptions& options, const Fovea
     return json;
 }
 
+Json reportOf(const BenchStudy& study, const MotionOptions& options, const MotionReport& result) {
+    const auto toJson = [](const FrameScore& score) {
+        return Json{{"flip", score.flip}, {"fovealFlip", score.fovealFlip}, {"backgroundPx", score.through}};
+    };
+    Json json = describe("motion", study);
+    json["picture"] = {options.sizePx.x, options.sizePx.y};
+    json["bounces"] = options.model.bounces;
+    json["foveaSamplesPerPixel"] = options.foveaSamples;
+    json["truthSamplesPerPixel"] = options.truthSamples;
+    json["splats"] = result.splats;
+    json["foveaMs"] = result.foveaMs;
+    json["frames"] = Json::array();
+    for (const MovedFrame& frame : result.frames) {
+        json["frames"].push_back({{"from", frame.from},
+                                  {"moved", nameOf(frame.moved)},
+                                  {frame.moved == Moved::step ? "mm" : "degrees", frame.amount},
+                                  {"reprojected", toJson(frame.reprojected)},
+                                  {"pasted", toJson(frame.pasted)},
+                                  {"splats", toJson(frame.splats)},
+                                  {"drawMs", frame.drawMs},
+                                  {"splatsDrawMs", frame.splatsDrawMs}});
+    }
+    json["shareBest"] = result.best;
+    json["shareBestInMiddle"] = result.fovealBest;
+    return json;
+}
+
 Json reportOf(const BenchStudy& study, const TradeoffOptions& options, const Tradeoff& result) {
     Json json = describe("trace-tradeoff", study);
     json["converged"] = {{"samples", options.convergedSamples},

@@ -12,6 +12,7 @@
 #include "evaluate/foveal_benchmark.h"
 #include "evaluate/header_benchmark.h"
 #include "evaluate/load_benchmark.h"
+#include "evaluate/motion.h"
 #include "evaluate/study_training_benchmark.h"
 #include "evaluate/trace_benchmark.h"
 #include "evaluate/tradeoff.h"
@@ -22,6 +23,8 @@ nlohmann::ordered_json reportOf(const BenchStudy& study, const TraceBenchmarkOpt
                                 std::span<const TraceBenchmark> results);
 nlohmann::ordered_json reportOf(const BenchStudy& study, const FovealOptions& options,
                                 const FovealReport& result);
+nlohmann::ordered_json reportOf(const BenchStudy& study, const MotionOptions& options,
+                                const MotionReport& result);
 nlohmann::ordered_json reportOf(const BenchStudy& study, const TradeoffOptions& options,
                                 const Tradeoff& result);
 nlohmann::ordered_json reportOf(const BenchStudy& study, int turns, std::span<const CastBenchmark> results);

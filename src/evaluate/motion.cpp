@@ -1,0 +1,260 @@
+#include "evaluate/motion.h"
+
+#include <array>
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+#include <utility>
+
+#include "app/study/scene_on_device.h"
+#include "image/metrics.h"
+#include "pipeline/gpu/transfer.h"
+#include "pipeline/hybrid/frame/hybrid_frame.h"
+#include "pipeline/splat/draw/model_painter.h"
+
+namespace macula::evaluate {
+
+namespace {
+
+constexpr float kOpaque = 0.95f;
+// Between a frame over black and the same over white: half of it is background.
+constexpr int kBackgroundShows = 128;
+
+struct Viewpoint {
+    ViewDirection from;
+    std::string_view name;
+};
+constexpr std::array kViewpoints{Viewpoint{ViewDirection::anterior, "anterior"},
+                                 Viewpoint{ViewDirection::left, "left"},
+                                 Viewpoint{ViewDirection::superior, "superior"}};
+
+Error cancelled() {
+    return {ErrorCode::cancelled, "The measurement was cancelled.", {}, {}};
+}
+
+Camera movedCamera(const Camera& camera, Moved moved, double amount) {
+    const CameraBasis axes = *basis(camera);
+    Camera now = camera;
+    if (moved == Moved::step) {
+        now.positionMm += axes.right * amount;
+        now.targetMm += axes.right * amount;
+    } else {
+        const glm::dmat4 turn = glm::rotate(glm::dmat4(1.0), glm::radians(-amount), axes.up);
+        now.targetMm = now.positionMm + transformVector(turn, now.targetMm - now.positionMm);
+    }
+    return now;
+}
+
+image::Image imageOf(const std::vector<glm::u8vec4>& rgba, const glm::ivec2& sizePx) {
+    image::Image image{.width = sizePx.x,
+                       .height = sizePx.y,
+                       .channels = 3,
+                       .encoding = image::Encoding::display,
+                       .pixels = {}};
+    image.pixels.reserve(3 * rgba.size());
+    for (const glm::u8vec4& pixel : rgba) {
+        for (int k = 0; k < 3; ++k) image.pixels.push_back(static_cast<float>(pixel[k]) / 255.0f);
+    }
+    return image;
+}
+
+struct Truth {
+    image::Image image;
+    std::vector<bool> isOpaque;  // the pixel, and the eight around it
+};
+
+class Measurement {
+  public:
+    Measurement(const BenchStudy& study, const MotionOptions& options, app::SceneOnDevice scene,
+                hybrid::HybridFrame withFovea, hybrid::HybridFrame bare, Progress& progress)
+        : study_(study),
+          options_(options),
+          scene_(std::move(scene)),
+          withFovea_(std::move(withFovea)),
+          bare_(std::move(bare)),
+          progress_(progress) {}
+
+    static Result<Measurement> create(const BenchStudy& study, const MotionOptions& options,
+                                      Progress& progress) {
+        const app::StudyScene wanted{
+            .volume = study.volume, .function = study.function, .clip = {}, .environment = study.environment};
+        MACULA_TRY(app::SceneOnDevice scene, app::putOnDevice(study.device, wanted));
+        MACULA_TRY(hybrid::HybridFrame withFovea, hybrid::HybridFrame::create(study.device, scene.tracer));
+        MACULA_TRY(hybrid::HybridFrame bare, hybrid::HybridFrame::create(study.device, scene.tracer));
+        return Measurement(study, options, std::move(scene), std::move(withFovea), std::move(bare), progress);
+    }
+
+    Result<MotionReport> run() {
+        const Box seenMm = scene_.traced.seenMm();
+        MACULA_TRY(const hybrid::FirstModel model,
+                   hybrid::makeFirstModel(study_.device, scene_.tracer, seenMm, options_.model, progress_));
+        MACULA_TRY(splats_, model.trainer.snapshot());
+        MACULA_TRY(splat::ModelPainter painter, splat::ModelPainter::create(study_.device, splats_));
+        painter_.emplace(std::move(painter));
+        report_.splats = splats_.size();
+        const trace::Settings settings{.bounces = options_.model.bounces};
+        MACULA_TRY_VOID(withFovea_.setScene(seenMm, settings));
+        MACULA_TRY_VOID(bare_.setScene(seenMm, settings));
+        MACULA_TRY_VOID(scene_.tracer.setSettings(settings));
+        progress_.beginStage("Comparing frames",
+                             kViewpoints.size() * (options_.stepsMm.size() + options_.turnsDeg.size()));
+        for (const Viewpoint& viewpoint : kViewpoints) MACULA_TRY_VOID(measureFrom(viewpoint));
+        std::size_t best = 0;
+        std::size_t fovealBest = 0;
+        for (const MovedFrame& f : report_.frames) {
+            best += f.reprojected.flip <= std::min(f.pasted.flip, f.splats.flip) ? 1 : 0;
+            fovealBest +=
+                f.reprojected.fovealFlip <= std::min(f.pasted.fovealFlip, f.splats.fovealFlip) ? 1 : 0;
+        }
+        report_.best = double(best) / double(report_.frames.size());
+        report_.fovealBest = double(fovealBest) / double(report_.frames.size());
+        return std::move(report_);
+    }
+
+  private:
+    Result<void> measureFrom(const Viewpoint& viewpoint) {
+        const Camera before = frameBox(scene_.traced.seenMm(), viewpoint.from, options_.verticalFovDeg,
+                                       double(options_.sizePx.x) / double(options_.sizePx.y));
+        MACULA_TRY_VOID(traceFovea(before));
+        for (const double mm : options_.stepsMm)
+            MACULA_TRY_VOID(
+                measureMove(before, {.moved = Moved::step, .amount = mm, .from = viewpoint.name}));
+        for (const double degrees : options_.turnsDeg)
+            MACULA_TRY_VOID(
+                measureMove(before, {.moved = Moved::turn, .amount = degrees, .from = viewpoint.name}));
+        return {};
+    }
+
+    // As many pixels per degree as the frame has in its middle.
+    Result<void> traceFovea(const Camera& camera) {
+        const double half = std::tan(0.5 * glm::radians(trace::kFovealFieldDeg));
+        const double halfOfFrame = std::tan(0.5 * glm::radians(options_.verticalFovDeg));
+        const int sidePx = static_cast<int>(std::lround(options_.sizePx.y * half / halfOfFrame));
+        const trace::View whole{.camera = camera, .width = options_.sizePx.x, .height = options_.sizePx.y};
+        Watch watch;
+        MACULA_TRY_VOID(
+            withFovea_.aim({.whole = whole, .sidePx = sidePx, .samplesPerPixel = options_.foveaSamples}));
+        while (withFovea_.isTracing()) {
+            if (progress_.cancelled()) return cancelled();
+            MACULA_TRY([[maybe_unused]] const bool isThere,
+                       withFovea_.traceFovea([&] { return !progress_.cancelled(); }));
+        }
+        report_.foveaMs = watch.lap().wallMs;
+        return {};
+    }
+
+    Result<void> measureMove(const Camera& before, MovedFrame frame) {
+        const Camera now = movedCamera(before, frame.moved, frame.amount);
+        MACULA_TRY(const Truth truth, traceTruth(now));
+        MACULA_TRY(frame.reprojected, scoreOf(withFovea_, now, now, truth, frame.drawMs));
+        double pastedMs = 0.0;
+        MACULA_TRY(frame.pasted, scoreOf(withFovea_, before, now, truth, pastedMs));
+        MACULA_TRY(frame.splats, scoreOf(bare_, now, now, truth, frame.splatsDrawMs));
+        report_.frames.push_back(frame);
+        progress_.advance();
+        return progress_.cancelled() ? Result<void>(cancelled()) : Result<void>();
+    }
+
+    Result<Truth> traceTruth(const Camera& now) {
+        const glm::ivec2 size = options_.sizePx;
+        MACULA_TRY_VOID(scene_.tracer.setView({.camera = now, .width = size.x, .height = size.y}));
+        MACULA_TRY(const bool isWhole,
+                   scene_.tracer.trace(options_.truthSamples, [&] { return !progress_.cancelled(); }));
+        if (!isWhole) return cancelled();
+        MACULA_TRY(const trace::TracedImage traced, scene_.tracer.readback());
+        MACULA_TRY(const gpu::Image* shown, scene_.tracer.display(glm::vec3(0.0f)));
+        MACULA_TRY(const auto rgba, gpu::read<glm::u8vec4>(*shown));
+        Truth truth{.image = imageOf(rgba, size), .isOpaque = std::vector<bool>(rgba.size(), false)};
+        for (int y = 1; y + 1 < size.y; ++y) {
+            for (int x = 1; x + 1 < size.x; ++x) {
+                bool isOpaque = true;
+                for (int k = 0; k < 9; ++k)
+                    isOpaque =
+                        isOpaque && traced.radiance[indexOf(x + k % 3 - 1, y + k / 3 - 1)].w >= kOpaque;
+                truth.isOpaque[indexOf(x, y)] = isOpaque;
+            }
+        }
+        return truth;
+    }
+
+    std::size_t indexOf(int x, int y) const {
+        return std::size_t(y) * std::size_t(options_.sizePx.x) + std::size_t(x);
+    }
+
+    // Splats are always drawn for where the eye is `now`; the fovea for `foveaFor`.
+    Result<FrameScore> scoreOf(hybrid::HybridFrame& frame, const Camera& foveaFor, const Camera& now,
+                               const Truth& truth, double& drawMs) {
+        const hybrid::Periphery periphery{
+            .draw = [&](const Camera&, const glm::ivec2& sizePx) -> Result<const splat::DevicePicture*> {
+                MACULA_TRY(const splat::RasterView view, splat::rasterView(now, sizePx, splats_.originMm));
+                return painter_->drawOnDevice(view);
+            }};
+        const auto draw = [&](float background) -> Result<std::vector<glm::u8vec4>> {
+            MACULA_TRY(const hybrid::Frame drawn,
+                       frame.draw({.eyes = {foveaFor},
+                                   .sizePx = options_.sizePx,
+                                   .display = {.background = glm::vec3(background), .exposure = 1.0f}},
+                                  periphery));
+            return gpu::read<glm::u8vec4>(*drawn.pictures.front());
+        };
+        MACULA_TRY(const auto overWhite, draw(1.0f));
+        Watch watch;
+        MACULA_TRY(const auto overBlack, draw(0.0f));
+        drawMs = watch.lap().wallMs;
+        FrameScore score;
+        for (std::size_t i = 0; i < overBlack.size(); ++i)
+            score.through +=
+                truth.isOpaque[i] && int(overWhite[i].y) - int(overBlack[i].y) > kBackgroundShows ? 1 : 0;
+        MACULA_TRY(const image::Flip flip, image::flip(truth.image, imageOf(overBlack, options_.sizePx)));
+        score.flip = flip.mean;
+        score.fovealFlip = middleOf(flip.perPixel);
+        return score;
+    }
+
+    double middleOf(const std::vector<float>& perPixel) const {
+        const double focalPx =
+            0.5 * options_.sizePx.y / std::tan(0.5 * glm::radians(options_.verticalFovDeg));
+        const double radiusPx = focalPx * std::tan(0.5 * glm::radians(trace::kFovealFieldDeg));
+        double sum = 0.0;
+        std::size_t count = 0;
+        for (int y = 0; y < options_.sizePx.y; ++y) {
+            for (int x = 0; x < options_.sizePx.x; ++x) {
+                if (std::hypot(x + 0.5 - 0.5 * options_.sizePx.x, y + 0.5 - 0.5 * options_.sizePx.y) >
+                    radiusPx)
+                    continue;
+                sum += double(perPixel[indexOf(x, y)]);
+                ++count;
+            }
+        }
+        return sum / double(std::max<std::size_t>(count, 1));
+    }
+
+    const BenchStudy& study_;
+    const MotionOptions& options_;
+    app::SceneOnDevice scene_;
+    hybrid::HybridFrame withFovea_;
+    hybrid::HybridFrame bare_;
+    splat::Splats splats_;
+    std::optional<splat::ModelPainter> painter_;
+    MotionReport report_;
+    Progress& progress_;
+};
+
+}  // namespace
+
+std::string_view nameOf(Moved moved) {
+    switch (moved) {
+        case Moved::step:
+            return "step";
+        case Moved::turn:
+            return "turn";
+    }
+    return {};
+}
+
+Result<MotionReport> measureMotion(const BenchStudy& study, const MotionOptions& options,
+                                   Progress& progress) {
+    MACULA_TRY(Measurement measurement, Measurement::create(study, options, progress));
+    return measurement.run();
+}
+
+}  // namespace macula::evaluate

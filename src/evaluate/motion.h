@@ -1,0 +1,62 @@
+// How good a frame is when the eye has moved since its fovea was traced: reprojected, beside the same picture
+// left where it was on the screen, and beside splats alone; each compared with what is traced from where the
+// eye is now.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "base/progress.h"
+#include "base/result.h"
+#include "evaluate/bench_study.h"
+#include "evaluate/measurement.h"
+#include "pipeline/hybrid/model/first_model.h"
+
+namespace macula::evaluate {
+
+struct MotionOptions {
+    glm::ivec2 sizePx{360, 360};
+    double verticalFovDeg = 40.0;
+    std::vector<double> stepsMm{1.0, 5.0, 20.0};   // to the side
+    std::vector<double> turnsDeg{1.0, 5.0, 20.0};  // of the head to the side, about the eye
+    std::uint32_t foveaSamples = 4;                // denoised
+    std::uint32_t truthSamples = 128;              // not denoised
+    hybrid::FirstModelOptions model;
+};
+
+enum class Moved { step, turn };
+// As in reports: "step", "turn".
+std::string_view nameOf(Moved moved);
+
+// Of one way to make a frame.
+struct FrameScore {
+    double flip = 0.0;        // of the whole frame
+    double fovealFlip = 0.0;  // of kFovealFieldDeg around its middle
+    std::size_t through = 0;  // pixels that show background where the truth and all around it have none
+};
+
+struct MovedFrame {
+    Moved moved = Moved::step;
+    double amount = 0.0;    // mm or degrees
+    std::string_view from;  // of the standard views
+    FrameScore reprojected;
+    FrameScore pasted;  // the fovea where it was on the screen
+    FrameScore splats;
+    double drawMs = 0.0;        // of the frame: splats, reprojection, composition
+    double splatsDrawMs = 0.0;  // without the fovea
+};
+
+struct MotionReport {
+    std::vector<MovedFrame> frames;
+    std::size_t splats = 0;
+    double foveaMs = 0.0;  // of the last picture for the fovea
+    // Shares of frames in which the reprojected one has the least FLIP: of the whole, of the middle.
+    double best = 0.0;
+    double fovealBest = 0.0;
+};
+
+// From the front, the left, and above. `cancelled`; inputNotUsable when nothing can be seen.
+Result<MotionReport> measureMotion(const BenchStudy& study, const MotionOptions& options, Progress& progress);
+
+}  // namespace macula::evaluate

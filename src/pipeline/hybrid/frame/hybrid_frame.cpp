@@ -1,0 +1,102 @@
+#include "pipeline/hybrid/frame/hybrid_frame.h"
+
+#include <utility>
+
+#include "base/check.h"
+
+namespace macula::hybrid {
+
+namespace {
+
+double msBetween(std::chrono::steady_clock::time_point from, std::chrono::steady_clock::time_point to) {
+    return std::chrono::duration<double, std::milli>(to - from).count();
+}
+
+}  // namespace
+
+Result<HybridFrame> HybridFrame::create(const std::shared_ptr<gpu::Device>& device,
+                                        const trace::PathTracer& beside) {
+    MACULA_TRY(trace::PathTracer tracer, beside.ofSameScene());
+    MACULA_TRY(Reprojection reprojection, Reprojection::create(device));
+    return HybridFrame(device, std::move(tracer), std::move(reprojection));
+}
+
+Result<void> HybridFrame::setScene(const Box& seenMm, const trace::Settings& settings) {
+    MACULA_CHECK(trace::isPathTraced(settings.look));
+    fovea_.reset();
+    aim_.reset();
+    seenMm_ = seenMm;
+    settings_ = settings;
+    settings_.denoising = trace::Denoising::on;
+    settings_.errorThreshold = 0.0;
+    tracer_.forgetViews();
+    return tracer_.setSettings(settings_);
+}
+
+Result<void> HybridFrame::aim(const FoveaAim& aim) {
+    aim_.reset();
+    MACULA_TRY(view_, trace::fovealWindow(aim.whole, aim.gaze, aim.fieldDeg, aim.sidePx));
+    trace::Settings settings = settings_;
+    settings.seed += count_++;
+    MACULA_TRY_VOID(tracer_.setSettings(settings));
+    MACULA_TRY_VOID(tracer_.setView(view_));
+    aim_ = aim;
+    begun_ = Clock::now();
+    spentMs_ = 0.0;
+    return {};
+}
+
+Result<bool> HybridFrame::traceFovea(const std::function<bool()>& keepGoing) {
+    MACULA_CHECK(aim_.has_value());
+    const Clock::time_point start = Clock::now();
+    const auto goOn = [&]() -> Result<bool> {
+        MACULA_TRY(const trace::Statistics before, tracer_.statistics());
+        if (before.samplesPerPixel < aim_->samplesPerPixel) {
+            const auto missing = aim_->samplesPerPixel - static_cast<std::uint32_t>(before.samplesPerPixel);
+            MACULA_TRY(const bool isTraced, tracer_.trace(missing, keepGoing));
+            if (!isTraced || !keepGoing()) return false;
+        }
+        return tracer_.develop(keepGoing);
+    };
+    Result<bool> isWhole = goOn();
+    spentMs_ += msBetween(start, Clock::now());
+    if (!isWhole || !*isWhole) return isWhole;
+    fovea_.reset();
+    MACULA_TRY(CapturedPicture picture, reprojection_.capture(tracer_, view_, seenMm_));
+    fovea_.emplace(Fovea{std::move(picture), aim_->samplesPerPixel, begun_});
+    msPerSample_ = spentMs_ / (double(aim_->sidePx) * double(aim_->sidePx) * double(aim_->samplesPerPixel));
+    aim_.reset();
+    return true;
+}
+
+Result<Frame> HybridFrame::draw(const FrameRequest& request, const Periphery& periphery) {
+    MACULA_CHECK(!request.eyes.empty());
+    while (compositors_.size() < request.eyes.size()) {
+        MACULA_TRY(Compositor compositor, Compositor::create(device_));
+        compositors_.push_back(std::move(compositor));
+    }
+    Frame frame;
+    for (std::size_t i = 0; i < request.eyes.size(); ++i) {
+        const Camera& eye = request.eyes[i];
+        MACULA_TRY(const splat::DevicePicture* splats, periphery.draw(eye, request.sizePx));
+        Layers layers{.splats = splats, .sizePx = request.sizePx, .splatGain = periphery.gain};
+        trace::TracedLight light;
+        if (fovea_) {
+            MACULA_TRY(const ReprojectedPicture seen,
+                       reprojection_.reproject(fovea_->picture, eye, request.sizePx, seenMm_, kEdgeFade));
+            light = {.values = seen.lights, .counts = nullptr, .areMeans = true};
+            layers.traced = &light;
+            layers.tracedWeights = seen.weights;
+            layers.tracedShare = 1.0f;
+        }
+        MACULA_TRY(const gpu::Image* picture, compositors_[i].compose(layers, request.display));
+        frame.pictures.push_back(picture);
+    }
+    if (fovea_) {
+        frame.foveaAgeMs = msBetween(fovea_->begun, Clock::now());
+        frame.foveaSamples = fovea_->samples;
+    }
+    return frame;
+}
+
+}  // namespace macula::hybrid

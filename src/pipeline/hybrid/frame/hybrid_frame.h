@@ -1,0 +1,111 @@
+// What a person sees: traced where the eye looks, splats everywhere else. The picture for the fovea is traced
+// in slices from where the eye was; every frame shows it as the eye sees it now (reprojection.h), over splats
+// that are drawn for that eye.
+//
+//     frame.setScene(seenMm, settings);                     // whenever the tracer's scene or look was
+//     changed if (!frame.isTracing()) frame.aim({.whole = view, .gaze = gaze, .sidePx = 300});
+//     frame.traceFovea(keepGoing);                          // a slice
+//     frame.draw({.eyes = {left, right}, .sizePx = sizePx}, periphery);
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <glm/glm.hpp>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "base/camera.h"
+#include "base/frames.h"
+#include "base/result.h"
+#include "pipeline/gpu/device.h"
+#include "pipeline/hybrid/frame/compositor.h"
+#include "pipeline/hybrid/frame/reprojection.h"
+#include "pipeline/trace/path_tracer.h"
+
+namespace macula::hybrid {
+
+// Who draws the splats, of the scene that is traced.
+struct Periphery {
+    // Linear, premultiplied; valid until the next call.
+    std::function<Result<const splat::DevicePicture*>(const Camera& eye, const glm::ivec2& sizePx)> draw;
+    float gain = 1.0f;  // of their light: LiveModel::gain
+};
+
+// The next picture for the fovea.
+struct FoveaAim {
+    trace::View whole;     // what the eye sees
+    glm::dvec2 gaze{0.0};  // in it, -1 to 1, right and up are positive
+    double fieldDeg = trace::kFovealFieldDeg;
+    int sidePx = 512;  // of a square
+    std::uint32_t samplesPerPixel = 1;
+};
+
+struct FrameRequest {
+    std::vector<Camera> eyes;  // at least one
+    glm::ivec2 sizePx{0};      // of the picture for each
+    Display display;
+};
+
+struct Frame {
+    std::vector<const gpu::Image*> pictures;  // for each eye, as Compositor::compose; until the next frame
+    std::optional<double> foveaAgeMs;         // since its tracing began; nothing while there is none
+    std::uint32_t foveaSamples = 0;           // of each of its pixels
+};
+
+// Used by one thread at a time, the one that uses the device.
+class HybridFrame {
+  public:
+    // With a view of its own of the scene that `beside` shows. Share of the fovea's sides over which it
+    // fades.
+    static constexpr double kEdgeFade = 0.15;
+    static Result<HybridFrame> create(const std::shared_ptr<gpu::Device>& device,
+                                      const trace::PathTracer& beside);
+
+    // The scene or its look is another one: what was traced is dropped. Of `settings`, what is seen; the
+    // fovea is denoised. `seenMm` is around all that can be seen.
+    Result<void> setScene(const Box& seenMm, const trace::Settings& settings);
+
+    // Begins a picture, and drops the one that is under way. After setScene. usage as trace::fovealWindow.
+    Result<void> aim(const FoveaAim& aim);
+    bool isTracing() const { return aim_.has_value(); }
+    // While it is tracing: goes on; `keepGoing` is asked between dispatches of some 40 ms. Whether the
+    // picture is there: from then on frames show it.
+    Result<bool> traceFovea(const std::function<bool()>& keepGoing);
+    // The time that pictures took lately, per pixel and sample; nothing before the first.
+    std::optional<double> foveaMsPerSample() const { return msPerSample_; }
+    // Frames show no traced picture until the next is there.
+    void forgetFovea() { fovea_.reset(); }
+
+    // Waits for nothing but what `periphery` waits for.
+    Result<Frame> draw(const FrameRequest& request, const Periphery& periphery);
+
+  private:
+    using Clock = std::chrono::steady_clock;
+
+    struct Fovea {
+        CapturedPicture picture;
+        std::uint32_t samples = 0;
+        Clock::time_point begun{};
+    };
+
+    HybridFrame(std::shared_ptr<gpu::Device> device, trace::PathTracer tracer, Reprojection reprojection)
+        : device_(std::move(device)), tracer_(std::move(tracer)), reprojection_(std::move(reprojection)) {}
+
+    std::shared_ptr<gpu::Device> device_;
+    trace::PathTracer tracer_;
+    Reprojection reprojection_;
+    std::vector<Compositor> compositors_;  // for each eye
+    Box seenMm_;
+    trace::Settings settings_;
+    std::uint32_t count_ = 0;      // of pictures: each has other noise
+    std::optional<FoveaAim> aim_;  // what is under way
+    trace::View view_;             // of that
+    Clock::time_point begun_{};
+    double spentMs_ = 0.0;
+    std::optional<Fovea> fovea_;
+    std::optional<double> msPerSample_;
+};
+
+}  // namespace macula::hybrid
