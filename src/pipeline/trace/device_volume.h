@@ -80,7 +80,7 @@ class DeviceVolume {
     std::vector<std::uint8_t> resident_;  // by block: its level in the pool, or kAbsent
     bool holdsCoarse_ = false;
     std::vector<std::uint32_t> words_;  // what table_ has, or is to have
-    std::size_t firstStale_ = 0;        // of words_; none when not before endStale_
+    std::size_t firstStale_ = 0;        // first word that table_ lacks; none when not before endStale_
     std::size_t endStale_ = 0;
     Coarsening plan_;
     std::optional<Message> message_;

@@ -160,7 +160,7 @@ void SamplingPlan::beginAdaptive(std::span<const shared::BlockNoise> noises, dou
     };
     double low = 0.0;
     double high = std::numeric_limits<double>::max();
-    for (std::size_t i = 0; i < weights.size(); ++i)  // where the first block would get all it can
+    for (std::size_t i = 0; i < weights.size(); ++i)  // the level at which the first block reaches its limit
         high = std::min(high, (samples_[i] + limit) / double(weights[i]));
     while (sizeAt(high) < wanted) {
         low = high;

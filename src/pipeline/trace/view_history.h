@@ -61,7 +61,7 @@ class ViewHistory {
     View viewBefore_;
     bool forgets_ = true;
     std::optional<std::uint64_t> denoisedEdition_;  // of the film, when the denoiser ran
-    Denoising denoisedAs_ = Denoising::off;         // then
+    Denoising denoisedAs_ = Denoising::off;         // the `how` of that run
     std::uint64_t begunEdition_ = 0;                // what it has begun with and may not have finished
     Denoising begunAs_ = Denoising::off;
 };

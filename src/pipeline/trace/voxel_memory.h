@@ -14,7 +14,7 @@ struct Coarsening;  // not included: it says `slots`, which Qt makes a keyword
 namespace macula::trace {
 
 struct MemoryLimits {
-    // For voxels. What the device has, and its limits, hold besides.
+    // The most that voxels may take; the device's memory and limits hold besides.
     std::uint64_t voxelBytes = UINT64_MAX;
 };
 

@@ -67,7 +67,8 @@ double featureOf(const TransferFunction& function, double leastUnits) {
 void tabulateGradientOpacity(const TransferFunction& function, const Volume& volume, Medium& medium) {
     const glm::dvec3 spacing = volume.spacingMm();
     const double voxelMm = (spacing.x + spacing.y + spacing.z) / 3.0;
-    // Beyond its last point the curve is constant: so is the table. A curve that ends at 0 is all end.
+    // The table ends at the curve's last point, beyond which both are constant. A curve whose last point is
+    // at 0 is constant everywhere.
     const double last = std::max(function.gradientOpacity.back().value, 1e-6);
     medium.gradientOpacity.resize(kGradientSteps + 1);
     for (int step = 0; step <= kGradientSteps; ++step) {

@@ -87,7 +87,8 @@ splat::TrainerOptions trainerOptions(const FirstModelOptions& options) {
     rates.opacityLogit = 0.1;
     rates.dc = 0.015;
     rates.sh = rates.dc / 20.0;
-    // Large pictures from a fifth of the way on; of small ones there is nothing smaller worth looking at.
+    // Training begins with pictures of half the size, for a fifth of the steps. Small pictures are not
+    // halved: they would show too little.
     training.stages = {{.firstStep = 0, .halvings = options.sizePx >= 256 ? 1 : 0},
                        {.firstStep = options.iterations / 5, .halvings = 0}};
     // At last squares, which put right the light that absolute differences leave out.

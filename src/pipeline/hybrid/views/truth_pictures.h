@@ -23,7 +23,7 @@ struct TruthOptions {
     double exposure = 1.0;
 };
 
-// Of one view twice the same, with noise that is independent.
+// Two pictures of one view, with independent noise.
 struct TruthPicture {
     std::array<TracedView, 2> halves;
     bool fromCache = false;  // both

@@ -23,10 +23,10 @@
 
 namespace macula::splat {
 
-// Where lists of tiles are made. `fast`: on a CPU device by the host, else by the device.
+// Where tile binning is done. `fast`: on a CPU device by the host, else by the device.
 enum class ListMaker { fast, host, device };
 
-// How a tile is shared out. Zeros: what is fast on the device.
+// How the pixels of a tile are divided among threads. Zeros: what is fast on the device.
 struct RasterShape {
     int tileRows = 0;             // pixels, a multiple of rowsPerThread
     int rowsPerThread = 0;        // pixels of one column
@@ -34,7 +34,7 @@ struct RasterShape {
     ListMaker lists = ListMaker::fast;
 };
 
-// What a picture is made in.
+// The stages of drawing.
 enum class DrawStage { project, lists, raster };
 
 // Used by one thread at a time, the one that uses the device.
@@ -63,21 +63,22 @@ class Rasterizer {
     // it again. outOfMemory as draw. True after draw.
     Result<bool> settle();
 
-    // The same of what projectOnHost made. Nothing can be differentiated then.
+    // Draws splats that projectOnHost has projected. Nothing can be differentiated then.
     Result<void> drawProjected(std::span<const glm::vec4> screen, const RasterView& view,
                                const Blending& blending);
 
-    // Of the last view, until the next is drawn. Premultiplied; a is the coverage.
+    // The picture of the last view, until the next is drawn. Premultiplied; a is the coverage.
     const DevicePicture& picture() const { return *picture_; }
     // Float for each pixel: sum of weight times depth of the centre in mm; over a, the mean depth.
     const gpu::Buffer& depths() const { return *depths_; }
     // Pairs of splats and tiles in it.
     std::uint64_t pairCount() const { return pairCount_; }
-    // As they lie on the device, with room for more than there are: TileLists has their order.
+    // The tile lists on the device, with room for more than there are: TileLists has their order.
     const TileBuffers& tileLists() const { return tileBuffers_; }
 
-    // After draw, of the same parameters: the derivative by each, from that by the picture (its rgb, and its
-    // coverage in a), of splats that show; those of others stay what they were. Of degree 0 or 1.
+    // The backward pass, after draw with the same parameters: the derivative of the loss by each parameter,
+    // from that by the picture (its rgb, and its coverage in a). Splats that do not show keep the gradients
+    // they had. Of degree 0 or 1.
     Result<void> recordBackward(gpu::Recorder& recorder, const SplatBuffer& parameters,
                                 const DevicePicture& gradient, SplatBuffer& gradients);
     // A uint for each splat, not 0 for those that showed when recordBackward was last done.
@@ -122,17 +123,17 @@ class Rasterizer {
     gpu::Buffer visible_;
     gpu::Buffer statistics_;
     std::optional<gpu::TexelBuffer> hostScreen_;  // what was projected on the host
-    std::optional<gpu::TexelBuffer> pairs_;       // their derivatives
+    std::optional<gpu::TexelBuffer> pairs_;       // the derivatives of pairs of splat and tile
     std::optional<DevicePicture> picture_;
     std::optional<gpu::Buffer> depths_;
     std::vector<glm::vec4> screenCopy_;  // where the host cannot read the device's
     std::uint32_t count_ = 0;
     glm::ivec2 tiles_{0};
     std::uint64_t pairCount_ = 0;
-    std::uint64_t pairRoom_ = 0;   // that the lists may have
-    std::uint64_t mostPairs_ = 0;  // that they may be made to have room for
+    std::uint64_t pairRoom_ = 0;   // pairs that the lists have room for
+    std::uint64_t mostPairs_ = 0;  // pairs that they may be enlarged to
     bool settled_ = true;
-    TileLists lists_;  // of the host
+    TileLists lists_;  // as the host makes them
 };
 
 }  // namespace macula::splat

@@ -99,8 +99,8 @@ struct Repair {
 // Fails where validate would for the model as a whole.
 Result<Repair> repair(Splats& splats);
 
-// Of the splats' centres, in mm of the world (originMm added). Empty, low > high, for no splats. The model
-// must be valid.
+// The box of the splats' centres, in mm of the world (originMm added). Empty, low > high, for no splats. The
+// model must be valid.
 Box boundingBox(const Splats& splats);
 
 }  // namespace macula::splat

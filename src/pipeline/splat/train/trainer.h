@@ -44,8 +44,8 @@ class Trainer {
     // tiles are sorted, which changes nothing but time.
     static Result<Trainer> create(const std::shared_ptr<gpu::Device>& device, const Splats& model,
                                   const TrainerOptions& options, ListMaker lists = ListMaker::fast);
-    // Goes on with it: the same bits as if it had never stopped, on the same device. inputNotUsable as
-    // TrainingState::validate and addView.
+    // Resumes the training of `state`: the same bits as if it had never stopped, on the same device.
+    // inputNotUsable as TrainingState::validate and addView.
     static Result<Trainer> resume(const std::shared_ptr<gpu::Device>& device, const TrainingState& state);
 
     // From the next step on training is done in another way, and of that degree of colour (0 or 1; new
@@ -54,14 +54,14 @@ class Trainer {
     // create; outOfMemory, and it goes on as before.
     Result<void> goOnWith(const TrainerOptions& options, int shDegree);
 
-    // Takes part from the next step on. inputNotUsable when the picture is not of the view's size, or has
-    // not one finite pixel, or a weight that is not above 0 and at most kMaxViewWeight; outOfMemory when the
-    // device cannot hold it, or not what comparing it takes (loss.h). The picture stays on the host as well,
-    // and is shared with states.
+    // Adds a view, which takes part from the next step on. inputNotUsable when the picture is not of the
+    // view's size, or has not one finite pixel, or a weight that is not above 0 and at most kMaxViewWeight;
+    // outOfMemory when the device cannot hold it, or not what comparing it takes (loss.h). The picture stays
+    // on the host as well, and is shared with states.
     Result<void> addView(TrainingView view);
     // Frees what the views take on the device, most of all there is; each is made again when it is needed.
     void releasePictures();
-    // What is no picture takes no part any more: for when pictures say what it said.
+    // Drops all views but pictures (ViewKind): stand-ins and outlines, once pictures show the same.
     void forgetStandIns();
     std::size_t viewCount() const { return views_.size(); }
     // In the order in which they were added.
@@ -88,8 +88,8 @@ class Trainer {
     // A copy of the state, at most TrainerOptions::keepEveryMs and a step old while steps are made, with all
     // views added since; from create or resume on. It is on the host: no loss of the device takes it away.
     const TrainingState& lastGood() const { return lastGood_; }
-    // To lastGood(), with the views that there are: for when a step failed and may have moved a part of what
-    // belongs together. Makes nothing new on the device.
+    // Goes back to lastGood(), with the views that there are: for when a step failed and may have moved a
+    // part of what belongs together. Makes nothing new on the device.
     Result<void> goBack();
     TrainingReport report() const;
 
@@ -99,7 +99,7 @@ class Trainer {
         std::shared_ptr<const TrainingView> given;
         double loss = -1.0;  // when it was drawn last; below 0: never
         double l1 = 0.0;
-        bool hasNoRoom = false;  // left out
+        bool hasNoRoom = false;  // left out of training, as step() says
     };
 
     Trainer(std::shared_ptr<gpu::Device> device, TrainerOptions options, Splats like,
