@@ -72,7 +72,7 @@ float seenArea(Fovea fovea, vec2 stored) {
     return slope * scale;
 }
 
-// Likewise, steradians.
+// The same in steradians.
 float seenSolidAngle(Fovea fovea, vec2 stored) {
     vec2 seen = seenFromStored(fovea, stored);
     float distance2 = float(1.0) + dot(seen, seen);

@@ -40,7 +40,7 @@ uint mixedBits(uint h, uint key) {
     return h;
 }
 
-// Two words made one; neighbours in either come far apart.
+// Hashes two words into one; neighbours in either come far apart.
 uint hashOf(uint a, uint b) {
     return mixedBits(a * 0x9e3779b9u + b, 0u);
 }

@@ -43,7 +43,7 @@ SsimWindow ssimWindow(vec4 u, vec4 v, vec4 uu, vec4 vv) {
     vec4 luminances = vec4(1.0) - unlikeMean;
     SsimWindow window;
     window.dissimilarity = unlikeMean + luminances * unlikeStructure;
-    // By the variances, then by the means.
+    // Derivatives by the variances, then by the means.
     vec4 slope = luminances * inverse2;
     window.ofSum = -slope * unlikeStructure;
     window.ofDifference = slope * ((varU + c2) * inverse2) * float(2.0);

@@ -25,7 +25,7 @@ MACULA_SHARED_CONST int kPairValues = 11;
 
 // What is gathered of a splat over views, for deciding where more are needed and which are not.
 struct SplatStatistics {
-    float views;         // in which it was
+    float views;         // in which the splat showed
     float weight;        // sum over pixels of what it shows there
     float pull;          // sum over pixels of the absolute derivatives by its place in the picture, in pixels
     float mostWeight;    // in one view
