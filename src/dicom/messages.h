@@ -32,7 +32,7 @@ std::span<const CatalogueEntry> catalogue();
 // `key` is one of the catalogue's, and `arguments` has every name its sentence mentions; others are kept for
 // programs.
 Message message(std::string_view key, std::vector<MessageArgument> arguments = {});
-// Where the same fact weighs more, or less, than usual.
+// The same with another severity, where the fact weighs more, or less, than usual.
 Message message(std::string_view key, Severity severity, std::vector<MessageArgument> arguments = {});
 
 namespace key {

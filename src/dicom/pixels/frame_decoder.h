@@ -40,10 +40,10 @@ class FrameDecoder {
                      const std::function<void()>& onFirst, Progress& progress);
 
     FrameState state(std::size_t frame) const { return states_[frame]; }
-    // Of a decoded frame: see intensity.h.
+    // Counts of a decoded frame: see intensity.h.
     std::size_t cellsBeyondStoredBits(std::size_t frame) const { return beyondStoredBits_[frame]; }
     std::size_t notFinite(std::size_t frame) const { return notFinite_[frame]; }
-    // Of the first frame, in the order of the stack, that could not be decoded.
+    // The error of the first frame, in the order of the stack, that could not be decoded.
     std::optional<Error> failure() const;
 
   private:

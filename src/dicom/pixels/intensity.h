@@ -33,7 +33,7 @@ struct CellFormat {
     bool operator==(const CellFormat&) const = default;
 };
 
-// Of floating-point cells, which say nothing of stored bits.
+// The format of floating-point cells, which say nothing of stored bits.
 CellFormat floatFormat(CellKind kind);
 
 // Integers of 1, 8, 16 or 32 bits allocated, and the stored bits inside them; or floatFormat.
@@ -116,7 +116,7 @@ struct SliceMap {
 
 void applyMap(const SliceMap& map, std::span<std::uint16_t> unpacked);
 
-// To units, for voxels of float32. The value is computed in double; padding, and what float cannot hold,
+// Maps to units, for voxels of float32. The value is computed in double; padding, and what float cannot hold,
 // become NaN. `numbers` are raw values that were wider than 16 bits; returned is how many of them are not
 // padding and have no finite value.
 void applyIntensity(const SliceIntensity& slice, std::span<const std::uint16_t> unpacked,
@@ -135,7 +135,7 @@ struct IntensityPlan {
     std::optional<UnitsFromStored> steps = {};
 };
 
-// As far as the formats alone can tell. At least one slice, each with a usable format.
+// The plan as far as the formats alone can tell. At least one slice, each with a usable format.
 IntensityPlan planFromFormats(std::span<const SliceIntensity> slices);
 
 struct NarrowedVoxels {
