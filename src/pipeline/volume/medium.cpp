@@ -33,7 +33,7 @@ void forEachBrick(glm::ivec3 size, const Body& body) {
     });
 }
 
-// What follows from the extinction by entry.
+// Computes the majorants of bricks from the extinction by entry.
 void boundBricks(Medium& medium, const Volume& volume, const BrickGrid& grid, const Clip& clip,
                  const MaskBits* mask) {
     const RangeMax largest(medium.extinctionPerMm);
@@ -48,7 +48,7 @@ void boundBricks(Medium& medium, const Volume& volume, const BrickGrid& grid, co
     measureEmptySpace(grid.size, medium.bounds);
 }
 
-// Not below one stored value, where the tables end.
+// The width of the narrowest feature, not below one stored value, where the tables end.
 double featureOf(const TransferFunction& function, double leastUnits) {
     double narrowest = std::numeric_limits<double>::infinity();
     const auto look = [&](const auto& points) {

@@ -16,8 +16,8 @@ namespace {
 constexpr std::uint64_t kEvery = 50;  // steps between splits, at most
 constexpr double kGrowing = 0.4;      // of the steps; then splats settle and none is split
 constexpr double kSquaresFrom = 0.9;  // part of the steps from which on squares are compared
-constexpr double kMostAtOnce = 0.22;  // of the splats
-// What pictures from so many sides show, nothing need stand in for.
+constexpr double kMostAtOnce = 0.22;  // part of the splats that one step may split
+// With pictures from so many sides the stand-in views are dropped.
 constexpr std::size_t kEnoughSides = FirstModelOptions{}.directions;
 
 // The share of splats to split each time, so that the capacity is filled before the last split.

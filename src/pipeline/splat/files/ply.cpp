@@ -123,7 +123,7 @@ Result<ModelFile> readPly(std::istream& stream, std::uint64_t bytes, BadSplats b
     MACULA_TRY(const PlyHeader header, readPlyHeader(stream));
     PlyValues values(stream, header.format, bytes - std::min(bytes, header.bytes));
     for (const PlyElement& element : header.elements) {
-        // Before anything is made for them, or walked.
+        // This is checked before memory is taken for the elements, or they are read.
         if (!values.canHold(element))
             return unusable(
                 fmt::format("The PLY file is cut off: its header counts {} {}, for which it is "

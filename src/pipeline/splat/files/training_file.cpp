@@ -126,7 +126,7 @@ Result<std::vector<T>> readArray(ChunkFile& file, std::string_view name, std::ui
     return values;
 }
 
-// Not validated.
+// Reads the splats without validating them.
 Result<Splats> readSplats(ChunkFile& file) {
     MACULA_TRY(const std::string text, file.readText("model"));
     const std::vector<std::string> lines = linesOf(text);
