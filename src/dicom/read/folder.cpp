@@ -25,7 +25,7 @@ class Listing {
   public:
     Listing(const fs::path& folder, const fs::path& canonical) : folder_(folder), canonical_(canonical) {}
 
-    // False when cancelled.
+    // Lists the folder. False when cancelled.
     bool run(Progress& progress) {
         enterOnce({});
         while (!waiting_.empty()) {

@@ -112,7 +112,7 @@ std::vector<Frame> readFrames(const std::filesystem::path& file, const HeaderFil
     const std::vector<double> offsetsMm = frameOffsetsMm(header);
     for (int i = 0; i < instance->frames; ++i) {
         const auto at = static_cast<std::size_t>(i);
-        // Of frames beyond the list nobody knows where they are.
+        // The position of frames beyond the list is unknown.
         const double beyond = offsetsMm.empty() ? 0.0 : std::numeric_limits<double>::quiet_NaN();
         const double offsetMm = at < offsetsMm.size() ? offsetsMm[at] : beyond;
         frames.push_back(
