@@ -66,7 +66,7 @@ class Accumulation {
     Pace pace_;
     std::optional<Film> film_;
     std::optional<gpu::Buffer> planned_;    // PlannedBlock: what the dispatch under way does
-    std::optional<gpu::Buffer> primaries_;  // of the film's size
+    std::optional<gpu::Buffer> primaries_;  // PrimaryVertex: kPrimarySamples for each pixel
     SamplingPlan plan_;
     std::uint64_t edition_ = 0;
     double deviceMs_ = 0.0;

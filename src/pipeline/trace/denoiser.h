@@ -81,7 +81,7 @@ class Denoiser {
     std::size_t current_ = 0;
     bool ran_ = false;
     int stage_ = 0;  // of the run under way: gather, prepare, then the passes of the filter
-    int row_ = 0;    // of that, the first that is not done
+    int row_ = 0;    // the first row of that stage that is not done
     bool remembers_ = false;
     gpu::TexelBuffer masses_;
     std::array<gpu::TexelBuffer, 2> noises_;

@@ -52,7 +52,7 @@ class DeviceVolume {
   private:
     struct Upload {
         std::size_t block = 0;
-        std::uint32_t unit = 0;  // of 8 values
+        std::uint32_t unit = 0;  // its place in the pool, in units of 8 values
         std::uint8_t level = kAbsent;
     };
 

@@ -39,7 +39,7 @@ struct TraceVariant {
     Filter filter = Filter::trilinear;
     bool shading = false;
     SceneKind scene = {};
-    bool tellsPrimaries = false;  // of paths: path_primaries.comp
+    bool tellsPrimaries = false;  // paths tell their primary vertices: path_primaries.comp
 
     bool operator<(const TraceVariant& b) const {
         return std::tie(look, filter, shading, scene, tellsPrimaries) <

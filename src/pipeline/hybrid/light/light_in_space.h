@@ -21,7 +21,7 @@ namespace macula::hybrid {
 // All places in mm of one frame, directions of unit length, from the eye.
 class LightInSpace {
   public:
-    static constexpr std::size_t kMostCells = 1u << 21;  // of 96 bytes: as many as a body has pixels
+    static constexpr std::size_t kMostCells = 1u << 21;  // cells of 96 bytes: as many as a body has pixels
 
     // `cellMm` above 0: about what a pixel of the views shows. Doubled whenever there are more than
     // `mostCells`, which is at least 8.

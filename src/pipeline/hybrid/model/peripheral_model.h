@@ -82,7 +82,7 @@ struct PeripheralReport {
     Pause pause = Pause::none;
     splat::TrainingReport training;
     double trainingSeconds = 0.0;  // by the clock, since it began or was changed; judging included
-    double judgingSeconds = 0.0;   // of these
+    double judgingSeconds = 0.0;   // the part of trainingSeconds that judging took
     std::size_t views = 0;         // learnt
     std::size_t heldOut = 0;
     std::optional<double> error;          // mean over the held-out pictures, as they are now

@@ -30,9 +30,9 @@ struct RefinementOptions {
 };
 
 struct MoreViews {
-    double seconds = 0.0;      // of the wall: choosing, tracing and taking them in
+    double seconds = 0.0;      // by the clock: choosing, tracing and adding views
     std::size_t givenUp = 0;   // none of the tries showed enough, and the last one was taken
-    std::size_t fromKept = 0;  // that took no time
+    std::size_t fromKept = 0;  // views from `kept`, which took no time
 };
 
 // Traces the views (pose_sampling.h: extension) and gives them to `trainer`, which drops its stand-in views

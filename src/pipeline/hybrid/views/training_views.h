@@ -48,7 +48,7 @@ Result<void> learnFrom(splat::Trainer& trainer, const Box& seenMm, TracedView vi
 Result<void> learnStandInFrom(splat::Trainer& trainer, const Box& seenMm, TracedView view);
 Result<void> learnCoverageFrom(splat::Trainer& trainer, const Box& seenMm, TracedView view);
 
-// When a view tells a model something.
+// The limits by which a view counts as new for a model.
 struct AdmissionOptions {
     // Seen from somewhere else than any view before: farther away than that, in half-diagonals of what is
     // seen, or in another direction.

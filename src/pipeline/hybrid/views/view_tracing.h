@@ -42,7 +42,7 @@ struct ViewTracing {
 struct TracedViews {
     std::vector<TracedView> views;  // by camera
     std::vector<Camera> leftOut;    // those for which there was no time
-    std::size_t fromKept = 0;       // of these
+    std::size_t fromKept = 0;       // those of `views` that `kept` had
 };
 
 // One view as it is traced, for comparing with; a step of `progress` for each sample.

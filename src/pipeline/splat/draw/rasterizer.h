@@ -114,7 +114,7 @@ class Rasterizer {
     std::shared_ptr<gpu::Device> device_;
     std::uint32_t capacity_;
     RasterShape shape_;
-    int slots_;  // of a pair: subgroups that work on a tile
+    int slots_;  // subgroups of a tile: each writes sums of its own for a pair
     Kernels kernels_;
     gpu::Buffer frame_;
     gpu::TexelBuffer screen_;
