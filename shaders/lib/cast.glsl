@@ -282,7 +282,7 @@ vec4 castMatter(vec3 worldDirection, float phase, INOUT(int) rounds) {
             }
         } while (transmittance >= float(CAST_OPAQUE) && nextCell(cells, toMm));
     }
-    // What is left at the early end goes to what was seen: opaque matter is opaque.
+    // Early termination: the rest of the transmittance is taken as 0, so that opaque matter is opaque.
     if (transmittance < float(CAST_OPAQUE)) return vec4(colour / (float(1.0) - transmittance), float(1.0));
     if (face > float(0.0)) return vec4(colour + vec3(transmittance * face), float(1.0));
     return vec4(colour, float(1.0) - transmittance);

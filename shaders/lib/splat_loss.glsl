@@ -37,7 +37,7 @@ struct TonePath {
     bool isCompressed;  // else the rest is not set
     float peak;
     vec3 peakShare;
-    float slope;        // its square: of newPeak by peak
+    float slope;        // its square is the derivative of newPeak by peak
     float newPeak;
     float ratio;
     float keep;
