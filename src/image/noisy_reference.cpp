@@ -10,7 +10,7 @@ namespace macula::image {
 
 namespace {
 
-constexpr double kDbPerNeper = 10.0 / 2.302585092994046;  // of a square
+constexpr double kDbPerNeper = 10.0 / 2.302585092994046;  // for squares: 10 / ln 10
 
 Result<void> fits(const NoisyReference& reference, const Mask& mask) {
     MACULA_TRY_VOID(comparable(reference.whole, reference.first));

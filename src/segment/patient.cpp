@@ -55,7 +55,7 @@ const Part* largestOf(const Parts& parts) {
 bool isFurniture(const Grid& grid, const Part& part) {
     constexpr double kLongMm = 80.0;
     constexpr double kBoardMm = 100.0;
-    constexpr double kFlat = 0.2;  // of its width
+    constexpr double kFlat = 0.2;  // thickness of a flat part over its width
     constexpr double kPersistent = 0.7;
     const glm::dvec3 extentMm = glm::dvec3(part.high - part.low + 1) * grid.spacingMm;
     const double wide = std::max(extentMm.x, extentMm.y);

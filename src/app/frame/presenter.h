@@ -55,7 +55,7 @@ class Presenter {
     bool owes_ = false;
     bool isColour_ = false;  // what is kept is a colour
     std::shared_ptr<const PictureText> text_;
-    std::optional<gpu::Image> textImage_;  // of it; made when it is first shown
+    std::optional<gpu::Image> textImage_;  // text_ as an image; made when it is first shown
 };
 
 }  // namespace macula::app

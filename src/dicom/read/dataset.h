@@ -83,7 +83,7 @@ class Dataset {
     friend HeaderFile readHeader(const std::filesystem::path& file, const CancelToken& cancel);
 
     std::shared_ptr<const File> file_;
-    std::vector<std::uint32_t> items_;  // of the file's tree; the first that has a value is taken
+    std::vector<std::uint32_t> items_;  // items of the file's tree, searched in this order for a value
 };
 
 // Where in the file the pixel data are.

@@ -61,13 +61,13 @@ class ElementTree {
 
   private:
     struct Item {
-        std::uint32_t first = 0;  // of elements_
+        std::uint32_t first = 0;  // index in elements_
         std::uint32_t count = 0;
         ItemNumber parent = kNone;
     };
     struct OpenSequence {
         Element element;
-        std::size_t firstItem = 0;  // of closedItems_
+        std::size_t firstItem = 0;  // index in closedItems_
     };
 
     ItemNumber place(const Item& item);

@@ -12,7 +12,7 @@ namespace macula::dicom {
 struct HardPart {
     std::vector<Frame> frames;
     std::vector<StackLabel> labels;
-    std::vector<Message> told;  // to each of its stacks
+    std::vector<Message> told;  // messages for each of its stacks
 };
 
 // A function that says which stacks frames would become.
