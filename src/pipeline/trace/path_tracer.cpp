@@ -266,7 +266,7 @@ Result<std::vector<shared::PrimaryVertex>> PathTracer::tracePrimaries(
     Impl& t = *impl_;
     if (!isPathTraced(t.settings.look))
         return Error{ErrorCode::usage, "This look traces no paths.", {}, "Choose the cinematic look."};
-    // Samples are told in turn: the same ones of every pixel.
+    // Primary vertices are kept by sample index, so all pixels need the same samples.
     const SamplingPlan& plan = t.accumulation.plan();
     if (plan.hasPass() || plan.isAdaptive()) t.stale = true;
     MACULA_TRY_VOID(t.prepare());

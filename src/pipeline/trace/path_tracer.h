@@ -60,8 +60,8 @@ struct TracedImage {
     int height = 0;
     std::vector<glm::vec4> radiance;
     std::vector<float> depthMm;
-    // Of the mean over the samples of this view, as it was before any denoising: of its luminance (Rec. 709)
-    // and of its coverage; +infinity for fewer than two samples.
+    // The variance of the mean over the samples of this view, before any denoising: of its luminance (Rec.
+    // 709) and of its coverage; +infinity for fewer than two samples.
     std::vector<glm::vec2> variance;
     std::vector<std::uint32_t> samples;  // of each pixel, finite ones
     bool denoised = false;               // then `radiance` is filtered, and may use what earlier views knew

@@ -34,7 +34,7 @@ struct VoxelMemory {
 std::uint64_t slotsAllowed(const MemoryLimits& limits, const gpu::DeviceInfo& device,
                            std::uint64_t availableBytes, std::uint64_t heldBytes);
 
-// Key "voxels-coarsened", for the person who looks; nothing when all is shown as finely as it is.
+// The message "voxels-coarsened", for the person who looks; nothing when all is shown as finely as it is.
 std::optional<Message> coarseningMessage(const Coarsening& coarsening, std::uint64_t shownBlocks,
                                          std::uint64_t slotsAllowed);
 

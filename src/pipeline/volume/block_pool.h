@@ -34,7 +34,7 @@ class BlockPool {
 
     std::vector<Slot> slots_;
     std::vector<std::uint32_t> free_;  // the last is used next
-    // By level, slots that may have room. Entries may be stale: allocate() checks each.
+    // Slots that may have room, by level. Entries may be stale: allocate() checks each.
     std::array<std::vector<std::uint32_t>, kSingle> partial_;
 };
 

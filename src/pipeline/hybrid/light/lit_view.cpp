@@ -48,7 +48,7 @@ glm::vec4 lit(const shared::PixelLayers& layers, const glm::dvec3& eyeMm, const 
     double known = 0.0;
     double atMm = double(layers.meanMm);
     for (std::size_t i = 0; i < middleMm.size() && double(i) * kLayer < coverage; ++i) {
-        // The last one may end before its middle.
+        // The last layer may end before its middle: then it is taken to be where the one before is.
         if (middleMm[i] >= 0.0f) atMm = double(middleMm[i]);
         if (atMm < 0.0) break;
         const double hides = std::min(coverage - double(i) * kLayer, kLayer);

@@ -92,7 +92,7 @@ splat::TrainerOptions trainerOptions(const FirstModelOptions& options) {
     // halved: they would show too little.
     training.stages = {{.firstStep = 0, .halvings = options.sizePx >= 256 ? 1 : 0},
                        {.firstStep = options.iterations / 5, .halvings = 0}};
-    // At last squares, which put right the light that absolute differences leave out.
+    // The last steps compare squares, which put right the light that absolute differences leave out.
     if (options.iterations > 0)
         training.stages.push_back(
             {.firstStep = options.iterations * 3 / 4, .halvings = 0, .measure = splat::LossMeasure::squared});

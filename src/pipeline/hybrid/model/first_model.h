@@ -43,7 +43,7 @@ struct FirstModelOptions {
 
 struct FirstModel {
     splat::Trainer trainer;  // can go on, and take more views
-    // By the clock of the budget, kernels compiled on the way included.
+    // Times by the clock of the budget, kernels compiled on the way included.
     double pointsSeconds = 0.0;
     double viewsSeconds = 0.0;      // choosing and tracing them
     double trainSeconds = 0.0;      // making the trainer and giving it its pictures included

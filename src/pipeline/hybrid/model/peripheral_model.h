@@ -112,9 +112,10 @@ class PeripheralModel {
     Result<void> step(double budgetMs, const std::function<bool()>& keepGoing = {});
     bool isPaused() const { return pause_ != Pause::none; }
 
-    // From where a new picture would teach it most (candidate_poses.h), of those views in which it shows
-    // enough; never one that it has, or that was among the last eight it asked for. Nothing when it is full
-    // or no view shows enough. Draws a few small pictures, more only where the first ones show too little.
+    // The pose from which a new picture would teach it most (candidate_poses.h), of those views in which it
+    // shows enough; never one that it has, or that was among the last eight it asked for. Nothing when it is
+    // full or no view shows enough. Draws a few small pictures, more only where the first ones show too
+    // little.
     Result<std::optional<CandidatePose>> wantedView();
 
     // Takes a picture of any field of view and size; a large one is reduced. The model learns from it if it

@@ -8,8 +8,8 @@
 
 namespace macula::hybrid {
 
-// From where the rates of a training go on: they hold until step `holdUntil`, and have fallen to their last
-// at step `fallUntil`.
+// The learning rates from which a training goes on: they hold until step `holdUntil`, and have fallen to
+// their last at step `fallUntil`.
 struct RateSchedule {
     double position = 0.0;  // learning rate of positions, to begin with
     double others = 1.0;    // all other rates times this, to begin with; their last stay what they are

@@ -1,4 +1,4 @@
-// From where a new picture would teach a model most.
+// The poses from which a new picture would teach a model most.
 #pragma once
 
 #include <cstddef>

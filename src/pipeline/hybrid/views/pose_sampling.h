@@ -1,6 +1,6 @@
-// From where a volume is looked at when a peripheral model of it is trained and judged: the views of
-// Kleinbeck et al. (IEEE VR 2026), which start far out and come nearer and wander further off the centre with
-// each one.
+// The poses from which a volume is looked at when a peripheral model of it is trained and judged: the views
+// of Kleinbeck et al. (IEEE VR 2026), which start far out and come nearer and wander further off the centre
+// with each one.
 #pragma once
 
 #include <cstddef>

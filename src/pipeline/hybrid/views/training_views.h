@@ -19,7 +19,7 @@ struct ChosenPoses {
     std::size_t givenUp = 0;  // none of the tries showed enough, and the last one was taken
 };
 
-// By samplePoses, asking `tracer` what a view shows (showsEnough). Fails as they do.
+// Chooses by samplePoses, asking `tracer` what a view shows (showsEnough). Fails as they do.
 Result<ChosenPoses> choosePoses(trace::PathTracer& tracer, const Box& seenMm, const PoseSampling& sampling,
                                 const PoseLimits& limits, const Progress& progress);
 

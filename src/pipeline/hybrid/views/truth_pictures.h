@@ -30,7 +30,7 @@ struct TruthPicture {
 
     const Camera& camera() const { return halves[0].camera; }
     const glm::ivec2& sizePx() const { return halves[0].sizePx; }
-    // Of all samples: the mean of both.
+    // The picture of all samples: the mean of both halves.
     std::vector<glm::vec4> whole() const;
 };
 

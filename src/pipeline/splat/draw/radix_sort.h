@@ -16,8 +16,8 @@ inline constexpr std::uint64_t kMostSorted = 65535ull * shared::kSortBlock;
 
 class RadixSort {
   public:
-    // Of at most `most` items, up to kMostSorted. outOfMemory when the device has no room for a byte for
-    // each.
+    // A sort of at most `most` items, up to kMostSorted. outOfMemory when the device has no room for a byte
+    // for each.
     static Result<RadixSort> create(const std::shared_ptr<gpu::Device>& device, std::uint64_t most);
 
     // Makes room for as many; what was recorded before stays right.

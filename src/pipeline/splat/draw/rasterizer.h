@@ -55,8 +55,8 @@ class Rasterizer {
 
     // Lists are made on the device, and recordDraw is there.
     bool listsOnDevice() const { return deviceLists_.has_value(); }
-    // As draw, without waiting for anything. Whether there was room for all pairs is known when it is done;
-    // if not, the picture is empty and no splat shows in it.
+    // Draws as draw does, without waiting for anything. Whether there was room for all pairs is known when it
+    // is done; if not, the picture is empty and no splat shows in it.
     Result<void> recordDraw(gpu::Recorder& recorder, const SplatBuffer& parameters, std::uint32_t count,
                             const RasterView& view, const Blending& blending);
     // After recordDraw was submitted, waits: true when the picture is right. False: now there is room, record

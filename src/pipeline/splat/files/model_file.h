@@ -21,7 +21,7 @@ struct ModelFormat {
 };
 inline constexpr std::array<ModelFormat, 3> kModelFormats{
     {{".ply", "PLY"}, {".spz", "SPZ"}, {".macula", ".macula", true}}};
-// By extension; null for another.
+// The format by extension; null for another.
 const ModelFormat* modelFormatOf(const std::filesystem::path& path);
 // ".ply, .spz or .macula"; `withTraining`: also what writeModel does not write.
 std::string modelExtensions(bool withTraining);
@@ -40,9 +40,10 @@ struct ModelFile {
 // does not fit. No more memory is asked for than a file of that size can fill.
 Result<ModelFile> readModel(const std::filesystem::path& path, BadSplats bad = BadSplats::refuse);
 
-// By extension, .ply or .spz; whole or not at all. Returns the number of splats that the format could not
-// hold as they are (see SpzBytes; 0 for PLY). Fails with usage for another extension, with inputNotUsable for
-// a model that is not valid or empty, with outputNotWritable when it cannot be written.
+// Writes the format of the extension, .ply or .spz, whole or not at all. Returns the number of splats that
+// the format could not hold as they are (see SpzBytes; 0 for PLY). Fails with usage for another extension,
+// with inputNotUsable for a model that is not valid or empty, with outputNotWritable when it cannot be
+// written.
 Result<std::size_t> writeModel(const std::filesystem::path& path, const Splats& splats);
 
 // The last step of every reader: refuses a model that is empty or not valid, or repairs it.

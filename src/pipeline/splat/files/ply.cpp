@@ -41,7 +41,8 @@ void widen(float filter, glm::vec3& logScale, float& opacityLogit) {
         logShare += std::min(before - after, 0.0);
         logScale[axis] = static_cast<float>(after);
     }
-    // With o the opacity and r the share, the logit of r o: without 1 - r o, of which nothing may be left.
+    // With o the opacity and r the share, this is the logit of r o, computed without 1 - r o, which may
+    // cancel.
     const double logit = opacityLogit;
     const double rest = -std::expm1(logShare);
     opacityLogit = static_cast<float>(logit < 0.0 ? logit + logShare - std::log1p(rest * std::exp(logit))

@@ -50,7 +50,7 @@ Result<void> writeTraining(std::ostream& stream, const TrainingState& state);
 Result<TrainingState> readTraining(const std::filesystem::path& path);
 Result<TrainingState> readTraining(std::istream& stream, std::uint64_t size);
 
-// By the first 8 bytes.
+// Whether a file is .macula, by its first 8 bytes.
 bool looksLikeTraining(std::string_view begin);
 // Only the splats, whatever trainer they are of. See readModel.
 Result<ModelFile> readTrainedModel(std::istream& stream, std::uint64_t size, BadSplats bad);

@@ -39,8 +39,8 @@ constexpr std::size_t shCount(int degree) {
     return static_cast<std::size_t>((degree + 1) * (degree + 1) - 1);
 }
 
-// Beyond these nothing more can be seen of a scale (ln of mm: 2e-9 mm, 5e8 mm) or of an opacity (2e-9). The
-// model may hold larger finite values; who draws it clamps to them, and so does repair.
+// Limits beyond which nothing more can be seen of a scale (ln of mm: 2e-9 mm, 5e8 mm) or of an opacity
+// (2e-9). The model may hold larger finite values; who draws it clamps to them, and so does repair.
 inline constexpr float kMaxLogScale = 20.0f;
 inline constexpr float kMaxOpacityLogit = 20.0f;
 

@@ -28,7 +28,7 @@ namespace macula::splat {
 
 struct TrainingReport {
     std::uint64_t steps = 0;  // since the start
-    // Of views with colours, each when it was last drawn.
+    // The means over views with colours, each as it was last drawn.
     double loss = 0.0;  // by weight; 0 before all were drawn
     double l1 = 0.0;    // mean of |render - picture|, as compared; of those that were drawn
     std::uint32_t splats = 0;
@@ -64,7 +64,7 @@ class Trainer {
     // Drops all views but pictures (ViewKind): stand-ins and outlines, once pictures show the same.
     void forgetStandIns();
     std::size_t viewCount() const { return views_.size(); }
-    // In the order in which they were added.
+    // The views in the order in which they were added.
     const TrainingView& view(std::size_t index) const { return *views_[index].given; }
     bool wasDrawn(std::size_t index) const { return views_[index].loss >= 0.0; }
     // Mean of |render - picture|, as compared, when it was drawn last; 0 before.
@@ -78,7 +78,7 @@ class Trainer {
     // views. A view for which the device has no room, of pairs most of all, is left out until splats are
     // regrouped or training goes on in another way; outOfMemory when there is room for none.
     Result<TrainingReport> step(std::uint64_t steps, const std::function<bool()>& keepGoing = {});
-    // As many steps as fit, at least one.
+    // Makes as many steps as fit `budgetMs`, at least one.
     Result<TrainingReport> stepFor(double budgetMs);
 
     // The model as it is now. Waits.
