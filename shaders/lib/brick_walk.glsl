@@ -57,7 +57,8 @@ BrickWalk startWalk(vec3 originVoxel, vec3 directionVoxel, ClipSpans spans) {
 // a face or a corner a segment may have no length. False at the end.
 // `rounds` counts the rounds of its loop.
 bool nextSegment(INOUT(BrickWalk) walk, INOUT(int) rounds) {
-    // In floats up to the plane, which is faster; beyond, the bricks of the largest volumes are too many for them.
+    // The brick's index is computed in floats within a plane, which is faster; across planes the largest volumes have
+    // too many bricks for floats.
     float row = float(params.gridSize.x);
     int plane = params.gridSize.x * params.gridSize.y;
     int lastBrick = params.gridSize.x * params.gridSize.y * params.gridSize.z - 1;

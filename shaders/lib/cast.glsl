@@ -57,7 +57,7 @@ struct CellWalk {
     ivec3 lastVoxel;
 };
 
-// To the walk's coordinates, and from them.
+// Converts to the walk's coordinates, and from them.
 vec3 mirrored(CellWalk cells, vec3 p) {
     return p * cells.side + cells.shift;
 }

@@ -15,7 +15,7 @@ struct Fovea {
     float magnification;  // m, at least 1; 1 leaves the picture as it is
 };
 
-// From the gaze to the border along a unit direction.
+// The distance from the gaze to the border along a unit direction.
 float borderDistance(Fovea fovea, vec2 direction) {
     float x = abs(direction.x) > float(1e-20)
                   ? ((direction.x > float(0.0) ? fovea.halfSize.x : -fovea.halfSize.x) - fovea.gaze.x) / direction.x

@@ -51,7 +51,7 @@ uint randomBits(INOUT(Rng) rng) {
     return bits;
 }
 
-// In [0, 1), a multiple of 2^-24.
+// A random number in [0, 1), a multiple of 2^-24.
 float random01(INOUT(Rng) rng) {
     return float(randomBits(rng) >> 8u) * float(1.0 / 16777216.0);
 }

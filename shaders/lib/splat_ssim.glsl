@@ -19,8 +19,8 @@ float ssimTap(int distance) {
                     : float(0.0);
 }
 
-// Of one window: 1 - SSIM, and what a pixel in it must know of its gradient, which with respect to that pixel's x is
-// tap * (plain + ofSum u + ofDifference v).
+// The result of one window: 1 - SSIM, and what a pixel in it must know of its gradient, which with respect to that
+// pixel's x is tap * (plain + ofSum u + ofDifference v).
 struct SsimWindow {
     vec4 dissimilarity;
     vec4 plain;
