@@ -47,8 +47,8 @@ struct StudyInProgress {
         series;  // by UID, by folder if it has none
 };
 
-// By patient too: two patients are never mixed into one volume, whatever their UIDs say. A series without UID
-// is held together by its folder.
+// Studies are kept by patient too: two patients are never mixed into one volume, whatever their UIDs say. A
+// series without UID is held together by its folder.
 using Studies = std::map<std::pair<std::string, PatientIdentity>, StudyInProgress>;  // by UID and patient
 
 // Why the file cannot be used, if so.

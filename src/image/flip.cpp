@@ -28,7 +28,7 @@ Triple times(const double (&m)[3][3], const Triple& v) {
 struct Inverse {
     double m[3][3];
 };
-// By cofactors, so that the way back is exact to rounding.
+// Inverts by cofactors, so that the way back is exact to rounding.
 Inverse inverted(const double (&a)[3][3]) {
     Inverse result{};
     double determinant = 0.0;

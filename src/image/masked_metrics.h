@@ -26,7 +26,7 @@ Mask unionOf(const Mask& a, const Mask& b);
 
 // The answers of an empty mask are nothing: there is nothing to compare.
 
-// As psnr, over masked pixels; +infinity where these are equal.
+// The PSNR, as psnr, over masked pixels; +infinity where these are equal.
 Result<std::optional<double>> maskedPsnr(const Image& reference, const Image& test, const Mask& mask);
 
 // The map of SSIM over the whole pictures, its 11 x 11 windows filled up with black beyond the edge, averaged

@@ -47,7 +47,7 @@ class FrameRenderer {
 
     // Whether step() has anything to do before the next input.
     bool hasWork() const;
-    // At most one pass over the picture. Throws nothing.
+    // Does at most one pass over the picture. Throws nothing.
     void step(const Interrupts& interrupts);
     // Reports an error from outside of step(), and rests until something changes. Throws nothing.
     void fail(ErrorCode code, const char* message, const char* hint);

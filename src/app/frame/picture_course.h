@@ -24,7 +24,7 @@ enum class OnScreen {
     traced,  // all pixels
 };
 
-// As in reports; a literal.
+// The name as in reports; a literal.
 std::string_view nameOf(OnScreen picture);
 
 // What there is of a peripheral model for it.

@@ -24,7 +24,8 @@ enum class FrameState : std::uint8_t {
 
 class FrameDecoder {
   public:
-    // Of each frame either `stored` or `values`, as plan.format says. All have to outlive the decoder.
+    // Where a frame is decoded to: either `stored` or `values`, as plan.format says. All have to outlive the
+    // decoder.
     struct Target {
         std::span<std::uint16_t> stored;
         std::span<float> values;
