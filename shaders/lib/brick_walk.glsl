@@ -1,5 +1,6 @@
-// The one walk through the brick grid. Everything that asks about matter along a ray - free flights, transmittance,
-// depth - is a visitor of it, so that the traversal can be right, or wrong, in one place only.
+// The one walk through the brick grid, a 3D DDA with empty-space leaping. Everything that asks about matter along a ray
+// - free flights, transmittance, depth - is a visitor of it, so that the traversal can be right, or wrong, in one place
+// only.
 //
 // Needs from its host: params.volumeSize, params.gridSize, and fetchBound(brick index): above 0 an upper bound of the
 // extinction anywhere in the brick, per mm; at or below 0 the brick is empty, and so are all bricks closer than minus
@@ -19,12 +20,12 @@ struct BrickWalk {
     float endMm;         // where it leaves the volume
     float segmentEndMm;  // where the current segment ends
     float majorant;      // bound on extinction in it, per mm
-    float looseness;     // so many times what the brick says, at least 1
+    float looseness;     // factor on the brick's bound, at least 1
     vec3 cutFrom;        // what the clip removes on the way, see clip.glsl
     vec3 cutTo;
 };
 
-// Goes on at `distanceMm`, wherever that is.
+// Moves the walk to `distanceMm` along the ray.
 void leap(INOUT(BrickWalk) walk, float distanceMm) {
     walk.distanceMm = distanceMm;
     walk.segmentEndMm = distanceMm;
@@ -56,7 +57,8 @@ BrickWalk startWalk(vec3 originVoxel, vec3 directionVoxel, ClipSpans spans) {
 // a face or a corner a segment may have no length. False at the end.
 // `rounds` counts the rounds of its loop.
 bool nextSegment(INOUT(BrickWalk) walk, INOUT(int) rounds) {
-    // In floats up to the plane, which is faster; beyond, the bricks of the largest volumes are too many for them.
+    // The brick's index is computed in floats within a plane, which is faster; across planes the largest volumes have
+    // too many bricks for floats.
     float row = float(params.gridSize.x);
     int plane = params.gridSize.x * params.gridSize.y;
     int lastBrick = params.gridSize.x * params.gridSize.y * params.gridSize.z - 1;

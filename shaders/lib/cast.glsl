@@ -4,7 +4,7 @@
 // voxels of one brick; params.windowLow and windowHigh, in table entries, params.entryCount, params.stepsPerEntry,
 // params.ambient and params.diffuse.
 
-// At most so many steps in one cell; and so many once a ray has taken MANY_ROUNDS, as lavapipe ends long loops.
+// The most steps in one cell, and the most once a ray has taken MANY_ROUNDS, because lavapipe ends long loops.
 #define CAST_STEPS 64
 #define CAST_STEPS_LATE 4
 #define MANY_ROUNDS 8000
@@ -57,7 +57,7 @@ struct CellWalk {
     ivec3 lastVoxel;
 };
 
-// To the walk's coordinates, and from them.
+// Converts to the walk's coordinates, and from them.
 vec3 mirrored(CellWalk cells, vec3 p) {
     return p * cells.side + cells.shift;
 }
@@ -94,7 +94,7 @@ bool hasGradients() {
     return castLook() == kCastMatter && (useGradientOpacity() || useShading());
 }
 
-// The first cell of a stretch in one brick. The value where the ray enters it.
+// Enters the first cell of a stretch in one brick. Returns the value where the ray enters it.
 float enterBrick(INOUT(CellWalk) cells, BrickWalk walk, float endMm) {
     ivec3 brick = clamp(ivec3(floor(walk.origin + walk.direction * (float(0.5) * (walk.distanceMm + endMm)))), ivec3(0),
                         params.gridSize - ivec3(1));
@@ -124,8 +124,8 @@ Corners movedOn(Corners c, vec4 ahead, bool x, bool y) {
     return next;
 }
 
-// On through the face that the ray meets first, false at the end. By index from cell to cell: rounding can neither stall it
-// nor make it skip one.
+// Moves on through the face that the ray meets first, false at the end. It goes by index from cell to cell: rounding
+// can neither stall it nor make it skip one.
 bool nextCell(INOUT(CellWalk) cells, float endMm) {
     if (cells.toMm >= endMm) return false;
     bool x = cells.faceMm.x <= min(cells.faceMm.y, cells.faceMm.z);
@@ -170,7 +170,7 @@ Cubic cubicIn(CellWalk cells, float start) {
     return c;
 }
 
-// In voxels with integers at faces.
+// The position of a fraction of the cell, in voxel coordinates with integers at faces.
 vec3 positionIn(CellWalk cells, vec3 fraction) {
     return mirrored(cells, cells.cell + fraction) + vec3(0.5);
 }
@@ -182,7 +182,8 @@ struct CellGradient {
     Corners z;
 };
 
-// At a corner of the cell's neighbourhood and the three beside it along u and v. `blocks` has those of all of it.
+// The values at a corner of the cell's neighbourhood and at the three beside it along u and v. `blocks` has those
+// of all of it.
 vec4 fetchFour(CellWalk cells, Blocks blocks, vec3 corner, vec3 u, vec3 v) {
     ivec3 last = params.volumeSize - ivec3(1);
     return vec4(fetchFrom(blocks, clamp(ivec3(mirrored(cells, corner)), ivec3(0), last)),
@@ -191,8 +192,8 @@ vec4 fetchFour(CellWalk cells, Blocks blocks, vec3 corner, vec3 u, vec3 v) {
                 fetchFrom(blocks, clamp(ivec3(mirrored(cells, corner + u + v)), ivec3(0), last)));
 }
 
-// For the whole cell at once: a branch within the steps would skip nothing where eight rays are one vector. What is at both
-// ends of a difference in the cell itself is there already.
+// The gradients of the whole cell at once: a branch within the steps would skip nothing where eight rays are one
+// vector. What is at both ends of a difference in the cell itself is there already.
 CellGradient gradientOfCell(CellWalk cells) {
     vec3 x = vec3(float(1.0), float(0.0), float(0.0));
     vec3 y = vec3(float(0.0), float(1.0), float(0.0));
@@ -281,7 +282,7 @@ vec4 castMatter(vec3 worldDirection, float phase, INOUT(int) rounds) {
             }
         } while (transmittance >= float(CAST_OPAQUE) && nextCell(cells, toMm));
     }
-    // What is left at the early end goes to what was seen: opaque matter is opaque.
+    // Early termination: the rest of the transmittance is taken as 0, so that opaque matter is opaque.
     if (transmittance < float(CAST_OPAQUE)) return vec4(colour / (float(1.0) - transmittance), float(1.0));
     if (face > float(0.0)) return vec4(colour + vec3(transmittance * face), float(1.0));
     return vec4(colour, float(1.0) - transmittance);

@@ -17,7 +17,7 @@
 #define MOST_LIGHT 1e12
 // A pixel with less coverage or albedo takes no part.
 #define LEAST_MASS 1e-3
-// Of one colour of a pixel that takes part: no division by nothing where that colour is not scattered.
+// The least mass of one colour of a pixel that takes part: avoids a division by 0 where that colour is not scattered.
 #define LEAST_OF_CHANNEL 1e-6
 
 int indexOf(ivec2 pixel) {

@@ -11,8 +11,8 @@ struct Record {
     float samples;
 };
 
-// The film of this view, and what the view before knew about the same matter. Its samples count for less the more this
-// view has of its own: what was seen from elsewhere is never quite the same.
+// Temporal accumulation: the film of this view, and the record of the view before where it shows the same matter. Its
+// samples count for less the more this view has of its own: what was seen from elsewhere is never quite the same.
 Record gatherPixel(ivec2 pixel) {
     int index = indexOf(pixel);
     vec4 sums = fetchSums(index);

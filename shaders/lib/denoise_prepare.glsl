@@ -1,4 +1,4 @@
-// Second step of denoising: what light and alpha are measured by, and how noisy they are.
+// Second step of denoising: the masses that light and alpha are divided by (demodulation), and how noisy both are.
 //
 // Needs from its host, by index of a pixel: fetchMean and fetchMoments (of gatherPixel), fetchSurface, fetchMatter,
 // fetchMotion.
@@ -65,7 +65,7 @@ Prepared preparePixel(ivec2 pixel) {
         vec4 matterQ = fetchMatter(q);
         float l = luminance(vec3(meanQ.x, meanQ.y, meanQ.z));
         float d = luminance(vec3(matterQ.x, matterQ.y, matterQ.z)) * matterQ.w;
-        // Of samples; clamped, since a mean of squares and a square of means are rounded each on its own.
+        // The variance of samples; clamped, since a mean of squares and a square of means are rounded each on its own.
         float own = max(momentsQ.x - l * l, float(0.0)) / max(momentsQ.y - float(1.0), float(1.0));
         light += l;
         mass += d;

@@ -27,8 +27,9 @@ int shareAt(int first, int count, float u, OUT(float) within) {
     return low;
 }
 
-// A row by its power, a texel of it likewise, and a direction in it uniform in solid angle, so that the pdf is the same all over
-// the texel. What is near in the square is near in the sky, mostly: even points give even light.
+// Importance sampling: draws a row by its power, a texel of it likewise, and a direction in it uniform in solid angle,
+// so that the pdf is the same all over the texel. What is near in the square is near in the sky, mostly: even points
+// give even light.
 EnvironmentSample sampleEnvironment(vec2 u) {
     float down;
     float along;

@@ -15,7 +15,7 @@ struct Fovea {
     float magnification;  // m, at least 1; 1 leaves the picture as it is
 };
 
-// From the gaze to the border along a unit direction.
+// The distance from the gaze to the border along a unit direction.
 float borderDistance(Fovea fovea, vec2 direction) {
     float x = abs(direction.x) > float(1e-20)
                   ? ((direction.x > float(0.0) ? fovea.halfSize.x : -fovea.halfSize.x) - fovea.gaze.x) / direction.x
@@ -72,7 +72,7 @@ float seenArea(Fovea fovea, vec2 stored) {
     return slope * scale;
 }
 
-// Likewise, steradians.
+// The same in steradians.
 float seenSolidAngle(Fovea fovea, vec2 stored) {
     vec2 seen = seenFromStored(fovea, stored);
     float distance2 = float(1.0) + dot(seen, seen);

@@ -3,8 +3,8 @@
 // Needs, beside medium.glsl: params.voxelFromWorld*, and for gradient opacity useGradientOpacity(), a constant,
 // params.gradientScale, params.gradientLast, params.unitDepthMm and fetchGradientOpacity(0 to gradientLast).
 
-// In table entries per mm along the axes of the world, of half the differences between two voxels apart along the axes of the
-// grid; 0 where the values are all the same.
+// The gradient in table entries per mm along the axes of the world, from half the differences between two voxels apart
+// along the axes of the grid; 0 where the values are all the same.
 vec3 worldGradient(vec3 perVoxel) {
     // A twentieth of a stored value over two voxels is rounding of large values.
     if (!(dot(perVoxel, perVoxel) > float(0.000625))) return vec3(0.0);
@@ -22,8 +22,8 @@ vec3 gradientAt(vec3 p) {
                               trilinearEntry(p + z) - trilinearEntry(p - z)) * float(0.5));
 }
 
-// 0 to 1. The table is linear between its entries, which are evenly spaced over the length of the gradient; beyond the last
-// one it goes on as it ends.
+// The gradient opacity, 0 to 1. The table is linear between its entries, which are evenly spaced over the length of the
+// gradient; beyond the last one it goes on as it ends.
 float gradientOpacity(vec3 gradient) {
     float at = min(sqrt(dot(gradient, gradient)) * params.gradientScale, float(params.gradientLast));
     int low = min(int(at), params.gradientLast - 1);
@@ -37,7 +37,7 @@ float thinnedByGradient(float extinction, vec3 gradient) {
     return -log(float(1.0) - opacity) / params.unitDepthMm;
 }
 
-// Per mm, at a point where the value is `entry`.
+// The extinction per mm, at a point where the value is `entry`.
 float extinctionAt(vec3 p, float entry) {
     float extinction = extinctionOfEntry(entry);
     return useGradientOpacity() ? thinnedByGradient(extinction, gradientAt(p)) : extinction;

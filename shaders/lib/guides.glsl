@@ -59,16 +59,16 @@ struct March {
     vec3 albedo;
 };
 
-// Told of every step: for those who want to know more than March holds (layers.glsl).
+// A hook that every step calls, for those who want to know more than March holds (layers.glsl).
 #ifndef MARCH_STEP
 #define MARCH_STEP(before, after, fromMm, perDepth)
 #endif
 
-// Visitor: steps of a voxel, and where one of them alone takes away more than FINE of the light, quarters of it; each of
-// constant extinction.
+// Visitor: marches in steps of a voxel, and where one of them alone takes away more than FINE of the light, quarters of
+// it; each of constant extinction.
 #define FINE 0.1
-// As lavapipe ends every loop; of any volume that can be seen it takes some thousands. From kilometres away float has no steps as
-// small as these.
+// The most rounds of a march, at which lavapipe ends every loop; a volume that can be seen takes some thousands. From
+// kilometres away float has no steps as small as these.
 #define MOST_ROUNDS 65535
 March march(INOUT(BrickWalk) walk) {
     March m = March(float(0.0), float(-1.0), float(-1.0), float(-1.0), float(0.0), float(0.0), float(0.0), vec3(0.0));

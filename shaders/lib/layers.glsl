@@ -27,7 +27,7 @@ struct LayeredRay {
     float meanMm;    // of the matter down to transmittance 1/2: for what is too thin for a layer; negative: there is none
 };
 
-// Of the ray through a point of the picture, in pixels; fills layerMm.
+// Marches the ray through a point of the picture, in pixels; fills layerMm.
 LayeredRay layersOf(vec2 pixel) {
     for (int i = 0; i < LAYERS; ++i) layerMm[i] = float(-1.0);
     vec3 directionVoxel = voxelsPerMm(eyeDirection(pixel));

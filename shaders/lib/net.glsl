@@ -1,5 +1,5 @@
-// Pairs of numbers that fill the unit square evenly, for what a path chooses in two dimensions: where it looks for light, and
-// where it goes on.
+// Low-discrepancy points of the unit square (scrambled Sobol nets), for what a path chooses in two dimensions: where it
+// looks for light, and where it goes on.
 //
 // Of the first two dimensions of Sobol's sequence (1967), any 2^k points from a multiple of 2^k on lie one in each of the 2^k
 // rectangles of any one shape that halvings of the square make: a (0, k, 2)-net. A random permutation of every half, of every
@@ -35,7 +35,7 @@ uint pascalTriangle(uint x) {
     return x;
 }
 
-// For one of the choices of a path, numbered. Multiples of 2^-24 in [0, 1).
+// The point for one of the choices of a path, by number. Multiples of 2^-24 in [0, 1).
 vec2 netPoint(Net net, uint choice) {
     uint seed = hashOf(choice, net.seed);
     uint index = bitfieldReverse(permutedUpwards(bitfieldReverse(net.index), seed));
@@ -44,7 +44,7 @@ vec2 netPoint(Net net, uint choice) {
     return vec2(float(x >> 8u), float(y >> 8u)) * float(1.0 / 16777216.0);
 }
 
-// Every second bit from the lowest 16 ones.
+// Spreads the lowest 16 bits to every second bit, for a Morton index.
 uint spread(uint x) {
     x &= 0xffffu;
     x = (x | (x << 8u)) & 0x00ff00ffu;

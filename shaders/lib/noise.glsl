@@ -34,8 +34,8 @@ float shownGrey(float light) {
     return encodeSrgb(mapped.x);
 }
 
-// Not by the slope of the curve, which says nothing of noise as large as the picture: half of what lies between one
-// standard error less and one more.
+// The standard error as shown. The slope of the tone curve says nothing of noise as large as the picture, so it is
+// half of what lies between one standard error less and one more.
 float shownError(float light, float standardError) {
     return float(0.5) * (shownGrey(light + standardError) - shownGrey(max(light - standardError, float(0.0))));
 }

@@ -20,7 +20,8 @@ vec3 worldFromEnvironment(vec3 direction) {
            params.worldFromEnvironmentZ * direction.z;
 }
 
-// Below this a ray or path goes on only with a probability in proportion, and its weight is made good.
+// Russian roulette: below this a ray or path goes on only with a probability in proportion, and its weight is made
+// good.
 #define ROULETTE_BELOW 0.1
 #define BLACK_FACE 1e-4  // grey that is displayed as black, and is no absence of a face
 
@@ -101,7 +102,7 @@ Path startPath(vec3 originVoxel, vec3 worldDirection, Net net) {
     return path;
 }
 
-// The ray that is about to start looks for light.
+// Makes the ray that is about to start a shadow ray.
 void beShadow(INOUT(Path) path) {
     path.shadow = true;
     path.walk.looseness = float(SHADOW_LOOSENESS);
@@ -134,7 +135,7 @@ bool follow(INOUT(Path) path, INOUT(Rng) rng) {
         }
         if (path.transmittance == float(0.0)) return true;
     }
-    path.walk.majorant /= path.walk.looseness;  // one that is not decided by now costs enough without
+    path.walk.majorant /= path.walk.looseness;  // a ray that has not ended by now goes on with the tight bound
     path.walk.looseness = float(1.0);
     return false;
 }
@@ -178,7 +179,7 @@ bool decide(INOUT(Path) path, INOUT(Rng) rng) {
     return true;
 }
 
-// One call is a stride, and what follows from it. False when the path is complete.
+// Extends a path by a stride, and by what follows from it. False when the path is complete.
 bool extendPath(INOUT(Path) path, INOUT(Rng) rng) {
     return !follow(path, rng) || decide(path, rng);
 }
@@ -198,8 +199,8 @@ vec3 eyeDirection(vec2 pixel) {
 Path startSample(ivec2 pixel, uint sampleIndex, OUT(Rng) rng) {
     rng = makeRng(uint(pixel.x), uint(pixel.y), sampleIndex, params.seed);
     Net net = netOfPixel(uint(pixel.x), uint(pixel.y), sampleIndex, params.seed);
-    // Where in the pixel is left to plain chance: edges would be so exact that the denoiser, which takes samples as
-    // independent, would blur them for noise that they do not have.
+    // The place in the pixel is left to plain chance: with a net, edges would be so exact that the denoiser, which
+    // takes samples as independent, would blur them for noise that they do not have.
     float x = float(pixel.x) + random01(rng);
     float y = float(pixel.y) + random01(rng);
     return startPath(params.originVoxel, eyeDirection(vec2(x, y)), net);

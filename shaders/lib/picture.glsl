@@ -16,18 +16,19 @@ void accumulate(INOUT(vec2) sumAndLost, float value) {
     sumAndLost = vec2(t, rounded - y);
 }
 
-// Rec. 709.
+// Luminance by Rec. 709.
 float luminance(vec3 colour) {
     return float(0.2126) * colour.x + float(0.7152) * colour.y + float(0.0722) * colour.z;
 }
 
-// For the variance of a pixel. What is brighter than any light is cut, so that the square is a number.
+// The square of luminance, for the variance of a pixel. What is brighter than any light is cut, so that the
+// square is a number.
 float squareOfLuminance(vec3 radiance) {
     float l = min(luminance(radiance), float(1e18));
     return l * l;
 }
 
-// By the exponent bits: a comparison may be folded away by a compiler that takes all numbers to be finite.
+// Tests the exponent bits: a comparison may be folded away by a compiler that takes all numbers to be finite.
 bool isFinite(vec4 v) {
     uint special = 0x7f800000u;
     return (floatBitsToUint(v.x) & special) != special && (floatBitsToUint(v.y) & special) != special &&

@@ -40,7 +40,7 @@ uint mixedBits(uint h, uint key) {
     return h;
 }
 
-// Two words made one; neighbours in either come far apart.
+// Hashes two words into one; neighbours in either come far apart.
 uint hashOf(uint a, uint b) {
     return mixedBits(a * 0x9e3779b9u + b, 0u);
 }
@@ -51,7 +51,7 @@ uint randomBits(INOUT(Rng) rng) {
     return bits;
 }
 
-// In [0, 1), a multiple of 2^-24.
+// A random number in [0, 1), a multiple of 2^-24.
 float random01(INOUT(Rng) rng) {
     return float(randomBits(rng) >> 8u) * float(1.0 / 16777216.0);
 }

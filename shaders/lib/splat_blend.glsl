@@ -36,8 +36,8 @@ float alphaSlope(float raw, SplatView view) {
     return faded < raw && view.fringe < float(HARD_EDGE) ? view.fringe : float(1.0);
 }
 
-// Of a splat that hides `alpha`: its weight in the pixel, to be multiplied by its colour and its depth and added up. The sum of
-// weights is the coverage, 1 - transmittance.
+// The weight in the pixel of a splat that hides `alpha`, to be multiplied by its colour and its depth and added up. The
+// sum of weights is the coverage, 1 - transmittance.
 float takeWeight(INOUT(float) transmittance, float alpha, SplatView view) {
     float weight = transmittance < view.minTransmittance ? float(0.0) : alpha * transmittance;
     transmittance -= weight;
@@ -51,13 +51,14 @@ struct PixelGradient {
     float depth;
 };
 
-// What a weight of 1 of a splat is worth.
+// The worth of a splat: the derivative of the loss by its weight in the pixel.
 float worthOf(vec3 colour, float depthMm, PixelGradient pixel) {
     return dot(vec4(colour, float(1.0)), pixel.rgba) + depthMm * pixel.depth;
 }
 
-// Before the first splat, `transmittance` is 1 and `remaining` the worth of the whole pixel: dot(rgba, g.rgba) + (sum of depths)
-// g.depth. After each it is that of the splats behind. Calls must be in the order of the forward pass. Adds to `sum`.
+// The backward pass of one splat in one pixel. Before the first splat, `transmittance` is 1 and `remaining` the worth
+// of the whole pixel: dot(rgba, g.rgba) + (sum of depths) g.depth. After each it is that of the splats behind. Calls
+// must be in the order of the forward pass. Adds to `sum`.
 //
 // d/d alpha = T worth - remaining / (1 - alpha), where 1 - alpha is not below 1 - maxAlpha.
 void addPixelGradient(ScreenSplat screen, vec3 colour, vec2 pixel, PixelGradient g, SplatView view, INOUT(float) transmittance,

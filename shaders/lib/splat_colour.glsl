@@ -51,13 +51,14 @@ vec3 visibleColour(vec3 sum) {
     return max(sum, vec3(float(0.0)));
 }
 
-// The derivative by the sum of the bands, from that by the visible colour.
+// The derivative of the loss by the sum of the bands, from that by the visible colour: 0 where the sum was
+// clamped.
 vec3 sumGradient(vec3 sum, vec3 byColour) {
     return vec3(sum.x > float(0.0) ? byColour.x : float(0.0), sum.y > float(0.0) ? byColour.y : float(0.0),
                 sum.z > float(0.0) ? byColour.z : float(0.0));
 }
 
-// By s1, s2, s3.
+// The derivatives of the loss by the coefficients s1, s2, s3.
 struct Band1Gradient {
     vec3 s1;
     vec3 s2;
@@ -72,7 +73,7 @@ Band1Gradient band1Gradient(vec3 d, vec3 bySum) {
     return result;
 }
 
-// And by the position, through the direction; of degree 1.
+// The derivative of the loss by the position, through the direction of view; of degree 1.
 vec3 colourPositionGradient(vec3 position, vec3 eyeMm, vec3 s1, vec3 s2, vec3 s3, vec3 bySum) {
     float far = lengthOf(position - eyeMm);
     if (!(far > float(0.0))) return vec3(float(0.0));

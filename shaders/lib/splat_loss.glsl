@@ -19,7 +19,8 @@ vec4 boundedPixel(vec4 value) {
     return clamp(value, vec4(-MOST_COMPARED), vec4(MOST_COMPARED));
 }
 
-// Channels that are the largest (or smallest) share it equally, so that what is grey stays grey.
+// The derivative of a largest or smallest channel: channels that are equally extreme share it, so that what
+// is grey stays grey.
 vec3 shareOf(vec3 value, float extreme) {
     vec3 share = vec3(value.x == extreme ? float(1.0) : float(0.0), value.y == extreme ? float(1.0) : float(0.0),
                       value.z == extreme ? float(1.0) : float(0.0));
@@ -36,7 +37,7 @@ struct TonePath {
     bool isCompressed;  // else the rest is not set
     float peak;
     vec3 peakShare;
-    float slope;        // its square: of newPeak by peak
+    float slope;        // its square is the derivative of newPeak by peak
     float newPeak;
     float ratio;
     float keep;

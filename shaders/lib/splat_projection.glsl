@@ -68,7 +68,7 @@ float lowPassSlope(float minor, SplatView view) {
     return -max(float(1.0) - minor / (float(2.0) * room), float(0.0));
 }
 
-// Of a splat in front of the eye.
+// The projection of a splat in front of the eye.
 SplatSight sightOf(Splat splat, SplatView view) {
     SplatSight sight;
     sight.inCamera = inCamera(splat.position, view);

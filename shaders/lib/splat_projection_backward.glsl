@@ -1,4 +1,5 @@
-// The derivative of splat_projection.glsl: from that by what is in the picture to that by what is trained. The extent has none.
+// The backward pass of splat_projection.glsl: from the derivative of the loss by the projected splat to that by its
+// parameters. The extent has none.
 //
 // Needs splat_projection.glsl.
 
@@ -60,7 +61,7 @@ SplatGradient projectionGradient(Splat splat, SplatView view, ScreenSplat screen
     // At area 0 (a splat without volume, seen along its plane) the length has no derivative; 0 is one of its subgradients.
     vec3 byAreas = sight.area > float(0.0) ? sight.areas * (byArea / sight.area) : vec3(float(0.0));
 
-    // Scale: each spread has one deviation as its factor, each area two.
+    // Scale: a spread is proportional to one of the three deviations, an area to two of them.
     vec3 ofAreas = byAreas * sight.areas;
     vec3 byLog = bySpreadX * sight.spreadX + bySpreadY * sight.spreadY +
                  vec3(ofAreas.y + ofAreas.z, ofAreas.z + ofAreas.x, ofAreas.x + ofAreas.y);

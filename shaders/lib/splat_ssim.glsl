@@ -19,8 +19,8 @@ float ssimTap(int distance) {
                     : float(0.0);
 }
 
-// Of one window: 1 - SSIM, and what a pixel in it must know of its gradient, which with respect to that pixel's x is
-// tap * (plain + ofSum u + ofDifference v).
+// The result of one window: 1 - SSIM, and what a pixel in it must know of its gradient, which with respect to that
+// pixel's x is tap * (plain + ofSum u + ofDifference v).
 struct SsimWindow {
     vec4 dissimilarity;
     vec4 plain;
@@ -43,7 +43,7 @@ SsimWindow ssimWindow(vec4 u, vec4 v, vec4 uu, vec4 vv) {
     vec4 luminances = vec4(1.0) - unlikeMean;
     SsimWindow window;
     window.dissimilarity = unlikeMean + luminances * unlikeStructure;
-    // By the variances, then by the means.
+    // Derivatives by the variances, then by the means.
     vec4 slope = luminances * inverse2;
     window.ofSum = -slope * unlikeStructure;
     window.ofDifference = slope * ((varU + c2) * inverse2) * float(2.0);

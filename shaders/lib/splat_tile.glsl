@@ -14,8 +14,8 @@ float leastPowerAt(vec3 conic, vec2 offset) {
     return power;
 }
 
-// Of the points of the rectangle low to high, offsets from the mean. The power is convex and least at 0, so over a rectangle
-// that does not hold 0 it is least on a side that faces 0; on a line it is a parabola.
+// The least power over the rectangle low to high, in offsets from the mean. The power is convex and least at 0, so over
+// a rectangle that does not hold 0 it is least on a side that faces 0; on a line it is a parabola.
 float leastPowerIn(vec3 conic, vec2 low, vec2 high) {
     vec2 nearest = clamp(vec2(float(0.0)), low, high);
     // On the side of constant x.

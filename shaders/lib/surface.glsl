@@ -93,7 +93,8 @@ float seenFrom(vec3 at, vec3 outwards, bool onFace, INOUT(Rng) rng, INOUT(int) r
     return open ? seen : float(0.0);
 }
 
-// The way of the faces of voxels across an axis, inwards from their low end; its length is in proportion to their area.
+// The normal of the faces of voxels across an axis, inwards from their low end; its length is in proportion to their
+// area.
 vec3 acrossFaces(int axis) {
     if (axis == 0) return vec3(params.voxelFromWorldX.x, params.voxelFromWorldY.x, params.voxelFromWorldZ.x);
     if (axis == 1) return vec3(params.voxelFromWorldX.y, params.voxelFromWorldY.y, params.voxelFromWorldZ.y);
@@ -127,7 +128,7 @@ struct Candidate {
     float density;  // of points, per mm, times the area that each stands for; below 0: on a face of grey values
 };
 
-// By a ray through the cell [low, high], in voxel coordinates within the volume.
+// Finds a candidate by a ray through the cell [low, high], in voxel coordinates within the volume.
 Candidate findCandidate(vec3 low, vec3 high, int directions, INOUT(Rng) rng) {
     vec3 direction;
     vec3 origin = rayInto(low, high, rng, direction);

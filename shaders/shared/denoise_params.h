@@ -9,7 +9,7 @@ struct DenoisePush {
     int stride;            // pixels between the taps of this pass
     int last;              // 1: the pass whose result is shown
     float pixelAngle;      // width of a pixel at distance 1, as stored
-    float historySamples;  // what the view before may count for, at most; 0: there is none
+    float historySamples;  // the most samples that the history counts for; 0: there is none
     int firstRow;          // of this dispatch
     // Where the picture is stored larger, see shaders/lib/fovea.glsl; magnification up to 1: nowhere.
     vec2 planeHalfSize;

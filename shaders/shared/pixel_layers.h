@@ -10,7 +10,7 @@ struct PixelLayers {
     vec4 nearMm;  // along the centre ray, to opacity 1/16, 3/16, 5/16, 7/16; negative: never
     vec4 farMm;   // 9/16, 11/16, 13/16, 15/16
     float coverage;
-    float meanMm;  // of the first half of what hides; negative where nothing does
+    float meanMm;  // of the matter down to transmittance 1/2; negative: there is none
 };
 
 struct LayersPush {

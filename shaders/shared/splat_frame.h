@@ -25,10 +25,10 @@ MACULA_SHARED_CONST int kPairValues = 11;
 
 // What is gathered of a splat over views, for deciding where more are needed and which are not.
 struct SplatStatistics {
-    float views;         // in which it was
-    float weight;        // sum over pixels of what it shows there
+    float views;         // in which the splat showed
+    float weight;        // sum of its blending weights over pixels and views
     float pull;          // sum over pixels of the absolute derivatives by its place in the picture, in pixels
-    float mostWeight;    // in one view
+    float mostWeight;    // the largest sum of its blending weights in one view
 };
 
 MACULA_SHARED_END

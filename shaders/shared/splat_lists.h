@@ -9,10 +9,10 @@ MACULA_SHARED_CONST uint kSortBlock = 1024u;   // items that a workgroup sorts
 MACULA_SHARED_CONST uint kSortDigits = 256u;   // of a pass; as many as threads
 MACULA_SHARED_CONST uint kTileParts = 8u;      // threads that look for the tiles of a splat
 
-// Of what is sorted: splats by depth, or pairs of a splat and a tile by tile.
+// The state of a list that is sorted: splats by depth, or pairs of a splat and a tile by tile.
 struct SplatListState {
     uint count;     // 0 when there was no room for all pairs
-    uint blocks;    // of kSortBlock of these
+    uint blocks;    // blocks of kSortBlock items
     uvec3 groups;   // blocks, 1, 1: the size of dispatches that only the device knows
     uint wanted;    // pairs, whether there is room or not; saturates
     uint capacity;  // pairs there is room for

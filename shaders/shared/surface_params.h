@@ -44,9 +44,9 @@ struct SurfaceSums {
     float lost;      // paths too long for the device, or not finite
     float taps;      // around the point, within its radius
     float mass;      // of extinction per mm
-    vec3 first;      // times where, in mm from the point
-    vec3 diagonal;   // times xx, yy, zz
-    vec3 offAxis;    // times xy, yz, zx
+    vec3 first;      // extinction times the place, in mm from the point
+    vec3 diagonal;   // extinction times xx, yy, zz of the place
+    vec3 offAxis;    // extinction times xy, yz, zx
 };
 
 MACULA_SHARED_END

@@ -1,4 +1,4 @@
-// The derivative by the parameters of each splat, from those of its pairs with tiles.
+// Gathers the gradient by the parameters of each splat from those of its pairs with tiles.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 

@@ -1,4 +1,5 @@
-// Fourth step of the loss: what the windows say, summed along columns. A thread for each strip of a column.
+// Fourth step of the loss: the derivatives of the SSIM windows, summed along columns. A thread for each strip
+// of a column.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "splat/loss_setup.glsl"

@@ -26,7 +26,7 @@ void main() {
         depth[row] = 0.0;
     }
     uvec2 range = entriesOfTile();
-    float most = 1.0;  // of what shines through any of the pixels
+    float most = 1.0;  // the largest transmittance of the thread's pixels
     for (uint at = range.x; at < range.y && most >= view.minTransmittance; ++at) {
         Shown shown = fetchShown(int(texelFetch(entryTexels, int(at)).x));
         most = 0.0;

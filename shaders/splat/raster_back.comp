@@ -18,7 +18,7 @@ layout(binding = 6, scalar) writeonly buffer Pairs {
     float pairs[];
 };
 
-// Of eight values the sums over the lanes: lane j of each eight gets that of value j.
+// Sums each of eight values over the lanes: lane j of each eight gets the sum of value j.
 float sumsOfEight(float v[8]) {
     uint lane = gl_SubgroupInvocationID;
     bool high4 = (lane & 4u) != 0u;
@@ -37,7 +37,7 @@ float sumsOfEight(float v[8]) {
     return sum;
 }
 
-// Of three values, to all lanes of each eight.
+// The three values of the lane whose number differs in the bits of `mask`.
 vec3 ofLane(vec3 v, uint mask) {
     return vec3(subgroupShuffleXor(v.x, mask), subgroupShuffleXor(v.y, mask), subgroupShuffleXor(v.z, mask));
 }

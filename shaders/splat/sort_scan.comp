@@ -1,4 +1,4 @@
-// Of one digit, how many items in the blocks before each have it. A workgroup for each digit.
+// A prefix sum: for one digit, how many items in the blocks before each have it. A workgroup for each digit.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 

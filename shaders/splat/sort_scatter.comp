@@ -28,7 +28,7 @@ shared uint places[kHalf * kListThreads];  // by half digit, then by thread
 shared uint firstOfDigit[kSortDigits];     // in the block
 shared uint digitBase[kSortDigits];        // in the result, of this block
 
-// From counts to places, in the order in which they lie.
+// Turns counts into places by a prefix sum, in the order in which they lie.
 void scanPlaces(uint thread) {
     uint sum = 0u;
     [[unroll]] for (uint i = 0u; i < kHalf; ++i) sum += places[thread * kHalf + i];

@@ -14,7 +14,7 @@ struct TileWalk {
     ivec2 first;  // tiles: first <= tile < end
     ivec2 end;
     bool one;     // there is one, and it is known to show something
-    float most;   // power
+    float most;   // power above which nothing shows
 };
 
 // The place in the order of depth that the thread works on.
@@ -54,7 +54,7 @@ bool showsInTile(TileWalk walk, ivec2 tile) {
     return walk.one || leastPowerIn(walk.screen.conic, fromMeanToLow, fromMeanToHigh) <= walk.most;
 }
 
-// The next of the same rows.
+// The next tile of the thread's rows.
 ivec2 nextTile(TileWalk walk, ivec2 tile) {
     ++tile.x;
     return tile.x < walk.end.x ? tile : ivec2(walk.first.x, tile.y + 1);

@@ -11,7 +11,7 @@ uvec2 entriesOfTile() {
     return texelFetch(rangeTexels, int(gl_WorkGroupID.y) * frame.tiles.x + int(gl_WorkGroupID.x)).xy;
 }
 
-// The first of the thread's.
+// The first pixel of the thread.
 ivec2 firstPixel() {
     int thread = int(gl_LocalInvocationID.x);
     return ivec2(int(gl_WorkGroupID.x) * kTileColumns + thread % kTileColumns,

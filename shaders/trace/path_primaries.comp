@@ -11,7 +11,7 @@ layout(binding = 15, scalar) writeonly buffer Primaries {
     PrimaryVertex primaries[];  // of kPrimarySamples samples, picture after picture; what is not written was cleared before
 };
 
-vec3 metMm;  // by the sample under way, from the eye
+vec3 metMm;  // where the sample under way met matter, from the eye
 
 // The primary vertices of complete samples. They are written when all samples are complete: with a store inside the loop
 // lavapipe takes two fifths longer.

@@ -65,7 +65,8 @@ void main() {
     }
     found.lost = float(kSurfacePaths - finite);
 
-    // Evenly in the ball: shells of equal volume, by the R2 sequence (Roberts 2018). Behind a face all is as dense as the face.
+    // Taps lie evenly in the ball: shells of equal volume, by the R2 sequence (Roberts 2018). Behind a face all is as
+    // dense as the face.
     const int all = kTaps * int(kSurfaceLanes);
     found.taps = float(kTaps);
     found.mass = 0.0;

@@ -5,7 +5,7 @@
 
 namespace macula::app {
 
-// Of the wall.
+// Seconds of wall-clock time.
 inline double secondsSince(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }

@@ -8,7 +8,7 @@
 
 namespace macula::app {
 
-// `preferred` as in gpu::chooseDevice. `tell` hears of what is lost on the way, and made good.
+// `preferred` as in gpu::chooseDevice. `tell` hears of each device that is lost and replaced.
 Result<gpu::LastingDevice> openDevice(const std::string& preferred, gpu::LastingDevice::Tell tell);
 
 }  // namespace macula::app

@@ -100,7 +100,7 @@ Camera framePoints(std::span<const glm::dvec3> pointsMm, const CameraBasis& axes
     }
     const glm::dvec2 room = (high - low) / (2.0 * half);
     const double nearest = std::min(room.x, room.y);
-    // However small they are, the eye is not at them.
+    // The eye keeps a distance, however small the points' box is.
     const double target = glm::dot(box.centre(), axes.forward);
     const double along = std::min(nearest, target - std::max(1e-6 * std::abs(target), 1e-9));
     const glm::dvec2 across = 0.5 * (low + high);
@@ -119,7 +119,7 @@ Camera frameBox(const Box& box, ViewDirection from, double verticalFovDeg, doubl
     const double halfHeight = glm::dot(glm::abs(view.up), half);
     const double halfDepth = glm::dot(glm::abs(view.fromDirection), half);
     const double tanHalf = std::tan(glm::radians(verticalFovDeg) / 2.0);
-    // The near face is what must fit.
+    // The near face of the box must fit.
     const double distance =
         halfDepth + kFramingMargin * std::max(halfHeight, halfWidth / aspectWidthOverHeight) / tanHalf;
     return {.positionMm = box.centre() + distance * view.fromDirection,

@@ -44,7 +44,7 @@ inline constexpr double kFittedPart = 0.9;
 Camera framePoints(std::span<const glm::dvec3> pointsMm, const CameraBasis& axes, double verticalFovDeg,
                    double aspectWidthOverHeight);
 
-// Of a box, for framePoints.
+// The corners of a box, for framePoints.
 std::array<glm::dvec3, 8> cornersOf(const Box& box);
 
 }  // namespace macula

@@ -52,13 +52,13 @@ bool isNameOfDraft(std::string_view name) {
            digits.find_first_not_of("0123456789abcdef") == std::string_view::npos;
 }
 
-// Open and locked, or -1 with errno: EEXIST for a name that is taken.
+// Creates the draft, open and locked; or -1 with errno: EEXIST for a name that is taken.
 int make(const fs::path& path, Draft::Kind kind) {
     if (kind == Draft::Kind::folder && mkdir(path.c_str(), 0777) != 0) return -1;
     const int flags = kind == Draft::Kind::folder ? O_RDONLY | O_DIRECTORY : O_WRONLY | O_CREAT | O_EXCL;
     const int descriptor = open(path.c_str(), flags | O_NOFOLLOW | O_CLOEXEC, 0666);
     if (descriptor < 0) return -1;
-    // File systems without locks have none for who cleans up either.
+    // A failed lock is no error: on a file system without locks those who clean up have none either.
     flock(descriptor, LOCK_EX | LOCK_NB);
     struct stat mine {};
     struct stat there {};
@@ -110,7 +110,7 @@ Result<void> putInPlace(const fs::path& written, const fs::path& target) {
     if (replaces) static_cast<void>(fchmod(descriptor, there.st_mode & 0777u));
     const int synced = fsync(descriptor) == 0 ? 0 : errno;
     close(descriptor);
-    // EINVAL: a file system that has nothing to synchronise.
+    // EINVAL means a file system that has nothing to synchronise.
     if (synced != 0 && synced != EINVAL) return notWritable(target, synced);
     if (rename(written.c_str(), target.c_str()) != 0) return notWritable(target, errno);
     if (const int folder = open(folderOf(target).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC); folder >= 0) {

@@ -25,7 +25,7 @@ inline glm::dvec3 transformVector(const glm::dmat4& bFromA, const glm::dvec3& ve
     return glm::dmat3(bFromA) * vector;
 }
 
-// From the images of the unit vectors and of the origin.
+// The affine transform that takes the unit vectors and the origin to these.
 glm::dmat4 affine(const glm::dvec3& columnI, const glm::dvec3& columnJ, const glm::dvec3& columnK,
                   const glm::dvec3& origin);
 

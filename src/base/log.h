@@ -12,7 +12,8 @@ namespace macula::log {
 
 enum class Level { debug, info, warning, error, off };
 
-// From MACULA_LOG=debug|info|warning|error|off at start, else `warning`. Lines go to stderr. Thread-safe.
+// The level is that of MACULA_LOG=debug|info|warning|error|off at start, else `warning`. Lines go to stderr.
+// Thread-safe.
 void setLevel(Level level);
 void write(Level level, std::string_view line);
 

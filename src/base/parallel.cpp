@@ -19,7 +19,7 @@ class FirstException {
         if (!thrown_.exchange(true)) exception_ = std::current_exception();
     }
     bool thrown() const { return thrown_; }
-    // Once all threads are done.
+    // Rethrows, once all threads are done.
     void rethrow() const {
         if (exception_) std::rethrow_exception(exception_);
     }
@@ -54,7 +54,7 @@ void parallelFor(std::size_t count, const std::function<void(std::size_t)>& body
             helpers.reserve(wanted);
             while (helpers.size() < wanted) helpers.emplace_back(work);
         } catch (const std::exception&) {
-            // No memory or no threads left to this process: those that there are do all of it. oneTBB
+            // The process has no memory or threads left: the threads that exist do all of the work. oneTBB
             // (2021.8) would throw, with nothing done.
         }
         work();

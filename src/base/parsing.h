@@ -8,7 +8,7 @@
 
 namespace macula {
 
-// Without what pads it on either side: blanks, ends of lines, the zeros of DICOM.
+// The text without the padding on either side: blanks, ends of lines, the zeros of DICOM.
 constexpr std::string_view trimmed(std::string_view text) {
     constexpr std::string_view kPadding{" \t\r\n\0", 5};
     const std::size_t begin = text.find_first_not_of(kPadding);
@@ -16,7 +16,7 @@ constexpr std::string_view trimmed(std::string_view text) {
     return text.substr(begin, text.find_last_not_of(kPadding) - begin + 1);
 }
 
-// The whole of `text`, which has nothing around the number.
+// The number that the whole of `text` is, without padding.
 template <class T>
 std::optional<T> parseNumber(std::string_view text) {
     T value{};
@@ -25,7 +25,7 @@ std::optional<T> parseNumber(std::string_view text) {
     return value;
 }
 
-// The whole of `text`, padding and a plus sign aside. Nothing for what is not finite.
+// The number that `text` is, padding and a plus sign aside. Nothing for what is not finite.
 inline std::optional<double> finiteNumber(std::string_view text) {
     text = trimmed(text);
     if (text.starts_with('+')) text.remove_prefix(1);

@@ -30,7 +30,7 @@ constexpr int kUnitsOffset = 1024;  // stored = HU + 1024, as most CT scanners w
 using glm::dvec2;
 using glm::dvec3;
 
-// Below 1 inside.
+// The distance from the centre of an ellipsoid, in radii: below 1 inside.
 double ellipsoid(const dvec3& p, const dvec3& centre, const dvec3& radii) {
     return glm::length((p - centre) / radii);
 }
@@ -86,7 +86,7 @@ int bone(double depth, double core) {
     return depth < core ? kSpongiosa : kCortex;
 }
 
-// 0 when p is in no bone.
+// The value of the bone that p is in, 0 in no bone.
 int boneHu(const dvec3& p) {
     // Vertebrae: bodies 22 mm high with 6 mm discs between, arch and spinous process behind, canal free.
     constexpr double kVertebraMm = 28.0;

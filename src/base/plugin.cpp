@@ -30,7 +30,7 @@ Result<void*> symbolOfPlugin(const char* name, const char* symbol) {
     for (const fs::path& place : {folder / file, folder / MACULA_PLUGINS_FROM_BIN / file}) {
         void* loaded = dlopen(place.c_str(), RTLD_NOW | RTLD_LOCAL);
         if (loaded == nullptr) {
-            // The reason that counts is that of the place where the file exists, if it exists at one.
+            // The reported reason is that of the place where the file exists, if it exists at one.
             std::error_code unknown;
             if (why.empty() || fs::exists(place, unknown)) why = dlerror();
             continue;

@@ -22,7 +22,7 @@ enum class Unit {
     other,          // a physical unit that is none of these: see Volume::unitName
 };
 
-// Of a Unit, for a person: "HU"; empty for raw and other.
+// The symbol of a unit, for a person: "HU"; empty for raw and other.
 std::string_view unitSymbol(Unit unit);
 
 // What the voxels are kept as.
@@ -130,8 +130,8 @@ class Volume {
     std::span<const std::uint16_t> voxels() const;    // stored16 only
     std::span<const float> floatVoxels() const;       // float32 only
     std::uint16_t stored(int i, int j, int k) const;  // stored16 only
-    // In units. Of padding it is what the file has there; or, of slices whose padding or map differs, NaN or
-    // one number below all others.
+    // The value in units. For padding it is what the file has there; in slices whose padding or map differs,
+    // NaN or one number below all others.
     double value(int i, int j, int k) const;
     bool isPadding(int i, int j, int k) const;
 

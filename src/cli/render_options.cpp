@@ -51,7 +51,7 @@ void addInput(CLI::App& command, RenderOptions& o) {
     command.add_flag("--fit", o.fit, "Stretch the preset's range to the series, for MR: see docs/presets.md");
 }
 
-// From where.
+// Options of the camera and the size of the picture.
 void addCamera(CLI::App& command, RenderOptions& o) {
     auto* view = command.add_option("--view", o.view, "Where the viewer stands (default: anterior)")
                      ->transform(asViewDirection())

@@ -78,7 +78,7 @@ Choice bestVolume(const Scan& scan) {
         for (const Series& series : study.series) candidates.add(series);
     }
     if (!candidates.best) {
-        // The question, not that each of the images is only one.
+        // The question whether to join is the reason to tell, not that each series has only one image.
         for (const Message& message : scan.messages) {
             if (message.key == key::kUidPerSlice)
                 return {.series = nullptr, .stack = nullptr, .why = message.sentence + " " + message.action};

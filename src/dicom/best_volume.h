@@ -15,7 +15,7 @@ struct Choice {
     explicit operator bool() const { return stack != nullptr; }
 };
 
-// Of the volumes the first by: an original axial one of 20 slices or more; then one without interpolated
+// The volume that comes first by: an original axial one of 20 slices or more; then one without interpolated
 // slices; then the one with most voxels; then the first in the scan.
 Choice bestVolume(const Scan& scan);
 // The same within one series.

@@ -54,7 +54,7 @@ std::vector<double> placesOf(const Stack& stack) {
     return places;
 }
 
-// One load.
+// The state of loading one stack.
 class Loading {
   public:
     Loading(const Series& series, const Stack& stack) : series_(series), stack_(stack) {
@@ -70,7 +70,7 @@ class Loading {
         loose_ = static_cast<std::size_t>(std::ranges::count(ownSlice_, kNone));
     }
 
-    // At its highest: all that is decoded, and beside it first the coarse volume, later the narrowed one.
+    // The peak memory: all decoded voxels, and beside them first the coarse volume, later the narrowed one.
     std::uint64_t bytesNeeded(const LoadOptions& options) const {
         const std::uint64_t cell = isFloat() ? sizeof(float) : sizeof(std::uint16_t);
         const std::uint64_t slices = stack_.slices.size();
@@ -135,7 +135,7 @@ class Loading {
     std::vector<Message> messages_;
 };
 
-// The places of the frames: the slice each of them is, or one of their own.
+// Where each frame is decoded to: the slice that it is, or a buffer of its own.
 template <class T>
 std::vector<std::span<T>> spansOf(std::vector<T>& voxels, std::vector<T>& loose, std::size_t sliceVoxels,
                                   std::span<const std::size_t> ownSlice, std::size_t none) {
@@ -161,8 +161,8 @@ void Loading::allocate() {
     }
 }
 
-// Those that every fourth slice needs come first. Within that, the frames of one file as they are stored: a
-// deflated one can only be read forward.
+// The order of decoding. Frames that every fourth slice needs come first. Within that, the frames of one file
+// as they are stored: a deflated one can only be read forward.
 std::vector<std::size_t> Loading::order(std::size_t& coarseCount) const {
     std::vector<bool> first(stack_.frames.size(), false);
     for (std::size_t k = 0; k < stack_.slices.size(); k += kCoarseStep)
@@ -225,7 +225,8 @@ VolumeOptions Loading::describe(std::size_t first, std::size_t step,
     return options;
 }
 
-// From those of `frames` that could be decoded; null when there are too few. Looks at no other frame.
+// A coarse volume from those of `frames` that could be decoded; null when there are too few. Looks at no
+// other frame.
 std::shared_ptr<const Volume> Loading::coarse(std::span<const std::size_t> frames,
                                               const FrameDecoder& decoder) const {
     std::vector<bool> usable(stack_.frames.size(), false);
@@ -251,8 +252,9 @@ std::shared_ptr<const Volume> Loading::coarse(std::span<const std::size_t> frame
     return std::make_shared<const Volume>(std::move(*volume));
 }
 
-// Bits outside of the stored ones are dropped. In an image that says fewer bits than most of the stack, or in
-// a few images of many, they are of values that need them, and what is left of these is false.
+// Bits outside of the stored ones are dropped. In an image that declares fewer bits than most of the stack,
+// or in a few images of many, they belong to values that need them: then the truncated values are false, and
+// the image is left out.
 void Loading::leaveOutWhatNeedsMoreBits(const FrameDecoder& decoder, std::vector<bool>& usable) {
     std::vector<int> bits;
     std::vector<std::size_t> beyond;
@@ -319,7 +321,7 @@ Result<void> Loading::drop(const FrameDecoder& decoder) {
                                           {"total", std::int64_t(stack_.slices.size())},
                                           {"spacingMm", spacingMm}}));
     }
-    // Only those that were not before, unless these have other numbers now.
+    // Reports only slices that were not interpolated before, unless slices were renumbered.
     std::vector<SliceSource> added = usable_.slices;
     for (std::size_t k = 0; k < added.size(); ++k) {
         const SliceSource& before = stack_.slices[usable_.first + k];
@@ -353,7 +355,7 @@ void Loading::finish(std::vector<T>& voxels, std::span<const std::span<T>> frame
     voxels.resize(usable_.slices.size() * count);
 }
 
-// Of the longest run of slices that are images.
+// Looks at the longest run of slices that are images.
 template <class T>
 void Loading::tellAlternation(const std::vector<T>& voxels) {
     const std::size_t count = sliceVoxels();
@@ -404,7 +406,7 @@ Result<std::shared_ptr<const Volume>> Loading::run(Progress& progress, const Loa
                 if (auto volume = coarse(std::span(frames).first(coarseCount), decoder))
                     options.onCoarse(std::move(volume));
             } catch (...) {  // no memory, or no more threads
-                // Then the whole volume is the first to be seen, or the one to tell.
+                // Then the whole volume is the first to be shown, or reports the error.
             }
         };
     }

@@ -14,7 +14,7 @@ using macula::Message;
 using macula::MessageArgument;
 using macula::Severity;
 
-// As programs are told of it: "info", "warning", "blocks-3d", "blocks-loading".
+// The name of a severity for programs: "info", "warning", "blocks-3d", "blocks-loading".
 std::string_view nameOf(Severity severity);
 
 struct CatalogueEntry {
@@ -26,13 +26,13 @@ struct CatalogueEntry {
     std::string_view action;    // what to do; empty when there is nothing
 };
 
-// By subject, in the order of the documentation.
+// All messages by subject, in the order of the documentation.
 std::span<const CatalogueEntry> catalogue();
 
 // `key` is one of the catalogue's, and `arguments` has every name its sentence mentions; others are kept for
 // programs.
 Message message(std::string_view key, std::vector<MessageArgument> arguments = {});
-// Where the same fact weighs more, or less, than usual.
+// The same with another severity, where the fact weighs more, or less, than usual.
 Message message(std::string_view key, Severity severity, std::vector<MessageArgument> arguments = {});
 
 namespace key {

@@ -47,8 +47,8 @@ struct StudyInProgress {
         series;  // by UID, by folder if it has none
 };
 
-// By patient too: two patients are never mixed into one volume, whatever their UIDs say. A series without UID
-// is held together by its folder.
+// Studies are kept by patient too: two patients are never mixed into one volume, whatever their UIDs say. A
+// series without UID is held together by its folder.
 using Studies = std::map<std::pair<std::string, PatientIdentity>, StudyInProgress>;  // by UID and patient
 
 // Why the file cannot be used, if so.
@@ -118,7 +118,7 @@ void sortIn(Scan& scan, Studies& studies, const fs::path& file, Examination& fou
     if (reason) {
         log::info("skipped {}: {}", log::Sensitive{file.native()}, *reason);
         scan.skipped.push_back({file, message(*reason), found.seriesInstanceUid});
-        // Of a file without a header nobody knows where it belongs.
+        // A file without a header cannot be assigned to a series.
         if (!found.studyInstanceUid.empty() || !found.seriesInstanceUid.empty()) {
             ++placeOf(studies, file, found).leftOut[*reason];
         }
@@ -185,7 +185,7 @@ void reportConcatenations(SeriesInProgress& place) {
     }
 }
 
-// What is known of the series before its frames are looked at.
+// Reports what is known of the series before its frames are looked at.
 void reportFiles(SeriesInProgress& place, std::size_t copies, std::size_t repeats,
                  std::size_t unreadableFolders) {
     Series& series = place.series;
@@ -218,7 +218,7 @@ void reportFiles(SeriesInProgress& place, std::size_t copies, std::size_t repeat
     reportConcatenations(place);
 }
 
-// From frames to stacks.
+// Makes the series: from frames to stacks.
 Series finish(SeriesInProgress& place, const CancelToken& cancel) {
     Series series = std::move(place.series);
     std::set<const Instance*> instances;
@@ -231,7 +231,7 @@ Series finish(SeriesInProgress& place, const CancelToken& cancel) {
     series.transferSyntaxUids.assign(syntaxes.begin(), syntaxes.end());
     Split split = splitSeries(std::move(place.frames), series.modality, splitRules(), cancel);
     series.stacks = std::move(split.stacks);
-    // What its images are, and not what the first file happened to be.
+    // The modality is that of most images, not that of the file that came first.
     const auto largest =
         std::max_element(series.stacks.begin(), series.stacks.end(),
                          [](const Stack& a, const Stack& b) { return a.frames.size() < b.frames.size(); });
@@ -240,12 +240,12 @@ Series finish(SeriesInProgress& place, const CancelToken& cancel) {
     return series;
 }
 
-// What is known before files are sorted into series.
+// The argument of messages about scattered images, before files are sorted into series.
 MessageArgument levels(const Scattered& scattered) {
     return {"level", scattered.levels};
 }
 
-// A question for each, or the answer.
+// Joins each set of scattered images if that was asked for, or else asks about it.
 void askOrJoin(Scan& scan, std::vector<Examination>& found, const std::vector<Scattered>& all,
                const ScanOptions& options) {
     for (const Scattered& scattered : all) {
@@ -259,7 +259,7 @@ void askOrJoin(Scan& scan, std::vector<Examination>& found, const std::vector<Sc
     }
 }
 
-// Incomplete when cancelled.
+// Groups files into studies and series. Incomplete when cancelled.
 void group(Scan& scan, const std::vector<fs::path>& files, std::vector<Examination>& found,
            const ScanOptions& options, Progress& progress) {
     Studies studies;
@@ -322,7 +322,7 @@ void group(Scan& scan, const std::vector<fs::path>& files, std::vector<Examinati
                      [](const Study& a, const Study& b) { return a.date < b.date; });
 }
 
-// What people click on when they open a disc.
+// Whether the path is a DICOMDIR, which people click on to open a disc.
 bool isMediaDirectoryName(const fs::path& path) {
     std::string name = path.filename().string();
     std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::toupper(c); });
@@ -330,7 +330,7 @@ bool isMediaDirectoryName(const fs::path& path) {
     return name.starts_with("DICOMDIR") && fs::is_regular_file(path, error);
 }
 
-// Why a scan that found nothing to list did not.
+// The error that says why a scan found nothing to list.
 Error nothingFound(const Scan& scan, const fs::path& path, const FolderListing& listing) {
     const auto fail = [&](std::string sentence, std::string action) {
         return Error{ErrorCode::inputNotUsable, std::move(sentence), path.string(), std::move(action)};

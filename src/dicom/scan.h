@@ -60,7 +60,7 @@ struct ScanOptions {
 Result<Scan> scanFolder(const std::filesystem::path& path, Progress& progress,
                         const ScanOptions& options = {});
 
-// Null when there is none, or more than one: findAllSeries tells which.
+// The series with that UID. Null when there is none, or more than one: findAllSeries tells which.
 const Series* findSeries(const Scan& scan, std::string_view seriesInstanceUid);
 // More than one when patients or studies share a UID, which they must not; then by study as in the scan.
 std::vector<const Series*> findAllSeries(const Scan& scan, std::string_view seriesInstanceUid);

@@ -30,18 +30,18 @@ struct RefinementPlan {
 
 // As the window's model learns by itself (live_model.h), but with all of the device for it.
 struct LivePlan {
-    double seconds = 60.0;        // at most, of the wall, after points are there
+    double seconds = 60.0;        // at most, by the clock, once the points are found
     double snapshotEvery = 15.0;  // seconds
 };
 
 struct EvaluationOptions {
     hybrid::FirstModelOptions model{.views = 12, .samplesPerPixel = 8};  // the paper's
     std::optional<RefinementPlan> refinement;
-    std::optional<LivePlan> live;  // instead of `model`, but for its bounces
+    std::optional<LivePlan> live;  // trains like this instead of by `model`, of which only bounces count
     std::size_t truthViews = 32;
     hybrid::TruthOptions truth;   // of as many bounces as the model
     std::filesystem::path cache;  // empty: nothing is kept
-    bool keepViews = false;       // what is learnt from, too: then times say nothing of the views that were
+    bool keepViews = false;  // also keeps views to learn from; times then say nothing of views that were kept
 };
 
 // A model on its way.

@@ -20,7 +20,7 @@ struct TrainingBenchmarkOptions {
     int repetitions = 5;            // device and reference take turns, so that a busy neighbour hits both
 };
 
-// Medians over the turns, until the work is done.
+// Median times of a stage over the turns, each until the device has finished it.
 struct StageBenchmark {
     Spent device;
     std::optional<Spent> reference;  // of what the reference has as a stage of its own

@@ -28,7 +28,7 @@ Triple times(const double (&m)[3][3], const Triple& v) {
 struct Inverse {
     double m[3][3];
 };
-// By cofactors, so that the way back is exact to rounding.
+// Inverts by cofactors, so that the way back is exact to rounding.
 Inverse inverted(const double (&a)[3][3]) {
     Inverse result{};
     double determinant = 0.0;
@@ -55,7 +55,7 @@ double linearOf(double encoded) {
     return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
 }
 
-// The opponent space without CIELAB's cube root, in which filtering is right.
+// The linear opponent space YCxCz, which is CIELAB without the cube root: filtering is right in it.
 Triple opponentFromLinear(const Triple& rgb) {
     const Triple n = white();
     const Triple xyz = times(kXyzFromRgb, rgb);
@@ -112,7 +112,8 @@ std::vector<double> gaussian(int radius, double twiceVariance) {
     return weights;
 }
 
-// What an eye makes of one channel: sums of Gaussians in frequency, hence in space (table 1 of the paper).
+// The contrast sensitivity of an eye to one channel: sums of Gaussians in frequency, hence in space (table 1
+// of the paper).
 struct Sensitivity {
     double a1, b1, a2, b2;
 };

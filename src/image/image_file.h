@@ -25,8 +25,8 @@ inline constexpr std::uint64_t kMaxBytes = std::uint64_t{4} << 30;  // of decode
 // are kept: see countFaults.
 Result<Image> readImage(const std::filesystem::path& path);
 
-// 8-bit RGBA, display-encoded (sRGB), alpha straight; width * height * 4 bytes, row 0 on top. Whole or not at
-// all.
+// 8-bit RGBA, display-encoded (sRGB), alpha straight; width * height * 4 bytes, row 0 on top. The file is
+// written whole or not at all.
 Result<void> writePng(const std::filesystem::path& path, int width, int height,
                       std::span<const std::uint8_t> rgba, const Metadata& metadata = {});
 

@@ -12,7 +12,7 @@ namespace macula::image {
 
 namespace {
 
-// What becomes 1 of 255 or more when it is rounded.
+// The least value that rounds to 1 of 255 or more.
 constexpr double kLeast = 0.5 / 255.0;
 
 Result<void> fits(const Image& reference, const Image& test, const Mask& mask) {
@@ -120,7 +120,7 @@ double percentile(std::vector<double> values, double fraction) {
     const double place = std::clamp(fraction, 0.0, 1.0) * double(values.size() - 1);
     const auto below = static_cast<std::size_t>(place);
     const double beyond = place - double(below);
-    // Nothing is added where nothing lies between: a place beside infinity is not half of it.
+    // No interpolation where neighbours are equal or the place is exact: it would make NaN of infinities.
     if (beyond == 0.0 || values[below] == values[below + 1]) return values[below];
     return values[below] + beyond * (values[below + 1] - values[below]);
 }

@@ -15,17 +15,18 @@ namespace macula::image {
 
 using Mask = std::vector<std::uint8_t>;
 
-// Where any channel of either picture is above 0 once it is rounded to 8 bits.
+// The mask of pixels where any channel of either picture is above 0 once it is rounded to 8 bits.
 Result<Mask> litMask(const Image& reference, const Image& test);
 
-// Where a coverage is above 0 once it is rounded to 8 bits: one stray sample of a thousand is not there.
+// The mask of pixels whose coverage is above 0 once it is rounded to 8 bits: one stray sample of a thousand
+// is not there.
 Mask coveredMask(std::span<const float> coverage);
-// Where either is. The same size.
+// The union of both masks, which have one size.
 Mask unionOf(const Mask& a, const Mask& b);
 
 // The answers of an empty mask are nothing: there is nothing to compare.
 
-// As psnr, over masked pixels; +infinity where these are equal.
+// The PSNR, as psnr, over masked pixels; +infinity where these are equal.
 Result<std::optional<double>> maskedPsnr(const Image& reference, const Image& test, const Mask& mask);
 
 // The map of SSIM over the whole pictures, its 11 x 11 windows filled up with black beyond the edge, averaged

@@ -20,7 +20,8 @@ Result<double> psnr(const Image& reference, const Image& test);
 Result<double> ssim(const Image& reference, const Image& test);
 
 struct FlipOptions {
-    // Of the eye: a 0.7 m wide screen of 3840 pixels seen from 0.7 m, as in the paper.
+    // Pixels per degree of the eye's view: a 0.7 m wide screen of 3840 pixels seen from 0.7 m, as in the
+    // paper.
     double pixelsPerDegree = 67.0206;
 };
 struct Flip {

@@ -10,7 +10,7 @@ namespace macula::image {
 
 namespace {
 
-constexpr double kDbPerNeper = 10.0 / 2.302585092994046;  // of a square
+constexpr double kDbPerNeper = 10.0 / 2.302585092994046;  // for squares: 10 / ln 10
 
 Result<void> fits(const NoisyReference& reference, const Mask& mask) {
     MACULA_TRY_VOID(comparable(reference.whole, reference.first));
@@ -24,7 +24,7 @@ Result<void> fits(const NoisyReference& reference, const Image& test, const Mask
     return fits(reference, mask);
 }
 
-// The planes of a reference, and of each value what its halves say.
+// The planes of a reference, and for each value the mean and difference of its halves.
 class Halves {
   public:
     explicit Halves(const NoisyReference& reference)
@@ -36,7 +36,7 @@ class Halves {
     double mean(std::size_t c, std::size_t i) const {
         return 0.5 * (first_[c].values[i] + second_[c].values[i]);
     }
-    // The noise of the mean is as large.
+    // Half the difference of the halves, which is as large as the noise of their mean.
     double halfDifference(std::size_t c, std::size_t i) const {
         return 0.5 * (first_[c].values[i] - second_[c].values[i]);
     }
@@ -66,10 +66,10 @@ Result<std::optional<SquareError>> squareErrorLessNoise(const NoisyReference& re
             const double value = tested[c].values[i];
             const double noise = halves.halfDifference(c, i);
             const double error = value - halves.withoutCurve(c, i);
-            // With the mean of the halves for error this is the product of both differences.
+            // If `error` is taken from the mean of the halves, this is the product of both differences.
             squares += error * error - noise * noise;
-            // The square of it has the variance of that product for its mean, of Gaussian noise exactly, also
-            // where the noise of the channels of a pixel is the same.
+            // The mean of its square is the variance of that product, of Gaussian noise exactly, also where
+            // the noise of the channels of a pixel is the same.
             byNoise += 2.0 * (value - halves.mean(c, i)) * noise;
         }
         variance += byNoise * byNoise;

@@ -24,18 +24,19 @@ struct NoisyReference {
 };
 
 struct SquareError {
-    // Mean square over masked pixels and channels. Below 0 when the picture is so near that chance decides.
+    // Mean square over masked pixels and channels. It is below 0 when the picture is so near that chance
+    // decides.
     double mean = 0.0;
-    // By which the noise of the reference makes that wrong. Pixels must be independent of each other.
+    // The standard error of `mean` by the noise of the reference. Pixels must be independent of each other.
     double standardError = 0.0;
 };
 // Nothing when the mask is empty.
 Result<std::optional<SquareError>> squareErrorLessNoise(const NoisyReference& reference, const Image& test,
                                                         const Mask& mask);
 
-// In dB; nothing when the mean is not above 0.
+// The PSNR in dB; nothing when the mean is not above 0.
 std::optional<double> psnrOf(const SquareError& error);
-// Of psnrOf, in dB; nothing where that is.
+// The standard error of psnrOf in dB; nothing where psnrOf is nothing.
 std::optional<double> psnrErrorOf(const SquareError& error);
 
 // Light that leaves the screen of `test`, in parts of that of the reference: 1 when nothing is too dark or

@@ -31,8 +31,8 @@ Error notWritable(const fs::path& path) {
             "Check free space and permissions of the folder."};
 }
 
-// OpenImageIO tries all its formats on a file, DICOM and video among them. Only what we mean to read is let
-// in.
+// OpenImageIO tries all its formats on a file, DICOM and video among them. Only the formats that we mean to
+// read are let in.
 Result<std::string> formatOf(const fs::path& path) {
     std::error_code error;
     if (!fs::is_regular_file(path, error)) {

@@ -10,7 +10,7 @@ namespace macula::image {
 
 namespace {
 
-// One pass, `stride` apart in a line of `count` values.
+// Filters a line of `count` values that lie `stride` apart.
 void filterLine(const double* in, double* out, int count, std::ptrdiff_t stride,
                 const std::vector<double>& weights, Edge edge) {
     const int radius = static_cast<int>(weights.size()) / 2;

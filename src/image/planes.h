@@ -19,7 +19,7 @@ struct Plane {
     double at(int x, int y) const { return values[std::size_t(y) * std::size_t(width) + std::size_t(x)]; }
 };
 
-// Beyond the edge of a picture.
+// What a filter finds beyond the edge of a picture.
 enum class Edge {
     repeat,  // the outermost pixel goes on
     cut,     // nothing is there, and the weights that are left are made to add up to the same

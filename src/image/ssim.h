@@ -7,8 +7,8 @@
 
 namespace macula::image {
 
-// Of each channel: Wang et al. 2004, Gaussian window of 11 x 11 with sigma 1.5, K1 0.01, K2 0.03, range 1, a
-// window around each pixel. Comparable pictures.
+// The SSIM map of each channel: Wang et al. 2004, Gaussian window of 11 x 11 with sigma 1.5, K1 0.01, K2
+// 0.03, range 1, a window around each pixel. Comparable pictures.
 std::vector<Plane> ssimMaps(const Image& reference, const Image& test, Edge edge);
 
 }  // namespace macula::image

@@ -9,7 +9,7 @@
 
 namespace macula::presets {
 
-// Macula's own, then 3D Slicer's, each by their number.
+// Macula's own presets, then 3D Slicer's, each by number.
 Result<std::vector<TransferFunction>> builtInPresets();
 
 // Whether what somebody typed means this preset: its name in any case ("CT-Bone", "ct-bone"), or its number.

@@ -15,7 +15,7 @@ struct ImportedPreset {
     std::vector<std::string> notes;  // sentences: what was assumed, changed or left out
 };
 
-// In the order of the file; never empty.
+// The presets of a file in its order; never empty.
 using ImportedPresets = std::vector<ImportedPreset>;
 
 // What every importer is given.

@@ -22,7 +22,7 @@ class PointReader {
         return number(point, key, -kLargestValue, kLargestValue);
     }
     double fraction(pugi::xml_node point, const char* key) { return number(point, key, 0.0, 1.0); }
-    // For heights, which VTK clamps.
+    // Reads a height, clamped as VTK does.
     double height(pugi::xml_node point, const char* key) {
         const double read = number(point, key, -kLargestValue, kLargestValue);
         const double inside = std::min(std::max(read, 0.0), 1.0);

@@ -81,7 +81,7 @@ Result<std::string> findTableBeside(const fs::path& path, const std::string& nam
                  "Put the table beside the preset as NAME.plist, or save a 16-bit CLUT with the preset."};
 }
 
-// "CT-Bone" of CT-Bone.vp.json.
+// The name of a file without its endings: "CT-Bone" for CT-Bone.vp.json.
 std::string nameOf(const fs::path& path) {
     fs::path name = path.stem();
     if (name.extension() == ".vp") name = name.stem();

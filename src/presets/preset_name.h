@@ -8,8 +8,8 @@
 
 namespace macula::presets {
 
-// What is typed after --preset, and the name of the file: lower-case letters, digits and hyphens. "preset"
-// when nothing is left. "CT-Coronary-Arteries-2" becomes "ct-coronary-arteries-2".
+// The key of a preset, typed after --preset and used as its file name: lower-case letters, digits and
+// hyphens. "preset" when nothing is left. "CT-Coronary-Arteries-2" becomes "ct-coronary-arteries-2".
 std::string keyFrom(std::string_view title);
 
 // Sets name and title, and the modality and unit that the title begins with, as 3D Slicer's do: CT, MR, DTI,
@@ -17,7 +17,7 @@ std::string keyFrom(std::string_view title);
 // Hounsfield units is set, and should be said.
 bool nameAfter(TransferFunction& function, std::string_view title);
 
-// What is said then.
+// The note that nameAfter assumed CT in Hounsfield units.
 std::string assumedHounsfield();
 
 }  // namespace macula::presets

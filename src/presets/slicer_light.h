@@ -1,4 +1,4 @@
-// What is left of a 3D Slicer volume property beside its curves, from text.
+// Reads lighting and interpolation of a 3D Slicer volume property from text.
 #pragma once
 
 #include <optional>

@@ -30,7 +30,7 @@ double nextAbove(double value) {
     return std::nextafter(value, std::numeric_limits<double>::infinity());
 }
 
-// Of points sorted by value, moves those up that stand at the value of one before them and differ from it.
+// Moves points up, sorted by value, that stand at the value of one before them and differ from it.
 template <class Point>
 void separate(std::vector<Point>& points) {
     for (std::size_t i = 1; i < points.size(); ++i) {

@@ -37,7 +37,7 @@ Result<XmlDocument> XmlDocument::parse(std::string_view text, const std::string&
     const auto fail = [&](std::string message, std::string hint) {
         return Error{ErrorCode::inputNotUsable, std::move(message), where, std::move(hint)};
     };
-    // In whatever encoding the file is: UTF-16 has a zero beside each letter.
+    // Letters are taken in whatever encoding the file is: UTF-16 has a zero beside each letter.
     std::string letters;
     std::copy_if(text.begin(), text.end(), std::back_inserter(letters), [](char c) { return c != '\0'; });
     if (letters.find("<!ENTITY") != std::string::npos) {

@@ -88,7 +88,7 @@ CoarseGrid makeCoarseGrid(const Volume& volume, const CancelToken& token) {
     const int fj = coarse.factor[1];
     const int fk = coarse.factor[2];
 
-    // The axis nearest to the patient's own is the table's too.
+    // The voxel axis nearest to the patient's long axis is taken as the table's.
     int along = 2;
     for (int axis = 0; axis < 3; ++axis) {
         const auto slope = [&](int n) { return std::abs(volume.worldFromVoxel()[n].z) / spacing[n]; };

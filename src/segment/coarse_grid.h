@@ -43,7 +43,7 @@ struct CoarseGrid {
 inline constexpr double kSolidHu = -200.0;
 inline constexpr double kFaintHu = -500.0;
 
-// Of a volume in HU. Incomplete when cancelled. May throw std::bad_alloc.
+// The coarse grid of a volume in HU. Incomplete when cancelled. May throw std::bad_alloc.
 CoarseGrid makeCoarseGrid(const Volume& volume, const CancelToken& token);
 
 }  // namespace macula::segment

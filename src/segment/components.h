@@ -11,7 +11,7 @@ struct Part {
     glm::ivec3 low{0};           // block
     glm::ivec3 high{0};          // block, within
     float depthMm = 0.0f;        // the largest of any block: radius of the largest ball in it
-    bool touches = false;        // for whom divides
+    bool touches = false;        // a block of it is the patient's; set in patient.cpp
     std::size_t persistent = 0;  // blocks of columns along c that the part fills over most of its length
 };
 

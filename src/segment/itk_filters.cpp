@@ -18,7 +18,7 @@ namespace {
 
 using MaskImage = itk::Image<std::uint8_t, 3>;
 
-// The mask itself, not a copy: it has to outlive the image.
+// An ITK image over the mask's own memory, not a copy: the mask has to outlive it.
 MaskImage::Pointer imageOf(const Grid& grid, const Mask& mask) {
     const auto import = itk::ImportImageFilter<std::uint8_t, 3>::New();
     MaskImage::RegionType region;

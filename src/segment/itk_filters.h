@@ -13,10 +13,11 @@ struct Labels {
     std::size_t count = 0;
 };
 
-// Of the connected parts of a mask: over faces, edges and corners when `corners`, else over faces only.
+// Labels of the connected parts of a mask: over faces, edges and corners when `corners`, else over faces
+// only.
 Result<Labels> connectedParts(const Grid& grid, const Mask& mask, bool corners);
 
-// Of each block, to the nearest one in the mask, mm; 0 within, infinite where the mask is empty.
+// The distance of each block to the nearest one in the mask, mm; 0 within, infinite where the mask is empty.
 Result<std::vector<float>> distanceTo(const Grid& grid, const Mask& mask);
 
 }  // namespace macula::segment

@@ -1,5 +1,5 @@
-// What is worth telling about a patient that was told from the table: the catalogue of docs/table-removal.md.
-// Keys never change meaning. Sentences and actions hold no patient data.
+// Messages about separating the patient from the table: the catalogue of docs/table-removal.md. Keys never
+// change meaning. Sentences and actions hold no patient data.
 #pragma once
 
 #include <span>

@@ -11,8 +11,8 @@ struct Opened {
     std::vector<float> depthMm;  // of each block to the outside of what was opened
 };
 
-// What of the mask a ball of this radius can reach without leaving it, where the mask goes on beyond the edge
-// of the grid.
+// Morphological opening: the part of the mask that a ball of this radius can reach without leaving it, where
+// the mask goes on beyond the edge of the grid.
 Result<Opened> opened(const Grid& grid, const Mask& mask, double radiusMm);
 
 }  // namespace macula::segment

@@ -51,11 +51,11 @@ const Part* largestOf(const Parts& parts) {
     return largest == parts.parts.end() ? nullptr : &*largest;
 }
 
-// Flat and the same along the couch: a board, a rail.
+// Whether a part is flat and the same along the couch: a board, a rail.
 bool isFurniture(const Grid& grid, const Part& part) {
     constexpr double kLongMm = 80.0;
     constexpr double kBoardMm = 100.0;
-    constexpr double kFlat = 0.2;  // of its width
+    constexpr double kFlat = 0.2;  // thickness of a flat part over its width
     constexpr double kPersistent = 0.7;
     const glm::dvec3 extentMm = glm::dvec3(part.high - part.low + 1) * grid.spacingMm;
     const double wide = std::max(extentMm.x, extentMm.y);
@@ -95,7 +95,7 @@ std::vector<char> patientParts(const CoarseGrid& coarse, Parts& parts) {
     return kept;
 }
 
-// An ear, a finger; not a sheet, and no tube either.
+// Whether a part is an appendage, such as an ear or a finger; not a sheet or a tube.
 bool isAppendage(const CoarseGrid& coarse, const Part& part) {
     const glm::dvec3 extentMm = glm::dvec3(part.high - part.low + 1) * coarse.grid.spacingMm;
     return std::max({extentMm.x, extentMm.y, extentMm.z}) <= kAppendageMm &&
@@ -107,7 +107,7 @@ Result<void> addThinParts(const CoarseGrid& coarse, const Mask& solid, const Mas
     const auto isFree = [&](std::size_t n) {
         return solid[n] != 0 && patient[n] == 0 && (beyond.empty() || beyond[n] == 0);
     };
-    // The edge hangs together with the rest; a cover that lies close to the skin does not.
+    // The patient's edge is connected to the rest; a cover that lies close to the skin is not.
     MACULA_TRY(const std::vector<float> toCore, distanceTo(coarse.grid, patient));
     Mask withRim = patient;
     for (std::size_t n = 0; n < patient.size(); ++n) {
@@ -152,7 +152,7 @@ Result<Mask> withSkin(const CoarseGrid& coarse, const Mask& patient, const Mask&
     return mask;
 }
 
-// To the voxels. Nothing removed when `mask` is empty.
+// The label map of the voxels. Nothing is removed when `mask` is empty.
 Result<LabelMap> labelsOf(const Volume& volume, const CoarseGrid& coarse, const Mask& mask,
                           const std::vector<Message>& messages, const CancelToken& token) {
     const glm::ivec3 size = volume.size();
@@ -266,7 +266,7 @@ class Search {
         }
         MACULA_TRY(const Mask mask, withSkin(coarse_, patient, other, surface_.beyond));
         MACULA_TRY_VOID(step());
-        // What is reported is what goes: solid, and not in the mask.
+        // The reported volume is what is removed: solid, and not in the mask.
         std::transform(other.begin(), other.end(), mask.begin(), other.begin(),
                        [](std::uint8_t in, std::uint8_t kept) { return std::uint8_t(kept != 0 ? 0 : in); });
         MACULA_TRY(Parts removed, partsOf(coarse_.grid, other, true, {}));

@@ -9,13 +9,13 @@ namespace macula::segment {
 namespace {
 
 constexpr double kIntoBodyMm = 6.0;  // a sheet's blocks may seem to lie this deep in the body that touches it
-constexpr double kStepMm = 5.0;      // from column to column; more is another sheet
-constexpr double kWingMm = 80.0;     // beside a gap, that its bridge is fitted to
+constexpr double kStepMm = 5.0;      // most that a sheet rises from column to column
+constexpr double kWingMm = 80.0;     // width beside a gap to which the gap's bridge is fitted
 constexpr double kLeastWingMm = 10.0;
 constexpr double kWidestGapMm = 450.0;
 constexpr double kLargestErrorMm = 2.0;  // rms of a bridge at its wings
 constexpr double kThroughMm = 6.0;       // a body that reaches farther lies on no such sheet
-constexpr double kMostThrough = 0.1;     // of the columns
+constexpr double kMostThrough = 0.1;     // share of the columns in which a body may reach through
 
 }  // namespace
 
@@ -27,7 +27,7 @@ bool SurfaceProfile::hasBody(int u) const {
     return body_[std::size_t(u)].low <= body_[std::size_t(u)].high;
 }
 
-// Times side, as top_.
+// The end of the body in a column, times side as top_ is.
 double SurfaceProfile::bodyEnd(int u) const {
     return side_ * (side_ > 0 ? body_[std::size_t(u)].high : body_[std::size_t(u)].low);
 }
@@ -95,7 +95,7 @@ void SurfaceProfile::bridge(const Run& left, const Run& right) {
     take(leftFirst, left.last);
     take(right.first, rightLast);
 
-    // Least squares of a parabola.
+    // Fits a parabola by least squares.
     glm::dmat3 normal(0.0);
     glm::dvec3 moment(0.0);
     for (const glm::dvec2& point : points) {

@@ -14,11 +14,11 @@ namespace macula::segment {
 namespace {
 
 constexpr double kHalfWindowMm = 30.0;  // along the couch: a sheet stays where it is for twice this
-constexpr double kPersistence = 0.7;    // of the window
+constexpr double kPersistence = 0.7;    // share of the window that a block must be thin in
 constexpr double kShortestMm = 20.0;    // a shorter scan does not tell what stays in its place
 constexpr double kPieceMm = 40.0;       // width of a piece of sheet that counts
 constexpr double kSheetMm = 120.0;      // width of all pieces on one side of the body
-constexpr double kThinBeyondMm = 4.5;   // from anything thick
+constexpr double kThinBeyondMm = 4.5;   // distance from anything thick beyond which a block is thin
 
 // Which blocks across the couch hold something thin through most of a window around slice c.
 class Persistence {
@@ -27,7 +27,7 @@ class Persistence {
         half_ = std::max(1, int(std::lround(kHalfWindowMm / grid.spacingMm.z)));
     }
 
-    // For c = 0, 1, 2 ... in this order.
+    // Must be called for c = 0, 1, 2 ... in this order.
     Mask at(int c) {
         const int last = std::min(grid_.size.z - 1, c + half_);
         for (; added_ <= last; ++added_) change(added_, 1);

@@ -29,7 +29,7 @@ struct MainWindowOptions {
     app::Catalogue catalogue;
     std::string device = {};                              // as in gpu::chooseDevice
     std::shared_ptr<const TransferFunction> preset = {};  // null: by the volume's modality
-    std::shared_ptr<const trace::LightRig> lights = {};   // null: by look
+    std::shared_ptr<const trace::LightRig> lights = {};   // null: the default lights of each look
     ViewDirection firstView = ViewDirection::anterior;
     QSize pictureSize{960, 720};
     std::uint32_t sampleLimit = 512;

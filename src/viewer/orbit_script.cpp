@@ -96,7 +96,7 @@ void OrbitScript::onFrame(const app::FrameShown& frame) {
 }
 
 void OrbitScript::onFrameInMotion(const app::FrameShown& frame) {
-    // The same view shown once more is not following.
+    // A view that is shown once more is no new frame that follows the camera.
     if (frame.inputSequence == lastSequence_) return;
     lastSequence_ = frame.inputSequence;
     followed_.push_back({.atMs = double(orbiting_.nsecsElapsed()) / 1e6,

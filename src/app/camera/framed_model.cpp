@@ -17,14 +17,14 @@ constexpr double kDeviations = 2.0;  // beyond these a splat hardly shows
 constexpr double kUsualWidth = 0.98;
 constexpr double kLeastNear = 1e-3;  // RasterView takes no less
 
-// The value that `share` of them are below. At least one value.
+// The value that `share` of the values are below. At least one value.
 float quantile(std::vector<float> values, double share) {
     const auto place = static_cast<std::ptrdiff_t>(std::lround(share * double(values.size() - 1)));
     std::nth_element(values.begin(), values.begin() + place, values.end());
     return values[static_cast<std::size_t>(place)];
 }
 
-// Of the centres in the world, `stray` of them left out at either side along each axis.
+// The box of the centres in the world, the share `stray` of them left out at either side along each axis.
 Box boxOfCentres(const splat::Splats& splats, double stray) {
     if (stray <= 0.0) return splat::boundingBox(splats);
     Box box;
@@ -38,7 +38,7 @@ Box boxOfCentres(const splat::Splats& splats, double stray) {
     return box;
 }
 
-// All of the model that is to be seen.
+// The box of all that is to be seen of the model.
 Box boxOf(const splat::Splats& splats, double stray) {
     if (splats.size() == 0) return {.low = splats.originMm - 1.0, .high = splats.originMm + 1.0};
     Box box = boxOfCentres(splats, stray);
@@ -46,7 +46,8 @@ Box boxOf(const splat::Splats& splats, double stray) {
     std::transform(splats.logScale.begin(), splats.logScale.end(), widths.begin(), [](const glm::vec3& s) {
         return std::min(std::max({s.x, s.y, s.z}), splat::kMaxLogScale);
     });
-    // Not the widest of all: one that went astray would leave nothing to see of the others.
+    // A usual width is taken, not the largest: a splat that went astray would leave nothing to see of the
+    // others.
     const double beyond = kDeviations * std::exp(double(quantile(std::move(widths), kUsualWidth)));
     return {.low = box.low - beyond, .high = box.high + beyond};
 }
@@ -80,7 +81,7 @@ Result<std::vector<SplatCamera>> framedCameras(const splat::Splats& splats,
     std::vector<SplatCamera> cameras;
     const double near = usualNearOf(splats);
     if (!isPatient) {
-        // From below a patient means along +z with -y up, whatever the axes are.
+        // The view from inferior is the one along +z with -y up, whatever the axes mean.
         MACULA_TRY(SplatCamera camera,
                    cameraFrom(boxOf(splats, kStray), ViewDirection::inferior, "along-z", sizePx, near));
         cameras.push_back(std::move(camera));

@@ -15,8 +15,8 @@ namespace macula::app {
 // nobody knows 0.2 as 3DGS has it.
 double usualNearOf(const splat::Splats& splats);
 
-// Of a model in the patient's axes: from each direction, or without any from the front, as `macula render`
-// looks at a series. Of a model whose axes nobody knows: along its own +z with -y up, which is where the
+// For a model in the patient's axes: a camera from each direction, or without any from the front, as `macula
+// render` looks at a series. For a model of unknown axes: one along its own +z with -y up, which is where the
 // first camera of most reconstructions looks; usage when a direction is given. Such models have stray splats
 // far out: of its box the outermost hundredth of the centres at either side is left out. Named by the
 // direction, or "along-z"; RasterView::nearMm, in the model's unit, is near enough for a small model. The

@@ -11,7 +11,7 @@ constexpr double kDegreesPerPictureHeight = 180.0;
 constexpr double kNearestOfDiagonal = 0.02;
 constexpr double kFarthestOfDiagonal = 20.0;
 
-// From the patient's axis to the eye, within the axial plane.
+// The direction from the patient's axis to the eye, within the axial plane.
 glm::dvec3 horizontalDirection(double azimuthDeg) {
     const double azimuth = glm::radians(azimuthDeg);
     return {std::sin(azimuth), -std::cos(azimuth), 0.0};

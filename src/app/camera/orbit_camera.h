@@ -20,8 +20,8 @@ struct OrbitCamera {
 };
 
 Camera toCamera(const OrbitCamera& camera);
-// The one that stands where `camera` stands and looks where it looks. A turntable is always upright: of a
-// camera that is rolled only that is lost. The camera must be valid (basis()).
+// The orbit camera that stands where `camera` stands and looks where it looks. A turntable is always upright:
+// of a camera that is rolled only that is lost. The camera must be valid (basis()).
 OrbitCamera orbitCameraOf(const Camera& camera);
 
 // Looks at the points from `from`, or from the side that `camera` looks from, as near as they fit

@@ -35,8 +35,8 @@ bool isScaled(const glm::ivec2& from, const glm::ivec2& to) {
     return std::abs(double(to.x) * from.y - double(to.y) * from.x) <= double(std::max(from.x, from.y));
 }
 
-// To a picture of another size: all of the same picture, as trainers that shrink theirs do it, where that is
-// its shape; else with the vertical field of view that it had.
+// Changes a view to another picture size. Where the shape stays, the whole picture is scaled, as trainers
+// shrink theirs; else the vertical field of view stays.
 void resize(splat::RasterView& view, const glm::ivec2& size) {
     glm::dvec2 scale(double(size.y) / view.sizePx.y);
     if (isScaled(view.sizePx, size)) scale.x = double(size.x) / view.sizePx.x;

@@ -28,14 +28,14 @@ struct SplatCamera {
     splat::RasterView view;  // eyeMm from the origin of the world, not of a model
 };
 
-// In both: at a `size` other than its own a camera keeps its vertical field of view and square pixels square;
-// where that is the same shape but for a pixel, its horizontal field of view too. What cannot be used is
-// inputNotUsable and says which camera it is.
+// In both kinds of file: at a `size` other than its own a camera keeps its vertical field of view and square
+// pixels square; where that is the same shape but for a pixel, its horizontal field of view too. What cannot
+// be used is inputNotUsable and says which camera it is.
 
-// Without a size of its own.
+// The size for a camera that has none of its own.
 inline constexpr glm::ivec2 kDefaultCameraSize{768, 768};
 
-// Macula's own; 768 x 768 without a size. Named like the file.
+// Reads Macula's own file; 768 x 768 without a size. Named like the file.
 Result<SplatCamera> readSplatCamera(const std::filesystem::path& path, std::optional<glm::ivec2> size);
 
 // A cameras.json, at least one camera.

@@ -10,7 +10,7 @@
 
 namespace macula::app {
 
-// Nothing for a name that is none.
+// Nothing for a name that no direction has.
 std::optional<ViewDirection> viewDirectionOf(std::string_view name);
 
 std::string nameOf(ViewDirection direction);

@@ -29,7 +29,7 @@ Result<ChosenText> chooseText(std::span<const presets::EmbeddedFile> files, std:
 // user's file may say whose it is.
 std::string publicName(std::span<const presets::EmbeddedFile> files, const std::string& nameOrFile);
 
-// All of them, by parse(text, where).
+// All files, each parsed by parse(text, where).
 template <class T, class Parse>
 Result<std::vector<T>> parseAll(std::span<const presets::EmbeddedFile> files, const Parse& parse) {
     std::vector<T> all;

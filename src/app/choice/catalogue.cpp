@@ -36,7 +36,7 @@ Result<Catalogue> builtInCatalogue() {
     Catalogue catalogue;
     MACULA_TRY(const std::vector<TransferFunction> presets, presets::builtInPresets());
     for (const TransferFunction& function : presets) {
-        // Offered is what can be drawn as it is meant.
+        // Only presets that can be drawn as they are meant are offered.
         if (validate(function))
             catalogue.presets.push_back(std::make_shared<const TransferFunction>(function));
     }

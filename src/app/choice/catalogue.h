@@ -20,16 +20,16 @@ struct Catalogue {
     std::vector<std::shared_ptr<const ClipPreset>> clips;
 };
 
-// Those that are built in, Macula's own first.
+// The built-in ones, Macula's own first.
 Result<Catalogue> builtInCatalogue();
 
-// By name, presets by number too. usage when there is none; the hint lists the names.
+// Finds by name, presets by number too. usage when there is none; the hint lists the names.
 Result<std::shared_ptr<const TransferFunction>> findPreset(const Catalogue& catalogue, std::string_view name);
 Result<std::shared_ptr<const trace::LightRig>> findLights(const Catalogue& catalogue, std::string_view name);
 
 // What a volume is shown with when nobody chose: presets::defaultTransfer, as in the `macula` command.
 std::shared_ptr<const TransferFunction> presetFor(const Catalogue& catalogue, const Volume& volume);
-// Likewise, by look.
+// The lights that a look is shown with when nobody chose.
 std::shared_ptr<const trace::LightRig> defaultLights(const Catalogue& catalogue, trace::Look look);
 
 }  // namespace macula::app

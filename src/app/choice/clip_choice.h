@@ -9,14 +9,14 @@
 
 namespace macula::app {
 
-// All built-in ones, by name.
+// All built-in clips, by name.
 Result<std::vector<ClipPreset>> builtInClips();
 
 // A built-in name, or a JSON file; nothing typed leaves all of the volume. usage when it is neither;
 // inputNotUsable when the file is malformed.
 Result<ClipPreset> chooseClip(const std::string& nameOrFile);
 
-// As publicPresetName.
+// What may be told of the choice, as publicPresetName.
 std::string publicClipName(const std::string& nameOrFile);
 
 }  // namespace macula::app

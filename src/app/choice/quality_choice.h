@@ -9,7 +9,7 @@
 
 namespace macula::app {
 
-// All built-in ones, the fastest first.
+// All built-in qualities, the fastest first.
 Result<std::vector<trace::Quality>> builtInQualities();
 
 // A built-in name, or a JSON file. usage when it is neither; inputNotUsable when the file is malformed.

@@ -49,7 +49,7 @@ struct FrameInput {
     std::shared_ptr<const Volume> volume{};  // null: nothing is open
     Drawing drawing{};
     Camera camera{};
-    EdgeLetters letters{};                      // of this camera; they come back with its pictures
+    EdgeLetters letters{};  // at the edges for this camera; they come back with its pictures
     std::shared_ptr<const PictureText> text{};  // over every picture of the study; null: nothing
     glm::vec3 background{0.02f};                // linear
     std::uint32_t sampleLimit = 512;  // per pixel; then it counts as converged, if noise is not gone before

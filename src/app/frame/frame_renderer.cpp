@@ -22,13 +22,13 @@ double millisecondsBetween(std::chrono::steady_clock::time_point from,
 
 constexpr milliseconds kRateWindow{2000};
 constexpr milliseconds kModelToldEvery{500};
-// Of searching and of learning, at a time. A dispatch and a step of training may take longer on a CPU.
+// How long searching and learning take at a time. A dispatch and a step of training may take longer on a CPU.
 constexpr double kSliceMs = 40.0;
 // Standard error of what is shown: one step of eight bits, which nobody sees.
 constexpr double kConverged = 1.0 / 255.0;
 constexpr std::uint64_t kShelfBytes = std::uint64_t(1) << 30;
 
-// The same picture on another size of window.
+// Whether both are the same picture but for the size of the window.
 bool isSameScene(FrameInput a, const FrameInput& b) {
     a.width = b.width;
     a.height = b.height;
@@ -39,7 +39,7 @@ float encodedSrgb(float linear) {
     return linear <= 0.0031308f ? 12.92f * linear : 1.055f * std::pow(linear, 1.0f / 2.4f) - 0.055f;
 }
 
-// A model holds light that stays where it is.
+// Only light that stays in place can have a model: a model holds it.
 bool canHaveModel(const FrameInput& input) {
     return input.usesModel && trace::isPathTraced(input.drawing.settings.look) &&
            input.drawing.lights->frame == trace::LightFrame::patient;
@@ -69,7 +69,7 @@ void FrameRenderer::accept(FrameInput input) {
         model_.reset();
         shelf_.reset();
     }
-    // What else is on the device leaves another room; and nobody knows how much.
+    // Another use of the device leaves another amount of memory, and nobody knows how much.
     if (traced_ &&
         (input.volume != input_.volume || input.drawing.transferFunction != input_.drawing.transferFunction ||
          input.drawing.clip != input_.drawing.clip || input.width != input_.width ||
@@ -151,14 +151,15 @@ void FrameRenderer::fail(ErrorCode code, const char* message, const char* hint) 
 Result<void> FrameRenderer::tryStep(const Interrupts& interrupts) {
     MACULA_TRY_VOID(ensureDevice());
     MACULA_TRY_VOID(ensurePresenter());
-    const bool mustClear = duty_.isForeign() && !presenter_->owes();  // what it owes is empty already
+    const bool mustClear =
+        duty_.isForeign() && !presenter_->owes();  // a picture still owed is an empty one already
     if (mustClear) MACULA_TRY_VOID(clearWindow());
     tellCourse();
     switch (work()) {
         case RenderDuty::Work::nothing:
             return {};
         case RenderDuty::Work::clear:
-            duty_.appliedScene();  // there is none
+            duty_.appliedScene();  // there is no scene
             return mustClear ? Result<void>() : clearWindow();
         case RenderDuty::Work::background:
             duty_.showedBackground();
@@ -180,7 +181,7 @@ Result<void> FrameRenderer::tryStep(const Interrupts& interrupts) {
 
 Result<void> FrameRenderer::takeNext(const Interrupts& interrupts) {
     const Result<void> done = take(course_.next(Clock::now()), interrupts);
-    // What is traced comes first: without the model there may be room for it.
+    // Traced pictures come first: without the model there may be memory for them.
     if (done || done.error().code != ErrorCode::outOfMemory || !model_ || !model_->canBeDrawn()) return done;
     duty_.beginAnew();
     traced_->roomChanged();
@@ -229,7 +230,7 @@ Result<void> FrameRenderer::ensurePresenter() {
         MACULA_TRY_VOID(presenter_->resize(window));
     }
     applied_.window = window;
-    // Of the study that the input is of: what was kept of another is forgotten by now.
+    // The kept picture is of the input's study: that of another study is forgotten by now.
     const bool isOtherText = presenter_->text() != input_.text;
     if (applied_.exposures != input_.exposures || isOtherText || presenter_->owes()) {
         applied_.exposures = input_.exposures;
@@ -267,7 +268,7 @@ Result<bool> FrameRenderer::applyScene(const Interrupts& interrupts) {
     // applied.
     const auto interrupted = [&] { return interrupts.newInput() || interrupts.stopping(); };
     trace::PathTracer& tracer = traced_->tracer();
-    // What a model of something else takes is room for this.
+    // A model of another scene is dropped first, to free its memory.
     if (model_ && (applied_.volume != input_.volume || applied_.clip != drawing.clip ||
                    applied_.transferFunction != drawing.transferFunction)) {
         splats_ = nullptr;
@@ -317,7 +318,7 @@ Result<bool> FrameRenderer::applyScene(const Interrupts& interrupts) {
     return true;
 }
 
-// Whatever the model of before showed is not drawn any more from here on.
+// From here on no picture of the model of before is drawn any more.
 Result<void> FrameRenderer::applyModel() {
     splats_ = nullptr;
     whyNoModel_ = hybrid::ModelStage::none;
@@ -418,7 +419,7 @@ Result<void> FrameRenderer::fade() {
     return device_->waitForAll();
 }
 
-// A slice.
+// A slice of the model's search or training.
 Result<void> FrameRenderer::workOnModel(const std::function<bool()>& keepGoing) {
     try {
         return model_->work(kSliceMs, keepGoing);
@@ -446,7 +447,7 @@ Result<void> FrameRenderer::learn(const Interrupts& interrupts) {
     return {};
 }
 
-// What is on screen, with another background.
+// Shows the picture that is on screen over another background.
 Result<void> FrameRenderer::showAgain() {
     if (course_.onScreen() == OnScreen::nothing) return {};
     if (course_.onScreen() != OnScreen::model && course_.onScreen() != OnScreen::fading) {
@@ -480,7 +481,7 @@ Result<void> FrameRenderer::show(const gpu::Image& picture) {
     MACULA_TRY(const bool visible, presenter_->show(picture));
     const Clock::time_point now = Clock::now();
     const OnScreen kind = course_.onScreen();
-    // The rate is that of what is shown now.
+    // The frame rate is that of the kind of picture that is shown now.
     if (std::exchange(shownKind_, kind) != kind) shown_.clear();
     if (visible) {
         duty_.showedOurs();
@@ -519,7 +520,7 @@ Result<void> FrameRenderer::show(const gpu::Image& picture) {
     return {};
 }
 
-// Not oftener than somebody reads it.
+// News of the model is sent no more often than a person can read it.
 hybrid::ModelNews FrameRenderer::modelNews() const {
     return model_ ? model_->news() : hybrid::ModelNews{.stage = whyNoModel_};
 }
@@ -541,8 +542,8 @@ double FrameRenderer::framesPerSecond() const {
 }
 
 void FrameRenderer::handle(Error error) {
-    // An error of another kind may have come of the loss; and what is lost while it is made is not there to
-    // be asked.
+    // An error of another kind may have come of the loss; and a device that is lost while it is created is
+    // not there to be asked.
     if ((device_ && device_->lost()) || error.code == ErrorCode::deviceLost) {
         dropDevice();
         if (losses_.mayGoOn()) {
@@ -555,7 +556,7 @@ void FrameRenderer::handle(Error error) {
         duty_.lostTooOften();
     }
     duty_.failed();
-    if (traced_) traced_->sceneChanged();  // nobody knows what its film holds
+    if (traced_) traced_->sceneChanged();  // the content of its film is unknown
     try {
         const Result<void> cleared = presenter_ ? clearWindow() : Result<void>{};
         if (!cleared) {
@@ -563,7 +564,8 @@ void FrameRenderer::handle(Error error) {
             releaseSurface();
         }
     } catch (const std::exception&) {
-        log::warning("The window could not be cleared.");  // which must not keep the error from being told
+        log::warning(
+            "The window could not be cleared.");  // this must not keep the first error from being reported
         releaseSurface();
     }
     listener_(RenderFailure{.error = error,

@@ -47,9 +47,9 @@ class FrameRenderer {
 
     // Whether step() has anything to do before the next input.
     bool hasWork() const;
-    // At most one pass over the picture. Throws nothing.
+    // Does at most one pass over the picture. Throws nothing.
     void step(const Interrupts& interrupts);
-    // For what went wrong outside of step(): reports it, and rests until something changes. Throws nothing.
+    // Reports an error from outside of step(), and rests until something changes. Throws nothing.
     void fail(ErrorCode code, const char* message, const char* hint);
 
     // Afterwards nothing refers to the surface of the last input.
@@ -97,7 +97,7 @@ class FrameRenderer {
     std::optional<hybrid::LiveModel> model_;
     hybrid::ModelStage whyNoModel_ = hybrid::ModelStage::none;  // why model_ is empty
     std::optional<hybrid::Compositor> compositor_;
-    // Of this volume; outlives the device.
+    // Models of this volume; outlives the device.
     std::shared_ptr<hybrid::ModelShelf> shelf_;
     SceneNames sceneNames_;
     const splat::DevicePicture* splats_ = nullptr;  // of the picture that is wanted
@@ -112,11 +112,12 @@ class FrameRenderer {
         VkExtent2D window{};
         std::uint64_t exposures = 0;
     } applied_;
-    std::optional<std::uint64_t> outlineOf_;  // study whose outline, of what is applied, was told
+    std::optional<std::uint64_t>
+        outlineOf_;  // the study whose outline was reported, for the scene that is applied
 
     PictureCourse course_;
     RenderDuty duty_;
-    std::deque<Clock::time_point> shown_;  // of one kind of pictures
+    std::deque<Clock::time_point> shown_;  // when pictures of one kind were shown lately
     OnScreen shownKind_ = OnScreen::nothing;
     hybrid::ModelNews modelTold_;
     Clock::time_point modelToldAt_{};

@@ -36,7 +36,7 @@ class MotionScale {
 // would begin with the few pixels of these.
 class MotionScales {
   public:
-    // As of MotionScale.
+    // The arguments are those of MotionScale.
     MotionScales(double budgetMs, double nsPerPixelGuess) : ofLooks_(filled(budgetMs, nsPerPixelGuess)) {}
 
     MotionScale& of(trace::Look look) { return ofLooks_.at(std::size_t(look)); }

@@ -53,7 +53,7 @@ Step PictureCourse::next(TimePoint now) const {
         case OnScreen::fading:
             return Step::fade;
         case OnScreen::traced: {
-            // A hand that holds the picture will move it soon.
+            // While a hand holds the picture the model does not learn: the hand will move soon.
             const bool learns = learns_ && model_ == ModelState::ready && !handMoves_;
             const bool searches = model_ == ModelState::searching && !handMoves_;
             if (searches) return Step::search;

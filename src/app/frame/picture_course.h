@@ -15,7 +15,7 @@
 
 namespace macula::app {
 
-// Of the picture that is wanted, what there is to be seen.
+// How much of the wanted picture is on screen.
 enum class OnScreen {
     nothing,  // only what was wanted before, if anything
     preview,  // a small traced picture
@@ -24,7 +24,7 @@ enum class OnScreen {
     traced,  // all pixels
 };
 
-// As in reports; a literal.
+// The name as in reports; a literal.
 std::string_view nameOf(OnScreen picture);
 
 // What there is of a peripheral model for it.
@@ -34,11 +34,11 @@ enum class Step {
     none,  // all is done
     showModel,
     showPreview,  // another view, or more samples of this one
-    search,       // a slice of it: for the model
-    trace,        // a slice of it: all pixels
-    showTraced,   // what there is of that
-    fade,         // a little further
-    learn,        // a slice of it
+    search,       // a slice of the search for the model's first points
+    trace,        // a slice of tracing: all pixels
+    showTraced,   // the picture traced so far
+    fade,         // a step of the fade
+    learn,        // a slice of training the model
 };
 
 class PictureCourse {
@@ -56,7 +56,7 @@ class PictureCourse {
     void setModel(ModelState state, bool learns);
     // How many samples small pictures are worth while a hand holds still.
     void setPreviewLimit(std::uint64_t samples) { previewLimit_ = samples; }
-    // More samples are asked for than it converged with.
+    // More samples are asked for than the traced picture converged with.
     void goOnTracing() { hasConverged_ = false; }
 
     Step next(TimePoint now) const;
@@ -83,7 +83,7 @@ class PictureCourse {
     bool learns_ = false;
     OnScreen onScreen_ = OnScreen::nothing;
     bool isTraced_ = false;      // worth showing
-    bool hasConverged_ = false;  // what is traced
+    bool hasConverged_ = false;  // the traced picture
     std::uint64_t previewLimit_ = 1;
     std::uint64_t previewSamples_ = 0;
     TimePoint previewSince_{};

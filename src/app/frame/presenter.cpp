@@ -89,7 +89,7 @@ Result<bool> Presenter::showAgain() {
         owes_ = frame.status != gpu::Swapchain::Status::hidden;
         if (!frame.usable()) return false;
         MACULA_TRY(gpu::Recorder recorder, gpu::Recorder::create(device_, "present"));
-        // Of the same size nothing is scaled, and on a CPU device that is faster said than found out.
+        // A picture of the window's size is not scaled; on a CPU device nearest filtering is then faster.
         const VkExtent3D size = kept_->extent();
         const bool isSameSize = size.width == frame.extent.width && size.height == frame.extent.height;
         recorder.blit(*kept_, frame.target(), isSameSize ? VK_FILTER_NEAREST : VK_FILTER_LINEAR, text);

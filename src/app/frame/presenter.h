@@ -34,7 +34,7 @@ class Presenter {
     Result<bool> showAgain();
     // What was to be shown last is not there yet, though the window is not hidden: showAgain, until it is.
     bool owes() const { return owes_; }
-    // From now on there is none.
+    // Drops the picture: from now on there is none to show again.
     void forget() { keptIsValid_ = owes_ = false; }
     // Fills the window with one colour, display-encoded RGBA.
     Result<bool> showColour(const VkClearColorValue& colour);
@@ -53,9 +53,9 @@ class Presenter {
     std::optional<gpu::Image> kept_;
     bool keptIsValid_ = false;
     bool owes_ = false;
-    bool isColour_ = false;  // what is kept
+    bool isColour_ = false;  // what is kept is a colour
     std::shared_ptr<const PictureText> text_;
-    std::optional<gpu::Image> textImage_;  // of it; made when it is first shown
+    std::optional<gpu::Image> textImage_;  // text_ as an image; made when it is first shown
 };
 
 }  // namespace macula::app

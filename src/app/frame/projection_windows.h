@@ -17,7 +17,7 @@ namespace macula::app {
 class SeriesWindows {
   public:
     DisplayWindow of(trace::Look look, const Volume& volume) const;
-    // Before another volume is asked for.
+    // Must be called before another volume is asked for.
     void forget() { maximum_.reset(); }
 
   private:

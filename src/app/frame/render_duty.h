@@ -32,9 +32,9 @@ class RenderDuty {
     void showedOurs() { isForeign_ = false; }   // a picture, or an empty window
     void owesClearing() { isForeign_ = true; }  // the window system gave out no image for the empty window
     void halt();                                // until something changes
-    void failed();                              // likewise; and what is on screen is not to be trusted
+    void failed();                              // halts, and what is on screen is not to be trusted
     void lostTooOften();                        // until another scene is wanted: another size changes nothing
-    void startedAgain() { run_ = Run::on; }     // after a loss
+    void startedAgain() { run_ = Run::on; }     // on a new device, after a loss
 
     // Whether what is on screen belongs to another study, or to what failed.
     bool isForeign() const { return isForeign_; }

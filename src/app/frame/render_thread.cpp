@@ -17,7 +17,7 @@ namespace macula::app {
 
 namespace {
 
-// A dispatch is over in far less, a part of a scene nearly always.
+// A release that takes longer is logged: a dispatch takes far less, and a part of a scene nearly always does.
 constexpr std::chrono::milliseconds kReleaseIsSlow{5000};
 
 // Where the device is the CPU, tracing takes every core for as long as it lasts. The threads of the driver

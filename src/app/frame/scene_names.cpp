@@ -11,7 +11,7 @@ SceneNames::Scene SceneNames::sceneOf(const Drawing& drawing) {
                 .lights = drawing.lights,
                 .clip = drawing.clip ? *drawing.clip : Clip{},
                 .settings = drawing.settings};
-    // What light does not depend on.
+    // Settings on which light does not depend are set to their defaults.
     const trace::Settings usual;
     scene.settings.seed = usual.seed;
     scene.settings.exposure = usual.exposure;

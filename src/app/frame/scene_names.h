@@ -15,9 +15,10 @@ namespace macula::app {
 // what is shown again has the name it had, while it is among the last that were named. No patient data.
 class SceneNames {
   public:
-    static constexpr std::size_t kRemembered = 64;  // a function that is being edited is another at each step
+    static constexpr std::size_t kRemembered =
+        64;  // scenes; each step of editing a transfer function is another one
 
-    // Of a drawing that is complete, of the study of that number.
+    // The name of a complete drawing of the study with that number.
     std::string of(std::uint64_t study, const Drawing& drawing);
 
   private:

@@ -19,23 +19,24 @@ constexpr double kPreviewBudgetMs =
     100.0;  // 10 pictures a second; 5 are still left on a machine half as fast
 constexpr double kNsPerPixelGuessCpu = 4000.0;
 constexpr double kNsPerPixelGuessGpu = 50.0;
-// In motion light may bounce this often. With fewer, bone turns from ivory to grey: its colour is made by
-// many bounces, and the picture would change its look each time a hand lets go.
+// Bounces of light in small pictures. With fewer, bone turns from ivory to grey: its colour is made by many
+// bounces, and the picture would change its look each time a hand lets go.
 constexpr int kPreviewBounces = trace::kDefaultBounces;
-// Of each pixel before a small picture is shown. Denoised, one is enough: the view before helps, and what
-// a second costs is better spent on pixels. A picture that is not would be a cloud of dots.
+// Samples of each pixel before a small picture is shown. One is enough if it is denoised: the history helps,
+// and a second one's time is better spent on pixels. Without denoising one would be a cloud of dots.
 constexpr std::uint32_t kPreviewSamples = 1;
 constexpr std::uint32_t kPlainPreviewSamples = 2;
 constexpr trace::Smoothing kPlainPreviewSmoothing = trace::Smoothing::slight;
 constexpr std::uint64_t kPreviewSampleLimit = 64;  // while a hand holds still
 // Cast rays have no noise: more samples only make edges smoother. As many as `macula render` takes.
 constexpr std::uint64_t kCastSampleLimit = 8;
-constexpr milliseconds kNewsInterval{100};  // nobody sees more, and each costs a copy
+constexpr milliseconds kNewsInterval{100};  // more news cannot be seen, and each costs a copy
 // The full picture is denoised while it has few samples: each time they have doubled, as the filter takes as
 // long as a sample or two. What has more is shown as it is.
 constexpr std::uint64_t kFirstDenoised = 2;
 constexpr std::uint64_t kDenoisedBelow = 64;
-// Where there is no room for the filter: with fewer it would be a cloud of dots.
+// The first number of samples that is shown where there is no memory for the filter: with fewer it would be a
+// cloud of dots.
 constexpr std::uint64_t kFirstPlain = 4;
 
 bool sameCamera(const Camera& a, const Camera& b) {
@@ -154,7 +155,7 @@ Result<TracedPictures::Progress> TracedPictures::traceFull(const FrameInput& inp
     if (!isDeveloping_) {
         MACULA_TRY(const trace::Statistics before, tracer_.statistics());
         if (before.samplesPerPixel < trace::kEvenSamples) {
-            // One at a time: each of the first is seen.
+            // One sample at a time: each of the first ones is shown.
             MACULA_TRY(const bool isWhole, tracer_.trace(1, keepGoing));
             if (!isWhole) return Progress{};
         } else {
@@ -183,7 +184,7 @@ Result<TracedPictures::Progress> TracedPictures::traceFull(const FrameInput& inp
     newsAt_ = Clock::now();
     if (trace::isDenoised(*settings_)) showFrom_ = 2 * samples_;
     if (isLast_) {
-        // More may be asked for by now.
+        // More samples may be asked for by now.
         MACULA_TRY(const trace::Statistics now, tracer_.statistics());
         isLast_ = now.converged || now.meanSamplesPerPixel >= double(sampleLimit(input));
     }

@@ -23,7 +23,8 @@ class TracedPictures {
   public:
     static Result<TracedPictures> create(const std::shared_ptr<gpu::Device>& device);
 
-    // For what the scene is made of. Whoever changes that says so: no picture is of what is shown any more.
+    // The tracer, to change its scene. Whoever does calls sceneChanged(): then no picture is of what is shown
+    // any more.
     trace::PathTracer& tracer() { return tracer_; }
     void sceneChanged();
     // Something else is on the device now, or was taken off: nobody knows for what there is room.
@@ -31,32 +32,33 @@ class TracedPictures {
 
     // A small picture, denoised where there is room for that.
     Result<void> beginPreview(const FrameInput& input);
-    // Adds to it; false when `keepGoing` said no, and the next call finishes that.
+    // Adds samples to the small picture; false when `keepGoing` said no, and the next call finishes that.
     Result<bool> tracePreview(const FrameInput& input, const std::function<bool()>& keepGoing);
     std::uint64_t previewSamples() const { return previewSamples_; }
     // How long it took decides how small the next one is: filter and tone map, which grow with its pixels,
     // and all the rest.
     void previewWasShown(double developMs, double otherMs);
 
-    // The traced picture with all pixels is of exactly that, and has been worth showing.
+    // Whether the traced picture with all pixels is of exactly `input`, and has been worth showing.
     bool hasFull(const FrameInput& input) const;
-    // Nothing when it is of that already, worth showing or not.
+    // Does nothing when the traced picture is of `input` already, worth showing or not.
     Result<void> beginFull(const FrameInput& input);
     struct Progress {
         bool isNews = false;  // the full picture has become worth showing, or worth showing again
         bool isLast = false;  // and will not change any more
     };
-    // A slice of it. `keepGoing` is asked between dispatches of some 40 ms.
+    // A slice of tracing the full picture. `keepGoing` is asked between dispatches of some 40 ms.
     Result<Progress> traceFull(const FrameInput& input, const std::function<bool()>& keepGoing);
 
-    // Of whichever there is, as it is to be seen. On the device, see PathTracer::display and light.
+    // The picture that there is, small or full, as it is to be seen. It is on the device, see
+    // PathTracer::display and light.
     Result<const gpu::Image*> display(const glm::vec3& background);
     Result<trace::TracedLight> light() { return tracer_.light(); }
 
     int width() const { return view_.width; }
     int height() const { return view_.height; }
-    int scale() const { return scale_; }  // of the window's pixels each way, one of the picture's
-    // Of the picture that there is.
+    int scale() const { return scale_; }  // window pixels along each side of a picture's pixel
+    // Statistics of the picture that there is.
     Result<trace::Statistics> statistics() const { return tracer_.statistics(); }
 
     static std::uint64_t sampleLimit(const FrameInput& input);
@@ -76,14 +78,14 @@ class TracedPictures {
     std::optional<trace::Settings> settings_;
     trace::View view_;
     int scale_ = 1;
-    // A picture of so many was too large to denoise for the room there was.
+    // A picture of so many pixels was too large to denoise in the device's memory.
     std::int64_t pixelsRefused_ = kNoneRefused;
 
     MotionScales motionScales_;
     trace::Look previewLook_{};
     std::uint64_t previewSamples_ = 0;
     double previewMs_ = 0.0;
-    bool isFirstPreview_ = false;  // of its view
+    bool isFirstPreview_ = false;  // the small picture is the first of its view
     int warmWidth_ = 0;            // of the small picture before
     std::optional<trace::Look> warmLook_;
     std::uint32_t previewNumber_ = 0;
@@ -93,7 +95,7 @@ class TracedPictures {
     bool isDeveloping_ = false;  // its samples are to be shown; the filter is under way
     bool isLast_ = false;
     std::uint64_t samples_ = 0;
-    std::uint64_t showFrom_ = 0;  // samples: it is not worth showing with fewer
+    std::uint64_t showFrom_ = 0;  // the number of samples from which on it is worth showing
     Clock::time_point newsAt_{};
 };
 

@@ -24,7 +24,7 @@ std::string digestOf(std::span<const T> values) {
     return sha256Hex(std::as_bytes(values));
 }
 
-// By its numbers: the same curves under another name are the same preset.
+// A digest of the preset's numbers: the same curves under another name are the same preset.
 std::string digestOf(TransferFunction function) {
     for (std::string* words : {&function.name, &function.title, &function.source, &function.document})
         words->clear();

@@ -12,12 +12,12 @@ namespace macula::app {
 // usage for a name with the ending of none of splat::kModelFormats.
 Result<void> checkModelName(const std::filesystem::path& path);
 
-// Whether what is written there can go on learning: .macula holds all that takes, others the splats alone.
+// Whether training can go on from the file: .macula holds all that this takes, others the splats alone.
 bool holdsTraining(const std::filesystem::path& path);
 
-// By the name's ending; `displayColours` writes colours as they are displayed, for programs that know no
-// linear light, and is not for what holds a training. Returns how many splats had numbers that the format
-// cannot hold, and were limited.
+// Writes the format of the name's ending; `displayColours` writes colours as they are displayed, for programs
+// that know no linear light, and is not for what holds a training. Returns how many splats had numbers that
+// the format cannot hold, and were limited.
 Result<std::size_t> writeTrained(const std::filesystem::path& path, const splat::TrainingState& state,
                                  bool displayColours);
 

@@ -47,7 +47,8 @@ Result<Trained> trainFirst(const std::shared_ptr<gpu::Device>& device, const Stu
     const double start = end.budget.spentSeconds();
     MACULA_TRY(SceneOnDevice onDevice, putOnDevice(device, scene));
     const double putSeconds = end.budget.spentSeconds() - start;
-    // One step, or none, is made there; the others here, where they can be stopped with nothing lost.
+    // makeFirstModel makes one step at most; the others are made here, where they can be stopped with nothing
+    // lost.
     hybrid::FirstModelOptions begin = options;
     begin.beginsOnly = true;
     begin.budget = &end.budget;
@@ -92,7 +93,7 @@ LastingTraining trainLasting(gpu::LastingDevice& device, const StudyScene& scene
                              const std::optional<splat::TrainingState>& saved, const TrainingEnd& end,
                              Progress& progress) {
     LastingTraining lasting;
-    std::optional<Trained>& begun = lasting.trained;  // no device takes it along
+    std::optional<Trained>& begun = lasting.trained;  // on the host, so no lost device takes it along
     lasting.ended = device.run([&](const std::shared_ptr<gpu::Device>& on) -> Result<void> {
         if (begun) {
             MACULA_TRY_VOID(trainToTheEnd(on, *begun, end, progress));

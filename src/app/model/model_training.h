@@ -47,16 +47,18 @@ Result<Trained> trainFirst(const std::shared_ptr<gpu::Device>& device, const Stu
                            const hybrid::FirstModelOptions& options, const TrainingEnd& end,
                            Progress& progress);
 
-// Goes on with it: what trainFirst had come to if it had not stopped. Fails as Trainer::resume.
+// Resumes the training of `saved`, to what trainFirst had come to if it had not stopped. Fails as
+// Trainer::resume.
 Result<Trained> trainOn(const std::shared_ptr<gpu::Device>& device, const splat::TrainingState& saved,
                         const TrainingEnd& end, Progress& progress);
 
-// Goes on with one that failed, to the same end: as if it had not. Fails as Trainer::resume, and then
+// Resumes a training that failed, to the same end as if it had not. Fails as Trainer::resume, and then
 // `failed` is what it was.
 Result<void> trainToTheEnd(const std::shared_ptr<gpu::Device>& device, Trained& failed,
                            const TrainingEnd& end, Progress& progress);
 
-// Either of the first two, and the third for each device that is lost on the way.
+// Runs trainFirst, or trainOn for a saved training, and trainToTheEnd for each device that is lost on the
+// way.
 struct LastingTraining {
     std::optional<Trained> trained;  // nothing when it did not begin
     Result<void> ended;              // why it is not whole, unless it was stopped
@@ -70,9 +72,9 @@ LastingTraining trainLasting(gpu::LastingDevice& device, const StudyScene& scene
 // nothing to learn from; with usage when no steps are left of its plan, if `toItsEnd` is all that is wanted.
 Result<splat::TrainingState> readTrainingToGoOn(const std::filesystem::path& path, bool toItsEnd);
 
-// Steps after which the rates of a training have fallen to where they are to stay.
+// Steps after which the learning rates of a training have fallen to where they are to stay.
 std::uint64_t plannedSteps(const splat::TrainingState& state);
-// Of these, those that are still to come.
+// How many of the planned steps are still to come.
 std::uint64_t stepsLeft(const splat::TrainingState& state);
 
 }  // namespace macula::app

@@ -19,7 +19,7 @@ struct TrainingRecord {
     std::string lights;
     std::string clip;
     bool tableRemoved = false;
-    // Of a training that began here; a saved one does not say all of what it began with.
+    // The options of a training that began here; a saved one does not say all that it began with.
     std::optional<hybrid::FirstModelOptions> begun;
     double budgetSeconds = 0.0;     // 0: none
     std::uint64_t stepsBefore = 0;  // of the training that it went on with
@@ -27,9 +27,9 @@ struct TrainingRecord {
 
 nlohmann::ordered_json toJson(const TrainingRecord& record, const Trained& trained);
 
-// Sentences. Of a training with a budget: where the time went, of `views` to be traced.
+// Sentences on where the time of a training with a budget went, and how many of `views` were traced.
 std::string howTimeWasSpent(const Trained& trained, std::size_t views);
-// Of one that stopped before all of its `steps`, and was written to `path`.
+// Sentences on a training that stopped before all of its `steps`, and was written to `path`.
 std::string whatIsWritten(const Trained& trained, std::uint64_t steps, const std::filesystem::path& path);
 
 }  // namespace macula::app

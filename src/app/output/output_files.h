@@ -24,7 +24,7 @@ class OutputFiles {
     // "-", which is standard output, are no files.
     Result<void> write(const std::filesystem::path& path);
 
-    // The same for what goes on from that file: it may be replaced by what it has become.
+    // The same for a training that goes on from that file: it may replace the file.
     Result<void> writeOn(const std::filesystem::path& path);
 
   private:
@@ -41,7 +41,7 @@ class OutputFiles {
 // is there ("model-unfinished.ply" beside "model.ply").
 std::filesystem::path placeOfUnfinished(const std::filesystem::path& wanted);
 
-// Also of files that are not there yet.
+// Whether both paths are the same file, also of files that are not there yet.
 bool isSameFile(const std::filesystem::path& a, const std::filesystem::path& b);
 
 }  // namespace macula::app

@@ -27,7 +27,7 @@ Result<Camera> fittedCamera(const PictureRequest& request, const trace::PathTrac
 }
 
 Result<void> traceAll(trace::PathTracer& tracer, std::uint32_t samplesPerPixel, Progress& progress) {
-    // Small portions, so that progress moves and Ctrl-C is quick.
+    // Samples are traced in small portions, so that progress moves and Ctrl-C is quick.
     const std::uint32_t portion = std::clamp<std::uint32_t>(samplesPerPixel / 64, 1, 16);
     progress.beginStage("Tracing", samplesPerPixel);
     for (std::uint32_t done = 0; done < samplesPerPixel;) {
@@ -42,7 +42,8 @@ Result<void> traceAll(trace::PathTracer& tracer, std::uint32_t samplesPerPixel, 
     return {};
 }
 
-// As many samples as it takes, and where they are needed. Who stops it may want the picture as it is then.
+// Traces as many samples as convergence takes, where they are needed. Who stops it may want the picture as it
+// is then.
 Result<void> traceUntilConverged(trace::PathTracer& tracer, const PictureRequest& request,
                                  Progress& progress) {
     constexpr double kPortionMs = 200.0;

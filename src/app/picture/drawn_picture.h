@@ -29,7 +29,7 @@ struct DrawnPicture {
 Result<DrawnPicture> drawPicture(const std::shared_ptr<gpu::Device>& device, const PictureRequest& request,
                                  Progress& progress);
 
-// Nothing is seen in it: it is black, as the background is, or clear.
+// Whether nothing is seen in the picture: it is black, as the background is, or clear.
 bool isEmpty(const DrawnPicture& picture);
 
 // What a person has to know of a picture, without patient data.

@@ -33,8 +33,8 @@ struct ModelPicture {
     bool isEmpty = true;                  // nothing of the model is in it
 };
 
-// Band by band: as 32-bit floats only where `withDepths` asks for these. Fails as ModelPainter::drawBands,
-// and with `cancelled`.
+// Draws band by band; keeps 32-bit floats only where `withDepths` asks for them. Fails as
+// ModelPainter::drawBands, and with `cancelled`.
 Result<ModelPicture> drawModel(splat::ModelPainter& painter, const splat::RasterView& view,
                                splat::ColourSpace space, const splat::DisplayOptions& display,
                                bool withDepths, const Progress& progress);
@@ -42,7 +42,7 @@ Result<ModelPicture> drawModel(splat::ModelPainter& painter, const splat::Raster
 image::Metadata metadata(const splat::Splats& splats, const splat::DisplayOptions& display,
                          const std::string& device);
 
-// Whole or not at all each; no EXR where `exr` is empty.
+// Writes each file whole or not at all; no EXR where `exr` is empty.
 Result<void> writeModelPicture(const ModelPicture& picture, const glm::ivec2& sizePx,
                                const std::filesystem::path& png, const std::filesystem::path& exr,
                                const image::Metadata& metadata);

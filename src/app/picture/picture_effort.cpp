@@ -7,7 +7,7 @@ namespace macula::app {
 
 Result<Effort> effortOf(const EffortWish& wish, const trace::Settings& settings) {
     Effort effort{.settings = settings};
-    // Chance needs many samples; what has none needs a few for smooth edges.
+    // Path tracing needs many samples; ray casting has no noise, and needs a few for smooth edges.
     if (!trace::isPathTraced(settings.look)) effort.samplesPerPixel = 8;
     if (!wish.quality.empty()) {
         MACULA_TRY(const trace::Quality quality, chooseQuality(wish.quality));

@@ -16,7 +16,7 @@ inline constexpr std::uint32_t kMostSamplesPerPixel = 1 << 20;
 struct EffortWish {
     std::string quality;  // by name or file; empty: not given
     std::optional<std::uint32_t> samplesPerPixel;
-    double error = 0.0;  // that noise may be, as displayed, black to white being 1; 0: not given
+    double error = 0.0;  // the most noise, as displayed, black to white being 1; 0: not given
     std::optional<int> bounces;
     std::optional<bool> denoise;
 };

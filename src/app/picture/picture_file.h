@@ -13,7 +13,8 @@ namespace macula::app {
 Result<void> checkPictureName(const std::filesystem::path& path);
 bool isExr(const std::filesystem::path& path);
 
-// Whole or not at all: what is linear as EXR with depth as channel Z, else PNG; the name is not asked.
+// Writes the file whole or not at all: a linear picture as EXR with depth as channel Z, else PNG; the name
+// does not matter.
 Result<void> writePicture(const std::filesystem::path& path, const DrawnPicture& picture,
                           const glm::ivec2& sizePx, const image::Metadata& metadata);
 

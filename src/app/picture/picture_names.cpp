@@ -14,7 +14,7 @@ namespace macula::app {
 namespace {
 
 constexpr std::size_t kMostBytes = 120;
-// Of pictures; another ending may be part of a name: "view.2".
+// Endings of picture files; another ending may be part of a name: "view.2".
 constexpr std::array<std::string_view, 10> kEndings{".png", ".jpg",  ".jpeg", ".tif", ".tiff",
                                                     ".exr", ".webp", ".bmp",  ".dng", ".heic"};
 

@@ -20,7 +20,7 @@ struct PictureRequest {
     double verticalFovDeg = 30.0;
     glm::ivec2 sizePx{768};  // each from 1 to trace::kMaxPictureSide
     trace::Settings settings;
-    // All of them; or, with Settings::errorThreshold, about the most that noise is traced away with.
+    // The number of samples; with Settings::errorThreshold about the most that are spent on noise.
     std::uint32_t samplesPerPixel = 64;
     bool keepUnfinished = false;  // with an errorThreshold: who stops it wants the picture as it is then
     bool isLinear = false;        // light and depth are wanted instead of what is displayed

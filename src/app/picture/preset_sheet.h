@@ -32,7 +32,7 @@ struct SheetPlace {
 };
 SheetPlace placeOf(const SheetRequest& request, std::size_t preset);
 
-// Of the sheet, in pixels.
+// The size of the sheet in pixels.
 glm::ivec2 sizeOf(const SheetRequest& request);
 
 // RGBA for the eye, row 0 on top. Presets are drawn as `macula render --preset NAME` draws them; what is made

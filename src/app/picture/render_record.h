@@ -39,7 +39,7 @@ struct RenderRecord {
 // For the picture itself: keys "macula:…" and "Software".
 image::Metadata metadata(const RenderRecord& record);
 
-// All of it, with times; the error is null when it is not known.
+// The whole record, with times; the error is null when it is not known.
 nlohmann::ordered_json toJson(const RenderRecord& record);
 
 }  // namespace macula::app

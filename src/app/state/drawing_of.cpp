@@ -16,7 +16,7 @@ Drawing drawingOf(const StudyState& state, const Catalogue& catalogue, const Ser
                     .clip = std::move(clip),
                     .settings = state.settings};
     std::vector<std::string> remarks;
-    // Shaded is what is cast, and only where the preset wants it.
+    // Only ray casting is shaded, and only where the preset asks for it.
     const bool isShaded = look == trace::Look::dvr && state.preset && state.preset->lighting.shade &&
                           state.settings.shading == trace::Shading::headlight;
     drawing.settings.shading = isShaded ? trace::Shading::headlight : trace::Shading::none;

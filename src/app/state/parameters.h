@@ -25,7 +25,7 @@ struct Parameter {
     std::string_view option;  // of the command
     std::string_view label;   // for people, within a sentence
     std::string_view unit;    // "degrees"; empty: a count or a factor
-    double low = 0.0;         // that is allowed
+    double low = 0.0;         // the lowest value allowed
     double high = 0.0;
     bool isWhole = false;
     Stale stale = Stale::light;
@@ -38,7 +38,7 @@ struct Parameter {
 
 std::span<const Parameter> parameters();
 
-// By id. It must be one of the table.
+// The parameter with that id, which must be in the table.
 const Parameter& parameter(std::string_view id);
 
 }  // namespace macula::app

@@ -15,7 +15,7 @@ bool isSame(const TransferFunction& a, const TransferFunction& b) {
 
 namespace {
 
-// Of two pointers, one of which may be null.
+// Whether two pointers, either of which may be null, point to the same value.
 template <class T, class Same>
 bool sameValue(const std::shared_ptr<const T>& a, const std::shared_ptr<const T>& b, const Same& same) {
     return a == b || (a && b && same(*a, *b));

@@ -28,18 +28,18 @@ struct StudyState {
     std::shared_ptr<const TransferFunction> preset = {};
     std::optional<ClipPreset> clip = {};  // nothing: all of the volume is shown
     bool leavesTableOut = false;          // and what else lies beside the patient; of CT
-    // Nothing: those of the look.
+    // Nothing: the default lights of the look.
     std::shared_ptr<const trace::LightRig> lights = {};
     // Look, shading and the parameters. Seed and threshold of noise are of a picture and not of a
     // state; `window` is in `windows`.
     trace::Settings settings = {.shading = trace::Shading::headlight};
-    // Of projections, by look: what somebody set. Nothing: that of the series.
+    // The windows of projections that somebody set, by look. Nothing: that of the series.
     std::array<std::optional<DisplayWindow>, trace::kLooks.size()> windows = {};
     std::optional<Camera> camera = {};  // nothing: one that fits what is visible
     // A JSON object of what a newer Macula has written and this one does not know. It is written back.
     std::string otherKeys = {};
 
-    // By value, also of preset and lights.
+    // Compares by value, preset and lights too.
     bool operator==(const StudyState& b) const;
 };
 

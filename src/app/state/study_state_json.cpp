@@ -131,7 +131,7 @@ Result<StudyState> studyStateFromJson(std::string_view text, const std::string& 
     }
     MACULA_TRY_VOID(document.status());
 
-    // Valid JSON by now, and an object.
+    // The text is valid JSON by now, and an object.
     const Json all = Json::parse(text);
     MACULA_TRY(const auto preset, readPart<TransferFunction>(all, "preset", [&](const std::string& part) {
                    return transferFunctionFromJson(part, where);

@@ -34,9 +34,9 @@ class FoundVolumes {
         std::size_t index = 0;
         std::string why;  // a sentence, without patient data
     };
-    // The best one. inputNotUsable when there is none; the error's place is `folder`.
+    // The best volume. inputNotUsable when there is none; the error's place is `folder`.
     Result<Choice> best(const std::filesystem::path& folder) const;
-    // The one that `file` belongs to, and no other: beside it may lie those of another patient.
+    // The volume that `file` belongs to, and no other: beside it may lie those of another patient.
     Result<Choice> holding(const std::filesystem::path& file) const;
 
   private:

@@ -14,7 +14,8 @@ namespace macula::app {
 
 namespace {
 
-// By stored value, of a share of the voxels: evenly taken, and enough for a thousandth of them to be found.
+// Counts of stored values over a share of the voxels: evenly taken, and enough for a thousandth of them to be
+// found.
 std::map<std::uint16_t, std::size_t> countsOf(const Volume& volume) {
     const auto voxels = volume.voxels();
     const auto& padding = volume.padding();
@@ -27,7 +28,7 @@ std::map<std::uint16_t, std::size_t> countsOf(const Volume& volume) {
     return counts;
 }
 
-// Matter that a hand's breadth of would be seen, in a thousandth of the voxels.
+// Whether a thousandth of the voxels holds matter of which a hand's breadth would be visible.
 bool shows(const TransferFunction& preset, const Volume& volume,
            const std::map<std::uint16_t, std::size_t>& counts) {
     constexpr double kLeastOpacity = 0.01;

@@ -29,7 +29,7 @@ Result<OpenedStudy> openPhantom(Progress& progress) {
                        .description = "Built-in phantom"};
 }
 
-// NIfTI and its kin: one volume, and nobody's name in it.
+// Opens NIfTI and its kin, which hold one volume and no name.
 Result<OpenedStudy> openVolumeFile(const std::filesystem::path& path, Progress& progress) {
     MACULA_TRY(std::shared_ptr<const Volume> volume, formats::readVolumeFile(path, progress));
     const std::string name = path.filename().string();
@@ -84,7 +84,7 @@ Result<OpenedStudy> loadFound(std::shared_ptr<const FoundVolumes> found, std::si
 }
 
 Result<OpenedStudy> openPath(const std::filesystem::path& given, Progress& progress, bool join) {
-    // Of a name without a folder the parent would be empty.
+    // The path is made absolute, because a name without a folder has no parent.
     const std::filesystem::path path = std::filesystem::absolute(given).lexically_normal();
     std::error_code notThere;
     const bool isFile = std::filesystem::is_regular_file(path, notThere);
@@ -101,7 +101,7 @@ Result<OpenedStudy> openPath(const std::filesystem::path& given, Progress& progr
     return study;
 }
 
-// Nothing is known of what is thrown but that this study cannot be shown; the window must live on.
+// Turns anything thrown into an error that this study cannot be shown; the window must live on.
 template <class Load>
 Result<OpenedStudy> withoutExceptions(const StudySource& source, Load load) {
     try {

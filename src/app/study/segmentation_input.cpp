@@ -20,7 +20,7 @@ std::vector<const dicom::OtherObject*> segmentationsOf(const dicom::Series& seri
     return found;
 }
 
-// On the first grid that it fits; several stacks of a series may share one.
+// Loads the segmentation on the first grid that it fits; several stacks of a series may share one.
 Result<SegmentationInput> onItsGrid(const dicom::Scan& scan, const dicom::Segmentation& segmentation,
                                     Progress& progress) {
     bool hasImages = false;

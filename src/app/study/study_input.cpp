@@ -23,7 +23,7 @@ const dicom::Series* atPlace(const dicom::Scan& scan, std::size_t place) {
     return nullptr;
 }
 
-// Of a series that was chosen: its stack at `place` from 1, or its best.
+// The stack of the chosen series at `place` from 1, or its best.
 Result<dicom::Choice> chooseStack(const dicom::Series& series, std::optional<std::size_t> place) {
     if (!place) {
         dicom::Choice choice = dicom::bestVolume(series);
@@ -143,7 +143,7 @@ Result<StudyInput> loadStudy(const dicom::Scan& scan, const std::filesystem::pat
     MACULA_TRY(input.volume, dicom::loadVolume(*chosen->series, *chosen->stack, progress));
     note(input.volume->provenance().messages);
     for (const std::string& assumption : input.volume->provenance().assumptions) {
-        // Most are the sentence of a warning that is there already, with what to do.
+        // Most assumptions repeat the sentence of a warning that is a note already, with what to do.
         const bool known = std::any_of(input.notes.begin(), input.notes.end(),
                                        [&](const std::string& n) { return n.starts_with(assumption); });
         if (!known) input.notes.push_back(assumption);

@@ -27,14 +27,14 @@ struct StudyInput {
 Result<StudyInput> loadStudy(const std::filesystem::path& path, const std::string& series, Progress& progress,
                              std::size_t volume = 0, const dicom::ScanOptions& how = {});
 
-// The same, of a folder that was read.
+// The same for a folder that was scanned.
 Result<StudyInput> loadStudy(const dicom::Scan& scan, const std::filesystem::path& path,
                              const std::string& series, Progress& progress, std::size_t volume = 0);
 
 // The series of that place or UID; null when there is none, or several patients have it.
 const dicom::Series* seriesMeant(const dicom::Scan& scan, const std::string& wanted);
 
-// The same choice, of a folder that was read. `why` is empty when there was nothing to choose from.
+// Only the choice that loadStudy makes. `why` is empty when there was nothing to choose from.
 Result<dicom::Choice> chooseVolume(const dicom::Scan& scan, const std::string& series,
                                    std::size_t volume = 0);
 

@@ -11,8 +11,8 @@
 
 namespace macula::app {
 
-// As choosePreset, and `fit` stretches its range to the volume. Fails for a preset that could only be drawn
-// as something else.
+// The preset as choosePreset finds it; `fit` stretches its range to the volume. Fails for a preset that could
+// only be drawn as something else.
 Result<presets::ImportedPreset> presetToDraw(const std::string& typed, bool fit);
 
 // What was changed when it was read, whether it is stretched to the volume, and whether it is made for it.
@@ -23,7 +23,8 @@ struct StudyPreset {
     TransferFunction function;  // not yet stretched: the tracer does that
 };
 
-// Of what was typed, or when that is empty by what the series shows. Its notes join those of the study.
+// The preset that was typed, or when nothing was the one for what the series shows. Its notes join those of
+// the study.
 Result<StudyPreset> choosePresetFor(StudyInput& study, const std::string& typed, bool fit = false);
 
 }  // namespace macula::app

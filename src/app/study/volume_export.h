@@ -48,7 +48,7 @@ struct ExportedSegmentation {
     std::vector<std::string> notes;
 };
 
-// Sentences about the grid it is on, and those of its map; without patient data.
+// Sentences about the grid that the segmentation is on, and those of its map; without patient data.
 std::vector<std::string> notesOf(const SegmentationInput& input);
 
 // `seriesUid` is only told as a digest. Fails as formats::writeVolumeFile.

@@ -8,9 +8,9 @@ namespace macula::dicom {
 
 namespace {
 
-// Of second differences d along the slices, the power of their alternating sum over that of all of them: 16/6
-// for white noise and for a single odd value, 2 for a step, less for what is smooth, and as large as there
-// are differences when slices alternate.
+// The power of the alternating sum of second differences d along the slices, over the power of all: 16/6 for
+// white noise and for a single odd value, 2 for a step, less for what is smooth, and as large as there are
+// differences when slices alternate.
 constexpr double kMostPowerByChance = 5.0;
 constexpr std::size_t kLeastSlices = 8;
 constexpr std::size_t kMostColumns = 1 << 12;
@@ -18,7 +18,8 @@ constexpr std::size_t kMostColumns = 1 << 12;
 template <class T>
 bool alternatesIn(std::span<const std::span<const T>> slices) {
     if (slices.size() < kLeastSlices || slices[0].empty()) return false;
-    // Not a divisor of the width of an image, so that no column of pixels is looked at alone.
+    // The stride is odd, no divisor of an image's usual width, so that not only one column of pixels is
+    // looked at.
     const std::size_t stride = std::max<std::size_t>(1, slices[0].size() / kMostColumns) | 1u;
     double alternating = 0.0;
     double all = 0.0;

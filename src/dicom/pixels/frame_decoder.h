@@ -24,7 +24,8 @@ enum class FrameState : std::uint8_t {
 
 class FrameDecoder {
   public:
-    // Of each frame either `stored` or `values`, as plan.format says. All have to outlive the decoder.
+    // Where a frame is decoded to: either `stored` or `values`, as plan.format says. All have to outlive the
+    // decoder.
     struct Target {
         std::span<std::uint16_t> stored;
         std::span<float> values;
@@ -40,10 +41,10 @@ class FrameDecoder {
                      const std::function<void()>& onFirst, Progress& progress);
 
     FrameState state(std::size_t frame) const { return states_[frame]; }
-    // Of a decoded frame: see intensity.h.
+    // Counts of a decoded frame: see intensity.h.
     std::size_t cellsBeyondStoredBits(std::size_t frame) const { return beyondStoredBits_[frame]; }
     std::size_t notFinite(std::size_t frame) const { return notFinite_[frame]; }
-    // Of the first frame, in the order of the stack, that could not be decoded.
+    // The error of the first frame, in the order of the stack, that could not be decoded.
     std::optional<Error> failure() const;
 
   private:

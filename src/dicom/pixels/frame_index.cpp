@@ -60,7 +60,7 @@ Items readItems(const RandomFile& file, std::uint64_t at, std::size_t frames) {
     return items;
 }
 
-// Nothing when the offsets are not those of fragments.
+// The index by a table of offsets; nothing when these are not those of fragments.
 std::optional<FrameIndex> byOffsets(const Items& items, std::span<const std::uint64_t> offsets) {
     FrameIndex index;
     if (items.fragments.empty()) return index;
@@ -113,7 +113,8 @@ bool fragmentBeginsStream(const RandomFile& file, Codec codec, const Extent& fra
     return file.read(fragment.offset, bytes) && beginsStream(codec, bytes);
 }
 
-// With the marker that ends JPEG, JPEG-LS and JPEG 2000 streams, and at most one byte of padding.
+// Whether a fragment ends with the end marker of JPEG, JPEG-LS and JPEG 2000 streams, and at most one byte of
+// padding.
 bool fragmentEndsStream(const RandomFile& file, const Extent& fragment) {
     std::array<std::byte, 3> tail{};
     if (fragment.bytes < tail.size() || !file.read(fragment.offset + fragment.bytes - tail.size(), tail))
@@ -124,7 +125,7 @@ bool fragmentEndsStream(const RandomFile& file, const Extent& fragment) {
     return endsAt(1) || endsAt(0);
 }
 
-// Several fragments each.
+// The index of frames of several fragments each, by the markers of their streams.
 std::optional<FrameIndex> byMarkers(const RandomFile& file, Codec codec, const Items& items,
                                     std::size_t frames, bool afterEndsOnly) {
     std::vector<std::size_t> starts;
@@ -146,8 +147,8 @@ std::optional<FrameIndex> byMarkers(const RandomFile& file, Codec codec, const I
     return index;
 }
 
-// Several frames in one fragment: wherever one stream ends and another one begins. Streams cannot hold these
-// markers otherwise.
+// The index of several frames in one fragment: they are cut wherever one stream ends and another one begins.
+// Streams cannot hold these markers otherwise.
 std::optional<FrameIndex> insideOfOne(const RandomFile& file, Codec codec, const Extent& fragment,
                                       std::size_t frames) {
     if (!fragmentBeginsStream(file, codec, fragment)) return {};

@@ -19,9 +19,9 @@ struct Extent {
 
 class FrameIndex {
   public:
-    // Those that are there to their end: fewer than the header claims when the file is cut off.
+    // The number of frames that are complete: fewer than the header claims when the file is cut off.
     std::size_t frames() const { return ends_.size(); }
-    // All inside the file; together they are the frame's stream.
+    // The extents of a frame, all inside the file: together they are its stream.
     std::span<const Extent> operator[](std::size_t frame) const {
         const std::size_t first = frame == 0 ? 0 : ends_[frame - 1];
         return std::span(extents_).subspan(first, ends_[frame] - first);

@@ -33,7 +33,7 @@ struct CellFormat {
     bool operator==(const CellFormat&) const = default;
 };
 
-// Of floating-point cells, which say nothing of stored bits.
+// The format of floating-point cells, which say nothing of stored bits.
 CellFormat floatFormat(CellKind kind);
 
 // Integers of 1, 8, 16 or 32 bits allocated, and the stored bits inside them; or floatFormat.
@@ -66,8 +66,8 @@ struct ModalityLut {
     bool operator==(const ModalityLut&) const = default;
 };
 
-// From LUTDescriptor (0028,3002) as its three words, and LUTData (0028,3006); entries of 8 bits may stand in
-// a word each, or two in a word. Nothing when they do not fit each other.
+// Reads the modality LUT from LUTDescriptor (0028,3002) as its three words, and LUTData (0028,3006); entries
+// of 8 bits may stand in a word each, or two in a word. Nothing when they do not fit each other.
 std::shared_ptr<const ModalityLut> readModalityLut(const std::array<std::uint16_t, 3>& descriptor,
                                                    std::span<const std::uint16_t> data, bool pixelsAreSigned);
 
@@ -86,9 +86,9 @@ struct SliceIntensity {
 // Slices that declare no padding get that of the others, if all of those agree. Says so, when there were any.
 std::optional<std::string> completePadding(std::span<SliceIntensity> slices);
 
-// In place, from narrow cells as in the file to "unpacked" values: raw when unsigned, raw + 32768 when
-// signed. Bits outside the stored ones (overlays, PS3.5 8.1.2) are dropped, except where the whole cell is a
-// padding value that the stored bits cannot hold: masked, it would be a bright false value.
+// Unpacks in place, from narrow cells as in the file to "unpacked" values: raw when unsigned, raw + 32768
+// when signed. Bits outside the stored ones (overlays, PS3.5 8.1.2) are dropped, except where the whole cell
+// is a padding value that the stored bits cannot hold: masked, it would be a bright false value.
 void unpackCells(const CellFormat& format, const std::optional<RawRange>& padding,
                  std::span<std::uint16_t> cells);
 
@@ -116,7 +116,7 @@ struct SliceMap {
 
 void applyMap(const SliceMap& map, std::span<std::uint16_t> unpacked);
 
-// To units, for voxels of float32. The value is computed in double; padding, and what float cannot hold,
+// Maps to units, for voxels of float32. The value is computed in double; padding, and what float cannot hold,
 // become NaN. `numbers` are raw values that were wider than 16 bits; returned is how many of them are not
 // padding and have no finite value.
 void applyIntensity(const SliceIntensity& slice, std::span<const std::uint16_t> unpacked,
@@ -135,7 +135,7 @@ struct IntensityPlan {
     std::optional<UnitsFromStored> steps = {};
 };
 
-// As far as the formats alone can tell. At least one slice, each with a usable format.
+// The plan as far as the formats alone can tell. At least one slice, each with a usable format.
 IntensityPlan planFromFormats(std::span<const SliceIntensity> slices);
 
 struct NarrowedVoxels {

@@ -18,7 +18,7 @@ constexpr double kLargestStored = 65535.0;
 constexpr double kMostStepsOfASlope = 4096.0;
 constexpr double kLargestShift = 1e12;  // far from where integers are no longer exact
 
-// Of the unpacked values of narrow cells; wide ones are not packed.
+// What unpacking adds to the raw values of narrow cells; wide ones are not packed.
 int offsetOf(const CellFormat& format) {
     return format.isSigned && isNarrow(format) ? kSignedOffset : 0;
 }
@@ -38,7 +38,7 @@ bool isNearlyInteger(double value) {
     return std::abs(value - std::round(value)) <= 1e-9 * std::max(1.0, std::abs(value));
 }
 
-// Euclid's, for numbers that were written in decimal digits.
+// The greatest common measure by Euclid's algorithm, for numbers that were written in decimal digits.
 double commonMeasure(double a, double b) {
     const double negligible = 1e-9 * std::max(a, b);
     while (b > negligible) {
@@ -74,7 +74,7 @@ StoredRange formatRange(const CellFormat& format) {
     return {static_cast<std::uint16_t>(low), static_cast<std::uint16_t>(low + (1 << format.bitsStored) - 1)};
 }
 
-// Of what the stored bits can hold.
+// The range of values that the stored bits can hold.
 ValueRange valueRange(const SliceIntensity& slice, const Line& line) {
     const StoredRange unpacked = formatRange(slice.format);
     ValueRange x{double(unpacked.low), double(unpacked.high)};
@@ -187,7 +187,7 @@ Extent extentOf(std::span<const float> values) {
     return extent;
 }
 
-// False unless each of them stays the same.
+// Narrows values to 16 bits. False unless each of them stays the same.
 bool narrow(std::span<const float> values, const UnitsFromStored& unitsFromStored, double first,
             std::span<std::uint16_t> result) {
     for (std::size_t i = 0; i < values.size(); ++i) {

@@ -43,7 +43,7 @@ struct FrameHeader {
     int components = 0;
 };
 
-// ISO 10918-1 B.2.2, ISO 14495-1 C.2.2. Nothing when there is none before the data.
+// Reads the frame header (ISO 10918-1 B.2.2, ISO 14495-1 C.2.2). Nothing when there is none before the data.
 std::optional<FrameHeader> readFrameHeader(std::span<const std::byte> stream) {
     const auto byte = [&](std::size_t i) { return std::to_integer<int>(stream[i]); };
     const auto word = [&](std::size_t i) { return byte(i) << 8 | byte(i + 1); };
@@ -69,7 +69,7 @@ std::optional<FrameHeader> readFrameHeader(std::span<const std::byte> stream) {
     return {};
 }
 
-// As an element of its own, with the few attributes that DCMTK's decoders ask for.
+// Decodes the stream as a data element of its own, with the few attributes that DCMTK's decoders ask for.
 bool decodeWithToolkit(const std::string& transferSyntaxUid, std::span<const std::byte> stream,
                        const FrameHeader& header, std::span<std::byte> target) {
     DcmItem attributes;

@@ -152,7 +152,8 @@ Result<void> PixelReader::Impl::open() {
         bytesInWords = vr == std::array{std::byte{'O'}, std::byte{'W'}};
     }
     if (!pixels.encapsulated) {
-        // Compressed by name only: some archives change the name and not the pixels.
+        // The pixels may be compressed in name only: some archives change the transfer syntax and not the
+        // pixels.
         const bool fits = pixels.claimed * 8 / frameBits() == static_cast<unsigned>(layout.frames) &&
                           pixels.claimed * 8 % frameBits() < 16;
         if (codec != Codec::native && !fits) return damaged();
@@ -172,7 +173,7 @@ bool PixelReader::Impl::isCutOff(int frame) const {
     return static_cast<std::uint64_t>(frame) >= pixels.present * 8 / frameBits();
 }
 
-// The stream of a frame, into scratch.
+// Gathers the stream of a frame into scratch.
 bool PixelReader::Impl::gather(std::size_t frame) {
     std::uint64_t bytes = 0;
     for (const Extent& extent : index[frame]) bytes += extent.bytes;  // all inside the file
@@ -185,7 +186,7 @@ bool PixelReader::Impl::gather(std::size_t frame) {
     return true;
 }
 
-// `offset` from the beginning of the pixels.
+// Reads native pixels, `offset` bytes from their beginning.
 bool PixelReader::Impl::readNative(std::uint64_t offset, std::span<std::byte> bytes) {
     if (!inflating) return file.read(pixels.offset + offset, bytes);
     if (!inflating->inflating() || inflating->position() > pixels.offset + offset) {
@@ -197,7 +198,7 @@ bool PixelReader::Impl::readNative(std::uint64_t offset, std::span<std::byte> by
            inflating->read({reinterpret_cast<unsigned char*>(bytes.data()), bytes.size()});
 }
 
-// Of cells of whole bytes that are not compressed, or by run lengths; little-endian.
+// Reads cells of whole bytes that are native or run-length encoded; little-endian.
 Result<void> PixelReader::Impl::readBytes(int frame, std::span<std::byte> bytes) {
     const std::size_t cell = bytesPerCell();
     if (codec == Codec::rle) {
@@ -212,7 +213,7 @@ Result<void> PixelReader::Impl::readBytes(int frame, std::span<std::byte> bytes)
     }
     const std::uint64_t offset = static_cast<std::uint64_t>(frame) * bytes.size();
     if (bigEndian && cell == 1 && bytesInWords) {
-        // Pairs are swapped, counted from the first frame.
+        // Pairs of bytes are swapped, counted from the first frame.
         const std::uint64_t first = offset - offset % 2;
         const std::uint64_t end = offset + bytes.size() + (offset + bytes.size()) % 2;
         scratch.resize(end - first);
@@ -298,7 +299,7 @@ PixelReader::~PixelReader() = default;
 
 namespace {
 
-// Runs what may meet a hostile file.
+// Runs `body`, which may meet a hostile file, and turns what it throws into an error.
 template <class Body>
 auto guarded(const std::filesystem::path& file, const Body& body) -> decltype(body()) try {
     return body();

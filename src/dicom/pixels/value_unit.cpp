@@ -17,7 +17,7 @@ bool isHounsfield(std::string_view rescaleType) {
     return isOneOf(rescaleType, {"HU", "[hnsf'U]"});
 }
 
-// Those whose definition says that a missing type means HU, and objects that do not say what they are.
+// Whether a missing rescale type means HU by the SOP class's definition; also for objects that name no class.
 bool isCtImage(const Instance& instance) {
     return isOneOf(instance.sopClassUid, {"", sop_class::kCtImage, sop_class::kEnhancedCtImage,
                                           sop_class::kLegacyConvertedEnhancedCtImage});

@@ -34,14 +34,14 @@ class ByteSource {
     // Up to `count` of the next bytes, fewer at the end, without moving on. Good until the next call.
     std::span<const unsigned char> ahead(std::size_t count);
 
-    // From here on what the raw deflate stream (RFC 1951; PS3.5 A.5) holds. Positions go on from where it
-    // begins.
+    // From here on gives what the raw deflate stream (RFC 1951; PS3.5 A.5) inflates to. Positions go on from
+    // where the stream begins.
     void beginInflating();
     bool inflating() const { return stream_ != nullptr; }
 
     std::uint64_t position() const { return position_; }
     std::uint64_t fileBytes() const { return fileBytes_; }
-    // Of the file, not inflated.
+    // Bytes left in the file, as they are stored: not inflated.
     std::uint64_t bytesLeft() const { return position_ < fileBytes_ ? fileBytes_ - position_ : 0; }
 
   private:

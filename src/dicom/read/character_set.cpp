@@ -51,7 +51,8 @@ constexpr std::array kTerms = std::to_array<Term>({
     {"192", kUtf8, '\0'},
 });
 
-// Also as it is misspelt: ISO IR 100, ISO-IR-100, ISO_IR100, UTF-8, ISO8859-1. Nothing when unknown.
+// The encoding of a defined term, also as it is misspelt: ISO IR 100, ISO-IR-100, ISO_IR100, UTF-8,
+// ISO8859-1. Nothing when unknown.
 std::optional<Encoding> encodingOfTerm(std::string_view term) {
     std::string name;
     for (const char c : term) {
@@ -80,7 +81,7 @@ bool isJapanese(std::string_view declared) {
     return false;
 }
 
-// The whole of it or nothing. Opening a converter takes longer than most texts.
+// Converts the whole text or nothing. Opening a converter takes longer than most texts.
 std::optional<std::string> converted(std::string_view bytes, Encoding from, Encoding to = kUtf8) {
     thread_local std::map<std::pair<std::string_view, std::string_view>, OFCharacterEncoding> converters;
     const auto [entry, isNew] = converters.try_emplace({from, to});
@@ -103,7 +104,7 @@ std::optional<std::string> katakana(std::string_view bytes) {
     return result;
 }
 
-// Bytes of one encoding, which for single-byte ones are all above 0x7F.
+// Converts bytes of one encoding, which for single-byte ones are all above 0x7F.
 std::optional<std::string> convert(std::string_view bytes, Encoding from) {
     if (from == nullptr) return {};
     if (from == kKatakana) return katakana(bytes);
@@ -114,8 +115,8 @@ std::optional<std::string> convert(std::string_view bytes, Encoding from) {
     return converted(bytes, from);
 }
 
-// As what is left to try, which cannot fail. The 32 codes that are no characters in Latin-1 are those of
-// Windows, which is where such text comes from.
+// Decodes text as Latin-1, the last resort, which cannot fail. The 32 codes that are no characters in Latin-1
+// are those of Windows, which is where such text comes from.
 std::string latin1(std::string_view bytes) {
     std::string result;
     for (const char c : bytes) {
@@ -129,8 +130,9 @@ std::string latin1(std::string_view bytes) {
     return result;
 }
 
-// Whole, but for a character at its end that was cut off when a value was cut to its greatest length. Only
-// when there are others before it: a single odd byte at the end is a letter of another alphabet.
+// Decodes text that is whole but for a character at its end that was cut off when a value was cut to its
+// greatest length. Only when there are others before it: a single odd byte at the end is a letter of another
+// alphabet.
 std::optional<std::string> cutOff(std::string_view bytes, Encoding encoding) {
     const auto isAscii = [](char c) { return static_cast<unsigned char>(c) < 0x80; };
     for (std::size_t less = 1; less <= 3 && less < bytes.size(); ++less) {
@@ -196,7 +198,7 @@ class EscapedText {
 
     void kanji() {
         if (at_ + 1 >= bytes_.size() || bytes_[at_] == ' ') {
-            // A blank between two escape sequences, or half a character.
+            // Here stands a blank between two escape sequences, or half a character.
             flush();
             if (bytes_[at_] == ' ') {
                 result_.utf8 += ' ';
@@ -329,7 +331,8 @@ DecodedText decode(std::string_view bytes, std::string_view declared, Delimiters
     }
     if (bytes.find('\x1B') != std::string_view::npos)
         return EscapedText(bytes, first.value_or(nullptr), others, isJapanese(declared), delimiters).decode();
-    // What is no UTF-8 by accident: in Latin-1 it would be capital letters with signs like 1/4 after them.
+    // Text that is valid UTF-8 is so by no accident: in Latin-1 it would be capital letters with signs like
+    // 1/4 after them.
     if (first == kLatin1 && isValidUtf8(bytes)) return {std::string(bytes), true};
     const Encoding encoding = first.value_or(nullptr);
     if (encoding == kKatakana || encoding == kKorean || encoding == kChinese) {
@@ -343,7 +346,7 @@ DecodedText decode(std::string_view bytes, std::string_view declared, Delimiters
         }
     }
     if (isValidUtf8(bytes)) return {std::string(bytes), true};
-    // The usual mistakes: no escape sequences, or those of another operating system.
+    // The usual mistakes in Japanese text: no escape sequences, or the encoding of another operating system.
     if (isJapanese(declared)) {
         if (auto text = convert(bytes, "CP932")) return {*text, true};
     }
@@ -354,7 +357,7 @@ DecodedText decode(std::string_view bytes, std::string_view declared, Delimiters
     return {latin1(bytes), true};
 }
 
-// Those that could change what a terminal or a log shows.
+// Removes control characters, which could change what a terminal or a log shows.
 void dropControls(std::string& text) {
     const auto isUpperControl = [&](std::size_t i) {  // U+0080 to U+009F
         return text[i] == '\xC2' && i + 1 < text.size() && static_cast<unsigned char>(text[i + 1]) < 0xA0;
@@ -374,7 +377,7 @@ void dropControls(std::string& text) {
 }  // namespace
 
 bool isValidUtf8(std::string_view text) {
-    // To UTF-16, which has no codes above U+10FFFF; the C library's UTF-8 has.
+    // Checked by converting to UTF-16, which has no codes above U+10FFFF; the C library's UTF-8 has.
     return converted(text, kUtf8, "UTF-16LE").has_value();
 }
 

@@ -76,7 +76,7 @@ struct Dataset::File {
         chain.push_back(item);
     }
 
-    // Items may have their own, PS3.5 7.5.3.
+    // Items may have a character set of their own, PS3.5 7.5.3.
     std::string_view characterSet(ItemNumber item) const {
         for (; item != ElementTree::kNone; item = tree.parent(item)) {
             const Element* element = tree.find(item, tag::kSpecificCharacterSet);
@@ -134,7 +134,7 @@ struct Dataset::Hit {
         const auto isControl = [](char c) {
             return c >= 0 && c < ' ' && c != '\r' && c != '\n' && c != '\t';
         };
-        // Of unknown private elements, what looks like text.
+        // An unknown private element is text when its value looks like text.
         if (vr == 0) {
             const auto text = trimmed(bytes);
             return std::none_of(text.begin(), text.end(), isControl);
@@ -329,7 +329,8 @@ HeaderFile readHeader(const fs::path& file, const CancelToken& cancel) try {
     content->prepareFrames();
     const ElementTree::ItemNumber root = content->tree.root();
     const Dataset dataset(std::move(content), {root});
-    // What happens to begin like a dataset, with or without the magic, still has none of these.
+    // A file that only happens to begin like a dataset, with or without the magic, has none of these
+    // elements.
     const bool saysWhatItIs =
         dataset.has(tag::kSopClassUid) || dataset.has(tag::kModality) || dataset.has(tag::kStudyInstanceUid);
     if (kind == Sniff::bareDataset && !saysWhatItIs) return {FileState::notDicom, {}};

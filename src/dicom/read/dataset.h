@@ -39,7 +39,7 @@ class Dataset {
     // The transfer syntax UID of the file meta information, or of what the file turned out to be without one.
     const std::string& transferSyntaxUid() const;
 
-    // Present, and not empty.
+    // Whether the element is present, and not empty.
     bool has(Tag tag) const;
 
     // All getters give nothing when the element is missing, empty, larger than 256 KiB, or does not hold what
@@ -67,7 +67,7 @@ class Dataset {
     // The items of a sequence, in their order; none when it is missing or no sequence.
     std::vector<Dataset> items(Tag sequence) const;
 
-    // What the file claims; 1 when it does not say (PS3.3 C.7.6.6).
+    // The number of frames that the file claims; 1 when it does not say (PS3.3 C.7.6.6).
     int frameCount() const;
     // All that applies to frame `i`, from 0 (PS3.3 C.7.6.16): the macros of its item of
     // PerFrameFunctionalGroupsSequence, that item, the macros that all frames share, their item, and the top
@@ -83,7 +83,7 @@ class Dataset {
     friend HeaderFile readHeader(const std::filesystem::path& file, const CancelToken& cancel);
 
     std::shared_ptr<const File> file_;
-    std::vector<std::uint32_t> items_;  // of the file's tree; the first that has a value is taken
+    std::vector<std::uint32_t> items_;  // items of the file's tree, searched in this order for a value
 };
 
 // Where in the file the pixel data are.
@@ -107,7 +107,7 @@ struct HeaderFile {
 // The 128 bytes and DICM of PS3.10 7.1 are there.
 bool hasPreamble(ByteSource& source);
 
-// Of a standard data element, as in PS3.6: "SliceThickness".
+// The tag of a standard data element by its keyword, as in PS3.6: "SliceThickness".
 std::optional<Tag> tagOfKeyword(std::string_view keyword);
 
 // offline or unreadable, by the errno of opening or reading a file.

@@ -41,14 +41,14 @@ class ElementTree {
     // Closes what is still open.
     void finish();
 
-    // What it takes, more or less.
+    // The memory that the tree takes, more or less.
     std::size_t bytes() const {
         return values_.size() + (elements_.size() + openElements_.size()) * sizeof(Element) +
                (items_.size() + closedItems_.size()) * sizeof(Item);
     }
 
     ItemNumber root() const { return root_; }
-    // That an item is inside of; kNone for the root.
+    // The item that contains `item`; kNone for the root.
     ItemNumber parent(ItemNumber item) const { return items_[item].parent; }
     std::span<const Element> elements(ItemNumber item) const {
         return {elements_.data() + items_[item].first, items_[item].count};  // sorted by tag
@@ -61,13 +61,13 @@ class ElementTree {
 
   private:
     struct Item {
-        std::uint32_t first = 0;  // of elements_
+        std::uint32_t first = 0;  // index in elements_
         std::uint32_t count = 0;
         ItemNumber parent = kNone;
     };
     struct OpenSequence {
         Element element;
-        std::size_t firstItem = 0;  // of closedItems_
+        std::size_t firstItem = 0;  // index in closedItems_
     };
 
     ItemNumber place(const Item& item);
@@ -77,7 +77,7 @@ class ElementTree {
     std::vector<Item> items_;
     ItemNumber root_ = kNone;
 
-    // Of what is still open. The root is the first open item.
+    // The elements and items that are still open. The root is the first open item.
     std::vector<Element> openElements_;
     std::vector<std::size_t> openItems_;  // where in openElements_ they begin
     std::vector<Item> closedItems_;       // of the open sequences

@@ -9,7 +9,7 @@ namespace macula::dicom {
 
 namespace {
 
-// What one frame takes in uncompressed pixel data; 0 when the file does not say.
+// The bits that one frame takes in uncompressed pixel data; 0 when the file does not say.
 std::uint64_t bitsPerFrame(const Instance& instance, const Dataset& header) {
     const int bits = header.integer(tag::kBitsAllocated).value_or(0);
     if (instance.rows <= 0 || instance.columns <= 0 || bits <= 0 || bits > 64) return 0;
@@ -41,7 +41,7 @@ void dropFramesCutOff(Examination& found, const HeaderFile& read) {
     found.state = found.frames.empty() ? FileState::truncated : FileState::complete;
 }
 
-// An empty one is absent.
+// Whether NumberOfFrames is unusable; an empty one counts as absent.
 bool hasInvalidFrameCount(const Dataset& header) {
     const auto count = header.text(tag::kNumberOfFrames);
     if (!count || count->find_first_not_of(' ') == std::string::npos) return false;

@@ -20,7 +20,7 @@ struct Examination {
     FileState state = FileState::notDicom;
     Kind kind = Kind::other;
     std::vector<Frame> frames;       // of an image; those that the file has pixels for
-    std::size_t framesMissing = 0;   // of those that the file says it has
+    std::size_t framesMissing = 0;   // frames that the file claims and has no pixels for
     bool invalidFrameCount = false;  // NumberOfFrames is there, and is no number
     OtherObject object;              // when kind is other
     bool charsetFallback = false;

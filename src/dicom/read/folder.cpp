@@ -19,13 +19,13 @@ bool isLeftByMacOs(const fs::path& name) {
     return text.starts_with("._") || text == ".DS_Store" || text == "__MACOSX";
 }
 
-// By hand rather than by the recursive iterator, which ends for good at the first error. Everything is named
-// by its path from the folder, without any link in it: so each has one name only.
+// Walks by hand rather than by the recursive iterator, which ends for good at the first error. Everything is
+// named by its path from the folder, without any link in it: so each has one name only.
 class Listing {
   public:
     Listing(const fs::path& folder, const fs::path& canonical) : folder_(folder), canonical_(canonical) {}
 
-    // False when cancelled.
+    // Lists the folder. False when cancelled.
     bool run(Progress& progress) {
         enterOnce({});
         while (!waiting_.empty()) {

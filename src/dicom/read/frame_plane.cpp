@@ -6,7 +6,7 @@ namespace macula::dicom {
 
 namespace {
 
-// Between rows, between columns; and where it was taken from.
+// Pixel spacing between rows and between columns, and the attribute it was taken from.
 struct Spacing {
     std::vector<double> mm;
     PixelSpacingSource source = PixelSpacingSource::none;
@@ -15,7 +15,7 @@ struct Spacing {
 Spacing readSpacing(const Dataset& frame) {
     if (const auto mm = frame.numbers(tag::kPixelSpacing, 2)) return {*mm, PixelSpacingSource::pixelSpacing};
     if (auto mm = frame.numbers(tag::kImagerPixelSpacing, 2)) {
-        // At the detector; at the patient it is smaller by the magnification (PS3.3 C.8.7.10).
+        // Spacing at the detector; at the patient it is smaller by the magnification (PS3.3 C.8.7.10).
         if (const auto magnification = frame.number(tag::kEstimatedMagnification);
             magnification && *magnification > 0.0) {
             for (double& value : *mm) value /= *magnification;
@@ -34,7 +34,8 @@ std::vector<double> frameOffsetsMm(const Dataset& header) {
     // RT Dose: distances from the first plane along the normal (PS3.3 C.8.8.3.2).
     std::vector<double> offsets = header.allNumbers(tag::kGridFrameOffsetVector);
     if (!offsets.empty()) {
-        // Either distances from the first, or z coordinates of axial planes, whose normal may point to -z.
+        // The offsets are either distances from the first, or z coordinates of axial planes, whose normal may
+        // point to -z.
         const auto position = header.numbers(tag::kImagePositionPatient, 3);
         const auto orientation = header.numbers(tag::kImageOrientationPatient, 6);
         const double first = offsets[0];

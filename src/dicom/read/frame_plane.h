@@ -5,11 +5,11 @@
 
 namespace macula::dicom {
 
-// Of objects that keep one position for all frames: how far each lies from it along the normal. Empty for
+// The distance of each frame along the normal, for objects that keep one position for all frames. Empty for
 // others.
 std::vector<double> frameOffsetsMm(const Dataset& header);
 
-// Fills in what belongs to it. `header` is the file's top level, `dataset` the frame's.
+// Fills in position, orientation and spacing. `header` is the file's top level, `dataset` the frame's.
 void readPlane(const Dataset& header, const Dataset& dataset, double offsetMm, Frame& frame);
 
 }  // namespace macula::dicom

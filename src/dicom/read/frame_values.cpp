@@ -14,8 +14,8 @@ struct Mapping {
     std::string unit;  // UCUM code
 };
 
-// For PET only: there it is what the values mean, elsewhere it is for display. Only a mapping in the unit
-// of the image is taken, or the first when the image names no unit.
+// The real world value mapping, for PET only: there it is what the values mean, elsewhere it is for display.
+// Only a mapping in the unit of the image is taken, or the first when the image names no unit.
 std::optional<Mapping> realWorldMapping(const Dataset& dataset) {
     if (dataset.text(tag::kModality) != "PT") return {};
     const std::string units = dataset.text(tag::kUnits).value_or("");

@@ -6,7 +6,7 @@
 
 namespace macula::dicom {
 
-// Fills in what belongs to it; frame.instance is set.
+// Fills in what this file names; frame.instance must be set.
 void readValues(const Dataset& dataset, Frame& frame);
 
 }  // namespace macula::dicom

@@ -50,8 +50,8 @@ std::optional<Message> inconsistency(std::span<const StackedPlane> planes) {
     return {};
 }
 
-// Row and column as they are when they are as good as perpendicular unit vectors, else made so: the row kept,
-// the column turned.
+// Repairs the directions of row and column where they are not quite perpendicular unit vectors: the row is
+// kept, the column turned.
 ImagePlane orthonormal(ImagePlane plane, std::vector<Message>& messages) {
     const double dot = glm::dot(plane.rowDirection, plane.columnDirection);
     const double worst = std::max({std::abs(dot), std::abs(glm::length(plane.rowDirection) - 1.0),
@@ -117,7 +117,7 @@ std::vector<SliceSource> slicesEvenly(const Positions& positions, std::size_t co
         const double weight =
             std::clamp((at - positions.alongMm[below]) / positions.stepsMm[below], 0.0, 1.0);
         const double toleranceOfGap = kExactOfStep * step / positions.stepsMm[below];
-        // Of two planes that lie close both may be near enough: the nearer is meant.
+        // Both of two planes that lie close may be near enough: the nearer one is taken.
         if (std::min(weight, 1.0 - weight) <= toleranceOfGap) {
             const std::size_t nearest = weight <= 0.5 ? below : below + 1;
             slices.push_back({nearest, nearest, 0.0});
@@ -152,7 +152,7 @@ std::vector<double> alongNormal(std::span<const StackedPlane> planes) {
     return along;
 }
 
-// Ascending along the normal, then by instance number, then as given.
+// The order of planes: ascending along the normal, then by instance number, then as given.
 std::vector<std::size_t> sortedOrder(std::span<const StackedPlane> planes, const std::vector<double>& along) {
     std::vector<std::size_t> order(planes.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
@@ -164,7 +164,7 @@ std::vector<std::size_t> sortedOrder(std::span<const StackedPlane> planes, const
     return order;
 }
 
-// Of two planes or more.
+// The positions of two planes or more, in order.
 Positions positionsInOrder(const std::vector<std::size_t>& order, const std::vector<double>& along) {
     Positions positions;
     for (const std::size_t index : order) positions.alongMm.push_back(along[index]);
@@ -294,7 +294,7 @@ void tellUnevenness(std::span<const StackedPlane> planes, const Positions& posit
     }
 }
 
-// Between the way from slice to slice and the normal of the planes: 0 unless the gantry was tilted.
+// The angle between the way from slice to slice and the normal of the planes: 0 unless the gantry was tilted.
 double tiltDegOf(const StackLine& line, const StackGeometry& stack) {
     const double cosTilt = std::clamp(
         glm::dot(glm::normalize(sliceStepMm(line, stack)), glm::normalize(line.first.normal())), -1.0, 1.0);

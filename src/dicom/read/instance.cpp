@@ -28,7 +28,8 @@ std::optional<CellFormat> readFormat(const Dataset& header) {
     return format;
 }
 
-// What the file has room for. At least one, so that a file without its pixels is still told of.
+// The most frames that the file has room for. At least one, so that a file without its pixels is still
+// reported.
 int mostFrames(const std::filesystem::path& file, const HeaderFile& read) {
     const Dataset& header = *read.header;
     std::uint64_t most = 1;
@@ -44,7 +45,7 @@ int mostFrames(const std::filesystem::path& file, const HeaderFile& read) {
         const std::uint64_t bits =
             std::max<std::uint64_t>(1, number(tag::kRows) * number(tag::kColumns) *
                                            std::min<std::uint64_t>(number(tag::kBitsAllocated), 64));
-        // One more than there are, so that the lack is seen.
+        // One more than the pixel data hold, so that a frame that is missing is noticed.
         most = 8 * read.pixels->bytesPresent / bits + 1;
     }
     return static_cast<int>(std::clamp<std::uint64_t>(most, 1, kMostFrames));
@@ -111,7 +112,7 @@ std::vector<Frame> readFrames(const std::filesystem::path& file, const HeaderFil
     const std::vector<double> offsetsMm = frameOffsetsMm(header);
     for (int i = 0; i < instance->frames; ++i) {
         const auto at = static_cast<std::size_t>(i);
-        // Of frames beyond the list nobody knows where they are.
+        // The position of frames beyond the list is unknown.
         const double beyond = offsetsMm.empty() ? 0.0 : std::numeric_limits<double>::quiet_NaN();
         const double offsetMm = at < offsetsMm.size() ? offsetsMm[at] : beyond;
         frames.push_back(

@@ -75,7 +75,7 @@ struct Frame {
     std::vector<std::string> attributes;  // of splitRules()
 };
 
-// From a header that has Rows and Columns; one entry per frame of the file, at least one.
+// The frames of a header that has Rows and Columns; one entry per frame of the file, at least one.
 std::vector<Frame> readFrames(const std::filesystem::path& file, const HeaderFile& read);
 
 // What intensity.h needs, with 1 and 0 for a missing slope and intercept (stack.h tells of that).

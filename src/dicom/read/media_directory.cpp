@@ -22,7 +22,7 @@ constexpr Tag kMediaStorageSopClass{0x0002, 0x0002};
 constexpr Tag kRecordInUse{0x0004, 0x1410};
 constexpr Tag kReferencedFile{0x0004, 0x1500};
 
-// What of a name discs change: its capitals, a version number, and the dot in front of it.
+// A name without what discs change in it: its capitals, a version number, and the dot in front of it.
 std::string comparable(std::string_view name) {
     const std::size_t version = name.rfind(';');
     if (version != std::string_view::npos &&
@@ -44,7 +44,7 @@ std::optional<std::vector<std::string>> wayTo(const std::vector<std::string>& co
             std::string name = component.substr(begin, end - begin);
             begin = end + 1;
             if (name.empty() && !way.empty()) continue;
-            // Absolute, a drive, or upwards.
+            // An absolute path, a drive, or "..".
             if (name.empty() || name == ".." || (name.size() == 2 && name[1] == ':')) return {};
             if (name != ".") way.push_back(std::move(name));
         }

@@ -152,7 +152,8 @@ class Walk {
                 std::copy(value.begin(), value.end(), kept.begin());
             }
             if (header.tag == Tag{0x0002, 0x0000} && header.length == 4) {
-                // Only believed when nothing else can tell where the group ends: in front of deflated data.
+                // The group length is only believed when nothing else can tell where the group ends: in front
+                // of deflated data.
                 groupEnd_ = source_.position() + doubleWordAt(value.data(), false);
             } else if (header.tag == Tag{0x0002, 0x0010}) {
                 const std::string_view uid(reinterpret_cast<const char*>(value.data()), value.size());
@@ -180,7 +181,8 @@ class Walk {
         if (known) {
             encoding_ = {static_cast<bool>(syntax.isExplicitVR()), static_cast<bool>(syntax.isBigEndian())};
             const Encoding found = encodingOf(head);
-            // Only when it cannot be what it says it is: the other one would be as good a guess as any.
+            // The declared encoding is only overruled when the data cannot be in it: else another one would
+            // be a mere guess.
             if (!encoding_.bigEndian && !found.bigEndian) encoding_ = found;
             return true;
         }
@@ -193,14 +195,14 @@ class Walk {
         return true;
     }
 
-    // By the first element: a VR, or a length that is plausible.
+    // The encoding by the first element: a VR, or a length that is plausible.
     Encoding encodingOf(std::span<const unsigned char, 8> head) const {
         if (isKnownVr(head[4], head[5])) return {true, head[0] == 0 && head[1] != 0};
         const bool plausible = doubleWordAt(head.data() + 4, false) <= kLongestFirstElement;
         return plausible ? Encoding{false, false} : encoding_;
     }
 
-    // One header, and what it says to do with the value. False at the end of the walk.
+    // Reads one element header, and does with the value what it says. False at the end of the walk.
     bool step() {
         while (!levels_.empty() && source_.position() >= levels_.back().end) {
             if (source_.position() > levels_.back().end) return false;  // reaches out of what it is in
@@ -306,7 +308,8 @@ class Walk {
             return false;
         std::array<unsigned char, 4> head{};
         if (!source_.peek(head) || doubleWordAt(head.data(), false) != 0xE000FFFE) return false;
-        // Private, or newer than the dictionary: whatever begins like an item.
+        // An element that is private, or newer than the dictionary, is a sequence when its value begins like
+        // an item.
         if (header.tag.isPrivate()) return true;
         const Vr known = dictionaryVr(header.tag);
         return known == vrOf("SQ") || known == 0;
@@ -367,7 +370,7 @@ class Walk {
         return true;
     }
 
-    // What tells how large an inflated file may be.
+    // Notes the size of the image, which bounds how large an inflated file may be.
     void noteImageSize(const Header& header, std::span<const unsigned char> value) {
         if (!levels_.empty() || header.tag.group != 0x0028) return;
         if (header.tag == tag::kNumberOfFrames) {

@@ -39,7 +39,7 @@ struct Outline {
     // The pixel data are whole, and something follows that is no element.
     bool strayBytesAfterPixels = false;
     std::uint64_t datasetOffset = 0;  // in the file: where the file meta information ends
-    // Of the file meta information; where there is none, of what the dataset turned out to be.
+    // The UID of the file meta information; where there is none, that of what the dataset turned out to be.
     std::string transferSyntaxUid;
 
     // Within the bounds of any real object.

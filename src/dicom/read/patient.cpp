@@ -14,7 +14,7 @@ std::string normalisedName(std::string_view name) {
         if (c == '^') {
             while (result.ends_with(' ')) result.pop_back();
         }
-        // By hand: std::tolower asks the locale, which must not decide who is who.
+        // Lower case is made by hand: std::tolower asks the locale, which must not decide who is who.
         result += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
     }
     while (result.ends_with('^') || result.ends_with(' ')) result.pop_back();

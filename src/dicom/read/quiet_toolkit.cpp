@@ -30,7 +30,7 @@ bool isThere(toolkit::spi::FilterPtr filter) {
     return false;
 }
 
-// First in the chain of each appender: those of a host may come and go.
+// Installs the filter first in the chain of each appender, because a host's appenders may come and go.
 void installFilters() {
     for (const toolkit::SharedAppenderPtr& appender : toolkit::Logger::getRoot().getAllAppenders()) {
         const toolkit::thread::MutexGuard lock(appender->access_mutex);

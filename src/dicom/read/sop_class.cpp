@@ -79,7 +79,7 @@ bool isProjection(std::string_view sopClassUid) {
 
 std::string describeSopClass(std::string_view sopClassUid) {
     if (const Kind* kind = kindOf(sopClassUid)) return std::string(kind->name);
-    // What is no UID is not repeated: it may be anything.
+    // Text that is no UID is not repeated in the answer: it may be anything, a name too.
     const bool isUid = !sopClassUid.empty() && sopClassUid.size() <= 64 &&
                        sopClassUid.find_first_not_of("0123456789.") == std::string_view::npos;
     if (!isUid) return "Object of unknown kind";

@@ -19,7 +19,7 @@ inline constexpr std::string_view kLabelMapSegmentation = "1.2.840.10008.5.1.4.1
 // Has pixels, and is no image of the patient.
 bool isSegmentation(std::string_view sopClassUid);
 
-// Of the patient, in slices or otherwise: an object of these without rows and columns has lost them.
+// Images of the patient, in slices or otherwise: an object of these without rows and columns has lost them.
 bool isImage(std::string_view sopClassUid);
 
 // Images that look through or at the patient from outside, and are no slices, whatever else they say.

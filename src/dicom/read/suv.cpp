@@ -19,8 +19,8 @@ std::optional<double> secondsOf(const Dataset& header, Tag dateTag, Tag timeTag)
     return 86400.0 * double(*days) + *seconds;
 }
 
-// When the decay correction of START refers to: the start of the series, unless that was rewritten after the
-// acquisition, as workstations do.
+// The time that the decay correction START refers to: the start of the series, unless that was rewritten
+// after the acquisition, as workstations do.
 std::optional<double> scanSeconds(const Dataset& header) {
     const auto series = secondsOf(header, tag::kSeriesDate, tag::kSeriesTime);
     const auto acquisition = secondsOf(header, tag::kAcquisitionDate, tag::kAcquisitionTime);
@@ -62,7 +62,7 @@ Suv suvOf(const Dataset& header) {
     if (!scan) return without("time of the scan");
     std::optional<double> injected;
     if (const auto text = tracer.text(tag::kRadiopharmaceuticalStartDateTime)) {
-        // With an offset from UTC it can only be compared with times that have the same.
+        // A time with an offset from UTC can only be compared with times of the same offset.
         const std::size_t offset = text->find_first_of("+-");
         if (offset == std::string::npos || header.text(tag::kTimezoneOffsetFromUtc) == text->substr(offset)) {
             injected = secondsOfDateTime(*text);
@@ -70,7 +70,8 @@ Suv suvOf(const Dataset& header) {
     }
     if (!injected) {
         if (const auto text = tracer.text(tag::kRadiopharmaceuticalStartTime)) {
-            // Without a date: on the day of the scan, or the day before when that would lie after it.
+            // A time without a date is on the day of the scan, or the day before when that would lie after
+            // it.
             if (const auto time = secondsOfTime(*text)) {
                 injected = std::floor(*scan / 86400.0) * 86400.0 + *time;
                 if (*injected > *scan) *injected -= 86400.0;

@@ -5,7 +5,7 @@
 
 namespace macula::dicom {
 
-// PS3.6.
+// A tag, as listed in PS3.6.
 struct Tag {
     std::uint16_t group;
     std::uint16_t element;

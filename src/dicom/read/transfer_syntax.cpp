@@ -30,7 +30,7 @@ constexpr std::array kTable = std::to_array<Row>({
     {"1.2.840.10008.1.2.4.81", {Codec::jpegLs, "JPEG-LS Near-lossless"}},
     {"1.2.840.10008.1.2.4.90", {Codec::jpeg2000, "JPEG 2000 Lossless"}},
     {"1.2.840.10008.1.2.4.91", {Codec::jpeg2000, "JPEG 2000"}},
-    // Known by name only, to say more than a number.
+    // These are known by name only, so that messages say more than a number.
     {"1.2.840.10008.1.2.4.92", {Codec::unsupported, "JPEG 2000 Multi-component Lossless"}},
     {"1.2.840.10008.1.2.4.93", {Codec::unsupported, "JPEG 2000 Multi-component"}},
     {"1.2.840.10008.1.2.4.100", {Codec::unsupported, "MPEG-2 video"}},

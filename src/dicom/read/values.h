@@ -16,11 +16,11 @@ bool isTextVr(Vr vr);
 bool usesCharacterSet(Vr vr);
 std::vector<std::string_view> splitAtBackslash(std::string_view text);  // each trimmed
 
-// Of binary numbers; empty when the VR is none of these, or the length does not fit.
+// The values of binary numbers; empty when the VR is none of these, or the length does not fit.
 std::vector<double> binaryNumbers(Vr vr, std::string_view bytes, bool bigEndian);
-// Of any VR of 16 bits, and of bytes (two make one word).
+// The words of any VR of 16 bits, and of bytes (two make one word).
 std::vector<std::uint16_t> binaryWords(Vr vr, std::string_view bytes, bool bigEndian);
-// Of a binary VR, as text: values separated by backslashes. Empty for bytes that are no numbers.
+// The value of a binary VR as text: values separated by backslashes. Empty for bytes that are no numbers.
 std::string textOfBinary(Vr vr, std::string_view bytes, bool bigEndian);
 
 }  // namespace macula::dicom

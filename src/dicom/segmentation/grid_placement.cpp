@@ -16,7 +16,7 @@ bool isNear(const glm::dvec3& a, const glm::dvec3& b) {
            difference.z <= kToleranceVoxels;
 }
 
-// The step along one axis that is nearest.
+// The nearest step of one voxel along one axis.
 std::optional<glm::ivec3> unitStep(const glm::dvec3& step) {
     const glm::dvec3 rounded = glm::round(step);
     if (std::abs(rounded.x) + std::abs(rounded.y) + std::abs(rounded.z) != 1.0) return {};
@@ -30,7 +30,7 @@ std::optional<GridPlacement> placeOnGrid(const glm::dmat4& voxelFromWorld, const
     const glm::dvec3 first = transformPoint(voxelFromWorld, plane.positionMm);
     const glm::dvec3 column = transformVector(voxelFromWorld, plane.columnSpacingMm * plane.rowDirection);
     const glm::dvec3 row = transformVector(voxelFromWorld, plane.rowSpacingMm * plane.columnDirection);
-    // Also false for what is not a number.
+    // This is false for NaN too.
     const auto isWithin = [](double x) { return std::abs(x) <= kFarthest; };
     if (!isWithin(first.x) || !isWithin(first.y) || !isWithin(first.z)) return {};
     const auto columnStep = unitStep(column);

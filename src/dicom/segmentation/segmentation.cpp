@@ -160,7 +160,7 @@ std::array<std::uint8_t, 3> rgbOfCieLab(const std::array<std::uint16_t, 3>& word
     const auto linear = [](double t) {
         return t > 6.0 / 29.0 ? t * t * t : (t - 16.0 / 116.0) * 108.0 / 841.0;
     };
-    // CIE 1931, white of D65.
+    // XYZ of CIE 1931, with the white of D65.
     const double x65 = 0.950456 * linear(y + a / 500.0);
     const double y65 = linear(y);
     const double z65 = 1.088754 * linear(y - b / 200.0);

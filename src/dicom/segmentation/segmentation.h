@@ -25,7 +25,7 @@ struct Segmentation {
     std::filesystem::path file;
     std::string seriesInstanceUid;
     std::string frameOfReferenceUid;
-    std::vector<std::string> referencedSeriesUids;  // it was drawn on; usually one
+    std::vector<std::string> referencedSeriesUids;  // the series that it was drawn on; usually one
     SegmentationType type = SegmentationType::binary;
     std::string transferSyntaxUid;
     int columns = 0;

@@ -21,7 +21,7 @@ Error notUsable(const Segmentation& segmentation, std::string message, std::stri
 
 using Placements = std::vector<GridPlacement>;
 
-// In the plane of a slice that lies a little off its even place: as if both lay there.
+// Places a frame in the plane of a slice that lies a little off its even place, as if both lay at that place.
 std::optional<GridPlacement> placeOnSlice(const Segmentation& segmentation, ImagePlane plane,
                                           const glm::dmat4& worldFromVoxel, const glm::dmat4& voxelFromWorld,
                                           std::span<const glm::dvec3> slicePositionsMm) {
@@ -34,7 +34,7 @@ std::optional<GridPlacement> placeOnSlice(const Segmentation& segmentation, Imag
         const glm::dvec3 even = transformPoint(worldFromVoxel, {0.0, 0.0, k});
         plane.positionMm = positionMm + even - slicePositionsMm[static_cast<std::size_t>(k)];
         auto placement = placeOnGrid(voxelFromWorld, plane, segmentation.columns, segmentation.rows);
-        // Of a frame that runs across the slices no one slice is the place.
+        // A frame that runs across the slices has no one slice.
         if (placement && placement->origin.z == static_cast<int>(k) && placement->columnStep.z == 0 &&
             placement->rowStep.z == 0) {
             return placement;
@@ -43,7 +43,7 @@ std::optional<GridPlacement> placeOnSlice(const Segmentation& segmentation, Imag
     return {};
 }
 
-// Of all frames; `firstOff` tells which does not lie on the grid.
+// The placements of all frames; `firstOff` tells which one does not lie on the grid.
 std::optional<Placements> placeAll(const Segmentation& segmentation, const glm::dmat4& worldFromVoxel,
                                    std::span<const glm::dvec3> slicePositionsMm = {},
                                    std::size_t* firstOff = nullptr) {
@@ -172,7 +172,8 @@ Result<LabelMap> load(const Segmentation& segmentation, const Placements& placem
                              "Copy the file again from its source.");
         }
     }
-    // After what the file really holds is known: a header alone cannot ask for more than it could fill.
+    // This is checked once it is known what the file really holds: a header alone cannot ask for more than it
+    // could fill.
     const double voxels = double(size.x) * double(size.y) * double(size.z);
     // Two small frames far apart span a grid that nothing fills.
     constexpr double kMostVoxelsPerPixel = 64.0;
@@ -233,7 +234,8 @@ std::vector<glm::dvec3> likelySliceAxes(const Segmentation& segmentation) {
         if (spacing <= 0.0) continue;
         const double steps = std::round(distance / spacing);
         if (steps < 1.0) continue;
-        // Over the whole length, so that what a rounded spacing is wrong by does not add up.
+        // The step is taken over the whole length, so that what a rounded spacing is wrong by does not add
+        // up.
         axes.push_back(normal * (distance / steps));
         axes.push_back((highest->plane.positionMm - lowest->plane.positionMm) / steps);
     }

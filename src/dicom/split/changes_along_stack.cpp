@@ -18,7 +18,7 @@ std::vector<std::size_t> changesOf(const Stack& stack, const SplitRules& rules, 
     return places;
 }
 
-// Counted from 1, as on screen.
+// The number of the slice, counted from 1 as on screen.
 std::int64_t sliceOf(const Stack& stack, std::size_t frame) {
     std::size_t slice = 0;
     while (slice + 1 < stack.slices.size() && stack.slices[slice].above < frame) ++slice;

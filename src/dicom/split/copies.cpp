@@ -26,7 +26,7 @@ struct Twin {
     std::string digest;  // empty when the file cannot be read
 };
 
-// Those that share UID and size with another of their series.
+// The files that share UID and size with another of their series.
 std::vector<Twin> findTwins(const std::vector<std::vector<Frame>*>& all, Progress& progress) {
     std::vector<Twin> twins;
     for (const std::vector<Frame>* frames : all) {
@@ -58,7 +58,7 @@ std::vector<Twin> findTwins(const std::vector<std::vector<Frame>*>& all, Progres
 
 namespace {
 
-// Of the pixel data as they are stored; empty when they cannot be had.
+// The digest of the pixel data as they are stored; empty when they cannot be had.
 std::string pixelDigest(const Frame& frame) {
     constexpr std::uint64_t kMostBytes = std::uint64_t{1} << 28;
     const HeaderFile read = readHeader(frame.instance->file);
@@ -91,7 +91,8 @@ auto orderOf(const Frame& frame) {
                       std::string_view(frame.instance->sopInstanceUid));
 }
 
-// Frames at one place, by it; none when one of them has no place, or is one of several in its file.
+// The frames at each place that several share; none when one of them has no place, or is one of several in
+// its file.
 std::vector<std::vector<std::size_t>> sharedPlaces(const std::vector<Frame>& frames) {
     constexpr double kDirections = 1e-4;
     std::map<std::array<double, 9>, std::vector<std::size_t>> places;
@@ -113,7 +114,7 @@ std::vector<std::vector<std::size_t>> sharedPlaces(const std::vector<Frame>& fra
     return shared;
 }
 
-// Those to leave out.
+// The frames that repeat another one, to be left out.
 std::set<std::size_t> findRepeats(const std::vector<Frame>& frames, const CancelToken& cancel) {
     const auto shared = sharedPlaces(frames);
     for (const auto& group : shared) {

@@ -29,7 +29,7 @@ std::optional<Message> likelyOneFrameOfReference(const std::vector<Frame>& frame
     constexpr std::size_t kLeastImages = 3;
     if (names.size() >= kLeastImages && names.size() + silent == frames.size())
         return message(key::kFrameOfReferencePerSlice);
-    // Not two sets that alternate.
+    // Two sets of frames that alternate are not one coordinate system.
     if (names.size() == 1 && 2 * alternations(frames, partition) <= frames.size()) {
         return message(key::kFrameOfReferenceMissing,
                        {{"count", std::int64_t(silent)}, {"total", std::int64_t(frames.size())}});
@@ -58,8 +58,8 @@ bool assumeOneFrameOfReference(HardPart& part, const Partition& partition, std::
     return true;
 }
 
-// Of two parts: the smaller is a few images of the larger that lie otherwise, or nobody knows where. Without
-// them what is shown is not all.
+// Whether `part` is a few images of the largest part that lie otherwise, or whose place is unknown. Without
+// them the volume is not complete.
 bool isLeftOver(const HardPart& part, const HardPart& largest) {
     static const std::set<std::string> kPlacement = {
         "FrameOfReferenceUID", "ImagePlane", "Rows", "Columns", "ImageOrientationPatient", "PixelSpacing"};

@@ -20,7 +20,7 @@ auto seriesOf(const Examination& e) {
     return std::tie(e.patient, e.studyInstanceUid, e.seriesInstanceUid);
 }
 
-// What images of one series agree in.
+// The attributes in which images of one series agree.
 auto descriptionOf(const Examination& e) {
     const Instance& instance = *e.frames.front().instance;
     return std::tuple(e.modality, e.seriesNumber, e.seriesDescription, instance.sopClassUid, instance.columns,
@@ -36,7 +36,7 @@ bool isEvenStack(const std::vector<Examination>& found, const std::vector<std::s
                         [](const Message& m) { return m.key == key::kIrregularSpacing; });
 }
 
-// Empty when an identifier is neither one for all nor one for each.
+// The levels whose identifiers differ. Empty when an identifier is neither one for all nor one for each.
 std::string levelsOf(const std::vector<Examination>& found, const std::vector<std::size_t>& images) {
     std::set<PatientIdentity> patients;
     std::set<std::string_view> studies;

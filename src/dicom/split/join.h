@@ -18,7 +18,7 @@ struct Scattered {
 // or one for every image; and together they make an even stack, with gaps perhaps.
 std::vector<Scattered> findScattered(const std::vector<Examination>& found);
 
-// Gives them the patient, the study and the series of the first.
+// Gives the scattered images the patient, the study and the series of the first.
 void join(std::vector<Examination>& found, const Scattered& scattered);
 
 }  // namespace macula::dicom

@@ -12,7 +12,7 @@ namespace macula::dicom {
 
 namespace {
 
-// Of the images of a part: more are no slip.
+// At most one of so many images of a part is odd: more are no slip.
 constexpr std::size_t kOneOddOf = 10;
 
 double median(std::vector<double> values) {
@@ -41,7 +41,7 @@ double reachOf(const Frame& frame) {
     return std::abs(*frame.slope) * std::exp2(format.bitsStored) + std::abs(*frame.intercept);
 }
 
-// What the complete ones have in common.
+// The rescale that the complete images have in common.
 struct UsualRescale {
     bool positive = true;
     double slope = 1.0;  // magnitude
@@ -88,7 +88,7 @@ bool isOddRescale(const Frame& frame, const UsualRescale& usual, const std::stri
     return isAbsurd(frame, usual, modality);
 }
 
-// Places along the normal of the first, and where they lie sideways of it.
+// A frame's place along the normal of the first one, and sideways of it.
 struct Place {
     double alongMm;
     glm::dvec3 sidewaysMm;
@@ -111,7 +111,7 @@ std::vector<Place> placesOf(const std::vector<Frame>& frames) {
     return places;
 }
 
-// Beyond a gap at one end of the stack, and too few to be a body region of their own.
+// Marks frames beyond a gap at one end of the stack, if they are too few to be a body region of their own.
 void markFarEnds(const std::vector<Place>& places, double usualMm, std::vector<bool>& odd) {
     constexpr double kFarSteps = 8.0;
     const std::size_t most = std::max<std::size_t>(1, places.size() / (2 * kOneOddOf));
@@ -126,7 +126,7 @@ void markFarEnds(const std::vector<Place>& places, double usualMm, std::vector<b
     mark([&](std::size_t n) -> const Place& { return places[places.size() - 1 - n]; });
 }
 
-// Off the line that most lie on, whose slope (of a tilted gantry) and height are medians.
+// Marks frames off the line that most lie on, whose slope (of a tilted gantry) and height are medians.
 void markSideways(const std::vector<Place>& places, double toleranceMm, std::vector<bool>& odd) {
     for (int axis = 0; axis < 3; ++axis) {
         std::vector<double> slopes;
@@ -180,7 +180,7 @@ std::vector<bool> oddPositions(const std::vector<Frame>& frames) {
     return odd;
 }
 
-// Those that `odd` names, out of `frames`.
+// Takes the frames that `odd` names out of `frames`.
 OddImages take(std::vector<Frame>& frames, const std::vector<bool>& odd, StackLabel label,
                std::string_view key) {
     OddImages taken{.frames = {}, .label = std::move(label), .message = {}};

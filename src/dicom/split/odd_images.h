@@ -24,7 +24,7 @@ struct OddImages {
 //   - a position out of all proportion to the others', if these then are a volume (PS3.3 C.7.6.2).
 std::vector<OddImages> takeOddImages(std::vector<Frame>& frames, const std::string& modality);
 
-// Of a series in which nearly all images have a position: those that have none.
+// Tells of the images without a position in a series in which nearly all have one.
 std::optional<Message> imagesWithoutPosition(const std::vector<Frame>& frames);
 
 // "3, 5-7, 12": InstanceNumbers, and of multi-frame files the frame after a colon.

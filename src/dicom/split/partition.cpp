@@ -21,7 +21,7 @@ bool before(std::string_view a, std::string_view b) {
     return a < b;
 }
 
-// Values of one attribute to the number of their class; classes by ascending value.
+// Maps values of one attribute to the number of their class; classes are by ascending value.
 std::map<std::string, std::size_t, std::less<>> classesOf(const Attribute& attribute,
                                                           std::vector<std::string_view> values) {
     std::sort(values.begin(), values.end(), before);
@@ -58,7 +58,8 @@ std::vector<std::vector<std::size_t>> positionsOf(std::span<const Frame> frames,
                      [](const auto& a, const auto& b) { return a.first < b.first; });
     std::vector<std::vector<std::size_t>> groups;
     for (const auto& [along, index] : sorted) {
-        // Against the group's first, so that a group cannot grow along a chain of small distances.
+        // The distance is taken to the group's first, so that a group cannot grow along a chain of small
+        // distances.
         if (groups.empty() || !(along - alongMm.back() <= kSamePositionMm)) {
             groups.emplace_back();
             alongMm.push_back(along);
@@ -98,12 +99,12 @@ Partition partitionByValue(std::span<const Frame> frames, const SplitRules& rule
 
 namespace {
 
-// Of a number, or of a time.
+// The value of a number or a time, by which frames can be ordered.
 std::optional<double> orderedValue(const Attribute& attribute, std::string_view text) {
     return attribute.kind == Attribute::Kind::text ? secondsOfEither(text) : numberOf(text);
 }
 
-// What each rank is worth at one position, by those of two others.
+// The value expected for each rank at one position, interpolated from two others.
 std::vector<double> expectedValues(const std::vector<double>& a, const std::vector<double>& b, double share) {
     std::vector<double> values;
     for (std::size_t rank = 0; rank < a.size(); ++rank)
@@ -152,11 +153,11 @@ class Completer {
 
     std::size_t ranks() const { return ranks_; }
 
-    // Of each frame of group `k`, which is at `alongMm`; empty when that is not clear.
+    // The rank of each frame of group `k`, which is at `alongMm`; empty when that is not clear.
     std::vector<std::size_t> ranksOf(std::size_t k, double alongMm) const {
         const auto after = std::find_if(whole_.begin(), whole_.end(),
                                         [&](const auto& entry) { return entry.first >= alongMm; });
-        // Between two, or beyond the two that are nearest.
+        // Interpolates between two whole positions, or extrapolates from the nearest two.
         const auto last = std::clamp(after, whole_.begin() + 1, whole_.end() - 1);
         const auto& [firstMm, first] = *(last - 1);
         const double share = (alongMm - firstMm) / (last->first - firstMm);
@@ -265,7 +266,7 @@ Partition separateLattices(std::span<const Frame> frames) {
     Partition partition{{{"1"}, {}}, {{"2"}, {}}};
     std::array<double, 2> lastMm{};
     for (std::size_t k = 0; k < positions.size(); ++k) {
-        // From the one before, so that errors of rounding do not add up.
+        // The step is taken from the frame before, so that rounding errors do not add up.
         const auto isOn = [&](std::size_t lattice) {
             if (partition[lattice].frames.empty()) return true;
             const double multiple = (alongMm[k] - lastMm[lattice]) / step;

@@ -23,8 +23,8 @@ using Partition = std::vector<Part>;
 Partition partitionByValue(std::span<const Frame> frames, const SplitRules& rules,
                            const std::vector<std::size_t>& attributes);
 
-// Of the frames at each position the one with the lowest value into the first part, the next into the second.
-// Empty unless all frames have a value, no two at one position the same, and all positions have equally many
+// Puts the frame with the lowest value at each position into the first part, the next into the second. Empty
+// unless all frames have a value, no two at one position the same, and all positions have equally many
 // frames. With `mayLack` a quarter of the positions may have fewer, where values are numbers or times: these
 // go where the frames at the positions beside them would have it, if that is clear.
 Partition partitionByRank(std::span<const Frame> frames, const SplitRules& rules, std::size_t attribute,
@@ -42,8 +42,8 @@ Partition separateLattices(std::span<const Frame> frames);
 // How often the next frame along the normal is in another part than the one before.
 std::size_t alternations(std::span<const Frame> frames, const Partition& partition);
 
-// Frames of the first, the second … file with the same SOP Instance UID that lie at one position: an
-// identifier that was given to all slices tells nothing.
+// Separates the frames of the first, the second … file with the same SOP Instance UID that lie at one
+// position: an identifier that was given to all slices tells nothing.
 Partition separateCopies(std::span<const Frame> frames);
 
 // The first frame at each position, and all others.

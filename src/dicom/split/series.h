@@ -28,7 +28,8 @@ struct Series {
     std::string
         patientPosition;  // "HFS" …; for the reader only, geometry never depends on it (PS3.3 C.7.3.1.1.2)
 
-    // Of images: none, one, or several when they differ in what the split rules name. Never empty stacks.
+    // The stacks of its images: none, one, or several when they differ in what the split rules name. Never
+    // empty stacks.
     std::vector<Stack> stacks;
     std::vector<OtherObject> objects;
     std::vector<std::string> transferSyntaxUids;  // of the images; distinct, sorted
@@ -38,7 +39,7 @@ struct Series {
     std::vector<Message> messages;         // about the series as a whole; each stack has its own
     std::vector<std::string> assumptions;  // that hold for each of its stacks
 
-    // A stack of it can be shown in 3D.
+    // Whether a stack of it can be shown in 3D.
     bool canBeVolume() const;
 };
 

@@ -30,7 +30,7 @@ Stack makeStack(std::vector<Frame> frames, std::vector<StackLabel> labels, const
     return stack;
 }
 
-// Nothing that separating frames could mend: it would only multiply the complaint.
+// Whether the fault is one that separating frames cannot mend: it would only multiply the message.
 bool isHopeless(const Stack& stack) {
     return std::any_of(stack.messages.begin(), stack.messages.end(), [](const Message& m) {
         return m.severity >= Severity::blocksVolume && m.key != key::kDuplicatePositions &&
@@ -114,7 +114,7 @@ bool isAcquiredInterleaved(const Stack& whole) {
     });
 }
 
-// The parts of `finer` instead of those of `coarse` they come from.
+// Maps the parts of `finer`, which divide the frames of `coarse`, to frames of the whole.
 Partition within(const Part& coarse, const Partition& finer) {
     Partition result = finer;
     for (Part& part : result) {
@@ -363,7 +363,7 @@ class Splitter {
     std::optional<std::vector<Stack>> byRepetition(const Stack& whole, std::vector<Message>& messages) const {
         const Partition partition = separateRepetitions(whole.frames);
         if (partition.size() != 2) return {};
-        // Many are no slip, and which of them belong together is for a person to say.
+        // Many repetitions are no slip, and which of them belong together is for a person to say.
         if (5 * partition[1].frames.size() > partition[0].frames.size()) return {};
         std::vector<Stack> stacks = stacksOf(whole, partition, {"Repetition"});
         if (qualityOf(stacks[0]) == Quality::none) return {};
@@ -379,7 +379,7 @@ class Splitter {
         return stacks;
     }
 
-    // Two body regions in one series.
+    // Separates two body regions in one series.
     std::optional<std::vector<Stack>> atGaps(const Stack& whole, std::vector<Message>& messages) const {
         const std::string& why = whole.whyNoVolume()->key;
         if (why != key::kMissingSlices && why != key::kSpacingTooIrregular) return {};

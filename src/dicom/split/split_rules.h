@@ -14,7 +14,8 @@ namespace macula::dicom {
 struct Attribute {
     enum class Kind { text, number, numbers, contains };
 
-    // Where it may be; `before` is put in front of the value where there is one: the date before a time.
+    // Where the attribute may be; `before` is put in front of the value where there is one: the date before a
+    // time.
     struct Source {
         std::optional<Tag> before;
         Tag tag;
@@ -43,8 +44,9 @@ struct SplitRules {
         std::size_t attribute;
         std::string modality;  // empty: any
         bool evenToo = false;  // separates interleaved images also when they make an even volume together
-        bool interleavable = false;  // not those of MR that do not overlap: these are acquired interleaved
-        Step step = Step::silent;    // which changes along a stack are warned of
+        bool interleavable =
+            false;  // MR slices that do not overlap are not separated: they are acquired interleaved
+        Step step = Step::silent;  // which changes along a stack are warned of
     };
     struct Phase {
         enum class By { value, rank };

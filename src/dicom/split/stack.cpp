@@ -26,17 +26,17 @@ bool any(const Stack& stack, Predicate predicate) {
 }
 
 void tell(Stack& stack, Message message) {
-    // What had to be taken for granted goes with the volume, wherever the messages are shown.
+    // Assumptions go with the volume, wherever the messages are shown.
     if (message.severity == Severity::warning) stack.assumptions.push_back(message.sentence);
     stack.messages.push_back(std::move(message));
 }
 
-// Slices beside each other in one image, of Siemens' EPI.
+// Whether the image is a mosaic: slices beside each other in one image, of Siemens' EPI.
 bool isMosaic(const Frame& frame) {
     return std::ranges::find(frame.imageType, "MOSAIC") != frame.imageType.end();
 }
 
-// The few whose rescale is another than the one that all others share; none where each has its own.
+// The few frames whose rescale differs from the one that all others share; none where each has its own.
 std::vector<const Frame*> deviatingRescales(const std::vector<Frame>& frames) {
     constexpr std::size_t kOneOf = 4;
     const auto rescaleOf = [](const Frame& f) { return std::pair(f.slope, f.intercept); };
@@ -189,7 +189,7 @@ double median(std::vector<double> values) {
     return *middle;
 }
 
-// Slices that leave more out between them than they show.
+// The message about slices with gaps between them that are wider than the slices.
 std::optional<Message> sparseness(const Stack& stack) {
     constexpr double kMostDistanceOfThickness = 2.0;
     std::vector<double> thicknesses;

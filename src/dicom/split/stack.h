@@ -56,9 +56,9 @@ void assess(Stack& stack, const std::string& modality);
 // interpolated ones that place. Patient LPS.
 std::vector<glm::dvec3> slicePositionsMm(const Stack& stack);
 
-// A localizer (scout, topogram) in any of its images: ImageType value 3, PS3.3 C.8.2.1.1.1.
+// Whether there is a localizer (scout, topogram) in any of its images: ImageType value 3, PS3.3 C.8.2.1.1.1.
 bool isLocalizer(const Stack& stack);
-// ORIGINAL\PRIMARY in all of its images: PS3.3 C.7.6.1.1.2.
+// Whether ImageType is ORIGINAL\PRIMARY in all of its images: PS3.3 C.7.6.1.1.2.
 bool isOriginalPrimary(const Stack& stack);
 
 }  // namespace macula::dicom

@@ -242,7 +242,7 @@ void Device::setName(VkObjectType type, std::uint64_t object, std::string_view n
 }
 
 void Device::loseIt() const {
-    // What it was doing when it was lost may still be on its way out; nothing is to be freed under it. This
+    // The work in flight when the device was lost may still end; nothing it uses may be freed before. This
     // returns in finite time on a lost device, too.
     if (!lost_.exchange(true)) vkDeviceWaitIdle(device_);
 }

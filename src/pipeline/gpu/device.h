@@ -78,7 +78,8 @@ class Device : public std::enable_shared_from_this<Device> {
     Result<bool> waitFor(Ticket ticket, std::uint64_t timeoutNs = kForever);
     Result<void> waitForAll();
     bool lost() const { return lost_.load(); }
-    // deviceLost when it is; asked before anything is made or moved. `doing` as in vulkanError.
+    // The error deviceLost when the device is lost. Called before anything is created or copied. `doing` as
+    // in vulkanError.
     Result<void> checkNotLost(std::string_view doing) const;
 
     // Bytes read back to the host so far (transfer.h). Tests ask, to prove that drawing a frame reads nothing

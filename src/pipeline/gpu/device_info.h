@@ -49,7 +49,8 @@ struct DeviceInfo {
 // One line for people: "llvmpipe (LLVM 15.0.6, 256 bits), CPU, 2.0 GiB, llvmpipe Mesa 22.3.6".
 std::string describe(const DeviceInfo& device);
 
-// In the driver's order, the unusable ones with the reason. Empty when there is no driver.
+// All devices in the driver's order; an unusable one has the reason in whyNotUsable. Empty when there is no
+// driver.
 std::vector<DeviceInfo> listDevices(const Instance& instance);
 
 // The device to use: the first usable one of the best type (discrete, integrated, virtual, CPU), or the one

@@ -42,7 +42,7 @@ void moveLayout(VkCommandBuffer commands, VkImage image, VkImageLayout from, VkI
     vkCmdPipelineBarrier2(commands, &dependency);
 }
 
-// Of the target, from the same place in the source; nothing where they do not meet.
+// The blit of a part of the source to the same place in the target; nothing where they do not meet.
 std::optional<VkImageBlit> samePlace(const VkRect2D& part, VkExtent2D target) {
     const auto end = [](std::int32_t from, std::uint32_t length, std::uint32_t most) {
         return static_cast<std::int32_t>(std::min<std::int64_t>(std::int64_t{from} + length, most));

@@ -138,9 +138,9 @@ class Recorder {
     void dispatchBytes(const Kernel& kernel, Threads threads, std::span<const std::byte> push,
                        std::span<const Binding> bindings, Order order = Order::afterPrevious);
 
-    // As many groups (not threads) as a VkDispatchIndirectCommand, three uints, says when its turn comes, at
-    // a multiple of 4 bytes in a buffer with VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT. Who writes it keeps to the
-    // device's limits: every device allows 65535 groups along each axis.
+    // An indirect dispatch: as many groups (not threads) as a VkDispatchIndirectCommand, three uints, says
+    // when its turn comes, at a multiple of 4 bytes in a buffer with VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT. Who
+    // writes it keeps to the device's limits: every device allows 65535 groups along each axis.
     struct Groups {
         const Buffer& buffer;
         std::uint64_t offset = 0;
@@ -162,7 +162,7 @@ class Recorder {
               Order order = Order::afterPrevious);
     void copy(const Buffer& from, std::uint64_t fromOffset, const Image& to,
               Order order = Order::afterPrevious);
-    // Of the same size and format.
+    // Both images have the same size and format.
     void copy(const Image& from, const Image& to, Order order = Order::afterPrevious);
     // Writes a few bytes that travel in the command buffer itself: at most kMaxUpdateBytes, a multiple of 4.
     // So nobody has to wait until earlier work has read what was there before.
@@ -185,7 +185,7 @@ class Recorder {
     static constexpr int kMaxTimers = 64;
     static constexpr std::size_t kMaxUpdateBytes = 65536;  // Vulkan's own limit
 
-    // For what this class does not offer. Put barrier() before and after.
+    // The command buffer, for what this class does not offer. Put barrier() before and after.
     VkCommandBuffer commands() const { return commands_.buffer; }
 
     // May be called once. The work starts now; the recorder may be dropped at once, or kept to ask for

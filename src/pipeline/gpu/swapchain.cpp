@@ -74,7 +74,7 @@ Result<Handle<VkSemaphore>> Swapchain::makeSemaphore() const {
 
 Result<void> Swapchain::resize(VkExtent2D extent) {
     MACULA_TRY_VOID(device_->checkNotLost("resize the window"));
-    isBroken_ = true;  // until all below has been made
+    isBroken_ = true;  // until all that follows has been made
     if (const VkResult result = vkDeviceWaitIdle(device_->handle()); result < 0)
         return device_->failed(result, "resize the window");
 
@@ -92,7 +92,7 @@ Result<void> Swapchain::resize(VkExtent2D extent) {
     }
     extent_ = {0, 0};
     if (extent.width == 0 || extent.height == 0) {
-        isBroken_ = false;  // hidden
+        isBroken_ = false;  // the window is hidden
         return {};
     }
 

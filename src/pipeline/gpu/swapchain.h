@@ -76,7 +76,7 @@ class Swapchain {
         Ticket usedBy = 0;  // the submission that waits for it: done, and the semaphore may be used again
     };
 
-    // At once, not deferred: the caller may destroy the surface right after.
+    // Destroys at once, not deferred: the caller may destroy the surface right after.
     struct DestroySwapchain {
         std::shared_ptr<Device> device;
         void operator()(VkSwapchainKHR swapchain) const;

@@ -53,10 +53,10 @@ class Accumulation {
     std::uint64_t edition() const { return edition_; }
     double deviceMs() const { return deviceMs_; }  // spent since it began
 
-    // One dispatch towards an estimate of the samples there are; waits.
+    // One dispatch towards an error estimate of the samples traced so far; waits.
     Result<void> measureSome(const Settings& settings);
     bool isMeasured() const { return estimate_ && measuredEdition_ == edition_; }
-    // The last one made since it began, which may be of fewer samples.
+    // The last estimate since begin(), which may be of fewer samples than there are.
     const std::optional<ErrorEstimate>& estimate() const { return estimate_; }
     // The noise of each block behind that estimate.
     const std::vector<shared::BlockNoise>& noises() const { return noises_; }
@@ -66,7 +66,7 @@ class Accumulation {
     Pace pace_;
     std::optional<Film> film_;
     std::optional<gpu::Buffer> planned_;    // PlannedBlock: what the dispatch under way does
-    std::optional<gpu::Buffer> primaries_;  // of the film's size
+    std::optional<gpu::Buffer> primaries_;  // PrimaryVertex: kPrimarySamples for each pixel
     SamplingPlan plan_;
     std::uint64_t edition_ = 0;
     double deviceMs_ = 0.0;

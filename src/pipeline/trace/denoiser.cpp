@@ -16,7 +16,7 @@ namespace {
 // Strides of the passes. Two sweeps: where edges left a pixel few neighbours, its own noise weighs most after
 // the first, and the second spreads that.
 constexpr std::array kStrides{1, 2, 4, 8, 16, 1, 2, 4, 8};
-constexpr int kFirstSweep = 5;  // of these
+constexpr int kFirstSweep = 5;  // strides in the first sweep
 
 // Rows of one dispatch for whoever may be interrupted: on a CPU device, where a pixel of a pass takes up to
 // 0.3 microseconds, some 40 ms.

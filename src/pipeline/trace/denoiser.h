@@ -20,7 +20,7 @@
 
 namespace macula::trace {
 
-// Of pictures of any size.
+// The kernels, for pictures of any size.
 struct DenoiseKernels {
     gpu::Kernel gather;
     gpu::Kernel prepare;
@@ -29,7 +29,7 @@ struct DenoiseKernels {
     static Result<std::shared_ptr<const DenoiseKernels>> create(const std::shared_ptr<gpu::Device>& device);
 };
 
-// Of one size of picture. Used by one thread at a time, the one that uses the device.
+// A denoiser for one size of picture. Used by one thread at a time, the one that uses the device.
 class Denoiser {
   public:
     // outOfMemory when the device cannot hold 136 bytes for each pixel.
@@ -39,7 +39,8 @@ class Denoiser {
     int width() const { return width_; }
     int height() const { return height_; }
 
-    // What views before may count for, at most: more would blur what is resampled from view to view.
+    // The most samples that the history of earlier views counts for: more would blur what is resampled from
+    // view to view.
     static constexpr float kHistorySamples = 32.0f;
 
     // Filters a picture; true when it is finished. `pixelAngle` is the width of a stored pixel at distance 1;
@@ -50,12 +51,14 @@ class Denoiser {
     Result<bool> run(const Film& film, const Guides& now, const Guides* before, float pixelAngle,
                      Denoising how, const std::function<bool()>& keepGoing = {},
                      const FoveaInPlane& fovea = {}, float historySamples = kHistorySamples);
-    // What was begun and not finished.
+    // Drops a run that was begun and not finished.
     void giveUp() { stage_ = row_ = 0; }
 
-    // What the last run gathered is now what the view before knew. When nothing ran since, that is nothing.
+    // Makes what the last run gathered the history of the next view. When nothing ran since, the history is
+    // empty.
     void advance();
-    // The next picture shows other matter, other light, or is seen from elsewhere altogether.
+    // Drops the history: the next picture shows other matter, other light, or is seen from elsewhere
+    // altogether.
     void forget();
     bool remembers() const { return remembers_; }
 
@@ -78,7 +81,7 @@ class Denoiser {
     std::size_t current_ = 0;
     bool ran_ = false;
     int stage_ = 0;  // of the run under way: gather, prepare, then the passes of the filter
-    int row_ = 0;    // of that, the first that is not done
+    int row_ = 0;    // the first row of that stage that is not done
     bool remembers_ = false;
     gpu::TexelBuffer masses_;
     std::array<gpu::TexelBuffer, 2> noises_;

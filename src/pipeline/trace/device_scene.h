@@ -52,7 +52,7 @@ class DeviceScene {
 
     double anisotropy() const { return function_ ? function_->anisotropy : 0.0; }
 
-    // In the look that makeReadyFor() prepared last.
+    // Whether there is gradient opacity in the look that makeReadyFor() prepared last.
     bool hasGradientOpacity() const { return !medium_.gradientOpacity.empty(); }
 
     bool isComplete() const;

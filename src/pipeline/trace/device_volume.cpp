@@ -24,7 +24,7 @@ glm::ivec3 blockAt(const BrickGrid& grid, std::size_t index) {
     return {static_cast<int>(index % x), static_cast<int>(index / x % y), static_cast<int>(index / x / y)};
 }
 
-// What is read of a block that is not there: see fetchStored.
+// The table's word for a block that is not on the device: see fetchStored.
 std::uint32_t absentWord(const BrickGrid& grid, std::size_t block) {
     return blockWord(kSingle, grid.blockRanges[block].low);
 }
@@ -33,7 +33,7 @@ std::uint64_t bytesOf(std::uint8_t level) {
     return poolValues(level) * sizeof(std::uint16_t);
 }
 
-// Of the table: a layer of texels by brick for each layer of blocks.
+// The number of texels of the table: a layer of texels by brick for each layer of blocks.
 std::size_t tableTexels(const BrickGrid& grid) {
     return grid.index(0, 0, grid.blocks.z);
 }
@@ -80,7 +80,7 @@ Result<void> DeviceVolume::show(const BrickGrid& grid, std::span<const float> bo
     memory_.shownBlocks = static_cast<std::uint64_t>(std::count(wanted.begin(), wanted.end(), 1));
     MACULA_TRY_VOID(device_->waitForAll());
 
-    // What is held already may be used, even if the device has become short of memory meanwhile.
+    // The pool that is held already may be used, even if the device has become short of memory meanwhile.
     std::uint64_t allowed = std::max(
         slotsAllowed(limits_, device_->info(), device_->memoryAvailableBytes(), room_.slots() * kSlotBytes),
         room_.slots());
@@ -107,7 +107,7 @@ Result<void> DeviceVolume::bring(const BrickGrid& grid, std::uint64_t slotsAllow
     MACULA_TRY_VOID(makeRoom(grid, slotsAllowed));
     std::vector<Upload> uploads;
     if (!placeAll(grid, uploads)) {
-        // There would be room, but in pieces. Anew, full blocks first, there is no waste.
+        // The free room is fragmented. All blocks are placed anew, full ones first, which wastes nothing.
         forgetAll(grid);
         const std::uint64_t slots = room_.slots();
         room_ = {};
@@ -230,7 +230,7 @@ Result<void> DeviceVolume::uploadBlocks(const BrickGrid& grid, std::span<const U
     return {};
 }
 
-// Through a buffer both can reach, a portion at a time; blocks that are neighbours there and here in one
+// Uploads through a staging buffer, a portion at a time; blocks that are neighbours there and here in one
 // copy.
 Result<void> DeviceVolume::uploadStaged(const BrickGrid& grid, std::span<const Upload> uploads) {
     if (uploads.empty()) return {};
@@ -275,7 +275,7 @@ Result<void> DeviceVolume::uploadStaged(const BrickGrid& grid, std::span<const U
     return {};
 }
 
-// Whole layers, from the first to the last in which something has changed.
+// Uploads whole layers of the table, from the first to the last in which something has changed.
 Result<void> DeviceVolume::uploadTable(const BrickGrid& grid) {
     if (firstStale_ >= endStale_) return {};
     const int first = blockAt(grid, firstStale_).z;

@@ -52,7 +52,7 @@ class DeviceVolume {
   private:
     struct Upload {
         std::size_t block = 0;
-        std::uint32_t unit = 0;  // of 8 values
+        std::uint32_t unit = 0;  // its place in the pool, in units of 8 values
         std::uint8_t level = kAbsent;
     };
 
@@ -80,7 +80,7 @@ class DeviceVolume {
     std::vector<std::uint8_t> resident_;  // by block: its level in the pool, or kAbsent
     bool holdsCoarse_ = false;
     std::vector<std::uint32_t> words_;  // what table_ has, or is to have
-    std::size_t firstStale_ = 0;        // of words_; none when not before endStale_
+    std::size_t firstStale_ = 0;        // first word that table_ lacks; none when not before endStale_
     std::size_t endStale_ = 0;
     Coarsening plan_;
     std::optional<Message> message_;

@@ -38,7 +38,7 @@ void appendShares(std::vector<float>& begins, std::span<const double> weights) {
     }
 }
 
-// As wide as it is stored.
+// The width of a share as its stored floats have it.
 double widthOfShare(std::span<const float> begins, std::size_t i) {
     return (i + 1 < begins.size() ? double(begins[i + 1]) : 1.0) - double(begins[i]);
 }

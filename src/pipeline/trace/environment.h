@@ -65,8 +65,8 @@ class Environment {
     int height() const { return height_; }
     LightFrame frame() const { return frame_; }
     std::span<const EnvironmentTexel> texels() const { return texels_; }
-    // By which texels are sampled by power: for each row where its share of the unit interval begins; after
-    // them, for each texel, where its share of its row begins.
+    // The cumulative distribution by which texels are importance-sampled by power: for each row where its
+    // share of the unit interval begins; after them, for each texel, where its share of its row begins.
     std::span<const float> cumulative() const { return cumulative_; }
 
   private:

@@ -1,5 +1,5 @@
-// What a picture shows, beside its light: for denoising it, for warping it to another eye, for measuring in
-// it.
+// Feature buffers of a picture (a G-buffer: depth, normal, albedo, motion), called guides: for denoising it,
+// for warping it to another eye, for measuring in it.
 #pragma once
 
 #include <functional>
@@ -27,10 +27,10 @@ class Guides {
     // Another picture: nothing of it is known yet.
     void begin() { rows_ = 0; }
     bool isWhole() const { return rows_ >= height_; }
-    // What is left of what `scene` looks at, by guides.comp as compiled for it (TraceKernels). Motion is
-    // towards `before`; the picture's own view gives none. `keepGoing` is asked between dispatches of some
-    // 40 ms, which are waited for, and the next call goes on where it said no; when it is empty nothing is
-    // waited for.
+    // Computes the rows that are left of the view of `scene`, by guides.comp as compiled for it
+    // (TraceKernels). Motion is towards `before`; the picture's own view gives none. `keepGoing` is asked
+    // between dispatches of some 40 ms, which are waited for, and the next call goes on where it said no;
+    // when it is empty nothing is waited for.
     Result<void> compute(const SceneView& scene, const gpu::Kernel& kernel, const shared::GuidePush& before,
                          const std::function<bool()>& keepGoing = {});
 
@@ -53,7 +53,8 @@ class Guides {
     gpu::TexelBuffer motions_;
 };
 
-// Of a picture whose centre rays are marched through matter: how many fit into one dispatch, in whole groups.
+// The rows that fit into one dispatch, in whole groups, of a picture whose centre rays are marched through
+// matter.
 int rowsToMarchAtOnce(const gpu::Device& device, int width, int height);
 
 }  // namespace macula::trace

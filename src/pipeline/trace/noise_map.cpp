@@ -13,7 +13,7 @@ namespace {
 
 // Blocks of one dispatch on a CPU device, where one takes a few microseconds: short enough for a cancel.
 constexpr std::uint32_t kBlocksPerDispatchCpu = 1 << 12;
-// Eight for each group, of which some graphics cards allow no more than 65535.
+// Eight blocks for each group, because some graphics cards allow no more than 65535 groups.
 constexpr std::uint32_t kBlocksPerDispatchGpu = 1 << 18;
 
 // 18 % grey: a backdrop as may lie behind a picture with an alpha channel.
@@ -38,7 +38,7 @@ Result<void> NoiseMap::measureSome(const Film& film, const Settings& settings) {
     const auto& device = noises_.device();
     std::uint32_t count = blocks_ - measured_;
     count = std::min(count, device->isCpu() ? kBlocksPerDispatchCpu : kBlocksPerDispatchGpu);
-    // Coverage of what is cast is no coin, and has no noise of one.
+    // Only for light paths is coverage a random 0 or 1, with the noise of that.
     const shared::NoisePush push{.imageSize = {width_, height_},
                                  .firstBlock = measured_,
                                  .exposure = static_cast<float>(settings.exposure),

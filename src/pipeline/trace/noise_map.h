@@ -14,7 +14,7 @@
 
 namespace macula::trace {
 
-// Of one size of picture. Used by one thread at a time, the one that uses the device.
+// A noise map for one size of picture. Used by one thread at a time, the one that uses the device.
 class NoiseMap {
   public:
     static Result<NoiseMap> create(const std::shared_ptr<gpu::Device>& device, int width, int height);
@@ -27,7 +27,7 @@ class NoiseMap {
     bool isWhole() const { return measured_ == blocks_; }
     // One short dispatch: the next blocks, all that are left on a graphics card. Waits.
     Result<void> measureSome(const Film& film, const Settings& settings);
-    // Of the blocks of the picture, row by row; waits. Only when whole.
+    // The noise of the blocks of the picture, row by row; waits. Only when whole.
     Result<std::vector<shared::BlockNoise>> read() const;
 
   private:

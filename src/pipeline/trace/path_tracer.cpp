@@ -31,13 +31,14 @@ constexpr double kLeastDispatchMs = 4.0;  // less is mostly overhead
 // Several samples of a pixel in one dispatch keep a lane busy while its neighbours' paths are longer. Not too
 // many vertices in all: see kMaxRounds in path.comp.
 constexpr int kMaxVerticesPerDispatch = 64;
-constexpr std::uint32_t kMaxRaysPerDispatch = 4;  // of a pixel that is cast; a ray is as long as it is
+constexpr std::uint32_t kMaxRaysPerDispatch = 4;  // samples of a pixel that is cast
 // A pass that adapts adds so much to the samples there are: then it is time to look again where noise is.
 constexpr double kGrowth = 0.5;
 
 const glm::dvec3 kLuminance(0.2126, 0.7152, 0.0722);  // Rec. 709
 
-// Of luminance and of coverage, which is 0 or 1 in each sample and so its own square.
+// The variance of the means of luminance and of coverage, which is 0 or 1 in each sample and so its own
+// square.
 glm::vec2 varianceOfMean(const glm::vec4& sums, float squares, std::uint32_t count) {
     if (count < 2) return glm::vec2(std::numeric_limits<float>::infinity());
     const glm::dvec2 mean = glm::dvec2(glm::dot(glm::dvec3(sums), kLuminance), sums.w) / double(count);
@@ -70,8 +71,8 @@ struct PathTracer::Impl {
     gpu::Kernel displayKernel;
 
     bool stale = true;                       // view or settings have changed: accumulation starts again
-    bool restarting = false;                 // nothing has: only the portions were too large
-    bool tellsPrimaries = false;             // by the samples under way
+    bool restarting = false;                 // nothing has changed: only the portions were too large
+    bool tellsPrimaries = false;             // the samples under way tell their primary vertices
     std::uint32_t mostSamples = UINT32_MAX;  // of one dispatch; lowered when paths turn out too long
     Accumulation accumulation;
     ViewHistory history;
@@ -197,7 +198,8 @@ Result<void> PathTracer::Impl::prepare() {
     }
     search.reset();
     const bool again = std::exchange(restarting, false);
-    MACULA_TRY_VOID(scene.look(view, settings));  // first: what cannot be looked at is no page
+    MACULA_TRY_VOID(
+        scene.look(view, settings));  // first: a view that cannot be used must not enter the history
     if (again) {
         history.restart();
     } else {
@@ -219,13 +221,13 @@ Result<const gpu::Buffer*> PathTracer::Impl::denoised() {
 
 // One dispatch of the pass under way, which takes about `ms`.
 Result<void> PathTracer::Impl::step(double ms) {
-    stale = true;  // should it fail
+    stale = true;  // stays so if this fails
     MACULA_TRY_VOID(accumulation.step(scene, kernels, variant(), settings.bounces, ms));
     stale = false;
     if (accumulation.plan().hasPass()) return {};
     MACULA_TRY(const bool tooLong, accumulation.hasLostPaths());
     if (!tooLong) return {};
-    // The picture begins again, with smaller portions.
+    // Paths were lost to the device's limit: the picture begins again, with smaller portions.
     mostSamples = accumulation.plan().passMost() / 2;
     stale = true;
     restarting = true;
@@ -263,7 +265,7 @@ Result<std::vector<shared::PrimaryVertex>> PathTracer::tracePrimaries(
     Impl& t = *impl_;
     if (!isPathTraced(t.settings.look))
         return Error{ErrorCode::usage, "This look traces no paths.", {}, "Choose the cinematic look."};
-    // Samples are told in turn: the same ones of every pixel.
+    // Primary vertices are kept by sample index, so all pixels need the same samples.
     const SamplingPlan& plan = t.accumulation.plan();
     if (plan.hasPass() || plan.isAdaptive()) t.stale = true;
     MACULA_TRY_VOID(t.prepare());
@@ -303,7 +305,7 @@ void PathTracer::Impl::beginPass(double leftMs) {
         plan.beginAdaptive(accumulation.noises(), kGrowth * plan.meanSamples(), mostPerDispatch());
         return;
     }
-    // As many samples as the time that is left has for every pixel; the first picture comes soonest with one.
+    // As many samples of every pixel as fit the time that is left; the first picture comes soonest with one.
     const double fitting = least == 0 ? 1.0 : leftMs / accumulation.passMs(variant(), settings.bounces);
     beginEvenPass(least < kEvenSamples ? std::min(fitting, double(kEvenSamples - least)) : fitting);
 }
@@ -434,7 +436,7 @@ Result<TracedImage> PathTracer::readback() {
     Impl& t = *impl_;
     MACULA_TRY_VOID(t.prepare());
     MACULA_TRY(const Guides* guides,
-               t.history.guides(t.scene, t.kernels));  // of which depths are read, no normals
+               t.history.guides(t.scene, t.kernels));  // only their depths are read, not their normals
     MACULA_TRY(const std::vector<GuidePixel> pixels, guides->read());
     const Film& film = t.accumulation.film();
     TracedImage image{.width = t.view.width,

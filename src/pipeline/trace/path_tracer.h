@@ -3,10 +3,10 @@
 //
 // The estimator follows Woodcock tracking for free flights and ratio tracking for shadow rays (Novak et al.
 // 2018, "Monte Carlo methods for volumetric light transport simulation"), with next-event estimation to the
-// environment at every vertex. It is unbiased for paths of up to `bounces` vertices. Where to the light and
-// where on are points of nets, even over four samples of a pixel (from a multiple of four on) and over its
-// neighbours (shaders/lib/net.glsl): together they are less noisy than by themselves. Estimates of error take
-// them as independent, and are a little too large. The other looks march
+// environment at every vertex. It is unbiased for paths of up to `bounces` vertices. The directions to the
+// light and of scattering are points of scrambled Sobol nets, stratified over four samples of a pixel (from a
+// multiple of four on) and over its neighbours (shaders/lib/net.glsl): together they are less noisy than by
+// themselves. Estimates of error take them as independent, and are a little too large. The other looks march
 // along each ray without chance (shaders/lib/cast.glsl); their samples differ in where in the pixel they lie.
 #pragma once
 
@@ -60,8 +60,8 @@ struct TracedImage {
     int height = 0;
     std::vector<glm::vec4> radiance;
     std::vector<float> depthMm;
-    // Of the mean over the samples of this view, as it was before any denoising: of its luminance (Rec. 709)
-    // and of its coverage; +infinity for fewer than two samples.
+    // The variance of the mean over the samples of this view, before any denoising: of its luminance (Rec.
+    // 709) and of its coverage; +infinity for fewer than two samples.
     std::vector<glm::vec2> variance;
     std::vector<std::uint32_t> samples;  // of each pixel, finite ones
     bool denoised = false;               // then `radiance` is filtered, and may use what earlier views knew
@@ -85,7 +85,7 @@ enum class Smoothing { none = 0, slight = 1, strong = 2 };  // radius in pixels
 class PathTracer {
   public:
     static Result<PathTracer> create(std::shared_ptr<gpu::Device> device, const MemoryLimits& limits = {});
-    // Another one that looks at the same scene, which is on the device once: what one of them is told of
+    // Another tracer that looks at the same scene, which is on the device once: what one of them is told of
     // volume, function, environment and clip holds for all, whose pictures then begin anew. View, settings,
     // samples, history and filter are its own. Looks of different kinds (projections, and others) take turns
     // with one another badly: each begins the others' pictures anew.
@@ -155,20 +155,20 @@ class PathTracer {
     // What display() shows, before background and tone map; valid until the next call.
     Result<TracedLight> light();
 
-    // Of the view that was set last, on the device: valid until the next call. Motion is towards the last
-    // view before it that was traced. Normals need a few more voxels; where these make others coarser, the
-    // picture begins anew.
+    // The guides of the view that was set last, on the device: valid until the next call. Motion is towards
+    // the last view before it that was traced. Normals need a few more voxels; where these make others
+    // coarser, the picture begins anew.
     Result<const Guides*> guides();
     Result<std::vector<GuidePixel>> readGuides();  // row 0 on top; waits
 
-    // Of the centre rays of the view that was set last, row 0 on top; waits.
+    // The layers along the centre rays of the view that was set last, row 0 on top; waits.
     Result<std::vector<shared::PixelLayers>> readLayers();
 
-    // Of all that can be seen from anywhere, lit as it is for this view; the samples traced so far stay.
-    // Waits; `cancelled` when `keepGoing` (may be empty) says no between two dispatches.
+    // Surface points of all that can be seen from anywhere, lit as it is for this view; the samples traced so
+    // far stay. Waits; `cancelled` when `keepGoing` (may be empty) says no between two dispatches.
     Result<SurfacePoints> surfacePoints(const SurfacePointOptions& options = {},
                                         const std::function<bool()>& keepGoing = {});
-    // The same by and by: nothing when `keepGoing` says no, and then the next call goes on with the search,
+    // The same in slices: nothing when `keepGoing` says no, and then the next call goes on with the search,
     // whose options are those of the first. It begins anew when anything else was set meanwhile.
     Result<std::optional<SurfacePoints>> someSurfacePoints(const SurfacePointOptions& options,
                                                            const std::function<bool()>& keepGoing);

@@ -11,8 +11,8 @@ namespace macula::trace {
 
 namespace {
 
-// Where the error of the first picture is least, as for InitialSplatOptions: noise of 32 paths weighs more
-// than detail between neighbours.
+// Both are where the error of the first picture is least, as for InitialSplatOptions: noise of 32 paths
+// weighs more than detail between neighbours.
 constexpr float kReach = 3.0f;   // in radii of the point
 constexpr double kFacing = 2.0;  // exponent of the cosine between the ways two points face
 
@@ -24,7 +24,7 @@ class Neighbours {
             cells_[keyOf(cellOf(points[i].positionMm))].push_back(i);
     }
 
-    // Of all within a cell of `positionMm`, and of some a little farther.
+    // Visits all points within a cell of `positionMm`, and some a little farther.
     template <class Visit>
     void visit(const glm::vec3& positionMm, const Visit& visit) const {
         const glm::ivec3 home = cellOf(positionMm);

@@ -12,7 +12,7 @@ namespace {
 #include "pipeline/trace/reference_host.inl"
 #undef MACULA_HOST
 #undef MACULA_REAL
-// Float again, with strict maths: for everything but whole pictures.
+// The host in float with strict maths: for everything but whole pictures.
 #define MACULA_HOST HostStrictSingle
 #define MACULA_REAL float
 #include "pipeline/trace/reference_host.inl"

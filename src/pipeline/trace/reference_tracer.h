@@ -62,7 +62,7 @@ class ReferenceTracer {
         double endMm = 0.0;
         double majorantPerMm = 0.0;
     };
-    // What the brick walk visits along one ray.
+    // The segments that the walk through the brick grid visits along one ray.
     std::vector<Segment> segments(const shared::TraceParams& params, Precision precision,
                                   const glm::dvec3& originVoxel, const glm::dvec3& worldDirection) const;
 

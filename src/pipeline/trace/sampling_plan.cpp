@@ -45,8 +45,9 @@ double known(float squaredError) {
     return squaredError >= 0.0f && squaredError <= 1.0f ? static_cast<double>(squaredError) : 1.0;
 }
 
-// What a block that is owed so much gets now: whole nets, if there is room for one. Little is not worth a
-// visit: lanes of a SIMD group wait for the longest of its paths, which many samples even out.
+// The samples that a block gets now when `owed` are planned for it: whole nets, if there is room for one.
+// Little is not worth a visit: lanes of a SIMD group wait for the longest of its paths, which many samples
+// even out.
 double visit(double owed, double worthIt, double most) {
     const double grain = most < shared::kNetSamples ? 1.0 : shared::kNetSamples;
     return owed < worthIt ? 0.0 : std::floor(std::min(owed, most) / grain) * grain;
@@ -148,7 +149,7 @@ void SamplingPlan::beginAdaptive(std::span<const shared::BlockNoise> noises, dou
     constexpr std::uint32_t kMost = std::numeric_limits<std::uint16_t>::max();
     const std::vector<float> weights = samplingWeights(blocks_, noises, samples_);
     const double limit = std::clamp(most, 1u, kMost);
-    // Were the pass larger, all would get as much as they can, and that is even.
+    // In a larger pass all blocks would reach their limit, and sampling would be even.
     const double wanted = std::min(mean, kRoom * limit) * blockCount();
     const double worthIt = std::clamp(kWorthIt * meanSamples(), 1.0, std::max(0.5 * limit, 1.0));
     // Each block is to have come to level * weight: how high, so that the pass is as large as it should be?
@@ -160,7 +161,7 @@ void SamplingPlan::beginAdaptive(std::span<const shared::BlockNoise> noises, dou
     };
     double low = 0.0;
     double high = std::numeric_limits<double>::max();
-    for (std::size_t i = 0; i < weights.size(); ++i)  // where the first block would get all it can
+    for (std::size_t i = 0; i < weights.size(); ++i)  // the level at which the first block reaches its limit
         high = std::min(high, (samples_[i] + limit) / double(weights[i]));
     while (sizeAt(high) < wanted) {
         low = high;

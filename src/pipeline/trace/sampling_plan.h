@@ -18,15 +18,16 @@ namespace macula::trace {
 // The samples that every pixel has before sampling adapts, and before a picture may count as converged.
 inline constexpr std::uint32_t kEvenSamples = 8;
 
-// Of what is shown, display-encoded, black 0 to white 1: the standard error of the mean, over the blocks
-// that show something. +infinity when nothing is known; 0 when nothing is seen.
+// The standard error of what is shown, display-encoded, black 0 to white 1, over the blocks that show
+// something. +infinity when nothing is known; 0 when nothing is seen.
 struct ErrorEstimate {
     double rms = 0.0;
     double nearlyWorst = 0.0;  // 95 of 100 blocks have less
 };
 // A noise that is no number, or above 1, counts as 1: black taken for white.
 ErrorEstimate estimateOf(std::span<const shared::BlockNoise> noises);
-// A threshold of 0 is never reached. That no part is twice as noisy as was asked for is part of it.
+// Whether the picture is as good as the threshold asks, and no part of it twice as noisy. A threshold of 0 is
+// never reached.
 bool isConverged(const ErrorEstimate& estimate, double threshold);
 
 // Standard deviations of one sample, by block, relative to each other; above 0 for every block. Pooled over
@@ -73,7 +74,7 @@ class SamplingPlan {
     std::vector<std::uint32_t> samples_;
     std::vector<std::uint16_t> counts_;  // of the pass, by block; empty: passMost_ for each
     std::uint32_t passMost_ = 0;
-    std::uint32_t position_ = 0;  // in the order of the pass
+    std::uint32_t position_ = 0;  // blocks of the pass that are done, in its order
 };
 
 }  // namespace macula::trace

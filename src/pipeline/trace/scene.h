@@ -20,7 +20,7 @@ Result<shared::TraceParams> makeTraceParams(const Volume& volume, const Medium& 
                                             const Environment& environment, const View& view,
                                             const Settings& settings, const Clip& clip = {});
 
-// Of a usable view: what is stored where, for shaders/lib/fovea.glsl.
+// What a usable view stores where in its picture, for shaders/lib/fovea.glsl.
 struct FoveaInPlane {
     glm::dvec2 halfSize{1.0};  // of the picture, at distance 1
     glm::dvec2 gaze{0.0};

@@ -38,7 +38,7 @@ constexpr std::string_view nameOf(Denoising denoising) {
                                             : "plain";
 }
 
-// Of ray casting, which has no lights.
+// The shading of ray casting, which has no lights.
 enum class Shading {
     none,       // colours as the preset has them
     headlight,  // times ambient + diffuse |cos| to the gradient, with the preset's coefficients

@@ -20,10 +20,11 @@ using shared::SurfaceCandidate;
 using shared::SurfaceCell;
 
 constexpr double kDispatchMs = 40.0;
-constexpr std::uint32_t kFirstRays = 1u << 12;  // of the first dispatch, when its pace is unknown
-constexpr std::uint32_t kMostRays = 1u << 20;   // of a round: 20 MiB of candidates
-constexpr double kRaysPerWanted = 32.0;         // then what is seen is too faint, or too small
-// Rays through small cells have a way before them, too: they have to be fewer by as much.
+constexpr std::uint32_t kFirstRays = 1u << 12;  // in the first dispatch, when the device's pace is unknown
+constexpr std::uint32_t kMostRays = 1u << 20;   // in a round: 20 MiB of candidates
+constexpr double kRaysPerWanted = 32.0;         // then matter is too faint or too small, and the search ends
+// Rays to small cells have a way before them too: smaller cells pay only when they need fewer rays by this
+// factor.
 constexpr double kSmallerPays = 0.6;
 
 glm::dvec3 faceAreas(const glm::dmat3& worldFromVoxel) {
@@ -141,7 +142,7 @@ Result<void> CandidateSearch::beginRound(const SceneView& scene) {
     const auto groups =
         static_cast<std::uint32_t>(std::clamp(next_, 1.0, double(kMostRays))) / kSurfaceGroup + 1;
     const std::uint32_t rays = groups * kSurfaceGroup;
-    // As many for each as it has surface.
+    // Cells get rays in proportion to their surface.
     std::vector<std::uint32_t> cellOfRay(rays);
     const double offset = std::fmod(0.5 + 0.6180339887498949 * round_, 1.0);
     double end = areas_[0];
@@ -189,7 +190,7 @@ Result<void> CandidateSearch::endRound() {
     sent_ += rays_;
     ++round_;
     rays_ = 0;
-    // So many as there were if all weighed the same.
+    // The effective sample size (Kish).
     const double effective = squares_ > 0.0 ? sum_ * sum_ / squares_ : 0.0;
     isDone_ = effective >= wanted_ || sent_ >= kRaysPerWanted * wanted_;
     if (isDone_) result_.areaMm2 = sum_ * 0.25 * areaMm2_ / sent_;

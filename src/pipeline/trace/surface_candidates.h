@@ -69,14 +69,14 @@ class CandidateSearch {
     Result<void> endRound();
 
     std::vector<shared::SurfaceCell> cells_;
-    std::vector<double> areas_;  // of these
-    double areaMm2_ = 0.0;       // of all
+    std::vector<double> areas_;  // of the surfaces of cells_
+    double areaMm2_ = 0.0;       // the sum of areas_
     double wanted_;
     Portions portions_;
     std::optional<gpu::Buffer> cellBuffer_, rayBuffer_, found_;
     std::uint32_t round_ = 0;
-    std::uint32_t rays_ = 0;  // of this round; 0: it has not begun
-    std::uint32_t done_ = 0;  // of these
+    std::uint32_t rays_ = 0;  // rays of this round; 0: it has not begun
+    std::uint32_t done_ = 0;  // of these rays
     double next_;             // rays wanted of the next round
     double sum_ = 0.0, squares_ = 0.0, sent_ = 0.0;
     bool isDone_ = false;

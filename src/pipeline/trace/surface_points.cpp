@@ -35,8 +35,8 @@ std::uint32_t morton(const glm::uvec3& p) {
     return spread(p.x) | spread(p.y) << 1 | spread(p.z) << 2;
 }
 
-// Every `step` of the summed weight along a curve through space one candidate, so that they are spread as
-// evenly as the weight is.
+// Systematic sampling along a Morton curve: one candidate for every `step` of the summed weight, so that they
+// are spread as evenly as the weight is.
 std::vector<SurfaceCandidate> chosen(const std::vector<SurfaceCandidate>& seen, const Volume& volume,
                                      std::uint32_t count) {
     const glm::dmat3 mm(volume.worldFromVoxel());
@@ -60,7 +60,7 @@ std::vector<SurfaceCandidate> chosen(const std::vector<SurfaceCandidate>& seen, 
         sum += double(seen[entry.second].weight);
         if (sum <= next) continue;
         result.push_back(seen[entry.second]);
-        next += step * std::ceil((sum - next) / step);  // one that is worth several is one all the same
+        next += step * std::ceil((sum - next) / step);  // a candidate worth several steps is taken once
     }
     return result;
 }
@@ -113,13 +113,13 @@ class Measurement {
     Portions portions_;
     std::vector<PointSums> sums_;
     std::uint32_t base_ = 0;  // of the part under way
-    std::uint32_t pass_ = 0;  // of that
+    std::uint32_t pass_ = 0;  // of that part
     std::uint32_t done_ = 0;  // points of that pass
     std::optional<gpu::Buffer> places_, found_;
 };
 
-// With the radius as far as to its neighbours: on a surface, or in matter so thin that they lie behind
-// one another too; in no case as far as the volume is large.
+// The place of a point, with a radius as far as to its neighbours: on a surface, or in matter so thin that
+// they lie behind one another too; in no case as far as the volume is large.
 glm::vec4 placeOf(const SurfaceCandidate& at, double areaMm2, const Volume& volume) {
     double radius = std::sqrt(areaMm2);
     if (at.density >= 0.0f)

@@ -39,7 +39,7 @@ struct TraceVariant {
     Filter filter = Filter::trilinear;
     bool shading = false;
     SceneKind scene = {};
-    bool tellsPrimaries = false;  // of paths: path_primaries.comp
+    bool tellsPrimaries = false;  // paths tell their primary vertices: path_primaries.comp
 
     bool operator<(const TraceVariant& b) const {
         return std::tie(look, filter, shading, scene, tellsPrimaries) <
@@ -56,7 +56,7 @@ class TraceKernels {
     explicit TraceKernels(std::shared_ptr<gpu::Device> device) : device_(std::move(device)) {}
 
     struct Found {
-        const gpu::Kernel* kernel = nullptr;  // stays where it is
+        const gpu::Kernel* kernel = nullptr;  // its address stays valid
         bool isNew = false;                   // its first dispatch compiles it
     };
     // path.comp, path_primaries.comp or cast.comp.

@@ -16,11 +16,11 @@ constexpr double kFarthestGaze = 0.1;
 // A view that turned by more shows other sides of things: nothing is gained from the one before.
 constexpr double kMostTurnDeg = 20.0;
 constexpr double kMostTurnWithLightsDeg = 1.0;
-// What is known of a view is from many before it: with lights that turn along, the mean of these may lie so
-// far back.
+// With lights that turn with the camera, the views in the history may lie so far back on average.
 constexpr double kMostLagWithLightsDeg = 2.0;
 
-// With the gaze within `farthest`, in half widths and half heights of the picture.
+// Whether both foveations are alike, with the gaze within `farthest`, in half widths and half heights of the
+// picture.
 bool sameFovea(const std::optional<Foveation>& a, const std::optional<Foveation>& b, double farthest) {
     if (!a || !b) return !a && !b;
     return a->fieldDeg == b->fieldDeg && a->magnification == b->magnification &&
@@ -33,7 +33,7 @@ bool sameView(const View& a, const View& b) {
            a.camera.verticalFovDeg == b.camera.verticalFovDeg && sameFovea(a.foveation, b.foveation, 0.0);
 }
 
-// By how much its axes have turned, at most; nothing where there are none.
+// The angle by which the camera's axes have turned, at most; nothing where a camera has none.
 std::optional<double> turnDeg(const Camera& from, const Camera& to) {
     const auto eyeFrom = basis(from);
     const auto eyeTo = basis(to);
@@ -58,7 +58,7 @@ bool continues(const View& from, const View& to, LightFrame lights) {
 
 }  // namespace
 
-// What this view showed becomes what the view before showed; if it was not denoised, that is nothing.
+// Makes what this view showed the history; a view that was not denoised leaves none.
 void ViewHistory::turnPage(const View& view, std::uint32_t seed, bool wasTraced, LightFrame lights) {
     const bool traced = view_ && wasTraced;
     const bool again = traced && seed_ == seed && sameView(*view_, view);

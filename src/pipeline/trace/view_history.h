@@ -32,8 +32,8 @@ class ViewHistory {
     // The picture begins again, of the view that was set last.
     void restart();
 
-    // Of that view; their normals are true where the scene keeps voxels for gradients. Motion is towards the
-    // last one before it that was traced. `scene` looks at it. Valid until the next call.
+    // The guides of that view; their normals are true where the scene keeps voxels for gradients. Motion is
+    // towards the last one before it that was traced. `scene` looks at it. Valid until the next call.
     Result<const Guides*> guides(const SceneView& scene, TraceKernels& kernels);
     // vec4 for each pixel, see Denoiser::result(), of a film of that view; `how` is not off. Made again when
     // the film's `edition` is another one, or `how` is. Valid until the next call.
@@ -61,7 +61,7 @@ class ViewHistory {
     View viewBefore_;
     bool forgets_ = true;
     std::optional<std::uint64_t> denoisedEdition_;  // of the film, when the denoiser ran
-    Denoising denoisedAs_ = Denoising::off;         // then
+    Denoising denoisedAs_ = Denoising::off;         // the `how` of that run
     std::uint64_t begunEdition_ = 0;                // what it has begun with and may not have finished
     Denoising begunAs_ = Denoising::off;
 };

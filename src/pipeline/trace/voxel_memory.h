@@ -14,7 +14,7 @@ struct Coarsening;  // not included: it says `slots`, which Qt makes a keyword
 namespace macula::trace {
 
 struct MemoryLimits {
-    // For voxels. What the device has, and its limits, hold besides.
+    // The most that voxels may take; the device's memory and limits hold besides.
     std::uint64_t voxelBytes = UINT64_MAX;
 };
 
@@ -34,7 +34,7 @@ struct VoxelMemory {
 std::uint64_t slotsAllowed(const MemoryLimits& limits, const gpu::DeviceInfo& device,
                            std::uint64_t availableBytes, std::uint64_t heldBytes);
 
-// Key "voxels-coarsened", for the person who looks; nothing when all is shown as finely as it is.
+// The message "voxels-coarsened", for the person who looks; nothing when all is shown as finely as it is.
 std::optional<Message> coarseningMessage(const Coarsening& coarsening, std::uint64_t shownBlocks,
                                          std::uint64_t slotsAllowed);
 

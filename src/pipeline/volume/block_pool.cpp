@@ -27,8 +27,8 @@ void BlockPool::grow(std::uint64_t slots) {
     free_.reserve(free_.size() + slots - before);
     free_.insert(free_.begin(), slots - before, 0);
     for (std::uint64_t i = 0; i < slots - before; ++i)
-        free_[i] =
-            static_cast<std::uint32_t>(slots - 1 - i);  // the lowest is used next, but after the old ones
+        free_[i] = static_cast<std::uint32_t>(
+            slots - 1 - i);  // the lowest new slot is used first, but after all old ones
 }
 
 std::optional<std::uint32_t> BlockPool::allocate(std::uint8_t level) {

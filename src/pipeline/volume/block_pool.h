@@ -18,7 +18,7 @@ class BlockPool {
     std::uint64_t slots() const { return slots_.size(); }
     std::uint64_t freeSlots() const { return free_.size(); }
 
-    // More slots, behind the others.
+    // Adds slots behind the others.
     void grow(std::uint64_t slots);
 
     // Where the block begins, in units of 8 values; nothing when there is no room. `level` below kSingle.
@@ -34,7 +34,7 @@ class BlockPool {
 
     std::vector<Slot> slots_;
     std::vector<std::uint32_t> free_;  // the last is used next
-    // By level, slots that may have room. Entries may be stale: allocate() checks each.
+    // Slots that may have room, by level. Entries may be stale: allocate() checks each.
     std::array<std::vector<std::uint32_t>, kSingle> partial_;
 };
 

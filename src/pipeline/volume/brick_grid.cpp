@@ -10,14 +10,14 @@ namespace macula {
 
 namespace {
 
-// Of nothing: any join makes it the other.
+// The empty range: a join with it gives the other range.
 constexpr EntryRange kNone{0xffff, 0};
 
 EntryRange join(EntryRange a, EntryRange b) {
     return {std::min(a.low, b.low), std::max(a.high, b.high)};
 }
 
-// Over the voxels of a box, both corners included; kNone when it is empty.
+// The range over the voxels of a box, both corners included; kNone when it is empty.
 EntryRange rangeOf(const Volume& volume, const EntryMap& map, glm::ivec3 low, glm::ivec3 high) {
     const glm::ivec3 size = volume.size();
     const auto voxels = volume.voxels();
@@ -65,7 +65,7 @@ EntryRange blockRange(const Volume& volume, const EntryMap& map, glm::ivec3 bloc
     return rangeOf(volume, map, low, glm::min(high, volume.size() - 1));
 }
 
-// Its own block, and the layers below it along each axis.
+// The range of a brick: of its own block, and of the layers below it along each axis.
 EntryRange brickRange(const Volume& volume, const EntryMap& map, const BrickGrid& grid, glm::ivec3 brick) {
     const glm::ivec3 below = brick * kBrickVoxels - 1;
     const glm::ivec3 low = glm::max(below, glm::ivec3(0));

@@ -31,8 +31,8 @@ bool isInsideAll(const Sides& sides, const glm::dvec3& point) {
     return std::all_of(sides.begin(), sides.end(), [&](const HalfSpace& s) { return isInside(s, point); });
 }
 
-// Of a box, in the world. All of them beyond one side of a region: the box is outside of it; all inside a
-// convex one: it is in it.
+// The corners of a box, in the world. If all lie beyond one side of a region, the box is outside; if all lie
+// inside a convex region, the box is inside.
 class Corners {
   public:
     Corners(const glm::dmat4& worldFromFrame, const Box& box) {

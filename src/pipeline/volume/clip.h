@@ -48,8 +48,8 @@ struct Ball {
     bool operator==(const Ball&) const = default;
 };
 
-// Voxels by what they belong to. On another grid than the volume's the nearest label counts; what lies
-// outside of the map's grid belongs to nothing.
+// Shows voxels by the segment they belong to. On another grid than the volume's the nearest label counts;
+// what lies outside of the map's grid belongs to nothing.
 struct Mask {
     std::shared_ptr<const LabelMap> labels;
     std::vector<std::uint16_t> numbers;  // of segments; empty: any but 0
@@ -83,7 +83,7 @@ struct Clip {
     bool operator==(const Clip&) const = default;  // of masks: the same one
 };
 
-// The half-spaces whose common part it is.
+// The half-spaces whose intersection the box or the octant is.
 std::array<HalfSpace, 6> sidesOf(const OrientedBox& box);
 std::array<HalfSpace, 3> sidesOf(const Octant& octant);
 

@@ -7,7 +7,7 @@ namespace macula {
 
 namespace {
 
-// A voxel more than the brick on all sides, so that rounding in the shaders cannot look into it.
+// The box of a brick, a voxel larger on all sides, so that rounding in the shaders cannot look into it.
 Box roomOf(const glm::ivec3& brick) {
     const glm::dvec3 low = double(kBrickVoxels) * glm::dvec3(brick) - 2.0;
     return {low, low + double(kBrickVoxels) + 2.0};

@@ -29,7 +29,7 @@ void stepFrom(const Distance* before, Distance* row, int count) {
     }
 }
 
-// Along one row, both ways.
+// Propagates distances along one row, both ways.
 void sweepRow(Distance* row, int count) {
     for (int x = 1; x < count; ++x) row[x] = std::min(row[x], oneMore(row[x - 1]));
     for (int x = count - 2; x >= 0; --x) row[x] = std::min(row[x], oneMore(row[x + 1]));
@@ -37,10 +37,10 @@ void sweepRow(Distance* row, int count) {
 
 }  // namespace
 
-// Dimension by dimension: distances within rows, within planes by steps from row to row both ways, and in
-// space by steps from plane to plane. A step may go diagonally, which is what one unit of Chebyshev distance
-// is; so each sweep is exact for all that lies behind it. Planes, and then rows of a plane, do not depend on
-// each other: that is what all cores do.
+// A distance transform, dimension by dimension: distances within rows, within planes by steps from row to row
+// both ways, and in space by steps from plane to plane. A step may go diagonally, which is what one unit of
+// Chebyshev distance is; so each sweep is exact for all that lies behind it. Planes, and then rows of a
+// plane, do not depend on each other: that is what all cores do.
 void measureEmptySpace(glm::ivec3 gridSize, std::span<float> bounds) {
     const auto width = static_cast<std::size_t>(gridSize.x);
     const auto height = static_cast<std::size_t>(gridSize.y);

@@ -33,7 +33,7 @@ void forEachBrick(glm::ivec3 size, const Body& body) {
     });
 }
 
-// What follows from the extinction by entry.
+// Computes the majorants of bricks from the extinction by entry.
 void boundBricks(Medium& medium, const Volume& volume, const BrickGrid& grid, const Clip& clip,
                  const MaskBits* mask) {
     const RangeMax largest(medium.extinctionPerMm);
@@ -48,7 +48,7 @@ void boundBricks(Medium& medium, const Volume& volume, const BrickGrid& grid, co
     measureEmptySpace(grid.size, medium.bounds);
 }
 
-// Not below one stored value, where the tables end.
+// The width of the narrowest feature, not below one stored value, where the tables end.
 double featureOf(const TransferFunction& function, double leastUnits) {
     double narrowest = std::numeric_limits<double>::infinity();
     const auto look = [&](const auto& points) {
@@ -67,7 +67,8 @@ double featureOf(const TransferFunction& function, double leastUnits) {
 void tabulateGradientOpacity(const TransferFunction& function, const Volume& volume, Medium& medium) {
     const glm::dvec3 spacing = volume.spacingMm();
     const double voxelMm = (spacing.x + spacing.y + spacing.z) / 3.0;
-    // Beyond its last point the curve is constant: so is the table. A curve that ends at 0 is all end.
+    // The table ends at the curve's last point, beyond which both are constant. A curve whose last point is
+    // at 0 is constant everywhere.
     const double last = std::max(function.gradientOpacity.back().value, 1e-6);
     medium.gradientOpacity.resize(kGradientSteps + 1);
     for (int step = 0; step <= kGradientSteps; ++step) {

@@ -26,8 +26,8 @@ struct Medium {
     // at most 255.
     std::vector<float> bounds;
     float anisotropy = 0.0f;
-    // Over the length of the gradient of values, in steps of `gradientStep` units per mm from 0; empty when
-    // it is 1 everywhere.
+    // The gradient opacity, by the length of the gradient of values, in steps of `gradientStep` units per mm
+    // from 0; empty when it is 1 everywhere.
     std::vector<float> gradientOpacity;
     double gradientStep = 0.0;
     double unitDepthMm = 1.0;  // of the preset: unit distance divided by density

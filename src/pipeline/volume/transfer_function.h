@@ -73,8 +73,9 @@ struct TransferFunction {
     };
     std::optional<Fit> fitToVolume = {};
     ColourSpace colourSpace = ColourSpace::rgb;
-    // Over the length of the gradient in units per voxel of mean edge, that is per mm times the mean of the
-    // three spacings, as VTK has it; sorted. Multiplies the opacity. Empty: 1 everywhere.
+    // The gradient opacity, over the length of the gradient in units per voxel of mean edge, that is per mm
+    // times the mean of the three spacings, as VTK has it; sorted. Multiplies the opacity. Empty: 1
+    // everywhere.
     std::vector<OpacityPoint> gradientOpacity = {};
     std::optional<ValueRange> effectiveRange = {};  // the values that matter: where sliders end
     // The tracer does not use these two; other programs that read what toJson writes do.

@@ -140,13 +140,13 @@ void readComponent(const JsonNode& component, TransferFunction& function) {
     function.colour = readColour(component["rgbTransferFunction"]);
 }
 
-// Leaves a value that says the same as it is: 1024 is not rewritten to 1024.0.
+// Puts a value, but leaves one that says the same as it is: 1024 is not rewritten to 1024.0.
 void put(Json& object, const char* key, Json value) {
     if (const auto found = object.find(key); found != object.end() && *found == value) return;
     object[key] = std::move(value);
 }
 
-// For keys that may be missing: left out when nobody wrote them and they say nothing.
+// Puts a key that may be missing: a default value is left out when the document does not have the key.
 void putUnless(bool isDefault, Json& object, const char* key, Json value) {
     if (!isDefault || object.contains(key)) put(object, key, std::move(value));
 }

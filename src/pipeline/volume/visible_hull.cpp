@@ -94,7 +94,7 @@ class Rows {
     double entryOf(const glm::ivec3& voxel) const {
         return double(map_.entryOf(volume_.stored(voxel.x, voxel.y, voxel.z)));
     }
-    // Per mm, linear between the entries.
+    // The extinction per mm, linear between the entries.
     double extinctionOf(double entry) const {
         if (entry > opaqueFrom_) return 1e9;
         const auto low = static_cast<std::size_t>(entry);
@@ -113,7 +113,8 @@ class Rows {
         const double extinction = extinctionOf(entryOf(voxel));
         return extinction < leastPerMm_ || isShown(glm::dvec3(voxel)) ? extinction : 0.0;
     }
-    // Between a voxel that is seen and the one before it, which is not, or is none.
+    // The place of the border between a visible voxel and the one before it, which is not visible or does not
+    // exist.
     double borderBefore(const glm::ivec3& voxel, int axis, int step) const {
         glm::ivec3 before = voxel;
         before[axis] -= step;
@@ -138,7 +139,7 @@ class Rows {
     const Clip& clip_;
     const MaskBits* mask_;
     EntryMap map_;
-    double leastPerMm_;  // less would not be seen if it were everywhere
+    double leastPerMm_;  // extinction that would not be visible even if it were everywhere
     double opaqueFrom_;  // above this entry there may be a face of the clip
 };
 

@@ -14,7 +14,8 @@ DisplayWindow seriesWindow(const Volume& volume) {
 
 namespace {
 
-// In stored values, ascending: of rays along each axis, evenly spread, that meet anything but padding.
+// The largest stored values along evenly spread rays in each axis, ascending, of rays that meet anything but
+// padding.
 std::vector<std::uint16_t> largestAlongAxes(const Volume& volume) {
     constexpr int kRaysPerSide = 64;
     const glm::ivec3 size = volume.size();

@@ -19,7 +19,7 @@ DisplayWindow maximumWindow(const Volume& volume);
 // The effective range of the preset, fitted to the volume as the preset is; nothing when it names none.
 std::optional<DisplayWindow> presetWindow(const TransferFunction& preset, const Volume& volume);
 
-// In units; black at the low end, white at the high one.
+// The window in units that is black at the low end of a range and white at its high end.
 DisplayWindow windowOver(const ValueRange& range);
 
 }  // namespace macula

@@ -16,10 +16,10 @@
 
 namespace macula::hybrid {
 
-// What is traced over what is drawn: the ratio of their mean luminances (Rec. 709, linear) over the pixels in
-// which both cover more than half. 1 where these are too few to tell, or nothing shines in them; from 1/2 to
-// 2, because what is farther off is wrong in more than its brightness. Pictures in pairs of the same size;
-// what is not finite is left out.
+// The mean luminance (Rec. 709, linear) of the traced pictures over that of the drawn ones, over the pixels
+// in which both cover more than half. 1 where these are too few or all black. Limited to 1/2 to 2, because a
+// model that is farther off is wrong in more than its brightness. Pictures come in pairs of the same size;
+// pixels that are not finite are left out.
 double brightnessGain(std::span<const std::vector<glm::vec4>> traced,
                       std::span<const std::vector<glm::vec4>> drawn);
 
@@ -30,22 +30,23 @@ class BrightnessGauge {
     explicit BrightnessGauge(const Box& seenMm);
 
     bool isWhole() const { return pictures_.size() == cameras_.size(); }
-    // The next ones; `keepGoing` is asked between dispatches of some 40 ms, and the next call goes on there.
-    // The tracer is of the scene, and is left with other settings and another view; `settings` are those of
-    // what is shown.
+    // Traces the next pictures. `keepGoing` is asked between dispatches of some 40 ms, and the next call goes
+    // on there. The tracer is of the scene, and is left with other settings and another view; `settings` are
+    // those of what is shown.
     Result<void> traceSome(trace::PathTracer& tracer, const trace::Settings& settings,
                            const std::function<bool()>& keepGoing);
 
-    // So far. Denoised a little: to learn from, too.
+    // The pictures traced so far, denoised a little, so that a model can learn from them too.
     const std::vector<TracedView>& pictures() const { return pictures_; }
 
-    // brightnessGain of what `painter` has, whose origin that is. When it is whole. Waits.
+    // brightnessGain of the model that `painter` draws, whose origin is `originMm`. Only when isWhole().
+    // Waits.
     Result<double> gainOf(splat::ModelPainter& painter, const glm::dvec3& originMm) const;
 
   private:
     std::vector<Camera> cameras_;
-    std::vector<TracedView> pictures_;  // in their order
-    bool hasBegun_ = false;             // the next one
+    std::vector<TracedView> pictures_;  // by camera
+    bool hasBegun_ = false;             // the tracer has begun the next picture
 };
 
 }  // namespace macula::hybrid

@@ -19,7 +19,7 @@ bool isKnown(const glm::vec4& pixel) {
            std::isfinite(pixel.a);
 }
 
-// Of distances 0, 1, 2 and so on.
+// The weights of a Gaussian filter at distances 0, 1, 2 and so on.
 std::vector<float> gaussian(double sigma) {
     std::vector<float> weights;
     for (int i = 0; i <= int(3.0 * sigma); ++i)
@@ -27,7 +27,8 @@ std::vector<float> gaussian(double sigma) {
     return weights;
 }
 
-// Along rows, and turned, so that twice is along both. Weights do not add up to 1: only ratios are asked for.
+// Filters along rows and transposes, so that doing it twice filters along both axes. Weights do not add up to
+// 1: only ratios are asked for.
 std::vector<glm::vec3> blurredAndTurned(const std::vector<glm::vec3>& pixels, const glm::ivec2& sizePx,
                                         const std::vector<float>& weights) {
     std::vector<glm::vec3> turned(pixels.size());
@@ -69,7 +70,7 @@ TracedView combined(const TracedView& traced, TracedView lit, double tracedShare
             continue;
         }
         glm::vec3 light(pixel);
-        // Else nothing was traced near it.
+        // Where the weight is 0 nothing was traced near the pixel.
         if (had[i].x > 0.0f) light *= glm::clamp(wanted[i] / had[i], 1.0f / kMostChange, kMostChange);
         if (isKnown(own)) light = glm::mix(light, glm::vec3(own), float(tracedShare));
         pixel = glm::vec4(light, pixel.a);

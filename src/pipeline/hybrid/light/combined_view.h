@@ -1,4 +1,4 @@
-// One picture of two of the same view: one that is lit by what many views have found (lit_view.h), which
+// Combines two pictures of the same view: one that is lit by what many views have found (lit_view.h), which
 // has hardly any noise but what its places have in common, such as a cell that holds the light of two walls;
 // and one that is traced, whose mean over many pixels is right.
 #pragma once

@@ -12,13 +12,13 @@ constexpr std::uint64_t kFree = ~std::uint64_t(0);
 constexpr std::size_t kFirstSlots = 1u << 12;  // a power of two
 constexpr int kFarthest = 1 << 20;             // cells from the origin, in each direction
 constexpr int kCoarser = 3;                    // levels beyond the first
-constexpr float kMostRadiance = 1e6f;          // 1 is white; of more, sums would not be finite
-constexpr float kPrior = 0.5f;                 // samples that what is around counts for
+constexpr float kMostRadiance = 1e6f;          // 1 is white; sums of larger values might not be finite
+constexpr float kPrior = 0.5f;                 // samples that the cells around count for, as a prior
 // A cell with so many samples counts in full beside its neighbours.
 constexpr double kEnough = 4.0;
 constexpr double kAtLeast = 1e-3;
 
-// Of a cell, 21 bits for each number.
+// The key of a cell, 21 bits for each number.
 std::uint64_t keyOf(const glm::ivec3& at) {
     const auto part = [](int v) { return static_cast<std::uint64_t>(std::int64_t(v) + kFarthest); };
     return part(at.x) << 42 | part(at.y) << 21 | part(at.z);
@@ -45,7 +45,7 @@ std::size_t slotOf(const std::vector<std::uint64_t>& keys, std::uint64_t key) {
     return slot;
 }
 
-// False of what is not a number.
+// Whether a cell is within `most` of the origin; false for NaN.
 bool isWithin(const glm::dvec3& cell, int most) {
     return std::abs(cell.x) < most && std::abs(cell.y) < most && std::abs(cell.z) < most;
 }
@@ -140,7 +140,7 @@ void LightInSpace::finish() {
             }
         }
     }
-    levels_.resize(1);  // the rest has said what it had to
+    levels_.resize(1);  // coarser levels are no longer needed
 }
 
 std::optional<glm::vec3> LightInSpace::at(const glm::dvec3& atMm, const glm::dvec3& direction) const {

@@ -1,5 +1,5 @@
-// The light that leaves matter, by place: what traced views have found on their way, for views from elsewhere
-// that are not traced.
+// A radiance cache: the light that leaves matter, by place, as traced views have found it, for views from
+// elsewhere that are not traced.
 //
 // Where the phase function is isotropic, what is scattered at a place goes to all sides alike, so light that
 // was found for one view is that of every other, in thin matter and haze as well, where a picture has no one
@@ -21,7 +21,7 @@ namespace macula::hybrid {
 // All places in mm of one frame, directions of unit length, from the eye.
 class LightInSpace {
   public:
-    static constexpr std::size_t kMostCells = 1u << 21;  // of 96 bytes: as many as a body has pixels
+    static constexpr std::size_t kMostCells = 1u << 21;  // cells of 96 bytes: as many as a body has pixels
 
     // `cellMm` above 0: about what a pixel of the views shows. Doubled whenever there are more than
     // `mostCells`, which is at least 8.
@@ -32,12 +32,12 @@ class LightInSpace {
     // counts as that.
     void add(const glm::dvec3& atMm, const glm::dvec3& direction, const glm::vec3& radiance);
 
-    // Once all is added: before, there are no means. Where a cell knows little, what is known around it
-    // counts as well, as half a sample.
+    // Turns sums into means, once all is added. Where a cell knows little, what is known around it counts as
+    // well, as half a sample.
     void finish();
 
-    // What leaves there against `direction`, linear between the cells around; nothing where nothing was seen
-    // within a cell.
+    // The radiance that leaves `atMm` against `direction`, linear between the cells around; nothing where
+    // nothing was seen within a cell.
     std::optional<glm::vec3> at(const glm::dvec3& atMm, const glm::dvec3& direction) const;
 
     double cellMm() const { return cellMm_; }
@@ -47,7 +47,7 @@ class LightInSpace {
     // Sums of radiance and of weights; after finish() means and weights.
     using Cell = std::array<glm::vec4, 6>;
 
-    // Cells by place, in a table of open addresses.
+    // Cells by place: a hash table with open addressing.
     struct Level {
         std::vector<std::uint64_t> keys;    // by slot; kFree: none
         std::vector<std::uint32_t> places;  // by slot: which cell

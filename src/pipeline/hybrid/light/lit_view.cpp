@@ -12,7 +12,7 @@ namespace macula::hybrid {
 
 namespace {
 
-// Of the rays through the centres of a picture's pixels, as the tracer sends them.
+// The rays through the centres of a picture's pixels, as the tracer sends them.
 struct EyeRays {
     glm::dvec3 right;  // half the width of the picture at distance 1
     glm::dvec3 up;     // half its height
@@ -48,7 +48,7 @@ glm::vec4 lit(const shared::PixelLayers& layers, const glm::dvec3& eyeMm, const 
     double known = 0.0;
     double atMm = double(layers.meanMm);
     for (std::size_t i = 0; i < middleMm.size() && double(i) * kLayer < coverage; ++i) {
-        // The last one may end before its middle.
+        // The last layer may end before its middle: then it is taken to be where the one before is.
         if (middleMm[i] >= 0.0f) atMm = double(middleMm[i]);
         if (atMm < 0.0) break;
         const double hides = std::min(coverage - double(i) * kLayer, kLayer);
@@ -62,8 +62,8 @@ glm::vec4 lit(const shared::PixelLayers& layers, const glm::dvec3& eyeMm, const 
     return {glm::vec3(sum * (coverage / known)), layers.coverage};
 }
 
-// Along each side of a pixel: with one ray what is smaller is there or not (0.15 dB of bone), and large
-// pictures have small pixels.
+// The rays along each side of a pixel. With one ray, detail smaller than a pixel is there or not, which costs
+// 0.15 dB with bone; large pictures have small pixels, and need fewer.
 int raysAside(const glm::ivec2& sizePx) {
     constexpr std::uint64_t kMostBytes = std::uint64_t(64) << 20;
     const std::uint64_t pixels = std::uint64_t(sizePx.x) * std::uint64_t(sizePx.y);

@@ -13,7 +13,7 @@ std::vector<float> pixelCoverage(std::span<const trace::GuidePixel> guides, cons
         const int row = std::clamp(y, 0, sizePx.y - 1);
         return guides[std::size_t(row) * std::size_t(sizePx.x) + std::size_t(column)].coverage;
     };
-    // Of what is linear between three centres, the mean over the pixel of the middle one.
+    // The mean over the middle pixel of a function that is linear between three centres.
     const auto mean = [](float before, float here, float after) {
         return 0.125f * before + 0.75f * here + 0.125f * after;
     };

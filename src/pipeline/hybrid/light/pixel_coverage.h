@@ -9,8 +9,8 @@
 
 namespace macula::hybrid {
 
-// Over the area of each pixel of a picture, by the coverage of the rays through the centres around it, linear
-// between them: as the denoiser measures light by (massAround in shaders/lib/denoise_prepare.glsl). Row 0 on
+// The coverage of each pixel of a picture, averaged over its area: linear between the rays through the
+// centres around it, as the denoiser measures it (massAround in shaders/lib/denoise_prepare.glsl). Row 0 on
 // top; 0 to 1.
 std::vector<float> pixelCoverage(std::span<const trace::GuidePixel> guides, const glm::ivec2& sizePx);
 

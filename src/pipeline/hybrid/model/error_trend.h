@@ -8,7 +8,7 @@
 namespace macula::hybrid {
 
 struct ErrorTrendOptions {
-    // Of the error itself, in a second of training: with less it counts as flat.
+    // An error that falls by less than this part of itself in a second of training counts as flat.
     double leastFallPerSecond = 0.002;
     // The trend is that of so many means, each over at least so many seconds: measurements that come faster
     // than that are averaged first, because over short times noise hides any trend.
@@ -26,11 +26,11 @@ class ErrorTrend {
     // `seconds` of training until now, never less than before. An error that is not above 0 and finite is
     // left out.
     void add(double seconds, double error);
-    // What comes next has nothing to do with what was.
+    // Starts anew: the errors that follow are of something else.
     void forget() { means_.clear(); }
 
-    // Of the error, as a part of it: 0.01 means that it falls by a hundredth in a second. Nothing before the
-    // window is full.
+    // The fall of the error, as a part of it: 0.01 means that it falls by a hundredth in a second. Nothing
+    // before the window is full.
     std::optional<double> fallPerSecond() const;
     bool isFlat() const;
 

@@ -13,12 +13,12 @@ namespace macula::hybrid {
 
 namespace {
 
-// Of what is left of a budget once points and views are chosen, so much is left when no more views are
-// traced, and when no more sides are lit.
+// The parts of the budget left after the choice of points and views that must remain for views to be traced,
+// and for sides to be lit.
 constexpr double kLeftAfterTracing = 0.6;
 constexpr double kLeftAfterLighting = 0.5;
 
-// Whether one more of what was made since it was asked last leaves so much of a budget.
+// Says whether one more view, taking as long as the last one did, leaves enough of a budget.
 class Allowance {
   public:
     Allowance(const TimeBudget& budget, double leaveSeconds)
@@ -41,7 +41,8 @@ Error cancelled() {
     return {ErrorCode::cancelled, "The training was cancelled.", {}, {}};
 }
 
-// In turn, because views that were never drawn come first, as they were given.
+// Adds pictures and stand-ins in turn, because the trainer draws new views in the order in which they were
+// added.
 Result<void> learnFromAll(splat::Trainer& trainer, const Box& seenMm, TrainingPictures pictures) {
     const auto learn = pictures.areLit ? learnStandInFrom : learnCoverageFrom;
     std::vector<TracedView>& sides = pictures.sides;
@@ -87,10 +88,11 @@ splat::TrainerOptions trainerOptions(const FirstModelOptions& options) {
     rates.opacityLogit = 0.1;
     rates.dc = 0.015;
     rates.sh = rates.dc / 20.0;
-    // Large pictures from a fifth of the way on; of small ones there is nothing smaller worth looking at.
+    // Training begins with pictures of half the size, for a fifth of the steps. Small pictures are not
+    // halved: they would show too little.
     training.stages = {{.firstStep = 0, .halvings = options.sizePx >= 256 ? 1 : 0},
                        {.firstStep = options.iterations / 5, .halvings = 0}};
-    // At last squares, which put right the light that absolute differences leave out.
+    // The last steps compare squares, which put right the light that absolute differences leave out.
     if (options.iterations > 0)
         training.stages.push_back(
             {.firstStep = options.iterations * 3 / 4, .halvings = 0, .measure = splat::LossMeasure::squared});

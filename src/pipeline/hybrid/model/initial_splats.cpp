@@ -11,7 +11,7 @@ namespace macula::hybrid {
 
 namespace {
 
-// Of what the points say, whatever it is: of a radius in mm, and of light, which is 1 for white.
+// Limits for what the points say: of a radius in mm, and of light, which is 1 for white.
 constexpr double kLeastRadius = 1e-6;
 constexpr double kMostRadius = 1e6;
 constexpr float kMostRadiance = 1e6f;
@@ -73,10 +73,10 @@ splat::Splats initialSplats(const trace::SurfacePoints& points, const InitialSpl
         const double radius = std::clamp(double(point.radiusMm), kLeastRadius, kMostRadius);
         const PrincipalAxes principal = principalAxes(glm::dmat3(point.spreadMm2));
         const glm::dvec3 deviation =
-            glm::min(glm::sqrt(principal.variance), glm::dvec3(radius));  // of what lies within it
+            glm::min(glm::sqrt(principal.variance), glm::dvec3(radius));  // of the matter within the radius
         const glm::dvec3 scale = glm::max(options.width * deviation, glm::dvec3(options.thinnest * radius));
         const glm::dquat turn = glm::normalize(glm::quat_cast(principal.axes));
-        // Of the matter itself: the mean over the ball has the air around it, too.
+        // The extinction of the matter itself: the mean over the ball includes the air around it.
         const glm::dvec3 centre(point.centreMm);
         const double offset = std::min(glm::length(centre) / (kHalfFilled * radius), 1.0);
         const double extinction = double(point.extinctionPerMm) * (1.0 + offset);

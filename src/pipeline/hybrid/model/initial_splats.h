@@ -7,17 +7,17 @@
 
 namespace macula::hybrid {
 
-// Where the error of the first picture is least over phantom, chest CT (bone, soft tissue) and CTA (vessels),
-// each from four sides, see docs/peripheral-model.md.
+// The defaults are where the error of the first picture is least over phantom, chest CT (bone, soft tissue)
+// and CTA (vessels), each from four sides, see docs/peripheral-model.md.
 struct InitialSplatOptions {
-    // Of the standard deviation over that of the matter around: neighbours overlap so that there is no gap,
-    // and no more.
+    // The standard deviation of a splat over that of the matter around it: neighbours overlap so that there
+    // is no gap, and no more.
     double width = 1.1;
     // A splat lies so far from its point towards the middle of the matter, so that its outer half does
     // not stand out of the surface.
     double inwards = 1.1;
-    // Splats stand for what is seen only; they have to hide what nobody sees behind them, too: so many times
-    // denser they are.
+    // How many times denser splats are than the matter: they stand only for the surface, and have to hide
+    // what lies behind it too.
     double denser = 6.0;
     // No splat is thinner than this part of the distance to its neighbours: as an edge of a voxel is soft.
     double thinnest = 0.15;

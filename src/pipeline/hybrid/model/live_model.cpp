@@ -78,7 +78,7 @@ void LiveModel::hide() {
     key_.clear();
 }
 
-// What has taken its first steps: less is soon found again.
+// Only a model that has taken its first steps goes on the shelf: less is soon found again.
 void LiveModel::putAway() {
     if (!canBeDrawn()) return;
     Result<PeripheralState> state = model_->state();
@@ -124,7 +124,7 @@ Result<void> LiveModel::work(double budgetMs, const std::function<bool()>& keepG
         stage_ == ModelStage::searching ? searchSome(budgetMs, goesOn) : learnSome(budgetMs, goesOn);
     if (!isOutOfMemory(done)) return done;
     log::warning("There is no room on the device for the peripheral model to learn.");
-    // What it has learnt can still be drawn.
+    // The model can still be drawn as it is.
     if (canBeDrawn())
         stage_ = ModelStage::resting;
     else
@@ -132,7 +132,7 @@ Result<void> LiveModel::work(double budgetMs, const std::function<bool()>& keepG
     return {};
 }
 
-// Points are of all that can be seen from anywhere; a view is asked for all the same.
+// The search for points needs a view to be set, though it finds what can be seen from anywhere.
 Result<void> LiveModel::beginSearch() {
     MACULA_TRY_VOID(tracer_.setView({.width = 64, .height = 64}));
     MACULA_TRY(const Box seen, tracer_.seenMm());
@@ -183,7 +183,7 @@ Result<void> LiveModel::takeFirstSteps(double budgetMs, const std::function<bool
     return {};
 }
 
-// What is shown now, as bright as what is traced.
+// Makes the shown model drawable, as bright as traced pictures are.
 Result<void> LiveModel::makeDrawable() {
     const ShownModel shown = model_->shown();
     MACULA_CHECK(!shown.isOfBefore);

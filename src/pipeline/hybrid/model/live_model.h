@@ -34,7 +34,7 @@ struct LiveModelOptions {
     std::uint32_t samplesPerPixel = 2;    // of these pictures
     std::size_t views = 48;               // pictures in all
     std::uint64_t stepsBetweenViews = 8;  // of training
-    std::uint64_t stepsBeforeShown = 40;  // by the small pictures of the gauge
+    std::uint64_t stepsBeforeShown = 40;  // of training, on the small pictures of the gauge
 };
 // What is fast enough on the device to be taught beside a picture that converges.
 LiveModelOptions liveModelOptions(const gpu::Device& device);
@@ -42,8 +42,8 @@ LiveModelOptions liveModelOptions(const gpu::Device& device);
 // Used by one thread at a time, the one that uses the device.
 class LiveModel {
   public:
-    // Of the scene that `beside` shows, of which it has a view of its own. Models that are put away go to the
-    // shelf, which may outlive the device.
+    // The model of the scene that `beside` shows; it traces a view of its own of that scene. Models that are
+    // put away go to the shelf, which may outlive the device.
     static Result<LiveModel> create(const std::shared_ptr<gpu::Device>& device,
                                     const trace::PathTracer& beside, std::shared_ptr<ModelShelf> shelf,
                                     const LiveModelOptions& options);
@@ -55,10 +55,10 @@ class LiveModel {
     Result<void> show(const std::string& key, const trace::Settings& settings);
     // The screen shows nothing that has a model: the one there is is put on the shelf, and none is drawn.
     void hide();
-    // There is none for this key until another one is shown, `stage` says why: noRoom or failed. What was
+    // Drops the model of this key until another key is shown; `stage` says why: noRoom or failed. What was
     // learnt goes to the shelf.
     void giveUp(ModelStage stage);
-    // To the shelf, for a device that was lost: what was learnt until a few seconds ago.
+    // Puts what was learnt until a few seconds ago on the shelf, after the device was lost.
     void save() const;
 
     bool canBeDrawn() const { return model_ && stage_ != ModelStage::searching; }
@@ -73,7 +73,7 @@ class LiveModel {
     Result<const splat::DevicePicture*> draw(const Camera& camera, const glm::ivec2& sizePx);
     double gain() const { return gain_; }
 
-    // What is drawn; null when nothing is.
+    // The model that draw() draws; null when there is none.
     std::shared_ptr<const splat::Splats> shown() const;
     ModelNews news() const;
     const std::string& key() const { return key_; }
@@ -100,17 +100,17 @@ class LiveModel {
     std::string key_;  // empty: nothing is shown
     trace::Settings settings_;
     ModelStage stage_ = ModelStage::none;
-    // While it is searching, once that has begun, or later, until the gauge is there.
+    // Set by the search; a model from the shelf has the gauge only, which is made anew.
     std::optional<Box> seenMm_;
     std::optional<trace::SurfacePoints> points_;  // found, while the gauge is made
     std::optional<BrightnessGauge> gauge_;
     std::optional<PeripheralModel> model_;
     std::optional<Camera> wanted_;  // the view that is traced for it now
-    std::size_t views_ = 0;         // that it was given, or asked for in vain
+    std::size_t views_ = 0;         // views that the model was given, or asked for in vain
     std::uint64_t stepsAtLastView_ = 0;
     std::shared_ptr<const splat::Splats> drawn_;  // what the painter has
     std::optional<splat::ModelPainter> painter_;
-    double gain_ = 1.0;  // of that
+    double gain_ = 1.0;  // of the painter's model, see gain()
 };
 
 }  // namespace macula::hybrid

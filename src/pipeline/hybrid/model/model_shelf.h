@@ -10,15 +10,16 @@
 
 namespace macula::hybrid {
 
-// Of its pictures, and of what there is for each splat. About: what is small beside these is left out.
+// The size of its pictures and splats. What is small beside these is left out.
 std::uint64_t bytesOf(const PeripheralState& state);
 
-// By key; what was put there last stays longest. Together they take at most so many bytes.
+// Keeps models by key; the one that was put there last stays longest. Together they take at most so many
+// bytes.
 class ModelShelf {
   public:
     explicit ModelShelf(std::uint64_t mostBytes) : mostBytes_(mostBytes) {}
 
-    // Instead of what has the same key. One that is larger than all there is room for is not kept.
+    // Replaces the model of the same key. One that is larger than all there is room for is not kept.
     void put(std::shared_ptr<const PeripheralState> state);
     // Null when there is none.
     std::shared_ptr<const PeripheralState> find(const std::string& key) const;

@@ -19,8 +19,8 @@ double secondsSince(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-constexpr std::size_t kFewViews = 12;      // of which nobody knows whether they are enough
-constexpr std::uint64_t kLeastSteps = 10;  // between judging: of a few steps nothing can be seen
+constexpr std::size_t kFewViews = 12;      // so few may not be enough to learn from
+constexpr std::uint64_t kLeastSteps = 10;  // between judging: a few steps make no measurable difference
 
 }  // namespace
 
@@ -40,7 +40,8 @@ std::string_view describe(Pause pause) {
     return {};
 }
 
-// So that the held-out pictures have at most judgingShare of the pixels of all that is drawn.
+// The number of steps that keeps the pixels of held-out pictures to at most judgingShare of all that are
+// drawn.
 std::uint64_t PeripheralModel::stepsBetweenJudging() const {
     double heldOut = 0.0;
     for (const HeldOut& h : heldOut_) heldOut += double(h.picture->pixels.size());
@@ -73,7 +74,7 @@ Result<void> PeripheralModel::step(double budgetMs, const std::function<bool()>&
     return done;
 }
 
-// Until it is time to judge.
+// Trains until it is time to judge.
 Result<void> PeripheralModel::learn(const std::function<bool()>& goesOn) {
     MACULA_TRY_VOID(beginRoundIfDue());
     const std::uint64_t every = stepsBetweenJudging();
@@ -87,7 +88,8 @@ Result<void> PeripheralModel::learn(const std::function<bool()>& goesOn) {
     return {};
 }
 
-// One picture after the other, so that no call takes long; the model stays as it is until all are compared.
+// Compares the next held-out picture, one for each call, so that no call takes long; the model stays as it is
+// until all are compared.
 Result<void> PeripheralModel::judgeNext() {
     if (judged_ < heldOut_.size()) {
         const auto start = Clock::now();
@@ -126,8 +128,8 @@ Result<void> PeripheralModel::beginRoundIfDue() {
         const auto present = std::max(trainer_.lastGood().options.capacity, now.splats);
         MACULA_TRY(hasBegun, beginRound(std::min(present, room)));
     }
-    // One that did not begin is tried again with as many more views, not at every step: the model would never
-    // pause.
+    // A round that did not begin is tried again with as many more views, not at every step: the model would
+    // never pause.
     if (hasBegun) ++rounds_;
     return {};
 }
@@ -140,7 +142,7 @@ Result<bool> PeripheralModel::beginRound(std::uint32_t capacity) {
                     std::max(options_.shDegree, trainer_.lastGood().splats.shDegree));
 }
 
-// Without memory for it all goes on as it was: false.
+// Returns false when the device has no memory for it; then all goes on as it was.
 Result<bool> PeripheralModel::goOnWith(const splat::TrainerOptions& options, int shDegree) {
     const Result<void> done = trainer_.goOnWith(options, shDegree);
     if (!done && done.error().code != ErrorCode::outOfMemory) return done.error();
@@ -164,9 +166,10 @@ Result<void> PeripheralModel::showIfBetter() {
     const Errors mean = meanErrors();
     const bool areTooFew = heldOut_.size() < kLeastHeldOut;
     if (isOfBefore_ && (areTooFew || !(mean.trained < mean.shown))) return {};
-    // With few views it soon knows those by heart, and gets worse from elsewhere.
+    // With few views the model overfits to them, and gets worse from elsewhere.
     if (areTooFew && trainer_.viewCount() < kFewViews) return {};
-    // Not of what was shown last: a little worse again and again would be much.
+    // The comparison is with the best, not with the last that was shown: a little worse again and again would
+    // add up.
     if (!isOfBefore_ && mean.trained > (1.0 + options_.shownMayBeWorse) * mean.best) return {};
     const bool isBest = isOfBefore_ || mean.trained <= mean.best;
     MACULA_TRY(splat::Splats now, trainer_.snapshot());

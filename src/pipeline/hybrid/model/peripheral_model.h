@@ -31,18 +31,19 @@ namespace macula::hybrid {
 struct PeripheralOptions {
     std::uint64_t firstSteps = 700;       // of the first round (first_model.h)
     std::uint64_t roundSteps = 1000;      // of each later one (refinement.h)
-    std::uint64_t settlingSteps = 100;    // in which rates fall when a round is of no more use
+    std::uint64_t settlingSteps = 100;    // in which learning rates fall when a round is of no more use
     std::uint32_t firstCapacity = 11000;  // splats
     double splatsGrow = 1.5;              // a later round may have so many times those there are
     std::uint32_t mostSplats = 50000;     // and no more than that
     int shDegree = 1;                     // of colours, from the start on; never less than the start has
     // A later round begins when the model has so many more views, in parts of those it had at the last one.
     double newViewsForRound = 0.25;
-    // Learnt and held out. A picture of 512 x 512 takes 5 MB on the device and 4 MB on the host.
+    // Views learnt and held out, together. A picture of 512 x 512 takes 5 MB on the device and 4 MB on the
+    // host.
     std::size_t mostViews = 256;
-    // Of the device's memory that is free or theirs, they take no more than that.
+    // The most that views take of the device's memory that is free or theirs, as a part of it.
     double viewsShare = 0.5;
-    // At most: a larger one is reduced, by halves. More than that is not to be seen in so few splats.
+    // A larger picture to learn from is reduced by halves: so few splats show no more detail.
     int learntSidePx = 1024;
     int heldOutSidePx = 256;  // at most: larger ones are reduced
     // Held-out pictures are judged so seldom that their pixels are at most this part of those that training
@@ -74,27 +75,27 @@ struct ShownModel {
     std::shared_ptr<const splat::Splats> splats;  // valid; never null
     // A larger one whenever `splats` are others, in a model that goes on with another one's state too.
     std::uint64_t generation = 0;
-    bool isOfBefore = false;  // of what was shown before the last change
+    bool isOfBefore = false;  // the model is still that of before the last change
 };
 
 struct PeripheralReport {
     Pause pause = Pause::none;
     splat::TrainingReport training;
-    double trainingSeconds = 0.0;  // of the wall, since it began or was changed; judging included
-    double judgingSeconds = 0.0;   // of these
+    double trainingSeconds = 0.0;  // by the clock, since it began or was changed; judging included
+    double judgingSeconds = 0.0;   // the part of trainingSeconds that judging took
     std::size_t views = 0;         // learnt
     std::size_t heldOut = 0;
     std::optional<double> error;          // mean over the held-out pictures, as they are now
-    std::optional<double> shownError;     // of what is shown, in the same
+    std::optional<double> shownError;     // of the shown model, over the same pictures
     std::optional<double> fallPerSecond;  // ErrorTrend
     std::uint64_t rounds = 0;
-    bool noRoom = false;  // for more splats: the device had no memory, and it goes on with those there are
+    bool noRoom = false;  // the device had no memory for more splats; training goes on with those there are
 };
 
-// Used by one thread at a time, the one that uses the device. All that is decided is so by numbers of steps
-// and views, but for when the error has stopped falling, which is by time: then rates settle early, and
-// once they have, it pauses. What it learns is a function of the seed, of what it was offered after which
-// step, and of when it settled and was paused.
+// Used by one thread at a time, the one that uses the device. Decisions go by numbers of steps and views.
+// Only whether the error still falls goes by time: when it does not, learning rates settle early, and then
+// the model pauses. What it learns is a function of the seed, of what it was offered after which step, and of
+// when it settled and was paused.
 class PeripheralModel {
   public:
     // Shows the start at once. usage and inputNotUsable as Trainer::create; outOfMemory.
@@ -111,18 +112,21 @@ class PeripheralModel {
     Result<void> step(double budgetMs, const std::function<bool()>& keepGoing = {});
     bool isPaused() const { return pause_ != Pause::none; }
 
-    // From where a new picture would teach it most (candidate_poses.h), of those views in which it shows
-    // enough; never one that it has, or that was among the last eight it asked for. Nothing when it is full
-    // or no view shows enough. Draws a few small pictures, more only where the first ones show too little.
+    // The pose from which a new picture would teach it most (candidate_poses.h), of those views in which it
+    // shows enough; never one that it has, or that was among the last eight it asked for. Nothing when it is
+    // full or no view shows enough. Draws a few small pictures, more only where the first ones show too
+    // little.
     Result<std::optional<CandidatePose>> wantedView();
 
-    // Of any field of view and size; a large one is reduced. Learnt if it shows something new (admit), at
-    // once awake again; a few are held out instead (held_out.h; awake again if it had paused as notJudged and
-    // now can be), if `mayBeHeldOut` or there are fewer than two of these: say no for what a person looks at,
-    // because of that it should know all. Fails as Trainer::addView, and then nothing has changed.
+    // Takes a picture of any field of view and size; a large one is reduced. The model learns from it if it
+    // shows something new (admit), and then wakes. A few pictures are held out instead (held_out.h) if
+    // `mayBeHeldOut` or fewer than two are; a model that paused as notJudged wakes when it can be judged.
+    // Pass false for a view that a person looks at: the model should learn all of that. Fails as
+    // Trainer::addView, and then nothing has changed.
     Result<Offered> offer(TracedView view, bool mayBeHeldOut = true);
 
-    // Of how much is in the way, without light (coverage_views.h): learnt, whatever it knows from there.
+    // Takes a picture of coverage without light (coverage_views.h). It is always learnt from, whatever is
+    // known from there.
     Result<Offered> offerOutline(TracedView view);
 
     // What is shown was changed: everything that was learnt until now goes on the shelf, and it begins anew:
@@ -181,15 +185,15 @@ class PeripheralModel {
     splat::Trainer trainer_;
     PeripheralState notes_;  // but for `training` and `heldOut`
     std::vector<HeldOut> heldOut_;
-    std::vector<Camera> asked_;  // and not come yet
+    std::vector<Camera> asked_;  // views wanted that have not come yet
     std::shared_ptr<const splat::Splats> shown_;
     std::shared_ptr<const splat::Splats> best_;  // of what was shown since the last change
-    bool isOfBefore_ = false;                    // what is shown, of before the last change
-    std::string shownKey_;                       // of what it is
+    bool isOfBefore_ = false;                    // shown_ is of before the last change
+    std::string shownKey_;                       // the key of shown_
     std::uint64_t generation_;
     ErrorTrend trend_;
     bool isJudging_ = false;
-    std::size_t judged_ = 0;  // since then
+    std::size_t judged_ = 0;  // pictures of heldOut_ in this round of judging
     Pause pause_ = Pause::noViews;
     std::uint64_t rounds_ = 1;
     bool noRoom_ = false;

@@ -18,7 +18,7 @@ splat::TrainerOptions firstRound(const std::string& key, const PeripheralOptions
     first.sizePx = options.wanted.sizePx.y;
     first.trial = options.seed;
     // A start from points looks best at the size it is looked at; halved pictures would undo that for a
-    // while. And no squares at last.
+    // while. And squares are never compared.
     splat::TrainerOptions training = comparedAsJudged(trainerOptions(first));
     training.key = key;
     return training;
@@ -79,7 +79,7 @@ Result<PeripheralModel> PeripheralModel::resume(const std::shared_ptr<gpu::Devic
     return model;
 }
 
-// While the model itself is not shown yet.
+// Goes on showing a model of before, while the new one is not shown yet.
 void PeripheralModel::goOnShowing(const std::shared_ptr<const splat::Splats>& splats,
                                   const std::string& key) {
     shown_ = best_ = splats;
@@ -97,8 +97,7 @@ Result<void> PeripheralModel::change(const ModelStart& start) {
     const bool isOwn = hasKey && start.key == shownKey_;
     const std::shared_ptr<ModelShelf> shelf = std::exchange(now.shelf, nullptr);
     const auto kept = hasKey ? shelf->find(start.key) : nullptr;
-    // On a card that is full there is no room for two models, and never for those of both in all their
-    // pictures.
+    // A full card has no room for two models, let alone for the pictures of both.
     trainer_.releasePictures();
     const auto begun = [&]() -> Result<PeripheralModel> {
         if (kept) return resume(device_, *kept, options_);

@@ -13,13 +13,14 @@ namespace macula::hybrid {
 
 namespace {
 
-// On the device, with smaller copies: a third more than those of LossTarget.
+// Bytes on the device for a pixel of a view, with its smaller copies: a third more than LossTarget takes.
 constexpr double kBytesOfPixel = 27.0;
-constexpr std::size_t kMostAsked = 8;  // that are waited for
-constexpr std::size_t kLooks = 8;      // at what a wanted view shows
+constexpr std::size_t kMostAsked = 8;  // views asked for and not offered yet
+constexpr std::size_t kLooks = 8;      // candidates that are drawn at a time to see what they show
 constexpr int kLookSidePx = 32;
 constexpr double kLeastCoverage = 0.04;  // as PoseLimits
-// Of a view in which hardly anything shows the error is not that of its few pixels.
+// The least coverage that an error is divided by: the error of a view that shows hardly anything is not that
+// of its few pixels.
 constexpr double kLeastShare = 0.02;
 
 double coverageOf(const splat::TrainingView& view) {
@@ -52,12 +53,12 @@ Result<std::optional<CandidatePose>> PeripheralModel::wantedView() {
     MACULA_TRY(std::vector<CandidatePose> wanted,
                candidatePoses(knownViews(), notes_.seenMm, trainer_.lastGood().splats.originMm, seed,
                               options_.wanted));
-    // What is shown may be of before.
+    // The shown model may be that of before, so the trained one is drawn.
     MACULA_TRY(const splat::Splats now, trainer_.snapshot());
     const glm::dvec2 size(options_.wanted.sizePx);
     const glm::ivec2 small = glm::max(glm::ivec2(size * (kLookSidePx / std::max(size.x, size.y))), 1);
-    // The best ones are of what nobody saw yet, where there may be nothing: then those behind them are looked
-    // at.
+    // The best candidates are of what no view has seen yet, where there may be nothing: then the next ones
+    // are looked at.
     for (std::size_t first = 0; first < wanted.size(); first += kLooks) {
         const std::span looks = std::span(wanted).subspan(first, std::min(kLooks, wanted.size() - first));
         std::vector<Camera> cameras;
@@ -108,12 +109,12 @@ double PeripheralModel::degreesBesideHeldOut(const splat::RasterView& view) cons
     return least;
 }
 
-// By a model that is on the device for as long as that takes: a picture is held out a few times, and a second
-// model that stayed there would take room from the one that learns.
+// Judges with a copy of the shown model that is on the device only for that time: pictures are held out
+// rarely, and a copy that stayed would take room from the model that learns.
 Result<void> PeripheralModel::judgeShown(HeldOut& heldOut) const {
     const auto errorOf = [&](const splat::Splats& splats) -> Result<double> {
         splat::TrainerOptions options = notes_.first;
-        options.capacity = 0;  // no more than there are
+        options.capacity = 0;  // room for as many splats as there are
         const splat::Splats here = relativeTo(splats, trainer_.lastGood().splats.originMm);
         MACULA_TRY(splat::Trainer judge, splat::Trainer::create(device_, here, options));
         MACULA_TRY(const double error, judge.differenceTo(*heldOut.picture));
@@ -127,8 +128,8 @@ Result<void> PeripheralModel::judgeShown(HeldOut& heldOut) const {
     return {};
 }
 
-// What is shown and what was best are judged by it as they are, not as the model is now: else what has become
-// worse since would pass for what was shown.
+// The shown and the best model are each compared with the new picture. The trained model must not stand in
+// for them: it may have become worse since.
 Result<void> PeripheralModel::takeHeldOut(const std::shared_ptr<const splat::TrainingView>& picture) {
     HeldOut taken{.picture = picture, .coverage = coverageOf(*picture)};
     MACULA_TRY(const double error, trainer_.differenceTo(*picture));

@@ -20,14 +20,15 @@ struct PeripheralState {
     std::vector<std::shared_ptr<const splat::TrainingView>> heldOut;  // never learnt; it is judged by them
     std::shared_ptr<const splat::Splats> before;  // still shown instead of it; null: it is shown itself
     std::string beforeKey;                        // of what `before` is
-    std::uint64_t generation = 0;  // of what is shown; what goes on with this shows a later one
+    std::uint64_t generation =
+        0;  // of the shown model; a model that goes on with this state shows a later one
     Box seenMm;
     double gain = 1.0;             // that makes its light as bright as what is traced (brightness_gauge.h)
     std::uint64_t offered = 0;     // views that might have been held out
     std::uint64_t asked = 0;       // views asked for
     std::uint64_t roundViews = 0;  // learnt when the last round began
     splat::TrainerOptions first;   // how the training began
-    std::shared_ptr<ModelShelf> shelf;  // of what was shown before; null: empty
+    std::shared_ptr<ModelShelf> shelf;  // models of what was shown before; null: none
 };
 
 }  // namespace macula::hybrid

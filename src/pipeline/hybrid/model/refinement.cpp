@@ -13,14 +13,14 @@ namespace macula::hybrid {
 
 namespace {
 
-constexpr std::uint64_t kEvery = 50;  // steps between splits; of fewer than that, one
-constexpr double kGrowing = 0.4;      // of the steps; then what there is settles
-constexpr double kSquaresFrom = 0.9;  // of the steps; what they put right is done by then
-constexpr double kMostAtOnce = 0.22;  // of the splats
-// What pictures from so many sides show, nothing need stand in for.
+constexpr std::uint64_t kEvery = 50;  // steps between splits, at most
+constexpr double kGrowing = 0.4;      // of the steps; then splats settle and none is split
+constexpr double kSquaresFrom = 0.9;  // part of the steps from which on squares are compared
+constexpr double kMostAtOnce = 0.22;  // part of the splats that one step may split
+// With pictures from so many sides the stand-in views are dropped.
 constexpr std::size_t kEnoughSides = FirstModelOptions{}.directions;
 
-// So that there are as many as there is room for before the last split.
+// The share of splats to split each time, so that the capacity is filled before the last split.
 double splitShare(double splats, double capacity, double splits) {
     if (!(splats > 0.0) || capacity <= splats) return 0.05;
     return std::min(1.25 * (std::pow(capacity / splats, 1.0 / splits) - 1.0), kMostAtOnce);

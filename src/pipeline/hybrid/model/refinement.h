@@ -19,7 +19,7 @@ struct RefinementOptions {
     std::uint32_t samplesPerPixel = 4;  // few will do: views light each other (training_set.h)
     int sizePx = kTrainingSizePx;
     int bounces = trace::kDefaultBounces;
-    std::uint64_t iterations = 2000;  // that are to follow: rates fall and splats become more over them
+    std::uint64_t iterations = 2000;  // to follow: over them learning rates fall and splats become more
     std::uint32_t capacity = 50000;   // splats; the model keeps those it has if they are more
     // How many times larger the steps are at first than where the training before ended, so that there is use
     // made of the new room; never larger than that training began with. They fall back to where it ended.
@@ -30,16 +30,16 @@ struct RefinementOptions {
 };
 
 struct MoreViews {
-    double seconds = 0.0;      // of the wall: choosing, tracing and taking them in
+    double seconds = 0.0;      // by the clock: choosing, tracing and adding views
     std::size_t givenUp = 0;   // none of the tries showed enough, and the last one was taken
-    std::size_t fromKept = 0;  // that took no time
+    std::size_t fromKept = 0;  // views from `kept`, which took no time
 };
 
-// Traces the views (pose_sampling.h: extension) and gives them to `trainer`, which forgets what stood in
-// for pictures when it has these from enough sides. Its next `options.iterations` steps are then as
+// Traces the views (pose_sampling.h: extension) and gives them to `trainer`, which drops its stand-in views
+// (ViewKind) once it has pictures from enough sides. Its next `options.iterations` steps are then as
 // refinementTraining has them. `tracer` and `seenMm` as for makeFirstModel, whose model this goes on with.
-// Once: a second time would trace the same views. `cancelled` when `progress` says so. After outOfMemory the
-// trainer goes on, as before or with some of the views.
+// Call it once: a second time would trace the same views. `cancelled` when `progress` says so. After
+// outOfMemory the trainer goes on, as before or with some of the views.
 Result<MoreViews> beginRefinement(splat::Trainer& trainer, trace::PathTracer& tracer, const Box& seenMm,
                                   const RefinementOptions& options, Progress& progress);
 

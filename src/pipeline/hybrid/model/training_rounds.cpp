@@ -38,7 +38,7 @@ bool isSettled(const splat::TrainerOptions& options, std::uint64_t stepsDone) {
 
 splat::TrainerOptions settling(splat::TrainerOptions options, std::uint64_t stepsDone, std::uint64_t steps) {
     const splat::OptimizerOptions& rates = options.optimizer;
-    // From where they are by now, at once towards their last.
+    // The learning rates go on from where they are now, and fall at once.
     const double share = fallen(rates, stepsDone);
     options.optimizer =
         following(rates, {.position = rates.position * std::pow(rates.positionAtLast / rates.position, share),

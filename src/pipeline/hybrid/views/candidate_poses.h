@@ -1,4 +1,4 @@
-// From where a new picture would teach a model most.
+// The poses from which a new picture would teach a model most.
 #pragma once
 
 #include <cstddef>
@@ -19,8 +19,8 @@ namespace macula::hybrid {
 // A view that a model has, or will have soon.
 struct KnownPose {
     splat::RasterView view;  // relative to the model's origin
-    // Of the model in it: mean difference per part of the picture that shows anything. Not above 0: not
-    // known.
+    // The model's mean difference in this view, over the part of the picture that shows anything. 0 or below:
+    // not known.
     double error = 0.0;
 };
 

@@ -1,6 +1,5 @@
-// Views of how much is in the way, without its light: found by the tracer's guides, without chance, for a
-// small part of what tracing costs. They teach a model its shape from many more sides than it has pictures
-// of.
+// Views of coverage only, without light: found by the tracer's guides, without chance, for a small part of
+// what tracing costs. They teach a model its shape from many more sides than it has pictures of.
 #pragma once
 
 #include <functional>

@@ -12,7 +12,7 @@
 
 namespace macula::hybrid {
 
-// By camera.
+// Both lists are by camera.
 struct DrawnViews {
     std::vector<std::vector<glm::vec4>>
         pictures;                      // premultiplied RGBA in the model's colour space, row 0 on top

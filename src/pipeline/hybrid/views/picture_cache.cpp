@@ -26,7 +26,7 @@ std::string_view bytesOf(const std::vector<glm::vec4>& rgba) {
     return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-// With the digest of all that follows it, and of its own numbers.
+// The header, with a digest of its own numbers and of the pixels that follow.
 std::string headerOf(const std::string& key, const KeptPicture& picture) {
     const std::string numbers = fmt::format("{}\n{} {}\n", key, picture.sizePx.x, picture.sizePx.y);
     return fmt::format("macula picture 2\n{}{}\n", numbers,

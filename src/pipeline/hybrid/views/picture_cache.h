@@ -30,7 +30,7 @@ class PictureCache {
     // Nothing when it is not there, or is damaged: truncated, changed, of another key.
     std::optional<KeptPicture> find(const std::string& key) const;
 
-    // Whole or not at all. Fails with outputNotWritable.
+    // Writes the file whole or not at all. Fails with outputNotWritable.
     Result<void> keep(const std::string& key, const KeptPicture& picture) const;
 
   private:

@@ -1,6 +1,6 @@
-// From where a volume is looked at when a peripheral model of it is trained and judged: the views of
-// Kleinbeck et al. (IEEE VR 2026), which start far out and come nearer and wander further off the centre with
-// each one.
+// The poses from which a volume is looked at when a peripheral model of it is trained and judged: the views
+// of Kleinbeck et al. (IEEE VR 2026), which start far out and come nearer and wander further off the centre
+// with each one.
 #pragma once
 
 #include <cstddef>
@@ -34,13 +34,13 @@ struct PoseSampling {
     int mostTries = 200;  // for each view
 };
 
-// What a first model is trained with; `trial` gives other views of the same kind.
+// The poses that a first model is trained with; `trial` gives other views of the same kind.
 PoseSampling initialTraining(std::size_t count, std::uint64_t trial = 0);
-// What it sees besides, of sides that are not traced: as those, but elsewhere.
+// The poses that it also learns from without their being traced: likewise distributed, but other draws.
 PoseSampling otherSides(std::size_t count, std::uint64_t trial = 0);
-// What it is compared with.
+// The poses at which it is compared with the ground truth.
 PoseSampling groundTruth(std::size_t count = 32);
-// What it is refined with.
+// The poses that it is refined with.
 PoseSampling extension(std::size_t count);
 
 struct SampledPose {

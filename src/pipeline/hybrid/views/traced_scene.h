@@ -1,5 +1,5 @@
-// What pictures are traced of, as the host has it: to know where there is anything to see, and to tell by a
-// digest whether a picture that was kept is of the same.
+// The scene that pictures are traced of, on the host: to know where there is anything to see, and to tell by
+// a digest whether a picture that was kept is of the same.
 #pragma once
 
 #include <cstdint>
@@ -23,7 +23,7 @@ class TracedScene {
     static Result<TracedScene> create(std::shared_ptr<const Volume> volume, const TransferFunction& function,
                                       const Clip& clip, const trace::Environment& environment);
 
-    // See visibleBoxMm; of what an eye sees, whatever of it casts shadow.
+    // visibleBoxMm of what an eye sees: matter that a clip removes and that only casts shadow is not in it.
     const Box& seenMm() const { return seenMm_; }
 
     // SHA-256, 64 hexadecimal digits, over all that such a picture depends on: the volume's fingerprint and

@@ -15,12 +15,12 @@ namespace macula::hybrid {
 namespace {
 
 constexpr double kMostAnisotropy = 0.1;  // forwards 1.8 times as much light as back
-// A place is seen from about that side by so many less of the views, so with as many as that what is lit is
-// as noisy as what is traced.
+// Only one in so many views sees a place from about the same side: with that many views a lit picture is as
+// noisy as a traced one.
 constexpr double kSeenByOneIn = 12.0;
 
-// What a pixel shows of the middle of what is seen, in the mean of the views: smaller cells know too little,
-// larger ones blur.
+// The size of the cells: what a pixel shows of the middle of the visible box, as a mean over the views.
+// Smaller cells know too little, larger ones blur.
 double pixelMm(const std::vector<Camera>& cameras, const Box& seenMm, const glm::ivec2& sizePx) {
     double sum = 0.0;
     for (const Camera& camera : cameras) {
@@ -53,7 +53,7 @@ TrainingPictures asPictures(std::vector<TracedView> views, std::size_t traced) {
     return pictures;
 }
 
-// One after the other, because there may be hundreds.
+// Lights the views one after the other, because there may be hundreds.
 Result<TrainingPictures> litByAll(trace::PathTracer& tracer, const Box& seenMm, const TrainingSet& set,
                                   ViewTracing tracing, Progress& progress) {
     LightInSpace light(pixelMm(set.traced, seenMm, tracing.sizePx));

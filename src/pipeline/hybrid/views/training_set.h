@@ -1,5 +1,5 @@
-// The pictures that a model learns from at once: some are traced, and what these find of light is kept by
-// place and lights all of them, and sides that are not traced as well.
+// The pictures that a model learns from at once: some are traced, and the light that these find goes into a
+// radiance cache (light_in_space.h), which lights all of them and sides that are not traced as well.
 //
 // A picture of few samples is noisy, and a filter that takes the noise out blurs. But each of many pictures
 // has found light for what the others show: so a picture is marched anew, with what all have found
@@ -32,7 +32,7 @@ struct TrainingPictures {
     // forwards than back (|g| above 0.1): then `traced` is as it was traced, and of `sides` only coverage is
     // known.
     bool areLit = false;
-    std::size_t fromKept = 0;  // took no time; lit ones all or none
+    std::size_t fromKept = 0;  // pictures from ViewTracing::kept; lit ones all or none
 };
 
 // `tracing` says how views are traced; its `light` is ignored. Views that the time budget left untraced are

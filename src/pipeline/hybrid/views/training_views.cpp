@@ -94,7 +94,7 @@ bool isSamePose(const splat::RasterView& a, const splat::RasterView& b, double r
 
 Result<Novelty> admit(splat::Trainer& trainer, splat::TrainingView picture, double radiusMm,
                       const AdmissionOptions& options) {
-    std::vector<std::size_t> known;  // from there
+    std::vector<std::size_t> known;  // views from the same pose
     for (std::size_t i = 0; i < trainer.viewCount(); ++i) {
         if (trainer.view(i).kind != splat::ViewKind::picture) continue;  // no picture of it was seen
         if (!isSamePose(picture.view, trainer.view(i).view, radiusMm, options)) continue;

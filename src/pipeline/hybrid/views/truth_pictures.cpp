@@ -9,7 +9,7 @@ namespace macula::hybrid {
 
 namespace {
 
-// No training view has one near them.
+// The seeds of the two halves. No training view has a seed near them.
 constexpr std::array<std::uint32_t, 2> kSeeds{0x7247, 0x17247};
 
 struct Half {

@@ -23,14 +23,14 @@ struct TruthOptions {
     double exposure = 1.0;
 };
 
-// Of one view twice the same, with noise that is independent.
+// Two pictures of one view, with independent noise.
 struct TruthPicture {
     std::array<TracedView, 2> halves;
     bool fromCache = false;  // both
 
     const Camera& camera() const { return halves[0].camera; }
     const glm::ivec2& sizePx() const { return halves[0].sizePx; }
-    // Of all samples: the mean of both.
+    // The picture of all samples: the mean of both halves.
     std::vector<glm::vec4> whole() const;
 };
 

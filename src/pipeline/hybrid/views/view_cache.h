@@ -23,18 +23,19 @@ struct ViewMaking {
     std::uint32_t samplesPerPixel = 0;  // 0: it is lit by what others have found
 };
 
-// Of one scene, in a cache that may hold those of others. `scene` and `cache` must outlive it.
+// The views of one scene, in a cache that may hold those of other scenes. `scene` and `cache` must outlive
+// it.
 class ViewCache {
   public:
     ViewCache(const TracedScene& scene, const PictureCache& cache) : scene_(scene), cache_(cache) {}
 
-    // One that was traced by itself. Nothing when it is not there. usage as makeTraceParams.
+    // A view that was traced by itself. Nothing when it is not there. usage as makeTraceParams.
     Result<std::optional<TracedView>> find(const ViewMaking& making) const;
-    // Whole or not at all. usage, outputNotWritable.
+    // Writes the file whole or not at all. usage, outputNotWritable.
     Result<void> keep(const ViewMaking& making, const TracedView& view) const;
 
-    // Of views that are lit by what all of them have found, which are those of no other set. In their order;
-    // nothing when one is not there. Likewise.
+    // The same for a set of views that are lit by what all of them have found, and so belong to that set
+    // only. In their order; nothing when one is not there.
     Result<std::optional<std::vector<TracedView>>> findSet(std::span<const ViewMaking> makings) const;
     Result<void> keepSet(std::span<const ViewMaking> makings, std::span<const TracedView> views) const;
 

@@ -17,7 +17,7 @@ Error cancelled() {
     return {ErrorCode::cancelled, "Stopped.", {}, {}};
 }
 
-// In small portions, so that progress moves.
+// Adds samples in small portions, so that progress moves.
 Result<void> addSamples(trace::PathTracer& tracer, const trace::View& view, const trace::Settings& settings,
                         std::uint32_t samplesPerPixel, Progress& progress) {
     constexpr std::uint32_t kPortion = 8;
@@ -33,7 +33,7 @@ Result<void> addSamples(trace::PathTracer& tracer, const trace::View& view, cons
     return {};
 }
 
-// Likewise, and keeps the light that they find.
+// The same, and puts the light that the samples find into the radiance cache.
 Result<void> addSamplesAndLight(trace::PathTracer& tracer, const trace::View& view,
                                 const trace::Settings& settings, std::uint32_t samplesPerPixel,
                                 LightInSpace& light, Progress& progress) {
@@ -55,7 +55,8 @@ Result<void> addSamplesAndLight(trace::PathTracer& tracer, const trace::View& vi
     return {};
 }
 
-// By bit reversal: of any first few, about as many are in one half as in the other, and so on in these.
+// An order by bit reversal: of any first few, about as many are in one half as in the other, and so on in
+// these.
 std::vector<std::size_t> spreadOrder(std::size_t count) {
     std::vector<std::size_t> order;
     const std::size_t all = std::bit_ceil(std::max<std::size_t>(count, 1));

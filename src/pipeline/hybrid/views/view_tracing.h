@@ -22,16 +22,17 @@ namespace macula::hybrid {
 struct ViewTracing {
     glm::ivec2 sizePx{kTrainingSizePx};
     std::uint32_t samplesPerPixel = 8;
-    // Of the seed, each view takes the next: the same noise in all views would be learnt as if it were there.
+    // Each view takes the next seed: the same noise in all views would be learnt as if it were there.
     trace::Settings settings = {.denoising = trace::Denoising::little};
-    // Asked before views are made, and given them then: one by one, so that who is cancelled goes on where he
-    // was, or sets that light each other (training_set.h). Of what the tracer has. Null: nothing is kept.
+    // Views are looked up here before they are traced, and put here afterwards: one by one, so that who is
+    // cancelled goes on where he was, or sets that light each other (training_set.h). It must be of the
+    // tracer's scene. Null: nothing is kept.
     const ViewCache* kept = nullptr;
     // Asked before each view: when it says no, that and the rest are left out, but for the first view. Views
     // are then traced in an order in which the first few are spread over all of them. Empty: all, in their
     // order.
     std::function<bool()> hasTimeToTrace = {};
-    // Likewise for what is not traced, after that: training_set.h.
+    // Likewise for the views that are lit without being traced, after that: training_set.h.
     std::function<bool()> hasTimeToLight = {};
     // Gets the light that is found on the way; then `kept` is not asked and keeps nothing. Null: nobody wants
     // it.
@@ -41,7 +42,7 @@ struct ViewTracing {
 struct TracedViews {
     std::vector<TracedView> views;  // by camera
     std::vector<Camera> leftOut;    // those for which there was no time
-    std::size_t fromKept = 0;       // of these
+    std::size_t fromKept = 0;       // those of `views` that `kept` had
 };
 
 // One view as it is traced, for comparing with; a step of `progress` for each sample.
@@ -55,9 +56,9 @@ Result<TracedView> traceView(trace::PathTracer& tracer, const trace::View& view,
 // best to learn from. Pixels without samples are NaN, which says that they are not known.
 Result<TracedView> readToLearnFrom(trace::PathTracer& tracer, const Camera& camera);
 
-// To learn from. One sample after the other for each camera, evenly; nothing is carried over from the view
-// before, however near. Coverage as readToLearnFrom. `progress` gets a stage, a step for each sample of a
-// view.
+// Traces views to learn from. One sample after the other for each camera, evenly; nothing is carried over
+// from the view before, however near. Coverage as readToLearnFrom. `progress` gets a stage, a step for each
+// sample of a view.
 Result<TracedViews> traceViews(trace::PathTracer& tracer, std::span<const Camera> cameras,
                                const ViewTracing& options, Progress& progress);
 
@@ -71,7 +72,7 @@ struct PoseLimits {
     int sizePx = 64;  // of the picture that is looked at, which has guides only: no chance decides
 };
 
-// For samplePoses. `tracer` and `progress` must outlive it.
+// The test of a pose for samplePoses. `tracer` and `progress` must outlive it.
 PoseAcceptance showsEnough(trace::PathTracer& tracer, double radiusMm, const PoseLimits& limits,
                            const Progress& progress);
 

@@ -20,7 +20,8 @@ struct DevicePicture {
     // and read it as a samplerBuffer.
     gpu::TexelBuffer texels;
 
-    // Not initialised. Sizes above 0; outOfMemory when the device cannot hold 16 bytes for each pixel.
+    // A picture that is not initialised. Sizes above 0; outOfMemory when the device cannot hold 16 bytes for
+    // each pixel.
     static Result<DevicePicture> create(const std::shared_ptr<gpu::Device>& device, const std::string& label,
                                         int width, int height);
     // Ordered after all work submitted so far.

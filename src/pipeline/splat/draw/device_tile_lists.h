@@ -1,7 +1,6 @@
-// Lists of tiles made on the device (shaders/splat/tile_*.comp): what sortIntoTiles makes on the host,
-// without anything being read back on the way. Splats are sorted by depth; those that show are counted with
-// each of their tiles, by the same exact test; the pairs, which are then in the order of depth, are sorted by
-// tile.
+// Tile binning on the device (shaders/splat/tile_*.comp): what sortIntoTiles makes on the host, without
+// anything being read back on the way. Splats are sorted by depth; those that show are counted with each of
+// their tiles, by the same exact test; the pairs, which are then in the order of depth, are sorted by tile.
 //
 // The lists are those of the host but for tiles that a splat only just misses, where logarithm and division
 // of the device may round otherwise: such a pair shows nothing, and changes neither picture nor derivatives.
@@ -19,7 +18,7 @@
 
 namespace macula::splat {
 
-// More than these are sorted on the host.
+// The splats of larger models are binned on the host.
 inline constexpr std::uint32_t kMostSplatsInDeviceLists =
     65535u * (shared::kListThreads / shared::kTileParts);
 
@@ -35,7 +34,8 @@ class DeviceTileLists {
     Result<void> record(gpu::Recorder& recorder, const gpu::Buffer& frame, const gpu::TexelBuffer& screen,
                         std::uint32_t count, const glm::ivec2& tiles, std::uint64_t most, TileBuffers& lists);
 
-    // Pairs of what was recorded last, once that is done, whether there was room or not. Waits.
+    // The number of pairs in what was recorded last, whether there was room for them or not. Waits until it
+    // is done.
     Result<std::uint64_t> wanted() const;
     // Pairs there is room for.
     std::uint64_t capacity() const { return capacity_; }
@@ -46,7 +46,7 @@ class DeviceTileLists {
     struct Kernels {
         gpu::Kernel keys, count, starts, emit, entries, ranges;
     };
-    // By splat, and by pair.
+    // Buffers by splat, and by pair of splat and tile.
     struct SplatBuffers {
         gpu::Buffer state, items, otherItems, tileCounts, groupStarts;
     };

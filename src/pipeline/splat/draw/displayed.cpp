@@ -31,7 +31,7 @@ float least(const glm::vec3& c) {
     return std::min({c.x, c.y, c.z});
 }
 
-// Of toneMapNeutral (shaders/lib/picture.glsl), step by step in the opposite order.
+// The inverse of toneMapNeutral (shaders/lib/picture.glsl), step by step in the opposite order.
 glm::vec3 beforeToneMap(glm::vec3 mapped) {
     constexpr float kStart = 0.8f - 0.04f;
     constexpr float kRoom = 1.0f - kStart;
@@ -53,7 +53,7 @@ std::uint8_t byteOf(float value) {
     return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0f, 1.0f) * 255.0f));
 }
 
-// Not clamped.
+// The colours as displayed, not clamped.
 class Display {
   public:
     Display(ColourSpace space, const DisplayOptions& options)
@@ -116,7 +116,8 @@ std::vector<glm::vec4> linearRadiance(std::span<const glm::vec4> pixels, ColourS
 
 Splats asDisplayed(Splats splats) {
     if (splats.colourSpace == ColourSpace::display) return splats;
-    // As far as a coefficient of the first degree moves a colour at most; so much is to be right together.
+    // The most that a coefficient of the first degree moves a colour: over this span the slope of the display
+    // curve is taken.
     constexpr float kReach = 0.48860251f;
     Host host({}, {});
     const auto shown = [&](const glm::vec3& linear) {

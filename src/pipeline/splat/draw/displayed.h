@@ -36,8 +36,8 @@ std::vector<glm::vec4> linearRadiance(std::span<const glm::vec4> pixels, ColourS
 // little different. The model must be valid; one of the display's colours is what it was.
 Splats asDisplayed(Splats splats);
 
-// Of the splats that a pixel shows, in mm along the camera's z, from their sums of weight times depth;
-// +infinity where coverage is not above minCoverage.
+// The mean depth of the splats that each pixel shows, in mm along the camera's z, from their sums of weight
+// times depth; +infinity where coverage is not above minCoverage.
 std::vector<float> meanDepthsMm(std::span<const glm::vec4> pixels, std::span<const float> depthSums,
                                 float minCoverage = 0.5f);
 

@@ -40,10 +40,11 @@ class ModelPainter {
     using Take = std::function<Result<void>(const SplatPicture& band)>;
     Result<void> drawBands(const RasterView& view, const Take& take,
                            std::uint64_t mostPixels = kMostPixelsAtOnce);
-    // In one.
+    // Draws the whole picture at once.
     Result<SplatPicture> draw(const RasterView& view);
 
-    // What fits the smallest buffers that Vulkan allows, 128 MiB; one row of kMaxRasterSide is less.
+    // The pixels that fit the smallest buffers that Vulkan allows, 128 MiB; one row of kMaxRasterSide is
+    // less.
     static constexpr std::uint64_t kMostPixelsAtOnce = (std::uint64_t(1) << 27) / sizeof(glm::vec4);
 
     bool projectsOnHost() const { return !parameters_.has_value(); }

@@ -16,11 +16,11 @@ inline constexpr std::uint64_t kMostSorted = 65535ull * shared::kSortBlock;
 
 class RadixSort {
   public:
-    // Of at most `most` items, up to kMostSorted. outOfMemory when the device has no room for a byte for
-    // each.
+    // A sort of at most `most` items, up to kMostSorted. outOfMemory when the device has no room for a byte
+    // for each.
     static Result<RadixSort> create(const std::shared_ptr<gpu::Device>& device, std::uint64_t most);
 
-    // Room for as many; what was recorded before stays right.
+    // Makes room for as many; what was recorded before stays right.
     Result<void> makeRoom(std::uint64_t most);
 
     // Sorts the items (uvec2: key, value) by the lowest `bits` bits of their keys, the others being 0 or of

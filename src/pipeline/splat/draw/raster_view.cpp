@@ -14,7 +14,7 @@ bool finite(const glm::dvec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-// From the rounding of a file with six digits, not of a scale or a mirror.
+// Whether the matrix is a rotation, up to the rounding of a file with six digits; no scale and no mirror.
 bool isRotation(const glm::dmat3& m) {
     const glm::dmat3 product = m * glm::transpose(m);
     double worst = 0.0;

@@ -43,8 +43,8 @@ Result<void> validate(const RasterView& view);
 // See shaders/lib/splat_blend.glsl and splat_projection.glsl.
 struct Blending {
     bool compensated = true;  // opacity falls as the low-pass widens; not in LowPass::classic
-    // Variance added in the picture, of what is thinner than a pixel: with less, sums depend on where in a
-    // pixel it lies. And of what is thick: that of a pixel's area. The same number twice: always that.
+    // The low-pass: variance added in the picture to splats thinner than a pixel (with less, sums depend on
+    // where in a pixel they lie), and to thick ones (that of a pixel's area). Equal numbers: always that.
     double lowPassPx2 = 0.3;
     double lowPassLeastPx2 = 1.0 / 12.0;
     double maxAlpha = 0.99;          // of one splat in one pixel
@@ -59,7 +59,7 @@ Blending blendingOf(LowPass lowPass);
 // Fails with usage when a number is out of its range.
 Result<void> validate(const Blending& blending);
 
-// The same for kernels. Both must be valid.
+// The view and the blending as kernels read them. Both must be valid.
 shared::SplatView splatView(const RasterView& view, const Blending& blending);
 
 }  // namespace macula::splat

@@ -23,8 +23,8 @@ RasterShape chosenShape(const RasterShape& asked, const gpu::Device& device) {
     return shape;
 }
 
-// Of the kernel whose sums are laid out by it: 32 where that can be had. A device that has several sizes may
-// choose another for each kernel unless it is told.
+// The subgroup size of the kernel whose sums are laid out by it: 32 where that can be had. A device that has
+// several sizes may choose another for each kernel unless it is told.
 std::uint32_t askedSubgroupSize(const gpu::DeviceInfo& info) {
     return info.maxSubgroupSize == 0 ? 0 : std::clamp(32u, info.minSubgroupSize, info.maxSubgroupSize);
 }
@@ -126,8 +126,8 @@ shared::SplatFrame Rasterizer::frameOf(const RasterView& view, const Blending& b
             .tileRows = shape_.tileRows};
 }
 
-// Buffers are made larger while commands are recorded, and what they replace is not freed before that ends:
-// when both are more than there is room for, it is done once more.
+// Records and submits. Buffers that grow while commands are recorded are freed only afterwards: when old and
+// new together exceed the memory, recording is done once more.
 Result<void> Rasterizer::inOne(const char* label, const std::function<Result<void>(gpu::Recorder&)>& record) {
     const auto once = [&]() -> Result<void> {
         MACULA_TRY(auto recorder, gpu::Recorder::create(device_, label));
@@ -175,7 +175,7 @@ Result<void> Rasterizer::recordLists(gpu::Recorder& recorder, std::uint64_t most
     return {};
 }
 
-// Pairs whose derivatives there can be room for.
+// The most pairs for whose derivatives a buffer can have room.
 std::uint64_t Rasterizer::mostDifferentiated() const {
     if (!kernels_.gather) return kMostSorted;
     const gpu::DeviceInfo& info = device_->info();
@@ -248,7 +248,8 @@ Result<void> Rasterizer::makePicture(glm::ivec2 sizePx) {
     return {};
 }
 
-// Of a CPU device it is read where it lies: for a million splats that saves as much as sorting takes.
+// The projected splats on the host. A CPU device's memory is read in place: for a million splats that saves
+// as much as sorting takes.
 Result<std::span<const glm::vec4>> Rasterizer::readScreen(std::uint32_t count) {
     const std::size_t texels = std::size_t(count) * kScreenTexels;
     const gpu::Buffer& buffer = screen_.buffer();
@@ -313,7 +314,7 @@ Result<void> Rasterizer::drawProjected(std::span<const glm::vec4> screen, const 
 
 Result<void> Rasterizer::sortOnHost(std::span<const glm::vec4> screen, const RasterView& view,
                                     const Blending& blending, bool withPairs, RasterPass& pass) {
-    // What a tile's list can hold; the backward pass needs more, and asks for it then.
+    // The most pairs that the lists can hold; the backward pass needs more memory, and asks for it then.
     std::uint64_t mostPairs = std::min<std::uint64_t>(
         device_->info().maxTexelBufferElements, device_->info().maxAllocationBytes / sizeof(glm::uvec2));
     if (shape_.mostPairs > 0) mostPairs = std::min(mostPairs, shape_.mostPairs);
@@ -332,7 +333,7 @@ Result<void> Rasterizer::recordBackward(gpu::Recorder& recorder, const RasterPas
     MACULA_CHECK_EQ(gradient.width, picture_->width);
     MACULA_CHECK_EQ(gradient.height, picture_->height);
     if (pass.splats_ == 0) return {};
-    // Of a picture that is not settled, pairs_ is all that lists on the device have room for.
+    // For a picture that is not settled, pairs_ is all that lists on the device have room for.
     MACULA_TRY_VOID(makeRoom(pairs_, device_, "derivatives of pairs", VK_FORMAT_R32_SFLOAT,
                              pass.pairs_ * std::uint64_t(kPairValues) * std::uint64_t(slots_),
                              kReadAndWritten, pass.isSettled_ ? Room::toGrow : Room::exact));

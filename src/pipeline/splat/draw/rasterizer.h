@@ -23,10 +23,10 @@
 
 namespace macula::splat {
 
-// Where lists of tiles are made. `fast`: on a CPU device by the host, else by the device.
+// Where tile binning is done. `fast`: on a CPU device by the host, else by the device.
 enum class ListMaker { fast, host, device };
 
-// How a tile is shared out. Zeros: what is fast on the device.
+// How the pixels of a tile are divided among threads. Zeros: what is fast on the device.
 struct RasterShape {
     int tileRows = 0;             // pixels, a multiple of rowsPerThread
     int rowsPerThread = 0;        // pixels of one column
@@ -34,7 +34,7 @@ struct RasterShape {
     ListMaker lists = ListMaker::fast;
 };
 
-// What a picture is made in.
+// The stages of drawing.
 enum class DrawStage { project, lists, raster };
 
 // A picture of splats that was recorded: what finding its derivatives, and asking whether it is right, need.
@@ -71,7 +71,7 @@ class Rasterizer {
 
     // Lists are made on the device, and recordDraw is there.
     bool listsOnDevice() const { return deviceLists_.has_value(); }
-    // As draw, without waiting for anything. Whether there was room for all pairs is known when it is done;
+    // Draws as draw does, without waiting for anything. Whether there was room for all pairs is known when it is done;
     // if not, the picture is empty and no splat shows in it.
     Result<RasterPass> recordDraw(gpu::Recorder& recorder, const SplatBuffer& parameters, std::uint32_t count,
                                   const RasterView& view, const Blending& blending);
@@ -79,19 +79,20 @@ class Rasterizer {
     // record it again. outOfMemory as draw. True of what draw made.
     Result<bool> settle(RasterPass& pass);
 
-    // The same of what projectOnHost made. Nothing can be differentiated then.
+    // Draws splats that projectOnHost has projected. Nothing can be differentiated then.
     Result<void> drawProjected(std::span<const glm::vec4> screen, const RasterView& view,
                                const Blending& blending);
 
-    // Of the last view, until the next is drawn. Premultiplied; a is the coverage.
+    // The picture of the last view, until the next is drawn. Premultiplied; a is the coverage.
     const DevicePicture& picture() const { return *picture_; }
     // Float for each pixel: sum of weight times depth of the centre in mm; over a, the mean depth.
     const gpu::Buffer& depths() const { return *depths_; }
-    // As they lie on the device, with room for more than there are: TileLists has their order.
+    // The tile lists on the device, with room for more than there are: TileLists has their order.
     const TileBuffers& tileLists() const { return tileBuffers_; }
 
-    // Of the last picture and its parameters: the derivative by each, from that by the picture (its rgb, and
-    // its coverage in a), of splats that show; those of others stay what they were. Of degree 0 or 1.
+    // The backward pass of the last picture, with the same parameters: the derivative of the loss by each
+    // parameter, from that by the picture (its rgb, and its coverage in a). Splats that do not show keep the
+    // gradients they had. Of degree 0 or 1.
     Result<void> recordBackward(gpu::Recorder& recorder, const RasterPass& pass,
                                 const SplatBuffer& parameters, const DevicePicture& gradient,
                                 SplatBuffer& gradients);
@@ -129,7 +130,7 @@ class Rasterizer {
     std::shared_ptr<gpu::Device> device_;
     std::uint32_t capacity_;
     RasterShape shape_;
-    int slots_;  // of a pair: subgroups that work on a tile
+    int slots_;  // subgroups of a tile: each writes sums of its own for a pair
     Kernels kernels_;
     gpu::Buffer frame_;
     gpu::TexelBuffer screen_;
@@ -138,7 +139,7 @@ class Rasterizer {
     gpu::Buffer visible_;
     gpu::Buffer statistics_;
     std::optional<gpu::TexelBuffer> hostScreen_;  // what was projected on the host
-    std::optional<gpu::TexelBuffer> pairs_;       // their derivatives
+    std::optional<gpu::TexelBuffer> pairs_;       // the derivatives of pairs of splat and tile
     std::optional<DevicePicture> picture_;
     std::optional<gpu::Buffer> depths_;
     std::vector<glm::vec4> screenCopy_;  // where the host cannot read the device's

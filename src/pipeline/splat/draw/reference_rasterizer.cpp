@@ -24,7 +24,7 @@ typename Host::Splat splatAt(const ReferenceSplats& splats, std::size_t i) {
     return {splats.position[i], splats.logScale[i], splats.rotation[i], Real(splats.opacityLogit[i])};
 }
 
-// Before what is below 0 is cut off.
+// The colour of a splat before it is clamped at 0.
 template <class Host>
 typename Host::vec3 colourSum(Host& host, const ReferenceSplats& splats, std::size_t i) {
     using vec3 = typename Host::vec3;
@@ -40,7 +40,7 @@ typename Host::vec3 colourSum(Host& host, const ReferenceSplats& splats, std::si
     return sum;
 }
 
-// What is in the picture, front to back.
+// The splats in the picture, front to back.
 template <class Host>
 struct Layer {
     std::uint32_t index = 0;
@@ -127,7 +127,7 @@ RasterImage rasterizeOn(Host prototype, const ReferenceSplats& splats, std::span
     return image;
 }
 
-// The derivative by the numbers in the picture, from rows [firstRow, endRow).
+// The derivative of the loss by the projected splats, from rows [firstRow, endRow).
 template <class Host>
 std::vector<typename Host::ScreenGradient> screenGradients(Host host, const std::vector<Layer<Host>>& layers,
                                                            const RasterImage& image,
@@ -168,7 +168,7 @@ void add(typename Host::ScreenGradient& sum, const typename Host::ScreenGradient
     sum.depthMm += g.depthMm;
 }
 
-// From the picture to the parameters of one splat.
+// The derivative by the parameters of one splat, from that by the projected splat.
 template <class Host>
 void writeGradient(Host& host, const ReferenceSplats& splats, const Layer<Host>& layer,
                    const typename Host::ScreenGradient& g, ReferenceSplats& result) {

@@ -14,21 +14,22 @@ namespace macula::splat {
 // outOfMemory: the splats are too large and too many.
 Error tooManyPairs();
 
-// How large one is made: larger than asked for, because more will be; or not, where what was asked for is so
-// already.
+// How large a buffer is made: larger than asked for, because more will be; or exact, where the caller has
+// added room.
 enum class Room { toGrow, exact };
 
-// One that has room for `elements`: the same, or a larger one.
+// Gives `texels` room for `elements`: keeps the buffer, or makes a larger one.
 Result<void> makeRoom(std::optional<gpu::TexelBuffer>& texels, const std::shared_ptr<gpu::Device>& device,
                       const char* label, VkFormat format, std::uint64_t elements, VkBufferUsageFlags usage,
                       Room room = Room::toGrow);
 
-// What a kernel may write or read.
+// The usage of a texel buffer that kernels both write and read.
 inline constexpr VkBufferUsageFlags kReadAndWritten =
     VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT | VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
 
 struct TileBuffers {
-    // Of lists made where? The device's are storage buffers too, and these are more limited in size.
+    // Where the lists are made. Lists that the device makes are storage buffers too, which are more limited
+    // in size.
     enum class Maker { host, device };
     Maker maker = Maker::host;
     std::shared_ptr<gpu::Device> device;
@@ -38,7 +39,8 @@ struct TileBuffers {
 
     static Result<TileBuffers> create(const std::shared_ptr<gpu::Device>& device, Maker maker,
                                       std::uint32_t splats);
-    // Room for as many; what was in larger ones is lost. outOfMemory as tooManyPairs.
+    // Makes room for as many; a buffer that is replaced by a larger one loses its content. outOfMemory as
+    // tooManyPairs.
     Result<void> makeRoomFor(std::uint64_t tiles, std::uint64_t pairCount);
     // `withPairs`: for recordBackward.
     Result<void> upload(const TileLists& lists, bool withPairs);

@@ -49,7 +49,8 @@ Part partOf(std::size_t part, std::size_t parts, std::size_t count) {
     return {part * count / parts, (part + 1) * count / parts};
 }
 
-// From how many each part has of each kind to where each begins: by kind, then by part. Returns the number.
+// A prefix sum: from the counts of each part and kind to where each begins, by kind, then by part. Returns
+// the total.
 std::uint32_t startsOf(std::span<std::uint32_t> counts, std::size_t parts, std::size_t kinds) {
     std::uint32_t sum = 0;
     for (std::size_t kind = 0; kind < kinds; ++kind) {
@@ -61,8 +62,8 @@ std::uint32_t startsOf(std::span<std::uint32_t> counts, std::size_t parts, std::
     return sum;
 }
 
-// Into scratch.keys, in their order, of those that show: the bits of the depth and the splat. Depths are
-// above 0, and their bits are in their order.
+// Writes the sort keys of splats that show into scratch.keys, in their order: the bits of the depth, and the
+// splat. Depths are above 0, and their bits are in their order.
 void collectKeys(std::span<const glm::vec4> screen, TileLists::Scratch& scratch) {
     const std::size_t count = screen.size() / kScreenTexels;
     const std::size_t parts = partCount(count, kSortedInPart, 1);
@@ -135,7 +136,8 @@ void forEachTile(Host& host, const Host::ScreenSplat& s, const glm::ivec2& sizeP
     }
 }
 
-// Pairs in the order of depth, by part. False when there are more than `mostPairs`.
+// Collects the pairs of splat and tile in the order of depth, by part. False when there are more than
+// `mostPairs`.
 bool collectPairs(std::span<const glm::vec4> screen, const Host& prototype, const glm::ivec2& tileSize,
                   std::size_t parts, std::uint64_t mostPairs, TileLists& lists) {
     constexpr std::size_t kAhead = 12;   // prefetch distance in splats, which lie in memory in no order

@@ -1,5 +1,5 @@
-// Which splats each tile of a picture shows, front to back. Made on the host: on a CPU device that is faster
-// than any kernel.
+// Tile binning: which splats each tile of a picture shows, front to back. Made on the host: on a CPU device
+// that is faster than any kernel.
 //
 // A tile is kTileColumns pixels wide. A pair is a splat and a tile that shows it. Pairs of one splat are
 // numbered one after the other, so that what tiles say of it can be gathered.

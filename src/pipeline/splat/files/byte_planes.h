@@ -19,8 +19,8 @@ namespace macula::splat {
 // data are whole elements, below 4 GiB. outOfMemory when there is none.
 Result<std::vector<std::byte>> packPlanes(std::span<const std::byte> data, std::uint32_t stride);
 
-// Into `data`, of the size that was packed; false when the packed bytes do not give exactly so many, or go on
-// behind them. outOfMemory when there is none.
+// Unpacks into `data`, of the size that was packed; false when the packed bytes do not give exactly so many,
+// or go on behind them. outOfMemory when there is none.
 Result<bool> unpackPlanes(std::span<const std::byte> packed, std::uint32_t stride, std::span<std::byte> data);
 
 }  // namespace macula::splat

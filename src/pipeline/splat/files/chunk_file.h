@@ -61,9 +61,9 @@ class ChunkFile {
 
     const std::vector<ChunkEntry>& entries() const { return entries_; }
 
-    // As they are in the file.
+    // The bytes of a chunk as they are in the file.
     Result<std::vector<std::byte>> stored(const ChunkEntry& entry);
-    // Of what stored() gave; on any thread. outOfMemory.
+    // Unpacks what stored() gave; on any thread. outOfMemory.
     static Result<std::vector<std::byte>> unpacked(const ChunkEntry& entry, std::vector<std::byte> stored);
 
     // The only chunk of that name, unpacked, of exactly `bytes`.

@@ -33,7 +33,7 @@ class Gunzip {
     // Whether the stream ends within `most` further bytes, and well: its checksum agrees.
     bool endsWithin(std::size_t most);
 
-    // Of the header, once something was read. Longer ones than 4 KiB are cut off.
+    // The comment of the header, once something was read. Longer ones than 4 KiB are cut off.
     std::string comment() const;
 
   private:

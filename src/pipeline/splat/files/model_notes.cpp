@@ -45,7 +45,7 @@ Error notUnderstood(std::string_view what) {
         "It is damaged or of a later version: export it again, or use a newer Macula."};
 }
 
-// The value for a word, from two.
+// One of two values, by the word that stands for it.
 template <class T>
 std::optional<T> eitherOf(std::string_view word, std::string_view first, T a, std::string_view second, T b) {
     if (word == first) return a;

@@ -66,7 +66,7 @@ std::string text(const std::vector<TrainingStage>& stages) {
     return all;
 }
 
-// The whole of `from`.
+// The number that the whole of `from` is.
 template <class T>
 bool parse(std::string_view from, T& number) {
     const auto [end, error] = std::from_chars(from.data(), from.data() + from.size(), number);

@@ -9,7 +9,8 @@
 
 namespace macula::splat {
 
-// All but the key, which may be any text. Numbers are written so that they read back exactly.
+// A line for each option but the key, which may be any text. Numbers are written so that they read back
+// exactly.
 std::vector<std::string> linesOf(const TrainerOptions& options);
 
 // Fails with inputNotUsable when a line is missing, twice, unknown or not understood: what would train

@@ -41,7 +41,8 @@ void widen(float filter, glm::vec3& logScale, float& opacityLogit) {
         logShare += std::min(before - after, 0.0);
         logScale[axis] = static_cast<float>(after);
     }
-    // With o the opacity and r the share, the logit of r o: without 1 - r o, of which nothing may be left.
+    // With o the opacity and r the share, this is the logit of r o, computed without 1 - r o, which may
+    // cancel.
     const double logit = opacityLogit;
     const double rest = -std::expm1(logShare);
     opacityLogit = static_cast<float>(logit < 0.0 ? logit + logShare - std::log1p(rest * std::exp(logit))
@@ -123,7 +124,7 @@ Result<ModelFile> readPly(std::istream& stream, std::uint64_t bytes, BadSplats b
     MACULA_TRY(const PlyHeader header, readPlyHeader(stream));
     PlyValues values(stream, header.format, bytes - std::min(bytes, header.bytes));
     for (const PlyElement& element : header.elements) {
-        // Before anything is made for them, or walked.
+        // This is checked before memory is taken for the elements, or they are read.
         if (!values.canHold(element))
             return unusable(
                 fmt::format("The PLY file is cut off: its header counts {} {}, for which it is "

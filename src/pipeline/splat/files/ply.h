@@ -18,12 +18,12 @@
 
 namespace macula::splat {
 
-// From the stream's place on, where `bytes` are left. Reads ascii and binary of both byte orders, properties
-// in any order and of any type, degrees 0 to 3; skips what it does not know. Without comments of ours a model
-// is foreign, and its coordinates are left as they are. Of what others have made of the convention it reads
-// colours as bytes (red, green, blue: Nerfstudio), splats with two scales (2DGS; drawn as flat Gaussians),
-// and filter_3D (Mip-Splatting; folded into scale and opacity, and the model's low-pass is `mip`). Errors as
-// readModel.
+// Reads from the stream's place on, where `bytes` are left. Takes ascii and binary of both byte orders,
+// properties in any order and of any type, degrees 0 to 3; skips what it does not know. Without comments of
+// ours a model is foreign, and its coordinates are left as they are. Of what others have made of the
+// convention it reads colours as bytes (red, green, blue: Nerfstudio), splats with two scales (2DGS; drawn as
+// flat Gaussians), and filter_3D (Mip-Splatting; folded into scale and opacity, and the model's low-pass is
+// `mip`). Errors as readModel.
 Result<ModelFile> readPly(std::istream& stream, std::uint64_t bytes, BadSplats bad = BadSplats::refuse);
 
 // Fails with inputNotUsable when the model is not valid or empty. The caller looks after the stream's state.

@@ -11,7 +11,7 @@ namespace macula::splat {
 
 namespace {
 
-// By slot.
+// The names of the properties, by slot.
 constexpr std::array<std::string_view, PlyLayout::kRest> kNames{
     "x",       "y",       "z",     "f_dc_0", "f_dc_1", "f_dc_2", "opacity",  "scale_0",
     "scale_1", "scale_2", "rot_0", "rot_1",  "rot_2",  "rot_3",  "filter_3D"};
@@ -54,7 +54,7 @@ std::size_t slotOf(const PlyProperty& property, bool hasColourBytes) {
     return property.name == "filter_3d" ? std::size_t{PlyLayout::kFilter} : PlyLayout::kNone;
 }
 
-// Of coefficients of colour beyond the first, of all channels.
+// The degree that has so many coefficients of colour beyond the first, over all channels.
 std::optional<int> degreeOf(std::size_t rest) {
     for (int degree = 0; degree <= kMaxShDegree; ++degree) {
         if (3 * shCount(degree) == rest) return degree;

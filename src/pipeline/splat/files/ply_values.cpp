@@ -114,7 +114,7 @@ bool PlyValues::skip(const PlyProperty& property) {
     double value = 0.0;
     if (!property.countType) return next(property.type, value);
     if (!next(*property.countType, value)) return false;
-    // Also where an ascii file says NaN.
+    // This is false also where an ascii file says NaN.
     if (!(value >= 0.0 && value <= static_cast<double>(left_)) || value != std::floor(value)) return false;
     const auto length = static_cast<std::uint64_t>(value);
     if (format_ != PlyFormat::ascii) return skipBytes(length * bytesOf(property.type));

@@ -53,7 +53,7 @@ struct Header {
 
     std::size_t positionBytes() const { return version == 1 ? 2 : 3; }
     std::size_t rotationBytes() const { return version < 3 ? 3 : 4; }
-    // Of each attribute, in the order of the file.
+    // The size of each attribute, in the order of the file.
     std::array<std::size_t, 6> streamBytes() const {
         const std::size_t n = count;
         return {3 * n * positionBytes(), n, 3 * n, 3 * n, n * rotationBytes(), 3 * n * shCount(shDegree)};
@@ -73,7 +73,7 @@ glm::vec3 turned(const glm::vec3& v) {
     return {v.x, -v.y, -v.z};
 }
 
-// w, x, y, z.
+// Turns a quaternion in the order w, x, y, z.
 glm::vec4 turned(const glm::vec4& q) {
     return {q[0], q[1], -q[2], -q[3]};
 }
@@ -219,7 +219,7 @@ std::string commentOf(const Splats& splats) {
     return text;
 }
 
-// All but the header, in the order of the file.
+// The bytes of all but the header, in the order of the file.
 std::vector<std::uint8_t> payload(const Splats& splats, const Header& header, std::size_t& clamped) {
     std::vector<std::uint8_t> out;
     out.reserve(header.bytes());

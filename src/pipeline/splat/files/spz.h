@@ -48,7 +48,7 @@ Result<SpzBytes> encodeSpz(const Splats& splats, SpzVersion version = SpzVersion
 // header says, and of that no more than 32 times the file, or 32 MiB.
 Result<ModelFile> decodeSpz(std::span<const std::byte> bytes, BadSplats bad = BadSplats::refuse);
 
-// By the first four bytes of a file: gzip, or version 4.
+// Whether a file is SPZ by its first four bytes: gzip, or version 4.
 bool looksLikeSpz(std::string_view begin);
 
 }  // namespace macula::splat

@@ -23,7 +23,7 @@ constexpr std::byte kHasExtensions{2};
 constexpr std::uint32_t kNotesType = 0x4d410001;
 constexpr std::size_t kMostNotes = 4096;
 
-// Of the levels that the reference writes with; higher ones take much longer for a percent.
+// One of the compression levels that the reference writer uses; higher ones take much longer for a percent.
 constexpr int kLevel = 12;
 
 template <class T>

@@ -126,7 +126,7 @@ Result<std::vector<T>> readArray(ChunkFile& file, std::string_view name, std::ui
     return values;
 }
 
-// Not validated.
+// Reads the splats without validating them.
 Result<Splats> readSplats(ChunkFile& file) {
     MACULA_TRY(const std::string text, file.readText("model"));
     const std::vector<std::string> lines = linesOf(text);
@@ -140,7 +140,7 @@ Result<Splats> readSplats(ChunkFile& file) {
     return splatsOf(components, like);
 }
 
-// Their chunks are read one by one and unpacked together.
+// Reads the views: the chunks of their pixels one by one, and then unpacks them together on all cores.
 Result<std::vector<TrainingState::View>> readViews(ChunkFile& file, std::uint64_t count) {
     MACULA_TRY(const std::vector<ViewRecord> records, readArray<ViewRecord>(file, "views", count));
     std::vector<const ChunkEntry*> entries;

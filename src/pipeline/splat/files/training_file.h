@@ -39,18 +39,18 @@ inline constexpr std::array<TrainingChunk, 10> kTrainingChunks{{{"model", 0},
                                                                 {"views", 168},
                                                                 {"pixels", 16}}};
 
-// Whole or not at all. Bit for bit what readTraining gives. inputNotUsable for a state that is not valid;
-// outputNotWritable; outOfMemory.
+// Writes the file whole or not at all. Bit for bit what readTraining gives. inputNotUsable for a state that
+// is not valid; outputNotWritable; outOfMemory.
 Result<void> writeTraining(const std::filesystem::path& path, const TrainingState& state);
 Result<void> writeTraining(std::ostream& stream, const TrainingState& state);
 
-// Valid. Fails with inputNotUsable when the file is missing, of another kind, damaged or cut off, or of
-// another version, of the format or of the trainer: the sentence names both. Of another trainer the model can
-// still be read, by readModel. No more memory is asked for than a file of that size can fill.
+// The state is valid. Fails with inputNotUsable when the file is missing, of another kind, damaged or cut
+// off, or of another version, of the format or of the trainer: the sentence names both. Of another trainer
+// the model can still be read, by readModel. No more memory is asked for than a file of that size can fill.
 Result<TrainingState> readTraining(const std::filesystem::path& path);
 Result<TrainingState> readTraining(std::istream& stream, std::uint64_t size);
 
-// By the first 8 bytes.
+// Whether a file is .macula, by its first 8 bytes.
 bool looksLikeTraining(std::string_view begin);
 // Only the splats, whatever trainer they are of. See readModel.
 Result<ModelFile> readTrainedModel(std::istream& stream, std::uint64_t size, BadSplats bad);

@@ -34,8 +34,8 @@ void append(const Splats& from, std::uint32_t i, Splats& to) {
     for (std::size_t k = 0; k < count; ++k) to.sh.push_back(from.sh[i * count + k]);
 }
 
-// The least important ones whose weights add up to no more than the share. Of what was not drawn nothing is
-// known.
+// Marks the least important splats, whose weights add up to no more than `share`. Nothing is known of splats
+// that were not drawn.
 std::vector<std::uint8_t> unneeded(std::span<const shared::SplatStatistics> statistics, double share) {
     std::vector<std::uint32_t> order(statistics.size());
     std::iota(order.begin(), order.end(), 0u);

@@ -1,5 +1,5 @@
-// The parameters of splats on the device, or a number for each parameter: a gradient, a moment.
-// Where which lies: shaders/shared/splat_layout.h.
+// The parameters of splats on the device, or a number for each parameter: a gradient, a moment. Their order:
+// shaders/shared/splat_layout.h.
 #pragma once
 
 #include <cstdint>
@@ -16,9 +16,9 @@ namespace macula::splat {
 
 class SplatBuffer {
   public:
-    // All 0. Capacity above 0; outOfMemory when the device has no room, or capacity * componentCount floats
-    // exceed its largest buffer (on lavapipe 128 MiB: 2.3 million splats of degree 0, 1.4 million of degree
-    // 1).
+    // A buffer of zeros. Capacity above 0; outOfMemory when the device has no room, or capacity *
+    // componentCount floats exceed its largest buffer (on lavapipe 128 MiB: 2.3 million splats of degree 0,
+    // 1.4 million of degree 1).
     static Result<SplatBuffer> create(const std::shared_ptr<gpu::Device>& device, const std::string& label,
                                       std::uint32_t capacity, int shDegree);
 
@@ -32,7 +32,7 @@ class SplatBuffer {
     // Component k of splat i at k * count + i, as componentsOf; splats from `count` on become 0. Ordered
     // after all work submitted so far.
     Result<void> upload(std::span<const float> components);
-    // Of the first `count` splats, at most the capacity. Waits.
+    // The components of the first `count` splats, at most the capacity. Waits.
     Result<std::vector<float>> download(std::uint32_t count) const;
 
   private:

@@ -1,4 +1,4 @@
-// All numbers of a model in one array, as kernels and files have them. Which is where: shared/splat_layout.h.
+// All numbers of a model in one array, as kernels and files have them. Their order: shared/splat_layout.h.
 #pragma once
 
 #include <span>

@@ -14,7 +14,8 @@ bool finite(const glm::vec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-// Its inverse length must be a number too: a subnormal square has none.
+// Whether the quaternion is a rotation. Its inverse length must be finite too, which a subnormal square has
+// not.
 bool isRotation(const glm::vec4& q) {
     return std::isnormal(glm::dot(q, q));
 }
@@ -27,7 +28,7 @@ bool isGood(const Splats& splats, std::size_t i) {
            std::all_of(first, first + static_cast<std::ptrdiff_t>(count), finite);
 }
 
-// All but the single splats.
+// Checks everything but the single splats.
 Result<void> validateWhole(const Splats& splats) {
     if (splats.shDegree < 0 || splats.shDegree > kMaxShDegree)
         return Error{ErrorCode::inputNotUsable,
@@ -52,7 +53,7 @@ Result<void> validateWhole(const Splats& splats) {
     return {};
 }
 
-// True when it had to. NaN stays.
+// Clamps, and returns true when it had to. NaN stays.
 bool clampTo(float& value, float limit) {
     if (!(std::abs(value) > limit)) return false;
     value = std::copysign(limit, value);

@@ -39,8 +39,8 @@ constexpr std::size_t shCount(int degree) {
     return static_cast<std::size_t>((degree + 1) * (degree + 1) - 1);
 }
 
-// Beyond these nothing more can be seen of a scale (ln of mm: 2e-9 mm, 5e8 mm) or of an opacity (2e-9). The
-// model may hold larger finite values; who draws it clamps to them, and so does repair.
+// Limits beyond which nothing more can be seen of a scale (ln of mm: 2e-9 mm, 5e8 mm) or of an opacity
+// (2e-9). The model may hold larger finite values; who draws it clamps to them, and so does repair.
 inline constexpr float kMaxLogScale = 20.0f;
 inline constexpr float kMaxOpacityLogit = 20.0f;
 
@@ -99,8 +99,8 @@ struct Repair {
 // Fails where validate would for the model as a whole.
 Result<Repair> repair(Splats& splats);
 
-// Of the splats' centres, in mm of the world (originMm added). Empty, low > high, for no splats. The model
-// must be valid.
+// The box of the splats' centres, in mm of the world (originMm added). Empty, low > high, for no splats. The
+// model must be valid.
 Box boundingBox(const Splats& splats);
 
 }  // namespace macula::splat

@@ -126,7 +126,7 @@ Result<Loss> Loss::create(const std::shared_ptr<gpu::Device>& device,
     MACULA_TRY(gpu::TexelBuffer pairs, make("sums and differences", 2 * mostPixels, kFour));
     MACULA_TRY(gpu::TexelBuffer means, make("means over windows", 4 * mostPixels, kFour));
     MACULA_TRY(gpu::TexelBuffer terms, make("terms of windows", 3 * mostPixels, kFour));
-    // Of each strip: there are as many as pixels where a picture is one pixel wide.
+    // The sums of each strip: there are as many strips as pixels where a picture is one pixel wide.
     MACULA_TRY(gpu::TexelBuffer ssimParts, make("parts of SSIM", mostPixels, VK_FORMAT_R32_SFLOAT));
     MACULA_TRY(gpu::TexelBuffer differenceParts, make("parts of differences", mostPixels, kFour));
     MACULA_TRY(gpu::Buffer params, makeParams(device));

@@ -65,7 +65,7 @@ class Loss {
     void record(gpu::Recorder& recorder, const DevicePicture& render, const LossTarget& target,
                 const LossOptions& options, const LossStep& step);
 
-    // With respect to the render's premultiplied RGBA, of what was recorded last, and of its size.
+    // The gradient by the render's premultiplied RGBA, of what was recorded last, and of its size.
     const DevicePicture& gradient() const { return gradient_; }
     // SplatLossResult, of what was recorded last; the same bits for the same input on the same device.
     const gpu::Buffer& result() const { return result_; }

@@ -13,7 +13,7 @@ enum class LossEncoding {
               // (shaders/lib/picture.glsl)
 };
 
-// How far they are from each other.
+// How the difference of two pictures is measured.
 enum class LossMeasure {
     similar,   // absolute differences, and how alike neighbourhoods are
     absolute,  // absolute differences alone: less work
@@ -22,8 +22,9 @@ enum class LossMeasure {
                // the mean
 };
 
-// So squares pull as hard as absolute differences do where these are 0.1, as they usually are. Adam remembers
-// for long how hard it was pulled, and would hardly move after a change from one to the other.
+// The weight with which squares pull as hard as absolute differences do where these are 0.1, as they usually
+// are. Adam remembers for long how hard it was pulled, and would hardly move after a change from one to the
+// other.
 inline constexpr float kSquaresWeight = 5.0f;
 
 // The loss of a render against a target, both premultiplied, is

@@ -28,8 +28,8 @@ struct OptimizerOptions {
     double epsilon = 1e-15;  // 1e-30 to 1
 };
 
-// By component (shared/splat_layout.h), of positions in deviations; for the step after `stepsDone` of the
-// whole model.
+// The learning rates by component (shared/splat_layout.h), of positions in deviations; for the step after
+// `stepsDone` of the whole model.
 std::vector<float> learningRates(const OptimizerOptions& options, int shDegree, std::uint64_t stepsDone);
 
 }  // namespace macula::splat

@@ -26,8 +26,8 @@ class PicturePyramid {
                                          const LossKernels& kernels, const TrainingView& given);
 
     const PictureLevel& whole() const { return levels_.front(); }
-    // Each side halved so often (0: not at all), as long as none comes below 16 pixels. Made when it is first
-    // asked for; valid until the next call.
+    // The picture with each side halved `times` times (0: not at all), as long as none comes below 16 pixels.
+    // Made when it is first asked for; valid until the next call.
     Result<const PictureLevel*> halved(int times, const LossKernels& kernels);
 
   private:

@@ -54,7 +54,7 @@ void forEachRow(int width, int height, const std::function<void(std::size_t)>& b
     for (int row = 0; row < height; ++row) body(std::size_t(row));
 }
 
-// Of one size, with which pixels are known.
+// The pixels of one size of picture, and which of them are known.
 struct Grid {
     int width;
     int height;
@@ -77,8 +77,8 @@ struct Grid {
     }
 };
 
-// Of the window around a pixel: 1 - SSIM, and its gradient with respect to a pixel x of it, which is
-// tap * (plain + ofRender x + ofTarget y).
+// The SSIM window around a pixel: 1 - SSIM, and its gradient with respect to a pixel x of it, which is tap *
+// (plain + ofRender x + ofTarget y).
 struct Window {
     glm::dvec4 dissimilarity{0.0};
     glm::dvec4 plain{0.0};

@@ -29,7 +29,7 @@ ReferenceLoss referenceLoss(int width, int height, std::span<const glm::dvec4> r
 glm::dvec4 referenceCompared(const glm::dvec4& premultiplied, const LossOptions& options,
                              const glm::dvec3& background);
 
-// As recordDownsample.
+// Does what recordDownsample does.
 std::vector<glm::dvec4> referenceDownsample(std::span<const glm::dvec4> pixels, const glm::ivec2& fromSize,
                                             const glm::ivec2& toSize);
 

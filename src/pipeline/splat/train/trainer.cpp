@@ -101,7 +101,7 @@ Result<void> Trainer::addView(TrainingView view) {
 
 Result<void> Trainer::addView(std::shared_ptr<const TrainingView> given) {
     MACULA_TRY(PicturePyramid pictures, PicturePyramid::upload(device_, *lossKernels_, *given));
-    // Now, because a view that no step can compare would stop all that follow.
+    // The loss is made now, because a view that no step can compare would stop all that follow.
     MACULA_TRY([[maybe_unused]] const Loss* loss, lossFor(given->view.sizePx));
     lastGood_.views.push_back({.given = given});
     views_.push_back({.pictures = std::move(pictures), .given = std::move(given)});
@@ -130,8 +130,9 @@ TrainingStage Trainer::stageNow() const {
     return now;
 }
 
-// First each once. Of those that come later, one at every kNewEvery steps, so that hundreds of new ones in a
-// row do not displace what the others show. Else half of the time any, and half of the time one by its loss.
+// Chooses the next view. First each once. Of views that come later, one at every kNewEvery steps, so that
+// hundreds of new ones in a row do not displace what the others show. Else half of the time any view, and
+// half of the time one with a probability in proportion to its loss.
 std::optional<std::size_t> Trainer::nextView() const {
     std::vector<std::size_t> known;
     std::optional<std::size_t> firstNew;
@@ -158,7 +159,7 @@ std::optional<std::size_t> Trainer::nextView() const {
     return known[k];
 }
 
-// False when there was no room for all that shows: then nothing has moved, and now there is.
+// Returns false when there was no room for all pairs: then no splat has moved, and room has been made.
 Result<bool> Trainer::tryStep(const PictureLevel& level, Loss& loss, const LossStep& over) {
     const Blending blending = blendingOf(like_.lowPass);
     RasterPass pass;
@@ -198,8 +199,8 @@ Result<double> Trainer::differenceTo(const TrainingView& view) {
     return double(result.l1);
 }
 
-// Of what was dropped while commands were recorded nothing could be freed then. Now it can, and that may be
-// the memory which there was too little of.
+// A second try after outOfMemory: what was dropped while commands were recorded is freed only afterwards, and
+// may be the memory that was missing.
 Result<bool> Trainer::tryStepTwice(const PictureLevel& level, Loss& loss, const LossStep& over) {
     Result<bool> done = tryStep(level, loss, over);
     if (done || done.error().code != ErrorCode::outOfMemory || device_->pendingDestructions() == 0)
@@ -229,7 +230,8 @@ Result<shared::SplatLossResult> Trainer::stepOf(View& view) {
     return loss->read();
 }
 
-// The same step would draw the same view again, and fail for ever: so others take its turn.
+// When a view does not fit the memory, others take its turn: the same step would draw it again, and fail for
+// ever.
 Result<void> Trainer::oneStep() {
     Error noRoom;
     while (const std::optional<std::size_t> next = nextView()) {

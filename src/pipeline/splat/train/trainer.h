@@ -28,7 +28,7 @@ namespace macula::splat {
 
 struct TrainingReport {
     std::uint64_t steps = 0;  // since the start
-    // Of views with colours, each when it was last drawn.
+    // The means over views with colours, each as it was last drawn.
     double loss = 0.0;  // by weight; 0 before all were drawn
     double l1 = 0.0;    // mean of |render - picture|, as compared; of those that were drawn
     std::uint32_t splats = 0;
@@ -44,8 +44,8 @@ class Trainer {
     // tiles are sorted, which changes nothing but time.
     static Result<Trainer> create(const std::shared_ptr<gpu::Device>& device, const Splats& model,
                                   const TrainerOptions& options, ListMaker lists = ListMaker::fast);
-    // Goes on with it: the same bits as if it had never stopped, on the same device. inputNotUsable as
-    // TrainingState::validate and addView.
+    // Resumes the training of `state`: the same bits as if it had never stopped, on the same device.
+    // inputNotUsable as TrainingState::validate and addView.
     static Result<Trainer> resume(const std::shared_ptr<gpu::Device>& device, const TrainingState& state);
 
     // From the next step on training is done in another way, and of that degree of colour (0 or 1; new
@@ -54,17 +54,17 @@ class Trainer {
     // create; outOfMemory, and it goes on as before.
     Result<void> goOnWith(const TrainerOptions& options, int shDegree);
 
-    // Takes part from the next step on. inputNotUsable when the picture is not of the view's size, or has
-    // not one finite pixel, or a weight that is not above 0 and at most kMaxViewWeight; outOfMemory when the
-    // device cannot hold it, or not what comparing it takes (loss.h). The picture stays on the host as well,
-    // and is shared with states.
+    // Adds a view, which takes part from the next step on. inputNotUsable when the picture is not of the
+    // view's size, or has not one finite pixel, or a weight that is not above 0 and at most kMaxViewWeight;
+    // outOfMemory when the device cannot hold it, or not what comparing it takes (loss.h). The picture stays
+    // on the host as well, and is shared with states.
     Result<void> addView(TrainingView view);
     // Frees what the views take on the device, most of all there is; each is made again when it is needed.
     void releasePictures();
-    // What is no picture takes no part any more: for when pictures say what it said.
+    // Drops all views but pictures (ViewKind): stand-ins and outlines, once pictures show the same.
     void forgetStandIns();
     std::size_t viewCount() const { return views_.size(); }
-    // In the order in which they were added.
+    // The views in the order in which they were added.
     const TrainingView& view(std::size_t index) const { return *views_[index].given; }
     bool wasDrawn(std::size_t index) const { return views_[index].loss >= 0.0; }
     // Mean of |render - picture|, as compared, when it was drawn last; 0 before.
@@ -78,7 +78,7 @@ class Trainer {
     // views. A view for which the device has no room, of pairs most of all, is left out until splats are
     // regrouped or training goes on in another way; outOfMemory when there is room for none.
     Result<TrainingReport> step(std::uint64_t steps, const std::function<bool()>& keepGoing = {});
-    // As many steps as fit, at least one.
+    // Makes as many steps as fit `budgetMs`, at least one.
     Result<TrainingReport> stepFor(double budgetMs);
 
     // The model as it is now. Waits.
@@ -88,8 +88,8 @@ class Trainer {
     // A copy of the state, at most TrainerOptions::keepEveryMs and a step old while steps are made, with all
     // views added since; from create or resume on. It is on the host: no loss of the device takes it away.
     const TrainingState& lastGood() const { return lastGood_; }
-    // To lastGood(), with the views that there are: for when a step failed and may have moved a part of what
-    // belongs together. Makes nothing new on the device.
+    // Goes back to lastGood(), with the views that there are: for when a step failed and may have moved a
+    // part of what belongs together. Makes nothing new on the device.
     Result<void> goBack();
     TrainingReport report() const;
 
@@ -99,7 +99,7 @@ class Trainer {
         std::shared_ptr<const TrainingView> given;
         double loss = -1.0;  // when it was drawn last; below 0: never
         double l1 = 0.0;
-        bool hasNoRoom = false;  // left out
+        bool hasNoRoom = false;  // left out of training, as step() says
     };
 
     Trainer(std::shared_ptr<gpu::Device> device, TrainerOptions options, Splats like,

@@ -28,7 +28,7 @@ struct TrainerOptions {
     std::vector<TrainingStage> stages{{.firstStep = 0, .halvings = 2},
                                       {.firstStep = 300, .halvings = 1},
                                       {.firstStep = 600, .halvings = 0}};
-    double keepEveryMs = 2000.0;  // of steps, between copies for Trainer::lastGood
+    double keepEveryMs = 2000.0;  // of training, between copies of the state for Trainer::lastGood
     std::string key;              // what the pictures show: volume, preset, clip, lights. The caller's, who
                                   // compares it; the trainer only keeps it
 };

@@ -1,4 +1,4 @@
-// The trainer's state: out of it, and into another.
+// Saving the trainer's state, and resuming from one.
 #include "base/check.h"
 #include "pipeline/gpu/transfer.h"
 #include "pipeline/splat/model/splat_components.h"
@@ -59,7 +59,7 @@ Result<Trainer> Trainer::resume(const std::shared_ptr<gpu::Device>& device, cons
     return trainer;
 }
 
-// Made anew but for the pictures, which may be most of what the device holds.
+// Makes the trainer anew but for its pictures, which may be most of what the device holds.
 Result<void> Trainer::goOnWith(const TrainerOptions& options, int shDegree) {
     MACULA_TRY(TrainingState now, state());
     now.splats.setShDegree(shDegree);

@@ -17,8 +17,8 @@ namespace macula::splat {
 // Raised whenever the trainer would go on from the same state in another way.
 inline constexpr std::uint32_t kTrainerVersion = 7;
 
-// What comes next is a function of it alone, and of the device: random numbers are of the seed and the number
-// of the step.
+// What training does next is a function of this state alone, and of the device: random numbers are of the
+// seed and the number of the step.
 struct TrainingState {
     // A picture to learn from, shared with the trainer, and what its loss was when it was last drawn.
     struct View {
