@@ -1,4 +1,5 @@
-// Splats and a traced picture of the same view, mixed and shown: background, exposure, tone map and encoding come last.
+// Splats, over them a reprojected picture for the fovea, and a traced picture of all pixels, mixed and shown: background,
+// exposure, tone map and encoding come last.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 
@@ -20,10 +21,13 @@ layout(binding = 1, scalar) readonly buffer Traced {
 layout(binding = 2, scalar) readonly buffer Counts {
     uint counts[];
 };
-layout(binding = 3, scalar) readonly buffer Weights {
+layout(binding = 3, scalar) readonly buffer Fovea {
+    vec4 fovea[];
+};
+layout(binding = 4, scalar) readonly buffer Weights {
     float weights[];
 };
-layout(binding = 4, rgba8) uniform writeonly image2D picture;
+layout(binding = 5, rgba8) uniform writeonly image2D picture;
 layout(push_constant, scalar) uniform Push {
     ComposePush push;
 };
@@ -33,13 +37,12 @@ void main() {
     ivec2 size = imageSize(picture);
     if (any(greaterThanEqual(pixel, size))) return;
     int index = pixel.y * size.x + pixel.x;
-    vec4 ofSplats = vec4(0.0);
+    vec4 light = vec4(0.0);
     vec4 ofTracer = vec4(0.0);
-    float share = push.tracedShare;
-    if (push.tracedIsWeighted == 1) share *= weights[index];
-    if (share < 1.0) ofSplats = splats[index] * vec4(vec3(push.splatGain), 1.0);
-    if (share > 0.0)
+    if (push.tracedShare < 1.0) light = splats[index] * vec4(vec3(push.splatGain), 1.0);
+    if (push.hasFovea == 1) light = composed(light, fovea[index], weights[index]);
+    if (push.tracedShare > 0.0)
         ofTracer = traced[index] / (push.tracedAreMeans == 1 ? 1.0 : float(max(counts[index], 1u)));
-    vec4 light = composed(ofSplats, ofTracer, share);
+    light = composed(light, ofTracer, push.tracedShare);
     imageStore(picture, pixel, vec4(displayColour(light, push.background, push.exposure), 1.0));
 }

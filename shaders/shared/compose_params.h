@@ -7,10 +7,10 @@ MACULA_SHARED_BEGIN
 struct ComposePush {
     vec3 background;  // linear
     float exposure;
-    float splatGain;       // multiplies the light of splats, not their coverage
-    float tracedShare;     // 0 to 1: of what is traced; the rest is of splats
-    int tracedAreMeans;    // 1: traced values are means, and counts do not count
-    int tracedIsWeighted;  // 1: the share of each pixel is multiplied by its weight
+    float splatGain;     // multiplies the light of splats, not their coverage
+    float tracedShare;   // 0 to 1: of what is traced with all pixels; the rest is of splats and fovea
+    int tracedAreMeans;  // 1: traced values are means, and counts do not count
+    int hasFovea;        // 1: where the fovea has weight, its light takes the place of splats
 };
 
 MACULA_SHARED_END

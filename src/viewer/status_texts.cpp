@@ -26,8 +26,12 @@ QString fidelityText(const app::FrameShown& frame) {
     const QString remarks =
         frame.remarks.empty() ? QString() : QStringLiteral(", ") + QString::fromStdString(frame.remarks);
     if (frame.picture == app::OnScreen::model) {
+        const QString fovea = frame.foveaAgeMs
+                                  ? tr(", fovea traced %L1 s ago").arg(*frame.foveaAgeMs / 1000.0, 0, 'f', 1)
+                                  : QString();
         return tr("Peripheral model, %L1 splats, %L2 steps").arg(frame.model.splats).arg(frame.model.steps) +
-               remarks + (frame.greyFacesAreCoarse ? tr(", values on cut faces only coarsely") : QString());
+               fovea + remarks +
+               (frame.greyFacesAreCoarse ? tr(", values on cut faces only coarsely") : QString());
     }
     QString text = lookText(frame.look) + remarks;
     if (frame.picture == app::OnScreen::preview) {

@@ -45,6 +45,7 @@ class PictureCourseTest : public testing::Test {
             case Step::learn:
                 course_.spent(step, 20.0);
                 break;
+            case Step::traceFovea:
             case Step::none:
                 break;
         }
@@ -55,6 +56,28 @@ class PictureCourseTest : public testing::Test {
         course_.want(isTraced);
     }
 };
+
+TEST_F(PictureCourseTest, BetweenFramesInMotionTheFoveaIsTraced) {
+    course_.setModel(ModelState::ready, true);
+    course_.setHand(true);
+    course_.setFovea(true);
+    want();
+    EXPECT_EQ(go(), Step::showModel);
+    EXPECT_EQ(go(), Step::traceFovea);
+    EXPECT_EQ(go(), Step::traceFovea);
+    want();  // the hand has moved on: the frame that shows it comes first
+    EXPECT_EQ(go(), Step::showModel);
+    EXPECT_EQ(go(), Step::traceFovea);
+    course_.setFovea(false);  // it is of this view
+    EXPECT_EQ(go(), Step::none);
+    course_.setFovea(true);
+    course_.setHand(false);
+    EXPECT_EQ(go(), Step::trace);  // all pixels are better
+    course_.setHand(true);
+    course_.setModel(ModelState::none, false);
+    want();
+    EXPECT_EQ(go(), Step::showPreview);  // without a model there is no frame to put it in
+}
 
 TEST_F(PictureCourseTest, InMotionTheModelIsShownOnceForEachViewAndNothingElseIsDone) {
     course_.setModel(ModelState::ready, true);

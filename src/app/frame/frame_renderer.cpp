@@ -12,18 +12,9 @@ namespace macula::app {
 
 namespace {
 
-using std::chrono::duration;
 using std::chrono::milliseconds;
 
-double millisecondsBetween(std::chrono::steady_clock::time_point from,
-                           std::chrono::steady_clock::time_point to) {
-    return duration<double, std::milli>(to - from).count();
-}
-
-constexpr milliseconds kRateWindow{2000};
 constexpr milliseconds kModelToldEvery{500};
-// How long searching and learning take at a time. A dispatch and a step of training may take longer on a CPU.
-constexpr double kSliceMs = 40.0;
 // Standard error of what is shown: one step of eight bits, which nobody sees.
 constexpr double kConverged = 1.0 / 255.0;
 constexpr std::uint64_t kShelfBytes = std::uint64_t(1) << 30;
@@ -65,7 +56,7 @@ void FrameRenderer::accept(FrameInput input) {
         duty_.otherStudy();
         if (presenter_) presenter_->forget();
         unreported_.reset();
-        splats_ = nullptr;
+        hybrid_.reset();
         model_.reset();
         shelf_.reset();
     }
@@ -93,6 +84,7 @@ void FrameRenderer::accept(FrameInput input) {
 void FrameRenderer::tellCourse() {
     course_.setHand(input_.interacting);
     course_.setPreviewLimit(TracedPictures::previewLimit(input_));
+    course_.setFovea(hybrid_ && !hybrid_->isFoveaOf(input_.camera));
     ModelState state = ModelState::none;
     if (model_ && model_->canBeDrawn())
         state = ModelState::ready;
@@ -138,7 +130,7 @@ void FrameRenderer::fail(ErrorCode code, const char* message, const char* hint) 
     applied_.transferFunction = nullptr;
     applied_.lights = nullptr;
     applied_.clip.reset();
-    splats_ = nullptr;
+    hybrid_.reset();
     model_.reset();
     if (traced_) traced_->sceneChanged();
     try {
@@ -192,7 +184,6 @@ Result<void> FrameRenderer::takeNext(const Interrupts& interrupts) {
 Result<void> FrameRenderer::withoutModel(const Error& error) {
     if (device_->lost() || error.code == ErrorCode::deviceLost) return error;
     log::warning("There is no peripheral model of this: {}", error.message);
-    splats_ = nullptr;
     const auto stage =
         error.code == ErrorCode::outOfMemory ? hybrid::ModelStage::noRoom : hybrid::ModelStage::failed;
     if (model_)
@@ -204,7 +195,7 @@ Result<void> FrameRenderer::withoutModel(const Error& error) {
 }
 
 Result<void> FrameRenderer::ensureDevice() {
-    if (device_ && traced_ && compositor_) return {};
+    if (device_ && traced_) return {};
     listener_(Preparing{"Starting the graphics device"});
     if (!device_) {
         gpu::DeviceOptions options;
@@ -213,7 +204,6 @@ Result<void> FrameRenderer::ensureDevice() {
         MACULA_TRY(device_, gpu::Device::create(instance_, options));
     }
     MACULA_TRY(traced_, TracedPictures::create(device_));
-    MACULA_TRY(compositor_, hybrid::Compositor::create(device_));
     applied_ = {};
     duty_.beginAnew();
     listener_(DeviceReady{device_->info().name, gpu::describe(device_->info())});
@@ -271,7 +261,6 @@ Result<bool> FrameRenderer::applyScene(const Interrupts& interrupts) {
     // A model of another scene is dropped first, to free its memory.
     if (model_ && (applied_.volume != input_.volume || applied_.clip != drawing.clip ||
                    applied_.transferFunction != drawing.transferFunction)) {
-        splats_ = nullptr;
         model_->hide();
     }
     if (applied_.volume != input_.volume) {
@@ -320,7 +309,6 @@ Result<bool> FrameRenderer::applyScene(const Interrupts& interrupts) {
 
 // From here on no picture of the model of before is drawn any more.
 Result<void> FrameRenderer::applyModel() {
-    splats_ = nullptr;
     whyNoModel_ = hybrid::ModelStage::none;
     if (!canHaveModel(input_)) {
         if (model_) model_->hide();
@@ -333,194 +321,22 @@ Result<void> FrameRenderer::applyModel() {
         if (!made) return withoutModel(made.error());
         model_.emplace(*std::move(made));
     }
+    if (!hybrid_) {
+        auto made = hybrid::HybridFrame::create(device_, traced_->tracer());
+        if (!made) return withoutModel(made.error());
+        hybrid_.emplace(*std::move(made));
+    }
     const std::string key = sceneNames_.of(input_.study, input_.drawing);
+    if (key != model_->key() || hybrid_->exposure() != input_.drawing.settings.exposure) {
+        MACULA_TRY(const Box seenMm, traced_->tracer().seenMm());
+        MACULA_TRY_VOID(hybrid_->setScene(seenMm, input_.drawing.settings));
+    }
     if (const Result<void> shown = model_->show(key, input_.drawing.settings); !shown)
         return withoutModel(shown.error());
     tellOfModel();
     return {};
 }
 
-Result<void> FrameRenderer::take(Step step, const Interrupts& interrupts) {
-    switch (step) {
-        case Step::none:
-            return {};
-        case Step::showModel:
-            return showModel();
-        case Step::showPreview:
-            return showPreview(interrupts);
-        case Step::search:
-            return search(interrupts);
-        case Step::trace:
-            return trace(interrupts);
-        case Step::showTraced:
-            return showTraced();
-        case Step::fade:
-            return fade();
-        case Step::learn:
-            return learn(interrupts);
-    }
-    return {};
-}
-
-Result<void> FrameRenderer::showModel() {
-    // No model is drawn of another patient, preset, clip or light than those of the picture that is wanted
-    // now.
-    MACULA_CHECK(model_->key() == sceneNames_.of(input_.study, input_.drawing));
-    const auto drawn = model_->draw(input_.camera, {input_.width, input_.height});
-    if (!drawn) return withoutModel(drawn.error());  // a small picture comes next
-    splats_ = *drawn;
-    MACULA_TRY(const gpu::Image* picture, composed(splats_, 0.0f));
-    course_.showedModel();
-    MACULA_TRY_VOID(show(*picture));
-    // One picture in flight: a longer queue would show where the hand was, not where it is.
-    return device_->waitForAll();
-}
-
-Result<void> FrameRenderer::showPreview(const Interrupts& interrupts) {
-    if (course_.onScreen() != OnScreen::preview) MACULA_TRY_VOID(traced_->beginPreview(input_));
-    MACULA_TRY(const bool isWhole, traced_->tracePreview(input_, [&] { return !interrupts.stopping(); }));
-    if (!isWhole) return {};
-    const Clock::time_point traced = Clock::now();
-    MACULA_TRY(const gpu::Image* picture, traced_->display(input_.background));
-    MACULA_TRY_VOID(device_->waitForAll());
-    const Clock::time_point developed = Clock::now();
-    course_.showedPreview(traced_->previewSamples(), developed);
-    MACULA_TRY_VOID(show(*picture));
-    MACULA_TRY_VOID(device_->waitForAll());
-    traced_->previewWasShown(millisecondsBetween(traced, developed),
-                             millisecondsBetween(developed, Clock::now()));
-    return {};
-}
-
-Result<void> FrameRenderer::trace(const Interrupts& interrupts) {
-    const auto keepGoing = [&] { return !interrupts.newInput() && !interrupts.stopping(); };
-    const Clock::time_point start = Clock::now();
-    MACULA_TRY_VOID(traced_->beginFull(input_));
-    MACULA_TRY(const TracedPictures::Progress progress, traced_->traceFull(input_, keepGoing));
-    const Clock::time_point now = Clock::now();
-    course_.spent(Step::trace, millisecondsBetween(start, now));
-    if (!progress.isNews) return {};
-    course_.traced(progress.isLast);
-    return course_.onScreen() == OnScreen::fading ? Result<void>() : showTraced();
-}
-
-Result<void> FrameRenderer::showTraced() {
-    MACULA_TRY(const gpu::Image* picture, traced_->display(input_.background));
-    course_.showedTraced();
-    return show(*picture);
-}
-
-Result<void> FrameRenderer::fade() {
-    const Clock::time_point now = Clock::now();
-    MACULA_TRY(const gpu::Image* picture,
-               composed(splats_, splats_ == nullptr ? 1.0f : static_cast<float>(course_.tracedShare(now))));
-    course_.faded(now);
-    MACULA_TRY_VOID(show(*picture));
-    return device_->waitForAll();
-}
-
-// A slice of the model's search or training.
-Result<void> FrameRenderer::workOnModel(const std::function<bool()>& keepGoing) {
-    try {
-        return model_->work(kSliceMs, keepGoing);
-    } catch (const std::bad_alloc&) {
-        if (device_->lost()) throw;
-        return Error{ErrorCode::outOfMemory, "There is not enough memory for it.", {}, {}};
-    }
-}
-
-Result<void> FrameRenderer::search(const Interrupts& interrupts) {
-    const auto keepGoing = [&] { return !interrupts.newInput() && !interrupts.stopping(); };
-    course_.searched();
-    if (const Result<void> done = workOnModel(keepGoing); !done) return withoutModel(done.error());
-    tellOfModel();
-    return {};
-}
-
-Result<void> FrameRenderer::learn(const Interrupts& interrupts) {
-    const auto keepGoing = [&] { return !interrupts.newInput() && !interrupts.stopping(); };
-    const Clock::time_point start = Clock::now();
-    const Result<void> done = workOnModel(keepGoing);
-    course_.spent(Step::learn, millisecondsBetween(start, Clock::now()));
-    if (!done) return withoutModel(done.error());
-    tellOfModel();
-    return {};
-}
-
-// Shows the picture that is on screen over another background.
-Result<void> FrameRenderer::showAgain() {
-    if (course_.onScreen() == OnScreen::nothing) return {};
-    if (course_.onScreen() != OnScreen::model && course_.onScreen() != OnScreen::fading) {
-        MACULA_TRY(const gpu::Image* picture, traced_->display(input_.background));
-        return show(*picture);
-    }
-    if (splats_ == nullptr) {
-        duty_.beginAnew();
-        return {};
-    }
-    const bool isModel = course_.onScreen() == OnScreen::model;
-    MACULA_TRY(const gpu::Image* picture,
-               composed(splats_, isModel ? 0.0f : static_cast<float>(course_.tracedShare(Clock::now()))));
-    return show(*picture);
-}
-
-Result<const gpu::Image*> FrameRenderer::composed(const splat::DevicePicture* splats, float tracedShare) {
-    hybrid::Layers layers{
-        .splats = splats, .sizePx = {input_.width, input_.height}, .tracedShare = tracedShare};
-    if (model_) layers.splatGain = static_cast<float>(model_->gain());
-    trace::TracedLight light;
-    if (tracedShare > 0.0f) {
-        MACULA_TRY(light, traced_->light());
-        layers.traced = &light;
-    }
-    return compositor_->compose(
-        layers, {.background = input_.background, .exposure = float(input_.drawing.settings.exposure)});
-}
-
-Result<void> FrameRenderer::show(const gpu::Image& picture) {
-    MACULA_TRY(const bool visible, presenter_->show(picture));
-    const Clock::time_point now = Clock::now();
-    const OnScreen kind = course_.onScreen();
-    // The frame rate is that of the kind of picture that is shown now.
-    if (std::exchange(shownKind_, kind) != kind) shown_.clear();
-    if (visible) {
-        duty_.showedOurs();
-        shown_.push_back(now);
-    }
-    while (!shown_.empty() && now - shown_.front() > kRateWindow) shown_.pop_front();
-    FrameShown frame{.inputSequence = input_.sequence,
-                     .study = input_.study,
-                     .letters = input_.letters,
-                     .picture = kind,
-                     .width = input_.width,
-                     .height = input_.height,
-                     .sampleLimit = TracedPictures::sampleLimit(input_),
-                     .look = input_.drawing.settings.look,
-                     .remarks = input_.drawing.remarks,
-                     .framesPerSecond = framesPerSecond(),
-                     .latencyMs = millisecondsBetween(input_.published, now)};
-    frame.model = modelNews();
-    frame.greyFacesAreCoarse = kind == OnScreen::model && input_.drawing.clip &&
-                               input_.drawing.clip->hasShape() && input_.drawing.clip->greyFaces;
-    const bool isTraced = kind == OnScreen::traced || kind == OnScreen::fading;
-    if (isTraced) frame.stage = course_.hasConverged() ? Stage::converged : Stage::converging;
-    if (isTraced || kind == OnScreen::preview) {
-        MACULA_TRY(const trace::Statistics statistics, traced_->statistics());
-        frame.width = traced_->width();
-        frame.height = traced_->height();
-        frame.scale = traced_->scale();
-        frame.samplesPerPixel = static_cast<std::uint64_t>(statistics.meanSamplesPerPixel);
-        frame.denoised = statistics.denoised;
-        frame.samplesLeftOut = statistics.nonFiniteSamples + statistics.abandonedSamples;
-    }
-    frame.messages = traced_->tracer().messages();
-    // The presenter has kept a picture that could not be shown now; it is shown as soon as it can be.
-    unreported_ = visible ? std::nullopt : std::optional(frame);
-    if (visible) listener_(frame);
-    return {};
-}
-
-// News of the model is sent no more often than a person can read it.
 hybrid::ModelNews FrameRenderer::modelNews() const {
     return model_ ? model_->news() : hybrid::ModelNews{.stage = whyNoModel_};
 }
@@ -533,12 +349,6 @@ void FrameRenderer::tellOfModel() {
     modelTold_ = news;
     modelToldAt_ = now;
     listener_(ModelChanged{input_.study, news});
-}
-
-double FrameRenderer::framesPerSecond() const {
-    if (shown_.size() < 2) return 0.0;
-    const double spanMs = millisecondsBetween(shown_.front(), shown_.back());
-    return spanMs > 0.0 ? 1000.0 * double(shown_.size() - 1) / spanMs : 0.0;
 }
 
 void FrameRenderer::handle(Error error) {
@@ -576,9 +386,8 @@ void FrameRenderer::handle(Error error) {
 void FrameRenderer::dropDevice() {
     releaseSurface();
     if (model_) model_->save();
-    splats_ = nullptr;
+    hybrid_.reset();
     model_.reset();
-    compositor_.reset();
     traced_.reset();
     device_.reset();
     applied_ = {};

@@ -19,7 +19,7 @@
 #include "pipeline/gpu/device.h"
 #include "pipeline/gpu/instance.h"
 #include "pipeline/gpu/recovery.h"
-#include "pipeline/hybrid/frame/compositor.h"
+#include "pipeline/hybrid/frame/hybrid_frame.h"
 #include "pipeline/hybrid/model/live_model.h"
 
 namespace macula::app {
@@ -79,7 +79,8 @@ class FrameRenderer {
     Result<void> workOnModel(const std::function<bool()>& keepGoing);
     Result<void> learn(const Interrupts& interrupts);
     Result<void> showAgain();
-    Result<const gpu::Image*> composed(const splat::DevicePicture* splats, float tracedShare);
+    Result<const gpu::Image*> frame(float tracedShare);
+    Result<void> traceFovea(const Interrupts& interrupts);
     Result<void> show(const gpu::Image& picture);
     hybrid::ModelNews modelNews() const;
     void tellOfModel();
@@ -96,11 +97,11 @@ class FrameRenderer {
     std::optional<TracedPictures> traced_;
     std::optional<hybrid::LiveModel> model_;
     hybrid::ModelStage whyNoModel_ = hybrid::ModelStage::none;  // why model_ is empty
-    std::optional<hybrid::Compositor> compositor_;
+    std::optional<hybrid::HybridFrame> hybrid_;                 // of what the model is of
+    std::optional<double> foveaAgeMs_;  // of the last frame; nothing where it had none
     // Models of this volume; outlives the device.
     std::shared_ptr<hybrid::ModelShelf> shelf_;
     SceneNames sceneNames_;
-    const splat::DevicePicture* splats_ = nullptr;  // of the picture that is wanted
 
     FrameInput input_;
     // What was brought to the device. The comparison with the input tells what has to be brought next.

@@ -48,7 +48,7 @@ Step PictureCourse::next(TimePoint now) const {
             return canRefine ? Step::showPreview : handMoves_ ? Step::none : Step::trace;
         }
         case OnScreen::model:
-            if (handMoves_) return Step::none;
+            if (handMoves_) return wantsFovea_ ? Step::traceFovea : Step::none;
             return isTraced_ ? Step::showTraced : Step::trace;
         case OnScreen::fading:
             return Step::fade;

@@ -1,11 +1,11 @@
 // What a window shows next, and what is done for that meanwhile: the rules alone, without window, device or
 // clock.
 //
-// While a hand moves: the peripheral model, at once and with all pixels; where there is none, small traced
-// pictures. When it stops: the traced picture of this view if there is one; else the model stays until the
-// first is ready, and fades into it. Then the picture converges and the model learns in turns, until both are
-// done. A model is searched for when there is none: alone while nothing moves, in turns with small pictures
-// while a hand does.
+// While a hand moves: the peripheral model, at once and with all pixels, and over it the fovea, which is
+// traced between two frames; where there is no model, small traced pictures. When it stops: the traced
+// picture of this view if there is one; else the model stays until the first is ready, and fades into it.
+// Then the picture converges and the model learns in turns, until both are done. A model is searched for when
+// there is none: alone while nothing moves, in turns with small pictures while a hand does.
 #pragma once
 
 #include <chrono>
@@ -31,8 +31,9 @@ std::string_view nameOf(OnScreen picture);
 enum class ModelState { none, searching, ready };
 
 enum class Step {
-    none,  // all is done
-    showModel,
+    none,         // all is done
+    showModel,    // and the fovea over it, as far as there is one
+    traceFovea,   // a slice of it: what the hand moves
     showPreview,  // another view, or more samples of this one
     search,       // a slice of the search for the model's first points
     trace,        // a slice of tracing: all pixels
@@ -54,6 +55,8 @@ class PictureCourse {
     void want(bool isTraced);
     void setHand(bool moves) { handMoves_ = moves; }
     void setModel(ModelState state, bool learns);
+    // Whether there is a fovea to trace while a hand moves, other than the one there is.
+    void setFovea(bool isWanted) { wantsFovea_ = isWanted; }
     // How many samples small pictures are worth while a hand holds still.
     void setPreviewLimit(std::uint64_t samples) { previewLimit_ = samples; }
     // More samples are asked for than the traced picture converged with.
@@ -81,6 +84,7 @@ class PictureCourse {
     bool handMoves_ = false;
     ModelState model_ = ModelState::none;
     bool learns_ = false;
+    bool wantsFovea_ = false;
     OnScreen onScreen_ = OnScreen::nothing;
     bool isTraced_ = false;      // worth showing
     bool hasConverged_ = false;  // the traced picture

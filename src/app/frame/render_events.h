@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -59,8 +60,9 @@ struct FrameShown {
     int height = 0;
     int scale = 1;
     hybrid::ModelNews model{};
-    bool greyFacesAreCoarse = false;    // of a clip, by splats
-    std::uint64_t samplesPerPixel = 0;  // on average: noise decides where they go
+    std::optional<double> foveaAgeMs{};  // over the model; nothing where there was no fovea yet
+    bool greyFacesAreCoarse = false;     // of a clip, by splats
+    std::uint64_t samplesPerPixel = 0;   // on average: noise decides where they go
     std::uint64_t sampleLimit = 0;
     bool denoised = false;  // filtered: smooth, and not quite what was traced
     trace::Look look{};

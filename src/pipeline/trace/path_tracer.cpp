@@ -70,6 +70,7 @@ struct PathTracer::Impl {
     TraceKernels kernels;
     gpu::Kernel displayKernel;
 
+    double dispatchMs = kDispatchMs;
     bool stale = true;                       // view or settings have changed: accumulation starts again
     bool restarting = false;                 // nothing has changed: only the portions were too large
     bool tellsPrimaries = false;             // the samples under way tell their primary vertices
@@ -165,6 +166,10 @@ Result<void> PathTracer::setSettings(const Settings& settings) {
                                                                      : Result<void>();
 }
 
+void PathTracer::setDispatchMs(double ms) {
+    impl_->dispatchMs = std::max(ms, kLeastDispatchMs);
+}
+
 void PathTracer::forgetViews() {
     impl_->history.forget();
 }
@@ -249,7 +254,7 @@ Result<bool> PathTracer::trace(std::uint32_t samplesPerPixel, const std::functio
     const std::uint32_t target = plan.leastSamples() + std::max(samplesPerPixel, underWay);
     while (!plan.hasAll(target)) {
         if (!plan.hasPass()) t.beginEvenPass(target - plan.leastSamples());
-        MACULA_TRY_VOID(t.step(kDispatchMs));
+        MACULA_TRY_VOID(t.step(t.dispatchMs));
         if (keepGoing && !keepGoing()) break;
     }
     return !plan.hasPass();
@@ -316,7 +321,7 @@ Result<void> PathTracer::Impl::stepFor(double leftMs) {
         if (needsEstimate()) return accumulation.measureSome(settings);
         beginPass(leftMs);
     }
-    return step(std::clamp(leftMs, kLeastDispatchMs, kDispatchMs));
+    return step(std::clamp(leftMs, kLeastDispatchMs, dispatchMs));
 }
 
 Result<bool> PathTracer::traceFor(double budgetMs, const std::function<bool()>& keepGoing) {

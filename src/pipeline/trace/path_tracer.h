@@ -105,6 +105,8 @@ class PathTracer {
     Result<void> setClip(const Clip& clip);
     Result<void> setSettings(const Settings& settings);
     Result<void> setView(const View& view);
+    // How long a dispatch of samples may take; 40 ms until it is set, at least 4.
+    void setDispatchMs(double ms);
     // The next view is denoised as if none had been traced before it.
     void forgetViews();
 

@@ -74,7 +74,7 @@ TEST(ComposeLayout, PushConstantsAgree) {
         *compose->pushConstants->block.find("push"),
         {MACULA_FIELD(ComposePush, background), MACULA_FIELD(ComposePush, exposure),
          MACULA_FIELD(ComposePush, splatGain), MACULA_FIELD(ComposePush, tracedShare),
-         MACULA_FIELD(ComposePush, tracedAreMeans), MACULA_FIELD(ComposePush, tracedIsWeighted)});
+         MACULA_FIELD(ComposePush, tracedAreMeans), MACULA_FIELD(ComposePush, hasFovea)});
 }
 
 TEST_F(CompositorTest, MixesAsLightAndShowsAsTheTracerDoes) {
@@ -101,6 +101,45 @@ TEST_F(CompositorTest, MixesAsLightAndShowsAsTheTracerDoes) {
                 }
                 ASSERT_EQ(ofSums[i].w, 255);
             }
+        }
+    }
+}
+
+TEST_F(CompositorTest, TheFoveaTakesThePlaceOfSplatsByItsWeight) {
+    const auto splats = premultiplied(1.0f);
+    const auto fovea = premultiplied(1.0f);
+    const auto traced = premultiplied(1.0f);
+    std::vector<float> weights(kPixels);
+    for (std::size_t i = 0; i < kPixels; ++i) weights[i] = float(i % 5) / 4.0f;
+    auto broken = fovea;
+    for (std::size_t i = 0; i < kPixels; i += 5)
+        broken[i] = glm::vec4(std::numeric_limits<float>::quiet_NaN());
+    const std::vector<std::uint32_t> counts(kPixels, 1);
+    const OnDevice on = upload(splats, traced, counts);
+    auto lightsBuffer = std::move(*gpu::Buffer::create(device(), {.bytes = kPixels * sizeof(glm::vec4)}));
+    auto weightsBuffer = std::move(*gpu::Buffer::create(device(), {.bytes = kPixels * sizeof(float)}));
+    ASSERT_TRUE(gpu::uploadTo<glm::vec4>(lightsBuffer, broken).ok());
+    ASSERT_TRUE(gpu::uploadTo<float>(weightsBuffer, weights).ok());
+    const ReprojectedPicture seen{.lights = &lightsBuffer, .weights = &weightsBuffer};
+    const trace::TracedLight light{.values = &on.traced, .counts = &on.counts, .areMeans = true};
+    const Display display{.background = {0.02f, 0.1f, 0.3f}, .exposure = 1.0f};
+    auto compositor = Compositor::create(device());
+    for (const float share : {0.0f, 0.5f}) {
+        const auto picture = compositor->compose({.splats = &on.splats,
+                                                  .fovea = &seen,
+                                                  .traced = share > 0.0f ? &light : nullptr,
+                                                  .sizePx = kSize,
+                                                  .splatGain = float(kGain),
+                                                  .tracedShare = share},
+                                                 display);
+        ASSERT_TRUE(picture.ok());
+        const auto shown = gpu::read<glm::u8vec4>(**picture).value();
+        for (std::size_t i = 0; i < kPixels; ++i) {
+            const glm::dvec4 bright = glm::dvec4(splats[i]) * glm::dvec4(glm::dvec3(kGain), 1.0);
+            const glm::dvec4 hybrid = glm::mix(bright, glm::dvec4(fovea[i]), double(weights[i]));
+            const glm::dvec3 right =
+                expected(glm::mix(hybrid, glm::dvec4(traced[i]), double(share)), display);
+            for (int k = 0; k < 3; ++k) ASSERT_NEAR(shown[i][k], 255.0 * right[k], 0.52) << i;
         }
     }
 }

@@ -13,7 +13,7 @@ Result<Compositor> Compositor::create(const std::shared_ptr<gpu::Device>& device
 }
 
 Result<const gpu::Image*> Compositor::compose(const Layers& layers, const Display& display) {
-    MACULA_CHECK(layers.splats != nullptr || (layers.tracedShare >= 1.0f && layers.tracedWeights == nullptr));
+    MACULA_CHECK(layers.splats != nullptr || layers.tracedShare >= 1.0f);
     MACULA_CHECK(layers.traced != nullptr || layers.tracedShare <= 0.0f);
     const auto width = static_cast<std::uint32_t>(layers.sizePx.x);
     const auto height = static_cast<std::uint32_t>(layers.sizePx.y);
@@ -33,9 +33,9 @@ Result<const gpu::Image*> Compositor::compose(const Layers& layers, const Displa
     // Something has to be bound where nothing is read.
     const gpu::Buffer& values =
         layers.traced != nullptr ? *layers.traced->values : layers.splats->texels.buffer();
-    const bool hasCounts = layers.traced != nullptr && layers.traced->counts != nullptr;
-    const gpu::Buffer& counts = hasCounts ? *layers.traced->counts : values;
-    const gpu::Buffer& weights = layers.tracedWeights != nullptr ? *layers.tracedWeights : values;
+    const gpu::Buffer& counts = layers.traced != nullptr ? *layers.traced->counts : values;
+    const gpu::Buffer& fovea = layers.fovea != nullptr ? *layers.fovea->lights : values;
+    const gpu::Buffer& weights = layers.fovea != nullptr ? *layers.fovea->weights : values;
     const gpu::Buffer& splats = layers.splats != nullptr ? layers.splats->texels.buffer() : values;
     const shared::ComposePush push{
         .background = display.background,
@@ -43,9 +43,9 @@ Result<const gpu::Image*> Compositor::compose(const Layers& layers, const Displa
         .splatGain = layers.splatGain,
         .tracedShare = layers.tracedShare,
         .tracedAreMeans = layers.traced != nullptr && layers.traced->areMeans ? 1 : 0,
-        .tracedIsWeighted = layers.tracedWeights != nullptr ? 1 : 0};
+        .hasFovea = layers.fovea != nullptr ? 1 : 0};
     MACULA_TRY(auto recorder, gpu::Recorder::create(device_, "compose"));
-    recorder.dispatch(kernel_, {width, height}, push, {splats, values, counts, weights, *picture_});
+    recorder.dispatch(kernel_, {width, height}, push, {splats, values, counts, fovea, weights, *picture_});
     MACULA_TRY([[maybe_unused]] const gpu::Ticket ticket, recorder.submit());
     return &*picture_;
 }

@@ -9,21 +9,21 @@
 #include "pipeline/gpu/device.h"
 #include "pipeline/gpu/kernel.h"
 #include "pipeline/gpu/resources.h"
+#include "pipeline/hybrid/frame/reprojection.h"
 #include "pipeline/splat/draw/device_picture.h"
 #include "pipeline/trace/path_tracer.h"
 
 namespace macula::hybrid {
 
-// The two pictures that the compositor mixes. Each is linear premultiplied RGBA of `sizePx`; a null pointer
-// means that there is none.
+// The pictures that the compositor mixes. Each is linear premultiplied RGBA of `sizePx`; a null pointer means
+// that there is none.
 struct Layers {
     const splat::DevicePicture* splats = nullptr;
-    const trace::TracedLight* traced = nullptr;
-    // Float for each pixel, 0 to 1, that its tracedShare is multiplied by: of what is reprojected. Null: 1.
-    const gpu::Buffer* tracedWeights = nullptr;
+    const ReprojectedPicture* fovea = nullptr;   // over the splats, by its weights
+    const trace::TracedLight* traced = nullptr;  // with all pixels
     glm::ivec2 sizePx{0};
     float splatGain = 1.0f;    // multiplies their light, not their coverage
-    float tracedShare = 0.0f;  // 0 to 1; without splats, 1 and no weights; without what is traced, 0
+    float tracedShare = 0.0f;  // 0 to 1; must be 1 without splats, and 0 without what is traced
 };
 
 struct Display {

@@ -8,6 +8,9 @@ namespace macula::hybrid {
 
 namespace {
 
+// A frame that follows a hand waits for one of these.
+constexpr double kDispatchMs = 12.0;
+
 double msBetween(std::chrono::steady_clock::time_point from, std::chrono::steady_clock::time_point to) {
     return std::chrono::duration<double, std::milli>(to - from).count();
 }
@@ -17,6 +20,7 @@ double msBetween(std::chrono::steady_clock::time_point from, std::chrono::steady
 Result<HybridFrame> HybridFrame::create(const std::shared_ptr<gpu::Device>& device,
                                         const trace::PathTracer& beside) {
     MACULA_TRY(trace::PathTracer tracer, beside.ofSameScene());
+    tracer.setDispatchMs(kDispatchMs);
     MACULA_TRY(Reprojection reprojection, Reprojection::create(device));
     return HybridFrame(device, std::move(tracer), std::move(reprojection));
 }
@@ -63,7 +67,7 @@ Result<bool> HybridFrame::traceFovea(const std::function<bool()>& keepGoing) {
     if (!isWhole || !*isWhole) return isWhole;
     fovea_.reset();
     MACULA_TRY(CapturedPicture picture, reprojection_.capture(tracer_, view_, seenMm_));
-    fovea_.emplace(Fovea{std::move(picture), aim_->samplesPerPixel, begun_});
+    fovea_.emplace(Fovea{std::move(picture), *aim_, begun_});
     msPerSample_ = spentMs_ / (double(aim_->sidePx) * double(aim_->sidePx) * double(aim_->samplesPerPixel));
     aim_.reset();
     return true;
@@ -71,6 +75,7 @@ Result<bool> HybridFrame::traceFovea(const std::function<bool()>& keepGoing) {
 
 Result<Frame> HybridFrame::draw(const FrameRequest& request, const Periphery& periphery) {
     MACULA_CHECK(!request.eyes.empty());
+    MACULA_CHECK(request.eyes.size() == 1 || !request.fadingIn);
     while (compositors_.size() < request.eyes.size()) {
         MACULA_TRY(Compositor compositor, Compositor::create(device_));
         compositors_.push_back(std::move(compositor));
@@ -80,21 +85,22 @@ Result<Frame> HybridFrame::draw(const FrameRequest& request, const Periphery& pe
         const Camera& eye = request.eyes[i];
         MACULA_TRY(const splat::DevicePicture* splats, periphery.draw(eye, request.sizePx));
         Layers layers{.splats = splats, .sizePx = request.sizePx, .splatGain = periphery.gain};
-        trace::TracedLight light;
+        ReprojectedPicture fovea;
         if (fovea_) {
-            MACULA_TRY(const ReprojectedPicture seen,
+            MACULA_TRY(fovea,
                        reprojection_.reproject(fovea_->picture, eye, request.sizePx, seenMm_, kEdgeFade));
-            light = {.values = seen.lights, .counts = nullptr, .areMeans = true};
-            layers.traced = &light;
-            layers.tracedWeights = seen.weights;
-            layers.tracedShare = 1.0f;
+            layers.fovea = &fovea;
+        }
+        if (request.fadingIn) {
+            layers.traced = &request.fadingIn->light;
+            layers.tracedShare = request.fadingIn->share;
         }
         MACULA_TRY(const gpu::Image* picture, compositors_[i].compose(layers, request.display));
         frame.pictures.push_back(picture);
     }
     if (fovea_) {
         frame.foveaAgeMs = msBetween(fovea_->begun, Clock::now());
-        frame.foveaSamples = fovea_->samples;
+        frame.foveaSamples = fovea_->aim.samplesPerPixel;
     }
     return frame;
 }

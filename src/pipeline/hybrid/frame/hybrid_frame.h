@@ -42,10 +42,17 @@ struct FoveaAim {
     std::uint32_t samplesPerPixel = 1;
 };
 
+// A traced picture of all pixels, of exactly what the eye sees, that takes the frame's place by and by.
+struct FadingIn {
+    trace::TracedLight light;
+    float share = 0.0f;  // of it, 0 to 1
+};
+
 struct FrameRequest {
     std::vector<Camera> eyes;  // at least one
     glm::ivec2 sizePx{0};      // of the picture for each
     Display display;
+    std::optional<FadingIn> fadingIn = {};  // of the one eye that there is
 };
 
 struct Frame {
@@ -67,9 +74,14 @@ class HybridFrame {
     // fovea is denoised. `seenMm` is around all that can be seen.
     Result<void> setScene(const Box& seenMm, const trace::Settings& settings);
 
+    // Of the settings: grey faces of a clip depend on it.
+    double exposure() const { return settings_.exposure; }
+
     // Begins a picture, and drops the one that is under way. After setScene. usage as trace::fovealWindow.
     Result<void> aim(const FoveaAim& aim);
     bool isTracing() const { return aim_.has_value(); }
+    // Whether the fovea that frames show was traced from just there.
+    bool isFoveaOf(const Camera& eye) const { return fovea_ && fovea_->aim.whole.camera == eye; }
     // While it is tracing: goes on; `keepGoing` is asked between dispatches of some 40 ms. Whether the
     // picture is there: from then on frames show it.
     Result<bool> traceFovea(const std::function<bool()>& keepGoing);
@@ -86,7 +98,7 @@ class HybridFrame {
 
     struct Fovea {
         CapturedPicture picture;
-        std::uint32_t samples = 0;
+        FoveaAim aim;
         Clock::time_point begun{};
     };
 

@@ -1,0 +1,236 @@
+// What a frame renderer shows: a function for each step of its course.
+#include <cmath>
+#include <new>
+#include <utility>
+
+#include "app/frame/frame_renderer.h"
+#include "base/check.h"
+#include "pipeline/hybrid/frame/fovea_size.h"
+
+namespace macula::app {
+
+namespace {
+
+using std::chrono::milliseconds;
+
+constexpr milliseconds kRateWindow{2000};
+// How long searching and learning take at a time. A dispatch and a step of training may take longer on a CPU.
+constexpr double kSliceMs = 40.0;
+
+double millisecondsBetween(std::chrono::steady_clock::time_point from,
+                           std::chrono::steady_clock::time_point to) {
+    return std::chrono::duration<double, std::milli>(to - from).count();
+}
+
+}  // namespace
+
+Result<void> FrameRenderer::take(Step step, const Interrupts& interrupts) {
+    switch (step) {
+        case Step::none:
+            return {};
+        case Step::showModel:
+            return showModel();
+        case Step::traceFovea:
+            return traceFovea(interrupts);
+        case Step::showPreview:
+            return showPreview(interrupts);
+        case Step::search:
+            return search(interrupts);
+        case Step::trace:
+            return trace(interrupts);
+        case Step::showTraced:
+            return showTraced();
+        case Step::fade:
+            return fade();
+        case Step::learn:
+            return learn(interrupts);
+    }
+    return {};
+}
+
+Result<void> FrameRenderer::showModel() {
+    // No model is drawn of another patient, preset, clip or light than those of the picture that is wanted
+    // now.
+    MACULA_CHECK(model_->key() == sceneNames_.of(input_.study, input_.drawing));
+    const auto picture = frame(0.0f);
+    if (!picture) return withoutModel(picture.error());  // a small picture comes next
+    course_.showedModel();
+    MACULA_TRY_VOID(show(**picture));
+    // One picture in flight: a longer queue would show where the hand was, not where it is.
+    return device_->waitForAll();
+}
+
+// Until a new input comes: the frame that shows it is more urgent.
+Result<void> FrameRenderer::traceFovea(const Interrupts& interrupts) {
+    const auto keepGoing = [&] { return !interrupts.newInput() && !interrupts.stopping(); };
+    if (!hybrid_->isTracing()) {
+        const trace::View whole{.camera = input_.camera, .width = input_.width, .height = input_.height};
+        const double msPerSample =
+            hybrid_->foveaMsPerSample().value_or(hybrid::guessedFoveaMsPerSample(*device_));
+        MACULA_TRY_VOID(hybrid_->aim(hybrid::affordableFovea(whole, glm::dvec2(0.0), msPerSample)));
+    }
+    MACULA_TRY(const bool isThere, hybrid_->traceFovea(keepGoing));
+    return isThere ? showModel() : Result<void>();
+}
+
+Result<void> FrameRenderer::showPreview(const Interrupts& interrupts) {
+    if (course_.onScreen() != OnScreen::preview) MACULA_TRY_VOID(traced_->beginPreview(input_));
+    MACULA_TRY(const bool isWhole, traced_->tracePreview(input_, [&] { return !interrupts.stopping(); }));
+    if (!isWhole) return {};
+    const Clock::time_point traced = Clock::now();
+    MACULA_TRY(const gpu::Image* picture, traced_->display(input_.background));
+    MACULA_TRY_VOID(device_->waitForAll());
+    const Clock::time_point developed = Clock::now();
+    course_.showedPreview(traced_->previewSamples(), developed);
+    MACULA_TRY_VOID(show(*picture));
+    MACULA_TRY_VOID(device_->waitForAll());
+    traced_->previewWasShown(millisecondsBetween(traced, developed),
+                             millisecondsBetween(developed, Clock::now()));
+    return {};
+}
+
+Result<void> FrameRenderer::trace(const Interrupts& interrupts) {
+    const auto keepGoing = [&] { return !interrupts.newInput() && !interrupts.stopping(); };
+    const Clock::time_point start = Clock::now();
+    MACULA_TRY_VOID(traced_->beginFull(input_));
+    MACULA_TRY(const TracedPictures::Progress progress, traced_->traceFull(input_, keepGoing));
+    const Clock::time_point now = Clock::now();
+    course_.spent(Step::trace, millisecondsBetween(start, now));
+    if (!progress.isNews) return {};
+    course_.traced(progress.isLast);
+    return course_.onScreen() == OnScreen::fading ? Result<void>() : showTraced();
+}
+
+Result<void> FrameRenderer::showTraced() {
+    MACULA_TRY(const gpu::Image* picture, traced_->display(input_.background));
+    course_.showedTraced();
+    return show(*picture);
+}
+
+Result<void> FrameRenderer::fade() {
+    const Clock::time_point now = Clock::now();
+    MACULA_TRY(const gpu::Image* picture, frame(static_cast<float>(course_.tracedShare(now))));
+    course_.faded(now);
+    MACULA_TRY_VOID(show(*picture));
+    return device_->waitForAll();
+}
+
+// A slice of the model's search or training.
+Result<void> FrameRenderer::workOnModel(const std::function<bool()>& keepGoing) {
+    try {
+        return model_->work(kSliceMs, keepGoing);
+    } catch (const std::bad_alloc&) {
+        if (device_->lost()) throw;
+        return Error{ErrorCode::outOfMemory, "There is not enough memory for it.", {}, {}};
+    }
+}
+
+Result<void> FrameRenderer::search(const Interrupts& interrupts) {
+    const auto keepGoing = [&] { return !interrupts.newInput() && !interrupts.stopping(); };
+    course_.searched();
+    if (const Result<void> done = workOnModel(keepGoing); !done) return withoutModel(done.error());
+    tellOfModel();
+    return {};
+}
+
+Result<void> FrameRenderer::learn(const Interrupts& interrupts) {
+    const auto keepGoing = [&] { return !interrupts.newInput() && !interrupts.stopping(); };
+    const Clock::time_point start = Clock::now();
+    const Result<void> done = workOnModel(keepGoing);
+    course_.spent(Step::learn, millisecondsBetween(start, Clock::now()));
+    if (!done) return withoutModel(done.error());
+    tellOfModel();
+    return {};
+}
+
+// Shows the picture that is on screen over another background.
+Result<void> FrameRenderer::showAgain() {
+    if (course_.onScreen() == OnScreen::nothing) return {};
+    if (course_.onScreen() != OnScreen::model && course_.onScreen() != OnScreen::fading) {
+        MACULA_TRY(const gpu::Image* picture, traced_->display(input_.background));
+        return show(*picture);
+    }
+    const bool isModel = course_.onScreen() == OnScreen::model;
+    if (isModel && (!model_ || !model_->canBeDrawn())) {  // it was given up meanwhile
+        duty_.beginAnew();
+        return {};
+    }
+    MACULA_TRY(const gpu::Image* picture,
+               frame(isModel ? 0.0f : static_cast<float>(course_.tracedShare(Clock::now()))));
+    return show(*picture);
+}
+
+// The model with the fovea over it, and the traced picture of all pixels with that share. Where the model was
+// given up meanwhile, that picture alone.
+Result<const gpu::Image*> FrameRenderer::frame(float tracedShare) {
+    foveaAgeMs_.reset();
+    if (!hybrid_ || !model_ || !model_->canBeDrawn()) return traced_->display(input_.background);
+    const hybrid::Periphery periphery{
+        .draw = [&](const Camera& eye, const glm::ivec2& sizePx) { return model_->draw(eye, sizePx); },
+        .gain = static_cast<float>(model_->gain())};
+    hybrid::FrameRequest request{
+        .eyes = {input_.camera},
+        .sizePx = {input_.width, input_.height},
+        .display = {.background = input_.background, .exposure = float(input_.drawing.settings.exposure)}};
+    if (tracedShare > 0.0f) {
+        MACULA_TRY(const trace::TracedLight light, traced_->light());
+        request.fadingIn = {.light = light, .share = tracedShare};
+    }
+    MACULA_TRY(const hybrid::Frame drawn, hybrid_->draw(request, periphery));
+    foveaAgeMs_ = drawn.foveaAgeMs;
+    return drawn.pictures.front();
+}
+
+Result<void> FrameRenderer::show(const gpu::Image& picture) {
+    MACULA_TRY(const bool visible, presenter_->show(picture));
+    const Clock::time_point now = Clock::now();
+    const OnScreen kind = course_.onScreen();
+    // The frame rate is that of the kind of picture that is shown now.
+    if (std::exchange(shownKind_, kind) != kind) shown_.clear();
+    if (visible) {
+        duty_.showedOurs();
+        shown_.push_back(now);
+    }
+    while (!shown_.empty() && now - shown_.front() > kRateWindow) shown_.pop_front();
+    FrameShown frame{.inputSequence = input_.sequence,
+                     .study = input_.study,
+                     .letters = input_.letters,
+                     .picture = kind,
+                     .width = input_.width,
+                     .height = input_.height,
+                     .sampleLimit = TracedPictures::sampleLimit(input_),
+                     .look = input_.drawing.settings.look,
+                     .remarks = input_.drawing.remarks,
+                     .framesPerSecond = framesPerSecond(),
+                     .latencyMs = millisecondsBetween(input_.published, now)};
+    frame.model = modelNews();
+    if (kind == OnScreen::model) frame.foveaAgeMs = foveaAgeMs_;
+    frame.greyFacesAreCoarse = kind == OnScreen::model && input_.drawing.clip &&
+                               input_.drawing.clip->hasShape() && input_.drawing.clip->greyFaces;
+    const bool isTraced = kind == OnScreen::traced || kind == OnScreen::fading;
+    if (isTraced) frame.stage = course_.hasConverged() ? Stage::converged : Stage::converging;
+    if (isTraced || kind == OnScreen::preview) {
+        MACULA_TRY(const trace::Statistics statistics, traced_->statistics());
+        frame.width = traced_->width();
+        frame.height = traced_->height();
+        frame.scale = traced_->scale();
+        frame.samplesPerPixel = static_cast<std::uint64_t>(statistics.meanSamplesPerPixel);
+        frame.denoised = statistics.denoised;
+        frame.samplesLeftOut = statistics.nonFiniteSamples + statistics.abandonedSamples;
+    }
+    frame.messages = traced_->tracer().messages();
+    // The presenter has kept a picture that could not be shown now; it is shown as soon as it can be.
+    unreported_ = visible ? std::nullopt : std::optional(frame);
+    if (visible) listener_(frame);
+    return {};
+}
+
+// News of the model is sent no more often than a person can read it.
+
+double FrameRenderer::framesPerSecond() const {
+    if (shown_.size() < 2) return 0.0;
+    const double spanMs = millisecondsBetween(shown_.front(), shown_.back());
+    return spanMs > 0.0 ? 1000.0 * double(shown_.size() - 1) / spanMs : 0.0;
+}
+
+}  // namespace macula::app

@@ -1,0 +1,43 @@
+#include "pipeline/hybrid/frame/fovea_size.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace macula::hybrid {
+
+namespace {
+
+constexpr double kFieldBeforeCoarser = 0.6;
+constexpr double kCoarsest = 0.5;
+constexpr double kLeastField = 0.1;
+
+double halfTangent(double fieldDeg) {
+    return std::tan(0.5 * glm::radians(fieldDeg));
+}
+
+}  // namespace
+
+double guessedFoveaMsPerSample(const gpu::Device& device) {
+    return device.isCpu() ? 4e-3 : 5e-5;
+}
+
+FoveaAim affordableFovea(const trace::View& whole, const glm::dvec2& gaze, double msPerSample,
+                         double budgetMs) {
+    const double halfOfFrame = halfTangent(whole.camera.verticalFovDeg);
+    const double pixelsPerTangent = 0.5 * double(whole.height) / halfOfFrame;
+    const double aspect = double(whole.width) / double(whole.height);
+    const double half = std::min(halfTangent(trace::kFovealFieldDeg), halfOfFrame * std::max(aspect, 1.0));
+    const double wantedPx = std::max(2.0 * half * pixelsPerTangent, 1.0);
+    // Of the side that is wanted.
+    const double share =
+        std::clamp(std::sqrt(budgetMs / msPerSample) / wantedPx, kLeastField * kCoarsest, 1.0);
+    const double fineness = std::clamp(share / kFieldBeforeCoarser, kCoarsest, 1.0);
+    const double field = std::min(share / fineness, 1.0);
+    return {.whole = whole,
+            .gaze = gaze,
+            .fieldDeg = glm::degrees(2.0 * std::atan(field * half)),
+            .sidePx = std::max(static_cast<int>(std::lround(wantedPx * share)), 1),
+            .samplesPerPixel = 1};
+}
+
+}  // namespace macula::hybrid

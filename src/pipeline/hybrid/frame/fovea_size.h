@@ -1,0 +1,23 @@
+// How large and how fine a picture for the fovea is, for the time that there is for it.
+#pragma once
+
+#include <optional>
+
+#include "pipeline/gpu/device.h"
+#include "pipeline/hybrid/frame/hybrid_frame.h"
+
+namespace macula::hybrid {
+
+// Tracing time of a picture while the view moves: a hand turns a view by some degrees in it.
+inline constexpr double kFoveaBudgetMs = 250.0;
+
+// Time per pixel and sample before it was measured (HybridFrame::foveaMsPerSample).
+double guessedFoveaMsPerSample(const gpu::Device& device);
+
+// One sample per pixel. With enough time kFovealFieldDeg, and as fine as the frame. With less, first the
+// field shrinks to three fifths, then the resolution falls to half, then the field shrinks on, to a tenth at
+// last. Never larger than the frame. `whole` is a usable view; milliseconds are above 0.
+FoveaAim affordableFovea(const trace::View& whole, const glm::dvec2& gaze, double msPerSample,
+                         double budgetMs = kFoveaBudgetMs);
+
+}  // namespace macula::hybrid
