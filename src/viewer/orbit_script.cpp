@@ -105,7 +105,8 @@ void OrbitScript::onFrameInMotion(const app::FrameShown& frame) {
                          .width = frame.width,
                          .height = frame.height,
                          .scale = frame.scale,
-                         .denoised = frame.denoised});
+                         .denoised = frame.denoised,
+                         .foveaAgeMs = frame.foveaAgeMs});
     modelInMotion_ = frame.model;
 }
 
@@ -206,6 +207,7 @@ void OrbitScript::report() {
     int denoised = 0;
     int ofModel = 0;
     std::vector<double> latenciesMs;
+    std::vector<double> foveaAgesMs;
     QJsonArray frames;
     for (const Followed& frame : followed_) {
         longestGapMs = std::max(longestGapMs, frame.atMs - last);
@@ -215,6 +217,7 @@ void OrbitScript::report() {
         if (frame.denoised) ++denoised;
         if (frame.picture == app::OnScreen::model) ++ofModel;
         latenciesMs.push_back(frame.latencyMs);
+        if (frame.foveaAgeMs) foveaAgesMs.push_back(*frame.foveaAgeMs);
         frames.append(QJsonObject{{"atMs", std::round(frame.atMs)},
                                   {"picture", QString::fromUtf8(nameOf(frame.picture).data())},
                                   {"width", frame.width},
@@ -233,6 +236,9 @@ void OrbitScript::report() {
         {"orbitLongestGapMs", longestGapMs},
         {"orbitLatencyMedianMs", percentile(latenciesMs, 0.5)},
         {"orbitLatency95thMs", percentile(latenciesMs, 0.95)},
+        {"orbitFoveaFrames", qint64(foveaAgesMs.size())},
+        {"orbitFoveaAgeMedianMs", percentile(foveaAgesMs, 0.5)},
+        {"orbitFoveaAge95thMs", percentile(foveaAgesMs, 0.95)},
         {"orbitScaleFinest", finest},
         {"orbitScaleCoarsest", coarsest},
         {"orbitDenoisedFrames", denoised},

@@ -8,6 +8,7 @@
 #include <QString>
 #include <QStringList>
 #include <QTimer>
+#include <optional>
 #include <vector>
 
 #include "viewer/ui_heartbeat.h"
@@ -73,6 +74,7 @@ class OrbitScript : public QObject {
         int height = 0;
         int scale = 1;
         bool denoised = false;
+        std::optional<double> foveaAgeMs;
     };
     std::vector<Followed> followed_;
     QElapsedTimer resting_;
