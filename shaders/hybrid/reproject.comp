@@ -28,7 +28,7 @@ vec2 fetchSurface(int pixel) {
 #include "lib/reproject.glsl"
 
 void main() {
-    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy) + reproject.firstPx;
     if (any(greaterThanEqual(pixel, reproject.size))) return;
     int index = pixel.y * reproject.size.x + pixel.x;
     Reprojected result = reprojectedAt(pixel);

@@ -25,6 +25,7 @@ struct ReprojectPush {
     float radiusMm;  // of that ball
     ivec2 size;      // pixels, of the picture that is made
     ivec2 beforeSize;
+    ivec2 firstPx;   // of this dispatch, in the picture that is made
     float edgeFade;  // share of the picture's sides over which its weight falls to nothing; 0: no fade
 };
 

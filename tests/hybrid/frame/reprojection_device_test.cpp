@@ -131,7 +131,8 @@ TEST(ReprojectLayout, PushConstantsAgree) {
          MACULA_FIELD(ReprojectPush, beforeRight), MACULA_FIELD(ReprojectPush, beforeUp),
          MACULA_FIELD(ReprojectPush, beforeForward), MACULA_FIELD(ReprojectPush, middleMm),
          MACULA_FIELD(ReprojectPush, radiusMm), MACULA_FIELD(ReprojectPush, size),
-         MACULA_FIELD(ReprojectPush, beforeSize), MACULA_FIELD(ReprojectPush, edgeFade)});
+         MACULA_FIELD(ReprojectPush, beforeSize), MACULA_FIELD(ReprojectPush, firstPx),
+         MACULA_FIELD(ReprojectPush, edgeFade)});
     const auto capture = gpu::reflectSpirv(shaders::hybrid_capture_comp.words);
     ASSERT_TRUE(capture.ok());
     expectLayoutMatches<CapturePush>(
@@ -234,6 +235,34 @@ TEST(Reproject, ItsEdgeFadesWithoutAStep) {
         EXPECT_LT(at(x, 60) - before, 0.06);  // 32 pixels, steepest in the middle: 1.5 / 32
         before = at(x, 60);
     }
+}
+
+// All that has weight lies in it, and not much else.
+TEST(Reproject, ItsRegionHoldsAllThatIsKnown) {
+    Camera before = cameraAt({0, -420, 0});
+    before.verticalFovDeg = 12.0;
+    const ReferenceCapture picture = captureOf(before, kSize);
+    for (const Camera& now :
+         {cameraAt({0, -420, 0}), cameraAt({30, -420, 20}), cameraAt({0, -420, 0}, {90, 0, 30}),
+          cameraAt({0, -250, 0}), cameraAt({-300, -300, 100}), cameraAt({0, 420, 0}),
+          cameraAt({0, -420, 0}, {0, -900, 0}), cameraAt({10, -5, 0}, {0, 50, 0})}) {
+        const ReferenceReprojection seen = reprojected(picture, before, now, 0.1);
+        const PixelRegion region = reprojectedRegion(before, kSize, now, kSize, kSeen);
+        for (int y = 0; y < kSize.y; ++y) {
+            for (int x = 0; x < kSize.x; ++x) {
+                const bool isIn = x >= region.firstPx.x && y >= region.firstPx.y &&
+                                  x < region.firstPx.x + region.sizePx.x &&
+                                  y < region.firstPx.y + region.sizePx.y;
+                if (!isIn) ASSERT_EQ(seen.weights[std::size_t(y) * kSize.x + std::size_t(x)], 0.0) << x << y;
+            }
+        }
+    }
+    const PixelRegion same = reprojectedRegion(before, kSize, cameraAt({0, -420, 0}), kSize, kSeen);
+    EXPECT_LT(same.sizePx.x * same.sizePx.y, 0.25 * kSize.x * kSize.y);
+    EXPECT_EQ(
+        reprojectedRegion(before, kSize, cameraAt({0, -420, 0}, {400, -420, 0}), kSize, kSeen).sizePx.x *
+            reprojectedRegion(before, kSize, cameraAt({0, -420, 0}, {400, -420, 0}), kSize, kSeen).sizePx.y,
+        0);
 }
 
 class ReprojectionOnDevice : public gpu::SharedDeviceTest {

@@ -15,13 +15,14 @@ struct Host : GlslInCpp<double> {
     Host(const shared::ReprojectPush& push, const ReferenceCapture& picture)
         : reproject{push.right,       push.up,       push.forward,       push.oursMm,
                     push.beforeRight, push.beforeUp, push.beforeForward, push.middleMm,
-                    push.radiusMm,    push.size,     push.beforeSize,    push.edgeFade},
+                    push.radiusMm,    push.size,     push.beforeSize,    push.firstPx,
+                    push.edgeFade},
           before(&picture) {}
 
     struct {
         vec3 right, up, forward, oursMm, beforeRight, beforeUp, beforeForward, middleMm;
         double radiusMm;
-        ivec2 size, beforeSize;
+        ivec2 size, beforeSize, firstPx;
         double edgeFade;
     } reproject;
     const ReferenceCapture* before;

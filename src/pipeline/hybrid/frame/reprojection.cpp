@@ -1,5 +1,6 @@
 #include "pipeline/hybrid/frame/reprojection.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -57,7 +58,41 @@ Result<shared::ReprojectPush> reprojectionOf(const Camera& before, const glm::iv
                                  .radiusMm = float(0.5 * seenMm.diagonal()),
                                  .size = sizePx,
                                  .beforeSize = beforeSizePx,
+                                 .firstPx = glm::ivec2(0),
                                  .edgeFade = float(edgeFade)};
+}
+
+// The picture before and the distances of what can be seen bound a frustum; its image lies within that of its
+// corners.
+PixelRegion reprojectedRegion(const Camera& before, const glm::ivec2& beforeSizePx, const Camera& now,
+                              const glm::ivec2& sizePx, const Box& seenMm) {
+    const PictureAxes here = *axesOf(now, sizePx);
+    const PictureAxes there = *axesOf(before, beforeSizePx);
+    const glm::dvec2 whole(sizePx);
+    const double radiusMm = 0.5 * seenMm.diagonal();
+    const double distanceMm = glm::length(seenMm.centre() - before.positionMm);
+    const double nearMm = std::max(distanceMm - radiusMm, 1e-3 * radiusMm);
+    glm::dvec2 low = whole;
+    glm::dvec2 high(0.0);
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::dvec3 ray = glm::dvec3(there.forward) +
+                               glm::dvec3(there.right) * ((corner & 1) != 0 ? 1.0 : -1.0) +
+                               glm::dvec3(there.up) * ((corner & 2) != 0 ? 1.0 : -1.0);
+        // Distances are along rays: the nearest of a corner is nearer along the axis than that of the middle.
+        const double depthMm = (corner & 4) != 0 ? distanceMm + radiusMm : nearMm / glm::length(ray);
+        const glm::dvec3 p = before.positionMm + ray * depthMm - now.positionMm;
+        const double along = glm::dot(p, glm::dvec3(here.forward));
+        if (!(along > 1e-3 * glm::length(p))) return {glm::ivec2(0), sizePx};  // beside the eye, or behind it
+        const glm::dvec3 right(here.right);
+        const glm::dvec3 up(here.up);
+        const glm::dvec2 place(0.5 + 0.5 * glm::dot(p, right) / (along * glm::dot(right, right)),
+                               0.5 - 0.5 * glm::dot(p, up) / (along * glm::dot(up, up)));
+        low = glm::min(low, place * whole);
+        high = glm::max(high, place * whole);
+    }
+    const glm::ivec2 first = glm::ivec2(glm::clamp(low, glm::dvec2(0.0), whole)) / 8 * 8;
+    const glm::ivec2 last = glm::ivec2(glm::ceil(glm::clamp(high, glm::dvec2(0.0), whole)));
+    return {first, glm::max(last - first, glm::ivec2(0))};
 }
 
 Result<Reprojection> Reprojection::create(const std::shared_ptr<gpu::Device>& device) {
@@ -96,14 +131,18 @@ Result<CapturedPicture> Reprojection::capture(trace::PathTracer& tracer, const t
 Result<ReprojectedPicture> Reprojection::reproject(const CapturedPicture& before, const Camera& now,
                                                    const glm::ivec2& sizePx, const Box& seenMm,
                                                    double edgeFade) {
-    MACULA_TRY(const shared::ReprojectPush push,
+    MACULA_TRY(shared::ReprojectPush push,
                reprojectionOf(before.camera, before.sizePx, now, sizePx, seenMm, edgeFade));
     const std::uint64_t pixels = std::uint64_t(sizePx.x) * std::uint64_t(sizePx.y);
     MACULA_TRY_VOID(makeRoom(lights_, device_, "reprojected light", pixels * sizeof(glm::vec4)));
     MACULA_TRY_VOID(makeRoom(weights_, device_, "weights of reprojected light", pixels * sizeof(float)));
     MACULA_TRY(auto recorder, gpu::Recorder::create(device_, "reproject"));
-    recorder.dispatch(reproject_, threadsOf(sizePx), push,
-                      {before.lights.texels, before.depths, *lights_, *weights_});
+    recorder.fill(*weights_, 0);
+    const PixelRegion region = reprojectedRegion(before.camera, before.sizePx, now, sizePx, seenMm);
+    push.firstPx = region.firstPx;
+    if (region.sizePx.x > 0 && region.sizePx.y > 0)
+        recorder.dispatch(reproject_, threadsOf(region.sizePx), push,
+                          {before.lights.texels, before.depths, *lights_, *weights_});
     MACULA_TRY([[maybe_unused]] const gpu::Ticket ticket, recorder.submit());
     return ReprojectedPicture{&*lights_, &*weights_};
 }

@@ -38,6 +38,15 @@ Result<shared::ReprojectPush> reprojectionOf(const Camera& before, const glm::iv
                                              const Camera& now, const glm::ivec2& sizePx, const Box& seenMm,
                                              double edgeFade);
 
+// The part of the picture that `now` sees in which what `before` has seen can lie: whole groups of 8 pixels,
+// nothing (size 0) where it is out of sight. Both are usable cameras.
+struct PixelRegion {
+    glm::ivec2 firstPx{0};
+    glm::ivec2 sizePx{0};
+};
+PixelRegion reprojectedRegion(const Camera& before, const glm::ivec2& beforeSizePx, const Camera& now,
+                              const glm::ivec2& sizePx, const Box& seenMm);
+
 // Used by one thread at a time, the one that uses the device. Nothing goes through the host, and nothing is
 // waited for.
 class Reprojection {
