@@ -12,20 +12,19 @@
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(binding = 0, scalar) readonly buffer Splats {
-    vec4 splats[];
-};
-layout(binding = 1, scalar) readonly buffer Traced {
+// Constants, so that nothing is fetched where nothing is used: lavapipe skips no branch.
+layout(constant_id = 0) const bool kHasSplats = true;
+layout(constant_id = 1) const bool kHasFovea = true;
+layout(constant_id = 2) const bool kHasTraced = true;
+
+layout(binding = 0) uniform samplerBuffer splats;
+layout(binding = 1) uniform samplerBuffer fovea;
+layout(binding = 2) uniform samplerBuffer weights;
+layout(binding = 3, scalar) readonly buffer Traced {
     vec4 traced[];
 };
-layout(binding = 2, scalar) readonly buffer Counts {
+layout(binding = 4, scalar) readonly buffer Counts {
     uint counts[];
-};
-layout(binding = 3, scalar) readonly buffer Fovea {
-    vec4 fovea[];
-};
-layout(binding = 4, scalar) readonly buffer Weights {
-    float weights[];
 };
 layout(binding = 5, rgba8) uniform writeonly image2D picture;
 layout(push_constant, scalar) uniform Push {
@@ -38,11 +37,11 @@ void main() {
     if (any(greaterThanEqual(pixel, size))) return;
     int index = pixel.y * size.x + pixel.x;
     vec4 light = vec4(0.0);
-    vec4 ofTracer = vec4(0.0);
-    if (push.tracedShare < 1.0) light = splats[index] * vec4(vec3(push.splatGain), 1.0);
-    if (push.hasFovea == 1) light = composed(light, fovea[index], weights[index]);
-    if (push.tracedShare > 0.0)
-        ofTracer = traced[index] / (push.tracedAreMeans == 1 ? 1.0 : float(max(counts[index], 1u)));
-    light = composed(light, ofTracer, push.tracedShare);
+    if (kHasSplats) light = texelFetch(splats, index) * vec4(vec3(push.splatGain), 1.0);
+    if (kHasFovea) light = composed(light, texelFetch(fovea, index), texelFetch(weights, index).x);
+    if (kHasTraced) {
+        vec4 ofTracer = traced[index] / (push.tracedAreMeans == 1 ? 1.0 : float(max(counts[index], 1u)));
+        light = composed(light, ofTracer, push.tracedShare);
+    }
     imageStore(picture, pixel, vec4(displayColour(light, push.background, push.exposure), 1.0));
 }

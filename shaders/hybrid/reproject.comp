@@ -6,16 +6,21 @@
 #include "shared/reproject_params.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
+layout(constant_id = 0) const bool kHasSplats = true;
 
 layout(push_constant, scalar) uniform Push {
     ReprojectPush reproject;
 };
 layout(binding = 0) uniform samplerBuffer lights;
 layout(binding = 1) uniform samplerBuffer depths;
-layout(binding = 2, scalar) writeonly buffer Seen {
+layout(binding = 2) uniform samplerBuffer splats;  // of the picture that is made: coverage in w
+layout(binding = 3, scalar) readonly buffer DepthSums {
+    float depthSums[];  // of the splats: coverage times depth
+};
+layout(binding = 4, scalar) writeonly buffer Seen {
     vec4 seen[];
 };
-layout(binding = 3, scalar) writeonly buffer Weights {
+layout(binding = 5, scalar) writeonly buffer Weights {
     float weights[];
 };
 
@@ -24,6 +29,11 @@ vec4 fetchLight(int pixel) {
 }
 vec2 fetchSurface(int pixel) {
     return texelFetch(depths, pixel).xy;
+}
+float fetchExpected(int pixel) {
+    if (!kHasSplats) return -1.0;
+    float coverage = texelFetch(splats, pixel).w;
+    return coverage > 0.5 ? depthSums[pixel] / coverage : -1.0;
 }
 #include "lib/reproject.glsl"
 

@@ -6,13 +6,17 @@
 // is known of what lies there, and the weight is 0. A ray that stays in front all along sees nothing, which is known too.
 //
 // Needs from its host: `reproject` (ReprojectPush), fetchLight (premultiplied, linear) and fetchSurface (distance from the eye
-// before in mm, negative where there is none; its uncertainty in mm), both by index of a pixel of the picture before.
+// before in mm, negative where there is none; its uncertainty in mm), both by index of a pixel of the picture before; and
+// fetchExpected, by index of a pixel of the picture that is made: the depth in mm, along the middle of the view, at which
+// splats show something there, negative where they do not tell.
 
 // Steps along an epipolar line, a pixel each where that is enough, and halvings of the last one.
 #define MOST_STEPS 32
 #define HALVINGS 4
 // A depth is met when the ray passes within so many footprints of a pixel: a surface of which the eye sees 1 in 4.
 #define MET_FOOTPRINTS 4.0
+// The part of a distance by which splats may be wrong about it: no surface is sought beyond that.
+#define EXPECTED_WITHIN 0.1
 // Pixels by which a place may be wrong, for the uncertainty of its depth: from full weight to none.
 #define SURE_PX 0.75
 #define UNSURE_PX 3.0
@@ -100,7 +104,13 @@ Reprojected reprojectedAt(ivec2 pixel) {
     float halfMm = sqrt(max(inside2, float(0.0)));
     float leastMm = float(1e-3) * reproject.radiusMm;
     float nearMm = max(along - halfMm, leastMm);
-    float farMm = max(along + halfMm, float(1.001) * nearMm);
+    float farMm = along + halfMm;
+    float expectedMm = fetchExpected(pixel.y * reproject.size.x + pixel.x) / max(dot(ray, reproject.forward), float(1e-3));
+    if (expectedMm > float(0.0)) {
+        nearMm = max(nearMm, expectedMm * float(1.0 - EXPECTED_WITHIN));
+        farMm = min(farMm, expectedMm * float(1.0 + EXPECTED_WITHIN));
+    }
+    farMm = max(farMm, float(1.001) * nearMm);
 
     // A point at distance s lies, from the eye before, in the direction ray + ours / s: its image moves evenly with 1 / s
     // as long as the eye has not moved far along the ray.

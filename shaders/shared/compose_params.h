@@ -10,7 +10,6 @@ struct ComposePush {
     float splatGain;     // multiplies the light of splats, not their coverage
     float tracedShare;   // 0 to 1: of what is traced with all pixels; the rest is of splats and fovea
     int tracedAreMeans;  // 1: traced values are means, and counts do not count
-    int hasFovea;        // 1: where the fovea has weight, its light takes the place of splats
 };
 
 MACULA_SHARED_END

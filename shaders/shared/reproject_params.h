@@ -1,4 +1,4 @@
-// What shaders/hybrid/capture.comp and reproject.comp are told.
+// What shaders/hybrid/capture.comp, reproject.comp and feather.comp are told.
 #ifndef MACULA_SHARED_REPROJECT_PARAMS_H
 #define MACULA_SHARED_REPROJECT_PARAMS_H
 #include "shared/shared.h"
@@ -27,6 +27,11 @@ struct ReprojectPush {
     ivec2 beforeSize;
     ivec2 firstPx;   // of this dispatch, in the picture that is made
     float edgeFade;  // share of the picture's sides over which its weight falls to nothing; 0: no fade
+};
+
+struct FeatherPush {
+    ivec2 size;     // pixels, of the picture
+    ivec2 firstPx;  // of this dispatch
 };
 
 MACULA_SHARED_END

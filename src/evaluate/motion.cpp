@@ -184,9 +184,11 @@ class Measurement {
     Result<FrameScore> scoreOf(hybrid::HybridFrame& frame, const Camera& foveaFor, const Camera& now,
                                const Truth& truth, double& drawMs) {
         const hybrid::Periphery periphery{
-            .draw = [&](const Camera&, const glm::ivec2& sizePx) -> Result<const splat::DevicePicture*> {
+            .draw = [&](const Camera&, const glm::ivec2& sizePx) -> Result<hybrid::DrawnSplats> {
                 MACULA_TRY(const splat::RasterView view, splat::rasterView(now, sizePx, splats_.originMm));
-                return painter_->drawOnDevice(view);
+                MACULA_TRY(const splat::DevicePicture* picture, painter_->drawOnDevice(view));
+                // Where the fovea is not reprojected to `now`, depths for that say nothing.
+                return hybrid::DrawnSplats{picture, foveaFor == now ? &painter_->depthsOnDevice() : nullptr};
             }};
         const auto draw = [&](float background) -> Result<std::vector<glm::u8vec4>> {
             MACULA_TRY(const hybrid::Frame drawn,

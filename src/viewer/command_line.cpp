@@ -70,18 +70,20 @@ struct Options {
     const QCommandLineOption wait{"wait", "How long the model learns before the script orbits.", "S", "0"};
     const QCommandLineOption seconds{"seconds", "How long the script orbits, at least, or makes changes.",
                                      "S", "8"};
+    const QCommandLineOption turn{"turn", "In how long it orbits once around the patient.", "S", "8"};
     const QCommandLineOption rest{"rest", "How long it rests afterwards, unless the picture converges.", "S",
                                   "300"};
 
     void addTo(QCommandLineParser& parser) const {
         parser.addOptions({preset, lights, view, device, size, samples, noModel, script, screenshots,
-                           withPatient, wait, seconds, rest});
+                           withPatient, wait, turn, seconds, rest});
     }
 };
 
 // What drives the window instead of a hand, and how long.
 Result<void> readScript(const QCommandLineParser& parser, const Options& options, CommandLine& result) {
     MACULA_TRY(result.waitSeconds, parseSeconds(parser.value(options.wait), 0.0));
+    MACULA_TRY(result.turnSeconds, parseSeconds(parser.value(options.turn), kShortestScriptSeconds));
     MACULA_TRY(result.seconds, parseSeconds(parser.value(options.seconds), kShortestScriptSeconds));
     MACULA_TRY(result.restSeconds, parseSeconds(parser.value(options.rest), kShortestScriptSeconds));
     if (parser.isSet(options.script)) {

@@ -25,6 +25,7 @@ struct CommandLine {
     QString screenshots;
     bool namesPatient = true;  // on screen; in screenshots only where that was asked for
     double waitSeconds = 0.0;
+    double turnSeconds = 8.0;
     double seconds = 8.0;
     double restSeconds = 300.0;
     std::optional<QString> print;  // help or version was asked for: print this and leave

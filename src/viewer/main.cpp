@@ -84,6 +84,7 @@ int run(QApplication& application, const CommandLine& line) {
     if (line.script == CommandLine::Script::orbit) {
         orbit.emplace(window, OrbitScriptOptions{.screenshotFolder = line.screenshots,
                                                  .waitSeconds = line.waitSeconds,
+                                                 .turnSeconds = line.turnSeconds,
                                                  .seconds = line.seconds,
                                                  .restSeconds = line.restSeconds});
         begin(orbit);

@@ -24,10 +24,10 @@ namespace macula::viewer {
 namespace {
 
 constexpr int kPaintedAfterMs = 200;
-constexpr int kHandIntervalMs = 16;           // as often as a usual mouse and display
-constexpr double kHandPixelsPerSecond = 150;  // at 600 pixels height: once around in 8 s
-constexpr double kSwayPixels = 60;            // up and down
-constexpr double kSwaySeconds = 4;
+constexpr int kHandIntervalMs = 16;         // as often as a usual mouse and display
+constexpr double kHandPixelsOfTurn = 1200;  // at 600 pixels height
+constexpr double kSwayPixels = 60;          // up and down
+constexpr double kSwaysInTurn = 2;
 // An orbit that nothing followed measures nothing: on a slow machine the hand goes on until so many pictures
 // did, or the script is out of time.
 constexpr std::size_t kFollowedAtLeast = 3;
@@ -150,8 +150,9 @@ void OrbitScript::beginOrbit() {
 void OrbitScript::moveHand() {
     const double seconds = double(orbiting_.nsecsElapsed()) / 1e9;
     if (seconds >= options_.seconds && followed_.size() >= kFollowedAtLeast) return endOrbit();
-    const double sway = kSwayPixels * std::sin(2.0 * std::numbers::pi * seconds / kSwaySeconds);
-    sendMouse(QEvent::MouseMove, grip_ + QPointF(kHandPixelsPerSecond * seconds, sway), Qt::NoButton,
+    const double turns = seconds / options_.turnSeconds;
+    const double sway = kSwayPixels * std::sin(2.0 * std::numbers::pi * kSwaysInTurn * turns);
+    sendMouse(QEvent::MouseMove, grip_ + QPointF(kHandPixelsOfTurn * turns, sway), Qt::NoButton,
               Qt::LeftButton);
     if (nextMotionShot_ < std::size(kMotionShots) &&
         seconds >= kMotionShots[nextMotionShot_] * options_.seconds) {

@@ -18,6 +18,7 @@ namespace macula::viewer {
 struct OrbitScriptOptions {
     QString screenshotFolder;    // empty: none are taken
     double waitSeconds = 0.0;    // before it: the model learns
+    double turnSeconds = 8.0;    // once around the patient
     double seconds = 8.0;        // of orbiting; longer where the picture has hardly followed by then
     double restSeconds = 300.0;  // after it, at most
     double timeoutSeconds = 300.0;

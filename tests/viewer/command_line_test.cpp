@@ -21,10 +21,10 @@ TEST(CommandLine, WithoutArgumentsItIsThePhantom) {
 
 TEST(CommandLine, ReadsAllOptions) {
     const auto line =
-        parse({"/some/folder", "--preset",  "ct-bone", "--lights", "rim",      "--view", "superior",
-               "--size",       "800x600",   "--spp",   "7",        "--script", "orbit",  "--screenshots",
-               "out",          "--seconds", "2.5",     "--wait",   "3",        "--rest", "40",
-               "--no-model",   "--device",  "llvmpipe"});
+        parse({"/some/folder", "--preset",  "ct-bone",  "--lights", "rim",      "--view", "superior",
+               "--size",       "800x600",   "--spp",    "7",        "--script", "orbit",  "--screenshots",
+               "out",          "--seconds", "2.5",      "--wait",   "3",        "--rest", "40",
+               "--no-model",   "--device",  "llvmpipe", "--turn",   "30"});
     ASSERT_TRUE(line.ok()) << line.error().message;
     EXPECT_EQ(line->folder, QStringLiteral("/some/folder"));
     EXPECT_EQ(line->view, ViewDirection::superior);
@@ -32,6 +32,7 @@ TEST(CommandLine, ReadsAllOptions) {
     EXPECT_EQ(line->samples, 7u);
     EXPECT_EQ(line->script, CommandLine::Script::orbit);
     EXPECT_EQ(line->waitSeconds, 3.0);
+    EXPECT_EQ(line->turnSeconds, 30.0);
     EXPECT_EQ(line->restSeconds, 40.0);
     EXPECT_FALSE(line->usesModel);
     EXPECT_EQ(line->seconds, 2.5);

@@ -80,7 +80,7 @@ class FrameRenderer {
     Result<void> learn(const Interrupts& interrupts);
     Result<void> showAgain();
     Result<const gpu::Image*> frame(float tracedShare);
-    Result<void> traceFovea(const Interrupts& interrupts);
+    Result<bool> traceFovea(const Interrupts& interrupts);
     Result<void> show(const gpu::Image& picture);
     hybrid::ModelNews modelNews() const;
     void tellOfModel();

@@ -16,6 +16,8 @@ using std::chrono::milliseconds;
 constexpr milliseconds kRateWindow{2000};
 // How long searching and learning take at a time. A dispatch and a step of training may take longer on a CPU.
 constexpr double kSliceMs = 40.0;
+// Of tracing the fovea after each frame, while a hand moves.
+constexpr double kFoveaSliceMs = 20.0;
 
 double millisecondsBetween(std::chrono::steady_clock::time_point from,
                            std::chrono::steady_clock::time_point to) {
@@ -28,10 +30,19 @@ Result<void> FrameRenderer::take(Step step, const Interrupts& interrupts) {
     switch (step) {
         case Step::none:
             return {};
-        case Step::showModel:
-            return showModel();
-        case Step::traceFovea:
-            return traceFovea(interrupts);
+        case Step::showModel: {
+            MACULA_TRY_VOID(showModel());
+            // A hand that never rests would else leave no time for the fovea.
+            if (course_.next(Clock::now()) != Step::traceFovea ||
+                hybrid_->foveaBudgetMs(hybrid::kFoveaBudgetMs) < hybrid::kLeastFoveaBudgetMs)
+                return {};
+            MACULA_TRY([[maybe_unused]] const bool isThere, traceFovea(interrupts));
+            return {};
+        }
+        case Step::traceFovea: {
+            MACULA_TRY(const bool isThere, traceFovea(interrupts));
+            return isThere ? showModel() : Result<void>();
+        }
         case Step::showPreview:
             return showPreview(interrupts);
         case Step::search:
@@ -60,17 +71,21 @@ Result<void> FrameRenderer::showModel() {
     return device_->waitForAll();
 }
 
-// Until a new input comes: the frame that shows it is more urgent.
-Result<void> FrameRenderer::traceFovea(const Interrupts& interrupts) {
-    const auto keepGoing = [&] { return !interrupts.newInput() && !interrupts.stopping(); };
+// For a slice, and longer until a new input comes. Whether a new fovea is there.
+Result<bool> FrameRenderer::traceFovea(const Interrupts& interrupts) {
+    const Clock::time_point start = Clock::now();
+    const auto keepGoing = [&] {
+        return !interrupts.stopping() &&
+               (!interrupts.newInput() || millisecondsBetween(start, Clock::now()) < kFoveaSliceMs);
+    };
     if (!hybrid_->isTracing()) {
         const trace::View whole{.camera = input_.camera, .width = input_.width, .height = input_.height};
         const double msPerSample =
             hybrid_->foveaMsPerSample().value_or(hybrid::guessedFoveaMsPerSample(*device_));
-        MACULA_TRY_VOID(hybrid_->aim(hybrid::affordableFovea(whole, glm::dvec2(0.0), msPerSample)));
+        MACULA_TRY_VOID(hybrid_->aim(hybrid::affordableFovea(
+            whole, glm::dvec2(0.0), msPerSample, hybrid_->foveaBudgetMs(hybrid::kFoveaBudgetMs))));
     }
-    MACULA_TRY(const bool isThere, hybrid_->traceFovea(keepGoing));
-    return isThere ? showModel() : Result<void>();
+    return hybrid_->traceFovea(keepGoing);
 }
 
 Result<void> FrameRenderer::showPreview(const Interrupts& interrupts) {
@@ -166,7 +181,10 @@ Result<const gpu::Image*> FrameRenderer::frame(float tracedShare) {
     foveaAgeMs_.reset();
     if (!hybrid_ || !model_ || !model_->canBeDrawn()) return traced_->display(input_.background);
     const hybrid::Periphery periphery{
-        .draw = [&](const Camera& eye, const glm::ivec2& sizePx) { return model_->draw(eye, sizePx); },
+        .draw = [&](const Camera& eye, const glm::ivec2& sizePx) -> Result<hybrid::DrawnSplats> {
+            MACULA_TRY(const splat::DevicePicture* picture, model_->draw(eye, sizePx));
+            return hybrid::DrawnSplats{picture, &model_->drawnDepths()};
+        },
         .gain = static_cast<float>(model_->gain())};
     hybrid::FrameRequest request{
         .eyes = {input_.camera},

@@ -74,7 +74,7 @@ TEST(ComposeLayout, PushConstantsAgree) {
         *compose->pushConstants->block.find("push"),
         {MACULA_FIELD(ComposePush, background), MACULA_FIELD(ComposePush, exposure),
          MACULA_FIELD(ComposePush, splatGain), MACULA_FIELD(ComposePush, tracedShare),
-         MACULA_FIELD(ComposePush, tracedAreMeans), MACULA_FIELD(ComposePush, hasFovea)});
+         MACULA_FIELD(ComposePush, tracedAreMeans)});
 }
 
 TEST_F(CompositorTest, MixesAsLightAndShowsAsTheTracerDoes) {
@@ -116,11 +116,18 @@ TEST_F(CompositorTest, TheFoveaTakesThePlaceOfSplatsByItsWeight) {
         broken[i] = glm::vec4(std::numeric_limits<float>::quiet_NaN());
     const std::vector<std::uint32_t> counts(kPixels, 1);
     const OnDevice on = upload(splats, traced, counts);
-    auto lightsBuffer = std::move(*gpu::Buffer::create(device(), {.bytes = kPixels * sizeof(glm::vec4)}));
-    auto weightsBuffer = std::move(*gpu::Buffer::create(device(), {.bytes = kPixels * sizeof(float)}));
-    ASSERT_TRUE(gpu::uploadTo<glm::vec4>(lightsBuffer, broken).ok());
-    ASSERT_TRUE(gpu::uploadTo<float>(weightsBuffer, weights).ok());
-    const ReprojectedPicture seen{.lights = &lightsBuffer, .weights = &weightsBuffer};
+    const auto texels = [](VkFormat format) {
+        return std::move(*gpu::TexelBuffer::create(
+            device(),
+            {.elements = kPixels,
+             .format = format,
+             .usage = VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT | VK_BUFFER_USAGE_STORAGE_BUFFER_BIT}));
+    };
+    const gpu::TexelBuffer lightTexels = texels(VK_FORMAT_R32G32B32A32_SFLOAT);
+    const gpu::TexelBuffer weightTexels = texels(VK_FORMAT_R32_SFLOAT);
+    ASSERT_TRUE(gpu::uploadTo<glm::vec4>(lightTexels.buffer(), broken).ok());
+    ASSERT_TRUE(gpu::uploadTo<float>(weightTexels.buffer(), weights).ok());
+    const ReprojectedPicture seen{.lights = &lightTexels, .weights = &weightTexels};
     const trace::TracedLight light{.values = &on.traced, .counts = &on.counts, .areMeans = true};
     const Display display{.background = {0.02f, 0.1f, 0.3f}, .exposure = 1.0f};
     auto compositor = Compositor::create(device());

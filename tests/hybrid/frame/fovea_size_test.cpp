@@ -33,8 +33,12 @@ TEST(FoveaSize, WithLessItShrinksFirstAndIsCoarserThen) {
         const FoveaAim aim = affordableFovea(kWhole, {}, msPerSample);
         EXPECT_LE(aim.fieldDeg, field + 1e-9);
         EXPECT_LE(pixelsPerTangent(aim), 1.05 * fineness);  // but for whole pixels
-        if (aim.fieldDeg > 12.5) EXPECT_NEAR(pixelsPerTangent(aim), fine, 0.02 * fine);
-        if (aim.fieldDeg > 2.1) EXPECT_LE(msOf(aim, msPerSample), 1.05 * kFoveaBudgetMs);
+        if (aim.fieldDeg > 12.5) {
+            EXPECT_NEAR(pixelsPerTangent(aim), fine, 0.02 * fine);
+        }
+        if (aim.fieldDeg > 2.1) {
+            EXPECT_LE(msOf(aim, msPerSample), 1.05 * kFoveaBudgetMs);
+        }
         EXPECT_GT(aim.fieldDeg, 1.9);
         field = aim.fieldDeg;
         fineness = pixelsPerTangent(aim);

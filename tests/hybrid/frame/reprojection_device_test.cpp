@@ -141,6 +141,36 @@ TEST(ReprojectLayout, PushConstantsAgree) {
          MACULA_FIELD(CapturePush, thinMm), MACULA_FIELD(CapturePush, areMeans)});
 }
 
+TEST(FeatherLayout, PushConstantsAgree) {
+    using shared::FeatherPush;
+    const auto feather = gpu::reflectSpirv(shaders::hybrid_feather_comp.words);
+    ASSERT_TRUE(feather.ok());
+    expectLayoutMatches<FeatherPush>(*feather->pushConstants->block.find("push"),
+                                     {MACULA_FIELD(FeatherPush, size), MACULA_FIELD(FeatherPush, firstPx)});
+}
+
+TEST(Feather, KeepsWhatIsKnownAndSoftensItsBorder) {
+    constexpr glm::ivec2 kPlane{20, 9};
+    const auto at = [&](const std::vector<double>& weights, int x, int y) {
+        return weights[std::size_t(y) * kPlane.x + std::size_t(x)];
+    };
+    std::vector<double> all(20 * 9, 1.0);
+    EXPECT_EQ(feather(kPlane, all), all);
+    std::vector<double> half = all;
+    for (int y = 0; y < 9; ++y) {
+        for (int x = 0; x < 10; ++x) half[std::size_t(y) * 20 + std::size_t(x)] = 0.0;
+    }
+    const std::vector<double> soft = feather(kPlane, half);
+    EXPECT_EQ(at(soft, 9, 4), 0.0);
+    EXPECT_NEAR(at(soft, 10, 4), 0.104, 1e-9);  // 3 of 5 columns: t = 0.2
+    EXPECT_NEAR(at(soft, 11, 4), 0.648, 1e-9);  // 4 of 5: t = 0.6
+    EXPECT_EQ(at(soft, 12, 4), 1.0);
+    std::vector<double> alone(20 * 9, 0.0);
+    alone[4 * 20 + 10] = 1.0;
+    EXPECT_EQ(feather(kPlane, alone), std::vector<double>(20 * 9, 0.0));
+    EXPECT_EQ(feather({1, 1}, std::vector<double>{0.7}), std::vector<double>{0.7});
+}
+
 TEST(Reproject, TheSameEyeSeesTheSamePicture) {
     const Camera eye = cameraAt({20, -420, 35});
     const ReferenceCapture picture = captureOf(eye, kSize);
@@ -253,16 +283,50 @@ TEST(Reproject, ItsRegionHoldsAllThatIsKnown) {
                 const bool isIn = x >= region.firstPx.x && y >= region.firstPx.y &&
                                   x < region.firstPx.x + region.sizePx.x &&
                                   y < region.firstPx.y + region.sizePx.y;
-                if (!isIn) ASSERT_EQ(seen.weights[std::size_t(y) * kSize.x + std::size_t(x)], 0.0) << x << y;
+                if (isIn) continue;
+                ASSERT_EQ(seen.weights[std::size_t(y) * kSize.x + std::size_t(x)], 0.0) << x << y;
             }
         }
     }
     const PixelRegion same = reprojectedRegion(before, kSize, cameraAt({0, -420, 0}), kSize, kSeen);
     EXPECT_LT(same.sizePx.x * same.sizePx.y, 0.25 * kSize.x * kSize.y);
     EXPECT_EQ(
-        reprojectedRegion(before, kSize, cameraAt({0, -420, 0}, {400, -420, 0}), kSize, kSeen).sizePx.x *
-            reprojectedRegion(before, kSize, cameraAt({0, -420, 0}, {400, -420, 0}), kSize, kSeen).sizePx.y,
+        reprojectedRegion(before, kSize, cameraAt({0, -420, 0}, {420, 0, 0}), kSize, kSeen).sizePx.x *
+            reprojectedRegion(before, kSize, cameraAt({0, -420, 0}, {420, 0, 0}), kSize, kSeen).sizePx.y,
         0);
+}
+
+// Along the middle of the view, as splats of the scene would tell it, but for errors of some millimetres.
+std::vector<double> depthsAlongView(const Camera& now) {
+    const glm::dvec3 forward = basis(now)->forward;
+    std::vector<double> depths;
+    for (const glm::dvec3& ray : raysOf(now, kSize)) {
+        const double error = 8.0 * std::sin(0.1 * double(depths.size()));
+        const double depthMm = Scene::from(now.positionMm, ray).depthMm;
+        depths.push_back(depthMm < 0.0 ? -1.0 : depthMm * glm::dot(ray, forward) + error);
+    }
+    return depths;
+}
+
+// Depths of splats spare the search, and change next to nothing.
+TEST(Reproject, SplatsTellWhereToSeek) {
+    const Camera before = cameraAt({0, -420, 0});
+    const ReferenceCapture picture = captureOf(before, kSize);
+    for (const Camera& now : {cameraAt({5, -420, 3}), cameraAt({-20, -430, 10}), cameraAt({60, -410, 0})}) {
+        const auto push = *reprojectionOf(before, kSize, now, kSize, kSeen, 0.0);
+        const ReferenceReprojection without = reproject(push, picture);
+        const ReferenceReprojection with = reproject(push, picture, depthsAlongView(now));
+        std::size_t off = 0;
+        for (std::size_t i = 0; i < with.weights.size(); ++i)
+            off += std::abs(with.weights[i] - without.weights[i]) > 0.1 ||
+                           glm::length(with.lights[i] - without.lights[i]) * without.weights[i] > 0.1
+                       ? 1
+                       : 0;
+        EXPECT_LT(double(off), 0.02 * double(with.weights.size())) << now.positionMm.x;
+        const Comparison found = compare(with, now);
+        EXPECT_LE(double(found.wrong), 0.002 * double(with.weights.size())) << now.positionMm.x;
+        EXPECT_EQ(found.through, 0u) << now.positionMm.x;
+    }
 }
 
 class ReprojectionOnDevice : public gpu::SharedDeviceTest {
@@ -272,7 +336,8 @@ class ReprojectionOnDevice : public gpu::SharedDeviceTest {
         std::vector<float> weights;
     };
     static Seen onDevice(const ReferenceCapture& picture, const Camera& before, const Camera& now,
-                         const glm::ivec2& sizePx = kSize, double edgeFade = 0.1) {
+                         const glm::ivec2& sizePx = kSize, double edgeFade = 0.1,
+                         const std::vector<double>& expectedMm = {}) {
         std::vector<glm::vec4> lights(picture.lights.begin(), picture.lights.end());
         std::vector<glm::vec2> depths(picture.depths.begin(), picture.depths.end());
         CapturedPicture captured{
@@ -287,9 +352,26 @@ class ReprojectionOnDevice : public gpu::SharedDeviceTest {
                  .usage = VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT | VK_BUFFER_USAGE_STORAGE_BUFFER_BIT}))};
         EXPECT_TRUE(gpu::uploadTo<glm::vec2>(captured.depths.buffer(), depths).ok());
         auto reprojection = Reprojection::create(device());
-        const auto seen = reprojection->reproject(captured, now, sizePx, kSeen, edgeFade);
+        // As a rasterizer leaves them: three quarters of a pixel are covered, or nothing.
+        std::optional<DrawnSplats> splats;
+        std::vector<glm::vec4> coverage(expectedMm.size());
+        std::vector<float> depthSums(expectedMm.size());
+        for (std::size_t i = 0; i < expectedMm.size(); ++i) {
+            coverage[i].w = expectedMm[i] > 0.0 ? 0.75f : 0.0f;
+            depthSums[i] = coverage[i].w * float(expectedMm[i]);
+        }
+        std::optional<splat::DevicePicture> drawn;
+        std::optional<gpu::Buffer> sums;
+        if (!expectedMm.empty()) {
+            drawn =
+                std::move(*splat::DevicePicture::upload(device(), "splats", sizePx.x, sizePx.y, coverage));
+            sums = std::move(*gpu::Buffer::create(device(), {.bytes = depthSums.size() * sizeof(float)}));
+            EXPECT_TRUE(gpu::uploadTo<float>(*sums, depthSums).ok());
+            splats = DrawnSplats{&*drawn, &*sums};
+        }
+        const auto seen = reprojection->reproject(captured, now, sizePx, kSeen, edgeFade, splats);
         EXPECT_TRUE(seen.ok());
-        return {*gpu::read<glm::vec4>(*seen->lights), *gpu::read<float>(*seen->weights)};
+        return {*gpu::read<glm::vec4>(seen->lights->buffer()), *gpu::read<float>(seen->weights->buffer())};
     }
 };
 
@@ -299,18 +381,21 @@ TEST_F(ReprojectionOnDevice, IsThatOfTheReference) {
     for (std::size_t i = 0; i < picture.depths.size(); i += 3) picture.depths[i].y = 7.0;
     for (const Camera& now : {before, cameraAt({5, -420, 3}), cameraAt({-20, -430, 10}),
                               cameraAt({0, -420, 0}, {7.3, 0, 0}), cameraAt({200, -300, 0})}) {
-        const ReferenceReprojection expected =
-            reproject(*reprojectionOf(before, kSize, now, kSize, kSeen, 0.1), picture);
-        const Seen seen = onDevice(picture, before, now);
-        std::size_t off = 0;
-        for (std::size_t i = 0; i < expected.weights.size(); ++i) {
-            const double weightOff = std::abs(double(seen.weights[i]) - expected.weights[i]);
-            const double lightOff = glm::length(glm::dvec4(seen.lights[i]) - expected.lights[i]) *
-                                    std::min(expected.weights[i], double(seen.weights[i]));
-            off += weightOff > 0.02 || lightOff > 0.02 ? 1 : 0;
+        for (const std::vector<double>& depths : {std::vector<double>(), depthsAlongView(now)}) {
+            ReferenceReprojection expected =
+                reproject(*reprojectionOf(before, kSize, now, kSize, kSeen, 0.1), picture, depths);
+            expected.weights = feather(kSize, expected.weights);
+            const Seen seen = onDevice(picture, before, now, kSize, 0.1, depths);
+            std::size_t off = 0;
+            for (std::size_t i = 0; i < expected.weights.size(); ++i) {
+                const double weightOff = std::abs(double(seen.weights[i]) - expected.weights[i]);
+                const double lightOff = glm::length(glm::dvec4(seen.lights[i]) - expected.lights[i]) *
+                                        std::min(expected.weights[i], double(seen.weights[i]));
+                off += weightOff > 0.02 || lightOff > 0.02 ? 1 : 0;
+            }
+            // Where a step lies on an edge of the height field, rounding decides on which side.
+            EXPECT_LT(double(off), 0.004 * double(expected.weights.size())) << now.positionMm.x;
         }
-        // Where a step lies on an edge of the height field, rounding decides on which side.
-        EXPECT_LT(double(off), 0.004 * double(expected.weights.size())) << now.positionMm.x;
     }
 }
 

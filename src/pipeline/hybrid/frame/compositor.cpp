@@ -8,8 +8,22 @@
 namespace macula::hybrid {
 
 Result<Compositor> Compositor::create(const std::shared_ptr<gpu::Device>& device) {
-    MACULA_TRY(gpu::Kernel kernel, gpu::Kernel::create(device, shaders::hybrid_compose_comp));
-    return Compositor(device, std::move(kernel));
+    MACULA_TRY(gpu::TexelBuffer nothing,
+               gpu::TexelBuffer::create(device, {.label = "no layer",
+                                                 .elements = 1,
+                                                 .format = VK_FORMAT_R32G32B32A32_SFLOAT,
+                                                 .usage = VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT |
+                                                          VK_BUFFER_USAGE_STORAGE_BUFFER_BIT}));
+    return Compositor(device, std::move(nothing));
+}
+
+// The device keeps what is compiled.
+Result<gpu::Kernel> Compositor::kernelFor(const Layers& layers) const {
+    return gpu::Kernel::create(
+        device_, shaders::hybrid_compose_comp,
+        {.specializations = {{"kHasSplats", layers.splats != nullptr && layers.tracedShare < 1.0f},
+                             {"kHasFovea", layers.fovea != nullptr && layers.tracedShare < 1.0f},
+                             {"kHasTraced", layers.tracedShare > 0.0f}}});
 }
 
 Result<const gpu::Image*> Compositor::compose(const Layers& layers, const Display& display) {
@@ -31,21 +45,20 @@ Result<const gpu::Image*> Compositor::compose(const Layers& layers, const Displa
                                                           .format = VK_FORMAT_R8G8B8A8_UNORM}));
     }
     // Something has to be bound where nothing is read.
-    const gpu::Buffer& values =
-        layers.traced != nullptr ? *layers.traced->values : layers.splats->texels.buffer();
-    const gpu::Buffer& counts = layers.traced != nullptr ? *layers.traced->counts : values;
-    const gpu::Buffer& fovea = layers.fovea != nullptr ? *layers.fovea->lights : values;
-    const gpu::Buffer& weights = layers.fovea != nullptr ? *layers.fovea->weights : values;
-    const gpu::Buffer& splats = layers.splats != nullptr ? layers.splats->texels.buffer() : values;
+    const gpu::TexelBuffer& splats = layers.splats != nullptr ? layers.splats->texels : nothing_;
+    const gpu::TexelBuffer& fovea = layers.fovea != nullptr ? *layers.fovea->lights : nothing_;
+    const gpu::TexelBuffer& weights = layers.fovea != nullptr ? *layers.fovea->weights : nothing_;
+    const gpu::Buffer& values = layers.traced != nullptr ? *layers.traced->values : nothing_.buffer();
+    const gpu::Buffer& counts = layers.traced != nullptr ? *layers.traced->counts : nothing_.buffer();
     const shared::ComposePush push{
         .background = display.background,
         .exposure = display.exposure,
         .splatGain = layers.splatGain,
         .tracedShare = layers.tracedShare,
-        .tracedAreMeans = layers.traced != nullptr && layers.traced->areMeans ? 1 : 0,
-        .hasFovea = layers.fovea != nullptr ? 1 : 0};
+        .tracedAreMeans = layers.traced != nullptr && layers.traced->areMeans ? 1 : 0};
+    MACULA_TRY(const gpu::Kernel kernel, kernelFor(layers));
     MACULA_TRY(auto recorder, gpu::Recorder::create(device_, "compose"));
-    recorder.dispatch(kernel_, {width, height}, push, {splats, values, counts, fovea, weights, *picture_});
+    recorder.dispatch(kernel, {width, height}, push, {splats, fovea, weights, values, counts, *picture_});
     MACULA_TRY([[maybe_unused]] const gpu::Ticket ticket, recorder.submit());
     return &*picture_;
 }

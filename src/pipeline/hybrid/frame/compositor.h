@@ -43,11 +43,12 @@ class Compositor {
     Result<const gpu::Image*> compose(const Layers& layers, const Display& display);
 
   private:
-    Compositor(std::shared_ptr<gpu::Device> device, gpu::Kernel kernel)
-        : device_(std::move(device)), kernel_(std::move(kernel)) {}
+    Compositor(std::shared_ptr<gpu::Device> device, gpu::TexelBuffer nothing)
+        : device_(std::move(device)), nothing_(std::move(nothing)) {}
+    Result<gpu::Kernel> kernelFor(const Layers& layers) const;
 
     std::shared_ptr<gpu::Device> device_;
-    gpu::Kernel kernel_;
+    gpu::TexelBuffer nothing_;  // bound where there is no layer
     std::optional<gpu::Image> picture_;
 };
 

@@ -18,7 +18,7 @@ double halfTangent(double fieldDeg) {
 }  // namespace
 
 double guessedFoveaMsPerSample(const gpu::Device& device) {
-    return device.isCpu() ? 4e-3 : 5e-5;
+    return device.isCpu() ? 1e-2 : 5e-5;
 }
 
 FoveaAim affordableFovea(const trace::View& whole, const glm::dvec2& gaze, double msPerSample,

@@ -1,5 +1,7 @@
 #include "pipeline/hybrid/frame/hybrid_frame.h"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "base/check.h"
@@ -10,6 +12,7 @@ namespace {
 
 // A frame that follows a hand waits for one of these.
 constexpr double kDispatchMs = 12.0;
+constexpr double kTurnsKeptMs = 300.0;
 
 double msBetween(std::chrono::steady_clock::time_point from, std::chrono::steady_clock::time_point to) {
     return std::chrono::duration<double, std::milli>(to - from).count();
@@ -69,8 +72,35 @@ Result<bool> HybridFrame::traceFovea(const std::function<bool()>& keepGoing) {
     MACULA_TRY(CapturedPicture picture, reprojection_.capture(tracer_, view_, seenMm_));
     fovea_.emplace(Fovea{std::move(picture), *aim_, begun_});
     msPerSample_ = spentMs_ / (double(aim_->sidePx) * double(aim_->sidePx) * double(aim_->samplesPerPixel));
+    wallPerTracing_ = std::max(msBetween(begun_, Clock::now()) / spentMs_, 1.0);
     aim_.reset();
     return true;
+}
+
+double HybridFrame::degreesAround(const glm::dvec3& aMm, const glm::dvec3& bMm) const {
+    const glm::dvec3 a = aMm - seenMm_.centre();
+    const glm::dvec3 b = bMm - seenMm_.centre();
+    return glm::degrees(std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)));
+}
+
+bool HybridFrame::showsFoveaTo(const Camera& eye) const {
+    return fovea_ && degreesAround(fovea_->picture.camera.positionMm, eye.positionMm) <= kMostTurnDeg;
+}
+
+void HybridFrame::noteTurn(const glm::dvec3& eyeMm) {
+    const Clock::time_point now = Clock::now();
+    turns_.push_back({now, lastEyeMm_ ? degreesAround(*lastEyeMm_, eyeMm) : 0.0});
+    while (msBetween(turns_.front().at, now) > kTurnsKeptMs) turns_.pop_front();
+    lastEyeMm_ = eyeMm;
+}
+
+double HybridFrame::foveaBudgetMs(double mostMs) const {
+    double degrees = 0.0;
+    for (const Turn& turn : turns_) degrees += turn.degrees;
+    if (!(degrees > 0.0)) return mostMs;
+    // Half of the turn passes while it is traced, and half while it is shown.
+    const double leftMs = 0.5 * kMostTurnDeg * kTurnsKeptMs / degrees;
+    return std::min(mostMs, leftMs / wallPerTracing_);
 }
 
 Result<Frame> HybridFrame::draw(const FrameRequest& request, const Periphery& periphery) {
@@ -80,15 +110,17 @@ Result<Frame> HybridFrame::draw(const FrameRequest& request, const Periphery& pe
         MACULA_TRY(Compositor compositor, Compositor::create(device_));
         compositors_.push_back(std::move(compositor));
     }
+    noteTurn(request.eyes.front().positionMm);
     Frame frame;
     for (std::size_t i = 0; i < request.eyes.size(); ++i) {
         const Camera& eye = request.eyes[i];
-        MACULA_TRY(const splat::DevicePicture* splats, periphery.draw(eye, request.sizePx));
-        Layers layers{.splats = splats, .sizePx = request.sizePx, .splatGain = periphery.gain};
+        MACULA_TRY(const DrawnSplats splats, periphery.draw(eye, request.sizePx));
+        Layers layers{.splats = splats.picture, .sizePx = request.sizePx, .splatGain = periphery.gain};
         ReprojectedPicture fovea;
-        if (fovea_) {
-            MACULA_TRY(fovea,
-                       reprojection_.reproject(fovea_->picture, eye, request.sizePx, seenMm_, kEdgeFade));
+        if (showsFoveaTo(eye)) {
+            MACULA_TRY(fovea, reprojection_.reproject(
+                                  fovea_->picture, eye, request.sizePx, seenMm_, kEdgeFade,
+                                  splats.depthSums != nullptr ? std::optional(splats) : std::nullopt));
             layers.fovea = &fovea;
         }
         if (request.fadingIn) {
@@ -98,7 +130,7 @@ Result<Frame> HybridFrame::draw(const FrameRequest& request, const Periphery& pe
         MACULA_TRY(const gpu::Image* picture, compositors_[i].compose(layers, request.display));
         frame.pictures.push_back(picture);
     }
-    if (fovea_) {
+    if (showsFoveaTo(request.eyes.front())) {
         frame.foveaAgeMs = msBetween(fovea_->begun, Clock::now());
         frame.foveaSamples = fovea_->aim.samplesPerPixel;
     }

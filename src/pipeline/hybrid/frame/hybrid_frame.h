@@ -10,6 +10,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <glm/glm.hpp>
 #include <memory>
@@ -29,7 +30,7 @@ namespace macula::hybrid {
 // Who draws the splats, of the scene that is traced.
 struct Periphery {
     // Linear, premultiplied; valid until the next call.
-    std::function<Result<const splat::DevicePicture*>(const Camera& eye, const glm::ivec2& sizePx)> draw;
+    std::function<Result<DrawnSplats>(const Camera& eye, const glm::ivec2& sizePx)> draw;
     float gain = 1.0f;  // of their light: LiveModel::gain
 };
 
@@ -87,6 +88,14 @@ class HybridFrame {
     Result<bool> traceFovea(const std::function<bool()>& keepGoing);
     // The time that pictures took lately, per pixel and sample; nothing before the first.
     std::optional<double> foveaMsPerSample() const { return msPerSample_; }
+    // An eye that has gone farther around what can be seen is not shown the fovea: most of what it sees was
+    // hidden from where that was traced.
+    static constexpr double kMostTurnDeg = 20.0;
+    // Whether frames for that eye show the fovea that there is.
+    bool showsFoveaTo(const Camera& eye) const;
+    // Tracing time of a fovea that is begun now, at most `mostMs`, so that it is there while it can still be
+    // shown, by how fast the eyes of the last frames go around.
+    double foveaBudgetMs(double mostMs) const;
     // Frames show no traced picture until the next is there.
     void forgetFovea() { fovea_.reset(); }
 
@@ -101,6 +110,9 @@ class HybridFrame {
         FoveaAim aim;
         Clock::time_point begun{};
     };
+
+    double degreesAround(const glm::dvec3& aMm, const glm::dvec3& bMm) const;
+    void noteTurn(const glm::dvec3& eyeMm);
 
     HybridFrame(std::shared_ptr<gpu::Device> device, trace::PathTracer tracer, Reprojection reprojection)
         : device_(std::move(device)), tracer_(std::move(tracer)), reprojection_(std::move(reprojection)) {}
@@ -118,6 +130,13 @@ class HybridFrame {
     double spentMs_ = 0.0;
     std::optional<Fovea> fovea_;
     std::optional<double> msPerSample_;
+    double wallPerTracing_ = 4.0;  // time from aim to picture over that of tracing; a guess at first
+    struct Turn {
+        Clock::time_point at;
+        double degrees = 0.0;  // since the frame before
+    };
+    std::deque<Turn> turns_;  // of the frames of the last kTurnsKeptMs
+    std::optional<glm::dvec3> lastEyeMm_;
 };
 
 }  // namespace macula::hybrid

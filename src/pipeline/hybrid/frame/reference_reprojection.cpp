@@ -26,12 +26,31 @@ struct Host : GlslInCpp<double> {
         double edgeFade;
     } reproject;
     const ReferenceCapture* before;
+    std::span<const double> expectedDepthsMm = {};
 
     vec4 fetchLight(int pixel) const { return before->lights[static_cast<std::size_t>(pixel)]; }
     vec2 fetchSurface(int pixel) const { return before->depths[static_cast<std::size_t>(pixel)]; }
 
+    double fetchExpected(int pixel) const {
+        return expectedDepthsMm.empty() ? -1.0 : expectedDepthsMm[static_cast<std::size_t>(pixel)];
+    }
+
 #define float double
 #include "lib/reproject.glsl"
+#undef float
+};
+
+struct FeatherHost : GlslInCpp<double> {
+    ivec2 sizePx;
+    std::span<const double> weights;
+
+    double fetchWeight(const ivec2& pixel) const {
+        const ivec2 inside = clamp(pixel, ivec2(0), sizePx - ivec2(1));
+        return weights[static_cast<std::size_t>(inside.y * sizePx.x + inside.x)];
+    }
+
+#define float double
+#include "lib/feather.glsl"
 #undef float
 };
 
@@ -39,7 +58,8 @@ struct Host : GlslInCpp<double> {
 
 }  // namespace
 
-ReferenceReprojection reproject(const shared::ReprojectPush& push, const ReferenceCapture& before) {
+ReferenceReprojection reproject(const shared::ReprojectPush& push, const ReferenceCapture& before,
+                                std::span<const double> expectedMm) {
     const auto pixels = std::size_t(push.beforeSize.x) * std::size_t(push.beforeSize.y);
     MACULA_CHECK_EQ(before.lights.size(), pixels);
     MACULA_CHECK_EQ(before.depths.size(), pixels);
@@ -49,12 +69,25 @@ ReferenceReprojection reproject(const shared::ReprojectPush& push, const Referen
                                  std::vector<double>(columns * rows)};
     parallelFor(rows, [&](std::size_t row) {
         Host host(push, before);
+        host.expectedDepthsMm = expectedMm;
         for (std::size_t column = 0; column < columns; ++column) {
             const auto seen = host.reprojectedAt({int(column), int(row)});
             result.lights[row * columns + column] = seen.light;
             result.weights[row * columns + column] = seen.weight;
         }
     });
+    return result;
+}
+
+std::vector<double> feather(const glm::ivec2& sizePx, std::span<const double> weights) {
+    std::vector<double> result(weights.size());
+    FeatherHost host;
+    host.sizePx = sizePx;
+    host.weights = weights;
+    for (int y = 0; y < sizePx.y; ++y) {
+        for (int x = 0; x < sizePx.x; ++x)
+            result[static_cast<std::size_t>(y * sizePx.x + x)] = host.feathered({x, y});
+    }
     return result;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <span>
 #include <vector>
 
 #include "shared/reproject_params.h"
@@ -18,7 +19,12 @@ struct ReferenceReprojection {
     std::vector<double> weights;  // 0 to 1
 };
 
-// `before` is of push.beforeSize; the result of push.size.
-ReferenceReprojection reproject(const shared::ReprojectPush& push, const ReferenceCapture& before);
+// `before` is of push.beforeSize; the result of push.size, and so are the depths along the middle of the view
+// at which splats show something, mm, negative where they do not tell. Empty: they tell nothing.
+ReferenceReprojection reproject(const shared::ReprojectPush& push, const ReferenceCapture& before,
+                                std::span<const double> expectedMm = {});
+
+// shaders/lib/feather.glsl, of a picture of that size.
+std::vector<double> feather(const glm::ivec2& sizePx, std::span<const double> weights);
 
 }  // namespace macula::hybrid

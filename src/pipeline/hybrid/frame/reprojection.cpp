@@ -28,11 +28,15 @@ double pixelAngle(const Camera& camera, const glm::ivec2& sizePx) {
     return 2.0 * std::tan(0.5 * glm::radians(camera.verticalFovDeg)) / double(sizePx.y);
 }
 
-Result<void> makeRoom(std::optional<gpu::Buffer>& buffer, const std::shared_ptr<gpu::Device>& device,
-                      const char* label, std::uint64_t bytes) {
-    if (buffer && buffer->bytes() >= bytes) return {};
-    buffer.reset();
-    MACULA_TRY(buffer, gpu::Buffer::create(device, {.label = label, .bytes = bytes}));
+Result<void> makeRoom(std::optional<gpu::TexelBuffer>& texels, const std::shared_ptr<gpu::Device>& device,
+                      const char* label, VkFormat format, std::uint64_t elements) {
+    if (texels && texels->elements() >= elements) return {};
+    texels.reset();
+    MACULA_TRY(texels, gpu::TexelBuffer::create(device, {.label = label,
+                                                         .elements = elements,
+                                                         .format = format,
+                                                         .usage = VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT |
+                                                                  VK_BUFFER_USAGE_STORAGE_BUFFER_BIT}));
     return {};
 }
 
@@ -97,8 +101,13 @@ PixelRegion reprojectedRegion(const Camera& before, const glm::ivec2& beforeSize
 
 Result<Reprojection> Reprojection::create(const std::shared_ptr<gpu::Device>& device) {
     MACULA_TRY(gpu::Kernel capture, gpu::Kernel::create(device, shaders::hybrid_capture_comp));
-    MACULA_TRY(gpu::Kernel reproject, gpu::Kernel::create(device, shaders::hybrid_reproject_comp));
-    return Reprojection(device, std::move(capture), std::move(reproject));
+    MACULA_TRY(gpu::Kernel reproject, gpu::Kernel::create(device, shaders::hybrid_reproject_comp,
+                                                          {.specializations = {{"kHasSplats", false}}}));
+    MACULA_TRY(gpu::Kernel bySplats, gpu::Kernel::create(device, shaders::hybrid_reproject_comp,
+                                                         {.specializations = {{"kHasSplats", true}}}));
+    MACULA_TRY(gpu::Kernel feather, gpu::Kernel::create(device, shaders::hybrid_feather_comp));
+    return Reprojection(device,
+                        {std::move(capture), std::move(reproject), std::move(bySplats), std::move(feather)});
 }
 
 Result<CapturedPicture> Reprojection::capture(trace::PathTracer& tracer, const trace::View& view,
@@ -121,7 +130,7 @@ Result<CapturedPicture> Reprojection::capture(trace::PathTracer& tracer, const t
                                    .thinMm = float(0.25 * seenMm.diagonal()),
                                    .areMeans = light.areMeans ? 1 : 0};
     MACULA_TRY(auto recorder, gpu::Recorder::create(device_, "capture"));
-    recorder.dispatch(capture_, threadsOf(sizePx), push,
+    recorder.dispatch(kernels_.capture, threadsOf(sizePx), push,
                       {*light.values, *light.counts, guides->surfaces(), guides->motions(),
                        lights.texels.buffer(), depths.buffer()});
     MACULA_TRY([[maybe_unused]] const gpu::Ticket ticket, recorder.submit());
@@ -130,19 +139,30 @@ Result<CapturedPicture> Reprojection::capture(trace::PathTracer& tracer, const t
 
 Result<ReprojectedPicture> Reprojection::reproject(const CapturedPicture& before, const Camera& now,
                                                    const glm::ivec2& sizePx, const Box& seenMm,
-                                                   double edgeFade) {
+                                                   double edgeFade,
+                                                   const std::optional<DrawnSplats>& splats) {
     MACULA_TRY(shared::ReprojectPush push,
                reprojectionOf(before.camera, before.sizePx, now, sizePx, seenMm, edgeFade));
     const std::uint64_t pixels = std::uint64_t(sizePx.x) * std::uint64_t(sizePx.y);
-    MACULA_TRY_VOID(makeRoom(lights_, device_, "reprojected light", pixels * sizeof(glm::vec4)));
-    MACULA_TRY_VOID(makeRoom(weights_, device_, "weights of reprojected light", pixels * sizeof(float)));
+    MACULA_TRY_VOID(makeRoom(lights_, device_, "reprojected light", VK_FORMAT_R32G32B32A32_SFLOAT, pixels));
+    MACULA_TRY_VOID(
+        makeRoom(hardWeights_, device_, "hard weights of reprojected light", VK_FORMAT_R32_SFLOAT, pixels));
+    MACULA_TRY_VOID(
+        makeRoom(weights_, device_, "weights of reprojected light", VK_FORMAT_R32_SFLOAT, pixels));
     MACULA_TRY(auto recorder, gpu::Recorder::create(device_, "reproject"));
-    recorder.fill(*weights_, 0);
+    recorder.fill(hardWeights_->buffer(), 0);
+    recorder.fill(weights_->buffer(), 0);
     const PixelRegion region = reprojectedRegion(before.camera, before.sizePx, now, sizePx, seenMm);
     push.firstPx = region.firstPx;
-    if (region.sizePx.x > 0 && region.sizePx.y > 0)
-        recorder.dispatch(reproject_, threadsOf(region.sizePx), push,
-                          {before.lights.texels, before.depths, *lights_, *weights_});
+    if (region.sizePx.x > 0 && region.sizePx.y > 0) {
+        recorder.dispatch(
+            splats ? kernels_.reprojectBySplats : kernels_.reproject, threadsOf(region.sizePx), push,
+            {before.lights.texels, before.depths, splats ? splats->picture->texels : before.lights.texels,
+             splats ? *splats->depthSums : lights_->buffer(), lights_->buffer(), hardWeights_->buffer()});
+        recorder.dispatch(kernels_.feather, threadsOf(region.sizePx),
+                          shared::FeatherPush{.size = sizePx, .firstPx = region.firstPx},
+                          {*hardWeights_, weights_->buffer()});
+    }
     MACULA_TRY([[maybe_unused]] const gpu::Ticket ticket, recorder.submit());
     return ReprojectedPicture{&*lights_, &*weights_};
 }

@@ -28,8 +28,15 @@ struct CapturedPicture {
 
 // Valid until the next picture is reprojected.
 struct ReprojectedPicture {
-    const gpu::Buffer* lights = nullptr;   // vec4 for each pixel: linear, premultiplied
-    const gpu::Buffer* weights = nullptr;  // float for each pixel: 0, nothing is known here, to 1
+    const gpu::TexelBuffer* lights = nullptr;   // vec4 for each pixel: linear, premultiplied
+    const gpu::TexelBuffer* weights = nullptr;  // float for each pixel: 0, nothing is known here, to 1
+};
+
+// A picture of splats on the device, and for each pixel their depth in mm times their coverage
+// (splat::Rasterizer::depths).
+struct DrawnSplats {
+    const splat::DevicePicture* picture = nullptr;
+    const gpu::Buffer* depthSums = nullptr;  // may be null in a Periphery, which then tells no depths
 };
 
 // From one eye to another. `seenMm` is around all that can be seen. Fails with usage where basis(camera)
@@ -57,20 +64,27 @@ class Reprojection {
     // where they are not there yet, which may take long. outOfMemory.
     Result<CapturedPicture> capture(trace::PathTracer& tracer, const trace::View& view, const Box& seenMm);
 
-    // `edgeFade`: share of the sides of `before` over which its weight falls to nothing. outOfMemory; usage
-    // as reprojectionOf.
+    // `edgeFade`: share of the sides of `before` over which its weight falls to nothing. `splats`: of `now`,
+    // of that size; they tell about where surfaces are. outOfMemory; usage as reprojectionOf.
     Result<ReprojectedPicture> reproject(const CapturedPicture& before, const Camera& now,
-                                         const glm::ivec2& sizePx, const Box& seenMm, double edgeFade);
+                                         const glm::ivec2& sizePx, const Box& seenMm, double edgeFade,
+                                         const std::optional<DrawnSplats>& splats = {});
 
   private:
-    Reprojection(std::shared_ptr<gpu::Device> device, gpu::Kernel capture, gpu::Kernel reproject)
-        : device_(std::move(device)), capture_(std::move(capture)), reproject_(std::move(reproject)) {}
+    struct Kernels {
+        gpu::Kernel capture;
+        gpu::Kernel reproject;
+        gpu::Kernel reprojectBySplats;
+        gpu::Kernel feather;
+    };
+    Reprojection(std::shared_ptr<gpu::Device> device, Kernels kernels)
+        : device_(std::move(device)), kernels_(std::move(kernels)) {}
 
     std::shared_ptr<gpu::Device> device_;
-    gpu::Kernel capture_;
-    gpu::Kernel reproject_;
-    std::optional<gpu::Buffer> lights_;  // of the last picture; may have room for more
-    std::optional<gpu::Buffer> weights_;
+    Kernels kernels_;
+    std::optional<gpu::TexelBuffer> lights_;       // of the last picture; may have room for more
+    std::optional<gpu::TexelBuffer> hardWeights_;  // before their borders are softened
+    std::optional<gpu::TexelBuffer> weights_;
 };
 
 }  // namespace macula::hybrid

@@ -71,6 +71,8 @@ class LiveModel {
     // light is to be multiplied by gain() to be as bright as what is traced (brightness_gauge.h). Where it
     // cannot be drawn for lack of memory it is given up, outOfMemory.
     Result<const splat::DevicePicture*> draw(const Camera& camera, const glm::ivec2& sizePx);
+    // Of that picture: Rasterizer::depths.
+    const gpu::Buffer& drawnDepths() const { return painter_->depthsOnDevice(); }
     double gain() const { return gain_; }
 
     // The model that draw() draws; null when there is none.

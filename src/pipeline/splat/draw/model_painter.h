@@ -34,6 +34,8 @@ class ModelPainter {
     // drawn; done when what was submitted is. outOfMemory when the picture, or what shows in it, is too large
     // for the device.
     Result<const DevicePicture*> drawOnDevice(const RasterView& view);
+    // Of that picture: Rasterizer::depths.
+    const gpu::Buffer& depthsOnDevice() const { return rasterizer_.depths(); }
     // The same, read, of any size: a picture of more than `mostPixels` is drawn in bands of whole rows, from
     // top to bottom, and no more than one is held. What `take` returns as an error ends it. outOfMemory when
     // what shows in a band is too much for the device.
