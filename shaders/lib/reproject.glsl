@@ -89,88 +89,100 @@ Reprojected gathered(vec2 place, float distanceMm, float footprintMm, float plac
     return result;
 }
 
-// Of a pixel of the picture that is made.
-Reprojected reprojectedAt(ivec2 pixel) {
-    Reprojected unknown;
-    unknown.light = vec4(0.0);
-    unknown.weight = float(0.0);
+// The part of a pixel's ray on which something can be seen, from its nearest to its farthest point. A point at distance s
+// lies, from the eye before, in the direction ray + ours / s: its image moves evenly with the nearness 1 / s as long as the
+// eye has not moved far along the ray.
+struct EpipolarLine {
+    vec3 ray;         // unit
+    float nearest;    // 1/mm: where it begins
+    float farthest;   // where it ends
+    float middleMm;   // where it passes the middle of what can be seen
+    vec2 last;        // image of its end
+    float lengthPx;   // of its image
+};
+
+vec3 towardsAt(EpipolarLine line, float nearness) {
+    return line.ray + reproject.oursMm * nearness;
+}
+
+// False where the picture before has nothing of it.
+bool findLine(ivec2 pixel, OUT(EpipolarLine) line) {
     vec2 p = vec2(float(2 * pixel.x + 1) / float(reproject.size.x) - float(1.0),
                   float(1.0) - float(2 * pixel.y + 1) / float(reproject.size.y));
-    vec3 ray = normalize(reproject.forward + reproject.right * p.x + reproject.up * p.y);
-
+    line.ray = normalize(reproject.forward + reproject.right * p.x + reproject.up * p.y);
     // The ball, seen from the eye. What misses it is taken where it passes.
-    float along = dot(reproject.middleMm, ray);
-    float inside2 = reproject.radiusMm * reproject.radiusMm - dot(reproject.middleMm, reproject.middleMm) + along * along;
+    line.middleMm = dot(reproject.middleMm, line.ray);
+    float inside2 = reproject.radiusMm * reproject.radiusMm - dot(reproject.middleMm, reproject.middleMm) +
+                    line.middleMm * line.middleMm;
     float halfMm = sqrt(max(inside2, float(0.0)));
-    float leastMm = float(1e-3) * reproject.radiusMm;
-    float nearMm = max(along - halfMm, leastMm);
-    float farMm = along + halfMm;
-    float expectedMm = fetchExpected(pixel.y * reproject.size.x + pixel.x) / max(dot(ray, reproject.forward), float(1e-3));
+    float nearMm = max(line.middleMm - halfMm, float(1e-3) * reproject.radiusMm);
+    float farMm = line.middleMm + halfMm;
+    float expectedMm = fetchExpected(pixel.y * reproject.size.x + pixel.x) / max(dot(line.ray, reproject.forward), float(1e-3));
     if (expectedMm > float(0.0)) {
         nearMm = max(nearMm, expectedMm * float(1.0 - EXPECTED_WITHIN));
         farMm = min(farMm, expectedMm * float(1.0 + EXPECTED_WITHIN));
     }
-    farMm = max(farMm, float(1.001) * nearMm);
-
-    // A point at distance s lies, from the eye before, in the direction ray + ours / s: its image moves evenly with 1 / s
-    // as long as the eye has not moved far along the ray.
-    float nearest = float(1.0) / nearMm;
-    float farthest = float(1.0) / farMm;
+    line.nearest = float(1.0) / nearMm;
+    line.farthest = float(1.0) / max(farMm, float(1.001) * nearMm);
     vec2 first;
-    vec2 last;
-    bool begins = placeBefore(ray + reproject.oursMm * nearest, first);
-    bool ends = placeBefore(ray + reproject.oursMm * farthest, last);
-    if (!begins || !ends) return unknown;
-    vec2 across = last - first;
-    float lengthPx = sqrt(dot(across, across));
-    int steps = int(clamp(ceil(lengthPx), float(1.0), float(MOST_STEPS)));
-    float perStep = (farthest - nearest) / float(steps);
+    bool begins = placeBefore(towardsAt(line, line.nearest), first);
+    bool ends = placeBefore(towardsAt(line, line.farthest), line.last);
+    vec2 across = line.last - first;
+    line.lengthPx = sqrt(dot(across, across));
+    return begins && ends;
+}
 
-    // What is nearer to the eye than where the line enters the picture is not known; it is taken for empty, as it mostly is.
-    int crossed = -1;  // the first step behind the height field
-    for (int i = 0; i <= steps && crossed < 0; ++i) {
-        float nearness = nearest + perStep * float(i);
-        vec3 v = ray + reproject.oursMm * nearness;
-        vec2 place;
-        if (placeBefore(v, place) && isBefore(place)) {
-            float depthMm = vec2(fetchSurface(indexBefore(ivec2(floor(place))))).x;
-            if (depthMm >= float(0.0) && sqrt(dot(v, v)) / nearness >= depthMm) crossed = i;
-        }
-    }
-
-    float placesPerMm = lengthPx / max(nearest - farthest, float(1e-30));
-    float pixelAngle = float(2.0) * sqrt(dot(reproject.beforeUp, reproject.beforeUp)) / float(reproject.beforeSize.y);
-    if (crossed < 0) {
-        if (!isBefore(last)) return unknown;
-        float nearness = float(1.0) / max(along, nearMm);
-        vec2 place;
-        if (!placeBefore(ray + reproject.oursMm * nearness, place) || !isBefore(place)) return unknown;
-        Reprojected nothing = gathered(place, float(-1.0), float(1.0), placesPerMm * nearness * nearness);
-        nothing.weight *= insideEdges(place);
-        return nothing;
-    }
-
-    float front = nearest + perStep * float(max(crossed - 1, 0));
-    float behind = nearest + perStep * float(crossed);
-    for (int i = 0; i < HALVINGS; ++i) {
-        float nearness = float(0.5) * (front + behind);
-        vec3 v = ray + reproject.oursMm * nearness;
-        vec2 place;
-        placeBefore(v, place);
-        float depthMm = vec2(fetchSurface(indexBefore(ivec2(floor(place))))).x;
-        if (depthMm >= float(0.0) && sqrt(dot(v, v)) / nearness >= depthMm)
-            behind = nearness;
-        else
-            front = nearness;
-    }
-    vec3 v = ray + reproject.oursMm * behind;
+// Whether the point of the line is behind the height field; not where that is not known.
+bool isBehind(EpipolarLine line, float nearness) {
+    vec3 towards = towardsAt(line, nearness);
     vec2 place;
-    placeBefore(v, place);
-    float reachedMm = sqrt(dot(v, v)) / behind;
+    if (!placeBefore(towards, place) || !isBefore(place)) return false;
+    float depthMm = vec2(fetchSurface(indexBefore(ivec2(floor(place))))).x;
+    return depthMm >= float(0.0) && sqrt(dot(towards, towards)) / nearness >= depthMm;
+}
+
+// The nearest point of the line behind the height field, as a nearness; negative when it stays in front. What is nearer to
+// the eye than where the line enters the picture is not known; it is taken for empty, as it mostly is.
+float firstBehind(EpipolarLine line) {
+    int steps = int(clamp(ceil(line.lengthPx), float(1.0), float(MOST_STEPS)));
+    float perStep = (line.farthest - line.nearest) / float(steps);
+    int crossed = -1;
+    for (int i = 0; i <= steps && crossed < 0; ++i) {
+        if (isBehind(line, line.nearest + perStep * float(i))) crossed = i;
+    }
+    if (crossed < 0) return float(-1.0);
+    float front = line.nearest + perStep * float(max(crossed - 1, 0));
+    float behind = line.nearest + perStep * float(crossed);
+    for (int i = 0; i < HALVINGS; ++i) {
+        float middle = float(0.5) * (front + behind);
+        bool isMiddleBehind = isBehind(line, middle);
+        front = isMiddleBehind ? front : middle;
+        behind = isMiddleBehind ? middle : behind;
+    }
+    return behind;
+}
+
+// What a pixel of the picture that is made shows.
+Reprojected reprojectedAt(ivec2 pixel) {
+    Reprojected unknown;
+    unknown.light = vec4(0.0);
+    unknown.weight = float(0.0);
+    EpipolarLine line;
+    if (!findLine(pixel, line)) return unknown;
+    float behind = firstBehind(line);
+    bool meets = behind > float(0.0);
+    if (!meets && !isBefore(line.last)) return unknown;  // it may have met something outside of the picture
+    float nearness = meets ? behind : min(float(1.0) / max(line.middleMm, float(1e-20)), line.nearest);
+    vec3 towards = towardsAt(line, nearness);
+    vec2 place;
+    if (!placeBefore(towards, place) || !isBefore(place)) return unknown;
+    float reachedMm = sqrt(dot(towards, towards)) / nearness;
     // Where the eye has not moved the line is a point, and every depth on it is right.
     float ownMm = vec2(fetchSurface(indexBefore(ivec2(floor(place))))).x;
-    if (lengthPx < float(0.5) && ownMm >= float(0.0)) reachedMm = ownMm;
-    Reprojected met = gathered(place, reachedMm, reachedMm * pixelAngle, placesPerMm * behind * behind);
-    met.weight *= insideEdges(place);
-    return met;
+    if (line.lengthPx < float(0.5) && ownMm >= float(0.0)) reachedMm = ownMm;
+    float pixelAngle = float(2.0) * sqrt(dot(reproject.beforeUp, reproject.beforeUp)) / float(reproject.beforeSize.y);
+    float placesPerMm = line.lengthPx / max(line.nearest - line.farthest, float(1e-30)) * nearness * nearness;
+    Reprojected seen = gathered(place, meets ? reachedMm : float(-1.0), reachedMm * pixelAngle, placesPerMm);
+    seen.weight *= insideEdges(place);
+    return seen;
 }

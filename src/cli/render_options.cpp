@@ -34,7 +34,7 @@ std::string helpOf(const app::Parameter& p) {
 }
 
 // What is drawn, and where to.
-void addInput(CLI::App& command, RenderOptions& o) {
+void addInput(CLI::App& command, app::RenderWish& o) {
     command.add_option(
         "PATH", o.path,
         "Folder with DICOM files, volume file (NIfTI, NRRD, MetaImage), or phantom: (default)");
@@ -52,7 +52,7 @@ void addInput(CLI::App& command, RenderOptions& o) {
 }
 
 // Options of the camera and the size of the picture.
-void addCamera(CLI::App& command, RenderOptions& o) {
+void addCamera(CLI::App& command, app::RenderWish& o) {
     auto* view = command.add_option("--view", o.view, "Where the viewer stands (default: anterior)")
                      ->transform(asViewDirection())
                      ->option_text(kViewDirectionNames);
@@ -67,7 +67,7 @@ void addCamera(CLI::App& command, RenderOptions& o) {
 }
 
 // How.
-void addLook(CLI::App& command, RenderOptions& o) {
+void addLook(CLI::App& command, app::RenderWish& o) {
     command
         .add_option("--look", o.settings.look, "How it is drawn, see docs/presets.md (default: cinematic)")
         ->transform(oneOf(looksByName()))
@@ -75,7 +75,7 @@ void addLook(CLI::App& command, RenderOptions& o) {
     command
         .add_option("--window", o.window,
                     fmt::format("Of {} (default: range of --preset, else window of the series)",
-                                looksListed(trace::isProjection)))
+                                app::looksListed(trace::isProjection)))
         ->option_text("CENTRE,WIDTH");
     command.add_flag_callback(
         "--shading", [&o] { o.settings.shading = trace::Shading::headlight; },
@@ -83,7 +83,7 @@ void addLook(CLI::App& command, RenderOptions& o) {
 }
 
 // With how much work.
-void addEffort(CLI::App& command, RenderOptions& o) {
+void addEffort(CLI::App& command, app::RenderWish& o) {
     command.add_option(
         "--quality", o.effort.quality,
         "draft, normal, high, reference, or JSON file: samples, bounces, filter and denoising at once");
@@ -106,7 +106,7 @@ void addEffort(CLI::App& command, RenderOptions& o) {
 }
 
 // In which light.
-void addLights(CLI::App& command, RenderOptions& o) {
+void addLights(CLI::App& command, app::RenderWish& o) {
     command.add_option("--lights", o.lights,
                        "Name from macula presets, light rig JSON, or HDR or EXR panorama");
     for (const app::Parameter& p : app::parameters()) {
@@ -120,19 +120,8 @@ void addLights(CLI::App& command, RenderOptions& o) {
 
 }  // namespace
 
-std::string looksListed(bool (*isMeant)(trace::Look)) {
-    std::string listed;
-    std::string_view last;
-    for (const trace::LookTraits& look : trace::kLooks) {
-        if (!isMeant(look.look)) continue;
-        if (!last.empty()) listed += (listed.empty() ? "" : ", ") + std::string(last);
-        last = look.name;
-    }
-    return listed.empty() ? std::string(last) : fmt::format("{} and {}", listed, last);
-}
-
-void addRenderOptions(CLI::App& command, RenderOptions& options) {
-    RenderOptions& o = options;
+void addRenderOptions(CLI::App& command, app::RenderWish& wish) {
+    app::RenderWish& o = wish;
     addInput(command, o);
     addCamera(command, o);
     addLook(command, o);

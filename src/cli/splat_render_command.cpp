@@ -21,7 +21,7 @@
 #include "cli/number_range.h"
 #include "cli/output_options.h"
 #include "cli/report.h"
-#include "cli/typed_values.h"
+#include "app/choice/typed_values.h"
 
 namespace macula::cli {
 
@@ -59,7 +59,7 @@ struct Shot {
 
 Result<std::optional<glm::ivec2>> sizeOf(const Options& options) {
     if (options.size.empty()) return std::optional<glm::ivec2>();
-    MACULA_TRY(const glm::ivec2 size, parseSize(options.size));
+    MACULA_TRY(const glm::ivec2 size, app::parseSize(options.size));
     return std::optional(size);
 }
 
@@ -116,7 +116,7 @@ Result<std::vector<app::SplatCamera>> camerasAround(const splat::Splats& splats,
 }
 
 Result<void> splatRender(const Options& options) {
-    MACULA_TRY(const glm::vec3 background, parseBackground(options.background));
+    MACULA_TRY(const glm::vec3 background, app::parseBackground(options.background));
     MACULA_TRY(const std::optional<glm::ivec2> size, sizeOf(options));
     MACULA_TRY(std::vector<app::SplatCamera> cameras,
                app::readSplatCameras(options.cameras, options.camera, size));

@@ -387,7 +387,7 @@ TEST_F(RasterizerExtremes, TooMuchIsAnErrorAndTheNextPictureIsRight) {
     const Splats splats = scattered(14, 500, 0, 3);
     const Splats one = some(1);
     ASSERT_TRUE(tools().parameters.upload(componentsOf(splats)).ok());
-    const Result<void> tooMany = few.draw(tools().parameters, 500, largeView(), {});
+    const Result<RasterPass> tooMany = few.draw(tools().parameters, 500, largeView(), {});
     ASSERT_FALSE(tooMany.ok());
     EXPECT_EQ(tooMany.error().code, ErrorCode::outOfMemory);
     EXPECT_NE(tooMany.error().message.find("too many"), std::string::npos);

@@ -1,4 +1,4 @@
-#include "cli/typed_values.h"
+#include "app/choice/typed_values.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 
 #include "pipeline/trace/settings.h"
 
-namespace macula::cli {
+namespace macula::app {
 
 Result<glm::ivec2> parseSize(const std::string& text) {
     glm::ivec2 size(0);
@@ -47,4 +47,4 @@ Result<glm::vec3> parseBackground(const std::string& text) {
     return colour;
 }
 
-}  // namespace macula::cli
+}  // namespace macula::app
