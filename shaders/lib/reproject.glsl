@@ -11,12 +11,12 @@
 // splats show something there, negative where they do not tell.
 
 // Steps along an epipolar line, a pixel each where that is enough, and halvings of the last one.
-#define MOST_STEPS 32
+#define MOST_STEPS 24
 #define HALVINGS 4
 // A depth is met when the ray passes within so many footprints of a pixel: a surface of which the eye sees 1 in 4.
 #define MET_FOOTPRINTS 4.0
 // The part of a distance by which splats may be wrong about it: no surface is sought beyond that.
-#define EXPECTED_WITHIN 0.1
+#define EXPECTED_WITHIN 0.06
 // Pixels by which a place may be wrong, for the uncertainty of its depth: from full weight to none.
 #define SURE_PX 0.75
 #define UNSURE_PX 3.0

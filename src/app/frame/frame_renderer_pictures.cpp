@@ -17,7 +17,7 @@ constexpr milliseconds kRateWindow{2000};
 // How long searching and learning take at a time. A dispatch and a step of training may take longer on a CPU.
 constexpr double kSliceMs = 40.0;
 // Of tracing the fovea after each frame, while a hand moves.
-constexpr double kFoveaSliceMs = 20.0;
+constexpr double kFoveaSliceMs = 12.0;
 
 double millisecondsBetween(std::chrono::steady_clock::time_point from,
                            std::chrono::steady_clock::time_point to) {
