@@ -10,6 +10,7 @@
 #include "app/camera/framed_model.h"
 #include "app/camera/splat_cameras.h"
 #include "app/camera/view_directions.h"
+#include "app/choice/typed_values.h"
 #include "app/open_device.h"
 #include "app/output/output_files.h"
 #include "app/picture/model_picture.h"
@@ -21,7 +22,6 @@
 #include "cli/number_range.h"
 #include "cli/output_options.h"
 #include "cli/report.h"
-#include "app/choice/typed_values.h"
 
 namespace macula::cli {
 

@@ -27,12 +27,13 @@ Result<ChosenPoses> choosePoses(trace::PathTracer& tracer, const Box& seenMm, co
 // begins with; in proportion to them where there are few, at most 2, because what the denoiser blurs stays.
 float weightBySamples(double samplesPerPixel);
 
-// The weight in training of a picture by its distance: the area that it spans where the centre of `seenMm` is,
-// over that of the first view that models are compared in (groundTruth: kTrainingFieldDeg, square, from 3 R, R being
-// half the diagonal); at most 4, and from nearer than R / 2 as from there. A picture pulls at a splat as hard
-// as the splat is large in it, and Adam goes by what pulled hardest: without this, what was seen from near
-// would drown what was seen from far (docs/peripheral-model.md). 1 where the box has no extent, or none that
-// is finite. `from` is relative to `originMm`, the model's; that and the box are in world mm.
+// The weight in training of a picture by its distance: the area that it spans where the centre of `seenMm`
+// is, over that of the first view that models are compared in (groundTruth: kTrainingFieldDeg, square, from 3
+// R, R being half the diagonal); at most 4, and from nearer than R / 2 as from there. A picture pulls at a
+// splat as hard as the splat is large in it, and Adam goes by what pulled hardest: without this, what was
+// seen from near would drown what was seen from far (docs/peripheral-model.md). 1 where the box has no
+// extent, or none that is finite. `from` is relative to `originMm`, the model's; that and the box are in
+// world mm.
 float weightByArea(const splat::RasterView& from, const Box& seenMm, const glm::dvec3& originMm);
 
 // The view as a trainer learns it, with its weight: by area, and by samples unless it is lit. Of views of one

@@ -71,8 +71,8 @@ class Rasterizer {
 
     // Lists are made on the device, and recordDraw is there.
     bool listsOnDevice() const { return deviceLists_.has_value(); }
-    // Draws as draw does, without waiting for anything. Whether there was room for all pairs is known when it is done;
-    // if not, the picture is empty and no splat shows in it.
+    // Draws as draw does, without waiting for anything. Whether there was room for all pairs is known when it
+    // is done; if not, the picture is empty and no splat shows in it.
     Result<RasterPass> recordDraw(gpu::Recorder& recorder, const SplatBuffer& parameters, std::uint32_t count,
                                   const RasterView& view, const Blending& blending);
     // After what was recorded is submitted, waits: true when the picture is right. False: now there is room,
