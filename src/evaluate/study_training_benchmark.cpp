@@ -61,7 +61,7 @@ Result<SizedTrainingBenchmark> StudyTrainingBench::measure(const glm::ivec2& siz
                benchmarkTraining(study_.device, model_, {.view = view, .pixels = std::move(traced.rgba)},
                                  {.trainer = hybrid::trainerOptions({}), .repetitions = options_.repetitions},
                                  progress_));
-    return SizedTrainingBenchmark{.sizePx = sizePx, .training = std::move(training)};
+    return SizedTrainingBenchmark{.sizePx = sizePx, .training = training};
 }
 
 Result<BeginningBenchmark> StudyTrainingBench::measureBeginning(const glm::ivec2& sizePx) {

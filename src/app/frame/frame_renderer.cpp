@@ -172,7 +172,7 @@ Result<void> FrameRenderer::tryStep(const Interrupts& interrupts) {
 }
 
 Result<void> FrameRenderer::takeNext(const Interrupts& interrupts) {
-    const Result<void> done = take(course_.next(Clock::now()), interrupts);
+    Result<void> done = take(course_.next(Clock::now()), interrupts);
     // Traced pictures come first: without the model there may be memory for them.
     if (done || done.error().code != ErrorCode::outOfMemory || !model_ || !model_->canBeDrawn()) return done;
     duty_.beginAnew();

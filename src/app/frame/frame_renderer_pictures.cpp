@@ -124,9 +124,13 @@ Result<void> FrameRenderer::showTraced() {
 
 Result<void> FrameRenderer::fade() {
     const Clock::time_point now = Clock::now();
-    MACULA_TRY(const gpu::Image* picture, frame(static_cast<float>(course_.tracedShare(now))));
+    const auto picture = frame(static_cast<float>(course_.tracedShare(now)));
+    if (!picture) {  // what it fades into is there
+        MACULA_TRY_VOID(withoutModel(picture.error()));
+        return showTraced();
+    }
     course_.faded(now);
-    MACULA_TRY_VOID(show(*picture));
+    MACULA_TRY_VOID(show(**picture));
     return device_->waitForAll();
 }
 

@@ -50,6 +50,7 @@ TEST(FoveaSize, HoldsAtTheExtremes) {
     narrow.camera.verticalFovDeg = 0.1;
     const FoveaAim all = affordableFovea(narrow, {}, 1e-9);
     EXPECT_LT(all.fieldDeg, 0.2);
+    EXPECT_GE(affordableFovea(narrow, {}, 1e3).fieldDeg, 0.1);
     EXPECT_LE(all.sidePx, 1280);
     for (const auto& [width, height] : {std::pair{1, 1}, std::pair{1, 4096}, std::pair{4096, 1}}) {
         const FoveaAim aim = affordableFovea({.camera = {}, .width = width, .height = height}, {}, 1e-9);

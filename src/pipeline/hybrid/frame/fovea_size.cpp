@@ -10,6 +10,7 @@ namespace {
 constexpr double kFieldBeforeCoarser = 0.6;
 constexpr double kCoarsest = 0.5;
 constexpr double kLeastField = 0.1;
+constexpr double kLeastFieldDeg = 0.1;  // that a camera may have
 
 double halfTangent(double fieldDeg) {
     return std::tan(0.5 * glm::radians(fieldDeg));
@@ -35,7 +36,7 @@ FoveaAim affordableFovea(const trace::View& whole, const glm::dvec2& gaze, doubl
     const double field = std::min(share / fineness, 1.0);
     return {.whole = whole,
             .gaze = gaze,
-            .fieldDeg = glm::degrees(2.0 * std::atan(field * half)),
+            .fieldDeg = std::max(glm::degrees(2.0 * std::atan(field * half)), kLeastFieldDeg),
             .sidePx = std::max(static_cast<int>(std::lround(wantedPx * share)), 1),
             .samplesPerPixel = 1};
 }
