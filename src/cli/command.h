@@ -12,6 +12,7 @@ namespace macula::cli {
 using Action = std::function<Result<void>()>;
 
 void addInfo(CLI::App& app, Action& action);
+void addHybrid(CLI::App& app, Action& action);
 void addRender(CLI::App& app, Action& action);
 void addSplatRender(CLI::App& app, Action& action);
 void addSheet(CLI::App& app, Action& action);

@@ -62,6 +62,7 @@ int run(int argc, char** argv) {
     cli::Action action;
     cli::addInfo(app, action);
     cli::addRender(app, action);
+    cli::addHybrid(app, action);
     cli::addSheet(app, action);
     cli::addSplatRender(app, action);
     cli::addExport(app, action);

@@ -11,6 +11,7 @@
 #include <utility>
 #include <variant>
 
+#include "app/frame/window_screen.h"
 #include "base/log.h"
 #include "viewer/keys.h"
 #include "viewer/painted_text.h"
@@ -128,12 +129,12 @@ void Viewport::layOut() {
 
 void Viewport::connectWindow() {
     connect(window_, &VulkanWindow::surfaceReady, this, [this] {
-        input_.surface = window_->surface();
+        input_.place = std::make_shared<const app::WindowPlace>(window_->surface());
         publish();
     });
     connect(window_, &VulkanWindow::surfaceGoing, this, [this] {
-        input_.surface = VK_NULL_HANDLE;
-        renderThread_->releaseSurface();
+        input_.place = nullptr;
+        renderThread_->releaseScreen();
     });
     connect(window_, &VulkanWindow::surfaceFailed, this, [this] {
         emit rendered(app::RenderFailure{.error = {ErrorCode::deviceNotUsable,

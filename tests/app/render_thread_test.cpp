@@ -13,6 +13,18 @@
 namespace macula::app {
 namespace {
 
+// Opens nothing: a step that comes so far is one too many.
+class NoPlace final : public ScreenPlace {
+  public:
+    std::vector<const char*> deviceExtensions() const override { return {}; }
+    Result<std::unique_ptr<Screen>> open(const std::shared_ptr<gpu::Device>&, VkExtent2D) const override {
+        return Error{ErrorCode::deviceNotUsable, "This is no place for pictures.", {}, {}};
+    }
+};
+std::shared_ptr<const ScreenPlace> noPlace() {
+    return std::make_shared<const NoPlace>();
+}
+
 // Without a window: what a render thread must do before it has one, and after it lost it.
 class RenderThreadTest : public testing::Test {
   protected:
@@ -48,16 +60,16 @@ TEST_F(RenderThreadTest, PublishingDoesNotWaitForAStepUnderWay) {
                 began.set_value();
                 published.get_future().wait();
             }
-            throw std::bad_alloc();  // the surface below is not real, and nothing has touched it yet
+            throw std::bad_alloc();  // the place below is not real, and nothing has touched it yet
         });
-        const auto surface = (VkSurfaceKHR)std::uintptr_t(1);  // a pointer or a number, by platform
-        thread.publish({.surface = surface, .width = 99, .height = 100, .visible = true});
+        const auto place = noPlace();
+        thread.publish({.place = place, .width = 99, .height = 100, .visible = true});
         began.get_future().wait();
         for (int i = 0; i < 1000; ++i)
-            thread.publish({.surface = surface, .width = 100 + i, .height = 100, .visible = true});
+            thread.publish({.place = place, .width = 100 + i, .height = 100, .visible = true});
         EXPECT_EQ(steps, 1);
         published.set_value();
-        thread.releaseSurface();
+        thread.releaseScreen();
     }
     EXPECT_GE(steps, 1);
     EXPECT_LE(steps, 2);  // of a thousand inputs the last one counts
@@ -75,16 +87,13 @@ TEST_F(RenderThreadTest, IsNotGoneBeforeItsStepIsOver) {
             isOver = true;
             throw std::bad_alloc();  // as above
         });
-        thread.publish({.surface = (VkSurfaceKHR)std::uintptr_t(1),  // a pointer or a number, by platform
-                        .width = 100,
-                        .height = 100,
-                        .visible = true});
+        thread.publish({.place = noPlace(), .width = 100, .height = 100, .visible = true});
         began.get_future().wait();
     }
     EXPECT_TRUE(isOver);
 }
 
-TEST_F(RenderThreadTest, WithoutASurfaceNothingIsDone) {
+TEST_F(RenderThreadTest, WithoutAPlaceNothingIsDone) {
     std::atomic<int> events = 0;
     {
         RenderThread thread(*std::move(instance_), {}, [&](const RenderEvent&) { ++events; });
@@ -94,13 +103,13 @@ TEST_F(RenderThreadTest, WithoutASurfaceNothingIsDone) {
             EXPECT_GT(sequence, last);
             last = sequence;
         }
-        thread.releaseSurface();  // there is none to wait for
+        thread.releaseScreen();  // there is none to wait for
     }
     EXPECT_EQ(events, 0);
 }
 
 // Preparing is the first thing a step tells, so that a listener which throws there stands for any part of the
-// step that runs out of memory; nothing has touched the surface by then, and this one is not real.
+// step that runs out of memory; nothing has touched the place by then, and this one is not real.
 TEST_F(RenderThreadTest, RunningOutOfMemoryIsToldAndTheThreadLivesOn) {
     std::atomic<int> failures = 0;
     std::atomic<bool> outOfMemory = true;
@@ -112,14 +121,14 @@ TEST_F(RenderThreadTest, RunningOutOfMemoryIsToldAndTheThreadLivesOn) {
                 ++failures;
             }
         });
-        const auto surface = (VkSurfaceKHR)std::uintptr_t(1);  // a pointer or a number, by platform
+        const auto place = noPlace();
         for (int i = 1; i <= 2; ++i) {
-            thread.publish({.surface = surface, .width = 100 + i, .height = 100, .visible = true});
+            thread.publish({.place = place, .width = 100 + i, .height = 100, .visible = true});
             const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(30);
             while (failures < i && std::chrono::steady_clock::now() < deadline) std::this_thread::yield();
             ASSERT_EQ(failures, i);
         }
-        thread.releaseSurface();
+        thread.releaseScreen();
     }
     EXPECT_EQ(failures, 2);
     EXPECT_TRUE(outOfMemory);

@@ -1,8 +1,6 @@
 // What the render thread is told, as one value.
 #pragma once
 
-#include <vulkan/vulkan_core.h>
-
 #include <chrono>
 #include <cstdint>
 #include <glm/glm.hpp>
@@ -11,6 +9,7 @@
 
 #include "app/camera/orbit_camera.h"
 #include "app/frame/picture_text.h"
+#include "app/frame/screen.h"
 #include "base/camera.h"
 #include "base/volume.h"
 #include "pipeline/trace/environment.h"
@@ -38,9 +37,8 @@ struct FrameInput {
     std::uint64_t sequence = 0;  // grows by one with each input
     std::chrono::steady_clock::time_point published{};
 
-    // Owned by the window. Null means: let go of the one you have.
-    VkSurfaceKHR surface = VK_NULL_HANDLE;
-    int width = 0;  // of the window, in device pixels
+    std::shared_ptr<const ScreenPlace> place{};  // null: let go of the one you have
+    int width = 0;                               // of it, in device pixels
     int height = 0;
     bool visible = false;         // nothing is made for a window that nobody sees
     std::uint64_t exposures = 0;  // grows when the window system has lost what was shown
@@ -54,7 +52,8 @@ struct FrameInput {
     glm::vec3 background{0.02f};                // linear
     std::uint32_t sampleLimit = 512;  // per pixel; then it counts as converged, if noise is not gone before
     bool interacting = false;         // a hand is moving something: stay fast
-    bool usesModel = true;            // draw the peripheral model while the view moves
+    glm::dvec2 gaze{0.0};   // where the eye looks in the picture, -1 to 1; right and up are positive
+    bool usesModel = true;  // draw the peripheral model while the view moves
 };
 
 }  // namespace macula::app

@@ -30,6 +30,12 @@ float encodedSrgb(float linear) {
     return linear <= 0.0031308f ? 12.92f * linear : 1.055f * std::pow(linear, 1.0f / 2.4f) - 0.055f;
 }
 
+// An eye that looks beside the picture, or nobody knows where: at its border, or in its middle.
+glm::dvec2 usableGaze(const glm::dvec2& gaze) {
+    const bool isFinite = std::isfinite(gaze.x) && std::isfinite(gaze.y);
+    return isFinite ? glm::clamp(gaze, -1.0, 1.0) : glm::dvec2(0.0);
+}
+
 // Only light that stays in place can have a model: a model holds it.
 bool canHaveModel(const FrameInput& input) {
     return input.usesModel && trace::isPathTraced(input.drawing.settings.look) &&
@@ -44,17 +50,17 @@ FrameRenderer::FrameRenderer(gpu::Instance instance, std::string preferredDevice
       listener_(std::move(listener)) {}
 
 FrameRenderer::~FrameRenderer() {
-    releaseSurface();
+    releaseScreen();
 }
 
 void FrameRenderer::accept(FrameInput input) {
     input.drawing.settings.errorThreshold = kConverged;
-    if (input.surface != input_.surface) releaseSurface();
+    if (input.place != input_.place) releaseScreen();
     if (input.study != input_.study || input.volume != input_.volume) {
         // Nobody may take the picture of one patient for that of the next, not even while this one is
         // prepared.
         duty_.otherStudy();
-        if (presenter_) presenter_->forget();
+        if (screen_) screen_->forget();
         unreported_.reset();
         hybrid_.reset();
         model_.reset();
@@ -77,6 +83,7 @@ void FrameRenderer::accept(FrameInput input) {
         duty_.otherBackground();
     }
     if (input.sampleLimit > input_.sampleLimit) course_.goOnTracing();
+    input.gaze = usableGaze(input.gaze);
     input_ = std::move(input);
     tellCourse();
 }
@@ -94,11 +101,11 @@ void FrameRenderer::tellCourse() {
 }
 
 bool FrameRenderer::hasWork() const {
-    if (!input_.visible || input_.surface == VK_NULL_HANDLE) return false;
+    if (!input_.visible || !input_.place) return false;
     if (input_.width <= 0 || input_.height <= 0) return false;
-    const bool isWindowRight = presenter_ && applied_.exposures == input_.exposures &&
-                               presenter_->text() == input_.text && !duty_.isForeign() && !presenter_->owes();
-    if (duty_.isHalted()) return presenter_ && !isWindowRight;
+    const bool isWindowRight = screen_ && applied_.exposures == input_.exposures &&
+                               screen_->text() == input_.text && !duty_.isForeign() && !screen_->owes();
+    if (duty_.isHalted()) return screen_ && !isWindowRight;
     return !device_ || !isWindowRight || work() != RenderDuty::Work::nothing;
 }
 
@@ -142,9 +149,9 @@ void FrameRenderer::fail(ErrorCode code, const char* message, const char* hint) 
 
 Result<void> FrameRenderer::tryStep(const Interrupts& interrupts) {
     MACULA_TRY_VOID(ensureDevice());
-    MACULA_TRY_VOID(ensurePresenter());
+    MACULA_TRY_VOID(ensureScreen());
     const bool mustClear =
-        duty_.isForeign() && !presenter_->owes();  // a picture still owed is an empty one already
+        duty_.isForeign() && !screen_->owes();  // a picture still owed is an empty one already
     if (mustClear) MACULA_TRY_VOID(clearWindow());
     tellCourse();
     switch (work()) {
@@ -200,7 +207,7 @@ Result<void> FrameRenderer::ensureDevice() {
     if (!device_) {
         gpu::DeviceOptions options;
         options.preferred = preferredDevice_;
-        options.extensions.push_back(VK_KHR_SWAPCHAIN_EXTENSION_NAME);
+        options.extensions = input_.place->deviceExtensions();
         MACULA_TRY(device_, gpu::Device::create(instance_, options));
     }
     MACULA_TRY(traced_, TracedPictures::create(device_));
@@ -210,22 +217,21 @@ Result<void> FrameRenderer::ensureDevice() {
     return {};
 }
 
-Result<void> FrameRenderer::ensurePresenter() {
+Result<void> FrameRenderer::ensureScreen() {
     const VkExtent2D window{std::uint32_t(input_.width), std::uint32_t(input_.height)};
-    if (!presenter_) {
-        MACULA_TRY(Presenter presenter, Presenter::create(device_, input_.surface, window));
-        presenter_.emplace(std::move(presenter));
+    if (!screen_) {
+        MACULA_TRY(screen_, input_.place->open(device_, window));
         duty_.beginAnew();
     } else if (applied_.window.width != window.width || applied_.window.height != window.height) {
-        MACULA_TRY_VOID(presenter_->resize(window));
+        MACULA_TRY_VOID(screen_->resize(window));
     }
     applied_.window = window;
     // The kept picture is of the input's study: that of another study is forgotten by now.
-    const bool isOtherText = presenter_->text() != input_.text;
-    if (applied_.exposures != input_.exposures || isOtherText || presenter_->owes()) {
+    const bool isOtherText = screen_->text() != input_.text;
+    if (applied_.exposures != input_.exposures || isOtherText || screen_->owes()) {
         applied_.exposures = input_.exposures;
-        presenter_->setText(input_.text);
-        MACULA_TRY(const bool shown, presenter_->showAgain());
+        screen_->setText(input_.text);
+        MACULA_TRY(const bool shown, screen_->showAgain());
         if (shown) {
             if (duty_.isForeign()) listener_(PictureRemoved{});
             duty_.showedOurs();
@@ -236,13 +242,13 @@ Result<void> FrameRenderer::ensurePresenter() {
 }
 
 Result<void> FrameRenderer::clearWindow() {
-    presenter_->forget();
+    screen_->forget();
     unreported_.reset();
     shown_.clear();
     const glm::vec3 b = input_.background;
     const VkClearColorValue colour{{encodedSrgb(b.r), encodedSrgb(b.g), encodedSrgb(b.b), 1.0f}};
-    MACULA_TRY_VOID(presenter_->showColour(colour));
-    if (presenter_->owes()) {
+    MACULA_TRY_VOID(screen_->showColour(colour));
+    if (screen_->owes()) {
         duty_.owesClearing();
     } else {  // of a hidden window nothing is to be seen
         duty_.showedOurs();
@@ -341,6 +347,7 @@ hybrid::ModelNews FrameRenderer::modelNews() const {
     return model_ ? model_->news() : hybrid::ModelNews{.stage = whyNoModel_};
 }
 
+// No more often than a person can read it.
 void FrameRenderer::tellOfModel() {
     const hybrid::ModelNews news = modelNews();
     const Clock::time_point now = Clock::now();
@@ -368,23 +375,22 @@ void FrameRenderer::handle(Error error) {
     duty_.failed();
     if (traced_) traced_->sceneChanged();  // the content of its film is unknown
     try {
-        const Result<void> cleared = presenter_ ? clearWindow() : Result<void>{};
+        const Result<void> cleared = screen_ ? clearWindow() : Result<void>{};
         if (!cleared) {
             log::warning("{}", cleared.error().message);
-            releaseSurface();
+            releaseScreen();
         }
     } catch (const std::exception&) {
         log::warning(
             "The window could not be cleared.");  // this must not keep the first error from being reported
-        releaseSurface();
+        releaseScreen();
     }
-    listener_(RenderFailure{.error = error,
-                            .inputSequence = input_.sequence,
-                            .pictureRemains = !presenter_ || duty_.isForeign()});
+    listener_(RenderFailure{
+        .error = error, .inputSequence = input_.sequence, .pictureRemains = !screen_ || duty_.isForeign()});
 }
 
 void FrameRenderer::dropDevice() {
-    releaseSurface();
+    releaseScreen();
     if (model_) model_->save();
     hybrid_.reset();
     model_.reset();
@@ -393,11 +399,20 @@ void FrameRenderer::dropDevice() {
     applied_ = {};
 }
 
-void FrameRenderer::releaseSurface() {
-    if (const Result<void> released = Presenter::release(std::exchange(presenter_, std::nullopt));
-        !released) {
-        log::warning("{}", released.error().message);
-    }
+void FrameRenderer::releaseScreen() {
+    if (const Result<void> closed = closeScreen(); !closed) log::warning("{}", closed.error().message);
+}
+
+Result<void> FrameRenderer::closeScreen() {
+    if (!screen_) return {};
+    std::unique_ptr<Screen> screen = std::exchange(screen_, nullptr);
+    if (device_->lost()) return {};  // dropping it is all that is left to do
+    MACULA_TRY_VOID(device_->waitForAll());
+    screen.reset();
+    // Dropping only queued the destruction; a surface may go only after its swapchain is really gone.
+    MACULA_TRY_VOID(device_->waitForAll());
+    device_->collect();
+    return {};
 }
 
 }  // namespace macula::app

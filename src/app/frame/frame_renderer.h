@@ -11,10 +11,10 @@
 
 #include "app/frame/frame_input.h"
 #include "app/frame/picture_course.h"
-#include "app/frame/presenter.h"
 #include "app/frame/render_duty.h"
 #include "app/frame/render_events.h"
 #include "app/frame/scene_names.h"
+#include "app/frame/screen.h"
 #include "app/frame/traced_pictures.h"
 #include "pipeline/gpu/device.h"
 #include "pipeline/gpu/instance.h"
@@ -52,15 +52,16 @@ class FrameRenderer {
     // Reports an error from outside of step(), and rests until something changes. Throws nothing.
     void fail(ErrorCode code, const char* message, const char* hint);
 
-    // Afterwards nothing refers to the surface of the last input.
-    void releaseSurface();
+    // Afterwards nothing refers to the place of the last input.
+    void releaseScreen();
 
   private:
     using Clock = std::chrono::steady_clock;
 
     Result<void> tryStep(const Interrupts& interrupts);
     Result<void> ensureDevice();
-    Result<void> ensurePresenter();
+    Result<void> ensureScreen();
+    Result<void> closeScreen();
     Result<void> clearWindow();
     Result<bool> applyScene(const Interrupts& interrupts);  // whether all of it is there
     Result<void> applyModel();
@@ -93,12 +94,12 @@ class FrameRenderer {
     RenderListener listener_;
 
     std::shared_ptr<gpu::Device> device_;
-    std::optional<Presenter> presenter_;
+    std::unique_ptr<Screen> screen_;
     std::optional<TracedPictures> traced_;
     std::optional<hybrid::LiveModel> model_;
     hybrid::ModelStage whyNoModel_ = hybrid::ModelStage::none;  // why model_ is empty
     std::optional<hybrid::HybridFrame> hybrid_;                 // of what the model is of
-    std::optional<double> foveaAgeMs_;  // of the last frame; nothing where it had none
+    hybrid::Frame lastFrame_;                                   // without its pictures
     // Models of this volume; outlives the device.
     std::shared_ptr<hybrid::ModelShelf> shelf_;
     SceneNames sceneNames_;
@@ -123,7 +124,7 @@ class FrameRenderer {
     hybrid::ModelNews modelTold_;
     Clock::time_point modelToldAt_{};
     gpu::LossCount losses_;
-    std::optional<FrameShown> unreported_;  // of the picture that the presenter keeps, while nobody sees it
+    std::optional<FrameShown> unreported_;  // of the picture that the screen keeps, while nobody sees it
 };
 
 }  // namespace macula::app

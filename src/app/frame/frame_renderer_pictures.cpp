@@ -83,7 +83,7 @@ Result<bool> FrameRenderer::traceFovea(const Interrupts& interrupts) {
         const double msPerSample =
             hybrid_->foveaMsPerSample().value_or(hybrid::guessedFoveaMsPerSample(*device_));
         MACULA_TRY_VOID(hybrid_->aim(hybrid::affordableFovea(
-            whole, glm::dvec2(0.0), msPerSample, hybrid_->foveaBudgetMs(hybrid::kFoveaBudgetMs))));
+            whole, input_.gaze, msPerSample, hybrid_->foveaBudgetMs(hybrid::kFoveaBudgetMs))));
     }
     return hybrid_->traceFovea(keepGoing);
 }
@@ -182,7 +182,7 @@ Result<void> FrameRenderer::showAgain() {
 // The model with the fovea over it, and the traced picture of all pixels with that share. Where the model was
 // given up meanwhile, that picture alone.
 Result<const gpu::Image*> FrameRenderer::frame(float tracedShare) {
-    foveaAgeMs_.reset();
+    lastFrame_ = {};
     if (!hybrid_ || !model_ || !model_->canBeDrawn()) return traced_->display(input_.background);
     const hybrid::Periphery periphery{
         .draw = [&](const Camera& eye, const glm::ivec2& sizePx) -> Result<hybrid::DrawnSplats> {
@@ -198,13 +198,12 @@ Result<const gpu::Image*> FrameRenderer::frame(float tracedShare) {
         MACULA_TRY(const trace::TracedLight light, traced_->light());
         request.fadingIn = {.light = light, .share = tracedShare};
     }
-    MACULA_TRY(const hybrid::Frame drawn, hybrid_->draw(request, periphery));
-    foveaAgeMs_ = drawn.foveaAgeMs;
-    return drawn.pictures.front();
+    MACULA_TRY(lastFrame_, hybrid_->draw(request, periphery));
+    return std::exchange(lastFrame_.pictures, {}).front();
 }
 
 Result<void> FrameRenderer::show(const gpu::Image& picture) {
-    MACULA_TRY(const bool visible, presenter_->show(picture));
+    MACULA_TRY(const bool visible, screen_->show(picture));
     const Clock::time_point now = Clock::now();
     const OnScreen kind = course_.onScreen();
     // The frame rate is that of the kind of picture that is shown now.
@@ -226,7 +225,11 @@ Result<void> FrameRenderer::show(const gpu::Image& picture) {
                      .framesPerSecond = framesPerSecond(),
                      .latencyMs = millisecondsBetween(input_.published, now)};
     frame.model = modelNews();
-    if (kind == OnScreen::model) frame.foveaAgeMs = foveaAgeMs_;
+    if (kind == OnScreen::model) {
+        frame.foveaAgeMs = lastFrame_.foveaAgeMs;
+        frame.foveaSamples = lastFrame_.foveaSamples;
+        frame.foveaShare = lastFrame_.foveaShare;
+    }
     frame.greyFacesAreCoarse = kind == OnScreen::model && input_.drawing.clip &&
                                input_.drawing.clip->hasShape() && input_.drawing.clip->greyFaces;
     const bool isTraced = kind == OnScreen::traced || kind == OnScreen::fading;
@@ -241,13 +244,11 @@ Result<void> FrameRenderer::show(const gpu::Image& picture) {
         frame.samplesLeftOut = statistics.nonFiniteSamples + statistics.abandonedSamples;
     }
     frame.messages = traced_->tracer().messages();
-    // The presenter has kept a picture that could not be shown now; it is shown as soon as it can be.
+    // The screen has kept a picture that could not be shown now; it is shown as soon as it can be.
     unreported_ = visible ? std::nullopt : std::optional(frame);
     if (visible) listener_(frame);
     return {};
 }
-
-// News of the model is sent no more often than a person can read it.
 
 double FrameRenderer::framesPerSecond() const {
     if (shown_.size() < 2) return 0.0;

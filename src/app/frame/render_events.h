@@ -61,6 +61,8 @@ struct FrameShown {
     int scale = 1;
     hybrid::ModelNews model{};
     std::optional<double> foveaAgeMs{};  // over the model; nothing where there was no fovea yet
+    std::uint32_t foveaSamples = 0;      // of each of its pixels
+    double foveaShare = 0.0;             // of the pixels, at most
     bool greyFacesAreCoarse = false;     // of a clip, by splats
     std::uint64_t samplesPerPixel = 0;   // on average: noise decides where they go
     std::uint64_t sampleLimit = 0;

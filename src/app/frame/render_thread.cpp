@@ -52,10 +52,10 @@ std::uint64_t RenderThread::publish(FrameInput input) {
     return last_.sequence;
 }
 
-void RenderThread::releaseSurface() {
-    if (last_.surface == VK_NULL_HANDLE) return;
+void RenderThread::releaseScreen() {
+    if (!last_.place) return;
     FrameInput without = last_;
-    without.surface = VK_NULL_HANDLE;
+    without.place = nullptr;
     const std::uint64_t sequence = publish(std::move(without));
     bool told = false;
     while (true) {
@@ -72,16 +72,16 @@ void RenderThread::run(const std::stop_token& stop, gpu::Instance instance, std:
     FrameRenderer renderer(std::move(instance), std::move(preferredDevice), std::move(listener));
     const Interrupts interrupts{.newInput = [this] { return inputs_.pending(); },
                                 .stopping = [&stop] { return stop.stop_requested(); }};
-    std::optional<std::uint64_t> owed;  // whoever waits for the surface waits until this is published
+    std::optional<std::uint64_t> owed;  // whoever waits for the screen waits until this is published
     while (!stop.stop_requested()) {
         try {
             std::optional<FrameInput> input = renderer.hasWork() || owed ? inputs_.tryTake() : inputs_.take();
             if (input) {
-                if (input->surface == VK_NULL_HANDLE) owed = input->sequence;
+                if (!input->place) owed = input->sequence;
                 renderer.accept(std::move(*input));
             }
             if (owed) {
-                renderer.releaseSurface();
+                renderer.releaseScreen();
                 released_.publish(*std::exchange(owed, std::nullopt));
             }
         } catch (const std::exception&) {

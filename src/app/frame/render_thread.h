@@ -23,10 +23,10 @@ class RenderThread {
     // Sets the sequence number and the time, and returns the number.
     std::uint64_t publish(FrameInput input);
 
-    // Waits until nothing refers to the surface any more, which the window system destroys next: as long as
-    // it takes, because a driver that loses a surface in use takes the process with it. The only wait in the
-    // other direction.
-    void releaseSurface();
+    // Waits until nothing refers to the place any more, whose surface the window system destroys next: as
+    // long as it takes, because a driver that loses a surface in use takes the process with it. The only wait
+    // in the other direction.
+    void releaseScreen();
 
   private:
     void run(const std::stop_token& stop, gpu::Instance instance, std::string preferredDevice,
@@ -34,7 +34,7 @@ class RenderThread {
 
     FrameInput last_;
     Latest<FrameInput> inputs_;
-    Latest<std::uint64_t> released_;  // sequence of the input without surface that was taken
+    Latest<std::uint64_t> released_;  // sequence of the input without place that was taken
     std::jthread thread_;             // last: it uses all of the above
 };
 

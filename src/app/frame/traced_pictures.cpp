@@ -64,7 +64,7 @@ trace::Settings previewSettings(trace::Settings settings, std::uint32_t number) 
 
 bool isSamePicture(const FrameInput& a, const FrameInput& b) {
     return a.volume == b.volume && a.drawing == b.drawing && sameCamera(a.camera, b.camera) &&
-           a.surface == b.surface && a.width == b.width && a.height == b.height;
+           a.place == b.place && a.width == b.width && a.height == b.height;
 }
 
 Result<TracedPictures> TracedPictures::create(const std::shared_ptr<gpu::Device>& device) {

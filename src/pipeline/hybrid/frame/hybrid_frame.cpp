@@ -133,6 +133,10 @@ Result<Frame> HybridFrame::draw(const FrameRequest& request, const Periphery& pe
     if (showsFoveaTo(request.eyes.front())) {
         frame.foveaAgeMs = msBetween(fovea_->begun, Clock::now());
         frame.foveaSamples = fovea_->aim.samplesPerPixel;
+        const glm::dvec2 part = reprojectedRegion(fovea_->picture.camera, fovea_->picture.sizePx,
+                                                  request.eyes.front(), request.sizePx, seenMm_)
+                                    .sizePx;
+        frame.foveaShare = std::min(1.0, part.x * part.y / (double(request.sizePx.x) * request.sizePx.y));
     }
     return frame;
 }

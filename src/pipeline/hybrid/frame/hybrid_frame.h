@@ -60,6 +60,7 @@ struct Frame {
     std::vector<const gpu::Image*> pictures;  // for each eye, as Compositor::compose; until the next frame
     std::optional<double> foveaAgeMs;         // since its tracing began; nothing while there is none
     std::uint32_t foveaSamples = 0;           // of each of its pixels
+    double foveaShare = 0.0;                  // of the first eye's pixels, at most: where it can lie
 };
 
 // Used by one thread at a time, the one that uses the device.

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string_view>
 
 namespace macula::hybrid {
 
@@ -15,6 +16,27 @@ enum class ModelStage {
     noRoom,        // the device has no memory for it beside what is shown
     failed,        // it could not be made or drawn, for another reason
 };
+
+// The name as in reports; a literal.
+constexpr std::string_view nameOf(ModelStage stage) {
+    switch (stage) {
+        case ModelStage::none:
+            return "none";
+        case ModelStage::searching:
+            return "searching";
+        case ModelStage::learning:
+            return "learning";
+        case ModelStage::resting:
+            return "resting";
+        case ModelStage::nothingToSee:
+            return "nothing to see";
+        case ModelStage::noRoom:
+            return "no room";
+        case ModelStage::failed:
+            return "failed";
+    }
+    return {};
+}
 
 struct ModelNews {
     ModelStage stage = ModelStage::none;

@@ -1,4 +1,4 @@
-#include "app/frame/presenter.h"
+#include "app/frame/window_screen.h"
 
 #include <utility>
 
@@ -15,30 +15,30 @@ constexpr int kResizeAttempts = 3;
 
 }  // namespace
 
-Presenter::Presenter(std::shared_ptr<gpu::Device> device, gpu::Swapchain swapchain, VkExtent2D wanted)
-    : device_(std::move(device)), swapchain_(std::move(swapchain)), wanted_(wanted) {}
-
-Result<Presenter> Presenter::create(const std::shared_ptr<gpu::Device>& device, VkSurfaceKHR surface,
-                                    VkExtent2D extent) {
+Result<std::unique_ptr<Screen>> WindowPlace::open(const std::shared_ptr<gpu::Device>& device,
+                                                  VkExtent2D extent) const {
     // Mailbox: tracing must not wait for the display.
     MACULA_TRY(
         gpu::Swapchain swapchain,
-        gpu::Swapchain::create(device, surface, {.extent = extent, .mode = gpu::PresentMode::mailbox}));
-    return Presenter(device, std::move(swapchain), extent);
+        gpu::Swapchain::create(device, surface_, {.extent = extent, .mode = gpu::PresentMode::mailbox}));
+    return std::unique_ptr<Screen>(std::make_unique<WindowScreen>(device, std::move(swapchain), extent));
 }
 
-Result<void> Presenter::resize(VkExtent2D extent) {
+WindowScreen::WindowScreen(std::shared_ptr<gpu::Device> device, gpu::Swapchain swapchain, VkExtent2D wanted)
+    : device_(std::move(device)), swapchain_(std::move(swapchain)), wanted_(wanted) {}
+
+Result<void> WindowScreen::resize(VkExtent2D extent) {
     wanted_ = extent;
     return swapchain_.resize(extent);
 }
 
-void Presenter::setText(std::shared_ptr<const PictureText> text) {
+void WindowScreen::setText(std::shared_ptr<const PictureText> text) {
     if (text == text_) return;
     text_ = std::move(text);
     textImage_.reset();
 }
 
-Result<gpu::BlitOverlay> Presenter::overlay() {
+Result<gpu::BlitOverlay> WindowScreen::overlay() {
     if (!text_ || isColour_) return gpu::BlitOverlay{};
     if (!textImage_) {
         MACULA_TRY(gpu::Image image, gpu::Image::create(device_, {.label = "text over the picture",
@@ -51,13 +51,13 @@ Result<gpu::BlitOverlay> Presenter::overlay() {
     return gpu::BlitOverlay{&*textImage_, text_->boxes};
 }
 
-Result<bool> Presenter::show(const gpu::Image& picture) {
+Result<bool> WindowScreen::show(const gpu::Image& picture) {
     isColour_ = false;
     MACULA_TRY_VOID(keep(picture));
     return showAgain();
 }
 
-Result<void> Presenter::keep(const gpu::Image& picture) {
+Result<void> WindowScreen::keep(const gpu::Image& picture) {
     const VkExtent3D extent = picture.extent();
     const bool fits = kept_ && kept_->extent().width == extent.width &&
                       kept_->extent().height == extent.height && kept_->format() == picture.format();
@@ -76,7 +76,7 @@ Result<void> Presenter::keep(const gpu::Image& picture) {
     return {};
 }
 
-Result<bool> Presenter::showAgain() {
+Result<bool> WindowScreen::showAgain() {
     if (!keptIsValid_) return false;
     owes_ = true;
     MACULA_TRY(const gpu::BlitOverlay text, overlay());
@@ -106,7 +106,7 @@ Result<bool> Presenter::showAgain() {
     return false;
 }
 
-Result<bool> Presenter::showColour(const VkClearColorValue& colour) {
+Result<bool> WindowScreen::showColour(const VkClearColorValue& colour) {
     MACULA_TRY(const gpu::Image image,
                gpu::Image::create(device_, {.label = "empty picture", .format = VK_FORMAT_R8G8B8A8_UNORM}));
     MACULA_TRY(gpu::Recorder recorder, gpu::Recorder::create(device_, "empty picture"));
@@ -115,18 +115,6 @@ Result<bool> Presenter::showColour(const VkClearColorValue& colour) {
     isColour_ = true;
     MACULA_TRY_VOID(keep(image));
     return showAgain();
-}
-
-Result<void> Presenter::release(std::optional<Presenter> presenter) {
-    if (!presenter) return {};
-    const std::shared_ptr<gpu::Device> device = presenter->device_;
-    if (device->lost()) return {};  // dropping the swapchain is all that is left to do
-    MACULA_TRY_VOID(device->waitForAll());
-    presenter.reset();
-    // Dropping only queued the destruction; the surface may go only after the swapchain is really gone.
-    MACULA_TRY_VOID(device->waitForAll());
-    device->collect();
-    return {};
 }
 
 }  // namespace macula::app

@@ -1,0 +1,35 @@
+// Where a camera goes, by time; as a JSON file a list of
+//   { "atS": 0, "camera": {as camera_file.h} }
+// in order of time. The first is at 0.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "base/camera.h"
+#include "base/result.h"
+
+namespace macula::app {
+
+struct CameraPath {
+    struct Stop {
+        double atS = 0.0;
+        Camera camera;
+    };
+    std::vector<Stop> stops;  // at least one; each later than the one before
+
+    double seconds() const { return stops.back().atS; }
+};
+
+// At most kMostStops. inputNotUsable: says which stop is wrong, and how.
+inline constexpr std::size_t kMostStops = 10000;
+Result<CameraPath> readCameraPath(const std::filesystem::path& path);
+
+// Walks around the target of `camera` towards the patient's left: one turn in `turnS`, for `seconds`.
+CameraPath turntable(const Camera& camera, double turnS, double seconds);
+
+// Between two stops the target goes straight, and the eye around it by the shorter way. Before the first and
+// after the last it stands still.
+Camera cameraAt(const CameraPath& path, double atS);
+
+}  // namespace macula::app

@@ -1,0 +1,35 @@
+#include "app/frame/fidelity.h"
+
+#include <fmt/format.h>
+
+namespace macula::app {
+
+namespace {
+
+void addModel(const FrameShown& frame, std::vector<std::string>& because) {
+    if (!frame.foveaAgeMs) {
+        because.emplace_back("splats only");
+    } else {
+        because.emplace_back("splats around the fovea");
+        because.push_back(fmt::format("fovea traced {:.1f} s ago with {} samples", *frame.foveaAgeMs / 1000.0,
+                                      frame.foveaSamples));
+    }
+    if (frame.greyFacesAreCoarse) because.emplace_back("values on cut faces only coarsely");
+}
+
+}  // namespace
+
+Fidelity fidelityOf(const FrameShown& frame) {
+    Fidelity fidelity{.isFinal = frame.picture == OnScreen::traced && frame.stage == Stage::converged};
+    std::vector<std::string>& because = fidelity.because;
+    if (frame.picture == OnScreen::model) addModel(frame, because);
+    if (frame.picture == OnScreen::fading) because.emplace_back("splats fade out");
+    if (frame.scale > 1) because.push_back(fmt::format("1/{} of the pixels each way", frame.scale));
+    if (frame.picture != OnScreen::model && frame.stage != Stage::converged)
+        because.push_back(fmt::format("{} of {} samples", frame.samplesPerPixel, frame.sampleLimit));
+    if (frame.denoised) because.emplace_back("denoised");
+    if (frame.samplesLeftOut > 0) because.push_back(fmt::format("{} samples left out", frame.samplesLeftOut));
+    return fidelity;
+}
+
+}  // namespace macula::app

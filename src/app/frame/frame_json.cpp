@@ -1,0 +1,46 @@
+#include "app/frame/frame_json.h"
+
+#include "app/frame/fidelity.h"
+
+namespace macula::app {
+
+namespace {
+
+double share(const FrameShown& frame) {
+    switch (frame.picture) {
+        case OnScreen::nothing:
+            return 0.0;
+        case OnScreen::model:
+            return frame.foveaShare;
+        case OnScreen::preview:
+        case OnScreen::fading:
+        case OnScreen::traced:
+            return 1.0;
+    }
+    return 0.0;
+}
+
+}  // namespace
+
+nlohmann::ordered_json toJson(const FrameShown& frame) {
+    const Fidelity fidelity = fidelityOf(frame);
+    nlohmann::ordered_json json{{"picture", nameOf(frame.picture)},
+                                {"width", frame.width},
+                                {"height", frame.height},
+                                {"latencyMs", frame.latencyMs},
+                                {"tracedShare", share(frame)}};
+    if (frame.foveaAgeMs) json["fovea"] = {{"ageMs", *frame.foveaAgeMs}, {"samples", frame.foveaSamples}};
+    if (frame.picture != OnScreen::model && frame.picture != OnScreen::nothing) {
+        json["samplesPerPixel"] = frame.samplesPerPixel;
+        json["denoised"] = frame.denoised;
+    }
+    json["model"] = {{"stage", nameOf(frame.model.stage)},
+                     {"splats", frame.model.splats},
+                     {"steps", frame.model.steps},
+                     {"views", frame.model.views}};
+    json["fidelity"] = fidelity.isFinal ? "final" : "transient";
+    json["because"] = fidelity.because;
+    return json;
+}
+
+}  // namespace macula::app

@@ -1,0 +1,301 @@
+#include "app/frame/live_recording.h"
+
+#include <chrono>
+#include <memory>
+#include <mutex>
+#include <thread>
+#include <utility>
+
+#include "app/camera/orbit_camera.h"
+#include "app/frame/render_thread.h"
+#include "pipeline/gpu/transfer.h"
+
+namespace macula::app {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr auto kHandInterval = std::chrono::milliseconds(16);  // as often as a usual mouse and display
+constexpr double kVerticalFovDeg = 30.0;
+
+double secondsBetween(Clock::time_point from, Clock::time_point to) {
+    return std::chrono::duration<double>(to - from).count();
+}
+
+// What the render thread leaves for who moves the camera. Both threads use it.
+class Tape {
+  public:
+    Tape(double picturesPerS, std::uint64_t bytesOfPicture)
+        : interval_(std::chrono::duration_cast<Clock::duration>(
+              std::chrono::duration<double>(1.0 / std::max(picturesPerS, 1e-6)))),
+          mostPictures_(std::max<std::uint64_t>(2, kMostRecordedBytes / bytesOfPicture) - 1) {}
+
+    // Render thread: the picture comes before the frame that tells of it.
+    Result<void> take(const gpu::Image& picture) {
+        const Clock::time_point now = Clock::now();
+        {
+            const std::lock_guard lock(mutex_);
+            pixels_.clear();
+            isSpare_ = lastKept_ && now - *lastKept_ < interval_;
+            if (!isSpare_ && kept_ >= mostPictures_) isSpare_ = isFull_ = true;
+            // At rest the last one counts, and nobody knows which that is.
+            if (isSpare_ && (inputs_.empty() || inputs_.back().phase != RecordingPhase::resting)) return {};
+        }
+        MACULA_TRY(std::vector<glm::u8vec4> pixels, gpu::read<glm::u8vec4>(picture));
+        const std::lock_guard lock(mutex_);
+        pixels_ = std::move(pixels);
+        sizePx_ = {int(picture.extent().width), int(picture.extent().height)};
+        if (!isSpare_) {
+            lastKept_ = now;
+            ++kept_;
+        }
+        return {};
+    }
+    void add(const FrameShown& shown) {
+        const std::lock_guard lock(mutex_);
+        const double atS = secondsBetween(start_, Clock::now());
+        if (shown.inputSequence >= inputs_.size() + 1 || shown.inputSequence == 0) return;
+        const Sent& sent = inputs_[shown.inputSequence - 1];
+        if (lastIsSpare_) frames_.back().rgba.clear();
+        lastIsSpare_ = isSpare_ && !pixels_.empty();
+        frames_.push_back({atS, sent.phase, sent.camera, shown, sizePx_, std::exchange(pixels_, {})});
+        hasTraced_ = hasTraced_ || shown.picture == OnScreen::traced;
+    }
+    void setOutline(std::shared_ptr<const std::vector<glm::dvec3>> pointsMm) {
+        const std::lock_guard lock(mutex_);
+        outlineMm_ = std::move(pointsMm);
+    }
+    void setDevice(const std::string& name) {
+        const std::lock_guard lock(mutex_);
+        device_ = name;
+    }
+    void fail(const Error& error) {
+        const std::lock_guard lock(mutex_);
+        if (!failure_) failure_ = error;
+    }
+
+    // Who moves the camera. Inputs are numbered from 1, without gaps: told before each is published.
+    void sends(RecordingPhase phase, const Camera& camera) {
+        const std::lock_guard lock(mutex_);
+        inputs_.push_back({phase, camera});
+    }
+    std::optional<Error> failure() const {
+        const std::lock_guard lock(mutex_);
+        return failure_;
+    }
+    std::shared_ptr<const std::vector<glm::dvec3>> outlineMm() const {
+        const std::lock_guard lock(mutex_);
+        return outlineMm_;
+    }
+    bool hasTraced() const {
+        const std::lock_guard lock(mutex_);
+        return hasTraced_;
+    }
+    // Whether a frame of the last input is there.
+    bool hasFollowed() const {
+        const std::lock_guard lock(mutex_);
+        return !frames_.empty() && frames_.back().shown.inputSequence == inputs_.size();
+    }
+    LiveRecording result() {
+        const std::lock_guard lock(mutex_);
+        return {.device = device_, .frames = std::move(frames_), .isFull = isFull_};
+    }
+
+  private:
+    struct Sent {
+        RecordingPhase phase;
+        Camera camera;
+    };
+
+    const Clock::time_point start_ = Clock::now();
+    const Clock::duration interval_;
+    const std::uint64_t mostPictures_;
+    mutable std::mutex mutex_;
+    std::string device_;
+    std::vector<Sent> inputs_;
+    std::vector<RecordedFrame> frames_;
+    std::vector<glm::u8vec4> pixels_;  // of the picture whose frame comes next
+    glm::ivec2 sizePx_{0};
+    std::optional<Clock::time_point> lastKept_;
+    std::uint64_t kept_ = 0;
+    bool isFull_ = false;
+    bool isSpare_ = false;      // pixels_: kept only until the next
+    bool lastIsSpare_ = false;  // those of the last frame, likewise
+    bool hasTraced_ = false;
+    std::shared_ptr<const std::vector<glm::dvec3>> outlineMm_;
+    std::optional<Error> failure_;
+};
+
+// Always visible, of the size that is asked for.
+class TapeScreen final : public Screen {
+  public:
+    TapeScreen(std::shared_ptr<Tape> tape, std::shared_ptr<gpu::Device> device)
+        : tape_(std::move(tape)), device_(std::move(device)) {}
+
+    Result<void> resize(VkExtent2D) override { return {}; }
+    void setText(std::shared_ptr<const PictureText> text) override { text_ = std::move(text); }
+    const std::shared_ptr<const PictureText>& text() const override { return text_; }
+    Result<bool> show(const gpu::Image& picture) override {
+        // Shown is what is drawn, not what will be.
+        MACULA_TRY_VOID(device_->waitForAll());
+        MACULA_TRY_VOID(tape_->take(picture));
+        return true;
+    }
+    Result<bool> showAgain() override { return false; }
+    bool owes() const override { return false; }
+    void forget() override {}
+    Result<bool> showColour(const VkClearColorValue&) override { return true; }
+
+  private:
+    std::shared_ptr<Tape> tape_;
+    std::shared_ptr<gpu::Device> device_;
+    std::shared_ptr<const PictureText> text_;
+};
+
+class TapePlace final : public ScreenPlace {
+  public:
+    explicit TapePlace(std::shared_ptr<Tape> tape) : tape_(std::move(tape)) {}
+    std::vector<const char*> deviceExtensions() const override { return {}; }
+    Result<std::unique_ptr<Screen>> open(const std::shared_ptr<gpu::Device>& device,
+                                         VkExtent2D) const override {
+        return std::unique_ptr<Screen>(std::make_unique<TapeScreen>(tape_, device));
+    }
+
+  private:
+    std::shared_ptr<Tape> tape_;
+};
+
+RenderListener listenerOf(const std::shared_ptr<Tape>& tape) {
+    return [tape](const RenderEvent& event) {
+        if (const auto* frame = std::get_if<FrameShown>(&event)) tape->add(*frame);
+        if (const auto* ready = std::get_if<DeviceReady>(&event)) tape->setDevice(ready->name);
+        if (const auto* outline = std::get_if<OutlineFound>(&event)) tape->setOutline(outline->pointsMm);
+        if (const auto* failure = std::get_if<RenderFailure>(&event)) tape->fail(failure->error);
+    };
+}
+
+class Recording {
+  public:
+    Recording(FrameInput scene, const RecordingOptions& options, gpu::Instance instance, Progress& progress)
+        : options_(options),
+          progress_(progress),
+          input_(std::move(scene)),
+          tape_(std::make_shared<Tape>(
+              options.picturesPerS,
+              std::uint64_t(4) * std::uint64_t(options.sizePx.x) * std::uint64_t(options.sizePx.y))),
+          thread_(std::move(instance), options.device, listenerOf(tape_)) {
+        input_.place = std::make_shared<const TapePlace>(tape_);
+        input_.width = options.sizePx.x;
+        input_.height = options.sizePx.y;
+        input_.visible = true;
+        input_.study = 1;
+    }
+
+    Result<LiveRecording> run() {
+        MACULA_TRY(const CameraPath path, open());
+        MACULA_TRY_VOID(move(path));
+        MACULA_TRY_VOID(rest(path));
+        return tape_->result();
+    }
+
+  private:
+    void publish(RecordingPhase phase, const Camera& camera) {
+        input_.camera = camera;
+        input_.interacting = phase == RecordingPhase::moving;
+        tape_->sends(phase, camera);
+        thread_.publish(input_);
+    }
+
+    // Until `isDone`, asked as often as a hand moves.
+    template <class IsDone>
+    Result<void> wait(const IsDone& isDone) {
+        while (!isDone()) {
+            if (const auto failure = tape_->failure()) return *failure;
+            if (progress_.cancelled())
+                return Error{ErrorCode::cancelled, "The recording was cancelled.", {}, {}};
+            std::this_thread::sleep_for(kHandInterval);
+        }
+        return {};
+    }
+    Result<void> waitSeconds(double seconds) {
+        const Clock::time_point start = Clock::now();
+        return wait([&] { return secondsBetween(start, Clock::now()) >= seconds; });
+    }
+
+    Result<CameraPath> open() {
+        progress_.beginStage("Opening", 1);
+        CameraPath path;
+        if (options_.path) {
+            path = *options_.path;
+            publish(RecordingPhase::opening, path.stops.front().camera);
+        } else {
+            // What can be seen is known when it is on the device.
+            const double aspect = double(options_.sizePx.x) / double(options_.sizePx.y);
+            const auto corners = cornersOf(input_.volume->worldBox());
+            publish(RecordingPhase::opening,
+                    toCamera(framed(corners, options_.from, kVerticalFovDeg, aspect)));
+            MACULA_TRY_VOID(wait([&] { return tape_->outlineMm() != nullptr; }));
+            std::vector<glm::dvec3> outlineMm = *tape_->outlineMm();
+            if (outlineMm.empty() || trace::isProjection(input_.drawing.settings.look))
+                outlineMm.assign(corners.begin(), corners.end());
+            const Camera first = toCamera(framed(outlineMm, options_.from, kVerticalFovDeg, aspect));
+            path = turntable(first, options_.turnS, options_.movingS);
+            publish(RecordingPhase::opening, first);
+        }
+        MACULA_TRY_VOID(wait([&] { return tape_->hasTraced(); }));
+        MACULA_TRY_VOID(waitSeconds(options_.learningS));
+        progress_.advance();
+        return path;
+    }
+
+    Result<void> move(const CameraPath& path) {
+        progress_.beginStage("Moving", 1);
+        const Clock::time_point start = Clock::now();
+        const auto atS = [&] { return secondsBetween(start, Clock::now()); };
+        MACULA_TRY_VOID(wait([&] {
+            if (atS() >= path.seconds()) return true;
+            publish(RecordingPhase::moving, cameraAt(path, atS()));
+            return false;
+        }));
+        progress_.advance();
+        return {};
+    }
+
+    Result<void> rest(const CameraPath& path) {
+        progress_.beginStage("Resting", 1);
+        publish(RecordingPhase::resting, path.stops.back().camera);
+        MACULA_TRY_VOID(waitSeconds(options_.restingS));
+        MACULA_TRY_VOID(wait([&] { return tape_->hasFollowed(); }));
+        progress_.advance();
+        return {};
+    }
+
+    const RecordingOptions& options_;
+    Progress& progress_;
+    FrameInput input_;
+    std::shared_ptr<Tape> tape_;
+    RenderThread thread_;
+};
+
+}  // namespace
+
+std::string_view nameOf(RecordingPhase phase) {
+    switch (phase) {
+        case RecordingPhase::opening:
+            return "opening";
+        case RecordingPhase::moving:
+            return "moving";
+        case RecordingPhase::resting:
+            return "resting";
+    }
+    return {};
+}
+
+Result<LiveRecording> recordLive(FrameInput scene, const RecordingOptions& options, Progress& progress) {
+    MACULA_TRY(gpu::Instance instance, gpu::Instance::create());
+    Recording recording(std::move(scene), options, std::move(instance), progress);
+    return recording.run();
+}
+
+}  // namespace macula::app

@@ -1,0 +1,60 @@
+// The live picture without a window: the same render thread, in real time, for a camera that follows a path.
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/camera/camera_path.h"
+#include "app/frame/frame_input.h"
+#include "app/frame/render_events.h"
+#include "base/frames.h"
+#include "base/progress.h"
+#include "base/result.h"
+
+namespace macula::app {
+
+struct RecordingOptions {
+    glm::ivec2 sizePx{1280, 720};
+    // The way of the camera. Nothing: what is seen fills the picture, from `from`, and the camera goes around
+    // it, one turn in `turnS`, for `movingS`; 0: it stands still.
+    std::optional<CameraPath> path;
+    ViewDirection from = ViewDirection::anterior;
+    double turnS = 60.0;
+    double movingS = 10.0;
+    double learningS = 5.0;     // from the first traced picture on, before a hand begins to move the camera
+    double restingS = 10.0;     // after it has let go, at least until the last view is shown
+    double picturesPerS = 2.0;  // that are kept, at most; and the last one
+    std::string device;         // as gpu::DeviceOptions::preferred
+};
+
+enum class RecordingPhase { opening, moving, resting };
+// The name as in reports; a literal.
+std::string_view nameOf(RecordingPhase phase);
+
+struct RecordedFrame {
+    double atS = 0.0;  // since the volume was handed over
+    RecordingPhase phase = RecordingPhase::opening;
+    Camera camera;
+    FrameShown shown;
+    glm::ivec2 sizePx{0};           // of `rgba`: that which a window would scale
+    std::vector<glm::u8vec4> rgba;  // row 0 on top; empty: not kept
+};
+
+struct LiveRecording {
+    std::string device;
+    std::vector<RecordedFrame> frames;
+    // Pictures were left out because of their number.
+    bool isFull = false;
+};
+
+// Memory for pictures that are kept.
+inline constexpr std::uint64_t kMostRecordedBytes = std::uint64_t(1) << 30;
+
+// `scene`: volume, drawing and what else a picture is of; its camera, place and size are set here.
+// `cancelled`; and what the renderer fails with.
+Result<LiveRecording> recordLive(FrameInput scene, const RecordingOptions& options, Progress& progress);
+
+}  // namespace macula::app

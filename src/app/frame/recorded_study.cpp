@@ -1,0 +1,140 @@
+#include "app/frame/recorded_study.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <span>
+#include <utility>
+
+#include "app/camera/camera_file.h"
+#include "app/choice/catalogue.h"
+#include "app/choice/clip_choice.h"
+#include "app/choice/lights_choice.h"
+#include "app/choice/typed_values.h"
+#include "app/frame/frame_json.h"
+#include "app/output/output_files.h"
+#include "app/study/shown_clip.h"
+#include "app/study/study_input.h"
+#include "app/study/study_preset.h"
+#include "base/atomic_file.h"
+#include "image/image_file.h"
+#include "image/masked_metrics.h"
+
+namespace macula::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kFramesFile = "frames.jsonl";
+
+// Makes the folder last, when nothing else is wrong.
+Result<void> makeFolder(const RecordingWish& wish) {
+    OutputFiles files(false);
+    for (const fs::path& input :
+         {wish.path, fs::path(wish.preset), fs::path(wish.clip), wish.camera, wish.cameraPath})
+        files.read(input);
+    std::error_code error;
+    if (fs::is_directory(wish.folder, error)) {
+        if (!fs::is_empty(wish.folder, error) || error)
+            return Error{ErrorCode::outputNotWritable, "The folder is not empty.", wish.folder.string(),
+                         "Choose another one, or empty it."};
+        return files.write(wish.folder / kFramesFile);
+    }
+    MACULA_TRY_VOID(files.write(wish.folder));
+    if (!fs::create_directory(wish.folder, error) || error)
+        return Error{ErrorCode::outputNotWritable, "The folder cannot be made.", wish.folder.string(),
+                     "Choose another place."};
+    return {};
+}
+
+Result<RecordingOptions> optionsOf(const RecordingWish& wish) {
+    RecordingOptions options = wish.recording;
+    MACULA_TRY(options.sizePx, parseSize(wish.size));
+    if (!wish.cameraPath.empty()) {
+        MACULA_TRY(options.path, readCameraPath(wish.cameraPath));
+    } else if (!wish.camera.empty()) {
+        MACULA_TRY(const Camera camera, readCamera(wish.camera));
+        options.path = options.movingS > 0.0 ? turntable(camera, options.turnS, options.movingS)
+                                             : CameraPath{.stops = {{.atS = 0.0, .camera = camera}}};
+    }
+    return options;
+}
+
+Result<void> write(const fs::path& folder, const LiveRecording& recording) {
+    std::string lines;
+    std::size_t pictures = 0;
+    for (const RecordedFrame& frame : recording.frames) {
+        nlohmann::ordered_json line{{"atS", frame.atS}, {"phase", nameOf(frame.phase)}};
+        line.update(toJson(frame.shown));
+        line["camera"] = toJson(frame.camera);
+        if (!frame.rgba.empty()) {
+            const std::string name = fmt::format("frame-{:04}.png", ++pictures);
+            line["file"] = name;
+            const auto bytes = std::as_bytes(std::span(frame.rgba));
+            MACULA_TRY_VOID(
+                image::writePng(folder / name, frame.sizePx.x, frame.sizePx.y,
+                                {reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()}));
+        }
+        lines += line.dump() + "\n";
+    }
+    return writeTextAtomically(folder / kFramesFile, lines);
+}
+
+}  // namespace
+
+Result<LiveRecording> recordStudy(const RecordingWish& wish,
+                                  const std::function<void(const std::string&, bool)>& tell,
+                                  Progress& progress) {
+    MACULA_TRY(const RecordingOptions options, optionsOf(wish));
+    MACULA_TRY(const ClipPreset clip, chooseClip(wish.clip));
+    MACULA_TRY(const Catalogue catalogue, builtInCatalogue());
+    FrameInput scene;
+    scene.drawing.lights = defaultLights(catalogue, scene.drawing.settings.look);
+    if (!wish.lights.empty()) {
+        MACULA_TRY(scene.drawing.lights, findLights(catalogue, wish.lights));
+    }
+    if (!wish.preset.empty()) MACULA_TRY_VOID(presetToDraw(wish.preset, false));
+    MACULA_TRY_VOID(makeFolder(wish));
+
+    MACULA_TRY(StudyInput study, loadStudy(wish.path, wish.series, progress, 0, wish.how));
+    bringTo16Bits(study);
+    MACULA_TRY(StudyPreset preset, choosePresetFor(study, wish.preset));
+    MACULA_TRY(ShownClip shown, shownClip(clip, wish.removeTable, *study.volume, progress));
+    for (const std::string& note : study.notes) tell(note, false);
+    for (const std::string& warning : study.warnings) tell(warning, true);
+    for (const std::string& note : shown.notes) tell(note, false);
+    scene.volume = study.volume;
+    scene.drawing.transferFunction = std::make_shared<const TransferFunction>(std::move(preset.function));
+    if (!shown.clip.isNothing()) scene.drawing.clip = std::make_shared<const Clip>(std::move(shown.clip));
+
+    MACULA_TRY(LiveRecording recording, recordLive(std::move(scene), options, progress));
+    MACULA_TRY_VOID(write(wish.folder, recording));
+    return recording;
+}
+
+MotionFigures motionFigures(const LiveRecording& recording) {
+    MotionFigures figures;
+    std::vector<double> latenciesMs;
+    double firstS = 0.0;
+    double lastS = 0.0;
+    std::uint64_t lastSequence = 0;
+    for (const RecordedFrame& frame : recording.frames) {
+        // A view that is shown once more is no new frame that follows the camera.
+        if (frame.phase != RecordingPhase::moving || frame.shown.inputSequence == lastSequence) continue;
+        lastSequence = frame.shown.inputSequence;
+        if (latenciesMs.empty()) firstS = frame.atS;
+        lastS = frame.atS;
+        latenciesMs.push_back(frame.shown.latencyMs);
+        if (frame.shown.foveaAgeMs) ++figures.withFovea;
+    }
+    figures.frames = latenciesMs.size();
+    if (latenciesMs.empty()) return figures;
+    if (lastS > firstS) figures.framesPerSecond = double(figures.frames - 1) / (lastS - firstS);
+    figures.latencyMs = image::percentile(latenciesMs, 0.5);
+    figures.lateMs = image::percentile(latenciesMs, 0.95);
+    return figures;
+}
+
+}  // namespace macula::app

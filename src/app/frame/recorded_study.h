@@ -1,0 +1,48 @@
+// A live picture of a study, recorded to a folder, as somebody asked for it.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+
+#include "app/frame/live_recording.h"
+#include "base/progress.h"
+#include "base/result.h"
+#include "dicom/scan.h"
+
+namespace macula::app {
+
+// Empty: not given.
+struct RecordingWish {
+    std::filesystem::path path;
+    std::filesystem::path folder;  // is made; or is there, and empty
+    std::string series;
+    std::string preset;
+    std::string lights;  // a built-in name
+    std::string clip;
+    bool removeTable = false;
+    dicom::ScanOptions how;
+    std::filesystem::path camera;      // one to begin with, camera_file.h
+    std::filesystem::path cameraPath;  // camera_path.h
+    std::string size = "1280x720";
+    RecordingOptions recording;
+};
+
+// Writes frames.jsonl, a line for each frame that was shown, and frame-0001.png and so on for those that were
+// kept. `tell` hears notes; the second is true for what changes what is seen.
+Result<LiveRecording> recordStudy(const RecordingWish& wish,
+                                  const std::function<void(const std::string&, bool)>& tell,
+                                  Progress& progress);
+
+// Of the frames in motion: how many a second, how late they were (median and 95th percentile), and how many
+// had a fovea.
+struct MotionFigures {
+    double framesPerSecond = 0.0;
+    double latencyMs = 0.0;
+    double lateMs = 0.0;
+    std::size_t frames = 0;
+    std::size_t withFovea = 0;
+};
+MotionFigures motionFigures(const LiveRecording& recording);
+
+}  // namespace macula::app

@@ -1,0 +1,58 @@
+// Brings pictures to a window.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "app/frame/screen.h"
+#include "pipeline/gpu/swapchain.h"
+
+namespace macula::app {
+
+// A surface of the window system, owned by the window.
+class WindowPlace final : public ScreenPlace {
+  public:
+    explicit WindowPlace(VkSurfaceKHR surface) : surface_(surface) {}
+
+    std::vector<const char*> deviceExtensions() const override { return {VK_KHR_SWAPCHAIN_EXTENSION_NAME}; }
+    // Errors: those of Swapchain::create.
+    Result<std::unique_ptr<Screen>> open(const std::shared_ptr<gpu::Device>& device,
+                                         VkExtent2D extent) const override;
+
+  private:
+    VkSurfaceKHR surface_;
+};
+
+// Owns the swapchain of one surface and a copy of the picture shown last, so that a window that was covered
+// can be filled again at once while the next picture is still being traced.
+class WindowScreen final : public Screen {
+  public:
+    WindowScreen(std::shared_ptr<gpu::Device> device, gpu::Swapchain swapchain, VkExtent2D wanted);
+
+    Result<void> resize(VkExtent2D extent) override;
+    void setText(std::shared_ptr<const PictureText> text) override;
+    const std::shared_ptr<const PictureText>& text() const override { return text_; }
+    // Scales the picture over the window.
+    Result<bool> show(const gpu::Image& picture) override;
+    Result<bool> showAgain() override;
+    bool owes() const override { return owes_; }
+    void forget() override { keptIsValid_ = owes_ = false; }
+    Result<bool> showColour(const VkClearColorValue& colour) override;
+
+  private:
+    Result<void> keep(const gpu::Image& picture);
+    Result<gpu::BlitOverlay> overlay();
+
+    std::shared_ptr<gpu::Device> device_;
+    gpu::Swapchain swapchain_;
+    VkExtent2D wanted_;
+    std::optional<gpu::Image> kept_;
+    bool keptIsValid_ = false;
+    bool owes_ = false;
+    bool isColour_ = false;  // what is kept is a colour
+    std::shared_ptr<const PictureText> text_;
+    std::optional<gpu::Image> textImage_;  // text_ as an image; made when it is first shown
+};
+
+}  // namespace macula::app
