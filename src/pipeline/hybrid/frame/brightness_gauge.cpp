@@ -12,7 +12,7 @@ namespace macula::hybrid {
 namespace {
 
 constexpr int kSidePx = 128;
-constexpr std::uint32_t kSamples = 4;
+constexpr std::uint32_t kSamples = 2;
 constexpr double kFieldDeg = 20.0;
 constexpr std::size_t kLeastPixels = 64;
 constexpr double kMostGain = 2.0;

@@ -25,7 +25,10 @@ bool isOutOfMemory(const Result<void>& done) {
 
 LiveModelOptions liveModelOptions(const gpu::Device& device) {
     LiveModelOptions options;
-    if (device.isCpu()) options.model.wanted.sizePx = glm::ivec2(kSideOnCpuPx);
+    if (device.isCpu()) {
+        options.model.wanted.sizePx = glm::ivec2(kSideOnCpuPx);
+        options.points.candidatesPerPoint = 2;  // a person waits for the points
+    }
     return options;
 }
 

@@ -1,0 +1,60 @@
+#include "app/frame/fidelity.h"
+
+#include <gtest/gtest.h>
+
+#include "app/frame/frame_json.h"
+
+namespace macula::app {
+namespace {
+
+using Because = std::vector<std::string>;
+
+TEST(Fidelity, OfATracedPictureWithAllItsSamplesIsFinalWithoutReserve) {
+    const FrameShown frame{
+        .picture = OnScreen::traced, .stage = Stage::converged, .samplesPerPixel = 64, .sampleLimit = 64};
+    const Fidelity fidelity = fidelityOf(frame);
+    EXPECT_TRUE(fidelity.isFinal);
+    EXPECT_EQ(fidelity.because, Because{});
+    EXPECT_EQ(toJson(frame)["fidelity"], "final");
+    EXPECT_EQ(toJson(frame)["tracedShare"], 1.0);
+}
+
+TEST(Fidelity, SaysWhatIsBetweenAFrameAndTheTruth) {
+    FrameShown frame{.picture = OnScreen::model};
+    EXPECT_FALSE(fidelityOf(frame).isFinal);
+    EXPECT_EQ(fidelityOf(frame).because, Because{"splats only"});
+    EXPECT_EQ(toJson(frame)["tracedShare"], 0.0);
+    EXPECT_FALSE(toJson(frame).contains("fovea"));
+
+    frame.foveaAgeMs = 340.0;
+    frame.foveaSamples = 2;
+    frame.foveaShare = 0.25;
+    frame.greyFacesAreCoarse = true;
+    EXPECT_EQ(fidelityOf(frame).because,
+              (Because{"splats around the fovea", "fovea traced 0.3 s ago with 2 samples",
+                       "values on cut faces only coarsely"}));
+    EXPECT_EQ(toJson(frame)["tracedShare"], 0.25);
+    EXPECT_EQ(toJson(frame)["fovea"]["ageMs"], 340.0);
+
+    const FrameShown small{.picture = OnScreen::preview,
+                           .stage = Stage::moving,
+                           .scale = 4,
+                           .samplesPerPixel = 1,
+                           .sampleLimit = 512,
+                           .denoised = true};
+    EXPECT_EQ(fidelityOf(small).because,
+              (Because{"1/4 of the pixels each way", "1 of 512 samples", "denoised"}));
+
+    const FrameShown done{
+        .picture = OnScreen::traced, .stage = Stage::converged, .denoised = true, .samplesLeftOut = 3};
+    EXPECT_TRUE(fidelityOf(done).isFinal);
+    EXPECT_EQ(fidelityOf(done).because, (Because{"denoised", "3 samples left out"}));
+
+    const FrameShown fading{
+        .picture = OnScreen::fading, .stage = Stage::converging, .samplesPerPixel = 2, .sampleLimit = 512};
+    EXPECT_FALSE(fidelityOf(fading).isFinal);
+    EXPECT_EQ(fidelityOf(fading).because, (Because{"splats fade out", "2 of 512 samples"}));
+}
+
+}  // namespace
+}  // namespace macula::app
