@@ -27,12 +27,13 @@ layout(push_constant, scalar) uniform Push {
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(pixel, push.size))) return;
-    int index = pixel.y * push.size.x + pixel.x;
+    int kept = pixel.y * push.size.x + pixel.x;
+    int index = (pixel.y + push.firstPx.y) * push.tracedWidth + pixel.x + push.firstPx.x;
     vec4 light = traced[index] / (push.areMeans == 1 ? 1.0 : float(max(counts[index], 1u)));
-    lights[index] = light;
+    lights[kept] = light;
     float depthMm = texelFetch(surfaces, index).w;
     float confidence = texelFetch(motions, index).z;
     // The inverse of how guides.glsl makes a confidence of a spread.
     float spreadMm = 4.0 * push.pixelAngle * depthMm * (1.0 / max(confidence, 0.02) - 1.0);
-    depths[index] = depthMm >= 0.0 ? vec2(depthMm, spreadMm) : vec2(-1.0, light.w > 0.02 ? push.thinMm : 0.0);
+    depths[kept] = depthMm >= 0.0 ? vec2(depthMm, spreadMm) : vec2(-1.0, light.w > 0.02 ? push.thinMm : 0.0);
 }

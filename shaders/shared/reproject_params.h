@@ -5,14 +5,16 @@
 MACULA_SHARED_BEGIN
 
 struct CapturePush {
-    ivec2 size;        // pixels
+    ivec2 size;        // pixels, of what is kept
+    ivec2 firstPx;     // of it in the traced picture
+    int tracedWidth;   // pixels of a row of that
     float pixelAngle;  // radians, of a pixel in the middle of the picture
     float thinMm;      // uncertainty of the depth where matter shows, but is too thin to have one
     int areMeans;      // 1: light is means, and counts do not count; 0: it is sums of samples
 };
 
-// Two eyes: the one that sees now, and the one that the picture was traced from. Axes as in TraceParams: right is half the
-// width of a picture at distance 1, up half its height.
+// Two eyes: the one that sees now, and the one that the picture was traced from. Axes as in TraceParams:
+// right is half the width of a picture at distance 1, up half its height.
 struct ReprojectPush {
     vec3 right;  // of the eye that sees now
     vec3 up;

@@ -91,7 +91,7 @@ void FrameRenderer::accept(FrameInput input) {
 void FrameRenderer::tellCourse() {
     course_.setHand(input_.interacting);
     course_.setPreviewLimit(TracedPictures::previewLimit(input_));
-    course_.setFovea(hybrid_ && !hybrid_->isFoveaOf(input_.camera));
+    course_.setFovea(hybrid_ && hybrid_->wantsFovea(input_.camera));
     ModelState state = ModelState::none;
     if (model_ && model_->canBeDrawn())
         state = ModelState::ready;

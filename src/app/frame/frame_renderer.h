@@ -82,6 +82,7 @@ class FrameRenderer {
     Result<void> showAgain();
     Result<const gpu::Image*> frame(float tracedShare);
     Result<bool> traceFovea(const Interrupts& interrupts);
+    Result<void> keepForMotion();
     Result<void> show(const gpu::Image& picture);
     hybrid::ModelNews modelNews() const;
     void tellOfModel();

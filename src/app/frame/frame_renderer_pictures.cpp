@@ -113,7 +113,25 @@ Result<void> FrameRenderer::trace(const Interrupts& interrupts) {
     course_.spent(Step::trace, millisecondsBetween(start, now));
     if (!progress.isNews) return {};
     course_.traced(progress.isLast);
+    MACULA_TRY_VOID(keepForMotion());
     return course_.onScreen() == OnScreen::fading ? Result<void>() : showTraced();
+}
+
+// What is traced while nothing moves is the fovea of the first frames of the next motion. Where it is not
+// denoised any more its guides may be gone; the one of before was of fewer samples, and does.
+Result<void> FrameRenderer::keepForMotion() {
+    if (!hybrid_ || !model_ || !model_->canBeDrawn()) return {};
+    MACULA_TRY(const trace::Statistics statistics, traced_->statistics());
+    if (!statistics.denoised) return {};
+    const Result<void> kept = hybrid_->adopt(
+        traced_->tracer(),
+        {.whole = {.camera = input_.camera, .width = traced_->width(), .height = traced_->height()},
+         .gaze = input_.gaze,
+         .samplesPerPixel = static_cast<std::uint32_t>(statistics.meanSamplesPerPixel)});
+    if (!kept && kept.error().code != ErrorCode::outOfMemory) return kept;
+    if (const Result<void> learnt = model_->learnFrom(traced_->tracer(), input_.camera); !learnt)
+        return withoutModel(learnt.error());
+    return {};
 }
 
 Result<void> FrameRenderer::showTraced() {

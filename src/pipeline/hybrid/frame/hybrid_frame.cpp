@@ -70,11 +70,34 @@ Result<bool> HybridFrame::traceFovea(const std::function<bool()>& keepGoing) {
     if (!isWhole || !*isWhole) return isWhole;
     fovea_.reset();
     MACULA_TRY(CapturedPicture picture, reprojection_.capture(tracer_, view_, seenMm_));
-    fovea_.emplace(Fovea{std::move(picture), *aim_, begun_});
+    fovea_.emplace(Fovea{std::move(picture), *aim_, begun_, false});
     msPerSample_ = spentMs_ / (double(aim_->sidePx) * double(aim_->sidePx) * double(aim_->samplesPerPixel));
     wallPerTracing_ = std::max(msBetween(begun_, Clock::now()) / spentMs_, 1.0);
     aim_.reset();
     return true;
+}
+
+Result<void> HybridFrame::adopt(trace::PathTracer& tracer, const FoveaAim& aim) {
+    fovea_.reset();
+    const trace::View& view = aim.whole;
+    const double halfOfFrame = std::tan(0.5 * glm::radians(view.camera.verticalFovDeg));
+    const double fovea = std::tan(0.5 * glm::radians(aim.fieldDeg)) / halfOfFrame;  // of half of the height
+    const glm::dvec2 wholePx(view.width, view.height);
+    const glm::dvec2 share = glm::min(glm::abs(aim.gaze) + fovea * wholePx.y / wholePx, glm::dvec2(1.0));
+    // As many pixels on both sides.
+    const glm::ivec2 besidePx((glm::dvec2(1.0) - share) * wholePx * 0.5);
+    MACULA_TRY(
+        CapturedPicture picture,
+        reprojection_.capture(tracer, view, seenMm_, glm::ivec2(view.width, view.height) - 2 * besidePx));
+    fovea_.emplace(Fovea{std::move(picture), aim, Clock::now(), true});
+    return {};
+}
+
+bool HybridFrame::wantsFovea(const Camera& eye) const {
+    if (!fovea_) return true;
+    if (isFoveaOf(eye)) return false;
+    return !fovea_->isAdopted ||
+           degreesAround(fovea_->picture.camera.positionMm, eye.positionMm) > kGoodForDeg;
 }
 
 double HybridFrame::degreesAround(const glm::dvec3& aMm, const glm::dvec3& bMm) const {

@@ -82,6 +82,14 @@ class HybridFrame {
     // Begins a picture, and drops the one that is under way. After setScene. usage as trace::fovealWindow.
     Result<void> aim(const FoveaAim& aim);
     bool isTracing() const { return aim_.has_value(); }
+    // What `tracer` has traced of all that an eye saw at rest becomes the fovea, as far as the eye may look
+    // at: many samples, with all pixels. Of `aim` the samples are those of the picture. outOfMemory: there is
+    // no fovea then.
+    Result<void> adopt(trace::PathTracer& tracer, const FoveaAim& aim);
+    // Whether a picture traced from there would be better than the one that frames show: one that was adopted
+    // is good for kGoodForDeg around what can be seen.
+    static constexpr double kGoodForDeg = 8.0;
+    bool wantsFovea(const Camera& eye) const;
     // Whether the fovea that frames show was traced from just there.
     bool isFoveaOf(const Camera& eye) const { return fovea_ && fovea_->aim.whole.camera == eye; }
     // While it is tracing: goes on; `keepGoing` is asked between dispatches of some 40 ms. Whether the
@@ -110,6 +118,7 @@ class HybridFrame {
         CapturedPicture picture;
         FoveaAim aim;
         Clock::time_point begun{};
+        bool isAdopted = false;
     };
 
     double degreesAround(const glm::dvec3& aMm, const glm::dvec3& bMm) const;

@@ -111,22 +111,27 @@ Result<Reprojection> Reprojection::create(const std::shared_ptr<gpu::Device>& de
 }
 
 Result<CapturedPicture> Reprojection::capture(trace::PathTracer& tracer, const trace::View& view,
-                                              const Box& seenMm) {
+                                              const Box& seenMm, const glm::ivec2& keptPx) {
     MACULA_CHECK(!view.foveation.has_value());
-    const glm::ivec2 sizePx(view.width, view.height);
+    const glm::ivec2 tracedPx(view.width, view.height);
+    const glm::ivec2 sizePx = keptPx.x > 0 && keptPx.y > 0 ? keptPx : tracedPx;
+    const glm::ivec2 besidePx = tracedPx - sizePx;
+    MACULA_CHECK(besidePx.x >= 0 && besidePx.y >= 0 && besidePx.x % 2 == 0 && besidePx.y % 2 == 0);
     MACULA_TRY(splat::DevicePicture lights,
-               splat::DevicePicture::create(device_, "captured light", view.width, view.height));
+               splat::DevicePicture::create(device_, "captured light", sizePx.x, sizePx.y));
     MACULA_TRY(gpu::TexelBuffer depths,
                gpu::TexelBuffer::create(
                    device_,
                    {.label = "captured depths",
-                    .elements = std::uint64_t(view.width) * std::uint64_t(view.height),
+                    .elements = std::uint64_t(sizePx.x) * std::uint64_t(sizePx.y),
                     .format = VK_FORMAT_R32G32_SFLOAT,
                     .usage = VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT | VK_BUFFER_USAGE_STORAGE_BUFFER_BIT}));
     MACULA_TRY(const trace::Guides* guides, tracer.guides());
     MACULA_TRY(const trace::TracedLight light, tracer.light());
     const shared::CapturePush push{.size = sizePx,
-                                   .pixelAngle = float(pixelAngle(view.camera, sizePx)),
+                                   .firstPx = besidePx / 2,
+                                   .tracedWidth = tracedPx.x,
+                                   .pixelAngle = float(pixelAngle(view.camera, tracedPx)),
                                    .thinMm = float(0.25 * seenMm.diagonal()),
                                    .areMeans = light.areMeans ? 1 : 0};
     MACULA_TRY(auto recorder, gpu::Recorder::create(device_, "capture"));
@@ -134,7 +139,12 @@ Result<CapturedPicture> Reprojection::capture(trace::PathTracer& tracer, const t
                       {*light.values, *light.counts, guides->surfaces(), guides->motions(),
                        lights.texels.buffer(), depths.buffer()});
     MACULA_TRY([[maybe_unused]] const gpu::Ticket ticket, recorder.submit());
-    return CapturedPicture{view.camera, sizePx, std::move(lights), std::move(depths)};
+    Camera camera = view.camera;
+    if (sizePx.y != tracedPx.y)
+        camera.verticalFovDeg =
+            2.0 * glm::degrees(std::atan(std::tan(0.5 * glm::radians(camera.verticalFovDeg)) *
+                                         double(sizePx.y) / double(tracedPx.y)));
+    return CapturedPicture{camera, sizePx, std::move(lights), std::move(depths)};
 }
 
 Result<ReprojectedPicture> Reprojection::reproject(const CapturedPicture& before, const Camera& now,

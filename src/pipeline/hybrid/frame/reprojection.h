@@ -62,7 +62,10 @@ class Reprojection {
 
     // What `tracer` has traced so far, of its view, which is `view`, without foveation. Its guides are made
     // where they are not there yet, which may take long. outOfMemory.
-    Result<CapturedPicture> capture(trace::PathTracer& tracer, const trace::View& view, const Box& seenMm);
+    // `sizePx`: of what is kept of its middle, at most all and each side as even or odd as that of the view;
+    // 0: all.
+    Result<CapturedPicture> capture(trace::PathTracer& tracer, const trace::View& view, const Box& seenMm,
+                                    const glm::ivec2& sizePx = glm::ivec2(0));
 
     // `edgeFade`: share of the sides of `before` over which its weight falls to nothing. `splats`: of `now`,
     // of that size; they tell about where surfaces are. outOfMemory; usage as reprojectionOf.

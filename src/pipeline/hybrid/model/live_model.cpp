@@ -254,6 +254,15 @@ Result<void> LiveModel::traceWanted(const std::function<bool()>& goesOn) {
     return {};
 }
 
+Result<void> LiveModel::learnFrom(trace::PathTracer& tracer, const Camera& camera) {
+    MACULA_CHECK(canBeDrawn());
+    MACULA_TRY(TracedView view, readToLearnFrom(tracer, camera));
+    const Result<Offered> offered = model_->offer(std::move(view), false);
+    if (offered && *offered == Offered::learnt) stage_ = ModelStage::learning;
+    if (!offered && offered.error().code != ErrorCode::outOfMemory) return offered.error();
+    return {};
+}
+
 Result<const splat::DevicePicture*> LiveModel::draw(const Camera& camera, const glm::ivec2& sizePx) {
     MACULA_CHECK(canBeDrawn());
     const auto tryDraw = [&]() -> Result<const splat::DevicePicture*> {

@@ -67,6 +67,10 @@ class LiveModel {
     // between these. Running out of memory ends the search or the learning, and is no error.
     Result<void> work(double budgetMs, const std::function<bool()>& keepGoing);
 
+    // Takes in what `tracer` has traced of its view, for a person who looks at it: the model learns all of
+    // that. While it can be drawn; waits. Where there is no room for it nothing happens.
+    Result<void> learnFrom(trace::PathTracer& tracer, const Camera& camera);
+
     // Linear, premultiplied; on the device until the next is drawn, done when what was submitted is. Its
     // light is to be multiplied by gain() to be as bright as what is traced (brightness_gauge.h). Where it
     // cannot be drawn for lack of memory it is given up, outOfMemory.
