@@ -221,6 +221,7 @@ void addEvaluate(CLI::App& app, Action& action) {
         ->capture_default_str()
         ->check(between(0.1, 86400.0));
     addEvaluateMotion(*evaluateApp, action);
+    addEvaluateQuality(*evaluateApp, action);
 }
 
 }  // namespace macula::cli

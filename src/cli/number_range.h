@@ -19,4 +19,10 @@ inline CLI::Validator between(double low, double high) {
     return {check, range, "number"};
 }
 
+// An option for a whole number, whose default is what `value` holds.
+template <class Number>
+void addNumber(CLI::App& command, const char* name, Number& value, const char* help, int low, int high) {
+    command.add_option(name, value, help)->capture_default_str()->check(CLI::Range(low, high));
+}
+
 }  // namespace macula::cli

@@ -5,6 +5,7 @@
 #include "app/choice/lights_choice.h"
 #include "app/study/study_input.h"
 #include "app/study/study_preset.h"
+#include "evaluate/shown_picture.h"
 
 namespace macula::evaluate {
 
@@ -43,16 +44,7 @@ Result<BenchStudy> openBenchStudy(const BenchStudyOptions& options, Progress& pr
 
 Result<image::Image> BenchStudy::readShown(trace::PathTracer& tracer) const {
     MACULA_TRY(const std::vector<std::uint8_t> rgba, tracer.readDisplay(glm::vec3(0.0f)));
-    image::Image image{.width = view.width,
-                       .height = view.height,
-                       .channels = 3,
-                       .encoding = image::Encoding::display,
-                       .pixels = {}};
-    image.pixels.reserve(rgba.size() / 4 * 3);
-    for (std::size_t i = 0; i < rgba.size(); i += 4) {
-        for (std::size_t c = 0; c < 3; ++c) image.pixels.push_back(static_cast<float>(rgba[i + c]) / 255.0f);
-    }
-    return image;
+    return imageOf(rgba, {view.width, view.height});
 }
 
 nlohmann::ordered_json describe(const std::string& benchmark, const BenchStudy& study) {

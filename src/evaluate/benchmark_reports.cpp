@@ -1,5 +1,7 @@
 #include "evaluate/benchmark_reports.h"
 
+#include <algorithm>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -78,6 +80,28 @@ Json toJson(const SizedTrainingBenchmark& sized) {
             {"stepsPerSecond", stepsPerSecond(sized.training)}};
 }
 
+// Over views.
+Json toJson(const std::optional<Spread>& spread) {
+    if (!spread) return nullptr;
+    return {{"median", spread->p50}, {"p10", spread->p10}, {"p90", spread->p90}};
+}
+
+template <class Number>
+Json spreadJson(const std::vector<QualityView>& views, const Number& of) {
+    std::vector<std::optional<double>> values;
+    std::transform(views.begin(), views.end(), std::back_inserter(values), of);
+    return toJson(spreadOf(values));
+}
+
+Json regionJson(const std::vector<QualityView>& views, RegionScores FrameScores::*region) {
+    const auto json = [&](std::optional<double> RegionScores::*value) {
+        return spreadJson(views, [&](const QualityView& view) { return view.scores.*region.*value; });
+    };
+    return {{"maskedPsnrDb", json(&RegionScores::maskedPsnrDb)},
+            {"maskedSsim", json(&RegionScores::maskedSsim)},
+            {"flip", json(&RegionScores::flip)}};
+}
+
 }  // namespace
 
 Json reportOf(const BenchStudy& study, const TraceBenchmarkOptions& options,
@@ -150,6 +174,45 @@ Json reportOf(const BenchStudy& study, const MotionOptions& options, const Motio
     }
     json["shareBest"] = result.best;
     json["shareBestInMiddle"] = result.fovealBest;
+    return json;
+}
+
+Json toJson(const QualityRow& row) {
+    using View = QualityView;
+    using Number = std::optional<double>;
+    const auto samples = [](const View& view) {
+        return view.samplesPerPixel > 0 ? Number(view.samplesPerPixel) : Number();
+    };
+    return {{"way", row.way},
+            {"model", row.model.empty() ? Json() : Json(row.model)},
+            {"splats", row.splats > 0 ? Json(row.splats) : Json()},
+            {"preparationSeconds", row.preparationSeconds ? Json(*row.preparationSeconds) : Json()},
+            {"frameMs", spreadJson(row.views, [](const View& view) { return Number(view.frameMs); })},
+            {"samplesPerPixel", spreadJson(row.views, samples)},
+            {"resolutionShare",
+             spreadJson(row.views, [](const View& view) { return Number(view.resolutionShare); })},
+            {"full", regionJson(row.views, &FrameScores::full)},
+            {"fovea", regionJson(row.views, &FrameScores::fovea)}};
+}
+
+Json reportOf(const BenchStudy& study, const QualityOptions& options, const QualityReport& result) {
+    Json json = describe("quality", study);
+    json["picture"] = {options.sizePx.x, options.sizePx.y};
+    json["verticalFovDeg"] = options.poses.verticalFovDeg;
+    json["foveaFieldDeg"] = trace::kFovealFieldDeg;
+    json["bounces"] = options.bounces;
+    json["views"] = options.views;
+    json["viewsGivenUp"] = result.viewsGivenUp;
+    json["truthSamplesPerPixel"] = options.truthSamples;
+    json["rows"] = Json::array();
+    for (const QualityRow& row : result.rows) json["rows"].push_back(toJson(row));
+    json["gains"] = Json::array();
+    for (const QualityGain& gain : result.gains)
+        json["gains"].push_back({{"way", gain.way},
+                                 {"model", gain.model},
+                                 {"foveaGainDb", toJson(gain.foveaDb)},
+                                 {"equalTimeShare", toJson(gain.equalTimeShare)},
+                                 {"fullGainOverSplatsDb", toJson(gain.fullOverSplatsDb)}});
     return json;
 }
 

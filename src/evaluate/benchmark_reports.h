@@ -13,6 +13,7 @@
 #include "evaluate/header_benchmark.h"
 #include "evaluate/load_benchmark.h"
 #include "evaluate/motion.h"
+#include "evaluate/quality.h"
 #include "evaluate/study_training_benchmark.h"
 #include "evaluate/trace_benchmark.h"
 #include "evaluate/tradeoff.h"
@@ -25,6 +26,9 @@ nlohmann::ordered_json reportOf(const BenchStudy& study, const FovealOptions& op
                                 const FovealReport& result);
 nlohmann::ordered_json reportOf(const BenchStudy& study, const MotionOptions& options,
                                 const MotionReport& result);
+nlohmann::ordered_json reportOf(const BenchStudy& study, const QualityOptions& options,
+                                const QualityReport& result);
+nlohmann::ordered_json toJson(const QualityRow& row);
 nlohmann::ordered_json reportOf(const BenchStudy& study, const TradeoffOptions& options,
                                 const Tradeoff& result);
 nlohmann::ordered_json reportOf(const BenchStudy& study, int turns, std::span<const CastBenchmark> results);

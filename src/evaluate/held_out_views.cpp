@@ -17,12 +17,12 @@ namespace {
 constexpr double kLeastCoverage = 0.06;
 
 // Those of the protocol come nearer and wander off one by one: of fewer than there are, some of each.
-Result<hybrid::ChosenPoses> chooseTruth(app::SceneOnDevice& scene, std::size_t count, Progress& progress) {
-    const std::size_t all = std::max(count, hybrid::groundTruth().count);
-    MACULA_TRY(hybrid::ChosenPoses chosen,
-               hybrid::choosePoses(scene.tracer, scene.traced.seenMm(), hybrid::groundTruth(all),
-                                   {.leastCoverage = kLeastCoverage}, progress));
-    for (std::size_t i = 0; i < count; ++i) chosen.cameras[i] = chosen.cameras[i * all / count];
+Result<hybrid::ChosenPoses> chooseTruth(app::SceneOnDevice& scene, hybrid::PoseSampling poses,
+                                        std::size_t count, Progress& progress) {
+    poses.count = std::max(count, poses.count);
+    MACULA_TRY(hybrid::ChosenPoses chosen, hybrid::choosePoses(scene.tracer, scene.traced.seenMm(), poses,
+                                                               {.leastCoverage = kLeastCoverage}, progress));
+    for (std::size_t i = 0; i < count; ++i) chosen.cameras[i] = chosen.cameras[i * poses.count / count];
     chosen.cameras.resize(count);
     return chosen;
 }
@@ -44,10 +44,11 @@ std::vector<std::uint8_t> besideEachOther(const glm::ivec2& size, std::span<cons
 }  // namespace
 
 Result<HeldOutViews> HeldOutViews::trace(std::shared_ptr<gpu::Device> device, app::SceneOnDevice& scene,
-                                         std::size_t count, const hybrid::TruthOptions& options,
+                                         const hybrid::PoseSampling& poses, std::size_t count,
+                                         const hybrid::TruthOptions& options,
                                          const std::filesystem::path& cache, Progress& progress) {
     HeldOutViews views(std::move(device));
-    MACULA_TRY(const hybrid::ChosenPoses chosen, chooseTruth(scene, count, progress));
+    MACULA_TRY(const hybrid::ChosenPoses chosen, chooseTruth(scene, poses, count, progress));
     const auto start = std::chrono::steady_clock::now();
     MACULA_TRY(views.truth_, hybrid::truthPictures(scene.tracer, scene.traced, chosen.cameras, options,
                                                    hybrid::PictureCache(cache), progress));

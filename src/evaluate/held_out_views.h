@@ -11,6 +11,7 @@
 #include "base/progress.h"
 #include "base/result.h"
 #include "evaluate/view_scores.h"
+#include "pipeline/hybrid/views/pose_sampling.h"
 #include "pipeline/hybrid/views/truth_pictures.h"
 #include "pipeline/splat/model/splats.h"
 
@@ -25,14 +26,17 @@ struct Comparison {
 
 class HeldOutViews {
   public:
-    // As truthPictures, of views chosen by the protocol; of fewer than its 32, some from each distance.
+    // As truthPictures, of views chosen by `poses`, as groundTruth; of fewer than these are, some from each
+    // distance.
     static Result<HeldOutViews> trace(std::shared_ptr<gpu::Device> device, app::SceneOnDevice& scene,
-                                      std::size_t count, const hybrid::TruthOptions& options,
-                                      const std::filesystem::path& cache, Progress& progress);
+                                      const hybrid::PoseSampling& poses, std::size_t count,
+                                      const hybrid::TruthOptions& options, const std::filesystem::path& cache,
+                                      Progress& progress);
 
     // The model must be valid. A stage of `progress`, a step for each view.
     Result<Comparison> compare(const splat::Splats& model, Progress& progress) const;
 
+    const std::vector<hybrid::TruthPicture>& pictures() const { return truth_; }
     std::vector<Camera> cameras() const;
     double seconds() const { return seconds_; }  // that tracing them took
     std::size_t fromCache() const;               // views of which all was there

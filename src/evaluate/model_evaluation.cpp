@@ -49,8 +49,9 @@ class Evaluation {
             MACULA_TRY_VOID(keep(model.trainer, model.trainSeconds));
             if (options_.refinement) MACULA_TRY_VOID(refine(model, *options_.refinement));
         }
-        MACULA_TRY(const HeldOutViews truth, HeldOutViews::trace(device_, scene_, options_.truthViews,
-                                                                 options_.truth, cacheFolder_, progress_));
+        MACULA_TRY(const HeldOutViews truth,
+                   HeldOutViews::trace(device_, scene_, hybrid::groundTruth(), options_.truthViews,
+                                       options_.truth, cacheFolder_, progress_));
         report_.truthCameras = truth.cameras();
         report_.truthSeconds = truth.seconds();
         report_.truthFromCache = truth.fromCache();

@@ -1,11 +1,11 @@
 #include "evaluate/motion.h"
 
 #include <array>
-#include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 #include <utility>
 
 #include "app/study/scene_on_device.h"
+#include "evaluate/shown_picture.h"
 #include "image/metrics.h"
 #include "pipeline/gpu/transfer.h"
 #include "pipeline/hybrid/frame/hybrid_frame.h"
@@ -42,19 +42,6 @@ Camera movedCamera(const Camera& camera, Moved moved, double amount) {
         now.targetMm = now.positionMm + transformVector(turn, now.targetMm - now.positionMm);
     }
     return now;
-}
-
-image::Image imageOf(const std::vector<glm::u8vec4>& rgba, const glm::ivec2& sizePx) {
-    image::Image image{.width = sizePx.x,
-                       .height = sizePx.y,
-                       .channels = 3,
-                       .encoding = image::Encoding::display,
-                       .pixels = {}};
-    image.pixels.reserve(3 * rgba.size());
-    for (const glm::u8vec4& pixel : rgba) {
-        for (int k = 0; k < 3; ++k) image.pixels.push_back(static_cast<float>(pixel[k]) / 255.0f);
-    }
-    return image;
 }
 
 struct Truth {
@@ -124,11 +111,8 @@ class Measurement {
         return {};
     }
 
-    // As many pixels per degree as the frame has in its middle.
     Result<void> traceFovea(const Camera& camera) {
-        const double half = std::tan(0.5 * glm::radians(trace::kFovealFieldDeg));
-        const double halfOfFrame = std::tan(0.5 * glm::radians(options_.verticalFovDeg));
-        const int sidePx = static_cast<int>(std::lround(options_.sizePx.y * half / halfOfFrame));
+        const int sidePx = foveaSidePx(options_.sizePx, options_.verticalFovDeg);
         const trace::View whole{.camera = camera, .width = options_.sizePx.x, .height = options_.sizePx.y};
         Watch watch;
         MACULA_TRY_VOID(
@@ -162,8 +146,9 @@ class Measurement {
         if (!isWhole) return cancelled();
         MACULA_TRY(const trace::TracedImage traced, scene_.tracer.readback());
         MACULA_TRY(const gpu::Image* shown, scene_.tracer.display(glm::vec3(0.0f)));
-        MACULA_TRY(const auto rgba, gpu::read<glm::u8vec4>(*shown));
-        Truth truth{.image = imageOf(rgba, size), .isOpaque = std::vector<bool>(rgba.size(), false)};
+        MACULA_TRY(const auto rgba, gpu::read<std::uint8_t>(*shown));
+        Truth truth{.image = imageOf(rgba, size),
+                    .isOpaque = std::vector<bool>(traced.radiance.size(), false)};
         for (int y = 1; y + 1 < size.y; ++y) {
             for (int x = 1; x + 1 < size.x; ++x) {
                 bool isOpaque = true;
@@ -190,44 +175,28 @@ class Measurement {
                 // Where the fovea is not reprojected to `now`, depths for that say nothing.
                 return hybrid::DrawnSplats{picture, foveaFor == now ? &painter_->depthsOnDevice() : nullptr};
             }};
-        const auto draw = [&](float background) -> Result<std::vector<glm::u8vec4>> {
+        const auto draw = [&](float background) -> Result<std::vector<std::uint8_t>> {
             MACULA_TRY(const hybrid::Frame drawn,
                        frame.draw({.eyes = {foveaFor},
                                    .sizePx = options_.sizePx,
                                    .display = {.background = glm::vec3(background), .exposure = 1.0f}},
                                   periphery));
-            return gpu::read<glm::u8vec4>(*drawn.pictures.front());
+            return gpu::read<std::uint8_t>(*drawn.pictures.front());
         };
         MACULA_TRY(const auto overWhite, draw(1.0f));
         Watch watch;
         MACULA_TRY(const auto overBlack, draw(0.0f));
         drawMs = watch.lap().wallMs;
         FrameScore score;
-        for (std::size_t i = 0; i < overBlack.size(); ++i)
+        for (std::size_t i = 0; i < truth.isOpaque.size(); ++i)
             score.through +=
-                truth.isOpaque[i] && int(overWhite[i].y) - int(overBlack[i].y) > kBackgroundShows ? 1 : 0;
+                truth.isOpaque[i] && int(overWhite[4 * i + 1]) - int(overBlack[4 * i + 1]) > kBackgroundShows
+                    ? 1
+                    : 0;
         MACULA_TRY(const image::Flip flip, image::flip(truth.image, imageOf(overBlack, options_.sizePx)));
         score.flip = flip.mean;
-        score.fovealFlip = middleOf(flip.perPixel);
+        score.fovealFlip = meanOver(flip.perPixel, middleOf(options_.sizePx, options_.verticalFovDeg));
         return score;
-    }
-
-    double middleOf(const std::vector<float>& perPixel) const {
-        const double focalPx =
-            0.5 * options_.sizePx.y / std::tan(0.5 * glm::radians(options_.verticalFovDeg));
-        const double radiusPx = focalPx * std::tan(0.5 * glm::radians(trace::kFovealFieldDeg));
-        double sum = 0.0;
-        std::size_t count = 0;
-        for (int y = 0; y < options_.sizePx.y; ++y) {
-            for (int x = 0; x < options_.sizePx.x; ++x) {
-                if (std::hypot(x + 0.5 - 0.5 * options_.sizePx.x, y + 0.5 - 0.5 * options_.sizePx.y) >
-                    radiusPx)
-                    continue;
-                sum += double(perPixel[indexOf(x, y)]);
-                ++count;
-            }
-        }
-        return sum / double(std::max<std::size_t>(count, 1));
     }
 
     const BenchStudy& study_;

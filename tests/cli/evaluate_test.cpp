@@ -133,6 +133,52 @@ TEST_F(Evaluate, TellsHowAModelGoesOn) {
     EXPECT_NE(again.out.find("60 views were in the cache"), std::string::npos) << again.out;
 }
 
+TEST_F(Evaluate, TellsHowGoodFramesAreByTheWayTheyAreMade) {
+    const Ran ran = runMacula(
+        {"evaluate", "quality", "--size", "48", "--views", "2", "--truth-spp", "8", "--iterations", "20"});
+    ASSERT_EQ(ran.exitCode, 0) << ran.err;
+    const json report = json::parse(ran.out);
+    EXPECT_EQ(report["benchmark"], "quality");
+    EXPECT_EQ(report["picture"], json({48, 48}));
+    EXPECT_EQ(report["truthSamplesPerPixel"], 8);
+    EXPECT_EQ(report["views"], 2);
+    std::vector<std::string> rows;
+    std::map<std::string, double> seconds;
+    for (const json& row : report["rows"]) {
+        const auto way = row["way"].get<std::string>();
+        rows.push_back(way + (row["model"].is_null() ? "" : " " + row["model"].get<std::string>()));
+        const bool isTraced = way.starts_with("pt");
+        EXPECT_EQ(row["preparationSeconds"].is_null(), isTraced) << rows.back();
+        EXPECT_EQ(row["splats"].is_null(), isTraced) << rows.back();
+        EXPECT_EQ(row["samplesPerPixel"].is_null(), way.starts_with("splats")) << rows.back();
+        if (!isTraced) seconds[rows.back()] = row["preparationSeconds"].get<double>();
+        EXPECT_GT(row["frameMs"]["p10"].get<double>(), 0.0) << rows.back();
+        EXPECT_GT(row["resolutionShare"]["p10"].get<double>(), 0.0) << rows.back();
+        EXPECT_LE(row["resolutionShare"]["p90"].get<double>(), 1.0) << rows.back();
+        for (const char* region : {"full", "fovea"}) {
+            const json& db = row[region]["maskedPsnrDb"];
+            EXPECT_GT(db["p10"].get<double>(), 3.0) << rows.back() << region;
+            EXPECT_LE(db["p10"].get<double>(), db["median"].get<double>()) << rows.back();
+            EXPECT_LE(db["median"].get<double>(), db["p90"].get<double>()) << rows.back();
+            EXPECT_LE(row[region]["maskedSsim"]["p90"].get<double>(), 1.0) << rows.back();
+            EXPECT_LE(row[region]["flip"]["p90"].get<double>(), 1.0) << rows.back();
+        }
+    }
+    EXPECT_EQ(rows,
+              (std::vector<std::string>{"pt", "pt-hq", "splats fresh", "hybrid fresh", "pt-equal fresh",
+                                        "splats refined", "hybrid refined", "pt-equal refined",
+                                        "splats-hq fresh", "hybrid-hq fresh", "pt-equal-hq fresh",
+                                        "splats-hq refined", "hybrid-hq refined", "pt-equal-hq refined"}));
+    EXPECT_GT(seconds["hybrid refined"], seconds["hybrid fresh"]);
+    EXPECT_EQ(seconds["hybrid fresh"], seconds["splats fresh"]);
+    ASSERT_EQ(report["gains"].size(), 4u);
+    for (const json& gain : report["gains"]) {
+        EXPECT_TRUE(gain["way"].get<std::string>().starts_with("hybrid"));
+        EXPECT_TRUE(gain["foveaGainDb"]["median"].is_number()) << gain;
+        EXPECT_TRUE(gain["fullGainOverSplatsDb"]["median"].is_number()) << gain;
+    }
+}
+
 TEST_F(Evaluate, WhatCannotBeIsAnError) {
     EXPECT_EQ(runMacula({"evaluate"}).exitCode, 2);
     EXPECT_EQ(runMacula({"evaluate", "init", "--views", "0"}).exitCode, 2);
@@ -149,6 +195,8 @@ TEST_F(Evaluate, WhatCannotBeIsAnError) {
     const Ran hanging = runMacula(small({"--lights", "headlight"}));
     EXPECT_EQ(hanging.exitCode, 2);
     EXPECT_NE(hanging.err.find("camera"), std::string::npos) << hanging.err;
+    EXPECT_EQ(runMacula({"evaluate", "quality", "--views", "0"}).exitCode, 2);
+    EXPECT_EQ(runMacula({"evaluate", "quality", "--lights", "headlight"}).exitCode, 2);
     const std::string preset = write("none.vp.json", kShowsNothing);
     const Ran nothing = runMacula(small({"--preset", preset}));
     EXPECT_EQ(nothing.exitCode, 3) << nothing.err;

@@ -22,6 +22,7 @@ std::vector<SampledPose> sample(const PoseSampling& sampling, const PoseAcceptan
 TEST(PoseSampling, NoTrialLearnsFromWhereModelsAreJudged) {
     for (std::uint64_t trial : {0, 1, 734, 735, 736, 1 << 20}) {
         EXPECT_NE(initialTraining(1, trial).seed, groundTruth(1).seed) << trial;
+        EXPECT_NE(initialTraining(1, trial).seed, wholeFrames(1).seed) << trial;
         EXPECT_NE(initialTraining(1, trial).seed, initialTraining(1, trial + 1).seed) << trial;
         EXPECT_GT(otherSides(1, trial).seed, initialTraining(1, 1u << 20).seed) << trial;
     }
@@ -44,7 +45,8 @@ TEST(PoseSampling, TheFirstViewLooksAtTheCentreFromTheStartDistance) {
 }
 
 TEST(PoseSampling, LaterViewsComeNearerAndWanderAsFarAsTheirVariability) {
-    for (const PoseSampling& sampling : {initialTraining(64), groundTruth(32), extension(256)}) {
+    for (const PoseSampling& sampling :
+         {initialTraining(64), groundTruth(32), wholeFrames(32), extension(256)}) {
         const auto views = sample(sampling);
         double widest = 0.0;  // of the target, in parts of what is allowed
         for (std::size_t i = 0; i < views.size(); ++i) {

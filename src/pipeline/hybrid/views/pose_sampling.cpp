@@ -87,6 +87,15 @@ PoseSampling groundTruth(std::size_t count) {
     return {.count = count, .startDistance = 3.0, .increment = 0.05, .mostVariability = 1.0, .seed = 777};
 }
 
+PoseSampling wholeFrames(std::size_t count) {
+    return {.count = count,
+            .startDistance = 1.7,
+            .increment = 0.04,
+            .mostVariability = 1.0,
+            .seed = 777,
+            .verticalFovDeg = 70.0};
+}
+
 PoseSampling extension(std::size_t count) {
     return {.count = count, .startDistance = 4.0, .increment = 0.02, .mostVariability = 2.7, .seed = 10};
 }

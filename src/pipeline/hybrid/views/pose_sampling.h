@@ -40,6 +40,8 @@ PoseSampling initialTraining(std::size_t count, std::uint64_t trial = 0);
 PoseSampling otherSides(std::size_t count, std::uint64_t trial = 0);
 // The poses at which it is compared with the ground truth.
 PoseSampling groundTruth(std::size_t count = 32);
+// The poses at which whole frames are compared: wider, and nearer (the paper's Table 3).
+PoseSampling wholeFrames(std::size_t count = 32);
 // The poses that it is refined with.
 PoseSampling extension(std::size_t count);
 

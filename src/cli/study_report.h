@@ -1,0 +1,25 @@
+// What the verbs that measure one study and print a report do besides.
+#pragma once
+
+#include <fmt/format.h>
+
+#include "base/progress_bar.h"
+#include "cli/interrupt.h"
+#include "cli/json_text.h"
+#include "cli/report.h"
+#include "evaluate/benchmark_reports.h"
+
+namespace macula::cli {
+
+// `measure` of the study that is opened; its reportOf on stdout.
+template <class Options, class Measure>
+Result<void> printReport(const evaluate::BenchStudyOptions& input, const Options& options, Measure measure) {
+    Progress progress(terminalProgressBar(), interruptToken());
+    MACULA_TRY(const evaluate::BenchStudy study, evaluate::openBenchStudy(input, progress));
+    printNotes(study.notes, study.warnings);
+    MACULA_TRY(const auto report, measure(study, options, progress));
+    fmt::print("{}\n", jsonText(reportOf(study, options, report)));
+    return {};
+}
+
+}  // namespace macula::cli

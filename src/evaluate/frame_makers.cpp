@@ -1,0 +1,138 @@
+#include "evaluate/frame_makers.h"
+
+#include <utility>
+
+#include "evaluate/measurement.h"
+#include "evaluate/shown_picture.h"
+#include "pipeline/gpu/transfer.h"
+
+namespace macula::evaluate {
+
+namespace {
+
+constexpr int kTrials = 2;  // the second is of nearly the size that is chosen at last
+
+Error cancelled() {
+    return {ErrorCode::cancelled, "The measurement was cancelled.", {}, {}};
+}
+
+}  // namespace
+
+Result<TracedFrames> TracedFrames::create(std::shared_ptr<gpu::Device> device,
+                                          const trace::PathTracer& beside, int bounces,
+                                          const Progress& progress) {
+    MACULA_TRY(trace::PathTracer tracer, beside.ofSameScene());
+    return TracedFrames(std::move(device), std::move(tracer), bounces, progress);
+}
+
+Result<TracedFrames::Traced> TracedFrames::traceTwice(const Camera& camera, const TracingBudget& budget) {
+    MACULA_TRY([[maybe_unused]] const Traced warm, trace(camera, budget));
+    return trace(camera, budget);
+}
+
+Result<TracedFrames::Traced> TracedFrames::trace(const Camera& camera, const TracingBudget& budget) {
+    const auto keepGoing = [this] { return !progress_->cancelled(); };
+    tracer_.forgetViews();
+    MACULA_TRY_VOID(
+        tracer_.setSettings({.bounces = bounces_, .seed = ++count_, .denoising = trace::Denoising::on}));
+    MACULA_TRY_VOID(tracer_.setView({.camera = camera, .width = budget.sizePx.x, .height = budget.sizePx.y}));
+    MACULA_TRY_VOID(device_->waitForAll());
+    Traced traced;
+    Watch watch;
+    MACULA_TRY([[maybe_unused]] const bool isWhole, tracer_.trace(budget.samplesPerPixel, keepGoing));
+    if (progress_->cancelled()) return cancelled();
+    MACULA_TRY_VOID(device_->waitForAll());
+    traced.traceMs = watch.lap().wallMs;
+    MACULA_TRY([[maybe_unused]] const bool isDeveloped, tracer_.develop(keepGoing));
+    if (progress_->cancelled()) return cancelled();
+    MACULA_TRY(const gpu::Image* picture, tracer_.display(glm::vec3(0.0f)));
+    MACULA_TRY_VOID(device_->waitForAll());
+    traced.otherMs = watch.lap().wallMs;
+    MACULA_TRY(const auto rgba, gpu::read<std::uint8_t>(*picture));
+    traced.shown = imageOf(rgba, budget.sizePx);
+    return traced;
+}
+
+Result<TracedFrames::Costed> TracedFrames::make(const Camera& camera, const glm::ivec2& sizePx,
+                                                std::uint32_t samplesPerPixel) {
+    const TracingBudget budget{.sizePx = sizePx, .samplesPerPixel = samplesPerPixel};
+    MACULA_TRY(Traced traced, traceTwice(camera, budget));
+    return Costed{.frame = {.shown = std::move(traced.shown),
+                            .ms = traced.traceMs + traced.otherMs,
+                            .samplesPerPixel = samplesPerPixel},
+                  .cost = costOfWhole(traced.traceMs, traced.otherMs, budget, sizePx)};
+}
+
+Result<MadeFrame> TracedFrames::makeIn(double budgetMs, const TracingCost& cost, const Camera& camera,
+                                       const glm::ivec2& sizePx) {
+    TracingBudget budget = affordable(cost, budgetMs, sizePx);
+    // A small picture takes more for each of its pixels.
+    for (int trial = 0; trial < kTrials; ++trial) {
+        MACULA_TRY(const Traced tried, traceTwice(camera, budget));
+        budget = affordable(costOfWhole(tried.traceMs, tried.otherMs, budget, sizePx), budgetMs, sizePx);
+    }
+    MACULA_TRY(const Traced traced, traceTwice(camera, budget));
+    return MadeFrame{.shown = scaledTo(traced.shown, sizePx),
+                     .ms = traced.traceMs + traced.otherMs,
+                     .samplesPerPixel = budget.samplesPerPixel,
+                     .resolutionShare = resolutionShareOf(budget, sizePx)};
+}
+
+Result<SplatFrames> SplatFrames::create(std::shared_ptr<gpu::Device> device, const trace::PathTracer& beside,
+                                        const Box& seenMm, int bounces, const splat::Splats& splats,
+                                        const Progress& progress) {
+    MACULA_TRY(hybrid::HybridFrame frame, hybrid::HybridFrame::create(device, beside));
+    MACULA_TRY(splat::ModelPainter painter, splat::ModelPainter::create(device, splats));
+    return SplatFrames(std::move(device), std::move(frame), std::move(painter), splats, seenMm, bounces,
+                       progress);
+}
+
+Result<MadeFrame> SplatFrames::bare(const Camera& camera, const glm::ivec2& sizePx) {
+    return make(camera, sizePx, 0);
+}
+
+Result<MadeFrame> SplatFrames::withFovea(const Camera& camera, const glm::ivec2& sizePx,
+                                         std::uint32_t samplesPerPixel) {
+    return make(camera, sizePx, samplesPerPixel);
+}
+
+Result<MadeFrame> SplatFrames::make(const Camera& camera, const glm::ivec2& sizePx,
+                                    std::uint32_t samplesPerPixel) {
+    const hybrid::Periphery periphery{
+        .draw = [&](const Camera& eye, const glm::ivec2& pictureSizePx) -> Result<hybrid::DrawnSplats> {
+            MACULA_TRY(const splat::RasterView view,
+                       splat::rasterView(eye, pictureSizePx, splats_->originMm));
+            MACULA_TRY(const splat::DevicePicture* picture, painter_.drawOnDevice(view));
+            return hybrid::DrawnSplats{picture, &painter_.depthsOnDevice()};
+        }};
+    const hybrid::FoveaAim aim{.whole = {.camera = camera, .width = sizePx.x, .height = sizePx.y},
+                               .sidePx = foveaSidePx(sizePx, camera.verticalFovDeg),
+                               .samplesPerPixel = samplesPerPixel};
+    const auto drawOnce = [&]() -> Result<const gpu::Image*> {
+        if (samplesPerPixel > 0) MACULA_TRY_VOID(frame_.aim(aim));
+        while (frame_.isTracing()) {
+            if (progress_->cancelled()) return cancelled();
+            MACULA_TRY([[maybe_unused]] const bool isThere,
+                       frame_.traceFovea([this] { return !progress_->cancelled(); }));
+        }
+        MACULA_TRY(const hybrid::Frame drawn,
+                   frame_.draw({.eyes = {camera}, .sizePx = sizePx, .display = {}}, periphery));
+        MACULA_TRY_VOID(device_->waitForAll());
+        return drawn.pictures.front();
+    };
+    MadeFrame made{.samplesPerPixel = samplesPerPixel};
+    for (const bool isMeasured : {false, true}) {
+        if (progress_->cancelled()) return cancelled();
+        MACULA_TRY_VOID(frame_.setScene(seenMm_, {.bounces = bounces_}));  // forgets fovea and views
+        MACULA_TRY_VOID(device_->waitForAll());
+        Watch watch;
+        MACULA_TRY(const gpu::Image* picture, drawOnce());
+        made.ms = watch.lap().wallMs;
+        if (!isMeasured) continue;
+        MACULA_TRY(const auto rgba, gpu::read<std::uint8_t>(*picture));
+        made.shown = imageOf(rgba, sizePx);
+    }
+    return made;
+}
+
+}  // namespace macula::evaluate

@@ -1,0 +1,101 @@
+// Frames to compare, each made by itself: nothing that an earlier one has found helps it. A frame is made
+// twice, so that kernels and buffers are there, and the second one is timed, from the first command until the
+// device has finished; reading it back takes no time.
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <memory>
+
+#include "base/camera.h"
+#include "base/frames.h"
+#include "base/progress.h"
+#include "base/result.h"
+#include "evaluate/equal_time.h"
+#include "image/image.h"
+#include "pipeline/gpu/device.h"
+#include "pipeline/hybrid/frame/hybrid_frame.h"
+#include "pipeline/splat/draw/model_painter.h"
+#include "pipeline/trace/path_tracer.h"
+
+namespace macula::evaluate {
+
+struct MadeFrame {
+    image::Image shown;
+    double ms = 0.0;
+    std::uint32_t samplesPerPixel = 0;  // of what was traced; 0: nothing was
+    double resolutionShare = 1.0;       // resolutionShareOf
+};
+
+// Path tracing alone, denoised. All fail with `cancelled` when `progress` says so.
+class TracedFrames {
+  public:
+    static Result<TracedFrames> create(std::shared_ptr<gpu::Device> device, const trace::PathTracer& beside,
+                                       int bounces, const Progress& progress);
+
+    struct Costed {
+        MadeFrame frame;
+        TracingCost cost;
+    };
+    Result<Costed> make(const Camera& camera, const glm::ivec2& sizePx, std::uint32_t samplesPerPixel);
+
+    // What there is time for in `budgetMs`, scaled up where that is not the whole resolution. `cost` is a
+    // first guess; trials say better.
+    Result<MadeFrame> makeIn(double budgetMs, const TracingCost& cost, const Camera& camera,
+                             const glm::ivec2& sizePx);
+
+  private:
+    struct Traced {
+        image::Image shown;
+        double traceMs = 0.0;
+        double otherMs = 0.0;  // guides, denoising, tone map
+    };
+    TracedFrames(std::shared_ptr<gpu::Device> device, trace::PathTracer tracer, int bounces,
+                 const Progress& progress)
+        : device_(std::move(device)), tracer_(std::move(tracer)), bounces_(bounces), progress_(&progress) {}
+    Result<Traced> trace(const Camera& camera, const TracingBudget& budget);
+    Result<Traced> traceTwice(const Camera& camera, const TracingBudget& budget);
+
+    std::shared_ptr<gpu::Device> device_;
+    trace::PathTracer tracer_;
+    int bounces_;
+    std::uint32_t count_ = 0;  // of frames: each has other noise
+    const Progress* progress_;
+};
+
+// Splats alone, and with a fovea that was traced from just where the eye is.
+class SplatFrames {
+  public:
+    // `splats` must be valid, and outlive this unchanged.
+    static Result<SplatFrames> create(std::shared_ptr<gpu::Device> device, const trace::PathTracer& beside,
+                                      const Box& seenMm, int bounces, const splat::Splats& splats,
+                                      const Progress& progress);
+
+    Result<MadeFrame> bare(const Camera& camera, const glm::ivec2& sizePx);
+    // trace::kFovealFieldDeg in the middle, as fine as the frame there.
+    Result<MadeFrame> withFovea(const Camera& camera, const glm::ivec2& sizePx,
+                                std::uint32_t samplesPerPixel);
+
+  private:
+    SplatFrames(std::shared_ptr<gpu::Device> device, hybrid::HybridFrame frame, splat::ModelPainter painter,
+                const splat::Splats& splats, const Box& seenMm, int bounces, const Progress& progress)
+        : device_(std::move(device)),
+          frame_(std::move(frame)),
+          painter_(std::move(painter)),
+          splats_(&splats),
+          seenMm_(seenMm),
+          bounces_(bounces),
+          progress_(&progress) {}
+    // Of no samples: without a fovea.
+    Result<MadeFrame> make(const Camera& camera, const glm::ivec2& sizePx, std::uint32_t samplesPerPixel);
+
+    std::shared_ptr<gpu::Device> device_;
+    hybrid::HybridFrame frame_;
+    splat::ModelPainter painter_;
+    const splat::Splats* splats_;
+    Box seenMm_;
+    int bounces_;
+    const Progress* progress_;
+};
+
+}  // namespace macula::evaluate

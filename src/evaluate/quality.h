@@ -1,0 +1,84 @@
+// Frames made in several ways, and how near each comes to the truth in whole and where the eye looks: path
+// tracing alone, splats alone, both together, and path tracing alone in the time that both together take. As
+// in Table 3 of Kleinbeck et al. (IEEE VR 2026); docs/hybrid-frame.md says what each row is.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/progress.h"
+#include "base/result.h"
+#include "evaluate/bench_study.h"
+#include "evaluate/frame_scores.h"
+#include "evaluate/view_scores.h"
+#include "pipeline/hybrid/model/first_model.h"
+#include "pipeline/hybrid/model/refinement.h"
+#include "pipeline/hybrid/views/pose_sampling.h"
+
+namespace macula::evaluate {
+
+struct QualityOptions {
+    glm::ivec2 sizePx{720, 720};
+    hybrid::PoseSampling poses = hybrid::wholeFrames();
+    std::size_t views = 32;                                             // as HeldOutViews::trace
+    std::uint32_t truthSamples = 256;                                   // not denoised; even
+    std::uint32_t foveaSamples = 4;                                     // of Grade::normal, denoised
+    std::uint64_t iterations = hybrid::FirstModelOptions{}.iterations;  // of its first model
+    int bounces = trace::kDefaultBounces;                               // of all that is traced
+};
+
+enum class Grade { normal, high };
+inline constexpr std::array kGrades{Grade::normal, Grade::high};
+
+// What a grade is made with.
+struct GradePlan {
+    std::uint32_t foveaSamples = 0;
+    std::uint32_t wholeSamples = 0;  // of path tracing alone
+    hybrid::FirstModelOptions model;
+    hybrid::RefinementOptions refinement;
+};
+GradePlan planOf(const QualityOptions& options, Grade grade);
+
+struct QualityView {
+    FrameScores scores;
+    double frameMs = 0.0;
+    std::uint32_t samplesPerPixel = 0;  // MadeFrame
+    double resolutionShare = 1.0;
+};
+
+// Of a way to make frames, by view.
+struct QualityRow {
+    std::string way;         // "pt", "splats", "hybrid", "pt-equal"; of Grade::high with "-hq"
+    std::string_view model;  // "fresh", "refined"; empty without one. Of pt-equal: of the hybrid's
+    std::size_t splats = 0;
+    std::optional<double> preparationSeconds;  // of the model, all that it took until then
+    std::vector<QualityView> views;
+
+    std::vector<FrameScores> scores() const;
+};
+
+// Of a hybrid row, over the views.
+struct QualityGain {
+    std::string way;
+    std::string_view model;
+    std::optional<Spread> foveaDb;           // over pt-equal
+    std::optional<Spread> equalTimeShare;    // of the time that pt-equal took: 1 is just as long
+    std::optional<Spread> fullOverSplatsDb;  // over the same splats alone
+};
+QualityGain gainOf(const QualityRow& hybrid, const QualityRow& equal, const QualityRow& splats);
+
+struct QualityReport {
+    std::vector<QualityRow> rows;
+    std::vector<QualityGain> gains;
+    std::size_t viewsGivenUp = 0;  // of the poses: no draw showed enough, and the last one was taken
+};
+
+// `cancelled`; inputNotUsable when nothing can be seen; usage when the samples of the truth are not even.
+Result<QualityReport> measureQuality(const BenchStudy& study, const QualityOptions& options,
+                                     Progress& progress);
+
+}  // namespace macula::evaluate

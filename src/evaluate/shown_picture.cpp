@@ -1,0 +1,105 @@
+#include "evaluate/shown_picture.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/check.h"
+#include "pipeline/trace/settings.h"
+
+namespace macula::evaluate {
+
+namespace {
+
+double halfTangent(double fieldDeg) {
+    return std::tan(0.5 * glm::radians(fieldDeg));
+}
+
+struct Neighbours {
+    int low = 0;
+    int high = 0;
+    float share = 0.0f;  // of the high one
+};
+
+Neighbours neighboursOf(int pixel, int count, int from) {
+    const double place = (pixel + 0.5) * double(from) / double(count) - 0.5;
+    const double inside = std::clamp(place, 0.0, double(from - 1));
+    const int low = static_cast<int>(inside);
+    return {low, std::min(low + 1, from - 1), static_cast<float>(inside - double(low))};
+}
+
+}  // namespace
+
+image::Image imageOf(std::span<const std::uint8_t> rgba, const glm::ivec2& sizePx) {
+    MACULA_CHECK_EQ(rgba.size(), 4 * std::size_t(sizePx.x) * std::size_t(sizePx.y));
+    image::Image image{.width = sizePx.x,
+                       .height = sizePx.y,
+                       .channels = 3,
+                       .encoding = image::Encoding::display,
+                       .pixels = {}};
+    image.pixels.reserve(rgba.size() / 4 * 3);
+    for (std::size_t i = 0; i < rgba.size(); i += 4) {
+        for (std::size_t c = 0; c < 3; ++c) image.pixels.push_back(static_cast<float>(rgba[i + c]) / 255.0f);
+    }
+    return image;
+}
+
+image::Image scaledTo(const image::Image& picture, const glm::ivec2& sizePx) {
+    MACULA_CHECK(picture.width > 0 && picture.height > 0);
+    image::Image scaled{.width = sizePx.x,
+                        .height = sizePx.y,
+                        .channels = picture.channels,
+                        .encoding = picture.encoding,
+                        .pixels = {}};
+    scaled.pixels.reserve(std::size_t(sizePx.x) * std::size_t(sizePx.y) * std::size_t(picture.channels));
+    const auto at = [&](int x, int y, int channel) {
+        return picture.pixels[(std::size_t(y) * std::size_t(picture.width) + std::size_t(x)) *
+                                  std::size_t(picture.channels) +
+                              std::size_t(channel)];
+    };
+    for (int y = 0; y < sizePx.y; ++y) {
+        const Neighbours row = neighboursOf(y, sizePx.y, picture.height);
+        for (int x = 0; x < sizePx.x; ++x) {
+            const Neighbours column = neighboursOf(x, sizePx.x, picture.width);
+            for (int c = 0; c < picture.channels; ++c) {
+                const float above =
+                    glm::mix(at(column.low, row.low, c), at(column.high, row.low, c), column.share);
+                const float below =
+                    glm::mix(at(column.low, row.high, c), at(column.high, row.high, c), column.share);
+                scaled.pixels.push_back(glm::mix(above, below, row.share));
+            }
+        }
+    }
+    return scaled;
+}
+
+image::Mask middleOf(const glm::ivec2& sizePx, double verticalFovDeg) {
+    const double focalPx = 0.5 * sizePx.y / halfTangent(verticalFovDeg);
+    const double radiusPx = focalPx * halfTangent(trace::kFovealFieldDeg);
+    image::Mask middle;
+    middle.reserve(std::size_t(sizePx.x) * std::size_t(sizePx.y));
+    for (int y = 0; y < sizePx.y; ++y) {
+        for (int x = 0; x < sizePx.x; ++x)
+            middle.push_back(std::hypot(x + 0.5 - 0.5 * sizePx.x, y + 0.5 - 0.5 * sizePx.y) <= radiusPx ? 1
+                                                                                                        : 0);
+    }
+    return middle;
+}
+
+double meanOver(std::span<const float> perPixel, const image::Mask& mask) {
+    MACULA_CHECK_EQ(perPixel.size(), mask.size());
+    double sum = 0.0;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < mask.size(); ++i) {
+        if (mask[i] == 0) continue;
+        sum += double(perPixel[i]);
+        ++count;
+    }
+    return sum / double(std::max<std::size_t>(count, 1));
+}
+
+int foveaSidePx(const glm::ivec2& sizePx, double verticalFovDeg) {
+    const double share = halfTangent(trace::kFovealFieldDeg) / halfTangent(verticalFovDeg);
+    return std::max(static_cast<int>(std::lround(sizePx.y * share)), 1);
+}
+
+}  // namespace macula::evaluate

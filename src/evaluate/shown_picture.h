@@ -1,0 +1,30 @@
+// Frames as they are shown, on the host: for comparing, in whole and in the middle, where the eye looks.
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <span>
+#include <vector>
+
+#include "image/image.h"
+#include "image/masked_metrics.h"
+
+namespace macula::evaluate {
+
+// The colours of RGBA8 over black; row 0 on top.
+image::Image imageOf(std::span<const std::uint8_t> rgba, const glm::ivec2& sizePx);
+
+// The picture at another size: bilinear between the centres of its pixels, its border beyond them.
+image::Image scaledTo(const image::Image& picture, const glm::ivec2& sizePx);
+
+// The mask of trace::kFovealFieldDeg around the middle of a frame, a circle.
+image::Mask middleOf(const glm::ivec2& sizePx, double verticalFovDeg);
+
+// The mean over the mask; 0 where it is empty.
+double meanOver(std::span<const float> perPixel, const image::Mask& mask);
+
+// The side of a picture of trace::kFovealFieldDeg with as many pixels per degree as the frame has in its
+// middle.
+int foveaSidePx(const glm::ivec2& sizePx, double verticalFovDeg);
+
+}  // namespace macula::evaluate
