@@ -2,7 +2,6 @@
 #include <CLI/App.hpp>
 #include <memory>
 
-#include "app/choice/lights_choice.h"
 #include "cli/command.h"
 #include "cli/model_options.h"
 #include "cli/number_range.h"
@@ -17,11 +16,6 @@ struct Options {
     evaluate::BenchStudyOptions study;
     evaluate::QualityOptions quality;
 };
-
-Result<void> evaluateQuality(const Options& options) {
-    MACULA_TRY_VOID(app::choosePatientLights(options.study.lights));
-    return printReport(options.study, options.quality, evaluate::measureQuality);
-}
 
 }  // namespace
 
@@ -40,7 +34,9 @@ void addEvaluateQuality(CLI::App& evaluateApp, Action& action) {
               "Steps of training of the first splats; -hq and refined take more", 1, 1000000);
     command->callback([options, &action] {
         options->quality.sizePx = {options->study.size, options->study.size};
-        action = [options] { return evaluateQuality(*options); };
+        action = [options] {
+            return printReport(options->study, options->quality, evaluate::measureQuality);
+        };
     });
 }
 

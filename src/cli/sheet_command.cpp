@@ -80,10 +80,8 @@ void addSheet(CLI::App& app, Action& action) {
     auto options = std::make_shared<Options>();
     Options& o = *options;
     auto* command = app.add_subcommand("sheet", "Draw every preset in every look on one sheet");
-    command->add_option("PATH", o.path, "As of render (default: the phantom)");
+    addStudyAsOfRender(*command, o.path, o.series, o.how);
     command->add_option("-o,--output", o.output, "Picture to write: OUT.png")->required();
-    command->add_option("--series", o.series, "As of render");
-    addJoin(*command, o.how);
     command->add_option("--tile", o.sheet.tilePx, "Size of each picture in pixels (default: 160)")
         ->check(CLI::Range(16, 512));
     command->add_option("--panels", o.sheet.panels, "Columns of presets (default: 3)")

@@ -14,6 +14,13 @@ void addJoin(CLI::App& command, dicom::ScanOptions& how) {
         "Take images for one series that agree in all but identifiers made anew for each of them");
 }
 
+void addStudyAsOfRender(CLI::App& command, std::filesystem::path& path, std::string& series,
+                        dicom::ScanOptions& how) {
+    command.add_option("PATH", path, "As of render (default: the phantom)");
+    command.add_option("--series", series, "As of render");
+    addJoin(command, how);
+}
+
 void addBenchStudyOptions(CLI::App& command, evaluate::BenchStudyOptions& options, int size) {
     options.size = size;
     options.lights = app::kDefaultLights;

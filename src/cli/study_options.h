@@ -1,6 +1,9 @@
 // Options of the verbs that read a study.
 #pragma once
 
+#include <filesystem>
+#include <string>
+
 #include "dicom/scan.h"
 #include "evaluate/bench_study.h"
 
@@ -12,6 +15,10 @@ namespace macula::cli {
 
 // --join, of every verb that reads a folder.
 void addJoin(CLI::App& command, dicom::ScanOptions& how);
+
+// PATH, --series and --join, of verbs that do something else with it.
+void addStudyAsOfRender(CLI::App& command, std::filesystem::path& path, std::string& series,
+                        dicom::ScanOptions& how);
 
 // What the benchmarks of the tracer have in common; `size` is the default.
 void addBenchStudyOptions(CLI::App& command, evaluate::BenchStudyOptions& options, int size);

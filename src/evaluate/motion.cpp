@@ -4,6 +4,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <utility>
 
+#include "app/choice/lights_choice.h"
 #include "app/study/scene_on_device.h"
 #include "evaluate/shown_picture.h"
 #include "image/metrics.h"
@@ -224,6 +225,7 @@ std::string_view nameOf(Moved moved) {
 
 Result<MotionReport> measureMotion(const BenchStudy& study, const MotionOptions& options,
                                    Progress& progress) {
+    MACULA_TRY_VOID(app::checkPatientLights(study.environment, study.lights));
     MACULA_TRY(Measurement measurement, Measurement::create(study, options, progress));
     return measurement.run();
 }

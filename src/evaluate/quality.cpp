@@ -4,6 +4,7 @@
 #include <iterator>
 #include <utility>
 
+#include "app/choice/lights_choice.h"
 #include "app/study/scene_on_device.h"
 #include "evaluate/frame_makers.h"
 #include "evaluate/held_out_views.h"
@@ -224,6 +225,7 @@ QualityGain gainOf(const QualityRow& hybrid, const QualityRow& equal, const Qual
 
 Result<QualityReport> measureQuality(const BenchStudy& study, const QualityOptions& options,
                                      Progress& progress) {
+    MACULA_TRY_VOID(app::checkPatientLights(study.environment, study.lights));
     MACULA_TRY(Measurement measurement, Measurement::create(study, options, progress));
     return measurement.run();
 }

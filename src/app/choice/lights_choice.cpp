@@ -83,11 +83,15 @@ std::string publicLightsName(const std::string& nameOrFile) {
     return publicName(presets::lightFiles(), nameOrFile);
 }
 
+Result<void> checkPatientLights(const trace::Environment& lights, const std::string& name) {
+    if (lights.frame() == trace::LightFrame::patient) return {};
+    return Error{ErrorCode::usage, "These lights hang on the camera.", name,
+                 "A peripheral model holds light that stays where it is: choose lights of the patient."};
+}
+
 Result<trace::Environment> choosePatientLights(const std::string& nameOrFile) {
     MACULA_TRY(trace::Environment lights, chooseLights(nameOrFile));
-    if (lights.frame() == trace::LightFrame::camera)
-        return Error{ErrorCode::usage, "These lights hang on the camera.", nameOrFile,
-                     "A peripheral model holds light that stays where it is: choose lights of the patient."};
+    MACULA_TRY_VOID(checkPatientLights(lights, nameOrFile));
     return lights;
 }
 

@@ -29,5 +29,6 @@ std::string publicLightsName(const std::string& nameOrFile);
 // As chooseLights, for what holds light that stays where it is, as a peripheral model does: usage also for
 // lights that hang on the camera.
 Result<trace::Environment> choosePatientLights(const std::string& nameOrFile);
+Result<void> checkPatientLights(const trace::Environment& lights, const std::string& name);
 
 }  // namespace macula::app

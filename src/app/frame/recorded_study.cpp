@@ -84,8 +84,7 @@ Result<void> write(const fs::path& folder, const LiveRecording& recording) {
 
 }  // namespace
 
-Result<LiveRecording> recordStudy(const RecordingWish& wish,
-                                  const std::function<void(const std::string&, bool)>& tell,
+Result<LiveRecording> recordStudy(const RecordingWish& wish, const Hears& note, const Hears& warn,
                                   Progress& progress) {
     MACULA_TRY(const RecordingOptions options, optionsOf(wish));
     MACULA_TRY(const ClipPreset clip, chooseClip(wish.clip));
@@ -102,14 +101,15 @@ Result<LiveRecording> recordStudy(const RecordingWish& wish,
     bringTo16Bits(study);
     MACULA_TRY(StudyPreset preset, choosePresetFor(study, wish.preset));
     MACULA_TRY(ShownClip shown, shownClip(clip, wish.removeTable, *study.volume, progress));
-    for (const std::string& note : study.notes) tell(note, false);
-    for (const std::string& warning : study.warnings) tell(warning, true);
-    for (const std::string& note : shown.notes) tell(note, false);
+    std::ranges::for_each(study.notes, note);
+    std::ranges::for_each(study.warnings, warn);
+    std::ranges::for_each(shown.notes, note);
     scene.volume = study.volume;
     scene.drawing.transferFunction = std::make_shared<const TransferFunction>(std::move(preset.function));
     if (!shown.clip.isNothing()) scene.drawing.clip = std::make_shared<const Clip>(std::move(shown.clip));
 
     MACULA_TRY(LiveRecording recording, recordLive(std::move(scene), options, progress));
+    if (recording.isFull) note("Pictures left out: there were too many. Lower --pictures or --size.");
     MACULA_TRY_VOID(write(wish.folder, recording));
     return recording;
 }
@@ -135,6 +135,14 @@ MotionFigures motionFigures(const LiveRecording& recording) {
     figures.latencyMs = image::percentile(latenciesMs, 0.5);
     figures.lateMs = image::percentile(latenciesMs, 0.95);
     return figures;
+}
+
+std::string textOf(const MotionFigures& figures) {
+    if (figures.frames == 0) return "No frame followed the camera.";
+    return fmt::format(
+        "In motion {:.1f} frames/s, {:.0f} ms from pose to picture (95 % below {:.0f} ms), {} of {} with a "
+        "fovea.",
+        figures.framesPerSecond, figures.latencyMs, figures.lateMs, figures.withFovea, figures.frames);
 }
 
 }  // namespace macula::app

@@ -29,9 +29,9 @@ struct RecordingWish {
 };
 
 // Writes frames.jsonl, a line for each frame that was shown, and frame-0001.png and so on for those that were
-// kept. `tell` hears notes; the second is true for what changes what is seen.
-Result<LiveRecording> recordStudy(const RecordingWish& wish,
-                                  const std::function<void(const std::string&, bool)>& tell,
+// kept. `warn` hears what changes what is seen, `note` the rest.
+using Hears = std::function<void(const std::string&)>;
+Result<LiveRecording> recordStudy(const RecordingWish& wish, const Hears& note, const Hears& warn,
                                   Progress& progress);
 
 // Of the frames in motion: how many a second, how late they were (median and 95th percentile), and how many
@@ -44,5 +44,7 @@ struct MotionFigures {
     std::size_t withFovea = 0;
 };
 MotionFigures motionFigures(const LiveRecording& recording);
+// A line for a person.
+std::string textOf(const MotionFigures& figures);
 
 }  // namespace macula::app

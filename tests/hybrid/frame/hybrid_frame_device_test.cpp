@@ -159,6 +159,55 @@ TEST_F(HybridFrameTest, BothEyesSeeTheMarkerWhereItIs) {
     EXPECT_NEAR(column[0], column[1], 0.5);  // of the disparity
 }
 
+// From where the screen was traced frames show what the screen shows, whether all of it was taken or the
+// middle; and no other is wanted until the eye has gone around by some degrees.
+TEST_F(HybridFrameTest, WhatWasTracedAtRestIsShownInMotion) {
+    trace::PathTracer screen = onScreen();
+    ASSERT_TRUE(*screen.trace(8));
+    const gpu::Image* shown = screen.display(glm::vec3(0.0f)).value();
+    const std::vector<glm::u8vec4> traced = gpu::read<glm::u8vec4>(*shown).value();
+    HybridFrame frame = beside(screen);
+    const FrameRequest request{.eyes = {view().camera}, .sizePx = kSize, .display = {}};
+    EXPECT_TRUE(frame.wantsFovea(view().camera));
+    const double wholeDeg = wholeView(8).fieldDeg;
+    for (const double fieldDeg : {wholeDeg, 0.6 * view().camera.verticalFovDeg}) {
+        ASSERT_TRUE(frame.adopt(screen, {.whole = view(), .fieldDeg = fieldDeg, .samplesPerPixel = 8}).ok());
+        const Frame drawn = frame.draw(request, plain(glm::vec4(0.0f, 0.5f, 0.0f, 1.0f))).value();
+        EXPECT_EQ(drawn.foveaSamples, 8u);
+        EXPECT_GT(drawn.foveaShare, 0.1);
+        EXPECT_LE(drawn.foveaShare, 1.0);
+        const std::vector<glm::u8vec4> picture = pictureOf(drawn);
+        for (int y = 30; y < 42; ++y) {
+            for (int x = 40; x < 56; ++x) {
+                for (int k = 0; k < 3; ++k)
+                    ASSERT_NEAR(picture[at(x, y)][k], traced[at(x, y)][k], 2) << x << " " << y;
+            }
+        }
+    }
+    EXPECT_GT(pictureOf(frame.draw(request, plain(glm::vec4(0.0f, 0.5f, 0.0f, 1.0f))).value())[0].y, 150)
+        << "of the middle alone the corners are splats";
+    EXPECT_TRUE(frame.isFoveaOf(view().camera));
+    EXPECT_FALSE(frame.wantsFovea(view().camera));
+    const auto eyeAt = [&](double degrees) {
+        Camera eye = view().camera;
+        const glm::dvec3 middle = screen.seenMm()->centre();
+        const glm::dvec3 from = eye.positionMm - middle;
+        const double angle = glm::radians(degrees);
+        eye.positionMm = middle + glm::dvec3(std::cos(angle) * from.x - std::sin(angle) * from.y,
+                                             std::sin(angle) * from.x + std::cos(angle) * from.y, from.z);
+        return eye;
+    };
+    EXPECT_FALSE(frame.wantsFovea(eyeAt(0.5 * HybridFrame::kGoodForDeg)));
+    EXPECT_TRUE(frame.wantsFovea(eyeAt(1.5 * HybridFrame::kGoodForDeg)));
+    // One that was traced for motion is coarse: another place, another one.
+    ASSERT_TRUE(frame.aim(wholeView(1)).ok());
+    traceFovea(frame);
+    EXPECT_FALSE(frame.wantsFovea(view().camera));
+    EXPECT_TRUE(frame.wantsFovea(eyeAt(0.1)));
+    ASSERT_TRUE(frame.setScene(screen.seenMm().value(), {}).ok());
+    EXPECT_TRUE(frame.wantsFovea(view().camera)) << "another scene, another fovea";
+}
+
 TEST_F(HybridFrameTest, AFarEyeIsNotShownTheFovea) {
     trace::PathTracer screen = onScreen();
     HybridFrame frame = beside(screen);

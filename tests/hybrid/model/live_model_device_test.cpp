@@ -109,6 +109,26 @@ TEST_F(LiveModelTest, IsFoundTaughtAndDrawnBesideAPictureThatStaysAsItIs) {
     EXPECT_EQ(screen.readback()->radiance, traced);
 }
 
+// What a person looks at is learnt from, and wakes a model that had learnt all there was.
+TEST_F(LiveModelTest, LearnsFromWhatIsOnScreen) {
+    trace::PathTracer screen = onScreen();
+    LiveModel model = beside(screen);
+    ASSERT_TRUE(model.show("a", {}).ok());
+    search(model);
+    learn(model);
+    const std::size_t views = model.news().views;
+    ASSERT_FALSE(model.hasWork());
+    trace::View close = view();
+    close.camera.positionMm = close.camera.targetMm + 0.4 * (close.camera.positionMm - close.camera.targetMm);
+    ASSERT_TRUE(screen.setView(close).ok());
+    ASSERT_TRUE(*screen.trace(16));
+    ASSERT_TRUE(model.learnFrom(screen, close.camera).ok());
+    EXPECT_EQ(model.news().views, views + 1);
+    EXPECT_TRUE(model.hasWork());
+    learn(model);
+    EXPECT_FALSE(model.hasWork());
+}
+
 // The same light and coverage on average as what is traced, over what both show, from all sides.
 TEST_F(LiveModelTest, IsAsBrightAsWhatIsTraced) {
     trace::PathTracer screen = onScreen();
