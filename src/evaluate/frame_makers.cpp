@@ -123,7 +123,7 @@ Result<MadeFrame> SplatFrames::make(const Camera& camera, const glm::ivec2& size
     MadeFrame made{.samplesPerPixel = samplesPerPixel};
     for (const bool isMeasured : {false, true}) {
         if (progress_->cancelled()) return cancelled();
-        MACULA_TRY_VOID(frame_.setScene(seenMm_, {.bounces = bounces_}));  // forgets fovea and views
+        MACULA_TRY_VOID(frame_.setScene({.bounces = bounces_}));  // forgets fovea and views
         MACULA_TRY_VOID(device_->waitForAll());
         Watch watch;
         MACULA_TRY(const gpu::Image* picture, drawOnce());

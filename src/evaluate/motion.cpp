@@ -80,8 +80,8 @@ class Measurement {
         painter_.emplace(std::move(painter));
         report_.splats = splats_.size();
         const trace::Settings settings{.bounces = options_.model.bounces};
-        MACULA_TRY_VOID(withFovea_.setScene(seenMm, settings));
-        MACULA_TRY_VOID(bare_.setScene(seenMm, settings));
+        MACULA_TRY_VOID(withFovea_.setScene(settings));
+        MACULA_TRY_VOID(bare_.setScene(settings));
         MACULA_TRY_VOID(scene_.tracer.setSettings(settings));
         progress_.beginStage("Comparing frames",
                              kViewpoints.size() * (options_.stepsMm.size() + options_.turnsDeg.size()));

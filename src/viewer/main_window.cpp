@@ -146,6 +146,10 @@ void MainWindow::makeMenus() {
     names_->setCheckable(true);
     names_->setChecked(true);
     connect(names_, &QAction::triggered, viewport_, &Viewport::showNames);
+    QAction* gaze = view->addAction(tr("Trace where the pointer is, while moving"));
+    gaze->setCheckable(true);
+    gaze->setChecked(true);
+    connect(gaze, &QAction::triggered, viewport_, &Viewport::setGazeFollowsPointer);
 
     makeLookMenu();
     makeClipMenu();
@@ -256,6 +260,8 @@ void MainWindow::makeStatusBar() {
     fidelity_->keepLongest();
     statusBar()->addWidget(loading_);
     statusBar()->addWidget(searching_);
+    badge_ = new FidelityBadge;
+    statusBar()->addWidget(badge_);
     statusBar()->addWidget(fidelity_, 1);
     statusBar()->addPermanentWidget(modelText_);
     statusBar()->addPermanentWidget(pictureText_);

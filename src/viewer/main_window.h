@@ -61,6 +61,7 @@ class MainWindow : public QMainWindow {
     QString description() const { return description_->fullText(); }  // of the study on screen
     QString rate() const { return pictureText_->fullText(); }   // pixels, and pictures per second in motion
     QString fidelity() const { return fidelity_->fullText(); }  // how true the picture is
+    QString badge() const { return badge_->text(); }            // the same in a word
     QString modelState() const { return modelText_->fullText(); }  // what the peripheral model is doing
     bool hasStudy() const { return study_.volume != nullptr; }
     // All that was chosen, with the camera of now; and another one of the same study. usage when none is
@@ -145,6 +146,7 @@ class MainWindow : public QMainWindow {
     QComboBox* lights_ = nullptr;
     ElidingLabel* description_ = nullptr;
     ElidingLabel* fidelity_ = nullptr;
+    FidelityBadge* badge_ = nullptr;
     ElidingLabel* volumeText_ = nullptr;
     ElidingLabel* modelText_ = nullptr;
     ElidingLabel* pictureText_ = nullptr;

@@ -62,6 +62,7 @@ void MainWindow::onRendered(const app::RenderEvent& event) {
     } else if (const auto* preparing = std::get_if<app::Preparing>(&event)) {
         fidelity_->setFullText(QString::fromStdString(preparing->what) + QStringLiteral("…"));
     } else if (std::holds_alternative<app::PictureRemoved>(event)) {
+        badge_->hide();
         setTitle({});
     } else if (const auto* failure = std::get_if<app::RenderFailure>(&event)) {
         clearStudyTexts();
@@ -70,6 +71,7 @@ void MainWindow::onRendered(const app::RenderEvent& event) {
             deviceNote_.clear();  // the error says what became of it
             showNotes();
         }
+        badge_->hide();
         fidelity_->setFullText(tr("No picture"));
         messages_->showError(failure->error);
         emit failed(failure->error);
@@ -99,6 +101,7 @@ void MainWindow::onFrame(const app::FrameShown& frame) {
         if (notes_->isVisible()) showNotes();  // else it was read and dismissed
     }
     fidelity_->setFullText(text);
+    badge_->show(app::fidelityOf(frame));
     onModel(frame.model);
     QString pictureText = QStringLiteral("%1×%2").arg(frame.width).arg(frame.height);
     if (frame.framesPerSecond > 0.0 && frame.stage == app::Stage::moving) {

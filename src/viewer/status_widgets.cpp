@@ -67,6 +67,23 @@ void ElidingLabel::elide() {
     setText(fontMetrics().elidedText(full_, Qt::ElideRight, width()));
 }
 
+FidelityBadge::FidelityBadge(QWidget* parent) : QLabel(parent) {
+    setTextFormat(Qt::PlainText);
+    hide();
+}
+
+void FidelityBadge::show(const app::Fidelity& fidelity) {
+    setText(fidelity.isFinal ? tr("Final") : tr("Preliminary"));
+    setStyleSheet(QStringLiteral("border: 1px solid %1; border-radius: 3px; padding: 0 4px")
+                      .arg(fidelity.isFinal ? QStringLiteral("#4a9a5c") : QStringLiteral("#c08a2d")));
+    QStringList because;
+    for (const std::string& reason : fidelity.because) because << QString::fromStdString(reason);
+    const QString reasons = because.join(QStringLiteral(", "));
+    const QString is = fidelity.isFinal ? tr("Nothing will change any more") : tr("The picture gets better");
+    setToolTip(reasons.isEmpty() ? is : QStringLiteral("%1: %2").arg(is, reasons));
+    QLabel::show();
+}
+
 MessageBar::MessageBar(QWidget* parent) : QWidget(parent), text_(new QLabel(this)) {
     setAttribute(Qt::WA_StyledBackground);
     text_->setWordWrap(true);

@@ -6,6 +6,7 @@
 #include <QPushButton>
 #include <QWidget>
 
+#include "app/frame/fidelity.h"
 #include "base/result.h"
 
 namespace macula::viewer {
@@ -37,6 +38,17 @@ class ElidingLabel : public QLabel {
     QString what_;
     QString full_;
     QString more_;
+};
+
+// Whether what is on screen is as good as it gets, in a word; why not, in the tool tip. Nothing without a
+// picture.
+class FidelityBadge : public QLabel {
+    Q_OBJECT
+
+  public:
+    explicit FidelityBadge(QWidget* parent = nullptr);
+
+    void show(const app::Fidelity& fidelity);
 };
 
 // One sentence about what went wrong and one about what to do, until it is dismissed. Never in the way of

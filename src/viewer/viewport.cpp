@@ -154,6 +154,10 @@ void Viewport::connectWindow() {
         }
         publish();
     });
+    // What is pointed at is what is looked at; while it is dragged it goes with the pointer.
+    connect(window_, &VulkanWindow::pointed, this, [this](QPointF place) {
+        pointedAt_ = {place.x(), place.y()};
+    });
     connect(window_, &VulkanWindow::dragBegan, this, [this] { dragging_ = true; });
     connect(window_, &VulkanWindow::dragged, this, &Viewport::applyDrag);
     connect(window_, &VulkanWindow::dragEnded, this, [this] {
@@ -200,6 +204,11 @@ void Viewport::showNames(bool shown) {
 
 void Viewport::setSampleLimit(std::uint32_t samplesPerPixel) {
     input_.sampleLimit = samplesPerPixel;
+    publish();
+}
+
+void Viewport::setGazeFollowsPointer(bool follows) {
+    gazeFollowsPointer_ = follows;
     publish();
 }
 
@@ -309,6 +318,7 @@ std::uint64_t Viewport::publish() {
     input_.camera = toCamera(camera_);
     input_.letters = edgeLetters(camera_);
     updateText();
+    input_.gaze = gazeFollowsPointer_ ? pointedAt_ : glm::dvec2(0.0);
     input_.interacting = dragging_ || nudgeEnds_.isActive();
     return renderThread_->publish(input_);
 }

@@ -44,6 +44,8 @@ class Viewport : public QWidget {
     void setSampleLimit(std::uint32_t samplesPerPixel);
     // Whether the peripheral model, splats, is shown while a hand moves; if not, small traced pictures are.
     void setUsesModel(bool uses);
+    // Whether the fovea lies where somebody points, or in the middle of the picture.
+    void setGazeFollowsPointer(bool follows);
     void setPictureSizeHint(QSize pixels);
 
     void showFrom(ViewDirection from);
@@ -101,6 +103,8 @@ class Viewport : public QWidget {
     app::FrameInput input_;
     std::uint64_t lastChange_ = 0;  // its number
     bool dragging_ = false;
+    glm::dvec2 pointedAt_{0.0};  // as FrameInput::gaze
+    bool gazeFollowsPointer_ = true;
     ViewDirection framedFrom_ = ViewDirection::anterior;
     bool untouched_ = true;  // nobody moved the camera since it was framed
     std::shared_ptr<const std::vector<glm::dvec3>>

@@ -6,6 +6,7 @@
 #include <QPlatformSurfaceEvent>
 #include <QVulkanInstance>
 #include <QWheelEvent>
+#include <algorithm>
 #include <utility>
 
 namespace macula::viewer {
@@ -103,16 +104,25 @@ void VulkanWindow::mousePressEvent(QMouseEvent* event) {
     dragging_ = true;
     dragButton_ = event->button();
     last_ = event->position();
+    emit pointed(placeOf(last_));
     emit dragBegan();
 }
 
 void VulkanWindow::mouseMoveEvent(QMouseEvent* event) {
-    if (!dragging_) return;
+    if (!dragging_) {
+        emit pointed(placeOf(event->position()));
+        return;
+    }
     // The button went up where this window was not told, as over a dialog.
     if (!event->buttons().testFlag(dragButton_)) return endDrag();
     const QPointF moved = event->position() - last_;
     last_ = event->position();
     emit dragged(drag_, moved);
+}
+
+QPointF VulkanWindow::placeOf(QPointF position) const {
+    return {2.0 * position.x() / std::max(width(), 1) - 1.0,
+            1.0 - 2.0 * position.y() / std::max(height(), 1)};
 }
 
 void VulkanWindow::mouseReleaseEvent(QMouseEvent* event) {

@@ -39,6 +39,8 @@ class VulkanWindow : public QWindow {
     void hidden();
     void resized();
 
+    // Where somebody points who drags nothing, or begins to: -1 to 1, right and up are positive.
+    void pointed(QPointF place);
     void dragBegan();
     void dragged(macula::viewer::VulkanWindow::Drag drag, QPointF byPixels);  // logical pixels, y downwards
     void dragEnded();
@@ -58,6 +60,7 @@ class VulkanWindow : public QWindow {
     void focusOutEvent(QFocusEvent* event) override;
 
   private:
+    QPointF placeOf(QPointF position) const;
     void createSurface();
     void loseSurface();
 

@@ -29,6 +29,23 @@ TEST(SceneNames, AreTheSameForTheSameAndForWhatComesBack) {
     EXPECT_EQ(names.of(1, clipped), first);
 }
 
+// Grey values of cut faces pass the exposure unchanged: a model holds them divided by it.
+TEST(SceneNames, DependOnTheExposureWhereFacesShowValues) {
+    SceneNames names;
+    Drawing cut = drawing();
+    cut.clip = std::make_shared<const Clip>(Clip{.planes = {{.offsetMm = 3.0}}});
+    const std::string plain = names.of(1, cut);
+    cut.settings.exposure = 2.0;
+    EXPECT_EQ(names.of(1, cut), plain);
+    Clip grey = *cut.clip;
+    grey.greyFaces = DisplayWindow{.center = 40.0, .width = 400.0};
+    cut.clip = std::make_shared<const Clip>(grey);
+    const std::string bright = names.of(1, cut);
+    EXPECT_EQ(names.of(1, cut), bright);
+    cut.settings.exposure = 1.0;
+    EXPECT_NE(names.of(1, cut), bright);
+}
+
 // A function that is being edited is another at each step: none is kept for ever, and no name is used twice.
 TEST(SceneNames, OfManyTheLastUsedAreRemembered) {
     SceneNames names;

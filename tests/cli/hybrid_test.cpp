@@ -43,7 +43,7 @@ TEST_F(Hybrid, RecordsWhatIsShownFromOpeningToRest) {
         EXPECT_GE(frame["latencyMs"].get<double>(), 0.0);
         EXPECT_GE(frame["tracedShare"].get<double>(), 0.0);
         EXPECT_LE(frame["tracedShare"].get<double>(), 1.0);
-        EXPECT_TRUE(frame["fidelity"] == "final" || frame["fidelity"] == "transient");
+        EXPECT_TRUE(frame["fidelity"] == "final" || frame["fidelity"] == "preliminary");
         if (!frame.contains("file")) continue;
         EXPECT_TRUE(files.insert(frame["file"]).second);
         EXPECT_TRUE(std::filesystem::exists(folder + "/" + frame["file"].get<std::string>()));

@@ -64,10 +64,12 @@ class ModelTest : public WindowTest {
 TEST_F(ModelTest, InMotionEveryPictureIsOfTheModelWithAllPixelsAndAtRestItFadesIntoATracedOne) {
     window_->open(std::nullopt);
     ASSERT_TRUE(waitForConverged());
+    EXPECT_EQ(window_->badge(), QLatin1String("Final"));
     EXPECT_TRUE(hasSeen(app::OnScreen::model));
     press();
     seen_.clear();
     drag(6);
+    EXPECT_EQ(window_->badge(), QLatin1String("Preliminary"));
     for (const app::FrameShown& frame : seen_) {
         EXPECT_EQ(frame.picture, app::OnScreen::model);
         EXPECT_EQ(frame.stage, app::Stage::moving);
@@ -105,6 +107,22 @@ TEST_F(ModelTest, AnotherPresetIsNotShownByTheModelOfTheOneBeforeWhichComesBackW
     choosePreset("cinematic-soft-tissue");
     ASSERT_TRUE(waitUntil([&] { return !seen_.empty(); }));
     EXPECT_EQ(seen_.front().picture, app::OnScreen::model);
+}
+
+// A projection has no model; the look after it has one again, of what is seen in that look.
+TEST_F(ModelTest, ComesBackAfterAProjection) {
+    window_->open(std::nullopt);
+    ASSERT_TRUE(waitFor(app::OnScreen::model));
+    pressKey(Qt::Key_4, Qt::ControlModifier);
+    ASSERT_TRUE(waitForConverged());
+    EXPECT_TRUE(window_->fidelity().startsWith(QLatin1String("Maximum")));
+    EXPECT_EQ(window_->modelState(), QString());
+    seen_.clear();
+    pressKey(Qt::Key_2, Qt::ControlModifier);
+    ASSERT_TRUE(waitFor(app::OnScreen::model));
+    EXPECT_EQ(seen_.back().look, trace::Look::clear);
+    ASSERT_TRUE(waitForConverged());
+    EXPECT_EQ(window_->badge(), QLatin1String("Final"));
 }
 
 TEST_F(ModelTest, WithoutItAndInLooksThatHaveNoneThereAreSmallPictures) {

@@ -38,7 +38,7 @@ nlohmann::ordered_json toJson(const FrameShown& frame) {
                      {"splats", frame.model.splats},
                      {"steps", frame.model.steps},
                      {"views", frame.model.views}};
-    json["fidelity"] = fidelity.isFinal ? "final" : "transient";
+    json["fidelity"] = fidelity.isFinal ? "final" : "preliminary";
     json["because"] = fidelity.because;
     return json;
 }

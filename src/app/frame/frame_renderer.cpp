@@ -72,6 +72,7 @@ void FrameRenderer::accept(FrameInput input) {
          input.drawing.clip != input_.drawing.clip || input.width != input_.width ||
          input.height != input_.height)) {
         traced_->roomChanged();
+        foveaHasRoom_ = true;
         if (model_ && model_->news().stage == hybrid::ModelStage::noRoom) model_->hide();
     }
     if (!isSamePicture(input, input_)) {
@@ -91,9 +92,9 @@ void FrameRenderer::accept(FrameInput input) {
 void FrameRenderer::tellCourse() {
     course_.setHand(input_.interacting);
     course_.setPreviewLimit(TracedPictures::previewLimit(input_));
-    course_.setFovea(hybrid_ && hybrid_->wantsFovea(input_.camera));
+    course_.setFovea(canDrawModel() && foveaHasRoom_ && hybrid_->wantsFovea(input_.camera));
     ModelState state = ModelState::none;
-    if (model_ && model_->canBeDrawn())
+    if (canDrawModel())
         state = ModelState::ready;
     else if (model_ && model_->hasWork())
         state = ModelState::searching;
@@ -197,6 +198,7 @@ Result<void> FrameRenderer::withoutModel(const Error& error) {
         model_->giveUp(stage);
     else
         whyNoModel_ = stage;
+    hybrid_.reset();  // and its memory with it
     tellOfModel();
     return {};
 }
@@ -318,6 +320,7 @@ Result<void> FrameRenderer::applyModel() {
     whyNoModel_ = hybrid::ModelStage::none;
     if (!canHaveModel(input_)) {
         if (model_) model_->hide();
+        hybrid_.reset();
         return {};
     }
     if (!shelf_) shelf_ = std::make_shared<hybrid::ModelShelf>(kShelfBytes);
@@ -327,15 +330,17 @@ Result<void> FrameRenderer::applyModel() {
         if (!made) return withoutModel(made.error());
         model_.emplace(*std::move(made));
     }
-    if (!hybrid_) {
+    const std::string key = sceneNames_.of(input_.study, input_.drawing);
+    if (key == model_->key() && !model_->canBeDrawn() && !model_->hasWork()) return {};  // it was given up
+    const bool isNew = !hybrid_;
+    if (isNew) {
         auto made = hybrid::HybridFrame::create(device_, traced_->tracer());
         if (!made) return withoutModel(made.error());
         hybrid_.emplace(*std::move(made));
     }
-    const std::string key = sceneNames_.of(input_.study, input_.drawing);
-    if (key != model_->key() || hybrid_->exposure() != input_.drawing.settings.exposure) {
-        MACULA_TRY(const Box seenMm, traced_->tracer().seenMm());
-        MACULA_TRY_VOID(hybrid_->setScene(seenMm, input_.drawing.settings));
+    if (isNew || key != model_->key() || hybrid_->exposure() != input_.drawing.settings.exposure) {
+        if (const Result<void> set = hybrid_->setScene(input_.drawing.settings); !set)
+            return withoutModel(set.error());
     }
     if (const Result<void> shown = model_->show(key, input_.drawing.settings); !shown)
         return withoutModel(shown.error());

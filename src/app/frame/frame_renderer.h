@@ -80,9 +80,11 @@ class FrameRenderer {
     Result<void> workOnModel(const std::function<bool()>& keepGoing);
     Result<void> learn(const Interrupts& interrupts);
     Result<void> showAgain();
+    bool canDrawModel() const { return hybrid_ && model_ && model_->canBeDrawn(); }
     Result<const gpu::Image*> frame(float tracedShare);
     Result<bool> traceFovea(const Interrupts& interrupts);
     Result<void> keepForMotion();
+    void doWithoutFovea();
     Result<void> show(const gpu::Image& picture);
     hybrid::ModelNews modelNews() const;
     void tellOfModel();
@@ -101,6 +103,7 @@ class FrameRenderer {
     hybrid::ModelStage whyNoModel_ = hybrid::ModelStage::none;  // why model_ is empty
     std::optional<hybrid::HybridFrame> hybrid_;                 // of what the model is of
     hybrid::Frame lastFrame_;                                   // without its pictures
+    bool foveaHasRoom_ = true;  // for what one takes beside the model; false: until that changes
     // Models of this volume; outlives the device.
     std::shared_ptr<hybrid::ModelShelf> shelf_;
     SceneNames sceneNames_;

@@ -5,6 +5,7 @@
 
 #include "app/frame/frame_renderer.h"
 #include "base/check.h"
+#include "base/log.h"
 #include "pipeline/hybrid/frame/fovea_size.h"
 
 namespace macula::app {
@@ -16,6 +17,8 @@ using std::chrono::milliseconds;
 constexpr milliseconds kRateWindow{2000};
 // How long searching and learning take at a time. A dispatch and a step of training may take longer on a CPU.
 constexpr double kSliceMs = 40.0;
+// A picture on screen is worth learning from with so many: fewer are noise, and later the model knows most.
+constexpr std::uint32_t kLearntFromSamples = 4;
 // Of tracing the fovea after each frame, while a hand moves.
 constexpr double kFoveaSliceMs = 12.0;
 
@@ -60,6 +63,10 @@ Result<void> FrameRenderer::take(Step step, const Interrupts& interrupts) {
 }
 
 Result<void> FrameRenderer::showModel() {
+    if (!canDrawModel()) {  // it was given up meanwhile
+        duty_.beginAnew();
+        return {};
+    }
     // No model is drawn of another patient, preset, clip or light than those of the picture that is wanted
     // now.
     MACULA_CHECK(model_->key() == sceneNames_.of(input_.study, input_.drawing));
@@ -78,14 +85,26 @@ Result<bool> FrameRenderer::traceFovea(const Interrupts& interrupts) {
         return !interrupts.stopping() &&
                (!interrupts.newInput() || millisecondsBetween(start, Clock::now()) < kFoveaSliceMs);
     };
-    if (!hybrid_->isTracing()) {
-        const trace::View whole{.camera = input_.camera, .width = input_.width, .height = input_.height};
-        const double msPerSample =
-            hybrid_->foveaMsPerSample().value_or(hybrid::guessedFoveaMsPerSample(*device_));
-        MACULA_TRY_VOID(hybrid_->aim(hybrid::affordableFovea(
-            whole, input_.gaze, msPerSample, hybrid_->foveaBudgetMs(hybrid::kFoveaBudgetMs))));
-    }
-    return hybrid_->traceFovea(keepGoing);
+    const auto traceSome = [&]() -> Result<bool> {
+        if (!hybrid_->isTracing() || hybrid_->hasLeftAim(input_.camera)) {
+            const trace::View whole{.camera = input_.camera, .width = input_.width, .height = input_.height};
+            const double msPerSample =
+                hybrid_->foveaMsPerSample().value_or(hybrid::guessedFoveaMsPerSample(*device_));
+            MACULA_TRY_VOID(hybrid_->aim(hybrid::affordableFovea(
+                whole, input_.gaze, msPerSample, hybrid_->foveaBudgetMs(hybrid::kFoveaBudgetMs))));
+        }
+        return hybrid_->traceFovea(keepGoing);
+    };
+    Result<bool> isThere = traceSome();
+    if (isThere || isThere.error().code != ErrorCode::outOfMemory) return isThere;
+    doWithoutFovea();
+    return false;
+}
+
+void FrameRenderer::doWithoutFovea() {
+    log::warning("There is no room on the device for a traced fovea.");
+    hybrid_->forgetFovea();
+    foveaHasRoom_ = false;
 }
 
 Result<void> FrameRenderer::showPreview(const Interrupts& interrupts) {
@@ -120,16 +139,17 @@ Result<void> FrameRenderer::trace(const Interrupts& interrupts) {
 // What is traced while nothing moves is the fovea of the first frames of the next motion. Where it is not
 // denoised any more its guides may be gone; the one of before was of fewer samples, and does.
 Result<void> FrameRenderer::keepForMotion() {
-    if (!hybrid_ || !model_ || !model_->canBeDrawn()) return {};
+    if (!canDrawModel() || !foveaHasRoom_) return {};
     MACULA_TRY(const trace::Statistics statistics, traced_->statistics());
     if (!statistics.denoised) return {};
-    const Result<void> kept = hybrid_->adopt(
-        traced_->tracer(),
-        {.whole = {.camera = input_.camera, .width = traced_->width(), .height = traced_->height()},
-         .gaze = input_.gaze,
-         .samplesPerPixel = static_cast<std::uint32_t>(statistics.meanSamplesPerPixel)});
+    const trace::View view{.camera = input_.camera, .width = traced_->width(), .height = traced_->height()};
+    const auto samples = static_cast<std::uint32_t>(statistics.meanSamplesPerPixel);
+    const Result<void> kept =
+        hybrid_->adopt(traced_->tracer(), {.whole = view, .gaze = input_.gaze, .samplesPerPixel = samples});
     if (!kept && kept.error().code != ErrorCode::outOfMemory) return kept;
-    if (const Result<void> learnt = model_->learnFrom(traced_->tracer(), input_.camera); !learnt)
+    if (!kept) doWithoutFovea();
+    if (samples < kLearntFromSamples) return {};
+    if (const Result<void> learnt = model_->learnFrom(traced_->tracer(), view); !learnt)
         return withoutModel(learnt.error());
     return {};
 }
@@ -188,20 +208,23 @@ Result<void> FrameRenderer::showAgain() {
         return show(*picture);
     }
     const bool isModel = course_.onScreen() == OnScreen::model;
-    if (isModel && (!model_ || !model_->canBeDrawn())) {  // it was given up meanwhile
+    if (isModel && !canDrawModel()) {  // it was given up meanwhile
         duty_.beginAnew();
         return {};
     }
-    MACULA_TRY(const gpu::Image* picture,
-               frame(isModel ? 0.0f : static_cast<float>(course_.tracedShare(Clock::now()))));
-    return show(*picture);
+    const auto picture = frame(isModel ? 0.0f : static_cast<float>(course_.tracedShare(Clock::now())));
+    if (!picture) {
+        duty_.beginAnew();
+        return withoutModel(picture.error());
+    }
+    return show(**picture);
 }
 
 // The model with the fovea over it, and the traced picture of all pixels with that share. Where the model was
-// given up meanwhile, that picture alone.
+// given up while it fades, that picture alone: it is of what is wanted.
 Result<const gpu::Image*> FrameRenderer::frame(float tracedShare) {
     lastFrame_ = {};
-    if (!hybrid_ || !model_ || !model_->canBeDrawn()) return traced_->display(input_.background);
+    if (!canDrawModel()) return traced_->display(input_.background);
     const hybrid::Periphery periphery{
         .draw = [&](const Camera& eye, const glm::ivec2& sizePx) -> Result<hybrid::DrawnSplats> {
             MACULA_TRY(const splat::DevicePicture* picture, model_->draw(eye, sizePx));
@@ -216,7 +239,13 @@ Result<const gpu::Image*> FrameRenderer::frame(float tracedShare) {
         MACULA_TRY(const trace::TracedLight light, traced_->light());
         request.fadingIn = {.light = light, .share = tracedShare};
     }
-    MACULA_TRY(lastFrame_, hybrid_->draw(request, periphery));
+    Result<hybrid::Frame> drawn = hybrid_->draw(request, periphery);
+    // Rather without the fovea than without the model.
+    if (!drawn && drawn.error().code == ErrorCode::outOfMemory && canDrawModel() && hybrid_->hasFovea()) {
+        doWithoutFovea();
+        drawn = hybrid_->draw(request, periphery);
+    }
+    MACULA_TRY(lastFrame_, std::move(drawn));
     return std::exchange(lastFrame_.pictures, {}).front();
 }
 

@@ -14,7 +14,8 @@ SceneNames::Scene SceneNames::sceneOf(const Drawing& drawing) {
     // Settings on which light does not depend are set to their defaults.
     const trace::Settings usual;
     scene.settings.seed = usual.seed;
-    scene.settings.exposure = usual.exposure;
+    // Grey values of a clip's faces pass the exposure unchanged: their light depends on it.
+    if (!scene.clip.hasShape() || !scene.clip.greyFaces) scene.settings.exposure = usual.exposure;
     scene.settings.denoising = usual.denoising;
     scene.settings.errorThreshold = usual.errorThreshold;
     scene.settings.window = usual.window;

@@ -52,7 +52,7 @@ class HybridFrameTest : public trace::DeviceTest {
     // With its scene set.
     HybridFrame beside(trace::PathTracer& screen) {
         HybridFrame frame = std::move(HybridFrame::create(device(), screen)).value();
-        EXPECT_TRUE(frame.setScene(screen.seenMm().value(), {}).ok());
+        EXPECT_TRUE(frame.setScene(trace::Settings{}).ok());
         return frame;
     }
     // The whole view, as fine as the frame.
@@ -204,7 +204,7 @@ TEST_F(HybridFrameTest, WhatWasTracedAtRestIsShownInMotion) {
     traceFovea(frame);
     EXPECT_FALSE(frame.wantsFovea(view().camera));
     EXPECT_TRUE(frame.wantsFovea(eyeAt(0.1)));
-    ASSERT_TRUE(frame.setScene(screen.seenMm().value(), {}).ok());
+    ASSERT_TRUE(frame.setScene(trace::Settings{}).ok());
     EXPECT_TRUE(frame.wantsFovea(view().camera)) << "another scene, another fovea";
 }
 
@@ -251,7 +251,7 @@ TEST_F(HybridFrameTest, AnInterruptedFoveaGoesOnAndAnotherSceneDropsIt) {
     EXPECT_GT(calls, 1);
     EXPECT_TRUE(frame.isFoveaOf(view().camera));
     ASSERT_TRUE(frame.aim(wholeView(2)).ok());
-    ASSERT_TRUE(frame.setScene(screen.seenMm().value(), {.exposure = 2.0}).ok());
+    ASSERT_TRUE(frame.setScene({.exposure = 2.0}).ok());
     EXPECT_FALSE(frame.isTracing());
     EXPECT_FALSE(frame.isFoveaOf(view().camera));
     EXPECT_EQ(frame.exposure(), 2.0);
@@ -292,7 +292,7 @@ TEST_F(HybridFrameTest, ALostDeviceIsTold) {
     ASSERT_TRUE(screen.setTransferFunction(function_).ok());
     ASSERT_TRUE(screen.setEnvironment(lights_).ok());
     HybridFrame frame = *HybridFrame::create(own, screen);
-    ASSERT_TRUE(frame.setScene(screen.seenMm().value(), {}).ok());
+    ASSERT_TRUE(frame.setScene(trace::Settings{}).ok());
     ASSERT_TRUE(frame.aim(wholeView(4)).ok());
     loseDeviceAt(VulkanCall::submit, 2, 1);
     Result<bool> traced = true;

@@ -122,8 +122,10 @@ TEST_F(LiveModelTest, LearnsFromWhatIsOnScreen) {
     close.camera.positionMm = close.camera.targetMm + 0.4 * (close.camera.positionMm - close.camera.targetMm);
     ASSERT_TRUE(screen.setView(close).ok());
     ASSERT_TRUE(*screen.trace(16));
-    ASSERT_TRUE(model.learnFrom(screen, close.camera).ok());
+    ASSERT_TRUE(model.learnFrom(screen, close).ok());
     EXPECT_EQ(model.news().views, views + 1);
+    ASSERT_TRUE(model.learnFrom(screen, close).ok());
+    EXPECT_EQ(model.news().views, views + 1) << "once";
     EXPECT_TRUE(model.hasWork());
     learn(model);
     EXPECT_FALSE(model.hasWork());

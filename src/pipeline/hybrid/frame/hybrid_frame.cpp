@@ -13,6 +13,7 @@ namespace {
 // A frame that follows a hand waits for one of these.
 constexpr double kDispatchMs = 12.0;
 constexpr double kTurnsKeptMs = 300.0;
+constexpr double kMostWallPerTracing = 20.0;  // a hand may pause for minutes
 
 double msBetween(std::chrono::steady_clock::time_point from, std::chrono::steady_clock::time_point to) {
     return std::chrono::duration<double, std::milli>(to - from).count();
@@ -28,16 +29,19 @@ Result<HybridFrame> HybridFrame::create(const std::shared_ptr<gpu::Device>& devi
     return HybridFrame(device, std::move(tracer), std::move(reprojection));
 }
 
-Result<void> HybridFrame::setScene(const Box& seenMm, const trace::Settings& settings) {
+Result<void> HybridFrame::setScene(const trace::Settings& settings) {
     MACULA_CHECK(trace::isPathTraced(settings.look));
     fovea_.reset();
     aim_.reset();
-    seenMm_ = seenMm;
     settings_ = settings;
     settings_.denoising = trace::Denoising::on;
     settings_.errorThreshold = 0.0;
     tracer_.forgetViews();
-    return tracer_.setSettings(settings_);
+    MACULA_TRY_VOID(tracer_.setSettings(settings_));
+    // Who asks what can be seen needs a view, whichever.
+    MACULA_TRY_VOID(tracer_.setView({.width = 64, .height = 64}));
+    MACULA_TRY(seenMm_, tracer_.seenMm());
+    return {};
 }
 
 Result<void> HybridFrame::aim(const FoveaAim& aim) {
@@ -72,13 +76,14 @@ Result<bool> HybridFrame::traceFovea(const std::function<bool()>& keepGoing) {
     MACULA_TRY(CapturedPicture picture, reprojection_.capture(tracer_, view_, seenMm_));
     fovea_.emplace(Fovea{std::move(picture), *aim_, begun_, false});
     msPerSample_ = spentMs_ / (double(aim_->sidePx) * double(aim_->sidePx) * double(aim_->samplesPerPixel));
-    wallPerTracing_ = std::max(msBetween(begun_, Clock::now()) / spentMs_, 1.0);
+    wallPerTracing_ = std::clamp(msBetween(begun_, Clock::now()) / spentMs_, 1.0, kMostWallPerTracing);
     aim_.reset();
     return true;
 }
 
 Result<void> HybridFrame::adopt(trace::PathTracer& tracer, const FoveaAim& aim) {
     fovea_.reset();
+    aim_.reset();  // what was under way is of an earlier motion
     const trace::View& view = aim.whole;
     const double halfOfFrame = std::tan(0.5 * glm::radians(view.camera.verticalFovDeg));
     const double fovea = std::tan(0.5 * glm::radians(aim.fieldDeg)) / halfOfFrame;  // of half of the height
@@ -104,6 +109,10 @@ double HybridFrame::degreesAround(const glm::dvec3& aMm, const glm::dvec3& bMm) 
     const glm::dvec3 a = aMm - seenMm_.centre();
     const glm::dvec3 b = bMm - seenMm_.centre();
     return glm::degrees(std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)));
+}
+
+bool HybridFrame::hasLeftAim(const Camera& eye) const {
+    return aim_ && degreesAround(view_.camera.positionMm, eye.positionMm) > kMostTurnDeg;
 }
 
 bool HybridFrame::showsFoveaTo(const Camera& eye) const {

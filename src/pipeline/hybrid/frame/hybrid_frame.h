@@ -2,7 +2,7 @@
 // in slices from where the eye was; every frame shows it as the eye sees it now (reprojection.h), over splats
 // that are drawn for that eye.
 //
-//     frame.setScene(seenMm, settings);                     // whenever the tracer's scene or look was
+//     frame.setScene(settings);                     // whenever the tracer's scene or look was
 //     changed if (!frame.isTracing()) frame.aim({.whole = view, .gaze = gaze, .sidePx = 300});
 //     frame.traceFovea(keepGoing);                          // a slice
 //     frame.draw({.eyes = {left, right}, .sizePx = sizePx}, periphery);
@@ -73,8 +73,8 @@ class HybridFrame {
                                       const trace::PathTracer& beside);
 
     // The scene or its look is another one: what was traced is dropped. Of `settings`, what is seen; the
-    // fovea is denoised. `seenMm` is around all that can be seen.
-    Result<void> setScene(const Box& seenMm, const trace::Settings& settings);
+    // fovea is denoised. What is shown of the scene must be on the device.
+    Result<void> setScene(const trace::Settings& settings);
 
     // Of the settings: grey faces of a clip depend on it.
     double exposure() const { return settings_.exposure; }
@@ -90,6 +90,8 @@ class HybridFrame {
     // is good for kGoodForDeg around what can be seen.
     static constexpr double kGoodForDeg = 8.0;
     bool wantsFovea(const Camera& eye) const;
+    // Whether the picture that is under way could not be shown to that eye any more.
+    bool hasLeftAim(const Camera& eye) const;
     // Whether the fovea that frames show was traced from just there.
     bool isFoveaOf(const Camera& eye) const { return fovea_ && fovea_->aim.whole.camera == eye; }
     // While it is tracing: goes on; `keepGoing` is asked between dispatches of some 40 ms. Whether the
@@ -105,6 +107,7 @@ class HybridFrame {
     // Tracing time of a fovea that is begun now, at most `mostMs`, so that it is there while it can still be
     // shown, by how fast the eyes of the last frames go around.
     double foveaBudgetMs(double mostMs) const;
+    bool hasFovea() const { return fovea_.has_value(); }
     // Frames show no traced picture until the next is there.
     void forgetFovea() { fovea_.reset(); }
 

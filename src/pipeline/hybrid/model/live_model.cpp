@@ -1,6 +1,7 @@
 #include "pipeline/hybrid/model/live_model.h"
 
 #include <chrono>
+#include <new>
 #include <utility>
 
 #include "base/check.h"
@@ -107,6 +108,7 @@ void LiveModel::end(ModelStage stage) {
     painter_.reset();
     drawn_.reset();
     gain_ = 1.0;
+    lookedAt_.reset();
     wanted_.reset();
     seenMm_.reset();
     points_.reset();
@@ -254,13 +256,23 @@ Result<void> LiveModel::traceWanted(const std::function<bool()>& goesOn) {
     return {};
 }
 
-Result<void> LiveModel::learnFrom(trace::PathTracer& tracer, const Camera& camera) {
+Result<void> LiveModel::learnFrom(trace::PathTracer& tracer, const trace::View& view) {
     MACULA_CHECK(canBeDrawn());
-    MACULA_TRY(TracedView view, readToLearnFrom(tracer, camera));
-    const Result<Offered> offered = model_->offer(std::move(view), false);
-    if (offered && *offered == Offered::learnt) stage_ = ModelStage::learning;
-    if (!offered && offered.error().code != ErrorCode::outOfMemory) return offered.error();
-    return {};
+    if (lookedAt_ == view.camera || std::int64_t(view.width) * view.height > kMostPixelsToLearn) return {};
+    lookedAt_ = view.camera;
+    const auto tryToLearn = [&]() -> Result<void> {
+        MACULA_TRY(TracedView picture, readToLearnFrom(tracer, view.camera));
+        MACULA_TRY(const Offered offered, model_->offer(std::move(picture), false));
+        if (offered == Offered::learnt) stage_ = ModelStage::learning;
+        return {};
+    };
+    try {
+        const Result<void> learnt = tryToLearn();
+        return isOutOfMemory(learnt) ? Result<void>() : learnt;
+    } catch (const std::bad_alloc&) {
+        if (device_->lost()) throw;
+        return {};
+    }
 }
 
 Result<const splat::DevicePicture*> LiveModel::draw(const Camera& camera, const glm::ivec2& sizePx) {

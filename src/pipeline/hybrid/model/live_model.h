@@ -67,9 +67,11 @@ class LiveModel {
     // between these. Running out of memory ends the search or the learning, and is no error.
     Result<void> work(double budgetMs, const std::function<bool()>& keepGoing);
 
-    // Takes in what `tracer` has traced of its view, for a person who looks at it: the model learns all of
-    // that. While it can be drawn; waits. Where there is no room for it nothing happens.
-    Result<void> learnFrom(trace::PathTracer& tracer, const Camera& camera);
+    // Takes in what `tracer` has traced of its view, which is `view`, for a person who looks at it: the model
+    // learns all of that, once for each pose. While it can be drawn; waits. Where there is no room for it, or
+    // the picture has more than kMostPixelsToLearn, nothing happens.
+    static constexpr std::int64_t kMostPixelsToLearn = 2560 * 1440;
+    Result<void> learnFrom(trace::PathTracer& tracer, const trace::View& view);
 
     // Linear, premultiplied; on the device until the next is drawn, done when what was submitted is. Its
     // light is to be multiplied by gain() to be as bright as what is traced (brightness_gauge.h). Where it
@@ -111,8 +113,9 @@ class LiveModel {
     std::optional<trace::SurfacePoints> points_;  // found, while the gauge is made
     std::optional<BrightnessGauge> gauge_;
     std::optional<PeripheralModel> model_;
-    std::optional<Camera> wanted_;  // the view that is traced for it now
-    std::size_t views_ = 0;         // views that the model was given, or asked for in vain
+    std::optional<Camera> lookedAt_;  // the last pose of a picture on screen that it has learnt from
+    std::optional<Camera> wanted_;    // the view that is traced for it now
+    std::size_t views_ = 0;           // views that the model was given, or asked for in vain
     std::uint64_t stepsAtLastView_ = 0;
     std::shared_ptr<const splat::Splats> drawn_;  // what the painter has
     std::optional<splat::ModelPainter> painter_;

@@ -228,7 +228,7 @@ Result<bool> Rasterizer::settle(RasterPass& pass) {
 }
 
 Result<void> Rasterizer::makePicture(glm::ivec2 sizePx) {
-    if (picture_ && picture_->width == sizePx.x && picture_->height == sizePx.y) return {};
+    if (depths_ && picture_ && picture_->width == sizePx.x && picture_->height == sizePx.y) return {};
     picture_.reset();
     depths_.reset();
     const std::uint64_t bytes = std::uint64_t(sizePx.x) * std::uint64_t(sizePx.y) * sizeof(glm::vec4);
