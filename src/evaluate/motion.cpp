@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "app/study/scene_on_device.h"
+#include "image/fovea_mask.h"
+#include "image/masked_metrics.h"
 #include "image/metrics.h"
 #include "pipeline/gpu/transfer.h"
 #include "pipeline/hybrid/frame/hybrid_frame.h"
@@ -84,6 +86,9 @@ class Measurement {
     }
 
     Result<MotionReport> run() {
+        MACULA_TRY(fovea_, image::foveaMask({.sizePx = options_.sizePx,
+                                             .verticalFovDeg = options_.verticalFovDeg,
+                                             .fieldDeg = trace::kFovealFieldDeg}));
         const Box seenMm = scene_.traced.seenMm();
         MACULA_TRY(const hybrid::FirstModel model,
                    hybrid::makeFirstModel(study_.device, scene_.tracer, seenMm, options_.model, progress_));
@@ -208,26 +213,9 @@ class Measurement {
                 truth.isOpaque[i] && int(overWhite[i].y) - int(overBlack[i].y) > kBackgroundShows ? 1 : 0;
         MACULA_TRY(const image::Flip flip, image::flip(truth.image, imageOf(overBlack, options_.sizePx)));
         score.flip = flip.mean;
-        score.fovealFlip = middleOf(flip.perPixel);
+        MACULA_TRY(const auto fovealFlip, image::meanOf(flip.perPixel, fovea_));
+        score.fovealFlip = fovealFlip.value_or(0.0);
         return score;
-    }
-
-    double middleOf(const std::vector<float>& perPixel) const {
-        const double focalPx =
-            0.5 * options_.sizePx.y / std::tan(0.5 * glm::radians(options_.verticalFovDeg));
-        const double radiusPx = focalPx * std::tan(0.5 * glm::radians(trace::kFovealFieldDeg));
-        double sum = 0.0;
-        std::size_t count = 0;
-        for (int y = 0; y < options_.sizePx.y; ++y) {
-            for (int x = 0; x < options_.sizePx.x; ++x) {
-                if (std::hypot(x + 0.5 - 0.5 * options_.sizePx.x, y + 0.5 - 0.5 * options_.sizePx.y) >
-                    radiusPx)
-                    continue;
-                sum += double(perPixel[indexOf(x, y)]);
-                ++count;
-            }
-        }
-        return sum / double(std::max<std::size_t>(count, 1));
     }
 
     const BenchStudy& study_;
@@ -237,6 +225,7 @@ class Measurement {
     hybrid::HybridFrame bare_;
     splat::Splats splats_;
     std::optional<splat::ModelPainter> painter_;
+    image::Mask fovea_;  // in the middle of every frame
     MotionReport report_;
     Progress& progress_;
 };
