@@ -192,6 +192,7 @@ Json toJson(const QualityRow& row) {
             {"resolutionShare",
              spreadJson(row.views, [](const View& view) { return Number(view.resolutionShare); })},
             {"full", regionJson(row.views, &FrameScores::full)},
+            {"msSsim", spreadJson(row.views, [](const QualityView& view) { return view.scores.msSsim; })},
             {"fovea", regionJson(row.views, &FrameScores::fovea)}};
 }
 

@@ -1,9 +1,11 @@
 #include "evaluate/frame_scores.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/check.h"
 #include "evaluate/shown_picture.h"
+#include "image/fovea_mask.h"
 #include "image/metrics.h"
 #include "pipeline/splat/draw/displayed.h"
 
@@ -31,7 +33,10 @@ FrameTruth frameTruthOf(const hybrid::TruthPicture& picture) {
         .camera = picture.camera(),
         .shown = imageOf(splat::displayed(light, splat::ColourSpace::linear, {}), picture.sizePx()),
         .covered = image::coveredMask(coverage),
-        .middle = middleOf(picture.sizePx(), picture.camera().verticalFovDeg),
+        .middle = image::foveaMask({.sizePx = picture.sizePx(),
+                                    .verticalFovDeg = picture.camera().verticalFovDeg,
+                                    .fieldDeg = trace::kFovealFieldDeg})
+                      .value(),
         .coveredInMiddle = {}};
     truth.coveredInMiddle = truth.middle;
     for (std::size_t i = 0; i < truth.covered.size(); ++i) {
@@ -46,7 +51,10 @@ Result<FrameScores> frameScoresOf(const FrameTruth& truth, const image::Image& s
     MACULA_TRY(scores.fovea, scoresIn(truth, shown, truth.coveredInMiddle));
     MACULA_TRY(const image::Flip flip, image::flip(truth.shown, shown));
     scores.full.flip = flip.mean;
-    scores.fovea.flip = meanOver(flip.perPixel, truth.middle);
+    MACULA_TRY(scores.fovea.flip, image::meanOf(flip.perPixel, truth.middle));
+    if (std::min(shown.width, shown.height) >= image::kMsSsimLeastPx) {
+        MACULA_TRY(scores.msSsim, image::msSsim(truth.shown, shown));
+    }
     return scores;
 }
 

@@ -18,7 +18,7 @@ struct FrameTruth {
     Camera camera;
     image::Image shown;
     image::Mask covered;          // where it has coverage, whatever its colour
-    image::Mask middle;           // middleOf
+    image::Mask middle;           // trace::kFovealFieldDeg around the middle
     image::Mask coveredInMiddle;  // both
 };
 FrameTruth frameTruthOf(const hybrid::TruthPicture& picture);
@@ -33,7 +33,8 @@ struct RegionScores {
 
 struct FrameScores {
     RegionScores full;
-    RegionScores fovea;  // trace::kFovealFieldDeg around the middle
+    RegionScores fovea;            // trace::kFovealFieldDeg around the middle
+    std::optional<double> msSsim;  // of the whole picture; nothing where that is too small for it
 };
 
 // `shown`: display-encoded, as large as the truth.

@@ -7,6 +7,8 @@
 #include "app/choice/lights_choice.h"
 #include "app/study/scene_on_device.h"
 #include "evaluate/shown_picture.h"
+#include "image/fovea_mask.h"
+#include "image/masked_metrics.h"
 #include "image/metrics.h"
 #include "pipeline/gpu/transfer.h"
 #include "pipeline/hybrid/frame/hybrid_frame.h"
@@ -72,6 +74,9 @@ class Measurement {
     }
 
     Result<MotionReport> run() {
+        MACULA_TRY(fovea_, image::foveaMask({.sizePx = options_.sizePx,
+                                             .verticalFovDeg = options_.verticalFovDeg,
+                                             .fieldDeg = trace::kFovealFieldDeg}));
         const Box seenMm = scene_.traced.seenMm();
         MACULA_TRY(const hybrid::FirstModel model,
                    hybrid::makeFirstModel(study_.device, scene_.tracer, seenMm, options_.model, progress_));
@@ -196,7 +201,8 @@ class Measurement {
                     : 0;
         MACULA_TRY(const image::Flip flip, image::flip(truth.image, imageOf(overBlack, options_.sizePx)));
         score.flip = flip.mean;
-        score.fovealFlip = meanOver(flip.perPixel, middleOf(options_.sizePx, options_.verticalFovDeg));
+        MACULA_TRY(const auto fovealFlip, image::meanOf(flip.perPixel, fovea_));
+        score.fovealFlip = fovealFlip.value_or(0.0);
         return score;
     }
 
@@ -207,6 +213,7 @@ class Measurement {
     hybrid::HybridFrame bare_;
     splat::Splats splats_;
     std::optional<splat::ModelPainter> painter_;
+    image::Mask fovea_;  // in the middle of every frame
     MotionReport report_;
     Progress& progress_;
 };

@@ -72,31 +72,6 @@ image::Image scaledTo(const image::Image& picture, const glm::ivec2& sizePx) {
     return scaled;
 }
 
-image::Mask middleOf(const glm::ivec2& sizePx, double verticalFovDeg) {
-    const double focalPx = 0.5 * sizePx.y / halfTangent(verticalFovDeg);
-    const double radiusPx = focalPx * halfTangent(trace::kFovealFieldDeg);
-    image::Mask middle;
-    middle.reserve(std::size_t(sizePx.x) * std::size_t(sizePx.y));
-    for (int y = 0; y < sizePx.y; ++y) {
-        for (int x = 0; x < sizePx.x; ++x)
-            middle.push_back(std::hypot(x + 0.5 - 0.5 * sizePx.x, y + 0.5 - 0.5 * sizePx.y) <= radiusPx ? 1
-                                                                                                        : 0);
-    }
-    return middle;
-}
-
-double meanOver(std::span<const float> perPixel, const image::Mask& mask) {
-    MACULA_CHECK_EQ(perPixel.size(), mask.size());
-    double sum = 0.0;
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < mask.size(); ++i) {
-        if (mask[i] == 0) continue;
-        sum += double(perPixel[i]);
-        ++count;
-    }
-    return sum / double(std::max<std::size_t>(count, 1));
-}
-
 int foveaSidePx(const glm::ivec2& sizePx, double verticalFovDeg) {
     const double share = halfTangent(trace::kFovealFieldDeg) / halfTangent(verticalFovDeg);
     return std::max(static_cast<int>(std::lround(sizePx.y * share)), 1);

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "image/image.h"
-#include "image/masked_metrics.h"
 
 namespace macula::evaluate {
 
@@ -16,12 +15,6 @@ image::Image imageOf(std::span<const std::uint8_t> rgba, const glm::ivec2& sizeP
 
 // The picture at another size: bilinear between the centres of its pixels, its border beyond them.
 image::Image scaledTo(const image::Image& picture, const glm::ivec2& sizePx);
-
-// The mask of trace::kFovealFieldDeg around the middle of a frame, a circle.
-image::Mask middleOf(const glm::ivec2& sizePx, double verticalFovDeg);
-
-// The mean over the mask; 0 where it is empty.
-double meanOver(std::span<const float> perPixel, const image::Mask& mask);
 
 // The side of a picture of trace::kFovealFieldDeg with as many pixels per degree as the frame has in its
 // middle.

@@ -90,7 +90,6 @@ Result<std::optional<double>> maskedSsim(const Image& reference, const Image& te
 double lightOf(const Image& image, const Mask& mask) {
     MACULA_CHECK_EQ(mask.size(), std::size_t(image.width) * std::size_t(image.height));
     const auto planes = colourPlanes(image);
-    constexpr double kRec709[] = {0.2126, 0.7152, 0.0722};
     double sum = 0.0;
     for (std::size_t c = 0; c < planes.size(); ++c) {
         const double weight = planes.size() == 1 ? 1.0 : kRec709[c];
@@ -112,6 +111,20 @@ std::optional<double> coverageError(std::span<const float> reference, std::span<
         if (mask[i] != 0) sum += std::abs(double(test[i]) - double(reference[i]));
     }
     return sum / double(count);
+}
+
+Result<std::optional<double>> meanOf(std::span<const float> perPixel, const Mask& mask) {
+    const auto fault = [](const char* what) {
+        return Error{ErrorCode::usage, what, {}, "Give a number for each pixel of the mask."};
+    };
+    if (perPixel.size() != mask.size()) return fault("Values and mask are not of one size.");
+    if (std::any_of(perPixel.begin(), perPixel.end(), [](float v) { return !std::isfinite(v); }))
+        return fault("A value to average is no number.");
+    const std::size_t count = countOf(mask);
+    if (count == 0) return std::optional<double>();
+    double sum = 0.0;
+    for (std::size_t i = 0; i < mask.size(); ++i) sum += mask[i] != 0 ? double(perPixel[i]) : 0.0;
+    return std::optional(sum / double(count));
 }
 
 double percentile(std::vector<double> values, double fraction) {

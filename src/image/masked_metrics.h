@@ -41,6 +41,9 @@ double lightOf(const Image& image, const Mask& mask);
 std::optional<double> coverageError(std::span<const float> reference, std::span<const float> test,
                                     const Mask& mask);
 
+// Mean of values over masked pixels. usage when there are not as many of both, or a value is no number.
+Result<std::optional<double>> meanOf(std::span<const float> perPixel, const Mask& mask);
+
 // The value that `fraction` (0 to 1) of them are below, linear between neighbours in order as NumPy's default
 // is: (count - 1) * fraction is its place. At least one value, none of them NaN.
 double percentile(std::vector<double> values, double fraction);

@@ -19,6 +19,14 @@ Result<double> psnr(const Image& reference, const Image& test);
 // Windows that reach over the edge are cut, and weighted anew. 1 when equal.
 Result<double> ssim(const Image& reference, const Image& test);
 
+// SSIM at five scales (Wang et al. 2003, "Multiscale structural similarity for image quality assessment"),
+// with the window of ssim, but only where it is wholly inside: the numbers are those that others publish.
+// Means below 0, where structures are opposite, count as 0: their powers would be no numbers. Mean over
+// channels; 1 when equal. usage besides: a side below kMsSsimLeastPx, for the last scale halves four times
+// and must hold a window.
+inline constexpr int kMsSsimLeastPx = 11 * 16;
+Result<double> msSsim(const Image& reference, const Image& test);
+
 struct FlipOptions {
     // Pixels per degree of the eye's view: a 0.7 m wide screen of 3840 pixels seen from 0.7 m, as in the
     // paper.

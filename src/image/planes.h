@@ -1,6 +1,7 @@
 // Planes of doubles and separable filters over them, for the metrics. Internal to src/image.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -29,6 +30,9 @@ enum class Edge {
 // Weights for offsets -r to r, r = size / 2, along x and along y.
 Plane filter(const Plane& plane, const std::vector<double>& alongX, const std::vector<double>& alongY,
              Edge edge);
+
+// Weights of red, green and blue in luminance (Rec. 709).
+inline constexpr std::array kRec709{0.2126, 0.7152, 0.0722};
 
 // The channels that are compared, clamped to 0 to 1.
 std::vector<Plane> colourPlanes(const Image& image);

@@ -107,6 +107,16 @@ TEST(CoverageError, IsTheMeanDifferenceInTheMask) {
     EXPECT_FALSE(coverageError(truth, test, {0, 0, 0, 0}).has_value());
 }
 
+TEST(MeanOf, IsOfWhatIsInTheMask) {
+    const std::vector<float> values{1.0f, 2.0f, 4.0f, 8.0f};
+    EXPECT_EQ(**meanOf(values, {1, 0, 255, 0}), 2.5);
+    EXPECT_EQ(**meanOf(values, {1, 1, 1, 1}), 3.75);
+    EXPECT_FALSE(meanOf(values, {0, 0, 0, 0})->has_value());
+    EXPECT_FALSE(meanOf({}, {})->has_value());
+    EXPECT_EQ(meanOf(values, {1, 1, 1}).error().code, ErrorCode::usage);
+    EXPECT_EQ(meanOf(std::vector<float>{1.0f, std::nanf("")}, {1, 0}).error().code, ErrorCode::usage);
+}
+
 // As numpy.percentile gives them.
 TEST(Percentile, IsLinearBetweenNeighbours) {
     EXPECT_NEAR(percentile({4, 1, 3, 2}, 0.1), 1.3, 1e-12);

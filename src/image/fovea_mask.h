@@ -1,0 +1,23 @@
+// Which pixels the fovea of an eye sees.
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include "base/result.h"
+#include "image/masked_metrics.h"
+
+namespace macula::image {
+
+struct FoveaInPicture {
+    glm::ivec2 sizePx{0};         // of the picture; its pixels are square
+    double verticalFovDeg = 0.0;  // of the picture
+    glm::dvec2 gaze{0.0};         // in the picture, -1 to 1, right and up are positive
+    double fieldDeg = 0.0;        // of the fovea, from side to side
+};
+
+// The mask of pixels whose middle is seen within half of the field of the gaze: an angle at the eye, so away
+// from the middle of the picture it is no disc. usage when the size or an angle makes no picture (0.1 to 170
+// degrees, a field above 0 and at most 180), or the gaze is outside.
+Result<Mask> foveaMask(const FoveaInPicture& fovea);
+
+}  // namespace macula::image
