@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "base/check.h"
@@ -73,18 +74,22 @@ PixelRegion reprojectedRegion(const Camera& before, const glm::ivec2& beforeSize
     const PictureAxes here = *axesOf(now, sizePx);
     const PictureAxes there = *axesOf(before, beforeSizePx);
     const glm::dvec2 whole(sizePx);
-    const double radiusMm = 0.5 * seenMm.diagonal();
-    const double distanceMm = glm::length(seenMm.centre() - before.positionMm);
-    const double nearMm = std::max(distanceMm - radiusMm, 1e-3 * radiusMm);
+    double nearMm = std::numeric_limits<double>::infinity();  // along the axis of the picture before
+    double farMm = 0.0;
+    for (const glm::dvec3& p : cornersOf(seenMm)) {
+        const double depthMm = glm::dot(p - before.positionMm, glm::dvec3(there.forward));
+        nearMm = std::min(nearMm, depthMm);
+        farMm = std::max(farMm, depthMm);
+    }
+    nearMm = std::max(nearMm, 1e-3 * seenMm.diagonal());
+    farMm = std::max(farMm, nearMm);
     glm::dvec2 low = whole;
     glm::dvec2 high(0.0);
     for (int corner = 0; corner < 8; ++corner) {
         const glm::dvec3 ray = glm::dvec3(there.forward) +
                                glm::dvec3(there.right) * ((corner & 1) != 0 ? 1.0 : -1.0) +
                                glm::dvec3(there.up) * ((corner & 2) != 0 ? 1.0 : -1.0);
-        // Distances are along rays: the nearest of a corner is nearer along the axis than that of the middle.
-        const double depthMm = (corner & 4) != 0 ? distanceMm + radiusMm : nearMm / glm::length(ray);
-        const glm::dvec3 p = before.positionMm + ray * depthMm - now.positionMm;
+        const glm::dvec3 p = before.positionMm + ray * ((corner & 4) != 0 ? farMm : nearMm) - now.positionMm;
         const double along = glm::dot(p, glm::dvec3(here.forward));
         if (!(along > 1e-3 * glm::length(p))) return {glm::ivec2(0), sizePx};  // beside the eye, or behind it
         const glm::dvec3 right(here.right);
