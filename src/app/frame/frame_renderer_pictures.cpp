@@ -146,7 +146,7 @@ Result<void> FrameRenderer::keepForMotion() {
     const auto samples = static_cast<std::uint32_t>(statistics.meanSamplesPerPixel);
     const Result<void> kept =
         hybrid_->adopt(traced_->tracer(), {.whole = view, .gaze = input_.gaze, .samplesPerPixel = samples});
-    if (!kept && kept.error().code != ErrorCode::outOfMemory) return kept;
+    if (!kept && kept.error().code != ErrorCode::outOfMemory) return kept.error();
     if (!kept) doWithoutFovea();
     if (samples < kLearntFromSamples) return {};
     if (const Result<void> learnt = model_->learnFrom(traced_->tracer(), view); !learnt)

@@ -40,7 +40,7 @@ class Tape {
             isSpare_ = lastKept_ && now - *lastKept_ < interval_;
             if (!isSpare_ && kept_ >= mostPictures_) isSpare_ = isFull_ = true;
             // At rest the last one counts, and nobody knows which that is.
-            if (isSpare_ && (inputs_.empty() || inputs_.back().phase != RecordingPhase::resting)) return {};
+            if (isSpare_ && (inputs_.empty() || inputs_.back().phase == RecordingPhase::moving)) return {};
         }
         MACULA_TRY(std::vector<glm::u8vec4> pixels, gpu::read<glm::u8vec4>(picture));
         const std::lock_guard lock(mutex_);
@@ -92,10 +92,10 @@ class Tape {
         const std::lock_guard lock(mutex_);
         return hasTraced_;
     }
-    // Whether a frame of the last input is there.
+    // Whether a frame of the last pose is there. Of one that was there before and is final comes no other.
     bool hasFollowed() const {
         const std::lock_guard lock(mutex_);
-        return !frames_.empty() && frames_.back().shown.inputSequence == inputs_.size();
+        return !frames_.empty() && frames_.back().camera == inputs_.back().camera;
     }
     LiveRecording result() {
         const std::lock_guard lock(mutex_);

@@ -26,7 +26,7 @@ struct RecordingOptions {
     double movingS = 10.0;
     double learningS = 5.0;     // from the first traced picture on, before a hand begins to move the camera
     double restingS = 10.0;     // after it has let go, at least until the last view is shown
-    double picturesPerS = 2.0;  // that are kept, at most; and the last one
+    double picturesPerS = 2.0;  // that are kept, at most; besides, the last one
     std::string device;         // as gpu::DeviceOptions::preferred
 };
 
