@@ -9,6 +9,11 @@
 
 namespace macula::evaluate {
 
+Result<app::SceneOnDevice> BenchStudy::putOnDevice() const {
+    return app::putOnDevice(device,
+                            {.volume = volume, .function = function, .clip = {}, .environment = environment});
+}
+
 Result<trace::PathTracer> BenchStudy::makeTracer() const {
     MACULA_TRY(trace::PathTracer tracer, trace::PathTracer::create(device));
     MACULA_TRY_VOID(tracer.setVolume(volume));

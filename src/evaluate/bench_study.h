@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "app/study/scene_on_device.h"
 #include "base/progress.h"
 #include "base/result.h"
 #include "base/volume.h"
@@ -40,6 +41,8 @@ struct BenchStudy {
     std::vector<std::string> notes;     // sentences for a person about the study and the preset
     std::vector<std::string> warnings;  // those of them that change what is seen
 
+    // All of it, to be traced and to make models of.
+    Result<app::SceneOnDevice> putOnDevice() const;
     // With its study set; the settings are the caller's.
     Result<trace::PathTracer> makeTracer() const;
     // What such a tracer shows so far, over black; waits.

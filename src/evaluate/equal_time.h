@@ -20,8 +20,8 @@ struct TracingBudget {
     bool operator==(const TracingBudget&) const = default;
 };
 
-// The most samples of a frame of `sizePx` that fit into `budgetMs`. Where not even one does, one, at a lower
-// resolution, if need be down to kLeastSidePx; `cost` is of the whole size.
+// Finds the most samples of a frame of `sizePx` that fit into `budgetMs`. Where not even one does, it lowers
+// the resolution for one, if need be down to kLeastSidePx. `cost` is of the whole size.
 inline constexpr int kLeastSidePx = 8;
 TracingBudget affordable(const TracingCost& cost, double budgetMs, const glm::ivec2& sizePx);
 

@@ -79,12 +79,10 @@ Result<MadeFrame> TracedFrames::makeIn(double budgetMs, const TracingCost& cost,
 }
 
 Result<SplatFrames> SplatFrames::create(std::shared_ptr<gpu::Device> device, const trace::PathTracer& beside,
-                                        const Box& seenMm, int bounces, const splat::Splats& splats,
-                                        const Progress& progress) {
+                                        int bounces, const splat::Splats& splats, const Progress& progress) {
     MACULA_TRY(hybrid::HybridFrame frame, hybrid::HybridFrame::create(device, beside));
     MACULA_TRY(splat::ModelPainter painter, splat::ModelPainter::create(device, splats));
-    return SplatFrames(std::move(device), std::move(frame), std::move(painter), splats, seenMm, bounces,
-                       progress);
+    return SplatFrames(std::move(device), std::move(frame), std::move(painter), splats, bounces, progress);
 }
 
 Result<MadeFrame> SplatFrames::bare(const Camera& camera, const glm::ivec2& sizePx) {

@@ -8,7 +8,6 @@
 #include <memory>
 
 #include "base/camera.h"
-#include "base/frames.h"
 #include "base/progress.h"
 #include "base/result.h"
 #include "evaluate/equal_time.h"
@@ -68,8 +67,7 @@ class SplatFrames {
   public:
     // `splats` must be valid, and outlive this unchanged.
     static Result<SplatFrames> create(std::shared_ptr<gpu::Device> device, const trace::PathTracer& beside,
-                                      const Box& seenMm, int bounces, const splat::Splats& splats,
-                                      const Progress& progress);
+                                      int bounces, const splat::Splats& splats, const Progress& progress);
 
     Result<MadeFrame> bare(const Camera& camera, const glm::ivec2& sizePx);
     // trace::kFovealFieldDeg in the middle, as fine as the frame there.
@@ -78,12 +76,11 @@ class SplatFrames {
 
   private:
     SplatFrames(std::shared_ptr<gpu::Device> device, hybrid::HybridFrame frame, splat::ModelPainter painter,
-                const splat::Splats& splats, const Box& seenMm, int bounces, const Progress& progress)
+                const splat::Splats& splats, int bounces, const Progress& progress)
         : device_(std::move(device)),
           frame_(std::move(frame)),
           painter_(std::move(painter)),
           splats_(&splats),
-          seenMm_(seenMm),
           bounces_(bounces),
           progress_(&progress) {}
     // Of no samples: without a fovea.
@@ -93,7 +90,6 @@ class SplatFrames {
     hybrid::HybridFrame frame_;
     splat::ModelPainter painter_;
     const splat::Splats* splats_;
-    Box seenMm_;
     int bounces_;
     const Progress* progress_;
 };

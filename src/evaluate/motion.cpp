@@ -65,9 +65,7 @@ class Measurement {
 
     static Result<Measurement> create(const BenchStudy& study, const MotionOptions& options,
                                       Progress& progress) {
-        const app::StudyScene wanted{
-            .volume = study.volume, .function = study.function, .clip = {}, .environment = study.environment};
-        MACULA_TRY(app::SceneOnDevice scene, app::putOnDevice(study.device, wanted));
+        MACULA_TRY(app::SceneOnDevice scene, study.putOnDevice());
         MACULA_TRY(hybrid::HybridFrame withFovea, hybrid::HybridFrame::create(study.device, scene.tracer));
         MACULA_TRY(hybrid::HybridFrame bare, hybrid::HybridFrame::create(study.device, scene.tracer));
         return Measurement(study, options, std::move(scene), std::move(withFovea), std::move(bare), progress);

@@ -37,9 +37,7 @@ class Measurement {
 
     static Result<Measurement> create(const BenchStudy& study, const QualityOptions& options,
                                       Progress& progress) {
-        const app::StudyScene wanted{
-            .volume = study.volume, .function = study.function, .clip = {}, .environment = study.environment};
-        MACULA_TRY(app::SceneOnDevice scene, app::putOnDevice(study.device, wanted));
+        MACULA_TRY(app::SceneOnDevice scene, study.putOnDevice());
         MACULA_TRY(TracedFrames tracedFrames,
                    TracedFrames::create(study.device, scene.tracer, options.bounces, progress));
         return Measurement(study, options, std::move(scene), std::move(tracedFrames), progress);
@@ -125,8 +123,7 @@ class Measurement {
                               double preparationSeconds) {
         MACULA_TRY(const splat::Splats splats, trainer.snapshot());
         MACULA_TRY(SplatFrames frames,
-                   SplatFrames::create(study_.device, scene_.tracer, scene_.traced.seenMm(), options_.bounces,
-                                       splats, progress_));
+                   SplatFrames::create(study_.device, scene_.tracer, options_.bounces, splats, progress_));
         const auto rowOf = [&](std::string_view name) {
             return QualityRow{.way = wayOf(name, grade),
                               .model = model,

@@ -1,6 +1,6 @@
-// Frames made in several ways, and how near each comes to the truth in whole and where the eye looks: path
-// tracing alone, splats alone, both together, and path tracing alone in the time that both together take. As
-// in Table 3 of Kleinbeck et al. (IEEE VR 2026); docs/hybrid-frame.md says what each row is.
+// Measures how near frames that are made in several ways come to the truth, in whole and where the eye looks:
+// path tracing alone, splats alone, both together, and path tracing alone in the time that both together
+// take. As in Table 3 of Kleinbeck et al. (IEEE VR 2026); docs/hybrid-frame.md says what each row is.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// Which pixels the fovea of an eye sees.
+// Masks the pixels that lie within the fovea: the cone around the gaze that an eye sees sharply.
 #pragma once
 
 #include <glm/glm.hpp>

@@ -12,7 +12,7 @@
 
 namespace macula::image {
 
-// Of 0 to 1 per pixel: how fast luminance changes across the border of the fovea.
+// Says how fast luminance, from 0 to 1, changes from pixel to pixel across the border of the fovea.
 struct SeamVisibility {
     double frame = 0.0;
     double reference = 0.0;  // the same place in a picture without a border

@@ -51,6 +51,7 @@ void MainWindow::onRendered(const app::RenderEvent& event) {
         deviceText_->setToolTip(QString::fromStdString(ready->description));
         if (!study_.volume) fidelity_->setFullText(tr("No study is open"));  // nothing else comes
     } else if (std::holds_alternative<app::DeviceRestarting>(event)) {
+        badge_->hide();
         fidelity_->setFullText(tr("Starting the graphics device again…"));
         deviceNote_ =
             tr("The graphics device stopped responding and is started again; the picture is made "
@@ -60,6 +61,7 @@ void MainWindow::onRendered(const app::RenderEvent& event) {
     } else if (const auto* changed = std::get_if<app::ModelChanged>(&event)) {
         if (changed->study == viewport_->study()) onModel(changed->model);
     } else if (const auto* preparing = std::get_if<app::Preparing>(&event)) {
+        badge_->hide();  // what is on screen is what was wanted before
         fidelity_->setFullText(QString::fromStdString(preparing->what) + QStringLiteral("…"));
     } else if (std::holds_alternative<app::PictureRemoved>(event)) {
         badge_->hide();
@@ -101,7 +103,7 @@ void MainWindow::onFrame(const app::FrameShown& frame) {
         if (notes_->isVisible()) showNotes();  // else it was read and dismissed
     }
     fidelity_->setFullText(text);
-    badge_->show(app::fidelityOf(frame));
+    badge_->setFidelity(app::fidelityOf(frame));
     onModel(frame.model);
     QString pictureText = QStringLiteral("%1×%2").arg(frame.width).arg(frame.height);
     if (frame.framesPerSecond > 0.0 && frame.stage == app::Stage::moving) {

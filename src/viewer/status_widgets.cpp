@@ -72,7 +72,7 @@ FidelityBadge::FidelityBadge(QWidget* parent) : QLabel(parent) {
     hide();
 }
 
-void FidelityBadge::show(const app::Fidelity& fidelity) {
+void FidelityBadge::setFidelity(const app::Fidelity& fidelity) {
     setText(fidelity.isFinal ? tr("Final") : tr("Preliminary"));
     setStyleSheet(QStringLiteral("border: 1px solid %1; border-radius: 3px; padding: 0 4px")
                       .arg(fidelity.isFinal ? QStringLiteral("#4a9a5c") : QStringLiteral("#c08a2d")));
@@ -81,7 +81,7 @@ void FidelityBadge::show(const app::Fidelity& fidelity) {
     const QString reasons = because.join(QStringLiteral(", "));
     const QString is = fidelity.isFinal ? tr("Nothing will change any more") : tr("The picture gets better");
     setToolTip(reasons.isEmpty() ? is : QStringLiteral("%1: %2").arg(is, reasons));
-    QLabel::show();
+    show();
 }
 
 MessageBar::MessageBar(QWidget* parent) : QWidget(parent), text_(new QLabel(this)) {

@@ -48,7 +48,7 @@ class FidelityBadge : public QLabel {
   public:
     explicit FidelityBadge(QWidget* parent = nullptr);
 
-    void show(const app::Fidelity& fidelity);
+    void setFidelity(const app::Fidelity& fidelity);
 };
 
 // One sentence about what went wrong and one about what to do, until it is dismissed. Never in the way of

@@ -50,6 +50,10 @@ TEST(Fidelity, SaysWhatIsBetweenAFrameAndTheTruth) {
     EXPECT_TRUE(fidelityOf(done).isFinal);
     EXPECT_EQ(fidelityOf(done).because, (Because{"denoised", "3 samples left out"}));
 
+    FrameShown coarse{.picture = OnScreen::traced, .stage = Stage::converged};
+    coarse.messages.emplace_back();
+    EXPECT_EQ(fidelityOf(coarse).because, Because{"less than the full resolution"});
+
     const FrameShown fading{
         .picture = OnScreen::fading, .stage = Stage::converging, .samplesPerPixel = 2, .sampleLimit = 512};
     EXPECT_FALSE(fidelityOf(fading).isFinal);

@@ -27,6 +27,7 @@ Fidelity fidelityOf(const FrameShown& frame) {
     if (frame.scale > 1) because.push_back(fmt::format("1/{} of the pixels each way", frame.scale));
     if (frame.picture != OnScreen::model && frame.stage != Stage::converged)
         because.push_back(fmt::format("{} of {} samples", frame.samplesPerPixel, frame.sampleLimit));
+    if (!frame.messages.empty()) because.emplace_back("less than the full resolution");
     if (frame.denoised) because.emplace_back("denoised");
     if (frame.samplesLeftOut > 0) because.push_back(fmt::format("{} samples left out", frame.samplesLeftOut));
     return fidelity;

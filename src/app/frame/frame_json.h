@@ -7,7 +7,7 @@
 
 namespace macula::app {
 
-// "picture" is what is on screen (nothing, preview, model, fading, traced), "tracedShare" the share of its
+// "picture" is nameOf(OnScreen), "tracedShare" the share of its
 // pixels that are traced, "fidelity" is "final" when nothing will change any more, else "preliminary";
 // "because" says what is between the frame and a picture that was traced from here with all its samples.
 // Times in ms. No patient data.

@@ -352,7 +352,7 @@ hybrid::ModelNews FrameRenderer::modelNews() const {
     return model_ ? model_->news() : hybrid::ModelNews{.stage = whyNoModel_};
 }
 
-// No more often than a person can read it.
+// Tells of the model no more often than a person can read it.
 void FrameRenderer::tellOfModel() {
     const hybrid::ModelNews news = modelNews();
     const Clock::time_point now = Clock::now();

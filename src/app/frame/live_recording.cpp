@@ -17,7 +17,6 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr auto kHandInterval = std::chrono::milliseconds(16);  // as often as a usual mouse and display
-constexpr double kVerticalFovDeg = 30.0;
 
 double secondsBetween(Clock::time_point from, Clock::time_point to) {
     return std::chrono::duration<double>(to - from).count();
@@ -234,12 +233,12 @@ class Recording {
             const double aspect = double(options_.sizePx.x) / double(options_.sizePx.y);
             const auto corners = cornersOf(input_.volume->worldBox());
             publish(RecordingPhase::opening,
-                    toCamera(framed(corners, options_.from, kVerticalFovDeg, aspect)));
+                    toCamera(framed(corners, options_.from, Camera{}.verticalFovDeg, aspect)));
             MACULA_TRY_VOID(wait([&] { return tape_->outlineMm() != nullptr; }));
             std::vector<glm::dvec3> outlineMm = *tape_->outlineMm();
             if (outlineMm.empty() || trace::isProjection(input_.drawing.settings.look))
                 outlineMm.assign(corners.begin(), corners.end());
-            const Camera first = toCamera(framed(outlineMm, options_.from, kVerticalFovDeg, aspect));
+            const Camera first = toCamera(framed(outlineMm, options_.from, Camera{}.verticalFovDeg, aspect));
             path = turntable(first, options_.turnS, options_.movingS);
             publish(RecordingPhase::opening, first);
         }
