@@ -24,16 +24,40 @@ layout(push_constant, scalar) uniform Push {
     CapturePush push;
 };
 
+// Where a ring around a pixel shows matter that is too thin to have a depth, the pixel is no sure nothing either: chance
+// puts the border of thin matter anywhere within a few pixels.
+#define RING_PX 3
+const ivec2 kRing[8] = ivec2[8](ivec2(-1, -1), ivec2(0, -1), ivec2(1, -1), ivec2(-1, 0), ivec2(1, 0), ivec2(-1, 1),
+                                ivec2(0, 1), ivec2(1, 1));
+
+vec4 lightAt(int index) {
+    return traced[index] / (push.areMeans == 1 ? 1.0 : float(max(counts[index], 1u)));
+}
+
+bool isThin(int index) {
+    return texelFetch(surfaces, index).w < 0.0 && lightAt(index).w > 0.02;
+}
+
+bool isBesideThin(ivec2 pixel) {
+    bool any = false;
+    for (int i = 0; i < 8; ++i) {
+        ivec2 there = clamp(pixel + RING_PX * kRing[i], ivec2(0), push.tracedSize - ivec2(1));
+        any = any || isThin(there.y * push.tracedSize.x + there.x);
+    }
+    return any;
+}
+
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(pixel, push.size))) return;
     int kept = pixel.y * push.size.x + pixel.x;
-    int index = (pixel.y + push.firstPx.y) * push.tracedWidth + pixel.x + push.firstPx.x;
-    vec4 light = traced[index] / (push.areMeans == 1 ? 1.0 : float(max(counts[index], 1u)));
-    lights[kept] = light;
+    ivec2 there = pixel + push.firstPx;
+    int index = there.y * push.tracedSize.x + there.x;
+    lights[kept] = lightAt(index);
     float depthMm = texelFetch(surfaces, index).w;
     float confidence = texelFetch(motions, index).z;
     // The inverse of how guides.glsl makes a confidence of a spread.
     float spreadMm = 4.0 * push.pixelAngle * depthMm * (1.0 / max(confidence, 0.02) - 1.0);
-    depths[kept] = depthMm >= 0.0 ? vec2(depthMm, spreadMm) : vec2(-1.0, light.w > 0.02 ? push.thinMm : 0.0);
+    depths[kept] = depthMm >= 0.0 ? vec2(depthMm, spreadMm)
+                                  : vec2(-1.0, isThin(index) || isBesideThin(there) ? push.thinMm : 0.0);
 }

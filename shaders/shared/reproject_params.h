@@ -7,7 +7,7 @@ MACULA_SHARED_BEGIN
 struct CapturePush {
     ivec2 size;        // pixels, of what is kept
     ivec2 firstPx;     // of it in the traced picture
-    int tracedWidth;   // pixels of a row of that
+    ivec2 tracedSize;  // pixels, of that
     float pixelAngle;  // radians, of a pixel in the middle of the picture
     float thinMm;      // uncertainty of the depth where matter shows, but is too thin to have one
     int areMeans;      // 1: light is means, and counts do not count; 0: it is sums of samples

@@ -152,7 +152,12 @@ Json reportOf(const BenchStudy& study, const FovealOptions& options, const Fovea
 
 Json reportOf(const BenchStudy& study, const MotionOptions& options, const MotionReport& result) {
     const auto toJson = [](const FrameScore& score) {
-        return Json{{"flip", score.flip}, {"fovealFlip", score.fovealFlip}, {"backgroundPx", score.through}};
+        Json json{{"flip", score.flip}, {"fovealFlip", score.fovealFlip}, {"backgroundPx", score.through}};
+        if (score.seam)
+            json["seam"] = {{"frame", score.seam->frame},
+                            {"reference", score.seam->reference},
+                            {"ratio", score.seam->ratio()}};
+        return json;
     };
     Json json = describe("motion", study);
     json["picture"] = {options.sizePx.x, options.sizePx.y};
@@ -183,6 +188,7 @@ Json toJson(const QualityRow& row) {
     const auto samples = [](const View& view) {
         return view.samplesPerPixel > 0 ? Number(view.samplesPerPixel) : Number();
     };
+    const auto seam = [](const View& view) { return view.seam ? Number(view.seam->ratio()) : Number(); };
     return {{"way", row.way},
             {"model", row.model.empty() ? Json() : Json(row.model)},
             {"splats", row.splats > 0 ? Json(row.splats) : Json()},
@@ -192,7 +198,8 @@ Json toJson(const QualityRow& row) {
             {"resolutionShare",
              spreadJson(row.views, [](const View& view) { return Number(view.resolutionShare); })},
             {"full", regionJson(row.views, &FrameScores::full)},
-            {"msSsim", spreadJson(row.views, [](const QualityView& view) { return view.scores.msSsim; })},
+            {"msSsim", spreadJson(row.views, [](const View& view) { return view.scores.msSsim; })},
+            {"seamRatio", spreadJson(row.views, seam)},
             {"fovea", regionJson(row.views, &FrameScores::fovea)}};
 }
 

@@ -106,17 +106,17 @@ Result<MadeFrame> SplatFrames::make(const Camera& camera, const glm::ivec2& size
     const hybrid::FoveaAim aim{.whole = {.camera = camera, .width = sizePx.x, .height = sizePx.y},
                                .sidePx = foveaSidePx(sizePx, camera.verticalFovDeg),
                                .samplesPerPixel = samplesPerPixel};
-    const auto drawOnce = [&]() -> Result<const gpu::Image*> {
+    const auto drawOnce = [&]() -> Result<hybrid::Frame> {
         if (samplesPerPixel > 0) MACULA_TRY_VOID(frame_.aim(aim));
         while (frame_.isTracing()) {
             if (progress_->cancelled()) return cancelled();
             MACULA_TRY([[maybe_unused]] const bool isThere,
                        frame_.traceFovea([this] { return !progress_->cancelled(); }));
         }
-        MACULA_TRY(const hybrid::Frame drawn,
+        MACULA_TRY(hybrid::Frame drawn,
                    frame_.draw({.eyes = {camera}, .sizePx = sizePx, .display = {}}, periphery));
         MACULA_TRY_VOID(device_->waitForAll());
-        return drawn.pictures.front();
+        return drawn;
     };
     MadeFrame made{.samplesPerPixel = samplesPerPixel};
     for (const bool isMeasured : {false, true}) {
@@ -124,10 +124,11 @@ Result<MadeFrame> SplatFrames::make(const Camera& camera, const glm::ivec2& size
         MACULA_TRY_VOID(frame_.setScene({.bounces = bounces_}));  // forgets fovea and views
         MACULA_TRY_VOID(device_->waitForAll());
         Watch watch;
-        MACULA_TRY(const gpu::Image* picture, drawOnce());
+        MACULA_TRY(const hybrid::Frame frame, drawOnce());
         made.ms = watch.lap().wallMs;
         if (!isMeasured) continue;
-        MACULA_TRY(const auto rgba, gpu::read<std::uint8_t>(*picture));
+        MACULA_TRY(made.foveaWeights, foveaWeightsOf(frame, sizePx));
+        MACULA_TRY(const auto rgba, gpu::read<std::uint8_t>(*frame.pictures.front()));
         made.shown = imageOf(rgba, sizePx);
     }
     return made;

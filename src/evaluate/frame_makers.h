@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <memory>
+#include <vector>
 
 #include "base/camera.h"
 #include "base/progress.h"
@@ -21,6 +22,7 @@ namespace macula::evaluate {
 
 struct MadeFrame {
     image::Image shown;
+    std::vector<float> foveaWeights;  // of each pixel; empty without a fovea
     double ms = 0.0;
     std::uint32_t samplesPerPixel = 0;  // of what was traced; 0: nothing was
     double resolutionShare = 1.0;       // resolutionShareOf

@@ -179,25 +179,33 @@ class Measurement {
                 // Where the fovea is not reprojected to `now`, depths for that say nothing.
                 return hybrid::DrawnSplats{picture, foveaFor == now ? &painter_->depthsOnDevice() : nullptr};
             }};
+        std::vector<float> weights;
+        Watch watch;
         const auto draw = [&](float background) -> Result<std::vector<std::uint8_t>> {
             MACULA_TRY(const hybrid::Frame drawn,
                        frame.draw({.eyes = {foveaFor},
                                    .sizePx = options_.sizePx,
                                    .display = {.background = glm::vec3(background), .exposure = 1.0f}},
                                   periphery));
-            return gpu::read<std::uint8_t>(*drawn.pictures.front());
+            MACULA_TRY(auto rgba, gpu::read<std::uint8_t>(*drawn.pictures.front()));
+            drawMs = watch.lap().wallMs;
+            MACULA_TRY(weights, foveaWeightsOf(drawn, options_.sizePx));
+            return rgba;
         };
         MACULA_TRY(const auto overWhite, draw(1.0f));
-        Watch watch;
+        watch.lap();
         MACULA_TRY(const auto overBlack, draw(0.0f));
-        drawMs = watch.lap().wallMs;
         FrameScore score;
         for (std::size_t i = 0; i < truth.isOpaque.size(); ++i)
             score.through +=
                 truth.isOpaque[i] && int(overWhite[4 * i + 1]) - int(overBlack[4 * i + 1]) > kBackgroundShows
                     ? 1
                     : 0;
-        MACULA_TRY(const image::Flip flip, image::flip(truth.image, imageOf(overBlack, options_.sizePx)));
+        const image::Image shown = imageOf(overBlack, options_.sizePx);
+        if (!weights.empty()) {
+            MACULA_TRY(score.seam, image::seamVisibility(truth.image, shown, weights));
+        }
+        MACULA_TRY(const image::Flip flip, image::flip(truth.image, shown));
         score.flip = flip.mean;
         MACULA_TRY(const auto fovealFlip, image::meanOf(flip.perPixel, fovea_));
         score.fovealFlip = fovealFlip.value_or(0.0);

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "base/result.h"
 #include "evaluate/bench_study.h"
 #include "evaluate/measurement.h"
+#include "image/frame_metrics.h"
 #include "pipeline/hybrid/model/first_model.h"
 
 namespace macula::evaluate {
@@ -34,6 +36,7 @@ struct FrameScore {
     double flip = 0.0;        // of the whole frame
     double fovealFlip = 0.0;  // of kFovealFieldDeg around its middle
     std::size_t through = 0;  // pixels that show background where the truth and all around it have none
+    std::optional<image::SeamVisibility> seam;  // of the fovea's border; nothing without one
 };
 
 struct MovedFrame {

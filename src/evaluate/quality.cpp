@@ -152,10 +152,15 @@ class Measurement {
 
     Result<void> note(QualityRow& row, const FrameTruth& truth, const MadeFrame& frame) {
         MACULA_TRY(const FrameScores scores, frameScoresOf(truth, frame.shown));
+        std::optional<image::SeamVisibility> seam;
+        if (!frame.foveaWeights.empty()) {
+            MACULA_TRY(seam, image::seamVisibility(truth.shown, frame.shown, frame.foveaWeights));
+        }
         row.views.push_back({.scores = scores,
                              .frameMs = frame.ms,
                              .samplesPerPixel = frame.samplesPerPixel,
-                             .resolutionShare = frame.resolutionShare});
+                             .resolutionShare = frame.resolutionShare,
+                             .seam = seam});
         progress_.advance();
         return progress_.cancelled() ? Result<void>(cancelled()) : Result<void>();
     }

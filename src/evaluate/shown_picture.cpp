@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/check.h"
+#include "pipeline/gpu/transfer.h"
 #include "pipeline/trace/settings.h"
 
 namespace macula::evaluate {
@@ -70,6 +71,13 @@ image::Image scaledTo(const image::Image& picture, const glm::ivec2& sizePx) {
         }
     }
     return scaled;
+}
+
+Result<std::vector<float>> foveaWeightsOf(const hybrid::Frame& frame, const glm::ivec2& sizePx) {
+    if (frame.foveaWeights == nullptr) return std::vector<float>();
+    MACULA_TRY(std::vector<float> weights, gpu::read<float>(*frame.foveaWeights));
+    weights.resize(std::size_t(sizePx.x) * std::size_t(sizePx.y));
+    return weights;
 }
 
 int foveaSidePx(const glm::ivec2& sizePx, double verticalFovDeg) {

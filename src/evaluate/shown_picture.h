@@ -6,12 +6,17 @@
 #include <span>
 #include <vector>
 
+#include "base/result.h"
 #include "image/image.h"
+#include "pipeline/hybrid/frame/hybrid_frame.h"
 
 namespace macula::evaluate {
 
 // The colours of RGBA8 over black; row 0 on top.
 image::Image imageOf(std::span<const std::uint8_t> rgba, const glm::ivec2& sizePx);
+
+// What the fovea weighs in each pixel of a frame; nothing where it has none. Waits.
+Result<std::vector<float>> foveaWeightsOf(const hybrid::Frame& frame, const glm::ivec2& sizePx);
 
 // The picture at another size: bilinear between the centres of its pixels, its border beyond them.
 image::Image scaledTo(const image::Image& picture, const glm::ivec2& sizePx);

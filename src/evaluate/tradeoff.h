@@ -16,7 +16,7 @@ namespace macula::evaluate {
 struct TradeoffOptions {
     double exposure = 1.0;
     std::vector<std::uint32_t> samples{1, 2, 4, 8, 16, 32};  // ascending
-    std::vector<int> bounces{1, 2, 4, 8};
+    std::vector<int> bounces{2, 4, 8, 16, 32};
     // Of the picture that counts as the truth: trilinear, not denoised.
     std::uint32_t convergedSamples = 1024;
     int convergedBounces = 64;

@@ -72,6 +72,7 @@ void ChangesScript::onFrame(const app::FrameShown& frame) {
     ++pictures_[std::string(nameOf(frame.picture))];
     if (std::exchange(hasBegun_, true)) return;
     running_.start();
+    heartbeat_.start();
     change();
 }
 
@@ -160,10 +161,14 @@ void ChangesScript::drag() {
 }
 
 void ChangesScript::report() {
+    heartbeat_.stop();
     const QJsonObject json{
         {"seconds", double(running_.elapsed()) / 1000.0},
         {"changes", toJson(changes_)},
         {"pictures", toJson(pictures_)},
+        {"longestUiStallMs", heartbeat_.longestStallMs()},
+        {"uiStallsOver50Ms", qint64(heartbeat_.noticed())},
+        {"uiBeats", qint64(heartbeat_.beats())},
         {"residentMiBAfterAFifth", residentMiBEarly_},
         {"residentMiBAtTheEnd", residentMiB()},
     };

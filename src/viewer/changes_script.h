@@ -12,6 +12,8 @@
 #include <random>
 #include <string>
 
+#include "viewer/ui_heartbeat.h"
+
 namespace macula::viewer {
 
 struct ChangesScriptOptions {
@@ -23,8 +25,9 @@ struct ChangesScriptOptions {
 // Begins when the first picture of the study is there. Every 0.1 to 2 s, sometimes 12 s, it chooses another
 // preset, clip, light or look, opens the other study, gives the window another size, or drags. What it does
 // is a function of the seed. At the end a JSON object goes to standard output: how often it did what, which
-// pictures came, and the memory of the process after a fifth of the time and at the end. `finished` carries
-// the exit code: 0; 3 or 4 when anything failed on the way; 1 when no picture came for a minute.
+// pictures came, how long the user interface was deaf, and the memory of the process after a fifth of the
+// time and at the end. `finished` carries the exit code: 0; 3 or 4 when anything failed on the way; 1 when no
+// picture came for a minute.
 class ChangesScript : public QObject {
     Q_OBJECT
 
@@ -60,6 +63,7 @@ class ChangesScript : public QObject {
     int dragsLeft_ = 0;
     std::map<std::string, std::int64_t> changes_;
     std::map<std::string, std::int64_t> pictures_;
+    UiHeartbeat heartbeat_;
     double residentMiBEarly_ = 0.0;
 };
 

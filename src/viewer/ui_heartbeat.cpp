@@ -16,6 +16,7 @@ UiHeartbeat::UiHeartbeat(QObject* parent) : QObject(parent) {
 
 void UiHeartbeat::start() {
     longestMs_ = 0.0;
+    noticed_ = 0;
     beats_ = 0;
     sinceLast_.start();
     timer_.start();
@@ -30,6 +31,7 @@ void UiHeartbeat::beat() {
     const double gapMs = double(sinceLast_.nsecsElapsed()) / 1e6;
     sinceLast_.start();
     longestMs_ = std::max(longestMs_, gapMs - kIntervalMs);
+    if (gapMs - kIntervalMs > kNoticedMs) ++noticed_;
     ++beats_;
 }
 

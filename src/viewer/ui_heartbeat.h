@@ -19,6 +19,9 @@ class UiHeartbeat : public QObject {
     void stop();
     // The longest hold-up since start(), beyond the interval itself.
     double longestStallMs() const { return longestMs_; }
+    // How often it was held up for longer than a person notices.
+    static constexpr double kNoticedMs = 50.0;
+    long noticed() const { return noticed_; }
     long beats() const { return beats_; }
 
   private:
@@ -27,6 +30,7 @@ class UiHeartbeat : public QObject {
     QTimer timer_;
     QElapsedTimer sinceLast_;
     double longestMs_ = 0.0;
+    long noticed_ = 0;
     long beats_ = 0;
 };
 

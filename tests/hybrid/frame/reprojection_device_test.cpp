@@ -138,7 +138,7 @@ TEST(ReprojectLayout, PushConstantsAgree) {
     expectLayoutMatches<CapturePush>(
         *capture->pushConstants->block.find("push"),
         {MACULA_FIELD(CapturePush, size), MACULA_FIELD(CapturePush, firstPx),
-         MACULA_FIELD(CapturePush, tracedWidth), MACULA_FIELD(CapturePush, pixelAngle),
+         MACULA_FIELD(CapturePush, tracedSize), MACULA_FIELD(CapturePush, pixelAngle),
          MACULA_FIELD(CapturePush, thinMm), MACULA_FIELD(CapturePush, areMeans)});
 }
 

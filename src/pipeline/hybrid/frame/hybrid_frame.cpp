@@ -154,6 +154,7 @@ Result<Frame> HybridFrame::draw(const FrameRequest& request, const Periphery& pe
                                   fovea_->picture, eye, request.sizePx, seenMm_, kEdgeFade,
                                   splats.depthSums != nullptr ? std::optional(splats) : std::nullopt));
             layers.fovea = &fovea;
+            frame.foveaWeights = &fovea.weights->buffer();
         }
         if (request.fadingIn) {
             layers.traced = &request.fadingIn->light;

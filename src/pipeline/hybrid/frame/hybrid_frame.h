@@ -61,6 +61,9 @@ struct Frame {
     std::optional<double> foveaAgeMs;         // since its tracing began; nothing while there is none
     std::uint32_t foveaSamples = 0;           // of each of its pixels
     double foveaShare = 0.0;                  // of the first eye's pixels, at most: where it can lie
+    // What the fovea weighs in each pixel, as float32, row 0 on top, and perhaps more behind that; of the
+    // last eye, until the next frame. Null without a fovea.
+    const gpu::Buffer* foveaWeights = nullptr;
 };
 
 // Used by one thread at a time, the one that uses the device.

@@ -135,7 +135,7 @@ Result<CapturedPicture> Reprojection::capture(trace::PathTracer& tracer, const t
     MACULA_TRY(const trace::TracedLight light, tracer.light());
     const shared::CapturePush push{.size = sizePx,
                                    .firstPx = besidePx / 2,
-                                   .tracedWidth = tracedPx.x,
+                                   .tracedSize = tracedPx,
                                    .pixelAngle = float(pixelAngle(view.camera, tracedPx)),
                                    .thinMm = float(0.25 * seenMm.diagonal()),
                                    .areMeans = light.areMeans ? 1 : 0};
