@@ -4,7 +4,6 @@
 
 #include "app/choice/lights_choice.h"
 #include "app/study/study_input.h"
-#include "app/study/study_preset.h"
 #include "evaluate/shown_picture.h"
 
 namespace macula::evaluate {
@@ -27,6 +26,10 @@ Result<BenchStudy> openBenchStudy(const BenchStudyOptions& options, Progress& pr
     MACULA_TRY(app::StudyInput study, app::loadStudy(options.path, options.series, progress, 0, options.how));
     bringTo16Bits(study);
     MACULA_TRY(app::StudyPreset preset, app::choosePresetFor(study, options.preset));
+    std::optional<app::StudyPreset> then;
+    if (!options.thenPreset.empty()) {
+        MACULA_TRY(then, app::choosePresetFor(study, options.thenPreset));
+    }
     MACULA_TRY(trace::Environment environment, app::chooseLights(options.lights));
     MACULA_TRY(const gpu::Instance instance, gpu::Instance::create());
     gpu::DeviceOptions deviceOptions;
@@ -44,7 +47,8 @@ Result<BenchStudy> openBenchStudy(const BenchStudyOptions& options, Progress& pr
         .preset = std::move(preset.publicName),
         .lights = app::publicLightsName(options.lights),
         .notes = std::move(study.notes),
-        .warnings = std::move(study.warnings)};
+        .warnings = std::move(study.warnings),
+        .then = std::move(then)};
 }
 
 Result<image::Image> BenchStudy::readShown(trace::PathTracer& tracer) const {

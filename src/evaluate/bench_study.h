@@ -4,9 +4,11 @@
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 
 #include "app/study/scene_on_device.h"
+#include "app/study/study_preset.h"
 #include "base/progress.h"
 #include "base/result.h"
 #include "base/volume.h"
@@ -24,6 +26,7 @@ struct BenchStudyOptions {
     std::string series;
     dicom::ScanOptions how;
     std::string preset;
+    std::string thenPreset;  // another, for who changes it; empty: none
     std::string lights;
     std::string device;
     int size = 512;  // of the picture, which is square
@@ -38,8 +41,9 @@ struct BenchStudy {
     std::string seriesDigest;
     std::string preset;  // names that may be told
     std::string lights;
-    std::vector<std::string> notes;     // sentences for a person about the study and the preset
-    std::vector<std::string> warnings;  // those of them that change what is seen
+    std::vector<std::string> notes;        // sentences for a person about the study and the preset
+    std::vector<std::string> warnings;     // those of them that change what is seen
+    std::optional<app::StudyPreset> then;  // BenchStudyOptions::thenPreset
 
     // All of it, to be traced and to make models of.
     Result<app::SceneOnDevice> putOnDevice() const;

@@ -179,6 +179,60 @@ TEST_F(Evaluate, TellsHowGoodFramesAreByTheWayTheyAreMade) {
     }
 }
 
+TEST_F(Evaluate, TellsWhatTheLivePictureIsWorthOverTime) {
+    const Ran ran = runMacula({"evaluate", "live-picture", "--size", "48", "--truth-spp", "32", "--seconds",
+                               "0.5", "--learn", "0", "--rest", "2", "--pictures", "4", "--preset",
+                               "cinematic-bone", "--then-preset", "cinematic-soft-tissue"});
+    ASSERT_EQ(ran.exitCode, 0) << ran.err;
+    const json report = json::parse(ran.out);
+    EXPECT_EQ(report["benchmark"], "live-picture");
+    EXPECT_EQ(report["picture"], json({48, 48}));
+    EXPECT_EQ(report["preset"], "cinematic-bone");
+    EXPECT_EQ(report["truthSamplesPerPixel"], 32);
+    EXPECT_GE(report["motion"]["framesPerSecond"].get<double>(), 0.0);
+    EXPECT_TRUE(report.contains("firstModelS"));
+    const json& change = report["change"];
+    EXPECT_EQ(change["preset"], "cinematic-soft-tissue");
+    EXPECT_GT(change["firstNewS"].get<double>(), 0.0);
+    EXPECT_GE(1e-3 * change["stale"]["longestMs"].get<double>(), change["firstNewS"].get<double>() - 1e-6);
+    EXPECT_TRUE(change["stale"]["wasSaid"].is_boolean());
+    for (const json& rest : {report["rest"], change["rest"]}) {
+        ASSERT_FALSE(rest["series"].empty());
+        double lastS = 0.0;
+        for (const json& picture : rest["series"]) {
+            EXPECT_GT(picture["atS"].get<double>(), lastS);
+            lastS = picture["atS"];
+            EXPECT_LE(picture["flip"].get<double>(), 1.0);
+        }
+        EXPECT_EQ(rest["lastFlip"], rest["series"].back()["flip"]);
+        // Reference and live picture are of the same thing, from the same place, over the same black, but not
+        // of the same random numbers.
+        EXPECT_LT(rest["lastFlip"].get<double>(), 0.3) << ran.out;
+        EXPECT_GT(rest["lastFlip"].get<double>(), 0.0) << ran.out;
+        EXPECT_GT(rest["referenceFlip"].get<double>(), 0.0);
+        EXPECT_TRUE(rest.contains("toFlip002S"));
+        EXPECT_TRUE(rest.contains("worstSetback"));
+    }
+}
+
+TEST_F(Evaluate, RefusesALivePictureThatCannotBe) {
+    const auto expectRefusal = [&](const std::vector<std::string>& more, int exitCode, const char* message) {
+        std::vector<std::string> arguments{"evaluate", "live-picture", "--size", "16"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        const Ran ran = runMacula(arguments);
+        EXPECT_EQ(ran.exitCode, exitCode) << ran.err;
+        EXPECT_EQ(ran.errorLines(), 1u) << ran.err;
+        EXPECT_NE(ran.err.find(message), std::string::npos) << ran.err;
+    };
+    // The study is not there: what is wrong with the rest is told before anything is read.
+    expectRefusal({at("nowhere"), "--then-preset", "ct-unicorn"}, 2, "no such preset");
+    expectRefusal({at("nowhere"), "--lights", "disco"}, 2, "no such lights");
+    expectRefusal({at("nowhere"), "--truth-spp", "63"}, 2, "even");
+    expectRefusal({"--seconds", "nan"}, 2, "--seconds");
+    expectRefusal({"--then-preset", write("none.vp.json", kShowsNothing)}, 3,
+                  "Nothing of the series can be seen");
+}
+
 TEST_F(Evaluate, WhatCannotBeIsAnError) {
     EXPECT_EQ(runMacula({"evaluate"}).exitCode, 2);
     EXPECT_EQ(runMacula({"evaluate", "init", "--views", "0"}).exitCode, 2);

@@ -8,6 +8,7 @@
 
 #include "app/camera/orbit_camera.h"
 #include "app/frame/render_thread.h"
+#include "base/check.h"
 #include "pipeline/gpu/transfer.h"
 
 namespace macula::app {
@@ -28,7 +29,7 @@ class Tape {
     Tape(double picturesPerS, std::uint64_t bytesOfPicture)
         : interval_(std::chrono::duration_cast<Clock::duration>(
               std::chrono::duration<double>(1.0 / std::max(picturesPerS, 1e-6)))),
-          mostPictures_(std::max<std::uint64_t>(2, kMostRecordedBytes / bytesOfPicture) - 1) {}
+          mostPictures_(std::max<std::uint64_t>(3, kMostRecordedBytes / bytesOfPicture) - kLastOnes) {}
 
     // Render thread: the picture comes before the frame that tells of it.
     Result<void> take(const gpu::Image& picture) {
@@ -53,12 +54,15 @@ class Tape {
     }
     void add(const FrameShown& shown) {
         const std::lock_guard lock(mutex_);
-        const double atS = secondsBetween(start_, Clock::now());
         if (shown.inputSequence >= inputs_.size() + 1 || shown.inputSequence == 0) return;
-        const Sent& sent = inputs_[shown.inputSequence - 1];
-        if (lastIsSpare_) frames_.back().rgba.clear();
+        const RecordedInput& input = inputs_[shown.inputSequence - 1];
+        const auto endsRest = [&] {
+            return input.phase == RecordingPhase::changed && frames_.back().phase != input.phase;
+        };
+        if (lastIsSpare_ && !endsRest()) frames_.back().rgba.clear();
         lastIsSpare_ = isSpare_ && !pixels_.empty();
-        frames_.push_back({atS, sent.phase, sent.camera, shown, sizePx_, std::exchange(pixels_, {})});
+        frames_.push_back(
+            {secondsSinceStart(), input.phase, input.camera, shown, sizePx_, std::exchange(pixels_, {})});
         hasTraced_ = hasTraced_ || shown.picture == OnScreen::traced;
     }
     void setOutline(std::shared_ptr<const std::vector<glm::dvec3>> pointsMm) {
@@ -69,6 +73,10 @@ class Tape {
         const std::lock_guard lock(mutex_);
         device_ = name;
     }
+    void note(std::string what) {
+        const std::lock_guard lock(mutex_);
+        notices_.push_back({secondsSinceStart(), std::move(what)});
+    }
     void fail(const Error& error) {
         const std::lock_guard lock(mutex_);
         if (!failure_) failure_ = error;
@@ -77,7 +85,7 @@ class Tape {
     // Who moves the camera. Inputs are numbered from 1, without gaps: told before each is published.
     void sends(RecordingPhase phase, const Camera& camera) {
         const std::lock_guard lock(mutex_);
-        inputs_.push_back({phase, camera});
+        inputs_.push_back({secondsSinceStart(), phase, camera});
     }
     std::optional<Error> failure() const {
         const std::lock_guard lock(mutex_);
@@ -91,29 +99,38 @@ class Tape {
         const std::lock_guard lock(mutex_);
         return hasTraced_;
     }
-    // Whether a frame of the last pose is there. Of one that was there before and is final comes no other.
+    // Whether a frame of the last pose and drawing is there. Of a pose that was there before and is final
+    // comes no other.
     bool hasFollowed() const {
         const std::lock_guard lock(mutex_);
-        return !frames_.empty() && frames_.back().camera == inputs_.back().camera;
+        if (frames_.empty() || frames_.back().camera != inputs_.back().camera) return false;
+        return inputs_.back().phase != RecordingPhase::changed ||
+               frames_.back().phase == RecordingPhase::changed;
     }
+    // Ends the recording: what is shown from then on is of no input.
     LiveRecording result() {
         const std::lock_guard lock(mutex_);
-        return {.device = device_, .frames = std::move(frames_), .isFull = isFull_};
+        return {.device = device_,
+                .inputs = std::exchange(inputs_, {}),
+                .frames = std::exchange(frames_, {}),
+                .notices = std::exchange(notices_, {}),
+                .seconds = secondsSinceStart(),
+                .isFull = isFull_};
     }
 
   private:
-    struct Sent {
-        RecordingPhase phase;
-        Camera camera;
-    };
+    static constexpr std::uint64_t kLastOnes = 2;  // of the rest, and of the changed drawing
+
+    double secondsSinceStart() const { return secondsBetween(start_, Clock::now()); }
 
     const Clock::time_point start_ = Clock::now();
     const Clock::duration interval_;
     const std::uint64_t mostPictures_;
     mutable std::mutex mutex_;
     std::string device_;
-    std::vector<Sent> inputs_;
+    std::vector<RecordedInput> inputs_;
     std::vector<RecordedFrame> frames_;
+    std::vector<RecordedNotice> notices_;
     std::vector<glm::u8vec4> pixels_;  // of the picture whose frame comes next
     glm::ivec2 sizePx_{0};
     std::optional<Clock::time_point> lastKept_;
@@ -170,6 +187,9 @@ RenderListener listenerOf(const std::shared_ptr<Tape>& tape) {
         if (const auto* frame = std::get_if<FrameShown>(&event)) tape->add(*frame);
         if (const auto* ready = std::get_if<DeviceReady>(&event)) tape->setDevice(ready->name);
         if (const auto* outline = std::get_if<OutlineFound>(&event)) tape->setOutline(outline->pointsMm);
+        if (const auto* preparing = std::get_if<Preparing>(&event)) tape->note(preparing->what);
+        if (std::holds_alternative<PictureRemoved>(event)) tape->note("The picture was removed");
+        if (std::holds_alternative<DeviceRestarting>(event)) tape->note("The device is started again");
         if (const auto* failure = std::get_if<RenderFailure>(&event)) tape->fail(failure->error);
     };
 }
@@ -194,7 +214,11 @@ class Recording {
     Result<LiveRecording> run() {
         MACULA_TRY(const CameraPath path, open());
         MACULA_TRY_VOID(move(path));
-        MACULA_TRY_VOID(rest(path));
+        MACULA_TRY_VOID(rest(RecordingPhase::resting, path.stops.back().camera));
+        if (options_.thenDrawing) {
+            input_.drawing = *options_.thenDrawing;
+            MACULA_TRY_VOID(rest(RecordingPhase::changed, path.stops.back().camera));
+        }
         return tape_->result();
     }
 
@@ -261,9 +285,9 @@ class Recording {
         return {};
     }
 
-    Result<void> rest(const CameraPath& path) {
-        progress_.beginStage("Resting", 1);
-        publish(RecordingPhase::resting, path.stops.back().camera);
+    Result<void> rest(RecordingPhase phase, const Camera& camera) {
+        progress_.beginStage(phase == RecordingPhase::changed ? "Resting, drawn otherwise" : "Resting", 1);
+        publish(phase, camera);
         MACULA_TRY_VOID(waitSeconds(options_.restingS));
         MACULA_TRY_VOID(wait([&] { return tape_->hasFollowed(); }));
         progress_.advance();
@@ -287,11 +311,14 @@ std::string_view nameOf(RecordingPhase phase) {
             return "moving";
         case RecordingPhase::resting:
             return "resting";
+        case RecordingPhase::changed:
+            return "changed";
     }
     return {};
 }
 
 Result<LiveRecording> recordLive(FrameInput scene, const RecordingOptions& options, Progress& progress) {
+    MACULA_CHECK(options.thenDrawing != scene.drawing);  // else no other picture would come
     MACULA_TRY(gpu::Instance instance, gpu::Instance::create());
     Recording recording(std::move(scene), options, std::move(instance), progress);
     return recording.run();

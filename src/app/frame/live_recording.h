@@ -1,4 +1,5 @@
-// The live picture without a window: the same render thread, in real time, for a camera that follows a path.
+// The live picture without a window: the same render thread, in real time, for a camera that follows a path,
+// and for a drawing that changes when it has come to rest.
 #pragma once
 
 #include <cstdint>
@@ -28,11 +29,20 @@ struct RecordingOptions {
     double restingS = 10.0;     // after it has let go, at least until the last view is shown
     double picturesPerS = 2.0;  // that are kept, at most; besides, the last one
     std::string device;         // as gpu::DeviceOptions::preferred
+    // What is drawn after that, from where the camera is, for as long again; another than the scene's.
+    std::optional<Drawing> thenDrawing;
 };
 
-enum class RecordingPhase { opening, moving, resting };
+enum class RecordingPhase { opening, moving, resting, changed };
 // The name as in reports; a literal.
 std::string_view nameOf(RecordingPhase phase);
+
+// What the render thread was told. FrameShown::inputSequence counts them, from 1.
+struct RecordedInput {
+    double atS = 0.0;  // when it was published, since the volume was handed over
+    RecordingPhase phase = RecordingPhase::opening;
+    Camera camera;
+};
 
 struct RecordedFrame {
     double atS = 0.0;  // since the volume was handed over
@@ -43,9 +53,19 @@ struct RecordedFrame {
     std::vector<glm::u8vec4> rgba;  // row 0 on top; empty: not kept
 };
 
+// The renderer said that what is wanted is not there yet: Preparing, PictureRemoved, DeviceRestarting.
+struct RecordedNotice {
+    double atS = 0.0;  // likewise
+    std::string what;  // for a person
+};
+
+// Each list is in order of time.
 struct LiveRecording {
     std::string device;
+    std::vector<RecordedInput> inputs;
     std::vector<RecordedFrame> frames;
+    std::vector<RecordedNotice> notices;
+    double seconds = 0.0;  // from when the volume was handed over to the end
     // Pictures were left out because of their number.
     bool isFull = false;
 };

@@ -4,7 +4,7 @@
 
 namespace macula::app {
 
-Result<SceneOnDevice> putOnDevice(const std::shared_ptr<gpu::Device>& device, const StudyScene& scene) {
+Result<hybrid::TracedScene> visibleScene(const StudyScene& scene) {
     MACULA_TRY(hybrid::TracedScene traced,
                hybrid::TracedScene::create(scene.volume, scene.function, scene.clip, scene.environment));
     if (!(traced.seenMm().low.x <= traced.seenMm().high.x))
@@ -12,6 +12,11 @@ Result<SceneOnDevice> putOnDevice(const std::shared_ptr<gpu::Device>& device, co
                      "Nothing of the series can be seen.",
                      {},
                      "Choose another preset or clip."};
+    return traced;
+}
+
+Result<SceneOnDevice> putOnDevice(const std::shared_ptr<gpu::Device>& device, const StudyScene& scene) {
+    MACULA_TRY(hybrid::TracedScene traced, visibleScene(scene));
     MACULA_TRY(trace::PathTracer tracer, trace::PathTracer::create(device));
     MACULA_TRY_VOID(tracer.setVolume(scene.volume));
     MACULA_TRY_VOID(tracer.setClip(scene.clip));

@@ -30,7 +30,8 @@ struct SceneOnDevice {
     std::vector<std::string> notes;  // of what is coarse
 };
 
-// inputNotUsable when nothing of the scene can be seen.
+// Both: inputNotUsable when nothing of the scene can be seen. The first needs no device.
+Result<hybrid::TracedScene> visibleScene(const StudyScene& scene);
 Result<SceneOnDevice> putOnDevice(const std::shared_ptr<gpu::Device>& device, const StudyScene& scene);
 
 }  // namespace macula::app

@@ -1,0 +1,75 @@
+#include "evaluate/live_figures.h"
+
+#include <algorithm>
+
+namespace macula::evaluate {
+
+namespace {
+
+bool hasAllPixels(app::OnScreen picture) {
+    return picture != app::OnScreen::nothing && picture != app::OnScreen::preview;
+}
+
+}  // namespace
+
+std::optional<double> beginS(const app::LiveRecording& recording, app::RecordingPhase phase) {
+    const auto first = std::ranges::find(recording.inputs, phase, &app::RecordedInput::phase);
+    return first == recording.inputs.end() ? std::nullopt : std::optional(first->atS);
+}
+
+std::optional<double> firstModelS(const app::LiveRecording& recording) {
+    for (const app::RecordedFrame& frame : recording.frames) {
+        if (frame.phase != app::RecordingPhase::opening) break;
+        if (frame.shown.picture == app::OnScreen::model) return frame.atS - recording.frames.front().atS;
+    }
+    return std::nullopt;
+}
+
+std::optional<ChangeTimes> changeTimes(const app::LiveRecording& recording) {
+    const std::optional<double> changedS = beginS(recording, app::RecordingPhase::changed);
+    if (!changedS) return std::nullopt;
+    ChangeTimes times;
+    times.wasSaid = std::ranges::any_of(recording.notices, [&](const app::RecordedNotice& notice) {
+        return notice.atS >= *changedS && notice.atS <= *changedS + kSaidS;
+    });
+    double lastS = *changedS;
+    const auto newsAt = [&](double atS) {
+        times.longestStaleS = std::max(times.longestStaleS, atS - lastS);
+        lastS = atS;
+    };
+    for (const app::RecordedFrame& frame : recording.frames) {
+        if (frame.phase != app::RecordingPhase::changed) continue;
+        newsAt(frame.atS);
+        if (!times.firstNewS) times.firstNewS = frame.atS - *changedS;
+        if (!hasAllPixels(frame.shown.picture)) continue;
+        times.firstFullS = frame.atS - *changedS;
+        return times;
+    }
+    newsAt(recording.seconds);
+    return times;
+}
+
+std::optional<double> nearFromS(std::span<const RestPicture> pictures, double limit) {
+    std::optional<double> fromS;
+    for (const RestPicture& picture : pictures) {
+        if (!(picture.flip <= limit))
+            fromS.reset();
+        else if (!fromS)
+            fromS = picture.atS;
+    }
+    return fromS;
+}
+
+std::optional<double> worstSetback(std::span<const RestPicture> pictures, double overS) {
+    std::optional<double> worst;
+    std::size_t old = 0;  // how many are older than the one that is looked at, by `overS`
+    for (const RestPicture& picture : pictures) {
+        while (pictures[old].atS <= picture.atS - overS) ++old;
+        if (old == 0) continue;
+        const double grown = picture.flip - pictures[old - 1].flip;
+        worst = std::max(worst.value_or(grown), grown);
+    }
+    return worst;
+}
+
+}  // namespace macula::evaluate

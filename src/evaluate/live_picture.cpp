@@ -1,0 +1,166 @@
+#include "evaluate/live_picture.h"
+
+#include <cmath>
+#include <memory>
+#include <span>
+#include <utility>
+
+#include "app/choice/catalogue.h"
+#include "evaluate/frame_scores.h"
+#include "evaluate/shown_picture.h"
+#include "image/metrics.h"
+#include "pipeline/hybrid/views/truth_pictures.h"
+#include "pipeline/splat/draw/displayed.h"
+
+namespace macula::evaluate {
+
+namespace {
+
+Result<std::shared_ptr<const trace::LightRig>> builtInLights(const std::string& name) {
+    MACULA_TRY(const app::Catalogue catalogue, app::builtInCatalogue());
+    return app::findLights(catalogue, name);
+}
+
+// All but the camera, which the recording moves.
+Result<app::FrameInput> sceneOf(const BenchStudy& study) {
+    app::FrameInput scene;
+    scene.volume = study.volume;
+    scene.drawing.transferFunction = std::make_shared<const TransferFunction>(study.function);
+    MACULA_TRY(scene.drawing.lights, builtInLights(study.lights));
+    scene.background = glm::vec3(0.0f);  // as that of frameTruthOf
+    return scene;
+}
+
+image::Image shownIn(const app::RecordedFrame& frame, const glm::ivec2& sizePx) {
+    const auto bytes = std::as_bytes(std::span(frame.rgba));
+    image::Image image =
+        imageOf({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()}, frame.sizePx);
+    return frame.sizePx == sizePx ? image : scaledTo(image, sizePx);  // as a window does
+}
+
+class Measurement {
+  public:
+    Measurement(const BenchStudy& study, const LivePictureOptions& options, Progress& progress)
+        : study_(study),
+          options_(options),
+          sizePx_(study.view.width, study.view.height),
+          progress_(progress) {}
+
+    Result<LivePictureReport> run() {
+        MACULA_TRY(const app::FrameInput scene, sceneOf(study_));
+        settings_ = scene.drawing.settings;
+        // What shows nothing is told before the recording, not after it.
+        MACULA_TRY(const hybrid::TracedScene first, sceneWith(study_.function));
+        std::optional<hybrid::TracedScene> second;
+        if (study_.then) {
+            MACULA_TRY(second, sceneWith(study_.then->function));
+        }
+        MACULA_TRY(recording_, app::recordLive(scene, recordingOf(scene.drawing), progress_));
+        LivePictureReport report{.motion = app::motionFigures(recording_),
+                                 .firstModelS = firstModelS(recording_),
+                                 .bounces = settings_.bounces,
+                                 .isFull = recording_.isFull};
+        MACULA_TRY(trace::PathTracer tracer, study_.makeTracer());
+        MACULA_TRY(report.rest, compare(app::RecordingPhase::resting, first, tracer));
+        if (second) {
+            MACULA_TRY_VOID(tracer.setTransferFunction(study_.then->function));
+            MACULA_TRY(RestCourse rest, compare(app::RecordingPhase::changed, *second, tracer));
+            report.change = {.preset = study_.then->publicName,
+                             .times = *changeTimes(recording_),
+                             .rest = std::move(rest)};
+        }
+        return report;
+    }
+
+  private:
+    Result<hybrid::TracedScene> sceneWith(const TransferFunction& function) const {
+        return app::visibleScene(
+            {.volume = study_.volume, .function = function, .clip = {}, .environment = study_.environment});
+    }
+
+    app::RecordingOptions recordingOf(const app::Drawing& drawing) const {
+        app::RecordingOptions recording = options_.recording;
+        recording.sizePx = sizePx_;
+        if (study_.then) {
+            recording.thenDrawing = drawing;
+            recording.thenDrawing->transferFunction =
+                std::make_shared<const TransferFunction>(study_.then->function);
+        }
+        return recording;
+    }
+
+    // The pictures that were kept of the phase, beside a reference from where the camera has stopped.
+    Result<RestCourse> compare(app::RecordingPhase phase, const hybrid::TracedScene& scene,
+                               trace::PathTracer& tracer) {
+        const hybrid::TruthOptions wanted{.sizePx = sizePx_,
+                                          .samplesPerPixel = options_.truthSamples,
+                                          .bounces = settings_.bounces,
+                                          .exposure = settings_.exposure};
+        const Camera& camera = recording_.inputs.back().camera;
+        MACULA_TRY(const std::vector<hybrid::TruthPicture> traced,
+                   hybrid::truthPictures(tracer, scene, std::span(&camera, 1), wanted,
+                                         hybrid::PictureCache({}), progress_));
+        const FrameTruth truth = frameTruthOf(traced.front());
+        RestCourse course;
+        MACULA_TRY(course.referenceFlip, flipOfHalf(traced.front(), truth));
+        const double startS = *beginS(recording_, phase);
+        progress_.beginStage("Comparing pictures", recording_.frames.size());
+        for (const app::RecordedFrame& frame : recording_.frames) {
+            if (progress_.cancelled())
+                return Error{ErrorCode::cancelled, "The measurement was cancelled.", {}, {}};
+            progress_.advance();
+            if (frame.phase != phase || frame.rgba.empty()) continue;
+            MACULA_TRY(const RestPicture picture, scoreOf(frame, frame.atS - startS, truth));
+            course.pictures.push_back(picture);
+        }
+        return course;
+    }
+
+    Result<double> flipOfHalf(const hybrid::TruthPicture& traced, const FrameTruth& truth) const {
+        const auto half = splat::displayed(traced.halves[0].rgba, splat::ColourSpace::linear, {});
+        MACULA_TRY(const image::Flip flip, image::flip(truth.shown, imageOf(half, sizePx_)));
+        return flip.mean;
+    }
+
+    Result<RestPicture> scoreOf(const app::RecordedFrame& frame, double atS, const FrameTruth& truth) const {
+        const image::Image shown = shownIn(frame, sizePx_);
+        MACULA_TRY(const image::Flip flip, image::flip(truth.shown, shown));
+        RestPicture picture{.atS = atS,
+                            .picture = frame.shown.picture,
+                            .samplesPerPixel = frame.shown.samplesPerPixel,
+                            .flip = flip.mean};
+        MACULA_TRY(picture.maskedPsnrDb, image::maskedPsnr(truth.shown, shown, truth.covered));
+        if (picture.maskedPsnrDb && !std::isfinite(*picture.maskedPsnrDb)) picture.maskedPsnrDb.reset();
+        return picture;
+    }
+
+    const BenchStudy& study_;
+    const LivePictureOptions& options_;
+    const glm::ivec2 sizePx_;
+    Progress& progress_;
+    trace::Settings settings_;  // of both drawings
+    app::LiveRecording recording_;
+};
+
+}  // namespace
+
+Result<void> check(const BenchStudyOptions& study, const LivePictureOptions& options) {
+    for (const std::string& preset : {study.preset, study.thenPreset}) {
+        if (!preset.empty()) MACULA_TRY_VOID(app::presetToDraw(preset, false));
+    }
+    MACULA_TRY_VOID(builtInLights(study.lights));
+    if (options.truthSamples % 2 != 0)
+        return Error{ErrorCode::usage,
+                     "What is compared with is traced in two halves.",
+                     {},
+                     "Give --truth-spp an even number."};
+    return {};
+}
+
+Result<LivePictureReport> measureLivePicture(const BenchStudy& study, const LivePictureOptions& options,
+                                             Progress& progress) {
+    Measurement measurement(study, options, progress);
+    return measurement.run();
+}
+
+}  // namespace macula::evaluate
