@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "base/check.h"
-#include "pipeline/trace/settings.h"
 
 namespace macula::evaluate {
 
@@ -72,8 +71,8 @@ image::Image scaledTo(const image::Image& picture, const glm::ivec2& sizePx) {
     return scaled;
 }
 
-int foveaSidePx(const glm::ivec2& sizePx, double verticalFovDeg) {
-    const double share = halfTangent(trace::kFovealFieldDeg) / halfTangent(verticalFovDeg);
+int foveaSidePx(const glm::ivec2& sizePx, double verticalFovDeg, double fieldDeg) {
+    const double share = halfTangent(fieldDeg) / halfTangent(verticalFovDeg);
     return std::max(static_cast<int>(std::lround(sizePx.y * share)), 1);
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "image/image.h"
+#include "pipeline/trace/settings.h"
 
 namespace macula::evaluate {
 
@@ -16,8 +17,7 @@ image::Image imageOf(std::span<const std::uint8_t> rgba, const glm::ivec2& sizeP
 // The picture at another size: bilinear between the centres of its pixels, its border beyond them.
 image::Image scaledTo(const image::Image& picture, const glm::ivec2& sizePx);
 
-// The side of a picture of trace::kFovealFieldDeg with as many pixels per degree as the frame has in its
-// middle.
-int foveaSidePx(const glm::ivec2& sizePx, double verticalFovDeg);
+// The side of a picture of that field with as many pixels per degree as the frame has in its middle.
+int foveaSidePx(const glm::ivec2& sizePx, double verticalFovDeg, double fieldDeg = trace::kFovealFieldDeg);
 
 }  // namespace macula::evaluate
