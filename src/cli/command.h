@@ -23,12 +23,13 @@ void addExport(CLI::App& app, Action& action);
 void addBench(CLI::App& app, Action& action);
 void addEvaluate(CLI::App& app, Action& action);
 void addTrain(CLI::App& app, Action& action);
-void addEvaluateMotion(CLI::App& evaluateApp, Action& action);   // a subcommand of evaluate
-void addEvaluateQuality(CLI::App& evaluateApp, Action& action);  // likewise
-void addBenchCast(CLI::App& bench, Action& action);              // a subcommand of bench
-void addBenchFoveal(CLI::App& bench, Action& action);            // likewise
-void addBenchLoad(CLI::App& bench, Action& action);              // likewise
-void addBenchTradeoff(CLI::App& bench, Action& action);          // likewise
-void addBenchTrain(CLI::App& bench, Action& action);             // likewise
+void addEvaluateMotion(CLI::App& evaluateApp, Action& action);    // a subcommand of evaluate
+void addEvaluateQuality(CLI::App& evaluateApp, Action& action);   // likewise
+void addEvaluateTradeoff(CLI::App& evaluateApp, Action& action);  // likewise
+void addBenchCast(CLI::App& bench, Action& action);               // a subcommand of bench
+void addBenchFoveal(CLI::App& bench, Action& action);             // likewise
+void addBenchLoad(CLI::App& bench, Action& action);               // likewise
+void addBenchTradeoff(CLI::App& bench, Action& action);           // likewise
+void addBenchTrain(CLI::App& bench, Action& action);              // likewise
 
 }  // namespace macula::cli

@@ -222,6 +222,7 @@ void addEvaluate(CLI::App& app, Action& action) {
         ->check(between(0.1, 86400.0));
     addEvaluateMotion(*evaluateApp, action);
     addEvaluateQuality(*evaluateApp, action);
+    addEvaluateTradeoff(*evaluateApp, action);
 }
 
 }  // namespace macula::cli
