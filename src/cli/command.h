@@ -26,6 +26,7 @@ void addTrain(CLI::App& app, Action& action);
 void addEvaluateLivePicture(CLI::App& evaluateApp, Action& action);  // a subcommand of evaluate
 void addEvaluateMotion(CLI::App& evaluateApp, Action& action);       // likewise
 void addEvaluateQuality(CLI::App& evaluateApp, Action& action);      // likewise
+void addEvaluateTradeoff(CLI::App& evaluateApp, Action& action);     // likewise
 void addBenchCast(CLI::App& bench, Action& action);                  // a subcommand of bench
 void addBenchFoveal(CLI::App& bench, Action& action);                // likewise
 void addBenchLoad(CLI::App& bench, Action& action);                  // likewise

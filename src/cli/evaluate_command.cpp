@@ -223,6 +223,7 @@ void addEvaluate(CLI::App& app, Action& action) {
     addEvaluateLivePicture(*evaluateApp, action);
     addEvaluateMotion(*evaluateApp, action);
     addEvaluateQuality(*evaluateApp, action);
+    addEvaluateTradeoff(*evaluateApp, action);
 }
 
 }  // namespace macula::cli

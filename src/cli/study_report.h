@@ -11,15 +11,22 @@
 
 namespace macula::cli {
 
-// `measure` of the study that is opened; its reportOf on stdout.
-template <class Options, class Measure>
-Result<void> printReport(const evaluate::BenchStudyOptions& input, const Options& options, Measure measure) {
+// `measure` of the study that is opened; its reportOf on stdout. `keep` gets what was measured, last: it is
+// told also where it cannot be kept.
+template <class Options, class Measure, class Keep>
+Result<void> printReport(const evaluate::BenchStudyOptions& input, const Options& options, Measure measure,
+                         Keep keep) {
     Progress progress(terminalProgressBar(), interruptToken());
     MACULA_TRY(const evaluate::BenchStudy study, evaluate::openBenchStudy(input, progress));
     printNotes(study.notes, study.warnings);
     MACULA_TRY(const auto report, measure(study, options, progress));
     fmt::print("{}\n", jsonText(reportOf(study, options, report)));
-    return {};
+    return keep(report);
+}
+
+template <class Options, class Measure>
+Result<void> printReport(const evaluate::BenchStudyOptions& input, const Options& options, Measure measure) {
+    return printReport(input, options, measure, [](const auto&) { return Result<void>(); });
 }
 
 }  // namespace macula::cli

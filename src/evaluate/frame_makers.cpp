@@ -4,6 +4,7 @@
 
 #include "evaluate/measurement.h"
 #include "evaluate/shown_picture.h"
+#include "evaluate/splat_periphery.h"
 #include "pipeline/gpu/transfer.h"
 
 namespace macula::evaluate {
@@ -96,13 +97,7 @@ Result<MadeFrame> SplatFrames::withFovea(const Camera& camera, const glm::ivec2&
 
 Result<MadeFrame> SplatFrames::make(const Camera& camera, const glm::ivec2& sizePx,
                                     std::uint32_t samplesPerPixel) {
-    const hybrid::Periphery periphery{
-        .draw = [&](const Camera& eye, const glm::ivec2& pictureSizePx) -> Result<hybrid::DrawnSplats> {
-            MACULA_TRY(const splat::RasterView view,
-                       splat::rasterView(eye, pictureSizePx, splats_->originMm));
-            MACULA_TRY(const splat::DevicePicture* picture, painter_.drawOnDevice(view));
-            return hybrid::DrawnSplats{picture, &painter_.depthsOnDevice()};
-        }};
+    const hybrid::Periphery periphery = peripheryFor(painter_, splats_->originMm, camera);
     const hybrid::FoveaAim aim{.whole = {.camera = camera, .width = sizePx.x, .height = sizePx.y},
                                .sidePx = foveaSidePx(sizePx, camera.verticalFovDeg),
                                .samplesPerPixel = samplesPerPixel};

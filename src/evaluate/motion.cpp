@@ -1,12 +1,13 @@
 #include "evaluate/motion.h"
 
-#include <array>
 #include <glm/gtc/matrix_transform.hpp>
 #include <utility>
 
 #include "app/choice/lights_choice.h"
 #include "app/study/scene_on_device.h"
 #include "evaluate/shown_picture.h"
+#include "evaluate/splat_periphery.h"
+#include "evaluate/viewpoints.h"
 #include "image/fovea_mask.h"
 #include "image/masked_metrics.h"
 #include "image/metrics.h"
@@ -21,14 +22,6 @@ namespace {
 constexpr float kOpaque = 0.95f;
 // Between a frame over black and the same over white: half of it is background.
 constexpr int kBackgroundShows = 128;
-
-struct Viewpoint {
-    ViewDirection from;
-    std::string_view name;
-};
-constexpr std::array kViewpoints{Viewpoint{ViewDirection::anterior, "anterior"},
-                                 Viewpoint{ViewDirection::left, "left"},
-                                 Viewpoint{ViewDirection::superior, "superior"}};
 
 Error cancelled() {
     return {ErrorCode::cancelled, "The measurement was cancelled.", {}, {}};
@@ -103,8 +96,8 @@ class Measurement {
 
   private:
     Result<void> measureFrom(const Viewpoint& viewpoint) {
-        const Camera before = frameBox(scene_.traced.seenMm(), viewpoint.from, options_.verticalFovDeg,
-                                       double(options_.sizePx.x) / double(options_.sizePx.y));
+        const Camera before =
+            cameraFrom(viewpoint, scene_.traced.seenMm(), options_.verticalFovDeg, options_.sizePx);
         MACULA_TRY_VOID(traceFovea(before));
         for (const double mm : options_.stepsMm)
             MACULA_TRY_VOID(
@@ -172,13 +165,7 @@ class Measurement {
     // Splats are always drawn for where the eye is `now`; the fovea for `foveaFor`.
     Result<FrameScore> scoreOf(hybrid::HybridFrame& frame, const Camera& foveaFor, const Camera& now,
                                const Truth& truth, double& drawMs) {
-        const hybrid::Periphery periphery{
-            .draw = [&](const Camera&, const glm::ivec2& sizePx) -> Result<hybrid::DrawnSplats> {
-                MACULA_TRY(const splat::RasterView view, splat::rasterView(now, sizePx, splats_.originMm));
-                MACULA_TRY(const splat::DevicePicture* picture, painter_->drawOnDevice(view));
-                // Where the fovea is not reprojected to `now`, depths for that say nothing.
-                return hybrid::DrawnSplats{picture, foveaFor == now ? &painter_->depthsOnDevice() : nullptr};
-            }};
+        const hybrid::Periphery periphery = peripheryFor(*painter_, splats_.originMm, now);
         std::vector<float> weights;
         Watch watch;
         const auto draw = [&](float background) -> Result<std::vector<std::uint8_t>> {

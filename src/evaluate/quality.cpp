@@ -9,6 +9,7 @@
 #include "evaluate/frame_makers.h"
 #include "evaluate/held_out_views.h"
 #include "evaluate/measurement.h"
+#include "evaluate/model_kernels.h"
 
 namespace macula::evaluate {
 
@@ -46,7 +47,7 @@ class Measurement {
     Result<QualityReport> run() {
         MACULA_TRY_VOID(traceTruth());
         MACULA_TRY_VOID(measureTracing());
-        MACULA_TRY_VOID(compileKernels());
+        MACULA_TRY_VOID(compileModelKernels(study_, scene_, options_.bounces, progress_));
         for (const Grade grade : kGrades) MACULA_TRY_VOID(measureModels(grade));
         return std::move(report_);
     }
@@ -77,18 +78,6 @@ class Measurement {
             }
             report_.rows.push_back(std::move(row));
         }
-        return {};
-    }
-
-    // Else the first model's time would be that of compilers.
-    Result<void> compileKernels() {
-        hybrid::FirstModelOptions least{.views = 1, .samplesPerPixel = 1, .directions = 2, .sizePx = 32};
-        least.points.count = 256;
-        least.bounces = options_.bounces;
-        least.iterations = 10;
-        MACULA_TRY(
-            [[maybe_unused]] const hybrid::FirstModel model,
-            hybrid::makeFirstModel(study_.device, scene_.tracer, scene_.traced.seenMm(), least, progress_));
         return {};
     }
 

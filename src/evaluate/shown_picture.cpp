@@ -5,7 +5,6 @@
 
 #include "base/check.h"
 #include "pipeline/gpu/transfer.h"
-#include "pipeline/trace/settings.h"
 
 namespace macula::evaluate {
 
@@ -80,8 +79,8 @@ Result<std::vector<float>> foveaWeightsOf(const hybrid::Frame& frame, const glm:
     return weights;
 }
 
-int foveaSidePx(const glm::ivec2& sizePx, double verticalFovDeg) {
-    const double share = halfTangent(trace::kFovealFieldDeg) / halfTangent(verticalFovDeg);
+int foveaSidePx(const glm::ivec2& sizePx, double verticalFovDeg, double fieldDeg) {
+    const double share = halfTangent(fieldDeg) / halfTangent(verticalFovDeg);
     return std::max(static_cast<int>(std::lround(sizePx.y * share)), 1);
 }
 

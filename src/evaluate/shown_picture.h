@@ -9,6 +9,7 @@
 #include "base/result.h"
 #include "image/image.h"
 #include "pipeline/hybrid/frame/hybrid_frame.h"
+#include "pipeline/trace/settings.h"
 
 namespace macula::evaluate {
 
@@ -21,8 +22,7 @@ Result<std::vector<float>> foveaWeightsOf(const hybrid::Frame& frame, const glm:
 // The picture at another size: bilinear between the centres of its pixels, its border beyond them.
 image::Image scaledTo(const image::Image& picture, const glm::ivec2& sizePx);
 
-// The side of a picture of trace::kFovealFieldDeg with as many pixels per degree as the frame has in its
-// middle.
-int foveaSidePx(const glm::ivec2& sizePx, double verticalFovDeg);
+// The side of a picture of that field with as many pixels per degree as the frame has in its middle.
+int foveaSidePx(const glm::ivec2& sizePx, double verticalFovDeg, double fieldDeg = trace::kFovealFieldDeg);
 
 }  // namespace macula::evaluate

@@ -251,7 +251,14 @@ TEST_F(Evaluate, WhatCannotBeIsAnError) {
     EXPECT_NE(hanging.err.find("camera"), std::string::npos) << hanging.err;
     EXPECT_EQ(runMacula({"evaluate", "quality", "--views", "0"}).exitCode, 2);
     EXPECT_EQ(runMacula({"evaluate", "quality", "--lights", "headlight"}).exitCode, 2);
+    EXPECT_EQ(runMacula({"evaluate", "tradeoff", "--iterations", "0"}).exitCode, 2);
+    EXPECT_EQ(runMacula({"evaluate", "tradeoff", "--plot", at("nowhere/a.svg")}).exitCode, 2);
+    EXPECT_EQ(runMacula({"evaluate", "tradeoff", "--lights", "headlight"}).exitCode, 2);
+    const Ran oddTruth = runMacula({"evaluate", "tradeoff", "--truth-spp", "63"});
+    EXPECT_EQ(oddTruth.exitCode, 2);
+    EXPECT_NE(oddTruth.err.find("even"), std::string::npos) << oddTruth.err;
     const std::string preset = write("none.vp.json", kShowsNothing);
+    EXPECT_EQ(runMacula({"evaluate", "tradeoff", "--preset", preset}).exitCode, 3);
     const Ran nothing = runMacula(small({"--preset", preset}));
     EXPECT_EQ(nothing.exitCode, 3) << nothing.err;
     EXPECT_NE(nothing.err.find("Nothing of the series can be seen"), std::string::npos) << nothing.err;

@@ -65,6 +65,7 @@ TEST_F(OutputRule, AFileThatExistsNeedsOverwrite) {
     expectKept({"evaluate", "init", "phantom:", "--json", at("a.json")}, words);
     expectKept({"evaluate", "init", "phantom:", "--pictures", at(".")}, words);
     expectKept({"bench", "trace-tradeoff", "--plot", at("a.svg")}, words);
+    expectKept({"evaluate", "tradeoff", "--plot", at("a.svg")}, words);
 
     EXPECT_EQ(runMacula(render({"-o", at("a.png"), "--json", at("a.json"), "--overwrite"})).exitCode, 0);
     EXPECT_TRUE(readAll(at("a.png")).starts_with("\x89PNG"));
@@ -87,6 +88,7 @@ TEST_F(OutputRule, AFileOfTheFolderThatIsReadIsNeverReplaced) {
     fs::create_symlink(slice, at("b.json"));
     expectNeverReplaced(render({study, "-o", at("b.png"), "--json", at("b.json")}), words);
     expectNeverReplaced({"bench", "trace-tradeoff", study, "--plot", slice}, words);
+    expectNeverReplaced({"evaluate", "tradeoff", study, "--plot", slice}, words);
     expectNeverReplaced({"train", study, "-o", at("b.ply"), "--json", slice}, words);
     expectNeverReplaced({"evaluate", "init", study, "--json", slice}, words);
     // A slice alone, and what lies beside it.
@@ -111,6 +113,9 @@ TEST_F(OutputRule, NoInputIsReplaced) {
     expectNeverReplaced({"presets", "import", at("preset.json"), "-o", at("preset.json")}, words);
     expectNeverReplaced({"presets", "export", at("preset.json"), "-o", at("preset.json")}, words);
     expectNeverReplaced({"bench", "trace-tradeoff", volume, "--plot", volume}, words);
+    expectNeverReplaced({"evaluate", "tradeoff", volume, "--plot", volume}, words);
+    expectNeverReplaced({"evaluate", "tradeoff", "--preset", at("preset.json"), "--plot", at("preset.json")},
+                        words);
     expectNeverReplaced({"train", volume, "-o", at("b.ply"), "--json", volume}, words);
     expectNeverReplaced({"evaluate", "init", volume, "--json", volume}, words);
 }

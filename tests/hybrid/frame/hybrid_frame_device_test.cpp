@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 
 #include "gpu/lose_device.h"
@@ -206,6 +207,31 @@ TEST_F(HybridFrameTest, WhatWasTracedAtRestIsShownInMotion) {
     EXPECT_TRUE(frame.wantsFovea(eyeAt(0.1)));
     ASSERT_TRUE(frame.setScene(trace::Settings{}).ok());
     EXPECT_TRUE(frame.wantsFovea(view().camera)) << "another scene, another fovea";
+}
+
+// The same samples, because each frame's first fovea has the same noise.
+TEST_F(HybridFrameTest, AFoveaIsDenoisedAsItsAimSays) {
+    trace::PathTracer screen = onScreen();
+    const auto shown = [&](trace::Denoising denoising) {
+        HybridFrame frame = beside(screen);
+        FoveaAim aim = wholeView(1);
+        aim.denoising = denoising;
+        EXPECT_TRUE(frame.aim(aim).ok());
+        traceFovea(frame);
+        return pictureOf(
+            frame.draw({.eyes = {view().camera}, .sizePx = kSize, .display = {}}, plain(glm::vec4(0.0f)))
+                .value());
+    };
+    const auto roughness = [](const std::vector<glm::u8vec4>& picture) {
+        int sum = 0;
+        for (std::size_t i = 1; i < picture.size(); ++i)
+            sum += std::abs(int(picture[i].y) - int(picture[i - 1].y));
+        return sum;
+    };
+    const std::vector<glm::u8vec4> noisy = shown(trace::Denoising::off);
+    EXPECT_GT(roughness(noisy), 0);
+    EXPECT_LT(roughness(shown(trace::Denoising::on)), roughness(noisy));
+    EXPECT_EQ(shown(trace::Denoising::off), noisy);
 }
 
 TEST_F(HybridFrameTest, AFarEyeIsNotShownTheFovea) {

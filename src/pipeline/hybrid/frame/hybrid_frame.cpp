@@ -34,6 +34,7 @@ Result<void> HybridFrame::setScene(const trace::Settings& settings) {
     fovea_.reset();
     aim_.reset();
     settings_ = settings;
+    // Guides need a few more voxels: now, because a picture under way would begin anew for them.
     settings_.denoising = trace::Denoising::on;
     settings_.errorThreshold = 0.0;
     tracer_.forgetViews();
@@ -49,6 +50,7 @@ Result<void> HybridFrame::aim(const FoveaAim& aim) {
     MACULA_TRY(view_, trace::fovealWindow(aim.whole, aim.gaze, aim.fieldDeg, aim.sidePx));
     trace::Settings settings = settings_;
     settings.seed += count_++;
+    settings.denoising = aim.denoising;
     MACULA_TRY_VOID(tracer_.setSettings(settings));
     MACULA_TRY_VOID(tracer_.setView(view_));
     aim_ = aim;

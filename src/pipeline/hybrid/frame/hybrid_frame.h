@@ -41,6 +41,8 @@ struct FoveaAim {
     double fieldDeg = trace::kFovealFieldDeg;
     int sidePx = 512;  // of a square
     std::uint32_t samplesPerPixel = 1;
+    // Without it guides are found nevertheless, for their depths, but all of them in the last slice.
+    trace::Denoising denoising = trace::Denoising::on;
 };
 
 // A traced picture of all pixels, of exactly what the eye sees, that takes the frame's place by and by.
@@ -75,8 +77,8 @@ class HybridFrame {
     static Result<HybridFrame> create(const std::shared_ptr<gpu::Device>& device,
                                       const trace::PathTracer& beside);
 
-    // The scene or its look is another one: what was traced is dropped. Of `settings`, what is seen; the
-    // fovea is denoised. What is shown of the scene must be on the device.
+    // The scene or its look is another one: what was traced is dropped. Of `settings`, what is seen; how
+    // far a fovea is denoised, its aim says. What is shown of the scene must be on the device.
     Result<void> setScene(const trace::Settings& settings);
 
     // Of the settings: grey faces of a clip depend on it.
@@ -86,8 +88,8 @@ class HybridFrame {
     Result<void> aim(const FoveaAim& aim);
     bool isTracing() const { return aim_.has_value(); }
     // What `tracer` has traced of all that an eye saw at rest becomes the fovea, as far as the eye may look
-    // at: many samples, with all pixels. Of `aim` the samples are those of the picture. outOfMemory: there is
-    // no fovea then.
+    // at: many samples, with all pixels. Of `aim` the samples are those of the picture, and it is denoised as
+    // the tracer's settings say. outOfMemory: there is no fovea then.
     Result<void> adopt(trace::PathTracer& tracer, const FoveaAim& aim);
     // Whether a picture traced from there would be better than the one that frames show: one that was adopted
     // is good for kGoodForDeg around what can be seen.

@@ -1,0 +1,20 @@
+// What is worth its cost: of all that can be had, what nothing else beats.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace macula::evaluate {
+
+struct CostAndError {
+    double cost = 0.0;
+    double error = 0.0;
+};
+
+// The indices of the Pareto front: points for which no other has at most their cost and at most their error,
+// and less of one. Cost ascends along it and error falls. Of points that are equal in both it has the first.
+// What is not finite is never on it.
+std::vector<std::size_t> paretoFront(std::span<const CostAndError> points);
+
+}  // namespace macula::evaluate
