@@ -8,12 +8,13 @@
 #include "base/progress.h"
 #include "base/result.h"
 #include "evaluate/bench_study.h"
+#include "evaluate/trace_benchmark.h"
 
 namespace macula::evaluate {
 
 struct FovealOptions {
     std::uint32_t samples = 4;
-    int bounces = trace::kDefaultBounces;
+    int bounces = kBenchBounces;
     int repetitions = 5;  // device and reference take turns; medians are told
     double flip = 0.05;   // the error that is to be reached
     // Of the picture that counts as converged. It has as many bounces: what fewer leave out is another

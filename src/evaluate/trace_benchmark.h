@@ -12,9 +12,12 @@
 
 namespace macula::evaluate {
 
+// As the stored baselines have, whatever pictures have by default.
+inline constexpr int kBenchBounces = 4;
+
 struct TraceBenchmarkOptions {
     trace::View view;  // 512 x 512 unless told otherwise
-    trace::Settings settings;
+    trace::Settings settings{.bounces = kBenchBounces};
     std::uint32_t samplesPerPixel = 16;
     int repetitions = 5;  // device and reference take turns, so that a busy neighbour hits both
 };

@@ -94,14 +94,14 @@ TEST_F(Render, WhatIsGivenItselfCountsMoreThanTheQuality) {
         const image::Image image = render("q.png", all);
         return std::pair(nlohmann::json::parse(readAll(at("q.json")))["denoised"].get<bool>(), image.pixels);
     };
-    const auto plain = denoised({"--bounces", "8"});
+    const auto plain = denoised({"--bounces", "16"});
     EXPECT_FALSE(plain.first);
     const auto normal = denoised({"--quality", "normal"});
     EXPECT_TRUE(normal.first);
     EXPECT_NE(normal.second, plain.second);
-    // The same picture otherwise: four samples and eight bounces.
+    // The same picture otherwise: four samples and sixteen bounces.
     EXPECT_EQ(denoised({"--quality", "normal", "--no-denoise"}), plain);
-    EXPECT_EQ(denoised({"--bounces", "8", "--denoise"}), normal);
+    EXPECT_EQ(denoised({"--bounces", "16", "--denoise"}), normal);
 }
 
 TEST_F(Render, EveryLook) {
