@@ -351,11 +351,12 @@ TEST_F(PathTracerTest, LongPathsAreNotLostHoweverManySamplesAreAskedForAtOnce) {
     dense.density = 20.0;
     const View view = front(*volume, 32);
     const Environment sky = Environment::constant(glm::vec3(1.0f));
-    PathTracer together = tracer(volume, dense, sky, view, {});
+    constexpr Settings kSettings{.bounces = 4};
+    PathTracer together = tracer(volume, dense, sky, view, kSettings);
     ASSERT_TRUE(*together.trace(32));
     EXPECT_EQ(together.statistics()->abandonedSamples, 0u);
     EXPECT_EQ(together.statistics()->samplesPerPixel, 32u);
-    PathTracer single = tracer(volume, dense, sky, view, {});
+    PathTracer single = tracer(volume, dense, sky, view, kSettings);
     for (int i = 0; i < 32; ++i) ASSERT_TRUE(*single.trace(1));
     EXPECT_EQ(together.readback()->radiance, single.readback()->radiance);
 }

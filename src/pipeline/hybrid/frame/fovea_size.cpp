@@ -29,9 +29,11 @@ FoveaAim affordableFovea(const trace::View& whole, const glm::dvec2& gaze, doubl
     const double aspect = double(whole.width) / double(whole.height);
     const double half = std::min(halfTangent(trace::kFovealFieldDeg), halfOfFrame * std::max(aspect, 1.0));
     const double wantedPx = std::max(2.0 * half * pixelsPerTangent, 1.0);
-    // Of the side that is wanted.
-    const double share =
-        std::clamp(std::sqrt(budgetMs / msPerSample) / wantedPx, kLeastField * kCoarsest, 1.0);
+    // Of the side that is wanted. In steps: a picture as large as the one before keeps its memory, and its
+    // noise can be filtered with that of the one before.
+    constexpr double kLeastShare = kLeastField * kCoarsest;
+    const double affordable = std::clamp(std::sqrt(budgetMs / msPerSample) / wantedPx, kLeastShare, 1.0);
+    const double share = kLeastShare * std::floor(affordable / kLeastShare + 1e-6);
     const double fineness = std::clamp(share / kFieldBeforeCoarser, kCoarsest, 1.0);
     const double field = std::min(share / fineness, 1.0);
     return {.whole = whole,

@@ -18,7 +18,8 @@ double guessedFoveaMsPerSample(const gpu::Device& device);
 
 // One sample per pixel. With enough time kFovealFieldDeg, and as fine as the frame. With less, first the
 // field shrinks to three fifths, then the resolution falls to half, then the field shrinks on, to a tenth at
-// last. Never larger than the frame. `whole` is a usable view; milliseconds are above 0.
+// last, in steps of a twentieth of the sides. Never larger than the frame. `whole` is a usable view;
+// milliseconds are above 0.
 FoveaAim affordableFovea(const trace::View& whole, const glm::dvec2& gaze, double msPerSample,
                          double budgetMs = kFoveaBudgetMs);
 
