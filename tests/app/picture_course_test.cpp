@@ -72,7 +72,10 @@ TEST_F(PictureCourseTest, BetweenFramesInMotionTheFoveaIsTraced) {
     EXPECT_EQ(go(), Step::none);
     course_.setFovea(true);
     course_.setHand(false);
+    EXPECT_EQ(go(), Step::traceFovea);  // at rest it grows
+    course_.setFovea(false);
     EXPECT_EQ(go(), Step::trace);  // all pixels are better
+    course_.setFovea(true);
     course_.setHand(true);
     course_.setModel(ModelState::none, false);
     want();

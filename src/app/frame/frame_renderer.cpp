@@ -92,7 +92,7 @@ void FrameRenderer::accept(FrameInput input) {
 void FrameRenderer::tellCourse() {
     course_.setHand(input_.interacting);
     course_.setPreviewLimit(TracedPictures::previewLimit(input_));
-    course_.setFovea(canDrawModel() && foveaHasRoom_ && hybrid_->wantsFovea(input_.camera));
+    course_.setFovea(wantsFovea());
     ModelState state = ModelState::none;
     if (canDrawModel())
         state = ModelState::ready;

@@ -82,6 +82,8 @@ class FrameRenderer {
     Result<void> showAgain();
     bool canDrawModel() const { return hybrid_ && model_ && model_->canBeDrawn(); }
     Result<const gpu::Image*> frame(float tracedShare);
+    bool wantsFovea() const;
+    hybrid::FoveaAim nextFovea() const;
     Result<bool> traceFovea(const Interrupts& interrupts);
     Result<void> keepForMotion();
     void doWithoutFovea();

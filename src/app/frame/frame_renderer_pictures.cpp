@@ -39,8 +39,8 @@ Result<void> FrameRenderer::take(Step step, const Interrupts& interrupts) {
             if (course_.next(Clock::now()) != Step::traceFovea ||
                 hybrid_->foveaBudgetMs(hybrid::kFoveaBudgetMs) < hybrid::kLeastFoveaBudgetMs)
                 return {};
-            MACULA_TRY([[maybe_unused]] const bool isThere, traceFovea(interrupts));
-            return {};
+            MACULA_TRY(const bool isThere, traceFovea(interrupts));
+            return isThere && !interrupts.newInput() ? showModel() : Result<void>();
         }
         case Step::traceFovea: {
             MACULA_TRY(const bool isThere, traceFovea(interrupts));
@@ -78,6 +78,27 @@ Result<void> FrameRenderer::showModel() {
     return device_->waitForAll();
 }
 
+// At rest a small one at once, and a larger one after it, where all pixels take longer still.
+bool FrameRenderer::wantsFovea() const {
+    if (!canDrawModel() || !foveaHasRoom_) return false;
+    if (input_.interacting) return hybrid_->wantsFovea(input_.camera);
+    const double wholeMs = double(input_.width) * input_.height *
+                           hybrid_->foveaMsPerSample().value_or(hybrid::guessedFoveaMsPerSample(*device_));
+    return wholeMs > hybrid::kRestFoveaBudgetMs &&
+           hybrid_->wouldGrow(input_.camera, hybrid::kRestFoveaBudgetMs);
+}
+
+hybrid::FoveaAim FrameRenderer::nextFovea() const {
+    const trace::View whole{.camera = input_.camera, .width = input_.width, .height = input_.height};
+    const double msPerSample =
+        hybrid_->foveaMsPerSample().value_or(hybrid::guessedFoveaMsPerSample(*device_));
+    const bool isSecond = !input_.interacting && hybrid_->isFoveaOf(input_.camera);
+    const double budgetMs = input_.interacting ? hybrid_->foveaBudgetMs(hybrid::kFoveaBudgetMs)
+                            : isSecond         ? hybrid::kRestFoveaBudgetMs
+                                               : hybrid::kFoveaBudgetMs;
+    return hybrid::affordableFovea(whole, input_.gaze, msPerSample, budgetMs);
+}
+
 // For a slice, and longer until a new input comes. Whether a new fovea is there.
 Result<bool> FrameRenderer::traceFovea(const Interrupts& interrupts) {
     const Clock::time_point start = Clock::now();
@@ -86,13 +107,8 @@ Result<bool> FrameRenderer::traceFovea(const Interrupts& interrupts) {
                (!interrupts.newInput() || millisecondsBetween(start, Clock::now()) < kFoveaSliceMs);
     };
     const auto traceSome = [&]() -> Result<bool> {
-        if (!hybrid_->isTracing() || hybrid_->hasLeftAim(input_.camera)) {
-            const trace::View whole{.camera = input_.camera, .width = input_.width, .height = input_.height};
-            const double msPerSample =
-                hybrid_->foveaMsPerSample().value_or(hybrid::guessedFoveaMsPerSample(*device_));
-            MACULA_TRY_VOID(hybrid_->aim(hybrid::affordableFovea(
-                whole, input_.gaze, msPerSample, hybrid_->foveaBudgetMs(hybrid::kFoveaBudgetMs))));
-        }
+        if (!hybrid_->isTracing() || hybrid_->hasLeftAim(input_.camera))
+            MACULA_TRY_VOID(hybrid_->aim(nextFovea()));
         return hybrid_->traceFovea(keepGoing);
     };
     Result<bool> isThere = traceSome();

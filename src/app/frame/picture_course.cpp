@@ -48,8 +48,9 @@ Step PictureCourse::next(TimePoint now) const {
             return canRefine ? Step::showPreview : handMoves_ ? Step::none : Step::trace;
         }
         case OnScreen::model:
-            if (handMoves_) return wantsFovea_ ? Step::traceFovea : Step::none;
-            return isTraced_ ? Step::showTraced : Step::trace;
+            if (!handMoves_ && isTraced_) return Step::showTraced;
+            if (wantsFovea_) return Step::traceFovea;
+            return handMoves_ ? Step::none : Step::trace;
         case OnScreen::fading:
             return Step::fade;
         case OnScreen::traced: {

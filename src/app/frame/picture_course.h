@@ -3,9 +3,10 @@
 //
 // While a hand moves: the peripheral model, at once and with all pixels, and over it the fovea, which is
 // traced between two frames; where there is no model, small traced pictures. When it stops: the traced
-// picture of this view if there is one; else the model stays until the first is ready, and fades into it.
-// Then the picture converges and the model learns in turns, until both are done. A model is searched for when
-// there is none: alone while nothing moves, in turns with small pictures while a hand does.
+// picture of this view if there is one; else the model stays, with a fovea that grows, until the first is
+// ready, and fades into it. Then the picture converges and the model learns in turns, until both are done. A
+// model is searched for when there is none: alone while nothing moves, in turns with small pictures while a
+// hand does.
 #pragma once
 
 #include <chrono>
@@ -33,7 +34,7 @@ enum class ModelState { none, searching, ready };
 enum class Step {
     none,         // all is done
     showModel,    // and the fovea over it, as far as there is one
-    traceFovea,   // a slice of it: what the hand moves
+    traceFovea,   // while a hand moves, a slice of it
     showPreview,  // another view, or more samples of this one
     search,       // a slice of the search for the model's first points
     trace,        // a slice of tracing: all pixels
@@ -55,7 +56,7 @@ class PictureCourse {
     void want(bool isTraced);
     void setHand(bool moves) { handMoves_ = moves; }
     void setModel(ModelState state, bool learns);
-    // Whether there is a fovea to trace while a hand moves, other than the one there is.
+    // Whether there is a fovea to trace, other than the one there is: over the model, before all pixels are.
     void setFovea(bool isWanted) { wantsFovea_ = isWanted; }
     // How many samples small pictures are worth while a hand holds still.
     void setPreviewLimit(std::uint64_t samples) { previewLimit_ = samples; }

@@ -76,7 +76,7 @@ Result<bool> HybridFrame::traceFovea(const std::function<bool()>& keepGoing) {
     if (!isWhole || !*isWhole) return isWhole;
     fovea_.reset();
     MACULA_TRY(CapturedPicture picture, reprojection_.capture(tracer_, view_, seenMm_));
-    fovea_.emplace(Fovea{std::move(picture), *aim_, begun_, false});
+    fovea_.emplace(Fovea{std::move(picture), *aim_, begun_, false, spentMs_});
     msPerSample_ = spentMs_ / (double(aim_->sidePx) * double(aim_->sidePx) * double(aim_->samplesPerPixel));
     wallPerTracing_ = std::clamp(msBetween(begun_, Clock::now()) / spentMs_, 1.0, kMostWallPerTracing);
     aim_.reset();
@@ -105,6 +105,11 @@ bool HybridFrame::wantsFovea(const Camera& eye) const {
     if (isFoveaOf(eye)) return false;
     return !fovea_->isAdopted ||
            degreesAround(fovea_->picture.camera.positionMm, eye.positionMm) > kGoodForDeg;
+}
+
+bool HybridFrame::wouldGrow(const Camera& eye, double budgetMs) const {
+    const bool isWhole = fovea_ && fovea_->aim.fieldDeg > trace::kFovealFieldDeg - 1e-6;
+    return !isFoveaOf(eye) || (!fovea_->isAdopted && !isWhole && fovea_->tracingMs < 0.5 * budgetMs);
 }
 
 double HybridFrame::degreesAround(const glm::dvec3& aMm, const glm::dvec3& bMm) const {

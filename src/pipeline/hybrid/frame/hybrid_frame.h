@@ -99,6 +99,9 @@ class HybridFrame {
     bool hasLeftAim(const Camera& eye) const;
     // Whether the fovea that frames show was traced from just there.
     bool isFoveaOf(const Camera& eye) const { return fovea_ && fovea_->aim.whole.camera == eye; }
+    // Whether a fovea that is traced from just there in `budgetMs` would be more than what frames show to
+    // that eye: there is none of it, or one that took less than half of that.
+    bool wouldGrow(const Camera& eye, double budgetMs) const;
     // While it is tracing: goes on; `keepGoing` is asked between dispatches of some 40 ms. Whether the
     // picture is there: from then on frames show it.
     Result<bool> traceFovea(const std::function<bool()>& keepGoing);
@@ -127,6 +130,7 @@ class HybridFrame {
         FoveaAim aim;
         Clock::time_point begun{};
         bool isAdopted = false;
+        double tracingMs = 0.0;
     };
 
     double degreesAround(const glm::dvec3& aMm, const glm::dvec3& bMm) const;
