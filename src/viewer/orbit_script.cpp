@@ -54,7 +54,7 @@ OrbitScript::OrbitScript(MainWindow& window, OrbitScriptOptions options, QObject
     deadline_.setSingleShot(true);
     deadline_.setInterval(int(options_.timeoutSeconds * 1000));
     connect(&deadline_, &QTimer::timeout, this, [this] {
-        if (phase_ == Phase::resting && firstTracedMs_ >= 0.0) return endRest();
+        if (phase_ == Phase::resting) return endRest();  // what was measured in motion counts
         std::fprintf(
             stderr, "%s within %.0f s.\n",
             phase_ == Phase::orbiting ? "The picture did not follow the hand" : "No finished picture",
