@@ -210,7 +210,7 @@ TEST_F(Signals, AConvergingPictureIsKeptOnlyWhenAskedFor) {
     };
     write("a.png", "a good one");
     const std::vector<std::string> endless{"render", writeBall(), "-o",     at("a.png"), "--size",
-                                           "64x64",  "--error",   "0.0001", "--denoise", "--overwrite"};
+                                           "64x64",  "--error",   "0.0005", "--denoise", "--overwrite"};
     const Ran stopped = runMaculaInterrupted(endless, isAtWork);
     EXPECT_EQ(stopped.exitCode, 130) << stopped.err;
     EXPECT_NE(stopped.err.find("nothing was written"), std::string::npos) << stopped.err;
