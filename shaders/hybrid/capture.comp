@@ -24,8 +24,8 @@ layout(push_constant, scalar) uniform Push {
     CapturePush push;
 };
 
-// Where a ring around a pixel shows matter that is too thin to have a depth, the pixel is no sure nothing either: chance
-// puts the border of thin matter anywhere within a few pixels.
+// An empty pixel is only sure to be empty where a ring of pixels around it shows no matter that is too thin to have a
+// depth: noise moves the border of thin matter by a few pixels.
 #define RING_PX 3
 const ivec2 kRing[8] = ivec2[8](ivec2(-1, -1), ivec2(0, -1), ivec2(1, -1), ivec2(-1, 0), ivec2(1, 0), ivec2(-1, 1),
                                 ivec2(0, 1), ivec2(1, 1));

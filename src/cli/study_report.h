@@ -11,8 +11,8 @@
 
 namespace macula::cli {
 
-// `measure` of the study that is opened; its reportOf on stdout. `keep` gets what was measured, last: it is
-// told also where it cannot be kept.
+// `measure` of the study that is opened; its reportOf on stdout. `keep` gets what was measured
+// after the report is printed, so that a file that cannot be written loses no numbers.
 template <class Options, class Measure, class Keep>
 Result<void> printReport(const evaluate::BenchStudyOptions& input, const Options& options, Measure measure,
                          Keep keep) {

@@ -13,10 +13,6 @@ namespace {
 
 constexpr int kTrials = 2;  // the second is of nearly the size that is chosen at last
 
-Error cancelled() {
-    return {ErrorCode::cancelled, "The measurement was cancelled.", {}, {}};
-}
-
 }  // namespace
 
 Result<TracedFrames> TracedFrames::create(std::shared_ptr<gpu::Device> device,
@@ -41,11 +37,11 @@ Result<TracedFrames::Traced> TracedFrames::trace(const Camera& camera, const Tra
     Traced traced;
     Watch watch;
     MACULA_TRY([[maybe_unused]] const bool isWhole, tracer_.trace(budget.samplesPerPixel, keepGoing));
-    if (progress_->cancelled()) return cancelled();
+    if (progress_->cancelled()) return cancelledError();
     MACULA_TRY_VOID(device_->waitForAll());
     traced.traceMs = watch.lap().wallMs;
     MACULA_TRY([[maybe_unused]] const bool isDeveloped, tracer_.develop(keepGoing));
-    if (progress_->cancelled()) return cancelled();
+    if (progress_->cancelled()) return cancelledError();
     MACULA_TRY(const gpu::Image* picture, tracer_.display(glm::vec3(0.0f)));
     MACULA_TRY_VOID(device_->waitForAll());
     traced.otherMs = watch.lap().wallMs;
@@ -104,7 +100,7 @@ Result<MadeFrame> SplatFrames::make(const Camera& camera, const glm::ivec2& size
     const auto drawOnce = [&]() -> Result<hybrid::Frame> {
         if (samplesPerPixel > 0) MACULA_TRY_VOID(frame_.aim(aim));
         while (frame_.isTracing()) {
-            if (progress_->cancelled()) return cancelled();
+            if (progress_->cancelled()) return cancelledError();
             MACULA_TRY([[maybe_unused]] const bool isThere,
                        frame_.traceFovea([this] { return !progress_->cancelled(); }));
         }
@@ -115,7 +111,7 @@ Result<MadeFrame> SplatFrames::make(const Camera& camera, const glm::ivec2& size
     };
     MadeFrame made{.samplesPerPixel = samplesPerPixel};
     for (const bool isMeasured : {false, true}) {
-        if (progress_->cancelled()) return cancelled();
+        if (progress_->cancelled()) return cancelledError();
         MACULA_TRY_VOID(frame_.setScene({.bounces = bounces_}));  // forgets fovea and views
         MACULA_TRY_VOID(device_->waitForAll());
         Watch watch;

@@ -41,7 +41,7 @@ std::vector<FrameRecipe> recipesOf(const TracedFovea& fovea, const FrameLevels& 
 // the first and the last, and from kMiddleFrom on the one between them, because error does not grow evenly.
 inline constexpr int kMiddleFrom = 8;
 std::vector<int> agesOf(int framesPerFovea);
-// Those of all levels, each once.
+// The ages that any of the levels needs, ascending, each once.
 std::vector<int> agesOf(const FrameLevels& levels);
 
 inline constexpr std::string_view kNothingVaried = "nothing";

@@ -8,6 +8,7 @@
 
 #include "app/choice/lights_choice.h"
 #include "app/study/scene_on_device.h"
+#include "evaluate/measurement.h"
 #include "evaluate/model_kernels.h"
 #include "evaluate/moving_frames.h"
 #include "evaluate/viewpoints.h"
@@ -15,10 +16,6 @@
 namespace macula::evaluate {
 
 namespace {
-
-Error cancelled() {
-    return {ErrorCode::cancelled, "The measurement was cancelled.", {}, {}};
-}
 
 // As it goes around `centreMm`, to the side of its picture. By no angle it is the same eye to the last bit.
 Camera goneAround(const Camera& camera, const glm::dvec3& centreMm, double degrees) {
@@ -165,7 +162,7 @@ class Measurement {
     }
 
     Result<ShownFrame> shownIn(MovingFrames& frames, const FrameTruth& truth, bool isWarped) {
-        if (progress_.cancelled()) return cancelled();
+        if (progress_.cancelled()) return cancelledError();
         MACULA_TRY(const MadeFrame made, frames.draw(truth.camera, isWarped));
         MACULA_TRY(const FrameScores scores, frameScoresOf(truth, made.shown));
         constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();

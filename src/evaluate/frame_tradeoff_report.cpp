@@ -44,7 +44,7 @@ Curve curveOf(std::string name, const std::vector<CostAndError>& points) {
     return curve;
 }
 
-// The best of a cloud of points, whose line would lead to and fro.
+// Draws only the Pareto front of the points: a line through all of them would run back and forth.
 Curve frontOf(std::string name, const std::vector<CostAndError>& points) {
     std::vector<CostAndError> front;
     for (const std::size_t i : paretoFront(points)) front.push_back(points[i]);

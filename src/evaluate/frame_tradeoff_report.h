@@ -16,8 +16,9 @@ nlohmann::ordered_json reportOf(const BenchStudy& study, const FrameTradeoffOpti
 nlohmann::ordered_json toJson(const ModelPoint& point);
 nlohmann::ordered_json toJson(const FramePoint& point);
 
-// FLIP of whole frames and of the fovea over milliseconds, with the front of each field by itself, splats
-// alone and the front of all; and FLIP of models over seconds, with a curve for each thing that is varied.
+// Three plots: FLIP of whole frames over milliseconds, FLIP around the gaze over milliseconds, and FLIP of
+// models over seconds. The first two draw splats alone, a Pareto front for each field of the fovea, and that
+// of all; the third a curve for each thing that is varied, and the front.
 std::vector<Plot> plotsOf(const FrameTradeoff& tradeoff);
 
 }  // namespace macula::evaluate

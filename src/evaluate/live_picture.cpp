@@ -7,6 +7,7 @@
 
 #include "app/choice/catalogue.h"
 #include "evaluate/frame_scores.h"
+#include "evaluate/measurement.h"
 #include "evaluate/shown_picture.h"
 #include "image/metrics.h"
 #include "pipeline/hybrid/views/truth_pictures.h"
@@ -106,8 +107,7 @@ class Measurement {
         const double startS = *beginS(recording_, phase);
         progress_.beginStage("Comparing pictures", recording_.frames.size());
         for (const app::RecordedFrame& frame : recording_.frames) {
-            if (progress_.cancelled())
-                return Error{ErrorCode::cancelled, "The measurement was cancelled.", {}, {}};
+            if (progress_.cancelled()) return cancelledError();
             progress_.advance();
             if (frame.phase != phase || frame.rgba.empty()) continue;
             MACULA_TRY(const RestPicture picture, scoreOf(frame, frame.atS - startS, truth));

@@ -13,6 +13,11 @@
 
 namespace macula::evaluate {
 
+// What a measurement that was cancelled fails with.
+inline Error cancelledError() {
+    return {ErrorCode::cancelled, "The measurement was cancelled.", {}, {}};
+}
+
 // CPU time is that of all threads of this process: on a CPU device it hardly depends on who else is running;
 // on a GPU it is only what host and driver used.
 struct Spent {

@@ -23,10 +23,6 @@ constexpr float kOpaque = 0.95f;
 // Between a frame over black and the same over white: half of it is background.
 constexpr int kBackgroundShows = 128;
 
-Error cancelled() {
-    return {ErrorCode::cancelled, "The measurement was cancelled.", {}, {}};
-}
-
 Camera movedCamera(const Camera& camera, Moved moved, double amount) {
     const CameraBasis axes = *basis(camera);
     Camera now = camera;
@@ -115,7 +111,7 @@ class Measurement {
         MACULA_TRY_VOID(
             withFovea_.aim({.whole = whole, .sidePx = sidePx, .samplesPerPixel = options_.foveaSamples}));
         while (withFovea_.isTracing()) {
-            if (progress_.cancelled()) return cancelled();
+            if (progress_.cancelled()) return cancelledError();
             MACULA_TRY([[maybe_unused]] const bool isThere,
                        withFovea_.traceFovea([&] { return !progress_.cancelled(); }));
         }
@@ -132,7 +128,7 @@ class Measurement {
         MACULA_TRY(frame.splats, scoreOf(bare_, now, now, truth, frame.splatsDrawMs));
         report_.frames.push_back(frame);
         progress_.advance();
-        return progress_.cancelled() ? Result<void>(cancelled()) : Result<void>();
+        return progress_.cancelled() ? Result<void>(cancelledError()) : Result<void>();
     }
 
     Result<Truth> traceTruth(const Camera& now) {
@@ -140,7 +136,7 @@ class Measurement {
         MACULA_TRY_VOID(scene_.tracer.setView({.camera = now, .width = size.x, .height = size.y}));
         MACULA_TRY(const bool isWhole,
                    scene_.tracer.trace(options_.truthSamples, [&] { return !progress_.cancelled(); }));
-        if (!isWhole) return cancelled();
+        if (!isWhole) return cancelledError();
         MACULA_TRY(const trace::TracedImage traced, scene_.tracer.readback());
         MACULA_TRY(const gpu::Image* shown, scene_.tracer.display(glm::vec3(0.0f)));
         MACULA_TRY(const auto rgba, gpu::read<std::uint8_t>(*shown));

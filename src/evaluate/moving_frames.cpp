@@ -29,8 +29,7 @@ Result<double> MovingFrames::traceFovea(const Camera& eye, const TracedFovea& fo
     Watch watch;
     MACULA_TRY_VOID(frame_.aim(aim));
     while (frame_.isTracing()) {
-        if (progress_->cancelled())
-            return Error{ErrorCode::cancelled, "The measurement was cancelled.", {}, {}};
+        if (progress_->cancelled()) return cancelledError();
         MACULA_TRY([[maybe_unused]] const bool isThere,
                    frame_.traceFovea([this] { return !progress_->cancelled(); }));
     }

@@ -14,7 +14,7 @@ struct CostAndError {
 
 // The indices of the Pareto front: points for which no other has at most their cost and at most their error,
 // and less of one. Cost ascends along it and error falls. Of points that are equal in both it has the first.
-// What is not finite is never on it.
+// A point whose cost or error is not finite is never on the front.
 std::vector<std::size_t> paretoFront(std::span<const CostAndError> points);
 
 }  // namespace macula::evaluate

@@ -18,10 +18,6 @@ namespace {
 constexpr std::string_view kFresh = "fresh";
 constexpr std::string_view kRefined = "refined";
 
-Error cancelled() {
-    return {ErrorCode::cancelled, "The measurement was cancelled.", {}, {}};
-}
-
 std::string wayOf(std::string_view name, Grade grade) {
     return std::string(name) + (grade == Grade::high ? "-hq" : "");
 }
@@ -102,7 +98,7 @@ class Measurement {
             progress_.advance();
             return !progress_.cancelled();
         }));
-        if (progress_.cancelled()) return cancelled();
+        if (progress_.cancelled()) return cancelledError();
         MACULA_TRY_VOID(study_.device->waitForAll());
         return more.seconds + watch.lap().wallMs / 1e3;
     }
@@ -151,7 +147,7 @@ class Measurement {
                              .resolutionShare = frame.resolutionShare,
                              .seam = seam});
         progress_.advance();
-        return progress_.cancelled() ? Result<void>(cancelled()) : Result<void>();
+        return progress_.cancelled() ? Result<void>(cancelledError()) : Result<void>();
     }
 
     const BenchStudy& study_;

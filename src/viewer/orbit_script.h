@@ -28,8 +28,9 @@ struct OrbitScriptOptions {
 // the time for that is over. The drag goes through the event system into the native window, as that of a
 // mouse does. At the end a JSON object goes to standard output: what followed the hand, each picture in
 // motion (what it was, its size, when it was on screen and how long after the input), and how soon it was
-// sharp again. `finished` carries the exit code: 0; 3 when the study could not be opened; 4 when the device
-// could not be used; 1 when no picture came in time or a screenshot could not be written.
+// sharp again (-1: not before the rest was over). `finished` carries the exit code: 0; 3 when the study could
+// not be opened; 4 when the device could not be used; 1 when no picture came in time or a screenshot could
+// not be written.
 class OrbitScript : public QObject {
     Q_OBJECT
 

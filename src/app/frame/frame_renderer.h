@@ -82,6 +82,7 @@ class FrameRenderer {
     Result<void> showAgain();
     bool canDrawModel() const { return hybrid_ && model_ && model_->canBeDrawn(); }
     Result<const gpu::Image*> frame(float tracedShare);
+    double foveaMsPerSample() const;
     bool wantsFovea() const;
     hybrid::FoveaAim nextFovea() const;
     Result<bool> traceFovea(const Interrupts& interrupts);

@@ -78,25 +78,26 @@ Result<void> FrameRenderer::showModel() {
     return device_->waitForAll();
 }
 
-// At rest a small one at once, and a larger one after it, where all pixels take longer still.
+double FrameRenderer::foveaMsPerSample() const {
+    return hybrid_->foveaMsPerSample().value_or(hybrid::guessedFoveaMsPerSample(*device_));
+}
+
+// At rest a small one at once, and larger ones after it, where all pixels take longer still.
 bool FrameRenderer::wantsFovea() const {
     if (!canDrawModel() || !foveaHasRoom_) return false;
     if (input_.interacting) return hybrid_->wantsFovea(input_.camera);
-    const double wholeMs = double(input_.width) * input_.height *
-                           hybrid_->foveaMsPerSample().value_or(hybrid::guessedFoveaMsPerSample(*device_));
+    const double wholeMs = double(input_.width) * input_.height * foveaMsPerSample();
     return wholeMs > hybrid::kRestFoveaBudgetMs &&
            hybrid_->wouldGrow(input_.camera, hybrid::kRestFoveaBudgetMs);
 }
 
 hybrid::FoveaAim FrameRenderer::nextFovea() const {
     const trace::View whole{.camera = input_.camera, .width = input_.width, .height = input_.height};
-    const double msPerSample =
-        hybrid_->foveaMsPerSample().value_or(hybrid::guessedFoveaMsPerSample(*device_));
-    const bool isSecond = !input_.interacting && hybrid_->isFoveaOf(input_.camera);
+    const bool isLarger = !input_.interacting && hybrid_->isFoveaOf(input_.camera);
     const double budgetMs = input_.interacting ? hybrid_->foveaBudgetMs(hybrid::kFoveaBudgetMs)
-                            : isSecond         ? hybrid::kRestFoveaBudgetMs
+                            : isLarger         ? hybrid::kRestFoveaBudgetMs
                                                : hybrid::kFoveaBudgetMs;
-    return hybrid::affordableFovea(whole, input_.gaze, msPerSample, budgetMs);
+    return hybrid::affordableFovea(whole, input_.gaze, foveaMsPerSample(), budgetMs);
 }
 
 // For a slice, and longer until a new input comes. Whether a new fovea is there.

@@ -46,7 +46,7 @@ enum class Shading {
 
 inline constexpr int kMaxBounces = 1024;
 // Of pictures, of views to learn from, and of what models are compared with. White bone passes light on many
-// times: of 8 the eye sees least error in the time that a live picture has, of 16 in that of a still one
+// times. 16 have no more error in equal time; 8 show the first sample sooner, with most of their light
 // (docs/speed-and-accuracy.md).
 inline constexpr int kDefaultBounces = 8;
 inline constexpr double kMaxGain = 1e6;  // of exposure and strength of light

@@ -92,6 +92,8 @@ TEST_F(HybridFrameTest, TheFoveaLiesInTheMiddleOverTheSplats) {
     const FrameRequest request{.eyes = {view().camera}, .sizePx = kSize, .display = {}};
     const Frame without = frame.draw(request, plain(green)).value();
     EXPECT_FALSE(without.foveaAgeMs.has_value());
+    EXPECT_EQ(without.foveaWeights, nullptr);
+    EXPECT_TRUE(frame.wouldGrow(view().camera, 0.0)) << "there is none";
     const std::vector<glm::u8vec4> onlySplats = pictureOf(without);
     const glm::u8vec4 shownGreen = onlySplats[0];
     EXPECT_GT(shownGreen.y, 150);
@@ -105,6 +107,11 @@ TEST_F(HybridFrameTest, TheFoveaLiesInTheMiddleOverTheSplats) {
     const Frame with = frame.draw(request, plain(green)).value();
     EXPECT_GE(with.foveaAgeMs.value(), 0.0);
     EXPECT_EQ(with.foveaSamples, 8u);
+    const auto weights = gpu::read<float>(*with.foveaWeights).value();
+    EXPECT_EQ(weights[at(kSize.x / 2, kSize.y / 2)], 1.0f);
+    EXPECT_EQ(weights[at(2, 2)], 0.0f);
+    EXPECT_TRUE(frame.wouldGrow(view().camera, 1e9)) << "it has half of its field";
+    EXPECT_FALSE(frame.wouldGrow(view().camera, 0.0));
     const std::vector<glm::u8vec4> picture = pictureOf(with);
     // Nothing is in the middle of the scene: there it is black, and known to be.
     EXPECT_LT(picture[at(kSize.x / 2, kSize.y / 2)].y, 5);
@@ -175,6 +182,7 @@ TEST_F(HybridFrameTest, WhatWasTracedAtRestIsShownInMotion) {
         ASSERT_TRUE(frame.adopt(screen, {.whole = view(), .fieldDeg = fieldDeg, .samplesPerPixel = 8}).ok());
         const Frame drawn = frame.draw(request, plain(glm::vec4(0.0f, 0.5f, 0.0f, 1.0f))).value();
         EXPECT_EQ(drawn.foveaSamples, 8u);
+        EXPECT_FALSE(frame.wouldGrow(view().camera, 1e9)) << "it is of all pixels";
         EXPECT_GT(drawn.foveaShare, 0.1);
         EXPECT_LE(drawn.foveaShare, 1.0);
         const std::vector<glm::u8vec4> picture = pictureOf(drawn);

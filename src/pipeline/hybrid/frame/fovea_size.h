@@ -10,7 +10,7 @@ namespace macula::hybrid {
 
 // Tracing time of a picture while the view moves: a hand turns a view by some degrees in it.
 inline constexpr double kFoveaBudgetMs = 250.0;
-// Of the second one of a view at rest, where a picture of all pixels takes longer than that.
+// Of each fovea after the first at rest, where a picture of all pixels takes longer than that.
 inline constexpr double kRestFoveaBudgetMs = 2000.0;
 // With less time than that it is too small to be worth the frames that come later for it.
 inline constexpr double kLeastFoveaBudgetMs = 60.0;

@@ -88,8 +88,8 @@ class HybridFrame {
     Result<void> aim(const FoveaAim& aim);
     bool isTracing() const { return aim_.has_value(); }
     // What `tracer` has traced of all that an eye saw at rest becomes the fovea, as far as the eye may look
-    // at: many samples, with all pixels. Of `aim` the samples are those of the picture, and it is denoised as
-    // the tracer's settings say. outOfMemory: there is no fovea then.
+    // at: many samples, with all pixels. The samples of `aim` say how many the picture has; its denoising
+    // is ignored. Fails with outOfMemory, and there is no fovea then.
     Result<void> adopt(trace::PathTracer& tracer, const FoveaAim& aim);
     // Whether a picture traced from there would be better than the one that frames show: one that was adopted
     // is good for kGoodForDeg around what can be seen.
@@ -99,8 +99,8 @@ class HybridFrame {
     bool hasLeftAim(const Camera& eye) const;
     // Whether the fovea that frames show was traced from just there.
     bool isFoveaOf(const Camera& eye) const { return fovea_ && fovea_->aim.whole.camera == eye; }
-    // Whether a fovea that is traced from just there in `budgetMs` would be more than what frames show to
-    // that eye: there is none of it, or one that took less than half of that.
+    // Whether a fovea that is traced from just there in `budgetMs` would show more than the one there is:
+    // that is from elsewhere, or has not its whole field and took less than half of that.
     bool wouldGrow(const Camera& eye, double budgetMs) const;
     // While it is tracing: goes on; `keepGoing` is asked between dispatches of some 40 ms. Whether the
     // picture is there: from then on frames show it.
