@@ -67,7 +67,7 @@ TEST_F(Bench, TradeoffTellsWhatItMeasuredAlsoWhenThePlotCannotBeWritten) {
     EXPECT_EQ(ran.errorLines(), 1u) << ran.err;
     const json report = json::parse(ran.out);
     EXPECT_EQ(report["converged"]["lost"], 0);
-    ASSERT_EQ(report["results"].size(), 2u * 2u * 4u * 6u);
+    ASSERT_EQ(report["results"].size(), 2u * 2u * 5u * 6u);  // filters, denoising, bounces, samples
     // Of one setting, with 1 to 32 samples.
     EXPECT_EQ(report["results"][5]["samples"], 32);
     EXPECT_LT(report["results"][0]["traceMs"].get<double>(), report["results"][5]["traceMs"].get<double>());
