@@ -1,0 +1,179 @@
+#include "session/blob_files.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+
+#include "base/sha256.h"
+#include "session/model_key.h"
+#include "session/trouble.h"
+
+namespace macula::session {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::string_view kEnding = ".model";
+
+class Descriptor {
+  public:
+    Descriptor(const fs::path& path, int flags)
+        : number_(open(path.c_str(), flags | O_NOFOLLOW | O_CLOEXEC)) {}
+    ~Descriptor() {
+        if (number_ >= 0) close(number_);
+    }
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+    int operator*() const { return number_; }
+    bool isOpen() const { return number_ >= 0; }
+
+  private:
+    int number_;
+};
+
+bool writeAll(int file, std::span<const std::byte> bytes) {
+    while (!bytes.empty()) {
+        const ssize_t count = write(file, bytes.data(), bytes.size());
+        if (count < 0 && errno != EINTR) return false;
+        if (count > 0) bytes = bytes.subspan(static_cast<std::size_t>(count));
+    }
+    return true;
+}
+
+// False at the end of the file, or with errno.
+bool readAll(int file, std::span<std::byte> bytes) {
+    errno = 0;
+    while (!bytes.empty()) {
+        const ssize_t count = read(file, bytes.data(), bytes.size());
+        if (count == 0 || (count < 0 && errno != EINTR)) return false;
+        if (count > 0) bytes = bytes.subspan(static_cast<std::size_t>(count));
+    }
+    return true;
+}
+
+bool overwrite(int file) {
+    struct stat status {};
+    if (fstat(file, &status) != 0) return false;
+    const std::vector<std::byte> zeros(std::size_t{1} << 20);
+    for (off_t left = status.st_size; left > 0;) {
+        const auto count = std::min<off_t>(left, static_cast<off_t>(zeros.size()));
+        if (!writeAll(file, std::span(zeros).first(static_cast<std::size_t>(count)))) return false;
+        left -= count;
+    }
+    return fsync(file) == 0;
+}
+
+}  // namespace
+
+std::string_view nameOf(BlobFault fault) {
+    switch (fault) {
+        case BlobFault::missing:
+            return "missing";
+        case BlobFault::wrongSize:
+            return "size";
+        case BlobFault::wrongChecksum:
+            return "checksum";
+    }
+    return {};
+}
+
+Result<void> makePrivateFolder(const fs::path& folder) {
+    std::error_code error;
+    if (fs::is_directory(folder, error)) return {};
+    if (folder.has_parent_path() && folder.parent_path() != folder)
+        MACULA_TRY_VOID(makePrivateFolder(folder.parent_path()));
+    if (mkdir(folder.c_str(), 0700) != 0 && errno != EEXIST) return errorOf(troubleOfErrno(errno), folder);
+    if (!fs::is_directory(folder, error)) return errorOf(Trouble::notOurs, folder);
+    return {};
+}
+
+Result<void> syncToDisk(const fs::path& path) {
+    const Descriptor file(path, O_RDONLY);
+    if (!file.isOpen()) return errorOf(troubleOfErrno(errno), path);
+    // EINVAL means a file system that has nothing to synchronise.
+    if (fsync(*file) != 0 && errno != EINVAL) return errorOf(troubleOfErrno(errno), path);
+    return {};
+}
+
+Result<BlobFiles> BlobFiles::open(const fs::path& folder) {
+    MACULA_TRY_VOID(makePrivateFolder(folder));
+    return BlobFiles(folder);
+}
+
+fs::path BlobFiles::fileOf(std::string_view digest) const {
+    MACULA_CHECK(isDigest(digest));
+    return folder_ / (std::string(digest) + std::string(kEnding));
+}
+
+Result<BlobFiles::Prepared> BlobFiles::prepare(std::span<const std::byte> bytes) const {
+    const std::string digest = sha256Hex(bytes);
+    auto draft = Draft::beside(fileOf(digest), Draft::Kind::file);
+    if (!draft) return errorOf(troubleOfErrno(errno), folder_);
+    const Descriptor file(draft->path(), O_WRONLY);
+    // The mode comes before the content.
+    if (!file.isOpen() || (fchmod(*file, 0600) != 0 && errno != EPERM) || !writeAll(*file, bytes) ||
+        fsync(*file) != 0)
+        return errorOf(troubleOfErrno(errno), folder_);
+    return Prepared{digest, std::move(draft).value()};
+}
+
+Result<void> BlobFiles::putInPlace(const Prepared& prepared) const {
+    if (!macula::putInPlace(prepared.draft.path(), fileOf(prepared.digest)))
+        return errorOf(troubleOfErrno(errno), folder_);
+    return {};
+}
+
+Result<ReadBlob> BlobFiles::read(std::string_view digest, std::uint64_t bytes) const {
+    const Descriptor file(fileOf(digest), O_RDONLY);
+    struct stat status {};
+    if (!file.isOpen()) {
+        if (errno == ENOENT) return ReadBlob{{}, BlobFault::missing};
+        return errorOf(troubleOfErrno(errno), fileOf(digest));
+    }
+    if (fstat(*file, &status) != 0) return errorOf(Trouble::diskError, fileOf(digest));
+    if (!S_ISREG(status.st_mode) || static_cast<std::uint64_t>(status.st_size) != bytes)
+        return ReadBlob{{}, BlobFault::wrongSize};
+    ReadBlob blob;
+    try {
+        blob.bytes.resize(bytes);
+    } catch (const std::exception&) {
+        return errorOf(Trouble::noMemory, fileOf(digest));
+    }
+    if (!readAll(*file, blob.bytes)) {
+        if (errno != 0) return errorOf(Trouble::diskError, fileOf(digest));
+        return ReadBlob{{}, BlobFault::wrongSize};
+    }
+    if (sha256Hex(blob.bytes) != digest) return ReadBlob{{}, BlobFault::wrongChecksum};
+    return blob;
+}
+
+Result<void> BlobFiles::remove(std::string_view digest, Removal removal) const {
+    const fs::path path = fileOf(digest);
+    if (removal == Removal::overwritten) {
+        const Descriptor file(path, O_WRONLY);
+        if (!file.isOpen() && errno == ENOENT) return {};
+        if (!file.isOpen() || !overwrite(*file)) return errorOf(troubleOfErrno(errno), path);
+    }
+    if (unlink(path.c_str()) != 0 && errno != ENOENT) return errorOf(troubleOfErrno(errno), path);
+    return {};
+}
+
+Result<std::vector<BlobFiles::Entry>> BlobFiles::list() const {
+    std::vector<Entry> entries;
+    std::error_code error;
+    for (fs::directory_iterator entry(folder_, error), end; !error && entry != end; entry.increment(error)) {
+        std::string name = entry->path().filename().string();
+        if (!name.ends_with(kEnding)) continue;
+        name.resize(name.size() - kEnding.size());
+        std::error_code unreadable;
+        if (isDigest(name)) entries.push_back({name, entry->file_size(unreadable)});
+    }
+    if (error) return errorOf(troubleOfErrno(error.value()), folder_);
+    return entries;
+}
+
+}  // namespace macula::session

@@ -1,0 +1,23 @@
+// A checksum of each row: SQLite has none of its pages, so a changed bit of a disk would pass for a value.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+
+namespace macula::session {
+
+// NULL, INTEGER or TEXT: all that columns hold.
+using Value = std::variant<std::monostate, std::int64_t, std::string>;
+
+// CRC-64/XZ (ECMA-182, reflected): finds every burst of up to 64 bits, all else but one in 2^64. `before` is
+// the checksum of what came before.
+std::uint64_t crc64(std::string_view bytes, std::uint64_t before = 0);
+
+// Of the name of the table and all columns but row_check, with their kinds and lengths. The id is one of
+// them, so a row that is found under another id fails as well.
+std::int64_t rowCheck(std::string_view table, std::span<const Value> values);
+
+}  // namespace macula::session

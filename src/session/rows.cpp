@@ -1,0 +1,168 @@
+#include "session/rows.h"
+
+#include <SQLiteCpp/Column.h>
+
+#include <limits>
+
+namespace macula::session {
+
+namespace {
+
+constexpr bool kInteger = true;
+constexpr bool kNullable = true;
+
+constexpr Column kStudyColumns[]{
+    {"identity"}, {"readable", false, kNullable}, {"first_opened", kInteger}, {"last_opened", kInteger}};
+constexpr Column kSeriesColumns[]{{"identity"},
+                                  {"study"},
+                                  {"readable", false, kNullable},
+                                  {"first_opened", kInteger},
+                                  {"last_opened", kInteger}};
+constexpr Column kVolumeColumns[]{{"digest"}, {"first_opened", kInteger}, {"last_opened", kInteger}};
+constexpr Column kSeriesVolumeColumns[]{{"series"}, {"volume"}};
+constexpr Column kModelColumns[]{{"id", kInteger},
+                                 {"key"},
+                                 {"volume"},
+                                 {"trainer", kInteger},
+                                 {"parts"},
+                                 {"bytes", kInteger},
+                                 {"blob"},
+                                 {"created", kInteger},
+                                 {"saved", kInteger},
+                                 {"used", kInteger},
+                                 {"aside", false, kNullable}};
+constexpr Column kDocumentColumns[]{
+    {"id", kInteger},           {"kind"}, {"study", false, kNullable}, {"name"},
+    {"version", kInteger},      {"json"}, {"created", kInteger},       {"changed", kInteger},
+    {"aside", false, kNullable}};
+constexpr Column kAuditColumns[]{{"id", kInteger}, {"at", kInteger}, {"action"},
+                                 {"kind"},         {"subject"},      {"amount", kInteger}};
+
+std::string listOf(const Table& table, std::string_view before) {
+    std::string list;
+    for (const Column& column : table.columns) list.append(before).append(column.name).append(", ");
+    return list.append(before).append("row_check");
+}
+
+void bindValue(SQLite::Statement& statement, int index, const Value& value) {
+    if (const auto* number = std::get_if<std::int64_t>(&value)) {
+        statement.bind(index, *number);
+    } else if (const auto* text = std::get_if<std::string>(&value)) {
+        statement.bind(index, *text);
+    } else {
+        statement.bind(index);
+    }
+}
+
+void bindTexts(SQLite::Statement& statement, std::span<const std::string> texts) {
+    for (int i = 0; i < static_cast<int>(texts.size()); ++i)
+        statement.bind(i + 1, texts[static_cast<std::size_t>(i)]);
+}
+
+}  // namespace
+
+const Table kStudies{"studies", kStudyColumns};
+const Table kSeries{"series", kSeriesColumns};
+const Table kVolumes{"volumes", kVolumeColumns};
+const Table kSeriesVolumes{"series_volumes", kSeriesVolumeColumns, 2};
+const Table kModels{"models", kModelColumns};
+const Table kDocuments{"documents", kDocumentColumns};
+const Table kAudit{"audit", kAuditColumns};
+
+std::span<const Table* const> allTables() {
+    static constexpr const Table* kAll[]{&kStudies, &kSeries,    &kVolumes, &kSeriesVolumes,
+                                         &kModels,  &kDocuments, &kAudit};
+    return kAll;
+}
+
+std::optional<std::string> Row::textOrNull(std::size_t column) const {
+    if (isNull(column)) return {};
+    return text(column);
+}
+
+bool isSound(const Table& table, const Row& row, std::int64_t check) {
+    if (row.values.size() != table.columns.size()) return false;
+    for (std::size_t i = 0; i < row.values.size(); ++i) {
+        const Column& column = table.columns[i];
+        if (row.isNull(i)) {
+            if (!column.mayBeNull) return false;
+        } else if (std::holds_alternative<std::int64_t>(row.values[i]) != column.isInteger) {
+            return false;
+        }
+    }
+    return rowCheck(table.name, row.values) == check;
+}
+
+SQLite::Statement select(Connection& connection, const Table& table, const std::string& rest) {
+    return {connection.sqlite,
+            "SELECT " + listOf(table, "t.") + " FROM " + std::string(table.name) + " t " + rest};
+}
+
+std::optional<Row> readRow(SQLite::Statement& statement, const Table& table) {
+    Row row;
+    const int count = static_cast<int>(table.columns.size());
+    for (int i = 0; i < count; ++i) {
+        const SQLite::Column column = statement.getColumn(i);
+        if (column.isInteger()) {
+            row.values.emplace_back(column.getInt64());
+        } else if (column.isText()) {
+            row.values.emplace_back(column.getString());
+        } else if (column.isNull()) {
+            row.values.emplace_back();
+        } else {
+            return {};
+        }
+    }
+    const SQLite::Column check = statement.getColumn(count);
+    if (!check.isInteger() || !isSound(table, row, check.getInt64())) return {};
+    return row;
+}
+
+void putRow(Connection& connection, const Table& table, const Row& row) {
+    MACULA_CHECK_EQ(row.values.size(), table.columns.size());
+    std::string places;
+    std::string changes;
+    std::string key;
+    for (std::size_t i = 0; i < table.columns.size(); ++i) {
+        const std::string name(table.columns[i].name);
+        places += "?, ";
+        const bool isKey = i < static_cast<std::size_t>(table.keyColumns);
+        if (isKey) {
+            key += (key.empty() ? "" : ", ") + name;
+        } else {
+            changes += name + " = excluded." + name + ", ";
+        }
+    }
+    SQLite::Statement statement(connection.sqlite, "INSERT INTO " + std::string(table.name) + " (" +
+                                                       listOf(table, "") + ") VALUES (" + places +
+                                                       "?) ON CONFLICT (" + key + ") DO UPDATE SET " +
+                                                       changes + "row_check = excluded.row_check");
+    int index = 0;
+    for (const Value& value : row.values) bindValue(statement, ++index, value);
+    statement.bind(++index, rowCheck(table.name, row.values));
+    statement.exec();
+}
+
+std::int64_t nextId(Connection& connection, const Table& table) {
+    const std::string name(table.name);
+    const std::int64_t last = numberOf(
+        connection, "SELECT max(coalesce((SELECT max(id) FROM " + name +
+                        "), 0), coalesce((SELECT seq FROM sqlite_sequence WHERE name = '" + name + "'), 0))");
+    if (last < 0 || last == std::numeric_limits<std::int64_t>::max())
+        throw SQLite::Exception("no number is left", 11);  // SQLITE_CORRUPT
+    return last + 1;
+}
+
+void execute(Connection& connection, const std::string& sql, std::span<const std::string> texts) {
+    SQLite::Statement statement(connection.sqlite, sql);
+    bindTexts(statement, texts);
+    statement.exec();
+}
+
+std::int64_t numberOf(Connection& connection, const std::string& sql, std::span<const std::string> texts) {
+    SQLite::Statement statement(connection.sqlite, sql);
+    bindTexts(statement, texts);
+    return statement.executeStep() ? statement.getColumn(0).getInt64() : 0;
+}
+
+}  // namespace macula::session

@@ -1,0 +1,111 @@
+// Rows of any table, with their checksums: what repository, salvage, import and verification share.
+#pragma once
+
+#include <SQLiteCpp/Statement.h>
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "session/database.h"
+#include "session/row_check.h"
+
+namespace macula::session {
+
+struct Column {
+    std::string_view name;
+    bool isInteger = false;
+    bool mayBeNull = false;
+};
+
+// Columns are those of the newest schema in its order, without row_check, which is the last one.
+struct Table {
+    std::string_view name;
+    std::span<const Column> columns;
+    int keyColumns = 1;  // the first so many are the primary key
+};
+
+extern const Table kStudies;
+extern const Table kSeries;
+extern const Table kVolumes;
+extern const Table kSeriesVolumes;
+extern const Table kModels;
+extern const Table kDocuments;
+extern const Table kAudit;
+
+// Places of the columns.
+namespace column {
+enum Study : std::size_t { studyIdentity, studyReadable, studyFirstOpened, studyLastOpened };
+enum Series : std::size_t {
+    seriesIdentity,
+    seriesStudy,
+    seriesReadable,
+    seriesFirstOpened,
+    seriesLastOpened
+};
+enum Volume : std::size_t { volumeDigest, volumeFirstOpened, volumeLastOpened };
+enum Link : std::size_t { linkSeries, linkVolume };
+enum Model : std::size_t {
+    modelId,
+    modelKey,
+    modelVolume,
+    modelTrainer,
+    modelParts,
+    modelBytes,
+    modelBlob,
+    modelCreated,
+    modelSaved,
+    modelUsed,
+    modelAside
+};
+enum Document : std::size_t {
+    documentId,
+    documentKind,
+    documentStudy,
+    documentName,
+    documentVersion,
+    documentJson,
+    documentCreated,
+    documentChanged,
+    documentAside
+};
+enum Audit : std::size_t { auditId, auditAt, auditAction, auditKind, auditSubject, auditAmount };
+}  // namespace column
+
+// Parents before children.
+std::span<const Table* const> allTables();
+
+// The values of a row, in the order of the table's columns.
+struct Row {
+    std::vector<Value> values;
+
+    std::int64_t number(std::size_t column) const { return std::get<std::int64_t>(values[column]); }
+    const std::string& text(std::size_t column) const { return std::get<std::string>(values[column]); }
+    bool isNull(std::size_t column) const { return std::holds_alternative<std::monostate>(values[column]); }
+    std::optional<std::string> textOrNull(std::size_t column) const;
+};
+
+// The kinds of its values, and its checksum.
+bool isSound(const Table& table, const Row& row, std::int64_t check);
+
+// "SELECT t.id, t.key, ..., t.row_check FROM models t REST"
+SQLite::Statement select(Connection& connection, const Table& table, const std::string& rest);
+
+// The row that such a statement stands at; nothing where it is damaged.
+std::optional<Row> readRow(SQLite::Statement& statement, const Table& table);
+
+// Inserts the row, or puts it in place of the one with the same primary key.
+void putRow(Connection& connection, const Table& table, const Row& row);
+
+// For a new row of models, documents or audit: never one that was there before.
+std::int64_t nextId(Connection& connection, const Table& table);
+
+// Runs one statement with texts for its parameters.
+void execute(Connection& connection, const std::string& sql, std::span<const std::string> texts = {});
+std::int64_t numberOf(Connection& connection, const std::string& sql,
+                      std::span<const std::string> texts = {});
+
+}  // namespace macula::session

@@ -1,0 +1,204 @@
+// Export and import of a Store.
+#include <SQLiteCpp/Column.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+
+#include "base/draft.h"
+#include "session/migrations.h"
+#include "session/store.h"
+#include "session/store_state.h"
+#include "session/trouble.h"
+
+namespace macula::session {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+const Error kCancelled{ErrorCode::cancelled, "The copy of stored sessions was stopped.", {}, {}};
+
+// A database of one moment, as SQLite reads it. `file` is not there yet.
+Result<void> copyDatabase(Connection& from, const fs::path& file) {
+    return guarded(from, [&]() -> Result<void> {
+        const std::string texts[]{file.string()};
+        execute(from, "VACUUM INTO ?", texts);
+        if (chmod(file.c_str(), 0600) != 0 && errno != EPERM) return errorOf(troubleOfErrno(errno), file);
+        return syncToDisk(file);
+    });
+}
+
+std::vector<ModelInfo> modelsOf(Connection& connection, SnapshotReport& report) {
+    std::vector<ModelInfo> models;
+    SQLite::Statement statement = select(connection, kModels, "WHERE t.aside IS NULL ORDER BY t.used, t.id");
+    while (statement.executeStep()) {
+        const auto row = readRow(statement, kModels);
+        if (auto info = row ? modelOf(*row) : std::nullopt) {
+            models.push_back(std::move(*info));
+        } else {
+            ++report.damaged;
+        }
+    }
+    return models;
+}
+
+// Takes from the copy what has no sound blob, and copies the others.
+Result<void> copyBlobs(Connection& copy, const BlobFiles& from, const BlobFiles& to, SnapshotReport& report,
+                       Progress& progress) {
+    MACULA_TRY(const std::vector<ModelInfo> models,
+               guarded(copy, [&]() -> Result<std::vector<ModelInfo>> { return modelsOf(copy, report); }));
+    progress.beginStage("Copying stored models", models.size());
+    std::string kept = "0";
+    for (const ModelInfo& info : models) {
+        if (progress.cancelled()) return kCancelled;
+        progress.advance();
+        MACULA_TRY(const ReadBlob blob, from.read(info.checksum, info.bytes));
+        if (blob.fault) {
+            ++report.damaged;
+            continue;
+        }
+        MACULA_TRY(const BlobFiles::Prepared prepared, to.prepare(blob.bytes));
+        MACULA_TRY_VOID(to.putInPlace(prepared));
+        kept += "," + std::to_string(info.id);
+        ++report.models;
+    }
+    return inTransaction(copy, [&]() -> Result<void> {
+        execute(copy, "DELETE FROM models WHERE id NOT IN (" + kept + ")");
+        report.studies = static_cast<std::size_t>(numberOf(copy, "SELECT count(*) FROM studies"));
+        report.documents = static_cast<std::size_t>(numberOf(copy, "SELECT count(*) FROM documents"));
+        return {};
+    });
+}
+
+Result<SnapshotReport> fillSnapshot(StoreState& state, const fs::path& folder, Progress& progress) {
+    SnapshotReport report;
+    if (chmod(folder.c_str(), 0700) != 0 && errno != EPERM) return errorOf(troubleOfErrno(errno), folder);
+    MACULA_TRY(const BlobFiles blobs, BlobFiles::open(folder / kModelsName));
+    const fs::path file = folder / kDatabaseName;
+    {
+        // No blob of this moment is removed before it was copied.
+        MACULA_TRY(const HeldLock reading,
+                   HeldLock::take(state.locks, LockFile::kBlobs, Hold::shared, state.options.patience));
+        MACULA_TRY_VOID(copyDatabase(*state.connection, file));
+        MACULA_TRY(const auto copy, connect(file, {}));
+        MACULA_TRY_VOID(copyBlobs(*copy, state.blobs, blobs, report, progress));
+    }
+    std::error_code ignored;
+    fs::remove(file.string() + "-journal", ignored);
+    MACULA_TRY_VOID(syncToDisk(file));
+    MACULA_TRY_VOID(syncToDisk(folder));
+    return report;
+}
+
+// A private copy of what is to be imported, in the newest schema.
+Result<std::unique_ptr<Connection>> openForImport(const fs::path& file, const fs::path& copy) {
+    const auto translated = [&](const Error& error) {
+        const auto trouble = troubleOf(error);
+        const bool isTheFile = trouble == Trouble::damaged || trouble == Trouble::notOurs;
+        return isTheFile ? errorOf(Trouble::snapshotInvalid, file) : error;
+    };
+    std::error_code ignored;
+    if (!fs::is_regular_file(file, ignored)) return errorOf(Trouble::snapshotInvalid, file);
+    auto other = connect(file, {.access = Access::readOnly});
+    if (!other) return translated(other.error());
+    const auto found = inspect(**other, Thoroughness::quick);
+    if (!found) return translated(found.error());
+    if (found->isEmpty) return errorOf(Trouble::snapshotInvalid, file);
+    if (found->version > newestVersion()) return errorOf(Trouble::newerSchema, file);
+    if (auto copied = copyDatabase(**other, copy); !copied) return translated(copied.error());
+    MACULA_TRY(auto connection, connect(copy, {}));
+    MACULA_TRY_VOID(migrate(*connection));
+    if (auto schema = checkSchema(*connection); !schema) return translated(schema.error());
+    return connection;
+}
+
+// All rows but those of models, which come with their blobs, and of the audit trail, which is this store's.
+Result<void> importRows(StoreState& state, Connection& other, SnapshotReport& report) {
+    return inTransaction(*state.connection, [&]() -> Result<void> {
+        for (const Table* table : allTables()) {
+            if (table == &kModels || table == &kAudit) continue;
+            SQLite::Statement rows = select(other, *table, "");
+            while (rows.executeStep()) {
+                const auto row = readRow(rows, *table);
+                if (!row) {
+                    ++report.damaged;
+                    continue;
+                }
+                const bool isTaken = mergeRow(*state.connection, *table, *row);
+                if (table == &kStudies && isTaken) ++report.studies;
+                if (table == &kDocuments) ++(isTaken ? report.documents : report.skipped);
+            }
+        }
+        addAuditRow(state, AuditAction::imported, AuditKind::store, {}, 1);
+        return {};
+    });
+}
+
+// Nothing where the store's own stays. The imported model is of its old time, so it may be the first to go.
+Result<bool> importModel(StoreState& state, const ModelInfo& info, std::span<const std::byte> bytes) {
+    if (bytes.size() > state.options.modelCapBytes) return false;
+    MACULA_TRY(const BlobFiles::Prepared prepared, state.blobs.prepare(bytes));
+    std::vector<std::string> unused;
+    MACULA_TRY(const bool isTaken, inTransaction(*state.connection, [&]() -> Result<bool> {
+                   MACULA_TRY_VOID(state.blobs.putInPlace(prepared));
+                   const bool taken = mergeRow(*state.connection, kModels, rowOf(info));
+                   unused = evictRows(state, state.options.modelCapBytes, 0).blobs;
+                   unused.push_back(info.checksum);
+                   return taken;
+               }));
+    static_cast<void>(removeBlobs(state, unused, BlobFiles::Removal::plain, {}));
+    return isTaken;
+}
+
+}  // namespace
+
+Result<SnapshotReport> Store::exportTo(const fs::path& newFolder, Progress& progress) {
+    std::error_code error;
+    if (fs::exists(fs::symlink_status(newFolder, error)))
+        return Error{ErrorCode::outputNotWritable, "Something of that name is there already.",
+                     newFolder.string(), "Choose another name."};
+    MACULA_TRY(const Draft draft, Draft::beside(newFolder, Draft::Kind::folder));
+    MACULA_TRY(const SnapshotReport report, fillSnapshot(*state_, draft.path(), progress));
+    if (rename(draft.path().c_str(), newFolder.c_str()) != 0)
+        return errorOf(troubleOfErrno(errno), newFolder);
+    MACULA_TRY_VOID(addAudit(AuditAction::exported, AuditKind::store, {}, 1));
+    return report;
+}
+
+Result<SnapshotReport> Store::importFrom(const fs::path& folder, Progress& progress) {
+    StoreState& state = *state_;
+    std::error_code error;
+    const fs::path source = fs::canonical(folder, error);
+    if (error) return errorOf(Trouble::snapshotInvalid, folder);
+    MACULA_TRY(const Draft draft, Draft::beside(state.folder / kDatabaseName, Draft::Kind::folder));
+    if (chmod(draft.path().c_str(), 0700) != 0 && errno != EPERM)
+        return errorOf(troubleOfErrno(errno), draft.path());
+    MACULA_TRY(const auto other, openForImport(source / kDatabaseName, draft.path() / kDatabaseName));
+    SnapshotReport report;
+    MACULA_TRY_VOID(importRows(state, *other, report));
+    MACULA_TRY(const std::vector<ModelInfo> models,
+               guarded(*other, [&]() -> Result<std::vector<ModelInfo>> { return modelsOf(*other, report); }));
+    const fs::path blobFolder = source / kModelsName;
+    if (models.empty() || !fs::is_directory(blobFolder, error)) {
+        report.damaged += models.size();
+        return report;
+    }
+    MACULA_TRY(const BlobFiles blobs, BlobFiles::open(blobFolder));
+    progress.beginStage("Importing stored models", models.size());
+    for (const ModelInfo& info : models) {
+        if (progress.cancelled()) return kCancelled;
+        progress.advance();
+        MACULA_TRY(const ReadBlob blob, blobs.read(info.checksum, info.bytes));
+        if (blob.fault) {
+            ++report.damaged;
+            continue;
+        }
+        MACULA_TRY(const bool isTaken, importModel(state, info, blob.bytes));
+        ++(isTaken ? report.models : report.skipped);
+    }
+    return report;
+}
+
+}  // namespace macula::session

@@ -1,0 +1,290 @@
+#include "session/store.h"
+
+#include <SQLiteCpp/Column.h>
+#include <pwd.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <functional>
+#include <unordered_map>
+
+#include "session/damaged_file.h"
+#include "session/migrations.h"
+#include "session/store_state.h"
+#include "session/trouble.h"
+
+namespace macula::session {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+bool isOurName(const std::string& name) {
+    return name.starts_with(kDatabaseName) || name == kLockName || name == kModelsName ||
+           name == kDamagedName || name.starts_with(".sessions.");
+}
+
+// A folder with nothing but files of a store, which is then closed to others.
+Result<void> prepareFolder(const fs::path& folder, OpeningNotes& notes) {
+    MACULA_TRY_VOID(makePrivateFolder(folder));
+    std::error_code error;
+    for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
+        if (!isOurName(entry->path().filename().string())) return errorOf(Trouble::notOurs, folder);
+    if (error) return errorOf(troubleOfErrno(error.value()), folder);
+    const auto isForOthers = [&] {
+        struct stat status {};
+        return stat(folder.c_str(), &status) != 0 || (status.st_mode & 077u) != 0;
+    };
+    if (isForOthers()) {
+        // Only taken away: a folder that somebody made read-only stays so.
+        fs::permissions(folder, fs::perms::group_all | fs::perms::others_all, fs::perm_options::remove,
+                        error);
+        notes.othersMayRead = isForOthers();
+    }
+    return {};
+}
+
+// The newest schema, checked; fails with damaged where it is not what was written.
+Result<std::unique_ptr<Connection>> openDatabase(const StoreOptions& options, const fs::path& file,
+                                                 OpeningNotes& notes) {
+    MACULA_TRY(auto connection, connect(file, {.patience = options.patience, .vfs = options.vfs}));
+    const bool isFull = options.check == StoreOptions::Check::full;
+    MACULA_TRY(const Inspection found,
+               inspect(*connection, isFull ? Thoroughness::full : Thoroughness::quick));
+    if (found.version > newestVersion()) return errorOf(Trouble::newerSchema, file);
+    notes.isNew = found.isEmpty;
+    notes.versionBefore = found.version == newestVersion() ? 0 : found.version;
+    MACULA_TRY_VOID(migrate(*connection));
+    MACULA_TRY_VOID(checkSchema(*connection));
+    return connection;
+}
+
+// With nobody else in the store the damaged file is set aside, unless somebody else has done so meanwhile.
+Result<std::unique_ptr<Connection>> rescueDatabase(const StoreOptions& options, const fs::path& file,
+                                                   const std::shared_ptr<LockFile>& locks,
+                                                   const BlobFiles& blobs, OpeningNotes& notes) {
+    // Two that wait for each other's shared lock would wait for ever.
+    locks->release(LockFile::kPresence);
+    auto result = [&]() -> Result<std::unique_ptr<Connection>> {
+        MACULA_TRY_VOID(locks->acquire(LockFile::kPresence, Hold::exclusive, options.patience));
+        auto again = openDatabase(options, file, notes);
+        if (again || troubleOf(again.error()) != Trouble::damaged) return again;
+        MACULA_TRY(notes.setAside, setAsideAndRescue(file, blobs, options.patience));
+        return openDatabase(options, file, notes);
+    }();
+    if (auto shared = locks->acquire(LockFile::kPresence, Hold::shared, options.patience); !shared)
+        return shared.error();
+    return result;
+}
+
+std::size_t countOf(const std::unordered_map<std::string, std::size_t>& counts, const std::string& key) {
+    const auto found = counts.find(key);
+    return found == counts.end() ? 0 : found->second;
+}
+
+// Counts by the text in the first column.
+std::unordered_map<std::string, std::size_t> countsOf(Connection& connection, const std::string& sql) {
+    std::unordered_map<std::string, std::size_t> counts;
+    SQLite::Statement statement(connection.sqlite, sql);
+    while (statement.executeStep())
+        counts[statement.getColumn(0).getString()] =
+            static_cast<std::size_t>(statement.getColumn(1).getInt64());
+    return counts;
+}
+
+// The models of each study. Their sizes come from rows that were checked.
+void countModels(Connection& connection, std::vector<StudyEntry>& entries) {
+    struct Share {
+        std::size_t models = 0;
+        std::uint64_t bytes = 0;
+    };
+    std::unordered_map<std::string, Share> ofVolume;
+    SQLite::Statement models = select(connection, kModels, "WHERE t.aside IS NULL");
+    while (models.executeStep()) {
+        const auto row = readRow(models, kModels);
+        if (!row) continue;
+        Share& share = ofVolume[row->text(column::modelVolume)];
+        ++share.models;
+        share.bytes += static_cast<std::uint64_t>(row->number(column::modelBytes));
+    }
+    std::unordered_map<std::string, Share> ofStudy;
+    SQLite::Statement links(
+        connection.sqlite,
+        "SELECT DISTINCT s.study, v.volume FROM (SELECT DISTINCT volume FROM models WHERE "
+        "aside IS NULL) m JOIN series_volumes v ON v.volume = m.volume JOIN series s ON "
+        "s.identity = v.series");
+    while (links.executeStep()) {
+        const Share& share = ofVolume[links.getColumn(1).getString()];
+        Share& sum = ofStudy[links.getColumn(0).getString()];
+        sum.models += share.models;
+        sum.bytes += share.bytes;
+    }
+    for (StudyEntry& entry : entries) {
+        const auto found = ofStudy.find(entry.identity);
+        if (found == ofStudy.end()) continue;
+        entry.models = found->second.models;
+        entry.modelBytes = found->second.bytes;
+    }
+}
+
+Value valueOf(const std::optional<std::string>& text) {
+    return text ? Value(*text) : Value();
+}
+
+// First opened when it was first; all else as it is now.
+std::int64_t firstOpened(Connection& connection, const Table& table, const std::string& identity,
+                         std::size_t place, std::int64_t nowMs) {
+    const auto before = findRow(connection, table, identity);
+    return before ? before->number(place) : nowMs;
+}
+
+void putOpened(StoreState& state, const OpenedVolume& opened) {
+    Connection& connection = *state.connection;
+    const std::int64_t now = state.nowMs();
+    rememberVolume(connection, opened.volume, now);
+    if (opened.study.empty()) {
+        addAuditRow(state, AuditAction::opened, AuditKind::volume, opened.volume, 1);
+        return;
+    }
+    putRow(connection, kStudies,
+           {{opened.study, valueOf(opened.readableStudy),
+             firstOpened(connection, kStudies, opened.study, column::studyFirstOpened, now), now}});
+    putRow(connection, kSeries,
+           {{opened.series, opened.study, valueOf(opened.readableSeries),
+             firstOpened(connection, kSeries, opened.series, column::seriesFirstOpened, now), now}});
+    putRow(connection, kSeriesVolumes, {{opened.series, opened.volume}});
+    addAuditRow(state, AuditAction::opened, AuditKind::study, opened.study, 1);
+}
+
+StudyEntry studyOf(const Row& row) {
+    return {.identity = row.text(column::studyIdentity),
+            .readable = row.textOrNull(column::studyReadable),
+            .firstOpenedMs = row.number(column::studyFirstOpened),
+            .lastOpenedMs = row.number(column::studyLastOpened)};
+}
+
+std::vector<std::string> volumesOf(Connection& connection, const std::string& series) {
+    std::vector<std::string> volumes;
+    SQLite::Statement links = select(connection, kSeriesVolumes, "WHERE t.series = ? ORDER BY t.volume");
+    links.bind(1, series);
+    while (links.executeStep())
+        if (const auto row = readRow(links, kSeriesVolumes)) volumes.push_back(row->text(column::linkVolume));
+    return volumes;
+}
+
+}  // namespace
+
+fs::path defaultFolder() {
+    const fs::path below = fs::path("macula") / "sessions";
+    // The specification says that a relative path there does not count.
+    if (const char* data = std::getenv("XDG_DATA_HOME"); data != nullptr && fs::path(data).is_absolute())
+        return data / below;
+    const char* home = std::getenv("HOME");
+    if (home == nullptr || *home == '\0') {
+        const passwd* user = getpwuid(geteuid());
+        home = user != nullptr ? user->pw_dir : "/";
+    }
+    return fs::path(home) / ".local" / "share" / below;
+}
+
+std::int64_t StoreState::nowMs() const {
+    if (options.nowMs) return options.nowMs();
+    const auto since = std::chrono::system_clock::now().time_since_epoch();
+    return std::chrono::duration_cast<std::chrono::milliseconds>(since).count();
+}
+
+Store::Store(std::unique_ptr<StoreState> state) : state_(std::move(state)) {}
+Store::Store(Store&&) noexcept = default;
+Store& Store::operator=(Store&&) noexcept = default;
+Store::~Store() = default;
+
+Result<Store> Store::open(const StoreOptions& options) {
+    OpeningNotes notes;
+    MACULA_TRY_VOID(prepareFolder(options.folder, notes));
+    std::error_code error;
+    const fs::path folder = fs::canonical(options.folder, error);
+    if (error) return errorOf(troubleOfErrno(error.value()), options.folder);
+    MACULA_TRY(auto locks, LockFile::open(folder / kLockName));
+    MACULA_TRY(HeldLock presence, HeldLock::take(locks, LockFile::kPresence, Hold::shared, options.patience));
+    MACULA_TRY(BlobFiles blobs, BlobFiles::open(folder / kModelsName));
+    const fs::path file = folder / kDatabaseName;
+    auto connection = openDatabase(options, file, notes);
+    if (!connection && troubleOf(connection.error()) == Trouble::damaged)
+        connection = rescueDatabase(options, file, locks, blobs, notes);
+    if (!connection) return connection.error();
+    return Store(std::unique_ptr<StoreState>(
+        new StoreState{options, folder, std::move(locks), std::move(presence), std::move(blobs),
+                       std::move(connection).value(), std::move(notes)}));
+}
+
+const OpeningNotes& Store::notes() const {
+    return state_->notes;
+}
+const fs::path& Store::folder() const {
+    return state_->folder;
+}
+
+Result<void> Store::recordOpened(const OpenedVolume& opened) {
+    MACULA_CHECK(isDigest(opened.volume));
+    MACULA_CHECK((isDigest(opened.study) && isDigest(opened.series)) ||
+                 (opened.study.empty() && opened.series.empty()));
+    return inTransaction(*state_->connection, [&]() -> Result<void> {
+        putOpened(*state_, opened);
+        return {};
+    });
+}
+
+Result<Listing<StudyEntry>> Store::listStudies() {
+    Connection& connection = *state_->connection;
+    return inReading(connection, [&]() -> Result<Listing<StudyEntry>> {
+        const auto series = countsOf(connection, "SELECT study, count(*) FROM series GROUP BY study");
+        const auto documents = countsOf(
+            connection,
+            "SELECT study, count(*) FROM documents WHERE study IS NOT NULL AND aside IS NULL GROUP BY "
+            "study");
+        Listing<StudyEntry> listing;
+        SQLite::Statement statement = select(connection, kStudies, "");
+        while (statement.executeStep()) {
+            const auto row = readRow(statement, kStudies);
+            if (!row) {
+                ++listing.damaged;
+                continue;
+            }
+            StudyEntry entry = studyOf(*row);
+            entry.series = countOf(series, entry.identity);
+            entry.documents = countOf(documents, entry.identity);
+            listing.entries.push_back(std::move(entry));
+        }
+        countModels(connection, listing.entries);
+        std::ranges::stable_sort(listing.entries, std::greater(), &StudyEntry::lastOpenedMs);
+        return listing;
+    });
+}
+
+Result<Listing<SeriesEntry>> Store::listSeries(const std::string& study) {
+    MACULA_CHECK(isDigest(study));
+    Connection& connection = *state_->connection;
+    return inReading(connection, [&]() -> Result<Listing<SeriesEntry>> {
+        Listing<SeriesEntry> listing;
+        SQLite::Statement statement =
+            select(connection, kSeries, "WHERE t.study = ? ORDER BY t.last_opened DESC, t.identity");
+        statement.bind(1, study);
+        while (statement.executeStep()) {
+            const auto row = readRow(statement, kSeries);
+            // A damaged index can lead to a row of another study.
+            if (!row || row->text(column::seriesStudy) != study) {
+                ++listing.damaged;
+                continue;
+            }
+            const std::string& identity = row->text(column::seriesIdentity);
+            listing.entries.push_back(
+                {identity, row->textOrNull(column::seriesReadable), row->number(column::seriesFirstOpened),
+                 row->number(column::seriesLastOpened), volumesOf(connection, identity)});
+        }
+        return listing;
+    });
+}
+
+}  // namespace macula::session

@@ -1,0 +1,181 @@
+// Documents and the audit trail of a Store.
+#include <SQLiteCpp/Column.h>
+
+#include <algorithm>
+#include <array>
+
+#include "session/json_members.h"
+#include "session/store.h"
+#include "session/store_state.h"
+#include "session/trouble.h"
+
+namespace macula::session {
+
+namespace {
+
+constexpr std::size_t kMostNameBytes = 200;
+constexpr std::array<std::string_view, 8> kKindNames{"preset",  "favourite", "clip",        "view",
+                                                     "session", "layout",    "measurement", "calibration"};
+constexpr std::array<std::string_view, 5> kActionNames{"opened", "exported", "deleted", "imported",
+                                                       "expired"};
+constexpr std::array<std::string_view, 7> kAuditKindNames{"study",    "series",  "volume", "model",
+                                                          "document", "picture", "store"};
+
+bool isValid(const DocumentId& id) {
+    return (id.study.empty() || isDigest(id.study)) && !id.name.empty() && id.name.size() <= kMostNameBytes;
+}
+
+struct Found {
+    std::optional<Row> row;
+    std::optional<std::int64_t> damagedId;
+};
+
+Found findDocument(Connection& connection, const DocumentId& id) {
+    SQLite::Statement statement =
+        select(connection, kDocuments,
+               "WHERE t.kind = ? AND coalesce(t.study, '') = ? AND t.name = ? AND t.aside IS NULL");
+    statement.bind(1, std::string(nameOf(id.kind)));
+    statement.bind(2, id.study);
+    statement.bind(3, id.name);
+    if (!statement.executeStep()) return {};
+    auto row = readRow(statement, kDocuments);
+    // A damaged index can lead to a row of another study.
+    if (row && row->text(column::documentKind) == nameOf(id.kind) &&
+        row->textOrNull(column::documentStudy).value_or("") == id.study &&
+        row->text(column::documentName) == id.name)
+        return {.row = std::move(row)};
+    return {.damagedId = statement.getColumn(0).getInt64()};
+}
+
+DocumentEntry entryOf(const DocumentId& id, const Row& row) {
+    return {.id = id,
+            .version = row.number(column::documentVersion),
+            .createdMs = row.number(column::documentCreated),
+            .changedMs = row.number(column::documentChanged)};
+}
+
+}  // namespace
+
+std::string_view nameOf(DocumentKind kind) {
+    return kKindNames.at(static_cast<std::size_t>(kind));
+}
+std::string_view nameOf(AuditAction action) {
+    return kActionNames.at(static_cast<std::size_t>(action));
+}
+std::string_view nameOf(AuditKind kind) {
+    return kAuditKindNames.at(static_cast<std::size_t>(kind));
+}
+
+void addAuditRow(StoreState& state, AuditAction action, AuditKind kind, const std::string& subject,
+                 std::int64_t amount) {
+    putRow(*state.connection, kAudit,
+           {{nextId(*state.connection, kAudit), state.nowMs(), std::string(nameOf(action)),
+             std::string(nameOf(kind)), subject, amount}});
+}
+
+Result<void> Store::putDocument(const DocumentId& id, std::int64_t version, std::string_view json,
+                                std::span<const std::string_view> known) {
+    MACULA_CHECK(isValid(id));
+    Connection& connection = *state_->connection;
+    if (!isDocument(json)) return errorOf(Trouble::documentInvalid, state_->folder);
+    return inTransaction(connection, [&]() -> Result<void> {
+        const std::int64_t now = state_->nowMs();
+        if (!id.study.empty()) rememberStudy(connection, id.study, now);
+        const Found before = findDocument(connection, id);
+        if (before.damagedId) setRowAside(connection, kDocuments, *before.damagedId);
+        std::string text(json);
+        if (before.row) text = withUnknownMembers(json, before.row->text(column::documentJson), known);
+        if (text.size() > kMostJsonBytes) return errorOf(Trouble::documentInvalid, state_->folder);
+        putRow(connection, kDocuments,
+               {{before.row ? before.row->number(column::documentId) : nextId(connection, kDocuments),
+                 std::string(nameOf(id.kind)), id.study.empty() ? Value() : Value(id.study), id.name, version,
+                 std::move(text), before.row ? before.row->number(column::documentCreated) : now, now,
+                 Value()}});
+        return {};
+    });
+}
+
+Result<std::optional<Document>> Store::getDocument(const DocumentId& id) {
+    MACULA_CHECK(isValid(id));
+    Connection& connection = *state_->connection;
+    MACULA_TRY(const Found found,
+               guarded(connection, [&]() -> Result<Found> { return findDocument(connection, id); }));
+    if (found.row)
+        return std::optional(Document{entryOf(id, *found.row), found.row->text(column::documentJson)});
+    if (!found.damagedId) return std::optional<Document>();
+    MACULA_TRY_VOID(inTransaction(connection, [&]() -> Result<void> {
+        if (const Found again = findDocument(connection, id); again.damagedId)
+            setRowAside(connection, kDocuments, *again.damagedId);
+        return {};
+    }));
+    return errorOf(Trouble::documentDamaged, state_->folder);
+}
+
+Result<Listing<DocumentEntry>> Store::listDocuments(DocumentKind kind, const std::string& study) {
+    MACULA_CHECK(study.empty() || isDigest(study));
+    Connection& connection = *state_->connection;
+    return guarded(connection, [&]() -> Result<Listing<DocumentEntry>> {
+        Listing<DocumentEntry> listing;
+        SQLite::Statement statement = select(
+            connection, kDocuments,
+            "WHERE t.kind = ? AND coalesce(t.study, '') = ? AND t.aside IS NULL ORDER BY t.name, t.id");
+        statement.bind(1, std::string(nameOf(kind)));
+        statement.bind(2, study);
+        while (statement.executeStep()) {
+            const auto row = readRow(statement, kDocuments);
+            if (row && row->text(column::documentKind) == nameOf(kind) &&
+                row->textOrNull(column::documentStudy).value_or("") == study) {
+                listing.entries.push_back(entryOf({kind, study, row->text(column::documentName)}, *row));
+            } else {
+                ++listing.damaged;
+            }
+        }
+        return listing;
+    });
+}
+
+Result<bool> Store::removeDocument(const DocumentId& id) {
+    MACULA_CHECK(isValid(id));
+    Connection& connection = *state_->connection;
+    return inTransaction(connection, [&]() -> Result<bool> {
+        const Found found = findDocument(connection, id);
+        if (!found.row && !found.damagedId) return false;
+        const std::int64_t row = found.row ? found.row->number(column::documentId) : *found.damagedId;
+        execute(connection, "DELETE FROM documents WHERE id = " + std::to_string(row));
+        addAuditRow(*state_, AuditAction::deleted, AuditKind::document, id.study, 1);
+        return true;
+    });
+}
+
+Result<void> Store::addAudit(AuditAction action, AuditKind kind, const std::string& subject,
+                             std::int64_t amount) {
+    MACULA_CHECK(subject.empty() || isDigest(subject));
+    return inTransaction(*state_->connection, [&]() -> Result<void> {
+        addAuditRow(*state_, action, kind, subject, amount);
+        return {};
+    });
+}
+
+Result<Listing<AuditEntry>> Store::listAudit(std::size_t most) {
+    Connection& connection = *state_->connection;
+    return guarded(connection, [&]() -> Result<Listing<AuditEntry>> {
+        Listing<AuditEntry> listing;
+        const std::size_t limit = std::min<std::size_t>(most, 1'000'000'000);
+        SQLite::Statement statement =
+            select(connection, kAudit, "ORDER BY t.id DESC LIMIT " + std::to_string(limit));
+        while (statement.executeStep()) {
+            const auto row = readRow(statement, kAudit);
+            if (!row) {
+                ++listing.damaged;
+                continue;
+            }
+            listing.entries.push_back({row->number(column::auditId), row->number(column::auditAt),
+                                       row->text(column::auditAction), row->text(column::auditKind),
+                                       row->text(column::auditSubject), row->number(column::auditAmount)});
+        }
+        std::ranges::reverse(listing.entries);
+        return listing;
+    });
+}
+
+}  // namespace macula::session

@@ -1,0 +1,299 @@
+// The models of a Store.
+#include <SQLiteCpp/Column.h>
+
+#include <algorithm>
+#include <chrono>
+
+#include "session/store.h"
+#include "session/store_state.h"
+#include "session/trouble.h"
+
+namespace macula::session {
+
+namespace {
+
+SQLite::Statement modelOfKey(Connection& connection, const std::string& digest) {
+    SQLite::Statement statement = select(connection, kModels, "WHERE t.key = ? AND t.aside IS NULL");
+    statement.bind(1, digest);
+    return statement;
+}
+
+struct Found {
+    std::optional<ModelInfo> info;
+    std::optional<std::int64_t> damagedId;
+};
+
+// The model that has this key. A row that a damaged index led to belongs to another one.
+Found findByKey(Connection& connection, const std::string& digest) {
+    SQLite::Statement statement = modelOfKey(connection, digest);
+    if (!statement.executeStep()) return {};
+    const auto row = readRow(statement, kModels);
+    std::optional<ModelInfo> info = row ? modelOf(*row) : std::nullopt;
+    if (info && info->key.digest() == digest) return {.info = std::move(info)};
+    return {.damagedId = statement.getColumn(0).getInt64()};
+}
+
+// Later than that of all others, even where the clock was put back. A time that no clock shows is from a
+// damaged row.
+std::int64_t nextUse(StoreState& state) {
+    constexpr std::int64_t kCentury = std::int64_t{100} * 365 * 86'400'000;
+    const std::int64_t now = state.nowMs();
+    const std::int64_t last = numberOf(
+        *state.connection, "SELECT max(used) FROM models WHERE used < " + std::to_string(now + kCentury));
+    return std::max(now, last + 1);
+}
+
+Error modelDamaged(const StoreState& state) {
+    return errorOf(Trouble::modelDamaged, state.blobs.folder());
+}
+
+// The row under which the blob is saved: that of before with its id, or a new one.
+ModelInfo infoToSave(StoreState& state, const ModelKey& key, std::optional<ModelInfo> before) {
+    const std::int64_t now = state.nowMs();
+    ModelInfo info = before.value_or(ModelInfo{.key = key, .createdMs = now});
+    if (!before) info.id = nextId(*state.connection, kModels);
+    info.savedMs = now;
+    info.usedMs = nextUse(state);
+    return info;
+}
+
+// In a transaction. `unused` gets the blobs that no row needs any more.
+Result<void> saveRow(StoreState& state, const ModelKey& key, const BlobFiles::Prepared& prepared,
+                     std::uint64_t bytes, SaveReport& report, std::vector<std::string>& unused) {
+    Connection& connection = *state.connection;
+    rememberVolume(connection, key.volume, state.nowMs());
+    Found before = findByKey(connection, key.digest());
+    if (before.damagedId) setRowAside(connection, kModels, *before.damagedId);
+    if (before.info) unused.push_back(before.info->checksum);
+    report.info = infoToSave(state, key, std::move(before.info));
+    report.info.bytes = bytes;
+    report.info.checksum = prepared.digest;
+    MACULA_TRY_VOID(state.blobs.putInPlace(prepared));
+    putRow(connection, kModels, rowOf(report.info));
+    Evicted evicted = evictRows(state, state.options.modelCapBytes, report.info.id);
+    report.evicted = evicted.report;
+    unused.insert(unused.end(), evicted.blobs.begin(), evicted.blobs.end());
+    return {};
+}
+
+}  // namespace
+
+std::optional<ModelInfo> modelOf(const Row& row) {
+    ModelInfo info{
+        .id = row.number(column::modelId),
+        .key = {.volume = row.text(column::modelVolume), .trainer = row.number(column::modelTrainer)},
+        .bytes = static_cast<std::uint64_t>(row.number(column::modelBytes)),
+        .checksum = row.text(column::modelBlob),
+        .createdMs = row.number(column::modelCreated),
+        .savedMs = row.number(column::modelSaved),
+        .usedMs = row.number(column::modelUsed),
+        .aside = row.textOrNull(column::modelAside).value_or("")};
+    if (!partsOfText(row.text(column::modelParts), info.key.parts)) return {};
+    if (!isDigest(info.checksum) || row.number(column::modelBytes) < 0) return {};
+    if (!info.key.isValid() || info.key.digest() != row.text(column::modelKey)) return {};
+    return info;
+}
+
+Row rowOf(const ModelInfo& info) {
+    return {{info.id, info.key.digest(), info.key.volume, info.key.trainer, textOfParts(info.key.parts),
+             static_cast<std::int64_t>(info.bytes), info.checksum, info.createdMs, info.savedMs, info.usedMs,
+             info.aside.empty() ? Value() : Value(info.aside)}};
+}
+
+Evicted evictRows(StoreState& state, std::uint64_t capBytes, std::int64_t kept) {
+    Connection& connection = *state.connection;
+    std::vector<Row> rows;
+    std::uint64_t all = 0;
+    SQLite::Statement statement = select(connection, kModels, "ORDER BY t.aside IS NULL, t.used, t.id");
+    while (statement.executeStep()) {
+        auto row = readRow(statement, kModels);
+        if (!row) continue;
+        all += static_cast<std::uint64_t>(row->number(column::modelBytes));
+        rows.push_back(std::move(*row));
+    }
+    Evicted evicted;
+    for (const Row& row : rows) {
+        if (all <= capBytes) break;
+        const bool isOpen = row.isNull(column::modelAside) &&
+                            state.locks->isMarked(LockFile::byteOf(row.text(column::modelKey)));
+        if (isOpen || row.number(column::modelId) == kept) continue;
+        execute(connection, "DELETE FROM models WHERE id = " + std::to_string(row.number(column::modelId)));
+        const auto bytes = static_cast<std::uint64_t>(row.number(column::modelBytes));
+        all -= bytes;
+        ++evicted.report.models;
+        evicted.report.bytes += bytes;
+        evicted.blobs.push_back(row.text(column::modelBlob));
+    }
+    evicted.report.bytesLeft = all;
+    return evicted;
+}
+
+Result<bool> removeBlobs(StoreState& state, std::span<const std::string> digests, BlobFiles::Removal removal,
+                         std::chrono::milliseconds patience) {
+    if (digests.empty()) return true;
+    // While the transaction lasts nobody commits a row for one of these blobs.
+    return inTransaction(*state.connection, [&]() -> Result<bool> {
+        auto alone = HeldLock::take(state.locks, LockFile::kBlobs, Hold::exclusive, patience);
+        if (!alone && troubleOf(alone.error()) == Trouble::lockedByAnother) return false;
+        if (!alone) return alone.error();
+        for (const std::string& digest : digests) {
+            const std::string texts[]{digest};
+            if (numberOf(*state.connection, "SELECT count(*) FROM models WHERE blob = ?", texts) > 0)
+                continue;
+            MACULA_TRY_VOID(state.blobs.remove(digest, removal));
+        }
+        return true;
+    });
+}
+
+Result<void> setModelAside(StoreState& state, std::int64_t id, const std::string& blob, BlobFault fault) {
+    return inTransaction(*state.connection, [&]() -> Result<void> {
+        SQLite::Statement statement =
+            select(*state.connection, kModels, "WHERE t.id = " + std::to_string(id));
+        if (!statement.executeStep()) return {};
+        auto row = readRow(statement, kModels);
+        statement.reset();
+        if (!row || row->text(column::modelBlob) != blob) return {};
+        row->values[column::modelAside] = std::string(nameOf(fault));
+        putRow(*state.connection, kModels, *row);
+        return {};
+    });
+}
+
+Result<SaveReport> Store::saveModel(const ModelKey& key, std::span<const std::byte> blob) {
+    MACULA_CHECK(key.isValid());
+    StoreState& state = *state_;
+    if (blob.size() > state.options.modelCapBytes)
+        return errorOf(Trouble::modelTooLarge, state.blobs.folder());
+    MACULA_TRY(const BlobFiles::Prepared prepared, state.blobs.prepare(blob));
+    SaveReport report;
+    std::vector<std::string> unused;
+    MACULA_TRY_VOID(inTransaction(
+        *state.connection, [&] { return saveRow(state, key, prepared, blob.size(), report, unused); }));
+    // The model is saved. A blob that cannot be removed now is garbage, and collected as such.
+    static_cast<void>(removeBlobs(state, unused, BlobFiles::Removal::plain, {}));
+    return report;
+}
+
+Result<std::optional<ModelInfo>> Store::findModel(const ModelKey& key) {
+    MACULA_CHECK(key.isValid());
+    Connection& connection = *state_->connection;
+    MACULA_TRY(const Found found,
+               guarded(connection, [&]() -> Result<Found> { return findByKey(connection, key.digest()); }));
+    if (!found.damagedId) return found.info;
+    MACULA_TRY_VOID(inTransaction(connection, [&]() -> Result<void> {
+        if (const Found again = findByKey(connection, key.digest()); again.damagedId)
+            setRowAside(connection, kModels, *again.damagedId);
+        return {};
+    }));
+    return modelDamaged(*state_);
+}
+
+Result<std::vector<ModelCandidate>> Store::nearestModels(const ModelKey& key, std::size_t most) {
+    MACULA_CHECK(key.isValid());
+    Connection& connection = *state_->connection;
+    return guarded(connection, [&]() -> Result<std::vector<ModelCandidate>> {
+        std::vector<ModelCandidate> candidates;
+        SQLite::Statement statement =
+            select(connection, kModels, "WHERE t.volume = ? AND t.aside IS NULL ORDER BY t.used DESC, t.id");
+        statement.bind(1, key.volume);
+        while (statement.executeStep()) {
+            const auto row = readRow(statement, kModels);
+            auto info = row ? modelOf(*row) : std::nullopt;
+            if (!info || info->key.volume != key.volume) continue;
+            auto differing = differences(key, info->key);
+            if (!differing.empty()) candidates.push_back({std::move(*info), std::move(differing)});
+        }
+        std::ranges::stable_sort(candidates, {},
+                                 [](const ModelCandidate& candidate) { return candidate.differing.size(); });
+        if (candidates.size() > most) candidates.resize(most);
+        return candidates;
+    });
+}
+
+Result<LoadedModel> Store::readModel(const ModelInfo& info) {
+    StoreState& state = *state_;
+    std::optional<ModelInfo> found;
+    ReadBlob blob;
+    {
+        // Nobody removes the blob between row and file.
+        MACULA_TRY(const HeldLock reading,
+                   HeldLock::take(state.locks, LockFile::kBlobs, Hold::shared, state.options.patience));
+        MACULA_TRY(found, guarded(*state.connection, [&]() -> Result<std::optional<ModelInfo>> {
+                       SQLite::Statement statement =
+                           select(*state.connection, kModels,
+                                  "WHERE t.id = " + std::to_string(info.id) + " AND t.aside IS NULL");
+                       if (!statement.executeStep()) return std::optional<ModelInfo>();
+                       const auto row = readRow(statement, kModels);
+                       return row ? modelOf(*row) : std::nullopt;
+                   }));
+        if (!found || found->key.digest() != info.key.digest())
+            return errorOf(Trouble::modelGone, state.blobs.folder());
+        MACULA_TRY(blob, state.blobs.read(found->checksum, found->bytes));
+    }
+    if (!blob.fault) return LoadedModel{std::move(*found), std::move(blob.bytes)};
+    MACULA_TRY_VOID(setModelAside(state, found->id, found->checksum, *blob.fault));
+    return modelDamaged(state);
+}
+
+Result<Listing<ModelInfo>> Store::listModels(const std::string& volume) {
+    MACULA_CHECK(volume.empty() || isDigest(volume));
+    Connection& connection = *state_->connection;
+    return guarded(connection, [&]() -> Result<Listing<ModelInfo>> {
+        Listing<ModelInfo> listing;
+        SQLite::Statement statement =
+            select(connection, kModels,
+                   std::string(volume.empty() ? "" : "WHERE t.volume = ? ") + "ORDER BY t.used DESC");
+        if (!volume.empty()) statement.bind(1, volume);
+        while (statement.executeStep()) {
+            const auto row = readRow(statement, kModels);
+            auto info = row ? modelOf(*row) : std::nullopt;
+            if (info && (volume.empty() || info->key.volume == volume)) {
+                listing.entries.push_back(std::move(*info));
+            } else {
+                ++listing.damaged;
+            }
+        }
+        return listing;
+    });
+}
+
+Result<void> Store::touchModel(const ModelKey& key) {
+    MACULA_CHECK(key.isValid());
+    Connection& connection = *state_->connection;
+    return inTransaction(connection, [&]() -> Result<void> {
+        Found found = findByKey(connection, key.digest());
+        if (!found.info) return {};
+        found.info->usedMs = nextUse(*state_);
+        putRow(connection, kModels, rowOf(*found.info));
+        return {};
+    });
+}
+
+Result<EvictionReport> Store::evictModels(std::uint64_t capBytes) {
+    MACULA_TRY(Evicted evicted, inTransaction(*state_->connection, [&]() -> Result<Evicted> {
+                   return evictRows(*state_, capBytes, 0);
+               }));
+    static_cast<void>(removeBlobs(*state_, evicted.blobs, BlobFiles::Removal::plain, {}));
+    return evicted.report;
+}
+
+struct OpenMark::Held {
+    std::shared_ptr<LockFile> locks;
+    off_t byte = 0;
+};
+
+OpenMark::OpenMark(std::unique_ptr<Held> held) : held_(std::move(held)) {}
+OpenMark::OpenMark(OpenMark&&) noexcept = default;
+OpenMark::~OpenMark() {
+    if (held_) held_->locks->removeMark(held_->byte);
+}
+
+Result<OpenMark> Store::markOpen(const ModelKey& key) {
+    MACULA_CHECK(key.isValid());
+    const off_t byte = LockFile::byteOf(key.digest());
+    MACULA_TRY_VOID(state_->locks->addMark(byte));
+    return OpenMark(std::unique_ptr<OpenMark::Held>(new OpenMark::Held{state_->locks, byte}));
+}
+
+}  // namespace macula::session

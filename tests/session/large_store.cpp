@@ -1,0 +1,58 @@
+#include "session/large_store.h"
+
+#include "session/rows.h"
+#include "session/store_state.h"
+#include "session/support.h"
+
+namespace macula::session::test {
+
+namespace {
+
+constexpr std::int64_t kStartMs = 1'700'000'000'000;
+
+std::string volumeName(int series) {
+    return "volume " + std::to_string(series);
+}
+
+void putStudies(Connection& connection) {
+    constexpr int kEach = kLargeSeries / kLargeStudies;
+    for (int i = 0; i < kLargeStudies; ++i) {
+        const std::int64_t at = kStartMs + i;
+        putRow(connection, kStudies, {{largeStudy(i), Value(), at, at}});
+        for (int j = 0; j < kEach; ++j) {
+            const std::string series = digestOf("series " + std::to_string(kEach * i + j));
+            const std::string volume = digestOf(volumeName(kEach * i + j));
+            putRow(connection, kSeries, {{series, largeStudy(i), Value(), at, at}});
+            putRow(connection, kVolumes, {{volume, at, at}});
+            putRow(connection, kSeriesVolumes, {{series, volume}});
+        }
+    }
+}
+
+}  // namespace
+
+std::string largeStudy(int i) {
+    return digestOf("study " + std::to_string(i));
+}
+
+// Two models of each volume that has any.
+ModelKey largeModelKey(int i) {
+    return keyOf(volumeName(i / 2 * 20), i % 2 == 0 ? "bone" : "lung");
+}
+
+void fillLargeStore(const std::filesystem::path& folder) {
+    valueOf(Store::open({.folder = folder}));
+    const auto connection = valueOf(connect(folder / "sessions.db", {}));
+    ASSERT_TRUE(isOk(inTransaction(*connection, [&]() -> Result<void> {
+        putStudies(*connection);
+        for (int i = 0; i < kLargeModels; ++i) {
+            ModelInfo info{.id = i + 1, .key = largeModelKey(i), .bytes = kLargeModelBytes};
+            info.checksum = digestOf("blob " + std::to_string(i));
+            info.createdMs = info.savedMs = info.usedMs = kStartMs + i;
+            putRow(*connection, kModels, rowOf(info));
+        }
+        return {};
+    })));
+}
+
+}  // namespace macula::session::test

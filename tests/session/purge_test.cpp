@@ -1,0 +1,155 @@
+// What was deleted is in no byte of any file of the folder.
+#include <SQLiteCpp/SQLiteCpp.h>
+
+#include <algorithm>
+
+#include "session/store.h"
+#include "session/support.h"
+
+namespace macula::session {
+namespace {
+
+namespace fs = std::filesystem;
+using test::blobOf;
+using test::digestOf;
+using test::isOk;
+using test::keyOf;
+using test::troubleIn;
+using test::valueOf;
+
+constexpr std::string_view kMarker = "MARKER-OF-ANNA";
+
+class Purges : public test::StoreTest {
+  protected:
+    std::vector<fs::path> filesWith(std::string_view text) const {
+        std::vector<fs::path> found;
+        for (const fs::path& file : test::filesBelow(folder_))
+            if (test::textOf(folder_ / file).find(text) != std::string::npos) found.push_back(file);
+        return found;
+    }
+    // Everything of a study that can name it, and enough of it that rows move between pages.
+    void fillStudy(Store& store, const std::string& uid, const std::string& text) {
+        for (int i = 0; i < 40; ++i) {
+            OpenedVolume volume = opened(uid, std::to_string(i), uid + std::to_string(i % 4));
+            volume.readableStudy = text;
+            volume.readableSeries = text + std::to_string(i);
+            ASSERT_TRUE(isOk(store.recordOpened(volume)));
+            const std::string json =
+                "{\"note\": \"" + text + std::string(static_cast<std::size_t>(i) * 97, '.') + "\"}";
+            const DocumentId id{DocumentKind::view, studyIdentity(uid), text + std::to_string(i)};
+            ASSERT_TRUE(isOk(store.putDocument(id, 1, json, {})));
+        }
+        std::vector<std::byte> blob = blobOf(1, 50'000);
+        std::ranges::copy(std::as_bytes(std::span(text)), blob.begin() + 10'000);
+        ASSERT_TRUE(isOk(store.saveModel(keyOf(uid + "0"), blob)));
+    }
+};
+
+TEST_F(Purges, LeaveNoByteOfAStudy) {
+    Store store = open();
+    fillStudy(store, "bert", "of-bert");
+    fillStudy(store, "anna", std::string(kMarker));
+    fillStudy(store, "carl", "of-carl");
+    EXPECT_GE(filesWith(kMarker).size(), 2u) << "the database and a blob";
+    const PurgeReport report = valueOf(store.purgeStudy(studyIdentity("anna"), DamagedFiles::keep));
+    EXPECT_EQ(report.studies, 1u);
+    EXPECT_EQ(report.volumes, 4u);
+    EXPECT_EQ(report.models, 1u);
+    EXPECT_EQ(report.documents, 40u);
+    EXPECT_EQ(filesWith(kMarker), std::vector<fs::path>{});
+    EXPECT_EQ(filesWith(digestOf("anna0")), std::vector<fs::path>{}) << "the volume";
+    EXPECT_EQ(filesWith(seriesIdentity("anna", "1")), std::vector<fs::path>{});
+    EXPECT_EQ(filesWith(studyIdentity("anna")), std::vector<fs::path>{"sessions.db"}) << "the audit trail";
+    EXPECT_EQ(valueOf(store.listAudit(1)).entries.at(0).action, "deleted");
+    EXPECT_EQ(valueOf(store.listStudies()).entries.size(), 2u);
+    EXPECT_TRUE(valueOf(store.findModel(keyOf("bert0"))));
+    EXPECT_EQ(valueOf(store.listSeries(studyIdentity("carl"))).entries.size(), 40u);
+}
+
+TEST_F(Purges, LeaveVolumesThatAnotherStudyHas) {
+    Store store = open();
+    ASSERT_TRUE(isOk(store.recordOpened(opened("1", "1", "chest"))));
+    ASSERT_TRUE(isOk(store.recordOpened(opened("copy of 1", "1", "chest"))));
+    ASSERT_TRUE(isOk(store.saveModel(keyOf("chest"), blobOf(1, 100))));
+    EXPECT_EQ(valueOf(store.purgeStudy(studyIdentity("1"), DamagedFiles::keep)).volumes, 0u);
+    EXPECT_TRUE(valueOf(store.findModel(keyOf("chest"))));
+    EXPECT_EQ(valueOf(store.purgeVolume(digestOf("chest"), DamagedFiles::keep)).volumes, 0u);
+    EXPECT_EQ(valueOf(store.purgeStudy(studyIdentity("copy of 1"), DamagedFiles::keep)).models, 1u);
+    EXPECT_EQ(valueOf(store.findModel(keyOf("chest"))), std::nullopt);
+}
+
+TEST_F(Purges, OfAVolumeThatBelongsToNoStudy) {
+    Store store = open();
+    ASSERT_TRUE(isOk(store.recordOpened({.volume = digestOf("nifti")})));
+    ASSERT_TRUE(isOk(store.saveModel(keyOf("nifti"), blobOf(1, 100))));
+    EXPECT_EQ(valueOf(store.purgeVolume(digestOf("nifti"), DamagedFiles::keep)).models, 1u);
+    EXPECT_TRUE(fs::is_empty(folder_ / "models"));
+}
+
+TEST_F(Purges, RefuseWhatIsOpen) {
+    Store store = open();
+    Store other = open();
+    ASSERT_TRUE(isOk(store.recordOpened(opened("1", "1", "chest"))));
+    ASSERT_TRUE(isOk(store.saveModel(keyOf("chest"), blobOf(1, 100))));
+    {
+        const OpenMark mark = valueOf(other.markOpen(keyOf("chest")));
+        EXPECT_EQ(troubleIn(store.purgeStudy(studyIdentity("1"), DamagedFiles::keep)),
+                  Trouble::lockedByAnother);
+        EXPECT_EQ(valueOf(store.listStudies()).entries.size(), 1u);
+    }
+    EXPECT_EQ(valueOf(store.purgeStudy(studyIdentity("1"), DamagedFiles::keep)).models, 1u);
+}
+
+TEST_F(Purges, SayWhenAReaderKeepsThemFromTheEnd) {
+    Store store = open();
+    fillStudy(store, "anna", std::string(kMarker));
+    {
+        SQLite::Database reader((folder_ / "sessions.db").string());
+        // The rows are gone before the reader comes: it only stands in the way of writing the file anew.
+        ASSERT_TRUE(isOk(store.purgeStudy(studyIdentity("nobody"), DamagedFiles::keep)));
+        SQLite::Statement reading(reader, "SELECT * FROM audit");
+        ASSERT_TRUE(reading.executeStep());
+        EXPECT_EQ(troubleIn(store.purgeStudy(studyIdentity("anna"), DamagedFiles::keep)),
+                  Trouble::lockedByAnother);
+    }
+    ASSERT_TRUE(isOk(store.purgeStudy(studyIdentity("anna"), DamagedFiles::keep)));
+    EXPECT_EQ(filesWith(kMarker), std::vector<fs::path>{});
+}
+
+TEST_F(Purges, OfWhatWasNotOpenedForLong) {
+    Store store = open();
+    ASSERT_TRUE(isOk(store.recordOpened(opened("old", "1", "chest"))));
+    ASSERT_TRUE(isOk(store.recordOpened(opened("old but open", "1", "head"))));
+    ASSERT_TRUE(isOk(store.recordOpened({.volume = digestOf("nifti")})));
+    ASSERT_TRUE(isOk(store.saveModel(keyOf("chest"), blobOf(1, 100))));
+    ASSERT_TRUE(isOk(store.saveModel(keyOf("head"), blobOf(2, 100))));
+    ASSERT_TRUE(isOk(store.putDocument({DocumentKind::preset, "", "mine"}, 1, "{}", {})));
+    nowMs_ += std::int64_t{31} * 86'400'000;
+    ASSERT_TRUE(isOk(store.recordOpened(opened("new", "1", "foot"))));
+    const OpenMark mark = valueOf(store.markOpen(keyOf("head")));
+    const PurgeReport report = valueOf(store.purgeUnused(std::chrono::days(30), DamagedFiles::keep));
+    EXPECT_EQ(report.studies, 1u);
+    EXPECT_EQ(report.volumes, 2u);
+    EXPECT_EQ(report.models, 1u);
+    EXPECT_EQ(report.skippedOpen, 1u);
+    EXPECT_EQ(valueOf(store.listStudies()).entries.size(), 2u);
+    EXPECT_TRUE(valueOf(store.getDocument({DocumentKind::preset, "", "mine"}))) << "of no study";
+    EXPECT_EQ(valueOf(store.purgeUnused(std::chrono::days(30), DamagedFiles::keep)).studies, 0u);
+}
+
+TEST_F(Purges, TellOfDamagedFilesAndRemoveThem) {
+    {
+        Store store = open();
+        fillStudy(store, "anna", std::string(kMarker));
+    }
+    test::putText(folder_ / "sessions.db", "no database" + test::textOf(folder_ / "sessions.db").substr(11));
+    Store store = open();
+    ASSERT_TRUE(store.notes().setAside);
+    EXPECT_EQ(valueOf(store.purgeStudy(studyIdentity("anna"), DamagedFiles::keep)).damagedFolders, 1u);
+    EXPECT_FALSE(filesWith(kMarker).empty());
+    EXPECT_EQ(valueOf(store.purgeStudy(studyIdentity("anna"), DamagedFiles::remove)).damagedFolders, 0u);
+    EXPECT_EQ(filesWith(kMarker), std::vector<fs::path>{});
+}
+
+}  // namespace
+}  // namespace macula::session
