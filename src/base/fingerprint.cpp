@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <vector>
+
+#include "base/parallel.h"
 #include "base/sha256.h"
 
 namespace macula {
@@ -20,12 +23,15 @@ std::string fingerprint(const Volume& volume) {
 
     const bool isFloat = volume.format() == VoxelFormat::float32;
     text += isFloat ? " float32" : " stored16";
-    const std::size_t sliceVoxels = volume.voxelCount() / static_cast<std::size_t>(size.z);
-    for (const int k : {0, size.z / 2, size.z - 1}) {
-        const std::size_t first = static_cast<std::size_t>(k) * sliceVoxels;
-        text += " " + sha256Hex(isFloat ? std::as_bytes(volume.floatVoxels().subspan(first, sliceVoxels))
-                                        : std::as_bytes(volume.voxels().subspan(first, sliceVoxels)));
-    }
+    const auto slices = static_cast<std::size_t>(size.z);
+    const std::size_t sliceVoxels = volume.voxelCount() / slices;
+    std::vector<std::string> digests(slices);
+    parallelFor(slices, [&](std::size_t k) {
+        const std::size_t first = k * sliceVoxels;
+        digests[k] = sha256Hex(isFloat ? std::as_bytes(volume.floatVoxels().subspan(first, sliceVoxels))
+                                       : std::as_bytes(volume.voxels().subspan(first, sliceVoxels)));
+    });
+    for (const std::string& digest : digests) text += " " + digest;
     return sha256Hex(text);
 }
 

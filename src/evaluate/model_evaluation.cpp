@@ -72,7 +72,7 @@ class Evaluation {
         constexpr double kSliceMs = 40.0;
         auto shelf = std::make_shared<hybrid::ModelShelf>(0);
         MACULA_TRY(hybrid::LiveModel model,
-                   hybrid::LiveModel::create(device_, scene_.tracer, std::move(shelf),
+                   hybrid::LiveModel::create(device_, scene_.tracer, std::move(shelf), nullptr,
                                              hybrid::liveModelOptions(*device_)));
         MACULA_TRY_VOID(model.show("evaluated", {.bounces = options_.model.bounces}));
         const auto goesOn = [&] { return !progress_.cancelled(); };

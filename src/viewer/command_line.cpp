@@ -58,6 +58,9 @@ struct Options {
     const QCommandLineOption samples{"spp", "Samples per pixel of a converged picture.", "N", "512"};
     const QCommandLineOption noModel{
         "no-model", "Small traced pictures while a hand moves, instead of a model of splats."};
+    const QCommandLineOption sessions{
+        "sessions", "Where models, and how studies were left, are kept for the next time.", "FOLDER"};
+    const QCommandLineOption noSession{"no-session", "Keep nothing, and begin anew."};
     const QCommandLineOption script{
         "script",
         "Drive the window, measure it, print JSON, quit. 'orbit': turn the volume, "
@@ -75,8 +78,8 @@ struct Options {
                                   "300"};
 
     void addTo(QCommandLineParser& parser) const {
-        parser.addOptions({preset, lights, view, device, size, samples, noModel, script, screenshots,
-                           withPatient, wait, turn, seconds, rest});
+        parser.addOptions({preset, lights, view, device, size, samples, noModel, sessions, noSession, script,
+                           screenshots, withPatient, wait, turn, seconds, rest});
     }
 };
 
@@ -147,6 +150,14 @@ Result<CommandLine> parseCommandLine(const QStringList& arguments) {
         return usage(QStringLiteral("'%1' is not a number of samples.").arg(parser.value(options.samples)));
     }
     result.usesModel = !parser.isSet(options.noModel);
+    if (parser.isSet(options.sessions)) result.sessions = parser.value(options.sessions);
+    if (result.sessions && (result.sessions->isEmpty() || parser.isSet(options.noSession)))
+        return usage(QStringLiteral("--sessions needs a folder, and does not go with --no-session."));
+    // A script measures: it begins anew, unless it is told where.
+    result.keepsSessions =
+        !parser.isSet(options.noSession) && (result.sessions || !parser.isSet(options.script));
+    result.choosesView =
+        parser.isSet(options.preset) || parser.isSet(options.lights) || parser.isSet(options.view);
     MACULA_TRY_VOID(readScript(parser, options, result));
     return result;
 }

@@ -21,6 +21,9 @@ struct CommandLine {
     std::optional<QSize> size;  // of the picture
     std::uint32_t samples = 512;
     bool usesModel = true;
+    bool keepsSessions = true;
+    std::optional<QString> sessions;  // none: session::defaultFolder()
+    bool choosesView = false;         // the command line says how the study is shown
     enum class Script { none, orbit, changes } script = Script::none;
     QString screenshots;
     bool namesPatient = true;  // on screen; in screenshots only where that was asked for

@@ -5,6 +5,7 @@
 #include <QMessageBox>
 #include <QSettings>
 #include <cstdio>
+#include <filesystem>
 #include <optional>
 #include <type_traits>
 #include <utility>
@@ -14,6 +15,7 @@
 #endif
 
 #include "app/exit_codes.h"
+#include "session/store.h"
 #include "viewer/changes_script.h"
 #include "viewer/command_line.h"
 #include "viewer/display_check.h"
@@ -45,6 +47,10 @@ Result<MainWindowOptions> windowOptions(const CommandLine& line) {
     options.sampleLimit = line.samples;
     options.usesModel = line.usesModel;
     options.namesPatient = line.namesPatient;
+    if (line.keepsSessions)
+        options.sessions =
+            line.sessions ? std::filesystem::path(line.sessions->toStdString()) : session::defaultFolder();
+    options.restoresState = !line.choosesView && line.script == CommandLine::Script::none;
     return options;
 }
 

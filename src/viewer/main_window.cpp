@@ -30,6 +30,7 @@ namespace macula::viewer {
 namespace {
 
 constexpr std::chrono::milliseconds kRateLasts{1000};
+constexpr std::chrono::milliseconds kStateKeptEvery{5000};  // a program that is killed loses no more
 
 QString asText(std::string_view text) {
     return QString::fromUtf8(text.data(), qsizetype(text.size()));
@@ -65,7 +66,8 @@ void select(QComboBox& box, const std::vector<std::shared_ptr<const Item>>& item
 
 MainWindow::MainWindow(gpu::Instance instance, MainWindowOptions options)
     : options_(std::move(options)),
-      viewport_(new Viewport(std::move(instance), options_.device)),
+      keeper_(makeKeeper()),
+      viewport_(new Viewport(std::move(instance), options_.device, keeper_)),
       notes_(new MessageBar),
       messages_(new MessageBar),
       loading_(new WorkBar),
@@ -97,6 +99,9 @@ MainWindow::MainWindow(gpu::Instance instance, MainWindowOptions options)
     connect(&rateEnds_, &QTimer::timeout, this,
             [this] { pictureText_->setFullText(pictureText_->fullText().section(QLatin1Char(','), 0, 0)); });
     connect(viewport_, &Viewport::keyNotHandled, this, &MainWindow::triggerShortcut);
+    loader_.setKeeper(keeper_);
+    connect(&keeps_, &QTimer::timeout, this, &MainWindow::keepState);
+    if (keeper_) keeps_.start(kStateKeptEvery);
     viewport_->setSampleLimit(options_.sampleLimit);
     viewport_->setUsesModel(options_.usesModel);
     viewport_->showNames(options_.namesPatient);
@@ -140,6 +145,9 @@ void MainWindow::makeMenus() {
     }
     view->addSeparator();
     view->addAction(withKey(tr("Fit what is visible"), KeyAction::fit), this, [this] { viewport_->fit(); });
+    QAction* afresh = view->addAction(tr("Show as when first opened"), this, &MainWindow::showAfresh);
+    afresh->setObjectName(QStringLiteral("show-afresh"));
+    afresh->setToolTip(tr("Preset, lights, clip and camera that a study has which nobody has seen yet"));
     view->addSeparator();
     names_ = view->addAction(withKey(tr("Patient and study over the picture"), KeyAction::names));
     names_->setObjectName(QStringLiteral("names"));
@@ -402,7 +410,10 @@ void MainWindow::choosePreset(int index) {
 }
 
 void MainWindow::showStudy(const app::OpenedStudy& study) {
+    keepState();  // of the one before
     study_ = study;
+    kept_.reset();
+    sessionNote_.clear();
     const Volume& volume = *study_.volume;
     QStringList notes;
     auto preset = options_.preset;
@@ -423,13 +434,25 @@ void MainWindow::showStudy(const app::OpenedStudy& study) {
               .lights = state_.lights,
               .settings = {.look = state_.settings.look, .shading = state_.settings.shading}};
     table_->setVolume(study_.volume);
-    clips_->choose(0);
     seriesWindows_.forget();
-    clip_.reset();
+    const std::optional<app::StudyState> left = stateAsLeft();
+    if (left) {
+        state_ = *left;
+        state_.seriesDigest = study_.seriesDigest;
+        state_.camera.reset();
+        if (!state_.preset) state_.preset = preset;
+        presetNote_ = presetWarning(*state_.preset, volume);
+        notes.clear();  // on another preset
+        sessionNote_ = tr("This study is shown as it was left. The View menu shows it as when first opened.");
+    }
+    showChosen();
+    clip_ = app::clipOf(state_, volume, nullptr);
     clearStudyTexts();
     app::Drawing first = drawing();
     visibilityNote_ = visibilityNote(first, volume, options_.catalogue);
     viewport_->setStudy(study_.volume, linesOf(study_.identity), std::move(first), options_.firstView);
+    if (left && left->camera) viewport_->showFrom(*left->camera);
+    if (left) table_->ask(left->leavesTableOut);
     volumes_->setVolumes(study_.volumeTitles, study_.volumeIndex);
     volumesInBar_->setVisible(volumes_->count() > 0 && options_.namesPatient);
 
@@ -448,6 +471,7 @@ void MainWindow::showStudy(const app::OpenedStudy& study) {
 void MainWindow::showNotes() {
     QStringList notes = studyNotes_ + table_->notes();
     if (!presetNote_.isEmpty()) notes.prepend(presetNote_);
+    if (!sessionNote_.isEmpty()) notes.prepend(sessionNote_);
     if (!visibilityNote_.isEmpty()) notes.prepend(visibilityNote_);
     if (!pictureNote_.isEmpty()) notes << pictureNote_;
     if (!deviceNote_.isEmpty()) notes << deviceNote_;

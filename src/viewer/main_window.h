@@ -7,6 +7,7 @@
 #include <QMainWindow>
 #include <QStringList>
 #include <QTimer>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -14,6 +15,7 @@
 
 #include "app/choice/catalogue.h"
 #include "app/frame/projection_windows.h"
+#include "app/session/model_keeper.h"
 #include "app/state/study_state.h"
 #include "viewer/choice_menu.h"
 #include "viewer/status_widgets.h"
@@ -36,6 +38,9 @@ struct MainWindowOptions {
     bool usesModel = true;  // of splats, while a hand moves
     bool namesPatient =
         true;  // over the picture, in the title and beside the presets, until somebody hides it
+    // Where models, and how studies were left, are kept for the next time. Nothing: nowhere.
+    std::optional<std::filesystem::path> sessions = {};
+    bool restoresState = true;  // of a study that was left; else only models are kept
 };
 
 // Menus, choices, the viewport, and what is known about the picture in it. Nothing here waits: folders are
@@ -45,6 +50,7 @@ class MainWindow : public QMainWindow {
 
   public:
     MainWindow(gpu::Instance instance, MainWindowOptions options);
+    ~MainWindow() override;  // waits until what was learnt is saved
 
     void open(app::StudySource source);
     // What open() ends with when all went well.
@@ -62,6 +68,8 @@ class MainWindow : public QMainWindow {
     QString rate() const { return pictureText_->fullText(); }   // pixels, and pictures per second in motion
     QString fidelity() const { return fidelity_->fullText(); }  // how true the picture is
     QString badge() const { return badge_->text(); }            // the same in a word
+    // Null where nothing is kept.
+    app::ModelKeeper* keeper() { return keeper_.get(); }
     QString modelState() const { return modelText_->fullText(); }  // what the peripheral model is doing
     bool hasStudy() const { return study_.volume != nullptr; }
     // All that was chosen, with the camera of now; and another one of the same study. usage when none is
@@ -93,6 +101,10 @@ class MainWindow : public QMainWindow {
     void redraw();      // what was chosen has changed
     void updateClip();  // what is hidden has
     void showChosen();  // in menus and lists
+    std::shared_ptr<app::ModelKeeper> makeKeeper();
+    std::optional<app::StudyState> stateAsLeft();
+    void keepState();
+    void showAfresh();
     void openView(const QString& path);
     void saveView(const QString& path);
     void askForView();
@@ -126,6 +138,10 @@ class MainWindow : public QMainWindow {
     app::StudyState state_;
     std::shared_ptr<const Clip> clip_;  // that it comes to; null: nothing is hidden
     app::SeriesWindows seriesWindows_;
+    std::shared_ptr<app::ModelKeeper> keeper_;  // null: nothing is kept
+    std::optional<app::StudyState> kept_;       // the state that it was given last
+    QString sessionNote_;                       // what went wrong with that, or how this study comes back
+    QTimer keeps_;
     QString lastFolder_;
 
     Viewport* viewport_ = nullptr;

@@ -81,7 +81,7 @@ void MainWindow::onRendered(const app::RenderEvent& event) {
 }
 
 void MainWindow::onModel(const hybrid::ModelNews& model) {
-    modelText_->setFullText(modelText(model), whyNoModel(model));
+    modelText_->setFullText(modelText(model), aboutModel(model));
 }
 
 void MainWindow::onFrame(const app::FrameShown& frame) {

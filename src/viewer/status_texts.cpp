@@ -56,6 +56,8 @@ QString modelText(const hybrid::ModelNews& model) {
             return {};
         case ModelStage::searching:
             return tr("Finding points of the peripheral model");
+        case ModelStage::resuming:
+            return tr("Model of an earlier session");
         case ModelStage::learning:
             return tr("Model learning, %1 steps").arg(model.steps);
         case ModelStage::resting:
@@ -68,8 +70,16 @@ QString modelText(const hybrid::ModelNews& model) {
     return {};
 }
 
-QString whyNoModel(const hybrid::ModelNews& model) {
+QString aboutModel(const hybrid::ModelNews& model) {
     const auto tr = [](const char* text) { return QCoreApplication::translate("Model", text); };
+    using hybrid::ModelOrigin;
+    if (model.origin == ModelOrigin::stored) return tr("It goes on from where an earlier session left it.");
+    if (model.origin == ModelOrigin::otherLights)
+        return tr("It began with the stored model of other lights.");
+    if (model.origin == ModelOrigin::otherTrainer)
+        return tr("It began with a model that another version of Macula stored.");
+    if (model.origin == ModelOrigin::damagedPoints)
+        return tr("The stored model of this was damaged; it began anew.");
     if (model.stage == hybrid::ModelStage::noRoom)
         return tr(
             "The graphics device has no room for it beside the volume: while a hand moves, small traced "

@@ -16,8 +16,8 @@ QString fidelityText(const app::FrameShown& frame);
 // What the peripheral model is doing; empty where there is nothing to say.
 QString modelText(const hybrid::ModelNews& model);
 
-// Why there is none, and what is shown instead; empty where there is one, or none is wanted.
-QString whyNoModel(const hybrid::ModelNews& model);
+// What it began with; or why there is none, and what is shown instead. Empty where there is nothing to say.
+QString aboutModel(const hybrid::ModelNews& model);
 
 // A preset that was made for another kind of values, or of images, than those of the volume: what its colours
 // mean there. Empty where it fits.

@@ -1,10 +1,24 @@
 #include "viewer/study_loader.h"
 
+#include <chrono>
 #include <utility>
 
 #include "app/study/found_volumes.h"
 
 namespace macula::viewer {
+
+namespace {
+
+constexpr std::chrono::milliseconds kPatience{2000};  // a slow disk keeps nobody from their images
+
+Result<app::OpenedStudy> withState(Result<app::OpenedStudy> study,
+                                   const std::shared_ptr<app::ModelKeeper>& keeper) {
+    if (study && study->volume && keeper)
+        study->stateAsLeft = keeper->stateOf(study->volume, kPatience).value_or("");
+    return study;
+}
+
+}  // namespace
 
 StudyLoader::StudyLoader(QObject* parent)
     : QObject(parent),
@@ -16,15 +30,15 @@ StudyLoader::StudyLoader(QObject* parent)
 
 void StudyLoader::open(app::StudySource source, bool join) {
     source_ = source;
-    job_.start([source = std::move(source), join](Progress& progress) {
-        return app::openStudy(source, progress, join);
+    job_.start([source = std::move(source), join, keeper = keeper_](Progress& progress) {
+        return withState(app::openStudy(source, progress, join), keeper);
     });
     emit began();
 }
 
 void StudyLoader::open(std::shared_ptr<const app::FoundVolumes> found, std::size_t index) {
-    job_.start([found = std::move(found), index](Progress& progress) {
-        return app::openFoundVolume(found, index, progress);
+    job_.start([found = std::move(found), index, keeper = keeper_](Progress& progress) {
+        return withState(app::openFoundVolume(found, index, progress), keeper);
     });
     emit began();
 }

@@ -4,7 +4,9 @@
 #include <QObject>
 #include <QString>
 #include <memory>
+#include <utility>
 
+#include "app/session/model_keeper.h"
 #include "app/study/opened_study.h"
 #include "viewer/background_job.h"
 
@@ -17,6 +19,9 @@ class StudyLoader : public QObject {
 
   public:
     explicit StudyLoader(QObject* parent = nullptr);
+
+    // Who knows how studies were left; null: nobody does.
+    void setKeeper(std::shared_ptr<app::ModelKeeper> keeper) { keeper_ = std::move(keeper); }
 
     void open(app::StudySource source, bool join = false);
     void open(std::shared_ptr<const app::FoundVolumes> found, std::size_t index);
@@ -37,6 +42,7 @@ class StudyLoader : public QObject {
 
     BackgroundJob<app::OpenedStudy> job_;
     app::StudySource source_;
+    std::shared_ptr<app::ModelKeeper> keeper_;
 };
 
 }  // namespace macula::viewer

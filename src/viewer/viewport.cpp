@@ -76,7 +76,8 @@ Result<gpu::Instance> createInstanceForWindows() {
     return gpu::Instance::create(options);
 }
 
-Viewport::Viewport(gpu::Instance instance, std::string preferredDevice, QWidget* parent)
+Viewport::Viewport(gpu::Instance instance, std::string preferredDevice,
+                   std::shared_ptr<app::ModelKeeper> keeper, QWidget* parent)
     : QWidget(parent), window_(new VulkanWindow(&vulkan_)) {
     vulkan_.setVkInstance(instance.handle());
     vulkan_.setFlags(QVulkanInstance::NoDebugOutputRedirect);  // pipeline/gpu listens already
@@ -91,7 +92,7 @@ Viewport::Viewport(gpu::Instance instance, std::string preferredDevice, QWidget*
     // The events cross to this thread through its queue; those that come after this widget is gone are
     // dropped by Qt.
     renderThread_ = std::make_unique<app::RenderThread>(
-        std::move(instance), std::move(preferredDevice), [this](app::RenderEvent event) {
+        std::move(instance), std::move(preferredDevice), std::move(keeper), [this](app::RenderEvent event) {
             QMetaObject::invokeMethod(
                 this, [this, event = std::move(event)] { onRendered(event); }, Qt::QueuedConnection);
         });

@@ -27,7 +27,9 @@ class Viewport : public QWidget {
 
   public:
     // `preferredDevice` as in gpu::chooseDevice.
-    Viewport(gpu::Instance instance, std::string preferredDevice, QWidget* parent = nullptr);
+    // `keeper` keeps models between runs; null: nobody does.
+    Viewport(gpu::Instance instance, std::string preferredDevice,
+             std::shared_ptr<app::ModelKeeper> keeper = nullptr, QWidget* parent = nullptr);
     ~Viewport() override;
 
     // Shows a new study, with a camera that looks from `from` and fits what is visible. Volume, drawing and

@@ -42,7 +42,7 @@ TEST_F(RenderThreadTest, StopsWhenNothingWasPublished) {
     for (int i = 0; i < 20; ++i) {
         auto instance = gpu::Instance::create();
         ASSERT_TRUE(instance.ok());
-        const RenderThread thread(*std::move(instance), {}, [&](const RenderEvent&) { ++events; });
+        const RenderThread thread(*std::move(instance), {}, nullptr, [&](const RenderEvent&) { ++events; });
         if (i % 2) std::this_thread::sleep_for(std::chrono::milliseconds(2));
     }
     EXPECT_EQ(events, 0);
@@ -54,7 +54,7 @@ TEST_F(RenderThreadTest, PublishingDoesNotWaitForAStepUnderWay) {
     std::promise<void> published;
     std::atomic<int> steps = 0;
     {
-        RenderThread thread(*std::move(instance_), {}, [&](const RenderEvent& event) {
+        RenderThread thread(*std::move(instance_), {}, nullptr, [&](const RenderEvent& event) {
             if (!std::holds_alternative<Preparing>(event)) return;
             if (++steps == 1) {
                 began.set_value();
@@ -80,7 +80,7 @@ TEST_F(RenderThreadTest, IsNotGoneBeforeItsStepIsOver) {
     std::promise<void> began;
     std::atomic<bool> isOver = false;
     {
-        RenderThread thread(*std::move(instance_), {}, [&](const RenderEvent& event) {
+        RenderThread thread(*std::move(instance_), {}, nullptr, [&](const RenderEvent& event) {
             if (!std::holds_alternative<Preparing>(event)) return;
             began.set_value();
             std::this_thread::sleep_for(std::chrono::milliseconds(100));
@@ -96,7 +96,7 @@ TEST_F(RenderThreadTest, IsNotGoneBeforeItsStepIsOver) {
 TEST_F(RenderThreadTest, WithoutAPlaceNothingIsDone) {
     std::atomic<int> events = 0;
     {
-        RenderThread thread(*std::move(instance_), {}, [&](const RenderEvent&) { ++events; });
+        RenderThread thread(*std::move(instance_), {}, nullptr, [&](const RenderEvent&) { ++events; });
         std::uint64_t last = 0;
         for (int i = 0; i < 1000; ++i) {
             const std::uint64_t sequence = thread.publish({.width = 100 + i, .height = 100, .visible = true});
@@ -114,7 +114,7 @@ TEST_F(RenderThreadTest, RunningOutOfMemoryIsToldAndTheThreadLivesOn) {
     std::atomic<int> failures = 0;
     std::atomic<bool> outOfMemory = true;
     {
-        RenderThread thread(*std::move(instance_), {}, [&](const RenderEvent& event) {
+        RenderThread thread(*std::move(instance_), {}, nullptr, [&](const RenderEvent& event) {
             if (std::holds_alternative<Preparing>(event)) throw std::bad_alloc();
             if (const auto* failure = std::get_if<RenderFailure>(&event)) {
                 outOfMemory = outOfMemory && failure->error.code == ErrorCode::outOfMemory;

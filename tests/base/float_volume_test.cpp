@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <limits>
@@ -182,7 +183,7 @@ TEST(In16Bits, KeepsWhatIsKnownOfTheVolume) {
     EXPECT_EQ(volume->windows()[0].center, 3.0);
 }
 
-// Five slices of 2 x 2; the fingerprint sees the first, the third and the fifth.
+// Five slices of 2 x 2.
 std::vector<std::uint16_t> twentyVoxels() {
     std::vector<std::uint16_t> voxels(20);
     for (std::size_t i = 0; i < voxels.size(); ++i) voxels[i] = static_cast<std::uint16_t>(100 * i);
@@ -202,11 +203,19 @@ TEST(Fingerprint, SameVolumeHasTheSame) {
 TEST(Fingerprint, OtherPixelsUnderTheSameUidDiffer) {
     const VolumeOptions options{.size = {2, 2, 5}, .provenance = {.seriesInstanceUid = "1.2.3"}};
     const std::string first = fingerprint(*storedVolume(twentyVoxels(), options));
-    for (const std::size_t changed : {std::size_t{0}, std::size_t{9}, std::size_t{19}}) {
+    for (std::size_t changed = 0; changed < 20; ++changed) {
         auto voxels = twentyVoxels();
         ++voxels[changed];
         EXPECT_NE(first, fingerprint(*storedVolume(voxels, options))) << changed;
     }
+}
+
+TEST(Fingerprint, OrderOfSlicesCounts) {
+    const VolumeOptions options{.size = {2, 2, 5}};
+    auto voxels = twentyVoxels();
+    const std::string first = fingerprint(*storedVolume(voxels, options));
+    std::swap_ranges(voxels.begin() + 4, voxels.begin() + 8, voxels.begin() + 12);
+    EXPECT_NE(first, fingerprint(*storedVolume(voxels, options)));
 }
 
 TEST(Fingerprint, GeometryUnitsAndFormatCount) {

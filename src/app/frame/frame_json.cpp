@@ -34,10 +34,9 @@ nlohmann::ordered_json toJson(const FrameShown& frame) {
         json["samplesPerPixel"] = frame.samplesPerPixel;
         json["denoised"] = frame.denoised;
     }
-    json["model"] = {{"stage", nameOf(frame.model.stage)},
-                     {"splats", frame.model.splats},
-                     {"steps", frame.model.steps},
-                     {"views", frame.model.views}};
+    json["model"] = {{"stage", nameOf(frame.model.stage)},  {"origin", nameOf(frame.model.origin)},
+                     {"why", describe(frame.model.origin)}, {"splats", frame.model.splats},
+                     {"steps", frame.model.steps},          {"views", frame.model.views}};
     json["fidelity"] = fidelity.isFinal ? "final" : "preliminary";
     json["because"] = fidelity.because;
     return json;

@@ -44,13 +44,26 @@ bool canHaveModel(const FrameInput& input) {
 
 }  // namespace
 
-FrameRenderer::FrameRenderer(gpu::Instance instance, std::string preferredDevice, RenderListener listener)
+FrameRenderer::FrameRenderer(gpu::Instance instance, std::string preferredDevice,
+                             std::shared_ptr<ModelKeeper> keeper, RenderListener listener)
     : instance_(std::move(instance)),
       preferredDevice_(std::move(preferredDevice)),
-      listener_(std::move(listener)) {}
+      listener_(std::move(listener)),
+      keeper_(std::move(keeper)) {}
 
 FrameRenderer::~FrameRenderer() {
     releaseScreen();
+    putModelAway();
+}
+
+// What it has learnt goes to the shelf and to the keeper.
+void FrameRenderer::putModelAway() {
+    try {
+        if (model_) model_->hide();
+    } catch (const std::exception&) {
+        log::warning("There was no memory to keep the peripheral model.");
+    }
+    model_.reset();
 }
 
 void FrameRenderer::accept(FrameInput input) {
@@ -63,7 +76,7 @@ void FrameRenderer::accept(FrameInput input) {
         if (screen_) screen_->forget();
         unreported_.reset();
         hybrid_.reset();
-        model_.reset();
+        putModelAway();
         shelf_.reset();
     }
     // Another use of the device leaves another amount of memory, and nobody knows how much.
@@ -86,7 +99,17 @@ void FrameRenderer::accept(FrameInput input) {
     if (input.sampleLimit > input_.sampleLimit) course_.goOnTracing();
     input.gaze = usableGaze(input.gaze);
     input_ = std::move(input);
+    lookForModel();
     tellCourse();
+}
+
+// While the volume is brought to the device the stored model is read.
+void FrameRenderer::lookForModel() {
+    if (!keeper_ || !isComplete() || !canHaveModel(input_)) return;
+    std::string name = sceneNames_.of(input_.study, input_.drawing);
+    if (name == lookedFor_) return;
+    lookedFor_ = std::move(name);
+    if (!shelf_ || !shelf_->find(lookedFor_)) keeper_->look(lookedFor_, input_.volume, input_.drawing);
 }
 
 void FrameRenderer::tellCourse() {
@@ -325,8 +348,8 @@ Result<void> FrameRenderer::applyModel() {
     }
     if (!shelf_) shelf_ = std::make_shared<hybrid::ModelShelf>(kShelfBytes);
     if (!model_) {
-        auto made =
-            hybrid::LiveModel::create(device_, traced_->tracer(), shelf_, hybrid::liveModelOptions(*device_));
+        auto made = hybrid::LiveModel::create(device_, traced_->tracer(), shelf_, keeper_,
+                                              hybrid::liveModelOptions(*device_));
         if (!made) return withoutModel(made.error());
         model_.emplace(*std::move(made));
     }

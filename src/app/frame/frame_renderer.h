@@ -16,6 +16,7 @@
 #include "app/frame/scene_names.h"
 #include "app/frame/screen.h"
 #include "app/frame/traced_pictures.h"
+#include "app/session/model_keeper.h"
 #include "pipeline/gpu/device.h"
 #include "pipeline/gpu/instance.h"
 #include "pipeline/gpu/recovery.h"
@@ -40,7 +41,9 @@ struct Interrupts {
 // Used by one thread, the render thread.
 class FrameRenderer {
   public:
-    FrameRenderer(gpu::Instance instance, std::string preferredDevice, RenderListener listener);
+    // `keeper` keeps models between runs; null: nobody does.
+    FrameRenderer(gpu::Instance instance, std::string preferredDevice, std::shared_ptr<ModelKeeper> keeper,
+                  RenderListener listener);
     ~FrameRenderer();
 
     void accept(FrameInput input);
@@ -65,6 +68,8 @@ class FrameRenderer {
     Result<void> clearWindow();
     Result<bool> applyScene(const Interrupts& interrupts);  // whether all of it is there
     Result<void> applyModel();
+    void lookForModel();
+    void putModelAway();
     Result<void> withoutModel(const Error& error);
     RenderDuty::Work work() const;
     Result<void> takeNext(const Interrupts& interrupts);
@@ -109,6 +114,8 @@ class FrameRenderer {
     bool foveaHasRoom_ = true;  // for what one takes beside the model; false: until that changes
     // Models of this volume; outlives the device.
     std::shared_ptr<hybrid::ModelShelf> shelf_;
+    std::shared_ptr<ModelKeeper> keeper_;
+    std::string lookedFor_;  // the name of the scene that the keeper was last asked for
     SceneNames sceneNames_;
 
     FrameInput input_;

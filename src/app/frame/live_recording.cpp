@@ -203,7 +203,7 @@ class Recording {
           tape_(std::make_shared<Tape>(
               options.picturesPerS,
               std::uint64_t(4) * std::uint64_t(options.sizePx.x) * std::uint64_t(options.sizePx.y))),
-          thread_(std::move(instance), options.device, listenerOf(tape_)) {
+          thread_(std::move(instance), options.device, options.keeper, listenerOf(tape_)) {
         input_.place = std::make_shared<const TapePlace>(tape_);
         input_.width = options.sizePx.x;
         input_.height = options.sizePx.y;

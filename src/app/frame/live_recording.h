@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "app/camera/camera_path.h"
 #include "app/frame/frame_input.h"
 #include "app/frame/render_events.h"
+#include "app/session/model_keeper.h"
 #include "base/frames.h"
 #include "base/progress.h"
 #include "base/result.h"
@@ -29,6 +31,7 @@ struct RecordingOptions {
     double restingS = 10.0;     // after it has let go, at least until the last view is shown
     double picturesPerS = 2.0;  // that are kept, at most; besides, the last one
     std::string device;         // as gpu::DeviceOptions::preferred
+    std::shared_ptr<ModelKeeper> keeper;  // of models of earlier runs; null: none
     // What is drawn after that, from where the camera is, for as long again; another than the scene's.
     std::optional<Drawing> thenDrawing;
 };

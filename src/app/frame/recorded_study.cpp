@@ -86,7 +86,7 @@ Result<void> write(const fs::path& folder, const LiveRecording& recording) {
 
 Result<LiveRecording> recordStudy(const RecordingWish& wish, const Hears& note, const Hears& warn,
                                   Progress& progress) {
-    MACULA_TRY(const RecordingOptions options, optionsOf(wish));
+    MACULA_TRY(RecordingOptions options, optionsOf(wish));
     MACULA_TRY(const ClipPreset clip, chooseClip(wish.clip));
     MACULA_TRY(const Catalogue catalogue, builtInCatalogue());
     FrameInput scene;
@@ -108,7 +108,12 @@ Result<LiveRecording> recordStudy(const RecordingWish& wish, const Hears& note, 
     scene.drawing.transferFunction = std::make_shared<const TransferFunction>(std::move(preset.function));
     if (!shown.clip.isNothing()) scene.drawing.clip = std::make_shared<const Clip>(std::move(shown.clip));
 
+    if (wish.sessions)
+        options.keeper = std::make_shared<ModelKeeper>(
+            session::StoreOptions{.folder = *wish.sessions},
+            [&warn](const Error& error) { warn(error.message + " " + error.hint); });
     MACULA_TRY(LiveRecording recording, recordLive(std::move(scene), options, progress));
+    options.keeper.reset();  // what was learnt is saved
     if (recording.isFull) note("Pictures left out: there were too many. Lower --pictures or --size.");
     MACULA_TRY_VOID(write(wish.folder, recording));
     return recording;

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "app/frame/live_recording.h"
@@ -25,6 +26,7 @@ struct RecordingWish {
     std::filesystem::path camera;      // one to begin with, camera_file.h
     std::filesystem::path cameraPath;  // camera_path.h
     std::string size = "1280x720";
+    std::optional<std::filesystem::path> sessions;  // where models are kept between runs; nothing: nowhere
     RecordingOptions recording;
 };
 

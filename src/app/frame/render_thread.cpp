@@ -33,10 +33,12 @@ void giveWayToTheUserInterface() {
 
 }  // namespace
 
-RenderThread::RenderThread(gpu::Instance instance, std::string preferredDevice, RenderListener listener)
+RenderThread::RenderThread(gpu::Instance instance, std::string preferredDevice,
+                           std::shared_ptr<ModelKeeper> keeper, RenderListener listener)
     : thread_([this, instance = std::move(instance), preferredDevice = std::move(preferredDevice),
+               keeper = std::move(keeper),
                listener = std::move(listener)](const std::stop_token& stop) mutable {
-          run(stop, std::move(instance), std::move(preferredDevice), std::move(listener));
+          run(stop, std::move(instance), std::move(preferredDevice), std::move(keeper), std::move(listener));
       }) {}
 
 RenderThread::~RenderThread() {
@@ -67,9 +69,10 @@ void RenderThread::releaseScreen() {
 }
 
 void RenderThread::run(const std::stop_token& stop, gpu::Instance instance, std::string preferredDevice,
-                       RenderListener listener) {
+                       std::shared_ptr<ModelKeeper> keeper, RenderListener listener) {
     giveWayToTheUserInterface();
-    FrameRenderer renderer(std::move(instance), std::move(preferredDevice), std::move(listener));
+    FrameRenderer renderer(std::move(instance), std::move(preferredDevice), std::move(keeper),
+                           std::move(listener));
     const Interrupts interrupts{.newInput = [this] { return inputs_.pending(); },
                                 .stopping = [&stop] { return stop.stop_requested(); }};
     std::optional<std::uint64_t> owed;  // whoever waits for the screen waits until this is published

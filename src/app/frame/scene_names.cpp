@@ -6,20 +6,24 @@
 
 namespace macula::app {
 
-SceneNames::Scene SceneNames::sceneOf(const Drawing& drawing) {
-    Scene scene{.transferFunction = drawing.transferFunction,
-                .lights = drawing.lights,
-                .clip = drawing.clip ? *drawing.clip : Clip{},
-                .settings = drawing.settings};
-    // Settings on which light does not depend are set to their defaults.
+trace::Settings settingsOfLight(const Drawing& drawing) {
+    trace::Settings settings = drawing.settings;
     const trace::Settings usual;
-    scene.settings.seed = usual.seed;
+    settings.seed = usual.seed;
     // Grey values of a clip's faces pass the exposure unchanged: their light depends on it.
-    if (!scene.clip.hasShape() || !scene.clip.greyFaces) scene.settings.exposure = usual.exposure;
-    scene.settings.denoising = usual.denoising;
-    scene.settings.errorThreshold = usual.errorThreshold;
-    scene.settings.window = usual.window;
-    return scene;
+    if (!drawing.clip || !drawing.clip->hasShape() || !drawing.clip->greyFaces)
+        settings.exposure = usual.exposure;
+    settings.denoising = usual.denoising;
+    settings.errorThreshold = usual.errorThreshold;
+    settings.window = usual.window;
+    return settings;
+}
+
+SceneNames::Scene SceneNames::sceneOf(const Drawing& drawing) {
+    return {.transferFunction = drawing.transferFunction,
+            .lights = drawing.lights,
+            .clip = drawing.clip ? *drawing.clip : Clip{},
+            .settings = settingsOfLight(drawing)};
 }
 
 std::string SceneNames::of(std::uint64_t study, const Drawing& drawing) {

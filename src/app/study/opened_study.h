@@ -29,6 +29,7 @@ struct OpenedStudy {
     std::vector<std::string> volumeTitles = {};
     std::size_t volumeIndex = 0;
     std::string joinQuestion = {};  // see dicom::ScanOptions
+    std::string stateAsLeft = {};   // ModelKeeper::stateOf; empty: nobody knows how it was left
 };
 
 // A folder, or the DICOMDIR in it, of which the best series is meant; an image, of which its own series in

@@ -6,6 +6,7 @@
 #include "gpu/lose_device.h"
 #include "pipeline/hybrid/frame/compositor.h"
 #include "pipeline/hybrid/model/live_model.h"
+#include "pipeline/hybrid/model/model_store.h"
 #include "pipeline/hybrid/views/view_tracing.h"
 #include "trace/extreme_scenes.h"
 #include "trace/gpu_scene.h"
@@ -25,6 +26,21 @@ bool always() {
 bool never() {
     return false;
 }
+
+// Answers what a test says, and remembers what it was given.
+class StoreOfOne final : public ModelStore {
+  public:
+    StoredModel find(const std::string& key) override {
+        ++asked_;
+        return key == key_ ? answer_ : StoredModel{.answer = StoredModel::Answer::none};
+    }
+    void keep(std::shared_ptr<const PeripheralState> state) override { kept_ = std::move(state); }
+
+    std::string key_ = "a";
+    StoredModel answer_{};
+    int asked_ = 0;
+    std::shared_ptr<const PeripheralState> kept_;
+};
 
 class LiveModelTest : public trace::DeviceTest {
   protected:
@@ -56,8 +72,29 @@ class LiveModelTest : public trace::DeviceTest {
         return view;
     }
     trace::PathTracer onScreen() { return tracer(volume_, function_, lights_, view(), {}); }
+    LiveModel beside(const trace::PathTracer& screen, const std::shared_ptr<ModelStore>& store) {
+        return std::move(
+                   LiveModel::create(device(), screen, std::make_shared<ModelShelf>(1), store, options()))
+            .value();
+    }
+    // What a store says of a model that has learnt.
+    StoredModel stored(StoredModel::Answer answer) {
+        auto store = std::make_shared<StoreOfOne>();
+        store->answer_.answer = StoredModel::Answer::none;
+        const trace::PathTracer screen = onScreen();
+        LiveModel model = beside(screen, store);
+        EXPECT_TRUE(model.show("a", {}).ok());
+        search(model);
+        learn(model);
+        StoredModel found{.answer = answer,
+                          .splats = model.shown(),
+                          .gain = model.gain(),
+                          .seenMm = store->kept_->seenMm,
+                          .state = store->kept_};
+        return found;
+    }
     LiveModel beside(const trace::PathTracer& screen) {
-        return std::move(LiveModel::create(device(), screen, shelf_, options())).value();
+        return std::move(LiveModel::create(device(), screen, shelf_, nullptr, options())).value();
     }
     static void search(LiveModel& model) {
         for (int i = 0; i < 1000 && model.news().stage == ModelStage::searching; ++i)
@@ -107,6 +144,105 @@ TEST_F(LiveModelTest, IsFoundTaughtAndDrawnBesideAPictureThatStaysAsItIs) {
     // What is on screen has the samples that it had.
     EXPECT_EQ(screen.statistics()->samplesPerPixel, 64u);
     EXPECT_EQ(screen.readback()->radiance, traced);
+}
+
+// A study that is opened again: what was shown at the end is shown at once, and goes on.
+TEST_F(LiveModelTest, OfAStoreIsShownAtOnceAndGoesOn) {
+    const StoredModel whole = stored(StoredModel::Answer::whole);
+    ASSERT_NE(whole.state, nullptr);
+    EXPECT_EQ(whole.state->gain, whole.gain);
+    auto store = std::make_shared<StoreOfOne>();
+    store->answer_ = {};  // pending
+    const trace::PathTracer screen = onScreen();
+    LiveModel model = beside(screen, store);
+    ASSERT_TRUE(model.show("a", {}).ok());
+    ASSERT_TRUE(model.work(5.0, always).ok());
+    EXPECT_EQ(model.news().stage, ModelStage::searching);
+    EXPECT_GT(store->asked_, 1);
+    EXPECT_FALSE(model.canBeDrawn());
+
+    store->answer_ = whole;
+    store->answer_.answer = StoredModel::Answer::drawable;
+    store->answer_.state = nullptr;
+    ASSERT_TRUE(model.work(5.0, always).ok());
+    EXPECT_EQ(model.news().stage, ModelStage::resuming);
+    EXPECT_EQ(model.news().origin, ModelOrigin::stored);
+    ASSERT_TRUE(model.canBeDrawn());
+    EXPECT_EQ(model.shown(), whole.splats);
+    EXPECT_EQ(model.gain(), whole.gain);
+    const std::vector<glm::vec4> atOnce = drawn(model, view().camera);
+
+    store->answer_ = whole;
+    ASSERT_TRUE(model.work(5.0, always).ok());
+    EXPECT_EQ(model.news().stage, ModelStage::learning);
+    EXPECT_EQ(model.news().steps, whole.state->training.steps);
+    EXPECT_EQ(model.news().origin, ModelOrigin::stored);
+    EXPECT_EQ(drawn(model, view().camera), atOnce) << "the same picture, from the trainer's model";
+    learn(model);
+    EXPECT_EQ(model.news().stage, ModelStage::resting);
+    EXPECT_GE(model.news().steps, whole.state->training.steps);
+}
+
+// Putting it away hands it to the store, under its key, only where there is news.
+TEST_F(LiveModelTest, WhatWasLearntIsHandedToTheStore) {
+    auto store = std::make_shared<StoreOfOne>();
+    store->answer_.answer = StoredModel::Answer::none;
+    const trace::PathTracer screen = onScreen();
+    LiveModel model = beside(screen, store);
+    ASSERT_TRUE(model.show("a", {}).ok());
+    search(model);
+    learn(model, 60);
+    model.hide();
+    ASSERT_NE(store->kept_, nullptr);
+    EXPECT_EQ(store->kept_->training.options.key, "a");
+    EXPECT_GE(store->kept_->training.steps, 60u);
+    store->answer_ = {.answer = StoredModel::Answer::whole, .state = std::exchange(store->kept_, nullptr)};
+    ASSERT_TRUE(model.show("a", {}).ok());
+    ASSERT_TRUE(model.work(5.0, always).ok());
+    ASSERT_EQ(model.news().origin, ModelOrigin::stored);
+    model.hide();
+    EXPECT_EQ(store->kept_, nullptr) << "nothing was learnt since";
+}
+
+TEST_F(LiveModelTest, WithoutAnAnswerOrOfADamagedOneItBeginsWithPoints) {
+    auto store = std::make_shared<StoreOfOne>();
+    const trace::PathTracer screen = onScreen();
+    LiveModelOptions impatient = options();
+    impatient.mostWaitForStore = std::chrono::milliseconds(1);
+    LiveModel model = std::move(LiveModel::create(device(), screen, shelf_, store, impatient)).value();
+    ASSERT_TRUE(model.show("a", {}).ok());
+    search(model);
+    EXPECT_EQ(model.news().origin, ModelOrigin::points);
+
+    // Damaged is what comes after what was drawable: the drawn one goes, and the search begins.
+    StoredModel drawable = stored(StoredModel::Answer::drawable);
+    store->key_ = "b";
+    store->answer_ = drawable;
+    ASSERT_TRUE(model.show("b", {}).ok());
+    for (int i = 0; i < 100 && model.news().stage != ModelStage::resuming; ++i)
+        ASSERT_TRUE(model.work(1.0, always).ok());
+    ASSERT_TRUE(model.canBeDrawn());
+    store->answer_ = {.answer = StoredModel::Answer::damaged};
+    ASSERT_TRUE(model.work(5.0, always).ok());
+    EXPECT_FALSE(model.canBeDrawn());
+    search(model);
+    EXPECT_EQ(model.news().origin, ModelOrigin::damagedPoints);
+}
+
+TEST_F(LiveModelTest, BeginsWithTheStoredModelOfOtherLights) {
+    StoredModel warm = stored(StoredModel::Answer::warm);
+    warm.state = nullptr;
+    auto store = std::make_shared<StoreOfOne>();
+    store->key_ = "in other lights";
+    store->answer_ = warm;
+    const trace::PathTracer screen = onScreen();
+    LiveModel model = beside(screen, store);
+    ASSERT_TRUE(model.show("in other lights", {}).ok());
+    ASSERT_TRUE(model.work(5.0, always).ok());
+    EXPECT_FALSE(model.canBeDrawn()) << "no model is drawn for another key than its own";
+    search(model);
+    EXPECT_EQ(model.news().origin, ModelOrigin::otherLights);
+    EXPECT_EQ(model.news().splats, warm.splats->size());
 }
 
 // What a person looks at is learnt from, and wakes a model that had learnt all there was.
@@ -306,7 +442,7 @@ TEST_F(LiveModelTest, WhatWasLearntOutlivesTheDevice) {
         ASSERT_TRUE(screen.setVolume(volume_).ok());
         ASSERT_TRUE(screen.setTransferFunction(function_).ok());
         ASSERT_TRUE(screen.setEnvironment(lights_).ok());
-        LiveModel model = *LiveModel::create(own, screen, shelf_, options());
+        LiveModel model = *LiveModel::create(own, screen, shelf_, nullptr, options());
         ASSERT_TRUE(model.show("a", {}).ok());
         doThis(model);
         loseDeviceAt(VulkanCall::submit, 1, 0);

@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <new>
+#include <thread>
 #include <utility>
 
 #include "base/check.h"
@@ -16,6 +17,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+constexpr std::chrono::milliseconds kStoreIsAskedEvery{2};
 constexpr int kSideOnCpuPx = 384;  // a view of 2 samples is traced in half a second on two cores
 
 bool isOutOfMemory(const Result<void>& done) {
@@ -34,15 +36,20 @@ LiveModelOptions liveModelOptions(const gpu::Device& device) {
 }
 
 LiveModel::LiveModel(std::shared_ptr<gpu::Device> device, trace::PathTracer tracer,
-                     std::shared_ptr<ModelShelf> shelf, const LiveModelOptions& options)
-    : device_(std::move(device)), tracer_(std::move(tracer)), shelf_(std::move(shelf)), options_(options) {}
+                     std::shared_ptr<ModelShelf> shelf, std::shared_ptr<ModelStore> store,
+                     const LiveModelOptions& options)
+    : device_(std::move(device)),
+      tracer_(std::move(tracer)),
+      shelf_(std::move(shelf)),
+      store_(std::move(store)),
+      options_(options) {}
 
 Result<LiveModel> LiveModel::create(const std::shared_ptr<gpu::Device>& device,
                                     const trace::PathTracer& beside, std::shared_ptr<ModelShelf> shelf,
-                                    const LiveModelOptions& options) {
+                                    std::shared_ptr<ModelStore> store, const LiveModelOptions& options) {
     MACULA_CHECK(shelf != nullptr);
     MACULA_TRY(trace::PathTracer tracer, beside.ofSameScene());
-    return LiveModel(device, std::move(tracer), std::move(shelf), options);
+    return LiveModel(device, std::move(tracer), std::move(shelf), std::move(store), options);
 }
 
 Result<void> LiveModel::show(const std::string& key, const trace::Settings& settings) {
@@ -65,14 +72,79 @@ Result<void> LiveModel::show(const std::string& key, const trace::Settings& sett
 Result<void> LiveModel::tryShow() {
     MACULA_TRY_VOID(tracer_.setSettings(settings_));
     stage_ = ModelStage::searching;
-    const std::shared_ptr<const PeripheralState> kept = shelf_->find(key_);
-    if (!kept) return {};
-    MACULA_TRY(model_, PeripheralModel::resume(device_, *kept, options_.model));
-    views_ = kept->asked;  // the gauge's pictures were given without being asked for
+    if (const std::shared_ptr<const PeripheralState> kept = shelf_->find(key_))
+        return goOnWith(*kept, ModelOrigin::shelf);
+    origin_ = ModelOrigin::points;
+    if (store_) askingSince_ = Clock::now();
+    return {};
+}
+
+Result<void> LiveModel::goOnWith(const PeripheralState& state, ModelOrigin origin) {
+    MACULA_TRY(model_, PeripheralModel::resume(device_, state, options_.model));
+    origin_ = origin;
+    views_ = state.asked;  // the gauge's pictures were given without being asked for
     stepsAtLastView_ = model_->report().training.steps;
-    gauge_.emplace(kept->seenMm);  // to be made anew, while what was learnt can be drawn
-    gain_ = kept->gain;
+    stepsKept_ = stepsAtLastView_;
+    keptAt_ = Clock::now();
+    gauge_.emplace(state.seenMm);  // to be made anew, while what was learnt can be drawn
+    gain_ = state.gain;
     stage_ = ModelStage::learning;
+    return {};
+}
+
+void LiveModel::beginWithPoints(ModelOrigin origin) {
+    painter_.reset();
+    drawn_.reset();
+    gain_ = 1.0;
+    origin_ = origin;
+    stage_ = ModelStage::searching;
+}
+
+// Waits for the answer, as long as it may; whoever calls has other work in between.
+Result<void> LiveModel::askStore(const std::function<bool()>& goesOn) {
+    while (true) {
+        const StoredModel stored = store_->find(key_);
+        const bool isLate = Clock::now() - *askingSince_ > options_.mostWaitForStore;
+        const bool isPending = stored.answer == StoredModel::Answer::pending ||
+                               (stored.answer == StoredModel::Answer::drawable && painter_);
+        if (!isPending || (isLate && stage_ == ModelStage::searching)) return takeFromStore(stored);
+        if (!goesOn()) return {};
+        std::this_thread::sleep_for(kStoreIsAskedEvery);
+    }
+}
+
+Result<void> LiveModel::takeFromStore(const StoredModel& stored) {
+    using Answer = StoredModel::Answer;
+    if (stored.answer != Answer::drawable) askingSince_.reset();
+    switch (stored.answer) {
+        case Answer::pending:  // for too long
+        case Answer::none:
+            return {};
+        case Answer::damaged:
+            beginWithPoints(ModelOrigin::damagedPoints);
+            return {};
+        case Answer::warm:
+        case Answer::stale:
+            origin_ = stored.answer == Answer::warm ? ModelOrigin::otherLights : ModelOrigin::otherTrainer;
+            startWith_ = stored.splats;
+            return {};
+        case Answer::drawable: {
+            MACULA_TRY(splat::ModelPainter painter, splat::ModelPainter::create(device_, *stored.splats));
+            painter_.emplace(std::move(painter));
+            drawn_ = stored.splats;
+            gain_ = stored.gain;
+            origin_ = ModelOrigin::stored;
+            stage_ = ModelStage::resuming;
+            return {};
+        }
+        case Answer::whole: {
+            const Result<void> done = goOnWith(*stored.state, ModelOrigin::stored);
+            if (done || done.error().code != ErrorCode::inputNotUsable) return done;
+            log::warning("The stored peripheral model cannot be gone on with.");
+            beginWithPoints(ModelOrigin::damagedPoints);
+            return {};
+        }
+    }
     return {};
 }
 
@@ -84,18 +156,34 @@ void LiveModel::hide() {
 
 // Only a model that has taken its first steps goes on the shelf: less is soon found again.
 void LiveModel::putAway() {
-    if (!canBeDrawn()) return;
+    if (!model_ || !canBeDrawn()) return;
     Result<PeripheralState> state = model_->state();
-    PeripheralState kept = state ? *std::move(state) : model_->lastGood();
-    kept.gain = gain_;
-    shelf_->put(std::make_shared<const PeripheralState>(std::move(kept)));
+    put(state ? *std::move(state) : model_->lastGood());
 }
 
-void LiveModel::save() const {
-    if (!canBeDrawn()) return;
-    PeripheralState kept = model_->lastGood();
-    kept.gain = gain_;
-    shelf_->put(std::make_shared<const PeripheralState>(std::move(kept)));
+void LiveModel::save() {
+    if (model_ && canBeDrawn()) put(model_->lastGood());
+}
+
+void LiveModel::put(PeripheralState state) {
+    state.gain = gain_;
+    const auto kept = std::make_shared<const PeripheralState>(std::move(state));
+    shelf_->put(kept);
+    if (!store_ || kept->training.steps == stepsKept_) return;
+    stepsKept_ = kept->training.steps;
+    store_->keep(kept);
+}
+
+// So that a program that is killed loses little. lastGood() is on the host already: no frame waits for it.
+void LiveModel::keepSometimes() {
+    const Clock::time_point now = Clock::now();
+    if (!store_ || now - keptAt_ < options_.leastBetweenKeeping) return;
+    keptAt_ = now;
+    PeripheralState state = model_->lastGood();
+    if (state.training.steps == stepsKept_) return;
+    stepsKept_ = state.training.steps;
+    state.gain = gain_;
+    store_->keep(std::make_shared<const PeripheralState>(std::move(state)));
 }
 
 void LiveModel::giveUp(ModelStage stage) {
@@ -115,6 +203,11 @@ void LiveModel::end(ModelStage stage) {
     gauge_.reset();
     views_ = 0;
     stepsAtLastView_ = 0;
+    origin_ = ModelOrigin::none;
+    askingSince_.reset();
+    startWith_.reset();
+    stepsKept_ = 0;
+    keptAt_ = Clock::now();
     stage_ = stage;
 }
 
@@ -125,12 +218,13 @@ Result<void> LiveModel::work(double budgetMs, const std::function<bool()>& keepG
         return std::chrono::duration<double, std::milli>(Clock::now() - start).count() < budgetMs &&
                keepGoing();
     };
-    Result<void> done =
-        stage_ == ModelStage::searching ? searchSome(budgetMs, goesOn) : learnSome(budgetMs, goesOn);
+    Result<void> done = askingSince_                      ? askStore(goesOn)
+                        : stage_ == ModelStage::searching ? searchSome(budgetMs, goesOn)
+                                                          : learnSome(budgetMs, goesOn);
     if (!isOutOfMemory(done)) return done;
     log::warning("There is no room on the device for the peripheral model to learn.");
     // The model can still be drawn as it is.
-    if (canBeDrawn())
+    if (model_ && canBeDrawn())
         stage_ = ModelStage::resting;
     else
         end(ModelStage::noRoom);
@@ -155,7 +249,8 @@ Result<void> LiveModel::searchSome(double budgetMs, const std::function<bool()>&
     if (model_) return takeFirstSteps(budgetMs, goesOn);
     if (!seenMm_) MACULA_TRY_VOID(beginSearch());
     if (!seenMm_) return {};  // there is nothing to be seen
-    if (!points_) {
+    if (startWith_ && !gauge_) gauge_.emplace(*seenMm_);
+    if (!startWith_ && !points_) {
         MACULA_TRY(points_, tracer_.someSurfacePoints(options_.points, goesOn));
         if (!points_) return {};
         if (points_->points.empty()) {
@@ -167,9 +262,11 @@ Result<void> LiveModel::searchSome(double budgetMs, const std::function<bool()>&
     }
     MACULA_TRY_VOID(gauge_->traceSome(tracer_, settings_, goesOn));
     if (!gauge_->isWhole()) return {};
-    const ModelStart start{.splats = initialSplats(*points_), .seenMm = *seenMm_, .key = key_};
+    const ModelStart start{
+        .splats = startWith_ ? *startWith_ : initialSplats(*points_), .seenMm = *seenMm_, .key = key_};
     MACULA_TRY(model_, PeripheralModel::begin(device_, start, options_.model));
     points_.reset();
+    startWith_.reset();
     // Splats made of points alone are too bright, and too opaque where matter is thin. The trainer corrects
     // that in some 40 steps with the six pictures that the gauge has traced.
     for (const TracedView& picture : gauge_->pictures()) {
@@ -235,7 +332,11 @@ Result<void> LiveModel::learnSome(double budgetMs, const std::function<bool()>& 
     if (wanted_) return traceWanted(goesOn);
     MACULA_TRY_VOID(model_->step(budgetMs, goesOn));
     MACULA_TRY_VOID(makeDrawable());
-    if (model_->isPaused() && !wantsView()) stage_ = ModelStage::resting;
+    if (model_->isPaused() && !wantsView()) {
+        stage_ = ModelStage::resting;
+        putAway();
+    }
+    keepSometimes();
     return {};
 }
 
@@ -258,6 +359,7 @@ Result<void> LiveModel::traceWanted(const std::function<bool()>& goesOn) {
 
 Result<void> LiveModel::learnFrom(trace::PathTracer& tracer, const trace::View& view) {
     MACULA_CHECK(canBeDrawn());
+    if (!model_) return {};  // it is resuming
     if (lookedAt_ == view.camera || std::int64_t(view.width) * view.height > kMostPixelsToLearn) return {};
     lookedAt_ = view.camera;
     const auto tryToLearn = [&]() -> Result<void> {
@@ -278,7 +380,7 @@ Result<void> LiveModel::learnFrom(trace::PathTracer& tracer, const trace::View& 
 Result<const splat::DevicePicture*> LiveModel::draw(const Camera& camera, const glm::ivec2& sizePx) {
     MACULA_CHECK(canBeDrawn());
     const auto tryDraw = [&]() -> Result<const splat::DevicePicture*> {
-        MACULA_TRY_VOID(makeDrawable());
+        if (model_) MACULA_TRY_VOID(makeDrawable());
         MACULA_TRY(const splat::RasterView view, splat::rasterView(camera, sizePx, drawn_->originMm));
         return painter_->drawOnDevice(view);
     };
@@ -288,11 +390,13 @@ Result<const splat::DevicePicture*> LiveModel::draw(const Camera& camera, const 
 }
 
 std::shared_ptr<const splat::Splats> LiveModel::shown() const {
-    return model_ ? model_->shown().splats : nullptr;
+    if (model_) return model_->shown().splats;
+    return stage_ == ModelStage::resuming ? drawn_ : nullptr;
 }
 
 ModelNews LiveModel::news() const {
-    ModelNews news{.stage = stage_};
+    ModelNews news{.stage = stage_, .origin = origin_};
+    if (stage_ == ModelStage::resuming) news.splats = static_cast<std::uint32_t>(drawn_->size());
     if (!model_) return news;
     const PeripheralReport report = model_->report();
     news.splats = static_cast<std::uint32_t>(model_->shown().splats->size());

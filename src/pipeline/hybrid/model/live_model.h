@@ -6,6 +6,7 @@
 //     if (model.canBeDrawn()) picture = model.draw(camera, sizePx);
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <glm/glm.hpp>
@@ -20,6 +21,7 @@
 #include "pipeline/hybrid/frame/brightness_gauge.h"
 #include "pipeline/hybrid/model/model_news.h"
 #include "pipeline/hybrid/model/model_shelf.h"
+#include "pipeline/hybrid/model/model_store.h"
 #include "pipeline/hybrid/model/peripheral_model.h"
 #include "pipeline/splat/draw/device_picture.h"
 #include "pipeline/splat/draw/model_painter.h"
@@ -29,12 +31,14 @@
 namespace macula::hybrid {
 
 struct LiveModelOptions {
-    PeripheralOptions model;              // wanted.sizePx: of the pictures that it learns from
-    trace::SurfacePointOptions points;    // count: at most model.firstCapacity
-    std::uint32_t samplesPerPixel = 2;    // of these pictures
-    std::size_t views = 48;               // pictures in all
-    std::uint64_t stepsBetweenViews = 8;  // of training
-    std::uint64_t stepsBeforeShown = 40;  // of training, on the small pictures of the gauge
+    PeripheralOptions model;                           // wanted.sizePx: of the pictures that it learns from
+    trace::SurfacePointOptions points;                 // count: at most model.firstCapacity
+    std::uint32_t samplesPerPixel = 2;                 // of these pictures
+    std::size_t views = 48;                            // pictures in all
+    std::uint64_t stepsBetweenViews = 8;               // of training
+    std::uint64_t stepsBeforeShown = 40;               // of training, on the small pictures of the gauge
+    std::chrono::milliseconds mostWaitForStore{2000};  // then it begins without
+    std::chrono::milliseconds leastBetweenKeeping{20000};
 };
 // What is fast enough on the device to be taught beside a picture that converges.
 LiveModelOptions liveModelOptions(const gpu::Device& device);
@@ -43,15 +47,15 @@ LiveModelOptions liveModelOptions(const gpu::Device& device);
 class LiveModel {
   public:
     // The model of the scene that `beside` shows; it traces a view of its own of that scene. Models that are
-    // put away go to the shelf, which may outlive the device.
+    // put away go to the shelf, which may outlive the device, and to the store, which may be null.
     static Result<LiveModel> create(const std::shared_ptr<gpu::Device>& device,
                                     const trace::PathTracer& beside, std::shared_ptr<ModelShelf> shelf,
-                                    const LiveModelOptions& options);
+                                    std::shared_ptr<ModelStore> store, const LiveModelOptions& options);
 
     // The scene shows what is called `key`, in a path-traced look with these settings, in light that stays
     // where it is: nothing happens when it did already. Else the model of before is put away at once, and
-    // that of the key comes from the shelf, or is searched for. No model is ever drawn for another key than
-    // its own. Where the device has no room, the stage says so; other errors are told.
+    // that of the key comes from the shelf or the store, or is searched for. No model is ever drawn for
+    // another key than its own. Where the device has no room, the stage says so; other errors are told.
     Result<void> show(const std::string& key, const trace::Settings& settings);
     // The screen shows nothing that has a model: the one there is is put on the shelf, and none is drawn.
     void hide();
@@ -59,10 +63,15 @@ class LiveModel {
     // learnt goes to the shelf.
     void giveUp(ModelStage stage);
     // Puts what was learnt until a few seconds ago on the shelf, after the device was lost.
-    void save() const;
+    void save();
 
-    bool canBeDrawn() const { return model_ && stage_ != ModelStage::searching; }
-    bool hasWork() const { return stage_ == ModelStage::searching || stage_ == ModelStage::learning; }
+    bool canBeDrawn() const {
+        return stage_ == ModelStage::resuming || (model_ && stage_ != ModelStage::searching);
+    }
+    bool hasWork() const {
+        return stage_ == ModelStage::searching || stage_ == ModelStage::resuming ||
+               stage_ == ModelStage::learning;
+    }
     // A slice: about `budgetMs`, at least one dispatch of some 40 ms or one step; `keepGoing` is asked
     // between these. Running out of memory ends the search or the learning, and is no error.
     Result<void> work(double budgetMs, const std::function<bool()>& keepGoing);
@@ -88,9 +97,16 @@ class LiveModel {
 
   private:
     LiveModel(std::shared_ptr<gpu::Device> device, trace::PathTracer tracer,
-              std::shared_ptr<ModelShelf> shelf, const LiveModelOptions& options);
+              std::shared_ptr<ModelShelf> shelf, std::shared_ptr<ModelStore> store,
+              const LiveModelOptions& options);
 
     void putAway();
+    void put(PeripheralState state);
+    void keepSometimes();
+    Result<void> askStore(const std::function<bool()>& goesOn);
+    Result<void> takeFromStore(const StoredModel& stored);
+    Result<void> goOnWith(const PeripheralState& state, ModelOrigin origin);
+    void beginWithPoints(ModelOrigin origin);
     Result<void> makeDrawable();
     void end(ModelStage stage);
     Result<void> tryShow();
@@ -104,10 +120,16 @@ class LiveModel {
     std::shared_ptr<gpu::Device> device_;
     trace::PathTracer tracer_;
     std::shared_ptr<ModelShelf> shelf_;
+    std::shared_ptr<ModelStore> store_;
     LiveModelOptions options_;
     std::string key_;  // empty: nothing is shown
     trace::Settings settings_;
     ModelStage stage_ = ModelStage::none;
+    ModelOrigin origin_ = ModelOrigin::none;
+    std::optional<std::chrono::steady_clock::time_point> askingSince_;  // the store; it has not answered yet
+    std::shared_ptr<const splat::Splats> startWith_;  // instead of points, another model of the store
+    std::uint64_t stepsKept_ = 0;                     // when the store was given it last
+    std::chrono::steady_clock::time_point keptAt_;
     // Set by the search; a model from the shelf has the gauge only, which is made anew.
     std::optional<Box> seenMm_;
     std::optional<trace::SurfacePoints> points_;  // found, while the gauge is made

@@ -9,7 +9,8 @@ namespace macula::hybrid {
 
 enum class ModelStage {
     none,       // nobody asked for one
-    searching,  // for the points that it begins with, and learns what they look like
+    searching,  // for a stored one, or for the points that it begins with, and learns what they look like
+    resuming,   // what was shown before is drawn, while the rest of it is read
     learning,
     resting,       // it has learnt what its pictures can teach it
     nothingToSee,  // there is nothing that it could be of
@@ -24,6 +25,8 @@ constexpr std::string_view nameOf(ModelStage stage) {
             return "none";
         case ModelStage::searching:
             return "searching";
+        case ModelStage::resuming:
+            return "resuming";
         case ModelStage::learning:
             return "learning";
         case ModelStage::resting:
@@ -38,8 +41,58 @@ constexpr std::string_view nameOf(ModelStage stage) {
     return {};
 }
 
+// What it began with.
+enum class ModelOrigin {
+    none,           // there is no model
+    points,         // nothing of use was stored
+    damagedPoints,  // likewise: what was stored is damaged
+    shelf,          // itself, shown before in this run of the program
+    stored,         // itself, stored by an earlier one
+    otherLights,    // the stored model of other lights
+    otherTrainer,   // the stored model of an older trainer
+};
+
+// The name as in reports, and why; literals.
+constexpr std::string_view nameOf(ModelOrigin origin) {
+    switch (origin) {
+        case ModelOrigin::none:
+            return "none";
+        case ModelOrigin::points:
+        case ModelOrigin::damagedPoints:
+            return "fresh";
+        case ModelOrigin::shelf:
+        case ModelOrigin::stored:
+            return "resumed";
+        case ModelOrigin::otherLights:
+            return "warm";
+        case ModelOrigin::otherTrainer:
+            return "stale";
+    }
+    return {};
+}
+constexpr std::string_view describe(ModelOrigin origin) {
+    switch (origin) {
+        case ModelOrigin::none:
+            return "there is no model";
+        case ModelOrigin::points:
+            return "no model of this is stored";
+        case ModelOrigin::damagedPoints:
+            return "the stored model of this is damaged";
+        case ModelOrigin::shelf:
+            return "this was shown before";
+        case ModelOrigin::stored:
+            return "a model of this was stored";
+        case ModelOrigin::otherLights:
+            return "a model of this in other lights was stored";
+        case ModelOrigin::otherTrainer:
+            return "a model of this was stored by another version of the trainer";
+    }
+    return {};
+}
+
 struct ModelNews {
     ModelStage stage = ModelStage::none;
+    ModelOrigin origin = ModelOrigin::none;
     std::uint32_t splats = 0;
     std::uint64_t steps = 0;
     std::size_t views = 0;  // it has learnt from, or is judged by

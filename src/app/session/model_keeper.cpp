@@ -1,0 +1,356 @@
+#include "app/session/model_keeper.h"
+
+#include <algorithm>
+#include <exception>
+#include <fstream>
+#include <future>
+#include <span>
+#include <sstream>
+#include <utility>
+
+#include "app/session/scene_key.h"
+#include "base/fingerprint.h"
+#include "base/log.h"
+#include "pipeline/hybrid/model/peripheral_file.h"
+
+#ifdef __linux__
+#include <sys/resource.h>
+#include <unistd.h>
+#endif
+
+namespace macula::app {
+
+namespace {
+
+using Answer = hybrid::StoredModel::Answer;
+
+constexpr std::size_t kMostScenes = 64;  // as many as have names, SceneNames
+constexpr std::size_t kMostKin = 16;
+constexpr const char* kStateName = "as it was left";
+constexpr std::int64_t kStateVersion = 1;
+
+// Packing a model must not take the processor from those who draw where that is the CPU.
+void giveWay() {
+#ifdef __linux__
+    constexpr int kNiceness = 10;
+    setpriority(PRIO_PROCESS, id_t(gettid()), kNiceness);
+#endif
+}
+
+std::span<const std::byte> bytesOf(const std::string& text) {
+    return std::as_bytes(std::span(text.data(), text.size()));
+}
+
+// In the store a model has the digest of its key, in the program the name of its scene.
+void rename(hybrid::PeripheralState& state, const std::string& key) {
+    state.training.options.key = key;
+    state.first.key = key;
+}
+
+session::OpenedVolume openedVolume(const Volume& volume, std::string digest) {
+    const Provenance& from = volume.provenance();
+    session::OpenedVolume opened{.study = {}, .series = {}, .volume = std::move(digest)};
+    if (from.studyInstanceUid.empty() || from.seriesInstanceUid.empty()) return opened;
+    opened.study = session::studyIdentity(from.studyInstanceUid);
+    opened.series = session::seriesIdentity(from.studyInstanceUid, from.seriesInstanceUid);
+    return opened;
+}
+
+session::DocumentId stateIdOf(const Volume& volume, const std::string& digest) {
+    return {.kind = session::DocumentKind::session,
+            .study = openedVolume(volume, digest).study,
+            .name = digest + " " + kStateName};
+}
+
+}  // namespace
+
+ModelKeeper::ModelKeeper(session::StoreOptions options, KeeperListener listener)
+    : options_(std::move(options)),
+      listener_(std::move(listener)),
+      thread_([this](const std::stop_token& stop) { run(stop); }) {}
+
+ModelKeeper::~ModelKeeper() {
+    thread_.request_stop();  // what was handed over is done before it ends
+}
+
+void ModelKeeper::post(Job job) {
+    {
+        const std::lock_guard lock(mutex_);
+        jobs_.push_back(std::move(job));
+    }
+    wake_.notify_one();
+}
+
+void ModelKeeper::run(const std::stop_token& stop) {
+    giveWay();
+    openStore();
+    std::unique_lock lock(mutex_);
+    while (wake_.wait(lock, stop, [this] { return !jobs_.empty(); })) {
+        Job job = std::move(jobs_.front());
+        jobs_.pop_front();
+        isBusy_ = true;
+        lock.unlock();
+        try {
+            if (store_) job(*store_);
+        } catch (const std::exception&) {
+            tell({ErrorCode::outOfMemory,
+                  "There is not enough memory to keep this study's model.",
+                  {},
+                  "Close other programs."});
+        }
+        job = nullptr;
+        lock.lock();
+        isBusy_ = false;
+        if (jobs_.empty()) idle_.notify_all();
+    }
+}
+
+void ModelKeeper::openStore() {
+    try {
+        Result<session::Store> opened = session::Store::open(options_);
+        if (!opened) return tell(opened.error());
+        store_.emplace(*std::move(opened));
+        if (store_->notes().setAside)
+            tell({ErrorCode::inputNotUsable,
+                  "The file of stored sessions was damaged. It was set aside, and what could be read of it "
+                  "was rescued.",
+                  store_->notes().setAside->folder.string(), "`macula sessions verify` says what is there."});
+    } catch (const std::exception&) {
+        tell({ErrorCode::outOfMemory, "Stored sessions could not be opened.", {}, "Close other programs."});
+    }
+}
+
+void ModelKeeper::waitUntilIdle() {
+    std::unique_lock lock(mutex_);
+    idle_.wait(lock, [this] { return jobs_.empty() && !isBusy_; });
+}
+
+void ModelKeeper::tell(const Error& error) {
+    if (!told_.insert(error.message).second) return;
+    log::warning("Stored sessions: {}", error.message);
+    if (listener_) listener_(error);
+}
+
+std::string ModelKeeper::digestOf(const std::shared_ptr<const Volume>& volume) {
+    const std::lock_guard lock(digestMutex_);
+    std::erase_if(digests_, [](const auto& made) { return made.first.expired(); });
+    const auto found = digests_.find(volume);
+    if (found != digests_.end()) return found->second;
+    return digests_[volume] = fingerprint(*volume);
+}
+
+void ModelKeeper::look(const std::string& name, std::shared_ptr<const Volume> volume,
+                       const Drawing& drawing) {
+    {
+        const std::lock_guard lock(mutex_);
+        names_.remove(name);
+        names_.push_back(name);
+        const auto [scene, isNew] =
+            scenes_.try_emplace(name, Scene{.volume = std::move(volume), .drawing = drawing});
+        // Models differ by now from what was found once; the shelf has those that were shown.
+        if (!isNew) scene->second.found = {};
+        while (names_.size() > kMostScenes) {
+            if (!toKeep_.contains(names_.front())) scenes_.erase(names_.front());
+            names_.pop_front();
+        }
+    }
+    post([this, name](session::Store& store) { searchFor(store, name); });
+}
+
+hybrid::StoredModel ModelKeeper::find(const std::string& name) {
+    const std::lock_guard lock(mutex_);
+    const auto scene = scenes_.find(name);
+    if (scene == scenes_.end()) return {.answer = Answer::none};
+    hybrid::StoredModel found = scene->second.found;
+    // Whoever goes on with it has it.
+    if (found.answer == Answer::whole) scene->second.found = {.answer = Answer::none};
+    return found;
+}
+
+void ModelKeeper::answer(const std::string& name, hybrid::StoredModel found) {
+    const std::lock_guard lock(mutex_);
+    if (const auto scene = scenes_.find(name); scene != scenes_.end()) scene->second.found = std::move(found);
+}
+
+std::optional<ModelKeeper::Named> ModelKeeper::nameForStore(const std::string& name) {
+    std::shared_ptr<const Volume> volume;
+    Drawing drawing;
+    {
+        const std::lock_guard lock(mutex_);
+        const auto scene = scenes_.find(name);
+        if (scene == scenes_.end()) return std::nullopt;
+        if (scene->second.named) return scene->second.named;
+        volume = scene->second.volume;
+        drawing = scene->second.drawing;
+    }
+    const std::string digest = digestOf(volume);
+    Named named{.key = sceneKey(digest, *volume, drawing), .volume = openedVolume(*volume, digest)};
+    const std::lock_guard lock(mutex_);
+    if (const auto scene = scenes_.find(name); scene != scenes_.end()) {
+        scene->second.named = named;
+        scene->second.volume = nullptr;
+        scene->second.drawing = {};
+    }
+    return named;
+}
+
+void ModelKeeper::record(session::Store& store, const session::OpenedVolume& volume) {
+    if (recorded_.contains(volume.volume)) return;
+    if (const auto done = store.recordOpened(volume); !done) return tell(done.error());
+    recorded_.insert(volume.volume);
+}
+
+void ModelKeeper::searchFor(session::Store& store, const std::string& name) {
+    {
+        const std::lock_guard lock(mutex_);
+        // A hand that drags a curve shows a new scene many times a second: only the last is looked for.
+        if (names_.empty() || names_.back() != name) return;
+    }
+    const std::optional<Named> named = nameForStore(name);
+    if (!named) return;
+    open_.reset();
+    if (auto mark = store.markOpen(named->key)) open_.emplace(*std::move(mark));
+    const auto info = store.findModel(named->key);
+    hybrid::StoredModel found{.answer = Answer::none};
+    if (!info) {
+        tell(info.error());
+        if (session::troubleOf(info.error()) == session::Trouble::modelDamaged)
+            found.answer = Answer::damaged;
+    } else if (*info) {
+        found = resume(store, **info, name);
+    } else {
+        found = beginWithKin(store, named->key);
+    }
+    const bool isWhole = found.answer == Answer::whole;
+    answer(name, std::move(found));
+    // Only now: both wait for the disk.
+    record(store, named->volume);
+    if (!isWhole) return;
+    if (const auto touched = store.touchModel(named->key); !touched) tell(touched.error());
+}
+
+// What was shown at once, by answer(); then all of it.
+hybrid::StoredModel ModelKeeper::resume(session::Store& store, const session::ModelInfo& info,
+                                        const std::string& name) {
+    const std::string keyDigest = info.key.digest();
+    const auto damaged = [&](const Error& error) {
+        tell({error.code,
+              "A stored model is damaged, and is not used.",
+              {},
+              "`macula sessions verify` says what else is."});
+        if (const auto aside = store.setModelAside(info, "content"); !aside) tell(aside.error());
+        return hybrid::StoredModel{.answer = Answer::damaged};
+    };
+    const auto file = store.modelFile(info);
+    if (!file) return damaged(file.error());
+    std::ifstream stream(*file, std::ios::binary);
+    auto drawable = hybrid::readDrawable(stream, info.bytes);
+    if (!drawable) return damaged(drawable.error());
+    if (drawable->key != keyDigest || drawable->isTrainingOnly) return damaged({});
+    hybrid::StoredModel found{.answer = Answer::drawable,
+                              .splats = drawable->splats,
+                              .gain = drawable->gain,
+                              .seenMm = drawable->seenMm};
+    answer(name, found);
+
+    const auto blob = store.readModel(info);
+    if (!blob) {
+        if (session::troubleOf(blob.error()) == session::Trouble::modelDamaged) {
+            tell(blob.error());
+            return {.answer = Answer::damaged};  // the store has set it aside
+        }
+        return {.answer = Answer::none};
+    }
+    const std::string text(reinterpret_cast<const char*>(blob->blob.data()), blob->blob.size());
+    std::istringstream whole(text);
+    auto read = hybrid::readPeripheral(whole, text.size());
+    if (!read) return damaged(read.error());
+    if (read->state.training.options.key != keyDigest) return damaged({});
+    rename(read->state, name);
+    found.answer = Answer::whole;
+    found.state = std::make_shared<const hybrid::PeripheralState>(std::move(read->state));
+    return found;
+}
+
+hybrid::StoredModel ModelKeeper::beginWithKin(session::Store& store, const session::ModelKey& key) {
+    const auto candidates = store.nearestModels(key, kMostKin);
+    if (!candidates) {
+        tell(candidates.error());
+        return {.answer = Answer::none};
+    }
+    for (const session::ModelCandidate& candidate : *candidates) {
+        const Kinship kinship = kinshipOf(key, candidate.info.key);
+        if (kinship == Kinship::none) continue;
+        const auto file = store.modelFile(candidate.info);
+        if (!file) continue;
+        std::ifstream stream(*file, std::ios::binary);
+        auto drawable = hybrid::readDrawable(stream, candidate.info.bytes);
+        if (!drawable || drawable->isTrainingOnly || drawable->key != candidate.info.key.digest()) continue;
+        return {.answer = kinship == Kinship::otherLights ? Answer::warm : Answer::stale,
+                .splats = drawable->splats,
+                .gain = drawable->gain,
+                .seenMm = drawable->seenMm};
+    }
+    return {.answer = Answer::none};
+}
+
+void ModelKeeper::keep(std::shared_ptr<const hybrid::PeripheralState> state) {
+    const std::string name = state->training.options.key;
+    {
+        const std::lock_guard lock(mutex_);
+        if (!scenes_.contains(name)) return;
+        toKeep_[name] = std::move(state);
+    }
+    post([this, name](session::Store& store) { save(store, name); });
+}
+
+void ModelKeeper::save(session::Store& store, const std::string& name) {
+    std::shared_ptr<const hybrid::PeripheralState> state;
+    {
+        const std::lock_guard lock(mutex_);
+        const auto newest = toKeep_.find(name);
+        if (newest == toKeep_.end()) return;  // saved with an earlier job
+        state = std::move(newest->second);
+        toKeep_.erase(newest);
+    }
+    const std::optional<Named> named = nameForStore(name);
+    if (!named) return;
+    record(store, named->volume);
+    hybrid::PeripheralState stored = *state;  // pictures are shared
+    rename(stored, named->key.digest());
+    std::ostringstream stream;
+    if (const auto written = hybrid::writePeripheral(stream, stored, packed_); !written)
+        return tell(written.error());
+    const std::string blob = std::move(stream).str();
+    if (const auto saved = store.saveModel(named->key, bytesOf(blob)); !saved) tell(saved.error());
+}
+
+std::optional<std::string> ModelKeeper::stateOf(const std::shared_ptr<const Volume>& volume,
+                                                std::chrono::milliseconds patience) {
+    const std::string digest = digestOf(volume);
+    auto found = std::make_shared<std::promise<std::optional<std::string>>>();
+    auto future = found->get_future();
+    post([this, found, id = stateIdOf(*volume, digest)](session::Store& store) {
+        const auto document = store.getDocument(id);
+        if (!document) tell(document.error());
+        found->set_value(document && *document ? std::optional((*document)->json) : std::nullopt);
+    });
+    found.reset();  // where there is no store the job is dropped, and nobody waits
+    if (future.wait_for(patience) != std::future_status::ready) return std::nullopt;
+    try {
+        return future.get();
+    } catch (const std::future_error&) {
+        return std::nullopt;
+    }
+}
+
+void ModelKeeper::keepState(std::shared_ptr<const Volume> volume, std::string json) {
+    post([this, volume = std::move(volume), json = std::move(json)](session::Store& store) {
+        const std::string digest = digestOf(volume);
+        record(store, openedVolume(*volume, digest));
+        const auto done = store.putDocument(stateIdOf(*volume, digest), kStateVersion, json, {});
+        if (!done) tell(done.error());
+    });
+}
+
+}  // namespace macula::app

@@ -1,0 +1,112 @@
+// Keeps models and the states of studies between runs of the program, on a thread of its own: nobody who
+// draws waits for a disk.
+//
+//     keeper->look(name, volume, drawing);             // this is about to be shown
+//     while (keeper->find(name).answer == pending) ... // LiveModel does
+//     keeper->keep(state);                             // and again as it learns
+//
+// Where the store cannot be used, nothing is found and nothing kept, and the listener hears why, once.
+#pragma once
+
+#include <condition_variable>
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <list>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <set>
+#include <string>
+#include <thread>
+
+#include "app/frame/frame_input.h"
+#include "base/result.h"
+#include "base/volume.h"
+#include "pipeline/hybrid/model/model_store.h"
+#include "pipeline/splat/files/packed_pictures.h"
+#include "session/store.h"
+
+namespace macula::app {
+
+// What the keeper has to tell a person: a sentence, and what to do. No patient data but for `where`.
+using KeeperListener = std::function<void(const Error&)>;
+
+// look, find, keep and keepState return at once; any thread may call any of them.
+class ModelKeeper final : public hybrid::ModelStore {
+  public:
+    // `listener` is called on the keeper's thread.
+    ModelKeeper(session::StoreOptions options, KeeperListener listener);
+    // Saves what was handed over first: as long as that takes.
+    ~ModelKeeper() override;
+
+    // The scene that is called `name` from now on, of a complete drawing. What was looked for before and is
+    // not found yet is given up.
+    void look(const std::string& name, std::shared_ptr<const Volume> volume, const Drawing& drawing);
+    hybrid::StoredModel find(const std::string& name) override;
+    // Only under names that were looked for.
+    void keep(std::shared_ptr<const hybrid::PeripheralState> state) override;
+
+    // The state that was kept last for a volume, as toJson(StudyState) gave it; nothing where there is none.
+    // Waits for the disk, at most `patience` and for the digest of the volume.
+    std::optional<std::string> stateOf(const std::shared_ptr<const Volume>& volume,
+                                       std::chrono::milliseconds patience);
+    void keepState(std::shared_ptr<const Volume> volume, std::string json);
+
+    // Until all that was handed over is done. For tests and for those who measure.
+    void waitUntilIdle();
+
+  private:
+    struct Named {  // as the store knows it
+        session::ModelKey key;
+        session::OpenedVolume volume;
+    };
+    struct Scene {
+        std::shared_ptr<const Volume> volume;  // null, and no drawing, once it is named for the store
+        Drawing drawing;
+        hybrid::StoredModel found{};
+        std::optional<Named> named{};  // made on the keeper's thread
+    };
+    using Job = std::function<void(session::Store&)>;
+
+    void post(Job job);
+    void run(const std::stop_token& stop);
+    void openStore();
+    void tell(const Error& error);
+    std::string digestOf(const std::shared_ptr<const Volume>& volume);
+    std::optional<Named> nameForStore(const std::string& name);
+    void answer(const std::string& name, hybrid::StoredModel found);
+    void record(session::Store& store, const session::OpenedVolume& volume);
+    void searchFor(session::Store& store, const std::string& name);
+    hybrid::StoredModel resume(session::Store& store, const session::ModelInfo& info,
+                               const std::string& name);
+    hybrid::StoredModel beginWithKin(session::Store& store, const session::ModelKey& key);
+    void save(session::Store& store, const std::string& name);
+
+    const session::StoreOptions options_;
+    const KeeperListener listener_;
+
+    std::mutex mutex_;
+    std::condition_variable_any wake_;
+    std::condition_variable idle_;
+    std::deque<Job> jobs_;
+    bool isBusy_ = false;
+    std::map<std::string, Scene> scenes_;  // by name
+    std::list<std::string> names_;         // those of scenes_, the one looked for last stands last
+    std::map<std::string, std::shared_ptr<const hybrid::PeripheralState>> toKeep_;  // the newest, by name
+
+    // Of the keeper's thread alone.
+    std::optional<session::Store> store_;
+    std::optional<session::OpenMark> open_;  // the model that is shown is not evicted
+    std::set<std::string> recorded_;         // digests of volumes
+    std::set<std::string> told_;             // sentences
+    splat::PackedPictures packed_;           // of the model that was saved last
+
+    std::mutex digestMutex_;  // a digest is made once
+    std::map<std::weak_ptr<const Volume>, std::string, std::owner_less<>> digests_;
+
+    std::jthread thread_;  // last: it uses all of the above
+};
+
+}  // namespace macula::app

@@ -1,0 +1,46 @@
+#include "app/session/scene_key.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "app/frame/scene_names.h"
+#include "app/model/scene_digests.h"
+#include "base/check.h"
+#include "base/sha256.h"
+#include "pipeline/splat/train/training_state.h"
+#include "pipeline/trace/environment.h"
+
+namespace macula::app {
+
+namespace {
+
+constexpr const char* kLights = "lights";
+constexpr const char* kTrainer = "trainer";
+
+}  // namespace
+
+session::ModelKey sceneKey(const std::string& volumeDigest, const Volume& volume, const Drawing& drawing) {
+    MACULA_CHECK(drawing.transferFunction && drawing.lights);
+    trace::Settings settings = settingsOfLight(drawing);
+    const std::string lights =
+        sha256Hex(fmt::format("{} {:a} {:a}", digestOf(trace::Environment::fromRig(*drawing.lights)),
+                              settings.lightRotationDeg, settings.lightStrength));
+    settings.lightRotationDeg = trace::Settings{}.lightRotationDeg;
+    settings.lightStrength = trace::Settings{}.lightStrength;
+    return {.volume = volumeDigest,
+            .trainer = splat::kTrainerVersion,
+            .parts = {{"transfer-function", digestOf(*drawing.transferFunction)},
+                      {"clip", digestOf(drawing.clip ? *drawing.clip : Clip{}, volume)},
+                      {kLights, lights},
+                      {"settings", digestOf(settings)}}};
+}
+
+Kinship kinshipOf(const session::ModelKey& wanted, const session::ModelKey& stored) {
+    const std::vector<std::string> others = session::differences(wanted, stored);
+    const auto isKin = [](const std::string& part) { return part == kLights || part == kTrainer; };
+    if (others.empty() || !std::ranges::all_of(others, isKin)) return Kinship::none;
+    return std::ranges::find(others, kTrainer) != others.end() ? Kinship::otherTrainer : Kinship::otherLights;
+}
+
+}  // namespace macula::app

@@ -1,0 +1,204 @@
+// What is kept of studies between runs, as the program sees it: with a real store in a folder of the test.
+#include "app/session/model_keeper.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "app/choice/preset_choice.h"
+#include "app/session/scene_key.h"
+#include "base/phantom.h"
+
+namespace macula::app {
+namespace {
+
+namespace fs = std::filesystem;
+using Answer = hybrid::StoredModel::Answer;
+using namespace std::chrono_literals;
+
+class ModelKeeperTest : public testing::Test {
+  protected:
+    void SetUp() override {
+        std::string name = (fs::temp_directory_path() / "macula-keeper-XXXXXX").string();
+        ASSERT_NE(mkdtemp(name.data()), nullptr);
+        folder_ = name;
+    }
+    void TearDown() override { fs::remove_all(folder_); }
+
+    std::unique_ptr<ModelKeeper> keeper() {
+        return std::make_unique<ModelKeeper>(session::StoreOptions{.folder = folder_ / "sessions"},
+                                             [this](const Error& error) { told_.push_back(error.message); });
+    }
+    // Three splats and a picture; told apart by `steps`.
+    static std::shared_ptr<const hybrid::PeripheralState> model(const std::string& name,
+                                                                std::uint64_t steps) {
+        auto state = std::make_shared<hybrid::PeripheralState>();
+        splat::TrainingState& training = state->training;
+        training.options.key = name;
+        training.options.capacity = 8;
+        training.steps = steps;
+        training.splats.resize(3);
+        for (std::size_t i = 0; i < 3; ++i) training.splats.rotations[i] = {1.0f, 0.0f, 0.0f, 0.0f};
+        training.optimizer = splat::OptimizerState::of(training.splats);
+        training.statistics.resize(3);
+        state->seenMm = {.low = glm::dvec3(-1.0), .high = glm::dvec3(1.0)};
+        state->gain = 1.25;
+        EXPECT_TRUE(state->validate().ok()) << state->validate().error().message;
+        return state;
+    }
+    static hybrid::StoredModel found(ModelKeeper& keeper, const std::string& name) {
+        keeper.waitUntilIdle();
+        return keeper.find(name);
+    }
+    void store(const std::string& name, const Drawing& drawing, std::uint64_t steps) {
+        const auto first = keeper();
+        first->look(name, volume_, drawing);
+        first->keep(model(name, steps));
+    }
+    std::vector<fs::path> blobs() const {
+        std::vector<fs::path> files;
+        for (const auto& entry : fs::directory_iterator(folder_ / "sessions" / "models"))
+            files.push_back(entry);
+        return files;
+    }
+
+    fs::path folder_;
+    std::vector<std::string> told_;
+    std::shared_ptr<const Volume> volume_ =
+        std::make_shared<const Volume>(phantom::make({.size = {24, 20, 16}}));
+    Drawing drawing_{.transferFunction =
+                         std::make_shared<const TransferFunction>(choosePreset("cinematic-bone")->function),
+                     .lights = std::make_shared<const trace::LightRig>()};
+};
+
+TEST_F(ModelKeeperTest, GivesBackInAnotherRunWhatWasKept) {
+    store("study 1 scene 0", drawing_, 123);
+    const auto second = keeper();
+    // Another name and other objects: what they are counts.
+    Drawing same = drawing_;
+    same.transferFunction = std::make_shared<const TransferFunction>(*drawing_.transferFunction);
+    volume_ = std::make_shared<const Volume>(phantom::make({.size = {24, 20, 16}}));
+    second->look("study 7 scene 3", volume_, same);
+    const hybrid::StoredModel stored = found(*second, "study 7 scene 3");
+    ASSERT_EQ(stored.answer, Answer::whole);
+    EXPECT_EQ(stored.gain, 1.25);
+    EXPECT_EQ(stored.state->training.steps, 123u);
+    EXPECT_EQ(stored.state->training.options.key, "study 7 scene 3");
+    EXPECT_EQ(stored.splats->size(), 3u);
+    EXPECT_EQ(second->find("study 7 scene 3").answer, Answer::none) << "who has taken it has it";
+    EXPECT_TRUE(told_.empty()) << told_.front();
+}
+
+TEST_F(ModelKeeperTest, TheNewestOfManyIsKept) {
+    {
+        const auto first = keeper();
+        first->look("a", volume_, drawing_);
+        for (std::uint64_t steps = 1; steps <= 40; ++steps) first->keep(model("a", steps));
+    }
+    EXPECT_EQ(blobs().size(), 1u);
+    const auto second = keeper();
+    second->look("b", volume_, drawing_);
+    const hybrid::StoredModel stored = found(*second, "b");
+    ASSERT_EQ(stored.answer, Answer::whole);
+    EXPECT_EQ(stored.state->training.steps, 40u);
+}
+
+TEST_F(ModelKeeperTest, NothingIsFoundForAnotherVolume) {
+    store("a", drawing_, 5);
+    std::vector<std::uint16_t> voxels(volume_->voxels().begin(), volume_->voxels().end());
+    ++voxels[voxels.size() / 2];
+    VolumeOptions options{.size = volume_->size(),
+                          .worldFromVoxel = volume_->worldFromVoxel(),
+                          .unitsFromStored = volume_->unitsFromStored(),
+                          .unit = volume_->unit(),
+                          .modality = volume_->modality(),
+                          .padding = volume_->padding(),
+                          .provenance = volume_->provenance()};
+    const auto changed = std::make_shared<const Volume>(std::move(Volume::create(options, voxels)).value());
+    --voxels[voxels.size() / 2];
+    const auto equal = std::make_shared<const Volume>(std::move(Volume::create(options, voxels)).value());
+    const auto second = keeper();
+    second->look("changed", changed, drawing_);
+    EXPECT_EQ(found(*second, "changed").answer, Answer::none);
+    second->look("equal", equal, drawing_);
+    EXPECT_EQ(found(*second, "equal").answer, Answer::whole);
+}
+
+TEST_F(ModelKeeperTest, OtherLightsBeginWithItAndOtherPresetsDoNot) {
+    store("a", drawing_, 5);
+    const auto second = keeper();
+    Drawing lit = drawing_;
+    lit.settings.lightRotationDeg = 90.0;
+    second->look("lit", volume_, lit);
+    const hybrid::StoredModel warm = found(*second, "lit");
+    EXPECT_EQ(warm.answer, Answer::warm);
+    ASSERT_NE(warm.splats, nullptr);
+    EXPECT_EQ(warm.splats->size(), 3u);
+    EXPECT_EQ(warm.state, nullptr);
+    Drawing other = drawing_;
+    other.transferFunction =
+        std::make_shared<const TransferFunction>(choosePreset("cinematic-chest")->function);
+    second->look("other", volume_, other);
+    EXPECT_EQ(found(*second, "other").answer, Answer::none);
+}
+
+// Any bit of a stored model that was changed: it is set aside, said so, and the study begins anew.
+TEST_F(ModelKeeperTest, ADamagedModelIsNeverGivenBack) {
+    store("a", drawing_, 5);
+    const auto files = blobs();
+    ASSERT_EQ(files.size(), 1u);
+    const auto size = fs::file_size(files.front());
+    std::string bytes(size, '\0');
+    std::ifstream(files.front(), std::ios::binary).read(bytes.data(), std::streamsize(size));
+    for (const std::size_t at : {std::size_t(0), std::size_t(size / 3), std::size_t(size - 1)}) {
+        const fs::path damaged = folder_ / "sessions";
+        std::string other = bytes;
+        other[at] = char(other[at] ^ 0x10);
+        store("a", drawing_, 5);  // whole again
+        ASSERT_EQ(blobs().size(), 1u);
+        std::ofstream(blobs().front(), std::ios::binary) << other;
+        told_.clear();
+        const auto second = keeper();
+        second->look("b", volume_, drawing_);
+        EXPECT_EQ(found(*second, "b").answer, Answer::damaged) << at;
+        ASSERT_FALSE(told_.empty()) << at;
+        // And it can be kept again.
+        second->keep(model("b", 6));
+        second->waitUntilIdle();
+        second->look("b", volume_, drawing_);
+        EXPECT_EQ(found(*second, "b").answer, Answer::whole) << at;
+    }
+}
+
+TEST_F(ModelKeeperTest, WithoutAStoreNothingIsFoundAndItIsSaidOnce) {
+    std::ofstream(folder_ / "sessions") << "a file where the folder should be";
+    {
+        const auto first = keeper();
+        first->look("a", volume_, drawing_);
+        first->keep(model("a", 5));
+        first->keepState(volume_, "{}");
+        EXPECT_EQ(first->stateOf(volume_, 5s), std::nullopt);
+        EXPECT_EQ(found(*first, "a").answer, Answer::none);
+    }
+    EXPECT_EQ(told_.size(), 1u);
+}
+
+TEST_F(ModelKeeperTest, TheStateOfAStudyComesBackForItsVolumeAlone) {
+    {
+        const auto first = keeper();
+        EXPECT_EQ(first->stateOf(volume_, 5s), std::nullopt);
+        first->keepState(volume_, R"({"look":"mip"})");
+        first->keepState(volume_, R"({"look":"dvr"})");
+    }
+    const auto second = keeper();
+    const auto other = std::make_shared<const Volume>(phantom::make({.size = {24, 20, 17}}));
+    EXPECT_EQ(second->stateOf(other, 5s), std::nullopt);
+    const auto left = second->stateOf(volume_, 5s);
+    ASSERT_TRUE(left);
+    EXPECT_NE(left->find("dvr"), std::string::npos);
+    EXPECT_TRUE(told_.empty());
+}
+
+}  // namespace
+}  // namespace macula::app
