@@ -64,6 +64,38 @@ TEST_F(Hybrid, RecordsWhatIsShownFromOpeningToRest) {
     EXPECT_LT(at(0, 0), 0.1f);
 }
 
+// What was learnt in one run of the program is shown from the first hybrid frame on in the next.
+TEST_F(Hybrid, GoesOnFromTheModelOfAnEarlierRun) {
+    const std::string ball = writeBall();
+    const auto record = [&](const std::string& folder, const std::vector<std::string>& more) {
+        std::vector<std::string> arguments{"hybrid",  ball,       "-o",      at(folder), "--size", "64x48",
+                                           "--learn", "4",        "--rest",  "0",        "--seconds", "1",
+                                           "--pictures", "0"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        const Ran ran = runMacula(arguments);
+        EXPECT_EQ(ran.exitCode, 0) << ran.err;
+        return framesOf(at(folder));
+    };
+    const std::vector<std::string> kept{"--sessions", at("sessions")};
+    const auto first = record("first", kept);
+    ASSERT_FALSE(first.empty());
+    EXPECT_EQ(first.back()["model"]["origin"], "fresh");
+    EXPECT_EQ(first.back()["model"]["why"], "no model of this is stored");
+    const std::uint64_t steps = first.back()["model"]["steps"];
+    ASSERT_GE(steps, 40u);
+    const auto second = record("second", kept);
+    for (const json& frame : second) {
+        if (frame["model"]["splats"] > 0) {
+            EXPECT_EQ(frame["model"]["origin"], "resumed");
+        }
+    }
+    EXPECT_EQ(second.back()["model"]["origin"], "resumed");
+    EXPECT_GE(second.back()["model"]["steps"].get<std::uint64_t>(), steps);
+    const auto none = record("third", {"--no-session"});
+    EXPECT_EQ(none.back()["model"]["origin"], "fresh");
+    EXPECT_FALSE(runMacula({"hybrid", ball, "-o", at("x"), "--no-session", "--sessions", at("s")}).exitCode == 0);
+}
+
 TEST_F(Hybrid, RefusesWhatItCannotRecord) {
     const std::string ball = writeBall();
     const auto expectRefusal = [&](const std::vector<std::string>& more, int exitCode, const char* message) {

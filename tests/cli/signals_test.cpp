@@ -20,14 +20,18 @@ using Clock = std::chrono::steady_clock;
 using std::chrono::microseconds;
 
 constexpr int kMoments = 20;
-constexpr int kMomentsOfSlowOnes = 5;
+constexpr int kMomentsOfQuickRuns = 7;
+constexpr int kMomentsOfSlowOnes = 3;
 constexpr int kSignals[] = {SIGINT, SIGTERM, SIGKILL};
 using Contents = std::map<std::string, std::string>;  // by name
 
-// At each moment another of the signals, or, with MACULA_EVERY_SIGNAL in the environment, each of them.
+// With MACULA_EVERY_SIGNAL in the environment each of the signals at each of kMoments; else fewer moments, and
+// at each another of them.
+bool isThorough() {
+    return std::getenv("MACULA_EVERY_SIGNAL") != nullptr;
+}
 bool isTried(int moment, std::size_t signal) {
-    return std::getenv("MACULA_EVERY_SIGNAL") != nullptr ||
-           std::size_t(moment) % std::size(kSignals) == signal;
+    return isThorough() || std::size_t(moment) % std::size(kSignals) == signal;
 }
 
 class Signals : public CommandTest {
@@ -47,7 +51,9 @@ class Signals : public CommandTest {
     // what was there before, unless the command was done or killed: then it may be what a run without a
     // signal makes.
     void expectAllOrNothing(const std::vector<std::string>& arguments, const std::vector<std::string>& files,
-                            std::function<bool(const Contents&)> isWhole = {}, int moments = kMoments) {
+                            std::function<bool(const Contents&)> isWhole = {},
+                            int moments = kMomentsOfQuickRuns) {
+        if (isThorough()) moments = kMoments;
         const auto reset = [&] {
             fs::remove_all(at("out"));
             fs::create_directory(at("out"));

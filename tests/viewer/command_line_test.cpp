@@ -39,6 +39,21 @@ TEST(CommandLine, ReadsAllOptions) {
     EXPECT_EQ(line->device, QStringLiteral("llvmpipe"));
 }
 
+// A script measures: what was learnt before would be in its figures.
+TEST(CommandLine, SessionsAreKeptUnlessAScriptOrAPersonSaysNo) {
+    EXPECT_TRUE(parse({})->keepsSessions);
+    EXPECT_EQ(parse({})->sessions, std::nullopt);
+    EXPECT_FALSE(parse({"--no-session"})->keepsSessions);
+    EXPECT_FALSE(parse({"--script", "orbit"})->keepsSessions);
+    const auto told = parse({"--script", "orbit", "--sessions", "x"});
+    EXPECT_TRUE(told->keepsSessions);
+    EXPECT_EQ(told->sessions, QStringLiteral("x"));
+    EXPECT_FALSE(parse({})->choosesView);
+    EXPECT_TRUE(parse({"--view", "left"})->choosesView);
+    EXPECT_FALSE(parse({"--sessions", "x", "--no-session"}).ok());
+    EXPECT_FALSE(parse({"--sessions", ""}).ok());
+}
+
 TEST(CommandLine, RefusesWhatDoesNotExist) {
     for (const QStringList& wrong :
          {QStringList{"--view", "sideways"}, QStringList{"--size", "800"}, QStringList{"--size", "8x6"},

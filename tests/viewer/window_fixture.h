@@ -55,6 +55,7 @@ class WindowTest : public testing::Test {
         options.pictureSize = QSize(320, 240);
         options.sampleLimit = 2;
         options.usesModel = usesModel_;
+        options.sessions = sessions_;
         window_.emplace(*std::move(instance), std::move(options));
         QObject::connect(&*window_, &MainWindow::frameShown, &*window_, [this](const app::FrameShown& frame) {
             last_ = frame;
@@ -134,6 +135,7 @@ class WindowTest : public testing::Test {
 
     bool refusesRaw_ = true;  // what is no CT cannot be shown
     bool usesModel_ = true;
+    std::optional<std::filesystem::path> sessions_;  // where models and states are kept; nothing: nowhere
     int argc_ = 1;
     char name_[5] = "test";
     char* argv_[2] = {name_, nullptr};

@@ -1,0 +1,78 @@
+// A study that is opened again, in another window: as it was left, with what was learnt of it.
+#include <gtest/gtest.h>
+
+#include <QAction>
+#include <QTemporaryDir>
+#include <fstream>
+
+#include "viewer/window_fixture.h"
+
+namespace macula::viewer {
+namespace {
+
+class SessionTest : public WindowTest {
+  protected:
+    void SetUp() override {
+        sessions_ = folder_.filePath(QStringLiteral("sessions")).toStdString();
+        WindowTest::SetUp();
+    }
+    void anotherWindow() {
+        window_.reset();  // saves
+        origins_.clear();
+        makeWindow();
+        QObject::connect(&*window_, &MainWindow::frameShown, &*window_, [this](const app::FrameShown& frame) {
+            origins_.push_back(frame.model.origin);
+        });
+    }
+    bool waitForOrigin(hybrid::ModelOrigin origin) {
+        return waitUntil([&] { return !origins_.empty() && origins_.back() == origin; });
+    }
+
+    QTemporaryDir folder_;
+    std::vector<hybrid::ModelOrigin> origins_;
+};
+
+TEST_F(SessionTest, ComesBackAsItWasLeftWithItsModel) {
+    window_->open(std::nullopt);
+    ASSERT_TRUE(waitForConverged());
+    EXPECT_FALSE(window_->notes().contains(QLatin1String("as it was left")));
+    ASSERT_TRUE(waitUntil([&] { return last_ && last_->model.steps >= 60; }));
+    app::StudyState left = window_->state();
+    left.settings.lightStrength = 1.5;
+    left.camera->positionMm += glm::dvec3(40.0, 10.0, 5.0);
+    ASSERT_TRUE(window_->setState(left).ok());
+    ASSERT_TRUE(waitForConverged());
+    ASSERT_TRUE(waitUntil([&] { return last_ && last_->model.steps >= 60; }));
+    const std::uint64_t steps = last_->model.steps;
+
+    anotherWindow();
+    window_->open(std::nullopt);
+    ASSERT_TRUE(waitForOrigin(hybrid::ModelOrigin::stored));
+    // No picture of it ever was of a model that began anew.
+    EXPECT_EQ(std::count(origins_.begin(), origins_.end(), hybrid::ModelOrigin::points), 0);
+    EXPECT_TRUE(window_->notes().contains(QLatin1String("as it was left"))) << window_->notes().toStdString();
+    const app::StudyState now = window_->state();
+    EXPECT_EQ(now.settings.lightStrength, 1.5);
+    EXPECT_LT(glm::distance(now.camera->positionMm, left.camera->positionMm), 1e-6);
+    ASSERT_TRUE(waitForConverged());
+    EXPECT_GE(last_->model.steps, steps);
+
+    // And as nobody has left it.
+    window_->findChild<QAction*>(QStringLiteral("show-afresh"))->trigger();
+    EXPECT_EQ(window_->state().settings.lightStrength, 1.0);
+    EXPECT_FALSE(window_->notes().contains(QLatin1String("as it was left")));
+}
+
+TEST_F(SessionTest, WithoutAPlaceForItTheWindowSaysSoAndIsAsItIsWithout) {
+    window_.reset();
+    std::ofstream(folder_.filePath(QStringLiteral("file")).toStdString()) << "no folder";
+    sessions_ = folder_.filePath(QStringLiteral("file/sessions")).toStdString();
+    makeWindow();
+    window_->open(std::nullopt);
+    ASSERT_TRUE(waitForConverged());
+    EXPECT_FALSE(window_->notes().isEmpty());
+    EXPECT_TRUE(window_->message().isEmpty());
+}
+
+}  // namespace
+}  // namespace macula::viewer
