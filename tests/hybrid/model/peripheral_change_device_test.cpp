@@ -235,7 +235,7 @@ TEST_F(PeripheralChange, AnotherDeviceGoesOnWhereOneWasLost) {
         auto resumed = PeripheralModel::resume(device(), left, neverPaused());
         ASSERT_TRUE(resumed.ok());
         EXPECT_EQ(resumed->report().heldOut, 2u);
-        EXPECT_TRUE(sameBits(*resumed->shown().splats, left.training.splats));
+        EXPECT_TRUE(sameBits(*resumed->shown().splats, *model.shown().splats));
         EXPECT_GT(resumed->shown().generation, model.shown().generation);
         EXPECT_FALSE(resumed->isPaused());
         learn(*resumed, 150);

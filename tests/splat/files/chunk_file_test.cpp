@@ -124,6 +124,43 @@ TEST(ChunkFileTest, EveryChangedBitIsTold) {
     EXPECT_FALSE(readAll(bytes + "x").ok());
 }
 
+// What lies behind the chunk that is asked for is not read: it need not even be there.
+TEST(ChunkFileTest, TheBeginningIsReadWithoutTheRest) {
+    const std::string bytes = fileOf();
+    std::istringstream whole(bytes);
+    auto all = ChunkFile::open(whole, bytes.size(), 7);
+    ASSERT_TRUE(all.ok());
+    const ChunkEntry& numbers = all->entries()[2];
+    const std::string begin = bytes.substr(0, numbers.offset + numbers.storedBytes);
+    std::istringstream stream(begin);
+    EXPECT_FALSE(ChunkFile::open(stream, bytes.size(), 7).ok());
+    auto file = ChunkFile::openUntil(stream, bytes.size(), 7, "numbers");
+    ASSERT_TRUE(file.ok());
+    EXPECT_EQ(file->entries().size(), 3u);
+    EXPECT_TRUE(file->has("text"));
+    EXPECT_TRUE(file->has("numbers"));
+    EXPECT_FALSE(file->has("number"));
+    EXPECT_EQ(*file->read("numbers", kNumbers.size()), kNumbers);
+    EXPECT_EQ(*file->readText("text"), kText);
+    EXPECT_FALSE(ChunkFile::openUntil(stream, bytes.size(), 7, "none").ok()) << "looked for up to the end";
+    std::istringstream again(bytes);
+    EXPECT_EQ(ChunkFile::openUntil(again, bytes.size(), 7, "none")->entries().size(), 4u);
+    // With the file too short for its bytes.
+    EXPECT_FALSE(ChunkFile::openUntil(again, numbers.offset + numbers.storedBytes - 1, 7, "numbers").ok());
+}
+
+TEST(ChunkFileTest, WhatIsPackedAlreadyIsWrittenAsItIs) {
+    const std::vector<std::byte> other = someBytes(160, 5);
+    const auto packed = packPlanes(kNumbers, 16);
+    ASSERT_TRUE(packed.ok());
+    std::ostringstream plain;
+    std::ostringstream before;
+    ASSERT_TRUE(writeChunks(plain, 7, std::vector<Chunk>{{"a", kNumbers, 16}, {"b", other, 4}}).ok());
+    ASSERT_TRUE(
+        writeChunks(before, 7, std::vector<Chunk>{{"a", kNumbers, 16, *packed}, {"b", other, 4}}).ok());
+    EXPECT_EQ(before.str(), plain.str());
+}
+
 // With checksums that agree: sizes that a file of that length cannot hold are refused before there is room
 // for them.
 TEST(ChunkFileTest, ImpossibleSizesAreRefused) {

@@ -14,6 +14,7 @@
 #include "base/paths.h"
 #include "pipeline/splat/files/chunk_file.h"
 #include "pipeline/splat/files/option_lines.h"
+#include "splat/chunks.h"
 #include "splat/training_support.h"
 
 namespace macula::splat {
@@ -22,6 +23,7 @@ namespace {
 namespace fs = std::filesystem;
 using testing::expectSame;
 using testing::randomState;
+using testing::replace;
 
 std::string fileOf(const TrainingState& state) {
     std::ostringstream stream;
@@ -42,29 +44,7 @@ Result<ModelFile> parseModel(const std::string& bytes) {
 // With whole checksums, one chunk changed.
 std::string changed(const std::string& bytes, std::string_view name,
                     const std::function<void(std::string&)>& change) {
-    std::istringstream stream(bytes);
-    ChunkFile file = std::move(ChunkFile::open(stream, bytes.size(), kTrainingFileVersion)).value();
-    std::vector<std::string> contents;
-    for (const ChunkEntry& entry : file.entries()) {
-        const auto plain = *ChunkFile::unpacked(entry, *file.stored(entry));
-        contents.emplace_back(reinterpret_cast<const char*>(plain.data()), plain.size());
-        if (entry.name == name) change(contents.back());
-    }
-    std::vector<Chunk> chunks;
-    for (std::size_t i = 0; i < contents.size(); ++i) {
-        const ChunkEntry& entry = file.entries()[i];
-        const bool whole = entry.stride == 0 || contents[i].size() % entry.stride == 0;
-        chunks.push_back({entry.name, std::as_bytes(std::span(contents[i])), whole ? entry.stride : 1});
-    }
-    std::ostringstream out;
-    EXPECT_TRUE(writeChunks(out, kTrainingFileVersion, chunks).ok());
-    return out.str();
-}
-
-void replace(std::string& text, const std::string& from, const std::string& to) {
-    const std::size_t at = text.find(from);
-    ASSERT_NE(at, std::string::npos) << from;
-    text.replace(at, from.size(), to);
+    return testing::TakenApart(bytes).with(name, change);
 }
 
 TEST(TrainingFile, GivesBackEveryBit) {
@@ -242,22 +222,7 @@ TEST(TrainingFile, IsAModelAsWell) {
 
 // What the page says of chunks, the table in code, and what is written are the same.
 TEST(TrainingFile, ThePageAndTheTableSayWhatIsWritten) {
-    std::map<std::string, std::string> onPage;  // name to stride
-    std::ifstream page(macula::test::projectFolder() / "docs/model-files.md");
-    bool isTable = false;
-    for (std::string line; std::getline(page, line);) {
-        isTable = line.starts_with("| chunk | stride |") || (isTable && line.starts_with("|"));
-        const std::size_t names = isTable ? line.find('`') : std::string::npos;
-        if (names == std::string::npos) continue;
-        const std::size_t end = line.find('|', 1);
-        const std::size_t next = line.find('|', end + 1);
-        const std::string stride = line.substr(end + 2, next - end - 3);
-        for (std::size_t at = names; at < end; at = line.find('`', at)) {
-            const std::size_t close = line.find('`', at + 1);
-            onPage[line.substr(at + 1, close - at - 1)] = stride;
-            at = close + 1;
-        }
-    }
+    std::map<std::string, std::string> onPage = testing::chunksOnThePage("| chunk | stride |");
     const std::string bytes = fileOf(randomState(5, 1, 2, {8, 8}, 3));
     std::istringstream stream(bytes);
     auto file = ChunkFile::open(stream, bytes.size(), kTrainingFileVersion);

@@ -1,11 +1,9 @@
 // Going on where training stopped: from a state of any step, and after the device was lost.
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 
+#include "base/new_process.h"
 #include "gpu/lose_device.h"
 #include "pipeline/splat/files/training_file.h"
 #include "splat/train/training_scene.h"
@@ -50,19 +48,6 @@ class TrainerState : public TrainingTest {
         return made;
     }
 };
-
-// Runs one test of this program in a new process; its exit code.
-int runInNewProcess(const char* filter) {
-    const pid_t child = fork();
-    if (child == 0) {
-        const std::string chosen = std::string("--gtest_filter=") + filter;
-        execl("/proc/self/exe", "test", chosen.c_str(), "--gtest_also_run_disabled_tests", nullptr);
-        _exit(127);
-    }
-    int status = -1;
-    waitpid(child, &status, 0);
-    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-}
 
 constexpr const char* kFolder = "MACULA_TEST_FOLDER";
 
@@ -116,7 +101,7 @@ TEST_F(TrainerState, GoesOnInANewProcess) {
         ASSERT_TRUE(whole.step(1).ok());
     }
     ASSERT_EQ(setenv(kFolder, folder.c_str(), 1), 0);
-    EXPECT_EQ(runInNewProcess("TrainerState.DISABLED_NewProcess"), 0);
+    EXPECT_EQ(test::runInNewProcess("TrainerState.DISABLED_NewProcess"), 0);
     unsetenv(kFolder);
     const TrainingState expected = *whole.state();
     for (std::uint64_t step = 0; step < kLast; ++step) {

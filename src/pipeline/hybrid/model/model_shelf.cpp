@@ -12,12 +12,17 @@ std::uint64_t bytesOf(const splat::TrainingView& view) {
     return view.pixels.size() * sizeof(glm::vec4);
 }
 
+std::uint64_t numbersOf(const splat::Splats& splats) {
+    return splats.size() * static_cast<std::uint64_t>(splat::componentCount(splats.shDegree));
+}
+
 }  // namespace
 
 std::uint64_t bytesOf(const PeripheralState& state) {
-    const auto components = static_cast<std::uint64_t>(splat::componentCount(state.training.splats.shDegree));
     // Parameters, two moments, steps and statistics.
-    std::uint64_t bytes = state.training.splats.size() * (12 * components + 20);
+    std::uint64_t bytes = 12 * numbersOf(state.training.splats) + 20 * state.training.splats.size();
+    for (const auto& shown : {state.before, state.shown, state.best})
+        if (shown) bytes += 4 * numbersOf(*shown);
     for (const auto& view : state.training.views) bytes += bytesOf(*view.given);
     for (const auto& view : state.heldOut) bytes += bytesOf(*view);
     return bytes;

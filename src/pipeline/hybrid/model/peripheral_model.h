@@ -12,6 +12,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -101,8 +102,9 @@ class PeripheralModel {
     // Shows the start at once. usage and inputNotUsable as Trainer::create; outOfMemory.
     static Result<PeripheralModel> begin(const std::shared_ptr<gpu::Device>& device, const ModelStart& start,
                                          const PeripheralOptions& options);
-    // Goes on with lastGood() of another one, after its device was lost, say. The trainer goes on to the same
-    // bits; whether it had paused is found out again. Fails as Trainer::resume.
+    // Goes on with state() or lastGood() of another one, after its device was lost or its file was read
+    // (peripheral_file.h), say, and shows what that showed. The trainer goes on to the same bits; whether it
+    // had paused is found out again. Fails as Trainer::resume.
     static Result<PeripheralModel> resume(const std::shared_ptr<gpu::Device>& device,
                                           const PeripheralState& state, const PeripheralOptions& options);
 
@@ -164,8 +166,8 @@ class PeripheralModel {
                                                const ModelStart& start, const PeripheralOptions& options);
     void goOnShowing(const std::shared_ptr<const splat::Splats>& splats, const std::string& key);
     Errors meanErrors() const;  // zeros where nothing is held out
-    Result<void> judgeShown(HeldOut& heldOut) const;
-    Result<void> takeHeldOut(const std::shared_ptr<const splat::TrainingView>& picture);
+    Result<void> judgeShown(std::span<HeldOut> heldOut) const;
+    Result<void> takeHeldOut(std::span<const std::shared_ptr<const splat::TrainingView>> pictures);
     bool isFull() const;
     bool isKnown(const splat::RasterView& view) const;
     double degreesBesideHeldOut(const splat::RasterView& view) const;
@@ -183,7 +185,7 @@ class PeripheralModel {
     std::shared_ptr<gpu::Device> device_;
     PeripheralOptions options_;
     splat::Trainer trainer_;
-    PeripheralState notes_;  // but for `training` and `heldOut`
+    PeripheralState notes_;  // but for `training`, `heldOut` and models that are shown
     std::vector<HeldOut> heldOut_;
     std::vector<Camera> asked_;  // views wanted that have not come yet
     std::shared_ptr<const splat::Splats> shown_;

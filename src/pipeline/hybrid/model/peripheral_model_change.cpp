@@ -72,10 +72,15 @@ Result<PeripheralModel> PeripheralModel::resume(const std::shared_ptr<gpu::Devic
     if (notes.first.capacity == 0) notes.first = firstRound(state.training.options.key, options);
     notes.training = {};
     notes.heldOut.clear();
-    notes.before = nullptr;
+    notes.before = notes.shown = notes.best = nullptr;
     PeripheralModel model(device, options, std::move(trainer), std::move(notes));
-    if (state.before) model.goOnShowing(state.before, state.beforeKey);
-    for (const auto& picture : state.heldOut) MACULA_TRY_VOID(model.takeHeldOut(picture));
+    if (state.before) {
+        model.goOnShowing(state.before, state.beforeKey);
+    } else {
+        if (state.shown) model.shown_ = state.shown;
+        model.best_ = state.best ? state.best : model.shown_;
+    }
+    MACULA_TRY_VOID(model.takeHeldOut(state.heldOut));
     return model;
 }
 
@@ -109,7 +114,7 @@ Result<void> PeripheralModel::change(const ModelStart& start) {
     MACULA_TRY(PeripheralModel next, begun());
     next.generation_ = generation_;
     next.goOnShowing(shown_, shownKey_);
-    for (HeldOut& h : next.heldOut_) MACULA_TRY_VOID(next.judgeShown(h));
+    MACULA_TRY_VOID(next.judgeShown(next.heldOut_));
     if (isOwn)
         next.isOfBefore_ = false;
     else
@@ -136,6 +141,9 @@ PeripheralState PeripheralModel::lastGood() const {
     if (isOfBefore_) {
         state.before = shown_;
         state.beforeKey = shownKey_;
+    } else {
+        state.shown = shown_;
+        if (best_ != shown_) state.best = best_;
     }
     return state;
 }

@@ -111,31 +111,39 @@ double PeripheralModel::degreesBesideHeldOut(const splat::RasterView& view) cons
 
 // Judges with a copy of the shown model that is on the device only for that time: pictures are held out
 // rarely, and a copy that stayed would take room from the model that learns.
-Result<void> PeripheralModel::judgeShown(HeldOut& heldOut) const {
-    const auto errorOf = [&](const splat::Splats& splats) -> Result<double> {
+Result<void> PeripheralModel::judgeShown(std::span<HeldOut> heldOut) const {
+    if (heldOut.empty()) return {};
+    const auto compare = [&](const splat::Splats& splats, double Errors::*error) -> Result<void> {
         splat::TrainerOptions options = notes_.first;
         options.capacity = 0;  // room for as many splats as there are
         const splat::Splats here = relativeTo(splats, trainer_.lastGood().splats.originMm);
         MACULA_TRY(splat::Trainer judge, splat::Trainer::create(device_, here, options));
-        MACULA_TRY(const double error, judge.differenceTo(*heldOut.picture));
-        return error / heldOut.coverage;
+        for (HeldOut& h : heldOut) {
+            MACULA_TRY(const double difference, judge.differenceTo(*h.picture));
+            h.errors.*error = difference / h.coverage;
+        }
+        return {};
     };
-    MACULA_TRY(heldOut.errors.shown, errorOf(*shown_));
-    heldOut.errors.best = heldOut.errors.shown;
-    if (best_ != shown_) {
-        MACULA_TRY(heldOut.errors.best, errorOf(*best_));
-    }
+    MACULA_TRY_VOID(compare(*shown_, &Errors::shown));
+    if (best_ != shown_) return compare(*best_, &Errors::best);
+    for (HeldOut& h : heldOut) h.errors.best = h.errors.shown;
     return {};
 }
 
-// The shown and the best model are each compared with the new picture. The trained model must not stand in
+// The shown and the best model are each compared with the new pictures. The trained model must not stand in
 // for them: it may have become worse since.
-Result<void> PeripheralModel::takeHeldOut(const std::shared_ptr<const splat::TrainingView>& picture) {
-    HeldOut taken{.picture = picture, .coverage = coverageOf(*picture)};
-    MACULA_TRY(const double error, trainer_.differenceTo(*picture));
-    taken.errors.trained = error / taken.coverage;
+Result<void> PeripheralModel::takeHeldOut(
+    std::span<const std::shared_ptr<const splat::TrainingView>> pictures) {
+    std::vector<HeldOut> taken;
+    for (const auto& picture : pictures) {
+        HeldOut& h = taken.emplace_back();
+        h.picture = picture;
+        h.coverage = coverageOf(*picture);
+        MACULA_TRY(const double error, trainer_.differenceTo(*picture));
+        h.errors.trained = error / h.coverage;
+    }
     MACULA_TRY_VOID(judgeShown(taken));
-    heldOut_.push_back(std::move(taken));
+    heldOut_.insert(heldOut_.end(), taken.begin(), taken.end());
     trend_.forget();
     return {};
 }
@@ -154,8 +162,9 @@ Result<Offered> PeripheralModel::offer(TracedView view, bool mayBeHeldOut) {
     if ((mayBeHeldOut || heldOut_.size() < kLeastHeldOut) && !isKnown(from)) {
         if (isHeldOut(notes_.offered, heldOut_.size(), degreesBesideHeldOut(from))) {
             picture.weight = 1.0f;
-            MACULA_TRY_VOID(takeHeldOut(std::make_shared<const splat::TrainingView>(
-                reducedTo(std::move(picture), options_.heldOutSidePx))));
+            const auto held = std::make_shared<const splat::TrainingView>(
+                reducedTo(std::move(picture), options_.heldOutSidePx));
+            MACULA_TRY_VOID(takeHeldOut(std::span(&held, 1)));
             ++notes_.offered;
             if (isOfBefore_) MACULA_TRY_VOID(showIfBetter());
             // Now it can be told whether more steps are worth it.

@@ -99,9 +99,10 @@ void forEachChunk(std::size_t count, std::uint64_t bytes, const std::function<vo
 Result<void> writeChunks(std::ostream& stream, std::uint32_t version, std::span<const Chunk> chunks) {
     std::vector<Result<std::vector<std::byte>>> packed(chunks.size(), std::vector<std::byte>{});
     std::uint64_t total = 0;
-    for (const Chunk& chunk : chunks) total += chunk.bytes.size();
+    const auto isToPack = [](const Chunk& chunk) { return chunk.stride > 0 && chunk.packed.empty(); };
+    for (const Chunk& chunk : chunks) total += isToPack(chunk) ? chunk.bytes.size() : 0;
     forEachChunk(chunks.size(), total, [&](std::size_t i) {
-        if (chunks[i].stride > 0) packed[i] = packPlanes(chunks[i].bytes, chunks[i].stride);
+        if (isToPack(chunks[i])) packed[i] = packPlanes(chunks[i].bytes, chunks[i].stride);
     });
     const auto write = [&](const void* bytes, std::size_t size) {
         stream.write(static_cast<const char*>(bytes), static_cast<std::streamsize>(size));
@@ -113,8 +114,9 @@ Result<void> writeChunks(std::ostream& stream, std::uint32_t version, std::span<
         const Chunk& chunk = chunks[i];
         MACULA_CHECK(!chunk.name.empty() && chunk.name.size() <= kMostName && chunk.stride <= kMostStride);
         if (!packed[i].ok()) return packed[i].error();
-        const std::span<const std::byte> stored =
-            chunk.stride > 0 ? std::span<const std::byte>(*packed[i]) : chunk.bytes;
+        std::span<const std::byte> stored = chunk.bytes;
+        if (chunk.stride > 0)
+            stored = isToPack(chunk) ? std::span<const std::byte>(*packed[i]) : chunk.packed;
         ChunkHead head{.storedBytes = stored.size(),
                        .plainBytes = chunk.bytes.size(),
                        .stride = chunk.stride,
@@ -134,6 +136,11 @@ Result<void> writeChunks(std::ostream& stream, std::uint32_t version, std::span<
 }
 
 Result<ChunkFile> ChunkFile::open(std::istream& stream, std::uint64_t size, std::uint32_t version) {
+    return openUntil(stream, size, version, {});  // no name: to the end
+}
+
+Result<ChunkFile> ChunkFile::openUntil(std::istream& stream, std::uint64_t size, std::uint32_t version,
+                                       std::string_view last) {
     FileHead file;
     stream.clear();
     stream.seekg(0);
@@ -159,11 +166,17 @@ Result<ChunkFile> ChunkFile::open(std::istream& stream, std::uint64_t size, std:
                            .plainBytes = head.plainBytes,
                            .stride = head.stride,
                            .crc = head.crc});
+        if (!last.empty() && entries.back().name == last) return ChunkFile(stream, std::move(entries));
         offset += head.storedBytes;
         stream.seekg(static_cast<std::streamoff>(offset));
     }
     if (offset != size) return damagedModel();
     return ChunkFile(stream, std::move(entries));
+}
+
+bool ChunkFile::has(std::string_view name) const {
+    return std::any_of(entries_.begin(), entries_.end(),
+                       [&](const ChunkEntry& entry) { return entry.name == name; });
 }
 
 Result<const ChunkEntry*> ChunkFile::only(std::string_view name) const {

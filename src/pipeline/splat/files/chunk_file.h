@@ -19,12 +19,14 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <functional>
 #include <istream>
 #include <ostream>
 #include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "base/result.h"
@@ -37,9 +39,10 @@ struct Chunk {
     std::string name;                  // 1 to 8 characters; need not be the only one of this name
     std::span<const std::byte> bytes;  // whole elements of the stride, below 4 GiB when packed
     std::uint32_t stride = 0;
+    std::span<const std::byte> packed;  // what packPlanes makes of it, if that is known; else empty
 };
 
-// Packs on all cores. outOfMemory; outputNotWritable when the stream fails.
+// Packs on all cores what is not packed yet. outOfMemory; outputNotWritable when the stream fails.
 Result<void> writeChunks(std::ostream& stream, std::uint32_t version, std::span<const Chunk> chunks);
 
 struct ChunkEntry {
@@ -58,6 +61,10 @@ class ChunkFile {
     // Reads the heads. The stream, of so many bytes, must outlive this. Also fails when the file is of
     // another kind or version; the sentence names both versions.
     static Result<ChunkFile> open(std::istream& stream, std::uint64_t size, std::uint32_t version);
+    // Reads heads only up to the first chunk of that name, all if there is none: whatever lies behind it is
+    // not looked at, be it damaged or cut off.
+    static Result<ChunkFile> openUntil(std::istream& stream, std::uint64_t size, std::uint32_t version,
+                                       std::string_view last);
 
     const std::vector<ChunkEntry>& entries() const { return entries_; }
 
@@ -70,6 +77,16 @@ class ChunkFile {
     Result<std::vector<std::byte>> read(std::string_view name, std::uint64_t bytes);
     // Likewise, of any size.
     Result<std::string> readText(std::string_view name);
+    // Likewise, of so many elements.
+    template <class T>
+    Result<std::vector<T>> readArray(std::string_view name, std::uint64_t count) {
+        static_assert(std::is_trivially_copyable_v<T>);
+        MACULA_TRY(const std::vector<std::byte> bytes, read(name, count * sizeof(T)));
+        std::vector<T> values(count);
+        if (count > 0) std::memcpy(values.data(), bytes.data(), bytes.size());
+        return values;
+    }
+    bool has(std::string_view name) const;
 
   private:
     ChunkFile(std::istream& stream, std::vector<ChunkEntry> entries)

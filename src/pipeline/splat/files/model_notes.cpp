@@ -8,6 +8,8 @@
 #include <optional>
 #include <string_view>
 
+#include "pipeline/splat/files/text_lines.h"
+
 namespace macula::splat {
 
 namespace {
@@ -15,12 +17,6 @@ namespace {
 constexpr std::string_view kPrefix = "macula ";
 constexpr std::array<std::string_view, kLowPasses.size()> kLowPassNames{"adaptive", "compensated", "classic",
                                                                         "mip"};  // by LowPass
-
-std::string exact(double value) {
-    std::array<char, 32> text{};
-    const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
-    return {text.data(), end};
-}
 
 std::optional<glm::dvec3> threeNumbers(std::string_view text) {
     glm::dvec3 values(0.0);
@@ -60,7 +56,7 @@ std::vector<std::string> notesOf(const Splats& splats) {
     return {
         "macula model 1",
         fmt::format("macula axes {}", splats.axes == Axes::patientLps ? "patient-lps-mm" : "unknown"),
-        fmt::format("macula origin-mm {} {} {}", exact(o.x), exact(o.y), exact(o.z)),
+        fmt::format("macula origin-mm {} {} {}", exactText(o.x), exactText(o.y), exactText(o.z)),
         fmt::format("macula colours {}", splats.colourSpace == ColourSpace::linear ? "linear" : "display"),
         fmt::format("macula low-pass {}", kLowPassNames[static_cast<std::size_t>(splats.lowPass)])};
 }

@@ -12,10 +12,15 @@
 #include <filesystem>
 #include <istream>
 #include <ostream>
+#include <span>
+#include <string>
 #include <string_view>
 
 #include "base/result.h"
+#include "pipeline/splat/files/chunk_file.h"
 #include "pipeline/splat/files/model_file.h"
+#include "pipeline/splat/files/packed_pictures.h"
+#include "pipeline/splat/files/splat_chunks.h"
 #include "pipeline/splat/train/training_state.h"
 
 namespace macula::splat {
@@ -39,16 +44,38 @@ inline constexpr std::array<TrainingChunk, 10> kTrainingChunks{{{"model", 0},
                                                                 {"views", 168},
                                                                 {"pixels", 16}}};
 
+// Those of them that hold the model.
+inline constexpr SplatChunkNames kModelChunks{.text = "model", .numbers = "splats"};
+
 // Writes the file whole or not at all. Bit for bit what readTraining gives. inputNotUsable for a state that
 // is not valid; outputNotWritable; outOfMemory.
 Result<void> writeTraining(const std::filesystem::path& path, const TrainingState& state);
 Result<void> writeTraining(std::ostream& stream, const TrainingState& state);
+
+// Chunks of other names in the same file.
+struct FurtherChunks {
+    std::span<const Chunk> early;  // behind the model and the key: found without reading on
+    std::span<const Chunk> late;   // at the end
+};
+// Likewise; the pictures of the state are among those that `packed` has packed.
+Result<void> writeTraining(std::ostream& stream, const TrainingState& state, const FurtherChunks& further,
+                           const PackedPictures& packed);
 
 // The state is valid. Fails with inputNotUsable when the file is missing, of another kind, damaged or cut
 // off, or of another version, of the format or of the trainer: the sentence names both. Of another trainer
 // the model can still be read, by readModel. No more memory is asked for than a file of that size can fill.
 Result<TrainingState> readTraining(const std::filesystem::path& path);
 Result<TrainingState> readTraining(std::istream& stream, std::uint64_t size);
+// Likewise from a file of which all heads were read.
+Result<TrainingState> readTraining(ChunkFile& file);
+
+// What can be told of any trainer's state.
+struct TrainingHead {
+    std::uint32_t trainerVersion = 0;
+    std::uint64_t steps = 0;
+    std::string key;
+};
+Result<TrainingHead> readTrainingHead(ChunkFile& file);
 
 // Whether a file is .macula, by its first 8 bytes.
 bool looksLikeTraining(std::string_view begin);
