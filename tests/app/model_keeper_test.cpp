@@ -30,21 +30,17 @@ class ModelKeeperTest : public testing::Test {
         return std::make_unique<ModelKeeper>(session::StoreOptions{.folder = folder_ / "sessions"},
                                              [this](const Error& error) { told_.push_back(error.message); });
     }
-    // Three splats and a picture; told apart by `steps`.
+    // Told apart by the steps of training.
     static std::shared_ptr<const hybrid::PeripheralState> model(const std::string& name,
                                                                 std::uint64_t steps) {
         auto state = std::make_shared<hybrid::PeripheralState>();
-        splat::TrainingState& training = state->training;
-        training.options.key = name;
-        training.options.capacity = 8;
-        training.steps = steps;
-        training.splats.resize(3);
-        for (std::size_t i = 0; i < 3; ++i) training.splats.rotations[i] = {1.0f, 0.0f, 0.0f, 0.0f};
-        training.optimizer = splat::OptimizerState::of(training.splats);
-        training.statistics.resize(3);
+        state->training = splat::testing::randomState(3, 0, 2, {5, 4}, 11);
+        state->training.options.key = name;
+        state->training.steps = steps;
+        state->first = state->training.options;
         state->seenMm = {.low = glm::dvec3(-1.0), .high = glm::dvec3(1.0)};
         state->gain = 1.25;
-        EXPECT_TRUE(state->validate().ok()) << state->validate().error().message;
+        EXPECT_TRUE(state->validate().ok());
         return state;
     }
     static hybrid::StoredModel found(ModelKeeper& keeper, const std::string& name) {
@@ -152,7 +148,6 @@ TEST_F(ModelKeeperTest, ADamagedModelIsNeverGivenBack) {
     std::string bytes(size, '\0');
     std::ifstream(files.front(), std::ios::binary).read(bytes.data(), std::streamsize(size));
     for (const std::size_t at : {std::size_t(0), std::size_t(size / 3), std::size_t(size - 1)}) {
-        const fs::path damaged = folder_ / "sessions";
         std::string other = bytes;
         other[at] = char(other[at] ^ 0x10);
         store("a", drawing_, 5);  // whole again

@@ -68,9 +68,9 @@ TEST_F(Hybrid, RecordsWhatIsShownFromOpeningToRest) {
 TEST_F(Hybrid, GoesOnFromTheModelOfAnEarlierRun) {
     const std::string ball = writeBall();
     const auto record = [&](const std::string& folder, const std::vector<std::string>& more) {
-        std::vector<std::string> arguments{"hybrid",  ball,       "-o",      at(folder), "--size", "64x48",
-                                           "--learn", "4",        "--rest",  "0",        "--seconds", "1",
-                                           "--pictures", "0"};
+        std::vector<std::string> arguments{"hybrid",    ball,      "-o",         at(folder), "--size",
+                                           "64x48",     "--learn", "4",          "--rest",   "0",
+                                           "--seconds", "1",       "--pictures", "0"};
         arguments.insert(arguments.end(), more.begin(), more.end());
         const Ran ran = runMacula(arguments);
         EXPECT_EQ(ran.exitCode, 0) << ran.err;
@@ -93,7 +93,8 @@ TEST_F(Hybrid, GoesOnFromTheModelOfAnEarlierRun) {
     EXPECT_GE(second.back()["model"]["steps"].get<std::uint64_t>(), steps);
     const auto none = record("third", {"--no-session"});
     EXPECT_EQ(none.back()["model"]["origin"], "fresh");
-    EXPECT_FALSE(runMacula({"hybrid", ball, "-o", at("x"), "--no-session", "--sessions", at("s")}).exitCode == 0);
+    EXPECT_FALSE(runMacula({"hybrid", ball, "-o", at("x"), "--no-session", "--sessions", at("s")}).exitCode ==
+                 0);
 }
 
 TEST_F(Hybrid, RefusesWhatItCannotRecord) {

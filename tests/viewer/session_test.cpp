@@ -20,9 +20,8 @@ class SessionTest : public WindowTest {
         window_.reset();  // saves
         origins_.clear();
         makeWindow();
-        QObject::connect(&*window_, &MainWindow::frameShown, &*window_, [this](const app::FrameShown& frame) {
-            origins_.push_back(frame.model.origin);
-        });
+        QObject::connect(&*window_, &MainWindow::frameShown, &*window_,
+                         [this](const app::FrameShown& frame) { origins_.push_back(frame.model.origin); });
     }
     bool waitForOrigin(hybrid::ModelOrigin origin) {
         return waitUntil([&] { return !origins_.empty() && origins_.back() == origin; });
