@@ -22,6 +22,7 @@ void addPhantom(CLI::App& app, Action& action);
 void addExport(CLI::App& app, Action& action);
 void addBench(CLI::App& app, Action& action);
 void addEvaluate(CLI::App& app, Action& action);
+void addSessions(CLI::App& app, Action& action);
 void addTrain(CLI::App& app, Action& action);
 void addEvaluateLivePicture(CLI::App& evaluateApp, Action& action);  // a subcommand of evaluate
 void addEvaluateMotion(CLI::App& evaluateApp, Action& action);       // likewise
@@ -32,5 +33,10 @@ void addBenchFoveal(CLI::App& bench, Action& action);                // likewise
 void addBenchLoad(CLI::App& bench, Action& action);                  // likewise
 void addBenchTradeoff(CLI::App& bench, Action& action);              // likewise
 void addBenchTrain(CLI::App& bench, Action& action);                 // likewise
+void addSessionsVerify(CLI::App& sessions, Action& action);          // a subcommand of sessions
+void addSessionsGc(CLI::App& sessions, Action& action);              // likewise
+void addSessionsExport(CLI::App& sessions, Action& action);          // likewise
+void addSessionsImport(CLI::App& sessions, Action& action);          // likewise
+void addSessionsPurge(CLI::App& sessions, Action& action);           // likewise
 
 }  // namespace macula::cli

@@ -10,7 +10,7 @@
 #include "cli/name_option.h"
 #include "cli/number_range.h"
 #include "cli/report.h"
-#include "cli/session_options.h"
+#include "cli/session_choice.h"
 #include "cli/study_options.h"
 
 namespace macula::cli {
@@ -55,7 +55,7 @@ void addHybrid(CLI::App& app, Action& action) {
     addNumber("--learn", r.learningS, 0.0, "Seconds for the model to learn before the camera moves");
     addNumber("--rest", r.restingS, 0.0, "Seconds after it has stopped");
     addNumber("--pictures", r.picturesPerS, 0.0, "PNG files for each second");
-    addSessions(*command, o.sessions);
+    addSessionChoice(*command, o.sessions);
     command->add_option("--device", r.device, "Number or part of the name, see macula devices");
     command->callback([wish, &action] { action = [wish] { return record(*wish); }; });
 }

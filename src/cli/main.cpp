@@ -72,6 +72,7 @@ int run(int argc, char** argv) {
     cli::addBench(app, action);
     cli::addTrain(app, action);
     cli::addEvaluate(app, action);
+    cli::addSessions(app, action);
 
     try {
         app.parse(argc, argv);

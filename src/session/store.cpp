@@ -177,6 +177,8 @@ std::vector<std::string> volumesOf(Connection& connection, const std::string& se
 }  // namespace
 
 fs::path defaultFolder() {
+    if (const char* chosen = std::getenv("MACULA_SESSIONS"); chosen != nullptr && *chosen != '\0')
+        return chosen;
     const fs::path below = fs::path("macula") / "sessions";
     // The specification says that a relative path there does not count.
     if (const char* data = std::getenv("XDG_DATA_HOME"); data != nullptr && fs::path(data).is_absolute())

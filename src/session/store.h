@@ -38,7 +38,7 @@
 
 namespace macula::session {
 
-// $XDG_DATA_HOME/macula/sessions, else ~/.local/share/macula/sessions.
+// $MACULA_SESSIONS, else $XDG_DATA_HOME/macula/sessions, else ~/.local/share/macula/sessions.
 std::filesystem::path defaultFolder();
 
 struct StoreOptions {
@@ -142,6 +142,9 @@ class Store {
     Result<PurgeReport> purgeVolume(const std::string& volume, DamagedFiles damaged);
     // All studies, and volumes without one, that were not opened for so many days.
     Result<PurgeReport> purgeUnused(std::chrono::days retention, DamagedFiles damaged);
+    // All studies, and volumes without one, but for those of which a model is open. The machine's documents
+    // and the audit trail stay.
+    Result<PurgeReport> purgeAll(DamagedFiles damaged);
 
     // Reads everything: pages, indexes, references, rows, blobs. Sets models and documents aside that do not
     // pass. Where isDatabaseSound is false, close all stores and open one with Check::full.
@@ -160,6 +163,7 @@ class Store {
     explicit Store(std::unique_ptr<StoreState> state);
     Result<PurgeReport> purge(std::span<const std::string> studies, std::span<const std::string> volumes,
                               DamagedFiles damaged, AuditAction action);
+    Result<PurgeReport> purgeOlder(std::int64_t beforeMs, DamagedFiles damaged, AuditAction action);
 
     std::unique_ptr<StoreState> state_;
 };

@@ -2,6 +2,7 @@
 #include <SQLiteCpp/Column.h>
 
 #include <algorithm>
+#include <limits>
 #include <set>
 
 #include "base/draft.h"
@@ -112,6 +113,37 @@ Result<std::vector<BlobFiles::Entry>> orphansOf(StoreState& state) {
     return entries;
 }
 
+// What was not opened since then, but for what is open now.
+struct Unused {
+    std::vector<std::string> studies;
+    std::vector<std::string> volumes;  // without a study
+    std::size_t skippedOpen = 0;
+};
+
+Unused unusedSince(StoreState& state, std::int64_t beforeMs) {
+    Connection& connection = *state.connection;
+    const std::string before = std::to_string(beforeMs);
+    Unused unused;
+    for (std::string& study :
+         textsOf(connection, "SELECT identity FROM studies WHERE last_opened < " + before)) {
+        if (isAnyOpen(state, volumesOfStudy(connection, study))) {
+            ++unused.skippedOpen;
+        } else {
+            unused.studies.push_back(std::move(study));
+        }
+    }
+    for (std::string& volume :
+         textsOf(connection, "SELECT digest FROM volumes WHERE last_opened < " + before +
+                                 " AND NOT EXISTS (SELECT 1 FROM series_volumes WHERE volume = digest)")) {
+        if (isAnyOpen(state, {volume})) {
+            ++unused.skippedOpen;
+        } else {
+            unused.volumes.push_back(std::move(volume));
+        }
+    }
+    return unused;
+}
+
 // Reads all rows of a table; damaged models and documents are set aside. What was set aside before counts as
 // that alone.
 void verifyRows(StoreState& state, const Table& table, VerifyReport& report) {
@@ -202,37 +234,24 @@ Result<PurgeReport> Store::purgeVolume(const std::string& volume, DamagedFiles d
 }
 
 Result<PurgeReport> Store::purgeUnused(std::chrono::days retention, DamagedFiles damaged) {
+    const std::int64_t before = state_->nowMs() - std::chrono::milliseconds(retention).count();
+    return purgeOlder(before, damaged, AuditAction::expired);
+}
+
+Result<PurgeReport> Store::purgeAll(DamagedFiles damaged) {
+    return purgeOlder(std::numeric_limits<std::int64_t>::max(), damaged, AuditAction::deleted);
+}
+
+Result<PurgeReport> Store::purgeOlder(std::int64_t beforeMs, DamagedFiles damaged, AuditAction action) {
     StoreState& state = *state_;
-    Connection& connection = *state.connection;
-    const std::string before = std::to_string(state.nowMs() - std::chrono::milliseconds(retention).count());
-    std::vector<std::string> studies;
-    std::vector<std::string> volumes;
-    std::size_t skipped = 0;
-    MACULA_TRY_VOID(inReading(connection, [&]() -> Result<void> {
-        for (std::string& study :
-             textsOf(connection, "SELECT identity FROM studies WHERE last_opened < " + before)) {
-            if (isAnyOpen(state, volumesOfStudy(connection, study))) {
-                ++skipped;
-            } else {
-                studies.push_back(std::move(study));
-            }
-        }
-        for (std::string& volume : textsOf(
-                 connection, "SELECT digest FROM volumes WHERE last_opened < " + before +
-                                 " AND NOT EXISTS (SELECT 1 FROM series_volumes WHERE volume = digest)")) {
-            if (isAnyOpen(state, {volume})) {
-                ++skipped;
-            } else {
-                volumes.push_back(std::move(volume));
-            }
-        }
-        return {};
-    }));
+    MACULA_TRY(const Unused unused, inReading(*state.connection, [&]() -> Result<Unused> {
+                   return unusedSince(state, beforeMs);
+               }));
     PurgeReport report{.damagedFolders = foldersIn(state.folder / kDamagedName)};
-    if (!studies.empty() || !volumes.empty() || damaged == DamagedFiles::remove) {
-        MACULA_TRY(report, purge(studies, volumes, damaged, AuditAction::expired));
+    if (!unused.studies.empty() || !unused.volumes.empty() || damaged == DamagedFiles::remove) {
+        MACULA_TRY(report, purge(unused.studies, unused.volumes, damaged, action));
     }
-    report.skippedOpen = skipped;
+    report.skippedOpen = unused.skippedOpen;
     return report;
 }
 

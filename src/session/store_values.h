@@ -140,7 +140,7 @@ struct PurgeReport {
     std::size_t volumes = 0;
     std::size_t models = 0;
     std::size_t documents = 0;
-    std::size_t skippedOpen = 0;     // of purgeUnused: a model of theirs is open
+    std::size_t skippedOpen = 0;     // of purgeUnused and purgeAll: a model of theirs is open
     std::size_t damagedFolders = 0;  // that are still there
 };
 

@@ -27,8 +27,16 @@ class BadInput : public CommandTest {
 };
 
 TEST_F(BadInput, Usage) {
-    for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{
-             {}, {"dance"}, {"render"}, {"info"}, {"render", "--spp"}, {"info", "--nonsense", "x"}}) {
+    for (const std::vector<std::string>& arguments :
+         std::vector<std::vector<std::string>>{{},
+                                               {"dance"},
+                                               {"render"},
+                                               {"info"},
+                                               {"render", "--spp"},
+                                               {"info", "--nonsense", "x"},
+                                               {"sessions"},
+                                               {"sessions", "show"},
+                                               {"sessions", "purge"}}) {
         const Ran ran = runMacula(arguments);
         EXPECT_EQ(ran.exitCode, 2) << ran.err;
         EXPECT_EQ(ran.errorLines(), 1u) << ran.err;

@@ -12,6 +12,8 @@
 #include <map>
 
 #include "cli/run_command.h"
+#include "session/store.h"
+#include "session/support.h"
 
 namespace macula::cli {
 namespace {
@@ -164,6 +166,32 @@ TEST_F(FullDisk, ThePhantomIsWrittenWholeOrNotAtAll) {
     EXPECT_EQ(ran.exitCode, 2) << ran.err;
     EXPECT_EQ(ran.errorLines(), 1u) << ran.err;
     EXPECT_TRUE(contents().empty());
+}
+
+TEST_F(FullDisk, StoredSessionsAreExportedWholeOrNotAtAll) {
+    if (!mountDisk("300k")) GTEST_SKIP() << "no right to mount";
+    const session::StoreOptions options{.folder = at("in/store")};
+    ASSERT_TRUE(session::test::isOk(
+        session::test::valueOf(session::Store::open(options))
+            .saveModel(session::test::keyOf("chest"), session::test::blobOf(1, 250'000))));
+    const Ran ran = runMacula({"sessions", "export", at("disk/out"), "--folder", at("in/store")});
+    EXPECT_EQ(ran.exitCode, 2) << ran.err;
+    EXPECT_EQ(ran.errorLines(), 1u) << ran.err;
+    EXPECT_NE(ran.err.find("the disk is full"), std::string::npos) << ran.err;
+    EXPECT_TRUE(fs::is_empty(at("disk")));
+}
+
+TEST_F(FullDisk, StoredSessionsOfAReadOnlyDiskAreToldToBe) {
+    if (!mountDisk("1m")) GTEST_SKIP() << "no right to mount";
+    const session::StoreOptions options{.folder = at("disk/store")};
+    ASSERT_TRUE(session::test::isOk(session::Store::open(options)));
+    ASSERT_EQ(mount(nullptr, at("disk").c_str(), nullptr, MS_REMOUNT | MS_RDONLY, nullptr), 0);
+    for (const std::string verb : {"list", "verify", "gc", "audit"}) {
+        const Ran ran = runMacula({"sessions", verb, "--folder", at("disk/store")});
+        EXPECT_EQ(ran.exitCode, 2) << verb << ran.err;
+        EXPECT_EQ(ran.errorLines(), 1u) << ran.err;
+        EXPECT_NE(ran.err.find("read-only"), std::string::npos) << ran.err;
+    }
 }
 
 // Needs no rights: no file may grow beyond that.

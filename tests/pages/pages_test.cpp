@@ -115,7 +115,7 @@ TEST(Pages, ReferencesLeadSomewhere) {
 TEST(Pages, EveryVerbIsOnItsPage) {
     std::vector<std::string> lines;
     for (const PageText& code : readFile("docs/command.md").codeLines) lines.push_back(code.text + " ");
-    for (const std::string group : {"", "bench", "evaluate"}) {
+    for (const std::string group : {"", "bench", "evaluate", "sessions"}) {
         const auto& verbs = verbsBehind(group.empty() ? std::vector<std::string>{} : std::vector{group});
         EXPECT_FALSE(verbs.empty()) << group;
         for (const std::string& verb : verbs) {

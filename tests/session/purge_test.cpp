@@ -137,6 +137,30 @@ TEST_F(Purges, OfWhatWasNotOpenedForLong) {
     EXPECT_EQ(valueOf(store.purgeUnused(std::chrono::days(30), DamagedFiles::keep)).studies, 0u);
 }
 
+TEST_F(Purges, OfAllLeaveWhatIsOpenAndWhatIsOfTheMachine) {
+    Store store = open();
+    fillStudy(store, "anna", std::string(kMarker));
+    ASSERT_TRUE(isOk(store.recordOpened(opened("open", "1", "head"))));
+    ASSERT_TRUE(isOk(store.saveModel(keyOf("head"), blobOf(2, 100))));
+    ASSERT_TRUE(isOk(store.recordOpened({.volume = digestOf("nifti")})));
+    ASSERT_TRUE(isOk(store.saveModel(keyOf("nifti"), blobOf(3, 100))));
+    ASSERT_TRUE(isOk(store.putDocument({DocumentKind::preset, "", "mine"}, 1, "{}", {})));
+    {
+        const OpenMark mark = valueOf(store.markOpen(keyOf("head")));
+        const PurgeReport report = valueOf(store.purgeAll(DamagedFiles::keep));
+        EXPECT_EQ(report.studies, 1u);
+        EXPECT_EQ(report.volumes, 5u) << "four of Anna's, and the one of no study";
+        EXPECT_EQ(report.models, 2u);
+        EXPECT_EQ(report.skippedOpen, 1u);
+    }
+    EXPECT_EQ(filesWith(kMarker), std::vector<fs::path>{});
+    EXPECT_TRUE(valueOf(store.findModel(keyOf("head"))));
+    EXPECT_EQ(valueOf(store.listAudit(1)).entries.at(0).action, "deleted");
+    EXPECT_EQ(valueOf(store.purgeAll(DamagedFiles::keep)).studies, 1u);
+    EXPECT_TRUE(fs::is_empty(folder_ / "models"));
+    EXPECT_TRUE(valueOf(store.getDocument({DocumentKind::preset, "", "mine"})));
+}
+
 TEST_F(Purges, TellOfDamagedFilesAndRemoveThem) {
     {
         Store store = open();

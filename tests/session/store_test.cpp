@@ -55,6 +55,11 @@ TEST_F(Stores, AreWhereThePlatformKeepsData) {
     EXPECT_EQ(defaultFolder(), "/home/anna/.local/share/macula/sessions");
     unsetenv("XDG_DATA_HOME");
     EXPECT_EQ(defaultFolder(), "/home/anna/.local/share/macula/sessions");
+    setenv("MACULA_SESSIONS", "/elsewhere", 1);
+    EXPECT_EQ(defaultFolder(), "/elsewhere");
+    setenv("MACULA_SESSIONS", "", 1);
+    EXPECT_EQ(defaultFolder(), "/home/anna/.local/share/macula/sessions");
+    unsetenv("MACULA_SESSIONS");
 }
 
 TEST_F(Stores, OpenBehindALink) {

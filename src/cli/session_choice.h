@@ -8,6 +8,6 @@
 namespace macula::cli {
 
 // --sessions and --no-session. `sessions` is the folder, nothing where none is to be kept.
-void addSessions(CLI::App& command, std::optional<std::filesystem::path>& sessions);
+void addSessionChoice(CLI::App& command, std::optional<std::filesystem::path>& sessions);
 
 }  // namespace macula::cli

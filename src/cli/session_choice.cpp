@@ -1,4 +1,4 @@
-#include "cli/session_options.h"
+#include "cli/session_choice.h"
 
 #include <CLI/Option.hpp>
 
@@ -6,7 +6,7 @@
 
 namespace macula::cli {
 
-void addSessions(CLI::App& command, std::optional<std::filesystem::path>& sessions) {
+void addSessionChoice(CLI::App& command, std::optional<std::filesystem::path>& sessions) {
     sessions = session::defaultFolder();
     auto* folder =
         command

@@ -1,0 +1,18 @@
+// Sizes as people write and read them. 1 MB is 1 000 000 bytes.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace macula::app {
+
+// "1.4 MB", "140 MB", "2.0 GB".
+std::string sizeForPeople(std::uint64_t bytes);
+
+// Of "123456789", "500 MB", "1.5GB", "2 GiB", in small letters too. Nothing for other text, and for more than
+// a disk can have.
+std::optional<std::uint64_t> bytesOfText(std::string_view text);
+
+}  // namespace macula::app

@@ -1,0 +1,82 @@
+// macula sessions verify and gc: whether what is stored is sound, and room for more.
+#include <CLI/App.hpp>
+#include <CLI/Option.hpp>
+#include <CLI/Validators.hpp>
+#include <memory>
+
+#include "app/session/byte_size.h"
+#include "base/progress_bar.h"
+#include "cli/command.h"
+#include "cli/interrupt.h"
+#include "cli/report.h"
+#include "cli/sessions_options.h"
+
+namespace macula::cli {
+
+namespace {
+
+struct Options : SessionsOptions {
+    std::uint64_t capBytes = session::StoreOptions{}.modelCapBytes;  // gc
+};
+
+Result<void> verify(const Options& options) {
+    if (app::isNothingStored(options.folder)) {
+        printNothing(options, app::VerifiedSessions{.report = {.isDatabaseSound = true}});
+        return {};
+    }
+    Progress progress(terminalProgressBar(), interruptToken());
+    MACULA_TRY(const app::VerifiedSessions verified,
+               app::verifySessions({.folder = options.folder}, progress));
+    printWarnings(app::warningsOf(verified.notes));
+    print(options, verified);
+    if (verified.isSound()) return {};
+    return Error{ErrorCode::inputNotUsable, "Stored sessions were not sound.", options.folder.string(),
+                 app::whatToDo(verified)};
+}
+
+Result<void> collect(const Options& options) {
+    if (app::isNothingStored(options.folder)) {
+        printNothing(options, app::Tidied{});
+        return {};
+    }
+    MACULA_TRY(session::Store store, openSessions(options));
+    MACULA_TRY(const app::Tidied tidied, app::tidySessions(store, options.capBytes));
+    print(options, tidied);
+    if (tidied.evicted.bytesLeft > options.capBytes)
+        printNote("Models that are open stay; what is left is still above the cap.");
+    return {};
+}
+
+// "2GB" as a number of bytes, or a sentence.
+CLI::Validator asByteSize() {
+    const auto toBytes = [](std::string& text) -> std::string {
+        const auto bytes = app::bytesOfText(text);
+        if (!bytes) return text + " is no size: give bytes, or a number with MB or GB";
+        text = std::to_string(*bytes);
+        return {};
+    };
+    return {toBytes, "SIZE", "size"};
+}
+
+}  // namespace
+
+void addSessionsVerify(CLI::App& sessions, Action& action) {
+    auto options = std::make_shared<Options>();
+    addSessionsVerb(sessions, "verify", "Read everything; exit code 3 where not all is sound", *options)
+        ->callback([options, &action] { action = [options] { return verify(*options); }; });
+}
+
+void addSessionsGc(CLI::App& sessions, Action& action) {
+    auto options = std::make_shared<Options>();
+    auto* command =
+        addSessionsVerb(sessions, "gc", "Remove left-overs, and the least recently used models", *options);
+    command
+        ->add_option("--cap", options->capBytes,
+                     "Bytes, or 500MB or 2GB: what models may have together (default: " +
+                         app::sizeForPeople(options->capBytes) + ")")
+        ->transform(asByteSize())
+        ->option_text("SIZE");
+    command->callback([options, &action] { action = [options] { return collect(*options); }; });
+}
+
+}  // namespace macula::cli

@@ -1,0 +1,80 @@
+// macula sessions list, show and audit: what is kept of studies that were opened.
+#include <CLI/App.hpp>
+#include <CLI/Option.hpp>
+#include <CLI/Validators.hpp>
+#include <memory>
+
+#include "cli/command.h"
+#include "cli/sessions_options.h"
+
+namespace macula::cli {
+
+namespace {
+
+struct Options : SessionsOptions {
+    std::string study;  // show
+    int last = 20;      // audit
+};
+
+Result<void> listStudies(const Options& options) {
+    if (app::isNothingStored(options.folder)) {
+        printNothing(options, app::StoredSessions{.folder = options.folder});
+        return {};
+    }
+    MACULA_TRY(session::Store store, openSessions(options));
+    MACULA_TRY(const app::StoredSessions stored, app::storedSessions(store));
+    print(options, stored);
+    return {};
+}
+
+Result<void> showStudy(const Options& options) {
+    if (app::isNothingStored(options.folder)) return app::nothingStored(options.folder);
+    MACULA_TRY(session::Store store, openSessions(options));
+    MACULA_TRY(const auto studies, store.listStudies());
+    MACULA_TRY(const session::StudyEntry study, app::studyOfPrefix(studies, options.study));
+    MACULA_TRY(const app::StoredStudy stored, app::storedStudy(store, study));
+    print(options, stored);
+    return {};
+}
+
+Result<void> showAudit(const Options& options) {
+    if (app::isNothingStored(options.folder)) {
+        printNothing(options, session::Listing<session::AuditEntry>{});
+        return {};
+    }
+    MACULA_TRY(session::Store store, openSessions(options));
+    MACULA_TRY(const auto trail, store.listAudit(static_cast<std::size_t>(options.last)));
+    print(options, trail);
+    return {};
+}
+
+}  // namespace
+
+void addSessions(CLI::App& app, Action& action) {
+    auto* sessions =
+        app.add_subcommand("sessions", "What is kept of studies that were opened: list, copy, delete");
+    sessions->require_subcommand(1);
+    auto options = std::make_shared<Options>();
+    Options& o = *options;
+    addSessionsVerb(*sessions, "list", "Studies, the latest opened first", o)->callback([options, &action] {
+        action = [options] { return listStudies(*options); };
+    });
+
+    auto* show = addSessionsVerb(*sessions, "show", "Series, models and stored states of a study", o);
+    show->add_option("STUDY", o.study, "First digits of its identity, at least 4")->required();
+    show->callback([options, &action] { action = [options] { return showStudy(*options); }; });
+
+    addSessionsVerify(*sessions, action);
+    addSessionsGc(*sessions, action);
+    addSessionsExport(*sessions, action);
+    addSessionsImport(*sessions, action);
+    addSessionsPurge(*sessions, action);
+
+    auto* audit = addSessionsVerb(*sessions, "audit", "What was opened, exported and deleted, and when", o);
+    audit->add_option("--last", o.last, "How many of the latest entries")
+        ->capture_default_str()
+        ->check(CLI::Range(1, 1'000'000));
+    audit->callback([options, &action] { action = [options] { return showAudit(*options); }; });
+}
+
+}  // namespace macula::cli

@@ -1,0 +1,45 @@
+// What the subcommands of sessions have in common.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <CLI/App.hpp>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "app/session/sessions_json.h"
+#include "app/session/sessions_text.h"
+#include "cli/json_text.h"
+#include "session/store.h"
+
+namespace macula::cli {
+
+struct SessionsOptions {
+    std::filesystem::path folder = session::defaultFolder();
+    bool json = false;
+};
+
+// A subcommand with --folder and --json.
+CLI::App* addSessionsVerb(CLI::App& sessions, const std::string& name, const std::string& help,
+                          SessionsOptions& options);
+
+// Opens the store, and makes it where there is none. Warnings of the opening go to stderr.
+Result<session::Store> openSessions(const SessionsOptions& options);
+void printWarnings(const std::vector<std::string>& warnings);
+
+// A report of app/session on stdout.
+template <class Report>
+void print(const SessionsOptions& options, const Report& report) {
+    fmt::print("{}", options.json ? jsonText(app::toJson(report)) + "\n" : app::textOf(report));
+}
+
+// The same where nothing is stored; `report` is that of nothing.
+template <class Report>
+void printNothing(const SessionsOptions& options, const Report& report) {
+    if (options.json) return print(options, report);
+    fmt::print("{}", app::nothingStoredText(options.folder));
+}
+
+}  // namespace macula::cli

@@ -1,0 +1,93 @@
+// macula sessions purge: deletes a study, or all, or what was not opened for long, so that no file holds it.
+#include <CLI/App.hpp>
+#include <CLI/Option.hpp>
+#include <CLI/Validators.hpp>
+#include <chrono>
+#include <memory>
+
+#include "app/session/purge_plan.h"
+#include "cli/command.h"
+#include "cli/question.h"
+#include "cli/report.h"
+#include "cli/sessions_options.h"
+
+namespace macula::cli {
+
+namespace {
+
+struct Options : SessionsOptions {
+    app::PurgeWish wish;
+    int unusedDays = 0;  // 0: not given
+    bool damagedToo = false;
+    bool yes = false;
+    bool dryRun = false;
+};
+
+std::int64_t nowMs() {
+    const auto since = std::chrono::system_clock::now().time_since_epoch();
+    return std::chrono::duration_cast<std::chrono::milliseconds>(since).count();
+}
+
+// What can be wrong with the words alone.
+Result<void> check(const Options& options) {
+    if (options.wish.study.empty() && !options.wish.all && options.unusedDays == 0)
+        return Error{ErrorCode::usage,
+                     "It was not said what to delete.",
+                     {},
+                     "Give STUDY, --all or --unused-days. See macula sessions purge --help."};
+    if (!options.yes && !options.dryRun && !canAsk())
+        return Error{ErrorCode::usage,
+                     "Nothing was deleted: nobody can be asked here.",
+                     {},
+                     "Give --yes to delete without a question, or --dry-run to see what would go."};
+    return {};
+}
+
+Result<void> purge(Options& options) {
+    MACULA_TRY_VOID(check(options));
+    if (options.unusedDays > 0) options.wish.unusedDays = options.unusedDays;
+    if (options.damagedToo) options.wish.damaged = session::DamagedFiles::remove;
+    if (app::isNothingStored(options.folder)) {
+        if (!options.wish.study.empty()) return app::nothingStored(options.folder);
+        printNothing(options, session::PurgeReport{});
+        return {};
+    }
+    MACULA_TRY(session::Store store, openSessions(options));
+    MACULA_TRY(const app::PurgePlan plan, app::planPurge(store, options.wish, nowMs()));
+    if (options.dryRun) {
+        print(options, plan);
+        return {};
+    }
+    if (!options.yes) {
+        MACULA_TRY(const bool isWanted, ask(app::questionOf(plan)));
+        if (!isWanted) return Error{ErrorCode::cancelled, "Nothing was deleted.", {}, {}};
+    }
+    MACULA_TRY(const session::PurgeReport report, app::purge(store, plan));
+    print(options, report);
+    printWarnings(app::warningsOf(report));
+    return {};
+}
+
+}  // namespace
+
+void addSessionsPurge(CLI::App& sessions, Action& action) {
+    auto options = std::make_shared<Options>();
+    Options& o = *options;
+    auto* command = addSessionsVerb(sessions, "purge",
+                                    "Delete studies with all that is kept of them; asks before it does", o);
+    auto* study = command->add_option("STUDY", o.wish.study, "First digits of its identity, at least 4");
+    auto* all = command->add_flag("--all", o.wish.all, "Every study, and models of files without one");
+    auto* unused = command
+                       ->add_option("--unused-days", o.unusedDays,
+                                    "Every study, and file without one, not opened for so many days")
+                       ->option_text("N")
+                       ->check(CLI::Range(1, 36500));
+    study->excludes(all)->excludes(unused);
+    all->excludes(unused);
+    command->add_flag("--damaged-too", o.damagedToo, "Also damaged files that were set aside, all of them");
+    command->add_flag("--yes", o.yes, "Do not ask");
+    command->add_flag("--dry-run", o.dryRun, "Only say what would be deleted");
+    command->callback([options, &action] { action = [options] { return purge(*options); }; });
+}
+
+}  // namespace macula::cli
