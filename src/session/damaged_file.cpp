@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cerrno>
 #include <ctime>
-#include <fstream>
 #include <set>
 
 #include "base/draft.h"
@@ -39,9 +38,15 @@ Result<std::vector<std::byte>> bytesOf(const fs::path& file) {
     if (error) return errorOf(troubleOfErrno(error.value()), file);
     try {
         std::vector<std::byte> bytes(std::min(size, kMost));
-        std::ifstream stream(file, std::ios::binary);
-        stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-        // A disk may read a part; what comes after it is zeros.
+        const int descriptor = open(file.c_str(), O_RDONLY | O_NOFOLLOW | O_CLOEXEC);
+        if (descriptor < 0) return errorOf(troubleOfErrno(errno), file);
+        // Blocks that the disk does not read are zeros.
+        constexpr std::size_t kBlock = 4096;
+        for (std::size_t at = 0; at < bytes.size(); at += kBlock) {
+            const std::size_t count = std::min(kBlock, bytes.size() - at);
+            static_cast<void>(!pread(descriptor, bytes.data() + at, count, static_cast<off_t>(at)));
+        }
+        close(descriptor);
         return bytes;
     } catch (const std::bad_alloc&) {
         return errorOf(Trouble::noMemory, file);

@@ -6,6 +6,9 @@
 #include <sys/stat.h>
 
 #include <cerrno>
+#include <cstdlib>
+#include <string_view>
+#include <thread>
 #include <vector>
 
 #include "session/row_check.h"
@@ -39,9 +42,21 @@ void checkFunction(sqlite3_context* context, int count, sqlite3_value** argument
     if (count > 0) sqlite3_result_int64(context, rowCheck(textOf(arguments[0]), values));
 }
 
+// Called again and again while another process has a lock. Short pauses of different lengths: those of SQLite
+// grow to 100 ms, so that of two that write all the time one would hardly get a turn.
+int waitForLock(void* argument, int callsBefore) {
+    auto& connection = *static_cast<Connection*>(argument);
+    const auto now = std::chrono::steady_clock::now();
+    if (callsBefore == 0) connection.waitsSince = now;
+    if (now - connection.waitsSince >= connection.patience) return 0;
+    std::this_thread::sleep_for(std::chrono::microseconds(500 + now.time_since_epoch().count() % 2000));
+    return 1;
+}
+
 void configure(Connection& connection, Access access) {
     SQLite::Database& sqlite = connection.sqlite;
     sqlite3* const handle = sqlite.getHandle();
+    sqlite3_busy_handler(handle, waitForLock, &connection);
     // What a crafted or damaged schema could call is off; so are statements that write to the file's own
     // tables.
     sqlite3_db_config(handle, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
@@ -108,13 +123,6 @@ bool hasTable(SQLite::Database& sqlite, const char* name) {
     return query.executeStep();
 }
 
-bool isSound(SQLite::Database& sqlite, Thoroughness thoroughness) {
-    if (thoroughness == Thoroughness::headerOnly) return true;
-    const char* check =
-        thoroughness == Thoroughness::quick ? "PRAGMA quick_check(1)" : "PRAGMA integrity_check(1)";
-    return sqlite.execAndGet(check).getString() == "ok";
-}
-
 }  // namespace
 
 void addCheckFunction(SQLite::Database& sqlite) {
@@ -132,9 +140,11 @@ Result<std::unique_ptr<Connection>> connect(const fs::path& file, const Connecti
     const int flags = options.access == Access::readOnly ? SQLITE_OPEN_READONLY
                                                          : SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE;
     try {
-        auto connection = std::unique_ptr<Connection>(new Connection{
-            file, SQLite::Database(file.string(), flags | SQLITE_OPEN_NOFOLLOW | SQLITE_OPEN_NOMUTEX,
-                                   static_cast<int>(options.patience.count()), options.vfs)});
+        auto connection = std::unique_ptr<Connection>(
+            new Connection{file,
+                           SQLite::Database(file.string(), flags | SQLITE_OPEN_NOFOLLOW | SQLITE_OPEN_NOMUTEX,
+                                            0, options.vfs),
+                           options.patience});
         return guarded(*connection, [&]() -> Result<std::unique_ptr<Connection>> {
             if (options.access == Access::readWrite) {
                 if (sqlite3_db_readonly(connection->sqlite.getHandle(), "main") != 0)
@@ -150,6 +160,21 @@ Result<std::unique_ptr<Connection>> connect(const fs::path& file, const Connecti
     } catch (const std::bad_alloc&) {
         return errorOf(Trouble::noMemory, file);
     }
+}
+
+bool isSound(SQLite::Database& sqlite, Thoroughness thoroughness) {
+    if (thoroughness == Thoroughness::headerOnly) return true;
+    const char* check =
+        thoroughness == Thoroughness::quick ? "PRAGMA quick_check(1)" : "PRAGMA integrity_check(1)";
+    const std::string told = sqlite.execAndGet(check).getString();
+    // A page that the disk does not read is told like a damaged one, but for the number of the error.
+    constexpr std::string_view kNumber = "error code=";
+    const std::size_t number = told.find(kNumber);
+    const int code =
+        number == std::string::npos ? SQLITE_OK : std::atoi(told.c_str() + number + kNumber.size());
+    if ((code & 0xff) == SQLITE_IOERR || (code & 0xff) == SQLITE_NOMEM)
+        throw SQLite::Exception("a page cannot be read", code);
+    return told == "ok";
 }
 
 Result<Inspection> inspect(Connection& connection, Thoroughness thoroughness) {

@@ -1,13 +1,13 @@
 // The connection to the database file, and how it is kept safe.
 //
-// Journal: a rollback journal that is truncated (journal_mode=TRUNCATE, synchronous=FULL), not WAL. SQLite
+// Journal: a rollback journal that is truncated (journal_mode=TRUNCATE, synchronous=FULL), never WAL. SQLite
 // 3.7.0 to 3.51.2, so that of Debian 12 too, can corrupt a file in WAL mode when two connections write and
 // checkpoint at the same moment (the WAL-reset fault, sqlite.org/wal.html). An own lock around checkpoints
-// would hold only for programs that know of it: not for the sqlite3 tool, and not for the checkpoint that the
-// last connection makes as it closes. A rollback journal has no such fault, needs no shared memory, so that
-// it works wherever files can be locked, and is empty between transactions, so that what was deleted is
-// nowhere. It costs some 20 ms more for each transaction (docs/measurements/session.md), which no frame waits
-// for, and a reader waits while another process commits.
+// would hold only for programs that know of it, and not for the sqlite3 tool. A rollback journal has no such
+// fault. It needs no shared memory, so it works on network drives too, where those lock files. It is empty
+// between transactions, so what was deleted is not in it. It costs 1 to 20 ms more for each transaction
+// (docs/measurements), which no frame waits for, and readers wait while another process commits. A file that
+// somebody has put into WAL mode is put back when it is opened.
 //
 // Nothing else opens the database file while a connection is open: closing any descriptor of a file drops
 // SQLite's locks of it in the whole process.
@@ -43,6 +43,8 @@ struct ConnectionOptions {
 struct Connection {
     std::filesystem::path file;
     SQLite::Database sqlite;
+    std::chrono::milliseconds patience{};
+    std::chrono::steady_clock::time_point waitsSince{};
 };
 
 // The file has mode 0600 before anything is written to it, and its journal gets the same. Fails with damaged
@@ -63,6 +65,8 @@ struct Inspection {
 };
 
 enum class Thoroughness { headerOnly, quick, full };  // PRAGMA quick_check, integrity_check
+// What that PRAGMA says; throws when the disk does not read a page, which is no damage.
+bool isSound(SQLite::Database& sqlite, Thoroughness thoroughness);
 
 // Fails with notOurs for a database of another program, and with damaged where the check finds something.
 Result<Inspection> inspect(Connection& connection, Thoroughness thoroughness);

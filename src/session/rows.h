@@ -97,7 +97,16 @@ SQLite::Statement select(Connection& connection, const Table& table, const std::
 // The row that such a statement stands at; nothing where it is damaged.
 std::optional<Row> readRow(SQLite::Statement& statement, const Table& table);
 
-// Inserts the row, or puts it in place of the one with the same primary key.
+// Inserts rows, or puts them in place of those with the same primary key.
+class RowWriter {
+  public:
+    RowWriter(Connection& connection, const Table& table);
+    void put(const Row& row);
+
+  private:
+    const Table* table_;
+    SQLite::Statement statement_;
+};
 void putRow(Connection& connection, const Table& table, const Row& row);
 
 // For a new row of models, documents or audit: never one that was there before.

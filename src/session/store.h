@@ -54,7 +54,8 @@ struct StoreOptions {
 
 struct StoreState;
 
-// A model that is open: as long as this lives, no process evicts it. Get it before looking the model up.
+// A model that is open: as long as this lives, no process evicts it. Get it before looking the model up. Any
+// thread may let it go, and after the store too.
 class OpenMark {
   public:
     OpenMark(OpenMark&&) noexcept;

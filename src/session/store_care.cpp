@@ -139,15 +139,15 @@ Result<void> verifyDatabase(StoreState& state, VerifyReport& report) {
     const auto isDamaged = [](const Result<void>& result) {
         return !result && troubleOf(result.error()) == Trouble::damaged;
     };
-    const auto pages = guarded(connection, [&]() -> Result<void> {
+    auto pages = guarded(connection, [&]() -> Result<void> {
         report.isDatabaseSound =
-            connection.sqlite.execAndGet("PRAGMA integrity_check(1)").getString() == "ok" &&
+            isSound(connection.sqlite, Thoroughness::full) &&
             !SQLite::Statement(connection.sqlite, "PRAGMA foreign_key_check").executeStep();
         return {};
     });
     if (!pages && !isDamaged(pages)) return pages;
     for (const Table* table : allTables()) {
-        const auto rows = inTransaction(connection, [&]() -> Result<void> {
+        auto rows = inTransaction(connection, [&]() -> Result<void> {
             verifyRows(state, *table, report);
             return {};
         });
@@ -168,18 +168,23 @@ Result<PurgeReport> Store::purge(std::span<const std::string> studies, std::span
         for (const std::string& study : studies) {
             if (isAnyOpen(state, volumesOfStudy(*state.connection, study)))
                 return errorOf(Trouble::lockedByAnother, state.folder);
+            const std::size_t before = report.studies;
             deleteStudy(state, study, report, blobs);
-            addAuditRow(state, action, AuditKind::study, study, 1);
+            addAuditRow(state, action, AuditKind::study, study,
+                        static_cast<std::int64_t>(report.studies - before));
         }
         for (const std::string& volume : volumes) {
             if (isAnyOpen(state, {volume})) return errorOf(Trouble::lockedByAnother, state.folder);
+            const std::size_t before = report.volumes;
             deleteVolume(state, volume, report, blobs);
-            addAuditRow(state, action, AuditKind::volume, volume, 1);
+            addAuditRow(state, action, AuditKind::volume, volume,
+                        static_cast<std::int64_t>(report.volumes - before));
         }
         return {};
     }));
     MACULA_TRY(const auto orphans, orphansOf(state));
     for (const BlobFiles::Entry& orphan : orphans) blobs.push_back(orphan.digest);
+    removeAbandonedDrafts(state.folder);
     removeAbandonedDrafts(state.blobs.folder());
     MACULA_TRY_VOID(eraseTraces(state, blobs));
     const fs::path damagedFolder = state.folder / kDamagedName;

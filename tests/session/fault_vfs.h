@@ -16,6 +16,7 @@ enum class Fault {
     diskFull,    // that write and all later ones
     tornWrite,   // half of it is written, and all later ones fail
     powerCut,    // nothing works any more
+    readError,   // that read fails; reads are counted instead of writes
 };
 
 // The name for StoreOptions::vfs.

@@ -16,15 +16,19 @@ std::string volumeName(int series) {
 
 void putStudies(Connection& connection) {
     constexpr int kEach = kLargeSeries / kLargeStudies;
+    RowWriter studies(connection, kStudies);
+    RowWriter seriesRows(connection, kSeries);
+    RowWriter volumes(connection, kVolumes);
+    RowWriter links(connection, kSeriesVolumes);
     for (int i = 0; i < kLargeStudies; ++i) {
         const std::int64_t at = kStartMs + i;
-        putRow(connection, kStudies, {{largeStudy(i), Value(), at, at}});
+        studies.put({{largeStudy(i), Value(), at, at}});
         for (int j = 0; j < kEach; ++j) {
             const std::string series = digestOf("series " + std::to_string(kEach * i + j));
             const std::string volume = digestOf(volumeName(kEach * i + j));
-            putRow(connection, kSeries, {{series, largeStudy(i), Value(), at, at}});
-            putRow(connection, kVolumes, {{volume, at, at}});
-            putRow(connection, kSeriesVolumes, {{series, volume}});
+            seriesRows.put({{series, largeStudy(i), Value(), at, at}});
+            volumes.put({{volume, at, at}});
+            links.put({{series, volume}});
         }
     }
 }

@@ -150,6 +150,11 @@ TEST_F(Power, PowerCutsLoseNothing) {
     failAtEach(Fault::powerCut);
 }
 
+// A disk that does not read is no damaged file.
+TEST_F(Power, FailingReadsLoseNothing) {
+    failAtEach(Fault::readError);
+}
+
 TEST_F(Power, OfAStoreThatIsMadeLeavesOneThatOpens) {
     for (const Fault fault :
          {Fault::ioError, Fault::shortWrite, Fault::diskFull, Fault::tornWrite, Fault::powerCut}) {

@@ -103,6 +103,22 @@ TEST_F(Troubles, OfALockedDatabase) {
     EXPECT_TRUE(valueOf(store.findModel(keyOf("chest"))));
 }
 
+// The sqlite3 tool can do so.
+TEST_F(Troubles, OfWalAreUndone) {
+    fill();
+    {
+        SQLite::Database other(database().string(), SQLite::OPEN_READWRITE);
+        EXPECT_EQ(other.execAndGet("PRAGMA journal_mode = WAL").getString(), "wal");
+        other.exec("UPDATE volumes SET first_opened = first_opened");
+        EXPECT_TRUE(fs::exists(folder_ / "sessions.db-wal"));
+    }
+    Store store = open();
+    EXPECT_FALSE(store.notes().setAside);
+    EXPECT_TRUE(valueOf(store.findModel(keyOf("chest"))));
+    EXPECT_FALSE(fs::exists(folder_ / "sessions.db-wal"));
+    EXPECT_EQ(SQLite::Database(database().string()).execAndGet("PRAGMA journal_mode").getString(), "delete");
+}
+
 TEST_F(Troubles, OfANewerSchema) {
     fill();
     execute("PRAGMA user_version = 1000; CREATE TABLE future (a)");
