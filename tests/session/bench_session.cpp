@@ -1,5 +1,4 @@
-// How fast a store is on a disk: bench_session [FOLDER]. What was decided by it is in
-// docs/measurements/session.md.
+// How fast a store is on a disk: bench_session [FOLDER]. docs/measurements/session.md tells how to call it.
 #include <SQLiteCpp/SQLiteCpp.h>
 
 #include <algorithm>
@@ -113,18 +112,19 @@ void measureStore(const fs::path& folder, std::size_t megabytes) {
 }
 
 void measureLargeStore(const fs::path& folder) {
-    fillLargeStore(folder / "large");
+    const int studies = largeStudies(10'000);
+    fillLargeStore(folder / "large", studies);
     const StoreOptions options{.folder = folder / "large"};
-    print("10 000 studies, open", timesOf(5, [&](int) { valueOf(Store::open(options)); }));
-    print("10 000 studies, open and list them", timesOf(5, [&](int) {
+    print("many studies, open", timesOf(5, [&](int) { valueOf(Store::open(options)); }));
+    print("many studies, open and list them", timesOf(5, [&](int) {
               Store store = valueOf(Store::open(options));
-              EXPECT_EQ(valueOf(store.listStudies()).entries.size(), std::size_t{kLargeStudies});
+              EXPECT_EQ(valueOf(store.listStudies()).entries.size(), static_cast<std::size_t>(studies));
           }));
     Store store = valueOf(Store::open(options));
-    print("10 000 studies, list them", timesOf(9, [&](int) { valueOf(store.listStudies()); }));
-    print("10 000 studies, find a model",
+    print("many studies, list them", timesOf(9, [&](int) { valueOf(store.listStudies()); }));
+    print("many studies, find a model",
           timesOf(9, [&](int i) { valueOf(store.findModel(largeModelKey(i))); }));
-    print("10 000 studies, touch a model",
+    print("many studies, touch a model",
           timesOf(9, [&](int i) { EXPECT_TRUE(isOk(store.touchModel(largeModelKey(i)))); }));
 }
 

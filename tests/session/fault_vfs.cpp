@@ -189,6 +189,10 @@ void setFault(Fault fault, int at, std::uint32_t seed) {
     state() = {.fault = fault, .at = at, .seed = seed};
 }
 
+int operationCount() {
+    return state().count;
+}
+
 bool hasFailed() {
     return state().hasFailed;
 }
