@@ -8,7 +8,9 @@
 #include <algorithm>
 #include <cerrno>
 #include <ctime>
+#include <fstream>
 #include <set>
+#include <string>
 
 #include "base/draft.h"
 #include "session/database_pages.h"
@@ -116,12 +118,27 @@ Result<void> moveOrphans(const BlobFiles& blobs, const fs::path& database, const
 
 }  // namespace
 
+// Format: sqlite.org/fileformat2.html, section 1.3.
+bool isOfNewerVersion(const fs::path& database) {
+    std::string header(100, '\0');
+    std::ifstream stream(database, std::ios::binary);
+    if (!stream.read(header.data(), static_cast<std::streamsize>(header.size()))) return false;
+    const auto numberAt = [&](std::size_t place) {
+        std::uint32_t number = 0;
+        for (std::size_t i = place; i < place + 4; ++i)
+            number = number << 8 | static_cast<unsigned char>(header[i]);
+        return static_cast<std::int32_t>(number);
+    };
+    return header.starts_with("SQLite format 3") && numberAt(68) == kApplicationId &&
+           numberAt(60) > newestVersion();
+}
+
 Result<SetAside> setAsideAndRescue(const fs::path& database, const BlobFiles& blobs,
                                    std::chrono::milliseconds patience) {
     const fs::path store = database.parent_path();
-    MACULA_TRY(const fs::path folder, newFolder(store / kDamagedName));
     MACULA_TRY(const Draft fresh, Draft::beside(database, Draft::Kind::file));
     MACULA_TRY(SetAside result, rebuild(fresh.path(), database, patience));
+    MACULA_TRY(const fs::path folder, newFolder(store / kDamagedName));
     result.folder = folder;
     std::error_code ignored;
     fs::remove(fresh.path().string() + "-journal", ignored);

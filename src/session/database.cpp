@@ -53,7 +53,7 @@ int waitForLock(void* argument, int callsBefore) {
     return 1;
 }
 
-void configure(Connection& connection, Access access) {
+void configure(Connection& connection) {
     SQLite::Database& sqlite = connection.sqlite;
     sqlite3* const handle = sqlite.getHandle();
     sqlite3_busy_handler(handle, waitForLock, &connection);
@@ -67,11 +67,8 @@ void configure(Connection& connection, Access access) {
     sqlite.exec("PRAGMA cache_size = -16000");  // 16 MB: lists of thousands of studies are read once
     sqlite.exec("PRAGMA foreign_keys = ON");
     sqlite.exec("PRAGMA secure_delete = ON");
-    addCheckFunction(sqlite);
-    if (access == Access::readOnly) return;
     sqlite.exec("PRAGMA synchronous = FULL");
-    if (sqlite.execAndGet("PRAGMA journal_mode = TRUNCATE").getString() != "truncate")
-        throw SQLite::Exception("the journal mode cannot be set", SQLITE_BUSY);
+    addCheckFunction(sqlite);
 }
 
 Trouble troubleOfIoError(int extended, int systemError) {
@@ -146,13 +143,11 @@ Result<std::unique_ptr<Connection>> connect(const fs::path& file, const Connecti
                                             0, options.vfs),
                            options.patience});
         return guarded(*connection, [&]() -> Result<std::unique_ptr<Connection>> {
-            if (options.access == Access::readWrite) {
-                if (sqlite3_db_readonly(connection->sqlite.getHandle(), "main") != 0)
-                    return errorOf(Trouble::readOnly, file);
-                if (chmod(file.c_str(), 0600) != 0 && errno != EPERM && errno != EOPNOTSUPP)
-                    return errorOf(troubleOfErrno(errno), file);
-            }
-            configure(*connection, options.access);
+            configure(*connection);
+            if (options.access == Access::readOnly) return std::move(connection);
+            if (sqlite3_db_readonly(connection->sqlite.getHandle(), "main") != 0)
+                return errorOf(Trouble::readOnly, file);
+            if (options.isOurs) MACULA_TRY_VOID(settle(*connection));
             return std::move(connection);
         });
     } catch (const SQLite::Exception& exception) {
@@ -162,8 +157,18 @@ Result<std::unique_ptr<Connection>> connect(const fs::path& file, const Connecti
     }
 }
 
+Result<void> settle(Connection& connection) {
+    const fs::path& file = connection.file;
+    if (chmod(file.c_str(), 0600) != 0 && errno != EPERM && errno != EOPNOTSUPP)
+        return errorOf(troubleOfErrno(errno), file);
+    return guarded(connection, [&]() -> Result<void> {
+        if (connection.sqlite.execAndGet("PRAGMA journal_mode = TRUNCATE").getString() != "truncate")
+            return errorOf(Trouble::lockedByAnother, file);
+        return {};
+    });
+}
+
 bool isSound(SQLite::Database& sqlite, Thoroughness thoroughness) {
-    if (thoroughness == Thoroughness::headerOnly) return true;
     const char* check =
         thoroughness == Thoroughness::quick ? "PRAGMA quick_check(1)" : "PRAGMA integrity_check(1)";
     const std::string told = sqlite.execAndGet(check).getString();
@@ -172,9 +177,13 @@ bool isSound(SQLite::Database& sqlite, Thoroughness thoroughness) {
     const std::size_t number = told.find(kNumber);
     const int code =
         number == std::string::npos ? SQLITE_OK : std::atoi(told.c_str() + number + kNumber.size());
+    // And this, which has no number, is told of no other page.
+    if (told.find("failed to get page") != std::string::npos)
+        throw SQLite::Exception("a page cannot be read", SQLITE_IOERR_READ);
     if ((code & 0xff) == SQLITE_IOERR || (code & 0xff) == SQLITE_NOMEM)
         throw SQLite::Exception("a page cannot be read", code);
-    return told == "ok";
+    if (told != "ok" || thoroughness == Thoroughness::quick) return told == "ok";
+    return !SQLite::Statement(sqlite, "PRAGMA foreign_key_check").executeStep();
 }
 
 Result<Inspection> inspect(Connection& connection, Thoroughness thoroughness) {

@@ -5,9 +5,9 @@
 // checkpoint at the same moment (the WAL-reset fault, sqlite.org/wal.html). An own lock around checkpoints
 // would hold only for programs that know of it, and not for the sqlite3 tool. A rollback journal has no such
 // fault. It needs no shared memory, so it works on network drives too, where those lock files. It is empty
-// between transactions, so what was deleted is not in it. It costs 1 to 20 ms more for each transaction
-// (docs/measurements), which no frame waits for, and readers wait while another process commits. A file that
-// somebody has put into WAL mode is put back when it is opened.
+// between transactions, so what was deleted is not in it. It costs more synchronisations of the disk for each
+// transaction (docs/measurements/session.md), which no frame waits for, and readers wait while another
+// process commits. A file of ours that somebody has put into WAL mode is put back when it is opened.
 //
 // Nothing else opens the database file while a connection is open: closing any descriptor of a file drops
 // SQLite's locks of it in the whole process.
@@ -37,6 +37,7 @@ struct ConnectionOptions {
     Access access = Access::readWrite;         // readWrite creates the file where it is missing
     std::chrono::milliseconds patience{5000};  // how long a lock of another process is waited for
     std::string vfs;                           // name of SQLite's file layer; empty: that of the system
+    bool isOurs = true;                        // false: nothing of the file changes until settle()
 };
 
 // Used by one thread at a time.
@@ -44,13 +45,16 @@ struct Connection {
     std::filesystem::path file;
     SQLite::Database sqlite;
     std::chrono::milliseconds patience{};
-    std::chrono::steady_clock::time_point waitsSince{};
+    std::chrono::steady_clock::time_point waitsSince{};  // of the lock that is waited for now
 };
 
-// The file has mode 0600 before anything is written to it, and its journal gets the same. Fails with damaged
-// for what is no database, and with the Trouble that keeps it from being used.
+// Fails with damaged for what is no database, and with the Trouble that keeps it from being used.
 Result<std::unique_ptr<Connection>> connect(const std::filesystem::path& file,
                                             const ConnectionOptions& options);
+
+// Mode 0600, which its journal gets as well, and the rollback journal: before anything is written to the
+// file.
+Result<void> settle(Connection& connection);
 
 // Gives SQL the function macula_check(table, column, ...): row_check for migrations that change columns.
 void addCheckFunction(SQLite::Database& sqlite);
@@ -64,8 +68,9 @@ struct Inspection {
     int version = 0;       // user_version: the number of the last migration
 };
 
-enum class Thoroughness { headerOnly, quick, full };  // PRAGMA quick_check, integrity_check
-// What that PRAGMA says; throws when the disk does not read a page, which is no damage.
+// PRAGMA quick_check, or integrity_check and foreign_key_check.
+enum class Thoroughness { quick, full };
+// What they say; throws when the disk does not read a page, which is no damage.
 bool isSound(SQLite::Database& sqlite, Thoroughness thoroughness);
 
 // Fails with notOurs for a database of another program, and with damaged where the check finds something.

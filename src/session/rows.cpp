@@ -176,4 +176,13 @@ std::int64_t numberOf(Connection& connection, const std::string& sql, std::span<
     return statement.executeStep() ? statement.getColumn(0).getInt64() : 0;
 }
 
+std::vector<std::string> textsOf(Connection& connection, const std::string& sql,
+                                 std::span<const std::string> texts) {
+    std::vector<std::string> found;
+    SQLite::Statement statement(connection.sqlite, sql);
+    bindTexts(statement, texts);
+    while (statement.executeStep()) found.push_back(statement.getColumn(0).getString());
+    return found;
+}
+
 }  // namespace macula::session

@@ -114,7 +114,10 @@ std::int64_t nextId(Connection& connection, const Table& table);
 
 // Runs one statement with texts for its parameters.
 void execute(Connection& connection, const std::string& sql, std::span<const std::string> texts = {});
+// The first column of its first row, or 0; and of all its rows.
 std::int64_t numberOf(Connection& connection, const std::string& sql,
                       std::span<const std::string> texts = {});
+std::vector<std::string> textsOf(Connection& connection, const std::string& sql,
+                                 std::span<const std::string> texts = {});
 
 }  // namespace macula::session

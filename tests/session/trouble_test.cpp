@@ -127,6 +127,22 @@ TEST_F(Troubles, OfANewerSchema) {
     EXPECT_EQ(allBytes(), before);
 }
 
+// A newer version may have another journal, and a schema that this one takes for damage.
+TEST_F(Troubles, OfANewerSchemaThatIsNotUnderstood) {
+    fill();
+    execute("PRAGMA journal_mode = WAL; PRAGMA user_version = 1000");
+    const auto before = allBytes();
+    EXPECT_EQ(troubleIn(Store::open(options())), Trouble::newerSchema);
+    EXPECT_EQ(allBytes(), before);
+    std::string bytes = test::textOf(database());
+    const std::size_t table = bytes.find("CREATE TABLE studies");
+    ASSERT_NE(table, std::string::npos);
+    test::putText(database(), bytes.replace(table, 6, "INVENT"));
+    EXPECT_EQ(troubleIn(Store::open(options())), Trouble::newerSchema);
+    EXPECT_EQ(test::textOf(database()), bytes);
+    EXPECT_FALSE(fs::exists(folder_ / "damaged"));
+}
+
 TEST_F(Troubles, OfAFolderOfSomebodyElse) {
     fs::create_directories(folder_);
     test::putText(folder_ / "holiday.jpg", "a picture");
