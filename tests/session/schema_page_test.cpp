@@ -96,6 +96,19 @@ TEST_F(SchemaPage, NamesVersionAndApplication) {
     EXPECT_EQ(sqlite_.execAndGet("PRAGMA user_version").getInt(), newestVersion());
 }
 
+TEST_F(SchemaPage, NamesEveryKind) {
+    const std::string page = test::textOf(macula::test::projectFolder() / "docs" / "session-schema.md");
+    const auto expectNamed = [&](std::string_view name) {
+        EXPECT_NE(page.find("`" + std::string(name) + "`"), std::string::npos) << name;
+    };
+    for (int i = 0; i <= static_cast<int>(DocumentKind::calibration); ++i)
+        expectNamed(nameOf(static_cast<DocumentKind>(i)));
+    for (int i = 0; i <= static_cast<int>(AuditAction::expired); ++i)
+        expectNamed(nameOf(static_cast<AuditAction>(i)));
+    for (int i = 0; i <= static_cast<int>(AuditKind::store); ++i)
+        expectNamed(nameOf(static_cast<AuditKind>(i)));
+}
+
 // The tables that the code knows are those of the schema, in the same order of columns.
 TEST_F(SchemaPage, RowsHaveTheColumnsOfTheirTables) {
     for (const Table* table : allTables()) {
