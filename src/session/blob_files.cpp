@@ -99,6 +99,20 @@ Result<void> syncToDisk(const fs::path& path) {
     return {};
 }
 
+Result<void> eraseFile(const fs::path& file) {
+    struct stat status {};
+    if (lstat(file.c_str(), &status) != 0) {
+        if (errno == ENOENT) return {};
+        return errorOf(troubleOfErrno(errno), file);
+    }
+    if (S_ISREG(status.st_mode) && status.st_nlink == 1) {
+        const Descriptor bytes(file, O_WRONLY);
+        if (!bytes.isOpen() || !overwrite(*bytes)) return errorOf(troubleOfErrno(errno), file);
+    }
+    if (unlink(file.c_str()) != 0 && errno != ENOENT) return errorOf(troubleOfErrno(errno), file);
+    return {};
+}
+
 Result<BlobFiles> BlobFiles::open(const fs::path& folder) {
     MACULA_TRY_VOID(makePrivateFolder(folder));
     return BlobFiles(folder);
@@ -122,6 +136,7 @@ Result<BlobFiles::Prepared> BlobFiles::prepare(std::span<const std::byte> bytes)
 }
 
 Result<void> BlobFiles::putInPlace(const Prepared& prepared) const {
+    errno = 0;
     if (!macula::putInPlace(prepared.draft.path(), fileOf(prepared.digest)))
         return errorOf(troubleOfErrno(errno), folder_);
     return {};
@@ -153,11 +168,7 @@ Result<ReadBlob> BlobFiles::read(std::string_view digest, std::uint64_t bytes) c
 
 Result<void> BlobFiles::remove(std::string_view digest, Removal removal) const {
     const fs::path path = fileOf(digest);
-    if (removal == Removal::overwritten) {
-        const Descriptor file(path, O_WRONLY);
-        if (!file.isOpen() && errno == ENOENT) return {};
-        if (!file.isOpen() || !overwrite(*file)) return errorOf(troubleOfErrno(errno), path);
-    }
+    if (removal == Removal::overwritten) return eraseFile(path);
     if (unlink(path.c_str()) != 0 && errno != ENOENT) return errorOf(troubleOfErrno(errno), path);
     return {};
 }

@@ -64,6 +64,10 @@ class BlobFiles {
 // Makes a folder (0700) with its parents; one that is there keeps its mode.
 Result<void> makePrivateFolder(const std::filesystem::path& folder);
 
+// Overwrites a file and removes it; one that is not there is no error. A file that has a second name is only
+// removed: what it holds belongs to that name as well.
+Result<void> eraseFile(const std::filesystem::path& file);
+
 // Waits until a file or folder is on the disk.
 Result<void> syncToDisk(const std::filesystem::path& path);
 

@@ -10,6 +10,7 @@
 #include <ctime>
 #include <fstream>
 #include <set>
+#include <string>
 
 #include "base/draft.h"
 #include "session/database_pages.h"
@@ -39,9 +40,15 @@ Result<std::vector<std::byte>> bytesOf(const fs::path& file) {
     if (error) return errorOf(troubleOfErrno(error.value()), file);
     try {
         std::vector<std::byte> bytes(std::min(size, kMost));
-        std::ifstream stream(file, std::ios::binary);
-        stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-        // A disk may read a part; what comes after it is zeros.
+        const int descriptor = open(file.c_str(), O_RDONLY | O_NOFOLLOW | O_CLOEXEC);
+        if (descriptor < 0) return errorOf(troubleOfErrno(errno), file);
+        // Blocks that the disk does not read are zeros.
+        constexpr std::size_t kBlock = 4096;
+        for (std::size_t at = 0; at < bytes.size(); at += kBlock) {
+            const std::size_t count = std::min(kBlock, bytes.size() - at);
+            static_cast<void>(!pread(descriptor, bytes.data() + at, count, static_cast<off_t>(at)));
+        }
+        close(descriptor);
         return bytes;
     } catch (const std::bad_alloc&) {
         return errorOf(Trouble::noMemory, file);
@@ -111,12 +118,27 @@ Result<void> moveOrphans(const BlobFiles& blobs, const fs::path& database, const
 
 }  // namespace
 
+// Format: sqlite.org/fileformat2.html, section 1.3.
+bool isOfNewerVersion(const fs::path& database) {
+    std::string header(100, '\0');
+    std::ifstream stream(database, std::ios::binary);
+    if (!stream.read(header.data(), static_cast<std::streamsize>(header.size()))) return false;
+    const auto numberAt = [&](std::size_t place) {
+        std::uint32_t number = 0;
+        for (std::size_t i = place; i < place + 4; ++i)
+            number = number << 8 | static_cast<unsigned char>(header[i]);
+        return static_cast<std::int32_t>(number);
+    };
+    return header.starts_with("SQLite format 3") && numberAt(68) == kApplicationId &&
+           numberAt(60) > newestVersion();
+}
+
 Result<SetAside> setAsideAndRescue(const fs::path& database, const BlobFiles& blobs,
                                    std::chrono::milliseconds patience) {
     const fs::path store = database.parent_path();
-    MACULA_TRY(const fs::path folder, newFolder(store / kDamagedName));
     MACULA_TRY(const Draft fresh, Draft::beside(database, Draft::Kind::file));
     MACULA_TRY(SetAside result, rebuild(fresh.path(), database, patience));
+    MACULA_TRY(const fs::path folder, newFolder(store / kDamagedName));
     result.folder = folder;
     std::error_code ignored;
     fs::remove(fresh.path().string() + "-journal", ignored);

@@ -10,6 +10,10 @@
 
 namespace macula::session {
 
+// Whether the header says that a newer version of the program wrote the file, which this one may only fail to
+// understand. The caller has no connection to it.
+bool isOfNewerVersion(const std::filesystem::path& database);
+
 // Moves the file with its journal to damaged/<UTC time>/, and puts a database in its place that has every row
 // with a valid checksum. Blobs that no rescued row names move there as well. Nothing is deleted, and a stop
 // at any moment leaves the damaged file in one of the two places. The caller has the store alone, and no

@@ -6,6 +6,9 @@
 #include <sys/stat.h>
 
 #include <cerrno>
+#include <cstdlib>
+#include <string_view>
+#include <thread>
 #include <vector>
 
 #include "session/row_check.h"
@@ -39,9 +42,21 @@ void checkFunction(sqlite3_context* context, int count, sqlite3_value** argument
     if (count > 0) sqlite3_result_int64(context, rowCheck(textOf(arguments[0]), values));
 }
 
-void configure(Connection& connection, Access access) {
+// Called again and again while another process has a lock. Short pauses of different lengths: those of SQLite
+// grow to 100 ms, so that of two that write all the time one would hardly get a turn.
+int waitForLock(void* argument, int callsBefore) {
+    auto& connection = *static_cast<Connection*>(argument);
+    const auto now = std::chrono::steady_clock::now();
+    if (callsBefore == 0) connection.waitsSince = now;
+    if (now - connection.waitsSince >= connection.patience) return 0;
+    std::this_thread::sleep_for(std::chrono::microseconds(500 + now.time_since_epoch().count() % 2000));
+    return 1;
+}
+
+void configure(Connection& connection) {
     SQLite::Database& sqlite = connection.sqlite;
     sqlite3* const handle = sqlite.getHandle();
+    sqlite3_busy_handler(handle, waitForLock, &connection);
     // What a crafted or damaged schema could call is off; so are statements that write to the file's own
     // tables.
     sqlite3_db_config(handle, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
@@ -52,11 +67,8 @@ void configure(Connection& connection, Access access) {
     sqlite.exec("PRAGMA cache_size = -16000");  // 16 MB: lists of thousands of studies are read once
     sqlite.exec("PRAGMA foreign_keys = ON");
     sqlite.exec("PRAGMA secure_delete = ON");
-    addCheckFunction(sqlite);
-    if (access == Access::readOnly) return;
     sqlite.exec("PRAGMA synchronous = FULL");
-    if (sqlite.execAndGet("PRAGMA journal_mode = TRUNCATE").getString() != "truncate")
-        throw SQLite::Exception("the journal mode cannot be set", SQLITE_BUSY);
+    addCheckFunction(sqlite);
 }
 
 Trouble troubleOfIoError(int extended, int systemError) {
@@ -108,13 +120,6 @@ bool hasTable(SQLite::Database& sqlite, const char* name) {
     return query.executeStep();
 }
 
-bool isSound(SQLite::Database& sqlite, Thoroughness thoroughness) {
-    if (thoroughness == Thoroughness::headerOnly) return true;
-    const char* check =
-        thoroughness == Thoroughness::quick ? "PRAGMA quick_check(1)" : "PRAGMA integrity_check(1)";
-    return sqlite.execAndGet(check).getString() == "ok";
-}
-
 }  // namespace
 
 void addCheckFunction(SQLite::Database& sqlite) {
@@ -132,17 +137,17 @@ Result<std::unique_ptr<Connection>> connect(const fs::path& file, const Connecti
     const int flags = options.access == Access::readOnly ? SQLITE_OPEN_READONLY
                                                          : SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE;
     try {
-        auto connection = std::unique_ptr<Connection>(new Connection{
-            file, SQLite::Database(file.string(), flags | SQLITE_OPEN_NOFOLLOW | SQLITE_OPEN_NOMUTEX,
-                                   static_cast<int>(options.patience.count()), options.vfs)});
+        auto connection = std::unique_ptr<Connection>(
+            new Connection{file,
+                           SQLite::Database(file.string(), flags | SQLITE_OPEN_NOFOLLOW | SQLITE_OPEN_NOMUTEX,
+                                            0, options.vfs),
+                           options.patience});
         return guarded(*connection, [&]() -> Result<std::unique_ptr<Connection>> {
-            if (options.access == Access::readWrite) {
-                if (sqlite3_db_readonly(connection->sqlite.getHandle(), "main") != 0)
-                    return errorOf(Trouble::readOnly, file);
-                if (chmod(file.c_str(), 0600) != 0 && errno != EPERM && errno != EOPNOTSUPP)
-                    return errorOf(troubleOfErrno(errno), file);
-            }
-            configure(*connection, options.access);
+            configure(*connection);
+            if (options.access == Access::readOnly) return std::move(connection);
+            if (sqlite3_db_readonly(connection->sqlite.getHandle(), "main") != 0)
+                return errorOf(Trouble::readOnly, file);
+            if (options.isOurs) MACULA_TRY_VOID(settle(*connection));
             return std::move(connection);
         });
     } catch (const SQLite::Exception& exception) {
@@ -150,6 +155,35 @@ Result<std::unique_ptr<Connection>> connect(const fs::path& file, const Connecti
     } catch (const std::bad_alloc&) {
         return errorOf(Trouble::noMemory, file);
     }
+}
+
+Result<void> settle(Connection& connection) {
+    const fs::path& file = connection.file;
+    if (chmod(file.c_str(), 0600) != 0 && errno != EPERM && errno != EOPNOTSUPP)
+        return errorOf(troubleOfErrno(errno), file);
+    return guarded(connection, [&]() -> Result<void> {
+        if (connection.sqlite.execAndGet("PRAGMA journal_mode = TRUNCATE").getString() != "truncate")
+            return errorOf(Trouble::lockedByAnother, file);
+        return {};
+    });
+}
+
+bool isSound(SQLite::Database& sqlite, Thoroughness thoroughness) {
+    const char* check =
+        thoroughness == Thoroughness::quick ? "PRAGMA quick_check(1)" : "PRAGMA integrity_check(1)";
+    const std::string told = sqlite.execAndGet(check).getString();
+    // A page that the disk does not read is told like a damaged one, but for the number of the error.
+    constexpr std::string_view kNumber = "error code=";
+    const std::size_t number = told.find(kNumber);
+    const int code =
+        number == std::string::npos ? SQLITE_OK : std::atoi(told.c_str() + number + kNumber.size());
+    // And this, which has no number, is told of no other page.
+    if (told.find("failed to get page") != std::string::npos)
+        throw SQLite::Exception("a page cannot be read", SQLITE_IOERR_READ);
+    if ((code & 0xff) == SQLITE_IOERR || (code & 0xff) == SQLITE_NOMEM)
+        throw SQLite::Exception("a page cannot be read", code);
+    if (told != "ok" || thoroughness == Thoroughness::quick) return told == "ok";
+    return !SQLite::Statement(sqlite, "PRAGMA foreign_key_check").executeStep();
 }
 
 Result<Inspection> inspect(Connection& connection, Thoroughness thoroughness) {

@@ -1,13 +1,13 @@
 // The connection to the database file, and how it is kept safe.
 //
-// Journal: a rollback journal that is truncated (journal_mode=TRUNCATE, synchronous=FULL), not WAL. SQLite
+// Journal: a rollback journal that is truncated (journal_mode=TRUNCATE, synchronous=FULL), never WAL. SQLite
 // 3.7.0 to 3.51.2, so that of Debian 12 too, can corrupt a file in WAL mode when two connections write and
 // checkpoint at the same moment (the WAL-reset fault, sqlite.org/wal.html). An own lock around checkpoints
-// would hold only for programs that know of it: not for the sqlite3 tool, and not for the checkpoint that the
-// last connection makes as it closes. A rollback journal has no such fault, needs no shared memory, so that
-// it works wherever files can be locked, and is empty between transactions, so that what was deleted is
-// nowhere. It costs some 20 ms more for each transaction (docs/measurements/session.md), which no frame waits
-// for, and a reader waits while another process commits.
+// would hold only for programs that know of it, and not for the sqlite3 tool. A rollback journal has no such
+// fault. It needs no shared memory, so it works on network drives too, where those lock files. It is empty
+// between transactions, so what was deleted is not in it. It costs more synchronisations of the disk for each
+// transaction (docs/measurements/session.md), which no frame waits for, and readers wait while another
+// process commits. A file of ours that somebody has put into WAL mode is put back when it is opened.
 //
 // Nothing else opens the database file while a connection is open: closing any descriptor of a file drops
 // SQLite's locks of it in the whole process.
@@ -37,18 +37,24 @@ struct ConnectionOptions {
     Access access = Access::readWrite;         // readWrite creates the file where it is missing
     std::chrono::milliseconds patience{5000};  // how long a lock of another process is waited for
     std::string vfs;                           // name of SQLite's file layer; empty: that of the system
+    bool isOurs = true;                        // false: nothing of the file changes until settle()
 };
 
 // Used by one thread at a time.
 struct Connection {
     std::filesystem::path file;
     SQLite::Database sqlite;
+    std::chrono::milliseconds patience{};
+    std::chrono::steady_clock::time_point waitsSince{};  // of the lock that is waited for now
 };
 
-// The file has mode 0600 before anything is written to it, and its journal gets the same. Fails with damaged
-// for what is no database, and with the Trouble that keeps it from being used.
+// Fails with damaged for what is no database, and with the Trouble that keeps it from being used.
 Result<std::unique_ptr<Connection>> connect(const std::filesystem::path& file,
                                             const ConnectionOptions& options);
+
+// Mode 0600, which its journal gets as well, and the rollback journal: before anything is written to the
+// file.
+Result<void> settle(Connection& connection);
 
 // Gives SQL the function macula_check(table, column, ...): row_check for migrations that change columns.
 void addCheckFunction(SQLite::Database& sqlite);
@@ -62,7 +68,10 @@ struct Inspection {
     int version = 0;       // user_version: the number of the last migration
 };
 
-enum class Thoroughness { headerOnly, quick, full };  // PRAGMA quick_check, integrity_check
+// PRAGMA quick_check, or integrity_check and foreign_key_check.
+enum class Thoroughness { quick, full };
+// What they say; throws when the disk does not read a page, which is no damage.
+bool isSound(SQLite::Database& sqlite, Thoroughness thoroughness);
 
 // Fails with notOurs for a database of another program, and with damaged where the check finds something.
 Result<Inspection> inspect(Connection& connection, Thoroughness thoroughness);

@@ -1,4 +1,5 @@
-# cmake -D OUT=file.cpp -D FOLDER=migrations -P embed.cmake: writes every migration into one C++ file, in order of their numbers.
+# cmake -D OUT=file.cpp -D FOLDER=migrations -P embed.cmake: writes every migration into one C++ file, in order
+# of their numbers.
 file(GLOB files ${FOLDER}/*.sql)
 list(SORT files)
 set(rows "")

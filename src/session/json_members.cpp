@@ -26,10 +26,13 @@ bool addUnknown(json& written, const json& before, const std::string& path,
                 std::span<const std::string_view> known) {
     bool isChanged = false;
     for (const auto& [name, value] : before.items()) {
-        const std::string here = path.empty() ? name : path + "." + name;
+        std::string here = path;
+        if (!here.empty()) here += ".";
+        here += name;
         const bool isKnown = std::ranges::find(known, here) != known.end();
-        const bool isLookedInto =
-            std::ranges::any_of(known, [&](std::string_view other) { return other.starts_with(here + "."); });
+        const bool isLookedInto = std::ranges::any_of(known, [&](std::string_view other) {
+            return other.size() > here.size() && other.starts_with(here) && other[here.size()] == '.';
+        });
         const auto present = written.find(name);
         if (present == written.end()) {
             if (isKnown) continue;

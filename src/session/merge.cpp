@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "session/json_members.h"
 #include "session/store_state.h"
 
 namespace macula::session {
@@ -54,6 +55,8 @@ bool mergeModel(Connection& connection, const Row& row) {
 }
 
 bool mergeDocument(Connection& connection, const Row& row) {
+    if (!isDocument(row.text(documentJson))) return false;
+    if (!row.isNull(documentStudy) && !isDigest(row.text(documentStudy))) return false;
     if (!row.isNull(documentStudy))
         rememberStudy(connection, row.text(documentStudy), row.number(documentCreated));
     if (!row.isNull(documentAside)) return mergeById(connection, kDocuments, row, {}, documentChanged);
@@ -108,9 +111,13 @@ void setRowAside(Connection& connection, const Table& table, std::int64_t id) {
 }
 
 bool mergeRow(Connection& connection, const Table& table, const Row& row) {
+    // Another store may have been made by anybody.
+    const bool isNamed = !table.columns.front().isInteger;
+    if (isNamed && !isDigest(row.text(0))) return false;
     if (&table == &kStudies) return mergeOpened(connection, table, row, studyFirstOpened, studyLastOpened);
     if (&table == &kVolumes) return mergeOpened(connection, table, row, volumeFirstOpened, volumeLastOpened);
     if (&table == &kSeries) {
+        if (!isDigest(row.text(seriesStudy))) return false;
         rememberStudy(connection, row.text(seriesStudy), row.number(seriesFirstOpened));
         const auto before = findRow(connection, table, row.text(column::seriesIdentity));
         if (before && before->text(seriesStudy) != row.text(seriesStudy)) return false;

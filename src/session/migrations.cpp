@@ -27,10 +27,12 @@ Result<bool> applyNext(Connection& connection, std::span<const Migration> all) {
     });
 }
 
-// Names and SQL of all that there is, in order.
+// Names and SQL of all that there is, in order, but for the statistics that ANALYZE of any tool adds.
 std::string schemaOf(SQLite::Database& sqlite) {
     std::string text;
-    SQLite::Statement rows(sqlite, "SELECT type, name, tbl_name, sql FROM sqlite_schema ORDER BY type, name");
+    SQLite::Statement rows(sqlite,
+                           "SELECT type, name, tbl_name, sql FROM sqlite_schema WHERE name NOT GLOB "
+                           "'sqlite_stat*' ORDER BY type, name");
     while (rows.executeStep()) {
         for (int i = 0; i < 4; ++i) text += rows.getColumn(i).getString() + "\n";
     }

@@ -54,6 +54,25 @@ void bindValue(SQLite::Statement& statement, int index, const Value& value) {
     }
 }
 
+// Inserts, or changes the row with the same primary key.
+std::string sqlOf(const Table& table) {
+    std::string places;
+    std::string changes;
+    std::string key;
+    for (std::size_t i = 0; i < table.columns.size(); ++i) {
+        const std::string name(table.columns[i].name);
+        places += "?, ";
+        if (i < static_cast<std::size_t>(table.keyColumns)) {
+            if (!key.empty()) key += ", ";
+            key += name;
+        } else {
+            changes.append(name).append(" = excluded.").append(name).append(", ");
+        }
+    }
+    return "INSERT INTO " + std::string(table.name) + " (" + listOf(table, "") + ") VALUES (" + places +
+           "?) ON CONFLICT (" + key + ") DO UPDATE SET " + changes + "row_check = excluded.row_check";
+}
+
 void bindTexts(SQLite::Statement& statement, std::span<const std::string> texts) {
     for (int i = 0; i < static_cast<int>(texts.size()); ++i)
         statement.bind(i + 1, texts[static_cast<std::size_t>(i)]);
@@ -101,6 +120,7 @@ SQLite::Statement select(Connection& connection, const Table& table, const std::
 std::optional<Row> readRow(SQLite::Statement& statement, const Table& table) {
     Row row;
     const int count = static_cast<int>(table.columns.size());
+    row.values.reserve(table.columns.size());
     for (int i = 0; i < count; ++i) {
         const SQLite::Column column = statement.getColumn(i);
         if (column.isInteger()) {
@@ -118,29 +138,20 @@ std::optional<Row> readRow(SQLite::Statement& statement, const Table& table) {
     return row;
 }
 
-void putRow(Connection& connection, const Table& table, const Row& row) {
-    MACULA_CHECK_EQ(row.values.size(), table.columns.size());
-    std::string places;
-    std::string changes;
-    std::string key;
-    for (std::size_t i = 0; i < table.columns.size(); ++i) {
-        const std::string name(table.columns[i].name);
-        places += "?, ";
-        const bool isKey = i < static_cast<std::size_t>(table.keyColumns);
-        if (isKey) {
-            key += (key.empty() ? "" : ", ") + name;
-        } else {
-            changes += name + " = excluded." + name + ", ";
-        }
-    }
-    SQLite::Statement statement(connection.sqlite, "INSERT INTO " + std::string(table.name) + " (" +
-                                                       listOf(table, "") + ") VALUES (" + places +
-                                                       "?) ON CONFLICT (" + key + ") DO UPDATE SET " +
-                                                       changes + "row_check = excluded.row_check");
+RowWriter::RowWriter(Connection& connection, const Table& table)
+    : table_(&table), statement_(connection.sqlite, sqlOf(table)) {}
+
+void RowWriter::put(const Row& row) {
+    MACULA_CHECK_EQ(row.values.size(), table_->columns.size());
     int index = 0;
-    for (const Value& value : row.values) bindValue(statement, ++index, value);
-    statement.bind(++index, rowCheck(table.name, row.values));
-    statement.exec();
+    for (const Value& value : row.values) bindValue(statement_, ++index, value);
+    statement_.bind(++index, rowCheck(table_->name, row.values));
+    statement_.exec();
+    statement_.reset();
+}
+
+void putRow(Connection& connection, const Table& table, const Row& row) {
+    RowWriter(connection, table).put(row);
 }
 
 std::int64_t nextId(Connection& connection, const Table& table) {
@@ -163,6 +174,15 @@ std::int64_t numberOf(Connection& connection, const std::string& sql, std::span<
     SQLite::Statement statement(connection.sqlite, sql);
     bindTexts(statement, texts);
     return statement.executeStep() ? statement.getColumn(0).getInt64() : 0;
+}
+
+std::vector<std::string> textsOf(Connection& connection, const std::string& sql,
+                                 std::span<const std::string> texts) {
+    std::vector<std::string> found;
+    SQLite::Statement statement(connection.sqlite, sql);
+    bindTexts(statement, texts);
+    while (statement.executeStep()) found.push_back(statement.getColumn(0).getString());
+    return found;
 }
 
 }  // namespace macula::session

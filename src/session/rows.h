@@ -97,7 +97,16 @@ SQLite::Statement select(Connection& connection, const Table& table, const std::
 // The row that such a statement stands at; nothing where it is damaged.
 std::optional<Row> readRow(SQLite::Statement& statement, const Table& table);
 
-// Inserts the row, or puts it in place of the one with the same primary key.
+// Inserts rows, or puts them in place of those with the same primary key.
+class RowWriter {
+  public:
+    RowWriter(Connection& connection, const Table& table);
+    void put(const Row& row);
+
+  private:
+    const Table* table_;
+    SQLite::Statement statement_;
+};
 void putRow(Connection& connection, const Table& table, const Row& row);
 
 // For a new row of models, documents or audit: never one that was there before.
@@ -105,7 +114,10 @@ std::int64_t nextId(Connection& connection, const Table& table);
 
 // Runs one statement with texts for its parameters.
 void execute(Connection& connection, const std::string& sql, std::span<const std::string> texts = {});
+// The first column of its first row, or 0; and of all its rows.
 std::int64_t numberOf(Connection& connection, const std::string& sql,
                       std::span<const std::string> texts = {});
+std::vector<std::string> textsOf(Connection& connection, const std::string& sql,
+                                 std::span<const std::string> texts = {});
 
 }  // namespace macula::session

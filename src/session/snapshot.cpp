@@ -92,6 +92,28 @@ Result<SnapshotReport> fillSnapshot(StoreState& state, const fs::path& folder, P
     return report;
 }
 
+// Without links, which SQLite does not follow, and not in the store's own folder, which would then hold what
+// is not the store's.
+Result<fs::path> placeOfExport(const StoreState& state, const fs::path& newFolder) {
+    const auto refused = [&](const char* message, const char* hint) {
+        return Error{ErrorCode::outputNotWritable, message, newFolder.string(), hint};
+    };
+    std::error_code error;
+    fs::path whole = fs::absolute(newFolder, error).lexically_normal();
+    if (!whole.has_filename()) whole = whole.parent_path();  // "copy/"
+    const fs::path parent = fs::canonical(whole.parent_path(), error);
+    if (error)
+        return refused("The folder to write into does not exist.", "Create it, or choose another place.");
+    const fs::path target = parent / whole.filename();
+    if (fs::exists(fs::symlink_status(target, error)))
+        return refused("Something of that name is there already.", "Choose another name.");
+    const fs::path below = target.lexically_relative(state.folder);
+    if (!below.empty() && *below.begin() != "..")
+        return refused("An export cannot be in the folder of the stored sessions itself.",
+                       "Choose another place.");
+    return target;
+}
+
 // A private copy of what is to be imported, in the newest schema.
 Result<std::unique_ptr<Connection>> openForImport(const fs::path& file, const fs::path& copy) {
     const auto translated = [&](const Error& error) {
@@ -140,14 +162,14 @@ Result<void> importRows(StoreState& state, Connection& other, SnapshotReport& re
 Result<bool> importModel(StoreState& state, const ModelInfo& info, std::span<const std::byte> bytes) {
     if (bytes.size() > state.options.modelCapBytes) return false;
     MACULA_TRY(const BlobFiles::Prepared prepared, state.blobs.prepare(bytes));
-    std::vector<std::string> unused;
-    MACULA_TRY(const bool isTaken, inTransaction(*state.connection, [&]() -> Result<bool> {
-                   MACULA_TRY_VOID(state.blobs.putInPlace(prepared));
-                   const bool taken = mergeRow(*state.connection, kModels, rowOf(info));
-                   unused = evictRows(state, state.options.modelCapBytes, 0).blobs;
-                   unused.push_back(info.checksum);
-                   return taken;
-               }));
+    std::vector<std::string> unused{info.checksum};
+    auto isTaken = inTransaction(*state.connection, [&]() -> Result<bool> {
+        MACULA_TRY_VOID(state.blobs.putInPlace(prepared));
+        const bool taken = mergeRow(*state.connection, kModels, rowOf(info));
+        const Evicted evicted = evictRows(state, state.options.modelCapBytes, 0);
+        unused.insert(unused.end(), evicted.blobs.begin(), evicted.blobs.end());
+        return taken;
+    });
     static_cast<void>(removeBlobs(state, unused, BlobFiles::Removal::plain, {}));
     return isTaken;
 }
@@ -155,15 +177,13 @@ Result<bool> importModel(StoreState& state, const ModelInfo& info, std::span<con
 }  // namespace
 
 Result<SnapshotReport> Store::exportTo(const fs::path& newFolder, Progress& progress) {
-    std::error_code error;
-    if (fs::exists(fs::symlink_status(newFolder, error)))
-        return Error{ErrorCode::outputNotWritable, "Something of that name is there already.",
-                     newFolder.string(), "Choose another name."};
-    MACULA_TRY(const Draft draft, Draft::beside(newFolder, Draft::Kind::folder));
+    MACULA_TRY(const fs::path target, placeOfExport(*state_, newFolder));
+    MACULA_TRY(const Draft draft, Draft::beside(target, Draft::Kind::folder));
     MACULA_TRY(const SnapshotReport report, fillSnapshot(*state_, draft.path(), progress));
-    if (rename(draft.path().c_str(), newFolder.c_str()) != 0)
-        return errorOf(troubleOfErrno(errno), newFolder);
+    // The audit trail comes first: better an export on it that failed than one that is missing there.
     MACULA_TRY_VOID(addAudit(AuditAction::exported, AuditKind::store, {}, 1));
+    if (rename(draft.path().c_str(), target.c_str()) != 0) return errorOf(troubleOfErrno(errno), target);
+    static_cast<void>(syncToDisk(target.parent_path()));  // it is there, whether or not a power cut takes it
     return report;
 }
 

@@ -23,7 +23,7 @@ namespace {
 
 bool isOurName(const std::string& name) {
     return name.starts_with(kDatabaseName) || name == kLockName || name == kModelsName ||
-           name == kDamagedName || name.starts_with(".sessions.");
+           name == kDamagedName || name == kPurgeName || name.starts_with(".sessions.");
 }
 
 // A folder with nothing but files of a store, which is then closed to others.
@@ -48,12 +48,18 @@ Result<void> prepareFolder(const fs::path& folder, OpeningNotes& notes) {
 
 // The newest schema, checked; fails with damaged where it is not what was written.
 Result<std::unique_ptr<Connection>> openDatabase(const StoreOptions& options, const fs::path& file,
-                                                 OpeningNotes& notes) {
-    MACULA_TRY(auto connection, connect(file, {.patience = options.patience, .vfs = options.vfs}));
+                                                 const BlobFiles& blobs, OpeningNotes& notes) {
+    // Looked for before the database is: blobs come after the tables, so an empty file beside them has lost
+    // its own.
+    MACULA_TRY(const auto blobsBefore, blobs.list());
+    MACULA_TRY(auto connection,
+               connect(file, {.patience = options.patience, .vfs = options.vfs, .isOurs = false}));
     const bool isFull = options.check == StoreOptions::Check::full;
     MACULA_TRY(const Inspection found,
                inspect(*connection, isFull ? Thoroughness::full : Thoroughness::quick));
     if (found.version > newestVersion()) return errorOf(Trouble::newerSchema, file);
+    if (found.isEmpty && !blobsBefore.empty()) return errorOf(Trouble::damaged, file);
+    MACULA_TRY_VOID(settle(*connection));
     notes.isNew = found.isEmpty;
     notes.versionBefore = found.version == newestVersion() ? 0 : found.version;
     MACULA_TRY_VOID(migrate(*connection));
@@ -69,10 +75,11 @@ Result<std::unique_ptr<Connection>> rescueDatabase(const StoreOptions& options, 
     locks->release(LockFile::kPresence);
     auto result = [&]() -> Result<std::unique_ptr<Connection>> {
         MACULA_TRY_VOID(locks->acquire(LockFile::kPresence, Hold::exclusive, options.patience));
-        auto again = openDatabase(options, file, notes);
+        auto again = openDatabase(options, file, blobs, notes);
         if (again || troubleOf(again.error()) != Trouble::damaged) return again;
+        if (isOfNewerVersion(file)) return errorOf(Trouble::newerSchema, file);
         MACULA_TRY(notes.setAside, setAsideAndRescue(file, blobs, options.patience));
-        return openDatabase(options, file, notes);
+        return openDatabase(options, file, blobs, notes);
     }();
     if (auto shared = locks->acquire(LockFile::kPresence, Hold::shared, options.patience); !shared)
         return shared.error();
@@ -165,12 +172,18 @@ StudyEntry studyOf(const Row& row) {
             .lastOpenedMs = row.number(column::studyLastOpened)};
 }
 
-std::vector<std::string> volumesOf(Connection& connection, const std::string& series) {
+std::vector<std::string> volumesOf(Connection& connection, const std::string& series, std::size_t& damaged) {
     std::vector<std::string> volumes;
     SQLite::Statement links = select(connection, kSeriesVolumes, "WHERE t.series = ? ORDER BY t.volume");
     links.bind(1, series);
-    while (links.executeStep())
-        if (const auto row = readRow(links, kSeriesVolumes)) volumes.push_back(row->text(column::linkVolume));
+    while (links.executeStep()) {
+        const auto row = readRow(links, kSeriesVolumes);
+        if (row && row->text(column::linkSeries) == series) {
+            volumes.push_back(row->text(column::linkVolume));
+        } else {
+            ++damaged;
+        }
+    }
     return volumes;
 }
 
@@ -212,7 +225,7 @@ Result<Store> Store::open(const StoreOptions& options) {
     MACULA_TRY(HeldLock presence, HeldLock::take(locks, LockFile::kPresence, Hold::shared, options.patience));
     MACULA_TRY(BlobFiles blobs, BlobFiles::open(folder / kModelsName));
     const fs::path file = folder / kDatabaseName;
-    auto connection = openDatabase(options, file, notes);
+    auto connection = openDatabase(options, file, blobs, notes);
     if (!connection && troubleOf(connection.error()) == Trouble::damaged)
         connection = rescueDatabase(options, file, locks, blobs, notes);
     if (!connection) return connection.error();
@@ -283,7 +296,7 @@ Result<Listing<SeriesEntry>> Store::listSeries(const std::string& study) {
             const std::string& identity = row->text(column::seriesIdentity);
             listing.entries.push_back(
                 {identity, row->textOrNull(column::seriesReadable), row->number(column::seriesFirstOpened),
-                 row->number(column::seriesLastOpened), volumesOf(connection, identity)});
+                 row->number(column::seriesLastOpened), volumesOf(connection, identity, listing.damaged)});
         }
         return listing;
     });

@@ -6,12 +6,12 @@
 //     sessions.db   sessions.lock   models/<SHA-256>.model   damaged/<time>/...
 //
 // Threads: one at a time, as a rule a session thread that owns the store; nothing here belongs on a thread
-// that draws. Each call that writes waits for the disk (some 25 ms, more with a blob), and for other
-// processes up to StoreOptions::patience. Any number of processes may have the same folder open.
+// that draws. Each call that writes waits for the disk, and for other processes up to StoreOptions::patience.
+// Any number of processes may have the same folder open. None of them may fork while it has.
 //
 // Errors: every call may fail with the troubles of session/trouble.h, of which troubleOf() tells which one it
-// is. After an error the store is as it was before the call, and may be used on. A program that gets no store
-// goes on without one, and says so once.
+// is. After an error the store is as it was before the call, but where the call says otherwise, and may be
+// used on. A program that gets no store goes on without one, and says so once.
 //
 // Units: times are milliseconds since 1970 (UTC), sizes are bytes. Digests and identities are 64 lower-case
 // hexadecimal digits; to pass another text for one is an error of the program. What is damaged is never
@@ -54,7 +54,8 @@ struct StoreOptions {
 
 struct StoreState;
 
-// A model that is open: as long as this lives, no process evicts it. Get it before looking the model up.
+// A model that is open: as long as this lives, no process evicts or purges it. Get it before looking the
+// model up. Any thread may let it go, and after the store too.
 class OpenMark {
   public:
     OpenMark(OpenMark&&) noexcept;
@@ -71,8 +72,8 @@ class OpenMark {
 class Store {
   public:
     // Makes what is missing, migrates what is old, and checks what is there. A damaged database is set aside
-    // and what can be read of it is rescued: notes() tells. Fails, and changes nothing, where the folder
-    // cannot be used, is somebody else's, or was written by a newer version.
+    // and what can be read of it is rescued: notes() tells. Fails, and changes no file that is there, where
+    // the folder cannot be used, is somebody else's, or was written by a newer version.
     static Result<Store> open(const StoreOptions& options);
     Store(Store&&) noexcept;
     Store& operator=(Store&&) noexcept;
@@ -103,13 +104,21 @@ class Store {
     // Its blob, as it was saved last: `info` of what is returned may be newer than the one given. A wrong
     // size or checksum is modelDamaged: the row is set aside and found no more.
     Result<LoadedModel> readModel(const ModelInfo& info);
+    // The file of its blob, of which one may read the beginning alone. Nothing of it is checked: what is read
+    // must have checksums of its own. It may vanish at any moment, but while an OpenMark is held only when
+    // the key is saved anew; an open descriptor keeps it. Fails with modelGone where it is not there.
+    Result<std::filesystem::path> modelFile(const ModelInfo& info) const;
+    // For who found its content damaged, or does not understand it: the row is found no more, and goes first
+    // when room is made. `why` is a word of letters a to z and '-', and says nothing of a patient. Nothing
+    // happens where the key was saved anew since.
+    Result<void> setModelAside(const ModelInfo& info, std::string_view why);
     // Latest used first, those set aside too; of all volumes, or of one.
     Result<Listing<ModelInfo>> listModels(const std::string& volume = {});
     // Counts as used now. Reading does not: that would make opening wait for the disk.
     Result<void> touchModel(const ModelKey& key);
     Result<OpenMark> markOpen(const ModelKey& key);
-    // Least recently used first, and before them those that are set aside, until all together have at most so
-    // many bytes or all that is left is open.
+    // Least recently used first, and before them those that are damaged or set aside, until all together have
+    // at most so many bytes or all that is left is open.
     Result<EvictionReport> evictModels(std::uint64_t capBytes);
 
     // Documents. -----------------------------------------------------------------------------------------
@@ -135,9 +144,11 @@ class Store {
     // Care. ----------------------------------------------------------------------------------------------
 
     // Deletes a study with its series, documents, and the volumes and models that no other study has; or a
-    // volume with its models. Then the file is written anew and blobs are overwritten, so that no file of the
-    // folder holds any of it; the audit trail keeps its identity. Folders of damaged files hold what they
-    // hold, unless they go too. Fails with purgeIncomplete where another process reads: do it again.
+    // volume with its models, unless a study has it. Then the file is written anew and blobs are overwritten,
+    // so that no file of the folder holds any of it; the audit trail keeps its identity. What is damaged
+    // stays, unless it goes too. Fails with lockedByAnother where one of its models is open. Fails with
+    // purgeIncomplete where rows are deleted and another process keeps bytes from being overwritten: do it
+    // again, or collectGarbage(), which do what a purge that was stopped has left.
     Result<PurgeReport> purgeStudy(const std::string& study, DamagedFiles damaged);
     Result<PurgeReport> purgeVolume(const std::string& volume, DamagedFiles damaged);
     // All studies, and volumes without one, that were not opened for so many days.
@@ -149,21 +160,19 @@ class Store {
     // Reads everything: pages, indexes, references, rows, blobs. Sets models and documents aside that do not
     // pass. Where isDatabaseSound is false, close all stores and open one with Check::full.
     Result<VerifyReport> verify(Progress& progress);
-    // Removes blobs without a row, and what killed programs left half written.
+    // Removes blobs without a row, and what killed programs left half written or half purged.
     Result<GcReport> collectGarbage();
 
     // A copy of one moment, made by SQLite and not by copying its file: a new folder (0700) with the database
-    // and its blobs. Nothing is there when it fails. Readable with import alone.
+    // and its blobs, not below the store's own. Nothing is there when it fails.
     Result<SnapshotReport> exportTo(const std::filesystem::path& newFolder, Progress& progress);
     // Adds what such a folder holds and this store lacks; of what both have, the newer stays. The audit trail
-    // of the other is left out. The folder is not changed.
+    // of the other is left out. The folder is not changed. Where it fails or is stopped on the way, what was
+    // added by then stays.
     Result<SnapshotReport> importFrom(const std::filesystem::path& folder, Progress& progress);
 
   private:
     explicit Store(std::unique_ptr<StoreState> state);
-    Result<PurgeReport> purge(std::span<const std::string> studies, std::span<const std::string> volumes,
-                              DamagedFiles damaged, AuditAction action);
-    Result<PurgeReport> purgeOlder(std::int64_t beforeMs, DamagedFiles damaged, AuditAction action);
 
     std::unique_ptr<StoreState> state_;
 };

@@ -21,8 +21,8 @@ constexpr std::array<std::string_view, 5> kActionNames{"opened", "exported", "de
 constexpr std::array<std::string_view, 7> kAuditKindNames{"study",    "series",  "volume", "model",
                                                           "document", "picture", "store"};
 
-bool isValid(const DocumentId& id) {
-    return (id.study.empty() || isDigest(id.study)) && !id.name.empty() && id.name.size() <= kMostNameBytes;
+bool isOfStudyOrMachine(const std::string& study) {
+    return study.empty() || isDigest(study);
 }
 
 struct Found {
@@ -75,9 +75,10 @@ void addAuditRow(StoreState& state, AuditAction action, AuditKind kind, const st
 
 Result<void> Store::putDocument(const DocumentId& id, std::int64_t version, std::string_view json,
                                 std::span<const std::string_view> known) {
-    MACULA_CHECK(isValid(id));
+    MACULA_CHECK(isOfStudyOrMachine(id.study));
     Connection& connection = *state_->connection;
-    if (!isDocument(json)) return errorOf(Trouble::documentInvalid, state_->folder);
+    const bool isNamed = !id.name.empty() && id.name.size() <= kMostNameBytes;
+    if (!isNamed || !isDocument(json)) return errorOf(Trouble::documentInvalid, state_->folder);
     return inTransaction(connection, [&]() -> Result<void> {
         const std::int64_t now = state_->nowMs();
         if (!id.study.empty()) rememberStudy(connection, id.study, now);
@@ -96,7 +97,7 @@ Result<void> Store::putDocument(const DocumentId& id, std::int64_t version, std:
 }
 
 Result<std::optional<Document>> Store::getDocument(const DocumentId& id) {
-    MACULA_CHECK(isValid(id));
+    MACULA_CHECK(isOfStudyOrMachine(id.study));
     Connection& connection = *state_->connection;
     MACULA_TRY(const Found found,
                guarded(connection, [&]() -> Result<Found> { return findDocument(connection, id); }));
@@ -112,7 +113,7 @@ Result<std::optional<Document>> Store::getDocument(const DocumentId& id) {
 }
 
 Result<Listing<DocumentEntry>> Store::listDocuments(DocumentKind kind, const std::string& study) {
-    MACULA_CHECK(study.empty() || isDigest(study));
+    MACULA_CHECK(isOfStudyOrMachine(study));
     Connection& connection = *state_->connection;
     return guarded(connection, [&]() -> Result<Listing<DocumentEntry>> {
         Listing<DocumentEntry> listing;
@@ -135,7 +136,7 @@ Result<Listing<DocumentEntry>> Store::listDocuments(DocumentKind kind, const std
 }
 
 Result<bool> Store::removeDocument(const DocumentId& id) {
-    MACULA_CHECK(isValid(id));
+    MACULA_CHECK(isOfStudyOrMachine(id.study));
     Connection& connection = *state_->connection;
     return inTransaction(connection, [&]() -> Result<bool> {
         const Found found = findDocument(connection, id);

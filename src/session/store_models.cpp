@@ -1,7 +1,10 @@
 // The models of a Store.
 #include <SQLiteCpp/Column.h>
 
+#include <sys/stat.h>
+
 #include <algorithm>
+#include <cerrno>
 #include <chrono>
 
 #include "session/store.h"
@@ -43,6 +46,12 @@ std::int64_t nextUse(StoreState& state) {
     return std::max(now, last + 1);
 }
 
+// As "checksum": no sentence, so nothing of a patient either.
+bool isAsideWord(std::string_view why) {
+    return !why.empty() && why.size() <= 40 &&
+           why.find_first_not_of("abcdefghijklmnopqrstuvwxyz-") == std::string_view::npos;
+}
+
 Error modelDamaged(const StoreState& state) {
     return errorOf(Trouble::modelDamaged, state.blobs.folder());
 }
@@ -69,6 +78,7 @@ Result<void> saveRow(StoreState& state, const ModelKey& key, const BlobFiles::Pr
     report.info.bytes = bytes;
     report.info.checksum = prepared.digest;
     MACULA_TRY_VOID(state.blobs.putInPlace(prepared));
+    unused.push_back(prepared.digest);  // until its row is committed
     putRow(connection, kModels, rowOf(report.info));
     Evicted evicted = evictRows(state, state.options.modelCapBytes, report.info.id);
     report.evicted = evicted.report;
@@ -100,53 +110,8 @@ Row rowOf(const ModelInfo& info) {
              info.aside.empty() ? Value() : Value(info.aside)}};
 }
 
-Evicted evictRows(StoreState& state, std::uint64_t capBytes, std::int64_t kept) {
-    Connection& connection = *state.connection;
-    std::vector<Row> rows;
-    std::uint64_t all = 0;
-    SQLite::Statement statement = select(connection, kModels, "ORDER BY t.aside IS NULL, t.used, t.id");
-    while (statement.executeStep()) {
-        auto row = readRow(statement, kModels);
-        if (!row) continue;
-        all += static_cast<std::uint64_t>(row->number(column::modelBytes));
-        rows.push_back(std::move(*row));
-    }
-    Evicted evicted;
-    for (const Row& row : rows) {
-        if (all <= capBytes) break;
-        const bool isOpen = row.isNull(column::modelAside) &&
-                            state.locks->isMarked(LockFile::byteOf(row.text(column::modelKey)));
-        if (isOpen || row.number(column::modelId) == kept) continue;
-        execute(connection, "DELETE FROM models WHERE id = " + std::to_string(row.number(column::modelId)));
-        const auto bytes = static_cast<std::uint64_t>(row.number(column::modelBytes));
-        all -= bytes;
-        ++evicted.report.models;
-        evicted.report.bytes += bytes;
-        evicted.blobs.push_back(row.text(column::modelBlob));
-    }
-    evicted.report.bytesLeft = all;
-    return evicted;
-}
-
-Result<bool> removeBlobs(StoreState& state, std::span<const std::string> digests, BlobFiles::Removal removal,
-                         std::chrono::milliseconds patience) {
-    if (digests.empty()) return true;
-    // While the transaction lasts nobody commits a row for one of these blobs.
-    return inTransaction(*state.connection, [&]() -> Result<bool> {
-        auto alone = HeldLock::take(state.locks, LockFile::kBlobs, Hold::exclusive, patience);
-        if (!alone && troubleOf(alone.error()) == Trouble::lockedByAnother) return false;
-        if (!alone) return alone.error();
-        for (const std::string& digest : digests) {
-            const std::string texts[]{digest};
-            if (numberOf(*state.connection, "SELECT count(*) FROM models WHERE blob = ?", texts) > 0)
-                continue;
-            MACULA_TRY_VOID(state.blobs.remove(digest, removal));
-        }
-        return true;
-    });
-}
-
-Result<void> setModelAside(StoreState& state, std::int64_t id, const std::string& blob, BlobFault fault) {
+Result<void> setModelAside(StoreState& state, std::int64_t id, const std::string& blob,
+                           std::string_view why) {
     return inTransaction(*state.connection, [&]() -> Result<void> {
         SQLite::Statement statement =
             select(*state.connection, kModels, "WHERE t.id = " + std::to_string(id));
@@ -154,7 +119,7 @@ Result<void> setModelAside(StoreState& state, std::int64_t id, const std::string
         auto row = readRow(statement, kModels);
         statement.reset();
         if (!row || row->text(column::modelBlob) != blob) return {};
-        row->values[column::modelAside] = std::string(nameOf(fault));
+        row->values[column::modelAside] = std::string(why);
         putRow(*state.connection, kModels, *row);
         return {};
     });
@@ -168,10 +133,12 @@ Result<SaveReport> Store::saveModel(const ModelKey& key, std::span<const std::by
     MACULA_TRY(const BlobFiles::Prepared prepared, state.blobs.prepare(blob));
     SaveReport report;
     std::vector<std::string> unused;
-    MACULA_TRY_VOID(inTransaction(
-        *state.connection, [&] { return saveRow(state, key, prepared, blob.size(), report, unused); }));
-    // The model is saved. A blob that cannot be removed now is garbage, and collected as such.
+    const auto saved = inTransaction(
+        *state.connection, [&] { return saveRow(state, key, prepared, blob.size(), report, unused); });
+    if (saved) std::erase(unused, prepared.digest);
+    // A blob that cannot be removed now is garbage, and collected as such.
     static_cast<void>(removeBlobs(state, unused, BlobFiles::Removal::plain, {}));
+    if (!saved) return saved.error();
     return report;
 }
 
@@ -232,8 +199,20 @@ Result<LoadedModel> Store::readModel(const ModelInfo& info) {
         MACULA_TRY(blob, state.blobs.read(found->checksum, found->bytes));
     }
     if (!blob.fault) return LoadedModel{std::move(*found), std::move(blob.bytes)};
-    MACULA_TRY_VOID(setModelAside(state, found->id, found->checksum, *blob.fault));
+    MACULA_TRY_VOID(session::setModelAside(state, found->id, found->checksum, nameOf(*blob.fault)));
     return modelDamaged(state);
+}
+
+Result<std::filesystem::path> Store::modelFile(const ModelInfo& info) const {
+    std::filesystem::path file = state_->blobs.fileOf(info.checksum);
+    struct stat status {};
+    if (lstat(file.c_str(), &status) == 0) return file;
+    return errorOf(errno == ENOENT ? Trouble::modelGone : troubleOfErrno(errno), state_->blobs.folder());
+}
+
+Result<void> Store::setModelAside(const ModelInfo& info, std::string_view why) {
+    MACULA_CHECK(isAsideWord(why));
+    return session::setModelAside(*state_, info.id, info.checksum, why);
 }
 
 Result<Listing<ModelInfo>> Store::listModels(const std::string& volume) {
@@ -293,7 +272,10 @@ Result<OpenMark> Store::markOpen(const ModelKey& key) {
     MACULA_CHECK(key.isValid());
     const off_t byte = LockFile::byteOf(key.digest());
     MACULA_TRY_VOID(state_->locks->addMark(byte));
-    return OpenMark(std::unique_ptr<OpenMark::Held>(new OpenMark::Held{state_->locks, byte}));
+    OpenMark mark(std::unique_ptr<OpenMark::Held>(new OpenMark::Held{state_->locks, byte}));
+    // Who evicts at this moment may have looked for marks before this one came: an empty transaction waits.
+    MACULA_TRY_VOID(inTransaction(*state_->connection, [] { return Result<void>(); }));
+    return Result<OpenMark>(std::move(mark));
 }
 
 }  // namespace macula::session

@@ -22,6 +22,8 @@ inline constexpr std::string_view kDatabaseName = "sessions.db";
 inline constexpr std::string_view kLockName = "sessions.lock";
 inline constexpr std::string_view kModelsName = "models";
 inline constexpr std::string_view kDamagedName = "damaged";
+// Empty, and there from the first row that a purge deletes until no trace of it is left.
+inline constexpr std::string_view kPurgeName = "sessions.purge";
 
 struct StoreState {
     StoreOptions options;
@@ -35,8 +37,7 @@ struct StoreState {
     std::int64_t nowMs() const;
 };
 
-// Inside of a transaction:
-// -----------------------------------------------------------------------------------
+// Inside of a transaction: -------------------------------------------------------------------------------
 
 void addAuditRow(StoreState& state, AuditAction action, AuditKind kind, const std::string& subject,
                  std::int64_t amount);
@@ -69,8 +70,19 @@ Evicted evictRows(StoreState& state, std::uint64_t capBytes, std::int64_t kept);
 Result<bool> removeBlobs(StoreState& state, std::span<const std::string> digests, BlobFiles::Removal removal,
                          std::chrono::milliseconds patience);
 
-// The model with that id is set aside for that fault, if it still has that blob.
-Result<void> setModelAside(StoreState& state, std::int64_t id, const std::string& blob, BlobFault fault);
+// The model with that id is set aside, if it still has that blob.
+Result<void> setModelAside(StoreState& state, std::int64_t id, const std::string& blob, std::string_view why);
+
+// Blobs that no row names.
+Result<std::vector<BlobFiles::Entry>> orphansOf(StoreState& state);
+
+// Purge. -------------------------------------------------------------------------------------------------
+
+bool isPurgeBegun(const StoreState& state);
+// Blobs and pages of what was deleted, whoever began to delete it, so that no byte of it is left.
+Result<void> finishPurge(StoreState& state);
+// Damaged files that were set aside have a folder each.
+std::size_t foldersIn(const std::filesystem::path& folder);
 
 // Rows of another database. ------------------------------------------------------------------------------
 

@@ -72,7 +72,9 @@ struct ModelInfo {
     std::int64_t savedMs = 0;
     // The order of use. It is the time, but for a clock that was put back: then it goes on from the last.
     std::int64_t usedMs = 0;
-    std::string aside;  // why it was set aside: "missing", "size", "checksum"; empty: it was not
+    // Why it was set aside: "missing", "size", "checksum", or what setModelAside() was given. Empty: it was
+    // not.
+    std::string aside;
 };
 
 struct ModelCandidate {
@@ -104,7 +106,7 @@ std::string_view nameOf(DocumentKind kind);
 struct DocumentId {
     DocumentKind kind = DocumentKind::session;
     std::string study;  // identity; empty: of the machine, for all studies
-    std::string name;   // 1 to 200 bytes
+    std::string name;   // 1 to 200 bytes; others are found nowhere, and refused where one is put
 };
 
 struct DocumentEntry {
@@ -132,13 +134,14 @@ struct AuditEntry {
     std::int64_t amount = 0;  // how many
 };
 
-// What a purge does with damaged files that were set aside: nobody can delete a single study from them.
+// What a purge does with what is damaged, files that were set aside and rows of models and documents: nobody
+// can tell of which study it is.
 enum class DamagedFiles { keep, remove };
 
 struct PurgeReport {
     std::size_t studies = 0;
     std::size_t volumes = 0;
-    std::size_t models = 0;
+    std::size_t models = 0;  // damaged ones too, where they are removed; of documents as well
     std::size_t documents = 0;
     std::size_t skippedOpen = 0;     // of purgeUnused and purgeAll: a model of theirs is open
     std::size_t damagedFolders = 0;  // that are still there

@@ -41,7 +41,7 @@ constexpr Sentence kSentences[] = {
     {ErrorCode::inputNotUsable, "A stored setting is damaged; it was set aside.",
      "Make the setting once more."},
     {ErrorCode::usage, "What is to be stored is no valid setting.",
-     "Check that it is a JSON object of at most 8 MB, and no deeper than 64 levels."},
+     "Check that it has a name of at most 200 bytes, and is a JSON object of at most 8 MB and 64 levels."},
     {ErrorCode::inputNotUsable, "The folder holds no exported sessions.",
      "Choose a folder that the export of sessions made."},
     {ErrorCode::outputNotWritable,

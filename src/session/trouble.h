@@ -2,7 +2,6 @@
 // a patient or a path; the path is Error::where.
 #pragma once
 
-#include <array>
 #include <filesystem>
 #include <optional>
 
@@ -24,7 +23,7 @@ enum class Trouble {
     modelTooLarge,    // one blob alone is above the cap
     modelGone,        // removed since it was looked up
     documentDamaged,  // its row is not what was saved
-    documentInvalid,  // what is to be saved is no JSON object, too long or too deep
+    documentInvalid,  // what is to be saved is no JSON object, too long or too deep, or has no usable name
     snapshotInvalid,  // what is to be imported is no snapshot
     purgeIncomplete,  // deleted, but bytes may still lie in a file that another process reads
 };

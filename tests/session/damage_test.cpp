@@ -1,4 +1,8 @@
 // Files with changed bytes: never a crash, never a wrong value that passes for a right one.
+//
+// MACULA_SESSION_MUTATIONS: how many changed databases, and how many changed blobs; 60 unless it is set.
+#include <SQLiteCpp/SQLiteCpp.h>
+
 #include <algorithm>
 #include <map>
 #include <random>
@@ -112,7 +116,7 @@ std::string mutated(std::string bytes, std::mt19937& random) {
 }
 
 TEST_F(Damage, OfTheDatabaseGivesNothingWrong) {
-    const int count = test::numberFromEnvironment("MACULA_SESSION_MUTATIONS", 150);
+    const int count = test::numberFromEnvironment("MACULA_SESSION_MUTATIONS", 60);
     std::mt19937 random(29);
     std::map<std::string, int> outcomes;
     std::size_t right = 0;
@@ -170,6 +174,48 @@ TEST_F(Damage, OfAllKeepsBlobsBesideTheFile) {
     EXPECT_EQ(test::filesBelow(store.notes().setAside->folder / "models").size(), std::size_t{kModels});
 }
 
+// Blobs are written after the tables are: without tables, something is lost.
+TEST_F(Damage, ThatEmptiesTheFileKeepsBlobs) {
+    test::putText(folder_ / "sessions.db", "");
+    Store store = open();
+    ASSERT_TRUE(store.notes().setAside);
+    EXPECT_TRUE(fs::is_empty(folder_ / "models"));
+    EXPECT_EQ(test::filesBelow(store.notes().setAside->folder / "models").size(), std::size_t{kModels});
+    ASSERT_TRUE(isOk(store.collectGarbage()));
+    EXPECT_EQ(test::filesBelow(store.notes().setAside->folder / "models").size(), std::size_t{kModels});
+}
+
+TEST_F(Damage, OfAReferenceIsFoundByAFullCheck) {
+    {
+        SQLite::Database sqlite((folder_ / "sessions.db").string(), SQLite::OPEN_READWRITE);
+        EXPECT_EQ(sqlite.exec("DELETE FROM studies WHERE readable = 'readable 5'"), 1);
+    }
+    Progress progress;
+    EXPECT_FALSE(valueOf(open().verify(progress)).isDatabaseSound);
+    StoreOptions with = options();
+    with.check = StoreOptions::Check::full;
+    Store store = open(with);
+    EXPECT_TRUE(store.notes().setAside);
+    EXPECT_TRUE(valueOf(store.verify(progress)).isSound());
+    EXPECT_EQ(expectNothingWrong(store), kAll - 1) << "all but the readable text of that study";
+}
+
+TEST_F(Damage, OfALinkIsCountedAndNotShown) {
+    {
+        SQLite::Database sqlite((folder_ / "sessions.db").string(), SQLite::OPEN_READWRITE);
+        EXPECT_EQ(sqlite.exec("UPDATE series_volumes SET row_check = row_check + 1"), kStudies);
+    }
+    const auto series = valueOf(open().listSeries(studyIdentity("3")));
+    ASSERT_EQ(series.entries.size(), 1u);
+    EXPECT_TRUE(series.entries[0].volumes.empty());
+    EXPECT_EQ(series.damaged, 1u);
+}
+
+TEST_F(Damage, IsNotWhatOtherToolsMeasure) {
+    SQLite::Database((folder_ / "sessions.db").string(), SQLite::OPEN_READWRITE).exec("ANALYZE");
+    EXPECT_FALSE(open().notes().setAside);
+}
+
 TEST_F(Damage, OfAnIndexIsFoundByAFullCheck) {
     // An entry of the index by key gets another key: quick_check does not compare tables and indexes.
     std::string bytes = database_;
@@ -195,7 +241,7 @@ TEST_F(Damage, OfAnIndexIsFoundByAFullCheck) {
 }
 
 TEST_F(Damage, OfBlobsIsAlwaysSeen) {
-    const int count = test::numberFromEnvironment("MACULA_SESSION_MUTATIONS", 150);
+    const int count = test::numberFromEnvironment("MACULA_SESSION_MUTATIONS", 60);
     std::mt19937 random(30);
     Store store = open();
     const auto blob = blobOf(5, 20'000);

@@ -79,6 +79,18 @@ TEST_F(Documents, ThatAreNoObjectsAreRefused) {
     EXPECT_EQ(valueOf(store.getDocument(id)), std::nullopt);
 }
 
+// A person types them: no error of the program.
+TEST_F(Documents, WithoutAUsableNameAreRefused) {
+    Store store = open();
+    for (const std::string& name : {std::string(), std::string(201, 'a')}) {
+        const DocumentId id{DocumentKind::preset, "", name};
+        EXPECT_EQ(troubleIn(store.putDocument(id, 1, "{}", {})), Trouble::documentInvalid);
+        EXPECT_EQ(valueOf(store.getDocument(id)), std::nullopt);
+        EXPECT_FALSE(valueOf(store.removeDocument(id)));
+    }
+    EXPECT_TRUE(isOk(store.putDocument({DocumentKind::preset, "", std::string(200, 'a')}, 1, "{}", {})));
+}
+
 TEST_F(Documents, WithAChangedBitAreSetAside) {
     const DocumentId id{DocumentKind::view, "", "apex"};
     ASSERT_TRUE(isOk(open().putDocument(id, 1, R"({"fov": 30})", {})));

@@ -60,6 +60,11 @@ bool failsNow() {
     return isNow;
 }
 
+// A truncation or a sync: those of a full disk go well.
+bool failsHere() {
+    return state().fault != Fault::readError && failsNow() && state().fault != Fault::diskFull;
+}
+
 int closeFile(sqlite3_file* file) {
     const int result = fileOf(file)->real()->pMethods->xClose(fileOf(file)->real());
     delete fileOf(file)->name;
@@ -68,6 +73,7 @@ int closeFile(sqlite3_file* file) {
 
 int readFile(sqlite3_file* file, void* to, int count, sqlite3_int64 at) {
     if (isDead()) return SQLITE_IOERR_READ;
+    if (state().fault == Fault::readError && failsNow()) return SQLITE_IOERR_READ;
     return fileOf(file)->real()->pMethods->xRead(fileOf(file)->real(), to, count, at);
 }
 
@@ -77,7 +83,7 @@ int writeFile(sqlite3_file* file, const void* from, int count, sqlite3_int64 at)
     };
     if (isDead()) return SQLITE_IOERR_WRITE;
     const bool wasTorn = state().hasFailed;
-    if (!failsNow()) return write(count);
+    if (state().fault == Fault::readError || !failsNow()) return write(count);
     switch (state().fault) {
         case Fault::shortWrite:
             write(count / 2);
@@ -94,12 +100,12 @@ int writeFile(sqlite3_file* file, const void* from, int count, sqlite3_int64 at)
 }
 
 int truncateFile(sqlite3_file* file, sqlite3_int64 size) {
-    if (failsNow() && state().fault != Fault::diskFull) return SQLITE_IOERR_TRUNCATE;
+    if (failsHere()) return SQLITE_IOERR_TRUNCATE;
     return fileOf(file)->real()->pMethods->xTruncate(fileOf(file)->real(), size);
 }
 
 int syncFile(sqlite3_file* file, int flags) {
-    if (failsNow() && state().fault != Fault::diskFull) return SQLITE_IOERR_FSYNC;
+    if (failsHere()) return SQLITE_IOERR_FSYNC;
     const int result = fileOf(file)->real()->pMethods->xSync(fileOf(file)->real(), flags);
     if (state().fault == Fault::powerCut) state().synced[*fileOf(file)->name] = textOf(*fileOf(file)->name);
     return result;
@@ -181,6 +187,10 @@ const bool kIsRegistered = [] {
 
 void setFault(Fault fault, int at, std::uint32_t seed) {
     state() = {.fault = fault, .at = at, .seed = seed};
+}
+
+int operationCount() {
+    return state().count;
 }
 
 bool hasFailed() {

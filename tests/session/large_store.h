@@ -1,4 +1,4 @@
-// A store as it is after years: 10 000 studies with 50 000 series, and 2 000 models.
+// A store as it is after years: studies of five series each, and a model for every fifth study.
 #pragma once
 
 #include <cstdint>
@@ -8,13 +8,14 @@
 
 namespace macula::session::test {
 
-inline constexpr int kLargeStudies = 10'000;
-inline constexpr int kLargeSeries = 50'000;
-inline constexpr int kLargeModels = 2'000;
+// MACULA_SESSION_STUDIES, or so many: at least 100.
+int largeStudies(int otherwise);
+inline constexpr int kSeriesOfAStudy = 5;
+inline constexpr int kStudiesOfAModel = 5;
 inline constexpr std::uint64_t kLargeModelBytes = 900'000;
 
 // In one transaction. Models have rows and no blobs.
-void fillLargeStore(const std::filesystem::path& folder);
+void fillLargeStore(const std::filesystem::path& folder, int studies);
 ModelKey largeModelKey(int i);
 std::string largeStudy(int i);
 

@@ -1,4 +1,6 @@
 // A store with much in it.
+//
+// MACULA_SESSION_STUDIES: how many studies; 1 000 unless it is set.
 #include "session/large_store.h"
 
 #include <chrono>
@@ -26,13 +28,16 @@ class LargeStores : public test::StoreTest {
 
 // Times are printed and not judged: machines differ.
 TEST_F(LargeStores, AreListedSearchedAndKeptToTheCap) {
-    timed("filling", [&] { return test::fillLargeStore(folder_), 0; });
+    const int count = test::largeStudies(1'000);
+    const int modelCount = count / test::kStudiesOfAModel;
+    const int half = modelCount / 2;
+    timed("filling", [&] { return test::fillLargeStore(folder_, count), 0; });
     StoreOptions with = options();
     Store store = timed("opening", [&] { return open(with); });
     const auto studies = timed("listing studies", [&] { return valueOf(store.listStudies()); });
-    ASSERT_EQ(studies.entries.size(), std::size_t{test::kLargeStudies});
+    ASSERT_EQ(studies.entries.size(), static_cast<std::size_t>(count));
     EXPECT_EQ(studies.damaged, 0u);
-    EXPECT_EQ(studies.entries.front().identity, test::largeStudy(test::kLargeStudies - 1)) << "opened last";
+    EXPECT_EQ(studies.entries.front().identity, test::largeStudy(count - 1)) << "opened last";
     std::size_t series = 0;
     std::size_t models = 0;
     std::uint64_t bytes = 0;
@@ -41,34 +46,33 @@ TEST_F(LargeStores, AreListedSearchedAndKeptToTheCap) {
         models += study.models;
         bytes += study.modelBytes;
     }
-    EXPECT_EQ(series, std::size_t{test::kLargeSeries});
-    EXPECT_EQ(models, std::size_t{test::kLargeModels});
-    EXPECT_EQ(bytes, test::kLargeModels * test::kLargeModelBytes);
+    EXPECT_EQ(series, studies.entries.size() * test::kSeriesOfAStudy);
+    EXPECT_EQ(models, static_cast<std::size_t>(modelCount));
+    EXPECT_EQ(bytes, models * test::kLargeModelBytes);
     EXPECT_EQ(timed("listing models", [&] { return valueOf(store.listModels()); }).entries.size(), models);
     EXPECT_EQ(
-        timed("listing series of a study", [&] { return valueOf(store.listSeries(test::largeStudy(777))); })
+        timed("listing series of a study", [&] { return valueOf(store.listSeries(test::largeStudy(77))); })
             .entries.size(),
         5u);
     EXPECT_TRUE(
-        timed("finding a model", [&] { return valueOf(store.findModel(test::largeModelKey(1234))); }));
+        timed("finding a model", [&] { return valueOf(store.findModel(test::largeModelKey(half))); }));
     EXPECT_EQ(
-        timed("nearest models", [&] { return valueOf(store.nearestModels(test::largeModelKey(1234), 8)); })
+        timed("nearest models", [&] { return valueOf(store.nearestModels(test::largeModelKey(half), 8)); })
             .size(),
         1u);
     const auto saved = timed("saving 1 MB", [&] {
         return valueOf(store.saveModel(test::keyOf("new"), test::blobOf(1, 1'000'000)));
     });
     EXPECT_EQ(saved.evicted.models, 0u);
-    const auto evicted = timed("evicting 1 000 models", [&] {
-        return valueOf(store.evictModels(1'000 * test::kLargeModelBytes + 1'000'000));
-    });
-    EXPECT_EQ(evicted.models, 1'000u);
-    EXPECT_LE(evicted.bytesLeft, 1'000 * test::kLargeModelBytes + 1'000'000);
-    EXPECT_EQ(valueOf(store.findModel(test::largeModelKey(999))), std::nullopt);
-    EXPECT_TRUE(valueOf(store.findModel(test::largeModelKey(1000)))) << "used later";
+    const std::uint64_t left =
+        static_cast<std::uint64_t>(modelCount - half) * test::kLargeModelBytes + 1'000'000;
+    const auto evicted = timed("evicting half of them", [&] { return valueOf(store.evictModels(left)); });
+    EXPECT_EQ(evicted.models, static_cast<std::size_t>(half));
+    EXPECT_LE(evicted.bytesLeft, left);
+    EXPECT_EQ(valueOf(store.findModel(test::largeModelKey(half - 1))), std::nullopt);
+    EXPECT_TRUE(valueOf(store.findModel(test::largeModelKey(half)))) << "used later";
     const auto opened = this->opened("new", "1", "new");
     EXPECT_TRUE(isOk(timed("recording what was opened", [&] { return store.recordOpened(opened); })));
-    Progress progress;
     with.check = StoreOptions::Check::full;
     EXPECT_FALSE(timed("opening with a full check", [&] { return open(with); }).notes().setAside);
     EXPECT_EQ(timed("purging a study",

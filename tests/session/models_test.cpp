@@ -1,10 +1,12 @@
 // Models: saving, finding, eviction, and blobs that are not what was saved.
 #include "session/store.h"
 
+#include <SQLiteCpp/SQLiteCpp.h>
 #include <sys/resource.h>
 
 #include <csignal>
 
+#include "session/fault_vfs.h"
 #include "session/support.h"
 #include "session/trouble.h"
 
@@ -172,6 +174,86 @@ TEST_F(Models, WithADamagedBlobAreSetAside) {
         EXPECT_EQ(numberIn(store, key), 8u);
         ASSERT_TRUE(isOk(store.evictModels(0)));
     }
+}
+
+// Its size counts by the file: the row's own is not to be believed.
+TEST_F(Models, WithADamagedRowGoFirst) {
+    Store store = open();
+    ASSERT_TRUE(isOk(store.saveModel(keyOf("chest", "good"), blobOf(1, 1000))));
+    ASSERT_TRUE(isOk(store.saveModel(keyOf("chest", "bad"), blobOf(2, 1000))));
+    {
+        SQLite::Database sqlite((folder_ / "sessions.db").string(), SQLite::OPEN_READWRITE);
+        EXPECT_EQ(sqlite.exec("UPDATE models SET bytes = 1000000000000 WHERE id = 2"), 1);
+    }
+    EXPECT_EQ(valueOf(store.evictModels(2000)).models, 0u);
+    const EvictionReport report = valueOf(store.evictModels(1500));
+    EXPECT_EQ(report.models, 1u);
+    EXPECT_EQ(report.bytes, 1000u);
+    EXPECT_EQ(report.bytesLeft, 1000u);
+    EXPECT_EQ(numberIn(store, keyOf("chest", "good")), 1u);
+    EXPECT_EQ(blobFiles(), 1u);
+}
+
+TEST_F(Models, LendTheirFilesAsLongAsTheyAreThere) {
+    Store store = open();
+    const ModelInfo info = valueOf(store.saveModel(keyOf("chest"), blobOf(1, 1000))).info;
+    EXPECT_EQ(test::textOf(valueOf(store.modelFile(info))), test::textOf(blobFile(info)));
+    {
+        const OpenMark mark = valueOf(store.markOpen(keyOf("chest")));
+        ASSERT_TRUE(isOk(open().evictModels(0)));
+        EXPECT_TRUE(fs::exists(valueOf(store.modelFile(info))));
+    }
+    ASSERT_TRUE(isOk(open().evictModels(0)));
+    EXPECT_EQ(troubleIn(store.modelFile(info)), Trouble::modelGone);
+}
+
+TEST_F(Models, ThatACallerCannotUseAreSetAside) {
+    Store store = open();
+    const ModelInfo first = valueOf(store.saveModel(keyOf("chest"), blobOf(1, 1000))).info;
+    ASSERT_TRUE(isOk(store.saveModel(keyOf("head"), blobOf(2, 1000))));
+    ASSERT_TRUE(isOk(store.touchModel(keyOf("chest"))));
+    ASSERT_TRUE(isOk(store.setModelAside(first, "not-understood")));
+    EXPECT_EQ(valueOf(store.findModel(keyOf("chest"))), std::nullopt);
+    EXPECT_EQ(valueOf(store.listModels(digestOf("chest"))).entries.at(0).aside, "not-understood");
+    ASSERT_TRUE(isOk(store.evictModels(1000)));
+    EXPECT_TRUE(valueOf(store.listModels(digestOf("chest"))).entries.empty()) << "it goes first";
+    const ModelInfo second = valueOf(store.saveModel(keyOf("chest"), blobOf(3, 1000))).info;
+    const ModelInfo third = valueOf(store.saveModel(keyOf("chest"), blobOf(4, 1000))).info;
+    EXPECT_EQ(second.id, third.id);
+    ASSERT_TRUE(isOk(store.setModelAside(second, "not-understood")));
+    EXPECT_EQ(numberIn(store, keyOf("chest")), 4u) << "saved anew since";
+}
+
+// Who evicts may have looked for marks before this one came, so marking waits for who writes.
+TEST_F(Models, AreMarkedOpenWhenNobodyIsEvicting) {
+    Store store = open();
+    ASSERT_TRUE(isOk(store.saveModel(keyOf("chest"), blobOf(1, 1000))));
+    {
+        SQLite::Database writer((folder_ / "sessions.db").string(), SQLite::OPEN_READWRITE);
+        writer.exec("BEGIN IMMEDIATE");
+        EXPECT_EQ(troubleIn(store.markOpen(keyOf("chest"))), Trouble::lockedByAnother);
+    }
+    EXPECT_EQ(valueOf(store.evictModels(0)).models, 1u) << "no mark is left";
+}
+
+// Whichever write of the database fails: before the blob has its name, or after.
+TEST_F(Models, LeaveNoBlobWhenTheirRowCannotBeWritten) {
+    StoreOptions with = options();
+    with.vfs = test::kFaultVfs;
+    Store store = open(with);
+    ASSERT_TRUE(isOk(store.saveModel(keyOf("chest"), blobOf(1, 1000))));
+    std::size_t refused = 0;
+    for (int at = 1;; ++at) {
+        test::setFault(test::Fault::ioError, at, 1);
+        refused += store.saveModel(keyOf("head"), blobOf(2, 1000)).ok() ? 0 : 1;
+        const bool hasFailed = test::hasFailed();
+        test::setFault(test::Fault::none, 0, 0);
+        EXPECT_EQ(blobFiles(), valueOf(store.listModels()).entries.size()) << at;
+        if (!hasFailed) break;
+    }
+    EXPECT_GT(refused, 3u);
+    EXPECT_EQ(numberIn(store, keyOf("chest")), 1u);
+    EXPECT_EQ(numberIn(store, keyOf("head")), 2u);
 }
 
 TEST_F(Models, WithoutARowAreGarbage) {

@@ -1,4 +1,7 @@
 // Several processes, and processes that are killed at any moment.
+//
+// MACULA_SESSION_KILLS: how often each test of Kills kills; 8 unless it is set.
+// MACULA_SESSION_SECONDS: how long two processes write at once; 2 unless it is set.
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -154,7 +157,7 @@ std::vector<std::uint32_t> killed(std::mt19937& random, int mostMicroseconds, Wo
 // Saves of five models in turns. With a cap of two and a half of them, each save evicts.
 class Kills : public Processes {
   protected:
-    static int count() { return test::numberFromEnvironment("MACULA_SESSION_KILLS", 30) / 3; }
+    static int count() { return test::numberFromEnvironment("MACULA_SESSION_KILLS", 8); }
     static constexpr std::size_t kBytes = 20'000;
 
     void killWhileSaving(std::uint64_t cap) {

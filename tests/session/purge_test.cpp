@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "session/lock_file.h"
 #include "session/store.h"
 #include "session/support.h"
 
@@ -74,6 +75,7 @@ TEST_F(Purges, LeaveVolumesThatAnotherStudyHas) {
     EXPECT_EQ(valueOf(store.purgeStudy(studyIdentity("1"), DamagedFiles::keep)).volumes, 0u);
     EXPECT_TRUE(valueOf(store.findModel(keyOf("chest"))));
     EXPECT_EQ(valueOf(store.purgeVolume(digestOf("chest"), DamagedFiles::keep)).volumes, 0u);
+    EXPECT_EQ(valueOf(store.listAudit(1)).entries.at(0).amount, 0) << "nothing was deleted";
     EXPECT_EQ(valueOf(store.purgeStudy(studyIdentity("copy of 1"), DamagedFiles::keep)).models, 1u);
     EXPECT_EQ(valueOf(store.findModel(keyOf("chest"))), std::nullopt);
 }
@@ -114,6 +116,59 @@ TEST_F(Purges, SayWhenAReaderKeepsThemFromTheEnd) {
     }
     ASSERT_TRUE(isOk(store.purgeStudy(studyIdentity("anna"), DamagedFiles::keep)));
     EXPECT_EQ(filesWith(kMarker), std::vector<fs::path>{});
+}
+
+// Rows are gone, bytes are not: what comes next finishes it, though it finds nothing to delete.
+TEST_F(Purges, ThatWereStoppedAreFinishedByTheNext) {
+    Store store = open();
+    for (const char* uid : {"anna", "bert"}) {
+        fillStudy(store, uid, std::string(kMarker));
+        {
+            const auto locks = valueOf(LockFile::open(folder_ / "sessions.lock"));
+            const HeldLock reading = valueOf(
+                HeldLock::take(locks, LockFile::kBlobs, Hold::shared, std::chrono::milliseconds(100)));
+            EXPECT_EQ(troubleIn(store.purgeStudy(studyIdentity(uid), DamagedFiles::keep)),
+                      Trouble::purgeIncomplete);
+        }
+        EXPECT_TRUE(valueOf(store.listStudies()).entries.empty());
+        EXPECT_FALSE(filesWith(kMarker).empty()) << "the blob";
+        EXPECT_TRUE(fs::exists(folder_ / "sessions.purge"));
+        if (uid == std::string("anna")) {
+            ASSERT_TRUE(isOk(open().purgeUnused(std::chrono::days(30), DamagedFiles::keep)));
+        } else {
+            EXPECT_EQ(valueOf(open().collectGarbage()).blobs, 1u);
+        }
+        EXPECT_EQ(filesWith(kMarker), std::vector<fs::path>{});
+        EXPECT_FALSE(fs::exists(folder_ / "sessions.purge"));
+    }
+}
+
+// Nobody can tell whose it is: it goes with the damaged files.
+TEST_F(Purges, RemoveDamagedRowsWithDamagedFiles) {
+    Store store = open();
+    fillStudy(store, "anna", std::string(kMarker));
+    {
+        SQLite::Database sqlite((folder_ / "sessions.db").string(), SQLite::OPEN_READWRITE);
+        EXPECT_EQ(sqlite.exec("UPDATE documents SET study = NULL WHERE id = 1"), 1);
+    }
+    ASSERT_TRUE(isOk(store.purgeStudy(studyIdentity("anna"), DamagedFiles::keep)));
+    EXPECT_FALSE(filesWith(kMarker).empty());
+    EXPECT_EQ(valueOf(store.purgeStudy(studyIdentity("anna"), DamagedFiles::remove)).documents, 1u);
+    EXPECT_EQ(filesWith(kMarker), std::vector<fs::path>{});
+}
+
+// A rescue that was killed leaves the live file with a second name: it is not overwritten by that.
+TEST_F(Purges, OfDamagedFilesLeaveTheLiveOne) {
+    Store store = open();
+    fillStudy(store, "bert", "of-bert");
+    fs::create_directories(folder_ / "damaged" / "then");
+    fs::create_hard_link(folder_ / "sessions.db", folder_ / "damaged" / "then" / "sessions.db");
+    test::putText(folder_ / "damaged" / "then" / "blob", kMarker);
+    EXPECT_EQ(valueOf(store.purgeStudy(studyIdentity("nobody"), DamagedFiles::remove)).damagedFolders, 0u);
+    EXPECT_EQ(filesWith(kMarker), std::vector<fs::path>{});
+    Store again = open();
+    EXPECT_FALSE(again.notes().setAside);
+    EXPECT_EQ(valueOf(again.listSeries(studyIdentity("bert"))).entries.size(), 40u);
 }
 
 TEST_F(Purges, OfWhatWasNotOpenedForLong) {

@@ -1,6 +1,7 @@
 // Export and import.
 #include <sys/stat.h>
 
+#include "session/rows.h"
 #include "session/store.h"
 #include "session/support.h"
 
@@ -115,6 +116,42 @@ TEST_F(Snapshots, ReplaceNothingAndLeaveNothing) {
     ASSERT_FALSE(cancelled.ok());
     EXPECT_EQ(cancelled.error().code, ErrorCode::cancelled);
     EXPECT_EQ(std::distance(fs::directory_iterator(folder_.parent_path()), {}), 1) << "only the store";
+}
+
+TEST_F(Snapshots, GoBehindALinkAndNotIntoTheStore) {
+    Store store = open();
+    fill(store);
+    fs::create_directories(folder_.parent_path() / "disk");
+    fs::create_directory_symlink(folder_.parent_path() / "disk", folder_.parent_path() / "link");
+    EXPECT_EQ(valueOf(store.exportTo(folder_.parent_path() / "link" / "copy" / "", progress_)).models, 2u);
+    EXPECT_TRUE(fs::exists(folder_.parent_path() / "disk" / "copy" / "sessions.db"));
+    const auto refused = store.exportTo(folder_ / "models" / "copy", progress_);
+    ASSERT_FALSE(refused.ok());
+    EXPECT_EQ(refused.error().code, ErrorCode::outputNotWritable);
+    EXPECT_FALSE(store.exportTo(folder_.parent_path() / "none" / "copy", progress_).ok());
+    EXPECT_EQ(valueOf(store.listAudit(9)).entries.size(), 2u) << "opened, exported";
+    EXPECT_FALSE(open().notes().isNew);
+}
+
+// Anybody may have made it: rows that no store writes are left out.
+TEST_F(Snapshots, BringNothingThatNoStoreWrites) {
+    Store store = open();
+    fill(store);
+    ASSERT_TRUE(isOk(store.exportTo(target(), progress_)));
+    const std::string crafted(64, 'Z');
+    {
+        const auto connection = valueOf(connect(target() / "sessions.db", {}));
+        putRow(*connection, kStudies, {{crafted, std::string("text"), std::int64_t{1}, std::int64_t{1}}});
+        putRow(*connection, kDocuments,
+               {{std::int64_t{99}, std::string("view"), Value(), std::string("list"), std::int64_t{1},
+                 std::string("[1]"), std::int64_t{1}, std::int64_t{1}, Value()}});
+    }
+    Store other = openOther();
+    ASSERT_TRUE(isOk(other.importFrom(target(), progress_)));
+    const auto studies = valueOf(other.listStudies());
+    ASSERT_EQ(studies.entries.size(), 1u);
+    EXPECT_EQ(studies.entries[0].identity, studyIdentity("1"));
+    EXPECT_TRUE(valueOf(other.listDocuments(DocumentKind::view, "")).entries.empty());
 }
 
 TEST_F(Snapshots, ThatAreNoneAreRefused) {

@@ -103,12 +103,44 @@ TEST_F(Troubles, OfALockedDatabase) {
     EXPECT_TRUE(valueOf(store.findModel(keyOf("chest"))));
 }
 
+// The sqlite3 tool can do so.
+TEST_F(Troubles, OfWalAreUndone) {
+    fill();
+    {
+        SQLite::Database other(database().string(), SQLite::OPEN_READWRITE);
+        EXPECT_EQ(other.execAndGet("PRAGMA journal_mode = WAL").getString(), "wal");
+        other.exec("UPDATE volumes SET first_opened = first_opened");
+        EXPECT_TRUE(fs::exists(folder_ / "sessions.db-wal"));
+    }
+    Store store = open();
+    EXPECT_FALSE(store.notes().setAside);
+    EXPECT_TRUE(valueOf(store.findModel(keyOf("chest"))));
+    EXPECT_FALSE(fs::exists(folder_ / "sessions.db-wal"));
+    EXPECT_EQ(SQLite::Database(database().string()).execAndGet("PRAGMA journal_mode").getString(), "delete");
+}
+
 TEST_F(Troubles, OfANewerSchema) {
     fill();
     execute("PRAGMA user_version = 1000; CREATE TABLE future (a)");
     const auto before = allBytes();
     EXPECT_EQ(troubleIn(Store::open(options())), Trouble::newerSchema);
     EXPECT_EQ(allBytes(), before);
+}
+
+// A newer version may have another journal, and a schema that this one takes for damage.
+TEST_F(Troubles, OfANewerSchemaThatIsNotUnderstood) {
+    fill();
+    execute("PRAGMA journal_mode = WAL; PRAGMA user_version = 1000");
+    const auto before = allBytes();
+    EXPECT_EQ(troubleIn(Store::open(options())), Trouble::newerSchema);
+    EXPECT_EQ(allBytes(), before);
+    std::string bytes = test::textOf(database());
+    const std::size_t table = bytes.find("CREATE TABLE studies");
+    ASSERT_NE(table, std::string::npos);
+    test::putText(database(), bytes.replace(table, 6, "INVENT"));
+    EXPECT_EQ(troubleIn(Store::open(options())), Trouble::newerSchema);
+    EXPECT_EQ(test::textOf(database()), bytes);
+    EXPECT_FALSE(fs::exists(folder_ / "damaged"));
 }
 
 TEST_F(Troubles, OfAFolderOfSomebodyElse) {

@@ -1,5 +1,4 @@
--- What a person opened, made and learnt. Every time is in milliseconds since 1970, UTC; every digest is 64 lower-case
--- hexadecimal digits of SHA-256. row_check is the CRC-64 of the row, see session/row_check.h: SQLite has no checksums.
+-- What a person opened, made and learnt: docs/session-schema.md says what each column holds.
 CREATE TABLE studies (
     identity TEXT NOT NULL PRIMARY KEY CHECK (length(identity) = 64),
     readable TEXT,
