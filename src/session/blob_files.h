@@ -1,5 +1,5 @@
 // Blobs of models: files beside the database, named by the SHA-256 of what they hold. Files are written and
-// read several times as fast as blobs in the database (docs/measurements/session.md), and a blob that was
+// read several times as fast as blobs in the database (docs/measurements), and a blob that was
 // changed does not fit its name any more.
 #pragma once
 

@@ -6,7 +6,7 @@
 // would hold only for programs that know of it, and not for the sqlite3 tool. A rollback journal has no such
 // fault. It needs no shared memory, so it works on network drives too, where those lock files. It is empty
 // between transactions, so what was deleted is not in it. It costs more synchronisations of the disk for each
-// transaction (docs/measurements/session.md), which no frame waits for, and readers wait while another
+// transaction (docs/measurements), which no frame waits for, and readers wait while another
 // process commits. A file of ours that somebody has put into WAL mode is put back when it is opened.
 //
 // Nothing else opens the database file while a connection is open: closing any descriptor of a file drops

@@ -104,7 +104,7 @@ Result<fs::path> placeOfExport(const StoreState& state, const fs::path& newFolde
     const fs::path parent = fs::canonical(whole.parent_path(), error);
     if (error)
         return refused("The folder to write into does not exist.", "Create it, or choose another place.");
-    const fs::path target = parent / whole.filename();
+    fs::path target = parent / whole.filename();
     if (fs::exists(fs::symlink_status(target, error)))
         return refused("Something of that name is there already.", "Choose another name.");
     const fs::path below = target.lexically_relative(state.folder);

@@ -93,8 +93,8 @@ class Store {
 
     // Models. --------------------------------------------------------------------------------------------
 
-    // One transaction: afterwards the key has this blob, whatever happens at whatever moment before has the
-    // one of before. Makes room by eviction; fails with modelTooLarge where the blob alone is above the cap.
+    // One transaction: a stop at any moment leaves this blob under the key, or the one of before. Makes room
+    // by eviction; fails with modelTooLarge where the blob alone is above the cap.
     Result<SaveReport> saveModel(const ModelKey& key, std::span<const std::byte> blob);
     // Of just this key. Fails with modelDamaged, and sets the row aside, where the row is damaged.
     Result<std::optional<ModelInfo>> findModel(const ModelKey& key);

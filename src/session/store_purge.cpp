@@ -118,7 +118,7 @@ struct Targets {
 
 Result<void> deleteTargets(StoreState& state, const Targets& targets, AuditAction action,
                            PurgeReport& report) {
-    const Error isOpen = errorOf(Trouble::lockedByAnother, state.folder);
+    Error isOpen = errorOf(Trouble::lockedByAnother, state.folder);
     for (const std::string& study : targets.studies) {
         if (isAnyOpen(state, volumesOfStudy(*state.connection, study))) return isOpen;
         const std::size_t before = report.studies;
@@ -185,7 +185,7 @@ bool isPurgeBegun(const StoreState& state) {
 }
 
 Result<void> finishPurge(StoreState& state) {
-    const Error incomplete = errorOf(Trouble::purgeIncomplete, state.folder);
+    Error incomplete = errorOf(Trouble::purgeIncomplete, state.folder);
     removeAbandonedDrafts(state.folder);
     removeAbandonedDrafts(state.blobs.folder());
     MACULA_TRY(const auto orphans, orphansOf(state));
