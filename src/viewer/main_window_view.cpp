@@ -19,13 +19,6 @@ int indexOf(const Items& items, const Same& isSame) {
     return found == items.end() ? -1 : int(found - items.begin());
 }
 
-Error anotherSeries() {
-    return {ErrorCode::inputNotUsable,
-            "The view was saved of another series.",
-            {},
-            "Open that series first, or choose another view."};
-}
-
 }  // namespace
 
 app::StudyState MainWindow::state() const {
@@ -38,7 +31,7 @@ app::StudyState MainWindow::state() const {
 Result<void> MainWindow::setState(const app::StudyState& state) {
     if (!study_.volume)
         return Error{ErrorCode::usage, "No study is open.", {}, "Open the study that the view is of first."};
-    if (!state.seriesDigest.empty() && state.seriesDigest != study_.seriesDigest) return anotherSeries();
+    MACULA_TRY_VOID(app::checkSeries(state, study_.seriesDigest, {}));
     state_ = state;
     state_.seriesDigest = study_.seriesDigest;
     state_.camera.reset();  // the viewport's, from here on
@@ -84,8 +77,7 @@ void MainWindow::askWhereToSaveView() {
 
 void MainWindow::openView(const QString& path) {
     const auto shown = [&]() -> Result<void> {
-        MACULA_TRY(const std::string text, readText(path.toStdString()));
-        MACULA_TRY(const app::StudyState state, app::studyStateFromJson(text, path.toStdString()));
+        MACULA_TRY(const app::StudyState state, app::readStudyState(path.toStdString()));
         return setState(state);
     }();
     if (shown) {

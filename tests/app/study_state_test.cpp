@@ -106,6 +106,10 @@ TEST(StudyState, KeepsWhatANewerMaculaHasWritten) {
     const StudyState state = read(json.dump());
     EXPECT_EQ(Json::parse(toJson(state)).at("bookmarks"), json["bookmarks"]);
     EXPECT_FALSE(state == everything());
+    // Also when something else is changed meanwhile.
+    StudyState changed = state;
+    changed.settings.exposure = 2.0;
+    EXPECT_EQ(Json::parse(toJson(read(toJson(changed)))).at("bookmarks"), json["bookmarks"]);
 }
 
 TEST(StudyState, SaysWhatIsWrongWithAText) {

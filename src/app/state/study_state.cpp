@@ -69,4 +69,10 @@ Stale staleAfter(const StudyState& before, const StudyState& after) {
     return stale;
 }
 
+Result<void> checkSeries(const StudyState& state, std::string_view seriesDigest, const std::string& where) {
+    if (state.seriesDigest.empty() || state.seriesDigest == seriesDigest) return {};
+    return Error{ErrorCode::inputNotUsable, "The view was saved of another series.", where,
+                 "Open that series, or choose another view."};
+}
+
 }  // namespace macula::app

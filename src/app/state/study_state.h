@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -56,5 +57,12 @@ std::string toJson(const StudyState& state);
 // inputNotUsable: the message tells the line or the key, the hint what was expected. `where` is for the
 // error. Of the outermost object keys that are not known are kept.
 Result<StudyState> studyStateFromJson(std::string_view text, const std::string& where);
+
+// A view that was saved. Fails as readText and studyStateFromJson.
+Result<StudyState> readStudyState(const std::filesystem::path& path);
+
+// inputNotUsable when the state was saved of another series than that (StudyInput::seriesDigest); `where` is
+// for the error.
+Result<void> checkSeries(const StudyState& state, std::string_view seriesDigest, const std::string& where);
 
 }  // namespace macula::app

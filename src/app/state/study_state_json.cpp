@@ -10,6 +10,7 @@
 
 #include "app/camera/camera_file.h"
 #include "app/state/study_state.h"
+#include "base/atomic_file.h"
 #include "pipeline/trace/light_rig_json.h"
 #include "pipeline/volume/json_reader.h"
 #include "pipeline/volume/json_writer.h"
@@ -150,6 +151,11 @@ Result<StudyState> studyStateFromJson(std::string_view text, const std::string& 
     }
     if (!others.empty()) state.otherKeys = others.dump();
     return state;
+}
+
+Result<StudyState> readStudyState(const std::filesystem::path& path) {
+    MACULA_TRY(const std::string text, readText(path));
+    return studyStateFromJson(text, path.string());
 }
 
 }  // namespace macula::app
