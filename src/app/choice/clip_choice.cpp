@@ -1,5 +1,7 @@
 #include "app/choice/clip_choice.h"
 
+#include <algorithm>
+
 #include "app/choice/built_in_choice.h"
 
 namespace macula::app {
@@ -16,6 +18,14 @@ Result<ClipPreset> chooseClip(const std::string& nameOrFile) {
 
 std::string publicClipName(const std::string& nameOrFile) {
     return nameOrFile.empty() ? "none" : publicName(presets::clipFiles(), nameOrFile);
+}
+
+std::string publicClipName(const ClipPreset& clip) {
+    if (clip == ClipPreset{}) return publicClipName(std::string());
+    const Result<std::vector<ClipPreset>> all = builtInClips();
+    // The last bits of a box may have changed when it was written, and only then.
+    const auto isIt = [text = toJson(clip)](const ClipPreset& known) { return toJson(known) == text; };
+    return all && std::ranges::any_of(*all, isIt) ? clip.name : "custom";
 }
 
 }  // namespace macula::app

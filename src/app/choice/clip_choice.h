@@ -18,5 +18,6 @@ Result<ClipPreset> chooseClip(const std::string& nameOrFile);
 
 // What may be told of the choice, as publicPresetName.
 std::string publicClipName(const std::string& nameOrFile);
+std::string publicClipName(const ClipPreset& clip);
 
 }  // namespace macula::app

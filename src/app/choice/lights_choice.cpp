@@ -1,5 +1,6 @@
 #include "app/choice/lights_choice.h"
 
+#include <algorithm>
 #include <filesystem>
 
 #include "app/choice/built_in_choice.h"
@@ -81,6 +82,11 @@ Result<trace::Environment> chooseLights(const std::string& nameOrFile) {
 
 std::string publicLightsName(const std::string& nameOrFile) {
     return publicName(presets::lightFiles(), nameOrFile);
+}
+
+std::string publicLightsName(const trace::LightRig& rig) {
+    const Result<std::vector<trace::LightRig>> all = builtInLights();
+    return all && std::ranges::find(*all, rig) != all->end() ? rig.name : "custom";
 }
 
 Result<void> checkPatientLights(const trace::Environment& lights, const std::string& name) {

@@ -25,6 +25,7 @@ Result<trace::Environment> chooseLights(const std::string& nameOrFile);
 
 // What may be told of the choice, as publicPresetName.
 std::string publicLightsName(const std::string& nameOrFile);
+std::string publicLightsName(const trace::LightRig& rig);
 
 // As chooseLights, for what holds light that stays where it is, as a peripheral model does: usage also for
 // lights that hang on the camera.

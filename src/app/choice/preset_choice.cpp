@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "app/choice/nearest_name.h"
+#include "app/state/study_state.h"
 #include "presets/catalogue.h"
 #include "presets/preset_file.h"
 
@@ -47,6 +48,16 @@ Result<presets::ImportedPreset> choosePreset(const std::string& typed) {
 std::string publicPresetName(const std::string& typed) {
     const std::optional<TransferFunction> preset = builtIn(typed);
     return preset ? preset->name : "custom";
+}
+
+std::string publicPresetName(const TransferFunction& preset) {
+    const Result<std::vector<TransferFunction>> all = presets::builtInPresets();
+    if (!all) return "custom";
+    const auto found = std::find_if(all->begin(), all->end(), [&](TransferFunction known) {
+        known.fitToVolume = preset.fitToVolume;
+        return isSame(known, preset);
+    });
+    return found == all->end() ? "custom" : found->name;
 }
 
 }  // namespace macula::app

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "base/result.h"
+#include "pipeline/volume/transfer_function.h"
 #include "presets/imported_preset.h"
 
 namespace macula::app {
@@ -15,5 +16,7 @@ Result<presets::ImportedPreset> choosePreset(const std::string& typed);
 // What may be told of that choice in a picture or a report: a built-in name, else "custom", as the name of a
 // user's file may say whose it is.
 std::string publicPresetName(const std::string& typed);
+// The same of a preset that nobody typed, whether it is fitted to the volume or not.
+std::string publicPresetName(const TransferFunction& preset);
 
 }  // namespace macula::app

@@ -8,24 +8,30 @@
 
 namespace macula::app {
 
+trace::Settings settingsOf(const StudyState& state, const SeriesWindows& seriesWindows,
+                           const Volume* volume) {
+    trace::Settings settings = state.settings;
+    const bool isShaded = settings.look == trace::Look::dvr && state.preset && state.preset->lighting.shade &&
+                          settings.shading == trace::Shading::headlight;
+    settings.shading = isShaded ? trace::Shading::headlight : trace::Shading::none;
+    if (trace::isProjection(settings.look) && volume != nullptr) {
+        const auto& set = state.windows.at(std::size_t(settings.look));
+        settings.window = set ? *set : seriesWindows.of(settings.look, *volume);
+    }
+    return settings;
+}
+
 Drawing drawingOf(const StudyState& state, const Catalogue& catalogue, const SeriesWindows& seriesWindows,
                   const std::shared_ptr<const Volume>& volume, std::shared_ptr<const Clip> clip) {
     const trace::Look look = state.settings.look;
     Drawing drawing{.transferFunction = state.preset,
                     .lights = state.lights ? state.lights : defaultLights(catalogue, look),
                     .clip = std::move(clip),
-                    .settings = state.settings};
+                    .settings = settingsOf(state, seriesWindows, volume.get())};
     std::vector<std::string> remarks;
-    // Only ray casting is shaded, and only where the preset asks for it.
-    const bool isShaded = look == trace::Look::dvr && state.preset && state.preset->lighting.shade &&
-                          state.settings.shading == trace::Shading::headlight;
-    drawing.settings.shading = isShaded ? trace::Shading::headlight : trace::Shading::none;
-    if (isShaded) remarks.emplace_back("shaded");
-    if (trace::isProjection(look) && volume) {
-        const auto& set = state.windows.at(std::size_t(look));
-        drawing.settings.window = set ? *set : seriesWindows.of(look, *volume);
+    if (drawing.settings.shading == trace::Shading::headlight) remarks.emplace_back("shaded");
+    if (trace::isProjection(look) && volume)
         remarks.push_back(windowText(*drawing.settings.window, volume->unitName()));
-    }
     for (const Parameter& p : parameters()) {
         if (p.get(state.settings) == p.fallback()) continue;
         remarks.push_back(

@@ -12,6 +12,11 @@
 
 namespace macula::app {
 
+// The settings that a state is drawn with: a ray cast is shaded where the preset asks for it and somebody did
+// not say no, and a projection is seen through the window that somebody set, or else that of the series.
+// Without a volume, there is no window.
+trace::Settings settingsOf(const StudyState& state, const SeriesWindows& seriesWindows, const Volume* volume);
+
 // The drawing of the volume that is open, or none. `clip` is what clipOf makes of the state: made once for
 // each change, as it may be as large as the volume. What is not chosen is taken from the catalogue and from
 // the volume. Remarks say what has to be known of pictures of it: "shaded", "W 400 L 40 HU", "table left

@@ -21,4 +21,8 @@ Result<ShownClip> shownClip(const ClipPreset& preset, bool removeTable, const Vo
     return shown;
 }
 
+Result<ShownClip> shownClip(const StudyState& state, const Volume& volume, Progress& progress) {
+    return shownClip(state.clip.value_or(ClipPreset{}), state.leavesTableOut, volume, progress);
+}
+
 }  // namespace macula::app

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/state/study_state.h"
 #include "base/progress.h"
 #include "base/result.h"
 #include "base/volume.h"
@@ -27,5 +28,6 @@ struct ShownClip {
 // Fails as segment::findPatient where the table is to be removed.
 Result<ShownClip> shownClip(const ClipPreset& preset, bool removeTable, const Volume& volume,
                             Progress& progress);
+Result<ShownClip> shownClip(const StudyState& state, const Volume& volume, Progress& progress);
 
 }  // namespace macula::app
