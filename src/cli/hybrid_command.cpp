@@ -34,17 +34,20 @@ void addHybrid(CLI::App& app, Action& action) {
     auto* command = app.add_subcommand("hybrid", "Record the live picture while a camera moves");
     addStudyAsOfRender(*command, o.path, o.series, o.how);
     command->add_option("-o,--output", o.folder, "Folder to write frames.jsonl and pictures to")->required();
-    command->add_option("--preset", o.preset, "As of render");
+    addSession(*command, o.state.session);
+    command->add_option("--preset", o.state.preset, "As of render");
     command->add_option("--lights", o.lights, "Name from macula presets");
-    command->add_option("--clip", o.clip, "As of render");
-    command->add_flag("--remove-table", o.removeTable, "As of render");
+    command->add_option("--clip", o.state.clip, "As of render");
+    command->add_flag("--remove-table", o.state.removeTable, "As of render");
     command->add_option("--size", o.size, "Picture size in pixels (default: 1280x720)")->option_text("WxH");
     auto* path =
         command->add_option("--path", o.cameraPath, "JSON file: cameras by time, see docs/hybrid-frame.md");
-    auto* view = command->add_option("--view", r.from, "Where the viewer stands first (default: anterior)")
-                     ->transform(asViewDirection())
-                     ->option_text(kViewDirectionNames);
-    auto* camera = command->add_option("--camera", o.camera, "Where the viewer stands first: as of render");
+    auto* view =
+        command->add_option("--view", o.state.view, "Where the viewer stands first (default: anterior)")
+            ->transform(asViewDirection())
+            ->option_text(kViewDirectionNames);
+    auto* camera =
+        command->add_option("--camera", o.state.camera, "Where the viewer stands first: as of render");
     camera->excludes(view);
     const auto addNumber = [&](const char* name, double& value, double low, const char* help) {
         return command->add_option(name, value, help)->check(between(low, 3600.0))->capture_default_str();

@@ -3,20 +3,17 @@
 #include <chrono>
 #include <filesystem>
 #include <memory>
-#include <optional>
 #include <utility>
 
-#include "app/choice/clip_choice.h"
-#include "app/choice/lights_choice.h"
 #include "app/elapsed.h"
 #include "app/open_device.h"
 #include "app/picture/drawn_picture.h"
 #include "app/picture/picture_file.h"
 #include "app/picture/render_record.h"
 #include "app/picture/render_wish.h"
+#include "app/state/state_wish.h"
 #include "app/study/shown_clip.h"
 #include "app/study/study_input.h"
-#include "app/study/study_preset.h"
 #include "base/progress_bar.h"
 #include "cli/command.h"
 #include "cli/interrupt.h"
@@ -33,10 +30,9 @@ Result<void> render(const app::RenderWish& options) {
     const auto begin = std::chrono::steady_clock::now();
     // All that can be wrong on the command line first, then the device, then the study: the slowest comes
     // last.
-    const std::string lights =
-        options.lights.empty() ? std::string(app::defaultLightsFor(options.settings.look)) : options.lights;
-    MACULA_TRY(app::PictureRequest request, app::requested(options, lights));
-    MACULA_TRY(const ClipPreset clip, app::chooseClip(options.clip));
+    MACULA_TRY(app::WishedPicture picture, app::wishedPicture(options));
+    app::StudyState& state = picture.state;
+    app::PictureRequest& request = picture.request;
     MACULA_TRY(gpu::LastingDevice device, app::openDevice(options.device, printNote));
 
     Progress progress(terminalProgressBar(), interruptToken());
@@ -44,28 +40,28 @@ Result<void> render(const app::RenderWish& options) {
     MACULA_TRY(app::StudyInput study, app::loadStudy(options.path, options.series, progress, 0, options.how));
     bringTo16Bits(study);
     app::RenderRecord record{.seriesDigest = study.seriesDigest,
-                             .lights = app::publicLightsName(lights),
-                             .clip = app::publicClipName(options.clip),
+                             .lights = picture.lights,
+                             .clip = picture.clip,
                              .loadSeconds = app::secondsSince(start)};
-    MACULA_TRY(app::StudyPreset preset, app::choosePresetFor(study, options.preset, options.fit));
+    MACULA_TRY(app::StudyPreset preset, app::completeState(state, options.state, study));
     printNotes(study.notes, study.warnings);
     record.notes = study.notes;
     const auto tell = [&](const std::string& note) {
         printNote(note);
         record.notes.push_back(note);
     };
-    for (const std::string& note : app::optionsWithoutEffect(options)) tell(note);
+    for (const std::string& note : app::optionsWithoutEffect(options, state.settings.look)) tell(note);
     record.preset = preset.publicName;
     record.presetFitted = preset.function.fitToVolume.has_value();
-    MACULA_TRY(record.window, app::projectionWindow(options, preset.function, *study.volume));
 
-    MACULA_TRY(app::ShownClip shown, app::shownClip(clip, options.removeTable, *study.volume, progress));
+    MACULA_TRY(app::ShownClip shown, app::shownClip(state, *study.volume, progress));
     for (const std::string& note : shown.notes) tell(note);
     record.tableRemoved = shown.tableRemoved;
     request.scene.volume = study.volume;
     request.scene.function = std::move(preset.function);
     request.scene.clip = std::move(shown.clip);
-    request.settings.window = record.window;
+    request.settings = app::settingsToDraw(options, state, *study.volume);
+    record.window = request.settings.window;
 
     app::DrawnPicture drawn;
     MACULA_TRY_VOID(device.run([&](const std::shared_ptr<gpu::Device>& on) -> Result<void> {

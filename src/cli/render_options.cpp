@@ -45,41 +45,42 @@ void addInput(CLI::App& command, app::RenderWish& o) {
     addJoin(command, o.how);
     command.add_option("--series", o.series,
                        "Place in the list of macula info, or series UID (default: the best)");
+    addSession(command, o.state.session);
     command.add_option(
-        "--preset", o.preset,
+        "--preset", o.state.preset,
         "Name or number from macula presets, or preset file (default: by what the series shows)");
-    command.add_flag("--fit", o.fit, "Stretch the preset's range to the series, for MR: see docs/presets.md");
+    command.add_flag("--fit", o.state.fit,
+                     "Stretch the preset's range to the series, for MR: see docs/presets.md");
 }
 
 // Options of the camera and the size of the picture.
 void addCamera(CLI::App& command, app::RenderWish& o) {
-    auto* view = command.add_option("--view", o.view, "Where the viewer stands (default: anterior)")
+    auto* view = command.add_option("--view", o.state.view, "Where the viewer stands (default: anterior)")
                      ->transform(asViewDirection())
                      ->option_text(kViewDirectionNames);
     command
-        .add_option("--camera", o.camera,
+        .add_option("--camera", o.state.camera,
                     "JSON file: positionMm, targetMm, up, verticalFovDeg; patient LPS mm")
         ->excludes(view);
     command
-        .add_option("--fov", o.fovDeg, "Vertical field of view in degrees (default: that of --camera, or 30)")
+        .add_option("--fov", o.state.fovDeg,
+                    "Vertical field of view in degrees (default: that of --camera, or 30)")
         ->check(between(0.1, 170.0));
     command.add_option("--size", o.size, "Picture size in pixels (default: 768x768)")->option_text("WxH");
 }
 
 // How.
 void addLook(CLI::App& command, app::RenderWish& o) {
-    command
-        .add_option("--look", o.settings.look, "How it is drawn, see docs/presets.md (default: cinematic)")
+    command.add_option("--look", o.state.look, "How it is drawn, see docs/presets.md (default: cinematic)")
         ->transform(oneOf(looksByName()))
         ->option_text(lookNames());
     command
-        .add_option("--window", o.window,
+        .add_option("--window", o.state.window,
                     fmt::format("Of {} (default: range of --preset, else window of the series)",
                                 app::looksListed(trace::isProjection)))
         ->option_text("CENTRE,WIDTH");
-    command.add_flag_callback(
-        "--shading", [&o] { o.settings.shading = trace::Shading::headlight; },
-        "Light dvr from the eye, with the preset's ambient and diffuse parts");
+    command.add_flag("--shading", o.shading,
+                     "Light dvr from the eye, with the preset's ambient and diffuse parts");
 }
 
 // With how much work.
@@ -101,8 +102,7 @@ void addEffort(CLI::App& command, app::RenderWish& o) {
     command.add_flag_function(
         "--denoise,!--no-denoise", [&o](std::int64_t count) { o.effort.denoise = count > 0; },
         "Filter the noise out, guided by what is seen, or not; the picture says that it is denoised");
-    command.add_option("--seed", o.settings.seed,
-                       "Of the random numbers; the same seed gives the same picture");
+    command.add_option("--seed", o.seed, "Of the random numbers; the same seed gives the same picture");
 }
 
 // In which light.
@@ -113,7 +113,7 @@ void addLights(CLI::App& command, app::RenderWish& o) {
         if (p.isWhole) continue;  // bounces, which a quality sets too
         command
             .add_option_function<double>(
-                std::string(p.option), [&p, &o](double value) { p.set(o.settings, value); }, helpOf(p))
+                std::string(p.option), [&p, &o](double value) { o.state.numbers[p.id] = value; }, helpOf(p))
             ->check(between(p.low, p.high));
     }
 }
@@ -127,9 +127,9 @@ void addRenderOptions(CLI::App& command, app::RenderWish& wish) {
     addLook(command, o);
     addEffort(command, o);
     addLights(command, o);
-    command.add_flag("--remove-table", o.removeTable,
+    command.add_flag("--remove-table", o.state.removeTable,
                      "Leave out the table and what else lies beside the patient; CT only. What went is said");
-    command.add_option("--clip", o.clip,
+    command.add_option("--clip", o.state.clip,
                        "Name from macula presets, or JSON file: what is shown of the volume");
     command
         .add_option_function<std::uint64_t>(

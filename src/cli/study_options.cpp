@@ -21,6 +21,14 @@ void addStudyAsOfRender(CLI::App& command, std::filesystem::path& path, std::str
     addJoin(command, how);
 }
 
+void addSession(CLI::App& command, std::filesystem::path& session) {
+    command
+        .add_option("--session", session,
+                    "View that the window saved of this series: drawn as it says, but for what is given "
+                    "besides")
+        ->option_text("FILE");
+}
+
 void addBenchStudyOptions(CLI::App& command, evaluate::BenchStudyOptions& options, int size) {
     options.size = size;
     options.lights = app::kDefaultLights;

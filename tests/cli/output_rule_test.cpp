@@ -107,6 +107,8 @@ TEST_F(OutputRule, NoInputIsReplaced) {
     expectNeverReplaced(
         render({"-o", at("b.png"), "--preset", at("preset.json"), "--json", at("preset.json")}), words);
     expectNeverReplaced(render({"-o", at("b.exr"), "--lights", at("b.exr")}), words);
+    const std::string view = write("view.json", R"({"version": 1})");
+    expectNeverReplaced(render({"-o", at("b.png"), "--session", view, "--json", view}), words);
     expectNeverReplaced({"export", volume, "-o", volume}, words);
     // The other header would have its values in the same file.
     expectNeverReplaced({"export", header, "-o", at("a.nhdr")}, words);

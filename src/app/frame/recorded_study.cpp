@@ -9,14 +9,13 @@
 
 #include "app/camera/camera_file.h"
 #include "app/choice/catalogue.h"
-#include "app/choice/clip_choice.h"
-#include "app/choice/lights_choice.h"
 #include "app/choice/typed_values.h"
 #include "app/frame/frame_json.h"
+#include "app/frame/projection_windows.h"
 #include "app/output/output_files.h"
+#include "app/state/drawing_of.h"
 #include "app/study/shown_clip.h"
 #include "app/study/study_input.h"
-#include "app/study/study_preset.h"
 #include "base/atomic_file.h"
 #include "image/image_file.h"
 #include "image/masked_metrics.h"
@@ -32,9 +31,8 @@ constexpr const char* kFramesFile = "frames.jsonl";
 // Makes the folder last, when nothing else is wrong.
 Result<void> makeFolder(const RecordingWish& wish) {
     OutputFiles files(false);
-    for (const fs::path& input :
-         {wish.path, fs::path(wish.preset), fs::path(wish.clip), wish.camera, wish.cameraPath})
-        files.read(input);
+    for (const fs::path& input : filesOf(wish.state)) files.read(input);
+    for (const fs::path& input : {wish.path, wish.cameraPath}) files.read(input);
     std::error_code error;
     if (fs::is_directory(wish.folder, error)) {
         if (!fs::is_empty(wish.folder, error) || error)
@@ -49,15 +47,15 @@ Result<void> makeFolder(const RecordingWish& wish) {
     return {};
 }
 
-Result<RecordingOptions> optionsOf(const RecordingWish& wish) {
+Result<RecordingOptions> optionsOf(const RecordingWish& wish, const std::optional<Camera>& camera) {
     RecordingOptions options = wish.recording;
+    options.from = wish.state.view.value_or(options.from);
     MACULA_TRY(options.sizePx, parseSize(wish.size));
     if (!wish.cameraPath.empty()) {
         MACULA_TRY(options.path, readCameraPath(wish.cameraPath));
-    } else if (!wish.camera.empty()) {
-        MACULA_TRY(const Camera camera, readCamera(wish.camera));
-        options.path = options.movingS > 0.0 ? turntable(camera, options.turnS, options.movingS)
-                                             : CameraPath{.stops = {{.atS = 0.0, .camera = camera}}};
+    } else if (camera) {
+        options.path = options.movingS > 0.0 ? turntable(*camera, options.turnS, options.movingS)
+                                             : CameraPath{.stops = {{.atS = 0.0, .camera = *camera}}};
     }
     return options;
 }
@@ -86,27 +84,26 @@ Result<void> write(const fs::path& folder, const LiveRecording& recording) {
 
 Result<LiveRecording> recordStudy(const RecordingWish& wish, const Hears& note, const Hears& warn,
                                   Progress& progress) {
-    MACULA_TRY(RecordingOptions options, optionsOf(wish));
-    MACULA_TRY(const ClipPreset clip, chooseClip(wish.clip));
+    MACULA_TRY(StudyState state, stateOf(wish.state));
+    MACULA_TRY(RecordingOptions options, optionsOf(wish, state.camera));
     MACULA_TRY(const Catalogue catalogue, builtInCatalogue());
-    FrameInput scene;
-    scene.drawing.lights = defaultLights(catalogue, scene.drawing.settings.look);
     if (!wish.lights.empty()) {
-        MACULA_TRY(scene.drawing.lights, findLights(catalogue, wish.lights));
+        MACULA_TRY(state.lights, findLights(catalogue, wish.lights));
     }
-    if (!wish.preset.empty()) MACULA_TRY_VOID(presetToDraw(wish.preset, false));
     MACULA_TRY_VOID(makeFolder(wish));
 
     MACULA_TRY(StudyInput study, loadStudy(wish.path, wish.series, progress, 0, wish.how));
     bringTo16Bits(study);
-    MACULA_TRY(StudyPreset preset, choosePresetFor(study, wish.preset));
-    MACULA_TRY(ShownClip shown, shownClip(clip, wish.removeTable, *study.volume, progress));
+    MACULA_TRY_VOID(completeState(state, wish.state, study));
+    MACULA_TRY(ShownClip shown, shownClip(state, *study.volume, progress));
     std::ranges::for_each(study.notes, note);
     std::ranges::for_each(study.warnings, warn);
     std::ranges::for_each(shown.notes, note);
+    FrameInput scene;
     scene.volume = study.volume;
-    scene.drawing.transferFunction = std::make_shared<const TransferFunction>(std::move(preset.function));
-    if (!shown.clip.isNothing()) scene.drawing.clip = std::make_shared<const Clip>(std::move(shown.clip));
+    scene.drawing =
+        drawingOf(state, catalogue, SeriesWindows(), study.volume,
+                  shown.clip.isNothing() ? nullptr : std::make_shared<const Clip>(std::move(shown.clip)));
 
     if (wish.sessions)
         options.keeper = std::make_shared<ModelKeeper>(

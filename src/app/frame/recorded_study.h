@@ -7,6 +7,7 @@
 #include <string>
 
 #include "app/frame/live_recording.h"
+#include "app/state/state_wish.h"
 #include "base/progress.h"
 #include "base/result.h"
 #include "dicom/scan.h"
@@ -18,13 +19,10 @@ struct RecordingWish {
     std::filesystem::path path;
     std::filesystem::path folder;  // is made; or is there, and empty
     std::string series;
-    std::string preset;
+    StateWish state;     // its camera is where the motion begins
     std::string lights;  // a built-in name
-    std::string clip;
-    bool removeTable = false;
     dicom::ScanOptions how;
-    std::filesystem::path camera;      // one to begin with, camera_file.h
-    std::filesystem::path cameraPath;  // camera_path.h
+    std::filesystem::path cameraPath;  // camera_path.h; counts more than any other camera
     std::string size = "1280x720";
     std::optional<std::filesystem::path> sessions;  // where models are kept between runs; nothing: nowhere
     RecordingOptions recording;

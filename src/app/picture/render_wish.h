@@ -1,19 +1,18 @@
 // A picture as somebody asked for it, by names, files and numbers; and what that comes to.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "app/picture/picture_effort.h"
 #include "app/picture/picture_request.h"
-#include "base/frames.h"
+#include "app/state/state_wish.h"
 #include "base/result.h"
 #include "base/volume.h"
 #include "dicom/scan.h"
 #include "pipeline/trace/path_tracer.h"
-#include "pipeline/volume/transfer_function.h"
 
 namespace macula::app {
 
@@ -22,19 +21,13 @@ struct RenderWish {
     std::filesystem::path path;
     std::filesystem::path output;
     std::string series;
-    std::string preset;
-    bool fit = false;
-    ViewDirection view = ViewDirection::anterior;
-    std::filesystem::path camera;
-    double fovDeg = 0.0;  // 0: not given
+    StateWish state;
+    std::string lights;    // as chooseLights, a panorama too
+    bool shading = false;  // of ray casts, whatever the preset asks for
     std::string size = "768x768";
-    EffortWish effort;
-    std::string window;
-    trace::Settings settings;
+    EffortWish effort;  // counts more than the view that was saved
+    std::uint32_t seed = 0;
     trace::MemoryLimits memory;
-    std::string lights;  // empty: not given
-    std::string clip;
-    bool removeTable = false;
     dicom::ScanOptions how;
     std::string device;
     std::filesystem::path json;
@@ -45,16 +38,21 @@ struct RenderWish {
 // "mip, minip and average": the looks that `isMeant` says.
 std::string looksListed(bool (*isMeant)(trace::Look));
 
-// What was given and does nothing in this look; not what a quality or a default says.
-std::vector<std::string> optionsWithoutEffect(const RenderWish& wish);
+// What was given and does nothing in this look; not what a view, a quality or a default says.
+std::vector<std::string> optionsWithoutEffect(const RenderWish& wish, trace::Look look);
 
-// The values that a projection shows: what was asked for; or the range of a preset that was asked for, fitted
-// as the preset is; else those of the window's. Nothing for other looks.
-Result<std::optional<DisplayWindow>> projectionWindow(const RenderWish& wish, const TransferFunction& preset,
-                                                      const Volume& volume);
+// What a wish comes to, but for what the study decides.
+struct WishedPicture {
+    StudyState state;
+    PictureRequest request;  // volume, preset and clip are to be put in, and settingsToDraw
+    std::string lights;      // what may be told of them: publicLightsName
+    std::string clip;        // publicClipName
+};
 
-// All that can be wrong about the wish, the study not yet read. `lights` are those of the wish, or of the
-// look.
-Result<PictureRequest> requested(const RenderWish& wish, const std::string& lights);
+// All that can be wrong about the wish, the study not yet read.
+Result<WishedPicture> wishedPicture(const RenderWish& wish);
+
+// For the volume, when completeState has put the preset into the state.
+trace::Settings settingsToDraw(const RenderWish& wish, const StudyState& state, const Volume& volume);
 
 }  // namespace macula::app

@@ -1,0 +1,79 @@
+#include "app/state/state_wish.h"
+
+#include <memory>
+#include <utility>
+
+#include "app/camera/camera_file.h"
+#include "app/choice/clip_choice.h"
+#include "app/choice/preset_choice.h"
+#include "app/choice/typed_values.h"
+#include "pipeline/volume/volume_fit.h"
+#include "pipeline/volume/window.h"
+
+namespace macula::app {
+
+namespace {
+
+Result<void> setPreset(StudyState& state, const StateWish& wish) {
+    if (!wish.preset.empty()) {
+        MACULA_TRY_VOID(presetToDraw(wish.preset, wish.fit));
+        state.preset.reset();
+    } else if (state.preset && wish.fit) {
+        MACULA_TRY(TransferFunction fitted, withFit(*state.preset));
+        state.preset = std::make_shared<const TransferFunction>(std::move(fitted));
+    }
+    return {};
+}
+
+Result<void> setCamera(StudyState& state, const StateWish& wish) {
+    if (wish.view) state.camera.reset();
+    if (!wish.camera.empty()) {
+        MACULA_TRY(state.camera, readCamera(wish.camera));
+    }
+    if (state.camera && wish.fovDeg > 0.0) state.camera->verticalFovDeg = wish.fovDeg;
+    return {};
+}
+
+}  // namespace
+
+std::vector<std::filesystem::path> filesOf(const StateWish& wish) {
+    return {wish.session, wish.preset, wish.clip, wish.camera};
+}
+
+Result<StudyState> stateOf(const StateWish& wish, StudyState usual) {
+    StudyState state = std::move(usual);
+    if (!wish.session.empty()) {
+        MACULA_TRY(state, readStudyState(wish.session));
+    }
+    if (wish.look) state.settings.look = *wish.look;
+    for (const auto& [id, value] : wish.numbers) parameter(id).set(state.settings, value);
+    if (!wish.window.empty()) {
+        MACULA_TRY(state.windows.at(std::size_t(state.settings.look)), parseWindow(wish.window));
+    }
+    MACULA_TRY_VOID(setPreset(state, wish));
+    if (!wish.clip.empty()) {
+        MACULA_TRY(state.clip, chooseClip(wish.clip));
+    }
+    state.leavesTableOut = state.leavesTableOut || wish.removeTable;
+    MACULA_TRY_VOID(setCamera(state, wish));
+    return state;
+}
+
+Result<StudyPreset> completeState(StudyState& state, const StateWish& wish, StudyInput& study) {
+    MACULA_TRY_VOID(checkSeries(state, study.seriesDigest, wish.session.string()));
+    StudyPreset preset;
+    if (state.preset) {
+        preset = {.publicName = publicPresetName(*state.preset), .function = *state.preset};
+        for (std::string& note : notesOf({preset.function, {}}, *study.volume))
+            study.notes.push_back(std::move(note));
+    } else {
+        MACULA_TRY(preset, choosePresetFor(study, wish.preset, wish.fit));
+        state.preset = std::make_shared<const TransferFunction>(preset.function);
+    }
+    const trace::Look look = state.settings.look;
+    if (trace::isProjection(look) && !wish.preset.empty() && wish.window.empty())
+        state.windows.at(std::size_t(look)) = presetWindow(preset.function, *study.volume);
+    return preset;
+}
+
+}  // namespace macula::app

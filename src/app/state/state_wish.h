@@ -1,0 +1,49 @@
+// How a study is to be shown, as somebody asks for it who has no window: a view that was saved, and what is
+// given besides, which counts more.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/state/study_state.h"
+#include "app/study/study_input.h"
+#include "app/study/study_preset.h"
+#include "base/frames.h"
+#include "base/result.h"
+#include "pipeline/trace/look.h"
+
+namespace macula::app {
+
+// Empty: not given.
+struct StateWish {
+    std::filesystem::path session = {};  // a view that was saved: readStudyState
+    std::string preset = {};             // as choosePreset
+    bool fit = false;                    // the preset's range is stretched to the volume
+    std::string clip = {};               // as chooseClip
+    bool removeTable = false;
+    std::optional<trace::Look> look = {};
+    std::string window = {};                          // of projections: parseWindow
+    std::map<std::string_view, double> numbers = {};  // by Parameter::id
+    std::optional<ViewDirection> view = {};           // what is seen fills the picture, from there
+    std::filesystem::path camera = {};                // camera_file.h
+    double fovDeg = 0.0;                              // 0: not given; of whichever camera
+};
+
+// What may be a file among what is given, for OutputFiles::read.
+std::vector<std::filesystem::path> filesOf(const StateWish& wish);
+
+// `usual`, or the view that was saved, with what is given besides. All that can be wrong about it is told
+// now, the study not yet read. A preset that is given is not in it yet: what it is like may depend on the
+// study.
+Result<StudyState> stateOf(const StateWish& wish, StudyState usual = {});
+
+// The same for a study that is read and in 16 bits. The state gets the preset that is drawn. The range of one
+// that was given becomes the window of a projection, as in the viewer. What there is to say of the preset
+// joins the notes of the study. inputNotUsable for a view that was saved of another series.
+Result<StudyPreset> completeState(StudyState& state, const StateWish& wish, StudyInput& study);
+
+}  // namespace macula::app

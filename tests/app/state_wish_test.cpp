@@ -1,0 +1,202 @@
+// A view that was saved, with what is given besides: what comes out, and what of it may be told.
+#include "app/state/state_wish.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "app/choice/catalogue.h"
+#include "app/choice/clip_choice.h"
+#include "app/choice/lights_choice.h"
+#include "app/choice/preset_choice.h"
+#include "app/choice/typed_values.h"
+#include "base/phantom.h"
+#include "pipeline/volume/volume_fit.h"
+#include "pipeline/volume/window.h"
+#include "support.h"
+
+namespace macula::app {
+namespace {
+
+const Catalogue& catalogue() {
+    static const Catalogue all = *builtInCatalogue();
+    return all;
+}
+
+StudyInput study() {
+    StudyInput input{.volume = std::make_shared<const Volume>(phantom::make({.size = glm::ivec3(16)})),
+                     .notes = {},
+                     .warnings = {},
+                     .seriesDigest = "phantom"};
+    bringTo16Bits(input);
+    return input;
+}
+
+class AWish : public ::testing::Test {
+  protected:
+    // A view in a projection, of the phantom, and the wish to see it.
+    StateWish saved() {
+        view_.seriesDigest = "phantom";
+        view_.preset = catalogue().presets.at(0);
+        view_.clip = *catalogue().clips.at(0);
+        view_.lights = catalogue().lights.at(1);
+        view_.leavesTableOut = true;
+        view_.settings.look = trace::Look::mip;
+        view_.settings.exposure = 2.0;
+        view_.windows.at(std::size_t(trace::Look::mip)) = *parseWindow("300,600");
+        view_.camera = Camera{};
+        const std::filesystem::path path = folder_ / "view.json";
+        std::ofstream(path) << toJson(view_);
+        return {.session = path};
+    }
+    StudyState stateFor(const StateWish& wish) const {
+        const auto state = stateOf(wish);
+        EXPECT_TRUE(state.ok()) << (state ? "" : state.error().message);
+        return state ? *state : StudyState{};
+    }
+
+    const dicom::test::TemporaryFolder folder_;
+    StudyState view_;
+};
+
+TEST_F(AWish, isWhatIsUsualWhereNothingIsGiven) {
+    const StudyState usual{.leavesTableOut = true, .settings = {.bounces = 3}};
+    EXPECT_EQ(*stateOf({}, usual), usual);
+    EXPECT_EQ(stateFor({}), StudyState{});
+}
+
+TEST_F(AWish, isTheViewWhereThatIsGiven) {
+    const StateWish wish = saved();
+    StudyState state = stateFor(wish);
+    EXPECT_EQ(toJson(state), toJson(view_));
+    EXPECT_EQ(toJson(*stateOf(wish, {.settings = {.bounces = 3}})), toJson(view_));
+
+    StudyInput input = study();
+    const auto preset = completeState(state, wish, input);
+    ASSERT_TRUE(preset) << preset.error().message;
+    EXPECT_EQ(toJson(state), toJson(view_));
+    EXPECT_EQ(preset->publicName, view_.preset->name);
+    EXPECT_TRUE(isSame(preset->function, *view_.preset));
+}
+
+TEST_F(AWish, countsMoreThanTheView) {
+    StateWish wish = saved();
+    wish.look = trace::Look::average;
+    wish.window = "40,400";
+    wish.numbers["exposure"] = 0.5;
+    wish.clip = "right-half";
+    wish.view = ViewDirection::left;
+    const StudyState state = stateFor(wish);
+    EXPECT_EQ(state.settings.look, trace::Look::average);
+    EXPECT_EQ(state.windows.at(std::size_t(trace::Look::average)), *parseWindow("40,400"));
+    EXPECT_EQ(state.windows.at(std::size_t(trace::Look::mip)), *parseWindow("300,600"));
+    EXPECT_EQ(state.settings.exposure, 0.5);
+    EXPECT_EQ(state.clip->name, "right-half");
+    EXPECT_FALSE(state.camera) << "the view of a direction is found when it is drawn";
+    EXPECT_TRUE(state.leavesTableOut);
+    EXPECT_EQ(*state.lights, *view_.lights);
+}
+
+TEST_F(AWish, ofAFieldOfViewKeepsTheCamera) {
+    StateWish wish = saved();
+    wish.fovDeg = 50.0;
+    const StudyState state = stateFor(wish);
+    ASSERT_TRUE(state.camera);
+    EXPECT_EQ(state.camera->positionMm, view_.camera->positionMm);
+    EXPECT_EQ(state.camera->verticalFovDeg, 50.0);
+}
+
+// In a projection a preset is a window, whatever the one of the view was.
+TEST_F(AWish, ofAPresetBringsItsWindow) {
+    StateWish wish = saved();
+    wish.preset = "ct-bone";
+    StudyState state = stateFor(wish);
+    StudyInput input = study();
+    const auto preset = completeState(state, wish, input);
+    ASSERT_TRUE(preset) << preset.error().message;
+    EXPECT_EQ(preset->publicName, "ct-bone");
+    EXPECT_EQ(state.preset->name, "ct-bone");
+    EXPECT_EQ(state.windows.at(std::size_t(trace::Look::mip)), presetWindow(*state.preset, *input.volume));
+
+    wish.window = "40,400";
+    state = stateFor(wish);
+    ASSERT_TRUE(completeState(state, wish, input));
+    EXPECT_EQ(state.windows.at(std::size_t(trace::Look::mip)), *parseWindow("40,400"));
+}
+
+TEST_F(AWish, toFitIsOfThePresetOfTheView) {
+    StateWish wish = saved();
+    wish.fit = true;
+    StudyState state = stateFor(wish);
+    StudyInput input = study();
+    const auto preset = completeState(state, wish, input);
+    ASSERT_TRUE(preset) << preset.error().message;
+    EXPECT_EQ(preset->function.fitToVolume, withFit(*view_.preset)->fitToVolume);
+    EXPECT_EQ(preset->publicName, view_.preset->name);
+    ASSERT_EQ(input.notes.size(), 1u);
+    EXPECT_TRUE(input.notes[0].starts_with("The preset was stretched")) << input.notes[0];
+}
+
+TEST_F(AWish, withoutAPresetIsDrawnWithThatOfTheSeries) {
+    StudyState state;
+    StudyInput input = study();
+    const auto preset = completeState(state, {}, input);
+    ASSERT_TRUE(preset) << preset.error().message;
+    EXPECT_EQ(preset->publicName, presetFor(catalogue(), *input.volume)->name);
+    ASSERT_TRUE(state.preset);
+    EXPECT_EQ(state.preset->name, preset->publicName);
+}
+
+TEST_F(AWish, ofAnotherSeriesIsRefused) {
+    const StateWish wish = saved();
+    StudyState state = stateFor(wish);
+    StudyInput input = study();
+    input.seriesDigest = "another";
+    const auto refused = completeState(state, wish, input);
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().code, ErrorCode::inputNotUsable);
+    EXPECT_EQ(refused.error().where, wish.session.string());
+    state.seriesDigest.clear();
+    EXPECT_TRUE(completeState(state, wish, input)) << "a view of no series is of any";
+}
+
+TEST_F(AWish, namesTheFileThatCannotBeRead) {
+    const std::filesystem::path path = folder_ / "broken.json";
+    std::ofstream(path) << "{";
+    for (const std::filesystem::path& file : {path, folder_ / "none.json"}) {
+        const auto state = stateOf({.session = file});
+        ASSERT_FALSE(state);
+        EXPECT_EQ(state.error().code, ErrorCode::inputNotUsable);
+        EXPECT_EQ(state.error().where, file.string());
+    }
+}
+
+// Also when it has been written and read: the name of what is somebody's own may say whose it is.
+TEST(PublicName, ofWhatIsBuiltInIsItsNameAndOfAllElseCustom) {
+    for (const auto& preset : catalogue().presets) {
+        const auto read = studyStateFromJson(toJson(StudyState{.preset = preset}), "view.json");
+        ASSERT_TRUE(read) << preset->name;
+        EXPECT_EQ(publicPresetName(*read->preset), preset->name);
+        TransferFunction own = *read->preset;
+        own.density *= 2.0;
+        EXPECT_EQ(publicPresetName(own), "custom");
+    }
+    for (const auto& rig : catalogue().lights) {
+        EXPECT_EQ(publicLightsName(*rig), rig->name);
+        trace::LightRig own = *rig;
+        own.ambientZenith += 1.0;
+        EXPECT_EQ(publicLightsName(own), "custom");
+    }
+    for (const auto& clip : catalogue().clips) {
+        const auto read = studyStateFromJson(toJson(StudyState{.clip = *clip}), "view.json");
+        ASSERT_TRUE(read) << clip->name;
+        EXPECT_EQ(publicClipName(*read->clip), clip->name);
+        ClipPreset own = *read->clip;
+        own.name = "doe-john";
+        EXPECT_EQ(publicClipName(own), "custom");
+    }
+    EXPECT_EQ(publicClipName(ClipPreset{}), "none");
+}
+
+}  // namespace
+}  // namespace macula::app
