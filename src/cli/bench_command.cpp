@@ -68,6 +68,7 @@ void addBench(CLI::App& app, Action& action) {
     addBenchTradeoff(*bench, action);
     addBenchLoad(*bench, action);
     addBenchTrain(*bench, action);
+    addBenchSession(*bench, action);
 }
 
 }  // namespace macula::cli

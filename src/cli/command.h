@@ -31,6 +31,7 @@ void addEvaluateTradeoff(CLI::App& evaluateApp, Action& action);     // likewise
 void addBenchCast(CLI::App& bench, Action& action);                  // a subcommand of bench
 void addBenchFoveal(CLI::App& bench, Action& action);                // likewise
 void addBenchLoad(CLI::App& bench, Action& action);                  // likewise
+void addBenchSession(CLI::App& bench, Action& action);               // likewise
 void addBenchTradeoff(CLI::App& bench, Action& action);              // likewise
 void addBenchTrain(CLI::App& bench, Action& action);                 // likewise
 void addSessionsVerify(CLI::App& sessions, Action& action);          // a subcommand of sessions

@@ -17,13 +17,6 @@ Error cancelled() {
     return {ErrorCode::cancelled, "The benchmark was cancelled.", {}, {}};
 }
 
-// `work` returns a Result<void>.
-template <class Work>
-Result<double> timedMs(const Work& work) {
-    MACULA_TRY(const Spent spent, timed(work));
-    return spent.wallMs;
-}
-
 enum class Sampling { even, adaptive };
 
 class Bench {

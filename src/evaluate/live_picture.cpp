@@ -5,10 +5,10 @@
 #include <span>
 #include <utility>
 
-#include "app/choice/catalogue.h"
 #include "evaluate/frame_scores.h"
 #include "evaluate/measurement.h"
 #include "evaluate/shown_picture.h"
+#include "evaluate/window_drawing.h"
 #include "image/metrics.h"
 #include "pipeline/hybrid/views/truth_pictures.h"
 #include "pipeline/splat/draw/displayed.h"
@@ -17,17 +17,11 @@ namespace macula::evaluate {
 
 namespace {
 
-Result<std::shared_ptr<const trace::LightRig>> builtInLights(const std::string& name) {
-    MACULA_TRY(const app::Catalogue catalogue, app::builtInCatalogue());
-    return app::findLights(catalogue, name);
-}
-
 // All but the camera, which the recording moves.
 Result<app::FrameInput> sceneOf(const BenchStudy& study) {
     app::FrameInput scene;
     scene.volume = study.volume;
-    scene.drawing.transferFunction = std::make_shared<const TransferFunction>(study.function);
-    MACULA_TRY(scene.drawing.lights, builtInLights(study.lights));
+    MACULA_TRY(scene.drawing, drawingOf(study));
     scene.background = glm::vec3(0.0f);  // as that of frameTruthOf
     return scene;
 }

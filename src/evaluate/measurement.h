@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cstddef>
 #include <ctime>
+#include <utility>
 #include <vector>
 
 #include "base/check.h"
@@ -62,12 +63,31 @@ Result<Spent> timed(const Work& work) {
     return watch.lap();
 }
 
+// The same: only its time by the clock, in ms.
+template <class Work>
+Result<double> timedMs(const Work& work) {
+    MACULA_TRY(const Spent spent, timed(work));
+    return spent.wallMs;
+}
+
 // The mean of both in the middle where their number is even. There must be at least one.
 inline double median(std::vector<double> values) {
     MACULA_CHECK(!values.empty());
     std::sort(values.begin(), values.end());
     const std::size_t half = values.size() / 2;
     return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
+}
+
+// The median of so many times, after one that does not count: it compiles kernels, or fills caches.
+template <class Work>
+Result<double> medianMs(int turns, const Work& work) {
+    MACULA_TRY_VOID(work());
+    std::vector<double> times;
+    for (int i = 0; i < turns; ++i) {
+        MACULA_TRY(const double ms, timedMs(work));
+        times.push_back(ms);
+    }
+    return median(std::move(times));
 }
 
 struct Ratio {

@@ -1,6 +1,5 @@
 #include "evaluate/study_training_benchmark.h"
 
-#include <functional>
 #include <span>
 #include <utility>
 
@@ -9,21 +8,6 @@
 #include "pipeline/splat/draw/model_painter.h"
 
 namespace macula::evaluate {
-
-namespace {
-
-// The median of `repetitions` turns, after one that compiles kernels.
-Result<double> medianMs(int repetitions, const std::function<Result<void>()>& work) {
-    MACULA_TRY_VOID(work());
-    Contender contender;
-    for (int i = 0; i < repetitions; ++i) {
-        MACULA_TRY(const Spent spent, timed(work));
-        contender.turns.push_back(spent);
-    }
-    return contender.medians().wallMs;
-}
-
-}  // namespace
 
 Result<StudyTrainingBench> StudyTrainingBench::create(const BenchStudy& study,
                                                       const StudyTrainingOptions& options,

@@ -45,6 +45,7 @@ class ModelKeeperTest : public testing::Test {
     }
     static hybrid::StoredModel found(ModelKeeper& keeper, const std::string& name) {
         keeper.waitUntilIdle();
+        EXPECT_TRUE(keeper.isIdle());
         return keeper.find(name);
     }
     void store(const std::string& name, const Drawing& drawing, std::uint64_t steps) {

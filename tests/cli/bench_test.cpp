@@ -1,5 +1,6 @@
 // macula bench: that the benchmarks of the tracer run to their end and say what they promise. How fast
 // anything is, is not tested.
+#include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -155,7 +156,68 @@ TEST_F(Bench, TrainRefusesABaselineOfSomethingElse) {
     }
 }
 
+// What is compared was kept on the disk in between: a fault of saving or reading is seen here.
+TEST_F(Bench, SessionGoesOnWithTheModelThatItSaved) {
+    std::filesystem::create_directory(at("tmp"));
+    const Ran ran =
+        runMacula({"bench", "session", "--size", "48", "--learn", "0", "--frames", "20", "--blocks", "1"},
+                  {"TMPDIR=" + at("tmp")});
+    ASSERT_EQ(ran.exitCode, 0) << ran.err;
+    EXPECT_EQ(fileCount("tmp"), 0u) << "what was saved stayed";
+    const json report = json::parse(ran.out);
+    EXPECT_EQ(report["benchmark"], "session");
+    const json& learnt = report["learnt"];
+    EXPECT_GT(learnt["steps"], 0);
+    EXPECT_GT(learnt["splats"], 100);
+    EXPECT_GE(learnt["heldOutViews"], 2);
+    EXPECT_GT(learnt["shownError"], 0.0);
+
+    const json& saving = report["saving"];
+    EXPECT_EQ(saving["calls"], 2) << "at every tenth frame";
+    EXPECT_EQ(saving["framesWithout"]["frames"], 20);
+    EXPECT_GE(saving["framesBeside"]["frames"], 2);
+    EXPECT_EQ(saving["framesBeside"]["frames"].get<int>() + saving["framesBetween"].get<int>(), 20);
+    int inBuckets = 0;
+    for (const json& bucket : saving["framesWithout"]["histogram"]) inBuckets += bucket["frames"].get<int>();
+    EXPECT_EQ(inBuckets, 20);
+    EXPECT_LE(saving["framesWithout"]["medianMs"], saving["framesWithout"]["maxMs"]);
+    // The pixels of six pictures do not fit into less.
+    EXPECT_GT(saving["firstBlobBytes"], 10'000);
+    EXPECT_EQ(saving["laterBlobBytes"], saving["firstBlobBytes"]) << "nothing was learnt in between";
+    EXPECT_LE(report["closing"]["hideMs"], report["closing"]["savedMs"]);
+
+    ASSERT_EQ(report["reopenings"].size(), 2u);
+    for (const bool ready : {false, true}) {
+        const json& reopening = report["reopenings"][ready ? 1 : 0];
+        EXPECT_EQ(reopening["keeperReady"], ready);
+        EXPECT_EQ(reopening["steps"], learnt["steps"]);
+        EXPECT_EQ(reopening["shownErrorDifference"], 0.0) << reopening;
+        EXPECT_EQ(reopening["sameToTheBit"], true);
+        EXPECT_LE(reopening["drawableMs"], reopening["firstPictureMs"]);
+        EXPECT_LE(reopening["drawableMs"], reopening["wholeMs"]);
+        EXPECT_LE(reopening["wholeMs"], reopening["learningMs"]);
+    }
+    EXPECT_FALSE(report.contains("store")) << "nobody asked for it";
+}
+
+TEST_F(Bench, SessionNeedsLightsThatAModelCanHold) {
+    const Ran ran = runMacula({"bench", "session", "--lights", "headlight"});
+    EXPECT_EQ(ran.exitCode, 2) << ran.err;
+    EXPECT_NE(ran.err.find("hang on the camera"), std::string::npos) << ran.err;
+}
+
+TEST_F(Bench, SessionTakesNoFolderThatHoldsAnything) {
+    write("other.txt", "what was there");
+    const Ran ran = runMacula({"bench", "session", "--sessions", at(".")});
+    EXPECT_EQ(ran.exitCode, 2) << ran.err;
+    EXPECT_EQ(ran.errorLines(), 1u) << ran.err;
+    EXPECT_NE(ran.err.find("--sessions"), std::string::npos) << ran.err;
+    EXPECT_EQ(fileCount(), 1u);
+}
+
 TEST_F(Bench, BadNumbersAreUsageErrors) {
+    EXPECT_EQ(runMacula({"bench", "session", "--frames", "9"}).exitCode, 2);
+    EXPECT_EQ(runMacula({"bench", "session", "--learn", "nan"}).exitCode, 2);
     EXPECT_EQ(runMacula({"bench", "train", "--splats", "0"}).exitCode, 2);
     EXPECT_EQ(runMacula({"bench", "train", "--degree", "2"}).exitCode, 2);
     EXPECT_EQ(runMacula({"bench", "foveal", "--flip", "0"}).exitCode, 2);

@@ -11,6 +11,24 @@ TEST(Median, isTheMiddleOrTheMeanOfBothInTheMiddle) {
     EXPECT_EQ(median({8.0, 1.0, 2.0, 4.0}), 3.0);
 }
 
+TEST(MedianMs, isOfAllTurnsButTheFirstAndFailsAsTheWork) {
+    int calls = 0;
+    const auto ms = medianMs(3, [&]() -> Result<void> {
+        ++calls;
+        return {};
+    });
+    ASSERT_TRUE(ms.ok());
+    EXPECT_GE(*ms, 0.0);
+    EXPECT_EQ(calls, 4);
+    const auto failed = medianMs(3, [&]() -> Result<void> {
+        if (++calls == 6) return cancelledError();
+        return {};
+    });
+    ASSERT_FALSE(failed.ok());
+    EXPECT_EQ(failed.error().code, ErrorCode::cancelled);
+    EXPECT_EQ(calls, 6);
+}
+
 // A busy neighbour that slows one turn of both changes neither ratio.
 TEST(Contender, isComparedTurnByTurn) {
     const Contender ours{.turns = {{10.0, 20.0}, {100.0, 20.0}, {12.0, 30.0}}};

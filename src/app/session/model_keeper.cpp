@@ -120,6 +120,11 @@ void ModelKeeper::openStore() {
     }
 }
 
+bool ModelKeeper::isIdle() {
+    const std::lock_guard lock(mutex_);
+    return jobs_.empty() && !isBusy_;
+}
+
 void ModelKeeper::waitUntilIdle() {
     std::unique_lock lock(mutex_);
     idle_.wait(lock, [this] { return jobs_.empty() && !isBusy_; });

@@ -54,7 +54,8 @@ class ModelKeeper final : public hybrid::ModelStore {
                                        std::chrono::milliseconds patience);
     void keepState(std::shared_ptr<const Volume> volume, std::string json);
 
-    // Until all that was handed over is done. For tests and for those who measure.
+    // Whether all that was handed over is done, and until it is. For tests and for those who measure.
+    bool isIdle();
     void waitUntilIdle();
 
   private:

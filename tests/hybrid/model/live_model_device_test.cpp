@@ -123,8 +123,12 @@ TEST_F(LiveModelTest, IsFoundTaughtAndDrawnBesideAPictureThatStaysAsItIs) {
     ASSERT_TRUE(model.show("a", {}).ok());
     EXPECT_EQ(model.news().stage, ModelStage::searching);
     EXPECT_FALSE(model.canBeDrawn());
+    EXPECT_FALSE(model.report()) << "there is no model yet";
     search(model);
     EXPECT_NEAR(model.news().splats, 250, 15);
+    ASSERT_TRUE(model.report());
+    EXPECT_EQ(model.report()->views + model.report()->heldOut, model.news().views);
+    EXPECT_GT(model.report()->shownError.value(), 0.0);
     const auto error = [&] {
         const std::vector<glm::vec4> picture = drawn(model, view().camera);
         double sum = 0.0;

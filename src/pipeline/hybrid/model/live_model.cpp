@@ -394,6 +394,10 @@ std::shared_ptr<const splat::Splats> LiveModel::shown() const {
     return stage_ == ModelStage::resuming ? drawn_ : nullptr;
 }
 
+std::optional<PeripheralReport> LiveModel::report() const {
+    return model_ ? std::optional(model_->report()) : std::nullopt;
+}
+
 ModelNews LiveModel::news() const {
     ModelNews news{.stage = stage_, .origin = origin_};
     if (stage_ == ModelStage::resuming) news.splats = static_cast<std::uint32_t>(drawn_->size());

@@ -93,6 +93,8 @@ class LiveModel {
     // The model that draw() draws; null when there is none.
     std::shared_ptr<const splat::Splats> shown() const;
     ModelNews news() const;
+    // Of the model that learns; nothing while there is none.
+    std::optional<PeripheralReport> report() const;
     const std::string& key() const { return key_; }
 
   private:

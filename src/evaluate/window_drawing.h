@@ -1,0 +1,20 @@
+// What a window would draw of a study that is measured.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "app/frame/frame_input.h"
+#include "base/result.h"
+#include "evaluate/bench_study.h"
+#include "pipeline/trace/environment.h"
+
+namespace macula::evaluate {
+
+// usage for lights that are not built in: a window has no others.
+Result<std::shared_ptr<const trace::LightRig>> builtInLights(const std::string& name);
+
+// Complete, with settings that nobody chose. Fails likewise.
+Result<app::Drawing> drawingOf(const BenchStudy& study);
+
+}  // namespace macula::evaluate
