@@ -446,7 +446,7 @@ void MainWindow::showStudy(const app::OpenedStudy& study) {
         sessionNote_ = tr("This study is shown as it was left. The View menu shows it as when first opened.");
     }
     showChosen();
-    clip_ = app::clipOf(state_, volume, nullptr);
+    clip_ = app::clipOf(state_, volume, std::nullopt);
     clearStudyTexts();
     app::Drawing first = drawing();
     visibilityNote_ = visibilityNote(first, volume, options_.catalogue);

@@ -9,6 +9,7 @@
 #include "app/choice/preset_choice.h"
 #include "app/session/scene_key.h"
 #include "base/phantom.h"
+#include "splat/training_support.h"
 
 namespace macula::app {
 namespace {

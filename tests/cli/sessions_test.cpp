@@ -143,9 +143,9 @@ TEST_F(Sessions, HaveAnAuditTrail) {
 TEST_F(Sessions, AreWhereTheEnvironmentSays) {
     const char* data = std::getenv("XDG_DATA_HOME");
     ASSERT_NE(data, nullptr);
-    const std::string own = std::string(data) + "/macula/sessions";
-    EXPECT_TRUE(own.starts_with(fs::temp_directory_path().string())) << own;
-    EXPECT_NE(runMacula({"sessions", "list"}).out.find("Nothing is stored yet in " + own), std::string::npos);
+    EXPECT_TRUE(std::string(data).starts_with(fs::temp_directory_path().string())) << data;
+    const Ran none = runMacula({"sessions", "list"}, {"XDG_DATA_HOME=" + at("data")});
+    EXPECT_NE(none.out.find("Nothing is stored yet in " + at("data/macula/sessions")), std::string::npos);
     fill();
     const Ran chosen = runMacula({"sessions", "list", "--json"}, {"MACULA_SESSIONS=" + store()});
     EXPECT_EQ(parsed(chosen.out)["studies"].size(), 2u);

@@ -85,6 +85,7 @@ void ModelKeeper::run(const std::stop_token& stop) {
     giveWay();
     openStore();
     std::unique_lock lock(mutex_);
+    hasNoStore_ = !store_;
     while (wake_.wait(lock, stop, [this] { return !jobs_.empty(); })) {
         Job job = std::move(jobs_.front());
         jobs_.pop_front();
@@ -165,7 +166,7 @@ void ModelKeeper::look(const std::string& name, std::shared_ptr<const Volume> vo
 hybrid::StoredModel ModelKeeper::find(const std::string& name) {
     const std::lock_guard lock(mutex_);
     const auto scene = scenes_.find(name);
-    if (scene == scenes_.end()) return {.answer = Answer::none};
+    if (scene == scenes_.end() || hasNoStore_) return {.answer = Answer::none};
     hybrid::StoredModel found = scene->second.found;
     // Whoever goes on with it has it.
     if (found.answer == Answer::whole) scene->second.found = {.answer = Answer::none};

@@ -93,6 +93,7 @@ class ModelKeeper final : public hybrid::ModelStore {
     std::condition_variable idle_;
     std::deque<Job> jobs_;
     bool isBusy_ = false;
+    bool hasNoStore_ = false;  // it could not be opened
     std::map<std::string, Scene> scenes_;  // by name
     std::list<std::string> names_;         // those of scenes_, the one looked for last stands last
     std::map<std::string, std::shared_ptr<const hybrid::PeripheralState>> toKeep_;  // the newest, by name

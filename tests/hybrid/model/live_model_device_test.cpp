@@ -196,12 +196,16 @@ TEST_F(LiveModelTest, WhatWasLearntIsHandedToTheStore) {
     ASSERT_TRUE(model.show("a", {}).ok());
     search(model);
     learn(model, 60);
+    const std::shared_ptr<const splat::Splats> shown = model.shown();
     model.hide();
     ASSERT_NE(store->kept_, nullptr);
     EXPECT_EQ(store->kept_->training.options.key, "a");
     EXPECT_GE(store->kept_->training.steps, 60u);
-    store->answer_ = {.answer = StoredModel::Answer::whole, .state = std::exchange(store->kept_, nullptr)};
+    store->answer_ = {.answer = StoredModel::Answer::whole,
+                      .splats = shown,
+                      .state = std::exchange(store->kept_, nullptr)};
     ASSERT_TRUE(model.show("a", {}).ok());
+    EXPECT_TRUE(model.canBeDrawn()) << "the answer was there already: the first picture is of it";
     ASSERT_TRUE(model.work(5.0, always).ok());
     ASSERT_EQ(model.news().origin, ModelOrigin::stored);
     model.hide();

@@ -75,8 +75,11 @@ Result<void> LiveModel::tryShow() {
     if (const std::shared_ptr<const PeripheralState> kept = shelf_->find(key_))
         return goOnWith(*kept, ModelOrigin::shelf);
     origin_ = ModelOrigin::points;
-    if (store_) askingSince_ = Clock::now();
-    return {};
+    if (!store_) return {};
+    askingSince_ = Clock::now();
+    // Where the answer is here already, the first picture is of the model.
+    const StoredModel stored = store_->find(key_);
+    return stored.answer == StoredModel::Answer::pending ? Result<void>() : takeFromStore(stored);
 }
 
 Result<void> LiveModel::goOnWith(const PeripheralState& state, ModelOrigin origin) {
@@ -84,7 +87,7 @@ Result<void> LiveModel::goOnWith(const PeripheralState& state, ModelOrigin origi
     origin_ = origin;
     views_ = state.asked;  // the gauge's pictures were given without being asked for
     stepsAtLastView_ = model_->report().training.steps;
-    stepsKept_ = stepsAtLastView_;
+    kept_ = {.steps = stepsAtLastView_, .generation = model_->shown().generation, .gain = state.gain};
     keptAt_ = Clock::now();
     gauge_.emplace(state.seenMm);  // to be made anew, while what was learnt can be drawn
     gain_ = state.gain;
@@ -103,7 +106,7 @@ void LiveModel::beginWithPoints(ModelOrigin origin) {
 // Waits for the answer, as long as it may; whoever calls has other work in between.
 Result<void> LiveModel::askStore(const std::function<bool()>& goesOn) {
     while (true) {
-        const StoredModel stored = store_->find(key_);
+        const StoredModel stored = whole_ ? *std::exchange(whole_, std::nullopt) : store_->find(key_);
         const bool isLate = Clock::now() - *askingSince_ > options_.mostWaitForStore;
         const bool isPending = stored.answer == StoredModel::Answer::pending ||
                                (stored.answer == StoredModel::Answer::drawable && painter_);
@@ -128,16 +131,13 @@ Result<void> LiveModel::takeFromStore(const StoredModel& stored) {
             origin_ = stored.answer == Answer::warm ? ModelOrigin::otherLights : ModelOrigin::otherTrainer;
             startWith_ = stored.splats;
             return {};
-        case Answer::drawable: {
-            MACULA_TRY(splat::ModelPainter painter, splat::ModelPainter::create(device_, *stored.splats));
-            painter_.emplace(std::move(painter));
-            drawn_ = stored.splats;
-            gain_ = stored.gain;
-            origin_ = ModelOrigin::stored;
-            stage_ = ModelStage::resuming;
-            return {};
-        }
+        case Answer::drawable:
+            return drawStored(stored);
         case Answer::whole: {
+            if (!painter_) {  // first it is shown
+                whole_ = stored;
+                return drawStored(stored);
+            }
             const Result<void> done = goOnWith(*stored.state, ModelOrigin::stored);
             if (done || done.error().code != ErrorCode::inputNotUsable) return done;
             log::warning("The stored peripheral model cannot be gone on with.");
@@ -145,6 +145,17 @@ Result<void> LiveModel::takeFromStore(const StoredModel& stored) {
             return {};
         }
     }
+    return {};
+}
+
+Result<void> LiveModel::drawStored(const StoredModel& stored) {
+    MACULA_TRY(splat::ModelPainter painter, splat::ModelPainter::create(device_, *stored.splats));
+    painter_.emplace(std::move(painter));
+    drawn_ = stored.splats;
+    gain_ = stored.gain;
+    origin_ = ModelOrigin::stored;
+    stage_ = ModelStage::resuming;
+    if (!askingSince_) askingSince_ = Clock::now();
     return {};
 }
 
@@ -169,21 +180,24 @@ void LiveModel::put(PeripheralState state) {
     state.gain = gain_;
     const auto kept = std::make_shared<const PeripheralState>(std::move(state));
     shelf_->put(kept);
-    if (!store_ || kept->training.steps == stepsKept_) return;
-    stepsKept_ = kept->training.steps;
-    store_->keep(kept);
+    giveToStore(kept);
+}
+
+// Only what is news to it.
+void LiveModel::giveToStore(std::shared_ptr<const PeripheralState> state) {
+    keptAt_ = Clock::now();
+    const Kept now{.steps = state->training.steps, .generation = state->generation, .gain = state->gain};
+    if (!store_ || now == kept_) return;
+    kept_ = now;
+    store_->keep(std::move(state));
 }
 
 // So that a program that is killed loses little. lastGood() is on the host already: no frame waits for it.
 void LiveModel::keepSometimes() {
-    const Clock::time_point now = Clock::now();
-    if (!store_ || now - keptAt_ < options_.leastBetweenKeeping) return;
-    keptAt_ = now;
+    if (!store_ || Clock::now() - keptAt_ < options_.leastBetweenKeeping) return;
     PeripheralState state = model_->lastGood();
-    if (state.training.steps == stepsKept_) return;
-    stepsKept_ = state.training.steps;
     state.gain = gain_;
-    store_->keep(std::make_shared<const PeripheralState>(std::move(state)));
+    giveToStore(std::make_shared<const PeripheralState>(std::move(state)));
 }
 
 void LiveModel::giveUp(ModelStage stage) {
@@ -205,8 +219,9 @@ void LiveModel::end(ModelStage stage) {
     stepsAtLastView_ = 0;
     origin_ = ModelOrigin::none;
     askingSince_.reset();
+    whole_.reset();
     startWith_.reset();
-    stepsKept_ = 0;
+    kept_ = {};
     keptAt_ = Clock::now();
     stage_ = stage;
 }

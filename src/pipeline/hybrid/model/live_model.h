@@ -102,11 +102,21 @@ class LiveModel {
               std::shared_ptr<ModelShelf> shelf, std::shared_ptr<ModelStore> store,
               const LiveModelOptions& options);
 
+    // What tells a model from itself some time before.
+    struct Kept {
+        std::uint64_t steps = 0;
+        std::uint64_t generation = 0;
+        double gain = 1.0;
+        bool operator==(const Kept&) const = default;
+    };
+
     void putAway();
+    void giveToStore(std::shared_ptr<const PeripheralState> state);
     void put(PeripheralState state);
     void keepSometimes();
     Result<void> askStore(const std::function<bool()>& goesOn);
     Result<void> takeFromStore(const StoredModel& stored);
+    Result<void> drawStored(const StoredModel& stored);
     Result<void> goOnWith(const PeripheralState& state, ModelOrigin origin);
     void beginWithPoints(ModelOrigin origin);
     Result<void> makeDrawable();
@@ -129,8 +139,9 @@ class LiveModel {
     ModelStage stage_ = ModelStage::none;
     ModelOrigin origin_ = ModelOrigin::none;
     std::optional<std::chrono::steady_clock::time_point> askingSince_;  // the store; it has not answered yet
+    std::optional<StoredModel> whole_;                // that is drawn, and gone on with next
     std::shared_ptr<const splat::Splats> startWith_;  // instead of points, another model of the store
-    std::uint64_t stepsKept_ = 0;                     // when the store was given it last
+    Kept kept_;                                       // what the store was given last
     std::chrono::steady_clock::time_point keptAt_;
     // Set by the search; a model from the shelf has the gauge only, which is made anew.
     std::optional<Box> seenMm_;

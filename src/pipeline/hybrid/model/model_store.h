@@ -19,9 +19,9 @@ struct StoredModel {
         warm,      // one of other lights: `splats` to begin with
         stale,     // one of another trainer: likewise
         drawable,  // `splats` are what was shown when it was saved, and can be shown; the state is read
-        whole,     // and here is the state
+        whole,     // and here is the state too
     } answer = Answer::pending;
-    std::shared_ptr<const splat::Splats> splats{};  // valid
+    std::shared_ptr<const splat::Splats> splats{};  // valid; of warm, stale, drawable and whole
     double gain = 1.0;                              // PeripheralState::gain, and seenMm
     Box seenMm{};
     std::shared_ptr<const PeripheralState> state{};  // its key is the one asked for
