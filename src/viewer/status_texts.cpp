@@ -57,7 +57,7 @@ QString modelText(const hybrid::ModelNews& model) {
         case ModelStage::searching:
             return tr("Finding points of the peripheral model");
         case ModelStage::resuming:
-            return tr("Model of an earlier session");
+            return tr("Model of an earlier session, %1 steps").arg(model.steps);
         case ModelStage::learning:
             return tr("Model learning, %1 steps").arg(model.steps);
         case ModelStage::resting:

@@ -255,6 +255,7 @@ hybrid::StoredModel ModelKeeper::resume(session::Store& store, const session::Mo
     if (drawable->key != keyDigest || drawable->isTrainingOnly) return damaged({});
     hybrid::StoredModel found{.answer = Answer::drawable,
                               .splats = drawable->splats,
+                              .steps = drawable->steps,
                               .gain = drawable->gain,
                               .seenMm = drawable->seenMm};
     answer(name, found);
@@ -294,6 +295,7 @@ hybrid::StoredModel ModelKeeper::beginWithKin(session::Store& store, const sessi
         if (!drawable || drawable->isTrainingOnly || drawable->key != candidate.info.key.digest()) continue;
         return {.answer = kinship == Kinship::otherLights ? Answer::warm : Answer::stale,
                 .splats = drawable->splats,
+                .steps = drawable->steps,
                 .gain = drawable->gain,
                 .seenMm = drawable->seenMm};
     }

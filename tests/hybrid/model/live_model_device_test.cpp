@@ -88,6 +88,7 @@ class LiveModelTest : public trace::DeviceTest {
         learn(model);
         StoredModel found{.answer = answer,
                           .splats = model.shown(),
+                          .steps = model.news().steps,
                           .gain = model.gain(),
                           .seenMm = store->kept_->seenMm,
                           .state = store->kept_};
@@ -171,6 +172,7 @@ TEST_F(LiveModelTest, OfAStoreIsShownAtOnceAndGoesOn) {
     ASSERT_TRUE(model.work(5.0, always).ok());
     EXPECT_EQ(model.news().stage, ModelStage::resuming);
     EXPECT_EQ(model.news().origin, ModelOrigin::stored);
+    EXPECT_EQ(model.news().steps, whole.steps);
     ASSERT_TRUE(model.canBeDrawn());
     EXPECT_EQ(model.shown(), whole.splats);
     EXPECT_EQ(model.gain(), whole.gain);

@@ -152,6 +152,7 @@ Result<void> LiveModel::drawStored(const StoredModel& stored) {
     MACULA_TRY(splat::ModelPainter painter, splat::ModelPainter::create(device_, *stored.splats));
     painter_.emplace(std::move(painter));
     drawn_ = stored.splats;
+    stepsOfStored_ = stored.steps;
     gain_ = stored.gain;
     origin_ = ModelOrigin::stored;
     stage_ = ModelStage::resuming;
@@ -415,7 +416,10 @@ std::optional<PeripheralReport> LiveModel::report() const {
 
 ModelNews LiveModel::news() const {
     ModelNews news{.stage = stage_, .origin = origin_};
-    if (stage_ == ModelStage::resuming) news.splats = static_cast<std::uint32_t>(drawn_->size());
+    if (stage_ == ModelStage::resuming) {
+        news.splats = static_cast<std::uint32_t>(drawn_->size());
+        news.steps = stepsOfStored_;
+    }
     if (!model_) return news;
     const PeripheralReport report = model_->report();
     news.splats = static_cast<std::uint32_t>(model_->shown().splats->size());

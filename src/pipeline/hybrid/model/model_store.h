@@ -1,6 +1,7 @@
 // Where peripheral models are kept for longer than the program runs, as a live model (live_model.h) sees it.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string>
 
@@ -22,6 +23,7 @@ struct StoredModel {
         whole,     // and here is the state too
     } answer = Answer::pending;
     std::shared_ptr<const splat::Splats> splats{};  // valid; of warm, stale, drawable and whole
+    std::uint64_t steps = 0;                        // of training
     double gain = 1.0;                              // PeripheralState::gain, and seenMm
     Box seenMm{};
     std::shared_ptr<const PeripheralState> state{};  // its key is the one asked for
