@@ -30,6 +30,7 @@ namespace macula::viewer {
 namespace {
 
 constexpr std::chrono::milliseconds kRateLasts{1000};
+constexpr std::chrono::milliseconds kPreparingIsTold{200};  // less is not noticed, and its text would flicker
 constexpr std::chrono::milliseconds kStateKeptEvery{5000};  // a program that is killed loses no more
 
 QString asText(std::string_view text) {
@@ -98,6 +99,12 @@ MainWindow::MainWindow(gpu::Instance instance, MainWindowOptions options)
     rateEnds_.setInterval(kRateLasts);
     connect(&rateEnds_, &QTimer::timeout, this,
             [this] { pictureText_->setFullText(pictureText_->fullText().section(QLatin1Char(','), 0, 0)); });
+    prepares_.setSingleShot(true);
+    prepares_.setInterval(kPreparingIsTold);
+    connect(&prepares_, &QTimer::timeout, this, [this] {
+        badge_->hide();  // what is on screen is what was wanted before
+        fidelity_->setFullText(preparing_);
+    });
     connect(viewport_, &Viewport::keyNotHandled, this, &MainWindow::triggerShortcut);
     loader_.setKeeper(keeper_);
     connect(&keeps_, &QTimer::timeout, this, &MainWindow::keepState);

@@ -142,6 +142,8 @@ class MainWindow : public QMainWindow {
     std::optional<app::StudyState> kept_;       // the state that it was given last
     QString sessionNote_;                       // what went wrong with that, or how this study comes back
     QTimer keeps_;
+    QTimer prepares_;    // for so long that it is worth a word
+    QString preparing_;  // which
     QString lastFolder_;
 
     Viewport* viewport_ = nullptr;

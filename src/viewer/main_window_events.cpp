@@ -44,6 +44,8 @@ void MainWindow::clearStudyTexts() {
 }
 
 void MainWindow::onRendered(const app::RenderEvent& event) {
+    if (std::holds_alternative<app::FrameShown>(event) || std::holds_alternative<app::RenderFailure>(event))
+        prepares_.stop();
     if (const auto* frame = std::get_if<app::FrameShown>(&event)) {
         onFrame(*frame);
     } else if (const auto* ready = std::get_if<app::DeviceReady>(&event)) {
@@ -61,8 +63,8 @@ void MainWindow::onRendered(const app::RenderEvent& event) {
     } else if (const auto* changed = std::get_if<app::ModelChanged>(&event)) {
         if (changed->study == viewport_->study()) onModel(changed->model);
     } else if (const auto* preparing = std::get_if<app::Preparing>(&event)) {
-        badge_->hide();  // what is on screen is what was wanted before
-        fidelity_->setFullText(QString::fromStdString(preparing->what) + QStringLiteral("…"));
+        preparing_ = QString::fromStdString(preparing->what) + QStringLiteral("…");
+        if (!prepares_.isActive()) prepares_.start();
     } else if (std::holds_alternative<app::PictureRemoved>(event)) {
         badge_->hide();
         setTitle({});

@@ -196,8 +196,13 @@ TEST_F(PictureCourseTest, WithoutAModelItIsSearchedForInTurnsWithSmallPicturesAn
         EXPECT_EQ(go(), Step::showPreview);
         EXPECT_EQ(go(), Step::search);
     }
-    // At rest nothing is in its way.
+    // At rest a few more samples are, and then nothing is in its way.
     course_.setHand(false);
+    want();
+    for (std::uint64_t i = 0; i < PictureCourse::kRefinedWhileSearching; ++i) {
+        EXPECT_EQ(go(), Step::showPreview);
+        EXPECT_EQ(go(), Step::search);
+    }
     for (int i = 0; i < 10; ++i) EXPECT_EQ(go(), Step::search);
     course_.setModel(ModelState::ready, true);
     EXPECT_EQ(go(), Step::showModel);

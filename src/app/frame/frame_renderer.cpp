@@ -316,6 +316,8 @@ Result<bool> FrameRenderer::applyScene(const Interrupts& interrupts) {
         if (interrupted()) return false;
     }
     if (applied_.transferFunction != drawing.transferFunction) {
+        // Until it is there, what is on screen is what was wanted before.
+        if (applied_.transferFunction) listener_(Preparing{"Preparing what is shown"});
         traced_->sceneChanged();
         outlineOf_.reset();
         applied_.transferFunction = nullptr;

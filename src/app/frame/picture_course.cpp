@@ -42,8 +42,10 @@ Step PictureCourse::next(TimePoint now) const {
         case OnScreen::preview: {
             if (model_ == ModelState::ready) return Step::showModel;
             const bool canRefine = previewSamples_ < previewLimit_;
-            if (model_ == ModelState::searching)
-                return handMoves_ && hasSearched_ && canRefine ? Step::showPreview : Step::search;
+            if (model_ == ModelState::searching) {
+                const bool isWorthIt = canRefine && (handMoves_ || previewSamples_ < kRefinedWhileSearching);
+                return hasSearched_ && isWorthIt ? Step::showPreview : Step::search;
+            }
             if (!handMoves_ && now - previewSince_ >= kSettle) return Step::trace;
             return canRefine ? Step::showPreview : handMoves_ ? Step::none : Step::trace;
         }

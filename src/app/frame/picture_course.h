@@ -5,8 +5,7 @@
 // traced between two frames; where there is no model, small traced pictures. When it stops: the traced
 // picture of this view if there is one; else the model stays, with a fovea that grows, until the first is
 // ready, and fades into it. Then the picture converges and the model learns in turns, until both are done. A
-// model is searched for when there is none: alone while nothing moves, in turns with small pictures while a
-// hand does.
+// model is searched for when there is none, in turns with small pictures: few of them while nothing moves.
 #pragma once
 
 #include <chrono>
@@ -50,6 +49,9 @@ class PictureCourse {
     // Without a model, the small picture is refined for so long before the full one starts: it stays on
     // screen during the long first pass of that, and should not be the noisiest of all.
     static constexpr std::chrono::milliseconds kSettle{300};
+    // Samples of a small picture beside which a model is searched for while nothing moves: with fewer it is
+    // all noise for as long as the search takes, and with more the search takes longer.
+    static constexpr std::uint64_t kRefinedWhileSearching = 8;
 
     // Another picture from now on, of the same scene or of another one. `isTraced`: of exactly this there is
     // a traced one with all pixels, which has converged or can go on.

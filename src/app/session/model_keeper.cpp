@@ -29,11 +29,13 @@ constexpr std::size_t kMostKin = 16;
 constexpr const char* kStateName = "as it was left";
 constexpr std::int64_t kStateVersion = 1;
 
-// Packing a model must not take the processor from those who draw where that is the CPU.
-void giveWay() {
+// What is read is waited for; what is packed must not take the processor from those who draw, where that is
+// the CPU: niceness 19 leaves them 19 of 20 parts of it.
+constexpr int kNicenessOfReading = 5;
+constexpr int kNicenessOfPacking = 19;
+void giveWay([[maybe_unused]] int niceness) {
 #ifdef __linux__
-    constexpr int kNiceness = 10;
-    setpriority(PRIO_PROCESS, id_t(gettid()), kNiceness);
+    setpriority(PRIO_PROCESS, id_t(gettid()), niceness);  // of this thread, and of those that it starts
 #endif
 }
 
@@ -45,6 +47,18 @@ std::span<const std::byte> bytesOf(const std::string& text) {
 void rename(hybrid::PeripheralState& state, const std::string& key) {
     state.training.options.key = key;
     state.first.key = key;
+}
+
+Result<void> writeSafely(std::ostream& stream, const hybrid::PeripheralState& state,
+                         splat::PackedPictures& packed) {
+    try {
+        return hybrid::writePeripheral(stream, state, packed);
+    } catch (const std::exception&) {
+        return Error{ErrorCode::outOfMemory,
+                     "There is not enough memory to keep this study's model.",
+                     {},
+                     "Close other programs."};
+    }
 }
 
 session::OpenedVolume openedVolume(const Volume& volume, std::string digest) {
@@ -73,16 +87,16 @@ ModelKeeper::~ModelKeeper() {
     thread_.request_stop();  // what was handed over is done before it ends
 }
 
-void ModelKeeper::post(Job job) {
+void ModelKeeper::post(Job job, Urgency urgency) {
     {
         const std::lock_guard lock(mutex_);
-        jobs_.push_back(std::move(job));
+        jobs_.insert(urgency == Urgency::isWaitedFor ? jobs_.begin() : jobs_.end(), std::move(job));
     }
     wake_.notify_one();
 }
 
 void ModelKeeper::run(const std::stop_token& stop) {
-    giveWay();
+    giveWay(kNicenessOfReading);
     openStore();
     std::unique_lock lock(mutex_);
     hasNoStore_ = !store_;
@@ -160,7 +174,7 @@ void ModelKeeper::look(const std::string& name, std::shared_ptr<const Volume> vo
             names_.pop_front();
         }
     }
-    post([this, name](session::Store& store) { searchFor(store, name); });
+    post([this, name](session::Store& store) { searchFor(store, name); }, Urgency::isWaitedFor);
 }
 
 hybrid::StoredModel ModelKeeper::find(const std::string& name) {
@@ -327,8 +341,12 @@ void ModelKeeper::save(session::Store& store, const std::string& name) {
     hybrid::PeripheralState stored = *state;  // pictures are shared
     rename(stored, named->key.digest());
     std::ostringstream stream;
-    if (const auto written = hybrid::writePeripheral(stream, stored, packed_); !written)
-        return tell(written.error());
+    Result<void> written;
+    std::thread([&] {
+        giveWay(kNicenessOfPacking);
+        written = writeSafely(stream, stored, packed_);
+    }).join();
+    if (!written) return tell(written.error());
     const std::string blob = std::move(stream).str();
     if (const auto saved = store.saveModel(named->key, bytesOf(blob)); !saved) tell(saved.error());
 }
@@ -338,11 +356,13 @@ std::optional<std::string> ModelKeeper::stateOf(const std::shared_ptr<const Volu
     const std::string digest = digestOf(volume);
     auto found = std::make_shared<std::promise<std::optional<std::string>>>();
     auto future = found->get_future();
-    post([this, found, id = stateIdOf(*volume, digest)](session::Store& store) {
-        const auto document = store.getDocument(id);
-        if (!document) tell(document.error());
-        found->set_value(document && *document ? std::optional((*document)->json) : std::nullopt);
-    });
+    post(
+        [this, found, id = stateIdOf(*volume, digest)](session::Store& store) {
+            const auto document = store.getDocument(id);
+            if (!document) tell(document.error());
+            found->set_value(document && *document ? std::optional((*document)->json) : std::nullopt);
+        },
+        Urgency::isWaitedFor);
     found.reset();  // where there is no store the job is dropped, and nobody waits
     if (future.wait_for(patience) != std::future_status::ready) return std::nullopt;
     try {

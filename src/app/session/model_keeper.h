@@ -71,7 +71,9 @@ class ModelKeeper final : public hybrid::ModelStore {
     };
     using Job = std::function<void(session::Store&)>;
 
-    void post(Job job);
+    enum class Urgency { canWait, isWaitedFor };
+
+    void post(Job job, Urgency urgency = Urgency::canWait);
     void run(const std::stop_token& stop);
     void openStore();
     void tell(const Error& error);
@@ -93,7 +95,7 @@ class ModelKeeper final : public hybrid::ModelStore {
     std::condition_variable idle_;
     std::deque<Job> jobs_;
     bool isBusy_ = false;
-    bool hasNoStore_ = false;  // it could not be opened
+    bool hasNoStore_ = false;              // it could not be opened
     std::map<std::string, Scene> scenes_;  // by name
     std::list<std::string> names_;         // those of scenes_, the one looked for last stands last
     std::map<std::string, std::shared_ptr<const hybrid::PeripheralState>> toKeep_;  // the newest, by name
