@@ -358,6 +358,7 @@ void MainWindow::updateClip() {
 }
 
 void MainWindow::open(app::StudySource source) {
+    keepState();  // it may be the same study that is opened
     loader_.open(std::move(source));
 }
 

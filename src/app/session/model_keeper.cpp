@@ -87,10 +87,10 @@ ModelKeeper::~ModelKeeper() {
     thread_.request_stop();  // what was handed over is done before it ends
 }
 
-void ModelKeeper::post(Job job, Urgency urgency) {
+void ModelKeeper::post(Urgency urgency, Job job) {
     {
         const std::lock_guard lock(mutex_);
-        jobs_.insert(urgency == Urgency::isWaitedFor ? jobs_.begin() : jobs_.end(), std::move(job));
+        (urgency == Urgency::isWaitedFor ? waitedFor_ : canWait_).push_back(std::move(job));
     }
     wake_.notify_one();
 }
@@ -100,9 +100,10 @@ void ModelKeeper::run(const std::stop_token& stop) {
     openStore();
     std::unique_lock lock(mutex_);
     hasNoStore_ = !store_;
-    while (wake_.wait(lock, stop, [this] { return !jobs_.empty(); })) {
-        Job job = std::move(jobs_.front());
-        jobs_.pop_front();
+    while (wake_.wait(lock, stop, [this] { return hasJobs(); })) {
+        std::deque<Job>& jobs = waitedFor_.empty() ? canWait_ : waitedFor_;
+        Job job = std::move(jobs.front());
+        jobs.pop_front();
         isBusy_ = true;
         lock.unlock();
         try {
@@ -116,7 +117,7 @@ void ModelKeeper::run(const std::stop_token& stop) {
         job = nullptr;
         lock.lock();
         isBusy_ = false;
-        if (jobs_.empty()) idle_.notify_all();
+        if (!hasJobs()) idle_.notify_all();
     }
 }
 
@@ -137,12 +138,12 @@ void ModelKeeper::openStore() {
 
 bool ModelKeeper::isIdle() {
     const std::lock_guard lock(mutex_);
-    return jobs_.empty() && !isBusy_;
+    return !hasJobs() && !isBusy_;
 }
 
 void ModelKeeper::waitUntilIdle() {
     std::unique_lock lock(mutex_);
-    idle_.wait(lock, [this] { return jobs_.empty() && !isBusy_; });
+    idle_.wait(lock, [this] { return !hasJobs() && !isBusy_; });
 }
 
 void ModelKeeper::tell(const Error& error) {
@@ -174,7 +175,7 @@ void ModelKeeper::look(const std::string& name, std::shared_ptr<const Volume> vo
             names_.pop_front();
         }
     }
-    post([this, name](session::Store& store) { searchFor(store, name); }, Urgency::isWaitedFor);
+    post(Urgency::isWaitedFor, [this, name](session::Store& store) { searchFor(store, name); });
 }
 
 hybrid::StoredModel ModelKeeper::find(const std::string& name) {
@@ -323,7 +324,7 @@ void ModelKeeper::keep(std::shared_ptr<const hybrid::PeripheralState> state) {
         if (!scenes_.contains(name)) return;
         toKeep_[name] = std::move(state);
     }
-    post([this, name](session::Store& store) { save(store, name); });
+    post(Urgency::canWait, [this, name](session::Store& store) { save(store, name); });
 }
 
 void ModelKeeper::save(session::Store& store, const std::string& name) {
@@ -356,13 +357,11 @@ std::optional<std::string> ModelKeeper::stateOf(const std::shared_ptr<const Volu
     const std::string digest = digestOf(volume);
     auto found = std::make_shared<std::promise<std::optional<std::string>>>();
     auto future = found->get_future();
-    post(
-        [this, found, id = stateIdOf(*volume, digest)](session::Store& store) {
-            const auto document = store.getDocument(id);
-            if (!document) tell(document.error());
-            found->set_value(document && *document ? std::optional((*document)->json) : std::nullopt);
-        },
-        Urgency::isWaitedFor);
+    post(Urgency::isWaitedFor, [this, found, id = stateIdOf(*volume, digest)](session::Store& store) {
+        const auto document = store.getDocument(id);
+        if (!document) tell(document.error());
+        found->set_value(document && *document ? std::optional((*document)->json) : std::nullopt);
+    });
     found.reset();  // where there is no store the job is dropped, and nobody waits
     if (future.wait_for(patience) != std::future_status::ready) return std::nullopt;
     try {
@@ -373,12 +372,14 @@ std::optional<std::string> ModelKeeper::stateOf(const std::shared_ptr<const Volu
 }
 
 void ModelKeeper::keepState(std::shared_ptr<const Volume> volume, std::string json) {
-    post([this, volume = std::move(volume), json = std::move(json)](session::Store& store) {
-        const std::string digest = digestOf(volume);
-        record(store, openedVolume(*volume, digest));
-        const auto done = store.putDocument(stateIdOf(*volume, digest), kStateVersion, json, {});
-        if (!done) tell(done.error());
-    });
+    // Before whoever asks for it next.
+    post(Urgency::isWaitedFor,
+         [this, volume = std::move(volume), json = std::move(json)](session::Store& store) {
+             const std::string digest = digestOf(volume);
+             record(store, openedVolume(*volume, digest));
+             const auto done = store.putDocument(stateIdOf(*volume, digest), kStateVersion, json, {});
+             if (!done) tell(done.error());
+         });
 }
 
 }  // namespace macula::app

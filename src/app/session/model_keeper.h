@@ -73,7 +73,8 @@ class ModelKeeper final : public hybrid::ModelStore {
 
     enum class Urgency { canWait, isWaitedFor };
 
-    void post(Job job, Urgency urgency = Urgency::canWait);
+    void post(Urgency urgency, Job job);
+    bool hasJobs() const { return !waitedFor_.empty() || !canWait_.empty(); }
     void run(const std::stop_token& stop);
     void openStore();
     void tell(const Error& error);
@@ -93,7 +94,8 @@ class ModelKeeper final : public hybrid::ModelStore {
     std::mutex mutex_;
     std::condition_variable_any wake_;
     std::condition_variable idle_;
-    std::deque<Job> jobs_;
+    std::deque<Job> waitedFor_;  // in their order, before
+    std::deque<Job> canWait_;    // these
     bool isBusy_ = false;
     bool hasNoStore_ = false;              // it could not be opened
     std::map<std::string, Scene> scenes_;  // by name
