@@ -203,9 +203,8 @@ TEST_F(LiveModelTest, WhatWasLearntIsHandedToTheStore) {
     ASSERT_NE(store->kept_, nullptr);
     EXPECT_EQ(store->kept_->training.options.key, "a");
     EXPECT_GE(store->kept_->training.steps, 60u);
-    store->answer_ = {.answer = StoredModel::Answer::whole,
-                      .splats = shown,
-                      .state = std::exchange(store->kept_, nullptr)};
+    store->answer_ = {
+        .answer = StoredModel::Answer::whole, .splats = shown, .state = std::exchange(store->kept_, nullptr)};
     ASSERT_TRUE(model.show("a", {}).ok());
     EXPECT_TRUE(model.canBeDrawn()) << "the answer was there already: the first picture is of it";
     ASSERT_TRUE(model.work(5.0, always).ok());
@@ -237,6 +236,46 @@ TEST_F(LiveModelTest, WithoutAnAnswerOrOfADamagedOneItBeginsWithPoints) {
     EXPECT_FALSE(model.canBeDrawn());
     search(model);
     EXPECT_EQ(model.news().origin, ModelOrigin::damagedPoints);
+}
+
+// The store has shown what it has, and then it is gone, or the rest cannot be read.
+TEST_F(LiveModelTest, WhatIsDrawnWhileItsRestDoesNotComeGivesWayToPoints) {
+    const StoredModel drawable = stored(StoredModel::Answer::drawable);
+    for (const auto answer : {StoredModel::Answer::none, StoredModel::Answer::warm}) {
+        auto store = std::make_shared<StoreOfOne>();
+        store->answer_ = drawable;
+        const trace::PathTracer screen = onScreen();
+        LiveModel model = beside(screen, store);
+        ASSERT_TRUE(model.show("a", {}).ok());
+        ASSERT_EQ(model.news().stage, ModelStage::resuming);
+        store->answer_.answer = answer;
+        ASSERT_TRUE(model.work(5.0, always).ok());
+        EXPECT_EQ(model.news().stage, ModelStage::searching);
+        EXPECT_FALSE(model.canBeDrawn());
+        search(model);
+        EXPECT_EQ(model.news().origin,
+                  answer == StoredModel::Answer::none ? ModelOrigin::points : ModelOrigin::otherLights);
+    }
+}
+
+// The store gives a model once: what was not gone on with yet is not lost with the device.
+TEST_F(LiveModelTest, WhatTheStoreGaveWaitsOnTheShelfWhileItCannotGoOn) {
+    const StoredModel whole = stored(StoredModel::Answer::whole);
+    auto store = std::make_shared<StoreOfOne>();
+    store->answer_ = whole;
+    const trace::PathTracer screen = onScreen();
+    {
+        LiveModel model = std::move(LiveModel::create(device(), screen, shelf_, store, options())).value();
+        ASSERT_TRUE(model.show("a", {}).ok());
+        ASSERT_EQ(model.news().stage, ModelStage::resuming);
+        model.save();  // as after a loss
+    }
+    EXPECT_EQ(shelf_->find("a"), whole.state);
+    store->answer_ = {.answer = StoredModel::Answer::none};
+    LiveModel model = std::move(LiveModel::create(device(), screen, shelf_, store, options())).value();
+    ASSERT_TRUE(model.show("a", {}).ok());
+    EXPECT_EQ(model.news().origin, ModelOrigin::shelf);
+    EXPECT_EQ(model.news().steps, whole.state->training.steps);
 }
 
 TEST_F(LiveModelTest, BeginsWithTheStoredModelOfOtherLights) {

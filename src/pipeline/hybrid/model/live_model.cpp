@@ -62,7 +62,7 @@ Result<void> LiveModel::show(const std::string& key, const trace::Settings& sett
     settings_.errorThreshold = 0.0;
     Result<void> done = tryShow();
     if (isOutOfMemory(done)) {
-        end(ModelStage::noRoom);
+        giveUp(ModelStage::noRoom);
         return {};
     }
     if (!done) hide();
@@ -106,7 +106,7 @@ void LiveModel::beginWithPoints(ModelOrigin origin) {
 // Waits for the answer, as long as it may; whoever calls has other work in between.
 Result<void> LiveModel::askStore(const std::function<bool()>& goesOn) {
     while (true) {
-        const StoredModel stored = whole_ ? *std::exchange(whole_, std::nullopt) : store_->find(key_);
+        const StoredModel stored = whole_ ? *whole_ : store_->find(key_);
         const bool isLate = Clock::now() - *askingSince_ > options_.mostWaitForStore;
         const bool isPending = stored.answer == StoredModel::Answer::pending ||
                                (stored.answer == StoredModel::Answer::drawable && painter_);
@@ -118,7 +118,11 @@ Result<void> LiveModel::askStore(const std::function<bool()>& goesOn) {
 
 Result<void> LiveModel::takeFromStore(const StoredModel& stored) {
     using Answer = StoredModel::Answer;
-    if (stored.answer != Answer::drawable) askingSince_.reset();
+    if (stored.answer != Answer::drawable && stored.answer != Answer::whole) {
+        askingSince_.reset();
+        // What is drawn has gone from the store since, or the rest of it could not be read.
+        if (stage_ == ModelStage::resuming) beginWithPoints(ModelOrigin::points);
+    }
     switch (stored.answer) {
         case Answer::pending:  // for too long
         case Answer::none:
@@ -134,12 +138,13 @@ Result<void> LiveModel::takeFromStore(const StoredModel& stored) {
         case Answer::drawable:
             return drawStored(stored);
         case Answer::whole: {
-            if (!painter_) {  // first it is shown
-                whole_ = stored;
-                return drawStored(stored);
-            }
+            whole_ = stored;                           // the store gives it once
+            if (!painter_) return drawStored(stored);  // first it is shown
             const Result<void> done = goOnWith(*stored.state, ModelOrigin::stored);
-            if (done || done.error().code != ErrorCode::inputNotUsable) return done;
+            if (!done && done.error().code != ErrorCode::inputNotUsable) return done;
+            whole_.reset();
+            askingSince_.reset();
+            if (done) return done;
             log::warning("The stored peripheral model cannot be gone on with.");
             beginWithPoints(ModelOrigin::damagedPoints);
             return {};
@@ -168,13 +173,21 @@ void LiveModel::hide() {
 
 // Only a model that has taken its first steps goes on the shelf: less is soon found again.
 void LiveModel::putAway() {
+    keepWhole();
     if (!model_ || !canBeDrawn()) return;
     Result<PeripheralState> state = model_->state();
     put(state ? *std::move(state) : model_->lastGood());
 }
 
 void LiveModel::save() {
+    keepWhole();
     if (model_ && canBeDrawn()) put(model_->lastGood());
+}
+
+// What came from the store and could not be gone on with yet: a device that is lost or full is no reason to
+// begin anew.
+void LiveModel::keepWhole() {
+    if (whole_) shelf_->put(whole_->state);
 }
 
 void LiveModel::put(PeripheralState state) {
@@ -243,7 +256,7 @@ Result<void> LiveModel::work(double budgetMs, const std::function<bool()>& keepG
     if (model_ && canBeDrawn())
         stage_ = ModelStage::resting;
     else
-        end(ModelStage::noRoom);
+        giveUp(ModelStage::noRoom);
     return {};
 }
 

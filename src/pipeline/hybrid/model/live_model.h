@@ -111,6 +111,7 @@ class LiveModel {
     };
 
     void putAway();
+    void keepWhole();
     void giveToStore(std::shared_ptr<const PeripheralState> state);
     void put(PeripheralState state);
     void keepSometimes();
@@ -139,7 +140,7 @@ class LiveModel {
     ModelStage stage_ = ModelStage::none;
     ModelOrigin origin_ = ModelOrigin::none;
     std::optional<std::chrono::steady_clock::time_point> askingSince_;  // the store; it has not answered yet
-    std::uint64_t stepsOfStored_ = 0;   // of what is drawn while it resumes
+    std::uint64_t stepsOfStored_ = 0;                                   // of what is drawn while it resumes
     std::optional<StoredModel> whole_;                // that is drawn, and gone on with next
     std::shared_ptr<const splat::Splats> startWith_;  // instead of points, another model of the store
     Kept kept_;                                       // what the store was given last
