@@ -41,5 +41,14 @@ TEST(ModelShelf, KeepsTheLastOnesThereIsRoomFor) {
     EXPECT_EQ(shelf.size(), 3u) << "and pushes nothing off";
 }
 
+TEST(ModelShelf, WhatIsLookedForIsNotPushedOffByWhatItReplaces) {
+    ModelShelf shelf(1000);
+    for (const char* key : {"a", "b", "c"}) shelf.put(of(key, 10));
+    ASSERT_NE(shelf.find("a"), nullptr);
+    shelf.put(of("d", 10));
+    EXPECT_NE(shelf.find("a"), nullptr);
+    EXPECT_EQ(shelf.find("b"), nullptr);
+}
+
 }  // namespace
 }  // namespace macula::hybrid

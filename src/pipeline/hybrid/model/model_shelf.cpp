@@ -42,10 +42,12 @@ void ModelShelf::put(std::shared_ptr<const PeripheralState> state) {
                   states_.end());
 }
 
-std::shared_ptr<const PeripheralState> ModelShelf::find(const std::string& key) const {
+std::shared_ptr<const PeripheralState> ModelShelf::find(const std::string& key) {
     const auto found = std::find_if(states_.begin(), states_.end(),
                                     [&](const auto& state) { return state->training.options.key == key; });
-    return found == states_.end() ? nullptr : *found;
+    if (found == states_.end()) return nullptr;
+    states_.splice(states_.begin(), states_, found);
+    return states_.front();
 }
 
 }  // namespace macula::hybrid
