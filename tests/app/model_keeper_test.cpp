@@ -181,6 +181,61 @@ TEST_F(ModelKeeperTest, WithoutAStoreNothingIsFoundAndItIsSaidOnce) {
     EXPECT_EQ(told_.size(), 1u);
 }
 
+TEST_F(ModelKeeperTest, WithoutAStoreNothingIsHeldOnTo) {
+    std::ofstream(folder_ / "sessions") << "a file where the folder should be";
+    const auto only = keeper();
+    const auto state = model("a", 5);
+    only->look("a", volume_, drawing_);
+    only->keep(state);
+    only->waitUntilIdle();
+    EXPECT_EQ(state.use_count(), 1);
+    EXPECT_EQ(volume_.use_count(), 1);
+    only->look("b", volume_, drawing_);
+    only->keep(model("b", 5));
+    EXPECT_EQ(volume_.use_count(), 1);
+}
+
+// A hand drags a curve, and then another study is opened.
+TEST_F(ModelKeeperTest, NoVolumeIsHeldOnToThatIsNotOpen) {
+    const auto only = keeper();
+    for (int i = 0; i < 20; ++i) {
+        Drawing drawing = drawing_;
+        drawing.settings.lightRotationDeg = i;
+        only->look("a" + std::to_string(i), volume_, drawing);
+    }
+    only->look("other", std::make_shared<const Volume>(phantom::make({.size = {24, 20, 17}})), drawing_);
+    only->waitUntilIdle();
+    EXPECT_EQ(volume_.use_count(), 1);
+}
+
+TEST_F(ModelKeeperTest, WhatWasFoundIsForgottenOnceAnotherSceneIsShown) {
+    store("a", drawing_, 5);
+    const auto second = keeper();
+    second->look("a", volume_, drawing_);
+    second->waitUntilIdle();
+    Drawing lit = drawing_;
+    lit.settings.lightRotationDeg = 90.0;
+    second->look("lit", volume_, lit);
+    EXPECT_EQ(found(*second, "a").answer, Answer::none);
+    second->look("a", volume_, drawing_);
+    EXPECT_EQ(found(*second, "a").answer, Answer::whole);
+}
+
+// The last of one study is handed over in the moment in which the next one is shown.
+TEST_F(ModelKeeperTest, WhatIsHandedOverIsKeptThoughAnotherStudyIsShown) {
+    const auto other = std::make_shared<const Volume>(phantom::make({.size = {24, 20, 17}}));
+    {
+        const auto first = keeper();
+        first->look("a", volume_, drawing_);
+        first->look("b", volume_, drawing_);
+        first->keep(model("a", 5));
+        first->look("other", other, drawing_);
+    }
+    const auto second = keeper();
+    second->look("again", volume_, drawing_);
+    EXPECT_EQ(found(*second, "again").answer, Answer::whole);
+}
+
 TEST_F(ModelKeeperTest, TheStateOfAStudyComesBackForItsVolumeAlone) {
     {
         const auto first = keeper();

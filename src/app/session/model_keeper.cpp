@@ -100,6 +100,11 @@ void ModelKeeper::run(const std::stop_token& stop) {
     openStore();
     std::unique_lock lock(mutex_);
     hasNoStore_ = !store_;
+    if (hasNoStore_) {  // what nobody will save is not held on to
+        scenes_.clear();
+        names_.clear();
+        toKeep_.clear();
+    }
     while (wake_.wait(lock, stop, [this] { return hasJobs(); })) {
         std::deque<Job>& jobs = waitedFor_.empty() ? canWait_ : waitedFor_;
         Job job = std::move(jobs.front());
@@ -164,8 +169,16 @@ void ModelKeeper::look(const std::string& name, std::shared_ptr<const Volume> vo
                        const Drawing& drawing) {
     {
         const std::lock_guard lock(mutex_);
+        if (hasNoStore_) return;
         names_.remove(name);
         names_.push_back(name);
+        // Nobody asks for those of before until they are looked for again, and a whole model is large. Those
+        // that were given up hold a volume, which may not be open any more.
+        for (auto& other : scenes_) other.second.found = {.answer = Answer::none};
+        std::erase_if(scenes_, [&](const auto& other) {
+            const bool isOfAnother = other.second.volume && other.second.volume != volume;
+            return isOfAnother && !toKeep_.contains(other.first);
+        });
         const auto [scene, isNew] =
             scenes_.try_emplace(name, Scene{.volume = std::move(volume), .drawing = drawing});
         // Models differ by now from what was found once; the shelf has those that were shown.
@@ -190,6 +203,7 @@ hybrid::StoredModel ModelKeeper::find(const std::string& name) {
 
 void ModelKeeper::answer(const std::string& name, hybrid::StoredModel found) {
     const std::lock_guard lock(mutex_);
+    if (names_.empty() || names_.back() != name) return;  // nobody asks for it any more
     if (const auto scene = scenes_.find(name); scene != scenes_.end()) scene->second.found = std::move(found);
 }
 
@@ -321,13 +335,15 @@ void ModelKeeper::keep(std::shared_ptr<const hybrid::PeripheralState> state) {
     const std::string name = state->training.options.key;
     {
         const std::lock_guard lock(mutex_);
-        if (!scenes_.contains(name)) return;
+        if (hasNoStore_ || !scenes_.contains(name)) return;
         toKeep_[name] = std::move(state);
     }
     post(Urgency::canWait, [this, name](session::Store& store) { save(store, name); });
 }
 
 void ModelKeeper::save(session::Store& store, const std::string& name) {
+    // First, as look() leaves only those scenes alone of which something is to be kept.
+    const std::optional<Named> named = nameForStore(name);
     std::shared_ptr<const hybrid::PeripheralState> state;
     {
         const std::lock_guard lock(mutex_);
@@ -335,8 +351,8 @@ void ModelKeeper::save(session::Store& store, const std::string& name) {
         if (newest == toKeep_.end()) return;  // saved with an earlier job
         state = std::move(newest->second);
         toKeep_.erase(newest);
+        if (std::ranges::find(names_, name) == names_.end()) scenes_.erase(name);
     }
-    const std::optional<Named> named = nameForStore(name);
     if (!named) return;
     record(store, named->volume);
     hybrid::PeripheralState stored = *state;  // pictures are shared
