@@ -70,6 +70,24 @@ session::OpenedVolume openedVolume(const Volume& volume, std::string digest) {
     return opened;
 }
 
+// What was shown of a stored model; nothing where its file cannot be read, or not be understood.
+std::optional<hybrid::DrawableModel> drawableOf(const session::Store& store, const session::ModelInfo& info) {
+    const auto file = store.modelFile(info);
+    if (!file) return std::nullopt;
+    std::ifstream stream(*file, std::ios::binary);
+    auto drawable = hybrid::readDrawable(stream, info.bytes);
+    if (!drawable || drawable->isTrainingOnly || drawable->key != info.key.digest()) return std::nullopt;
+    return *std::move(drawable);
+}
+
+hybrid::StoredModel storedModel(Answer answer, const hybrid::DrawableModel& drawable) {
+    return {.answer = answer,
+            .splats = drawable.splats,
+            .steps = drawable.steps,
+            .gain = drawable.gain,
+            .seenMm = drawable.seenMm};
+}
+
 session::DocumentId stateIdOf(const Volume& volume, const std::string& digest) {
     return {.kind = session::DocumentKind::session,
             .study = openedVolume(volume, digest).study,
@@ -267,45 +285,41 @@ void ModelKeeper::searchFor(session::Store& store, const std::string& name) {
 // What was shown at once, by answer(); then all of it.
 hybrid::StoredModel ModelKeeper::resume(session::Store& store, const session::ModelInfo& info,
                                         const std::string& name) {
-    const std::string keyDigest = info.key.digest();
-    const auto damaged = [&](const Error& error) {
-        tell({error.code,
-              "A stored model is damaged, and is not used.",
-              {},
-              "`macula sessions verify` says what else is."});
-        if (const auto aside = store.setModelAside(info, "content"); !aside) tell(aside.error());
-        return hybrid::StoredModel{.answer = Answer::damaged};
-    };
-    const auto file = store.modelFile(info);
-    if (!file) return damaged(file.error());
-    std::ifstream stream(*file, std::ios::binary);
-    auto drawable = hybrid::readDrawable(stream, info.bytes);
-    if (!drawable) return damaged(drawable.error());
-    if (drawable->key != keyDigest || drawable->isTrainingOnly) return damaged({});
-    hybrid::StoredModel found{.answer = Answer::drawable,
-                              .splats = drawable->splats,
-                              .steps = drawable->steps,
-                              .gain = drawable->gain,
-                              .seenMm = drawable->seenMm};
-    answer(name, found);
+    if (const auto drawable = drawableOf(store, info)) answer(name, storedModel(Answer::drawable, *drawable));
 
+    // The checksum of all of it tells whether it is damaged. A disk that does not answer and a lack of memory
+    // are no damage, and a file that is gone may have been saved anew by another window.
     const auto blob = store.readModel(info);
     if (!blob) {
-        if (session::troubleOf(blob.error()) == session::Trouble::modelDamaged) {
-            tell(blob.error());
-            return {.answer = Answer::damaged};  // the store has set it aside
-        }
-        return {.answer = Answer::none};
+        const auto trouble = session::troubleOf(blob.error());
+        if (trouble != session::Trouble::modelGone) tell(blob.error());
+        const bool isDamaged = trouble == session::Trouble::modelDamaged;  // the store has set it aside
+        return {.answer = isDamaged ? Answer::damaged : Answer::none};
     }
     const std::string text(reinterpret_cast<const char*>(blob->blob.data()), blob->blob.size());
     std::istringstream whole(text);
     auto read = hybrid::readPeripheral(whole, text.size());
-    if (!read) return damaged(read.error());
-    if (read->state.training.options.key != keyDigest) return damaged({});
+    if (!read && read.error().code == ErrorCode::outOfMemory) {
+        tell(read.error());
+        return {.answer = Answer::none};
+    }
+    if (!read || read->isTrainingOnly || read->state.training.options.key != info.key.digest()) {
+        tell({ErrorCode::inputNotUsable,
+              "A stored model is damaged, and is not used.",
+              {},
+              "`macula sessions verify` says what else is."});
+        if (const auto aside = store.setModelAside(blob->info, "content"); !aside) tell(aside.error());
+        return {.answer = Answer::damaged};
+    }
     rename(read->state, name);
-    found.answer = Answer::whole;
-    found.state = std::make_shared<const hybrid::PeripheralState>(std::move(read->state));
-    return found;
+    const auto state = std::make_shared<const hybrid::PeripheralState>(std::move(read->state));
+    return {
+        .answer = Answer::whole,
+        .splats = state->shown ? state->shown : std::make_shared<const splat::Splats>(state->training.splats),
+        .steps = state->training.steps,
+        .gain = state->gain,
+        .seenMm = state->seenMm,
+        .state = state};
 }
 
 hybrid::StoredModel ModelKeeper::beginWithKin(session::Store& store, const session::ModelKey& key) {
@@ -317,16 +331,8 @@ hybrid::StoredModel ModelKeeper::beginWithKin(session::Store& store, const sessi
     for (const session::ModelCandidate& candidate : *candidates) {
         const Kinship kinship = kinshipOf(key, candidate.info.key);
         if (kinship == Kinship::none) continue;
-        const auto file = store.modelFile(candidate.info);
-        if (!file) continue;
-        std::ifstream stream(*file, std::ios::binary);
-        auto drawable = hybrid::readDrawable(stream, candidate.info.bytes);
-        if (!drawable || drawable->isTrainingOnly || drawable->key != candidate.info.key.digest()) continue;
-        return {.answer = kinship == Kinship::otherLights ? Answer::warm : Answer::stale,
-                .splats = drawable->splats,
-                .steps = drawable->steps,
-                .gain = drawable->gain,
-                .seenMm = drawable->seenMm};
+        if (const auto drawable = drawableOf(store, candidate.info))
+            return storedModel(kinship == Kinship::otherLights ? Answer::warm : Answer::stale, *drawable);
     }
     return {.answer = Answer::none};
 }
