@@ -102,6 +102,18 @@ TEST_F(ModelKeeperTest, TheNewestOfManyIsKept) {
     EXPECT_EQ(stored.state->training.steps, 40u);
 }
 
+// As of a run that began anew, because the disk was slow.
+TEST_F(ModelKeeperTest, AModelThatHasLearntLessReplacesNone) {
+    store("a", drawing_, 50);
+    store("a", drawing_, 5);
+    const auto second = keeper();
+    second->look("b", volume_, drawing_);
+    const hybrid::StoredModel stored = found(*second, "b");
+    ASSERT_EQ(stored.answer, Answer::whole);
+    EXPECT_EQ(stored.steps, 50u);
+    EXPECT_TRUE(told_.empty());
+}
+
 TEST_F(ModelKeeperTest, NothingIsFoundForAnotherVolume) {
     store("a", drawing_, 5);
     std::vector<std::uint16_t> voxels(volume_->voxels().begin(), volume_->voxels().end());
@@ -152,7 +164,7 @@ TEST_F(ModelKeeperTest, ADamagedModelIsNeverGivenBack) {
     for (const std::size_t at : {std::size_t(0), std::size_t(size / 3), std::size_t(size - 1)}) {
         std::string other = bytes;
         other[at] = char(other[at] ^ 0x10);
-        store("a", drawing_, 5);  // whole again
+        store("a", drawing_, 7);  // whole again
         ASSERT_EQ(blobs().size(), 1u);
         std::ofstream(blobs().front(), std::ios::binary) << other;
         told_.clear();

@@ -88,6 +88,16 @@ hybrid::StoredModel storedModel(Answer answer, const hybrid::DrawableModel& draw
             .seenMm = drawable.seenMm};
 }
 
+// Whether more is stored than this has learnt: of a model whose answer came too late or could not be read,
+// and in whose place another one was begun, or by another window.
+bool isLessThanStored(session::Store& store, const session::ModelKey& key,
+                      const hybrid::PeripheralState& state) {
+    const auto info = store.findModel(key);
+    if (!info || !*info) return false;
+    const auto stored = drawableOf(store, **info);
+    return stored && stored->steps > state.training.steps;
+}
+
 session::DocumentId stateIdOf(const Volume& volume, const std::string& digest) {
     return {.kind = session::DocumentKind::session,
             .study = openedVolume(volume, digest).study,
@@ -359,7 +369,7 @@ void ModelKeeper::save(session::Store& store, const std::string& name) {
         toKeep_.erase(newest);
         if (std::ranges::find(names_, name) == names_.end()) scenes_.erase(name);
     }
-    if (!named) return;
+    if (!named || isLessThanStored(store, named->key, *state)) return;
     record(store, named->volume);
     hybrid::PeripheralState stored = *state;  // pictures are shared
     rename(stored, named->key.digest());

@@ -45,7 +45,7 @@ class ModelKeeper final : public hybrid::ModelStore {
     // not found yet is given up.
     void look(const std::string& name, std::shared_ptr<const Volume> volume, const Drawing& drawing);
     hybrid::StoredModel find(const std::string& name) override;
-    // Only under names that were looked for.
+    // Only under names that were looked for, and in place of no model that has taken more steps.
     void keep(std::shared_ptr<const hybrid::PeripheralState> state) override;
 
     // The state that was kept last for a volume, as toJson(StudyState) gave it; nothing where there is none.
