@@ -49,18 +49,6 @@ void rename(hybrid::PeripheralState& state, const std::string& key) {
     state.first.key = key;
 }
 
-Result<void> writeSafely(std::ostream& stream, const hybrid::PeripheralState& state,
-                         splat::PackedPictures& packed) {
-    try {
-        return hybrid::writePeripheral(stream, state, packed);
-    } catch (const std::exception&) {
-        return Error{ErrorCode::outOfMemory,
-                     "There is not enough memory to keep this study's model.",
-                     {},
-                     "Close other programs."};
-    }
-}
-
 session::OpenedVolume openedVolume(const Volume& volume, std::string digest) {
     const Provenance& from = volume.provenance();
     session::OpenedVolume opened{.study = {}, .series = {}, .volume = std::move(digest)};
@@ -134,24 +122,46 @@ void ModelKeeper::run(const std::stop_token& stop) {
         toKeep_.clear();
     }
     while (wake_.wait(lock, stop, [this] { return hasJobs(); })) {
-        std::deque<Job>& jobs = waitedFor_.empty() ? canWait_ : waitedFor_;
-        Job job = std::move(jobs.front());
-        jobs.pop_front();
         isBusy_ = true;
-        lock.unlock();
-        try {
-            if (store_) job(*store_);
-        } catch (const std::exception&) {
-            tell({ErrorCode::outOfMemory,
-                  "There is not enough memory to keep this study's model.",
-                  {},
-                  "Close other programs."});
-        }
-        job = nullptr;
-        lock.lock();
+        doFirst(waitedFor_.empty() ? canWait_ : waitedFor_, lock);
         isBusy_ = false;
         if (!hasJobs()) idle_.notify_all();
     }
+}
+
+void ModelKeeper::doFirst(std::deque<Job>& jobs, std::unique_lock<std::mutex>& lock) {
+    Job job = std::move(jobs.front());
+    jobs.pop_front();
+    lock.unlock();
+    try {
+        if (store_) job(*store_);
+    } catch (const std::exception&) {
+        tellOfNoMemory("There is not enough memory to keep this study's model.");
+    }
+    job = nullptr;
+    lock.lock();
+}
+
+void ModelKeeper::doBeside(const std::function<void()>& work) {
+    bool isDone = false;
+    std::exception_ptr thrown;
+    const std::jthread thread([&] {
+        try {
+            work();
+        } catch (const std::exception&) {
+            thrown = std::current_exception();
+        }
+        const std::lock_guard lock(mutex_);
+        isDone = true;
+        wake_.notify_one();
+    });
+    std::unique_lock lock(mutex_);
+    while (true) {
+        wake_.wait(lock, [&] { return isDone || !waitedFor_.empty(); });
+        if (isDone) break;
+        doFirst(waitedFor_, lock);
+    }
+    if (thrown) std::rethrow_exception(thrown);
 }
 
 void ModelKeeper::openStore() {
@@ -165,7 +175,7 @@ void ModelKeeper::openStore() {
                   "was rescued.",
                   store_->notes().setAside->folder.string(), "`macula sessions verify` says what is there."});
     } catch (const std::exception&) {
-        tell({ErrorCode::outOfMemory, "Stored sessions could not be opened.", {}, "Close other programs."});
+        tellOfNoMemory("Stored sessions could not be opened.");
     }
 }
 
@@ -183,6 +193,14 @@ void ModelKeeper::tell(const Error& error) {
     if (!told_.insert(error.message).second) return;
     log::warning("Stored sessions: {}", error.message);
     if (listener_) listener_(error);
+}
+
+void ModelKeeper::tellOfNoMemory(const char* sentence) noexcept {
+    try {
+        tell({ErrorCode::outOfMemory, sentence, {}, "Close other programs."});
+    } catch (const std::exception&) {
+        // There is none to say so either.
+    }
 }
 
 std::string ModelKeeper::digestOf(const std::shared_ptr<const Volume>& volume) {
@@ -216,7 +234,14 @@ void ModelKeeper::look(const std::string& name, std::shared_ptr<const Volume> vo
             names_.pop_front();
         }
     }
-    post(Urgency::isWaitedFor, [this, name](session::Store& store) { searchFor(store, name); });
+    post(Urgency::isWaitedFor, [this, name](session::Store& store) {
+        try {
+            searchFor(store, name);
+        } catch (const std::exception&) {
+            answer(name, {.answer = Answer::none});  // or it would be waited for for ever
+            throw;
+        }
+    });
 }
 
 hybrid::StoredModel ModelKeeper::find(const std::string& name) {
@@ -375,10 +400,10 @@ void ModelKeeper::save(session::Store& store, const std::string& name) {
     rename(stored, named->key.digest());
     std::ostringstream stream;
     Result<void> written;
-    std::thread([&] {
+    doBeside([&] {
         giveWay(kNicenessOfPacking);
-        written = writeSafely(stream, stored, packed_);
-    }).join();
+        written = hybrid::writePeripheral(stream, stored, packed_);
+    });
     if (!written) return tell(written.error());
     const std::string blob = std::move(stream).str();
     if (const auto saved = store.saveModel(named->key, bytesOf(blob)); !saved) tell(saved.error());

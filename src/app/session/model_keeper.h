@@ -76,8 +76,13 @@ class ModelKeeper final : public hybrid::ModelStore {
     void post(Urgency urgency, Job job);
     bool hasJobs() const { return !waitedFor_.empty() || !canWait_.empty(); }
     void run(const std::stop_token& stop);
+    // The lock is of mutex_, and free while it is done.
+    void doFirst(std::deque<Job>& jobs, std::unique_lock<std::mutex>& lock);
+    // On another thread; meanwhile this one does what is waited for. Throws what `work` throws.
+    void doBeside(const std::function<void()>& work);
     void openStore();
     void tell(const Error& error);
+    void tellOfNoMemory(const char* sentence) noexcept;
     std::string digestOf(const std::shared_ptr<const Volume>& volume);
     std::optional<Named> nameForStore(const std::string& name);
     void answer(const std::string& name, hybrid::StoredModel found);
@@ -107,7 +112,7 @@ class ModelKeeper final : public hybrid::ModelStore {
     std::optional<session::OpenMark> open_;  // the model that is shown is not evicted
     std::set<std::string> recorded_;         // digests of volumes
     std::set<std::string> told_;             // sentences
-    splat::PackedPictures packed_;           // of the model that was saved last
+    splat::PackedPictures packed_;  // of the model that was saved last; no job that is waited for has it
 
     std::mutex digestMutex_;  // a digest is made once
     std::map<std::weak_ptr<const Volume>, std::string, std::owner_less<>> digests_;
