@@ -248,6 +248,16 @@ TEST_F(ModelKeeperTest, WhatIsHandedOverIsKeptThoughAnotherStudyIsShown) {
     EXPECT_EQ(found(*second, "again").answer, Answer::whole);
 }
 
+TEST_F(ModelKeeperTest, WhatIsOpenedIsRecordedThoughNothingOfItIsKept) {
+    EXPECT_EQ(keeper()->stateOf(volume_, 60s), std::nullopt);
+    auto store = session::Store::open({.folder = folder_ / "sessions"});
+    ASSERT_TRUE(store.ok());
+    const auto audit = store->listAudit(10);
+    ASSERT_TRUE(audit.ok());
+    ASSERT_EQ(audit->entries.size(), 1u);
+    EXPECT_EQ(audit->entries.front().action, session::nameOf(session::AuditAction::opened));
+}
+
 TEST_F(ModelKeeperTest, TheStateOfAStudyComesBackForItsVolumeAlone) {
     {
         const auto first = keeper();

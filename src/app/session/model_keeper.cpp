@@ -411,21 +411,29 @@ void ModelKeeper::save(session::Store& store, const std::string& name) {
 
 std::optional<std::string> ModelKeeper::stateOf(const std::shared_ptr<const Volume>& volume,
                                                 std::chrono::milliseconds patience) {
-    const std::string digest = digestOf(volume);
-    auto found = std::make_shared<std::promise<std::optional<std::string>>>();
-    auto future = found->get_future();
-    post(Urgency::isWaitedFor, [this, found, id = stateIdOf(*volume, digest)](session::Store& store) {
-        const auto document = store.getDocument(id);
-        if (!document) tell(document.error());
-        found->set_value(document && *document ? std::optional((*document)->json) : std::nullopt);
-    });
-    found.reset();  // where there is no store the job is dropped, and nobody waits
-    if (future.wait_for(patience) != std::future_status::ready) return std::nullopt;
     try {
-        return future.get();
-    } catch (const std::future_error&) {
-        return std::nullopt;
+        const std::string digest = digestOf(volume);
+        auto found = std::make_shared<std::promise<std::optional<std::string>>>();
+        auto future = found->get_future();
+        post(Urgency::isWaitedFor, [this, found, id = stateIdOf(*volume, digest),
+                                    opened = openedVolume(*volume, digest)](session::Store& store) {
+            const auto document = store.getDocument(id);
+            if (!document) tell(document.error());
+            found->set_value(document && *document ? std::optional((*document)->json) : std::nullopt);
+            record(store, opened);  // only now: it waits for the disk
+        });
+        found.reset();  // where there is no store the job is dropped, and nobody waits
+        if (future.wait_for(patience) == std::future_status::ready) return future.get();
+        post(Urgency::isWaitedFor, [this](session::Store&) {
+            tell({ErrorCode::inputNotUsable,
+                  "How this study was left was not found in time.",
+                  {},
+                  "It is kept until something is changed: open the study again to see it."});
+        });
+    } catch (const std::exception&) {
+        // The promise was dropped, or there is no memory.
     }
+    return std::nullopt;
 }
 
 void ModelKeeper::keepState(std::shared_ptr<const Volume> volume, std::string json) {

@@ -48,8 +48,9 @@ class ModelKeeper final : public hybrid::ModelStore {
     // Only under names that were looked for, and in place of no model that has taken more steps.
     void keep(std::shared_ptr<const hybrid::PeripheralState> state) override;
 
-    // The state that was kept last for a volume, as toJson(StudyState) gave it; nothing where there is none.
-    // Waits for the disk, at most `patience` and for the digest of the volume.
+    // Of a volume that is opened now: the state that was kept last, as toJson(StudyState) gave it; nothing
+    // where there is none, or it is not found in time, which the listener hears. Waits for the disk, at most
+    // `patience` and for the digest of the volume. Throws nothing.
     std::optional<std::string> stateOf(const std::shared_ptr<const Volume>& volume,
                                        std::chrono::milliseconds patience);
     void keepState(std::shared_ptr<const Volume> volume, std::string json);
