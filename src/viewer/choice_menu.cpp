@@ -26,7 +26,10 @@ QAction* ChoiceMenu::addChoice(const QString& title, const QString& name) {
 
 void ChoiceMenu::choose(int index) {
     chosen_ = index;
-    group_.actions().at(index)->setChecked(true);
+    if (index >= 0)
+        group_.actions().at(index)->setChecked(true);
+    else if (QAction* before = group_.checkedAction())
+        before->setChecked(false);
 }
 
 }  // namespace macula::viewer

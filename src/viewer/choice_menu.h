@@ -7,7 +7,7 @@
 
 namespace macula::viewer {
 
-// Entries of a menu of which exactly one is checked, numbered from 0 in the order they were added. The menu
+// Entries of a menu of which at most one is checked, numbered from 0 in the order they were added. The menu
 // may hold other things too.
 class ChoiceMenu : public QMenu {
     Q_OBJECT
@@ -18,7 +18,7 @@ class ChoiceMenu : public QMenu {
     // The first one is chosen. `name` is the object name of the action, for tests and scripts of a desktop.
     QAction* addChoice(const QString& title, const QString& name);
     int chosen() const { return chosen_; }
-    void choose(int index);  // tells nobody
+    void choose(int index);  // tells nobody; -1: none of them
 
   signals:
     void changed(int index);  // by a person

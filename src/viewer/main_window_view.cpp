@@ -51,9 +51,10 @@ void MainWindow::showChosen() {
     }));
     looks_->choose(int(state_.settings.look));
     shading_->setChecked(state_.settings.shading == trace::Shading::headlight);
-    // Number 0 is no clip; a clip of its own is none of the menu's.
-    const auto isShown = [&](const ClipPreset& clip) { return state_.clip && clip == *state_.clip; };
-    clips_->choose(state_.clip ? indexOf(options_.catalogue.clips, isShown) + 1 : 0);
+    // Number 0 is no clip; a clip of its own is none of the menu's, and "No Clip" takes it away.
+    const int clip = indexOf(options_.catalogue.clips,
+                             [&](const ClipPreset& c) { return state_.clip && c == *state_.clip; });
+    clips_->choose(!state_.clip ? 0 : clip < 0 ? -1 : clip + 1);
 }
 
 void MainWindow::askForView() {

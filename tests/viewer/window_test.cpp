@@ -1,6 +1,7 @@
 // The window on a display, in this process.
 #include <gtest/gtest.h>
 
+#include <QAction>
 #include <QDropEvent>
 #include <QMimeData>
 #include <QStatusBar>
@@ -119,6 +120,24 @@ TEST_F(WindowTest, AViewComesBackAsItWas) {
     EXPECT_EQ(window_->state().settings.look, trace::Look::average);
     EXPECT_FALSE(window_->state().leavesTableOut);
     EXPECT_EQ(window_->state().windows.at(std::size_t(trace::Look::average)), std::nullopt);
+}
+
+// One that no menu has must not look like none, and must go when somebody says so.
+TEST_F(WindowTest, AClipOfItsOwnGoesWithNoClip) {
+    window_->open(std::nullopt);
+    ASSERT_TRUE(waitUntil([&] { return window_->hasStudy(); }));
+    auto* noClip = window_->findChild<QAction*>(QStringLiteral("no-clip"));
+    ASSERT_NE(noClip, nullptr);
+    EXPECT_TRUE(noClip->isChecked());
+    app::StudyState clipped = window_->state();
+    clipped.clip = ClipPreset{.name = "own", .title = "Own", .clip = {}, .planesAt = {glm::dvec3(0.5)}};
+    clipped.clip->clip.planes = {{glm::dvec3(1.0, 0.0, 0.0), 0.0}};
+    ASSERT_TRUE(window_->setState(clipped).ok());
+    EXPECT_TRUE(window_->hidesSomething());
+    EXPECT_FALSE(noClip->isChecked());
+    noClip->trigger();
+    EXPECT_FALSE(window_->hidesSomething());
+    EXPECT_TRUE(noClip->isChecked());
 }
 
 TEST_F(WindowTest, AMissingFolderIsToldInTheWindowAndTheStudyStays) {
