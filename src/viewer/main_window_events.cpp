@@ -44,7 +44,10 @@ void MainWindow::clearStudyTexts() {
 }
 
 void MainWindow::onRendered(const app::RenderEvent& event) {
-    if (std::holds_alternative<app::FrameShown>(event) || std::holds_alternative<app::RenderFailure>(event))
+    // What was prepared is there; or other words take the place of those.
+    if (std::holds_alternative<app::FrameShown>(event) || std::holds_alternative<app::RenderFailure>(event) ||
+        std::holds_alternative<app::DeviceReady>(event) ||
+        std::holds_alternative<app::DeviceRestarting>(event))
         prepares_.stop();
     if (const auto* frame = std::get_if<app::FrameShown>(&event)) {
         onFrame(*frame);

@@ -11,6 +11,7 @@
 #include <functional>
 #include <iterator>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "base/paths.h"
@@ -120,6 +121,20 @@ TEST_F(WindowTest, AViewComesBackAsItWas) {
     EXPECT_EQ(window_->state().settings.look, trace::Look::average);
     EXPECT_FALSE(window_->state().leavesTableOut);
     EXPECT_EQ(window_->state().windows.at(std::size_t(trace::Look::average)), std::nullopt);
+}
+
+// A device that is there at once leaves no word that it is being started.
+TEST_F(WindowTest, WithoutAStudyItSaysSoOnceTheDeviceIsThere) {
+    bool isReady = false;
+    const auto listening = QObject::connect(
+        &window_->viewport(), &Viewport::rendered, &*window_,
+        [&](const app::RenderEvent& event) { isReady |= std::holds_alternative<app::DeviceReady>(event); });
+    ASSERT_TRUE(waitUntil([&] { return isReady; }));
+    QObject::disconnect(listening);
+    QElapsedTimer since;
+    since.start();
+    waitUntil([&] { return since.elapsed() > 400; });
+    EXPECT_EQ(window_->fidelity(), QStringLiteral("No study is open"));
 }
 
 // One that no menu has must not look like none, and must go when somebody says so.
