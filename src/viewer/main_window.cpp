@@ -59,7 +59,10 @@ void fill(QComboBox& box, const std::vector<std::shared_ptr<const Item>>& items)
 template <class Item>
 void select(QComboBox& box, const std::vector<std::shared_ptr<const Item>>& items,
             const std::shared_ptr<const Item>& wanted) {
-    const auto found = std::find(items.begin(), items.end(), wanted);
+    // What comes back from a text is equal to what the list has, and another object.
+    const auto found = std::find_if(items.begin(), items.end(), [&](const auto& item) {
+        return item == wanted || (wanted && *item == *wanted);
+    });
     box.setCurrentIndex(found == items.end() ? -1 : int(found - items.begin()));
 }
 
@@ -154,7 +157,8 @@ void MainWindow::makeMenus() {
     view->addAction(withKey(tr("Fit what is visible"), KeyAction::fit), this, [this] { viewport_->fit(); });
     QAction* afresh = view->addAction(tr("Show as when first opened"), this, &MainWindow::showAfresh);
     afresh->setObjectName(QStringLiteral("show-afresh"));
-    afresh->setToolTip(tr("Preset, lights, clip and camera that a study has which nobody has seen yet"));
+    afresh->setToolTip(
+        tr("Preset, lights, clip, look and camera that a study has which nobody has seen yet"));
     view->addSeparator();
     names_ = view->addAction(withKey(tr("Patient and study over the picture"), KeyAction::names));
     names_->setObjectName(QStringLiteral("names"));
@@ -249,6 +253,7 @@ void MainWindow::makeToolBar() {
     volumesInBar_ = bar->addWidget(volumes_);
     volumesInBar_->setVisible(false);
     connect(volumes_, &VolumeChoice::chosen, this, [this](std::size_t index) {
+        keepState();  // as in open()
         loader_.open(study_.found, index);
         viewport_->setFocus();
     });
@@ -420,8 +425,8 @@ void MainWindow::choosePreset(int index) {
 void MainWindow::showStudy(const app::OpenedStudy& study) {
     keepState();  // of the one before
     study_ = study;
-    kept_.reset();
     sessionNote_.clear();
+    if (!std::exchange(storeNoteIsNew_, false)) storeNote_.clear();
     const Volume& volume = *study_.volume;
     QStringList notes;
     auto preset = options_.preset;
@@ -460,7 +465,9 @@ void MainWindow::showStudy(const app::OpenedStudy& study) {
     visibilityNote_ = visibilityNote(first, volume, options_.catalogue);
     viewport_->setStudy(study_.volume, linesOf(study_.identity), std::move(first), options_.firstView);
     if (left && left->camera) viewport_->showFrom(*left->camera);
+    redraw();  // menus and lists show it
     if (left) table_->ask(left->leavesTableOut);
+    kept_ = stateToKeep();
     volumes_->setVolumes(study_.volumeTitles, study_.volumeIndex);
     volumesInBar_->setVisible(volumes_->count() > 0 && options_.namesPatient);
 
@@ -479,6 +486,7 @@ void MainWindow::showStudy(const app::OpenedStudy& study) {
 void MainWindow::showNotes() {
     QStringList notes = studyNotes_ + table_->notes();
     if (!presetNote_.isEmpty()) notes.prepend(presetNote_);
+    if (!storeNote_.isEmpty()) notes.prepend(storeNote_);
     if (!sessionNote_.isEmpty()) notes.prepend(sessionNote_);
     if (!visibilityNote_.isEmpty()) notes.prepend(visibilityNote_);
     if (!pictureNote_.isEmpty()) notes << pictureNote_;

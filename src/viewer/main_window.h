@@ -103,6 +103,7 @@ class MainWindow : public QMainWindow {
     void showChosen();  // in menus and lists
     std::shared_ptr<app::ModelKeeper> makeKeeper();
     std::optional<app::StudyState> stateAsLeft();
+    app::StudyState stateToKeep() const;
     void keepState();
     void showAfresh();
     void openView(const QString& path);
@@ -139,8 +140,12 @@ class MainWindow : public QMainWindow {
     std::shared_ptr<const Clip> clip_;  // that it comes to; null: nothing is hidden
     app::SeriesWindows seriesWindows_;
     std::shared_ptr<app::ModelKeeper> keeper_;  // null: nothing is kept
-    std::optional<app::StudyState> kept_;       // the state that it was given last
-    QString sessionNote_;                       // what went wrong with that, or how this study comes back
+    // The state that it was given last, or that the study was shown in: what nobody has changed is not kept,
+    // and takes the place of nothing that came too late or cannot be read.
+    std::optional<app::StudyState> kept_;
+    QString sessionNote_;          // how this study comes back
+    QString storeNote_;            // and what went wrong with the store
+    bool storeNoteIsNew_ = false;  // it came with the study that is being opened
     QTimer keeps_;
     QTimer prepares_;    // for so long that it is worth a word
     QString preparing_;  // which

@@ -15,15 +15,16 @@ std::shared_ptr<app::ModelKeeper> MainWindow::makeKeeper() {
             QMetaObject::invokeMethod(
                 this,
                 [this, error] {
-                    sessionNote_ = QString::fromStdString(error.message + " " + error.hint);
+                    storeNote_ = QString::fromStdString(error.message + " " + error.hint);
+                    storeNoteIsNew_ = !study_.volume || loader_.loading();
                     showNotes();
                 },
                 Qt::QueuedConnection);
         });
 }
 
-// The render thread hands its model over as it ends, and the keeper saves it while this window can still be
-// told of a fault.
+// The render thread hands its model over as it ends, and the keeper saves it while this window, which it
+// tells of faults, is still there.
 MainWindow::~MainWindow() {
     keepState();
     delete viewport_;
@@ -42,9 +43,16 @@ std::optional<app::StudyState> MainWindow::stateAsLeft() {
     return *std::move(state);
 }
 
+// A camera that nobody has moved goes on fitting what is visible, in a window of another size too.
+app::StudyState MainWindow::stateToKeep() const {
+    app::StudyState now = state();
+    if (viewport_->framedFrom() == options_.firstView) now.camera.reset();
+    return now;
+}
+
 void MainWindow::keepState() {
     if (!keeper_ || !study_.volume || !options_.restoresState) return;
-    app::StudyState now = state();
+    app::StudyState now = stateToKeep();
     if (kept_ && *kept_ == now) return;
     keeper_->keepState(study_.volume, app::toJson(now));
     kept_ = std::move(now);
@@ -54,7 +62,13 @@ void MainWindow::showAfresh() {
     if (!study_.volume) return;
     app::OpenedStudy study = study_;
     study.stateAsLeft.clear();
+    const app::StudyState usual;
+    state_.lights = options_.lights;
+    state_.settings.look = usual.settings.look;
+    state_.settings.shading = usual.settings.shading;
+    kept_ = stateToKeep();  // what goes is not kept once more,
     showStudy(study);
+    kept_.reset();  // but what comes is
 }
 
 }  // namespace macula::viewer

@@ -37,6 +37,7 @@ Result<void> MainWindow::setState(const app::StudyState& state) {
     state_.camera.reset();  // the viewport's, from here on
     if (!state_.preset) state_.preset = app::presetFor(options_.catalogue, *study_.volume);
     presetNote_ = presetWarning(*state_.preset, *study_.volume);
+    sessionNote_.clear();  // it is not as it was left any more
     showChosen();
     table_->ask(state_.leavesTableOut);
     updateClip();

@@ -9,6 +9,7 @@
 #include <QVulkanInstance>
 #include <QWidget>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -57,6 +58,10 @@ class Viewport : public QWidget {
     bool handleKey(const QKeyEvent& event);
 
     const app::OrbitCamera& camera() const { return camera_; }
+    // The side from which what is visible fits the picture; nothing once somebody has moved the camera.
+    std::optional<ViewDirection> framedFrom() const {
+        return untouched_ ? std::optional(framedFrom_) : std::nullopt;
+    }
     std::uint64_t study() const { return input_.study; }  // as in FrameShown
     app::EdgeLetters letters() const;                     // those on screen; empty without a picture
     VulkanWindow& window() { return *window_; }

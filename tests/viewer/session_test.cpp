@@ -2,9 +2,13 @@
 #include <gtest/gtest.h>
 
 #include <QAction>
+#include <QComboBox>
 #include <QTemporaryDir>
+#include <chrono>
 #include <fstream>
+#include <stdexcept>
 
+#include "base/phantom.h"
 #include "viewer/window_fixture.h"
 
 namespace macula::viewer {
@@ -74,8 +78,76 @@ TEST_F(SessionTest, WithoutAPlaceForItTheWindowSaysSoAndIsAsItIsWithout) {
     makeWindow();
     window_->open(std::nullopt);
     ASSERT_TRUE(waitForConverged());
-    EXPECT_FALSE(window_->notes().isEmpty());
+    EXPECT_TRUE(window_->notes().contains(QLatin1String("essions"))) << window_->notes().toStdString();
     EXPECT_TRUE(window_->message().isEmpty());
+}
+
+class SessionStateTest : public SessionTest {
+  protected:
+    SessionStateTest() { usesModel_ = false; }
+
+    QComboBox& lights() {
+        for (QComboBox* box : window_->findChildren<QComboBox*>())
+            if (box->accessibleName() == QLatin1String("Lights")) return *box;
+        throw std::runtime_error("Lights");
+    }
+};
+
+TEST_F(SessionStateTest, MenusAndListsShowWhatComesBack) {
+    window_->open(std::nullopt);
+    ASSERT_TRUE(waitUntil([&] { return window_->hasStudy(); }));
+    const QString usual = lights().currentText();
+    ASSERT_FALSE(usual.isEmpty());
+    const auto catalogue = app::builtInCatalogue();
+    ASSERT_TRUE(catalogue.ok());
+    app::StudyState left = window_->state();
+    for (const auto& rig : catalogue->lights)
+        if (rig != app::defaultLights(*catalogue, trace::Look::cinematic)) left.lights = rig;
+    ASSERT_NE(left.lights, nullptr);
+    left.settings.look = trace::Look::average;
+    ASSERT_TRUE(window_->setState(left).ok());
+    const QString chosen = lights().currentText();
+    EXPECT_NE(chosen, usual);
+
+    anotherWindow();
+    window_->open(std::nullopt);
+    ASSERT_TRUE(waitUntil([&] { return window_->hasStudy(); }));
+    EXPECT_EQ(window_->state().settings.look, trace::Look::average);
+    EXPECT_EQ(lights().currentText(), chosen);
+    EXPECT_FALSE(lights().isEnabled()) << "this look has none";
+    EXPECT_TRUE(window_->findChild<QAction*>(QStringLiteral("reset-window"))->isEnabled());
+
+    window_->findChild<QAction*>(QStringLiteral("show-afresh"))->trigger();
+    EXPECT_EQ(window_->state().settings.look, trace::Look::cinematic);
+    EXPECT_EQ(lights().currentText(), usual);
+    EXPECT_TRUE(lights().isEnabled());
+
+    // And that is kept, though nobody has chosen anything since.
+    anotherWindow();
+    window_->open(std::nullopt);
+    ASSERT_TRUE(waitUntil([&] { return window_->hasStudy(); }));
+    EXPECT_EQ(window_->state().settings.look, trace::Look::cinematic);
+    EXPECT_EQ(lights().currentText(), usual);
+}
+
+// That of a newer version, say, or one that the disk gave too late.
+TEST_F(SessionStateTest, AStateThatIsNotShownStaysAsLongAsNothingIsChanged) {
+    window_.reset();
+    const auto volume = std::make_shared<const Volume>(phantom::make());
+    {
+        app::ModelKeeper keeper({.folder = *sessions_}, {});
+        keeper.keepState(volume, R"({"version": 2, "later": true})");
+    }
+    makeWindow();
+    window_->open(std::nullopt);
+    ASSERT_TRUE(waitForConverged());
+    EXPECT_TRUE(window_->notes().contains(QLatin1String("cannot be read"))) << window_->notes().toStdString();
+    window_.reset();
+    app::ModelKeeper keeper({.folder = *sessions_}, {});
+    const auto left = keeper.stateOf(volume, std::chrono::minutes(1));
+    ASSERT_TRUE(left);
+    EXPECT_NE(left->find("later"), std::string::npos);
+    EXPECT_EQ(left->find("look"), std::string::npos);
 }
 
 }  // namespace
