@@ -41,8 +41,8 @@ class ModelKeeper final : public hybrid::ModelStore {
     // Saves what was handed over first: as long as that takes.
     ~ModelKeeper() override;
 
-    // The scene that is called `name` from now on, of a complete drawing. What was looked for before and is
-    // not found yet is given up.
+    // The scene that is called `name` from now on, of a complete drawing. What was looked for before is given
+    // up, and what was found of it forgotten.
     void look(const std::string& name, std::shared_ptr<const Volume> volume, const Drawing& drawing);
     hybrid::StoredModel find(const std::string& name) override;
     // Only under names that were looked for, and in place of no model that has taken more steps.

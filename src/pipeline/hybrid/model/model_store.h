@@ -37,7 +37,8 @@ class ModelStore {
     ModelStore& operator=(const ModelStore&) = delete;
     virtual ~ModelStore() = default;
 
-    // Asked again and again, until the answer is neither pending nor drawable. `whole` may be given once only.
+    // Asked again and again, until the answer is neither pending nor drawable. `whole` may be given once
+    // only: who gets it keeps it.
     virtual StoredModel find(const std::string& key) = 0;
     // Saves it under its key, training.options.key, in place of the one of before.
     virtual void keep(std::shared_ptr<const PeripheralState> state) = 0;
