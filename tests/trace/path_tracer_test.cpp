@@ -80,6 +80,7 @@ TEST_P(EveryPreset, PhantomLooksAsTheReferenceSays) {
     constexpr int kSize = 64;
     constexpr int kBatches = 16;
     constexpr std::uint32_t kSamples = 4;
+    constexpr int kBounces = 4;
     const auto volume = smallPhantom();
     TransferFunction function;
     for (const auto& file : presets::transferFiles()) {
@@ -97,12 +98,14 @@ TEST_P(EveryPreset, PhantomLooksAsTheReferenceSays) {
         Parts device;
         Parts expected;
         for (int batch = 0; batch < kBatches; ++batch) {
-            ASSERT_TRUE(t.setSettings({.seed = std::uint32_t(5000 + batch), .filter = filter}).ok());
+            ASSERT_TRUE(
+                t.setSettings({.bounces = kBounces, .seed = std::uint32_t(5000 + batch), .filter = filter})
+                    .ok());
             ASSERT_TRUE(*t.trace(kSamples));
             const auto image = t.readback();
             device.add(partMeans(kSize, [&](std::size_t i) { return glm::dvec4(image->radiance[i]); }));
-            const auto params =
-                makeTraceParams(*volume, medium, sky, view, {.seed = std::uint32_t(7000 + batch)});
+            const auto params = makeTraceParams(*volume, medium, sky, view,
+                                                {.bounces = kBounces, .seed = std::uint32_t(7000 + batch)});
             const auto sums = reference.trace(*params, filter, Precision::twofold, 0, kSamples);
             expected.add(partMeans(kSize, [&](std::size_t i) { return sums[i] / double(kSamples); }));
         }
