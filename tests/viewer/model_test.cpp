@@ -119,12 +119,8 @@ TEST_F(ModelTest, AnotherPresetIsNotShownByTheModelOfTheOneBeforeWhichComesBackW
     choosePreset("cinematic-soft-tissue");
     ASSERT_TRUE(waitUntil([&] { return !seen_.empty(); }));
     EXPECT_EQ(seen_.front().picture, app::OnScreen::model);
-}
 
-// A projection has no model; the look after it has one again, of what is seen in that look.
-TEST_F(ModelTest, ComesBackAfterAProjection) {
-    window_->open(std::nullopt);
-    ASSERT_TRUE(waitFor(app::OnScreen::model));
+    // A projection has no model; the look after it has one again, of what is seen in that look.
     pressKey(Qt::Key_4, Qt::ControlModifier);
     ASSERT_TRUE(waitForConverged());
     EXPECT_TRUE(window_->fidelity().startsWith(QLatin1String("Maximum")));

@@ -85,13 +85,12 @@ class LiveModelTest : public trace::DeviceTest {
         LiveModel model = beside(screen, store);
         EXPECT_TRUE(model.show("a", {}).ok());
         search(model);
-        learn(model);
-        StoredModel found{.answer = answer,
-                          .splats = model.shown(),
-                          .steps = model.news().steps,
-                          .gain = model.gain(),
-                          .seenMm = store->kept_->seenMm,
-                          .state = store->kept_};
+        learn(model, 60);
+        StoredModel found{
+            .answer = answer, .splats = model.shown(), .steps = model.news().steps, .gain = model.gain()};
+        model.hide();  // hands it to the store
+        found.seenMm = store->kept_->seenMm;
+        found.state = store->kept_;
         return found;
     }
     LiveModel beside(const trace::PathTracer& screen) {
@@ -203,9 +202,8 @@ TEST_F(LiveModelTest, WhatWasLearntIsHandedToTheStore) {
     ASSERT_NE(store->kept_, nullptr);
     EXPECT_EQ(store->kept_->training.options.key, "a");
     EXPECT_GE(store->kept_->training.steps, 60u);
-    store->answer_ = {.answer = StoredModel::Answer::whole,
-                      .splats = shown,
-                      .state = std::exchange(store->kept_, nullptr)};
+    store->answer_ = {
+        .answer = StoredModel::Answer::whole, .splats = shown, .state = std::exchange(store->kept_, nullptr)};
     ASSERT_TRUE(model.show("a", {}).ok());
     EXPECT_TRUE(model.canBeDrawn()) << "the answer was there already: the first picture is of it";
     ASSERT_TRUE(model.work(5.0, always).ok());
