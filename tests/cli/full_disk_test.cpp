@@ -198,7 +198,8 @@ TEST_F(FullDisk, StoredSessionsOfAReadOnlyDiskAreToldToBe) {
 // Needs no rights: no file may grow beyond that.
 TEST_F(FullDisk, AFileThatMayNotGrowIsNotPutInPlace) {
     for (const Writer& writer : kWriters) {
-        if (writer.output.ends_with(".json")) continue;  // shorter
+        if (writer.output.ends_with(".json")) continue;     // shorter
+        if (writer.arguments.front() == "sheet") continue;  // as above
         write("disk/" + writer.output, "a good one");
         const auto before = contents();
         const Ran ran = runMacula(wordsOf(writer), {}, [] {

@@ -20,7 +20,7 @@ using Clock = std::chrono::steady_clock;
 using std::chrono::microseconds;
 
 constexpr int kMoments = 20;
-constexpr int kMomentsOfQuickRuns = 7;
+constexpr int kMomentsOfQuickRuns = 5;
 constexpr int kMomentsOfSlowOnes = 3;
 constexpr int kSignals[] = {SIGINT, SIGTERM, SIGKILL};
 using Contents = std::map<std::string, std::string>;  // by name
