@@ -146,6 +146,7 @@ TEST_F(FullDisk, AlmostEnoughRoomIsNotEnough) {
             for (const auto& entry : fs::directory_iterator(at("disk"))) fs::remove_all(entry.path());
             write(name, "a good one");
             if (needed <= 8192) break;  // nothing between all and nothing on pages
+            if (missing > 1 && writer.arguments.front() != "export") break;  // one will do of what takes long
             fill((needed - missing) / 4096 * 4096);
             expectLeftAlone(writer);
         }
