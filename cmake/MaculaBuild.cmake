@@ -80,7 +80,7 @@ if(NOT MACULA_SANITIZE AND NOT MACULA_FUZZ)  # which look closer, and cannot whe
 endif()
 
 # macula_test(NAME SOURCES … LIBS … [TIMEOUT seconds] [SHARES thing]): one GoogleTest executable, one ctest entry per test; two that
-# share a thing, such as the display, never run at once.
+# share a thing, such as the display, never run at once. They begin first: alone at the end, they would leave cores idle.
 function(macula_test name)
     cmake_parse_arguments(T "" "TIMEOUT;SHARES" "SOURCES;LIBS" ${ARGN})
     if(NOT T_TIMEOUT)
@@ -92,7 +92,7 @@ function(macula_test name)
     target_link_libraries(test_${name} PRIVATE ${T_LIBS} test_paths test_own_data_folder GTest::gtest_main)
     set(lock)
     if(T_SHARES)
-        set(lock RESOURCE_LOCK ${T_SHARES})
+        set(lock RESOURCE_LOCK ${T_SHARES} COST 1000)
     endif()
     gtest_discover_tests(test_${name} TEST_PREFIX "${name}." DISCOVERY_MODE PRE_TEST
         PROPERTIES TIMEOUT ${T_TIMEOUT} LABELS ${name} ${lock})

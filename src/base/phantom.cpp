@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <glm/gtc/matrix_transform.hpp>
+#include <vector>
 
+#include "base/camera.h"
 #include "base/parallel.h"
 
 namespace macula::phantom {
@@ -30,11 +33,22 @@ constexpr int kUnitsOffset = 1024;  // stored = HU + 1024, as most CT scanners w
 using glm::dvec2;
 using glm::dvec3;
 
-// The distance from the centre of an ellipsoid, in radii: below 1 inside.
-double ellipsoid(const dvec3& p, const dvec3& centre, const dvec3& radii) {
-    return glm::length((p - centre) / radii);
+struct Ellipsoid {
+    dvec3 centre, radii;
+};
+const Ellipsoid kHeart{{26, -30, -20}, {46, 38, 46}};
+const Ellipsoid kLeftVentricle{{38, -24, -24}, {21, 17, 28}};
+const Ellipsoid kRightVentricle{{4, -40, -18}, {15, 13, 26}};
+// The diaphragm stands higher on the right, over the liver.
+const Ellipsoid kLiverShape{{-52, -6, -92}, {66, 68, 56}};
+const Ellipsoid kLeftLung{{64, 2, 0}, {48, 70, 100}};
+const Ellipsoid kRightLung{{-66, 2, 6}, {48, 72, 104}};
+
+bool inside(const Ellipsoid& shape, const dvec3& p) {
+    return glm::length((p - shape.centre) / shape.radii) < 1.0;
 }
 
+// The distance from the centre of an ellipse, in radii: below 1 inside.
 double ellipse(const dvec2& p, const dvec2& centre, const dvec2& radii) {
     return glm::length((p - centre) / radii);
 }
@@ -75,10 +89,85 @@ const std::array<Tube, kPulmonaryPieces> kPulmonary{{{{14, -34, 5}, {14, -14, 34
                                                      {{-88, 14, 14}, {-102, 2, -16}, 2.5},
                                                      {{-76, -18, 60}, {-88, -32, 82}, 2.5}}};
 
+// Ellipses that more than one question is about: the skin, and the middle of the ribs.
+const dvec2 kSkinCentre{0, 5};
+const dvec2 kSkinRadii{138, 104};
+constexpr double kSkinHalfHeightMm = 132.0;
+constexpr double kFatBeyond = 0.93;  // of the way to the skin
+const dvec2 kWallCentre{0, -2};
+const dvec2 kWallRadii{124, 88};
+constexpr double kRibsWithin = 0.96;  // of the way to the wall there is no rib
+
+// Boxes that hold all of something.
+constexpr double kEverywhere = 1e9;
+const Box kSpineBox{{-19, 42, -kEverywhere}, {19, 104, kEverywhere}};
+const Box kSternumBox{{-24, -91, -55}, {24, -79, 95}};
+const Box kRibsBox{{-130, -94, -100}, {130, 82, 112}};
+
+Box boxAround(const dvec3& centre, const dvec3& halfSize) {
+    return {centre - halfSize, centre + halfSize};
+}
+Box boxOf(const Ellipsoid& shape) {
+    return boxAround(shape.centre, shape.radii);
+}
+Box boxOf(const Tube& tube) {
+    return {glm::min(tube.from, tube.to) - tube.radiusMm, glm::max(tube.from, tube.to) + tube.radiusMm};
+}
+bool meet(const Box& a, const Box& b) {
+    return glm::all(glm::lessThanEqual(a.low, b.high)) && glm::all(glm::lessThanEqual(b.low, a.high));
+}
+// The largest of ellipse() in a box: it is convex, so that it lies in a corner.
+double farthest(const Box& box, const dvec2& centre, const dvec2& radii) {
+    const dvec2 fromCentre = glm::max(glm::abs(dvec2(box.low) - centre), glm::abs(dvec2(box.high) - centre));
+    return glm::length(fromCentre / radii);
+}
+
+// What a point may be in. What a whole block of voxels cannot be in need not be asked of each of them.
+struct Near {
+    bool marker = true;
+    bool body = true;
+    bool rim = true;  // fat, skin and beyond; false: what is no organ is muscle
+    bool spine = true;
+    bool sternum = true;
+    bool ribs = true;
+    bool heart = true;
+    bool liver = true;
+    bool leftLung = true;
+    bool rightLung = true;
+    std::uint32_t aorta = ~0u;  // a bit for each piece
+    std::uint32_t pulmonary = ~0u;
+};
+
 template <std::size_t n>
-bool inAny(const std::array<Tube, n>& tubes, const dvec3& p) {
-    return std::any_of(tubes.begin(), tubes.end(),
-                       [&](const Tube& tube) { return toSegment(p, tube.from, tube.to) < tube.radiusMm; });
+std::uint32_t piecesIn(const std::array<Tube, n>& tubes, const Box& box) {
+    std::uint32_t pieces = 0;
+    for (std::size_t i = 0; i < n; ++i) pieces |= meet(boxOf(tubes[i]), box) ? 1u << i : 0u;
+    return pieces;
+}
+
+Near nearTo(const Box& box) {
+    const double outwards = std::max(std::abs(box.low.z), std::abs(box.high.z)) / kSkinHalfHeightMm;
+    return {.marker = meet(box, boxAround(markerCentreMm(), dvec3(markerHalfEdgeMm()))),
+            .body = meet(box, boxAround(dvec3(kSkinCentre, 0.0), dvec3(kSkinRadii, kSkinHalfHeightMm))),
+            .rim = std::max(farthest(box, kSkinCentre, kSkinRadii), outwards) >= kFatBeyond,
+            .spine = meet(box, kSpineBox),
+            .sternum = meet(box, kSternumBox),
+            .ribs = meet(box, kRibsBox) && farthest(box, kWallCentre, kWallRadii) >= kRibsWithin,
+            .heart = meet(box, boxOf(kHeart)),
+            .liver = meet(box, boxOf(kLiverShape)),
+            .leftLung = meet(box, boxOf(kLeftLung)),
+            .rightLung = meet(box, boxOf(kRightLung)),
+            .aorta = piecesIn(kAorta, box),
+            .pulmonary = piecesIn(kPulmonary, box)};
+}
+
+template <std::size_t n>
+bool inAny(const std::array<Tube, n>& tubes, std::uint32_t pieces, const dvec3& p) {
+    for (std::size_t i = 0; i < n; ++i) {
+        const Tube& tube = tubes[i];
+        if (((pieces >> i) & 1u) != 0 && toSegment(p, tube.from, tube.to) < tube.radiusMm) return true;
+    }
+    return false;
 }
 
 // A bone has a dense rim and a spongy core; `depth` is below 1 inside.
@@ -86,9 +175,9 @@ int bone(double depth, double core) {
     return depth < core ? kSpongiosa : kCortex;
 }
 
-// The value of the bone that p is in, 0 in no bone.
-int boneHu(const dvec3& p) {
-    // Vertebrae: bodies 22 mm high with 6 mm discs between, arch and spinous process behind, canal free.
+// Each of these is 0 in no bone. Vertebrae: bodies 22 mm high with 6 mm discs between, arch and spinous
+// process behind, canal free.
+int spineHu(const dvec3& p) {
     constexpr double kVertebraMm = 28.0;
     const double phase = std::abs(p.z / kVertebraMm - std::round(p.z / kVertebraMm)) * kVertebraMm;
     const double body = ellipse({p.x, p.y}, {0, 58}, {19, 16});
@@ -97,23 +186,85 @@ int boneHu(const dvec3& p) {
     const double arch = ellipse({p.x, p.y}, {0, 79}, {15, 12});
     if (phase < 8.0 && canal >= 1.0 && arch < 1.0) return kCortex;
     if (phase < 5.0 && std::abs(p.x) < 3.5 && p.y > 84 && p.y < 104) return kCortex;
+    return 0;
+}
 
-    // Sternum: a wider manubrium above a narrower body, rounded at both ends.
+// A wider manubrium above a narrower body, rounded at both ends.
+int sternumHu(const dvec3& p) {
     const double halfWidth = p.z > 62 ? 24.0 : 14.0;
     const double beyondEnd = std::max(std::abs(p.z - 20) - 60.0, 0.0) / 15.0;
     const double sternum = glm::length(dvec3(p.x / halfWidth, (p.y + 85) / 6.0, beyondEnd));
-    if (sternum < 1.0) return bone(sternum, 0.7);
+    return sternum < 1.0 ? bone(sternum, 0.7) : 0;
+}
 
-    // Ribs: rods along the chest wall, falling towards the front, open at the front below the sternum.
+// Rods along the chest wall, falling towards the front, open at the front below the sternum.
+int ribHu(const dvec3& p) {
     constexpr double kRibPitchMm = 24.0;
-    const double wall = ellipse({p.x, p.y}, {0, -2}, {124, 88});
+    const double wall = ellipse({p.x, p.y}, kWallCentre, kWallRadii);
     const double wallMm = (wall - 1.0) * 100.0;
     const double fallen = p.z - 0.32 * (p.y - 60.0);
     const double along = (fallen / kRibPitchMm - std::round(fallen / kRibPitchMm)) * kRibPitchMm;
     const bool within = p.z > -100 && p.z < 112 && (std::abs(p.x) > 22 || p.y > 0) && p.y < 82;
     const double rib = std::hypot(wallMm / 4.0, along / 6.0);
-    if (within && rib < 1.0) return bone(rib, 0.55);
-    return 0;
+    return within && rib < 1.0 ? bone(rib, 0.55) : 0;
+}
+
+int boneHu(const dvec3& p, const Near& near) {
+    int hu = near.spine ? spineHu(p) : 0;
+    if (hu == 0 && near.sternum) hu = sternumHu(p);
+    if (hu == 0 && near.ribs) hu = ribHu(p);
+    return hu;
+}
+
+// Right for a point that is in nothing but what is `near`.
+int valueHu(const dvec3& p, const Near& near) {
+    const dvec3 fromMarker = glm::abs(p - markerCentreMm());
+    if (near.marker && std::max({fromMarker.x, fromMarker.y, fromMarker.z}) < markerHalfEdgeMm())
+        return kMarker;
+
+    if (!near.body) return kAir;
+    const double skin =
+        near.rim ? std::max(ellipse({p.x, p.y}, kSkinCentre, kSkinRadii), std::abs(p.z) / kSkinHalfHeightMm)
+                 : 0.0;
+    if (!(skin < 1.0)) return kAir;  // written so that NaN is air
+    if (const int hu = boneHu(p, near); hu != 0) return hu;
+    if (inAny(kAorta, near.aorta, p)) return kContrast;
+
+    if (near.heart && inside(kHeart, p)) {
+        return inside(kLeftVentricle, p)    ? kContrast
+               : inside(kRightVentricle, p) ? kPulmonaryContrast
+                                            : kMyocardium;
+    }
+    if (inAny(kPulmonary, near.pulmonary, p)) return kPulmonaryContrast;
+    if (near.liver && inside(kLiverShape, p)) return kLiver;
+    if (near.leftLung && inside(kLeftLung, p)) return kLung;
+    if (near.rightLung && inside(kRightLung, p)) return kLung;
+    return skin < kFatBeyond ? kMuscle : kFat;
+}
+
+constexpr int kBlockVoxels = 8;  // a side
+
+void fillBlock(const glm::ivec3& block, const glm::ivec3& size, const glm::dmat4& toWorld,
+               std::vector<std::uint16_t>& voxels) {
+    const glm::ivec3 low = block * kBlockVoxels;
+    const glm::ivec3 end = glm::min(low + kBlockVoxels, size);
+    constexpr double kRoundingMm = 1e-6;
+    Box box{dvec3(kEverywhere), dvec3(-kEverywhere)};
+    for (const dvec3& corner : cornersOf({dvec3(low), dvec3(end - 1)})) {
+        const dvec3 p = transformPoint(toWorld, corner);
+        box = {glm::min(box.low, p - kRoundingMm), glm::max(box.high, p + kRoundingMm)};
+    }
+    const Near near = nearTo(box);
+    for (int k = low.z; k < end.z; ++k) {
+        for (int j = low.y; j < end.y; ++j) {
+            std::uint16_t* out =
+                voxels.data() + (std::size_t(k) * std::size_t(size.y) + std::size_t(j)) * std::size_t(size.x);
+            for (int i = low.x; i < end.x; ++i) {
+                const int hu = valueHu(transformPoint(toWorld, dvec3(i, j, k)), near);
+                out[i] = static_cast<std::uint16_t>(hu + kUnitsOffset);
+            }
+        }
+    }
 }
 
 }  // namespace
@@ -127,27 +278,7 @@ double markerHalfEdgeMm() {
 }
 
 int valueHu(const dvec3& p) {
-    const dvec3 fromMarker = glm::abs(p - markerCentreMm());
-    if (std::max({fromMarker.x, fromMarker.y, fromMarker.z}) < markerHalfEdgeMm()) return kMarker;
-
-    const double skin = std::max(ellipse({p.x, p.y}, {0, 5}, {138, 104}), std::abs(p.z) / 132.0);
-    if (!(skin < 1.0)) return kAir;  // written so that NaN is air
-    if (const int hu = boneHu(p); hu != 0) return hu;
-    if (inAny(kAorta, p)) return kContrast;
-
-    const bool heart = ellipsoid(p, {26, -30, -20}, {46, 38, 46}) < 1.0;
-    if (heart) {
-        const bool leftVentricle = ellipsoid(p, {38, -24, -24}, {21, 17, 28}) < 1.0;
-        const bool rightVentricle = ellipsoid(p, {4, -40, -18}, {15, 13, 26}) < 1.0;
-        return leftVentricle ? kContrast : rightVentricle ? kPulmonaryContrast : kMyocardium;
-    }
-    if (inAny(kPulmonary, p)) return kPulmonaryContrast;
-
-    // The diaphragm stands higher on the right, over the liver.
-    if (ellipsoid(p, {-52, -6, -92}, {66, 68, 56}) < 1.0) return kLiver;
-    if (ellipsoid(p, {64, 2, 0}, {48, 70, 100}) < 1.0) return kLung;
-    if (ellipsoid(p, {-66, 2, 6}, {48, 72, 104}) < 1.0) return kLung;
-    return skin < 0.93 ? kMuscle : kFat;
+    return valueHu(p, Near{});
 }
 
 glm::dmat4 worldFromVoxel(const Options& options) {
@@ -167,14 +298,10 @@ Volume make(const Options& options) {
     const glm::ivec3 size = options.size;
     const glm::dmat4 toWorld = worldFromVoxel(options);
     std::vector<std::uint16_t> voxels(std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z));
-    parallelFor(std::size_t(size.z), [&](std::size_t k) {
-        std::uint16_t* out = voxels.data() + k * std::size_t(size.x) * std::size_t(size.y);
-        for (int j = 0; j < size.y; ++j) {
-            for (int i = 0; i < size.x; ++i) {
-                const int hu = valueHu(transformPoint(toWorld, {i, j, double(k)}));
-                *out++ = static_cast<std::uint16_t>(hu + kUnitsOffset);
-            }
-        }
+    const glm::ivec3 blocks = (size + (kBlockVoxels - 1)) / kBlockVoxels;
+    parallelFor(std::size_t(blocks.y) * std::size_t(blocks.z), [&](std::size_t row) {
+        for (int i = 0; i < blocks.x; ++i)
+            fillBlock({i, int(row) % blocks.y, int(row) / blocks.y}, size, toWorld, voxels);
     });
     auto volume = Volume::create({.size = size,
                                   .worldFromVoxel = toWorld,

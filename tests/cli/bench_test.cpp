@@ -124,7 +124,7 @@ TEST_F(Bench, TrainTellsEachStageBesideTheReference) {
 }
 
 TEST_F(Bench, TrainRefusesABaselineOfSomethingElse) {
-    const std::vector<std::string> command{"bench",    "train", "--size",        "16",
+    const std::vector<std::string> command{"bench",    "train", writeBall(),     "--size", "16",
                                            "--splats", "50",    "--repetitions", "1"};
     std::vector<std::string> asJson = command;
     asJson.emplace_back("--json");

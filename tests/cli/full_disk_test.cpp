@@ -47,9 +47,10 @@ const std::vector<Writer> kWriters{
     {"a.json", {"presets", "export", "ct-bone", "-o", "OUT"}},
     {"a.json", {"presets", "import", "IN/preset.json", "-o", "OUT"}},
     {"dot.png", {"splat-render", "IN/dot.ply", "-o", "DIR", "--camera", "IN/dot.json", "--size", "64x64"}},
+    // Of points alone, the quickest; what is written is as large.
     {"a.ply",
-     {"train", "IN/ball.nrrd", "-o", "OUT", "--size", "32", "--views", "3", "--spp", "1", "--points", "300",
-      "--iterations", "4", "--directions", "5"}},
+     {"train", "IN/ball.nrrd", "-o", "OUT", "--points", "300", "--views", "0", "--directions", "0",
+      "--iterations", "0"}},
     {"a.macula",
      {"train", "IN/ball.nrrd", "-o", "OUT", "--size", "32", "--views", "3", "--spp", "1", "--points", "300",
       "--iterations", "4", "--directions", "5"}},
@@ -145,6 +146,7 @@ TEST_F(FullDisk, AlmostEnoughRoomIsNotEnough) {
             for (const auto& entry : fs::directory_iterator(at("disk"))) fs::remove_all(entry.path());
             write(name, "a good one");
             if (needed <= 8192) break;  // nothing between all and nothing on pages
+            if (missing > 1 && writer.arguments.front() != "export") break;  // one will do of what takes long
             fill((needed - missing) / 4096 * 4096);
             expectLeftAlone(writer);
         }
@@ -197,7 +199,8 @@ TEST_F(FullDisk, StoredSessionsOfAReadOnlyDiskAreToldToBe) {
 // Needs no rights: no file may grow beyond that.
 TEST_F(FullDisk, AFileThatMayNotGrowIsNotPutInPlace) {
     for (const Writer& writer : kWriters) {
-        if (writer.output.ends_with(".json")) continue;  // shorter
+        if (writer.output.ends_with(".json")) continue;     // shorter
+        if (writer.arguments.front() == "sheet") continue;  // as above
         write("disk/" + writer.output, "a good one");
         const auto before = contents();
         const Ran ran = runMacula(wordsOf(writer), {}, [] {

@@ -68,8 +68,9 @@ TEST_F(Hybrid, RecordsWhatIsShownFromOpeningToRest) {
 TEST_F(Hybrid, GoesOnFromTheModelOfAnEarlierRun) {
     const std::string ball = writeBall();
     const auto record = [&](const std::string& folder, const std::vector<std::string>& more) {
+        // A model with its first steps is there when the time to learn begins.
         std::vector<std::string> arguments{"hybrid",    ball,      "-o",         at(folder), "--size",
-                                           "64x48",     "--learn", "4",          "--rest",   "0",
+                                           "64x48",     "--learn", "1",          "--rest",   "0",
                                            "--seconds", "1",       "--pictures", "0"};
         arguments.insert(arguments.end(), more.begin(), more.end());
         const Ran ran = runMacula(arguments);

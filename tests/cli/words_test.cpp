@@ -22,8 +22,8 @@ using nlohmann::json;
 class Words : public CommandTest {
   protected:
     Ran render(const std::vector<std::string>& more) const {
-        std::vector<std::string> all{"render", "phantom:", "-o", at("a.png"),  "--size",
-                                     "16x16",  "--spp",    "1",  "--overwrite"};
+        std::vector<std::string> all{"render", writeBall(), "-o", at("a.png"),  "--size",
+                                     "16x16",  "--spp",     "1",  "--overwrite"};
         all.insert(all.end(), more.begin(), more.end());
         return runMacula(all);
     }
@@ -133,7 +133,7 @@ TEST_F(Words, APictureTellsAllThatMadeIt) {
 }
 
 TEST_F(Words, ASheetNamesEachPicture) {
-    ASSERT_EQ(runMacula({"sheet", "-o", at("s.png"), "--tile", "16", "--spp", "1"}).exitCode, 0);
+    ASSERT_EQ(runMacula({"sheet", writeBall(), "-o", at("s.png"), "--tile", "16", "--spp", "1"}).exitCode, 0);
     const std::vector<std::string> keys{"macula:pictures", "macula:view"};
     const auto found = image::readMetadata(at("s.png"), keys);
     ASSERT_TRUE(found.ok());
@@ -168,9 +168,10 @@ TEST_F(Words, TheCameraOfTheDocsSeesItsStudy) {
 }
 
 TEST_F(Words, EndingsMayBeInCapitals) {
-    EXPECT_EQ(runMacula({"render", "-o", at("A.PNG"), "--size", "16x16", "--spp", "1"}).exitCode, 0);
+    const std::string ball = writeBall();
+    EXPECT_EQ(runMacula({"render", ball, "-o", at("A.PNG"), "--size", "16x16", "--spp", "1"}).exitCode, 0);
     EXPECT_TRUE(readAll(at("A.PNG")).starts_with("\x89PNG"));
-    EXPECT_EQ(runMacula({"render", "-o", at("A.EXR"), "--size", "16x16", "--spp", "1"}).exitCode, 0);
+    EXPECT_EQ(runMacula({"render", ball, "-o", at("A.EXR"), "--size", "16x16", "--spp", "1"}).exitCode, 0);
     EXPECT_TRUE(readAll(at("A.EXR")).starts_with("\x76\x2f\x31\x01"));
 }
 

@@ -37,7 +37,7 @@ class FrameTradeoffOnDevice : public gpu::SharedDeviceTest {
                          .capacity = 330};
         options.models = {.views = {2}, .iterations = {0.5}, .splats = {2.0}};
         options.frames = {
-            .fieldsDeg = {20.0, 40.0}, .samplesPerPixel = {16, 32}, .bounces = {8}, .framesPerFovea = {1, 2}};
+            .fieldsDeg = {20.0, 25.0}, .samplesPerPixel = {16, 32}, .bounces = {8}, .framesPerFovea = {1, 2}};
         return options;
     }
 };

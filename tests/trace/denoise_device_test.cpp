@@ -105,6 +105,8 @@ TEST_F(DenoiseOnDevice, TakesWhateverAFilmMayHold) {
     }
 }
 
+constexpr int kBounces = 4;  // of what is traced here
+
 struct Scene {
     std::shared_ptr<const Volume> volume = std::make_shared<const Volume>(
         phantom::make({.size = {128, 112, 80}, .spacingMm = {2.4, 2.4, 3.75}}));
@@ -142,16 +144,16 @@ double alphaError(const TracedImage& image, const TracedImage& truth) {
 TEST_F(DenoiseOnDevice, OfATracedPictureKeepsItsLightAndIsNearerToTheTruth) {
     const Scene scene;
     const Environment sky = Environment::constant(glm::vec3(1.0f));
-    PathTracer t = tracer(scene.volume, scene.bone, sky, scene.view, {.seed = 1});
+    PathTracer t = tracer(scene.volume, scene.bone, sky, scene.view, {.bounces = kBounces, .seed = 1});
     ASSERT_TRUE(*t.trace(256));
     const auto truth = t.readback();
     EXPECT_FALSE(truth->denoised);
     EXPECT_FALSE(t.statistics()->denoised);
-    ASSERT_TRUE(t.setSettings({.seed = 2}).ok());
+    ASSERT_TRUE(t.setSettings({.bounces = kBounces, .seed = 2}).ok());
     ASSERT_TRUE(*t.trace(4));
     const auto noisy = t.readback();
     // Asking for it does not begin the picture anew, and still pictures are still.
-    ASSERT_TRUE(t.setSettings({.seed = 2, .denoising = Denoising::on}).ok());
+    ASSERT_TRUE(t.setSettings({.bounces = kBounces, .seed = 2, .denoising = Denoising::on}).ok());
     EXPECT_EQ(t.statistics()->samplesPerPixel, 4u);
     EXPECT_TRUE(t.statistics()->denoised);
     const auto filtered = t.readback();
@@ -162,7 +164,7 @@ TEST_F(DenoiseOnDevice, OfATracedPictureKeepsItsLightAndIsNearerToTheTruth) {
     EXPECT_NEAR(total(filtered->radiance).w / total(noisy->radiance).w, 1.0, 0.003);
     EXPECT_LT(squaredError(*filtered, *truth), 0.35 * squaredError(*noisy, *truth));
     const auto shown = t.readDisplay(glm::vec3(0.0f));
-    ASSERT_TRUE(t.setSettings({.seed = 2}).ok());
+    ASSERT_TRUE(t.setSettings({.bounces = kBounces, .seed = 2}).ok());
     EXPECT_NE(*shown, *t.readDisplay(glm::vec3(0.0f)));
     EXPECT_EQ(t.readback()->radiance, noisy->radiance);  // nothing was lost
 }
@@ -197,17 +199,18 @@ TEST_F(DenoiseOnDevice, IsNeverWorseThanThePlainPicture) {
         ASSERT_TRUE(t.setTransferFunction(seen.function).ok());
         ASSERT_TRUE(t.setEnvironment(seen.environment).ok());
         ASSERT_TRUE(t.setClip(seen.clip).ok());
-        ASSERT_TRUE(t.setSettings({.seed = 1000}).ok());
+        ASSERT_TRUE(t.setSettings({.bounces = kBounces, .seed = 1000}).ok());
         ASSERT_TRUE(*t.trace(160));
         const auto truth = t.readback();
         for (const std::uint32_t samples : {1u, 4u, 64u}) {
             for (std::uint32_t seed = 0; seed < kSeeds; ++seed) {
                 SCOPED_TRACE(fmt::format("{} samples, seed {}", samples, seed));
                 ASSERT_TRUE(t.setTransferFunction(seen.function).ok());  // nothing is known from before
-                ASSERT_TRUE(t.setSettings({.seed = seed}).ok());
+                ASSERT_TRUE(t.setSettings({.bounces = kBounces, .seed = seed}).ok());
                 ASSERT_TRUE(*t.trace(samples));
                 const auto plain = t.readback();
-                ASSERT_TRUE(t.setSettings({.seed = seed, .denoising = Denoising::on}).ok());
+                ASSERT_TRUE(
+                    t.setSettings({.bounces = kBounces, .seed = seed, .denoising = Denoising::on}).ok());
                 const auto filtered = t.readback();
                 // The truth is noisy too, as much for both. With many samples there is little to gain, of
                 // grey faces least, which have no noise but at their edges.
@@ -215,7 +218,8 @@ TEST_F(DenoiseOnDevice, IsNeverWorseThanThePlainPicture) {
                 const double most = !many ? 0.85 : seen.clip.greyFaces ? 1.0 : 0.9;
                 EXPECT_LT(squaredError(*filtered, *truth), most * squaredError(*plain, *truth));
                 EXPECT_LT(alphaError(*filtered, *truth), (many ? 1.02 : 0.85) * alphaError(*plain, *truth));
-                ASSERT_TRUE(t.setSettings({.seed = seed, .denoising = Denoising::little}).ok());
+                ASSERT_TRUE(
+                    t.setSettings({.bounces = kBounces, .seed = seed, .denoising = Denoising::little}).ok());
                 const auto little = t.readback();  // of the same samples
                 EXPECT_NE(little->radiance, filtered->radiance);
                 EXPECT_LT(squaredError(*little, *truth), squaredError(*plain, *truth));
@@ -236,18 +240,18 @@ TEST_F(DenoiseOnDevice, ASeriesUsesTheViewBeforeAndAnyChangeOfMatterOrLightForge
     next.camera.positionMm += glm::dvec3(8, 0, 4);
     const auto at = [&](bool before, const std::function<void(PathTracer&)>& change) {
         PathTracer t = tracer(scene.volume, scene.bone, sky, before ? scene.view : next,
-                              {.seed = 1, .denoising = Denoising::on});
+                              {.bounces = kBounces, .seed = 1, .denoising = Denoising::on});
         if (before) {
             EXPECT_TRUE(*t.trace(8));
             EXPECT_TRUE(t.display(glm::vec3(0.0f)).ok());
             EXPECT_TRUE(t.setView(next).ok());
         }
         change(t);
-        EXPECT_TRUE(t.setSettings({.seed = 2, .denoising = Denoising::on}).ok());
+        EXPECT_TRUE(t.setSettings({.bounces = kBounces, .seed = 2, .denoising = Denoising::on}).ok());
         EXPECT_TRUE(*t.trace(1));
         return *t.readback();
     };
-    PathTracer t = tracer(scene.volume, scene.bone, sky, next, {.seed = 5});
+    PathTracer t = tracer(scene.volume, scene.bone, sky, next, {.bounces = kBounces, .seed = 5});
     ASSERT_TRUE(*t.trace(256));
     const auto truth = t.readback();
     const auto nothing = [](PathTracer&) {};
@@ -275,7 +279,7 @@ TEST_F(DenoiseOnDevice, ASmallMoveOfTheGazeKeepsWhatWasKnownAndAJumpForgetsIt) {
     View first = scene.view;
     first.width = first.height = 40;
     first.foveation = Foveation{.gaze = {0.1, 0.0}, .fieldDeg = 8.0, .magnification = 2.0};
-    const Settings plain{.seed = 2, .denoising = Denoising::on};
+    const Settings plain{.bounces = kBounces, .seed = 2, .denoising = Denoising::on};
     PathTracer t = tracer(scene.volume, scene.bone, sky, first, plain);
     // The first picture of one sample of what is asked for, after a picture of eight from `first`, or after
     // none.
@@ -300,7 +304,7 @@ TEST_F(DenoiseOnDevice, ASmallMoveOfTheGazeKeepsWhatWasKnownAndAJumpForgetsIt) {
     near.foveation->gaze = {0.15, 0.03};
     const TracedImage known = after(true, near, plain);
     const TracedImage alone = after(false, near, plain);
-    ASSERT_TRUE(t.setSettings({.seed = 5}).ok());
+    ASSERT_TRUE(t.setSettings({.bounces = kBounces, .seed = 5}).ok());
     ASSERT_TRUE(*t.trace(160));
     const auto truth = t.readback();
     EXPECT_LT(squaredError(known, *truth), 0.8 * squaredError(alone, *truth));
@@ -354,7 +358,7 @@ TEST_F(DenoiseOnDevice, ATurnForgetsSoonerWhereTheLightsTurnWithIt) {
         rig.frame = frame;
         rig.ambientHorizon = {0.5, 0.5, 0.5};
         rig.lights = {{.azimuthDeg = 60, .elevationDeg = 30, .angularRadiusDeg = 20, .radiance = 5}};
-        const Settings settings{.seed = 2, .denoising = Denoising::on};
+        const Settings settings{.bounces = kBounces, .seed = 2, .denoising = Denoising::on};
         PathTracer t = tracer(scene.volume, scene.bone, Environment::fromRig(rig), first, settings);
         const auto keeps = [&](double degrees) {
             std::vector<glm::vec4> pictures[2];

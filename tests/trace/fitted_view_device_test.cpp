@@ -84,6 +84,7 @@ TEST_F(FittedViewOf, ASmallBallBesideTheMiddle) {
     for (const double spacingMm : {1.0, 3.0}) {
         PathTracer t = tracerOf(smallBall(spacingMm), dense);
         for (const glm::ivec2& sizePx : {glm::ivec2(100, 100), glm::ivec2(150, 90), glm::ivec2(90, 120)}) {
+            if (spacingMm > 1.0 && sizePx.x != 150) continue;  // one shape will do
             for (const ViewDirection from :
                  {ViewDirection::anterior, ViewDirection::left, ViewDirection::superior})
                 expectFits(t, false, sizePx, from,

@@ -87,7 +87,7 @@ TEST_F(SameScene, LooksOfDifferentKindsTakeTurns) {
 
 // The filter in pieces: the same picture, and interrupted it is neither shown as done nor begun anew.
 TEST_F(SameScene, APictureIsDevelopedPieceByPiece) {
-    const Settings settings{.denoising = Denoising::on};
+    const Settings settings{.bounces = 1, .denoising = Denoising::on};
     View large = view_;
     large.width = 640;
     large.height = 480;

@@ -65,7 +65,7 @@ TEST_F(ViewHistoryOnDevice, LightOnTheCameraDoesNotLagBehindASteadyOrbit) {
     ASSERT_TRUE(*still.trace(256));
     const double expected = centreOfLight(*still.readback());
     EXPECT_GT(std::abs(expected - 0.5), 0.05) << "the light comes from one side";
-    for (const double stepDeg : {0.9, -0.9, 0.3}) {
+    for (const double stepDeg : {0.9, -0.3}) {
         PathTracer t = tracer(ball(), dense(), light, around(0, kPixels), settings);
         double mean = 0.0;
         for (int i = 0; i < 60; ++i) {

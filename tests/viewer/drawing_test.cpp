@@ -5,6 +5,7 @@
 #include <QComboBox>
 #include <algorithm>
 
+#include "base/phantom.h"
 #include "segment/scene.h"
 #include "viewer/window_fixture.h"
 
@@ -13,8 +14,6 @@ namespace {
 
 class DrawingTest : public WindowTest {
   protected:
-    DrawingTest() { usesModel_ = false; }
-
     QAction& action(const char* name) {
         auto* found = window_->findChild<QAction*>(QString::fromLatin1(name));
         if (found == nullptr) throw std::runtime_error(name);
@@ -56,7 +55,10 @@ class DrawingTest : public WindowTest {
 
 // The phantom lies on nothing.
 TEST_F(DrawingTest, EachLookIsDrawnAndSaidAndWhatIsNoTableStays) {
-    window_->open(std::nullopt);
+    window_->showStudy({.volume = std::make_shared<const Volume>(
+                            phantom::make({.size = {128, 112, 80}, .spacingMm = {2.4, 2.4, 3.75}})),
+                        .identity = {.series = "Phantom", .isOfNobody = true},
+                        .description = "Phantom"});
     ASSERT_TRUE(waitForConverged());
     EXPECT_TRUE(says("Path traced"));
     EXPECT_FALSE(isGrey());

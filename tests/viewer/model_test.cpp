@@ -17,6 +17,7 @@ class ModelTest : public WindowTest {
   protected:
     std::vector<app::FrameShown> seen_;
 
+    ModelTest() { usesModel_ = true; }
     void SetUp() override {
         WindowTest::SetUp();
         if (!window_) return;
@@ -66,8 +67,14 @@ TEST_F(ModelTest, InMotionEveryPictureIsOfTheModelWithAllPixelsAndAtRestItFadesI
     ASSERT_TRUE(waitForConverged());
     EXPECT_EQ(window_->badge(), QLatin1String("Final"));
     EXPECT_TRUE(hasSeen(app::OnScreen::model));
-    press();
+    // Nothing moves, nothing is drawn, however much the model learns.
     seen_.clear();
+    QElapsedTimer idle;
+    idle.start();
+    waitUntil([&] { return idle.elapsed() > 500; });
+    EXPECT_EQ(seen_.size(), 0u);
+
+    press();
     drag(6);
     EXPECT_EQ(window_->badge(), QLatin1String("Preliminary"));
     for (const app::FrameShown& frame : seen_) {
@@ -80,6 +87,11 @@ TEST_F(ModelTest, InMotionEveryPictureIsOfTheModelWithAllPixelsAndAtRestItFadesI
     EXPECT_TRUE(window_->fidelity().startsWith(QLatin1String("Peripheral model, ")))
         << window_->fidelity().toStdString();
     EXPECT_GT(coloursInTheMiddle(), 100);
+    // As long as the hand holds on, the model stays.
+    idle.restart();
+    waitUntil([&] { return idle.elapsed() > 700; });
+    EXPECT_EQ(seen_.back().stage, app::Stage::moving);
+    EXPECT_TRUE(isOnScreen(app::OnScreen::model));
     seen_.clear();
     release();
     ASSERT_TRUE(waitForConverged());
@@ -107,12 +119,8 @@ TEST_F(ModelTest, AnotherPresetIsNotShownByTheModelOfTheOneBeforeWhichComesBackW
     choosePreset("cinematic-soft-tissue");
     ASSERT_TRUE(waitUntil([&] { return !seen_.empty(); }));
     EXPECT_EQ(seen_.front().picture, app::OnScreen::model);
-}
 
-// A projection has no model; the look after it has one again, of what is seen in that look.
-TEST_F(ModelTest, ComesBackAfterAProjection) {
-    window_->open(std::nullopt);
-    ASSERT_TRUE(waitFor(app::OnScreen::model));
+    // A projection has no model; the look after it has one again, of what is seen in that look.
     pressKey(Qt::Key_4, Qt::ControlModifier);
     ASSERT_TRUE(waitForConverged());
     EXPECT_TRUE(window_->fidelity().startsWith(QLatin1String("Maximum")));

@@ -20,10 +20,7 @@ namespace {
 
 class OpeningTest : public WindowTest {
   protected:
-    OpeningTest() {
-        refusesRaw_ = false;
-        usesModel_ = false;
-    }
+    OpeningTest() { refusesRaw_ = false; }
 
     QComboBox* box(const char* accessibleName) {
         for (QComboBox* found : window_->findChildren<QComboBox*>()) {

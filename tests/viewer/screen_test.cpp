@@ -14,8 +14,6 @@ using macula::test::VulkanCall;
 
 class ScreenTest : public WindowTest {
   protected:
-    ScreenTest() { usesModel_ = false; }
-
     void SetUp() override {
         WindowTest::SetUp();
         if (!window_) return;

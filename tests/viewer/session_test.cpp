@@ -16,6 +16,7 @@ namespace {
 
 class SessionTest : public WindowTest {
   protected:
+    SessionTest() { usesModel_ = true; }
     void SetUp() override {
         sessions_ = folder_.filePath(QStringLiteral("sessions")).toStdString();
         WindowTest::SetUp();

@@ -134,7 +134,7 @@ class WindowTest : public testing::Test {
     }
 
     bool refusesRaw_ = true;  // what is no CT cannot be shown
-    bool usesModel_ = true;
+    bool usesModel_ = false;  // to search for one takes seconds: for tests that are about it
     std::optional<std::filesystem::path> sessions_;  // where models and states are kept; nothing: nowhere
     int argc_ = 1;
     char name_[5] = "test";

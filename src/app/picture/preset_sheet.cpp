@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <string>
 
 #include "app/camera/view_directions.h"
@@ -37,13 +38,29 @@ struct Sheet {
     }
 };
 
-Result<void> drawRow(trace::PathTracer& tracer, const SheetRequest& request, const TransferFunction& preset,
-                     const SheetPlace& place, const Progress& progress, Sheet& sheet) {
+// Of each of trace::kLooks that has lights: the same for every preset, and made once.
+using LightsOfLooks = std::vector<std::optional<trace::Environment>>;
+
+Result<LightsOfLooks> lightsOfLooks() {
+    LightsOfLooks all;
+    for (const trace::LookTraits& look : trace::kLooks) {
+        auto& lights = all.emplace_back();
+        if (!isPathTraced(look.look)) continue;
+        MACULA_TRY(lights, chooseLights(std::string(defaultLightsFor(look.look))));
+    }
+    return all;
+}
+
+Result<void> drawRow(trace::PathTracer& tracer, const SheetRequest& request, const LightsOfLooks& lights,
+                     const TransferFunction& preset, const SheetPlace& place, const Progress& progress,
+                     Sheet& sheet) {
     MACULA_TRY_VOID(tracer.setTransferFunction(preset));
     int column = place.panel * kLookCount;
-    for (const trace::LookTraits& look : trace::kLooks) {
-        MACULA_TRY(const trace::Environment lights, chooseLights(std::string(defaultLightsFor(look.look))));
-        MACULA_TRY_VOID(tracer.setEnvironment(lights));
+    for (std::size_t i = 0; i < trace::kLooks.size(); ++i) {
+        const trace::LookTraits& look = trace::kLooks[i];
+        if (lights[i]) {
+            MACULA_TRY_VOID(tracer.setEnvironment(*lights[i]));
+        }
         MACULA_TRY_VOID(
             tracer.setSettings({.look = look.look, .window = presetWindow(preset, *request.volume)}));
         MACULA_TRY(const bool whole,
@@ -77,9 +94,13 @@ Result<std::vector<std::uint8_t>> drawSheet(const std::shared_ptr<gpu::Device>& 
     MACULA_TRY_VOID(tracer.setView({.camera = frameBox(request.volume->worldBox(), request.view, 30.0, 1.0),
                                     .width = request.tilePx,
                                     .height = request.tilePx}));
+    MACULA_TRY(const LightsOfLooks lights, lightsOfLooks());
+    // Looks without lights want some all the same.
+    MACULA_TRY_VOID(tracer.setEnvironment(trace::Environment::constant(glm::vec3(0.0f))));
     progress.beginStage("Drawing", request.presets.size());
     for (std::size_t i = 0; i < request.presets.size(); ++i) {
-        MACULA_TRY_VOID(drawRow(tracer, request, request.presets[i], placeOf(request, i), progress, sheet));
+        MACULA_TRY_VOID(
+            drawRow(tracer, request, lights, request.presets[i], placeOf(request, i), progress, sheet));
         progress.advance(1);
     }
     return std::move(sheet.rgba);

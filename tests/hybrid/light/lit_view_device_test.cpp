@@ -18,6 +18,8 @@ using coloured_ball::fromLeft;
 using coloured_ball::kPicture;
 using coloured_ball::matter;
 
+constexpr int kBounces = 4;
+
 class LitViews : public trace::DeviceTest {
   protected:
     struct Compared {
@@ -42,13 +44,14 @@ class LitViews : public trace::DeviceTest {
         Progress progress;
         LightInSpace light(0.7);
         ViewTracing tracing{.sizePx = kPicture, .samplesPerPixel = 30};
+        tracing.settings.bounces = kBounces;
         tracing.light = &light;
         EXPECT_TRUE(traceViews(tracer, std::span(cameras).first(12), tracing, progress).ok());
         light.finish();
         const auto lit = litView(tracer, cameras.back(), kPicture, light);
         const auto truth =
             traceView(tracer, {.camera = cameras.back(), .width = kPicture.x, .height = kPicture.y},
-                      {.seed = 1234}, 512, progress);
+                      {.bounces = kBounces, .seed = 1234}, 512, progress);
         EXPECT_TRUE(lit.ok() && truth.ok());
         const TracedView& view = *lit;
         EXPECT_EQ(view.sizePx, kPicture);
