@@ -210,8 +210,8 @@ void loseUnsynced() {
             const std::size_t size = std::min(kSector, left.size() - at);
             const std::size_t split = below(3) == 0 ? below(size + 1) : size * below(2);
             for (std::size_t i = at; i < at + size; ++i) {
-                // A file that was cut short was so or was not: it holds what it held, and no garbage. Where it
-                // grew, anything may be.
+                // A file that was cut short was so or was not: it holds what it held, and no garbage. Where
+                // it grew, anything may be.
                 const bool isNew = i < at + split && i < written.size();
                 const std::string& from = isNew ? written : synced;
                 left[i] = i < from.size() ? from[i] : static_cast<char>(random());
