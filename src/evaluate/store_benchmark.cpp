@@ -60,7 +60,8 @@ std::vector<std::byte> blobOf(std::size_t bytes, int model) {
 Result<void> fill(const fs::path& folder, const StoreBenchmarkOptions& options, Progress& progress) {
     MACULA_TRY(Store store, Store::open({.folder = folder}));
     const int series = options.studies * options.seriesPerStudy;
-    progress.beginStage("Making a large store", static_cast<std::size_t>(series + options.models));
+    progress.beginStage("Making a large store",
+                        static_cast<std::size_t>(series) + static_cast<std::size_t>(options.models));
     for (int i = 0; i < series; ++i) {
         if (progress.cancelled()) return cancelledError();
         MACULA_TRY_VOID(store.recordOpened(openedVolume(options, i)));

@@ -140,7 +140,7 @@ Result<void> LiveModel::takeFromStore(const StoredModel& stored) {
         case Answer::whole: {
             whole_ = stored;                           // the store gives it once
             if (!painter_) return drawStored(stored);  // first it is shown
-            const Result<void> done = goOnWith(*stored.state, ModelOrigin::stored);
+            Result<void> done = goOnWith(*stored.state, ModelOrigin::stored);
             if (!done && done.error().code != ErrorCode::inputNotUsable) return done;
             whole_.reset();
             askingSince_.reset();
