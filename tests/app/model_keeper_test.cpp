@@ -262,7 +262,7 @@ TEST_F(ModelKeeperTest, TheStateOfAStudyComesBackForItsVolumeAlone) {
     {
         const auto first = keeper();
         EXPECT_EQ(first->stateOf(volume_, 5s), std::nullopt);
-        first->keepState(volume_, R"({"look":"mip"})");
+        first->keepState(volume_, R"({"look":"mip","clip":{},"later":1})");
         first->keepState(volume_, R"({"look":"dvr"})");
     }
     const auto second = keeper();
@@ -271,6 +271,8 @@ TEST_F(ModelKeeperTest, TheStateOfAStudyComesBackForItsVolumeAlone) {
     const auto left = second->stateOf(volume_, 5s);
     ASSERT_TRUE(left);
     EXPECT_NE(left->find("dvr"), std::string::npos);
+    EXPECT_EQ(left->find("clip"), std::string::npos) << "what was taken back does not come back";
+    EXPECT_NE(left->find("later"), std::string::npos) << "what a newer version wrote stays";
     EXPECT_TRUE(told_.empty());
 }
 

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "app/session/scene_key.h"
+#include "app/state/state_keys.h"
 #include "base/fingerprint.h"
 #include "base/log.h"
 #include "pipeline/hybrid/model/peripheral_file.h"
@@ -442,7 +443,10 @@ void ModelKeeper::keepState(std::shared_ptr<const Volume> volume, std::string js
          [this, volume = std::move(volume), json = std::move(json)](session::Store& store) {
              const std::string digest = digestOf(volume);
              record(store, openedVolume(*volume, digest));
-             const auto done = store.putDocument(stateIdOf(*volume, digest), kStateVersion, json, {});
+             // A clip that was taken back is in the older text still.
+             const std::vector<std::string> keys = stateKeys();
+             const std::vector<std::string_view> known(keys.begin(), keys.end());
+             const auto done = store.putDocument(stateIdOf(*volume, digest), kStateVersion, json, known);
              if (!done) tell(done.error());
          });
 }

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/camera/camera_file.h"
+#include "app/state/state_keys.h"
 #include "app/state/study_state.h"
 #include "base/atomic_file.h"
 #include "pipeline/trace/light_rig_json.h"
@@ -27,10 +28,8 @@ constexpr std::array kFilters{trace::Filter::trilinear, trace::Filter::stochasti
 constexpr std::array kDenoisings{trace::Denoising::off, trace::Denoising::little, trace::Denoising::on};
 
 bool isKnown(const std::string& key) {
-    constexpr std::array kKeys{"version", "series", "look",           "shading", "filter",  "denoising",
-                               "preset",  "clip",   "leavesTableOut", "lights",  "windows", "camera"};
-    return std::ranges::find(kKeys, key) != kKeys.end() ||
-           std::ranges::find(parameters(), key, &Parameter::id) != parameters().end();
+    const std::vector<std::string> keys = stateKeys();
+    return std::ranges::find(keys, key) != keys.end();
 }
 
 // One of `values`, by nameOf.
@@ -83,6 +82,13 @@ Result<std::optional<T>> readPart(const Json& all, const char* key, const Read& 
 }
 
 }  // namespace
+
+std::vector<std::string> stateKeys() {
+    std::vector<std::string> keys{"version", "series", "look",           "shading", "filter",  "denoising",
+                                  "preset",  "clip",   "leavesTableOut", "lights",  "windows", "camera"};
+    for (const Parameter& parameter : parameters()) keys.emplace_back(parameter.id);
+    return keys;
+}
 
 std::string toJson(const StudyState& state) {
     Json json{{"version", kVersion}};
