@@ -135,7 +135,7 @@ TEST_F(Evaluate, TellsHowAModelGoesOn) {
 
 TEST_F(Evaluate, TellsHowGoodFramesAreByTheWayTheyAreMade) {
     const Ran ran = runMacula(
-        {"evaluate", "quality", "--size", "48", "--views", "2", "--truth-spp", "8", "--iterations", "8"});
+        {"evaluate", "quality", "--size", "48", "--views", "2", "--truth-spp", "8", "--iterations", "20"});
     ASSERT_EQ(ran.exitCode, 0) << ran.err;
     const json report = json::parse(ran.out);
     EXPECT_EQ(report["benchmark"], "quality");
