@@ -111,7 +111,7 @@ void setRowAside(Connection& connection, const Table& table, std::int64_t id) {
 }
 
 bool mergeRow(Connection& connection, const Table& table, const Row& row) {
-    // Another store may have been made by anybody.
+    // An import may come from anybody, so an identity that is no SHA-256 is refused here.
     const bool isNamed = !table.columns.front().isInteger;
     if (isNamed && !isDigest(row.text(0))) return false;
     if (&table == &kStudies) return mergeOpened(connection, table, row, studyFirstOpened, studyLastOpened);

@@ -79,7 +79,8 @@ Result<std::vector<BlobFiles::Entry>> orphansOf(StoreState& state);
 // Purge. -------------------------------------------------------------------------------------------------
 
 bool isPurgeBegun(const StoreState& state);
-// Blobs and pages of what was deleted, whoever began to delete it, so that no byte of it is left.
+// Finishes any purge that was begun, by this process or by one that was killed: overwrites the blobs that no
+// row names, and rewrites the database (VACUUM), so that no byte of what was deleted is left.
 Result<void> finishPurge(StoreState& state);
 // Damaged files that were set aside have a folder each.
 std::size_t foldersIn(const std::filesystem::path& folder);

@@ -1,4 +1,4 @@
-// Text in chunks and comments: lines of a name and what stands behind it.
+// The text of .macula chunks and of PLY comments: each line holds a name, a space, and a value.
 #pragma once
 
 #include <cstddef>
