@@ -1,5 +1,5 @@
 // Blobs of models: files beside the database, named by the SHA-256 of what they hold. A file is written three
-// to five times as fast as a row of the database and read as fast (docs/measurements/session.md), its
+// to five times as fast as a row of the database and read as fast (docs/measurements), its
 // beginning can be read alone, and a blob that was changed does not fit its name any more.
 #pragma once
 
