@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "app/state/parameters.h"
 #include "base/camera.h"
@@ -18,8 +19,24 @@
 #include "pipeline/trace/settings.h"
 #include "pipeline/volume/clip_json.h"
 #include "pipeline/volume/transfer_function.h"
+#include "slices/measurement.h"
+#include "slices/sampled_slice.h"
 
 namespace macula::app {
+
+// Which panes a study is shown in.
+enum class Layout { volume, fourPanes, axial, coronal, sagittal };
+
+// How slices are shown, the same in all panes.
+struct SliceState {
+    std::optional<DisplayWindow> window = {};  // nothing: that of the series
+    slices::Slab slab = {};
+    bool isInverted = false;  // white and black change places
+    bool asAcquired = false;  // in the planes of the acquisition; else in those of the patient
+    std::optional<glm::dvec3> crosshairMm = {};  // nothing: the middle of the volume
+
+    bool operator==(const SliceState&) const = default;
+};
 
 struct StudyState {
     // Which volume: see StudyInput::seriesDigest. Empty: whichever is open.
@@ -37,6 +54,9 @@ struct StudyState {
     // The windows of projections that somebody set, by look. Nothing: that of the series.
     std::array<std::optional<DisplayWindow>, trace::kLooks.size()> windows = {};
     std::optional<Camera> camera = {};  // nothing: one that fits what is visible
+    Layout layout = Layout::fourPanes;
+    SliceState slices = {};
+    std::vector<slices::Measurement> measurements = {};
     // A JSON object of what a newer Macula has written and this one does not know. It is written back.
     std::string otherKeys = {};
 

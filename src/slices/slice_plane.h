@@ -1,0 +1,57 @@
+// The plane of a slice, and the picture of it: reformatted images (PS3.3 C.8.32 calls them MPR), in patient
+// LPS mm.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <optional>
+
+#include "base/frames.h"
+#include "base/volume.h"
+
+namespace macula::slices {
+
+enum class Orientation { axial, coronal, sagittal };
+
+// As a radiologist sees it: the patient's right is at the left of an axial and a coronal picture, anterior at
+// the left of a sagittal one. right and down are unit vectors, perpendicular.
+struct SlicePlane {
+    glm::dvec3 centreMm{0.0};  // in the middle of the picture
+    glm::dvec3 right{1.0, 0.0, 0.0};
+    glm::dvec3 down{0.0, 1.0, 0.0};
+
+    // Away from who looks: to the head in an axial picture.
+    glm::dvec3 normal() const { return glm::cross(right, down); }
+    bool operator==(const SlicePlane&) const = default;
+};
+
+SlicePlane planeOf(Orientation orientation, const glm::dvec3& centreMm);
+
+// The plane in which the slices of the volume were taken, turned by quarters and mirrored so that it looks
+// like planeOf of the orientation that it is nearest to. Of a volume with a tilted gantry its normal is not
+// the direction from slice to slice.
+SlicePlane acquiredPlane(const Volume& volume, const glm::dvec3& centreMm);
+Orientation acquiredOrientation(const Volume& volume);
+
+// The picture of a plane. Its pixels are square; (0, 0) is the upper left corner of the picture, and the
+// middle of the first pixel is (0.5, 0.5).
+struct SliceFrame {
+    SlicePlane plane;
+    double mmPerPixel = 1.0;
+    glm::ivec2 sizePx{0};
+
+    glm::dvec3 worldFromPicture(const glm::dvec2& px) const;
+    // Of the point of the plane that is nearest.
+    glm::dvec2 pictureFromWorld(const glm::dvec3& mm) const;
+    double distanceMm(const glm::dvec3& mm) const;  // from the plane, positive along its normal
+    bool operator==(const SliceFrame&) const = default;
+};
+
+// The largest scale at which all of the volume that the plane meets fits; of what it does not meet, all of
+// the volume.
+double fittedMmPerPixel(const Volume& volume, const SlicePlane& plane, const glm::ivec2& sizePx);
+
+// How far it is from one slice to the next along the normal of the plane: the distance of voxel planes where
+// the plane is one of them, else the smallest side of a voxel. Positive.
+double stepMm(const Volume& volume, const SlicePlane& plane);
+
+}  // namespace macula::slices

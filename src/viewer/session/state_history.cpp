@@ -1,0 +1,43 @@
+#include "viewer/session/state_history.h"
+
+#include <iterator>
+#include <utility>
+
+#include "base/check.h"
+
+namespace macula::viewer {
+
+void StateHistory::begin(app::StudyState state) {
+    states_.assign(1, {.what = {}, .state = std::move(state)});
+    place_ = 0;
+    joining_ = false;
+}
+
+bool StateHistory::push(const QString& what, app::StudyState state, bool joins) {
+    const bool goesOn = joins && joining_ && place_ > 0 && states_[place_].what == what;
+    joining_ = joins;
+    if (state == now()) return false;
+    states_.erase(std::next(states_.begin(), std::ptrdiff_t(place_) + 1), states_.end());
+    if (goesOn) {
+        states_.back().state = std::move(state);
+        return true;
+    }
+    states_.push_back({.what = what, .state = std::move(state)});
+    if (states_.size() > kMostSteps + 1) states_.pop_front();
+    place_ = states_.size() - 1;
+    return true;
+}
+
+void StateHistory::undo() {
+    MACULA_CHECK(canUndo());
+    --place_;
+    joining_ = false;
+}
+
+void StateHistory::redo() {
+    MACULA_CHECK(canRedo());
+    ++place_;
+    joining_ = false;
+}
+
+}  // namespace macula::viewer

@@ -1,0 +1,42 @@
+// The states of a study, in the order in which a person went through them.
+#pragma once
+
+#include <QString>
+#include <cstddef>
+#include <deque>
+
+#include "app/state/study_state.h"
+
+namespace macula::viewer {
+
+// States share what is large in them, so a step is small. The oldest are forgotten after kMostSteps.
+inline constexpr std::size_t kMostSteps = 200;
+
+class StateHistory {
+  public:
+    const app::StudyState& now() const { return states_[place_].state; }
+
+    void begin(app::StudyState state);  // and nothing before it
+    // Whether it is another one than before. With `joins`, it takes the place of the last step where that was
+    // made of the same `what` by such a push, and none has ended it.
+    bool push(const QString& what, app::StudyState state, bool joins = false);
+    void endJoining() { joining_ = false; }
+
+    bool canUndo() const { return place_ > 0; }
+    bool canRedo() const { return place_ + 1 < states_.size(); }
+    QString undoText() const { return canUndo() ? states_[place_].what : QString(); }
+    QString redoText() const { return canRedo() ? states_[place_ + 1].what : QString(); }
+    void undo();
+    void redo();
+
+  private:
+    struct Step {
+        QString what;  // led to it
+        app::StudyState state;
+    };
+    std::deque<Step> states_{Step{}};
+    std::size_t place_ = 0;
+    bool joining_ = false;  // the last step goes on
+};
+
+}  // namespace macula::viewer

@@ -1,0 +1,50 @@
+#include "viewer/session/viewer_session.h"
+
+#include <utility>
+
+namespace macula::viewer {
+
+ViewerSession::ViewerSession(app::Catalogue catalogue, QObject* parent)
+    : QObject(parent), catalogue_(std::move(catalogue)) {}
+
+void ViewerSession::show(app::OpenedStudy study, app::StudyState state) {
+    study_ = std::move(study);
+    history_.begin(std::move(state));
+    emit studyShown();
+}
+
+void ViewerSession::change(const QString& what, const Edit& edit) {
+    push(what, edit, false);
+}
+
+void ViewerSession::drag(const QString& what, const Edit& edit) {
+    push(what, edit, true);
+}
+
+void ViewerSession::endDrag() {
+    history_.endJoining();
+}
+
+void ViewerSession::push(const QString& what, const Edit& edit, bool joins) {
+    app::StudyState next = state();
+    edit(next);
+    tellOfChange([&] { return history_.push(what, std::move(next), joins); });
+}
+
+void ViewerSession::undo() {
+    if (!canUndo()) return;
+    tellOfChange([&] { return history_.undo(), true; });
+}
+
+void ViewerSession::redo() {
+    if (!canRedo()) return;
+    tellOfChange([&] { return history_.redo(), true; });
+}
+
+// A listener may propose a change of its own: what it is told as `before` stays as it is.
+void ViewerSession::tellOfChange(const std::function<bool()>& change) {
+    const app::StudyState before = state();
+    if (change()) emit changed(before);
+}
+
+}  // namespace macula::viewer

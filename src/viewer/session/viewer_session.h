@@ -1,0 +1,65 @@
+// What every panel looks at: the study that is open, and all that was chosen for it, as one value that is
+// never changed, only followed by another.
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <functional>
+
+#include "app/choice/catalogue.h"
+#include "app/state/study_state.h"
+#include "app/study/opened_study.h"
+#include "viewer/session/state_history.h"
+
+namespace macula::viewer {
+
+// Panels read state(), and propose another one:
+//
+//     session.change(tr("Preset"), [&](app::StudyState& next) { next.preset = chosen; });
+//
+// Who shows something of it listens to `changed`. Nothing here draws, and nothing waits. Lives on the UI
+// thread.
+class ViewerSession : public QObject {
+    Q_OBJECT
+
+  public:
+    explicit ViewerSession(app::Catalogue catalogue, QObject* parent = nullptr);
+
+    const app::Catalogue& catalogue() const { return catalogue_; }
+    bool hasStudy() const { return study_.volume != nullptr; }
+    const app::OpenedStudy& study() const { return study_; }  // its volume is null before the first
+    const app::StudyState& state() const { return history_.now(); }
+
+    // A study takes the place of the one before, in this state; there is nothing to undo.
+    void show(app::OpenedStudy study, app::StudyState state);
+
+    using Edit = std::function<void(app::StudyState&)>;
+    // One step, `what` in a word or two for the menu: "Preset". Nothing happens where the edit changes
+    // nothing.
+    void change(const QString& what, const Edit& edit);
+    // The same while a hand moves: until `endDrag`, or a change of something else, all is one step.
+    void drag(const QString& what, const Edit& edit);
+    void endDrag();
+
+    bool canUndo() const { return history_.canUndo(); }
+    bool canRedo() const { return history_.canRedo(); }
+    QString undoText() const { return history_.undoText(); }  // what would be undone; empty: nothing
+    QString redoText() const { return history_.redoText(); }
+    void undo();
+    void redo();
+
+  signals:
+    void studyShown();  // another one, with its state
+    // Of the same study. `before` is valid while the signal is told.
+    void changed(const macula::app::StudyState& before);
+
+  private:
+    void push(const QString& what, const Edit& edit, bool joins);
+    void tellOfChange(const std::function<bool()>& change);
+
+    app::Catalogue catalogue_;
+    app::OpenedStudy study_;
+    StateHistory history_;
+};
+
+}  // namespace macula::viewer
