@@ -18,6 +18,7 @@
 #include "app/session/model_keeper.h"
 #include "app/state/study_state.h"
 #include "viewer/choice_menu.h"
+#include "viewer/session/viewer_session.h"
 #include "viewer/status_widgets.h"
 #include "viewer/study_loader.h"
 #include "viewer/table_removal.h"
@@ -71,7 +72,8 @@ class MainWindow : public QMainWindow {
     // Null where nothing is kept.
     app::ModelKeeper* keeper() { return keeper_.get(); }
     QString modelState() const { return modelText_->fullText(); }  // what the peripheral model is doing
-    bool hasStudy() const { return study_.volume != nullptr; }
+    bool hasStudy() const { return session_.hasStudy(); }
+    ViewerSession& session() { return session_; }
     // All that was chosen, with the camera of now; and another one of the same study. usage when none is
     // open, inputNotUsable when it was saved of another series.
     app::StudyState state() const;
@@ -98,11 +100,14 @@ class MainWindow : public QMainWindow {
     void connectLoader();
     void connectTable();
     app::Drawing drawing() const;
+    const app::Catalogue& catalogue() const { return session_.catalogue(); }
+    const app::OpenedStudy& study() const { return session_.study(); }
+    void onChanged(const app::StudyState& before);
     void redraw();      // what was chosen has changed
     void updateClip();  // what is hidden has
     void showChosen();  // in menus and lists
     std::shared_ptr<app::ModelKeeper> makeKeeper();
-    std::optional<app::StudyState> stateAsLeft();
+    std::optional<app::StudyState> stateAsLeft(const app::OpenedStudy& study);
     app::StudyState stateToKeep() const;
     void keepState();
     void showAfresh();
@@ -127,16 +132,15 @@ class MainWindow : public QMainWindow {
 
     MainWindowOptions options_;
     StudyLoader loader_;
-    app::OpenedStudy study_;  // open; nothing of it is told before its picture is on screen
+    // What is open, and what was chosen for it; nothing of it is told before its picture is on screen. The
+    // camera is the viewport's. Its preset need not be the one asked for.
+    ViewerSession session_;
     QStringList studyNotes_;  // what is to be known about it
     QString presetNote_;      // and about the preset that was chosen for it
     QString visibilityNote_;  // and why nothing of it can be seen
     QString pictureNote_;     // and about what the device shows of it
     QString deviceNote_;      // and about the device
     bool deviceIsBack_ = true;
-    // What was chosen for the study that is open, but for what widgets know: the camera is the viewport's,
-    // and whether the table is left out is its action's. Its preset need not be the one asked for.
-    app::StudyState state_;
     std::shared_ptr<const Clip> clip_;  // that it comes to; null: nothing is hidden
     app::SeriesWindows seriesWindows_;
     std::shared_ptr<app::ModelKeeper> keeper_;  // null: nothing is kept

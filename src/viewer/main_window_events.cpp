@@ -54,7 +54,7 @@ void MainWindow::onRendered(const app::RenderEvent& event) {
     } else if (const auto* ready = std::get_if<app::DeviceReady>(&event)) {
         deviceText_->setFullText(QString::fromStdString(ready->name));
         deviceText_->setToolTip(QString::fromStdString(ready->description));
-        if (!study_.volume) fidelity_->setFullText(tr("No study is open"));  // nothing else comes
+        if (!study().volume) fidelity_->setFullText(tr("No study is open"));  // nothing else comes
     } else if (std::holds_alternative<app::DeviceRestarting>(event)) {
         badge_->hide();
         fidelity_->setFullText(tr("Starting the graphics device again…"));
@@ -116,8 +116,8 @@ void MainWindow::onFrame(const app::FrameShown& frame) {
         rateEnds_.start();
     }
     pictureText_->setFullText(pictureText);
-    setStudyTexts(study_);
-    setTitle(QString::fromStdString(titleOf(study_.identity)));
+    setStudyTexts(study());
+    setTitle(QString::fromStdString(titleOf(study().identity)));
     emit frameShown(frame);
 }
 

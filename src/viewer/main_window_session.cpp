@@ -16,7 +16,7 @@ std::shared_ptr<app::ModelKeeper> MainWindow::makeKeeper() {
                 this,
                 [this, error] {
                     storeNote_ = QString::fromStdString(error.message + " " + error.hint);
-                    storeNoteIsNew_ = !study_.volume || loader_.loading();
+                    storeNoteIsNew_ = !study().volume || loader_.loading();
                     showNotes();
                 },
                 Qt::QueuedConnection);
@@ -33,9 +33,9 @@ MainWindow::~MainWindow() {
     keeper_.reset();
 }
 
-std::optional<app::StudyState> MainWindow::stateAsLeft() {
-    if (study_.stateAsLeft.empty() || !options_.restoresState) return std::nullopt;
-    auto state = app::studyStateFromJson(study_.stateAsLeft, {});
+std::optional<app::StudyState> MainWindow::stateAsLeft(const app::OpenedStudy& study) {
+    if (study.stateAsLeft.empty() || !options_.restoresState) return std::nullopt;
+    auto state = app::studyStateFromJson(study.stateAsLeft, {});
     if (!state) {
         sessionNote_ = tr("How this study was left cannot be read; it is shown as when opened first.");
         return std::nullopt;
@@ -51,23 +51,22 @@ app::StudyState MainWindow::stateToKeep() const {
 }
 
 void MainWindow::keepState() {
-    if (!keeper_ || !study_.volume || !options_.restoresState) return;
+    if (!keeper_ || !study().volume || !options_.restoresState) return;
     app::StudyState now = stateToKeep();
     if (kept_ && *kept_ == now) return;
-    keeper_->keepState(study_.volume, app::toJson(now));
+    keeper_->keepState(study().volume, app::toJson(now));
     kept_ = std::move(now);
 }
 
 void MainWindow::showAfresh() {
-    if (!study_.volume) return;
-    app::OpenedStudy study = study_;
-    study.stateAsLeft.clear();
-    const app::StudyState usual;
-    state_.lights = options_.lights;
-    state_.settings.look = usual.settings.look;
-    state_.settings.shading = usual.settings.shading;
+    if (!study().volume) return;
+    app::OpenedStudy shown = study();
+    shown.stateAsLeft.clear();
+    session_.change(tr("Show afresh"), [this](app::StudyState& next) {
+        next = {.lights = options_.lights, .layout = next.layout};
+    });
     kept_ = stateToKeep();  // what goes is not kept once more,
-    showStudy(study);
+    showStudy(shown);
     kept_.reset();  // but what comes is
 }
 

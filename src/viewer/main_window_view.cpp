@@ -22,40 +22,42 @@ int indexOf(const Items& items, const Same& isSame) {
 }  // namespace
 
 app::StudyState MainWindow::state() const {
-    app::StudyState state = state_;
-    if (study_.volume) state.camera = toCamera(viewport_->camera());
+    app::StudyState state = session_.state();
+    if (study().volume) state.camera = toCamera(viewport_->camera());
     state.leavesTableOut = table_->action().isChecked();
     return state;
 }
 
 Result<void> MainWindow::setState(const app::StudyState& state) {
-    if (!study_.volume)
+    if (!study().volume)
         return Error{ErrorCode::usage, "No study is open.", {}, "Open the study that the view is of first."};
-    MACULA_TRY_VOID(app::checkSeries(state, study_.seriesDigest, {}));
-    state_ = state;
-    state_.seriesDigest = study_.seriesDigest;
-    state_.camera.reset();  // the viewport's, from here on
-    if (!state_.preset) state_.preset = app::presetFor(options_.catalogue, *study_.volume);
-    presetNote_ = presetWarning(*state_.preset, *study_.volume);
+    MACULA_TRY_VOID(app::checkSeries(state, study().seriesDigest, {}));
     sessionNote_.clear();  // it is not as it was left any more
-    showChosen();
-    table_->ask(state_.leavesTableOut);
-    updateClip();
+    session_.change(tr("Open view"), [&](app::StudyState& next) {
+        const bool leavesTableOut = next.leavesTableOut;
+        next = state;
+        next.seriesDigest = study().seriesDigest;
+        next.camera.reset();                   // the viewport's, from here on
+        next.leavesTableOut = leavesTableOut;  // until it is found
+        if (!next.preset) next.preset = app::presetFor(catalogue(), *study().volume);
+    });
+    table_->ask(state.leavesTableOut);
     showNotes();
     if (state.camera) viewport_->showFrom(*state.camera);
     return {};
 }
 
 void MainWindow::showChosen() {
-    presets_->setCurrentIndex(indexOf(options_.catalogue.presets, [&](const TransferFunction& preset) {
-        return app::isSame(preset, *state_.preset);
+    const app::StudyState& state = session_.state();
+    presets_->setCurrentIndex(indexOf(catalogue().presets, [&](const TransferFunction& preset) {
+        return state.preset && app::isSame(preset, *state.preset);
     }));
-    looks_->choose(int(state_.settings.look));
-    shading_->setChecked(state_.settings.shading == trace::Shading::headlight);
+    looks_->choose(int(state.settings.look));
+    shading_->setChecked(state.settings.shading == trace::Shading::headlight);
     // Number 0 is no clip; a clip of its own is none of the menu's, and "No Clip" takes it away.
-    const int clip = indexOf(options_.catalogue.clips,
-                             [&](const ClipPreset& c) { return state_.clip && c == *state_.clip; });
-    clips_->choose(!state_.clip ? 0 : clip < 0 ? -1 : clip + 1);
+    const int clip =
+        indexOf(catalogue().clips, [&](const ClipPreset& c) { return state.clip && c == *state.clip; });
+    clips_->choose(!state.clip ? 0 : clip < 0 ? -1 : clip + 1);
 }
 
 void MainWindow::askForView() {
@@ -65,7 +67,7 @@ void MainWindow::askForView() {
 }
 
 void MainWindow::askWhereToSaveView() {
-    if (!study_.volume)
+    if (!study().volume)
         return messages_->showError({ErrorCode::usage,
                                      tr("There is no view to save yet.").toStdString(),
                                      {},

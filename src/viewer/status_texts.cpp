@@ -21,6 +21,10 @@ QString lookText(trace::Look look) {
 
 }  // namespace
 
+QString titleOr(const std::string& title, const std::string& name) {
+    return QString::fromStdString(title.empty() ? name : title);
+}
+
 QString fidelityText(const app::FrameShown& frame) {
     const auto tr = [](const char* text) { return QCoreApplication::translate("Fidelity", text); };
     const QString remarks =

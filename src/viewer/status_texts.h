@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QString>
+#include <string>
 
 #include "app/frame/render_events.h"
 #include "base/volume.h"
@@ -9,6 +10,9 @@
 #include "pipeline/volume/transfer_function.h"
 
 namespace macula::viewer {
+
+// Of a preset, a clip or lights.
+QString titleOr(const std::string& title, const std::string& name);
 
 // What is on screen, how it was made, and how far it has come.
 QString fidelityText(const app::FrameShown& frame);

@@ -1,0 +1,215 @@
+// Menus, bars, and what stands in them.
+#include <QAction>
+#include <QMenuBar>
+#include <QStatusBar>
+#include <QToolBar>
+
+#include "app/camera/view_directions.h"
+#include "pipeline/volume/window.h"
+#include "viewer/help_boxes.h"
+#include "viewer/keys.h"
+#include "viewer/main_window.h"
+#include "viewer/status_texts.h"
+
+namespace macula::viewer {
+
+namespace {
+
+QString asText(std::string_view text) {
+    return QString::fromUtf8(text.data(), qsizetype(text.size()));
+}
+
+// With a capital.
+QString asTitle(const std::string& name) {
+    QString title = QString::fromStdString(name);
+    if (!title.isEmpty()) title[0] = title[0].toUpper();
+    return title;
+}
+
+template <class Item>
+void fill(QComboBox& box, const std::vector<std::shared_ptr<const Item>>& items) {
+    for (const auto& item : items) {
+        box.addItem(titleOr(item->title, item->name));
+        box.setItemData(box.count() - 1, QString::fromStdString(item->name), Qt::ToolTipRole);
+    }
+}
+
+}  // namespace
+
+void MainWindow::makeMenus() {
+    QMenu* file = menuBar()->addMenu(tr("&File"));
+    file->setToolTipsVisible(true);
+    QAction* openFolder = file->addAction(tr("&Open Folder…"), this, &MainWindow::askForFolder);
+    openFolder->setShortcut(keyOf(KeyAction::openFolder));
+    openFolder->setToolTip(tr("Open the best volume in a folder of DICOM files"));
+    QAction* openFile = file->addAction(tr("Open &File…"), this, &MainWindow::askForFile);
+    openFile->setShortcut(keyOf(KeyAction::openFile));
+    openFile->setToolTip(tr("Open the series of an image, a DICOMDIR, or a NIfTI, NRRD or MetaImage file"));
+    QAction* phantom = file->addAction(tr("Open &Phantom"), this, [this] { open(std::nullopt); });
+    phantom->setToolTip(tr("Open the built-in phantom study"));
+    file->addSeparator();
+    QAction* openView = file->addAction(tr("Open &View…"), this, &MainWindow::askForView);
+    openView->setShortcut(keyOf(KeyAction::openView));
+    openView->setToolTip(tr("Show this study as it was when a view was saved"));
+    QAction* saveView = file->addAction(tr("&Save View…"), this, &MainWindow::askWhereToSaveView);
+    saveView->setShortcut(keyOf(KeyAction::saveView));
+    saveView->setToolTip(tr("Preset, clip, lights, look, window and camera, for another time"));
+    file->addSeparator();
+    QAction* quit = file->addAction(tr("&Quit"), this, &QWidget::close);
+    quit->setShortcut(keyOf(KeyAction::quit));
+
+    // The keys of this menu are handled by the viewport, so that they do nothing while a list has the focus.
+    QMenu* view = menuBar()->addMenu(tr("&View"));
+    const auto withKey = [](const QString& title, KeyAction action) {
+        return title + QLatin1Char('\t') + keyOf(action).toString();
+    };
+    for (const KeyRow& row : kKeys) {
+        if (const auto direction = viewDirectionOf(row.action))
+            view->addAction(withKey(asTitle(app::nameOf(*direction)), row.action), this,
+                            [this, from = *direction] { viewport_->showFrom(from); });
+    }
+    view->addSeparator();
+    view->addAction(withKey(tr("Fit what is visible"), KeyAction::fit), this, [this] { viewport_->fit(); });
+    QAction* afresh = view->addAction(tr("Show as when first opened"), this, &MainWindow::showAfresh);
+    afresh->setObjectName(QStringLiteral("show-afresh"));
+    afresh->setToolTip(
+        tr("Preset, lights, clip, look and camera that a study has which nobody has seen yet"));
+    view->addSeparator();
+    names_ = view->addAction(withKey(tr("Patient and study over the picture"), KeyAction::names));
+    names_->setObjectName(QStringLiteral("names"));
+    names_->setCheckable(true);
+    names_->setChecked(true);
+    connect(names_, &QAction::triggered, viewport_, &Viewport::showNames);
+    QAction* gaze = view->addAction(tr("Trace where the pointer is, while moving"));
+    gaze->setCheckable(true);
+    gaze->setChecked(true);
+    connect(gaze, &QAction::triggered, viewport_, &Viewport::setGazeFollowsPointer);
+
+    makeLookMenu();
+    makeClipMenu();
+
+    QMenu* help = menuBar()->addMenu(tr("&Help"));
+    help->addAction(tr("&Keys and Mouse"), this, [this] { showKeys(this); })
+        ->setShortcut(keyOf(KeyAction::help));
+    help->addAction(tr("&About Macula"), this, [this] { showAbout(this); });
+}
+
+void MainWindow::makeLookMenu() {
+    looks_ = new ChoiceMenu(tr("&Look"), this);
+    menuBar()->addMenu(looks_);
+    for (const trace::LookTraits& look : trace::kLooks) {
+        looks_->addChoice(asText(look.title), QStringLiteral("look-") + asText(look.name))
+            ->setShortcut(keyOf(look.look));
+    }
+    looks_->addSeparator();
+    shading_ = looks_->addAction(tr("&Shade Ray Cast"));
+    shading_->setObjectName(QStringLiteral("shade-ray-cast"));
+    shading_->setCheckable(true);
+    shading_->setShortcut(keyOf(KeyAction::shade));
+    shading_->setToolTip(tr("Light ray casts from the eye, as much as the preset says"));
+    shading_->setChecked(true);
+    QAction* window = looks_->addAction(tr("Reset &Window"), this, [this] {
+        session_.change(tr("Window"), [](app::StudyState& next) {
+            next.windows.at(std::size_t(next.settings.look)).reset();
+        });
+    });
+    window->setObjectName(QStringLiteral("reset-window"));
+    window->setShortcut(keyOf(KeyAction::resetWindow));
+    window->setToolTip(tr("Of the values: that of the series"));
+    resetWindow_ = window;
+    connect(viewport_, &Viewport::windowDragged, this, [this](QPointF byHeights) {
+        const auto from = drawing().settings.window;
+        if (!from) return;
+        session_.drag(tr("Window"), [&](app::StudyState& next) {
+            next.windows.at(std::size_t(next.settings.look)) =
+                app::dragged(*from, {byHeights.x(), byHeights.y()});
+        });
+    });
+    connect(&viewport_->window(), &VulkanWindow::dragEnded, &session_, &ViewerSession::endDrag);
+    connect(looks_, &ChoiceMenu::changed, this, [this](int index) {
+        session_.change(tr("Look"), [index](app::StudyState& next) {
+            next.settings.look = trace::kLooks.at(std::size_t(index)).look;
+        });
+    });
+    connect(shading_, &QAction::triggered, this, [this](bool shaded) {
+        session_.change(tr("Shading"), [shaded](app::StudyState& next) {
+            next.settings.shading = shaded ? trace::Shading::headlight : trace::Shading::none;
+        });
+    });
+}
+
+void MainWindow::makeClipMenu() {
+    clips_ = new ChoiceMenu(tr("&Clip"), this);
+    menuBar()->addMenu(clips_);
+    clips_->addAction(&table_->action());
+    clips_->addSeparator();
+    clips_->addChoice(tr("&No Clip"), QStringLiteral("no-clip"))->setShortcut(keyOf(KeyAction::noClip));
+    for (const auto& clip : catalogue().clips) {
+        clips_->addChoice(titleOr(clip->title, clip->name),
+                          QStringLiteral("clip-") + QString::fromStdString(clip->name));
+    }
+    connect(clips_, &ChoiceMenu::changed, this, [this](int index) {
+        session_.change(tr("Clip"), [&](app::StudyState& next) {
+            next.clip.reset();
+            if (index > 0) next.clip = *catalogue().clips.at(std::size_t(index) - 1);  // 0 is no clip
+        });
+    });
+}
+
+void MainWindow::makeToolBar() {
+    QToolBar* bar = addToolBar(tr("Look"));
+    bar->setMovable(false);
+    presets_ = new QComboBox(bar);
+    presets_->setAccessibleName(tr("Preset"));
+    fill(*presets_, catalogue().presets);
+    presets_->setCurrentIndex(-1);
+    lights_ = new QComboBox(bar);
+    lights_->setAccessibleName(tr("Lights"));
+    fill(*lights_, catalogue().lights);
+    bar->addWidget(new QLabel(tr(" Preset "), bar));
+    bar->addWidget(presets_);
+    bar->addWidget(new QLabel(tr("  Lights "), bar));
+    bar->addWidget(lights_);
+    bar->addWidget(new QLabel(QStringLiteral("   "), bar));
+    volumes_ = new VolumeChoice(bar);
+    volumesInBar_ = bar->addWidget(volumes_);
+    volumesInBar_->setVisible(false);
+    connect(volumes_, &VolumeChoice::chosen, this, [this](std::size_t index) {
+        keepState();  // as in open()
+        loader_.open(study().found, index);
+        viewport_->setFocus();
+    });
+    description_ = new ElidingLabel(tr("Series"), bar);
+    description_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+    bar->addWidget(description_);
+
+    connect(presets_, &QComboBox::activated, this, &MainWindow::choosePreset);
+    connect(lights_, &QComboBox::activated, this, [this](int index) {
+        session_.change(tr("Lights"),
+                        [&](app::StudyState& next) { next.lights = catalogue().lights[std::size_t(index)]; });
+        viewport_->setFocus();
+    });
+}
+
+void MainWindow::makeStatusBar() {
+    fidelity_ = new ElidingLabel(tr("How true the picture is"));
+    modelText_ = new ElidingLabel(
+        tr("The peripheral model: splats that are shown with all pixels while a hand moves"));
+    pictureText_ = new ElidingLabel(tr("Pixels, pictures per second"));
+    volumeText_ = new ElidingLabel(tr("Voxels and their size"));
+    deviceText_ = new ElidingLabel(tr("Device"));
+    // How far the picture can be trusted is the last thing to be cut short.
+    fidelity_->keepLongest();
+    statusBar()->addWidget(loading_);
+    statusBar()->addWidget(searching_);
+    badge_ = new FidelityBadge;
+    statusBar()->addWidget(badge_);
+    statusBar()->addWidget(fidelity_, 1);
+    statusBar()->addPermanentWidget(modelText_);
+    statusBar()->addPermanentWidget(pictureText_);
+    statusBar()->addPermanentWidget(volumeText_);
+    statusBar()->addPermanentWidget(deviceText_);
+    fidelity_->setFullText(tr("No study is open"));
+}
+
+}  // namespace macula::viewer
