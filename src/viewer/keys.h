@@ -36,6 +36,10 @@ enum class KeyAction {
     openFile,
     openView,
     saveView,
+    savePicture,
+    saveMeasurements,
+    undo,
+    redo,
     quit,
     help,  // the last: a test counts to it
 };
@@ -69,6 +73,10 @@ inline constexpr std::array kKeys{
     KeyRow{KeyAction::openFile, "", "Ctrl+Shift+O", "Open an image or a volume file"},
     KeyRow{KeyAction::saveView, "", "Ctrl+S", "Save the view: preset, clip, lights, look, window, camera"},
     KeyRow{KeyAction::openView, "", "Ctrl+Shift+V", "Open a view that was saved"},
+    KeyRow{KeyAction::savePicture, "", "Ctrl+E", "Save the picture, at any size"},
+    KeyRow{KeyAction::saveMeasurements, "", "Ctrl+Shift+E", "Save the measurements as a table"},
+    KeyRow{KeyAction::undo, "", "Ctrl+Z", "Undo the last change"},
+    KeyRow{KeyAction::redo, "", "Ctrl+Shift+Z", "Do it again"},
     KeyRow{KeyAction::help, "", "F1", "All keys"},
     KeyRow{KeyAction::quit, "", "Ctrl+Q", "Quit"},
 };

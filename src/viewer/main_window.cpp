@@ -49,7 +49,9 @@ MainWindow::MainWindow(gpu::Instance instance, MainWindowOptions options)
       messages_(new MessageBar),
       loading_(new WorkBar),
       table_(new TableRemoval(this)),
-      searching_(new WorkBar) {
+      searching_(new WorkBar),
+      export_(new PictureExport(options_.device, this)),
+      exporting_(new WorkBar) {
     session_.show({}, {.lights = options_.lights});
     setTitle({});
     setAcceptDrops(true);
@@ -67,6 +69,7 @@ MainWindow::MainWindow(gpu::Instance instance, MainWindowOptions options)
     makeStatusBar();
     connectLoader();
     connectTable();
+    connectExport();
 
     connect(&session_, &ViewerSession::changed, this, &MainWindow::onChanged);
     connect(viewport_, &Viewport::rendered, this, &MainWindow::onRendered);

@@ -18,6 +18,7 @@
 #include "app/session/model_keeper.h"
 #include "app/state/study_state.h"
 #include "viewer/choice_menu.h"
+#include "viewer/output/picture_export.h"
 #include "viewer/session/viewer_session.h"
 #include "viewer/status_widgets.h"
 #include "viewer/study_loader.h"
@@ -115,6 +116,9 @@ class MainWindow : public QMainWindow {
     void saveView(const QString& path);
     void askForView();
     void askWhereToSaveView();
+    void connectExport();
+    void askForPicture();
+    void askWhereToSavePicture(QSize pixels, const std::string& quality);
     void askForFolder();
     void askForFile();
     void ask(QFileDialog* dialog, std::function<void(const QString&)> then);
@@ -161,6 +165,8 @@ class MainWindow : public QMainWindow {
     WorkBar* loading_ = nullptr;
     TableRemoval* table_ = nullptr;
     WorkBar* searching_ = nullptr;  // for the table
+    PictureExport* export_ = nullptr;
+    WorkBar* exporting_ = nullptr;
     ChoiceMenu* looks_ = nullptr;
     QAction* shading_ = nullptr;
     QAction* resetWindow_ = nullptr;

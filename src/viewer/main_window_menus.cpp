@@ -55,6 +55,11 @@ void MainWindow::makeMenus() {
     saveView->setShortcut(keyOf(KeyAction::saveView));
     saveView->setToolTip(tr("Preset, clip, lights, look, window and camera, for another time"));
     file->addSeparator();
+    QAction* savePicture = file->addAction(tr("Save &Picture…"), this, &MainWindow::askForPicture);
+    savePicture->setObjectName(QStringLiteral("save-picture"));
+    savePicture->setShortcut(keyOf(KeyAction::savePicture));
+    savePicture->setToolTip(tr("Draw what is seen in 3D at any size and quality, without names"));
+    file->addSeparator();
     QAction* quit = file->addAction(tr("&Quit"), this, &QWidget::close);
     quit->setShortcut(keyOf(KeyAction::quit));
 
@@ -202,6 +207,7 @@ void MainWindow::makeStatusBar() {
     fidelity_->keepLongest();
     statusBar()->addWidget(loading_);
     statusBar()->addWidget(searching_);
+    statusBar()->addWidget(exporting_);
     badge_ = new FidelityBadge;
     statusBar()->addWidget(badge_);
     statusBar()->addWidget(fidelity_, 1);

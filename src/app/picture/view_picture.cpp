@@ -1,0 +1,69 @@
+#include "app/picture/view_picture.h"
+
+#include <fmt/format.h>
+
+#include <string_view>
+#include <utility>
+
+#include "app/choice/clip_choice.h"
+#include "app/choice/lights_choice.h"
+#include "app/choice/preset_choice.h"
+#include "app/elapsed.h"
+#include "app/open_device.h"
+#include "app/picture/drawn_picture.h"
+#include "app/picture/picture_file.h"
+#include "app/picture/render_record.h"
+
+namespace macula::app {
+
+namespace {
+
+Result<PictureRequest> requestOf(const ViewPicture& picture) {
+    MACULA_TRY_VOID(checkPictureName(picture.output));
+    const glm::ivec2 size = picture.sizePx;
+    if (size.x < 1 || size.y < 1 || size.x > trace::kMaxPictureSide || size.y > trace::kMaxPictureSide)
+        return Error{ErrorCode::usage, "The picture cannot have that size.",
+                     fmt::format("{} x {}", size.x, size.y),
+                     fmt::format("Take 1 to {} pixels for each side.", trace::kMaxPictureSide)};
+    MACULA_TRY(Effort effort, effortOf(picture.effort, picture.drawing.settings));
+    const Drawing& drawing = picture.drawing;
+    return PictureRequest{.scene = {.volume = in16Bits(picture.volume),
+                                    .function = *drawing.transferFunction,
+                                    .clip = drawing.clip ? *drawing.clip : Clip{},
+                                    .environment = trace::Environment::fromRig(*drawing.lights)},
+                          .camera = picture.camera,
+                          .sizePx = size,
+                          .settings = effort.settings,
+                          .samplesPerPixel = effort.samplesPerPixel,
+                          .isLinear = isExr(picture.output)};
+}
+
+}  // namespace
+
+Result<std::vector<std::string>> writeViewPicture(const ViewPicture& picture,
+                                                  const std::string& preferredDevice, Progress& progress) {
+    MACULA_TRY(const PictureRequest request, requestOf(picture));
+    std::vector<std::string> sentences;
+    MACULA_TRY(gpu::LastingDevice device, openDevice(preferredDevice, [&](std::string_view sentence) {
+                   sentences.emplace_back(sentence);
+               }));
+    DrawnPicture drawn;
+    MACULA_TRY_VOID(device.run([&](const std::shared_ptr<gpu::Device>& on) -> Result<void> {
+        MACULA_TRY(drawn, drawPicture(on, request, progress));
+        return {};
+    }));
+    RenderRecord record{.seriesDigest = picture.seriesDigest,
+                        .preset = publicPresetName(request.scene.function),
+                        .lights = publicLightsName(*picture.drawing.lights),
+                        .clip = request.scene.clip.hasShape() ? "clipped" : "none",
+                        .tableRemoved = request.scene.clip.mask.has_value(),
+                        .presetFitted = request.scene.function.fitToVolume.has_value(),
+                        .window = request.settings.window};
+    record.add(request, drawn);
+    MACULA_TRY_VOID(writePicture(picture.output, drawn, request.sizePx, metadata(record)));
+    for (const PictureNote& note : notesOf(drawn, request))
+        sentences.push_back(note.action.empty() ? note.sentence : note.sentence + " " + note.action);
+    return sentences;
+}
+
+}  // namespace macula::app

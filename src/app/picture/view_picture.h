@@ -1,0 +1,34 @@
+// What a window shows, drawn whole and at any size, to a file.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/frame/frame_input.h"
+#include "app/picture/picture_effort.h"
+#include "base/camera.h"
+#include "base/progress.h"
+#include "base/result.h"
+#include "base/volume.h"
+
+namespace macula::app {
+
+struct ViewPicture {
+    std::shared_ptr<const Volume> volume;
+    std::string seriesDigest;  // goes into the file: no name of anybody does
+    Drawing drawing;           // complete
+    Camera camera;
+    glm::ivec2 sizePx{0};
+    EffortWish effort;
+    std::filesystem::path output;  // .png or .exr; a file that is there is replaced
+};
+
+// Opens a device of its own, as `preferredDevice` of gpu::chooseDevice, so a window goes on beside it. Takes
+// as long as that picture does. Sentences that a person should know, without patient data. usage for another
+// extension or size; fails as drawPicture and writePicture; nothing is written then.
+Result<std::vector<std::string>> writeViewPicture(const ViewPicture& picture,
+                                                  const std::string& preferredDevice, Progress& progress);
+
+}  // namespace macula::app

@@ -1,0 +1,93 @@
+#include "viewer/output/picture_dialog.h"
+
+#include <QDialogButtonBox>
+#include <QFormLayout>
+#include <QPushButton>
+
+#include "app/choice/quality_choice.h"
+#include "pipeline/trace/settings.h"
+
+namespace macula::viewer {
+
+namespace {
+
+constexpr const char* kFirstQuality = "high";
+
+QSpinBox* side(QWidget* parent, int px, const QString& name) {
+    auto* box = new QSpinBox(parent);
+    box->setRange(1, trace::kMaxPictureSide);
+    box->setSuffix(QStringLiteral(" px"));
+    box->setValue(px);
+    box->setAccessibleName(name);
+    box->setToolTip(QDialog::tr("%1 in pixels, 1 to %2").arg(name).arg(trace::kMaxPictureSide));
+    return box;
+}
+
+}  // namespace
+
+PictureDialog::PictureDialog(QSize onScreenPx, QWidget* parent)
+    : QDialog(parent),
+      sizes_(new QComboBox(this)),
+      width_(side(this, onScreenPx.width(), tr("Width"))),
+      height_(side(this, onScreenPx.height(), tr("Height"))),
+      qualities_(new QComboBox(this)) {
+    setWindowTitle(tr("Save Picture"));
+    sizes_->setAccessibleName(tr("Size"));
+    addSize(tr("As on screen"), onScreenPx);
+    addSize(tr("Twice the screen"), 2 * onScreenPx);
+    addSize(tr("Full HD"), {1920, 1080});
+    addSize(tr("4K"), {3840, 2160});
+    addSize(tr("Square"), {2048, 2048});
+    sizes_->addItem(tr("Another size"));
+    connect(sizes_, &QComboBox::activated, this, [this](int index) {
+        const QSize size = sizes_->itemData(index).toSize();
+        if (!size.isValid()) return width_->setFocus();
+        width_->setValue(size.width());
+        height_->setValue(size.height());
+    });
+    for (QSpinBox* box : {width_, height_}) {
+        connect(box, &QSpinBox::valueChanged, this, [this] {
+            const int known = sizes_->findData(sizePx());
+            sizes_->setCurrentIndex(known >= 0 ? known : sizes_->count() - 1);
+        });
+    }
+
+    qualities_->setAccessibleName(tr("Quality"));
+    qualities_->setToolTip(tr("More samples per pixel: less noise, and more time"));
+    if (const auto all = app::builtInQualities()) {
+        for (const trace::Quality& quality : *all) {
+            const QString samples = quality.samplesPerPixel == 1
+                                        ? tr("1 sample")
+                                        : tr("%1 samples").arg(quality.samplesPerPixel);
+            qualities_->addItem(QStringLiteral("%1: %2").arg(QString::fromStdString(quality.title), samples),
+                                QString::fromStdString(quality.name));
+        }
+    }
+    qualities_->setCurrentIndex(qualities_->findData(QString::fromLatin1(kFirstQuality)));
+
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
+    buttons->button(QDialogButtonBox::Ok)->setText(tr("&Choose File…"));
+    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    auto* form = new QFormLayout(this);
+    form->addRow(tr("&Size"), sizes_);
+    form->addRow(tr("&Width"), width_);
+    form->addRow(tr("&Height"), height_);
+    form->addRow(tr("&Quality"), qualities_);
+    form->addRow(buttons);
+}
+
+void PictureDialog::addSize(const QString& title, QSize pixels) {
+    sizes_->addItem(QStringLiteral("%1 (%2 × %3)").arg(title).arg(pixels.width()).arg(pixels.height()),
+                    pixels);
+}
+
+QSize PictureDialog::sizePx() const {
+    return {width_->value(), height_->value()};
+}
+
+std::string PictureDialog::quality() const {
+    return qualities_->currentData().toString().toStdString();
+}
+
+}  // namespace macula::viewer

@@ -1,0 +1,32 @@
+// How large and how good a picture is to be.
+#pragma once
+
+#include <QComboBox>
+#include <QDialog>
+#include <QSize>
+#include <QSpinBox>
+#include <string>
+
+namespace macula::viewer {
+
+// A choice of usual sizes, or any; and one of the qualities. What it says holds once it is accepted.
+class PictureDialog : public QDialog {
+    Q_OBJECT
+
+  public:
+    // `onScreenPx` is the first choice.
+    explicit PictureDialog(QSize onScreenPx, QWidget* parent = nullptr);
+
+    QSize sizePx() const;
+    std::string quality() const;  // by name: app::EffortWish
+
+  private:
+    void addSize(const QString& title, QSize pixels);
+
+    QComboBox* sizes_;
+    QSpinBox* width_;
+    QSpinBox* height_;
+    QComboBox* qualities_;
+};
+
+}  // namespace macula::viewer

@@ -1,0 +1,39 @@
+#include "viewer/output/picture_export.h"
+
+#include <utility>
+
+namespace macula::viewer {
+
+PictureExport::PictureExport(std::string preferredDevice, QObject* parent)
+    : QObject(parent),
+      preferredDevice_(std::move(preferredDevice)),
+      job_(this, {.progressed =
+                      [this](const ProgressUpdate& update) {
+                          emit progressed(QString::fromStdString(update.stage), update.fraction);
+                      },
+                  .ended = [this](const auto& outcome) { onEnded(outcome); }}) {}
+
+void PictureExport::start(app::ViewPicture picture) {
+    path_ = QString::fromStdString(picture.output.string());
+    job_.start([picture = std::move(picture), device = preferredDevice_](Progress& progress) {
+        return app::writeViewPicture(picture, device, progress);
+    });
+    emit began();
+}
+
+void PictureExport::cancel() {
+    if (job_.cancel()) emit ended();
+}
+
+void PictureExport::onEnded(const Result<std::vector<std::string>>& outcome) {
+    emit ended();
+    if (!outcome) {
+        if (outcome.error().code != ErrorCode::cancelled) emit failed(outcome.error());
+        return;
+    }
+    QStringList notes;
+    for (const std::string& note : *outcome) notes << QString::fromStdString(note);
+    emit written(path_, notes);
+}
+
+}  // namespace macula::viewer

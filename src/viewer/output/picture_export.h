@@ -1,0 +1,42 @@
+// A picture that is drawn to a file while the window goes on.
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <QStringList>
+#include <string>
+#include <vector>
+
+#include "app/picture/view_picture.h"
+#include "viewer/background_job.h"
+
+namespace macula::viewer {
+
+// One at a time; another one takes the place of the one before, of which nothing is written. Lives on the UI
+// thread, and so do its signals.
+class PictureExport : public QObject {
+    Q_OBJECT
+
+  public:
+    explicit PictureExport(std::string preferredDevice, QObject* parent = nullptr);
+
+    void start(app::ViewPicture picture);
+    void cancel();
+    bool running() const { return job_.running(); }
+
+  signals:
+    void began();
+    void progressed(const QString& stage, double fraction);
+    void ended();
+    void written(const QString& path, const QStringList& notes);
+    void failed(const macula::Error& error);
+
+  private:
+    void onEnded(const Result<std::vector<std::string>>& outcome);
+
+    std::string preferredDevice_;
+    QString path_;
+    BackgroundJob<std::vector<std::string>> job_;
+};
+
+}  // namespace macula::viewer
