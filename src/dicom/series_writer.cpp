@@ -17,6 +17,7 @@
 #include "base/sha256.h"
 #include "dicom/read/examination.h"
 #include "dicom/read/quiet_toolkit.h"
+#include "dicom/uid.h"
 
 namespace macula::dicom {
 
@@ -45,23 +46,6 @@ std::string decimalStrings(std::initializer_list<double> values) {
     std::string text;
     for (const double value : values) text += (text.empty() ? "" : "\\") + decimalString(value);
     return text;
-}
-
-// "2.25." and the decimal form of the first 128 bits of a hash, with the version bits of a UUID left as they
-// fall.
-std::string uidFrom(std::string_view text) {
-    const std::string hex = sha256Hex(text).substr(0, 32);
-    std::string decimal = "0";
-    for (const char c : hex) {
-        int carry = c <= '9' ? c - '0' : c - 'a' + 10;
-        for (auto digit = decimal.rbegin(); digit != decimal.rend(); ++digit) {
-            const int sum = (*digit - '0') * 16 + carry;
-            *digit = static_cast<char>('0' + sum % 10);
-            carry = sum / 10;
-        }
-        for (; carry > 0; carry /= 10) decimal.insert(decimal.begin(), static_cast<char>('0' + carry % 10));
-    }
-    return "2.25." + decimal;
 }
 
 E_TransferSyntax transferSyntax(WriteSyntax syntax) {

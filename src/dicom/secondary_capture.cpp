@@ -1,0 +1,236 @@
+#include "dicom/secondary_capture.h"
+
+#include <dcmtk/config/osconfig.h>
+#include <dcmtk/dcmdata/dctk.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <ctime>
+#include <vector>
+
+#include "base/atomic_file.h"
+#include "dicom/read/examination.h"
+#include "dicom/read/quiet_toolkit.h"
+#include "dicom/uid.h"
+
+namespace macula::dicom {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr int kLongestSide = 65535;               // Rows and Columns, VR US
+constexpr std::size_t kLongestDescription = 64;   // VR LO
+constexpr std::size_t kLongestDerivation = 1024;  // VR ST
+
+// Of the Patient and the General Study module (PS3.3 C.7.1.1, C.7.2.1), those that archives file by. Those of
+// type 2 are written empty where the source has none.
+struct Taken {
+    DcmTagKey tag;
+    bool isWrittenEmpty;
+};
+const std::array kTaken{Taken{DCM_SpecificCharacterSet, false},
+                        Taken{DCM_PatientName, true},
+                        Taken{DCM_PatientID, true},
+                        Taken{DCM_IssuerOfPatientID, false},
+                        Taken{DCM_PatientBirthDate, true},
+                        Taken{DCM_PatientSex, true},
+                        Taken{DCM_StudyInstanceUID, false},
+                        Taken{DCM_StudyDate, true},
+                        Taken{DCM_StudyTime, true},
+                        Taken{DCM_ReferringPhysicianName, true},
+                        Taken{DCM_StudyID, true},
+                        Taken{DCM_AccessionNumber, true},
+                        Taken{DCM_StudyDescription, false},
+                        Taken{DCM_PatientAge, false}};
+
+bool isAscii(const std::string& text) {
+    return std::ranges::all_of(text, [](char c) { return c >= ' ' && c <= '~' && c != '\\'; });
+}
+
+Result<void> check(const SecondaryCapture& capture) {
+    const auto refuse = [](std::string message, std::string hint) {
+        return Error{ErrorCode::usage, std::move(message), {}, std::move(hint)};
+    };
+    const auto fits = [](int side) { return side >= 1 && side <= kLongestSide; };
+    if (!fits(capture.widthPx) || !fits(capture.heightPx))
+        return refuse("A picture of that size cannot be written as DICOM.",
+                      fmt::format("Take 1 to {} pixels for each side.", kLongestSide));
+    if (capture.rgba.size() != 4 * std::size_t(capture.widthPx) * std::size_t(capture.heightPx))
+        return refuse("The pixels do not fit the size of the picture.", "Draw the picture again.");
+    if (capture.seriesDescription.size() > kLongestDescription ||
+        capture.derivation.size() > kLongestDerivation || !isAscii(capture.seriesDescription) ||
+        !isAscii(capture.derivation) || !isAscii(capture.softwareVersion))
+        return refuse("The description is too long, or has characters that it may not have.",
+                      fmt::format("Take at most {} letters, digits and signs, without a backslash.",
+                                  kLongestDescription));
+    return {};
+}
+
+// Local, as scanners write them.
+struct Now {
+    std::string date = "19700101";
+    std::string time = "000000";
+
+    Now() {
+        const std::time_t seconds = std::time(nullptr);
+        std::tm local{};
+        if (localtime_r(&seconds, &local) == nullptr) return;
+        date = fmt::format("{:04}{:02}{:02}", local.tm_year + 1900, local.tm_mon + 1, local.tm_mday);
+        time = fmt::format("{:02}{:02}{:02}", local.tm_hour, local.tm_min, local.tm_sec);
+    }
+};
+
+class Writer {
+  public:
+    explicit Writer(DcmDataset& to) : to_(to) {}
+
+    void text(const DcmTagKey& tag, const std::string& value) {
+        ok_ = ok_ && to_.putAndInsertString(tag, value.c_str()).good();
+    }
+    void word(const DcmTagKey& tag, int value) {
+        ok_ = ok_ && to_.putAndInsertUint16(tag, static_cast<Uint16>(value)).good();
+    }
+    void copy(DcmDataset& from, const Taken& taken) {
+        if (from.tagExists(taken.tag)) {
+            ok_ = ok_ && from.findAndInsertCopyOfElement(taken.tag, &to_).good();
+        } else if (taken.isWrittenEmpty) {
+            ok_ = ok_ && to_.insertEmptyElement(taken.tag).good();
+        }
+    }
+    void rgb(const SecondaryCapture& capture) {
+        std::vector<Uint8> bytes;
+        bytes.reserve(capture.rgba.size() / 4 * 3 + 1);
+        for (std::size_t i = 0; i < capture.rgba.size(); i += 4)
+            bytes.insert(bytes.end(), {capture.rgba[i], capture.rgba[i + 1], capture.rgba[i + 2]});
+        if (bytes.size() % 2 != 0) bytes.push_back(0);  // PS3.5 8.1.1: even
+        ok_ = ok_ && to_.putAndInsertUint8Array(DCM_PixelData, bytes.data(), bytes.size()).good();
+    }
+    bool ok() const { return ok_; }
+
+  private:
+    DcmDataset& to_;
+    bool ok_ = true;
+};
+
+struct Origin {
+    std::string modality = "OT";  // other
+    std::string sopClassUid;
+    std::string sopInstanceUid;
+};
+
+// Patient and study. What the source is told by never goes into the error: it may name a patient.
+Result<Origin> fillFromSource(Writer& write, const fs::path& source) {
+    const Error unreadable{ErrorCode::inputNotUsable,
+                           "The study that the picture belongs to cannot be read any more.", source.string(),
+                           "Open the study again, or write the picture without the patient."};
+    DcmFileFormat format;
+    if (format
+            .loadFileUntilTag(source.c_str(), EXS_Unknown, EGL_noChange, DCM_MaxReadLength, ERM_autoDetect,
+                              DCM_PixelData)
+            .bad())
+        return unreadable;
+    DcmDataset& from = *format.getDataset();
+    Origin origin;
+    OFString value;
+    if (from.findAndGetOFString(DCM_StudyInstanceUID, value).bad() || value.empty()) return unreadable;
+    for (const Taken& taken : kTaken) write.copy(from, taken);
+    if (from.findAndGetOFString(DCM_Modality, value).good() && !value.empty())
+        origin.modality = value.c_str();
+    if (from.findAndGetOFString(DCM_SOPClassUID, value).good()) origin.sopClassUid = value.c_str();
+    if (from.findAndGetOFString(DCM_SOPInstanceUID, value).good()) origin.sopInstanceUid = value.c_str();
+    return origin;
+}
+
+void fillNobody(Writer& write, bool isDeidentified) {
+    write.text(DCM_SpecificCharacterSet, "ISO_IR 192");
+    write.text(DCM_PatientName, isDeidentified ? "ANONYMOUS" : "PHANTOM^MACULA");
+    write.text(DCM_PatientID, isDeidentified ? "ANONYMOUS" : "MACULA-PHANTOM");
+    for (const DcmTagKey& tag : {DCM_PatientBirthDate, DCM_PatientSex, DCM_StudyDate, DCM_StudyTime,
+                                 DCM_ReferringPhysicianName, DCM_StudyID, DCM_AccessionNumber})
+        write.text(tag, "");
+    write.text(DCM_StudyInstanceUID, newUid());
+    if (!isDeidentified) return;
+    write.text(DCM_PatientIdentityRemoved, "YES");
+    write.text(DCM_DeidentificationMethod, "Macula: patient, study and all UIDs replaced");
+}
+
+void fillSeriesAndEquipment(Writer& write, const SecondaryCapture& capture, const Origin& origin) {
+    write.text(DCM_Modality, origin.modality);
+    write.text(DCM_SeriesInstanceUID, newUid());
+    write.text(DCM_SeriesNumber, std::to_string(capture.seriesNumber));
+    write.text(DCM_SeriesDescription, capture.seriesDescription);
+    write.text(DCM_ConversionType, "WSD");  // workstation: PS3.3 C.8.6.1
+    write.text(DCM_SecondaryCaptureDeviceManufacturer, "Macula");
+    write.text(DCM_SecondaryCaptureDeviceManufacturerModelName, "Macula");
+    write.text(DCM_SecondaryCaptureDeviceSoftwareVersions, capture.softwareVersion);
+}
+
+void fillImage(Writer& write, const SecondaryCapture& capture, const Now& now) {
+    write.text(DCM_SOPClassUID, UID_SecondaryCaptureImageStorage);
+    write.text(DCM_SOPInstanceUID, newUid());
+    write.text(DCM_InstanceNumber, "1");
+    write.text(DCM_PatientOrientation, "");  // a view in perspective has none
+    write.text(DCM_ImageType, "DERIVED\\SECONDARY\\VOLUME_RENDERING");
+    write.text(DCM_ContentDate, now.date);
+    write.text(DCM_ContentTime, now.time);
+    write.text(DCM_DateOfSecondaryCapture, now.date);
+    write.text(DCM_TimeOfSecondaryCapture, now.time);
+    write.text(DCM_InstanceCreationDate, now.date);
+    write.text(DCM_InstanceCreationTime, now.time);
+    write.text(DCM_DerivationDescription, capture.derivation);
+    write.text(DCM_BurnedInAnnotation, capture.hasBurnedInNames ? "YES" : "NO");
+    write.text(DCM_LossyImageCompression, "00");
+    write.word(DCM_SamplesPerPixel, 3);
+    write.text(DCM_PhotometricInterpretation, "RGB");
+    write.word(DCM_PlanarConfiguration, 0);
+    write.word(DCM_Rows, capture.heightPx);
+    write.word(DCM_Columns, capture.widthPx);
+    write.word(DCM_BitsAllocated, 8);
+    write.word(DCM_BitsStored, 8);
+    write.word(DCM_HighBit, 7);
+    write.word(DCM_PixelRepresentation, 0);
+    write.rgb(capture);
+}
+
+// PS3.3 C.7.6.1 Source Image Sequence: what it was derived from.
+bool refer(DcmDataset& to, const Origin& origin) {
+    if (origin.sopClassUid.empty() || origin.sopInstanceUid.empty()) return true;
+    DcmItem* item = nullptr;
+    return to.findOrCreateSequenceItem(DCM_SourceImageSequence, item, 0).good() && item != nullptr &&
+           item->putAndInsertString(DCM_ReferencedSOPClassUID, origin.sopClassUid.c_str()).good() &&
+           item->putAndInsertString(DCM_ReferencedSOPInstanceUID, origin.sopInstanceUid.c_str()).good();
+}
+
+}  // namespace
+
+Result<void> writeSecondaryCapture(const fs::path& path, const SecondaryCapture& capture) try {
+    MACULA_TRY_VOID(check(capture));
+    const QuietToolkit quiet;
+    const Error failed{ErrorCode::outputNotWritable, "The DICOM file could not be written.", path.string(),
+                       "Check free space and permissions."};
+    DcmFileFormat format;
+    DcmDataset& dataset = *format.getDataset();
+    Writer write(dataset);
+    Origin origin;
+    if (capture.source && !capture.isDeidentified) {
+        MACULA_TRY(origin, fillFromSource(write, *capture.source));
+    } else {
+        fillNobody(write, capture.isDeidentified);
+    }
+    fillSeriesAndEquipment(write, capture, origin);
+    fillImage(write, capture, Now());
+    if (!write.ok() || !refer(dataset, origin)) return failed;
+    return writeAtomically(path, [&](const fs::path& draft) -> Result<void> {
+        if (format.saveFile(draft.c_str(), EXS_LittleEndianExplicit).bad()) return failed;
+        // DCMTK does not tell of the last bytes when the disk is full.
+        if (examine(draft).state != FileState::complete) return failed;
+        return {};
+    });
+} catch (...) {
+    return Error{ErrorCode::outputNotWritable, "The DICOM file could not be written.", path.string(),
+                 "Check free space and memory."};
+}
+
+}  // namespace macula::dicom

@@ -1,0 +1,36 @@
+// A picture for the archive: a Secondary Capture Image (PS3.3 A.8.1) in the study that it was made of.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "base/result.h"
+
+namespace macula::dicom {
+
+struct SecondaryCapture {
+    int widthPx = 0;  // 1 to 65535 each
+    int heightPx = 0;
+    std::span<const std::uint8_t> rgba;  // 4 bytes a pixel, the upper row first; the fourth is left out
+    // An image of the series that is shown: patient, study and modality are taken from it, character sets and
+    // all. Nothing: a picture of nobody.
+    std::optional<std::filesystem::path> source;
+    std::string seriesDescription;  // at most 64 characters, ASCII, as the next two; no patient data
+    std::string derivation;         // how it was made, in words, at most 1024
+    std::string softwareVersion;
+    int seriesNumber = 9000;  // after those of scanners
+    // Nothing of the patient and of the study is taken over, and all UIDs are new. What can be seen, a face
+    // for one, stays.
+    bool isDeidentified = false;
+    bool hasBurnedInNames = false;  // who is shown is written in the picture
+};
+
+// Explicit VR little endian, RGB, 8 bits. Each call makes a new series and instance. The file is written
+// whole or not at all, in place of one that is there. usage for sizes and texts that do not fit;
+// inputNotUsable when the source cannot be read, or has no study; outputNotWritable.
+Result<void> writeSecondaryCapture(const std::filesystem::path& path, const SecondaryCapture& capture);
+
+}  // namespace macula::dicom

@@ -1,0 +1,15 @@
+// Identifiers that nobody has to ask an authority for.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace macula::dicom {
+
+// "2.25." and the decimal form of 128 bits (PS3.5 B.2). uidFrom: the first ones of a hash of the text, with
+// the version bits of a UUID left as they fall; the same text gives the same UID. newUid: by chance, never
+// the same twice.
+std::string uidFrom(std::string_view text);
+std::string newUid();
+
+}  // namespace macula::dicom
