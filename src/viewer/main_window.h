@@ -29,6 +29,8 @@ class QFileDialog;
 
 namespace macula::viewer {
 
+class PictureDialog;
+
 struct MainWindowOptions {
     app::Catalogue catalogue;
     std::string device = {};                              // as in gpu::chooseDevice
@@ -118,7 +120,7 @@ class MainWindow : public QMainWindow {
     void askWhereToSaveView();
     void connectExport();
     void askForPicture();
-    void askWhereToSavePicture(QSize pixels, const std::string& quality);
+    void askWhereToSavePicture(const PictureDialog& how);
     void askForFolder();
     void askForFile();
     void ask(QFileDialog* dialog, std::function<void(const QString&)> then);

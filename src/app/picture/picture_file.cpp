@@ -28,6 +28,10 @@ bool isExr(const fs::path& path) {
     return loweredExtension(path) == ".exr";
 }
 
+bool isDicom(const fs::path& path) {
+    return loweredExtension(path) == ".dcm";
+}
+
 Result<void> writePicture(const fs::path& path, const DrawnPicture& picture, const glm::ivec2& sizePx,
                           const image::Metadata& metadata) {
     if (!picture.traced) return image::writePng(path, sizePx.x, sizePx.y, picture.rgba, metadata);

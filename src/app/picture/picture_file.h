@@ -12,6 +12,7 @@ namespace macula::app {
 // usage for an extension that is neither .png nor .exr, in any case of letters.
 Result<void> checkPictureName(const std::filesystem::path& path);
 bool isExr(const std::filesystem::path& path);
+bool isDicom(const std::filesystem::path& path);  // .dcm
 
 // Writes the file whole or not at all: a linear picture as EXR with depth as channel Z, else PNG; the name
 // does not matter.

@@ -13,13 +13,14 @@
 #include "app/picture/drawn_picture.h"
 #include "app/picture/picture_file.h"
 #include "app/picture/render_record.h"
+#include "dicom/secondary_capture.h"
 
 namespace macula::app {
 
 namespace {
 
 Result<PictureRequest> requestOf(const ViewPicture& picture) {
-    MACULA_TRY_VOID(checkPictureName(picture.output));
+    if (!isDicom(picture.output)) MACULA_TRY_VOID(checkPictureName(picture.output));
     const glm::ivec2 size = picture.sizePx;
     if (size.x < 1 || size.y < 1 || size.x > trace::kMaxPictureSide || size.y > trace::kMaxPictureSide)
         return Error{ErrorCode::usage, "The picture cannot have that size.",
@@ -36,6 +37,26 @@ Result<PictureRequest> requestOf(const ViewPicture& picture) {
                           .settings = effort.settings,
                           .samplesPerPixel = effort.samplesPerPixel,
                           .isLinear = isExr(picture.output)};
+}
+
+// Names a preset only where it is one of ours: those of a person may say whose they are.
+std::string derivationOf(const RenderRecord& record) {
+    return fmt::format(
+        "Volume rendering ({}), preset {}, {:.0f} samples per pixel{}. Not for primary diagnosis.",
+        trace::nameOf(record.settings.look), record.preset, record.statistics.meanSamplesPerPixel,
+        record.statistics.denoised ? ", denoised" : "");
+}
+
+Result<void> writeCapture(const ViewPicture& picture, const DrawnPicture& drawn, const RenderRecord& record) {
+    return dicom::writeSecondaryCapture(picture.output,
+                                        {.widthPx = picture.sizePx.x,
+                                         .heightPx = picture.sizePx.y,
+                                         .rgba = drawn.rgba,
+                                         .source = picture.source,
+                                         .seriesDescription = "Macula 3D, not for primary diagnosis",
+                                         .derivation = derivationOf(record),
+                                         .softwareVersion = MACULA_VERSION,
+                                         .isDeidentified = picture.isDeidentified});
 }
 
 }  // namespace
@@ -60,7 +81,9 @@ Result<std::vector<std::string>> writeViewPicture(const ViewPicture& picture,
                         .presetFitted = request.scene.function.fitToVolume.has_value(),
                         .window = request.settings.window};
     record.add(request, drawn);
-    MACULA_TRY_VOID(writePicture(picture.output, drawn, request.sizePx, metadata(record)));
+    MACULA_TRY_VOID(isDicom(picture.output)
+                        ? writeCapture(picture, drawn, record)
+                        : writePicture(picture.output, drawn, request.sizePx, metadata(record)));
     for (const PictureNote& note : notesOf(drawn, request))
         sentences.push_back(note.action.empty() ? note.sentence : note.sentence + " " + note.action);
     return sentences;

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,7 +23,11 @@ struct ViewPicture {
     Camera camera;
     glm::ivec2 sizePx{0};
     EffortWish effort;
-    std::filesystem::path output;  // .png or .exr; a file that is there is replaced
+    std::filesystem::path output;  // .png, .exr or .dcm; a file that is there is replaced
+    // Of .dcm: an image of the series that is shown (dicom::SecondaryCapture), and whether nothing is taken
+    // from it.
+    std::optional<std::filesystem::path> source = {};
+    bool isDeidentified = false;
 };
 
 // Opens a device of its own, as `preferredDevice` of gpu::chooseDevice, so a window goes on beside it. Takes

@@ -30,7 +30,8 @@ PictureDialog::PictureDialog(QSize onScreenPx, QWidget* parent)
       sizes_(new QComboBox(this)),
       width_(side(this, onScreenPx.width(), tr("Width"))),
       height_(side(this, onScreenPx.height(), tr("Height"))),
-      qualities_(new QComboBox(this)) {
+      qualities_(new QComboBox(this)),
+      deidentified_(new QCheckBox(tr("&Without patient and study"), this)) {
     setWindowTitle(tr("Save Picture"));
     sizes_->setAccessibleName(tr("Size"));
     addSize(tr("As on screen"), onScreenPx);
@@ -56,14 +57,17 @@ PictureDialog::PictureDialog(QSize onScreenPx, QWidget* parent)
     qualities_->setToolTip(tr("More samples per pixel: less noise, and more time"));
     if (const auto all = app::builtInQualities()) {
         for (const trace::Quality& quality : *all) {
-            const QString samples = quality.samplesPerPixel == 1
-                                        ? tr("1 sample")
-                                        : tr("%1 samples").arg(quality.samplesPerPixel);
+            const QString samples =
+                quality.samplesPerPixel == 1 ? tr("1 sample") : tr("%1 samples").arg(quality.samplesPerPixel);
             qualities_->addItem(QStringLiteral("%1: %2").arg(QString::fromStdString(quality.title), samples),
                                 QString::fromStdString(quality.name));
         }
     }
     qualities_->setCurrentIndex(qualities_->findData(QString::fromLatin1(kFirstQuality)));
+
+    deidentified_->setToolTip(
+        tr("Of DICOM files: nothing of the patient is written, and all UIDs are new. Other files never name "
+           "anybody. A face can still be seen."));
 
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
     buttons->button(QDialogButtonBox::Ok)->setText(tr("&Choose File…"));
@@ -74,6 +78,7 @@ PictureDialog::PictureDialog(QSize onScreenPx, QWidget* parent)
     form->addRow(tr("&Width"), width_);
     form->addRow(tr("&Height"), height_);
     form->addRow(tr("&Quality"), qualities_);
+    form->addRow(deidentified_);
     form->addRow(buttons);
 }
 

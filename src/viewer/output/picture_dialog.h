@@ -1,6 +1,7 @@
 // How large and how good a picture is to be.
 #pragma once
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDialog>
 #include <QSize>
@@ -19,6 +20,7 @@ class PictureDialog : public QDialog {
 
     QSize sizePx() const;
     std::string quality() const;  // by name: app::EffortWish
+    bool isDeidentified() const { return deidentified_->isChecked(); }
 
   private:
     void addSize(const QString& title, QSize pixels);
@@ -27,6 +29,7 @@ class PictureDialog : public QDialog {
     QSpinBox* width_;
     QSpinBox* height_;
     QComboBox* qualities_;
+    QCheckBox* deidentified_;
 };
 
 }  // namespace macula::viewer
