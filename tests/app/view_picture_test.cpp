@@ -1,0 +1,79 @@
+// What a window shows, as files: PNG, EXR and DICOM, and nothing where it cannot be.
+#include "app/picture/view_picture.h"
+
+#include <filesystem>
+
+#include "app/choice/catalogue.h"
+#include "app/picture/drawn_picture.h"
+#include "base/atomic_file.h"
+#include "base/phantom.h"
+#include "gpu/gpu_test.h"
+#include "support.h"
+
+namespace macula::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+class ViewPictureTest : public gpu::GpuTest {
+  protected:
+    ViewPicture wished(const std::string& name) const {
+        const Catalogue catalogue = *builtInCatalogue();
+        ViewPicture picture{.volume = std::make_shared<const Volume>(
+                                phantom::make({.size = {48, 42, 30}, .spacingMm = {6.4, 6.4, 10.0}})),
+                            .seriesDigest = "phantom",
+                            .sizePx = {31, 17},
+                            .effort = {.quality = "draft"},
+                            .output = folder_.path() / name};
+        picture.drawing = {.transferFunction = presetFor(catalogue, *picture.volume),
+                           .lights = defaultLights(catalogue, trace::Look::cinematic),
+                           .clip = nullptr};
+        picture.camera = frameBox(picture.volume->worldBox(), ViewDirection::anterior, 30.0, 31.0 / 17.0);
+        return picture;
+    }
+    static Result<std::vector<std::string>> writeIt(const ViewPicture& picture) {
+        Progress progress;
+        return writeViewPicture(picture, {}, progress);
+    }
+
+    const dicom::test::TemporaryFolder folder_;
+};
+
+TEST_F(ViewPictureTest, EachKindOfFileIsWritten) {
+    for (const auto& [name, begins, at] : {std::tuple("a.png", std::string("\x89PNG"), 0),
+                                           std::tuple("a.exr", std::string("\x76\x2f\x31\x01"), 0),
+                                           std::tuple("a.DCM", std::string("DICM"), 128)}) {
+        const auto done = writeIt(wished(name));
+        ASSERT_TRUE(done.ok()) << name << ": " << (done ? "" : done.error().message);
+        const std::string bytes = *readText(folder_.path() / name);
+        EXPECT_EQ(bytes.substr(std::size_t(at), begins.size()), begins) << name;
+    }
+}
+
+TEST_F(ViewPictureTest, WhatCannotBeWrittenIsSaidBeforeAnythingIsDrawn) {
+    const auto refused = [&](const ViewPicture& picture) {
+        const auto done = writeIt(picture);
+        ASSERT_FALSE(done.ok());
+        EXPECT_EQ(done.error().code, ErrorCode::usage);
+        EXPECT_FALSE(fs::exists(picture.output));
+    };
+    refused(wished("a.jpg"));
+    ViewPicture none = wished("a.png");
+    none.sizePx = {0, 10};
+    refused(none);
+    ViewPicture huge = wished("a.png");
+    huge.sizePx = {1 << 20, 10};
+    refused(huge);
+}
+
+TEST_F(ViewPictureTest, WhoStopsItGetsNoFile) {
+    Progress progress;
+    progress.token().cancel();
+    const auto done = writeViewPicture(wished("a.png"), {}, progress);
+    ASSERT_FALSE(done.ok());
+    EXPECT_EQ(done.error().code, ErrorCode::cancelled);
+    EXPECT_FALSE(fs::exists(folder_.path() / "a.png"));
+}
+
+}  // namespace
+}  // namespace macula::app
