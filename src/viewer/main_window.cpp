@@ -51,7 +51,8 @@ MainWindow::MainWindow(gpu::Instance instance, MainWindowOptions options)
       table_(new TableRemoval(this)),
       searching_(new WorkBar),
       export_(new PictureExport(options_.device, this)),
-      exporting_(new WorkBar) {
+      exporting_(new WorkBar),
+      pick_(new AnatomyPick(this)) {
     session_.show({}, {.lights = options_.lights});
     setTitle({});
     setAcceptDrops(true);
@@ -70,6 +71,7 @@ MainWindow::MainWindow(gpu::Instance instance, MainWindowOptions options)
     connectLoader();
     connectTable();
     connectExport();
+    connectPick();
 
     connect(&session_, &ViewerSession::changed, this, &MainWindow::onChanged);
     connect(viewport_, &Viewport::rendered, this, &MainWindow::onRendered);
@@ -143,6 +145,19 @@ void MainWindow::connectTable() {
     connect(table_, &TableRemoval::failed, this, [this](const Error& error) {
         messages_->showError(error);
         emit failed(error);
+    });
+}
+
+// What is double-clicked in 3D is where the slices go, and what the camera turns around.
+void MainWindow::connectPick() {
+    connect(viewport_, &Viewport::doubleClicked, this, [this](QPointF place) {
+        if (study().volume)
+            pick_->start(study().volume, drawing(), toCamera(viewport_->camera()), {place.x(), place.y()},
+                         viewport_->aspect());
+    });
+    connect(pick_, &AnatomyPick::found, this, [this](const glm::dvec3& mm) {
+        viewport_->centreOn(mm);
+        session_.change(tr("Cross-hair"), [&](app::StudyState& next) { next.slices.crosshairMm = mm; });
     });
 }
 
@@ -281,6 +296,7 @@ void MainWindow::showStudy(const app::OpenedStudy& study) {
     }
     presetNote_ = presetWarning(*now.preset, volume);
     table_->setVolume(study.volume);
+    pick_->cancel();
     seriesWindows_.forget();
     session_.show(study, std::move(now));
     showChosen();

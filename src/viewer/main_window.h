@@ -19,6 +19,7 @@
 #include "app/state/study_state.h"
 #include "viewer/choice_menu.h"
 #include "viewer/output/picture_export.h"
+#include "viewer/pick/anatomy_pick.h"
 #include "viewer/session/viewer_session.h"
 #include "viewer/status_widgets.h"
 #include "viewer/study_loader.h"
@@ -119,6 +120,7 @@ class MainWindow : public QMainWindow {
     void askForView();
     void askWhereToSaveView();
     void connectExport();
+    void connectPick();
     void askForPicture();
     void askWhereToSavePicture(const PictureDialog& how);
     void askForFolder();
@@ -169,6 +171,7 @@ class MainWindow : public QMainWindow {
     WorkBar* searching_ = nullptr;  // for the table
     PictureExport* export_ = nullptr;
     WorkBar* exporting_ = nullptr;
+    AnatomyPick* pick_ = nullptr;
     ChoiceMenu* looks_ = nullptr;
     QAction* shading_ = nullptr;
     QAction* resetWindow_ = nullptr;

@@ -159,6 +159,7 @@ void Viewport::connectWindow() {
     connect(window_, &VulkanWindow::pointed, this, [this](QPointF place) {
         pointedAt_ = {place.x(), place.y()};
     });
+    connect(window_, &VulkanWindow::doubleClicked, this, &Viewport::doubleClicked);
     connect(window_, &VulkanWindow::dragBegan, this, [this] { dragging_ = true; });
     connect(window_, &VulkanWindow::dragged, this, &Viewport::applyDrag);
     connect(window_, &VulkanWindow::dragEnded, this, [this] {
@@ -235,6 +236,13 @@ void Viewport::showFrom(ViewDirection from) {
 void Viewport::showFrom(const Camera& camera) {
     if (!input_.volume) return;
     setCamera(app::orbitCameraOf(camera));
+}
+
+void Viewport::centreOn(const glm::dvec3& mm) {
+    if (!input_.volume) return;
+    app::OrbitCamera camera = camera_;
+    camera.targetMm = mm;
+    setCamera(camera);
 }
 
 void Viewport::fit() {

@@ -53,6 +53,7 @@ class Viewport : public QWidget {
 
     void showFrom(ViewDirection from);
     void showFrom(const Camera& camera);  // as near as a turntable comes to it: see app::orbitCameraOf
+    void centreOn(const glm::dvec3& mm);  // turns around that from now on
     void fit();                           // what is visible, from the side where the camera is
     // Arrows, +, -, F, N (names) and the letters of the standard views. False for any other key.
     bool handleKey(const QKeyEvent& event);
@@ -66,10 +67,13 @@ class Viewport : public QWidget {
     app::EdgeLetters letters() const;                     // those on screen; empty without a picture
     VulkanWindow& window() { return *window_; }
     QSize pictureSize() const { return window_->pixels(); }
+    double aspect() const;  // width over height
 
   signals:
     void rendered(const macula::app::RenderEvent& event);
     void namesToggled(bool shown);
+    // What is shown there is meant: -1 to 1, right and up are positive.
+    void doubleClicked(QPointF place);
     void windowDragged(QPointF byHeights);  // with the right button, in projections: see app::dragged
     void dropped(const macula::viewer::Dropped& what);
     void keyNotHandled(QKeyEvent* event);
@@ -84,7 +88,6 @@ class Viewport : public QWidget {
     double sceneDiagonalMm() const;
     std::vector<glm::dvec3> outlineMm() const;  // of what is to fit
     void onOutline(const app::OutlineFound& found);
-    double aspect() const;
     void onRendered(const app::RenderEvent& event);
     void setLetters(const app::EdgeLetters& letters);
     void updateText();

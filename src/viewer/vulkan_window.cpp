@@ -138,6 +138,10 @@ void VulkanWindow::endDrag() {
     emit dragEnded();
 }
 
+void VulkanWindow::mouseDoubleClickEvent(QMouseEvent* event) {
+    if (event->button() == Qt::LeftButton) emit doubleClicked(placeOf(event->position()));
+}
+
 void VulkanWindow::wheelEvent(QWheelEvent* event) {
     emit wheelTurned(event->angleDelta().y() / kEighthsOfDegreePerNotch);
 }

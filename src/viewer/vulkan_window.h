@@ -41,6 +41,7 @@ class VulkanWindow : public QWindow {
 
     // Where somebody points who drags nothing, or begins to: -1 to 1, right and up are positive.
     void pointed(QPointF place);
+    void doubleClicked(QPointF place);  // with the left button; likewise
     void dragBegan();
     void dragged(macula::viewer::VulkanWindow::Drag drag, QPointF byPixels);  // logical pixels, y downwards
     void dragEnded();
@@ -55,6 +56,7 @@ class VulkanWindow : public QWindow {
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void focusOutEvent(QFocusEvent* event) override;
