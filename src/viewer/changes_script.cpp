@@ -27,6 +27,11 @@ constexpr int kHandIntervalMs = 16;
 constexpr int kSmallestPx = 260;
 constexpr int kSizeSteps = 8;
 constexpr int kSizeStepPx = 90;
+// Where memory is read: the phantom as when first opened, in a window of one size, at rest for so long.
+constexpr int kHomePx = 600;
+constexpr int kAfreshAfterMs = 4'000;
+constexpr int kHomeMs = 20'000;
+constexpr double kFirstReadingOfTime = 0.2;
 
 double residentMiB() {
     std::ifstream statm("/proc/self/statm");
@@ -83,8 +88,14 @@ int ChangesScript::below(int count) {
 void ChangesScript::change() {
     if (isDone_) return;
     const double seconds = double(running_.elapsed()) / 1000.0;
-    if (seconds >= options_.seconds) return report();
-    if (residentMiBEarly_ == 0.0 && seconds >= 0.2 * options_.seconds) residentMiBEarly_ = residentMiB();
+    if (seconds >= options_.seconds) return goHome([this] { report(); });
+    if (!isReadEarly_ && seconds >= kFirstReadingOfTime * options_.seconds) {
+        isReadEarly_ = true;
+        return goHome([this] {
+            residentMiBEarly_ = residentMiB();
+            change();
+        });
+    }
     switch (below(12)) {
         case 0:
         case 1:
@@ -120,6 +131,15 @@ void ChangesScript::change() {
     const bool isLong = below(kLongPauseOneIn) == 0;
     next_.start(isLong ? kLongestPauseMs + below(kLongestLongPauseMs - kLongestPauseMs)
                        : kShortestPauseMs + below(kLongestPauseMs - kShortestPauseMs));
+}
+
+// Both readings are of one state: what is open otherwise, and how large the window is, is left to chance.
+void ChangesScript::goHome(std::function<void()> then) {
+    isPhantom_ = true;
+    window_.resize(kHomePx, kHomePx);
+    window_.open({});
+    QTimer::singleShot(kAfreshAfterMs, this, [this] { trigger("show-afresh"); });
+    QTimer::singleShot(kHomeMs, this, std::move(then));
 }
 
 void ChangesScript::chooseIn(const char* accessibleName) {

@@ -8,6 +8,7 @@
 #include <QString>
 #include <QTimer>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <random>
 #include <string>
@@ -26,8 +27,8 @@ struct ChangesScriptOptions {
 // preset, clip, light or look, opens the other study, gives the window another size, or drags. What it does
 // is a function of the seed. At the end a JSON object goes to standard output: how often it did what, which
 // pictures came, how long the user interface was deaf, and the memory of the process after a fifth of the
-// time and at the end. `finished` carries the exit code: 0; 3 or 4 when anything failed on the way; 1 when no
-// picture came for a minute.
+// time and at the end, both with the phantom at rest. `finished` carries the exit code: 0; 3 or 4 when
+// anything failed on the way; 1 when no picture came for a minute.
 class ChangesScript : public QObject {
     Q_OBJECT
 
@@ -43,6 +44,7 @@ class ChangesScript : public QObject {
     void onFrame(const app::FrameShown& frame);
     void change();
     void drag();
+    void goHome(std::function<void()> then);
     void chooseIn(const char* accessibleName);
     void trigger(const char* prefix);
     void report();
@@ -64,6 +66,7 @@ class ChangesScript : public QObject {
     std::map<std::string, std::int64_t> changes_;
     std::map<std::string, std::int64_t> pictures_;
     UiHeartbeat heartbeat_;
+    bool isReadEarly_ = false;
     double residentMiBEarly_ = 0.0;
 };
 
