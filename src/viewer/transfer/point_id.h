@@ -1,0 +1,16 @@
+// One point of a transfer function, by its place.
+#pragma once
+
+#include <cstddef>
+
+namespace macula::viewer {
+
+struct PointId {
+    enum class Curve { opacity, colour };
+    Curve curve = Curve::opacity;
+    std::size_t index = 0;
+
+    bool operator==(const PointId&) const = default;
+};
+
+}  // namespace macula::viewer

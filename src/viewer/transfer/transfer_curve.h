@@ -1,0 +1,129 @@
+// The picture of a transfer function that a hand can change: opacity over a histogram, colours, and the axis
+// of values below.
+#pragma once
+
+#include <QPixmap>
+#include <QPointF>
+#include <QRectF>
+#include <QString>
+#include <QWidget>
+#include <optional>
+
+#include "app/transfer/histogram.h"
+#include "app/transfer/value_axis.h"
+#include "pipeline/volume/transfer_function.h"
+#include "viewer/transfer/point_id.h"
+
+namespace macula::viewer {
+
+// Shows one function and changes none: what a hand does is told as the function that it asks for, and whoever
+// listens gives it back by setFunction, or does not. Values on screen are of the volume, those of the
+// function its own (app::ValueMap). Without a function it is empty.
+class TransferCurve : public QWidget {
+    Q_OBJECT
+
+  public:
+    explicit TransferCurve(QWidget* parent = nullptr);
+
+    // `unit` of the volume's values, may be empty. A point that is there no more is not selected any more.
+    void setFunction(TransferFunction function, const app::ValueMap& map, const QString& unit);
+    void clear();
+    // What is in the volume; nothing: not known, or nothing but padding.
+    void setHistogram(std::optional<app::Histogram> histogram);
+
+    // From the first point, or the first of the values that are not rare, to the last.
+    void fitAxis();
+    bool isAxisFitted() const { return isAxisFitted_; }  // nobody has zoomed since
+    const app::ValueAxis& axis() const { return axis_; }
+    const app::ValueMap& valueMap() const { return map_; }
+
+    // The function of what is going on with mouse or keys is no longer that which is shown.
+    void cancelDrag();
+    std::optional<PointId> selected() const { return selected_; }
+    void select(std::optional<PointId> point);
+    // Where its handle is, in logical pixels of this widget; outside of it, when the axis does not show it.
+    QPointF placeOf(const PointId& point) const;
+    QRectF plotRect() const;   // opacity 1 at its top, 0 at its bottom
+    QRectF stripRect() const;  // colours
+    QRectF axisRect() const;
+    double keyStep() const;  // units of the volume that an arrow key moves by
+
+    QSize sizeHint() const override;
+    QSize minimumSizeHint() const override;
+
+  signals:
+    void edited(const macula::TransferFunction& function);   // at once
+    void dragged(const macula::TransferFunction& function);  // a hand moves,
+    void dragEnded();                                        // and has let go
+    void selectionChanged();
+    void colourAsked();  // for the selected colour point
+
+  protected:
+    void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void changeEvent(QEvent* event) override;
+    bool event(QEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void keyReleaseEvent(QKeyEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
+    bool focusNextPrevChild(bool next) override;
+
+  private:
+    enum class Hand { point, whole, axis };
+    struct Drag {
+        Hand hand = Hand::point;
+        Qt::MouseButton button = Qt::LeftButton;
+        QPointF from;
+        TransferFunction base;  // all of a drag is one edit of it, so that rounding does not add up
+        app::ValueAxis axis;
+        PointId point = {};
+        QPointF grabbedAt = {};  // the handle, from the pointer
+    };
+
+    bool hasFunction() const { return !function_.opacity.empty() && !function_.colour.empty(); }
+    double presetValueAt(double px) const;  // px of this widget
+    double opacityAtPx(double y) const;
+    double valueOf(const PointId& point) const;  // of the volume
+    std::size_t pointCount() const { return function_.opacity.size() + function_.colour.size(); }
+    std::optional<PointId> pointAt(QPointF at) const;
+    void setAxis(const app::ValueAxis& axis, bool isFitted);
+    void reveal(const PointId& point);
+    void propose(const TransferFunction& function, bool isDrag);
+    void dragPoint(QPointF to);
+    void dragWhole(QPointF to, Qt::KeyboardModifiers modifiers);
+    void beginPointDrag(const PointId& point, const QMouseEvent& event);
+    void addAt(const QMouseEvent& event);
+    void addBesideSelected();
+    void removeSelected();
+    bool nudge(int key, Qt::KeyboardModifiers modifiers);
+    void nudgePoint(double right, double up, bool isFine);
+    void nudgeWhole(double right, double up, bool isFine, bool isScale);
+    void endNudge();
+    void describe();
+
+    void invalidate();  // all that is kept of the picture
+    QPixmap paintedBackground() const;
+    void paintHistogram(QPainter& painter) const;
+    void paintScales(QPainter& painter) const;
+    void paintStrip(QPainter& painter) const;
+    void paintCurve(QPainter& painter) const;
+    void paintPoints(QPainter& painter) const;
+
+    TransferFunction function_;
+    app::ValueMap map_;
+    QString unit_;
+    std::optional<app::Histogram> histogram_;
+    app::ValueAxis axis_;
+    bool isAxisFitted_ = true;
+    std::optional<PointId> selected_;
+    std::optional<Drag> drag_;
+    bool isNudging_ = false;
+    QPixmap background_;  // histogram and scales; null: to be painted
+};
+
+}  // namespace macula::viewer

@@ -1,0 +1,313 @@
+#include "viewer/transfer/transfer_function_editor.h"
+
+#include <QHBoxLayout>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <initializer_list>
+#include <new>
+#include <utility>
+
+#include "app/choice/catalogue.h"
+#include "app/transfer/edited_transfer.h"
+#include "app/transfer/own_copy.h"
+#include "pipeline/volume/volume_fit.h"
+
+namespace macula::viewer {
+
+namespace {
+
+using Fit = TransferFunction::Fit;
+
+bool isFittedToForeground(const TransferFunction& function) {
+    return function.fitToVolume && function.fitToVolume->to == Fit::To::foreground;
+}
+
+// The volume's part is the same for all presets that are fitted so.
+ValueRange foregroundOf(std::shared_ptr<const Volume> volume) {
+    const TransferFunction any{.fitToVolume = Fit{.low = 0.0, .high = 1.0, .to = Fit::To::foreground}};
+    return fitOf(any, *in16Bits(std::move(volume)))->volume;
+}
+
+QString titleOf(const TransferFunction& function) {
+    return QString::fromStdString(function.title.empty() ? function.name : function.title);
+}
+
+}  // namespace
+
+TransferFunctionEditor::TransferFunctionEditor(ViewerSession& session, QWidget* parent)
+    : QWidget(parent),
+      session_(session),
+      job_(this, {.progressed = [](const ProgressUpdate&) {},
+                  .ended = [this](const Result<SeenResult>& outcome) { onSeen(outcome); }}),
+      line_(new QLabel(this)),
+      curve_(new TransferCurve(this)),
+      fields_(new PointFields(this)),
+      reset_(new QPushButton(tr("Reset"), this)),
+      save_(new QPushButton(tr("Save as…"), this)) {
+    line_->setObjectName(QStringLiteral("transfer-line"));
+    line_->setTextFormat(Qt::PlainText);
+    line_->setWordWrap(true);
+    line_->setAccessibleName(tr("Which preset is edited"));
+    reset_->setObjectName(QStringLiteral("transfer-reset"));
+    reset_->setAccessibleName(tr("Reset the transfer function"));
+    reset_->setToolTip(tr("Back to the preset as it was chosen; can be undone"));
+    save_->setObjectName(QStringLiteral("transfer-save"));
+    save_->setAccessibleName(tr("Save the transfer function as a preset"));
+    save_->setToolTip(tr("Keep this transfer function as a preset of your own"));
+
+    auto* buttons = new QHBoxLayout;
+    buttons->addWidget(fields_, 1);
+    buttons->addWidget(reset_);
+    buttons->addWidget(save_);
+    auto* column = new QVBoxLayout(this);
+    column->addWidget(line_);
+    column->addWidget(curve_, 1);
+    column->addLayout(buttons);
+
+    connect(curve_, &TransferCurve::edited, this, [this](const TransferFunction& f) { propose(f, false); });
+    connect(curve_, &TransferCurve::dragged, this, [this](const TransferFunction& f) { propose(f, true); });
+    connect(curve_, &TransferCurve::dragEnded, this, [this] { session_.endDrag(); });
+    connect(curve_, &TransferCurve::selectionChanged, this, [this] {
+        fields_->dropDialog();
+        showFields();
+    });
+    connect(curve_, &TransferCurve::colourAsked, fields_, &PointFields::askColour);
+    connect(fields_, &PointFields::valueChanged, this, [this](double v) { changeSelected(v, {}, {}); });
+    connect(fields_, &PointFields::opacityChanged, this, [this](double o) { changeSelected({}, o, {}); });
+    connect(fields_, &PointFields::colourChanged, this,
+            [this](const glm::dvec3& colour) { changeSelected({}, {}, colour); });
+    connect(fields_, &PointFields::ended, this, [this] { session_.endDrag(); });
+    connect(reset_, &QPushButton::clicked, this, &TransferFunctionEditor::reset);
+    connect(save_, &QPushButton::clicked, this, &TransferFunctionEditor::saveAsked);
+    connect(&session_, &ViewerSession::studyShown, this, &TransferFunctionEditor::onStudyShown);
+    connect(&session_, &ViewerSession::changed, this, &TransferFunctionEditor::onChanged);
+    onStudyShown();
+}
+
+// A field that loses the focus with its life still tells.
+TransferFunctionEditor::~TransferFunctionEditor() {
+    fields_->disconnect(this);
+    curve_->disconnect(this);
+}
+
+void TransferFunctionEditor::onStudyShown() {
+    job_.cancel();
+    fields_->dropDialog();
+    curve_->clear();
+    seen_.reset();
+    trouble_.clear();
+    byDefault_.reset();
+    chosenByCopy_.clear();
+    chosen_.reset();
+    if (!session_.hasStudy()) return showNothing();
+    showState();
+    if (!job_.running()) look(false);
+    curve_->fitAxis();
+}
+
+void TransferFunctionEditor::onChanged(const app::StudyState& before) {
+    if (!session_.hasStudy() || session_.state().preset == before.preset) return;
+    if (isProposing_) return showState();
+    // Somebody else has changed it: what a hand holds here is gone.
+    curve_->cancelDrag();
+    fields_->dropDialog();
+    const Preset chosenBefore = chosen_ ? chosen_->function : nullptr;
+    const bool wasFitted = curve_->isAxisFitted();
+    showState();
+    if (wasFitted && chosen_->function != chosenBefore) curve_->fitAxis();
+}
+
+void TransferFunctionEditor::showNothing() {
+    for (QWidget* part : std::initializer_list<QWidget*>{curve_, fields_, reset_, save_})
+        part->setEnabled(false);
+    own_ = {};
+    isCopy_ = false;
+    fields_->showPoint(std::nullopt);
+    showLine();
+}
+
+void TransferFunctionEditor::showState() {
+    const Preset preset = presetShown();
+    chosen_ = chosenFor(preset);
+    isCopy_ = chosen_->function != preset;
+    if (isCopy_) {
+        own_ = *preset;
+    } else {
+        own_ = app::ownCopy(*preset, takenNames(preset));
+    }
+    chosenByCopy_[own_.name] = *chosen_;
+
+    const std::optional<app::ValueMap> map = mapFor(own_);
+    const Volume& volume = *session_.study().volume;
+    const QString unit = QString::fromStdString(volume.unitName());
+    fields_->setUnit(unit, volume.unit() == Unit::hounsfield ? 2 : 4);
+    fields_->setUnitDistance(own_.unitDistanceMm);
+    for (QWidget* part : std::initializer_list<QWidget*>{curve_, fields_}) part->setEnabled(map.has_value());
+    reset_->setEnabled(isCopy_);
+    save_->setEnabled(true);
+    if (map) {
+        curve_->setFunction(own_, *map, unit);
+    } else {
+        curve_->setFunction({}, {}, unit);
+        if (trouble_.isEmpty()) look(true);
+    }
+    showFields();
+    showLine();
+}
+
+// Counts the values, and finds the foreground where a preset is fitted to it, which looks at every voxel.
+void TransferFunctionEditor::look(bool isForegroundWanted) {
+    job_.start([volume = session_.study().volume, isForegroundWanted,
+                known = seen_](Progress& progress) -> Result<SeenResult> {
+        try {
+            Seen seen;
+            if (known) {
+                seen = *known;
+            } else if (const std::optional<app::Bins> bins = app::binsOf(*volume)) {
+                MACULA_TRY(seen.histogram, app::histogramOf(*volume, *bins, progress.token()));
+            }
+            if (isForegroundWanted && !seen.foreground) seen.foreground = foregroundOf(volume);
+            return std::make_shared<const Seen>(std::move(seen));
+        } catch (const std::bad_alloc&) {
+            return Error{ErrorCode::outOfMemory,
+                         "There is not enough memory to count the values.",
+                         {},
+                         "Close other programs, and open the study again."};
+        }
+    });
+}
+
+void TransferFunctionEditor::onSeen(const Result<SeenResult>& outcome) {
+    if (!session_.hasStudy()) return;
+    if (!outcome) {
+        if (outcome.error().code == ErrorCode::cancelled) return;
+        trouble_ = QString::fromStdString(outcome.error().message + " " + outcome.error().hint);
+        return showState();
+    }
+    seen_ = *outcome;
+    curve_->setHistogram(seen_->histogram);
+    const bool isFirst = !curve_->isEnabled();
+    showState();
+    if (isFirst || curve_->isAxisFitted()) curve_->fitAxis();
+}
+
+TransferFunctionEditor::Preset TransferFunctionEditor::presetShown() {
+    if (session_.state().preset) return session_.state().preset;
+    if (!byDefault_) byDefault_ = app::presetFor(session_.catalogue(), *session_.study().volume);
+    return byDefault_;
+}
+
+TransferFunctionEditor::Chosen TransferFunctionEditor::chosenFor(const Preset& preset) const {
+    const Chosen itself{.inState = session_.state().preset, .function = preset};
+    if (const auto known = chosenByCopy_.find(preset->name); known != chosenByCopy_.end())
+        return known->second;
+    if (const Preset offered = inCatalogue(preset->name); offered && app::isSame(*offered, *preset))
+        return itself;
+    // A copy of another session.
+    if (const Preset original = inCatalogue(app::copiedFrom(*preset)))
+        return {.inState = original, .function = original};
+    return itself;
+}
+
+TransferFunctionEditor::Preset TransferFunctionEditor::inCatalogue(const std::string& name) const {
+    const auto& presets = session_.catalogue().presets;
+    const auto found =
+        std::ranges::find_if(presets, [&](const Preset& preset) { return preset->name == name; });
+    return found == presets.end() ? nullptr : *found;
+}
+
+// Two presets of the same title have copies of different names: else one would be reset to the other.
+std::set<std::string> TransferFunctionEditor::takenNames(const Preset& original) const {
+    std::set<std::string> taken;
+    for (const Preset& preset : session_.catalogue().presets) taken.insert(preset->name);
+    for (const auto& [name, chosen] : chosenByCopy_) {
+        if (chosen.function != original) taken.insert(name);
+    }
+    return taken;
+}
+
+std::optional<app::ValueMap> TransferFunctionEditor::mapFor(const TransferFunction& function) const {
+    if (!isFittedToForeground(function)) return app::ValueMap::of(fitOf(function, *session_.study().volume));
+    if (!seen_ || !seen_->foreground) return std::nullopt;
+    return app::ValueMap::of(VolumeFit{.preset = {function.fitToVolume->low, function.fitToVolume->high},
+                                       .volume = *seen_->foreground,
+                                       .to = Fit::To::foreground});
+}
+
+void TransferFunctionEditor::propose(const TransferFunction& function, bool isDrag) {
+    const auto preset = std::make_shared<const TransferFunction>(function);
+    const auto edit = [&preset](app::StudyState& next) { next.preset = preset; };
+    isProposing_ = true;
+    if (isDrag) {
+        session_.drag(tr("Transfer function"), edit);
+    } else {
+        session_.change(tr("Transfer function"), edit);
+    }
+    isProposing_ = false;
+}
+
+void TransferFunctionEditor::changeSelected(std::optional<double> value, std::optional<double> opacity,
+                                            const std::optional<glm::dvec3>& colour) {
+    const std::optional<PointId> selected = curve_->selected();
+    if (!selected) return;
+    const std::size_t index = selected->index;
+    const app::ValueMap map = curve_->valueMap();
+    TransferFunction edited = own_;
+    if (selected->curve == PointId::Curve::opacity) {
+        const OpacityPoint from = own_.opacity.at(index);
+        edited = app::movedOpacityPoint(std::move(edited), index, value ? map.presetFrom(*value) : from.value,
+                                        opacity.value_or(from.opacity));
+    } else if (colour) {
+        edited = app::recoloured(std::move(edited), index, *colour);
+    } else if (value) {
+        edited = app::movedColourPoint(std::move(edited), index, map.presetFrom(*value));
+    }
+    if (!(edited == own_)) propose(edited, true);
+    showFields();  // what was typed may lie beyond the next point
+}
+
+void TransferFunctionEditor::reset() {
+    if (!chosen_ || !isCopy_) return;
+    session_.endDrag();
+    session_.change(tr("Reset transfer function"),
+                    [this](app::StudyState& next) { next.preset = chosen_->inState; });
+}
+
+void TransferFunctionEditor::showFields() {
+    const std::optional<PointId> selected = curve_->selected();
+    if (!selected || own_.opacity.empty()) return fields_->showPoint(std::nullopt);
+    const app::ValueMap map = curve_->valueMap();
+    PointFields::Point shown;
+    if (selected->curve == PointId::Curve::opacity) {
+        const OpacityPoint& point = own_.opacity.at(selected->index);
+        shown.value = map.shownFrom(point.value);
+        shown.opacity = point.opacity;
+    } else {
+        const ColourPoint& point = own_.colour.at(selected->index);
+        shown.value = map.shownFrom(point.value);
+        shown.colour = point.colour;
+    }
+    fields_->setStep(curve_->keyStep());
+    fields_->showPoint(shown);
+}
+
+void TransferFunctionEditor::showLine() {
+    if (!chosen_) return line_->setText(tr("Open a study to edit its transfer function."));
+    const QString chosen = titleOf(*chosen_->function);
+    QStringList sentences;
+    sentences << (isCopy_ ? tr("%1: your copy of %2.").arg(titleOf(own_), chosen)
+                          : tr("%1, as it was chosen. The first change makes a copy.").arg(chosen));
+    if (!trouble_.isEmpty()) {
+        sentences << trouble_;
+    } else if (!mapFor(own_)) {
+        sentences << tr("It is being fitted to the values of the volume.");
+    } else if (own_.fitToVolume) {
+        sentences << tr("It is stretched to this volume; values are those of the volume.");
+    }
+    if (!suits(own_, session_.study().volume->unit()))
+        sentences << tr("It is made for other units than those of the series.");
+    if (usesGradientOpacity(own_)) sentences << tr("Its gradient opacity is kept.");
+    line_->setText(sentences.join(QStringLiteral(" ")));
+}
+
+}  // namespace macula::viewer
