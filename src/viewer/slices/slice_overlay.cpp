@@ -36,7 +36,7 @@ class OverlayPainter {
     void crosshair() const;
     void measurements() const;
     void names();
-    void notes() const;
+    void notes();
     void facts();
     void scale() const;
     void letters();
@@ -50,6 +50,8 @@ class OverlayPainter {
         return QFontMetricsF(font_).elidedText(line, Qt::ElideRight, roomPx);
     }
     double roomPx() const { return std::max(size_.width() - 2.0 * kMarginPx, 0.0); }
+    // Lines that are longer come upon the letters in the middle.
+    double reachPx() const { return 0.5 * size_.width() - kMarginPx - 2.0 * kLetterPx; }
     double lineHeight() const { return QFontMetricsF(font_).height(); }
     double widest(const QStringList& lines) const;
     void line(const QPointF& from, const QPointF& to, const QColor& ink) const;
@@ -59,7 +61,7 @@ class OverlayPainter {
     QSize size_;
     const SliceOverlay& overlay_;
     QFont font_;
-    double namesWidth_ = 0.0;
+    double topLines_ = 0.0;  // of those above that reach the middle
     double factsWidth_ = 0.0;
 };
 
@@ -130,7 +132,7 @@ void OverlayPainter::measurements() const {
 }
 
 void OverlayPainter::names() {
-    namesWidth_ = widest(overlay_.names);
+    if (widest(overlay_.names) > reachPx()) topLines_ = double(overlay_.names.size());
     double base = kMarginPx + QFontMetricsF(font_).ascent();
     for (const QString& text : overlay_.names) {
         drawHaloedText(painter_, {kMarginPx, base}, elided(text, roomPx()), kInk);
@@ -138,11 +140,13 @@ void OverlayPainter::names() {
     }
 }
 
-// Below the names where both do not fit beside each other, with the letter of the upper side between them.
-void OverlayPainter::notes() const {
-    const bool fits = widest(overlay_.names) + widest(overlay_.notes) + 4.0 * kLetterPx < roomPx();
-    double base = kMarginPx + QFontMetricsF(font_).ascent();
-    if (!fits) base += double(overlay_.names.size()) * lineHeight();
+// Below the names where both do not fit beside each other.
+void OverlayPainter::notes() {
+    const bool fits = widest(overlay_.names) + widest(overlay_.notes) + 2.0 * kMarginPx < roomPx();
+    const double first = fits ? 0.0 : double(overlay_.names.size());
+    if (widest(overlay_.notes) > reachPx())
+        topLines_ = std::max(topLines_, first + double(overlay_.notes.size()));
+    double base = kMarginPx + QFontMetricsF(font_).ascent() + first * lineHeight();
     for (const QString& text : overlay_.notes) {
         const QString shown = elided(text, roomPx());
         const double width = QFontMetricsF(font_).horizontalAdvance(shown);
@@ -196,11 +200,9 @@ void OverlayPainter::letters() {
     const double width = size_.width();
     const double middle = 0.5 * size_.height() + 0.5 * metrics.capHeight();
     const auto centred = [&](double letterWidth) { return 0.5 * (width - letterWidth); };
-    const double reach = 0.5 * width - 2.0 * kLetterPx;
-    double top = kMarginPx + metrics.ascent();
-    if (kMarginPx + namesWidth_ > reach) top += double(overlay_.names.size()) * lineHeight();
+    const double top = kMarginPx + metrics.ascent() + topLines_ * lineHeight();
     double bottom = size_.height() - kMarginPx - metrics.descent();
-    if (kMarginPx + factsWidth_ > reach) bottom -= double(overlay_.facts.size()) * lineHeight();
+    if (factsWidth_ > reachPx()) bottom -= double(overlay_.facts.size()) * lineHeight();
     draw(
         sides.left, [](double) { return kMarginPx; }, middle);
     draw(
