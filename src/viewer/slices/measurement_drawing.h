@@ -1,0 +1,45 @@
+// A measurement while a hand draws it.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "slices/measurement.h"
+#include "viewer/slices/slice_tool.h"
+
+namespace macula::viewer {
+
+// A distance and an ellipse have two points, ends and opposite corners; an angle has three. Each is set where
+// the button goes down; the second also where it goes up after a drag. All points lie in `plane`, patient LPS
+// mm.
+class MeasurementDrawing {
+  public:
+    // `tool` measures. Points that are not farther than `leastMm` apart are one.
+    MeasurementDrawing(SliceTool tool, const slices::SlicePlane& plane, const glm::dvec3& firstMm,
+                       double leastMm);
+
+    void press(const glm::dvec3& mm);
+    void move(const glm::dvec3& mm) { pointerMm_ = mm; }
+    void release(const glm::dvec3& mm);
+
+    const slices::SlicePlane& plane() const { return plane_; }
+    std::size_t pointsSet() const { return pointsMm_.size(); }
+    bool isComplete() const { return pointsMm_.size() == pointsNeeded(); }
+    // With the pointer in the place of the next point: of an angle of one point, its first leg as a distance.
+    // Nothing while it has no extent.
+    std::optional<slices::Measurement> soFar() const;
+
+  private:
+    std::size_t pointsNeeded() const { return tool_ == SliceTool::angle ? 3 : 2; }
+    bool isNew(const glm::dvec3& mm) const { return glm::distance(pointsMm_.back(), mm) > leastMm_; }
+    std::optional<slices::Measurement> ellipse(const glm::dvec3& to) const;
+
+    SliceTool tool_;
+    slices::SlicePlane plane_;
+    double leastMm_;
+    std::vector<glm::dvec3> pointsMm_;
+    glm::dvec3 pointerMm_;
+};
+
+}  // namespace macula::viewer

@@ -1,0 +1,21 @@
+#include "viewer/slices/measurement_texts.h"
+
+#include <algorithm>
+
+#include "viewer/harmless_text.h"
+
+namespace macula::viewer {
+
+QString MeasurementTexts::of(const slices::Measurement& measurement, const Volume& volume) {
+    const auto found = std::ranges::find(known_, measurement, &Known::measurement);
+    if (found != known_.end()) return found->text;
+    constexpr std::size_t kMost = 64;  // more than lie in a plane; each step of drawing is one
+    if (known_.size() == kMost) known_.erase(known_.begin());
+    QString text = QString::fromStdString(slices::textOf(measurement, volume));
+    if (!measurement.label.empty())
+        text = harmless(QString::fromStdString(measurement.label)) + QStringLiteral(": ") + text;
+    known_.push_back({measurement, text});
+    return text;
+}
+
+}  // namespace macula::viewer

@@ -1,0 +1,22 @@
+#include "viewer/slices/scale_bar.h"
+
+#include <QCoreApplication>
+#include <cmath>
+
+namespace macula::viewer {
+
+std::optional<ScaleBar> scaleBar(double mmPerPx, double mostPx) {
+    const double mostMm = mmPerPx * mostPx;
+    if (!(mmPerPx > 0.0) || !(mostMm > 0.0) || !std::isfinite(mostMm)) return std::nullopt;
+    constexpr double kRounding = 1e-9;  // 100 mm must not become 50 for the sake of the last bit
+    const double power = std::pow(10.0, std::floor(std::log10(mostMm) + kRounding));
+    double lengthMm = power;
+    for (const double times : {2.0, 5.0})
+        if (times * power <= mostMm * (1.0 + kRounding)) lengthMm = times * power;
+    const QString text = lengthMm >= 10.0
+                             ? QCoreApplication::translate("Slices", "%1 cm").arg(lengthMm / 10.0)
+                             : QCoreApplication::translate("Slices", "%1 mm").arg(lengthMm);
+    return ScaleBar{.lengthMm = lengthMm, .lengthPx = lengthMm / mmPerPx, .text = text};
+}
+
+}  // namespace macula::viewer

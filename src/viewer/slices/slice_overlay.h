@@ -1,0 +1,36 @@
+// What is drawn over the picture of a slice.
+#pragma once
+
+#include <QPainter>
+#include <QSize>
+#include <QStringList>
+#include <optional>
+#include <vector>
+
+#include "slices/measurement.h"
+#include "slices/slice_plane.h"
+
+namespace macula::viewer {
+
+struct ShownMeasurement {
+    slices::Measurement measurement;
+    QString text;
+    bool isSelected = false;
+};
+
+struct SliceOverlay {
+    slices::Orientation orientation = slices::Orientation::axial;
+    slices::SliceFrame frame;  // of the picture below, in device pixels
+    double pixelRatio = 1.0;   // device pixels to a logical one
+    std::optional<glm::dvec3> crosshairMm = {};
+    QStringList names = {};  // upper left
+    QStringList notes = {};  // upper right
+    QStringList facts = {};  // lower left
+    std::vector<ShownMeasurement> measurements = {};
+};
+
+// `size` of the pane in logical pixels, which the painter must have. What is too long for the pane ends in an
+// ellipsis. Letters of the sides are always there.
+void paintOverlay(QPainter& painter, const QSize& size, const SliceOverlay& overlay);
+
+}  // namespace macula::viewer

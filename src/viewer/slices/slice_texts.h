@@ -1,0 +1,35 @@
+// What is written over a slice.
+#pragma once
+
+#include <QColor>
+#include <QString>
+
+#include "app/camera/orbit_camera.h"
+#include "slices/sampled_slice.h"
+#include "slices/slice_plane.h"
+#include "viewer/slices/slice_steps.h"
+
+namespace macula::viewer {
+
+QString nameOf(slices::Orientation orientation);  // "Axial"
+// Of the lines that mark its plane in other panes, as is custom: axial red, sagittal yellow, coronal green.
+QColor colourOf(slices::Orientation orientation);
+// Whose planes the vertical and the horizontal line of a cross-hair mark.
+slices::Orientation verticalOf(slices::Orientation orientation);
+slices::Orientation horizontalOf(slices::Orientation orientation);
+
+// Sides of the patient at the sides of the picture.
+app::EdgeLetters edgeLetters(const slices::SlicePlane& plane);
+
+// "Axial S 123.4 mm, slice 45 of 95": how far the plane is from the patient's origin, and in which direction;
+// the number where images were taken in such planes. "Axial, oblique" where it is no plane of the patient.
+QString positionText(slices::Orientation orientation, const SliceSteps& steps, int slice);
+QString slabText(const slices::Slab& slab);  // "MIP 10 mm"; empty for the plane alone
+QString pointText(const glm::dvec3& mm);     // "L 12.3 P 45.6 S 78.9 mm"
+// "-87 HU at (12, 200, 45), L 12.3 P 45.6 S 78.9 mm"; padding, and what lies outside, in words.
+QString probeText(const Volume& volume, const glm::dvec3& mm);
+
+// Whether no image was taken where the slice is.
+bool isInterpolated(const Volume& volume, const SliceSteps& steps, int slice);
+
+}  // namespace macula::viewer

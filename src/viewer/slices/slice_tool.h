@@ -1,0 +1,12 @@
+// What the left button does on a slice.
+#pragma once
+
+namespace macula::viewer {
+
+enum class SliceTool { crosshair, window, zoom, pan, distance, angle, ellipse, probe };
+
+constexpr bool measures(SliceTool tool) {
+    return tool == SliceTool::distance || tool == SliceTool::angle || tool == SliceTool::ellipse;
+}
+
+}  // namespace macula::viewer

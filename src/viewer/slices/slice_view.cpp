@@ -1,0 +1,280 @@
+#include "viewer/slices/slice_view.h"
+
+#include <QMetaObject>
+#include <QPainter>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "app/frame/projection_windows.h"
+#include "app/slices/window_presets.h"
+#include "pipeline/volume/window.h"
+#include "viewer/harmless_text.h"
+#include "viewer/slices/slice_texts.h"
+
+namespace macula::viewer {
+
+namespace {
+
+constexpr int kCineMs = 100;
+constexpr int kWheelPauseMs = 600;
+constexpr int kFocusPx = 2;
+const QColor kQuietInk(150, 150, 150);
+
+// Whether both have the same pixels: the cross-hair is drawn over them.
+bool samePixels(const SliceWish& a, SliceWish b) {
+    b.crosshairMm = a.crosshairMm;
+    return a == b;
+}
+
+bool isFinite(const glm::dvec3& mm) {
+    return std::isfinite(mm.x) && std::isfinite(mm.y) && std::isfinite(mm.z);
+}
+
+}  // namespace
+
+SliceView::SliceView(ViewerSession& session, slices::Orientation orientation, QWidget* parent)
+    : QWidget(parent), session_(session), orientation_(orientation) {
+    setFocusPolicy(Qt::StrongFocus);
+    setMouseTracking(true);
+    setAttribute(Qt::WA_OpaquePaintEvent);
+    setContextMenuPolicy(Qt::PreventContextMenu);  // the right button drags
+    setCursor(Qt::CrossCursor);
+    setAccessibleName(tr("%1 slices").arg(nameOf(orientation)));
+    setToolTip(tr("%1 slices, in mm. Wheel: next slice; right drag: window").arg(nameOf(orientation)));
+    wheelEnds_.setSingleShot(true);
+    wheelEnds_.setInterval(kWheelPauseMs);
+    connect(&wheelEnds_, &QTimer::timeout, this, [this] { endOwnDrag(tr("Slice")); });
+    cine_.setInterval(kCineMs);
+    connect(&cine_, &QTimer::timeout, this, &SliceView::cineStep);
+    connect(&session_, &ViewerSession::studyShown, this, &SliceView::onStudyShown);
+    connect(&session_, &ViewerSession::changed, this, &SliceView::onChanged);
+    // What comes after this widget is gone is dropped by Qt.
+    sampler_ = std::make_unique<SliceSampler>([this](SlicePicture picture) {
+        QMetaObject::invokeMethod(
+            this, [this, picture = std::move(picture)] { onPicture(picture); }, Qt::QueuedConnection);
+    });
+    onStudyShown();
+}
+
+SliceView::~SliceView() {
+    sampler_.reset();
+}
+
+void SliceView::setTool(SliceTool tool) {
+    if (tool == tool_) return;
+    tool_ = tool;
+    endGesture();
+    setCursor(tool == SliceTool::pan ? Qt::OpenHandCursor : Qt::CrossCursor);
+}
+
+void SliceView::setLines(const QStringList& lines) {
+    lines_.clear();
+    for (const QString& line : lines) {
+        const QString shown = harmless(line);
+        if (!shown.isEmpty()) lines_.push_back(shown);
+    }
+    update();
+}
+
+void SliceView::showNames(bool shown) {
+    namesShown_ = shown;
+    update();
+}
+
+void SliceView::fit() {
+    isFitted_ = true;
+    request();
+}
+
+void SliceView::applyWindow(int digit) {
+    if (!steps_) return;
+    if (const auto preset = app::windowPreset(volume(), digit))
+        session_.change(tr("Window"), [&](app::StudyState& next) { next.slices.window = preset->window; });
+}
+
+void SliceView::onStudyShown() {
+    setCine(false);
+    endGesture();
+    ++study_;
+    wanted_.reset();
+    shown_.reset();
+    selected_.reset();
+    texts_.forget();
+    steps_.reset();
+    isFitted_ = true;
+    if (session_.hasStudy()) {
+        steps_.emplace(volume(), orientation_, session_.state().slices.asAcquired);
+        request();
+    }
+    setAccessibleDescription(session_.hasStudy() ? QString() : tr("No study is open"));
+    update();
+}
+
+void SliceView::onChanged(const app::StudyState& before) {
+    if (!steps_) return;
+    const app::SliceState& now = session_.state().slices;
+    if (now.asAcquired != before.slices.asAcquired) steps_.emplace(volume(), orientation_, now.asAcquired);
+    followSelection(before);
+    request();
+    update();
+}
+
+// The same measurement stays selected, whatever came before it in the list or went; one that was only moved
+// stays in its place.
+void SliceView::followSelection(const app::StudyState& before) {
+    const auto& now = session_.state().measurements;
+    if (!selected_ || now == before.measurements) return;
+    std::optional<std::size_t> followed;
+    if (*selected_ < before.measurements.size()) {
+        const auto found = std::ranges::find(now, before.measurements[*selected_]);
+        if (found != now.end()) {
+            followed = std::size_t(found - now.begin());
+        } else if (now.size() == before.measurements.size()) {
+            followed = selected_;
+        }
+    }
+    selected_ = followed;
+    if (!selected_ && drag_ == Drag::handle) drag_ = Drag::none;
+}
+
+void SliceView::request() {
+    if (!steps_ || !isVisible() || width() < 1 || height() < 1) return;
+    const glm::ivec2 sizePx(width(), height());
+    if (isFitted_) view_ = fittedView(volume(), *steps_, sizePx);
+    const double ratio = devicePixelRatioF();
+    const int slice = this->slice();
+    SliceWish wish{.study = study_,
+                   .volume = session_.study().volume,
+                   .frame = frameOf(view_, *steps_, slice, sizePx, ratio),
+                   .slab = session_.state().slices.slab,
+                   .window = window(),
+                   .isInverted = session_.state().slices.isInverted,
+                   .positionText = viewer::positionText(orientation_, *steps_, slice),
+                   .isInterpolated = isInterpolated(volume(), *steps_, slice),
+                   .pixelRatio = ratio,
+                   .crosshairMm = crosshairMm()};
+    const bool isNew = !wanted_ || !samePixels(*wanted_, wish);
+    wanted_ = wish;
+    if (isNew) sampler_->publish(std::move(wish));
+}
+
+void SliceView::onPicture(SlicePicture picture) {
+    if (picture.of.study != study_) return;
+    shown_ = std::move(picture);
+    // What was begun on one slice does not go on over another.
+    if (drawing_) {
+        const slices::SlicePlane& drawn = drawing_->plane();
+        const slices::SlicePlane& now = shown_->of.frame.plane;
+        const double offMm = std::abs(shown_->of.frame.distanceMm(drawn.centreMm));
+        if (drawn.right != now.right || drawn.down != now.down || offMm > 1e-6) endGesture();
+    }
+    setAccessibleDescription(positionText());
+    update();
+    emit pictureShown();
+}
+
+glm::dvec3 SliceView::crosshairMm() const {
+    const auto& set = session_.state().slices.crosshairMm;
+    return set && isFinite(*set) ? *set : middleMm(volume());
+}
+
+DisplayWindow SliceView::window() const {
+    const auto& set = session_.state().slices.window;
+    return set ? *set : seriesWindow(volume());
+}
+
+glm::dvec3 SliceView::worldAt(const QPointF& place) const {
+    return shown_->of.frame.worldFromPicture(glm::dvec2(place.x(), place.y()) * shown_->of.pixelRatio);
+}
+
+bool SliceView::isShownHere(const slices::Measurement& measurement) const {
+    return shown_ && slices::liesIn(measurement, shown_->of.frame.plane, 0.5 * std::abs(steps_->stepMm()));
+}
+
+std::optional<slices::SliceFrame> SliceView::shownFrame() const {
+    return shown_ ? std::optional(shown_->of.frame) : std::nullopt;
+}
+
+QString SliceView::positionText() const {
+    return shown_ ? shown_->of.positionText : QString();
+}
+
+QStringList SliceView::notes() const {
+    QStringList notes;
+    if (!shown_) return notes;
+    if (shown_->grey.isNull()) notes.push_back(tr("No memory for this picture: make the window smaller"));
+    if (const QString slab = slabText(shown_->of.slab); !slab.isEmpty()) notes.push_back(slab);
+    if (shown_->of.isInverted) notes.push_back(tr("Inverted"));
+    if (shown_->of.isInterpolated) notes.push_back(tr("Interpolated: no image was taken here"));
+    return notes;
+}
+
+QString SliceView::probedText() const {
+    if (!shown_ || !hoverAt_) return {};
+    const QString text = probeText(*shown_->of.volume, worldAt(*hoverAt_));
+    return shown_->of.slab.thicknessMm > 0.0 ? tr("Middle of the slab: %1").arg(text) : text;
+}
+
+bool SliceView::isUpToDate() const {
+    return shown_ && wanted_ && samePixels(shown_->of, *wanted_);
+}
+
+void SliceView::paintEvent(QPaintEvent*) {
+    if (wanted_ && wanted_->pixelRatio != devicePixelRatioF()) request();  // on another screen now
+    QPainter painter(this);
+    painter.fillRect(rect(), Qt::black);
+    if (!session_.hasStudy()) {
+        painter.setPen(kQuietInk);
+        painter.drawText(rect(), Qt::AlignCenter | Qt::TextWordWrap, tr("No study is open"));
+    } else if (shown_) {
+        paintPicture(painter);
+    }
+    if (hasFocus()) {
+        painter.setPen(QPen(palette().color(QPalette::Highlight), kFocusPx, Qt::SolidLine, Qt::SquareCap,
+                            Qt::MiterJoin));
+        const int inset = kFocusPx / 2;
+        painter.drawRect(rect().adjusted(inset, inset, -inset, -inset));
+    }
+}
+
+void SliceView::paintPicture(QPainter& painter) {
+    const QSizeF logical = QSizeF(shown_->grey.size()) / shown_->of.pixelRatio;
+    painter.drawImage(QRectF(QPointF(0.0, 0.0), logical), shown_->grey);
+    paintOverlay(painter, size(), overlay());
+}
+
+SliceOverlay SliceView::overlay() {
+    const SliceWish& of = shown_->of;
+    // The cross-hair of the session, unless it may be in a slice that is still on its way.
+    const bool isLive = wanted_ && wanted_->frame == of.frame;
+    SliceOverlay overlay{.orientation = orientation_,
+                         .frame = of.frame,
+                         .pixelRatio = of.pixelRatio,
+                         .crosshairMm = isLive ? crosshairMm() : of.crosshairMm,
+                         .names = namesShown_ ? lines_ : QStringList(),
+                         .notes = notes(),
+                         .measurements = shownMeasurements()};
+    if (const QString probed = probedText(); !probed.isEmpty()) overlay.facts.push_back(probed);
+    overlay.facts.push_back(of.positionText);
+    overlay.facts.push_back(
+        harmless(QString::fromStdString(app::windowText(of.window, of.volume->unitName()))));
+    return overlay;
+}
+
+std::vector<ShownMeasurement> SliceView::shownMeasurements() {
+    std::vector<ShownMeasurement> shown;
+    const auto& measurements = session_.state().measurements;
+    for (std::size_t i = 0; i < measurements.size(); ++i) {
+        if (!isShownHere(measurements[i])) continue;
+        shown.push_back({.measurement = measurements[i],
+                         .text = texts_.of(measurements[i], volume()),
+                         .isSelected = selected_ == i});
+    }
+    const auto drawn = drawing_ ? drawing_->soFar() : std::nullopt;
+    if (drawn)
+        shown.push_back({.measurement = *drawn, .text = texts_.of(*drawn, volume()), .isSelected = true});
+    return shown;
+}
+
+}  // namespace macula::viewer

@@ -1,0 +1,149 @@
+// A pane that shows slices of the study, in one orientation.
+#pragma once
+
+#include <QString>
+#include <QStringList>
+#include <QTimer>
+#include <QWidget>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+#include "slices/slice_plane.h"
+#include "viewer/session/viewer_session.h"
+#include "viewer/slices/measurement_drawing.h"
+#include "viewer/slices/measurement_handles.h"
+#include "viewer/slices/measurement_texts.h"
+#include "viewer/slices/pane_view.h"
+#include "viewer/slices/slice_overlay.h"
+#include "viewer/slices/slice_sampler.h"
+#include "viewer/slices/slice_steps.h"
+#include "viewer/slices/slice_tool.h"
+
+namespace macula::viewer {
+
+// Shows the slice that the cross-hair of the session lies in, through its window, with its measurements;
+// proposes others of them. Zoom and place are its own. Pictures are made on another thread: until the next is
+// there the one before stays, and all that is written, drawn and pointed at is of the one on screen. What is
+// between two voxel planes is shown as the nearer one where panes go along voxels. Lives on the UI thread.
+class SliceView : public QWidget {
+    Q_OBJECT
+
+  public:
+    // The session must outlive it.
+    SliceView(ViewerSession& session, slices::Orientation orientation, QWidget* parent = nullptr);
+    ~SliceView() override;
+
+    slices::Orientation orientation() const { return orientation_; }
+    SliceTool tool() const { return tool_; }
+    void setTool(SliceTool tool);  // gives up what is being drawn
+
+    // Whose pictures these are: written over each, unless hidden.
+    void setLines(const QStringList& lines);
+    void showNames(bool shown);
+
+    void fit();                   // the volume fits the pane, and stays so until a hand zooms or pans
+    void applyWindow(int digit);  // of app::windowPresets; nothing where there is none
+    void moveBy(int slices);      // along the normal: of axial ones to the head
+    void setCine(bool on);        // goes to and fro through all slices, one step to undo; ends when hidden
+    bool isCineOn() const { return cine_.isActive(); }
+
+    // Of the picture on screen; nothing before the first.
+    std::optional<slices::SliceFrame> shownFrame() const;
+    QString positionText() const;  // as positionText
+    QStringList notes() const;     // what has to be known of it: slab, inverted, interpolated
+    QString probedText() const;    // of what the pointer is on; empty outside of the pane
+    bool isUpToDate() const;       // it is of what is chosen
+    std::optional<std::size_t> selected() const { return selected_; }  // of the measurements of the state
+
+    QSize sizeHint() const override { return {360, 360}; }
+    QSize minimumSizeHint() const override { return {120, 120}; }
+
+  signals:
+    void maximizeAsked();
+    void cineChanged(bool on);
+    void pictureShown();
+
+  protected:
+    void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void showEvent(QShowEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+    void focusInEvent(QFocusEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
+
+  private:
+    enum class Drag { none, crosshair, window, zoom, pan, draw, handle, probe };
+
+    void onStudyShown();
+    void onChanged(const app::StudyState& before);
+    void onPicture(SlicePicture picture);
+    void request();
+    void followSelection(const app::StudyState& before);
+
+    const Volume& volume() const { return *session_.study().volume; }
+    glm::dvec3 crosshairMm() const;
+    DisplayWindow window() const;
+    int slice() const { return steps_->nearest(crosshairMm()); }
+    slices::SlicePlane plane() const { return steps_->plane(slice(), view_.centreMm); }
+    glm::dvec3 worldAt(const QPointF& place) const;  // of the picture on screen, which must be
+    bool isShownHere(const slices::Measurement& measurement) const;
+
+    void goTo(int slice, const QString& what);
+    void cineStep();
+    void zoomAt(const QPointF& place, double factor);
+    void press(const QPointF& place);
+    void dragTo(const QPointF& place);
+    void endGesture();
+    bool takeHold(const QPointF& place);
+    void moveHandle(const QPointF& place);
+    void setCrosshair(const glm::dvec3& mm);
+    void finishDrawing();
+    void removeSelected();
+    bool handleKey(int key);
+    void endOwnDrag(const QString& what);
+
+    void paintPicture(QPainter& painter);
+    SliceOverlay overlay();
+    std::vector<ShownMeasurement> shownMeasurements();
+
+    ViewerSession& session_;
+    slices::Orientation orientation_;
+    std::unique_ptr<SliceSampler> sampler_;
+
+    std::uint64_t study_ = 0;          // counts those that were shown
+    std::optional<SliceSteps> steps_;  // nothing: no study
+    PaneView view_;
+    bool isFitted_ = true;  // no hand has zoomed or panned
+    std::optional<SliceWish> wanted_;
+    std::optional<SlicePicture> shown_;
+    QStringList lines_;
+    bool namesShown_ = true;
+
+    SliceTool tool_ = SliceTool::crosshair;
+    Drag drag_ = Drag::none;
+    Qt::MouseButton dragButton_ = Qt::NoButton;
+    QPointF pressedAt_;
+    QPointF lastAt_;
+    std::optional<QPointF> hoverAt_;
+    int wheelRest_ = 0;  // eighths of a degree that made no notch yet
+    QTimer wheelEnds_;   // what is turned or stepped until then is one step to undo
+
+    std::optional<MeasurementDrawing> drawing_;
+    std::optional<std::size_t> selected_;
+    std::size_t heldHandle_ = 0;  // of the selected one, in Drag::handle
+    MeasurementTexts texts_;
+
+    QTimer cine_;
+    bool cineGoesBack_ = false;
+};
+
+}  // namespace macula::viewer

@@ -1,0 +1,335 @@
+// What a hand does on a slice.
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QWheelEvent>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "app/frame/projection_windows.h"
+#include "viewer/slices/slice_view.h"
+
+namespace macula::viewer {
+
+namespace {
+
+constexpr double kHitPx = 8.0;       // logical, as all below
+constexpr double kOnePointPx = 3.0;  // nearer points are one
+constexpr int kManySlices = 5;       // with Shift, or by pages
+constexpr int kNotch = 120;          // eighths of a degree: QWheelEvent
+constexpr double kZoomPerNotch = 1.15;
+constexpr double kDragZoomPerHeight = 6.0;  // times closer for a drag up over the height of the pane
+
+}  // namespace
+
+void SliceView::resizeEvent(QResizeEvent*) {
+    request();
+}
+
+void SliceView::showEvent(QShowEvent*) {
+    request();
+}
+
+void SliceView::hideEvent(QHideEvent*) {
+    setCine(false);
+    endGesture();
+    hoverAt_.reset();
+}
+
+void SliceView::focusInEvent(QFocusEvent* event) {
+    QWidget::focusInEvent(event);
+    update();
+}
+
+void SliceView::focusOutEvent(QFocusEvent* event) {
+    QWidget::focusOutEvent(event);
+    update();
+}
+
+void SliceView::leaveEvent(QEvent*) {
+    hoverAt_.reset();
+    update();
+}
+
+void SliceView::mousePressEvent(QMouseEvent* event) {
+    if (!shown_ || drag_ != Drag::none) return event->ignore();
+    pressedAt_ = lastAt_ = event->position();
+    dragButton_ = event->button();
+    switch (dragButton_) {
+        case Qt::LeftButton:
+            press(event->position());
+            break;
+        case Qt::RightButton:
+            drag_ = Drag::window;
+            break;
+        case Qt::MiddleButton:
+            drag_ = Drag::pan;
+            break;
+        default:
+            return event->ignore();
+    }
+    update();
+}
+
+void SliceView::press(const QPointF& place) {
+    if (drawing_) {
+        drawing_->press(worldAt(place));
+        if (drawing_->isComplete()) {
+            finishDrawing();
+        } else {
+            drag_ = Drag::draw;
+        }
+        return;
+    }
+    if (takeHold(place)) return;
+    selected_.reset();
+    switch (tool_) {
+        case SliceTool::crosshair:
+            drag_ = Drag::crosshair;
+            return setCrosshair(worldAt(place));
+        case SliceTool::window:
+            drag_ = Drag::window;
+            return;
+        case SliceTool::zoom:
+            drag_ = Drag::zoom;
+            return;
+        case SliceTool::pan:
+            drag_ = Drag::pan;
+            return;
+        case SliceTool::probe:
+            drag_ = Drag::probe;
+            return;
+        case SliceTool::distance:
+        case SliceTool::angle:
+        case SliceTool::ellipse:
+            break;
+    }
+    const slices::SliceFrame& frame = shown_->of.frame;
+    drawing_.emplace(tool_, frame.plane, worldAt(place),
+                     kOnePointPx * frame.mmPerPixel * shown_->of.pixelRatio);
+    drag_ = Drag::draw;
+}
+
+// Of a measurement that is seen; not for those tools that act on the picture as a whole.
+bool SliceView::takeHold(const QPointF& place) {
+    if (tool_ == SliceTool::window || tool_ == SliceTool::zoom || tool_ == SliceTool::pan) return false;
+    const auto& measurements = session_.state().measurements;
+    std::vector<bool> shown;
+    for (const slices::Measurement& measurement : measurements) shown.push_back(isShownHere(measurement));
+    const double ratio = shown_->of.pixelRatio;
+    const auto hit = hitAt(measurements, shown, shown_->of.frame, glm::dvec2(place.x(), place.y()) * ratio,
+                           kHitPx * ratio);
+    if (!hit) return false;
+    selected_ = hit->measurement;
+    if (hit->handle) {
+        heldHandle_ = *hit->handle;
+        drag_ = Drag::handle;
+    }
+    return true;
+}
+
+void SliceView::mouseMoveEvent(QMouseEvent* event) {
+    hoverAt_ = event->position();
+    if (!shown_) return;
+    // A button that went up elsewhere: nobody told.
+    if (drag_ != Drag::none && !event->buttons().testFlag(dragButton_)) {
+        drag_ = Drag::none;
+        session_.endDrag();
+    }
+    dragTo(event->position());
+    lastAt_ = event->position();
+    update();
+}
+
+void SliceView::dragTo(const QPointF& place) {
+    const QPointF by = place - lastAt_;
+    const double heightPx = std::max(height(), 1);
+    switch (drag_) {
+        case Drag::crosshair:
+            return setCrosshair(worldAt(place));
+        case Drag::window: {
+            const DisplayWindow next = app::dragged(window(), glm::dvec2(by.x(), by.y()) / heightPx);
+            return session_.drag(tr("Window"), [&](app::StudyState& state) { state.slices.window = next; });
+        }
+        case Drag::zoom:
+            return zoomAt(pressedAt_, std::pow(kDragZoomPerHeight, -by.y() / heightPx));
+        case Drag::pan:
+            isFitted_ = false;
+            view_ = panned(view_, plane(), {by.x(), by.y()});
+            return request();
+        case Drag::handle:
+            return moveHandle(place);
+        case Drag::draw:
+        case Drag::none:
+            if (drawing_) drawing_->move(worldAt(place));
+            return;
+        case Drag::probe:
+            return;
+    }
+}
+
+void SliceView::mouseReleaseEvent(QMouseEvent* event) {
+    if (drag_ == Drag::none || event->button() != dragButton_) return;
+    const Drag ended = std::exchange(drag_, Drag::none);
+    if (ended == Drag::draw && drawing_ && shown_) {
+        drawing_->release(worldAt(event->position()));
+        if (drawing_->isComplete()) finishDrawing();
+    }
+    if (ended == Drag::crosshair || ended == Drag::window || ended == Drag::handle) session_.endDrag();
+    update();
+}
+
+// Its first click has begun a measurement: that was not meant. In the middle of one it is a click like any
+// other.
+void SliceView::mouseDoubleClickEvent(QMouseEvent* event) {
+    if (event->button() != Qt::LeftButton || (drawing_ && drawing_->pointsSet() > 1))
+        return mousePressEvent(event);
+    drawing_.reset();
+    update();
+    emit maximizeAsked();
+}
+
+void SliceView::wheelEvent(QWheelEvent* event) {
+    event->accept();
+    if (!shown_) return;
+    const QPoint turned = event->angleDelta();
+    const int by = turned.y() != 0 ? turned.y() : turned.x();
+    if (event->modifiers().testFlag(Qt::ControlModifier))
+        return zoomAt(event->position(), std::pow(kZoomPerNotch, double(by) / kNotch));
+    wheelRest_ += by;
+    const int notches = wheelRest_ / kNotch;
+    wheelRest_ -= notches * kNotch;
+    if (notches != 0)
+        moveBy(event->modifiers().testFlag(Qt::ShiftModifier) ? notches * kManySlices : notches);
+}
+
+void SliceView::keyPressEvent(QKeyEvent* event) {
+    const Qt::KeyboardModifiers others = event->modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier);
+    if (!steps_ || others != Qt::NoModifier || !handleKey(event->key())) QWidget::keyPressEvent(event);
+}
+
+// Whether it was one of its keys.
+bool SliceView::handleKey(int key) {
+    const QPointF middle(0.5 * width(), 0.5 * height());
+    switch (key) {
+        case Qt::Key_Up:
+            return moveBy(1), true;
+        case Qt::Key_Down:
+            return moveBy(-1), true;
+        case Qt::Key_PageUp:
+            return moveBy(kManySlices), true;
+        case Qt::Key_PageDown:
+            return moveBy(-kManySlices), true;
+        case Qt::Key_Home:
+            return goTo(0, tr("Slice")), true;
+        case Qt::Key_End:
+            return goTo(steps_->count() - 1, tr("Slice")), true;
+        case Qt::Key_Plus:
+        case Qt::Key_Equal:  // the same key without Shift on many keyboards
+            return zoomAt(middle, kZoomPerNotch), true;
+        case Qt::Key_Minus:
+            return zoomAt(middle, 1.0 / kZoomPerNotch), true;
+        case Qt::Key_Delete:
+        case Qt::Key_Backspace:
+            if (!selected_) return false;
+            return removeSelected(), true;
+        case Qt::Key_Escape:
+            if (!drawing_) return false;
+            return endGesture(), true;
+        case Qt::Key_I:
+            session_.change(tr("Inverted"),
+                            [](app::StudyState& next) { next.slices.isInverted = !next.slices.isInverted; });
+            return true;
+        case Qt::Key_Space:
+            return setCine(!isCineOn()), true;
+        default:
+            if (key < Qt::Key_1 || key > Qt::Key_9) return false;
+            return applyWindow(key - Qt::Key_0), true;
+    }
+}
+
+void SliceView::moveBy(int slices) {
+    if (!steps_) return;
+    goTo(slice() + (steps_->stepMm() > 0.0 ? slices : -slices), tr("Slice"));
+}
+
+void SliceView::goTo(int slice, const QString& what) {
+    const glm::dvec3 to = steps_->onSlice(std::clamp(slice, 0, steps_->count() - 1), crosshairMm());
+    session_.drag(what, [&](app::StudyState& next) { next.slices.crosshairMm = to; });
+    if (what == tr("Slice")) wheelEnds_.start();
+}
+
+void SliceView::setCine(bool on) {
+    if (on == isCineOn() || (on && (!steps_ || !isVisible()))) return;
+    if (on) {
+        cine_.start();
+    } else {
+        cine_.stop();
+        endOwnDrag(tr("Cine"));
+    }
+    emit cineChanged(on);
+}
+
+// Only once the slice before was seen: a slow machine shows all of them, more slowly.
+void SliceView::cineStep() {
+    if (!isUpToDate() || steps_->count() < 2) return;
+    const int now = slice();
+    if (now == 0) cineGoesBack_ = false;
+    if (now == steps_->count() - 1) cineGoesBack_ = true;
+    goTo(cineGoesBack_ ? now - 1 : now + 1, tr("Cine"));
+}
+
+void SliceView::zoomAt(const QPointF& place, double factor) {
+    if (!steps_) return;
+    const glm::ivec2 sizePx(width(), height());
+    const glm::dvec2 fromMiddle = glm::dvec2(place.x(), place.y()) - 0.5 * glm::dvec2(sizePx);
+    view_ = zoomed(view_, plane(), fromMiddle, factor, fittedView(volume(), *steps_, sizePx).mmPerPx);
+    isFitted_ = false;
+    request();
+}
+
+void SliceView::setCrosshair(const glm::dvec3& mm) {
+    session_.drag(tr("Cross-hair"), [&](app::StudyState& next) { next.slices.crosshairMm = mm; });
+}
+
+void SliceView::moveHandle(const QPointF& place) {
+    const auto& measurements = session_.state().measurements;
+    if (!selected_ || *selected_ >= measurements.size()) return;
+    const std::size_t at = *selected_;
+    if (heldHandle_ >= handlesOf(measurements[at]).size()) return;
+    const slices::Measurement moved = withHandleAt(measurements[at], heldHandle_, worldAt(place));
+    session_.drag(tr("Measurement moved"), [&](app::StudyState& next) { next.measurements.at(at) = moved; });
+}
+
+void SliceView::finishDrawing() {
+    const std::optional<slices::Measurement> made = drawing_->soFar();
+    drawing_.reset();
+    drag_ = Drag::none;
+    if (!made) return;
+    session_.change(tr("Measurement"), [&](app::StudyState& next) { next.measurements.push_back(*made); });
+    selected_ = session_.state().measurements.size() - 1;
+    update();
+}
+
+void SliceView::removeSelected() {
+    const std::size_t at = *selected_;
+    selected_.reset();
+    if (at >= session_.state().measurements.size()) return;
+    session_.change(tr("Measurement removed"), [at](app::StudyState& next) {
+        next.measurements.erase(next.measurements.begin() + std::ptrdiff_t(at));
+    });
+}
+
+void SliceView::endGesture() {
+    if (drag_ == Drag::crosshair || drag_ == Drag::window || drag_ == Drag::handle) session_.endDrag();
+    drag_ = Drag::none;
+    drawing_.reset();
+    update();
+}
+
+// Of a step that a timer ends: by then, another hand may be at something else.
+void SliceView::endOwnDrag(const QString& what) {
+    if (session_.undoText() == what) session_.endDrag();
+}
+
+}  // namespace macula::viewer

@@ -1,0 +1,420 @@
+// A pane of slices under a real hand, on Qt's platform without a screen.
+#include "viewer/slices/slice_view.h"
+
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QElapsedTimer>
+#include <QImage>
+#include <QPixmap>
+#include <QTest>
+#include <QThread>
+#include <QWheelEvent>
+#include <cmath>
+#include <numbers>
+
+#include "app/frame/projection_windows.h"
+#include "viewer/slice_volume.h"
+
+namespace macula::viewer {
+namespace {
+
+using slices::Orientation;
+
+template <class Done>
+bool waitUntil(Done done) {
+    QElapsedTimer waited;
+    waited.start();
+    while (!done()) {
+        if (waited.elapsed() > 60'000) return false;
+        QCoreApplication::processEvents(QEventLoop::AllEvents, 10);
+        QThread::msleep(1);
+    }
+    return true;
+}
+
+class SliceViewTest : public testing::Test {
+  protected:
+    SliceViewTest() {
+        qputenv("QT_QPA_PLATFORM", "offscreen");
+        application_.emplace(argc_, argv_);
+        session_.emplace(app::Catalogue{});
+    }
+
+    void showStudy(VolumeOptions options = test::sliceVolumeOptions()) {
+        session_->show({.volume = test::sliceVolume(std::move(options))}, {});
+    }
+    std::unique_ptr<SliceView> pane(Orientation orientation) {
+        auto view = std::make_unique<SliceView>(*session_, orientation);
+        view->resize(400, 400);
+        view->show();
+        EXPECT_TRUE(!session_->hasStudy() || settled(*view));
+        return view;
+    }
+    static bool settled(const SliceView& view) {
+        return waitUntil([&] { return view.isUpToDate(); });
+    }
+
+    const app::StudyState& state() const { return session_->state(); }
+    glm::dvec3 crosshair() const { return state().slices.crosshairMm.value_or(glm::dvec3(0.0)); }
+
+    static void move(QWidget& to, QPoint place, Qt::MouseButtons buttons) {
+        QMouseEvent event(QEvent::MouseMove, place, to.mapToGlobal(place), Qt::NoButton, buttons,
+                          Qt::NoModifier);
+        QApplication::sendEvent(&to, &event);
+    }
+    static void drag(QWidget& in, Qt::MouseButton button, QPoint from, QPoint to) {
+        QTest::mousePress(&in, button, {}, from);
+        move(in, (from + to) / 2, button);
+        move(in, to, button);
+        QTest::mouseRelease(&in, button, {}, to);
+    }
+    static void click(QWidget& in, QPoint at) {
+        QTest::mousePress(&in, Qt::LeftButton, {}, at);
+        QTest::mouseRelease(&in, Qt::LeftButton, {}, at);
+    }
+    static void turnWheel(QWidget& over, int notches, Qt::KeyboardModifiers modifiers = {},
+                          QPoint at = {200, 200}) {
+        QWheelEvent event(at, over.mapToGlobal(at), {}, {0, 120 * notches}, Qt::NoButton, modifiers,
+                          Qt::NoScrollPhase, false);
+        QApplication::sendEvent(&over, &event);
+    }
+    static QPoint placeOf(const SliceView& view, const glm::dvec3& mm) {
+        const glm::dvec2 px = view.shownFrame()->pictureFromWorld(mm) / view.devicePixelRatioF();
+        return {int(std::floor(px.x)), int(std::floor(px.y))};
+    }
+    static QImage pictureOf(SliceView& view) {
+        return view.grab().toImage().convertToFormat(QImage::Format_RGB32);
+    }
+    // Of what is plain white, as nothing is that is drawn over a slice.
+    static glm::dvec2 middleOfWhite(const QImage& image) {
+        glm::dvec2 sum(0.0);
+        int count = 0;
+        for (int y = 0; y < image.height(); ++y)
+            for (int x = 0; x < image.width(); ++x)
+                if (image.pixel(x, y) == qRgb(255, 255, 255)) {
+                    sum += glm::dvec2(x + 0.5, y + 0.5);
+                    ++count;
+                }
+        EXPECT_GT(count, 100) << "the block is not there";
+        return sum / double(std::max(count, 1));
+    }
+
+    int argc_ = 1;
+    char name_[5] = "test";
+    char* argv_[2] = {name_, nullptr};
+    std::optional<QApplication> application_;
+    std::optional<ViewerSession> session_;
+};
+
+TEST_F(SliceViewTest, WithoutAStudyItIsBlackAndTakesAnyEvent) {
+    const auto view = pane(Orientation::axial);
+    for (const int key : {Qt::Key_Up, Qt::Key_Home, Qt::Key_Plus, Qt::Key_Delete, Qt::Key_I, Qt::Key_3})
+        QTest::keyClick(view.get(), Qt::Key(key));
+    click(*view, {100, 100});
+    turnWheel(*view, 1);
+    view->setCine(true);
+    view->fit();
+    EXPECT_FALSE(view->isCineOn());
+    EXPECT_FALSE(session_->canUndo());
+    EXPECT_EQ(pictureOf(*view).pixel(5, 200), qRgb(0, 0, 0));
+    EXPECT_EQ(view->accessibleName(), "Axial slices");
+}
+
+TEST_F(SliceViewTest, NothingIsMirrored) {
+    showStudy();
+    session_->change("Cross-hair",
+                     [](app::StudyState& next) { next.slices.crosshairMm = test::kBlockCentreMm; });
+    // The patient's right is at the left of an axial and a coronal picture, anterior at the left of a
+    // sagittal one, and the head is up.
+    for (const Orientation orientation : {Orientation::axial, Orientation::coronal, Orientation::sagittal}) {
+        const auto view = pane(orientation);
+        const glm::dvec2 white = middleOfWhite(pictureOf(*view));
+        EXPECT_LT(white.x, 170.0) << int(orientation);
+        EXPECT_LT(white.y, 170.0) << int(orientation);
+        const QPoint expected = placeOf(*view, test::kBlockCentreMm);
+        EXPECT_NEAR(white.x, expected.x(), 2.0) << int(orientation);
+        EXPECT_NEAR(white.y, expected.y(), 2.0) << int(orientation);
+    }
+}
+
+TEST_F(SliceViewTest, AClickTakesTheOtherPanesThere) {
+    showStudy();
+    const auto axial = pane(Orientation::axial);
+    const auto coronal = pane(Orientation::coronal);
+    const auto sagittal = pane(Orientation::sagittal);
+    click(*axial, placeOf(*axial, {6.0, -4.0, 0.0}));
+    ASSERT_TRUE(settled(*coronal) && settled(*sagittal) && settled(*axial));
+    EXPECT_DOUBLE_EQ(coronal->shownFrame()->plane.centreMm.y, -4.0);
+    EXPECT_DOUBLE_EQ(sagittal->shownFrame()->plane.centreMm.x, 6.0);
+    EXPECT_DOUBLE_EQ(axial->shownFrame()->plane.centreMm.z, 0.0);
+    EXPECT_NEAR(crosshair().x, 6.0, 0.2);
+    drag(*coronal, Qt::LeftButton, {200, 200}, placeOf(*coronal, {0.0, 0.0, 8.0}));
+    ASSERT_TRUE(settled(*axial));
+    EXPECT_DOUBLE_EQ(axial->shownFrame()->plane.centreMm.z, 8.0);
+    session_->undo();  // the drag, as one
+    ASSERT_TRUE(settled(*axial));
+    EXPECT_DOUBLE_EQ(axial->shownFrame()->plane.centreMm.z, 0.0);
+    session_->undo();
+    EXPECT_FALSE(session_->canUndo());
+}
+
+TEST_F(SliceViewTest, TheWheelGoesThroughSlicesInOneStepToUndo) {
+    showStudy();
+    const auto view = pane(Orientation::axial);
+    turnWheel(*view, 1);
+    EXPECT_DOUBLE_EQ(crosshair().z, 2.0) << "up is to the head";
+    turnWheel(*view, -2);
+    EXPECT_DOUBLE_EQ(crosshair().z, -2.0);
+    turnWheel(*view, 1, Qt::ShiftModifier);
+    EXPECT_DOUBLE_EQ(crosshair().z, 8.0);
+    turnWheel(*view, 100);
+    EXPECT_DOUBLE_EQ(crosshair().z, 20.0) << "the last slice is the end";
+    session_->undo();
+    EXPECT_FALSE(session_->canUndo());
+    EXPECT_FALSE(state().slices.crosshairMm);
+}
+
+TEST_F(SliceViewTest, CtrlAndWheelZoomAboutThePointerAndFitComesBack) {
+    showStudy();
+    const auto view = pane(Orientation::axial);
+    const slices::SliceFrame before = *view->shownFrame();
+    turnWheel(*view, 3, Qt::ControlModifier, {120, 260});
+    ASSERT_TRUE(settled(*view));
+    const slices::SliceFrame after = *view->shownFrame();
+    EXPECT_NEAR(after.mmPerPixel, before.mmPerPixel / std::pow(1.15, 3), 1e-9);
+    const glm::dvec2 px = glm::dvec2(120, 260) * view->devicePixelRatioF();
+    EXPECT_LT(glm::distance(before.worldFromPicture(px), after.worldFromPicture(px)), 1e-9);
+    drag(*view, Qt::MiddleButton, {200, 200}, {240, 190});
+    ASSERT_TRUE(settled(*view));
+    EXPECT_LT(glm::distance(view->shownFrame()->pictureFromWorld(after.worldFromPicture(px)),
+                            px + glm::dvec2(40, -10) * view->devicePixelRatioF()),
+              1e-6);
+    EXPECT_FALSE(session_->canUndo()) << "zoom and place are the pane's own";
+    view->fit();
+    ASSERT_TRUE(settled(*view));
+    EXPECT_EQ(*view->shownFrame(), before);
+}
+
+TEST_F(SliceViewTest, ARightDragSetsTheWindow) {
+    showStudy();
+    const auto view = pane(Orientation::coronal);
+    const DisplayWindow series = test::sliceVolumeOptions().windows.front();
+    const DisplayWindow expected = app::dragged(series, {0.1, 0.0});
+    drag(*view, Qt::RightButton, {200, 200}, {240, 200});
+    ASSERT_TRUE(state().slices.window);
+    EXPECT_NEAR(state().slices.window->width, expected.width, 1e-6);
+    EXPECT_NEAR(state().slices.window->center, 500.0, 1e-6);
+    drag(*view, Qt::RightButton, {200, 200}, {200, 160});
+    EXPECT_LT(state().slices.window->center, 500.0) << "brighter up";
+    session_->undo();
+    EXPECT_NEAR(state().slices.window->center, 500.0, 1e-6);
+    session_->undo();
+    EXPECT_FALSE(state().slices.window);
+    EXPECT_FALSE(session_->canUndo());
+}
+
+TEST_F(SliceViewTest, ADistanceHasTheLengthThatWasDrawnAndCanBeUndone) {
+    showStudy();
+    const auto view = pane(Orientation::axial);
+    view->setTool(SliceTool::distance);
+    const double mmPerPx = view->shownFrame()->mmPerPixel * view->devicePixelRatioF();
+    drag(*view, Qt::LeftButton, {100, 100}, {160, 180});
+    ASSERT_EQ(state().measurements.size(), 1u);
+    const auto length = [&](std::size_t i) {
+        return slices::lengthMm(std::get<slices::Distance>(state().measurements.at(i).shape));
+    };
+    EXPECT_NEAR(length(0), 100.0 * mmPerPx, 1e-9);
+    EXPECT_EQ(view->selected(), 0u);
+    // By two clicks, with the pointer moving between them.
+    click(*view, {220, 120});
+    move(*view, {240, 130}, Qt::NoButton);
+    EXPECT_EQ(state().measurements.size(), 1u);
+    click(*view, {250, 160});
+    ASSERT_EQ(state().measurements.size(), 2u);
+    EXPECT_NEAR(length(1), 50.0 * mmPerPx, 1e-9);
+    session_->undo();
+    EXPECT_EQ(state().measurements.size(), 1u);
+    session_->undo();
+    EXPECT_TRUE(state().measurements.empty());
+    EXPECT_FALSE(session_->canUndo());
+    EXPECT_EQ(view->selected(), std::nullopt);
+}
+
+TEST_F(SliceViewTest, AnEndIsDraggedAndASelectedMeasurementRemoved) {
+    showStudy();
+    const auto view = pane(Orientation::axial);
+    view->setTool(SliceTool::distance);
+    drag(*view, Qt::LeftButton, {100, 200}, {150, 200});
+    const auto drawn = state().measurements;
+    drag(*view, Qt::LeftButton, {152, 203}, {150, 260});
+    ASSERT_EQ(state().measurements.size(), 1u);
+    const auto& moved = std::get<slices::Distance>(state().measurements[0].shape);
+    EXPECT_EQ(moved.endsMm[0], std::get<slices::Distance>(drawn[0].shape).endsMm[0]);
+    EXPECT_LT(glm::distance(moved.endsMm[1], view->shownFrame()->worldFromPicture(glm::dvec2(150, 260) *
+                                                                                  view->devicePixelRatioF())),
+              1e-9);
+    session_->undo();
+    EXPECT_EQ(state().measurements, drawn);
+    click(*view, {125, 203});  // its line
+    ASSERT_EQ(view->selected(), 0u);
+    QTest::keyClick(view.get(), Qt::Key_Delete);
+    EXPECT_TRUE(state().measurements.empty());
+    session_->undo();
+    EXPECT_EQ(state().measurements, drawn);
+}
+
+TEST_F(SliceViewTest, AnAngleIsThreeClicksAndAnEllipseOfWaterHasItsValues) {
+    showStudy();
+    const auto view = pane(Orientation::axial);
+    view->setTool(SliceTool::angle);
+    click(*view, {100, 200});
+    click(*view, {160, 200});
+    click(*view, {160, 260});
+    ASSERT_EQ(state().measurements.size(), 1u);
+    EXPECT_NEAR(slices::angleDeg(std::get<slices::Angle>(state().measurements[0].shape)), 90.0, 1e-6);
+    view->setTool(SliceTool::ellipse);
+    const double mmPerPx = view->shownFrame()->mmPerPixel * view->devicePixelRatioF();
+    drag(*view, Qt::LeftButton, {230, 230}, {310, 290});
+    ASSERT_EQ(state().measurements.size(), 2u);
+    const auto& ellipse = std::get<slices::Ellipse>(state().measurements[1].shape);
+    EXPECT_NEAR(ellipse.radiiMm.x, 40.0 * mmPerPx, 1e-9);
+    EXPECT_NEAR(ellipse.radiiMm.y, 30.0 * mmPerPx, 1e-9);
+    const auto values = slices::valuesIn(ellipse, *session_->study().volume);
+    ASSERT_TRUE(values);
+    EXPECT_DOUBLE_EQ(values->mean, 0.0);
+    EXPECT_DOUBLE_EQ(values->high, 0.0);
+    EXPECT_NEAR(values->areaMm2, std::numbers::pi * 1200.0 * mmPerPx * mmPerPx, 1e-6);
+}
+
+TEST_F(SliceViewTest, WhatIsBegunOnOneSliceDoesNotEndOnAnother) {
+    showStudy();
+    const auto view = pane(Orientation::axial);
+    view->setTool(SliceTool::distance);
+    click(*view, {100, 200});
+    QTest::keyClick(view.get(), Qt::Key_Escape);
+    click(*view, {200, 200});
+    turnWheel(*view, 1);
+    ASSERT_TRUE(settled(*view));
+    click(*view, {300, 200});
+    EXPECT_TRUE(state().measurements.empty());
+}
+
+TEST_F(SliceViewTest, KeysGoThroughSlicesWindowsAndBlackForWhite) {
+    showStudy();
+    const auto view = pane(Orientation::axial);
+    const auto press = [&](Qt::Key key) { QTest::keyClick(view.get(), key); };
+    press(Qt::Key_Up);
+    EXPECT_DOUBLE_EQ(crosshair().z, 2.0);
+    press(Qt::Key_PageDown);
+    EXPECT_DOUBLE_EQ(crosshair().z, -8.0);
+    press(Qt::Key_Home);
+    ASSERT_TRUE(settled(*view));
+    EXPECT_EQ(view->positionText(), "Axial I 20.0 mm, slice 1 of 21");
+    press(Qt::Key_End);
+    ASSERT_TRUE(settled(*view));
+    EXPECT_EQ(view->positionText(), "Axial S 20.0 mm, slice 21 of 21");
+    press(Qt::Key_3);
+    ASSERT_TRUE(state().slices.window);
+    EXPECT_DOUBLE_EQ(state().slices.window->center, -600.0);
+    press(Qt::Key_1);
+    EXPECT_FALSE(state().slices.window);
+    press(Qt::Key_I);
+    EXPECT_TRUE(state().slices.isInverted);
+    ASSERT_TRUE(settled(*view));
+    EXPECT_TRUE(view->notes().contains("Inverted"));
+    const QImage inverted = pictureOf(*view);
+    EXPECT_EQ(inverted.pixel(placeOf(*view, {10.0, 8.0, 20.0})), qRgb(255, 255, 255)) << "water";
+    EXPECT_EQ(inverted.pixel(60, 10), qRgb(0, 0, 0)) << "outside of the volume";
+    const double before = view->shownFrame()->mmPerPixel;
+    press(Qt::Key_Plus);
+    ASSERT_TRUE(settled(*view));
+    EXPECT_LT(view->shownFrame()->mmPerPixel, before);
+}
+
+TEST_F(SliceViewTest, TheOldPictureKeepsItsTextUntilTheNextIsThere) {
+    showStudy();
+    const auto view = pane(Orientation::axial);
+    const QString before = view->positionText();
+    EXPECT_EQ(before, "Axial S 0.0 mm, slice 11 of 21");
+    QObject::connect(view.get(), &SliceView::pictureShown, view.get(), [&] {
+        const double z = view->shownFrame()->plane.centreMm.z;
+        EXPECT_EQ(view->positionText(), QStringLiteral("Axial S %1 mm, slice %2 of 21")
+                                            .arg(QString::number(z, 'f', 1))
+                                            .arg(int(z / 2.0) + 11));
+    });
+    for (int notch = 0; notch < 5; ++notch) view->moveBy(1);
+    EXPECT_FALSE(view->isUpToDate());
+    EXPECT_EQ(view->positionText(), before);
+    EXPECT_DOUBLE_EQ(view->shownFrame()->plane.centreMm.z, 0.0);
+    ASSERT_TRUE(settled(*view));
+    EXPECT_DOUBLE_EQ(view->shownFrame()->plane.centreMm.z, 10.0);
+    // Of another study nothing of this one stays.
+    showStudy();
+    EXPECT_FALSE(view->shownFrame());
+    EXPECT_EQ(view->positionText(), QString());
+    EXPECT_TRUE(settled(*view));
+}
+
+TEST_F(SliceViewTest, WhatIsPointedAtAndWhatNobodyTookIsSaid) {
+    VolumeOptions options = test::sliceVolumeOptions();
+    options.provenance.interpolatedSlices = {{.first = 10, .last = 10}};
+    showStudy(std::move(options));
+    const auto view = pane(Orientation::axial);
+    EXPECT_EQ(view->notes(), QStringList{"Interpolated: no image was taken here"});
+    session_->change("Cross-hair",
+                     [](app::StudyState& next) { next.slices.crosshairMm = test::kBlockCentreMm; });
+    ASSERT_TRUE(settled(*view));
+    EXPECT_TRUE(view->notes().isEmpty());
+    move(*view, placeOf(*view, test::kBlockCentreMm), Qt::NoButton);
+    EXPECT_TRUE(view->probedText().startsWith("1000 HU at (7, 6, 16), R 1"))
+        << view->probedText().toStdString();
+    move(*view, {200, 5}, Qt::NoButton);
+    EXPECT_TRUE(view->probedText().startsWith("Outside")) << view->probedText().toStdString();
+    session_->change("Slab", [](app::StudyState& next) {
+        next.slices.slab = {.thicknessMm = 10.0, .projection = slices::Projection::maximum};
+    });
+    ASSERT_TRUE(settled(*view));
+    EXPECT_EQ(view->notes(), QStringList{"MIP 10 mm"});
+    EXPECT_TRUE(view->probedText().startsWith("Middle of the slab"));
+}
+
+TEST_F(SliceViewTest, CineIsOneStepToUndoAndEndsWhenHidden) {
+    showStudy();
+    const auto view = pane(Orientation::sagittal);
+    QTest::keyClick(view.get(), Qt::Key_Space);
+    ASSERT_TRUE(view->isCineOn());
+    ASSERT_TRUE(waitUntil([&] { return std::abs(crosshair().x) >= 3.0; }));
+    view->hide();
+    EXPECT_FALSE(view->isCineOn());
+    session_->undo();
+    EXPECT_FALSE(session_->canUndo());
+    EXPECT_FALSE(state().slices.crosshairMm);
+}
+
+TEST_F(SliceViewTest, ADoubleClickAsksForTheWholeWindowAndMeasuresNothing) {
+    showStudy();
+    const auto view = pane(Orientation::axial);
+    view->setTool(SliceTool::distance);
+    int asked = 0;
+    QObject::connect(view.get(), &SliceView::maximizeAsked, view.get(), [&] { ++asked; });
+    click(*view, {200, 200});
+    QTest::mouseDClick(view.get(), Qt::LeftButton, {}, {200, 200});
+    EXPECT_EQ(asked, 1);
+    click(*view, {300, 300});
+    EXPECT_TRUE(state().measurements.empty()) << "that click begins one";
+}
+
+TEST_F(SliceViewTest, NamesAreOverThePictureUnlessTheyAreHidden) {
+    showStudy();
+    const auto view = pane(Orientation::axial);
+    const QRect corner(0, 0, 120, 40);
+    const QImage without = pictureOf(*view).copy(corner);
+    view->setLines({"DOE, JOHN", "\u202e1970-01-01"});
+    EXPECT_NE(pictureOf(*view).copy(corner), without);
+    view->showNames(false);
+    EXPECT_EQ(pictureOf(*view).copy(corner), without);
+}
+
+}  // namespace
+}  // namespace macula::viewer
