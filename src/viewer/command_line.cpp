@@ -6,6 +6,8 @@
 
 #include "app/camera/view_directions.h"
 #include "pipeline/trace/settings.h"
+#include "viewer/keys.h"
+#include "viewer/theme/theme.h"
 
 namespace macula::viewer {
 
@@ -45,6 +47,22 @@ Result<ViewDirection> parseView(const QString& text) {
                  "The views are anterior, posterior, left, right, superior and inferior.");
 }
 
+Result<app::Layout> parseLayout(const QString& text) {
+    for (const LayoutRow& row : kLayouts) {
+        if (text.toStdString() == app::nameOf(row.layout)) return row.layout;
+    }
+    return usage(QStringLiteral("There is no layout '%1'.").arg(text),
+                 "The layouts are four-panes, volume, axial, coronal and sagittal.");
+}
+
+Result<double> parseFontScale(const QString& text) {
+    bool isNumber = false;
+    const double scale = text.toDouble(&isNumber);
+    if (!isNumber || !(scale >= kSmallestFontScale && scale <= kLargestFontScale))
+        return usage(QStringLiteral("'%1' is not a scale of letters.").arg(text), "Write 0.8 to 2.");
+    return scale;
+}
+
 // The options that Qt does not bring.
 struct Options {
     const QCommandLineOption preset{"preset", "What is seen, e.g. ct-bone.", "NAME"};
@@ -55,6 +73,12 @@ struct Options {
                                   "DIRECTION", "anterior"};
     const QCommandLineOption device{"device", "Index or part of the name of the Vulkan device.", "NAME"};
     const QCommandLineOption size{"size", "Of the picture in pixels, e.g. 800x600.", "WxH"};
+    const QCommandLineOption layout{
+        "layout", "Which panes: four-panes, volume, axial, coronal or sagittal; volume with a script.",
+        "NAME", "four-panes"};
+    const QCommandLineOption highContrast{"high-contrast", "Black, white and yellow."};
+    const QCommandLineOption fontScale{"font-scale", "Times the size of the desktop's letters, 0.8 to 2.", "X",
+                                       "1"};
     const QCommandLineOption samples{"spp", "Samples per pixel of a converged picture.", "N", "512"};
     const QCommandLineOption noModel{
         "no-model", "Small traced pictures while a hand moves, instead of a model of splats."};
@@ -78,7 +102,7 @@ struct Options {
                                   "300"};
 
     void addTo(QCommandLineParser& parser) const {
-        parser.addOptions({preset, lights, view, device, size, samples, noModel, sessions, noSession, script,
+        parser.addOptions({preset, lights, view, device, size, layout, highContrast, fontScale, samples, noModel, sessions, noSession, script,
                            screenshots, withPatient, wait, turn, seconds, rest});
     }
 };
@@ -99,6 +123,9 @@ Result<void> readScript(const QCommandLineParser& parser, const Options& options
             return usage(QStringLiteral("There is no script '%1'.").arg(name),
                          "The scripts are 'orbit' and 'changes'.");
     }
+    // Its size is that of the volume's picture.
+    if (result.script != CommandLine::Script::none && !parser.isSet(options.layout))
+        result.layout = app::Layout::volume;
     result.screenshots = parser.value(options.screenshots);
     if (!result.screenshots.isEmpty() && result.script != CommandLine::Script::orbit)
         return usage(QStringLiteral("--screenshots needs --script orbit."));
@@ -144,6 +171,9 @@ Result<CommandLine> parseCommandLine(const QStringList& arguments) {
     if (parser.isSet(options.size)) {
         MACULA_TRY(result.size, parseSize(parser.value(options.size)));
     }
+    MACULA_TRY(result.layout, parseLayout(parser.value(options.layout)));
+    result.highContrast = parser.isSet(options.highContrast);
+    MACULA_TRY(result.fontScale, parseFontScale(parser.value(options.fontScale)));
     bool isNumber = false;
     result.samples = parser.value(options.samples).toUInt(&isNumber);
     if (!isNumber || result.samples == 0) {

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "app/state/study_state.h"
 #include "base/frames.h"
 #include "base/result.h"
 
@@ -19,6 +20,9 @@ struct CommandLine {
     QString device;
     ViewDirection view = ViewDirection::anterior;
     std::optional<QSize> size;  // of the picture
+    app::Layout layout = app::Layout::fourPanes;
+    bool highContrast = false;
+    double fontScale = 1.0;
     std::uint32_t samples = 512;
     bool usesModel = true;
     bool keepsSessions = true;

@@ -18,6 +18,10 @@ QKeySequence keyOf(trace::Look look) {
     return QKeySequence(Qt::CTRL | Qt::Key(Qt::Key_1 + int(look)));
 }
 
+QKeySequence keyOf(const LayoutRow& row) {
+    return QKeySequence(QString::fromLatin1(row.sequence), QKeySequence::PortableText);
+}
+
 QString pressedFor(const KeyRow& row) {
     const QString hand = QString::fromUtf8(row.hand);
     const QString key = QString::fromLatin1(row.sequence);

@@ -7,6 +7,7 @@
 #include <array>
 #include <optional>
 
+#include "app/state/study_state.h"
 #include "base/frames.h"
 #include "pipeline/trace/look.h"
 
@@ -41,6 +42,8 @@ enum class KeyAction {
     saveMeasurements,
     undo,
     redo,
+    panes,
+    panels,
     quit,
     help,  // the last: a test counts to it
 };
@@ -79,14 +82,27 @@ inline constexpr std::array kKeys{
     KeyRow{KeyAction::saveMeasurements, "", "Ctrl+Shift+E", "Save the measurements as a table"},
     KeyRow{KeyAction::undo, "", "Ctrl+Z", "Undo the last change"},
     KeyRow{KeyAction::redo, "", "Ctrl+Shift+Z", "Do it again"},
+    KeyRow{KeyAction::panes, "F5 to F9", "", "Four panes, or 3D, axial, coronal, sagittal alone"},
+    KeyRow{KeyAction::panels, "F3, F4", "", "Panels: transfer function, clip"},
     KeyRow{KeyAction::help, "", "F1", "All keys"},
     KeyRow{KeyAction::quit, "", "Ctrl+Q", "Quit"},
 };
+
+struct LayoutRow {
+    app::Layout layout;
+    const char* title;
+    const char* sequence;
+};
+inline constexpr std::array kLayouts{
+    LayoutRow{app::Layout::fourPanes, "&Four Panes", "F5"}, LayoutRow{app::Layout::volume, "&3D Alone", "F6"},
+    LayoutRow{app::Layout::axial, "A&xial Alone", "F7"},    LayoutRow{app::Layout::coronal, "C&oronal Alone", "F8"},
+    LayoutRow{app::Layout::sagittal, "Sa&gittal Alone", "F9"}};
 
 // Empty for what only a hand does.
 QKeySequence keyOf(KeyAction action);
 // "Ctrl+1" and so on, in the order of trace::kLooks.
 QKeySequence keyOf(trace::Look look);
+QKeySequence keyOf(const LayoutRow& row);
 // What is pressed in a help text: "Drop a folder or a file, Ctrl+O".
 QString pressedFor(const KeyRow& row);
 // Of keys without Ctrl or Alt, which act on the picture only.

@@ -20,6 +20,7 @@
 #include "viewer/command_line.h"
 #include "viewer/display_check.h"
 #include "viewer/orbit_script.h"
+#include "viewer/theme/theme.h"
 
 namespace {
 
@@ -43,6 +44,7 @@ Result<MainWindowOptions> windowOptions(const CommandLine& line) {
         MACULA_TRY(options.lights, app::findLights(options.catalogue, line.lights.toStdString()));
     }
     options.firstView = line.view;
+    options.layout = line.layout;
     if (line.size) options.pictureSize = *line.size;
     options.sampleLimit = line.samples;
     options.usesModel = line.usesModel;
@@ -129,6 +131,7 @@ int main(int argc, char** argv) {
     // patients. Below a file that is no folder nothing can be written.
     QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, QStringLiteral("/dev/null"));
     QApplication application(argc, argv);
+    applyTheme(application, {.highContrast = line->highContrast, .fontScale = line->fontScale});
     display.reset();
     return run(application, *line);
 }

@@ -17,6 +17,8 @@
 #include "pipeline/volume/window.h"
 #include "viewer/join_question.h"
 #include "viewer/keys.h"
+#include "viewer/panes/pane_grid.h"
+#include "viewer/slices/slice_view.h"
 #include "viewer/status_texts.h"
 #include "viewer/visibility_note.h"
 
@@ -53,18 +55,20 @@ MainWindow::MainWindow(gpu::Instance instance, MainWindowOptions options)
       export_(new PictureExport(options_.device, this)),
       exporting_(new WorkBar),
       pick_(new AnatomyPick(this)) {
-    session_.show({}, {.lights = options_.lights});
+    session_.show({}, {.lights = options_.lights, .layout = options_.layout});
     setTitle({});
     setAcceptDrops(true);
 
+    makePanes();
     auto* centre = new QWidget(this);
     auto* column = new QVBoxLayout(centre);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
-    column->addWidget(viewport_, 1);
+    column->addWidget(panes_, 1);
     column->addWidget(notes_);
     column->addWidget(messages_);
     setCentralWidget(centre);
+    makePanels();
     makeMenus();
     makeToolBar();
     makeStatusBar();
@@ -76,7 +80,7 @@ MainWindow::MainWindow(gpu::Instance instance, MainWindowOptions options)
     connect(&session_, &ViewerSession::changed, this, &MainWindow::onChanged);
     connect(viewport_, &Viewport::rendered, this, &MainWindow::onRendered);
     connect(viewport_, &Viewport::dropped, this, &MainWindow::openDropped);
-    connect(viewport_, &Viewport::namesToggled, names_, &QAction::setChecked);
+    connect(viewport_, &Viewport::namesToggled, this, &MainWindow::showNames);
     rateEnds_.setSingleShot(true);
     rateEnds_.setInterval(kRateLasts);
     connect(&rateEnds_, &QTimer::timeout, this,
@@ -93,9 +97,11 @@ MainWindow::MainWindow(gpu::Instance instance, MainWindowOptions options)
     if (keeper_) keeps_.start(kStateKeptEvery);
     viewport_->setSampleLimit(options_.sampleLimit);
     viewport_->setUsesModel(options_.usesModel);
-    viewport_->showNames(options_.namesPatient);
+    showNames(options_.namesPatient);
+    showPanes();
     redraw();
-    viewport_->setPictureSizeHint(options_.pictureSize);
+    const bool isAlone = options_.layout != app::Layout::fourPanes;
+    viewport_->setPictureSizeHint(isAlone ? options_.pictureSize : options_.pictureSize / 2);
     resize(sizeHint());
     viewport_->setFocus();
 }
@@ -253,6 +259,7 @@ void MainWindow::onChanged(const app::StudyState& before) {
         if (std::exchange(presetNote_, note) != note) showNotes();
     }
     showChosen();
+    showPanes();
     if (now.leavesTableOut != before.leavesTableOut) table_->ask(now.leavesTableOut);
     if (now.clip != before.clip) {
         updateClip();
@@ -298,8 +305,12 @@ void MainWindow::showStudy(const app::OpenedStudy& study) {
     table_->setVolume(study.volume);
     pick_->cancel();
     seriesWindows_.forget();
+    QStringList lines;
+    for (const std::string& line : linesOf(study.identity)) lines << QString::fromStdString(line);
+    for (SliceView* pane : slices_) pane->setLines(lines);
     session_.show(study, std::move(now));
     showChosen();
+    showPanes();
     clip_ = app::clipOf(session_.state(), volume, std::nullopt);
     clearStudyTexts();
     app::Drawing first = drawing();

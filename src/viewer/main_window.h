@@ -7,6 +7,7 @@
 #include <QMainWindow>
 #include <QStringList>
 #include <QTimer>
+#include <array>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -17,6 +18,7 @@
 #include "app/frame/projection_windows.h"
 #include "app/session/model_keeper.h"
 #include "app/state/study_state.h"
+#include "slices/slice_plane.h"
 #include "viewer/choice_menu.h"
 #include "viewer/output/picture_export.h"
 #include "viewer/pick/anatomy_pick.h"
@@ -30,7 +32,14 @@ class QFileDialog;
 
 namespace macula::viewer {
 
+class ClipPanel;
+class PaneGrid;
 class PictureDialog;
+class SliceView;
+class ToolBox;
+class TransferFunctionEditor;
+class UndoActions;
+enum class Pane;
 
 struct MainWindowOptions {
     app::Catalogue catalogue;
@@ -38,7 +47,8 @@ struct MainWindowOptions {
     std::shared_ptr<const TransferFunction> preset = {};  // null: by the volume's modality
     std::shared_ptr<const trace::LightRig> lights = {};   // null: the default lights of each look
     ViewDirection firstView = ViewDirection::anterior;
-    QSize pictureSize{960, 720};
+    app::Layout layout = app::Layout::fourPanes;
+    QSize pictureSize{960, 720};  // of 3D alone; of all panes, where there are four
     std::uint32_t sampleLimit = 512;
     bool usesModel = true;  // of splats, while a hand moves
     bool namesPatient =
@@ -66,6 +76,8 @@ class MainWindow : public QMainWindow {
     bool loaderAtRest() const { return loader_.atRest(); }
 
     Viewport& viewport() { return *viewport_; }
+    SliceView& slices(slices::Orientation orientation) { return *slices_.at(std::size_t(orientation)); }
+    PaneGrid& panes() { return *panes_; }
     // What went wrong last; what is to be known about the study. Empty when there is nothing, or dismissed.
     QString message() const { return messages_->isVisible() ? messages_->text() : QString(); }
     QString notes() const { return notes_->isVisible() ? notes_->text() : QString(); }
@@ -96,7 +108,12 @@ class MainWindow : public QMainWindow {
     void dropEvent(QDropEvent* event) override;
 
   private:
+    void makePanes();
+    void makePanels();
     void makeMenus();
+    void makeFileMenu();
+    void makeEditMenu();
+    void makeViewMenu();
     void makeLookMenu();
     void makeClipMenu();
     void makeToolBar();
@@ -133,6 +150,14 @@ class MainWindow : public QMainWindow {
     void onFrame(const app::FrameShown& frame);
     void onModel(const hybrid::ModelNews& model);
     void setStudyTexts(const app::OpenedStudy& study);
+    void showPanes();          // of the state
+    void showNames(bool shown);
+    void setCine(bool plays);  // of the slices that are looked at
+    void savePreset(const QString& path);
+    void askWhereToSavePreset();
+    void saveMeasurements(const QString& path);
+    void askWhereToSaveMeasurements();
+    void tellOfFile(const Result<void>& written, const QString& told);
     void setTitle(const QString& ofPicture);
     void clearStudyTexts();
     void showNotes();
@@ -164,6 +189,13 @@ class MainWindow : public QMainWindow {
     QString lastFolder_;
 
     Viewport* viewport_ = nullptr;
+    std::array<SliceView*, 3> slices_{};  // by slices::Orientation
+    PaneGrid* panes_ = nullptr;
+    ToolBox* tools_ = nullptr;
+    UndoActions* undo_ = nullptr;
+    TransferFunctionEditor* transfer_ = nullptr;
+    ClipPanel* clipPanel_ = nullptr;
+    QList<QAction*> panels_;  // show and hide them
     MessageBar* notes_ = nullptr;  // stay while other studies are loaded, and when that fails
     MessageBar* messages_ = nullptr;
     WorkBar* loading_ = nullptr;

@@ -9,6 +9,7 @@
 #include "viewer/help_boxes.h"
 #include "viewer/keys.h"
 #include "viewer/main_window.h"
+#include "viewer/session/undo_actions.h"
 #include "viewer/status_texts.h"
 
 namespace macula::viewer {
@@ -37,6 +38,19 @@ void fill(QComboBox& box, const std::vector<std::shared_ptr<const Item>>& items)
 }  // namespace
 
 void MainWindow::makeMenus() {
+    makeFileMenu();
+    makeEditMenu();
+    makeViewMenu();
+    makeLookMenu();
+    makeClipMenu();
+
+    QMenu* help = menuBar()->addMenu(tr("&Help"));
+    help->addAction(tr("&Keys and Mouse"), this, [this] { showKeys(this); })
+        ->setShortcut(keyOf(KeyAction::help));
+    help->addAction(tr("&About Macula"), this, [this] { showAbout(this); });
+}
+
+void MainWindow::makeFileMenu() {
     QMenu* file = menuBar()->addMenu(tr("&File"));
     file->setToolTipsVisible(true);
     QAction* openFolder = file->addAction(tr("&Open Folder…"), this, &MainWindow::askForFolder);
@@ -59,10 +73,31 @@ void MainWindow::makeMenus() {
     savePicture->setObjectName(QStringLiteral("save-picture"));
     savePicture->setShortcut(keyOf(KeyAction::savePicture));
     savePicture->setToolTip(tr("Draw what is seen in 3D at any size and quality, without names"));
+    QAction* saveMeasurements =
+        file->addAction(tr("Save &Measurements…"), this, &MainWindow::askWhereToSaveMeasurements);
+    saveMeasurements->setObjectName(QStringLiteral("save-measurements"));
+    saveMeasurements->setShortcut(keyOf(KeyAction::saveMeasurements));
+    saveMeasurements->setToolTip(tr("As a table (CSV) or JSON, in mm, degrees and the unit of the study"));
+    file->addAction(tr("Save P&reset…"), this, &MainWindow::askWhereToSavePreset)
+        ->setToolTip(tr("The transfer function, for other studies and programs"));
     file->addSeparator();
     QAction* quit = file->addAction(tr("&Quit"), this, &QWidget::close);
     quit->setShortcut(keyOf(KeyAction::quit));
 
+}
+
+void MainWindow::makeEditMenu() {
+    QMenu* edit = menuBar()->addMenu(tr("&Edit"));
+    edit->addAction(&undo_->undo());
+    edit->addAction(&undo_->redo());
+    edit->addSeparator();
+    QAction* clear = edit->addAction(tr("Remove All &Measurements"), this, [this] {
+        session_.change(tr("Remove measurements"), [](app::StudyState& next) { next.measurements.clear(); });
+    });
+    clear->setObjectName(QStringLiteral("remove-measurements"));
+}
+
+void MainWindow::makeViewMenu() {
     // The keys of this menu are handled by the viewport, so that they do nothing while a list has the focus.
     QMenu* view = menuBar()->addMenu(tr("&View"));
     const auto withKey = [](const QString& title, KeyAction action) {
@@ -80,23 +115,24 @@ void MainWindow::makeMenus() {
     afresh->setToolTip(
         tr("Preset, lights, clip, look and camera that a study has which nobody has seen yet"));
     view->addSeparator();
+    for (const LayoutRow& row : kLayouts) {
+        QAction* action = view->addAction(tr(row.title), this, [this, layout = row.layout] {
+            session_.change(tr("Panes"), [layout](app::StudyState& next) { next.layout = layout; });
+        });
+        action->setShortcut(keyOf(row));
+    }
+    view->addSeparator();
+    view->addActions(panels_);
+    view->addSeparator();
     names_ = view->addAction(withKey(tr("Patient and study over the picture"), KeyAction::names));
     names_->setObjectName(QStringLiteral("names"));
     names_->setCheckable(true);
     names_->setChecked(true);
-    connect(names_, &QAction::triggered, viewport_, &Viewport::showNames);
+    connect(names_, &QAction::triggered, this, &MainWindow::showNames);
     QAction* gaze = view->addAction(tr("Trace where the pointer is, while moving"));
     gaze->setCheckable(true);
     gaze->setChecked(true);
     connect(gaze, &QAction::triggered, viewport_, &Viewport::setGazeFollowsPointer);
-
-    makeLookMenu();
-    makeClipMenu();
-
-    QMenu* help = menuBar()->addMenu(tr("&Help"));
-    help->addAction(tr("&Keys and Mouse"), this, [this] { showKeys(this); })
-        ->setShortcut(keyOf(KeyAction::help));
-    help->addAction(tr("&About Macula"), this, [this] { showAbout(this); });
 }
 
 void MainWindow::makeLookMenu() {

@@ -2,7 +2,10 @@
 #include <QFileDialog>
 #include <QFileInfo>
 
+#include "app/measure/measurements_file.h"
 #include "app/study/found_volumes.h"
+#include "base/atomic_file.h"
+#include "pipeline/volume/transfer_function_json.h"
 #include "viewer/main_window.h"
 #include "viewer/output/picture_dialog.h"
 
@@ -75,6 +78,54 @@ void MainWindow::askWhereToSavePicture(const PictureDialog& how) {
         wanted.output = path.toStdString();
         export_->start(std::move(wanted));
     });
+}
+
+void MainWindow::tellOfFile(const Result<void>& written, const QString& told) {
+    if (written) {
+        messages_->showNote(told);
+    } else {
+        messages_->showError(written.error());
+    }
+}
+
+void MainWindow::askWhereToSavePreset() {
+    if (!session_.state().preset)
+        return messages_->showError({ErrorCode::usage,
+                                     tr("There is no preset to save yet.").toStdString(),
+                                     {},
+                                     tr("Open a study first.").toStdString()});
+    auto* dialog = new QFileDialog(this, tr("Save the preset"), lastFolder_, tr("Presets (*.json)"));
+    dialog->setAcceptMode(QFileDialog::AcceptSave);
+    dialog->setDefaultSuffix(QStringLiteral("json"));
+    dialog->selectFile(QString::fromStdString(session_.state().preset->name) + QStringLiteral(".json"));
+    ask(dialog, [this](const QString& path) { savePreset(path); });
+}
+
+void MainWindow::savePreset(const QString& path) {
+    tellOfFile(writeTextAtomically(path.toStdString(), toJson(*session_.state().preset)),
+               tr("The preset is written to %1. Open it with --preset %1.").arg(path));
+}
+
+void MainWindow::askWhereToSaveMeasurements() {
+    if (session_.state().measurements.empty())
+        return messages_->showError({ErrorCode::usage,
+                                     tr("There are no measurements to save.").toStdString(),
+                                     {},
+                                     tr("Measure something on a slice first.").toStdString()});
+    auto* dialog =
+        new QFileDialog(this, tr("Save the measurements"), lastFolder_, tr("Table (*.csv);;JSON (*.json)"));
+    dialog->setAcceptMode(QFileDialog::AcceptSave);
+    dialog->setDefaultSuffix(QStringLiteral("csv"));
+    dialog->selectFile(QStringLiteral("measurements"));
+    connect(dialog, &QFileDialog::filterSelected, dialog, [dialog](const QString& filter) {
+        dialog->setDefaultSuffix(filter.section(QLatin1String("*."), 1).chopped(1));
+    });
+    ask(dialog, [this](const QString& path) { saveMeasurements(path); });
+}
+
+void MainWindow::saveMeasurements(const QString& path) {
+    tellOfFile(app::writeMeasurements(path.toStdString(), session_.state().measurements, *study().volume),
+               tr("The measurements are written to %1.").arg(path));
 }
 
 }  // namespace macula::viewer

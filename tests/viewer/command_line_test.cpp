@@ -24,7 +24,8 @@ TEST(CommandLine, ReadsAllOptions) {
         parse({"/some/folder", "--preset",  "ct-bone",  "--lights", "rim",      "--view", "superior",
                "--size",       "800x600",   "--spp",    "7",        "--script", "orbit",  "--screenshots",
                "out",          "--seconds", "2.5",      "--wait",   "3",        "--rest", "40",
-               "--no-model",   "--device",  "llvmpipe", "--turn",   "30"});
+               "--no-model",   "--device",  "llvmpipe", "--turn",   "30",       "--layout",
+           "coronal",      "--high-contrast", "--font-scale", "1.5"});
     ASSERT_TRUE(line.ok()) << line.error().message;
     EXPECT_EQ(line->folder, QStringLiteral("/some/folder"));
     EXPECT_EQ(line->view, ViewDirection::superior);
@@ -35,8 +36,18 @@ TEST(CommandLine, ReadsAllOptions) {
     EXPECT_EQ(line->turnSeconds, 30.0);
     EXPECT_EQ(line->restSeconds, 40.0);
     EXPECT_FALSE(line->usesModel);
+    EXPECT_EQ(line->layout, app::Layout::coronal);
+    EXPECT_TRUE(line->highContrast);
+    EXPECT_EQ(line->fontScale, 1.5);
     EXPECT_EQ(line->seconds, 2.5);
     EXPECT_EQ(line->device, QStringLiteral("llvmpipe"));
+}
+
+// What a script is told of sizes is of the volume's picture.
+TEST(CommandLine, APersonSeesFourPanesAndAScriptTheVolume) {
+    EXPECT_EQ(parse({})->layout, app::Layout::fourPanes);
+    EXPECT_EQ(parse({"--script", "orbit"})->layout, app::Layout::volume);
+    EXPECT_EQ(parse({"--script", "orbit", "--layout", "four-panes"})->layout, app::Layout::fourPanes);
 }
 
 // A script measures: what was learnt before would be in its figures.
@@ -60,7 +71,8 @@ TEST(CommandLine, RefusesWhatDoesNotExist) {
           QStringList{"--size", "99999x600"}, QStringList{"--spp", "0"}, QStringList{"--spp", "many"},
           QStringList{"--seconds", "nan"}, QStringList{"--wait", "-1"}, QStringList{"--rest", "0"},
           QStringList{"--script", "changes", "--screenshots", "x"}, QStringList{"--seconds", "-1"},
-          QStringList{"--script", "dance"}, QStringList{"--screenshots", "x"}, QStringList{"--unknown"},
+          QStringList{"--layout", "five"},
+          QStringList{"--font-scale", "3"}, QStringList{"--script", "dance"}, QStringList{"--screenshots", "x"}, QStringList{"--unknown"},
           QStringList{"a", "b"}}) {
         const auto line = parse(wrong);
         ASSERT_FALSE(line.ok()) << wrong.join(' ').toStdString();

@@ -52,6 +52,7 @@ class WindowTest : public testing::Test {
         if (refusesRaw_)
             options.preset = std::make_shared<const TransferFunction>(
                 TransferFunction{.name = "empty", .unit = Unit::raw});
+        options.layout = layout_;
         options.pictureSize = QSize(320, 240);
         options.sampleLimit = 2;
         options.usesModel = usesModel_;
@@ -134,6 +135,7 @@ class WindowTest : public testing::Test {
     }
 
     bool refusesRaw_ = true;  // what is no CT cannot be shown
+    app::Layout layout_ = app::Layout::volume;
     bool usesModel_ = false;  // to search for one takes seconds: for tests that are about it
     std::optional<std::filesystem::path> sessions_;  // where models and states are kept; nothing: nowhere
     int argc_ = 1;

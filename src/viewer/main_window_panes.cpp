@@ -1,0 +1,101 @@
+// Panes and panels: the volume, slices of it, and what changes how they are shown.
+#include <QDockWidget>
+#include <QToolBar>
+#include <utility>
+
+#include "viewer/clip/clip_panel.h"
+#include "viewer/main_window.h"
+#include "viewer/panes/pane_grid.h"
+#include "viewer/panes/tool_box.h"
+#include "viewer/session/undo_actions.h"
+#include "viewer/slices/slice_view.h"
+#include "viewer/transfer/transfer_function_editor.h"
+
+namespace macula::viewer {
+
+namespace {
+
+Pane paneOf(slices::Orientation orientation) {
+    switch (orientation) {
+        case slices::Orientation::axial:
+            return Pane::axial;
+        case slices::Orientation::coronal:
+            return Pane::coronal;
+        case slices::Orientation::sagittal:
+            return Pane::sagittal;
+    }
+    std::unreachable();
+}
+
+}  // namespace
+
+void MainWindow::makePanes() {
+    for (const auto orientation :
+         {slices::Orientation::axial, slices::Orientation::coronal, slices::Orientation::sagittal}) {
+        auto* pane = new SliceView(session_, orientation);
+        slices_.at(std::size_t(orientation)) = pane;
+        connect(pane, &SliceView::maximizeAsked, this,
+                [this, orientation] { panes_->maximize(paneOf(orientation)); });
+        connect(pane, &SliceView::cineChanged, this, [this](bool plays) { tools_->setCine(plays); });
+    }
+    panes_ = new PaneGrid({.axial = slices_[std::size_t(slices::Orientation::axial)],
+                           .volume = viewport_,
+                           .coronal = slices_[std::size_t(slices::Orientation::coronal)],
+                           .sagittal = slices_[std::size_t(slices::Orientation::sagittal)]},
+                          this);
+    connect(panes_, &PaneGrid::layoutAsked, this, [this](app::Layout layout) {
+        session_.change(tr("Panes"), [layout](app::StudyState& next) { next.layout = layout; });
+    });
+    tools_ = new ToolBox(session_, this);
+    addToolBar(Qt::LeftToolBarArea, tools_);
+    connect(tools_, &ToolBox::toolChosen, this, [this](SliceTool tool) {
+        for (SliceView* pane : slices_) pane->setTool(tool);
+    });
+    connect(tools_, &ToolBox::cineToggled, this, &MainWindow::setCine);
+    undo_ = new UndoActions(session_, this);
+}
+
+// Of the pane that has the focus; else of the first that is shown.
+void MainWindow::setCine(bool plays) {
+    const auto active = panes_->activePane();
+    SliceView* chosen = nullptr;
+    for (SliceView* pane : slices_) {
+        const Pane place = paneOf(pane->orientation());
+        if (panes_->isShown(place) && (!chosen || active == place)) chosen = pane;
+    }
+    for (SliceView* pane : slices_) pane->setCine(plays && pane == chosen);
+    tools_->setCine(plays && chosen != nullptr);
+}
+
+void MainWindow::makePanels() {
+    transfer_ = new TransferFunctionEditor(session_);
+    connect(transfer_, &TransferFunctionEditor::saveAsked, this, &MainWindow::askWhereToSavePreset);
+    clipPanel_ = new ClipPanel(session_);
+    const auto add = [this](QWidget* panel, const QString& title, const char* name, const char* key) {
+        auto* dock = new QDockWidget(title, this);
+        dock->setObjectName(QString::fromLatin1(name));
+        dock->setWidget(panel);
+        // Floating ones would hide the volume's native window from its own events on some desktops.
+        dock->setFeatures(QDockWidget::DockWidgetClosable | QDockWidget::DockWidgetMovable);
+        addDockWidget(Qt::RightDockWidgetArea, dock);
+        dock->hide();
+        dock->toggleViewAction()->setShortcut(QKeySequence(QString::fromLatin1(key)));
+        panels_ << dock->toggleViewAction();
+        return dock;
+    };
+    QDockWidget* first = add(transfer_, tr("Transfer Function"), "transfer-panel", "F3");
+    QDockWidget* second = add(clipPanel_, tr("Clip"), "clip-panel", "F4");
+    splitDockWidget(first, second, Qt::Vertical);
+}
+
+void MainWindow::showPanes() {
+    panes_->setLayout(session_.state().layout);
+}
+
+void MainWindow::showNames(bool shown) {
+    viewport_->showNames(shown);
+    for (SliceView* pane : slices_) pane->showNames(shown);
+    names_->setChecked(shown);
+}
+
+}  // namespace macula::viewer
