@@ -11,6 +11,8 @@
 
 #include "app/choice/catalogue.h"
 #include "app/state/drawing_of.h"
+#include "app/state/slices_json.h"
+#include "app/state/state_keys.h"
 #include "base/paths.h"
 #include "base/phantom.h"
 
@@ -22,6 +24,19 @@ using Json = nlohmann::ordered_json;
 const Catalogue& catalogue() {
     static const Catalogue all = *builtInCatalogue();
     return all;
+}
+
+std::vector<slices::Measurement> oneOfEachKind() {
+    const slices::SlicePlane oblique{
+        .centreMm = {1.0 / 3.0, -20.0, 30.0}, .right = {0.6, 0.8, 0.0}, .down = {0.0, 0.0, -1.0}};
+    return {{.label = "L3, \"höher\"",
+             .shape = slices::Distance{{glm::dvec3(0.1, -0.0, 3.0), {4.0, 5.0, 6.0}}},
+             .normal = {1.0, 0.0, 0.0}},
+            {.shape = slices::Angle{{glm::dvec3(1.0, 2.0, 3.0), {4.0, 5.0, 6.0}, {-7.0, 8.0, 9.0}}},
+             .normal = {0.0, -0.6, 0.8}},
+            {.label = "liver",
+             .shape = slices::Ellipse{.plane = oblique, .radiiMm = {12.5, 1.0 / 7.0}},
+             .normal = oblique.normal()}};
 }
 
 // Every field is another than by default.
@@ -42,6 +57,14 @@ StudyState everything() {
                           .targetMm = {0.1, 0.2, 0.3},
                           .up = {0.0, 0.0, 1.0},
                           .verticalFovDeg = 42.0};
+    state.layout = Layout::sagittal;
+    state.slices = {
+        .window = DisplayWindow{.center = -600.5, .width = 1500.0, .explanation = {}, .function = "SIGMOID"},
+        .slab = {.thicknessMm = 7.5, .projection = slices::Projection::minimum},
+        .isInverted = true,
+        .asAcquired = true,
+        .crosshairMm = glm::dvec3(1.0 / 3.0, -2.0, 1e5)};
+    state.measurements = oneOfEachKind();
     return state;
 }
 
@@ -64,6 +87,110 @@ TEST(StudyState, ComesBackFromItsTextAsItWas) {
     const StudyState state = everything();
     EXPECT_EQ(read(toJson(state)), state);
     EXPECT_EQ(toJson(read(toJson(state))), toJson(state));
+}
+
+TEST(StudyState, IsAnotherWhenOneThingOfTheSlicesIs) {
+    const auto differs = [](const std::function<void(StudyState&)>& change) {
+        StudyState state = everything();
+        change(state);
+        return !(state == everything());
+    };
+    EXPECT_FALSE(differs([](auto&) {}));
+    EXPECT_TRUE(differs([](auto& s) { s.layout = Layout::axial; }));
+    EXPECT_TRUE(differs([](auto& s) { s.slices.window.reset(); }));
+    EXPECT_TRUE(differs([](auto& s) { s.slices.slab.thicknessMm = 8.0; }));
+    EXPECT_TRUE(differs([](auto& s) { s.slices.isInverted = false; }));
+    EXPECT_TRUE(differs([](auto& s) { s.slices.asAcquired = false; }));
+    EXPECT_TRUE(differs([](auto& s) { s.slices.crosshairMm->x += 1e-9; }));
+    EXPECT_TRUE(differs([](auto& s) { s.measurements[0].label = "L4"; }));
+    EXPECT_TRUE(differs([](auto& s) { s.measurements[1].normal = {0.0, 0.0, 1.0}; }));
+    EXPECT_TRUE(differs([](auto& s) { s.measurements[2].shape = slices::Distance{}; }));
+    EXPECT_TRUE(differs([](auto& s) { s.measurements.pop_back(); }));
+}
+
+TEST(StudyState, WritesTheKeysThatItSaysItHas) {
+    std::vector<std::string> written;
+    const Json all = Json::parse(toJson(everything()));
+    for (const auto& [key, value] : all.items()) written.push_back(key);
+    std::vector<std::string> said = stateKeys();
+    std::ranges::sort(written);
+    std::ranges::sort(said);
+    EXPECT_EQ(written, said);
+}
+
+TEST(StudyState, SlicesAreWrittenWhereTheyAreNotAsByDefault) {
+    const Json usual = Json::parse(toJson(StudyState{}));
+    for (const char* key : {"layout", "slices", "measurements"}) EXPECT_FALSE(usual.contains(key)) << key;
+    for (const Layout layout : kLayouts) EXPECT_EQ(read(toJson(StudyState{.layout = layout})).layout, layout);
+
+    StudyState state;
+    state.slices.slab = {.thicknessMm = 0.0, .projection = slices::Projection::maximum};
+    EXPECT_EQ(read(toJson(state)), state);
+    EXPECT_EQ(Json::parse(toJson(state))["slices"].size(), 1u);
+    state.slices = {};
+    for (const char* function : {"", "LINEAR", "LINEAR_EXACT", "SIGMOID"}) {
+        state.slices.window =
+            DisplayWindow{.center = 40.0, .width = 400.0, .explanation = {}, .function = function};
+        EXPECT_EQ(read(toJson(state)), state) << function;
+    }
+}
+
+// A text that cannot be read would lose all that is in it.
+TEST(StudyState, WhatCannotBeReadIsNotWritten) {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const double infinity = std::numeric_limits<double>::infinity();
+    StudyState state{.seriesDigest = "0123456789abcdef"};
+    const StudyState usual = state;
+    for (const double bad : {nan, infinity, -infinity, 1e300}) {
+        state.slices = {.window = DisplayWindow{.center = bad}, .crosshairMm = glm::dvec3(0.0, bad, 0.0)};
+        state.slices.slab.thicknessMm = bad;
+        const slices::Ellipse good{.radiiMm = {1.0, 1.0}};
+        slices::Ellipse wide = good;
+        wide.radiiMm.y = bad;
+        slices::Ellipse far = good;
+        far.plane.centreMm.z = bad;
+        state.measurements = {{.shape = slices::Distance{{glm::dvec3(bad, 0.0, 0.0), {}}}},
+                              {.shape = wide},
+                              {.shape = far},
+                              {.shape = good, .normal = {0.0, 0.0, bad}}};
+        EXPECT_EQ(read(toJson(state)), usual) << bad;
+    }
+    // What is no plane; and what is good beside it stays.
+    slices::Ellipse skew{.radiiMm = {1.0, 1.0}};
+    skew.plane.down = skew.plane.right;
+    const slices::Measurement good{.label = "kept", .shape = slices::Distance{}};
+    state = usual;
+    state.slices.window = DisplayWindow{.center = 0.0, .width = 0.0};
+    state.measurements = {{.shape = skew}, {.shape = slices::Angle{}, .normal = glm::dvec3(0.0)}, good};
+    EXPECT_EQ(read(toJson(state)).measurements, std::vector{good});
+    EXPECT_EQ(read(toJson(state)).slices, SliceState{});
+
+    // As many and as long as the reader takes.
+    state.measurements.assign(kMostMeasurements + 3, good);
+    EXPECT_EQ(read(toJson(state)).measurements.size(), kMostMeasurements);
+    std::string longLabel;
+    for (int i = 0; i < 150; ++i) longLabel += "ß";  // two bytes each
+    state.measurements = {{.label = "x" + longLabel}, {.label = std::string(500, '\xff')}};
+    const auto labels = read(toJson(state)).measurements;
+    ASSERT_EQ(labels.size(), 2u);
+    EXPECT_EQ(labels[0].label, ("x" + longLabel).substr(0, 199)) << "cut between two characters";
+    EXPECT_LE(labels[1].label.size(), kLongestLabelBytes);
+}
+
+TEST(StudyState, DirectionsBecomeUnitVectors) {
+    Json json = Json::parse(toJson(everything()));
+    Json& ellipse = json["measurements"][2];
+    ellipse["right"] = {3.0, 4.0, 0.0};
+    ellipse["down"] = {0.0, 0.001, -2.0};
+    ellipse["normal"] = {0.0, 0.0, 5.0};
+    const StudyState state = read(json.dump());
+    ASSERT_EQ(state.measurements.size(), 3u);
+    EXPECT_EQ(state.measurements[2].normal, glm::dvec3(0.0, 0.0, 1.0));
+    const auto& plane = std::get<slices::Ellipse>(state.measurements[2].shape).plane;
+    EXPECT_LT(glm::length(plane.right - glm::dvec3(0.6, 0.8, 0.0)), 1e-12);
+    EXPECT_NEAR(glm::length(plane.down), 1.0, 1e-12);
+    EXPECT_NEAR(glm::dot(plane.right, plane.down), 0.0, 1e-12);
+    EXPECT_EQ(read(toJson(state)), state) << "and stay so";
 }
 
 TEST(StudyState, EveryBuiltInPresetClipAndRigComesBack) {
@@ -131,6 +258,58 @@ TEST(StudyState, SaysWhatIsWrongWithAText) {
     EXPECT_NE(whyNot(json.dump()).find("camera"), std::string::npos);
 }
 
+TEST(StudyState, SaysWhatIsWrongWithSlicesAndMeasurements) {
+    const auto why = [](const std::function<void(Json&)>& spoil) {
+        Json json = Json::parse(toJson(everything()));
+        spoil(json);
+        return whyNot(json.dump());
+    };
+    const auto tells = [&](const std::string& words, const std::function<void(Json&)>& spoil) {
+        const std::string told = why(spoil);
+        EXPECT_NE(told.find(words), std::string::npos) << "told: " << told << ", expected: " << words;
+    };
+    EXPECT_EQ(why([](Json&) {}), "");
+    tells("\"fourPanes\"", [](Json& j) { j["layout"] = "sixPanes"; });
+    tells("layout", [](Json& j) { j["layout"] = 3; });
+    tells("slices", [](Json& j) { j["slices"] = "all"; });
+    tells("slices.zoom is unknown", [](Json& j) { j["slices"]["zoom"] = 2; });
+    tells("slices.window.width", [](Json& j) { j["slices"]["window"]["width"] = 0; });
+    tells("slices.window.center", [](Json& j) { j["slices"]["window"].erase("center"); });
+    tells("\"SIGMOID\"", [](Json& j) { j["slices"]["window"]["function"] = "CUBIC"; });
+    tells("slices.window.name is unknown", [](Json& j) { j["slices"]["window"]["name"] = "LUNG"; });
+    tells("slices.slab.thicknessMm", [](Json& j) { j["slices"]["slab"]["thicknessMm"] = -1.0; });
+    tells("slices.slab.thicknessMm", [](Json& j) { j["slices"]["slab"]["thicknessMm"] = 2e4; });
+    tells("\"maximum\"", [](Json& j) { j["slices"]["slab"]["projection"] = "median"; });
+    tells("slices.inverted", [](Json& j) { j["slices"]["inverted"] = 1; });
+    tells("slices.asAcquired", [](Json& j) { j["slices"]["asAcquired"] = "yes"; });
+    tells("a list of 3", [](Json& j) { j["slices"]["crosshairMm"] = {1.0, 2.0}; });
+    tells("slices.crosshairMm[1]", [](Json& j) { j["slices"]["crosshairMm"] = {1.0, 1e7, 2.0}; });
+
+    tells("a list of 0 to 1000", [](Json& j) { j["measurements"] = Json::object(); });
+    tells("a list of 0 to 1000", [](Json& j) {
+        const Json one = j["measurements"][0];
+        j["measurements"] = Json::array();
+        for (std::size_t i = 0; i <= kMostMeasurements; ++i) j["measurements"].push_back(one);
+    });
+    tells("measurements[1]", [](Json& j) { j["measurements"][1] = 7; });
+    tells("\"ellipse\"", [](Json& j) { j["measurements"][0]["kind"] = "volume"; });
+    tells("measurements[0].kind", [](Json& j) { j["measurements"][0].erase("kind"); });
+    tells("measurements[0].by is unknown", [](Json& j) { j["measurements"][0]["by"] = "me"; });
+    tells("a text in quotes", [](Json& j) { j["measurements"][0]["label"] = 5; });
+    tells("200", [](Json& j) { j["measurements"][0]["label"] = std::string(201, 'a'); });
+    tells("a list of 2", [](Json& j) { j["measurements"][0]["pointsMm"].push_back({1.0, 2.0, 3.0}); });
+    tells("a list of 3", [](Json& j) { j["measurements"][0]["pointsMm"][0] = {1.0, 2.0}; });
+    tells("pointsMm[0][2]", [](Json& j) { j["measurements"][0]["pointsMm"][0] = {1.0, 2.0, "3"}; });
+    tells("pointsMm[0][2]", [](Json& j) { j["measurements"][0]["pointsMm"][0] = {1.0, 2.0, -1e7}; });
+    tells("measurements[1].pointsMm", [](Json& j) { j["measurements"][1].erase("pointsMm"); });
+    tells("all zeros", [](Json& j) { j["measurements"][0]["normal"] = {0.0, 0.0, 0.0}; });
+    tells("measurements[2].pointsMm", [](Json& j) { j["measurements"][2]["pointsMm"] = {}; });
+    tells("measurements[2].centreMm", [](Json& j) { j["measurements"][2]["centreMm"] = nullptr; });
+    tells("perpendicular", [](Json& j) { j["measurements"][2]["down"] = {1.0, 0.0, -1.0}; });
+    tells("all zeros", [](Json& j) { j["measurements"][2]["right"] = {0.0, 0.0, 0.0}; });
+    tells("radiiMm[1]", [](Json& j) { j["measurements"][2]["radiiMm"] = {1.0, -1.0}; });
+}
+
 TEST(StudyState, AChangeMakesNoMoreStaleThanItMust) {
     const StudyState before = everything();
     const auto after = [&](const std::function<void(StudyState&)>& change) {
@@ -143,6 +322,10 @@ TEST(StudyState, AChangeMakesNoMoreStaleThanItMust) {
     EXPECT_EQ(after([](auto& s) { s.preset = std::make_shared<const TransferFunction>(*s.preset); }),
               Stale::nothing);
     EXPECT_EQ(after([](auto& s) { s.settings.seed = 7; }), Stale::nothing);
+    // Slices are not in the picture in 3D.
+    EXPECT_EQ(after([](auto& s) { s.layout = Layout::volume; }), Stale::nothing);
+    EXPECT_EQ(after([](auto& s) { s.slices = {}; }), Stale::nothing);
+    EXPECT_EQ(after([](auto& s) { s.measurements.clear(); }), Stale::nothing);
     EXPECT_EQ(after([](auto& s) { s.settings.exposure = 2.0; }), Stale::display);
     EXPECT_EQ(after([](auto& s) { s.windows = {}; }), Stale::display);
     EXPECT_EQ(after([](auto& s) { s.camera->verticalFovDeg = 20.0; }), Stale::camera);

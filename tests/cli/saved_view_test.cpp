@@ -22,8 +22,10 @@ json camera() {
             {"verticalFovDeg", 25.0}};
 }
 
-// All that a view has, each other than by default.
+// All that a view has, each other than by default. Layout, slices and measurements are the window's alone.
 json fullView() {
+    const json slices{{"window", {{"center", 300}, {"width", 600}}}, {"inverted", true}};
+    const json distance{{"kind", "distance"}, {"pointsMm", {{0, 0, 0}, {10, 0, 0}}}, {"normal", {0, 0, 1}}};
     return {{"version", 1},
             {"series", "phantom"},
             {"look", "cinematic"},
@@ -38,7 +40,10 @@ json fullView() {
             {"clip", builtIn("clip/left-half.json")},
             {"lights", builtIn("lights/rim.json")},
             {"leavesTableOut", true},
-            {"camera", camera()}};
+            {"camera", camera()},
+            {"layout", "axial"},
+            {"slices", slices},
+            {"measurements", json::array({distance})}};
 }
 
 class SavedView : public CommandTest {

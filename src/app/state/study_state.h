@@ -26,10 +26,30 @@ namespace macula::app {
 
 // Which panes a study is shown in.
 enum class Layout { volume, fourPanes, axial, coronal, sagittal };
+inline constexpr std::array kLayouts{Layout::volume, Layout::fourPanes, Layout::axial, Layout::coronal,
+                                     Layout::sagittal};
+
+// As in files.
+constexpr std::string_view nameOf(Layout layout) {
+    switch (layout) {
+        case Layout::volume:
+            return "volume";
+        case Layout::fourPanes:
+            return "fourPanes";
+        case Layout::axial:
+            return "axial";
+        case Layout::coronal:
+            return "coronal";
+        case Layout::sagittal:
+            return "sagittal";
+    }
+    return {};
+}
 
 // How slices are shown, the same in all panes.
 struct SliceState {
-    std::optional<DisplayWindow> window = {};  // nothing: that of the series
+    // Nothing: that of the series. The text of a state keeps all but its explanation.
+    std::optional<DisplayWindow> window = {};
     slices::Slab slab = {};
     bool isInverted = false;  // white and black change places
     bool asAcquired = false;  // in the planes of the acquisition; else in those of the patient
@@ -67,7 +87,8 @@ struct StudyState {
 // Whether both draw the same, whatever else is in the files that they come from.
 bool isSame(const TransferFunction& a, const TransferFunction& b);
 
-// What has to be made again when one follows the other.
+// What has to be made again of the picture in 3D when one follows the other: nothing for layout, slices and
+// measurements.
 Stale staleAfter(const StudyState& before, const StudyState& after);
 
 // Readable text; reading it gives an equal state. Holds no name of a patient: presets, clips and lights that

@@ -3,12 +3,15 @@
 //     "denoising": "denoised", <a key for each row of parameters()>,
 //     "preset": {as presets/transfer}, "clip": {as presets/clip}, "leavesTableOut": true,
 //     "lights": {as presets/lights}, "windows": { "mip": { "center": 40, "width": 400 } },
-//     "camera": {as camera_file.h} }
+//     "camera": {as camera_file.h}, "layout": "axial", "slices": {as slices_json.h},
+//     "measurements": [as slices_json.h] }
 // Everything but the version may be left out.
 #include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "app/camera/camera_file.h"
+#include "app/state/json_names.h"
+#include "app/state/slices_json.h"
 #include "app/state/state_keys.h"
 #include "app/state/study_state.h"
 #include "base/atomic_file.h"
@@ -30,22 +33,6 @@ constexpr std::array kDenoisings{trace::Denoising::off, trace::Denoising::little
 bool isKnown(const std::string& key) {
     const std::vector<std::string> keys = stateKeys();
     return std::ranges::find(keys, key) != keys.end();
-}
-
-// One of `values`, by nameOf.
-template <class Values, class T>
-void readName(const JsonNode& root, const char* key, const Values& values, T& value) {
-    const auto node = root.find(key);
-    if (!node) return;
-    std::string names;
-    for (const auto& each : values) {
-        if (nameOf(each) == node->text()) {
-            value = each;
-            return;
-        }
-        names += (names.empty() ? "\"" : ", \"") + std::string(nameOf(each)) + "\"";
-    }
-    node->fail("one of " + names);
 }
 
 void readParameters(const JsonNode& root, trace::Settings& settings) {
@@ -84,8 +71,9 @@ Result<std::optional<T>> readPart(const Json& all, const char* key, const Read& 
 }  // namespace
 
 std::vector<std::string> stateKeys() {
-    std::vector<std::string> keys{"version", "series", "look",           "shading", "filter",  "denoising",
-                                  "preset",  "clip",   "leavesTableOut", "lights",  "windows", "camera"};
+    std::vector<std::string> keys{"version",   "series", "look",   "shading",        "filter",
+                                  "denoising", "preset", "clip",   "leavesTableOut", "lights",
+                                  "windows",   "camera", "layout", "slices",         "measurements"};
     for (const Parameter& parameter : parameters()) keys.emplace_back(parameter.id);
     return keys;
 }
@@ -107,6 +95,9 @@ std::string toJson(const StudyState& state) {
             json["windows"][std::string(look.name)] = {{"center", window->center}, {"width", window->width}};
     }
     if (state.camera) json["camera"] = toJson(*state.camera);
+    if (state.layout != StudyState{}.layout) json["layout"] = nameOf(state.layout);
+    if (Json slices = toJson(state.slices); !slices.empty()) json["slices"] = std::move(slices);
+    if (Json all = measurementsJson(state.measurements); !all.empty()) json["measurements"] = std::move(all);
     if (!state.otherKeys.empty()) {
         const Json others = Json::parse(state.otherKeys);
         for (const auto& [key, value] : others.items()) json[key] = value;
@@ -136,6 +127,9 @@ Result<StudyState> studyStateFromJson(std::string_view text, const std::string& 
         state.camera = cameraFrom(*node);
         if (!basis(*state.camera)) node->fail("an eye, a target and an upright that make a camera");
     }
+    readName(root, "layout", kLayouts, state.layout);
+    if (const auto node = root.find("slices")) state.slices = sliceStateFrom(*node);
+    if (const auto node = root.find("measurements")) state.measurements = measurementsFrom(*node);
     MACULA_TRY_VOID(document.status());
 
     // The text is valid JSON by now, and an object.

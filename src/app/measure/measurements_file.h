@@ -1,0 +1,31 @@
+// Measurements for other programs: as CSV for spreadsheets, and as JSON. Points are in patient LPS mm, values
+// in the units of the volume. Nothing says whose they are but what a person wrote into a label.
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+
+#include "base/result.h"
+#include "base/volume.h"
+#include "slices/measurement.h"
+
+namespace macula::app {
+
+// RFC 4180, in UTF-8: a line of names, then one for each measurement; lines end with CR LF. Numbers have a
+// point and three decimals, whatever the locale; what a measurement does not have is empty. Points are those
+// of slices::pointsOf. No text is one that a spreadsheet would run: where it begins like a formula, an
+// apostrophe is put before it.
+std::string measurementsCsv(std::span<const slices::Measurement> measurements, const Volume& volume);
+
+//   { "version": 1, "frame": "patient LPS, mm", "measurements": [{as slices_json.h}] }
+// A distance has "lengthMm" besides, an angle "angleDeg", and an ellipse "areaMm2", "voxels", "mean",
+// "deviation", "low", "high" and "unit"; those behind the area are missing where there is no voxel, and a
+// number that is not defined is null.
+std::string measurementsJsonText(std::span<const slices::Measurement> measurements, const Volume& volume);
+
+// By the ending of the name: .csv or .json, else usage. Fails as writeTextAtomically.
+Result<void> writeMeasurements(const std::filesystem::path& path,
+                               std::span<const slices::Measurement> measurements, const Volume& volume);
+
+}  // namespace macula::app

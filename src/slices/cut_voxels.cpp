@@ -1,0 +1,201 @@
+#include "slices/cut_voxels.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+namespace macula::slices {
+
+namespace {
+
+constexpr double kFarthestMm = 1e9;     // farther away a double does not tell voxels apart
+constexpr double kHalfWayUp = 2e-6;     // in voxels; more than what is rounded off, and nothing to a person
+constexpr double kMereTouch = 1e-6;     // in voxels
+constexpr double kOnTheEllipse = 1e-9;  // of a radius
+
+bool isFinite(const glm::dvec3& vector) {
+    return std::isfinite(vector.x) && std::isfinite(vector.y) && std::isfinite(vector.z);
+}
+
+double lengthOf(const glm::dvec3& vector) {
+    return std::hypot(vector.x, vector.y, vector.z);  // without overflow
+}
+
+// In radii: 1 on the ellipse.
+double radiiFromCentre(const glm::dvec2& mm, const glm::dvec2& radiiMm) {
+    return std::hypot(mm.x / radiiMm.x, mm.y / radiiMm.y);
+}
+
+using Polygon = std::vector<glm::dvec2>;  // convex
+
+// What of the polygon has dot(normal, point) <= offset (Sutherland-Hodgman).
+Polygon clipped(const Polygon& polygon, const glm::dvec2& normal, double offset) {
+    Polygon kept;
+    kept.reserve(polygon.size() + 1);
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const glm::dvec2& from = polygon[i];
+        const glm::dvec2& to = polygon[(i + 1) % polygon.size()];
+        const double beyondFrom = glm::dot(normal, from) - offset;
+        const double beyondTo = glm::dot(normal, to) - offset;
+        if (beyondFrom <= 0.0) kept.push_back(from);
+        if ((beyondFrom <= 0.0) != (beyondTo <= 0.0))
+            kept.push_back(from + (beyondFrom / (beyondFrom - beyondTo)) * (to - from));
+    }
+    return kept;
+}
+
+// Nothing for a polygon without area.
+std::optional<glm::dvec2> centroidOf(const Polygon& polygon) {
+    glm::dvec2 sum(0.0);
+    double doubleArea = 0.0;
+    for (std::size_t i = 2; i < polygon.size(); ++i) {
+        const glm::dvec2 a = polygon[i - 1] - polygon[0];
+        const glm::dvec2 b = polygon[i] - polygon[0];
+        const double cross = a.x * b.y - a.y * b.x;
+        doubleArea += cross;
+        sum += cross * (a + b);
+    }
+    if (!(doubleArea > 0.0)) return std::nullopt;
+    return polygon[0] + sum / (3.0 * doubleArea);
+}
+
+// The plane of an ellipse among the voxels of a volume: (u, v), in mm from the ellipse's centre along right
+// and down, lies at centre + u * right + v * down in voxel coordinates.
+class CutVoxels {
+  public:
+    // Nothing for what is no ellipse or too far away.
+    static std::optional<CutVoxels> of(const Ellipse& ellipse, const Volume& volume);
+
+    void forEach(const std::function<void(const glm::ivec3&)>& visit) const;
+
+  private:
+    struct Indices {
+        int first = 0;
+        int end = 0;
+    };
+    Indices indices(double low, double high, int axis) const;
+    Indices besideTheEllipse(int axis) const;
+    bool counts(const glm::ivec3& voxel) const;
+    Polygon cutOf(const glm::ivec3& voxel, const glm::dvec2& middleMm) const;
+
+    glm::ivec3 size_{0};
+    glm::dmat4 worldFromVoxel_{1.0};
+    glm::dvec3 centreMm_{0.0}, rightMm_{0.0}, downMm_{0.0};  // unit vectors
+    glm::dvec2 radiiMm_{0.0};
+    glm::dvec3 centre_{0.0}, right_{0.0}, down_{0.0};  // the same in voxels
+    glm::dvec3 normal_{0.0};
+    int across_ = 0;              // the voxel axis that the plane cuts most squarely
+    double voxelRadiusMm_ = 0.0;  // from the middle of a voxel to its farthest corner
+};
+
+std::optional<CutVoxels> CutVoxels::of(const Ellipse& ellipse, const Volume& volume) {
+    const SlicePlane& plane = ellipse.plane;
+    CutVoxels cut;
+    cut.size_ = volume.size();
+    cut.worldFromVoxel_ = volume.worldFromVoxel();
+    cut.centreMm_ = plane.centreMm;
+    cut.rightMm_ = plane.right / lengthOf(plane.right);
+    cut.downMm_ = plane.down - glm::dot(plane.down, cut.rightMm_) * cut.rightMm_;
+    cut.downMm_ /= lengthOf(cut.downMm_);
+    cut.radiiMm_ = ellipse.radiiMm;
+
+    const glm::dmat4 voxelFromWorld = glm::inverse(cut.worldFromVoxel_);
+    cut.centre_ = transformPoint(voxelFromWorld, cut.centreMm_);
+    cut.right_ = transformVector(voxelFromWorld, cut.rightMm_);
+    cut.down_ = transformVector(voxelFromWorld, cut.downMm_);
+    cut.normal_ = glm::cross(cut.right_, cut.down_);
+    const glm::dvec3 slope = glm::abs(cut.normal_);
+    cut.across_ = slope.x >= slope.y && slope.x >= slope.z ? 0 : slope.y >= slope.z ? 1 : 2;
+    const bool isEllipse = ellipse.radiiMm.x > 0.0 && ellipse.radiiMm.y > 0.0 &&
+                           std::isfinite(ellipse.radiiMm.x) && std::isfinite(ellipse.radiiMm.y);
+    if (!isEllipse || !(lengthOf(cut.centreMm_) <= kFarthestMm) || !isFinite(cut.centre_) ||
+        !isFinite(cut.right_) || !isFinite(cut.down_) || !isFinite(cut.normal_) ||
+        !(slope[cut.across_] > 0.0))
+        return std::nullopt;
+    cut.centre_[cut.across_] += kHalfWayUp;
+
+    const std::array<glm::dvec3, 4> corners{
+        {{0.5, 0.5, 0.5}, {0.5, 0.5, -0.5}, {0.5, -0.5, 0.5}, {-0.5, 0.5, 0.5}}};
+    for (const glm::dvec3& corner : corners)
+        cut.voxelRadiusMm_ =
+            std::max(cut.voxelRadiusMm_, lengthOf(transformVector(cut.worldFromVoxel_, corner)));
+    return cut;
+}
+
+// Those of an axis whose voxels reach into [low, high]; none beyond the volume, however far that is.
+CutVoxels::Indices CutVoxels::indices(double low, double high, int axis) const {
+    const auto inVolume = [&](double index) {
+        return index > 0.0 ? int(std::min(index, double(size_[axis]))) : 0;
+    };
+    return {inVolume(std::ceil(low - 0.5)), inVolume(std::ceil(high + 0.5))};
+}
+
+CutVoxels::Indices CutVoxels::besideTheEllipse(int axis) const {
+    const double reach = std::hypot(radiiMm_.x * right_[axis], radiiMm_.y * down_[axis]);
+    return indices(centre_[axis] - reach, centre_[axis] + reach, axis);
+}
+
+void CutVoxels::forEach(const std::function<void(const glm::ivec3&)>& visit) const {
+    const glm::ivec3 middle(glm::clamp(glm::floor(centre_ + 0.5), glm::dvec3(-1.0), glm::dvec3(size_)));
+    if (glm::all(glm::greaterThanEqual(middle, glm::ivec3(0))) && glm::all(glm::lessThan(middle, size_)))
+        visit(middle);
+
+    // Over a column of voxels along `across_` the plane rises by at most a voxel in each direction, so it
+    // cuts at most three of the column.
+    const int p = (across_ + 1) % 3;
+    const int q = (across_ + 2) % 3;
+    const double slopeP = -normal_[p] / normal_[across_];
+    const double slopeQ = -normal_[q] / normal_[across_];
+    const double rise = 0.5 * (std::abs(slopeP) + std::abs(slopeQ));
+    const double reach = rise - std::min(kMereTouch, 0.5 * rise);
+    const Indices besideP = besideTheEllipse(p);
+    const Indices besideQ = besideTheEllipse(q);
+    glm::ivec3 voxel;
+    for (voxel[q] = besideQ.first; voxel[q] < besideQ.end; ++voxel[q]) {
+        for (voxel[p] = besideP.first; voxel[p] < besideP.end; ++voxel[p]) {
+            const double at =
+                centre_[across_] + slopeP * (voxel[p] - centre_[p]) + slopeQ * (voxel[q] - centre_[q]);
+            const Indices column = indices(at - reach, at + reach, across_);
+            for (voxel[across_] = column.first; voxel[across_] < column.end; ++voxel[across_])
+                if (voxel != middle && counts(voxel)) visit(voxel);
+        }
+    }
+}
+
+// Of a voxel that the plane cuts.
+bool CutVoxels::counts(const glm::ivec3& voxel) const {
+    const glm::dvec3 fromCentreMm = transformPoint(worldFromVoxel_, glm::dvec3(voxel)) - centreMm_;
+    const glm::dvec2 middleMm(glm::dot(fromCentreMm, rightMm_), glm::dot(fromCentreMm, downMm_));
+    // Most voxels are all within, or all without.
+    const double middle = radiiFromCentre(middleMm, radiiMm_);
+    const double reach = voxelRadiusMm_ / std::min(radiiMm_.x, radiiMm_.y);
+    if (middle + reach <= 1.0) return true;
+    if (middle - reach > 1.0 + kOnTheEllipse) return false;
+    const auto centroid = centroidOf(cutOf(voxel, middleMm));
+    return centroid && radiiFromCentre(*centroid, radiiMm_) <= 1.0 + kOnTheEllipse;
+}
+
+// In (u, v). `middleMm` is the point of the plane that is nearest to the voxel's middle.
+Polygon CutVoxels::cutOf(const glm::ivec3& voxel, const glm::dvec2& middleMm) const {
+    const double r = voxelRadiusMm_;  // no point of the voxel is farther from its middle
+    Polygon cut{middleMm + glm::dvec2(-r, -r), middleMm + glm::dvec2(r, -r), middleMm + glm::dvec2(r, r),
+                middleMm + glm::dvec2(-r, r)};
+    for (int axis = 0; axis < 3; ++axis) {
+        const glm::dvec2 along(right_[axis], down_[axis]);
+        const double middle = double(voxel[axis]) - centre_[axis];
+        cut = clipped(cut, along, middle + 0.5);
+        cut = clipped(cut, -along, 0.5 - middle);
+    }
+    return cut;
+}
+
+}  // namespace
+
+void forEachCutVoxel(const Ellipse& ellipse, const Volume& volume,
+                     const std::function<void(const glm::ivec3&)>& visit) {
+    if (const auto cut = CutVoxels::of(ellipse, volume)) cut->forEach(visit);
+}
+
+}  // namespace macula::slices

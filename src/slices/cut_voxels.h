@@ -1,0 +1,17 @@
+// Which voxels an ellipse is about.
+#pragma once
+
+#include <functional>
+#include <glm/glm.hpp>
+
+#include "base/volume.h"
+#include "slices/measurement.h"
+
+namespace macula::slices {
+
+// Calls visit(voxel) once for each voxel that valuesIn is over, and for padding too, in no stated order. The
+// work is bounded by a few slices of the volume, whatever the radii; what is no ellipse has no voxels.
+void forEachCutVoxel(const Ellipse& ellipse, const Volume& volume,
+                     const std::function<void(const glm::ivec3&)>& visit);
+
+}  // namespace macula::slices
