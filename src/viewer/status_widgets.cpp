@@ -1,9 +1,13 @@
 #include "viewer/status_widgets.h"
 
+#include <QEvent>
 #include <QFontMetrics>
 #include <QHBoxLayout>
+#include <QPainter>
 #include <QToolButton>
 #include <algorithm>
+
+#include "viewer/theme/theme.h"
 
 namespace macula::viewer {
 
@@ -69,23 +73,34 @@ void ElidingLabel::elide() {
 
 FidelityBadge::FidelityBadge(QWidget* parent) : QLabel(parent) {
     setTextFormat(Qt::PlainText);
+    setContentsMargins(5, 1, 5, 1);
     hide();
 }
 
 void FidelityBadge::setFidelity(const app::Fidelity& fidelity) {
-    setText(fidelity.isFinal ? tr("Final") : tr("Preliminary"));
-    setStyleSheet(QStringLiteral("border: 1px solid %1; border-radius: 3px; padding: 0 4px")
-                      .arg(fidelity.isFinal ? QStringLiteral("#4a9a5c") : QStringLiteral("#c08a2d")));
+    isFinal_ = fidelity.isFinal;
+    setText(isFinal_ ? tr("Final") : tr("Preliminary"));
+    update();  // the text may be the same
     QStringList because;
     for (const std::string& reason : fidelity.because) because << QString::fromStdString(reason);
     const QString reasons = because.join(QStringLiteral(", "));
-    const QString is = fidelity.isFinal ? tr("Nothing will change any more") : tr("The picture gets better");
+    const QString is = isFinal_ ? tr("Nothing will change any more") : tr("The picture gets better");
     setToolTip(reasons.isEmpty() ? is : QStringLiteral("%1: %2").arg(is, reasons));
     show();
 }
 
+void FidelityBadge::paintEvent(QPaintEvent* event) {
+    const ThemeColours& colours = themeColours();
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QColor(isFinal_ ? colours.finalBadge : colours.preliminaryBadge));
+    painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), 3.0, 3.0);
+    painter.end();
+    QLabel::paintEvent(event);
+}
+
 MessageBar::MessageBar(QWidget* parent) : QWidget(parent), text_(new QLabel(this)) {
-    setAttribute(Qt::WA_StyledBackground);
+    setAutoFillBackground(true);
     text_->setWordWrap(true);
     text_->setTextFormat(Qt::PlainText);
     text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -115,10 +130,23 @@ void MessageBar::showNote(const QString& text) {
 
 void MessageBar::show(const QString& text, bool isError) {
     text_->setText(text);
-    // Readable on light and dark desktops alike: both colours are set.
-    setStyleSheet(isError ? QStringLiteral("background: #7a1f1f; color: white;")
-                          : QStringLiteral("background: #5c4a12; color: white;"));
+    isError_ = isError;
+    recolour();
     setVisible(true);
+}
+
+void MessageBar::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::StyleChange) recolour();
+    QWidget::changeEvent(event);
+}
+
+void MessageBar::recolour() {
+    const ThemeColours& colours = themeColours();
+    QPalette palette;
+    palette.setColor(QPalette::Window, QColor(isError_ ? colours.error : colours.note));
+    for (const QPalette::ColorRole text : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
+        palette.setColor(text, QColor(colours.barText));
+    setPalette(palette);
 }
 
 WorkBar::WorkBar(QWidget* parent)

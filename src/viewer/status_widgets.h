@@ -49,6 +49,12 @@ class FidelityBadge : public QLabel {
     explicit FidelityBadge(QWidget* parent = nullptr);
 
     void setFidelity(const app::Fidelity& fidelity);
+
+  protected:
+    void paintEvent(QPaintEvent* event) override;
+
+  private:
+    bool isFinal_ = false;
 };
 
 // One sentence about what went wrong and one about what to do, until it is dismissed. Never in the way of
@@ -63,10 +69,15 @@ class MessageBar : public QWidget {
     void showNote(const QString& text);
     QString text() const { return text_->text(); }
 
+  protected:
+    void changeEvent(QEvent* event) override;
+
   private:
     void show(const QString& text, bool isError);
+    void recolour();
 
     QLabel* text_ = nullptr;
+    bool isError_ = false;
 };
 
 // What work in the background is doing, how far it is, and a way out.

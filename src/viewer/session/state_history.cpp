@@ -15,8 +15,11 @@ void StateHistory::begin(app::StudyState state) {
 
 bool StateHistory::push(const QString& what, app::StudyState state, bool joins) {
     const bool goesOn = joins && joining_ && place_ > 0 && states_[place_].what == what;
+    if (state == now()) {
+        joining_ = joining_ && joins;  // what has not begun is not gone on with
+        return false;
+    }
     joining_ = joins;
-    if (state == now()) return false;
     states_.erase(std::next(states_.begin(), std::ptrdiff_t(place_) + 1), states_.end());
     if (goesOn) {
         states_.back().state = std::move(state);

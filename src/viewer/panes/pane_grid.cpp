@@ -1,0 +1,191 @@
+#include "viewer/panes/pane_grid.h"
+
+#include <QApplication>
+#include <QSplitter>
+#include <QVBoxLayout>
+#include <QWindow>
+#include <algorithm>
+#include <cmath>
+
+#include "base/check.h"
+#include "viewer/panes/pane_frame.h"
+
+namespace macula::viewer {
+
+namespace {
+
+constexpr int kGapPx = 2;
+
+std::optional<Pane> onlyPaneOf(app::Layout layout) {
+    for (const Pane pane : kPanes) {
+        if (layoutOf(pane) == layout) return pane;
+    }
+    return std::nullopt;
+}
+
+QSplitter* makeSplitter(Qt::Orientation orientation, QWidget* first, QWidget* second) {
+    auto* made = new QSplitter(orientation);
+    made->setHandleWidth(kGapPx);
+    made->setChildrenCollapsible(false);  // a pane that is dragged away would not be missed
+    for (QWidget* widget : {first, second}) made->addWidget(widget);
+    for (const int index : {0, 1}) made->setStretchFactor(index, 1);
+    return made;
+}
+
+double shareOrMiddle(double share) {
+    return std::isnan(share) ? 0.5 : std::clamp(share, 0.0, 1.0);
+}
+
+// Both parts of what the handle leaves.
+QList<int> partsOf(int totalPx, double share) {
+    const int free = std::max(0, totalPx - kGapPx);
+    const int first = int(std::lround(share * free));
+    return {first, free - first};
+}
+
+std::optional<double> shareOf(const QSplitter& splitter) {
+    const QList<int> sizes = splitter.sizes();
+    const int both = sizes.value(0) + sizes.value(1);
+    if (both <= 0) return std::nullopt;
+    return double(sizes.value(0)) / both;
+}
+
+// A native window that a widget contains has the focus by itself, and then no widget has it.
+bool isInside(const QWindow* window, const QWindow* top) {
+    if (window == nullptr || top == nullptr || window == top) return false;
+    const QWindow* at = window;
+    while (at != nullptr && at != top) at = at->parent();
+    return at == top;
+}
+
+}  // namespace
+
+app::Layout layoutOf(Pane pane) {
+    switch (pane) {
+        case Pane::axial:
+            return app::Layout::axial;
+        case Pane::volume:
+            return app::Layout::volume;
+        case Pane::coronal:
+            return app::Layout::coronal;
+        case Pane::sagittal:
+            return app::Layout::sagittal;
+    }
+    MACULA_CHECK(false);
+    return app::Layout::fourPanes;
+}
+
+PaneGrid::PaneGrid(const Widgets& widgets, QWidget* parent) : QWidget(parent) {
+    frames_ = {new PaneFrame(widgets.axial), new PaneFrame(widgets.volume), new PaneFrame(widgets.coronal),
+               new PaneFrame(widgets.sagittal)};
+    top_ = makeSplitter(Qt::Horizontal, &frame(Pane::axial), &frame(Pane::volume));
+    bottom_ = makeSplitter(Qt::Horizontal, &frame(Pane::coronal), &frame(Pane::sagittal));
+    rows_ = makeSplitter(Qt::Vertical, top_, bottom_);
+    auto* box = new QVBoxLayout(this);
+    box->setContentsMargins(0, 0, 0, 0);
+    box->addWidget(rows_);
+    connect(top_, &QSplitter::splitterMoved, this, [this] { moveColumns(*top_); });
+    connect(bottom_, &QSplitter::splitterMoved, this, [this] { moveColumns(*bottom_); });
+    connect(rows_, &QSplitter::splitterMoved, this, &PaneGrid::moveRows);
+    connect(qApp, &QApplication::focusChanged, this, &PaneGrid::updateActive);
+    connect(qApp, &QGuiApplication::focusWindowChanged, this, &PaneGrid::updateActive);
+}
+
+// Panes that go lose their focus, of which nothing here wants to hear any more.
+PaneGrid::~PaneGrid() {
+    if (qApp != nullptr) disconnect(qApp, nullptr, this, nullptr);
+}
+
+void PaneGrid::setLayout(app::Layout layout) {
+    const std::optional<Pane> only = onlyPaneOf(layout);
+    const std::optional<Pane> hadFocus = focused();
+    shown_ = layout;
+    // What is to be seen comes first: a moment without any pane would send the focus elsewhere.
+    for (const bool shows : {true, false}) {
+        for (const Pane pane : kPanes) {
+            if (isShown(pane) == shows) frame(pane).setVisible(shows);
+        }
+        if ((isShown(Pane::axial) || isShown(Pane::volume)) == shows) top_->setVisible(shows);
+        if ((isShown(Pane::coronal) || isShown(Pane::sagittal)) == shows) bottom_->setVisible(shows);
+    }
+    applyCross();
+    if (hadFocus && !isShown(*hadFocus)) focusPane(only.value_or(Pane::axial));
+    updateActive();
+}
+
+bool PaneGrid::isShown(Pane pane) const {
+    return onlyPaneOf(shown_).value_or(pane) == pane;
+}
+
+void PaneGrid::maximize(Pane pane) {
+    const app::Layout alone = layoutOf(pane);
+    emit layoutAsked(shown_ == alone ? app::Layout::fourPanes : alone);
+}
+
+void PaneGrid::focusPane(Pane pane) {
+    if (!isShown(pane)) return;
+    // Keys go on to a native window until its parent is the active one.
+    if (pane != Pane::volume && isInside(QGuiApplication::focusWindow(), window()->windowHandle()))
+        window()->activateWindow();
+    frame(pane).content().setFocus(Qt::OtherFocusReason);
+}
+
+void PaneGrid::setCross(QPointF shares) {
+    cross_ = {shareOrMiddle(shares.x()), shareOrMiddle(shares.y())};
+    applyCross();
+}
+
+void PaneGrid::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    applyCross();
+}
+
+void PaneGrid::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    applyCross();
+}
+
+void PaneGrid::moveColumns(const QSplitter& moved) {
+    if (shown_ != app::Layout::fourPanes) return;
+    cross_.setX(shareOf(moved).value_or(cross_.x()));
+    alignColumns(moved.sizes());
+}
+
+void PaneGrid::moveRows() {
+    if (shown_ == app::Layout::fourPanes) cross_.setY(shareOf(*rows_).value_or(cross_.y()));
+}
+
+// A row whose panes cannot be that narrow says so, and the other follows it.
+void PaneGrid::alignColumns(const QList<int>& widthsPx) {
+    top_->setSizes(widthsPx);
+    bottom_->setSizes(top_->sizes());
+    if (bottom_->sizes() != top_->sizes()) top_->setSizes(bottom_->sizes());
+}
+
+void PaneGrid::applyCross() {
+    if (shown_ != app::Layout::fourPanes) return;
+    const QSize size = rows_->contentsRect().size();
+    rows_->setSizes(partsOf(size.height(), cross_.y()));
+    alignColumns(partsOf(size.width(), cross_.x()));
+}
+
+std::optional<Pane> PaneGrid::focused() const {
+    if (const QWidget* widget = QApplication::focusWidget()) {
+        for (const Pane pane : kPanes) {
+            if (frame(pane).isAncestorOf(widget)) return pane;
+        }
+        return std::nullopt;
+    }
+    if (isInside(QGuiApplication::focusWindow(), window()->windowHandle())) return Pane::volume;
+    return std::nullopt;
+}
+
+void PaneGrid::updateActive() {
+    const std::optional<Pane> now = focused();
+    if (now == active_) return;
+    active_ = now;
+    for (const Pane pane : kPanes) frame(pane).setActive(pane == active_);
+    emit activePaneChanged();
+}
+
+}  // namespace macula::viewer

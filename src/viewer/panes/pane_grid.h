@@ -1,0 +1,82 @@
+// The panes of a study: four at once in two rows, or one of them alone.
+#pragma once
+
+#include <QPointF>
+#include <QWidget>
+#include <array>
+#include <optional>
+
+#include "app/state/study_state.h"
+
+class QSplitter;
+
+namespace macula::viewer {
+
+class PaneFrame;
+
+// In the order of rows: axial beside the volume, coronal beside sagittal.
+enum class Pane { axial, volume, coronal, sagittal };
+inline constexpr std::array kPanes{Pane::axial, Pane::volume, Pane::coronal, Pane::sagittal};
+
+app::Layout layoutOf(Pane pane);  // the pane alone
+
+// Panes are put into their places once and only hidden and shown from then on: the volume's is a native
+// window, which would lose its surface to another parent. The one with the keyboard focus has a frame.
+class PaneGrid : public QWidget {
+    Q_OBJECT
+
+  public:
+    struct Widgets {  // none is null; the grid owns them
+        QWidget* axial = nullptr;
+        QWidget* volume = nullptr;
+        QWidget* coronal = nullptr;
+        QWidget* sagittal = nullptr;
+    };
+    explicit PaneGrid(const Widgets& widgets, QWidget* parent = nullptr);
+    ~PaneGrid() override;
+
+    // Shows these panes. The focus goes to one of them where a pane that is hidden now had it. Not to be
+    // taken for the layout of this widget.
+    void setLayout(app::Layout layout);
+    app::Layout shownLayout() const { return shown_; }
+    bool isShown(Pane pane) const;
+
+    // Asks for the pane alone, or for all four where it is alone. Nothing changes before setLayout.
+    void maximize(Pane pane);
+
+    void focusPane(Pane pane);  // nothing where it is not shown
+    // The one with the keyboard focus, in it or in a window that it contains.
+    std::optional<Pane> activePane() const { return active_; }
+
+    // Where the panes meet, as shares of width and height from the top left; each row and column keeps the
+    // smallest size of its panes.
+    QPointF cross() const { return cross_; }
+    void setCross(QPointF shares);  // (0.5, 0.5) is the middle; what is no number is taken as that
+
+  signals:
+    void layoutAsked(macula::app::Layout layout);
+    void activePaneChanged();
+
+  protected:
+    void resizeEvent(QResizeEvent* event) override;
+    void showEvent(QShowEvent* event) override;
+
+  private:
+    PaneFrame& frame(Pane pane) const { return *frames_.at(std::size_t(pane)); }
+    void moveColumns(const QSplitter& moved);
+    void moveRows();
+    void alignColumns(const QList<int>& widthsPx);
+    void applyCross();
+    std::optional<Pane> focused() const;
+    void updateActive();
+
+    std::array<PaneFrame*, kPanes.size()> frames_{};
+    QSplitter* rows_ = nullptr;
+    QSplitter* top_ = nullptr;
+    QSplitter* bottom_ = nullptr;
+    app::Layout shown_ = app::Layout::fourPanes;
+    QPointF cross_{0.5, 0.5};
+    std::optional<Pane> active_;
+};
+
+}  // namespace macula::viewer

@@ -1,0 +1,224 @@
+#include "viewer/panes/tool_box.h"
+
+#include <QAction>
+#include <QActionGroup>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QMenu>
+#include <QSignalBlocker>
+#include <QToolButton>
+#include <algorithm>
+#include <cmath>
+
+#include "viewer/panes/drawn_icon.h"
+#include "viewer/panes/slice_tool_keys.h"
+#include "viewer/session/viewer_session.h"
+
+namespace macula::viewer {
+
+namespace {
+
+constexpr double kThickestSlabMm = 100.0;
+constexpr int kDecimals = 1;
+
+struct ProjectionRow {
+    slices::Projection projection;
+    Glyph glyph;
+    const char* name;
+    const char* title;
+};
+constexpr std::array kProjections{
+    ProjectionRow{slices::Projection::mean, Glyph::slabMean, "slab-mean",
+                  QT_TRANSLATE_NOOP("macula::viewer::ToolBox", "Mean")},
+    ProjectionRow{slices::Projection::maximum, Glyph::slabMaximum, "slab-maximum",
+                  QT_TRANSLATE_NOOP("macula::viewer::ToolBox", "Maximum")},
+    ProjectionRow{slices::Projection::minimum, Glyph::slabMinimum, "slab-minimum",
+                  QT_TRANSLATE_NOOP("macula::viewer::ToolBox", "Minimum")}};
+
+struct LayoutRow {
+    app::Layout layout;
+    Glyph glyph;
+    const char* name;
+    const char* title;
+};
+constexpr std::array kLayouts{LayoutRow{app::Layout::fourPanes, Glyph::fourPanes, "layout-four-panes",
+                                        QT_TRANSLATE_NOOP("macula::viewer::ToolBox", "Four Panes")},
+                              LayoutRow{app::Layout::volume, Glyph::volume, "layout-volume",
+                                        QT_TRANSLATE_NOOP("macula::viewer::ToolBox", "3D Only")},
+                              LayoutRow{app::Layout::axial, Glyph::axial, "layout-axial",
+                                        QT_TRANSLATE_NOOP("macula::viewer::ToolBox", "Axial Only")},
+                              LayoutRow{app::Layout::coronal, Glyph::coronal, "layout-coronal",
+                                        QT_TRANSLATE_NOOP("macula::viewer::ToolBox", "Coronal Only")},
+                              LayoutRow{app::Layout::sagittal, Glyph::sagittal, "layout-sagittal",
+                                        QT_TRANSLATE_NOOP("macula::viewer::ToolBox", "Sagittal Only")}};
+
+}  // namespace
+
+ToolBox::ToolBox(ViewerSession& session, QWidget* parent)
+    : QToolBar(tr("Slices"), parent),
+      session_(session),
+      tools_(new QActionGroup(this)),
+      projections_(new QActionGroup(this)),
+      layouts_(new QActionGroup(this)) {
+    setObjectName(QStringLiteral("slice-tools"));
+    setMovable(false);
+    setOrientation(Qt::Vertical);
+    addTools();
+    addSeparator();
+    addSlab();
+    addShownAs();
+    addSeparator();
+    addLayouts();
+    connect(this, &QToolBar::orientationChanged, this, &ToolBox::fitOrientation);
+    connect(&session_, &ViewerSession::changed, this, &ToolBox::showState);
+    connect(&session_, &ViewerSession::studyShown, this, &ToolBox::showState);
+    fitOrientation();
+    showState();
+}
+
+QAction* ToolBox::add(Glyph glyph, const char* name, const QString& title, const QString& tip) {
+    QAction* action = addAction(drawnIcon(glyph), title);
+    action->setObjectName(QLatin1String(name));
+    action->setToolTip(tip);
+    action->setCheckable(true);
+    // Those of a tool bar are left out otherwise when a person goes from control to control.
+    if (QWidget* button = widgetForAction(action)) button->setFocusPolicy(Qt::TabFocus);
+    return action;
+}
+
+void ToolBox::addTools() {
+    for (const SliceToolRow& row : kSliceTools) {
+        const QByteArray name = QByteArray("slice-tool-") + row.name;
+        const QKeySequence key = keyOf(row);
+        QAction* action =
+            add(row.glyph, name.constData(), titleOf(row),
+                tr("%1 (%2): %3").arg(titleOf(row), key.toString(QKeySequence::NativeText), whatItDoes(row)));
+        action->setShortcut(key);
+        action->setData(int(row.tool));
+        action->setChecked(row.tool == tool_);
+        tools_->addAction(action);
+        connect(action, &QAction::triggered, this, [this, tool = row.tool] {
+            tool_ = tool;
+            emit toolChosen(tool);
+        });
+    }
+}
+
+void ToolBox::addSlab() {
+    auto* label = new QLabel(tr("Slab"), this);
+    label->setAlignment(Qt::AlignCenter);
+    thickness_ = new QDoubleSpinBox(this);
+    thickness_->setObjectName(QStringLiteral("slab-thickness"));
+    thickness_->setRange(0.0, kThickestSlabMm);
+    thickness_->setDecimals(kDecimals);
+    thickness_->setSuffix(tr(" mm"));
+    thickness_->setAccessibleName(tr("Slab thickness in mm"));
+    thickness_->setToolTip(
+        tr("Thickness of the slab, 0 to %1 mm; 0 is the plane alone").arg(kThickestSlabMm));
+    thickness_->setKeyboardTracking(false);  // "25" is not 2 mm for a moment
+    label->setBuddy(thickness_);
+    label->setToolTip(thickness_->toolTip());
+    connect(thickness_, &QDoubleSpinBox::valueChanged, this, [this](double mm) {
+        session_.drag(tr("Slab Thickness"),
+                      [&](app::StudyState& next) { next.slices.slab.thicknessMm = mm; });
+    });
+    connect(thickness_, &QDoubleSpinBox::editingFinished, &session_, &ViewerSession::endDrag);
+    addWidget(label);
+    addWidget(thickness_);
+
+    projection_ = new QToolButton(this);
+    projection_->setObjectName(QStringLiteral("slab-projection"));
+    projection_->setPopupMode(QToolButton::InstantPopup);
+    projection_->setAutoRaise(true);
+    projection_->setFocusPolicy(Qt::TabFocus);
+    auto* menu = new QMenu(projection_);
+    for (const ProjectionRow& row : kProjections) {
+        QAction* action = menu->addAction(tr(row.title));
+        action->setObjectName(QLatin1String(row.name));
+        action->setCheckable(true);
+        action->setData(int(row.projection));
+        projections_->addAction(action);
+        connect(action, &QAction::triggered, this, [this, projection = row.projection] {
+            session_.change(tr("Slab Kind"),
+                            [&](app::StudyState& next) { next.slices.slab.projection = projection; });
+        });
+    }
+    projection_->setMenu(menu);
+    addWidget(projection_);
+}
+
+void ToolBox::addShownAs() {
+    invert_ = add(Glyph::invert, "slices-invert", tr("Invert"),
+                  tr("White and black change places on slices; values stay as they are"));
+    connect(invert_, &QAction::triggered, this, [this](bool on) {
+        session_.change(tr("Invert"), [&](app::StudyState& next) { next.slices.isInverted = on; });
+    });
+    acquired_ = add(Glyph::acquired, "slices-as-acquired", tr("Acquired Planes"),
+                    tr("Slices in the planes of the acquisition, or in those of the patient"));
+    connect(acquired_, &QAction::triggered, this, [this](bool on) {
+        session_.change(tr("Acquired Planes"), [&](app::StudyState& next) { next.slices.asAcquired = on; });
+    });
+    cine_ = add(Glyph::cine, "slices-cine", tr("Cine"), tr("Run through the slices, or stop"));
+    connect(cine_, &QAction::triggered, this, &ToolBox::cineToggled);
+}
+
+void ToolBox::addLayouts() {
+    for (const LayoutRow& row : kLayouts) {
+        QAction* action = add(row.glyph, row.name, tr(row.title), tr(row.title));
+        action->setData(int(row.layout));
+        layouts_->addAction(action);
+        connect(action, &QAction::triggered, this, [this, layout = row.layout] {
+            session_.change(tr("Layout"), [&](app::StudyState& next) { next.layout = layout; });
+        });
+    }
+}
+
+// The steps of a spin box make it too wide for a vertical bar; wheel and arrow keys do the same.
+void ToolBox::fitOrientation() {
+    thickness_->setButtonSymbols(orientation() == Qt::Vertical ? QAbstractSpinBox::NoButtons
+                                                               : QAbstractSpinBox::UpDownArrows);
+}
+
+void ToolBox::setTool(SliceTool tool) {
+    tool_ = tool;
+    for (QAction* action : tools_->actions()) {
+        if (action->data().toInt() == int(tool)) action->setChecked(true);
+    }
+}
+
+void ToolBox::setCine(bool plays) {
+    cine_->setChecked(plays);
+}
+
+void ToolBox::showState() {
+    const app::StudyState& state = session_.state();
+    const bool hasStudy = session_.hasStudy();
+    for (QAction* action : {invert_, acquired_, cine_}) action->setEnabled(hasStudy);
+    thickness_->setEnabled(hasStudy);
+    projection_->setEnabled(hasStudy);
+    layouts_->setEnabled(hasStudy);
+    showSlab(state.slices.slab);
+    invert_->setChecked(state.slices.isInverted);
+    acquired_->setChecked(state.slices.asAcquired);
+    for (QAction* action : layouts_->actions())
+        action->setChecked(action->data().toInt() == int(state.layout));
+}
+
+void ToolBox::showSlab(const slices::Slab& slab) {
+    const QSignalBlocker quiet(thickness_);
+    const double mm = std::isfinite(slab.thicknessMm) ? slab.thicknessMm : 0.0;
+    // A view that was saved may have a thicker one: it is shown as it is.
+    thickness_->setMaximum(std::max(kThickestSlabMm, mm));
+    const double tenth = std::pow(10.0, -kDecimals);
+    // Set anew, what a person is typing would be gone.
+    if (std::abs(mm - thickness_->value()) >= 0.5 * tenth) thickness_->setValue(mm);
+    for (QAction* action : projections_->actions())
+        action->setChecked(action->data().toInt() == int(slab.projection));
+    const auto row = std::ranges::find(kProjections, slab.projection, &ProjectionRow::projection);
+    if (row == kProjections.end()) return;
+    projection_->setIcon(drawnIcon(row->glyph));
+    projection_->setText(tr("Slab kind: %1").arg(tr(row->title)));
+    projection_->setToolTip(tr("What is shown of the values across the slab: %1").arg(tr(row->title)));
+}
+
+}  // namespace macula::viewer

@@ -1,0 +1,110 @@
+#include "viewer/theme/theme.h"
+
+#include <QApplication>
+#include <QColor>
+#include <QFont>
+#include <QFontDatabase>
+#include <QToolTip>
+#include <algorithm>
+#include <cmath>
+
+#include "viewer/theme/theme_style.h"
+
+namespace macula::viewer {
+
+namespace {
+
+constexpr double kScrollBarPx = 14.0;
+
+const ThemeColours* applied = &kDarkColours;
+
+// Of the desktop, whatever was applied before.
+QFont scaledFont(double scale) {
+    QFont font = QFontDatabase::systemFont(QFontDatabase::GeneralFont);
+    if (font.pointSizeF() > 0.0)
+        font.setPointSizeF(font.pointSizeF() * scale);
+    else
+        font.setPixelSize(std::max(1, int(std::lround(font.pixelSize() * scale))));
+    return font;
+}
+
+// Scroll bars only: what they look like otherwise cannot be seen in the dark.
+QString styleSheetOf(const ThemeColours& colours, double scale) {
+    const int width = int(std::lround(kScrollBarPx * scale));
+    return QStringLiteral(
+               "QScrollBar { background: %1; }"
+               "QScrollBar:vertical { width: %4px; }"
+               "QScrollBar:horizontal { height: %4px; }"
+               "QScrollBar::handle { background: %2; border-radius: %5px; margin: 2px; }"
+               "QScrollBar::handle:vertical { min-height: %6px; }"
+               "QScrollBar::handle:horizontal { min-width: %6px; }"
+               "QScrollBar::handle:hover { background: %3; }"
+               "QScrollBar::add-line, QScrollBar::sub-line { width: 0px; height: 0px; }"
+               "QScrollBar::add-page, QScrollBar::sub-page { background: none; }")
+        .arg(QColor(colours.window).name(), QColor(colours.line).name(), QColor(colours.accent).name())
+        .arg(width)
+        .arg(width / 2 - 3)
+        .arg(2 * width);
+}
+
+}  // namespace
+
+ThemeChoice usable(ThemeChoice choice) {
+    choice.fontScale = std::isnan(choice.fontScale)
+                           ? 1.0
+                           : std::clamp(choice.fontScale, kSmallestFontScale, kLargestFontScale);
+    return choice;
+}
+
+QPalette paletteOf(const ThemeColours& colours) {
+    QPalette palette;
+    const auto set = [&](QPalette::ColorRole role, QRgb colour) { palette.setColor(role, QColor(colour)); };
+    set(QPalette::Window, colours.window);
+    set(QPalette::WindowText, colours.text);
+    set(QPalette::Base, colours.field);
+    set(QPalette::AlternateBase, colours.otherRow);
+    set(QPalette::Text, colours.text);
+    set(QPalette::PlaceholderText, colours.faintText);
+    set(QPalette::Button, colours.button);
+    set(QPalette::ButtonText, colours.text);
+    set(QPalette::BrightText, colours.selectionText);
+    set(QPalette::ToolTipBase, colours.tip);
+    set(QPalette::ToolTipText, colours.text);
+    set(QPalette::Highlight, colours.selection);
+    set(QPalette::HighlightedText, colours.selectionText);
+    set(QPalette::Link, colours.link);
+    set(QPalette::LinkVisited, colours.link);
+    // Edges that look raised.
+    palette.setColor(QPalette::Light, QColor(colours.button).lighter(130));
+    palette.setColor(QPalette::Midlight, QColor(colours.button).lighter(115));
+    palette.setColor(QPalette::Mid, QColor(colours.line).darker(150));
+    palette.setColor(QPalette::Dark, QColor(colours.window).darker(150));
+    palette.setColor(QPalette::Shadow, QColor(Qt::black));
+
+    const auto setDisabled = [&](QPalette::ColorRole role, QRgb colour) {
+        palette.setColor(QPalette::Disabled, role, QColor(colour));
+    };
+    for (const QPalette::ColorRole role :
+         {QPalette::WindowText, QPalette::Text, QPalette::ButtonText, QPalette::PlaceholderText,
+          QPalette::HighlightedText, QPalette::Link, QPalette::LinkVisited})
+        setDisabled(role, colours.disabledText);
+    setDisabled(QPalette::Highlight, colours.button);
+    return palette;
+}
+
+void applyTheme(QApplication& application, ThemeChoice choice) {
+    choice = usable(choice);
+    applied = choice.highContrast ? &kHighContrastColours : &kDarkColours;
+    const QPalette palette = paletteOf(*applied);
+    QApplication::setStyle(new ThemeStyle(*applied, choice.fontScale));  // which the application owns
+    QApplication::setPalette(palette);
+    QApplication::setFont(scaledFont(choice.fontScale));
+    QToolTip::setPalette(palette);
+    application.setStyleSheet(styleSheetOf(*applied, choice.fontScale));
+}
+
+const ThemeColours& themeColours() {
+    return *applied;
+}
+
+}  // namespace macula::viewer
