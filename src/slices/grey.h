@@ -1,4 +1,4 @@
-// From values to grey (PS3.3 C.11.2.1.2 and C.11.2.1.3).
+// From values to grey: windows (PS3.3 C.11.2.1.2 and C.11.2.1.3).
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,10 @@
 
 namespace macula::slices {
 
-// From 0 (black) to 1 (white). `window.function` is LINEAR when empty; a width that its function does not
-// allow is taken as the smallest that it does. NaN is black.
+// From 0 (black) to 1 (white): LINEAR (C.11.2.1.2.1), LINEAR_EXACT (C.11.2.1.3.2) or SIGMOID (C.11.2.1.3.1).
+// `window.function` is LINEAR when empty or none of these; a width that its function does not allow is taken
+// as the smallest that it does: 1 for LINEAR, a step for the others. NaN is black, and so is all in a window
+// that is not finite.
 double greyOf(double value, const DisplayWindow& window);
 
 // 0 to 255, rounded to the nearest; black where there is no value, inverted or not.

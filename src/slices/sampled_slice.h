@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "base/volume.h"
@@ -13,7 +14,7 @@ enum class Projection { mean, maximum, minimum };
 enum class Filter { nearest, linear };
 
 struct Slab {
-    double thicknessMm = 0.0;  // 0: the plane alone
+    double thicknessMm = 0.0;  // 0, or no number: the plane alone
     Projection projection = Projection::mean;
 
     bool operator==(const Slab&) const = default;
@@ -26,10 +27,15 @@ struct SampledSlice {
     std::vector<float> values;
 };
 
+// 1 GiB of values.
+inline constexpr double kMostSlicePixels = 268435456.0;
+
 // Values between voxels are linear between the eight around them, padding left out of them and their weights;
-// at the middle of a voxel the value is that voxel's. A slab takes steps of at most half the smallest side of
-// a voxel, symmetric about the plane. Uses all cores. `cancelled` is asked by row; then the result is empty.
-// A frame without pixels gives an empty slice.
+// at the middle of a voxel the value is that voxel's, and beyond the outer middles that of the outermost
+// ones. A slab takes steps of at most half the smallest side of a voxel, symmetric about the plane:
+// slab_steps.h. Uses all cores. `cancelled` is asked by row, from several threads at a time; then the result
+// is empty. A frame without pixels, or with more than kMostSlicePixels, gives an empty slice; one that is not
+// usable (SliceFrame::isUsable) one that is all NaN. May throw std::bad_alloc.
 SampledSlice sampleSlice(const Volume& volume, const SliceFrame& frame, const Slab& slab, Filter filter,
                          const std::function<bool()>& cancelled = {});
 
