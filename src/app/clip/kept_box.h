@@ -1,0 +1,51 @@
+// The box that a clip leaves of a volume, by its six faces. World frame: patient LPS, mm.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string_view>
+
+#include "base/frames.h"
+#include "base/result.h"
+#include "base/volume.h"
+#include "pipeline/volume/clip_json.h"
+
+namespace macula::app {
+
+// As in StudyState::clip. Nothing: all of the volume is shown.
+using ClipChoice = std::optional<ClipPreset>;
+
+// Named for the side of the patient that it looks to. Low and high face of x, of y, of z.
+enum class Face { right, left, anterior, posterior, inferior, superior };
+
+inline constexpr std::array kFaces{Face::right,     Face::left,     Face::anterior,
+                                   Face::posterior, Face::inferior, Face::superior};
+
+constexpr int axisOf(Face face) {
+    return int(face) / 2;
+}
+constexpr bool isHigh(Face face) {
+    return int(face) % 2 == 1;
+}
+constexpr Face faceOf(int axis, bool high) {
+    return kFaces.at(std::size_t(2 * axis + (high ? 1 : 0)));
+}
+std::string_view nameOf(Face face);  // "right"
+char letterOf(Face face);            // 'R'
+
+double faceMm(const Box& box, Face face);
+void setFaceMm(Box& box, Face face, double mm);
+
+// Whether the half-space is bounded across one of the patient's axes, and so by a face.
+bool isAlongAxis(const HalfSpace& plane);
+// Whether the clip keeps the inside of a box along the patient's axes.
+bool keepsBox(const Clip& clip);
+
+// How far one voxel reaches along each of the patient's axes, at most all of the volume.
+glm::dvec3 voxelExtentMm(const Volume& volume);
+
+// What box and planes along the patient's axes leave of the volume's box (Volume::worldBox). Oblique planes,
+// boxes that are removed, corners and balls are not looked at. usage when nothing is left.
+Result<Box> keptBox(const ClipChoice& clip, const Volume& volume);
+
+}  // namespace macula::app
