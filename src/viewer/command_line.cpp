@@ -77,8 +77,8 @@ struct Options {
         "layout", "Which panes: four-panes, volume, axial, coronal or sagittal; volume with a script.",
         "NAME", "four-panes"};
     const QCommandLineOption highContrast{"high-contrast", "Black, white and yellow."};
-    const QCommandLineOption fontScale{"font-scale", "Times the size of the desktop's letters, 0.8 to 2.", "X",
-                                       "1"};
+    const QCommandLineOption fontScale{"font-scale", "Times the size of the desktop's letters, 0.8 to 2.",
+                                       "X", "1"};
     const QCommandLineOption samples{"spp", "Samples per pixel of a converged picture.", "N", "512"};
     const QCommandLineOption noModel{
         "no-model", "Small traced pictures while a hand moves, instead of a model of splats."};
@@ -102,8 +102,9 @@ struct Options {
                                   "300"};
 
     void addTo(QCommandLineParser& parser) const {
-        parser.addOptions({preset, lights, view, device, size, layout, highContrast, fontScale, samples, noModel, sessions, noSession, script,
-                           screenshots, withPatient, wait, turn, seconds, rest});
+        parser.addOptions({preset, lights, view, device, size, layout, highContrast, fontScale, samples,
+                           noModel, sessions, noSession, script, screenshots, withPatient, wait, turn,
+                           seconds, rest});
     }
 };
 

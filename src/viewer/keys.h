@@ -44,6 +44,14 @@ enum class KeyAction {
     redo,
     panes,
     panels,
+    sliceStep,
+    sliceWindow,
+    sliceZoom,
+    sliceTool,
+    sliceInvert,
+    cine,
+    removeMeasurement,
+    paneAlone,
     quit,
     help,  // the last: a test counts to it
 };
@@ -84,6 +92,17 @@ inline constexpr std::array kKeys{
     KeyRow{KeyAction::redo, "", "Ctrl+Shift+Z", "Do it again"},
     KeyRow{KeyAction::panes, "F5 to F9", "", "Four panes, or 3D, axial, coronal, sagittal alone"},
     KeyRow{KeyAction::panels, "F3, F4", "", "Panels: transfer function, clip"},
+    KeyRow{KeyAction::sliceStep, "Wheel, Up, Down on slices", "",
+           "Next slice; with Shift, or Page Up and Page Down, five; Home and End: to the ends"},
+    KeyRow{KeyAction::sliceWindow, "Right drag, 1 to 9 on slices", "",
+           "Window: wider to the right, brighter up; or a customary one"},
+    KeyRow{KeyAction::sliceZoom, "Ctrl + wheel, middle drag, +, - on slices", "", "Closer, sideways"},
+    KeyRow{KeyAction::sliceTool, "C, W, Z, M, D, G, E, V", "",
+           "Left button on slices: cross-hair, window, zoom, move, distance, angle, ellipse, probe"},
+    KeyRow{KeyAction::sliceInvert, "I on slices", "", "White and black change places"},
+    KeyRow{KeyAction::cine, "Space on slices", "", "Play through all slices, or stop"},
+    KeyRow{KeyAction::removeMeasurement, "Delete on slices", "", "Remove the measurement that is chosen"},
+    KeyRow{KeyAction::paneAlone, "Double click on slices", "", "This pane alone, or all four"},
     KeyRow{KeyAction::help, "", "F1", "All keys"},
     KeyRow{KeyAction::quit, "", "Ctrl+Q", "Quit"},
 };
@@ -93,10 +112,11 @@ struct LayoutRow {
     const char* title;
     const char* sequence;
 };
-inline constexpr std::array kLayouts{
-    LayoutRow{app::Layout::fourPanes, "&Four Panes", "F5"}, LayoutRow{app::Layout::volume, "&3D Alone", "F6"},
-    LayoutRow{app::Layout::axial, "A&xial Alone", "F7"},    LayoutRow{app::Layout::coronal, "C&oronal Alone", "F8"},
-    LayoutRow{app::Layout::sagittal, "Sa&gittal Alone", "F9"}};
+inline constexpr std::array kLayouts{LayoutRow{app::Layout::fourPanes, "&Four Panes", "F5"},
+                                     LayoutRow{app::Layout::volume, "&3D Alone", "F6"},
+                                     LayoutRow{app::Layout::axial, "A&xial Alone", "F7"},
+                                     LayoutRow{app::Layout::coronal, "C&oronal Alone", "F8"},
+                                     LayoutRow{app::Layout::sagittal, "Sa&gittal Alone", "F9"}};
 
 // Empty for what only a hand does.
 QKeySequence keyOf(KeyAction action);

@@ -150,7 +150,7 @@ class MainWindow : public QMainWindow {
     void onFrame(const app::FrameShown& frame);
     void onModel(const hybrid::ModelNews& model);
     void setStudyTexts(const app::OpenedStudy& study);
-    void showPanes();          // of the state
+    void showPanes();  // of the state
     void showNames(bool shown);
     void setCine(bool plays);  // of the slices that are looked at
     void savePreset(const QString& path);
@@ -195,7 +195,7 @@ class MainWindow : public QMainWindow {
     UndoActions* undo_ = nullptr;
     TransferFunctionEditor* transfer_ = nullptr;
     ClipPanel* clipPanel_ = nullptr;
-    QList<QAction*> panels_;  // show and hide them
+    QList<QAction*> panels_;       // show and hide them
     MessageBar* notes_ = nullptr;  // stay while other studies are loaded, and when that fails
     MessageBar* messages_ = nullptr;
     WorkBar* loading_ = nullptr;

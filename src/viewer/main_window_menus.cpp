@@ -83,7 +83,6 @@ void MainWindow::makeFileMenu() {
     file->addSeparator();
     QAction* quit = file->addAction(tr("&Quit"), this, &QWidget::close);
     quit->setShortcut(keyOf(KeyAction::quit));
-
 }
 
 void MainWindow::makeEditMenu() {

@@ -1,0 +1,360 @@
+#include "viewer/clip/clip_panel.h"
+
+#include <QFormLayout>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QSignalBlocker>
+#include <QStandardItemModel>
+#include <QStringList>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "viewer/status_texts.h"
+
+namespace macula::viewer {
+
+namespace {
+
+constexpr int kLettersAtLeast = 16;
+constexpr double kFirstThicknessMm = 10.0;
+constexpr double kFirstRadiusMm = 20.0;
+constexpr std::array kOrientations{slices::Orientation::axial, slices::Orientation::coronal,
+                                   slices::Orientation::sagittal};
+
+QString capital(QString text) {
+    if (!text.isEmpty()) text[0] = text[0].toUpper();
+    return text;
+}
+
+// The sides of a corner by its number, 0 to 7.
+std::array<app::Face, 3> sidesOfCorner(int number) {
+    return {app::faceOf(0, (number & 1) == 0), app::faceOf(1, (number & 2) != 0),
+            app::faceOf(2, (number & 4) == 0)};
+}
+
+// Whether a clip of the list is meant. The last bits of a box may have changed when it was written.
+bool isSameClip(const ClipPreset& listed, const ClipPreset& clip) {
+    return listed.name == clip.name && (listed == clip || toJson(listed) == toJson(clip));
+}
+
+QString reason(const Error& error) {
+    return QString::fromStdString(error.message + " " + error.hint);
+}
+
+}  // namespace
+
+ClipPanel::ClipPanel(ViewerSession& session, QWidget* parent)
+    : QWidget(parent),
+      session_(session),
+      guard_(new WheelGuard(this)),
+      clips_(new QComboBox(this)),
+      besides_(new QLabel(this)),
+      crosshair_(new QLabel(this)),
+      trouble_(new QLabel(this)) {
+    makeClips();
+    auto* column = new QVBoxLayout(this);
+    column->addWidget(clips_);
+    column->addWidget(makeFaces());
+    besides_->setObjectName(QStringLiteral("clip-besides"));
+    trouble_->setObjectName(QStringLiteral("clip-trouble"));
+    for (QLabel* text : {besides_, crosshair_, trouble_}) {
+        text->setTextFormat(Qt::PlainText);
+        text->setWordWrap(true);
+    }
+    column->addWidget(besides_);
+    auto* whole = new QHBoxLayout;
+    whole->addWidget(addTool(tr("Turn inside out"), QStringLiteral("clip-inside-out"),
+                             tr("Shows what the clip removes, and removes what it shows"),
+                             [this] { return app::turnedInsideOut(clip(), volume()); }));
+    whole->addWidget(addTool(tr("Undo all: no clip"), QStringLiteral("clip-none"),
+                             tr("Shows all of the volume again"), [this] { return withoutClip(); }));
+    column->addLayout(whole);
+    column->addWidget(makeCuts());
+    column->addWidget(makeSizes());
+    column->addWidget(trouble_);
+    column->addStretch(1);
+
+    connect(&session_, &ViewerSession::studyShown, this, &ClipPanel::showStudy);
+    connect(&session_, &ViewerSession::changed, this, [this](const app::StudyState& before) {
+        const app::StudyState& now = session_.state();
+        if (now.clip != before.clip) return showClip();
+        if (now.slices.crosshairMm != before.slices.crosshairMm) showTools();
+    });
+    showStudy();
+}
+
+void ClipPanel::makeClips() {
+    clips_->setObjectName(QStringLiteral("clip-list"));
+    clips_->setAccessibleName(tr("Clip"));
+    clips_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    clips_->setMinimumContentsLength(kLettersAtLeast);
+    guard_->watch(*clips_);
+    clips_->addItem(tr("No clip"));
+    for (const auto& listed : session_.catalogue().clips) {
+        clips_->addItem(titleOr(listed->title, listed->name));
+        clips_->setItemData(clips_->count() - 1, clips_->itemText(clips_->count() - 1), Qt::ToolTipRole);
+    }
+    clips_->addItem(tr("Own"));
+    connect(clips_, &QComboBox::activated, this, &ClipPanel::chooseFromList);
+}
+
+QWidget* ClipPanel::makeFaces() {
+    auto* group = new QGroupBox(tr("Faces"), this);
+    auto* column = new QVBoxLayout(group);
+    for (const app::Face face : app::kFaces) {
+        auto* row = new FaceRow(face, group);
+        column->addWidget(row);
+        faces_.push_back(row);
+        connect(row, &FaceRow::moveBegan, &session_, &ViewerSession::endDrag);
+        connect(row, &FaceRow::moved, this, [this, face](double mm) {
+            if (session_.hasStudy()) propose(app::withFace(clip(), face, mm, volume()), true);
+        });
+        connect(row, &FaceRow::moveEnded, &session_, &ViewerSession::endDrag);
+        connect(row, &FaceRow::openAsked, this, [this, face] {
+            if (session_.hasStudy()) propose(app::withFaceOpen(clip(), face, volume()), false);
+        });
+    }
+    return group;
+}
+
+QWidget* ClipPanel::makeCuts() {
+    auto* group = new QGroupBox(tr("Cut at the cross-hair"), this);
+    auto* grid = new QGridLayout(group);
+    crosshair_->setParent(group);
+    crosshair_->setObjectName(QStringLiteral("clip-crosshair"));
+    crosshair_->setToolTip(tr("Where the cross-hair is, in mm of the patient (LPS)"));
+    grid->addWidget(crosshair_, 0, 0, 1, 2);
+    for (const app::Face side : app::kFaces) {
+        const std::string_view name = app::nameOf(side);
+        QPushButton* button =
+            addTool(capital(sideText(side)),
+                    QStringLiteral("clip-cut-") + QString::fromLatin1(name.data(), qsizetype(name.size())),
+                    tr("Removes everything %1 of the cross-hair").arg(sideText(side)),
+                    [this, side] { return removedSide(side); });
+        grid->addWidget(button, 1 + app::axisOf(side), app::isHigh(side) ? 1 : 0);
+    }
+    return group;
+}
+
+QWidget* ClipPanel::makeSizes() {
+    auto* group = new QGroupBox(tr("At the cross-hair"), this);
+    auto* form = new QFormLayout(group);
+    thickness_ =
+        makeMmBox(tr("Thickness of the slab"), tr("How thick the slab is, in mm"), kFirstThicknessMm);
+    thickness_->setObjectName(QStringLiteral("clip-thickness"));
+    orientations_ = new QComboBox(group);
+    orientations_->addItems({tr("Axial"), tr("Coronal"), tr("Sagittal")});
+    orientations_->setObjectName(QStringLiteral("clip-orientation"));
+    orientations_->setAccessibleName(tr("Direction of the slab"));
+    orientations_->setToolTip(tr("Along which slices the slab lies"));
+    corners_ = new QComboBox(group);
+    corners_->setObjectName(QStringLiteral("clip-corners"));
+    corners_->setAccessibleName(tr("Corner"));
+    corners_->setToolTip(tr("Which of the eight parts around the cross-hair is meant"));
+    for (int number = 0; number < 8; ++number) {
+        QStringList sides;
+        for (const app::Face side : sidesOfCorner(number)) sides << sideText(side);
+        corners_->addItem(capital(sides.join(QLatin1Char(' '))));
+    }
+    for (QComboBox* box : {orientations_, corners_}) {
+        guard_->watch(*box);
+        connect(box, &QComboBox::currentIndexChanged, this, &ClipPanel::showTools);
+    }
+    radius_ = makeMmBox(tr("Radius of the ball"), tr("From its centre, in mm"), kFirstRadiusMm);
+    radius_->setObjectName(QStringLiteral("clip-radius"));
+
+    QPushButton* slab = addTool(tr("Keep a slab"), QStringLiteral("clip-slab"),
+                                tr("Keeps a slab with the cross-hair in its middle"), [this] {
+                                    const auto along = std::size_t(orientations_->currentIndex());
+                                    return app::withSlabKept(clip(), kOrientations.at(along), crosshairMm(),
+                                                             thickness_->value(), volume());
+                                });
+    QPushButton* ball =
+        addTool(tr("Remove a ball"), QStringLiteral("clip-ball"),
+                tr("Removes a ball around the cross-hair; it takes the place of another ball"), [this] {
+                    const ValueRange radii = app::ballRadiiMm(volume());
+                    const double mm = std::clamp(radius_->value(), radii.low, radii.high);
+                    return app::withBallRemoved(clip(), crosshairMm(), mm, volume());
+                });
+    QPushButton* corner = addTool(tr("Take it out"), QStringLiteral("clip-corner"),
+                                  tr("Removes that corner; it takes the place of another corner"),
+                                  [this] { return removedCorner(); });
+    form->addRow(tr("Slab"), orientations_);
+    form->addRow(thickness_, slab);
+    form->addRow(radius_, ball);
+    form->addRow(corners_, corner);
+    const std::array<QWidget*, 7> order{orientations_, thickness_, slab, radius_, ball, corners_, corner};
+    for (std::size_t i = 1; i < order.size(); ++i) setTabOrder(order[i - 1], order[i]);
+    return group;
+}
+
+QPushButton* ClipPanel::addTool(const QString& text, const QString& name, const QString& what,
+                                std::function<Edited()> edit) {
+    auto* button = new QPushButton(text, this);
+    button->setObjectName(name);
+    button->setAccessibleName(what);
+    tools_.push_back({.button = button, .what = what, .edit = std::move(edit)});
+    const std::size_t number = tools_.size() - 1;
+    connect(button, &QPushButton::clicked, this, [this, number] {
+        if (session_.hasStudy()) propose(tools_.at(number).edit(), false);
+    });
+    return button;
+}
+
+QDoubleSpinBox* ClipPanel::makeMmBox(const QString& name, const QString& what, double mm) {
+    auto* box = new QDoubleSpinBox(this);
+    box->setSuffix(tr(" mm"));
+    box->setAccessibleName(name);
+    box->setToolTip(what);
+    box->setDecimals(1);
+    box->setRange(0.1, 1000.0);
+    box->setValue(mm);
+    guard_->watch(*box);
+    connect(box, &QDoubleSpinBox::valueChanged, this, &ClipPanel::showTools);
+    return box;
+}
+
+void ClipPanel::chooseFromList(int index) {
+    if (!session_.hasStudy()) return;
+    const auto& listed = session_.catalogue().clips;
+    if (index == 0) return propose(app::ClipChoice{}, false);
+    if (index == clips_->count() - 1) return propose(lastOwn_ ? lastOwn_ : clip(), false);
+    propose(app::ClipChoice(*listed.at(std::size_t(index) - 1)), false);
+}
+
+// What is refused leaves all as it is, and the controls go back to it.
+void ClipPanel::propose(const Edited& edited, bool isDrag) {
+    trouble_->setText(edited ? QString() : reason(edited.error()));
+    if (edited) {
+        const auto edit = [&](app::StudyState& next) { next.clip = *edited; };
+        isDrag ? session_.drag(tr("Clip"), edit) : session_.change(tr("Clip"), edit);
+    }
+    showClip();
+}
+
+void ClipPanel::showStudy() {
+    lastOwn_.reset();
+    trouble_->clear();
+    if (session_.hasStudy()) {
+        const Box all = volume().worldBox();
+        const glm::dvec3 voxel = app::voxelExtentMm(volume());
+        for (FaceRow* row : faces_) {
+            const int axis = app::axisOf(row->face());
+            row->setRangeMm(all.low[axis], all.high[axis], voxel[axis]);
+        }
+        const glm::dvec3 size = all.high - all.low;
+        const double least = std::min({voxel.x, voxel.y, voxel.z});
+        const ValueRange radii = app::ballRadiiMm(volume());
+        const auto setRange = [&](QDoubleSpinBox& box, double low, double high) {
+            const QSignalBlocker blocker(box);
+            box.setDecimals(decimalsForMm(least));
+            box.setSingleStep(least);
+            box.setRange(low, std::max(low, high));
+        };
+        setRange(*thickness_, least, std::max({size.x, size.y, size.z}));
+        setRange(*radius_, radii.low, radii.high);
+    }
+    showClip();
+}
+
+void ClipPanel::showClip() {
+    showInList();
+    showFaces();
+    showTools();
+}
+
+void ClipPanel::showInList() {
+    const int own = clips_->count() - 1;
+    int shown = 0;
+    if (const app::ClipChoice& now = clip(); now && session_.hasStudy()) {
+        const auto& listed = session_.catalogue().clips;
+        const auto found = std::find_if(listed.begin(), listed.end(),
+                                        [&](const auto& item) { return isSameClip(*item, *now); });
+        shown = found == listed.end() ? own : 1 + int(found - listed.begin());
+        if (shown == own) lastOwn_ = now;
+    }
+    if (auto* items = qobject_cast<QStandardItemModel*>(clips_->model()))
+        items->item(own)->setEnabled(lastOwn_.has_value());
+    const QSignalBlocker blocker(clips_);
+    clips_->setCurrentIndex(shown);
+    clips_->setEnabled(session_.hasStudy());
+    clips_->setToolTip(session_.hasStudy() ? tr("Which part of the volume is shown")
+                                           : tr("Open a study first."));
+}
+
+void ClipPanel::showFaces() {
+    QStringList besides;
+    if (!session_.hasStudy()) {
+        for (FaceRow* row : faces_) row->setUsable(false, tr("Open a study first."));
+    } else {
+        const Result<Box> kept = app::keptBox(clip(), volume());
+        for (FaceRow* row : faces_) {
+            row->setUsable(kept.ok(), kept ? QString() : reason(kept.error()));
+            if (kept) row->showMm(app::faceMm(*kept, row->face()));
+        }
+        const Clip shape = clip() ? clip()->clip : Clip{};
+        const auto oblique = std::count_if(shape.planes.begin(), shape.planes.end(),
+                                           [](const HalfSpace& plane) { return !app::isAlongAxis(plane); });
+        if (!kept) besides << reason(kept.error());
+        if (shape.box && shape.ofBox == Keep::outside) besides << tr("A box is removed.");
+        if (shape.box && shape.ofBox == Keep::inside && !app::keepsBox(shape))
+            besides << tr("Only a turned box is kept.");
+        if (oblique > 0) besides << tr("Oblique planes that cut: %1.").arg(oblique);
+        if (shape.cut) besides << tr("A corner is removed.");
+        if (shape.ball)
+            besides << (shape.ofBall == Keep::outside ? tr("A ball is removed.")
+                                                      : tr("Only a ball is kept."));
+    }
+    besides_->setText(besides.join(QLatin1Char(' ')));
+    besides_->setVisible(!besides.isEmpty());
+}
+
+void ClipPanel::showTools() {
+    const bool hasStudy = session_.hasStudy();
+    for (QWidget* size : {static_cast<QWidget*>(thickness_), static_cast<QWidget*>(radius_),
+                          static_cast<QWidget*>(orientations_), static_cast<QWidget*>(corners_)})
+        size->setEnabled(hasStudy);
+    for (const Tool& tool : tools_) {
+        QString whyNot = tr("Open a study first.");
+        bool usable = false;
+        if (hasStudy) {
+            const Edited edited = tool.edit();
+            usable = edited.ok();
+            if (!usable) whyNot = reason(edited.error());
+        }
+        tool.button->setEnabled(usable);
+        tool.button->setToolTip(usable ? tool.what : whyNot);
+    }
+    QString at;
+    if (hasStudy) {
+        const glm::dvec3 mm = crosshairMm();
+        const auto text = [&](int axis) { return patientText(axis, mm[axis], 1, locale()); };
+        at = tr("%1, %2, %3 mm").arg(text(0), text(1), text(2));
+    }
+    crosshair_->setText(at);
+}
+
+glm::dvec3 ClipPanel::crosshairMm() const {
+    return session_.state().slices.crosshairMm.value_or(volume().worldBox().centre());
+}
+
+ClipPanel::Edited ClipPanel::removedSide(app::Face side) const {
+    return app::withSideRemoved(clip(), side, crosshairMm(), volume());
+}
+
+ClipPanel::Edited ClipPanel::removedCorner() const {
+    return app::withCornerRemoved(clip(), sidesOfCorner(corners_->currentIndex()), crosshairMm(), volume());
+}
+
+ClipPanel::Edited ClipPanel::withoutClip() const {
+    if (clip()) return app::ClipChoice{};
+    return Error{ErrorCode::usage,
+                 tr("All of the volume is shown.").toStdString(),
+                 {},
+                 tr("There is nothing to undo.").toStdString()};
+}
+
+}  // namespace macula::viewer

@@ -1,0 +1,75 @@
+// What of a volume is shown, chosen by name, by faces in mm, and at the cross-hair.
+#pragma once
+
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QGroupBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QWidget>
+#include <functional>
+#include <vector>
+
+#include "app/clip/edited_clip.h"
+#include "viewer/clip/face_row.h"
+#include "viewer/clip/wheel_guard.h"
+#include "viewer/session/viewer_session.h"
+
+namespace macula::viewer {
+
+// Shows the clip of the session's state, and proposes others. A button that would change nothing a person
+// could mean is disabled, and its tool tip says why. The session outlives it.
+class ClipPanel : public QWidget {
+    Q_OBJECT
+
+  public:
+    explicit ClipPanel(ViewerSession& session, QWidget* parent = nullptr);
+
+  private:
+    using Edited = Result<app::ClipChoice>;
+    // A button, and what it would choose now; that is asked only while a study is open.
+    struct Tool {
+        QPushButton* button;
+        QString what;
+        std::function<Edited()> edit;
+    };
+
+    void makeClips();
+    QWidget* makeFaces();
+    QWidget* makeCuts();
+    QWidget* makeSizes();  // slab, ball and corner
+    QPushButton* addTool(const QString& text, const QString& name, const QString& what,
+                         std::function<Edited()> edit);
+    QDoubleSpinBox* makeMmBox(const QString& name, const QString& what, double mm);
+
+    void chooseFromList(int index);
+    void propose(const Edited& edited, bool isDrag);
+    void showStudy();
+    void showClip();
+    void showInList();
+    void showFaces();
+    void showTools();  // and the cross-hair
+
+    const Volume& volume() const { return *session_.study().volume; }
+    const app::ClipChoice& clip() const { return session_.state().clip; }
+    glm::dvec3 crosshairMm() const;
+    Edited removedSide(app::Face side) const;
+    Edited removedCorner() const;
+    Edited withoutClip() const;
+
+    ViewerSession& session_;
+    WheelGuard* guard_;
+    QComboBox* clips_;
+    std::vector<FaceRow*> faces_;  // in the order of app::kFaces
+    std::vector<Tool> tools_;
+    QLabel* besides_;
+    QLabel* crosshair_;
+    QLabel* trouble_;
+    QComboBox* orientations_ = nullptr;
+    QDoubleSpinBox* thickness_ = nullptr;
+    QDoubleSpinBox* radius_ = nullptr;
+    QComboBox* corners_ = nullptr;
+    app::ClipChoice lastOwn_;  // of this study: the list brings it back
+};
+
+}  // namespace macula::viewer
