@@ -24,7 +24,7 @@ Pane paneOf(slices::Orientation orientation) {
         case slices::Orientation::sagittal:
             return Pane::sagittal;
     }
-    std::unreachable();
+    MACULA_CHECK(false);
 }
 
 }  // namespace

@@ -73,13 +73,14 @@ Result<std::vector<std::string>> writeViewPicture(const ViewPicture& picture,
         MACULA_TRY(drawn, drawPicture(on, request, progress));
         return {};
     }));
-    RenderRecord record{.seriesDigest = picture.seriesDigest,
-                        .preset = publicPresetName(request.scene.function),
-                        .lights = publicLightsName(*picture.drawing.lights),
-                        .clip = request.scene.clip.hasShape() ? "clipped" : "none",
-                        .tableRemoved = request.scene.clip.mask.has_value(),
-                        .presetFitted = request.scene.function.fitToVolume.has_value(),
-                        .window = request.settings.window};
+    RenderRecord record;
+    record.seriesDigest = picture.seriesDigest;
+    record.preset = publicPresetName(request.scene.function);
+    record.lights = publicLightsName(*picture.drawing.lights);
+    record.clip = request.scene.clip.hasShape() ? "clipped" : "none";
+    record.tableRemoved = request.scene.clip.mask.has_value();
+    record.presetFitted = request.scene.function.fitToVolume.has_value();
+    record.window = request.settings.window;
     record.add(request, drawn);
     MACULA_TRY_VOID(isDicom(picture.output)
                         ? writeCapture(picture, drawn, record)
