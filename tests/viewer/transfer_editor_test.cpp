@@ -420,7 +420,8 @@ TEST_F(TransferEditorTest, AColourIsSeenWhileItIsChosen) {
 
     const auto openDialog = [&] {
         QTest::mouseClick(&button, Qt::LeftButton);
-        return editor_->findChild<QColorDialog*>();
+        const auto dialogs = editor_->findChildren<QColorDialog*>();
+        return dialogs.empty() ? nullptr : dialogs.back();
     };
     QColorDialog* dialog = openDialog();
     ASSERT_NE(dialog, nullptr);

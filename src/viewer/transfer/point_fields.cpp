@@ -7,9 +7,9 @@
 #include <QLocale>
 #include <QPixmap>
 #include <QSignalBlocker>
-#include <algorithm>
 
 #include "presets/vtk_curve.h"
+#include "viewer/transfer/encoded_colour.h"
 
 namespace macula::viewer {
 
@@ -18,15 +18,6 @@ namespace {
 constexpr int kOpacityDecimals = 3;
 constexpr double kOpacityStep = 0.01;
 constexpr int kSwatchPx = 16;
-
-QColor colourOf(const glm::dvec3& encoded) {
-    const auto channel = [](double x) { return float(std::clamp(x, 0.0, 1.0)); };
-    return QColor::fromRgbF(channel(encoded.r), channel(encoded.g), channel(encoded.b));
-}
-
-glm::dvec3 encodedFrom(const QColor& colour) {
-    return {colour.redF(), colour.greenF(), colour.blueF()};
-}
 
 }  // namespace
 
@@ -122,7 +113,10 @@ void PointFields::askColour() {
     });
     // To the bit as it was: a dialog has colours of 16 bits.
     connect(dialog_, &QDialog::rejected, this, [this, before] { emit colourChanged(before); });
-    connect(dialog_, &QDialog::finished, this, &PointFields::ended);
+    connect(dialog_, &QDialog::finished, this, [this] {
+        dialog_ = nullptr;  // it lives a little longer
+        emit ended();
+    });
     dialog_->open();
 }
 

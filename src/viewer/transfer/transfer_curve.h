@@ -1,5 +1,5 @@
 // The picture of a transfer function that a hand can change: opacity over a histogram, colours, and the axis
-// of values below.
+// of values below. Mouse, keys and painting have files of their own.
 #pragma once
 
 #include <QPixmap>
@@ -74,6 +74,8 @@ class TransferCurve : public QWidget {
     bool focusNextPrevChild(bool next) override;
 
   private:
+    static constexpr double kTicksApartPx = 80.0;  // at least
+
     enum class Hand { point, whole, axis };
     struct Drag {
         Hand hand = Hand::point;

@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 
+#include "viewer/transfer/encoded_colour.h"
 #include "viewer/transfer/transfer_curve.h"
 
 namespace macula::viewer {
@@ -18,14 +19,8 @@ namespace {
 
 constexpr double kHandlePx = 4.0;  // radius; the selected one is larger
 constexpr double kSelectedHandlePx = 6.0;
-constexpr double kTicksApartPx = 80.0;
 constexpr double kTickPx = 4.0;
 constexpr float kHistogramAlpha = 0.25F;
-
-QColor colourOf(const glm::dvec3& encoded) {
-    const auto channel = [](double x) { return float(std::clamp(x, 0.0, 1.0)); };
-    return QColor::fromRgbF(channel(encoded.r), channel(encoded.g), channel(encoded.b));
-}
 
 QString numberText(double value, double step) {
     // Zero that was rounded reads -1e-17.

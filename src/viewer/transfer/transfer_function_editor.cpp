@@ -1,5 +1,6 @@
 #include "viewer/transfer/transfer_function_editor.h"
 
+#include <QFontMetrics>
 #include <QHBoxLayout>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -47,6 +48,9 @@ TransferFunctionEditor::TransferFunctionEditor(ViewerSession& session, QWidget* 
     line_->setObjectName(QStringLiteral("transfer-line"));
     line_->setTextFormat(Qt::PlainText);
     line_->setWordWrap(true);
+    line_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    // The curve does not move under a hand whose first change makes the line longer.
+    line_->setMinimumHeight(2 * line_->fontMetrics().lineSpacing());
     line_->setAccessibleName(tr("Which preset is edited"));
     reset_->setObjectName(QStringLiteral("transfer-reset"));
     reset_->setAccessibleName(tr("Reset the transfer function"));
