@@ -153,6 +153,19 @@ TEST_F(ModelKeeperTest, OtherLightsBeginWithItAndOtherPresetsDoNot) {
     EXPECT_EQ(found(*second, "other").answer, Answer::none);
 }
 
+// As of a device that was lost, when what is on the host is older than what was handed over before.
+TEST_F(ModelKeeperTest, NorDoesItTakeThePlaceOfOneThatWaitsToBeSaved) {
+    {
+        const auto first = keeper();
+        first->look("a", volume_, drawing_);
+        for (int i = 0; i < 20; ++i) first->keep(model("a", 50));
+        first->keep(model("a", 5));
+    }
+    const auto second = keeper();
+    second->look("b", volume_, drawing_);
+    EXPECT_EQ(found(*second, "b").steps, 50u);
+}
+
 // Any bit of a stored model that was changed: it is set aside, said so, and the study begins anew.
 TEST_F(ModelKeeperTest, ADamagedModelIsNeverGivenBack) {
     store("a", drawing_, 5);

@@ -378,7 +378,10 @@ void ModelKeeper::keep(std::shared_ptr<const hybrid::PeripheralState> state) {
     {
         const std::lock_guard lock(mutex_);
         if (hasNoStore_ || !scenes_.contains(name)) return;
-        toKeep_[name] = std::move(state);
+        auto& newest = toKeep_[name];
+        // After a loss a model hands over what is on the host, which may be older than what it gave before.
+        if (newest && newest->training.steps > state->training.steps) return;
+        newest = std::move(state);
     }
     post(Urgency::canWait, [this, name](session::Store& store) { save(store, name); });
 }

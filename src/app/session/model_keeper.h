@@ -21,10 +21,9 @@
 #include <string>
 #include <thread>
 
-#include "app/frame/frame_input.h"
+#include "app/frame/scene_keeper.h"
 #include "base/result.h"
 #include "base/volume.h"
-#include "pipeline/hybrid/model/model_store.h"
 #include "pipeline/splat/files/packed_pictures.h"
 #include "session/store.h"
 
@@ -34,16 +33,14 @@ namespace macula::app {
 using KeeperListener = std::function<void(const Error&)>;
 
 // look, find, keep and keepState return at once; any thread may call any of them.
-class ModelKeeper final : public hybrid::ModelStore {
+class ModelKeeper final : public SceneKeeper {
   public:
     // `listener` is called on the keeper's thread.
     ModelKeeper(session::StoreOptions options, KeeperListener listener);
     // Saves what was handed over first: as long as that takes.
     ~ModelKeeper() override;
 
-    // The scene that is called `name` from now on, of a complete drawing. What was looked for before is given
-    // up, and what was found of it forgotten.
-    void look(const std::string& name, std::shared_ptr<const Volume> volume, const Drawing& drawing);
+    void look(const std::string& name, std::shared_ptr<const Volume> volume, const Drawing& drawing) override;
     hybrid::StoredModel find(const std::string& name) override;
     // Only under names that were looked for, and in place of no model that has taken more steps.
     void keep(std::shared_ptr<const hybrid::PeripheralState> state) override;

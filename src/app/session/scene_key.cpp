@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "app/frame/scene_names.h"
 #include "app/model/scene_digests.h"
 #include "base/check.h"
 #include "base/sha256.h"

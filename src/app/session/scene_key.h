@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-#include "app/frame/frame_input.h"
+#include "app/frame/drawing.h"
 #include "base/volume.h"
 #include "session/model_key.h"
 
