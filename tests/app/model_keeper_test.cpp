@@ -3,12 +3,18 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <span>
+#include <sstream>
 
 #include "app/choice/preset_choice.h"
 #include "app/session/scene_key.h"
+#include "base/fingerprint.h"
 #include "base/phantom.h"
+#include "base/sha256.h"
+#include "pipeline/hybrid/model/peripheral_file.h"
 #include "splat/training_support.h"
 
 namespace macula::app {
@@ -164,6 +170,39 @@ TEST_F(ModelKeeperTest, NorDoesItTakeThePlaceOfOneThatWaitsToBeSaved) {
     const auto second = keeper();
     second->look("b", volume_, drawing_);
     EXPECT_EQ(found(*second, "b").steps, 50u);
+}
+
+// Its colours are of other pictures than those that are traced now.
+TEST_F(ModelKeeperTest, AModelOfAnotherTracerIsBegunWithAndNotGoneOnWith) {
+    session::ModelKey key = sceneKey(fingerprint(*volume_), *volume_, drawing_);
+    const auto tracer = std::ranges::find(key.parts, "tracer", &session::KeyPart::name);
+    ASSERT_NE(tracer, key.parts.end());
+    tracer->digest = sha256Hex("an older one");
+    std::ostringstream blob;
+    splat::PackedPictures packed;
+    ASSERT_TRUE(hybrid::writePeripheral(blob, *model(key.digest(), 500), packed).ok());
+    const std::string text = std::move(blob).str();
+    {
+        auto store = session::Store::open({.folder = folder_ / "sessions"});
+        ASSERT_TRUE(store.ok());
+        ASSERT_TRUE(store->saveModel(key, std::as_bytes(std::span(text))).ok());
+    }
+    {
+        const auto second = keeper();
+        second->look("a", volume_, drawing_);
+        const hybrid::StoredModel stale = found(*second, "a");
+        EXPECT_EQ(stale.answer, Answer::stale);
+        EXPECT_EQ(stale.state, nullptr);
+        ASSERT_NE(stale.splats, nullptr);
+        EXPECT_EQ(stale.splats->size(), 3u);
+        second->keep(model("a", 5));  // it has learnt less, of the right pictures
+    }
+    const auto third = keeper();
+    third->look("b", volume_, drawing_);
+    const hybrid::StoredModel whole = found(*third, "b");
+    EXPECT_EQ(whole.answer, Answer::whole);
+    EXPECT_EQ(whole.steps, 5u);
+    EXPECT_TRUE(told_.empty());
 }
 
 // Any bit of a stored model that was changed: it is set aside, said so, and the study begins anew.
