@@ -310,6 +310,44 @@ TEST_F(ModelKeeperTest, WhatIsOpenedIsRecordedThoughNothingOfItIsKept) {
     EXPECT_EQ(audit->entries.front().action, session::nameOf(session::AuditAction::opened));
 }
 
+TEST_F(ModelKeeperTest, WhatWasNotOpenedForLongGoesWhereSomebodySaidHowLong) {
+    constexpr std::int64_t kDayMs = 86'400'000;
+    std::int64_t nowMs = 1'700'000'000'000;
+    const session::StoreOptions options{.folder = folder_ / "sessions", .nowMs = [&nowMs] { return nowMs; }};
+    const auto studies = [&] {
+        auto store = session::Store::open(options);
+        std::vector<std::string> found;
+        const auto listed = store->listStudies();
+        for (const session::StudyEntry& study : listed->entries) found.push_back(study.identity);
+        return found;
+    };
+    const auto openedNow = [&](const char* uid) {
+        auto store = session::Store::open(options);
+        EXPECT_TRUE(store
+                        ->recordOpened({.study = session::studyIdentity(uid),
+                                        .series = session::seriesIdentity(uid, "1"),
+                                        .volume = sha256Hex(uid)})
+                        .ok());
+    };
+    openedNow("old");
+    nowMs += 25 * kDayMs;
+    openedNow("young");
+    nowMs += 10 * kDayMs;
+    { const ModelKeeper keeper(options, {}); }
+    EXPECT_EQ(studies().size(), 2u) << "nobody said how long";
+    const KeeperListener listener = [this](const Error& error) { told_.push_back(error.message); };
+    { const ModelKeeper keeper(options, listener, std::chrono::days(35)); }
+    EXPECT_EQ(studies().size(), 2u) << "not yet";
+    { const ModelKeeper keeper(options, listener, std::chrono::days(30)); }
+    EXPECT_EQ(studies(), std::vector{session::studyIdentity("young")});
+    EXPECT_TRUE(told_.empty()) << told_.front();
+    auto store = session::Store::open(options);
+    const auto audit = store->listAudit(1);
+    ASSERT_EQ(audit->entries.size(), 1u);
+    EXPECT_EQ(audit->entries.front().action, session::nameOf(session::AuditAction::expired));
+    EXPECT_EQ(audit->entries.front().subject, session::studyIdentity("old"));
+}
+
 TEST_F(ModelKeeperTest, TheStateOfAStudyComesBackForItsVolumeAlone) {
     {
         const auto first = keeper();

@@ -8,6 +8,7 @@
 // Where the store cannot be used, nothing is found and nothing kept, and the listener hears why, once.
 #pragma once
 
+#include <chrono>
 #include <condition_variable>
 #include <cstdint>
 #include <deque>
@@ -35,8 +36,10 @@ using KeeperListener = std::function<void(const Error&)>;
 // look, find, keep and keepState return at once; any thread may call any of them.
 class ModelKeeper final : public SceneKeeper {
   public:
-    // `listener` is called on the keeper's thread.
-    ModelKeeper(session::StoreOptions options, KeeperListener listener);
+    // `listener` is called on the keeper's thread. `retention`: what was not opened for so long is deleted
+    // for good (Store::purgeUnused), before anything is looked for; none: nothing is.
+    ModelKeeper(session::StoreOptions options, KeeperListener listener,
+                std::optional<std::chrono::days> retention = std::nullopt);
     // Saves what was handed over first: as long as that takes.
     ~ModelKeeper() override;
 
@@ -79,6 +82,7 @@ class ModelKeeper final : public SceneKeeper {
     // On another thread; meanwhile this one does what is waited for. Throws what `work` throws.
     void doBeside(const std::function<void()>& work);
     void openStore();
+    void forgetUnused();
     void tell(const Error& error);
     void tellOfNoMemory(const char* sentence) noexcept;
     std::string digestOf(const std::shared_ptr<const Volume>& volume);
@@ -93,6 +97,7 @@ class ModelKeeper final : public SceneKeeper {
 
     const session::StoreOptions options_;
     const KeeperListener listener_;
+    const std::optional<std::chrono::days> retention_;
 
     std::mutex mutex_;
     std::condition_variable_any wake_;
