@@ -18,11 +18,6 @@ struct Options {
     evaluate::SessionBenchmarkOptions session;
 };
 
-Result<void> measure(const Options& options) {
-    MACULA_TRY_VOID(check(options.study, options.session));
-    return printReport(options.study, options.session, evaluate::measureSession);
-}
-
 }  // namespace
 
 void addBenchSession(CLI::App& bench, Action& action) {
@@ -42,7 +37,11 @@ void addBenchSession(CLI::App& bench, Action& action) {
         ->option_text("FOLDER");
     command->add_flag("--large", o.large,
                       "Measure too a store of 10 000 studies and 2 000 models, which takes minutes to make");
-    command->callback([options, &action] { action = [options] { return measure(*options); }; });
+    command->callback([options, &action] {
+        action = [options] {
+            return checkAndPrintReport(options->study, options->session, evaluate::measureSession);
+        };
+    });
 }
 
 }  // namespace macula::cli

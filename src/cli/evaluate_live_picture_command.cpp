@@ -17,11 +17,6 @@ struct Options {
     evaluate::LivePictureOptions live;
 };
 
-Result<void> measure(const Options& options) {
-    MACULA_TRY_VOID(check(options.study, options.live));
-    return printReport(options.study, options.live, evaluate::measureLivePicture);
-}
-
 }  // namespace
 
 void addEvaluateLivePicture(CLI::App& evaluateApp, Action& action) {
@@ -44,7 +39,9 @@ void addEvaluateLivePicture(CLI::App& evaluateApp, Action& action) {
     addReal("--pictures", o.recording.picturesPerS, 0.1, "How many are compared, for each second");
     command->callback([options, &action] {
         options->live.recording.device = options->study.device;
-        action = [options] { return measure(*options); };
+        action = [options] {
+            return checkAndPrintReport(options->study, options->live, evaluate::measureLivePicture);
+        };
     });
 }
 

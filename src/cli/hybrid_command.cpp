@@ -3,7 +3,7 @@
 #include <CLI/Option.hpp>
 #include <memory>
 
-#include "app/frame/recorded_study.h"
+#include "app/picture/recorded_study.h"
 #include "base/progress_bar.h"
 #include "cli/command.h"
 #include "cli/interrupt.h"

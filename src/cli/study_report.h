@@ -29,4 +29,12 @@ Result<void> printReport(const evaluate::BenchStudyOptions& input, const Options
     return printReport(input, options, measure, [](const auto&) { return Result<void>(); });
 }
 
+// The same, of options with a check(input, options) that tells what is wrong before anything takes time.
+template <class Options, class Measure>
+Result<void> checkAndPrintReport(const evaluate::BenchStudyOptions& input, const Options& options,
+                                 Measure measure) {
+    MACULA_TRY_VOID(check(input, options));
+    return printReport(input, options, measure);
+}
+
 }  // namespace macula::cli

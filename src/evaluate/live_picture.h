@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "app/frame/recorded_study.h"
+#include "app/picture/recorded_study.h"
 #include "base/progress.h"
 #include "base/result.h"
 #include "evaluate/bench_study.h"

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "app/frame/frame_input.h"
+#include "app/frame/drawing.h"
 #include "app/session/model_keeper.h"
 #include "app/study/scene_on_device.h"
 #include "base/camera.h"

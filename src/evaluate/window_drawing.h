@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "app/frame/frame_input.h"
+#include "app/frame/drawing.h"
 #include "base/result.h"
 #include "evaluate/bench_study.h"
 #include "pipeline/trace/environment.h"

@@ -24,9 +24,9 @@ constexpr Tables makeTables() {
 }
 constexpr Tables kTables = makeTables();
 
-std::uint64_t ofNumber(std::uint64_t number, std::uint64_t before) {
-    char bytes[8];
-    for (int i = 0; i < 8; ++i) bytes[i] = static_cast<char>(number >> (8 * i));
+std::uint64_t ofNumber(char kind, std::uint64_t number, std::uint64_t before) {
+    char bytes[9]{kind};
+    for (int i = 0; i < 8; ++i) bytes[i + 1] = static_cast<char>(number >> (8 * i));
     return crc64({bytes, sizeof bytes}, before);
 }
 
@@ -45,18 +45,26 @@ std::uint64_t crc64(std::string_view bytes, std::uint64_t before) {
     return ~crc;
 }
 
+void RowSum::add(std::int64_t number) {
+    crc_ = ofNumber('i', static_cast<std::uint64_t>(number), crc_);
+}
+
+void RowSum::add(std::string_view text) {
+    crc_ = crc64(text, ofNumber('t', text.size(), crc_));
+}
+
 std::int64_t rowCheck(std::string_view table, std::span<const Value> values) {
-    std::uint64_t crc = crc64(table);
+    RowSum sum(table);
     for (const Value& value : values) {
         if (const auto* number = std::get_if<std::int64_t>(&value)) {
-            crc = ofNumber(static_cast<std::uint64_t>(*number), crc64("i", crc));
+            sum.add(*number);
         } else if (const auto* text = std::get_if<std::string>(&value)) {
-            crc = crc64(*text, ofNumber(text->size(), crc64("t", crc)));
+            sum.add(*text);
         } else {
-            crc = crc64("n", crc);
+            sum.addNull();
         }
     }
-    return static_cast<std::int64_t>(crc);
+    return sum.value();
 }
 
 }  // namespace macula::session

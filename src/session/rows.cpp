@@ -1,7 +1,5 @@
 #include "session/rows.h"
 
-#include <SQLiteCpp/Column.h>
-
 #include <limits>
 
 namespace macula::session {
@@ -117,24 +115,44 @@ SQLite::Statement select(Connection& connection, const Table& table, const std::
             "SELECT " + listOf(table, "t.") + " FROM " + std::string(table.name) + " t " + rest};
 }
 
-std::optional<Row> readRow(SQLite::Statement& statement, const Table& table) {
-    Row row;
-    const int count = static_cast<int>(table.columns.size());
-    row.values.reserve(table.columns.size());
-    for (int i = 0; i < count; ++i) {
-        const SQLite::Column column = statement.getColumn(i);
-        if (column.isInteger()) {
-            row.values.emplace_back(column.getInt64());
-        } else if (column.isText()) {
-            row.values.emplace_back(column.getString());
-        } else if (column.isNull()) {
-            row.values.emplace_back();
+std::string_view textOf(const SQLite::Column& column) {
+    return {static_cast<const char*>(column.getBlob()), static_cast<std::size_t>(column.getBytes())};
+}
+
+bool isRowSound(SQLite::Statement& statement, const Table& table) {
+    RowSum sum(table.name);
+    int place = 0;
+    for (const Column& wanted : table.columns) {
+        const SQLite::Column column = statement.getColumn(place++);
+        const int type = column.getType();
+        if (type == SQLite::INTEGER && wanted.isInteger) {
+            sum.add(std::int64_t{column.getInt64()});
+        } else if (type == SQLite::TEXT && !wanted.isInteger) {
+            sum.add(textOf(column));
+        } else if (type == SQLite::Null && wanted.mayBeNull) {
+            sum.addNull();
         } else {
-            return {};
+            return false;
         }
     }
-    const SQLite::Column check = statement.getColumn(count);
-    if (!check.isInteger() || !isSound(table, row, check.getInt64())) return {};
+    const SQLite::Column check = statement.getColumn(place);
+    return check.isInteger() && check.getInt64() == sum.value();
+}
+
+std::optional<Row> readRow(SQLite::Statement& statement, const Table& table) {
+    if (!isRowSound(statement, table)) return {};
+    Row row;
+    row.values.reserve(table.columns.size());
+    for (int i = 0; i < static_cast<int>(table.columns.size()); ++i) {
+        const SQLite::Column column = statement.getColumn(i);
+        if (column.isInteger()) {
+            row.values.emplace_back(std::int64_t{column.getInt64()});
+        } else if (column.isText()) {
+            row.values.emplace_back(std::string(textOf(column)));
+        } else {
+            row.values.emplace_back();
+        }
+    }
     return row;
 }
 

@@ -1,6 +1,7 @@
 // Rows of any table, with their checksums: what repository, salvage, import and verification share.
 #pragma once
 
+#include <SQLiteCpp/Column.h>
 #include <SQLiteCpp/Statement.h>
 
 #include <cstdint>
@@ -94,7 +95,12 @@ bool isSound(const Table& table, const Row& row, std::int64_t check);
 // "SELECT t.id, t.key, ..., t.row_check FROM models t REST"
 SQLite::Statement select(Connection& connection, const Table& table, const std::string& rest);
 
-// The row that such a statement stands at; nothing where it is damaged.
+// What a column holds, until the statement goes on.
+std::string_view textOf(const SQLite::Column& column);
+
+// Whether the row that such a statement stands at has the kinds and the checksum that it should.
+bool isRowSound(SQLite::Statement& statement, const Table& table);
+// That row; nothing where it is damaged.
 std::optional<Row> readRow(SQLite::Statement& statement, const Table& table);
 
 // Inserts rows, or puts them in place of those with the same primary key.

@@ -1,6 +1,5 @@
 #include "session/store.h"
 
-#include <SQLiteCpp/Column.h>
 #include <pwd.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -8,6 +7,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <functional>
+#include <string_view>
 #include <unordered_map>
 
 #include "session/damaged_file.h"
@@ -86,53 +86,55 @@ Result<std::unique_ptr<Connection>> rescueDatabase(const StoreOptions& options, 
     return result;
 }
 
-std::size_t countOf(const std::unordered_map<std::string, std::size_t>& counts, const std::string& key) {
-    const auto found = counts.find(key);
-    return found == counts.end() ? 0 : found->second;
+// Into a list that neither grows nor moves. Texts of statements are looked up where they lie, and not copied.
+using EntriesByStudy = std::unordered_map<std::string_view, StudyEntry*>;
+EntriesByStudy byStudy(std::vector<StudyEntry>& entries) {
+    EntriesByStudy found;
+    found.reserve(entries.size());
+    for (StudyEntry& entry : entries) found.emplace(entry.identity, &entry);
+    return found;
 }
 
-// Counts by the text in the first column.
-std::unordered_map<std::string, std::size_t> countsOf(Connection& connection, const std::string& sql) {
-    std::unordered_map<std::string, std::size_t> counts;
+// `sql` gives studies, and a number for each.
+void putCounts(Connection& connection, const std::string& sql, const EntriesByStudy& entries,
+               std::size_t StudyEntry::*count) {
     SQLite::Statement statement(connection.sqlite, sql);
-    while (statement.executeStep())
-        counts[statement.getColumn(0).getString()] =
-            static_cast<std::size_t>(statement.getColumn(1).getInt64());
-    return counts;
+    while (statement.executeStep()) {
+        const auto found = entries.find(textOf(statement.getColumn(0)));
+        if (found != entries.end())
+            found->second->*count = static_cast<std::size_t>(statement.getColumn(1).getInt64());
+    }
 }
 
 // The models of each study. Their sizes come from rows that were checked.
-void countModels(Connection& connection, std::vector<StudyEntry>& entries) {
+void putModels(Connection& connection, const EntriesByStudy& entries) {
     struct Share {
         std::size_t models = 0;
         std::uint64_t bytes = 0;
+        std::vector<const StudyEntry*> given;  // two series of a study may have the same volume
     };
     std::unordered_map<std::string, Share> ofVolume;
     SQLite::Statement models = select(connection, kModels, "WHERE t.aside IS NULL");
     while (models.executeStep()) {
-        const auto row = readRow(models, kModels);
-        if (!row) continue;
-        Share& share = ofVolume[row->text(column::modelVolume)];
+        if (!isRowSound(models, kModels)) continue;
+        Share& share = ofVolume[models.getColumn(int{column::modelVolume}).getString()];
         ++share.models;
-        share.bytes += static_cast<std::uint64_t>(row->number(column::modelBytes));
+        share.bytes += static_cast<std::uint64_t>(models.getColumn(int{column::modelBytes}).getInt64());
     }
-    std::unordered_map<std::string, Share> ofStudy;
-    SQLite::Statement links(
-        connection.sqlite,
-        "SELECT DISTINCT s.study, v.volume FROM (SELECT DISTINCT volume FROM models WHERE "
-        "aside IS NULL) m JOIN series_volumes v ON v.volume = m.volume JOIN series s ON "
-        "s.identity = v.series");
+    SQLite::Statement links(connection.sqlite,
+                            "SELECT s.study, v.volume FROM (SELECT DISTINCT volume FROM models WHERE aside "
+                            "IS NULL) m JOIN series_volumes v ON v.volume = m.volume JOIN series s ON "
+                            "s.identity = v.series");
     while (links.executeStep()) {
-        const Share& share = ofVolume[links.getColumn(1).getString()];
-        Share& sum = ofStudy[links.getColumn(0).getString()];
-        sum.models += share.models;
-        sum.bytes += share.bytes;
-    }
-    for (StudyEntry& entry : entries) {
-        const auto found = ofStudy.find(entry.identity);
-        if (found == ofStudy.end()) continue;
-        entry.models = found->second.models;
-        entry.modelBytes = found->second.bytes;
+        const auto entry = entries.find(textOf(links.getColumn(0)));
+        const auto found = ofVolume.find(links.getColumn(1).getString());
+        if (entry == entries.end() || found == ofVolume.end()) continue;
+        StudyEntry& study = *entry->second;
+        Share& share = found->second;
+        if (std::ranges::find(share.given, &study) != share.given.end()) continue;
+        share.given.push_back(&study);
+        study.models += share.models;
+        study.modelBytes += share.bytes;
     }
 }
 
@@ -165,11 +167,14 @@ void putOpened(StoreState& state, const OpenedVolume& opened) {
     addAuditRow(state, AuditAction::opened, AuditKind::study, opened.study, 1);
 }
 
-StudyEntry studyOf(const Row& row) {
-    return {.identity = row.text(column::studyIdentity),
-            .readable = row.textOrNull(column::studyReadable),
-            .firstOpenedMs = row.number(column::studyFirstOpened),
-            .lastOpenedMs = row.number(column::studyLastOpened)};
+// Of a sound row.
+StudyEntry studyAt(SQLite::Statement& statement) {
+    const SQLite::Column readable = statement.getColumn(int{column::studyReadable});
+    StudyEntry entry{.identity = statement.getColumn(int{column::studyIdentity}).getString(),
+                     .firstOpenedMs = statement.getColumn(int{column::studyFirstOpened}).getInt64(),
+                     .lastOpenedMs = statement.getColumn(int{column::studyLastOpened}).getInt64()};
+    if (readable.isText()) entry.readable = readable.getString();
+    return entry;
 }
 
 std::vector<std::string> volumesOf(Connection& connection, const std::string& series, std::size_t& damaged) {
@@ -254,25 +259,23 @@ Result<void> Store::recordOpened(const OpenedVolume& opened) {
 Result<Listing<StudyEntry>> Store::listStudies() {
     Connection& connection = *state_->connection;
     return inReading(connection, [&]() -> Result<Listing<StudyEntry>> {
-        const auto series = countsOf(connection, "SELECT study, count(*) FROM series GROUP BY study");
-        const auto documents = countsOf(
-            connection,
-            "SELECT study, count(*) FROM documents WHERE study IS NOT NULL AND aside IS NULL GROUP BY "
-            "study");
         Listing<StudyEntry> listing;
         SQLite::Statement statement = select(connection, kStudies, "");
         while (statement.executeStep()) {
-            const auto row = readRow(statement, kStudies);
-            if (!row) {
+            if (isRowSound(statement, kStudies)) {
+                listing.entries.push_back(studyAt(statement));
+            } else {
                 ++listing.damaged;
-                continue;
             }
-            StudyEntry entry = studyOf(*row);
-            entry.series = countOf(series, entry.identity);
-            entry.documents = countOf(documents, entry.identity);
-            listing.entries.push_back(std::move(entry));
         }
-        countModels(connection, listing.entries);
+        const EntriesByStudy entries = byStudy(listing.entries);
+        putCounts(connection, "SELECT study, count(*) FROM series GROUP BY study", entries,
+                  &StudyEntry::series);
+        putCounts(connection,
+                  "SELECT study, count(*) FROM documents WHERE study IS NOT NULL AND aside IS NULL GROUP BY "
+                  "study",
+                  entries, &StudyEntry::documents);
+        putModels(connection, entries);
         std::ranges::stable_sort(listing.entries, std::greater(), &StudyEntry::lastOpenedMs);
         return listing;
     });

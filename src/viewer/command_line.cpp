@@ -17,6 +17,8 @@ constexpr int kLargestEdge = trace::kMaxPictureSide;
 constexpr int kSmallestEdge = 160;
 constexpr double kShortestScriptSeconds = 1e-3;
 constexpr double kLongestScriptSeconds = 3600.0;
+constexpr int kMostKeptDays = 36500;
+constexpr const char* kKeepDaysVariable = "MACULA_KEEP_DAYS";
 
 Error usage(const QString& message, const char* hint = "Run macula-viewer --help.") {
     return {ErrorCode::usage, message.toStdString(), {}, hint};
@@ -39,6 +41,15 @@ Result<double> parseSeconds(const QString& text, double least) {
     if (!isNumber || !(seconds >= least && seconds <= kLongestScriptSeconds))
         return usage(QStringLiteral("'%1' is not a number of seconds.").arg(text));
     return seconds;
+}
+
+Result<int> parseDays(const QString& source, const QString& text) {
+    bool isNumber = false;
+    const int days = text.toInt(&isNumber);
+    if (!isNumber || days < 1 || days > kMostKeptDays)
+        return usage(QStringLiteral("%1 is '%2', which is not a number of days.").arg(source, text),
+                     "Give a whole number from 1 to 36500; without one nothing is deleted by itself.");
+    return days;
 }
 
 Result<ViewDirection> parseView(const QString& text) {
@@ -85,6 +96,11 @@ struct Options {
     const QCommandLineOption sessions{
         "sessions", "Where models, and how studies were left, are kept for the next time.", "FOLDER"};
     const QCommandLineOption noSession{"no-session", "Keep nothing, and begin anew."};
+    const QCommandLineOption keepDays{
+        "keep-days",
+        "Before anything is opened, delete what is kept of studies that were not opened for N days. "
+        "Default: MACULA_KEEP_DAYS of the environment, else nothing is deleted.",
+        "N"};
     const QCommandLineOption script{
         "script",
         "Drive the window, measure it, print JSON, quit. 'orbit': turn the volume, "
@@ -103,10 +119,30 @@ struct Options {
 
     void addTo(QCommandLineParser& parser) const {
         parser.addOptions({preset, lights, view, device, size, layout, highContrast, fontScale, samples,
-                           noModel, sessions, noSession, script, screenshots, withPatient, wait, turn,
-                           seconds, rest});
+                           noModel, sessions, noSession, keepDays, script, screenshots, withPatient, wait,
+                           turn, seconds, rest});
     }
 };
+
+// What is kept for the next time, where, and for how long.
+Result<void> readSessions(const QCommandLineParser& parser, const Options& options, CommandLine& result) {
+    if (parser.isSet(options.sessions)) result.sessions = parser.value(options.sessions);
+    if (result.sessions && (result.sessions->isEmpty() || parser.isSet(options.noSession)))
+        return usage(QStringLiteral("--sessions needs a folder, and does not go with --no-session."));
+    // A script measures: it begins anew, unless it is told where.
+    result.keepsSessions =
+        !parser.isSet(options.noSession) && (result.sessions || !parser.isSet(options.script));
+    const QString preset = qEnvironmentVariable(kKeepDaysVariable);
+    if (parser.isSet(options.keepDays)) {
+        if (!result.keepsSessions)
+            return usage(QStringLiteral("--keep-days does nothing where nothing is kept."),
+                         "Leave --no-session out; with a --script, say --sessions FOLDER.");
+        MACULA_TRY(result.keepDays, parseDays(QStringLiteral("--keep-days"), parser.value(options.keepDays)));
+    } else if (result.keepsSessions && !preset.isEmpty()) {
+        MACULA_TRY(result.keepDays, parseDays(QLatin1String(kKeepDaysVariable), preset));
+    }
+    return {};
+}
 
 // What drives the window instead of a hand, and how long.
 Result<void> readScript(const QCommandLineParser& parser, const Options& options, CommandLine& result) {
@@ -181,12 +217,7 @@ Result<CommandLine> parseCommandLine(const QStringList& arguments) {
         return usage(QStringLiteral("'%1' is not a number of samples.").arg(parser.value(options.samples)));
     }
     result.usesModel = !parser.isSet(options.noModel);
-    if (parser.isSet(options.sessions)) result.sessions = parser.value(options.sessions);
-    if (result.sessions && (result.sessions->isEmpty() || parser.isSet(options.noSession)))
-        return usage(QStringLiteral("--sessions needs a folder, and does not go with --no-session."));
-    // A script measures: it begins anew, unless it is told where.
-    result.keepsSessions =
-        !parser.isSet(options.noSession) && (result.sessions || !parser.isSet(options.script));
+    MACULA_TRY_VOID(readSessions(parser, options, result));
     result.choosesView =
         parser.isSet(options.preset) || parser.isSet(options.lights) || parser.isSet(options.view);
     MACULA_TRY_VOID(readScript(parser, options, result));

@@ -27,6 +27,7 @@ struct CommandLine {
     bool usesModel = true;
     bool keepsSessions = true;
     std::optional<QString> sessions;  // none: session::defaultFolder()
+    std::optional<int> keepDays;      // what was not opened for so long is deleted; none: never
     bool choosesView = false;         // the command line says how the study is shown
     enum class Script { none, orbit, changes } script = Script::none;
     QString screenshots;
@@ -38,7 +39,8 @@ struct CommandLine {
     std::optional<QString> print;  // help or version was asked for: print this and leave
 };
 
-// `arguments` begins with the program's name. Fails with usage.
+// `arguments` begins with the program's name. Without --keep-days, MACULA_KEEP_DAYS of the environment
+// counts. Fails with usage.
 Result<CommandLine> parseCommandLine(const QStringList& arguments);
 
 }  // namespace macula::viewer

@@ -52,6 +52,7 @@ Result<MainWindowOptions> windowOptions(const CommandLine& line) {
     if (line.keepsSessions)
         options.sessions =
             line.sessions ? std::filesystem::path(line.sessions->toStdString()) : session::defaultFolder();
+    options.keepDays = line.keepDays;
     options.restoresState = !line.choosesView && line.script == CommandLine::Script::none;
     return options;
 }

@@ -55,7 +55,8 @@ struct MainWindowOptions {
         true;  // over the picture, in the title and beside the presets, until somebody hides it
     // Where models, and how studies were left, are kept for the next time. Nothing: nowhere.
     std::optional<std::filesystem::path> sessions = {};
-    bool restoresState = true;  // of a study that was left; else only models are kept
+    std::optional<int> keepDays = {};  // what was not opened for so long is deleted there; nothing: never
+    bool restoresState = true;         // of a study that was left; else only models are kept
 };
 
 // Menus, choices, the viewport, and what is known about the picture in it. Nothing here waits: folders are

@@ -1,7 +1,7 @@
 // Panes and panels: the volume, slices of it, and what changes how they are shown.
 #include <QDockWidget>
 #include <QToolBar>
-#include <utility>
+#include <array>
 
 #include "viewer/clip/clip_panel.h"
 #include "viewer/main_window.h"
@@ -16,15 +16,8 @@ namespace macula::viewer {
 namespace {
 
 Pane paneOf(slices::Orientation orientation) {
-    switch (orientation) {
-        case slices::Orientation::axial:
-            return Pane::axial;
-        case slices::Orientation::coronal:
-            return Pane::coronal;
-        case slices::Orientation::sagittal:
-            return Pane::sagittal;
-    }
-    MACULA_CHECK(false);
+    constexpr std::array kByOrientation{Pane::axial, Pane::coronal, Pane::sagittal};
+    return kByOrientation.at(std::size_t(orientation));
 }
 
 }  // namespace

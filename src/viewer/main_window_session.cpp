@@ -1,5 +1,7 @@
 // What of a study is kept for the next time it is opened, and how it comes back.
 #include <QMetaObject>
+#include <chrono>
+#include <optional>
 #include <utility>
 
 #include "app/session/model_keeper.h"
@@ -10,8 +12,11 @@ namespace macula::viewer {
 // Called on another thread: the error crosses to this one's through its queue.
 std::shared_ptr<app::ModelKeeper> MainWindow::makeKeeper() {
     if (!options_.sessions) return nullptr;
+    std::optional<std::chrono::days> retention;
+    if (options_.keepDays) retention.emplace(*options_.keepDays);
     return std::make_shared<app::ModelKeeper>(
-        session::StoreOptions{.folder = *options_.sessions}, [this](const Error& error) {
+        session::StoreOptions{.folder = *options_.sessions},
+        [this](const Error& error) {
             QMetaObject::invokeMethod(
                 this,
                 [this, error] {
@@ -20,7 +25,8 @@ std::shared_ptr<app::ModelKeeper> MainWindow::makeKeeper() {
                     showNotes();
                 },
                 Qt::QueuedConnection);
-        });
+        },
+        retention);
 }
 
 // The render thread hands its model over as it ends, and the keeper saves it while this window, which it

@@ -77,7 +77,7 @@ Result<gpu::Instance> createInstanceForWindows() {
 }
 
 Viewport::Viewport(gpu::Instance instance, std::string preferredDevice,
-                   std::shared_ptr<app::ModelKeeper> keeper, QWidget* parent)
+                   std::shared_ptr<app::SceneKeeper> keeper, QWidget* parent)
     : QWidget(parent), window_(new VulkanWindow(&vulkan_)) {
     vulkan_.setVkInstance(instance.handle());
     vulkan_.setFlags(QVulkanInstance::NoDebugOutputRedirect);  // pipeline/gpu listens already

@@ -30,7 +30,7 @@ class Viewport : public QWidget {
     // `preferredDevice` as in gpu::chooseDevice.
     // `keeper` keeps models between runs; null: nobody does.
     Viewport(gpu::Instance instance, std::string preferredDevice,
-             std::shared_ptr<app::ModelKeeper> keeper = nullptr, QWidget* parent = nullptr);
+             std::shared_ptr<app::SceneKeeper> keeper = nullptr, QWidget* parent = nullptr);
     ~Viewport() override;
 
     // Shows a new study, with a camera that looks from `from` and fits what is visible. Volume, drawing and

@@ -4,7 +4,7 @@
 #include <QString>
 
 #include "app/choice/catalogue.h"
-#include "app/frame/frame_input.h"
+#include "app/frame/drawing.h"
 #include "base/volume.h"
 
 namespace macula::viewer {

@@ -3,12 +3,18 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <span>
+#include <sstream>
 
 #include "app/choice/preset_choice.h"
 #include "app/session/scene_key.h"
+#include "base/fingerprint.h"
 #include "base/phantom.h"
+#include "base/sha256.h"
+#include "pipeline/hybrid/model/peripheral_file.h"
 #include "splat/training_support.h"
 
 namespace macula::app {
@@ -153,6 +159,52 @@ TEST_F(ModelKeeperTest, OtherLightsBeginWithItAndOtherPresetsDoNot) {
     EXPECT_EQ(found(*second, "other").answer, Answer::none);
 }
 
+// As of a device that was lost, when what is on the host is older than what was handed over before.
+TEST_F(ModelKeeperTest, NorDoesItTakeThePlaceOfOneThatWaitsToBeSaved) {
+    {
+        const auto first = keeper();
+        first->look("a", volume_, drawing_);
+        for (int i = 0; i < 20; ++i) first->keep(model("a", 50));
+        first->keep(model("a", 5));
+    }
+    const auto second = keeper();
+    second->look("b", volume_, drawing_);
+    EXPECT_EQ(found(*second, "b").steps, 50u);
+}
+
+// Its colours are of other pictures than those that are traced now.
+TEST_F(ModelKeeperTest, AModelOfAnotherTracerIsBegunWithAndNotGoneOnWith) {
+    session::ModelKey key = sceneKey(fingerprint(*volume_), *volume_, drawing_);
+    const auto tracer = std::ranges::find(key.parts, "tracer", &session::KeyPart::name);
+    ASSERT_NE(tracer, key.parts.end());
+    tracer->digest = sha256Hex("an older one");
+    std::ostringstream blob;
+    splat::PackedPictures packed;
+    ASSERT_TRUE(hybrid::writePeripheral(blob, *model(key.digest(), 500), packed).ok());
+    const std::string text = std::move(blob).str();
+    {
+        auto store = session::Store::open({.folder = folder_ / "sessions"});
+        ASSERT_TRUE(store.ok());
+        ASSERT_TRUE(store->saveModel(key, std::as_bytes(std::span(text))).ok());
+    }
+    {
+        const auto second = keeper();
+        second->look("a", volume_, drawing_);
+        const hybrid::StoredModel stale = found(*second, "a");
+        EXPECT_EQ(stale.answer, Answer::stale);
+        EXPECT_EQ(stale.state, nullptr);
+        ASSERT_NE(stale.splats, nullptr);
+        EXPECT_EQ(stale.splats->size(), 3u);
+        second->keep(model("a", 5));  // it has learnt less, of the right pictures
+    }
+    const auto third = keeper();
+    third->look("b", volume_, drawing_);
+    const hybrid::StoredModel whole = found(*third, "b");
+    EXPECT_EQ(whole.answer, Answer::whole);
+    EXPECT_EQ(whole.steps, 5u);
+    EXPECT_TRUE(told_.empty());
+}
+
 // Any bit of a stored model that was changed: it is set aside, said so, and the study begins anew.
 TEST_F(ModelKeeperTest, ADamagedModelIsNeverGivenBack) {
     store("a", drawing_, 5);
@@ -256,6 +308,44 @@ TEST_F(ModelKeeperTest, WhatIsOpenedIsRecordedThoughNothingOfItIsKept) {
     ASSERT_TRUE(audit.ok());
     ASSERT_EQ(audit->entries.size(), 1u);
     EXPECT_EQ(audit->entries.front().action, session::nameOf(session::AuditAction::opened));
+}
+
+TEST_F(ModelKeeperTest, WhatWasNotOpenedForLongGoesWhereSomebodySaidHowLong) {
+    constexpr std::int64_t kDayMs = 86'400'000;
+    std::int64_t nowMs = 1'700'000'000'000;
+    const session::StoreOptions options{.folder = folder_ / "sessions", .nowMs = [&nowMs] { return nowMs; }};
+    const auto studies = [&] {
+        auto store = session::Store::open(options);
+        std::vector<std::string> found;
+        const auto listed = store->listStudies();
+        for (const session::StudyEntry& study : listed->entries) found.push_back(study.identity);
+        return found;
+    };
+    const auto openedNow = [&](const char* uid) {
+        auto store = session::Store::open(options);
+        EXPECT_TRUE(store
+                        ->recordOpened({.study = session::studyIdentity(uid),
+                                        .series = session::seriesIdentity(uid, "1"),
+                                        .volume = sha256Hex(uid)})
+                        .ok());
+    };
+    openedNow("old");
+    nowMs += 25 * kDayMs;
+    openedNow("young");
+    nowMs += 10 * kDayMs;
+    { const ModelKeeper keeper(options, {}); }
+    EXPECT_EQ(studies().size(), 2u) << "nobody said how long";
+    const KeeperListener listener = [this](const Error& error) { told_.push_back(error.message); };
+    { const ModelKeeper keeper(options, listener, std::chrono::days(35)); }
+    EXPECT_EQ(studies().size(), 2u) << "not yet";
+    { const ModelKeeper keeper(options, listener, std::chrono::days(30)); }
+    EXPECT_EQ(studies(), std::vector{session::studyIdentity("young")});
+    EXPECT_TRUE(told_.empty()) << told_.front();
+    auto store = session::Store::open(options);
+    const auto audit = store->listAudit(1);
+    ASSERT_EQ(audit->entries.size(), 1u);
+    EXPECT_EQ(audit->entries.front().action, session::nameOf(session::AuditAction::expired));
+    EXPECT_EQ(audit->entries.front().subject, session::studyIdentity("old"));
 }
 
 TEST_F(ModelKeeperTest, TheStateOfAStudyComesBackForItsVolumeAlone) {

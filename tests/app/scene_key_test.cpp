@@ -10,6 +10,7 @@
 #include "app/choice/preset_choice.h"
 #include "base/fingerprint.h"
 #include "base/phantom.h"
+#include "base/sha256.h"
 
 namespace macula::app {
 namespace {
@@ -118,10 +119,29 @@ TEST(SceneKey, AnotherLookIsAnotherModelAndOnlyLightsAreKin) {
 
     session::ModelKey older = key;
     --older.trainer;
-    EXPECT_EQ(kinshipOf(key, older), Kinship::otherTrainer);
+    EXPECT_EQ(kinshipOf(key, older), Kinship::otherVersion);
     session::ModelKey olderOther = keyOf(*volume, other);
     --olderOther.trainer;
-    EXPECT_EQ(kinshipOf(key, olderOther), Kinship::otherTrainer);
+    EXPECT_EQ(kinshipOf(key, olderOther), Kinship::otherVersion);
+}
+
+// Pictures of another tracer are other ones: what was learnt from them may be begun with, and no more.
+TEST(SceneKey, AModelOfAnotherTracerIsKinAndNotTheSame) {
+    const auto volume = volumeOf(options(), voxels());
+    const session::ModelKey key = keyOf(*volume, drawing());
+    session::ModelKey older = key;
+    const auto tracer = std::ranges::find(older.parts, "tracer", &session::KeyPart::name);
+    ASSERT_NE(tracer, older.parts.end());
+    tracer->digest = sha256Hex("an older one");
+    EXPECT_NE(older.digest(), key.digest());
+    EXPECT_EQ(kinshipOf(key, older), Kinship::otherVersion);
+    older.parts.erase(tracer);  // of before there was a version
+    EXPECT_TRUE(older.isValid());
+    EXPECT_NE(older.digest(), key.digest());
+    EXPECT_EQ(kinshipOf(key, older), Kinship::otherVersion);
+    Drawing other = drawing();
+    other.settings.bounces = 3;
+    EXPECT_EQ(kinshipOf(keyOf(*volume, other), older), Kinship::none);
 }
 
 }  // namespace

@@ -258,6 +258,40 @@ TEST(Architecture, ArrowsPointDownOnly) {
     EXPECT_GT(count, 100u) << "the sources were not found at " << kRoot;
 }
 
+// Why a file of src/app/frame or src/app/session may not include `target`; empty where it may. What draws
+// knows no study, file or store, and what keeps models knows of it no more than what a scene is.
+std::string whyForbiddenInApp(const std::string& file, const std::string& target) {
+    const bool isFrame = file.starts_with("src/app/frame/");
+    if (isFrame && target.starts_with("session/")) return "frames know no store";
+    if (isFrame && target.starts_with("app/") && !target.starts_with("app/frame/") &&
+        !target.starts_with("app/camera/"))
+        return "frames know of app only cameras";
+    if (file.starts_with("src/app/session/") && target.starts_with("app/frame/") &&
+        target != "app/frame/drawing.h" && target != "app/frame/scene_keeper.h")
+        return "sessions know of frames only drawings and who keeps their models";
+    return {};
+}
+
+TEST(Architecture, FramesAndSessionsAreApart) {
+    EXPECT_NE(whyForbiddenInApp("src/app/frame/a.h", "app/session/model_keeper.h"), "");
+    EXPECT_NE(whyForbiddenInApp("src/app/frame/a.h", "session/store.h"), "");
+    EXPECT_NE(whyForbiddenInApp("src/app/frame/a.h", "app/study/study_input.h"), "");
+    EXPECT_NE(whyForbiddenInApp("src/app/session/a.h", "app/frame/frame_input.h"), "");
+    EXPECT_EQ(whyForbiddenInApp("src/app/session/a.h", "app/frame/drawing.h"), "");
+    EXPECT_EQ(whyForbiddenInApp("src/app/picture/a.h", "app/session/model_keeper.h"), "");
+    std::size_t count = 0;
+    for (const char* folder : {"src/app/frame", "src/app/session"}) {
+        for (const fs::path& path : sourcesIn(folder)) {
+            for (const Include& include : includesOf(path)) {
+                ++count;
+                EXPECT_EQ(whyForbiddenInApp(include.file, include.target), "")
+                    << include.file << ":" << include.line << " includes " << include.target;
+            }
+        }
+    }
+    EXPECT_GT(count, 100u) << "the sources were not found at " << kRoot;
+}
+
 // One translation unit or two per heavy library, so that a cold build stays short and each has one owner.
 TEST(Architecture, HeavyHeadersStayInFewFiles) {
     const std::map<std::string, std::size_t> most{{"OpenImageIO", 1}, {"OpenJPEG", 1}, {"ITK", 4}};

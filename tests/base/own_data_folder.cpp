@@ -20,6 +20,7 @@ class OwnDataFolder {
         fs::remove_all(folder_, error);  // of a killed process of the same number
         setenv("XDG_DATA_HOME", folder_.c_str(), 1);
         unsetenv("MACULA_SESSIONS");
+        unsetenv("MACULA_KEEP_DAYS");
     }
     ~OwnDataFolder() {
         std::error_code ignored;

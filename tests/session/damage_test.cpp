@@ -211,6 +211,27 @@ TEST_F(Damage, OfALinkIsCountedAndNotShown) {
     EXPECT_EQ(series.damaged, 1u);
 }
 
+TEST_F(Damage, OfAStudyOrAModelIsCountedAndNotListed) {
+    {
+        SQLite::Database sqlite((folder_ / "sessions.db").string(), SQLite::OPEN_READWRITE);
+        EXPECT_EQ(
+            sqlite.exec("UPDATE studies SET last_opened = last_opened + 1 WHERE readable = 'readable 4'"), 1);
+        EXPECT_EQ(sqlite.exec("UPDATE studies SET readable = NULL WHERE readable = 'readable 5'"), 1);
+        EXPECT_EQ(sqlite.exec("UPDATE models SET bytes = bytes + 1000 WHERE id = 1"), 1);
+    }
+    const auto studies = valueOf(open().listStudies());
+    EXPECT_EQ(studies.damaged, 2u);
+    ASSERT_EQ(studies.entries.size(), std::size_t{kStudies - 2});
+    for (const StudyEntry& study : studies.entries) {
+        EXPECT_NE(study.readable, "readable 4");
+        EXPECT_NE(study.identity, studyIdentity("5"));
+        if (study.identity == studyIdentity("0")) {
+            EXPECT_EQ(study.models, 1u) << "of two";
+            EXPECT_EQ(study.modelBytes, 3000u);
+        }
+    }
+}
+
 TEST_F(Damage, IsNotWhatOtherToolsMeasure) {
     SQLite::Database((folder_ / "sessions.db").string(), SQLite::OPEN_READWRITE).exec("ANALYZE");
     EXPECT_FALSE(open().notes().setAside);

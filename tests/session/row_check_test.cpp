@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 namespace macula::session {
 namespace {
 
@@ -25,6 +27,24 @@ TEST(RowCheck, TellsKindsLengthsAndTablesApart) {
     EXPECT_NE(rowCheck("models", Values{std::string("a"), std::string("b")}),
               rowCheck("models", Values{std::string("ab"), std::string()}));
     EXPECT_NE(rowCheck("models", Values{Value(), std::string("ab"), std::int64_t{1}}), check);
+}
+
+TEST(RowCheck, IsTheSameWithoutACopy) {
+    RowSum sum("documents");
+    sum.add(std::int64_t{-2});
+    sum.add(std::string_view());
+    sum.addNull();
+    sum.add("nine byte");
+    sum.add(std::numeric_limits<std::int64_t>::min());
+    const std::vector<Value> row{std::int64_t{-2}, std::string(), Value(), std::string("nine byte"),
+                                 std::numeric_limits<std::int64_t>::min()};
+    EXPECT_EQ(sum.value(), rowCheck("documents", row));
+    // As stores have it by now: 'i' and eight bytes, least first; 't', the length and the text; 'n'.
+    std::string bytes("documents");
+    bytes += std::string("i\xfe\xff\xff\xff\xff\xff\xff\xff", 9) + "t" + std::string(8, '\0') + "n";
+    bytes += std::string("t\x09\0\0\0\0\0\0\0", 9) + "nine byte";
+    bytes += std::string("i\0\0\0\0\0\0\0\x80", 9);
+    EXPECT_EQ(sum.value(), static_cast<std::int64_t>(crc64(bytes)));
 }
 
 }  // namespace

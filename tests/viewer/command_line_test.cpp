@@ -65,6 +65,27 @@ TEST(CommandLine, SessionsAreKeptUnlessAScriptOrAPersonSaysNo) {
     EXPECT_FALSE(parse({"--sessions", ""}).ok());
 }
 
+TEST(CommandLine, NothingIsDeletedByItselfUnlessDaysAreTold) {
+    EXPECT_EQ(parse({})->keepDays, std::nullopt);
+    EXPECT_EQ(parse({"--keep-days", "90"})->keepDays, 90);
+    qputenv("MACULA_KEEP_DAYS", "30");
+    EXPECT_EQ(parse({})->keepDays, 30);
+    EXPECT_EQ(parse({"--keep-days", "90"})->keepDays, 90) << "the option counts more";
+    EXPECT_EQ(parse({"--no-session"})->keepDays, std::nullopt);
+    EXPECT_EQ(parse({"--script", "orbit"})->keepDays, std::nullopt);
+    qputenv("MACULA_KEEP_DAYS", "a month");
+    const auto wrong = parse({});
+    ASSERT_FALSE(wrong.ok());
+    EXPECT_NE(wrong.error().message.find("MACULA_KEEP_DAYS is 'a month'"), std::string::npos);
+    EXPECT_TRUE(parse({"--no-session"}).ok()) << "nobody asks for it there";
+    qunsetenv("MACULA_KEEP_DAYS");
+    for (const char* days : {"0", "-1", "36501", "1.5", "nan", "", "99999999999"})
+        EXPECT_FALSE(parse({"--keep-days", days}).ok()) << days;
+    EXPECT_FALSE(parse({"--keep-days", "9", "--no-session"}).ok());
+    EXPECT_FALSE(parse({"--keep-days", "9", "--script", "orbit"}).ok());
+    EXPECT_EQ(parse({"--keep-days", "9", "--script", "orbit", "--sessions", "x"})->keepDays, 9);
+}
+
 TEST(CommandLine, RefusesWhatDoesNotExist) {
     for (const QStringList& wrong :
          {QStringList{"--view", "sideways"}, QStringList{"--size", "800"}, QStringList{"--size", "8x6"},

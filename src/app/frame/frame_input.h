@@ -8,27 +8,14 @@
 #include <string>
 
 #include "app/camera/orbit_camera.h"
+#include "app/frame/drawing.h"
 #include "app/frame/picture_text.h"
 #include "app/frame/screen.h"
 #include "base/camera.h"
 #include "base/volume.h"
-#include "pipeline/trace/environment.h"
 #include "pipeline/trace/path_tracer.h"
-#include "pipeline/volume/clip.h"
-#include "pipeline/volume/transfer_function.h"
 
 namespace macula::app {
-
-// How a volume is drawn, and what of it.
-struct Drawing {
-    std::shared_ptr<const TransferFunction> transferFunction{};
-    std::shared_ptr<const trace::LightRig> lights{};
-    std::shared_ptr<const Clip> clip{};  // null: all of the volume is shown
-    trace::Settings settings{};
-    std::string remarks{};  // what has to be said of pictures of it; no patient data
-
-    bool operator==(const Drawing&) const = default;
-};
 
 // Everything that decides what is on the screen. The UI thread publishes a whole new one after each change;
 // the render thread takes the newest and looks for itself what is different. Nothing in it is ever changed

@@ -45,7 +45,7 @@ bool canHaveModel(const FrameInput& input) {
 }  // namespace
 
 FrameRenderer::FrameRenderer(gpu::Instance instance, std::string preferredDevice,
-                             std::shared_ptr<ModelKeeper> keeper, RenderListener listener)
+                             std::shared_ptr<SceneKeeper> keeper, RenderListener listener)
     : instance_(std::move(instance)),
       preferredDevice_(std::move(preferredDevice)),
       listener_(std::move(listener)),
@@ -58,8 +58,13 @@ FrameRenderer::~FrameRenderer() {
 
 // What it has learnt goes to the shelf and to the keeper.
 void FrameRenderer::putModelAway() {
+    dropModelAfter(&hybrid::LiveModel::hide);
+}
+
+// Throws nothing.
+void FrameRenderer::dropModelAfter(void (hybrid::LiveModel::*keep)()) {
     try {
-        if (model_) model_->hide();
+        if (model_) ((*model_).*keep)();
     } catch (const std::exception&) {
         log::warning("There was no memory to keep the peripheral model.");
     }
@@ -162,7 +167,8 @@ void FrameRenderer::fail(ErrorCode code, const char* message, const char* hint) 
     applied_.lights = nullptr;
     applied_.clip.reset();
     hybrid_.reset();
-    model_.reset();
+    // Of the model, what is on the host: what the device did last may be half of a step.
+    dropModelAfter(&hybrid::LiveModel::save);
     if (traced_) traced_->sceneChanged();
     try {
         handle({code, message, {}, hint});
@@ -421,9 +427,8 @@ void FrameRenderer::handle(Error error) {
 
 void FrameRenderer::dropDevice() {
     releaseScreen();
-    if (model_) model_->save();
     hybrid_.reset();
-    model_.reset();
+    dropModelAfter(&hybrid::LiveModel::save);
     traced_.reset();
     device_.reset();
     applied_ = {};

@@ -13,10 +13,10 @@
 #include "app/frame/picture_course.h"
 #include "app/frame/render_duty.h"
 #include "app/frame/render_events.h"
+#include "app/frame/scene_keeper.h"
 #include "app/frame/scene_names.h"
 #include "app/frame/screen.h"
 #include "app/frame/traced_pictures.h"
-#include "app/session/model_keeper.h"
 #include "pipeline/gpu/device.h"
 #include "pipeline/gpu/instance.h"
 #include "pipeline/gpu/recovery.h"
@@ -42,7 +42,7 @@ struct Interrupts {
 class FrameRenderer {
   public:
     // `keeper` keeps models between runs; null: nobody does.
-    FrameRenderer(gpu::Instance instance, std::string preferredDevice, std::shared_ptr<ModelKeeper> keeper,
+    FrameRenderer(gpu::Instance instance, std::string preferredDevice, std::shared_ptr<SceneKeeper> keeper,
                   RenderListener listener);
     ~FrameRenderer();
 
@@ -70,6 +70,7 @@ class FrameRenderer {
     Result<void> applyModel();
     void lookForModel();
     void putModelAway();
+    void dropModelAfter(void (hybrid::LiveModel::*keep)());
     Result<void> withoutModel(const Error& error);
     RenderDuty::Work work() const;
     Result<void> takeNext(const Interrupts& interrupts);
@@ -114,7 +115,7 @@ class FrameRenderer {
     bool foveaHasRoom_ = true;  // for what one takes beside the model; false: until that changes
     // Models of this volume; outlives the device.
     std::shared_ptr<hybrid::ModelShelf> shelf_;
-    std::shared_ptr<ModelKeeper> keeper_;
+    std::shared_ptr<SceneKeeper> keeper_;
     std::string lookedFor_;  // the name of the scene that the keeper was last asked for
     SceneNames sceneNames_;
 

@@ -12,7 +12,7 @@
 #include "app/camera/camera_path.h"
 #include "app/frame/frame_input.h"
 #include "app/frame/render_events.h"
-#include "app/session/model_keeper.h"
+#include "app/frame/scene_keeper.h"
 #include "base/frames.h"
 #include "base/progress.h"
 #include "base/result.h"
@@ -31,7 +31,7 @@ struct RecordingOptions {
     double restingS = 10.0;     // after it has let go, at least until the last view is shown
     double picturesPerS = 2.0;  // that are kept, at most; besides, the last one
     std::string device;         // as gpu::DeviceOptions::preferred
-    std::shared_ptr<ModelKeeper> keeper;  // of models of earlier runs; null: none
+    std::shared_ptr<SceneKeeper> keeper;  // of models of earlier runs; null: none
     // What is drawn after that, from where the camera is, for as long again; another than the scene's.
     std::optional<Drawing> thenDrawing;
 };

@@ -34,7 +34,7 @@ void giveWayToTheUserInterface() {
 }  // namespace
 
 RenderThread::RenderThread(gpu::Instance instance, std::string preferredDevice,
-                           std::shared_ptr<ModelKeeper> keeper, RenderListener listener)
+                           std::shared_ptr<SceneKeeper> keeper, RenderListener listener)
     : thread_([this, instance = std::move(instance), preferredDevice = std::move(preferredDevice),
                keeper = std::move(keeper),
                listener = std::move(listener)](const std::stop_token& stop) mutable {
@@ -69,7 +69,7 @@ void RenderThread::releaseScreen() {
 }
 
 void RenderThread::run(const std::stop_token& stop, gpu::Instance instance, std::string preferredDevice,
-                       std::shared_ptr<ModelKeeper> keeper, RenderListener listener) {
+                       std::shared_ptr<SceneKeeper> keeper, RenderListener listener) {
     giveWayToTheUserInterface();
     FrameRenderer renderer(std::move(instance), std::move(preferredDevice), std::move(keeper),
                            std::move(listener));

@@ -8,7 +8,7 @@
 #include "app/frame/frame_input.h"
 #include "app/frame/latest.h"
 #include "app/frame/render_events.h"
-#include "app/session/model_keeper.h"
+#include "app/frame/scene_keeper.h"
 #include "pipeline/gpu/instance.h"
 
 namespace macula::app {
@@ -19,7 +19,7 @@ class RenderThread {
   public:
     // The device is made on the thread; a failure comes as an event. `keeper` as FrameRenderer. `listener` is
     // called on that thread.
-    RenderThread(gpu::Instance instance, std::string preferredDevice, std::shared_ptr<ModelKeeper> keeper,
+    RenderThread(gpu::Instance instance, std::string preferredDevice, std::shared_ptr<SceneKeeper> keeper,
                  RenderListener listener);
     // Stops and joins: takes as long as the dispatch in flight.
     ~RenderThread();
@@ -34,7 +34,7 @@ class RenderThread {
 
   private:
     void run(const std::stop_token& stop, gpu::Instance instance, std::string preferredDevice,
-             std::shared_ptr<ModelKeeper> keeper, RenderListener listener);
+             std::shared_ptr<SceneKeeper> keeper, RenderListener listener);
 
     FrameInput last_;
     Latest<FrameInput> inputs_;

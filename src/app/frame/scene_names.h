@@ -7,12 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "app/frame/frame_input.h"
+#include "app/frame/drawing.h"
 
 namespace macula::app {
-
-// The settings of a drawing with those that light does not depend on at their defaults.
-trace::Settings settingsOfLight(const Drawing& drawing);
 
 // The same name means the same volume, transfer function, clip, lights, and settings that light depends on;
 // what is shown again has the name it had, while it is among the last that were named. No patient data.

@@ -95,9 +95,11 @@ session::DocumentId stateIdOf(const Volume& volume, const std::string& digest) {
 
 }  // namespace
 
-ModelKeeper::ModelKeeper(session::StoreOptions options, KeeperListener listener)
+ModelKeeper::ModelKeeper(session::StoreOptions options, KeeperListener listener,
+                         std::optional<std::chrono::days> retention)
     : options_(std::move(options)),
       listener_(std::move(listener)),
+      retention_(retention),
       thread_([this](const std::stop_token& stop) { run(stop); }) {}
 
 ModelKeeper::~ModelKeeper() {
@@ -115,6 +117,7 @@ void ModelKeeper::post(Urgency urgency, Job job) {
 void ModelKeeper::run(const std::stop_token& stop) {
     giveWay(kNicenessOfReading);
     openStore();
+    forgetUnused();
     std::unique_lock lock(mutex_);
     hasNoStore_ = !store_;
     if (hasNoStore_) {  // what nobody will save is not held on to
@@ -177,6 +180,19 @@ void ModelKeeper::openStore() {
                   store_->notes().setAside->folder.string(), "`macula sessions verify` says what is there."});
     } catch (const std::exception&) {
         tellOfNoMemory("Stored sessions could not be opened.");
+    }
+}
+
+void ModelKeeper::forgetUnused() {
+    if (!store_ || !retention_) return;
+    try {
+        const auto purged = store_->purgeUnused(*retention_, session::DamagedFiles::keep);
+        if (!purged) return tell(purged.error());
+        if (purged->studies + purged->volumes > 0)
+            log::info("Stored sessions: {} studies and {} volumes were not opened for {} days, and deleted.",
+                      purged->studies, purged->volumes, retention_->count());
+    } catch (const std::exception&) {
+        tellOfNoMemory("What was not opened for long could not be deleted.");
     }
 }
 
@@ -378,7 +394,10 @@ void ModelKeeper::keep(std::shared_ptr<const hybrid::PeripheralState> state) {
     {
         const std::lock_guard lock(mutex_);
         if (hasNoStore_ || !scenes_.contains(name)) return;
-        toKeep_[name] = std::move(state);
+        auto& newest = toKeep_[name];
+        // After a loss a model hands over what is on the host, which may be older than what it gave before.
+        if (newest && newest->training.steps > state->training.steps) return;
+        newest = std::move(state);
     }
     post(Urgency::canWait, [this, name](session::Store& store) { save(store, name); });
 }

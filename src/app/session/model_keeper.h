@@ -8,6 +8,7 @@
 // Where the store cannot be used, nothing is found and nothing kept, and the listener hears why, once.
 #pragma once
 
+#include <chrono>
 #include <condition_variable>
 #include <cstdint>
 #include <deque>
@@ -21,10 +22,9 @@
 #include <string>
 #include <thread>
 
-#include "app/frame/frame_input.h"
+#include "app/frame/scene_keeper.h"
 #include "base/result.h"
 #include "base/volume.h"
-#include "pipeline/hybrid/model/model_store.h"
 #include "pipeline/splat/files/packed_pictures.h"
 #include "session/store.h"
 
@@ -34,16 +34,16 @@ namespace macula::app {
 using KeeperListener = std::function<void(const Error&)>;
 
 // look, find, keep and keepState return at once; any thread may call any of them.
-class ModelKeeper final : public hybrid::ModelStore {
+class ModelKeeper final : public SceneKeeper {
   public:
-    // `listener` is called on the keeper's thread.
-    ModelKeeper(session::StoreOptions options, KeeperListener listener);
+    // `listener` is called on the keeper's thread. `retention`: what was not opened for so long is deleted
+    // for good (Store::purgeUnused), before anything is looked for; none: nothing is.
+    ModelKeeper(session::StoreOptions options, KeeperListener listener,
+                std::optional<std::chrono::days> retention = std::nullopt);
     // Saves what was handed over first: as long as that takes.
     ~ModelKeeper() override;
 
-    // The scene that is called `name` from now on, of a complete drawing. What was looked for before is given
-    // up, and what was found of it forgotten.
-    void look(const std::string& name, std::shared_ptr<const Volume> volume, const Drawing& drawing);
+    void look(const std::string& name, std::shared_ptr<const Volume> volume, const Drawing& drawing) override;
     hybrid::StoredModel find(const std::string& name) override;
     // Only under names that were looked for, and in place of no model that has taken more steps.
     void keep(std::shared_ptr<const hybrid::PeripheralState> state) override;
@@ -82,6 +82,7 @@ class ModelKeeper final : public hybrid::ModelStore {
     // On another thread; meanwhile this one does what is waited for. Throws what `work` throws.
     void doBeside(const std::function<void()>& work);
     void openStore();
+    void forgetUnused();
     void tell(const Error& error);
     void tellOfNoMemory(const char* sentence) noexcept;
     std::string digestOf(const std::shared_ptr<const Volume>& volume);
@@ -96,6 +97,7 @@ class ModelKeeper final : public hybrid::ModelStore {
 
     const session::StoreOptions options_;
     const KeeperListener listener_;
+    const std::optional<std::chrono::days> retention_;
 
     std::mutex mutex_;
     std::condition_variable_any wake_;

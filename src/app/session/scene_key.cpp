@@ -4,12 +4,12 @@
 
 #include <algorithm>
 
-#include "app/frame/scene_names.h"
 #include "app/model/scene_digests.h"
 #include "base/check.h"
 #include "base/sha256.h"
 #include "pipeline/splat/train/training_state.h"
 #include "pipeline/trace/environment.h"
+#include "pipeline/trace/settings.h"
 
 namespace macula::app {
 
@@ -17,6 +17,7 @@ namespace {
 
 constexpr const char* kLights = "lights";
 constexpr const char* kTrainer = "trainer";
+constexpr const char* kTracer = "tracer";
 
 }  // namespace
 
@@ -33,14 +34,16 @@ session::ModelKey sceneKey(const std::string& volumeDigest, const Volume& volume
             .parts = {{"transfer-function", digestOf(*drawing.transferFunction)},
                       {"clip", digestOf(drawing.clip ? *drawing.clip : Clip{}, volume)},
                       {kLights, lights},
-                      {"settings", digestOf(settings)}}};
+                      {"settings", digestOf(settings)},
+                      {kTracer, sha256Hex(fmt::format("macula tracer {}", trace::kTracerVersion))}}};
 }
 
 Kinship kinshipOf(const session::ModelKey& wanted, const session::ModelKey& stored) {
     const std::vector<std::string> others = session::differences(wanted, stored);
-    const auto isKin = [](const std::string& part) { return part == kLights || part == kTrainer; };
+    const auto isOfVersion = [](const std::string& part) { return part == kTrainer || part == kTracer; };
+    const auto isKin = [&](const std::string& part) { return part == kLights || isOfVersion(part); };
     if (others.empty() || !std::ranges::all_of(others, isKin)) return Kinship::none;
-    return std::ranges::find(others, kTrainer) != others.end() ? Kinship::otherTrainer : Kinship::otherLights;
+    return std::ranges::any_of(others, isOfVersion) ? Kinship::otherVersion : Kinship::otherLights;
 }
 
 }  // namespace macula::app

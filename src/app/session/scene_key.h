@@ -5,21 +5,22 @@
 #include <memory>
 #include <string>
 
-#include "app/frame/frame_input.h"
+#include "app/frame/drawing.h"
 #include "base/volume.h"
 #include "session/model_key.h"
 
 namespace macula::app {
 
 // The same key means the same voxels, geometry, preset, clip, table, lights, and settings that light depends
-// on, of the same trainer: by what they are, and not by what they are called. Of a complete drawing.
+// on, of the same trainer and tracer: by what they are, and not by what they are called. Of a complete
+// drawing.
 session::ModelKey sceneKey(const std::string& volumeDigest, const Volume& volume, const Drawing& drawing);
 
 // What a model can begin with that was stored under another key: splats of the same look.
 enum class Kinship {
     none,          // points are a better beginning (docs/peripheral-model.md)
     otherLights,   // colours are other ones, all else is the same
-    otherTrainer,  // the trainer would not go on with it, but its splats are what they are
+    otherVersion,  // of trainer or tracer: it cannot be gone on with, but its splats are what they are
 };
 Kinship kinshipOf(const session::ModelKey& wanted, const session::ModelKey& stored);
 

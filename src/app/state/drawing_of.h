@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "app/choice/catalogue.h"
-#include "app/frame/frame_input.h"
+#include "app/frame/drawing.h"
 #include "app/frame/projection_windows.h"
 #include "app/state/study_state.h"
 #include "base/volume.h"

@@ -44,6 +44,10 @@ enum class Shading {
     headlight,  // times ambient + diffuse |cos| to the gradient, with the preset's coefficients
 };
 
+// Raised whenever the same scene and settings get other light, chance aside, or the filter another blur:
+// what was learnt from pictures of another version is not gone on with (app/session/scene_key.h).
+inline constexpr std::uint32_t kTracerVersion = 1;
+
 inline constexpr int kMaxBounces = 1024;
 // Of pictures, of views to learn from, and of what models are compared with. White bone passes light on many
 // times. 16 have no more error in equal time; 8 show the first sample sooner, with most of their light

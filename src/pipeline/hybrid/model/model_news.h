@@ -49,7 +49,7 @@ enum class ModelOrigin {
     shelf,          // itself, shown before in this run of the program
     stored,         // itself, stored by an earlier one
     otherLights,    // the stored model of other lights
-    otherTrainer,   // the stored model of an older trainer
+    otherTrainer,   // the stored model of an older trainer or tracer
 };
 
 // The name as in reports, and why; literals.
@@ -85,7 +85,7 @@ constexpr std::string_view describe(ModelOrigin origin) {
         case ModelOrigin::otherLights:
             return "a model of this in other lights was stored";
         case ModelOrigin::otherTrainer:
-            return "a model of this was stored by another version of the trainer";
+            return "a model of this was stored by another version of the trainer or the tracer";
     }
     return {};
 }

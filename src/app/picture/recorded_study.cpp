@@ -1,4 +1,4 @@
-#include "app/frame/recorded_study.h"
+#include "app/picture/recorded_study.h"
 
 #include <fmt/format.h>
 
@@ -13,6 +13,7 @@
 #include "app/frame/frame_json.h"
 #include "app/frame/projection_windows.h"
 #include "app/output/output_files.h"
+#include "app/session/model_keeper.h"
 #include "app/state/drawing_of.h"
 #include "app/study/shown_clip.h"
 #include "app/study/study_input.h"

@@ -1,0 +1,18 @@
+#include "app/frame/drawing.h"
+
+namespace macula::app {
+
+trace::Settings settingsOfLight(const Drawing& drawing) {
+    trace::Settings settings = drawing.settings;
+    const trace::Settings usual;
+    settings.seed = usual.seed;
+    // Grey values of a clip's faces pass the exposure unchanged: their light depends on it.
+    if (!drawing.clip || !drawing.clip->hasShape() || !drawing.clip->greyFaces)
+        settings.exposure = usual.exposure;
+    settings.denoising = usual.denoising;
+    settings.errorThreshold = usual.errorThreshold;
+    settings.window = usual.window;
+    return settings;
+}
+
+}  // namespace macula::app

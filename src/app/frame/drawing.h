@@ -1,0 +1,28 @@
+// How a volume is drawn, and what of it.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "pipeline/trace/environment.h"
+#include "pipeline/trace/settings.h"
+#include "pipeline/volume/clip.h"
+#include "pipeline/volume/transfer_function.h"
+
+namespace macula::app {
+
+// Complete where it has a transfer function and lights.
+struct Drawing {
+    std::shared_ptr<const TransferFunction> transferFunction{};
+    std::shared_ptr<const trace::LightRig> lights{};
+    std::shared_ptr<const Clip> clip{};  // null: all of the volume is shown
+    trace::Settings settings{};
+    std::string remarks{};  // what has to be said of pictures of it; no patient data
+
+    bool operator==(const Drawing&) const = default;
+};
+
+// The settings of a drawing with those that light does not depend on at their defaults.
+trace::Settings settingsOfLight(const Drawing& drawing);
+
+}  // namespace macula::app
