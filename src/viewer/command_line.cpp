@@ -63,7 +63,7 @@ Result<app::Layout> parseLayout(const QString& text) {
         if (text.toStdString() == app::nameOf(row.layout)) return row.layout;
     }
     return usage(QStringLiteral("There is no layout '%1'.").arg(text),
-                 "The layouts are four-panes, volume, axial, coronal and sagittal.");
+                 "The layouts are fourPanes, volume, axial, coronal and sagittal.");
 }
 
 Result<double> parseFontScale(const QString& text) {
@@ -85,8 +85,8 @@ struct Options {
     const QCommandLineOption device{"device", "Index or part of the name of the Vulkan device.", "NAME"};
     const QCommandLineOption size{"size", "Of the picture in pixels, e.g. 800x600.", "WxH"};
     const QCommandLineOption layout{
-        "layout", "Which panes: four-panes, volume, axial, coronal or sagittal; volume with a script.",
-        "NAME", "four-panes"};
+        "layout", "Which panes: fourPanes, volume, axial, coronal or sagittal; volume with a script.", "NAME",
+        "fourPanes"};
     const QCommandLineOption highContrast{"high-contrast", "Black, white and yellow."};
     const QCommandLineOption fontScale{"font-scale", "Times the size of the desktop's letters, 0.8 to 2.",
                                        "X", "1"};
@@ -118,9 +118,9 @@ struct Options {
                                   "300"};
 
     void addTo(QCommandLineParser& parser) const {
-        parser.addOptions({preset, lights, view, device, size, layout, highContrast, fontScale, samples,
-                           noModel, sessions, noSession, keepDays, script, screenshots, withPatient, wait,
-                           turn, seconds, rest});
+        parser.addOptions({preset,      lights,      view,    device,   size,      layout,   highContrast,
+                           fontScale,   samples,     noModel, sessions, noSession, keepDays, script,
+                           screenshots, withPatient, wait,    turn,     seconds,   rest});
     }
 };
 

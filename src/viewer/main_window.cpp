@@ -15,6 +15,7 @@
 
 #include "app/state/drawing_of.h"
 #include "pipeline/volume/window.h"
+#include "viewer/browser/study_browser.h"
 #include "viewer/join_question.h"
 #include "viewer/keys.h"
 #include "viewer/panes/pane_grid.h"
@@ -199,6 +200,12 @@ void MainWindow::open(app::StudySource source) {
     loader_.open(std::move(source));
 }
 
+void MainWindow::openFound(std::size_t index) {
+    keepState();  // as in open()
+    loader_.open(study().found, index);
+    viewport_->setFocus();
+}
+
 void MainWindow::askForFolder() {
     auto* dialog = new QFileDialog(this, tr("Open a folder of DICOM files"), lastFolder_);
     dialog->setFileMode(QFileDialog::Directory);
@@ -320,6 +327,7 @@ void MainWindow::showStudy(const app::OpenedStudy& study) {
     redraw();  // menus and lists show it
     if (left) table_->ask(left->leavesTableOut);
     kept_ = stateToKeep();
+    browser_->setFound(study.found, study.volumeIndex);
     volumes_->setVolumes(study.volumeTitles, study.volumeIndex);
     volumesInBar_->setVisible(volumes_->count() > 0 && options_.namesPatient);
 

@@ -36,6 +36,7 @@ class ClipPanel;
 class PaneGrid;
 class PictureDialog;
 class SliceView;
+class StudyBrowser;
 class ToolBox;
 class TransferFunctionEditor;
 class UndoActions;
@@ -141,6 +142,7 @@ class MainWindow : public QMainWindow {
     void connectPick();
     void askForPicture();
     void askWhereToSavePicture(const PictureDialog& how);
+    void openFound(std::size_t index);  // another volume of the folder
     void askForFolder();
     void askForFile();
     void ask(QFileDialog* dialog, std::function<void(const QString&)> then);
@@ -196,8 +198,10 @@ class MainWindow : public QMainWindow {
     UndoActions* undo_ = nullptr;
     TransferFunctionEditor* transfer_ = nullptr;
     ClipPanel* clipPanel_ = nullptr;
-    QList<QAction*> panels_;       // show and hide them
-    MessageBar* notes_ = nullptr;  // stay while other studies are loaded, and when that fails
+    StudyBrowser* browser_ = nullptr;
+    QAction* browserShown_ = nullptr;  // shows and hides it
+    QList<QAction*> panels_;           // show and hide them
+    MessageBar* notes_ = nullptr;      // stay while other studies are loaded, and when that fails
     MessageBar* messages_ = nullptr;
     WorkBar* loading_ = nullptr;
     TableRemoval* table_ = nullptr;

@@ -6,6 +6,7 @@
 
 #include "app/camera/view_directions.h"
 #include "pipeline/volume/window.h"
+#include "viewer/browser/study_browser.h"
 #include "viewer/help_boxes.h"
 #include "viewer/keys.h"
 #include "viewer/main_window.h"
@@ -89,6 +90,12 @@ void MainWindow::makeEditMenu() {
     QMenu* edit = menuBar()->addMenu(tr("&Edit"));
     edit->addAction(&undo_->undo());
     edit->addAction(&undo_->redo());
+    edit->addSeparator();
+    QAction* find = edit->addAction(tr("&Find a Study…"), this, [this] {
+        if (!browserShown_->isChecked()) browserShown_->trigger();
+        browser_->focusSearch();
+    });
+    find->setShortcut(keyOf(KeyAction::find));
     edit->addSeparator();
     QAction* clear = edit->addAction(tr("Remove All &Measurements"), this, [this] {
         session_.change(tr("Remove measurements"), [](app::StudyState& next) { next.measurements.clear(); });
@@ -214,11 +221,7 @@ void MainWindow::makeToolBar() {
     volumes_ = new VolumeChoice(bar);
     volumesInBar_ = bar->addWidget(volumes_);
     volumesInBar_->setVisible(false);
-    connect(volumes_, &VolumeChoice::chosen, this, [this](std::size_t index) {
-        keepState();  // as in open()
-        loader_.open(study().found, index);
-        viewport_->setFocus();
-    });
+    connect(volumes_, &VolumeChoice::chosen, this, &MainWindow::openFound);
     description_ = new ElidingLabel(tr("Series"), bar);
     description_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
     bar->addWidget(description_);

@@ -3,6 +3,7 @@
 #include <QToolBar>
 #include <array>
 
+#include "viewer/browser/study_browser.h"
 #include "viewer/clip/clip_panel.h"
 #include "viewer/main_window.h"
 #include "viewer/panes/pane_grid.h"
@@ -64,20 +65,26 @@ void MainWindow::makePanels() {
     transfer_ = new TransferFunctionEditor(session_);
     connect(transfer_, &TransferFunctionEditor::saveAsked, this, &MainWindow::askWhereToSavePreset);
     clipPanel_ = new ClipPanel(session_);
-    const auto add = [this](QWidget* panel, const QString& title, const char* name, const char* key) {
+    browser_ = new StudyBrowser;
+    connect(browser_, &StudyBrowser::chosen, this, &MainWindow::openFound);
+    const auto add = [this](Qt::DockWidgetArea area, QWidget* panel, const QString& title, const char* name,
+                            const char* key) {
         auto* dock = new QDockWidget(title, this);
         dock->setObjectName(QString::fromLatin1(name));
         dock->setWidget(panel);
         // Floating ones would hide the volume's native window from its own events on some desktops.
         dock->setFeatures(QDockWidget::DockWidgetClosable | QDockWidget::DockWidgetMovable);
-        addDockWidget(Qt::RightDockWidgetArea, dock);
+        addDockWidget(area, dock);
         dock->hide();
         dock->toggleViewAction()->setShortcut(QKeySequence(QString::fromLatin1(key)));
         panels_ << dock->toggleViewAction();
         return dock;
     };
-    QDockWidget* first = add(transfer_, tr("Transfer Function"), "transfer-panel", "F3");
-    QDockWidget* second = add(clipPanel_, tr("Clip"), "clip-panel", "F4");
+    browserShown_ =
+        add(Qt::LeftDockWidgetArea, browser_, tr("Studies"), "studies-panel", "F2")->toggleViewAction();
+    QDockWidget* first =
+        add(Qt::RightDockWidgetArea, transfer_, tr("Transfer Function"), "transfer-panel", "F3");
+    QDockWidget* second = add(Qt::RightDockWidgetArea, clipPanel_, tr("Clip"), "clip-panel", "F4");
     splitDockWidget(first, second, Qt::Vertical);
 }
 
@@ -88,6 +95,7 @@ void MainWindow::showPanes() {
 void MainWindow::showNames(bool shown) {
     viewport_->showNames(shown);
     for (SliceView* pane : slices_) pane->showNames(shown);
+    browser_->showNames(shown);
     names_->setChecked(shown);
 }
 

@@ -47,7 +47,7 @@ TEST(CommandLine, ReadsAllOptions) {
 TEST(CommandLine, APersonSeesFourPanesAndAScriptTheVolume) {
     EXPECT_EQ(parse({})->layout, app::Layout::fourPanes);
     EXPECT_EQ(parse({"--script", "orbit"})->layout, app::Layout::volume);
-    EXPECT_EQ(parse({"--script", "orbit", "--layout", "four-panes"})->layout, app::Layout::fourPanes);
+    EXPECT_EQ(parse({"--script", "orbit", "--layout", "fourPanes"})->layout, app::Layout::fourPanes);
 }
 
 // A script measures: what was learnt before would be in its figures.

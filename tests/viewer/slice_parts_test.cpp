@@ -172,7 +172,8 @@ TEST(MeasurementDrawing, AnEllipseLiesInItsRectangle) {
     drawing.move({2.0, 1.0, 0.0});
     EXPECT_FALSE(drawing.soFar()) << "no height yet";
     drawing.release({2.0, 5.0, 0.0});
-    const auto& ellipse = std::get<slices::Ellipse>(drawing.soFar()->shape);
+    const std::optional<slices::Measurement> measurement = drawing.soFar();
+    const auto& ellipse = std::get<slices::Ellipse>(measurement->shape);
     EXPECT_LT(glm::distance(ellipse.plane.centreMm, glm::dvec3(5.0, 3.0, 0.0)), 1e-12);
     EXPECT_LT(glm::distance(ellipse.radiiMm, glm::dvec2(3.0, 2.0)), 1e-12);
 }
