@@ -9,6 +9,8 @@
 #include <cmath>
 #include <cstring>
 
+#include "viewer/harmless_text.h"
+
 namespace macula::viewer {
 
 namespace {
@@ -18,17 +20,6 @@ constexpr int kPaddingPx = 4;  // left and right of a line
 constexpr int kFontPx = 14;
 const QColor kInk(235, 235, 235);
 const QColor kPaper(12, 12, 12);
-
-// Characters that turn the direction of what follows could make one name look like another.
-QString harmless(const std::string& text) {
-    QString line = QString::fromStdString(text).simplified();
-    line.removeIf([](QChar c) {
-        const char16_t u = c.unicode();
-        return c.category() == QChar::Other_Control || u == 0x200e || u == 0x200f ||
-               (u >= 0x202a && u <= 0x202e) || (u >= 0x2066 && u <= 0x2069);
-    });
-    return line;
-}
 
 }  // namespace
 
@@ -44,7 +35,8 @@ std::shared_ptr<const app::PictureText> paintText(const std::vector<std::string>
     auto text = std::make_shared<app::PictureText>();
     std::vector<QString> shown;
     for (const std::string& line : lines) {
-        const QString words = metrics.elidedText(harmless(line), Qt::ElideRight, room);
+        const QString words =
+            metrics.elidedText(harmless(QString::fromStdString(line)), Qt::ElideRight, room);
         if (words.isEmpty()) continue;
         const int height = metrics.height();
         const int top = px(kMarginPx) + int(shown.size()) * height;
