@@ -105,13 +105,19 @@ std::optional<std::size_t> FoundVolumes::indexOf(const dicom::Stack* stack) cons
 }
 
 Identity identityOf(const FoundVolume& volume) {
-    return {.patientName = volume.study->patientName,
-            .patientId = volume.study->patientId,
-            .birthDate = volume.study->patientBirthDate,
-            .sex = volume.study->patientSex,
-            .studyDate = volume.study->date,
-            .studyDescription = volume.study->description,
-            .series = seriesLine(*volume.series, *volume.stack)};
+    Identity identity = identityOf(*volume.study);
+    identity.series = seriesLine(*volume.series, *volume.stack);
+    return identity;
+}
+
+Identity identityOf(const dicom::Study& study) {
+    return {.patientName = study.patientName,
+            .patientId = study.patientId,
+            .birthDate = study.patientBirthDate,
+            .sex = study.patientSex,
+            .studyDate = study.date,
+            .studyDescription = study.description,
+            .series = {}};
 }
 
 }  // namespace macula::app

@@ -47,5 +47,7 @@ class FoundVolumes {
 };
 
 Identity identityOf(const FoundVolume& volume);
+// Without a series.
+Identity identityOf(const dicom::Study& study);
 
 }  // namespace macula::app

@@ -110,7 +110,7 @@ Result<void> FrameDecoder::run(std::span<const std::size_t> order, std::size_t c
             progress.advance();
         }
     };
-    parallelFor(coreCount(), work);
+    parallelFor(std::min(coreCount(), order.size()), work);
     if (progress.cancelled()) return Error{ErrorCode::cancelled, "Loading was cancelled.", {}, {}};
     if (outOfMemory) {
         return Error{ErrorCode::outOfMemory,

@@ -1,0 +1,274 @@
+#include "viewer/browser/study_browser.h"
+
+#include <QEvent>
+#include <QKeyEvent>
+#include <QScopedValueRollback>
+#include <QVBoxLayout>
+#include <utility>
+
+#include "app/study/search_text.h"
+#include "viewer/browser/study_row_delegate.h"
+
+namespace macula::viewer {
+
+namespace {
+
+constexpr int kIndentPx = 14;  // for each level: pictures need the room
+
+QImage asImage(const app::Thumbnail& thumbnail) {
+    const QImage borrowed(thumbnail.grey.data(), thumbnail.widthPx, thumbnail.heightPx, thumbnail.widthPx,
+                          QImage::Format_Grayscale8);
+    return borrowed.copy();
+}
+
+bool startsExpanded(app::StudyRow::Kind kind) {
+    return kind == app::StudyRow::Kind::patient || kind == app::StudyRow::Kind::study;
+}
+
+}  // namespace
+
+StudyBrowser::StudyBrowser(QWidget* parent)
+    : QWidget(parent),
+      search_(new QLineEdit),
+      tree_(new QTreeView),
+      nothing_(new QLabel),
+      model_(new StudyTreeModel(this)),
+      pictures_(this, {.progressed = [](const ProgressUpdate&) {},
+                       .ended = [this](const Result<app::Thumbnail>& made) { takePicture(made); }}) {
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->addWidget(search_);
+    column->addWidget(nothing_);
+    column->addWidget(tree_, 1);
+    column->addStretch();
+    makeSearch();
+    makeTree();
+    nothing_->setObjectName(QStringLiteral("nothing"));
+    nothing_->setTextFormat(Qt::PlainText);
+    nothing_->setWordWrap(true);
+    nothing_->setAlignment(Qt::AlignCenter);
+    picturesAreDue_.setSingleShot(true);
+    connect(&picturesAreDue_, &QTimer::timeout, this, &StudyBrowser::makeNextPicture);
+    tellWhatIsMissing();
+}
+
+void StudyBrowser::makeSearch() {
+    search_->setObjectName(QStringLiteral("search"));
+    search_->setAccessibleName(tr("Search the studies of the folder"));
+    search_->setPlaceholderText(tr("Search"));
+    search_->setToolTip(
+        tr("Name, ID, date, modality or description; all words have to be there. Down or Enter goes to "
+           "the list, Esc ends the search."));
+    search_->setClearButtonEnabled(true);
+    search_->installEventFilter(this);
+    connect(search_, &QLineEdit::textChanged, this, &StudyBrowser::search);
+}
+
+void StudyBrowser::makeTree() {
+    tree_->setObjectName(QStringLiteral("studies"));
+    tree_->setAccessibleName(tr("Studies, series and volumes of the folder"));
+    tree_->setToolTip(
+        tr("What is in the folder; sizes of voxels are in mm. One click selects; a double click or Enter "
+           "opens. The files are only read, and stay where they are."));
+    tree_->setModel(model_);
+    tree_->setItemDelegate(new StudyRowDelegate(tree_));
+    tree_->setHeaderHidden(true);
+    tree_->setIndentation(kIndentPx);
+    tree_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    tree_->setExpandsOnDoubleClick(false);  // a double click opens; see openRow
+    tree_->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
+    tree_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    tree_->installEventFilter(this);
+    tree_->viewport()->installEventFilter(this);
+    connect(tree_, &QTreeView::doubleClicked, this, &StudyBrowser::openRow);
+    connect(tree_, &QTreeView::expanded, this, [this](const QModelIndex& i) { rememberExpanded(i, true); });
+    connect(tree_, &QTreeView::collapsed, this, [this](const QModelIndex& i) { rememberExpanded(i, false); });
+    setFocusProxy(tree_);
+}
+
+void StudyBrowser::setFound(std::shared_ptr<const app::FoundVolumes> found, std::optional<std::size_t> open) {
+    if (found == found_) return setShown(open);
+    pictures_.cancel();
+    making_ = nullptr;
+    found_ = std::move(found);
+    endSearch();
+    model_->setTree(makeRows());
+    expanded_.clear();
+    for (const app::StudyRow& row : model_->tree().rows) expanded_.push_back(startsExpanded(row.kind));
+    model_->setOpen(open);
+    layOut(app::kNoRow);
+    revealOpen();
+    tellWhatIsMissing();
+}
+
+void StudyBrowser::setShown(std::optional<std::size_t> open) {
+    if (open == model_->open()) return;
+    model_->setOpen(open);
+    revealOpen();
+}
+
+void StudyBrowser::showNames(bool shown) {
+    if (shown == namesShown_) return;
+    namesShown_ = shown;
+    const std::size_t current = currentRow();
+    if (!shown) endSearch();  // what was typed may be a name
+    model_->setTexts(makeRows());
+    model_->setRowsShown(app::rowsThatMatch(model_->tree(), search_->text().toStdString()));
+    layOut(current);
+    tellWhatIsMissing();
+}
+
+void StudyBrowser::setStored(std::set<std::size_t> volumes) {
+    model_->setStored(std::move(volumes));
+}
+
+void StudyBrowser::focusSearch() {
+    search_->setFocus(Qt::ShortcutFocusReason);
+    search_->selectAll();
+}
+
+// Shows nothing by itself.
+void StudyBrowser::endSearch() {
+    const QSignalBlocker blocker(search_);
+    search_->clear();
+    words_.clear();
+}
+
+app::StudyTree StudyBrowser::makeRows() const {
+    if (!found_) return {};
+    return app::studyTree(*found_, namesShown_ ? app::Names::shown : app::Names::hidden);
+}
+
+void StudyBrowser::search() {
+    const std::string typed = search_->text().toStdString();
+    const std::size_t current = currentRow();
+    words_ = app::searchWords(typed);
+    model_->setRowsShown(app::rowsThatMatch(model_->tree(), typed));
+    layOut(current);
+    tellWhatIsMissing();
+}
+
+// After the model forgot what was selected and expanded.
+void StudyBrowser::layOut(std::size_t current) {
+    const QScopedValueRollback laysOut(isLayingOut_, true);
+    for (std::size_t row = 0; row < model_->tree().rows.size(); ++row) {
+        if (model_->isShown(row)) tree_->setExpanded(model_->indexOf(row), isExpanded(row));
+    }
+    const QModelIndex index = model_->indexOf(rowToSelect(current));
+    tree_->setCurrentIndex(index);
+    if (index.isValid()) tree_->scrollTo(index);
+}
+
+bool StudyBrowser::isExpanded(std::size_t row) const {
+    if (words_.empty()) return expanded_[row];
+    const app::StudyRow& shown = model_->tree().rows[row];
+    // Rows that were found themselves need not be told by what is below them.
+    return startsExpanded(shown.kind) || !app::holdsAll(shown.searched, words_);
+}
+
+void StudyBrowser::rememberExpanded(const QModelIndex& index, bool isExpanded) {
+    if (!isLayingOut_ && words_.empty()) expanded_[StudyTreeModel::rowOf(index)] = isExpanded;
+}
+
+// Selects the volume that is open, and expands what it is in.
+void StudyBrowser::revealOpen() {
+    const std::vector<app::StudyRow>& rows = model_->tree().rows;
+    for (std::size_t row = 0; row < rows.size(); ++row) {
+        if (!rows[row].volume || rows[row].volume != model_->open() || !model_->isShown(row)) continue;
+        for (std::size_t above = rows[row].parent; above != app::kNoRow; above = rows[above].parent)
+            tree_->expand(model_->indexOf(above));
+        tree_->setCurrentIndex(model_->indexOf(row));
+        tree_->scrollTo(model_->indexOf(row));
+        return;
+    }
+}
+
+std::size_t StudyBrowser::currentRow() const {
+    const QModelIndex index = tree_->currentIndex();
+    return index.isValid() ? StudyTreeModel::rowOf(index) : app::kNoRow;
+}
+
+// Of the rows that are shown: what was wanted, else the volume that is open, else the first that can be
+// opened and is not folded away, else the first.
+std::size_t StudyBrowser::rowToSelect(std::size_t wanted) const {
+    const std::vector<app::StudyRow>& rows = model_->tree().rows;
+    if (wanted < rows.size() && model_->isShown(wanted)) return wanted;
+    std::size_t openable = app::kNoRow;
+    std::size_t first = app::kNoRow;
+    for (std::size_t row = 0; row < rows.size(); ++row) {
+        if (!model_->isShown(row)) continue;
+        if (first == app::kNoRow) first = row;
+        if (!rows[row].volume) continue;
+        if (rows[row].volume == model_->open()) return row;
+        if (openable == app::kNoRow && isExpanded(rows[row].parent)) openable = row;
+    }
+    return openable != app::kNoRow ? openable : first;
+}
+
+void StudyBrowser::openRow(const QModelIndex& index) {
+    if (!index.isValid()) return;
+    const app::StudyRow& row = model_->tree().rows[StudyTreeModel::rowOf(index)];
+    if (!row.volume) return tree_->setExpanded(index, !tree_->isExpanded(index));
+    if (row.volume != model_->open()) emit chosen(*row.volume);
+}
+
+void StudyBrowser::tellWhatIsMissing() {
+    const bool isEmpty = model_->rowCount() == 0;
+    if (!found_) {
+        nothing_->setText(tr("No folder of images is open."));
+    } else if (model_->tree().rows.empty()) {
+        nothing_->setText(tr("There are no studies in this folder."));
+    } else {
+        nothing_->setText(tr("Nothing matches “%1”.").arg(search_->text().simplified()));
+    }
+    nothing_->setVisible(isEmpty);
+    tree_->setVisible(!isEmpty);
+    search_->setEnabled(!model_->tree().rows.empty());
+}
+
+bool StudyBrowser::onSearchKey(int key) {
+    const bool goesOn = key == Qt::Key_Down || key == Qt::Key_Return || key == Qt::Key_Enter;
+    if (goesOn && model_->rowCount() > 0) return tree_->setFocus(Qt::TabFocusReason), true;
+    if (key != Qt::Key_Escape || search_->text().isEmpty()) return false;
+    return search_->clear(), true;
+}
+
+bool StudyBrowser::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == tree_->viewport()) {
+        // Whatever has brought other rows to sight has them painted.
+        if (event->type() == QEvent::Paint) picturesAreDue_.start(0);
+    } else if (event->type() == QEvent::KeyPress) {
+        const int key = static_cast<QKeyEvent*>(event)->key();
+        if (watched == search_ && onSearchKey(key)) return true;
+        if (watched == tree_ && (key == Qt::Key_Return || key == Qt::Key_Enter)) {
+            openRow(tree_->currentIndex());
+            return true;
+        }
+    }
+    return QWidget::eventFilter(watched, event);
+}
+
+void StudyBrowser::makeNextPicture() {
+    if (!found_ || making_ != nullptr || !tree_->isVisible()) return;
+    const QRect seen = tree_->viewport()->rect();
+    for (QModelIndex index = tree_->indexAt(QPoint(seen.center().x(), 0)); index.isValid();
+         index = tree_->indexBelow(index)) {
+        if (tree_->visualRect(index).top() > seen.bottom()) return;
+        const dicom::Stack* stack = model_->tree().rows[StudyTreeModel::rowOf(index)].picture;
+        if (stack == nullptr || model_->isAsked(stack)) continue;
+        making_ = stack;
+        pictures_.start([found = found_, stack](const Progress& progress) {
+            return app::thumbnailOf(*stack, progress.token());
+        });
+        return;
+    }
+}
+
+void StudyBrowser::takePicture(const Result<app::Thumbnail>& made) {
+    const dicom::Stack* stack = std::exchange(making_, nullptr);
+    // A series without a picture is told apart by its texts: it is no error that anybody must hear of.
+    model_->setPicture(stack, made.ok() ? asImage(*made) : QImage());
+    makeNextPicture();
+}
+
+}  // namespace macula::viewer

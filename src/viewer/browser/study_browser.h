@@ -1,0 +1,81 @@
+// The studies, series and volumes of the folder that is open, to pick from.
+#pragma once
+
+#include <QLabel>
+#include <QLineEdit>
+#include <QTimer>
+#include <QTreeView>
+#include <QWidget>
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "app/study/series_thumbnail.h"
+#include "viewer/background_job.h"
+#include "viewer/browser/study_tree_model.h"
+
+namespace macula::viewer {
+
+// A tree with a search above it. One click selects; a double click or Enter chooses. It names what is open: a
+// choice changes it only once it is told that the other volume is. Small pictures are made one after another
+// beside the UI thread, of the rows that are seen, and of nothing while the browser is hidden.
+class StudyBrowser : public QWidget {
+    Q_OBJECT
+
+  public:
+    explicit StudyBrowser(QWidget* parent = nullptr);
+
+    // Null: there is no folder. `open` is in FoundVolumes::volumes(). The search starts anew with a folder.
+    void setFound(std::shared_ptr<const app::FoundVolumes> found, std::optional<std::size_t> open);
+    void setShown(std::optional<std::size_t> open);
+    // Without names no text of the files is shown that may name a patient; pictures are, and text that a
+    // machine has drawn into its images is seen in them.
+    void showNames(bool shown);
+    // Volumes that something is kept of between runs.
+    void setStored(std::set<std::size_t> volumes);
+    void focusSearch();
+
+  signals:
+    void chosen(std::size_t index);  // another volume than the one that is open
+
+  protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+  private:
+    void makeSearch();
+    void makeTree();
+    bool onSearchKey(int key);
+    app::StudyTree makeRows() const;
+    void search();
+    void endSearch();
+    void layOut(std::size_t current);
+    bool isExpanded(std::size_t row) const;
+    void rememberExpanded(const QModelIndex& index, bool isExpanded);
+    void revealOpen();
+    std::size_t currentRow() const;
+    std::size_t rowToSelect(std::size_t wanted) const;
+    void openRow(const QModelIndex& index);
+    void tellWhatIsMissing();
+    void makeNextPicture();
+    void takePicture(const Result<app::Thumbnail>& made);
+
+    QLineEdit* search_;
+    QTreeView* tree_;
+    QLabel* nothing_;
+    StudyTreeModel* model_;
+
+    std::shared_ptr<const app::FoundVolumes> found_;
+    bool namesShown_ = true;
+    std::vector<std::string> words_;  // that were searched
+    std::vector<bool> expanded_;      // of each row, when nothing is searched
+    bool isLayingOut_ = false;
+
+    QTimer picturesAreDue_;
+    const dicom::Stack* making_ = nullptr;
+    BackgroundJob<app::Thumbnail> pictures_;
+};
+
+}  // namespace macula::viewer

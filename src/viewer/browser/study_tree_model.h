@@ -1,0 +1,76 @@
+// The rows of a folder as Qt shows them.
+#pragma once
+
+#include <QAbstractItemModel>
+#include <QImage>
+#include <optional>
+#include <set>
+#include <unordered_map>
+#include <vector>
+
+#include "app/study/study_tree.h"
+
+namespace macula::viewer {
+
+// One column. A row is known by its place in StudyTree::rows, whatever is shown of them.
+class StudyTreeModel : public QAbstractItemModel {
+    Q_OBJECT
+
+  public:
+    enum Role {
+        detailsRole = Qt::UserRole,  // QStringList, below the title
+        whyNotRole,                  // QString, empty for what can be opened
+        isOpenRole,                  // bool
+        hasPictureRole,              // bool: there is an image, be it made or not
+        pictureRole,                 // QImage, null until it is made
+        lineCountRole,               // int: title, details and whyNot
+    };
+
+    explicit StudyTreeModel(QObject* parent = nullptr);
+
+    // Shows all rows, of which none is open, stored or has a picture.
+    void setTree(app::StudyTree tree);
+    // The same folder in other words: what is open and stored, and pictures, stay.
+    void setTexts(app::StudyTree tree);
+    const app::StudyTree& tree() const { return tree_; }
+    void setRowsShown(std::vector<bool> shown);  // one for each row
+    bool isShown(std::size_t row) const { return shown_[row]; }
+
+    // In FoundVolumes::volumes().
+    void setOpen(std::optional<std::size_t> volume);
+    std::optional<std::size_t> open() const { return open_; }
+    void setStored(std::set<std::size_t> volumes);
+    // A null picture: it cannot be made.
+    void setPicture(const dicom::Stack* stack, const QImage& picture);
+    bool isAsked(const dicom::Stack* stack) const { return pictures_.contains(stack); }
+
+    QModelIndex indexOf(std::size_t row) const;  // invalid for a row that is not shown
+    static std::size_t rowOf(const QModelIndex& index) { return std::size_t(index.internalId()); }
+
+    QModelIndex index(int row, int column, const QModelIndex& parent = {}) const override;
+    QModelIndex parent(const QModelIndex& child) const override;
+    int rowCount(const QModelIndex& parent = {}) const override;
+    int columnCount(const QModelIndex& parent = {}) const override;
+    QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;
+
+  private:
+    void layOut();
+    bool isOpen(std::size_t row) const;
+    bool isStored(std::size_t row) const;
+    QStringList details(std::size_t row) const;
+    QString toolTip(std::size_t row) const;
+    QString spoken(std::size_t row) const;
+    template <class Which>
+    void tellChanged(Which which);
+
+    app::StudyTree tree_;
+    std::vector<bool> shown_;
+    std::vector<std::size_t> top_;                    // of those shown, as the two below
+    std::vector<std::vector<std::size_t>> children_;  // of each row
+    std::vector<int> places_;                         // among the children of its parent
+    std::optional<std::size_t> open_;
+    std::set<std::size_t> stored_;
+    std::unordered_map<const dicom::Stack*, QImage> pictures_;
+};
+
+}  // namespace macula::viewer

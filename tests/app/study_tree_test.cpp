@@ -1,0 +1,247 @@
+#include "app/study/study_tree.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "app/found_by_hand.h"
+
+namespace macula::app {
+namespace {
+
+using Kind = StudyRow::Kind;
+
+std::size_t rowTitled(const StudyTree& tree, std::string_view title) {
+    const auto found = std::find_if(tree.rows.begin(), tree.rows.end(),
+                                    [&](const StudyRow& row) { return row.title == title; });
+    if (found == tree.rows.end()) {
+        ADD_FAILURE() << "there is no row " << title;
+        return 0;
+    }
+    return static_cast<std::size_t>(found - tree.rows.begin());
+}
+
+std::vector<std::string> titlesOf(const StudyTree& tree, const std::vector<std::size_t>& rows) {
+    std::vector<std::string> titles;
+    for (const std::size_t row : rows) titles.push_back(tree.rows[row].title);
+    return titles;
+}
+
+std::vector<std::string> shownFor(const StudyTree& tree, std::string_view typed) {
+    const std::vector<bool> shown = rowsThatMatch(tree, typed);
+    std::vector<std::string> titles;
+    for (std::size_t row = 0; row < shown.size(); ++row) {
+        if (shown[row]) titles.push_back(tree.rows[row].title);
+    }
+    return titles;
+}
+
+using Texts = std::vector<std::string>;
+
+TEST(StudyTree, PatientsHaveTheirStudiesTheNewestFirst) {
+    const auto found = test::twoPatients();
+    const StudyTree tree = studyTree(*found);
+    EXPECT_EQ(titlesOf(tree, tree.top), (Texts{"Müller, Jörg", "DOE, JANE", "4 files left out"}));
+    const StudyRow& patient = tree.rows[tree.top[0]];
+    EXPECT_EQ(patient.details, Texts{"ID ID0, born 1970-01-02, F"});
+    EXPECT_EQ(titlesOf(tree, patient.children), (Texts{"2020-03-04, Head", "2019-02-03, Abdomen of Jörg"}));
+    const StudyRow& older = tree.rows[patient.children[1]];
+    EXPECT_EQ(older.details, Texts{"CT · 2 series"});
+    EXPECT_EQ(titlesOf(tree, older.children), (Texts{"Series 1: Scout", "Series 2: Portal venous"}));
+}
+
+TEST(StudyTree, ParentsComeBeforeTheirChildrenAndNameThem) {
+    const auto found = test::twoPatients();
+    const StudyTree tree = studyTree(*found);
+    std::size_t below = 0;
+    for (std::size_t row = 0; row < tree.rows.size(); ++row) {
+        for (const std::size_t child : tree.rows[row].children) {
+            EXPECT_GT(child, row);
+            EXPECT_EQ(tree.rows[child].parent, row);
+            ++below;
+        }
+    }
+    EXPECT_EQ(below + tree.top.size(), tree.rows.size()) << "each row is in one place";
+}
+
+TEST(StudyTree, EachVolumeIsOpenedByARow) {
+    const auto found = test::twoPatients();
+    const StudyTree tree = studyTree(*found);
+    std::set<std::size_t> opened;
+    for (const StudyRow& row : tree.rows) {
+        if (!row.volume) continue;
+        opened.insert(*row.volume);
+        const FoundVolume& volume = found->volumes().at(*row.volume);
+        EXPECT_EQ(row.picture, volume.stack);
+        EXPECT_TRUE(row.whyNot.empty());
+        if (row.kind == Kind::series) {
+            EXPECT_EQ(row.title,
+                      "Series " + std::to_string(*volume.series->number) + ": " + volume.series->description);
+        }
+    }
+    EXPECT_EQ(opened, (std::set<std::size_t>{0, 1, 2, 3}));
+}
+
+TEST(StudyTree, ASeriesTellsImagesSizeAndVoxels) {
+    const auto found = test::twoPatients();
+    const StudyTree tree = studyTree(*found);
+    EXPECT_EQ(tree.rows[rowTitled(tree, "Series 2: Portal venous")].details,
+              (Texts{"CT · 100 images", "512 × 256 × 100 · 0.7 × 0.5 × 1.25 mm"}));
+    EXPECT_EQ(tree.rows[rowTitled(tree, "Series 1: Scout")].details, (Texts{"CT · 1 image", "512 × 256"}));
+}
+
+TEST(StudyTree, SeveralVolumesOfASeriesAreRowsOfTheirOwn) {
+    const auto found = test::twoPatients();
+    const StudyTree tree = studyTree(*found);
+    const StudyRow& series = tree.rows[rowTitled(tree, "Series 3: T2 two echoes")];
+    EXPECT_FALSE(series.volume) << "which of them?";
+    EXPECT_EQ(series.details, Texts{"MR · 60 images · 2 volumes"});
+    EXPECT_EQ(titlesOf(tree, series.children), (Texts{"EchoTime 4.6", "EchoTime 9.2, phase 2 of 2"}));
+    EXPECT_EQ(tree.rows[series.children[0]].volume, 1u);
+    EXPECT_EQ(tree.rows[series.children[1]].volume, 2u);
+    // With one volume among other images it is clear which is meant.
+    const StudyRow& mixed = tree.rows[rowTitled(tree, "Series 4: Lung <b>sharp</b>")];
+    EXPECT_EQ(mixed.volume, 3u);
+    ASSERT_EQ(mixed.children.size(), 2u);
+    EXPECT_EQ(tree.rows[mixed.children[0]].volume, 3u);
+    EXPECT_FALSE(tree.rows[mixed.children[1]].volume);
+    EXPECT_EQ(tree.rows[mixed.children[1]].whyNot, dicom::message(dicom::key::kSingleSlice).sentence);
+    EXPECT_EQ(tree.rows[mixed.children[0]].messages.size(), 1u) << "of a source with losses";
+}
+
+TEST(StudyTree, WhatCannotBeOpenedSaysWhy) {
+    const auto found = test::twoPatients();
+    const StudyTree tree = studyTree(*found);
+    const auto why = [&](std::string_view title) { return tree.rows[rowTitled(tree, title)].whyNot; };
+    EXPECT_EQ(why("Series 1: Scout"), dicom::message(dicom::key::kLocalizer).sentence);
+    EXPECT_EQ(why("Series 9: Report of Jane"),
+              "This is no image, and cannot be shown here: Structured report.");
+    EXPECT_EQ(why("Series 10: Broken"), "No file of this series can be read; it has 4.");
+    EXPECT_EQ(tree.rows[rowTitled(tree, "Series 9: Report of Jane")].picture, nullptr);
+    EXPECT_EQ(tree.rows[rowTitled(tree, "Series 9: Report of Jane")].details,
+              Texts{"SR · no images · 1 object"});
+    for (const StudyRow& row : tree.rows) {
+        if (row.kind != Kind::stack) continue;
+        EXPECT_EQ(row.whyNot.empty(), row.volume.has_value()) << row.title;
+    }
+}
+
+TEST(StudyTree, FilesLeftOutAreGroupedByTheirReason) {
+    const auto found = test::twoPatients();
+    const StudyTree tree = studyTree(*found);
+    const StudyRow& leftOut = tree.rows[tree.top.back()];
+    EXPECT_EQ(leftOut.kind, Kind::leftOut);
+    EXPECT_EQ(titlesOf(tree, leftOut.children),
+              (Texts{"3 × " + dicom::message(dicom::key::kDamagedFile).sentence,
+                     dicom::message(dicom::key::kUnreadableFile).sentence}));
+    for (const StudyRow& row : tree.rows) {
+        if (row.kind != Kind::leftOut) continue;
+        for (const std::string& text : row.messages) EXPECT_EQ(text.find("/doe"), std::string::npos);
+    }
+}
+
+TEST(StudyTree, FoldersThatCannotBeReadAreCountedTogether) {
+    dicom::Scan scan;
+    for (int n = 0; n < 2; ++n)
+        scan.skipped.push_back(
+            {"/doe", dicom::message(dicom::key::kUnreadableFolder, {{"count", std::int64_t{1}}}), ""});
+    const FoundVolumes found(std::move(scan));
+    const StudyTree tree = studyTree(found);
+    ASSERT_EQ(tree.rows.size(), 1u);
+    EXPECT_EQ(tree.rows[0].title,
+              dicom::message(dicom::key::kUnreadableFolder, {{"count", std::int64_t{2}}}).sentence);
+}
+
+TEST(StudyTree, ImagesOfOneSeriesEachAreOneRowThatAsks) {
+    dicom::Scan scan;
+    for (int n = 0; n < 5; ++n) {
+        dicom::Series series = test::seriesOf(1, "Slice", {test::refused(dicom::key::kSingleSlice)});
+        series.scattered = true;
+        scan.studies.push_back(test::studyOf(0, "DOE^JANE", "20200102", "Thorax", {series}));
+    }
+    scan.messages.push_back(dicom::message(
+        dicom::key::kUidPerSlice, {{"count", std::int64_t{5}}, {"level", std::string("study and series")}}));
+    const FoundVolumes found(std::move(scan));
+    const StudyTree tree = studyTree(found);
+    ASSERT_EQ(tree.rows.size(), 1u);
+    EXPECT_EQ(tree.rows[0].title, found.scan().messages[0].sentence);
+}
+
+TEST(StudyTree, AnEmptyScanHasNoRows) {
+    const FoundVolumes found{dicom::Scan{}};
+    EXPECT_TRUE(studyTree(found).rows.empty());
+    EXPECT_TRUE(rowsThatMatch(studyTree(found), "ct").empty());
+}
+
+TEST(StudyTree, WithoutNamesNobodyIsNamed) {
+    const auto found = test::twoPatients();
+    const StudyTree shown = studyTree(*found);
+    const StudyTree tree = studyTree(*found, Names::hidden);
+    ASSERT_EQ(tree.rows.size(), shown.rows.size()) << "rows keep their places";
+    EXPECT_EQ(titlesOf(tree, tree.top), (Texts{"Patient 1", "Patient 2", "4 files left out"}));
+    for (std::size_t n = 0; n < tree.rows.size(); ++n) {
+        const StudyRow& row = tree.rows[n];
+        EXPECT_EQ(row.volume, shown.rows[n].volume);
+        EXPECT_EQ(row.whyNot, shown.rows[n].whyNot);
+        std::string all = row.title + row.searched + row.whyNot;
+        for (const std::string& text : row.details) all += text;
+        for (const std::string& text : row.messages) all += text;
+        for (const char* name : {"Müller",  "muller", "Jörg", "jorg", "DOE",   "doe",    "Jane",
+                                 "JANE",    "jane",   "ID0",  "id0",  "id1",   "1970",   "Abdomen",
+                                 "abdomen", "Head",   "head", "Lung", "Scout", "Portal", "EchoTime"})
+            EXPECT_EQ(all.find(name), std::string::npos) << all;
+    }
+    const StudyRow& patient = tree.rows[tree.top[0]];
+    EXPECT_EQ(titlesOf(tree, patient.children), (Texts{"2020-03-04", "2019-02-03"})) << "dates stay";
+    EXPECT_EQ(shownFor(tree, "muller"), Texts{});
+    EXPECT_EQ(shownFor(tree, "2020-03-04 mr"),
+              (Texts{"Patient 1", "2020-03-04", "Series 3", "Stack 1", "Stack 2, phase 2 of 2"}));
+}
+
+TEST(StudyTree, ADateThatIsNoneMayNameSomebody) {
+    dicom::Scan scan;
+    scan.studies.push_back(test::studyOf(0, "DOE^JANE", "Jane", "", {test::seriesOf(1, "", {})}));
+    scan.studies.push_back(test::studyOf(0, "DOE^JANE", "2020.03.04", "", {test::seriesOf(1, "", {})}));
+    const FoundVolumes found(std::move(scan));
+    const StudyTree tree = studyTree(found, Names::hidden);
+    EXPECT_EQ(titlesOf(tree, tree.rows[tree.top[0]].children), (Texts{"2020.03.04", "no study date"}));
+}
+
+TEST(StudyTree, SearchKeepsWhatIsAboveAndBelow) {
+    const auto found = test::twoPatients();
+    const StudyTree tree = studyTree(*found);
+    EXPECT_EQ(shownFor(tree, "portal"),
+              (Texts{"Müller, Jörg", "2019-02-03, Abdomen of Jörg", "Series 2: Portal venous"}));
+    EXPECT_EQ(shownFor(tree, "jane lung").size(), 5u) << "patient, study, series, and its two stacks";
+    EXPECT_EQ(shownFor(tree, "MULLER jorg").size(), 8u) << "all of him";
+    EXPECT_EQ(shownFor(tree, "9.2"), (Texts{"Müller, Jörg", "2020-03-04, Head", "Series 3: T2 two echoes",
+                                            "EchoTime 9.2, phase 2 of 2"}));
+}
+
+TEST(StudyTree, SearchIsByNameIdDateModalityAndDescription) {
+    const auto found = test::twoPatients();
+    const StudyTree tree = studyTree(*found);
+    for (const char* typed : {"müller", "id0", "1970-01-02 id0", "19700102 id0", "20200304", "2020-03-04",
+                              "mr", "head", "echoes", "Müller^Jörg", "mr head muller 2020"}) {
+        const Texts shown = shownFor(tree, typed);
+        EXPECT_NE(std::find(shown.begin(), shown.end(), "Series 3: T2 two echoes"), shown.end()) << typed;
+        EXPECT_EQ(std::find(shown.begin(), shown.end(), "DOE, JANE"), shown.end()) << typed;
+    }
+    const Texts sr = shownFor(tree, "sr");
+    EXPECT_EQ(sr, (Texts{"DOE, JANE", "2021-04-05, Thorax", "Series 9: Report of Jane"}))
+        << "the modality of one series does not stand for its study";
+    EXPECT_EQ(shownFor(tree, "muller lung"), Texts{}) << "all words, of one row and those above it";
+    EXPECT_EQ(shownFor(tree, "").size(), tree.rows.size());
+    EXPECT_EQ(shownFor(tree, " , ").size(), tree.rows.size());
+}
+
+TEST(StudyTree, ManySeriesAreAllThere) {
+    const auto found = test::manySeries(2000);
+    const StudyTree tree = studyTree(*found);
+    EXPECT_EQ(tree.rows.size(), 2002u);
+    EXPECT_EQ(shownFor(tree, "thorax 1999").size(), 3u);
+}
+
+}  // namespace
+}  // namespace macula::app

@@ -1,0 +1,368 @@
+// The browser of studies with mouse and keys, without a display.
+#include "viewer/browser/study_browser.h"
+
+#include <gtest/gtest.h>
+
+#include <QAbstractItemModelTester>
+#include <QTest>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "app/found_by_hand.h"
+#include "dicom/support.h"
+#include "dicom/synthetic.h"
+#include "viewer/offscreen.h"
+
+namespace macula::viewer {
+namespace {
+
+class StudyBrowserTest : public test::OffscreenTest {
+  protected:
+    void SetUp() override {
+        OffscreenTest::SetUp();
+        browser_.emplace();
+        QObject::connect(&*browser_, &StudyBrowser::chosen, &*browser_,
+                         [this](std::size_t index) { chosen_.push_back(index); });
+        tree_ = browser_->findChild<QTreeView*>(QStringLiteral("studies"));
+        search_ = browser_->findChild<QLineEdit*>(QStringLiteral("search"));
+        nothing_ = browser_->findChild<QLabel*>(QStringLiteral("nothing"));
+        ASSERT_NE(tree_, nullptr);
+        ASSERT_NE(search_, nullptr);
+        ASSERT_NE(nothing_, nullptr);
+        browser_->resize(420, 700);
+        browser_->show();
+        settle();
+    }
+    void TearDown() override {
+        browser_.reset();
+        OffscreenTest::TearDown();
+    }
+
+    // Every index that is shown by the model, folded away or not.
+    std::vector<QModelIndex> allRows() const {
+        std::vector<QModelIndex> rows;
+        const std::function<void(const QModelIndex&)> add = [&](const QModelIndex& parent) {
+            for (int n = 0; n < tree_->model()->rowCount(parent); ++n) {
+                rows.push_back(tree_->model()->index(n, 0, parent));
+                add(QModelIndex(rows.back()));
+            }
+        };
+        add({});
+        return rows;
+    }
+    QModelIndex rowTitled(const QString& title) const {
+        for (const QModelIndex& index : allRows()) {
+            if (index.data().toString() == title) return index;
+        }
+        ADD_FAILURE() << "there is no row " << title.toStdString();
+        return {};
+    }
+    QStringList titles() const {
+        QStringList titles;
+        for (const QModelIndex& index : allRows()) titles << index.data().toString();
+        return titles;
+    }
+    static bool isOpen(const QModelIndex& index) { return index.data(StudyTreeModel::isOpenRole).toBool(); }
+    QPoint middleOf(const QModelIndex& index) const {
+        tree_->scrollTo(index);
+        return tree_->visualRect(index).center();
+    }
+    void type(const char* text) { QTest::keyClicks(search_, QString::fromUtf8(text)); }
+
+    std::optional<StudyBrowser> browser_;
+    QTreeView* tree_ = nullptr;
+    QLineEdit* search_ = nullptr;
+    QLabel* nothing_ = nullptr;
+    std::vector<std::size_t> chosen_;
+};
+
+using Chosen = std::vector<std::size_t>;
+
+TEST_F(StudyBrowserTest, SaysThatThereIsNoFolder) {
+    EXPECT_TRUE(nothing_->isVisible());
+    EXPECT_FALSE(nothing_->text().isEmpty());
+    EXPECT_FALSE(tree_->isVisible());
+    browser_->setFound(app::test::twoPatients(), 0);
+    EXPECT_FALSE(nothing_->isVisible());
+    EXPECT_TRUE(tree_->isVisible());
+    browser_->setFound(nullptr, std::nullopt);
+    EXPECT_TRUE(nothing_->isVisible());
+    EXPECT_TRUE(allRows().empty());
+}
+
+TEST_F(StudyBrowserTest, ControlsHaveNamesAndToolTips) {
+    for (const QWidget* control : {static_cast<QWidget*>(tree_), static_cast<QWidget*>(search_)}) {
+        EXPECT_FALSE(control->accessibleName().isEmpty());
+        EXPECT_FALSE(control->toolTip().isEmpty());
+    }
+    browser_->setFound(app::test::twoPatients(), 0);
+    for (const QModelIndex& index : allRows())
+        EXPECT_TRUE(index.data(Qt::AccessibleTextRole).toString().startsWith(index.data().toString()));
+    const QString scout =
+        rowTitled(QStringLiteral("Series 1: Scout")).data(Qt::AccessibleTextRole).toString();
+    EXPECT_TRUE(scout.contains(QString::fromStdString(dicom::message(dicom::key::kLocalizer).sentence)));
+}
+
+TEST_F(StudyBrowserTest, TheModelKeepsItsWord) {
+    browser_->setFound(app::test::twoPatients(), 0);
+    const QAbstractItemModelTester tester(tree_->model(),
+                                          QAbstractItemModelTester::FailureReportingMode::Fatal);
+    type("echo");
+    search_->clear();
+    browser_->showNames(false);
+    browser_->setShown(3);
+    browser_->setStored({1, 3});
+    browser_->setFound(app::test::manySeries(20), 7);
+    type("thorax 1");
+    browser_->setFound(nullptr, std::nullopt);
+}
+
+TEST_F(StudyBrowserTest, WhatIsOpenIsSelectedAndSeen) {
+    browser_->setFound(app::test::twoPatients(), 2);
+    const QModelIndex open = rowTitled(QStringLiteral("EchoTime 9.2, phase 2 of 2"));
+    EXPECT_TRUE(isOpen(open));
+    EXPECT_EQ(tree_->currentIndex(), open);
+    EXPECT_TRUE(tree_->isExpanded(open.parent()));
+    EXPECT_TRUE(tree_->viewport()->rect().intersects(tree_->visualRect(open)));
+}
+
+TEST_F(StudyBrowserTest, AClickSelectsAndADoubleClickChooses) {
+    browser_->setFound(app::test::twoPatients(), 3);
+    const QModelIndex portal = rowTitled(QStringLiteral("Series 2: Portal venous"));
+    QTest::mouseClick(tree_->viewport(), Qt::LeftButton, {}, middleOf(portal));
+    EXPECT_EQ(tree_->currentIndex(), portal);
+    EXPECT_EQ(chosen_, Chosen{});
+    QTest::mouseDClick(tree_->viewport(), Qt::LeftButton, {}, middleOf(portal));
+    EXPECT_EQ(chosen_, Chosen{0});
+    EXPECT_FALSE(isOpen(portal)) << "it is not open yet";
+    browser_->setShown(0);
+    EXPECT_TRUE(isOpen(portal));
+    EXPECT_FALSE(isOpen(rowTitled(QStringLiteral("Series 4: Lung <b>sharp</b>"))));
+    QTest::mouseDClick(tree_->viewport(), Qt::LeftButton, {}, middleOf(portal));
+    EXPECT_EQ(chosen_, Chosen{0}) << "it is open already";
+}
+
+TEST_F(StudyBrowserTest, ArrowsAndEnterChoose) {
+    browser_->setFound(app::test::manySeries(5), 1);
+    EXPECT_TRUE(isOpen(tree_->currentIndex()));
+    QTest::keyClick(tree_, Qt::Key_Down);
+    EXPECT_EQ(chosen_, Chosen{});
+    QTest::keyClick(tree_, Qt::Key_Return);
+    QTest::keyClick(tree_, Qt::Key_Up);
+    QTest::keyClick(tree_, Qt::Key_Up);
+    QTest::keyClick(tree_, Qt::Key_Enter);
+    EXPECT_EQ(chosen_, (Chosen{2, 0}));
+}
+
+TEST_F(StudyBrowserTest, LettersFindTheNextRowThatBeginsSo) {
+    QApplication::setKeyboardInputInterval(60'000);  // letters are of one word, however slow this machine is
+    browser_->setFound(app::test::manySeries(5), 1);
+    QTest::keyClicks(tree_, QStringLiteral("Series 4"));
+    EXPECT_EQ(tree_->currentIndex().data().toString(), QStringLiteral("Series 4: Thorax 3"));
+}
+
+TEST_F(StudyBrowserTest, WhatCannotBeOpenedIsNotChosen) {
+    browser_->setFound(app::test::twoPatients(), 3);
+    for (const char* title :
+         {"Series 1: Scout", "Series 9: Report of Jane", "Müller, Jörg", "4 files left out"}) {
+        const QModelIndex row = rowTitled(QString::fromUtf8(title));
+        tree_->setCurrentIndex(row);
+        QTest::keyClick(tree_, Qt::Key_Return);
+        QTest::mouseDClick(tree_->viewport(), Qt::LeftButton, {}, middleOf(row));
+    }
+    EXPECT_EQ(chosen_, Chosen{});
+}
+
+TEST_F(StudyBrowserTest, ASeriesOfSeveralVolumesUnfolds) {
+    browser_->setFound(app::test::twoPatients(), 3);
+    const QModelIndex series = rowTitled(QStringLiteral("Series 3: T2 two echoes"));
+    EXPECT_FALSE(tree_->isExpanded(series));
+    tree_->setCurrentIndex(series);
+    QTest::keyClick(tree_, Qt::Key_Return);
+    EXPECT_TRUE(tree_->isExpanded(series));
+    QTest::keyClick(tree_, Qt::Key_Down);
+    QTest::keyClick(tree_, Qt::Key_Return);
+    EXPECT_EQ(chosen_, Chosen{1});
+}
+
+TEST_F(StudyBrowserTest, SearchLeavesWhatMatches) {
+    browser_->setFound(app::test::twoPatients(), 3);
+    type("muller portal");
+    EXPECT_EQ(titles(),
+              (QStringList{QStringLiteral("Müller, Jörg"), QStringLiteral("2019-02-03, Abdomen of Jörg"),
+                           QStringLiteral("Series 2: Portal venous")}));
+    EXPECT_EQ(tree_->currentIndex().data().toString(), QStringLiteral("Series 2: Portal venous"));
+    QTest::keyClick(search_, Qt::Key_Return);
+    EXPECT_EQ(browser_->focusWidget(), tree_);
+    EXPECT_EQ(chosen_, Chosen{}) << "the first Enter only goes there";
+    QTest::keyClick(tree_, Qt::Key_Return);
+    EXPECT_EQ(chosen_, Chosen{0});
+}
+
+TEST_F(StudyBrowserTest, SearchUnfoldsWhatItFound) {
+    browser_->setFound(app::test::twoPatients(), 3);
+    type("9.2");
+    const QModelIndex found = rowTitled(QStringLiteral("EchoTime 9.2, phase 2 of 2"));
+    EXPECT_TRUE(tree_->isExpanded(found.parent()));
+    EXPECT_EQ(tree_->currentIndex(), found);
+}
+
+TEST_F(StudyBrowserTest, NothingMatchesIsSaidAndEscEndsTheSearch) {
+    browser_->setFound(app::test::twoPatients(), 3);
+    const QStringList before = titles();
+    const QModelIndex patient = rowTitled(QStringLiteral("Müller, Jörg"));
+    tree_->collapse(patient);
+    type("muller lung");
+    EXPECT_TRUE(nothing_->isVisible());
+    EXPECT_TRUE(nothing_->text().contains(QStringLiteral("muller lung")));
+    EXPECT_FALSE(tree_->isVisible());
+    QTest::keyClick(search_, Qt::Key_Down);
+    EXPECT_TRUE(allRows().empty());
+    QTest::keyClick(search_, Qt::Key_Escape);
+    EXPECT_FALSE(nothing_->isVisible());
+    EXPECT_EQ(titles(), before);
+    EXPECT_FALSE(tree_->isExpanded(rowTitled(QStringLiteral("Müller, Jörg")))) << "as it was left";
+    EXPECT_TRUE(tree_->isExpanded(rowTitled(QStringLiteral("DOE, JANE"))));
+}
+
+TEST_F(StudyBrowserTest, FocusSearchSelectsWhatWasTyped) {
+    browser_->setFound(app::test::twoPatients(), 3);
+    type("lung");
+    tree_->setFocus();
+    browser_->focusSearch();
+    EXPECT_EQ(browser_->focusWidget(), search_);
+    EXPECT_EQ(search_->selectedText(), QStringLiteral("lung"));
+}
+
+TEST_F(StudyBrowserTest, ANewFolderIsNotSearched) {
+    browser_->setFound(app::test::twoPatients(), 3);
+    type("lung");
+    browser_->setFound(app::test::manySeries(3), 0);
+    EXPECT_TRUE(search_->text().isEmpty());
+    EXPECT_EQ(allRows().size(), 5u);
+}
+
+TEST_F(StudyBrowserTest, TheSameFolderKeepsItsSearchWhenAnotherVolumeIsOpen) {
+    const auto found = app::test::twoPatients();
+    browser_->setFound(found, 3);
+    type("muller");
+    browser_->setFound(found, 0);
+    EXPECT_EQ(search_->text(), QStringLiteral("muller"));
+    EXPECT_TRUE(isOpen(rowTitled(QStringLiteral("Series 2: Portal venous"))));
+}
+
+TEST_F(StudyBrowserTest, NamesAreHiddenEverywhere) {
+    browser_->setFound(app::test::twoPatients(), 3);
+    type("Doe");
+    browser_->showNames(false);
+    EXPECT_TRUE(search_->text().isEmpty()) << "what was typed is a name";
+    EXPECT_TRUE(isOpen(rowTitled(QStringLiteral("Series 4")))) << "and what is open is still told";
+    for (const QModelIndex& index : allRows()) {
+        QString all = index.data(StudyTreeModel::detailsRole).toStringList().join(QLatin1Char(' '));
+        for (const int role : {int(Qt::DisplayRole), int(Qt::ToolTipRole), int(Qt::AccessibleTextRole),
+                               int(StudyTreeModel::whyNotRole)})
+            all += index.data(role).toString();
+        for (const char* name : {"ller", "Jörg", "DOE", "Jane", "ID0", "Abdomen", "Lung", "1970"})
+            EXPECT_FALSE(all.contains(QString::fromUtf8(name))) << all.toStdString();
+    }
+    browser_->showNames(true);
+    EXPECT_TRUE(titles().contains(QStringLiteral("DOE, JANE")));
+}
+
+TEST_F(StudyBrowserTest, TextOfFilesIsNoHtmlAndTurnsNothingRound) {
+    dicom::Scan scan;
+    scan.studies.push_back(
+        app::test::studyOf(0, "DOE\u202e^JANE", "20200102", "a\nb",
+                           {app::test::seriesOf(1, "<b>x</b>", {app::test::volumeOf(3)})}));
+    browser_->setFound(std::make_shared<const app::FoundVolumes>(std::move(scan)), std::nullopt);
+    const QString tip = rowTitled(QStringLiteral("Series 1: <b>x</b>")).data(Qt::ToolTipRole).toString();
+    EXPECT_TRUE(tip.contains(QStringLiteral("&lt;b&gt;x"))) << tip.toStdString();
+    EXPECT_EQ(titles().first(), QStringLiteral("DOE, JANE"));
+    EXPECT_EQ(titles().at(1), QStringLiteral("2020-01-02, a b"));
+}
+
+TEST_F(StudyBrowserTest, WhatIsKeptOfIsTold) {
+    browser_->setFound(app::test::manySeries(3), 0);
+    const QModelIndex second = rowTitled(QStringLiteral("Series 2: Thorax 1"));
+    const qsizetype before = second.data(StudyTreeModel::detailsRole).toStringList().size();
+    browser_->setStored({1});
+    EXPECT_EQ(second.data(StudyTreeModel::detailsRole).toStringList().size(), before + 1);
+    browser_->setStored({});
+    EXPECT_EQ(second.data(StudyTreeModel::detailsRole).toStringList().size(), before);
+}
+
+// Left half dark, right half bright.
+std::shared_ptr<const app::FoundVolumes> foundOf(const std::filesystem::path& folder) {
+    dicom::test::SyntheticSeries series;
+    series.size = {40, 20, 5};
+    series.rawInstead = [](const dicom::test::Slice&, int i, int) -> std::optional<int> {
+        return i < 20 ? 100 : 2000;
+    };
+    dicom::test::writeFiles(folder, series);
+    auto scan = dicom::test::scan(folder);
+    if (!scan) return nullptr;
+    return std::make_shared<const app::FoundVolumes>(std::move(*scan));
+}
+
+TEST_F(StudyBrowserTest, PicturesComeByThemselvesAndAreNotMirrored) {
+    const dicom::test::TemporaryFolder folder;
+    const auto found = foundOf(folder.path());
+    ASSERT_NE(found, nullptr);
+    browser_->setFound(found, 0);
+    const QModelIndex row = tree_->currentIndex();
+    const auto picture = [&] { return row.data(StudyTreeModel::pictureRole).value<QImage>(); };
+    ASSERT_TRUE(test::waitFor([&] { return !picture().isNull(); }));
+    const int middle = picture().height() / 2;
+    EXPECT_EQ(picture().width(), 40);
+    EXPECT_EQ(qGray(picture().pixel(4, middle)), 0);
+    EXPECT_EQ(qGray(picture().pixel(35, middle)), 255);
+    settle();
+    // On the screen the left is dark, too.
+    const QImage screen = tree_->viewport()->grab().toImage();
+    const QRect box = tree_->visualRect(row);
+    const int y = box.top() + 4 + 48;
+    EXPECT_LT(qGray(screen.pixel(box.left() + 4 + 20, y)), 60);
+    EXPECT_GT(qGray(screen.pixel(box.left() + 4 + 75, y)), 200);
+}
+
+TEST_F(StudyBrowserTest, OnlyRowsThatAreSeenHavePicturesMade) {
+    browser_->setFound(app::test::manySeries(2000), 0);
+    auto* model = static_cast<StudyTreeModel*>(tree_->model());
+    const auto asked = [&] {
+        std::size_t count = 0;
+        for (const app::StudyRow& row : model->tree().rows)
+            count += row.picture != nullptr && model->isAsked(row.picture) ? 1 : 0;
+        return count;
+    };
+    // There is no file, so that none can be made, and nobody hears of it.
+    ASSERT_TRUE(test::waitFor([&] { return asked() >= 3; }));
+    for (int n = 0; n < 20; ++n) QTest::qWait(5);
+    EXPECT_LT(asked(), 40u);
+}
+
+TEST_F(StudyBrowserTest, AHiddenBrowserMakesNoPictures) {
+    browser_->hide();
+    const dicom::test::TemporaryFolder folder;
+    const auto found = foundOf(folder.path());
+    ASSERT_NE(found, nullptr);
+    browser_->setFound(found, 0);
+    for (int n = 0; n < 20; ++n) QTest::qWait(5);
+    EXPECT_FALSE(static_cast<StudyTreeModel*>(tree_->model())->isAsked(found->volumes().at(0).stack));
+}
+
+TEST_F(StudyBrowserTest, MayGetAnotherFolderAndEndWhilePicturesAreMade) {
+    const dicom::test::TemporaryFolder folder;
+    const auto found = foundOf(folder.path());
+    ASSERT_NE(found, nullptr);
+    for (int n = 0; n < 10; ++n) {
+        browser_->setFound(n % 2 == 0 ? found : app::test::manySeries(5), 0);
+        settle();
+    }
+    browser_->setFound(found, 0);
+    settle();
+    browser_.reset();
+}
+
+}  // namespace
+}  // namespace macula::viewer
