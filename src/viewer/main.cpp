@@ -3,6 +3,7 @@
 
 #include <QApplication>
 #include <QMessageBox>
+#include <QScreen>
 #include <QSettings>
 #include <cstdio>
 #include <filesystem>
@@ -27,6 +28,8 @@ namespace {
 using namespace macula;
 using namespace macula::viewer;
 
+constexpr double kShareOfScreen = 0.9;  // for four panes
+
 int fail(const Error& error) {
     std::fprintf(stderr, "macula-viewer: %s%s%s%s %s\n", error.message.c_str(),
                  error.where.empty() ? "" : " (", error.where.c_str(), error.where.empty() ? "" : ")",
@@ -45,7 +48,11 @@ Result<MainWindowOptions> windowOptions(const CommandLine& line) {
     }
     options.firstView = line.view;
     options.layout = line.layout;
-    if (line.size) options.pictureSize = *line.size;
+    if (line.size) {
+        options.pictureSize = *line.size;
+    } else if (line.layout == app::Layout::fourPanes) {
+        options.pictureSize = QGuiApplication::primaryScreen()->availableSize() * kShareOfScreen;
+    }
     options.sampleLimit = line.samples;
     options.usesModel = line.usesModel;
     options.namesPatient = line.namesPatient;

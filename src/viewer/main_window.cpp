@@ -101,9 +101,12 @@ MainWindow::MainWindow(gpu::Instance instance, MainWindowOptions options)
     showNames(options_.namesPatient);
     showPanes();
     redraw();
-    const bool isAlone = options_.layout != app::Layout::fourPanes;
-    viewport_->setPictureSizeHint(isAlone ? options_.pictureSize : options_.pictureSize / 2);
-    resize(sizeHint());
+    if (options_.layout == app::Layout::fourPanes) {
+        resize(options_.pictureSize);
+    } else {
+        viewport_->setPictureSizeHint(options_.pictureSize);
+        resize(sizeHint());
+    }
     viewport_->setFocus();
 }
 

@@ -144,13 +144,14 @@ TEST_F(ThemeTest, ThePaletteStandsOutInAllStates) {
 TEST_F(ThemeTest, FontsAreScaledOnceHoweverOftenAThemeIsApplied) {
     const double own = QFontDatabase::systemFont(QFontDatabase::GeneralFont).pointSizeF();
     ASSERT_GT(own, 0.0);
-    QLabel label(QStringLiteral("text"));
     for (const double scale : {1.5, 1.5, 2.0, 0.8}) {
         applyTheme(*application_, {.fontScale = scale});
+        const QLabel label(QStringLiteral("text"));
         EXPECT_NEAR(QApplication::font().pointSizeF(), scale * own, 1e-6);
         EXPECT_NEAR(label.font().pointSizeF(), scale * own, 1e-6);
     }
     applyTheme(*application_, {.fontScale = 1.0});
+    const QLabel label(QStringLiteral("text"));
     const int once = label.style()->pixelMetric(QStyle::PM_IndicatorWidth, nullptr, &label);
     applyTheme(*application_, {.fontScale = 2.0});
     EXPECT_EQ(label.style()->pixelMetric(QStyle::PM_IndicatorWidth, nullptr, &label), 2 * once);

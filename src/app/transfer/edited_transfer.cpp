@@ -42,7 +42,9 @@ std::optional<std::size_t> insert(std::vector<Point>& points, Point point) {
         before.midpoint = straight.midpoint;
         before.sharpness = straight.sharpness;
     }
-    return std::size_t(points.insert(after, std::move(point)) - points.begin());
+    const auto index = std::size_t(after - points.begin());
+    points.insert(after, std::move(point));
+    return index;
 }
 
 template <class Point>

@@ -14,7 +14,6 @@ namespace macula::viewer {
 
 namespace {
 
-constexpr double kScrollBarPx = 14.0;
 
 const ThemeColours* applied = &kDarkColours;
 
@@ -26,25 +25,6 @@ QFont scaledFont(double scale) {
     else
         font.setPixelSize(std::max(1, int(std::lround(font.pixelSize() * scale))));
     return font;
-}
-
-// Scroll bars only: what they look like otherwise cannot be seen in the dark.
-QString styleSheetOf(const ThemeColours& colours, double scale) {
-    const int width = int(std::lround(kScrollBarPx * scale));
-    return QStringLiteral(
-               "QScrollBar { background: %1; }"
-               "QScrollBar:vertical { width: %4px; }"
-               "QScrollBar:horizontal { height: %4px; }"
-               "QScrollBar::handle { background: %2; border-radius: %5px; margin: 2px; }"
-               "QScrollBar::handle:vertical { min-height: %6px; }"
-               "QScrollBar::handle:horizontal { min-width: %6px; }"
-               "QScrollBar::handle:hover { background: %3; }"
-               "QScrollBar::add-line, QScrollBar::sub-line { width: 0px; height: 0px; }"
-               "QScrollBar::add-page, QScrollBar::sub-page { background: none; }")
-        .arg(QColor(colours.window).name(), QColor(colours.line).name(), QColor(colours.accent).name())
-        .arg(width)
-        .arg(width / 2 - 3)
-        .arg(2 * width);
 }
 
 }  // namespace
@@ -92,7 +72,7 @@ QPalette paletteOf(const ThemeColours& colours) {
     return palette;
 }
 
-void applyTheme(QApplication& application, ThemeChoice choice) {
+void applyTheme(QApplication&, ThemeChoice choice) {
     choice = usable(choice);
     applied = choice.highContrast ? &kHighContrastColours : &kDarkColours;
     const QPalette palette = paletteOf(*applied);
@@ -100,7 +80,6 @@ void applyTheme(QApplication& application, ThemeChoice choice) {
     QApplication::setPalette(palette);
     QApplication::setFont(scaledFont(choice.fontScale));
     QToolTip::setPalette(palette);
-    application.setStyleSheet(styleSheetOf(*applied, choice.fontScale));
 }
 
 const ThemeColours& themeColours() {

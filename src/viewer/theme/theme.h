@@ -22,7 +22,8 @@ struct ThemeChoice {
 // A scale beyond its range is taken as the nearest in it, one that is no number as 1.
 ThemeChoice usable(ThemeChoice choice);
 
-// The application's style, palette, fonts and only style sheet. May be called again: scales do not add up.
+// The application's style, palette and fonts. No style sheet: with one, palettes and fonts of widgets do not
+// go to what is in them. May be called again: scales do not add up.
 void applyTheme(QApplication& application, ThemeChoice choice);
 
 // Of the theme that was applied last, the dark one before; for what a palette has no role for. On the UI

@@ -174,6 +174,7 @@ void ThemeStyle::drawControl(ControlElement element, const QStyleOption* option,
 
 void ThemeStyle::drawComplexControl(ComplexControl control, const QStyleOptionComplex* option,
                                     QPainter* painter, const QWidget* widget) const {
+    if (control == CC_ScrollBar) return drawScrollBar(*painter, *option, widget);
     QProxyStyle::drawComplexControl(control, option, painter, widget);
     const bool hasFocus = is(*option, State_HasFocus);
     if (control == CC_ComboBox) {
@@ -188,6 +189,22 @@ void ThemeStyle::drawComplexControl(ComplexControl control, const QStyleOptionCo
     }
 }
 
+// A handle in its groove: what Fusion draws cannot be seen in the dark.
+void ThemeStyle::drawScrollBar(QPainter& painter, const QStyleOptionComplex& option,
+                               const QWidget* widget) const {
+    painter.save();
+    painter.fillRect(option.rect, QColor(colours_.window));
+    const QRect handle = proxy()->subControlRect(CC_ScrollBar, &option, SC_ScrollBarSlider, widget);
+    const bool isHeld = is(option, State_MouseOver) && option.activeSubControls.testFlag(SC_ScrollBarSlider);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(QColor(isHeld ? colours_.accent : colours_.line));
+    const QRectF inner = QRectF(handle).adjusted(3.0, 3.0, -3.0, -3.0);
+    const double radius = 0.5 * std::min(inner.width(), inner.height());
+    painter.drawRoundedRect(inner, radius, radius);
+    painter.restore();
+}
+
 int ThemeStyle::pixelMetric(PixelMetric metric, const QStyleOption* option, const QWidget* widget) const {
     const int px = QProxyStyle::pixelMetric(metric, option, widget);
     switch (metric) {
@@ -198,6 +215,7 @@ int ThemeStyle::pixelMetric(PixelMetric metric, const QStyleOption* option, cons
         case PM_SmallIconSize:
         case PM_ButtonIconSize:
         case PM_ToolBarIconSize:
+        case PM_ScrollBarExtent:
             return int(std::lround(px * scale_));
         default:
             return px;

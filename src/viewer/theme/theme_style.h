@@ -30,6 +30,7 @@ class ThemeStyle : public QProxyStyle {
     void drawCheckBox(QPainter& painter, const QStyleOption& option) const;
     void drawRadioButton(QPainter& painter, const QStyleOption& option) const;
     void drawToolButtonPanel(QPainter& painter, const QStyleOption& option) const;
+    void drawScrollBar(QPainter& painter, const QStyleOptionComplex& option, const QWidget* widget) const;
     void drawToolBarSeparator(QPainter& painter, const QStyleOption& option) const;
 
     const ThemeColours& colours_;
