@@ -89,7 +89,9 @@ void MainWindow::makePanels() {
 }
 
 void MainWindow::showPanes() {
-    panes_->setLayout(session_.state().layout);
+    const app::Layout layout = session_.state().layout;
+    panes_->setLayout(layout);
+    tools_->setVisible(layout != app::Layout::volume);  // they are of slices
 }
 
 void MainWindow::showNames(bool shown) {
