@@ -83,7 +83,8 @@ struct Options {
                                   "inferior.",
                                   "DIRECTION", "anterior"};
     const QCommandLineOption device{"device", "Index or part of the name of the Vulkan device.", "NAME"};
-    const QCommandLineOption size{"size", "Of the picture in pixels, e.g. 800x600; of the window, with four panes.", "WxH"};
+    const QCommandLineOption size{
+        "size", "Of the picture in pixels, e.g. 800x600; of the window, with four panes.", "WxH"};
     const QCommandLineOption layout{
         "layout", "Which panes: fourPanes, volume, axial, coronal or sagittal; volume with a script.", "NAME",
         "fourPanes"};

@@ -20,12 +20,37 @@ TEST(CommandLine, WithoutArgumentsItIsThePhantom) {
 }
 
 TEST(CommandLine, ReadsAllOptions) {
-    const auto line =
-        parse({"/some/folder", "--preset",  "ct-bone",  "--lights", "rim",      "--view", "superior",
-               "--size",       "800x600",   "--spp",    "7",        "--script", "orbit",  "--screenshots",
-               "out",          "--seconds", "2.5",      "--wait",   "3",        "--rest", "40",
-               "--no-model",   "--device",  "llvmpipe", "--turn",   "30",       "--layout",
-           "coronal",      "--high-contrast", "--font-scale", "1.5"});
+    const auto line = parse({"/some/folder",
+                             "--preset",
+                             "ct-bone",
+                             "--lights",
+                             "rim",
+                             "--view",
+                             "superior",
+                             "--size",
+                             "800x600",
+                             "--spp",
+                             "7",
+                             "--script",
+                             "orbit",
+                             "--screenshots",
+                             "out",
+                             "--seconds",
+                             "2.5",
+                             "--wait",
+                             "3",
+                             "--rest",
+                             "40",
+                             "--no-model",
+                             "--device",
+                             "llvmpipe",
+                             "--turn",
+                             "30",
+                             "--layout",
+                             "coronal",
+                             "--high-contrast",
+                             "--font-scale",
+                             "1.5"});
     ASSERT_TRUE(line.ok()) << line.error().message;
     EXPECT_EQ(line->folder, QStringLiteral("/some/folder"));
     EXPECT_EQ(line->view, ViewDirection::superior);
@@ -92,9 +117,8 @@ TEST(CommandLine, RefusesWhatDoesNotExist) {
           QStringList{"--size", "99999x600"}, QStringList{"--spp", "0"}, QStringList{"--spp", "many"},
           QStringList{"--seconds", "nan"}, QStringList{"--wait", "-1"}, QStringList{"--rest", "0"},
           QStringList{"--script", "changes", "--screenshots", "x"}, QStringList{"--seconds", "-1"},
-          QStringList{"--layout", "five"},
-          QStringList{"--font-scale", "3"}, QStringList{"--script", "dance"}, QStringList{"--screenshots", "x"}, QStringList{"--unknown"},
-          QStringList{"a", "b"}}) {
+          QStringList{"--layout", "five"}, QStringList{"--font-scale", "3"}, QStringList{"--script", "dance"},
+          QStringList{"--screenshots", "x"}, QStringList{"--unknown"}, QStringList{"a", "b"}}) {
         const auto line = parse(wrong);
         ASSERT_FALSE(line.ok()) << wrong.join(' ').toStdString();
         EXPECT_EQ(line.error().code, ErrorCode::usage);

@@ -14,7 +14,6 @@ namespace macula::viewer {
 
 namespace {
 
-
 const ThemeColours* applied = &kDarkColours;
 
 // Of the desktop, whatever was applied before.
