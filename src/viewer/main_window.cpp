@@ -278,21 +278,23 @@ void MainWindow::onChanged(const app::StudyState& before) {
     }
 }
 
+// The one that was chosen last, where it fits: a curve over Hounsfield units means nothing on the raw numbers
+// of a scanner, and the reverse.
+std::shared_ptr<const TransferFunction> MainWindow::usualPreset(const Volume& volume) const {
+    const auto& wanted = options_.preset;
+    return wanted && suits(*wanted, volume.unit()) ? wanted : app::presetFor(catalogue(), volume);
+}
+
 void MainWindow::showStudy(const app::OpenedStudy& study) {
     keepState();  // of the one before
     sessionNote_.clear();
     if (!std::exchange(storeNoteIsNew_, false)) storeNote_.clear();
     const Volume& volume = *study.volume;
     QStringList notes;
-    auto preset = options_.preset;
-    if (!preset || !suits(*preset, volume.unit())) {
-        const auto wanted = std::exchange(preset, app::presetFor(catalogue(), volume));
-        // A curve over Hounsfield units means nothing on the raw numbers of a scanner, and the reverse.
-        if (wanted) {
-            notes << tr("The preset %1 is not made for this kind of volume; %2 is used instead.")
-                         .arg(titleOr(wanted->title, wanted->name), titleOr(preset->title, preset->name));
-        }
-    }
+    const auto preset = usualPreset(volume);
+    if (const auto& wanted = options_.preset; wanted && wanted != preset)
+        notes << tr("The preset %1 is not made for this kind of volume; %2 is used instead.")
+                     .arg(titleOr(wanted->title, wanted->name), titleOr(preset->title, preset->name));
     // What was hidden of the study before may be what matters in this one, and its windows mean nothing here.
     // Of the rest stays what menus and lists show: a number of a view that was opened would go on unseen.
     const app::StudyState& before = session_.state();

@@ -134,6 +134,7 @@ class MainWindow : public QMainWindow {
     app::StudyState stateToKeep() const;
     void keepState();
     void showAfresh();
+    std::shared_ptr<const TransferFunction> usualPreset(const Volume& volume) const;
     void openView(const QString& path);
     void saveView(const QString& path);
     void askForView();

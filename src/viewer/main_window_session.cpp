@@ -64,16 +64,20 @@ void MainWindow::keepState() {
     kept_ = std::move(now);
 }
 
+// What was measured is a person's work, and stays.
 void MainWindow::showAfresh() {
     if (!study().volume) return;
-    app::OpenedStudy shown = study();
-    shown.stateAsLeft.clear();
+    sessionNote_.clear();
     session_.change(tr("Show afresh"), [this](app::StudyState& next) {
-        next = {.lights = options_.lights, .layout = next.layout};
+        next = {.seriesDigest = next.seriesDigest,
+                .preset = usualPreset(*study().volume),
+                .lights = options_.lights,
+                .layout = next.layout,
+                .measurements = next.measurements,
+                .otherKeys = next.otherKeys};
     });
-    kept_ = stateToKeep();  // what goes is not kept once more,
-    showStudy(shown);
-    kept_.reset();  // but what comes is
+    viewport_->showFrom(options_.firstView);
+    showNotes();
 }
 
 }  // namespace macula::viewer

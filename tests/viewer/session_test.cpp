@@ -66,9 +66,17 @@ TEST_F(SessionTest, ComesBackAsItWasLeftWithItsModel) {
     ASSERT_TRUE(waitForConverged());
     EXPECT_GE(steps(), stepsLeft);
 
-    // And as nobody has left it.
+    // And as nobody has left it, which can be undone. What was measured stays.
+    window_->session().change(QStringLiteral("Distance"), [](app::StudyState& next) {
+        next.measurements = {
+            {.label = {}, .shape = slices::Distance{.endsMm = {glm::dvec3(0.0), glm::dvec3(9.0)}}}};
+    });
     window_->findChild<QAction*>(QStringLiteral("show-afresh"))->trigger();
     EXPECT_EQ(window_->state().settings.lightStrength, 1.0);
+    EXPECT_EQ(window_->state().measurements.size(), 1u);
+    window_->session().undo();
+    EXPECT_EQ(window_->state().settings.lightStrength, 1.5);
+    window_->session().redo();
     EXPECT_FALSE(window_->notes().contains(QLatin1String("as it was left")));
 }
 
