@@ -198,6 +198,8 @@ VolumeOptions Loading::describe(std::size_t first, std::size_t step,
     affine[3] = affine * glm::dvec4(0.0, 0.0, static_cast<double>(first), 1.0);
     affine[2] *= static_cast<double>(step);
     const ValueUnit unit = valueUnit(stack_.modality, stack_.frames);
+    // Windows of the file are over rescaled values, not over those of a real world value mapping.
+    const Frame& middle = stack_.frames[stack_.frames.size() / 2];
     VolumeOptions options{.size = {stack_.columns, stack_.rows, static_cast<int>(slices.size())},
                           .worldFromVoxel = affine,
                           .unit = unit.unit,
@@ -209,7 +211,7 @@ VolumeOptions Loading::describe(std::size_t first, std::size_t step,
                                          .messages = messages_,
                                          .interpolatedSlices = interpolatedRanges(slices)},
                           .unitName = unit.name,
-                          .windows = stack_.frames[stack_.frames.size() / 2].windows};
+                          .windows = middle.realWorld ? std::vector<DisplayWindow>() : middle.windows};
     auto& assumptions = options.provenance.assumptions;
     std::ranges::remove_copy_if(
         stack_.assumptions, std::back_inserter(assumptions), [&](const auto& sentence) {

@@ -65,6 +65,9 @@ Result<void> check(const SecondaryCapture& capture) {
         return refuse("The description is too long, or has characters that it may not have.",
                       fmt::format("Take at most {} letters, digits and signs, without a backslash.",
                                   kLongestDescription));
+    if (!capture.source && !capture.isDeidentified && !capture.isOfNobody)
+        return refuse("The files of this study do not say which patient and which study it is.",
+                      "Write the picture without patient and study, or as PNG.");
     return {};
 }
 
@@ -121,20 +124,23 @@ struct Origin {
 };
 
 // Patient and study. What the source is told by never goes into the error: it may name a patient.
-Result<Origin> fillFromSource(Writer& write, const fs::path& source) {
-    const Error unreadable{ErrorCode::inputNotUsable,
-                           "The study that the picture belongs to cannot be read any more.", source.string(),
-                           "Open the study again, or write the picture without the patient."};
+Result<Origin> fillFromSource(Writer& write, const SecondaryCapture::Source& source) {
+    const Error unreadable{
+        ErrorCode::inputNotUsable, "The study that the picture belongs to cannot be read any more.",
+        source.file.string(), "Open the study again, or write the picture without the patient."};
     DcmFileFormat format;
     if (format
-            .loadFileUntilTag(source.c_str(), EXS_Unknown, EGL_noChange, DCM_MaxReadLength, ERM_autoDetect,
-                              DCM_PixelData)
+            .loadFileUntilTag(source.file.c_str(), EXS_Unknown, EGL_noChange, DCM_MaxReadLength,
+                              ERM_autoDetect, DCM_PixelData)
             .bad())
         return unreadable;
     DcmDataset& from = *format.getDataset();
     Origin origin;
     OFString value;
     if (from.findAndGetOFString(DCM_StudyInstanceUID, value).bad() || value.empty()) return unreadable;
+    OFString uid;
+    if (from.findAndGetOFString(DCM_SOPInstanceUID, uid).bad() || uid != source.sopInstanceUid.c_str())
+        return unreadable;
     for (const Taken& taken : kTaken) write.copy(from, taken);
     if (from.findAndGetOFString(DCM_Modality, value).good() && !value.empty())
         origin.modality = value.c_str();

@@ -16,8 +16,13 @@ struct SecondaryCapture {
     int heightPx = 0;
     std::span<const std::uint8_t> rgba;  // 4 bytes a pixel, the upper row first; the fourth is left out
     // An image of the series that is shown: patient, study and modality are taken from it, character sets and
-    // all. Nothing: a picture of nobody.
-    std::optional<std::filesystem::path> source;
+    // all. It must still be that instance: what the path leads to may be another disc by now.
+    struct Source {
+        std::filesystem::path file;
+        std::string sopInstanceUid;
+    };
+    std::optional<Source> source;
+    bool isOfNobody = false;        // made up by a program: then there is no source
     std::string seriesDescription;  // at most 64 characters, ASCII, as the next two; no patient data
     std::string derivation;         // how it was made, in words, at most 1024
     std::string softwareVersion;
@@ -29,8 +34,9 @@ struct SecondaryCapture {
 };
 
 // Explicit VR little endian, RGB, 8 bits. Each call makes a new series and instance. The file is written
-// whole or not at all, in place of one that is there. usage for sizes and texts that do not fit;
-// inputNotUsable when the source cannot be read, or has no study; outputNotWritable.
+// whole or not at all, in place of one that is there. usage for sizes and texts that do not fit, and without
+// a source for a picture that is of somebody and not deidentified; inputNotUsable when the source cannot be
+// read, is another one, or has no study; outputNotWritable.
 Result<void> writeSecondaryCapture(const std::filesystem::path& path, const SecondaryCapture& capture);
 
 }  // namespace macula::dicom

@@ -210,6 +210,7 @@ Result<CommandLine> parseCommandLine(const QStringList& arguments) {
         MACULA_TRY(result.size, parseSize(parser.value(options.size)));
     }
     MACULA_TRY(result.layout, parseLayout(parser.value(options.layout)));
+    result.choosesLayout = parser.isSet(options.layout);
     result.highContrast = parser.isSet(options.highContrast);
     MACULA_TRY(result.fontScale, parseFontScale(parser.value(options.fontScale)));
     bool isNumber = false;

@@ -21,6 +21,7 @@ struct CommandLine {
     ViewDirection view = ViewDirection::anterior;
     std::optional<QSize> size;  // of the picture
     app::Layout layout = app::Layout::fourPanes;
+    bool choosesLayout = false;
     bool highContrast = false;
     double fontScale = 1.0;
     std::uint32_t samples = 512;

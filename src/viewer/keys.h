@@ -85,7 +85,7 @@ inline constexpr std::array kKeys{
     KeyRow{KeyAction::noClip, "", "Ctrl+U", "No clip"},
     KeyRow{KeyAction::openFolder, "Drop a folder or a file", "Ctrl+O", "Open a study"},
     KeyRow{KeyAction::openFile, "", "Ctrl+Shift+O", "Open an image or a volume file"},
-    KeyRow{KeyAction::saveView, "", "Ctrl+S", "Save the view: preset, clip, lights, look, window, camera"},
+    KeyRow{KeyAction::saveView, "", "Ctrl+S", "Save the view: all that was chosen, and the camera"},
     KeyRow{KeyAction::openView, "", "Ctrl+Shift+V", "Open a view that was saved"},
     KeyRow{KeyAction::savePicture, "", "Ctrl+E", "Save the picture, at any size"},
     KeyRow{KeyAction::saveMeasurements, "", "Ctrl+Shift+E", "Save the measurements as a table"},

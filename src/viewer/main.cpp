@@ -60,7 +60,10 @@ Result<MainWindowOptions> windowOptions(const CommandLine& line) {
         options.sessions =
             line.sessions ? std::filesystem::path(line.sessions->toStdString()) : session::defaultFolder();
     options.keepDays = line.keepDays;
-    options.restoresState = !line.choosesView && line.script == CommandLine::Script::none;
+    options.restores = line.script != CommandLine::Script::none ? Restores::nothing
+                       : line.choosesView                       ? Restores::work
+                                                                : Restores::all;
+    options.keepsLayout = line.choosesLayout;
     return options;
 }
 

@@ -1,5 +1,6 @@
 #include "viewer/main_window.h"
 
+#include <QAbstractItemView>
 #include <QAction>
 #include <QApplication>
 #include <QDragEnterEvent>
@@ -19,6 +20,7 @@
 #include "viewer/join_question.h"
 #include "viewer/keys.h"
 #include "viewer/panes/pane_grid.h"
+#include "viewer/panes/tool_box.h"
 #include "viewer/slices/slice_view.h"
 #include "viewer/status_texts.h"
 #include "viewer/visibility_note.h"
@@ -107,7 +109,7 @@ MainWindow::MainWindow(gpu::Instance instance, MainWindowOptions options)
         viewport_->setPictureSizeHint(options_.pictureSize);
         resize(sizeHint());
     }
-    viewport_->setFocus();
+    focusPicture();
 }
 
 void MainWindow::connectLoader() {
@@ -206,7 +208,7 @@ void MainWindow::open(app::StudySource source) {
 void MainWindow::openFound(std::size_t index) {
     keepState();  // as in open()
     loader_.open(study().found, index);
-    viewport_->setFocus();
+    focusPicture();
 }
 
 void MainWindow::askForFolder() {
@@ -258,7 +260,7 @@ void MainWindow::choosePreset(int index) {
         if (const trace::Look look = next.settings.look; study().volume && trace::isProjection(look))
             next.windows.at(std::size_t(look)) = presetWindow(*next.preset, *study().volume);
     });
-    viewport_->setFocus();
+    focusPicture();
 }
 
 // Of the same study; the table is searched for, and is in the state once it is found.
@@ -268,8 +270,11 @@ void MainWindow::onChanged(const app::StudyState& before) {
         const QString note = presetWarning(*now.preset, *study().volume);
         if (std::exchange(presetNote_, note) != note) showNotes();
     }
-    showChosen();
-    showPanes();
+    // A cross-hair that is dragged changes nothing in menus and panes.
+    if (now.preset != before.preset || now.clip != before.clip || now.settings.look != before.settings.look ||
+        now.settings.shading != before.settings.shading)
+        showChosen();
+    if (now.layout != before.layout) showPanes();
     if (now.leavesTableOut != before.leavesTableOut) table_->ask(now.leavesTableOut);
     if (now.clip != before.clip) {
         updateClip();
@@ -303,9 +308,14 @@ void MainWindow::showStudy(const app::OpenedStudy& study) {
                         .lights = before.lights,
                         .settings = {.look = before.settings.look, .shading = before.settings.shading},
                         .layout = before.layout};
-    const std::optional<app::StudyState> left = stateAsLeft(study);
-    if (left) {
+    std::optional<app::StudyState> left = stateAsLeft(study);
+    if (left && options_.restores == Restores::work) {
+        now.slices = left->slices;
+        now.measurements = left->measurements;
+        now.otherKeys = left->otherKeys;
+    } else if (left) {
         now = *left;
+        if (options_.keepsLayout) now.layout = before.layout;
         now.seriesDigest = study.seriesDigest;
         now.camera.reset();
         now.leavesTableOut = false;  // until it is found
@@ -313,6 +323,7 @@ void MainWindow::showStudy(const app::OpenedStudy& study) {
         notes.clear();  // on another preset
         sessionNote_ = tr("This study is shown as it was left. The View menu shows it as when first opened.");
     }
+    if (options_.restores == Restores::work) left.reset();
     presetNote_ = presetWarning(*now.preset, volume);
     table_->setVolume(study.volume);
     pick_->cancel();
@@ -363,6 +374,19 @@ void MainWindow::showNotes() {
     }
 }
 
+// Letters of tools are shortcuts of the window; in a list they look for an entry that begins with them.
+bool MainWindow::event(QEvent* event) {
+    if (event->type() == QEvent::ShortcutOverride) {
+        const auto& key = static_cast<const QKeyEvent&>(*event);
+        const QWidget* focus = QApplication::focusWidget();
+        const bool isList = qobject_cast<const QComboBox*>(focus) != nullptr ||
+                            qobject_cast<const QAbstractItemView*>(focus) != nullptr;
+        if (isList && key.modifiers() == Qt::NoModifier && key.key() >= Qt::Key_A && key.key() <= Qt::Key_Z)
+            event->accept();
+    }
+    return QMainWindow::event(event);
+}
+
 void MainWindow::keyPressEvent(QKeyEvent* event) {
     if (!viewport_->handleKey(*event)) QMainWindow::keyPressEvent(event);
 }
@@ -371,7 +395,9 @@ void MainWindow::triggerShortcut(QKeyEvent* event) {
     // Keys pressed in the native window do not pass through the widgets' shortcuts on every platform.
     const QKeySequence pressed(event->keyCombination());
     for (QAction* action : findChildren<QAction*>()) {
-        if (!action->shortcut().isEmpty() && action->shortcut() == pressed && action->isEnabled()) {
+        const bool isHidden = !tools_->isVisible() && tools_->actions().contains(action);
+        if (!action->shortcut().isEmpty() && action->shortcut() == pressed && action->isEnabled() &&
+            !isHidden) {
             return action->trigger();
         }
     }

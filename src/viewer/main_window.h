@@ -42,6 +42,13 @@ class TransferFunctionEditor;
 class UndoActions;
 enum class Pane;
 
+// What comes back of a study that was seen before, and is kept for the next time.
+enum class Restores {
+    all,
+    work,  // measurements and how slices were shown: the rest is as it was asked for
+    nothing,
+};
+
 struct MainWindowOptions {
     app::Catalogue catalogue;
     std::string device = {};                              // as in gpu::chooseDevice
@@ -57,7 +64,8 @@ struct MainWindowOptions {
     // Where models, and how studies were left, are kept for the next time. Nothing: nowhere.
     std::optional<std::filesystem::path> sessions = {};
     std::optional<int> keepDays = {};  // what was not opened for so long is deleted there; nothing: never
-    bool restoresState = true;         // of a study that was left; else only models are kept
+    Restores restores = Restores::all;
+    bool keepsLayout = false;  // as above, whatever a study was left with
 };
 
 // Menus, choices, the viewport, and what is known about the picture in it. Nothing here waits: folders are
@@ -105,6 +113,7 @@ class MainWindow : public QMainWindow {
     void failed(const macula::Error& error);
 
   protected:
+    bool event(QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
@@ -130,13 +139,14 @@ class MainWindow : public QMainWindow {
     void updateClip();  // what is hidden has
     void showChosen();  // in menus and lists
     std::shared_ptr<app::ModelKeeper> makeKeeper();
+    // Empty: nothing comes back.
     std::optional<app::StudyState> stateAsLeft(const app::OpenedStudy& study);
     app::StudyState stateToKeep() const;
     void keepState();
     void showAfresh();
     std::shared_ptr<const TransferFunction> usualPreset(const Volume& volume) const;
     void openView(const QString& path);
-    void saveView(const QString& path);
+    void saveView(const QString& path, const std::string& json);
     void askForView();
     void askWhereToSaveView();
     void connectExport();
@@ -154,12 +164,11 @@ class MainWindow : public QMainWindow {
     void onFrame(const app::FrameShown& frame);
     void onModel(const hybrid::ModelNews& model);
     void setStudyTexts(const app::OpenedStudy& study);
-    void showPanes();  // of the state
+    void showPanes();     // of the state
+    void focusPicture();  // the pane that had the keyboard last, or one that is shown
     void showNames(bool shown);
     void setCine(bool plays);  // of the slices that are looked at
-    void savePreset(const QString& path);
     void askWhereToSavePreset();
-    void saveMeasurements(const QString& path);
     void askWhereToSaveMeasurements();
     void tellOfFile(const Result<void>& written, const QString& told);
     void setTitle(const QString& ofPicture);
@@ -202,7 +211,8 @@ class MainWindow : public QMainWindow {
     StudyBrowser* browser_ = nullptr;
     QAction* browserShown_ = nullptr;  // shows and hides it
     QList<QAction*> panels_;           // show and hide them
-    MessageBar* notes_ = nullptr;      // stay while other studies are loaded, and when that fails
+    std::optional<Pane> lastPane_;
+    MessageBar* notes_ = nullptr;  // stay while other studies are loaded, and when that fails
     MessageBar* messages_ = nullptr;
     WorkBar* loading_ = nullptr;
     TableRemoval* table_ = nullptr;

@@ -68,7 +68,7 @@ void MainWindow::makeFileMenu() {
     openView->setToolTip(tr("Show this study as it was when a view was saved"));
     QAction* saveView = file->addAction(tr("&Save View…"), this, &MainWindow::askWhereToSaveView);
     saveView->setShortcut(keyOf(KeyAction::saveView));
-    saveView->setToolTip(tr("Preset, clip, lights, look, window and camera, for another time"));
+    saveView->setToolTip(tr("All that was chosen, and the camera, for another time"));
     file->addSeparator();
     QAction* savePicture = file->addAction(tr("Save &Picture…"), this, &MainWindow::askForPicture);
     savePicture->setObjectName(QStringLiteral("save-picture"));
@@ -230,7 +230,7 @@ void MainWindow::makeToolBar() {
     connect(lights_, &QComboBox::activated, this, [this](int index) {
         session_.change(tr("Lights"),
                         [&](app::StudyState& next) { next.lights = catalogue().lights[std::size_t(index)]; });
-        viewport_->setFocus();
+        focusPicture();
     });
 }
 

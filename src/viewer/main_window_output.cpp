@@ -14,10 +14,12 @@ namespace macula::viewer {
 namespace {
 
 // One of those that the volume was made of.
-std::optional<std::filesystem::path> imageOf(const app::OpenedStudy& study) {
+std::optional<dicom::SecondaryCapture::Source> imageOf(const app::OpenedStudy& study) {
     if (!study.found) return std::nullopt;
     const auto& frames = study.found->volumes().at(study.volumeIndex).stack->frames;
-    return frames.empty() ? std::nullopt : std::optional(frames[frames.size() / 2].instance->file);
+    if (frames.empty()) return std::nullopt;
+    const dicom::Instance& image = *frames[frames.size() / 2].instance;
+    return dicom::SecondaryCapture::Source{image.file, image.sopInstanceUid};
 }
 
 }  // namespace
@@ -72,6 +74,7 @@ void MainWindow::askWhereToSavePicture(const PictureDialog& how) {
                              .effort = {.quality = how.quality()},
                              .output = {},
                              .source = imageOf(study()),
+                             .isOfNobody = study().identity.isOfNobody,
                              .isDeidentified = how.isDeidentified()};
     ask(dialog, [this, picture = std::move(picture)](const QString& path) {
         app::ViewPicture wanted = picture;
@@ -98,12 +101,10 @@ void MainWindow::askWhereToSavePreset() {
     dialog->setAcceptMode(QFileDialog::AcceptSave);
     dialog->setDefaultSuffix(QStringLiteral("json"));
     dialog->selectFile(QString::fromStdString(session_.state().preset->name) + QStringLiteral(".json"));
-    ask(dialog, [this](const QString& path) { savePreset(path); });
-}
-
-void MainWindow::savePreset(const QString& path) {
-    tellOfFile(writeTextAtomically(path.toStdString(), toJson(*session_.state().preset)),
-               tr("The preset is written to %1. Open it with --preset %1.").arg(path));
+    ask(dialog, [this, json = toJson(*session_.state().preset)](const QString& path) {
+        tellOfFile(writeTextAtomically(path.toStdString(), json),
+                   tr("The preset is written to %1. Open it with --preset %1.").arg(path));
+    });
 }
 
 void MainWindow::askWhereToSaveMeasurements() {
@@ -120,12 +121,12 @@ void MainWindow::askWhereToSaveMeasurements() {
     connect(dialog, &QFileDialog::filterSelected, dialog, [dialog](const QString& filter) {
         dialog->setDefaultSuffix(filter.section(QLatin1String("*."), 1).chopped(1));
     });
-    ask(dialog, [this](const QString& path) { saveMeasurements(path); });
-}
-
-void MainWindow::saveMeasurements(const QString& path) {
-    tellOfFile(app::writeMeasurements(path.toStdString(), session_.state().measurements, *study().volume),
-               tr("The measurements are written to %1.").arg(path));
+    // Those of now: while a person looks for a folder another study may come.
+    ask(dialog,
+        [this, measurements = session_.state().measurements, volume = study().volume](const QString& path) {
+            tellOfFile(app::writeMeasurements(path.toStdString(), measurements, *volume),
+                       tr("The measurements are written to %1.").arg(path));
+        });
 }
 
 }  // namespace macula::viewer

@@ -1,6 +1,7 @@
 // Panes and panels: the volume, slices of it, and what changes how they are shown.
 #include <QDockWidget>
 #include <QToolBar>
+#include <algorithm>
 #include <array>
 
 #include "viewer/browser/study_browser.h"
@@ -30,7 +31,13 @@ void MainWindow::makePanes() {
         slices_.at(std::size_t(orientation)) = pane;
         connect(pane, &SliceView::maximizeAsked, this,
                 [this, orientation] { panes_->maximize(paneOf(orientation)); });
-        connect(pane, &SliceView::cineChanged, this, [this](bool plays) { tools_->setCine(plays); });
+        connect(pane, &SliceView::cineChanged, this, [this, pane](bool plays) {
+            if (plays) {
+                for (SliceView* other : slices_)
+                    if (other != pane) other->setCine(false);
+            }
+            tools_->setCine(std::ranges::any_of(slices_, &SliceView::isCineOn));
+        });
     }
     panes_ = new PaneGrid({.axial = slices_[std::size_t(slices::Orientation::axial)],
                            .volume = viewport_,
@@ -40,6 +47,9 @@ void MainWindow::makePanes() {
     connect(panes_, &PaneGrid::layoutAsked, this, [this](app::Layout layout) {
         session_.change(tr("Panes"), [layout](app::StudyState& next) { next.layout = layout; });
     });
+    connect(panes_, &PaneGrid::activePaneChanged, this, [this] {
+        if (const auto active = panes_->activePane()) lastPane_ = active;
+    });
     tools_ = new ToolBox(session_, this);
     addToolBar(Qt::LeftToolBarArea, tools_);
     connect(tools_, &ToolBox::toolChosen, this, [this](SliceTool tool) {
@@ -47,6 +57,9 @@ void MainWindow::makePanes() {
     });
     connect(tools_, &ToolBox::cineToggled, this, &MainWindow::setCine);
     undo_ = new UndoActions(session_, this);
+    // A search that would end after it would undo the undoing.
+    for (QAction* action : {&undo_->undo(), &undo_->redo()})
+        connect(action, &QAction::triggered, table_, &TableRemoval::cancel);
 }
 
 // Of the pane that has the focus; else of the first that is shown.
@@ -92,6 +105,13 @@ void MainWindow::showPanes() {
     const app::Layout layout = session_.state().layout;
     panes_->setLayout(layout);
     tools_->setVisible(layout != app::Layout::volume);  // they are of slices
+}
+
+void MainWindow::focusPicture() {
+    Pane pane = lastPane_.value_or(Pane::volume);
+    if (!panes_->isShown(pane))
+        pane = *std::ranges::find_if(kPanes, [this](Pane each) { return panes_->isShown(each); });
+    panes_->focusPane(pane);
 }
 
 void MainWindow::showNames(bool shown) {

@@ -1,4 +1,5 @@
 // What of a study is kept for the next time it is opened, and how it comes back.
+#include <QDockWidget>
 #include <QMetaObject>
 #include <chrono>
 #include <optional>
@@ -6,6 +7,7 @@
 
 #include "app/session/model_keeper.h"
 #include "viewer/main_window.h"
+#include "viewer/panes/tool_box.h"
 
 namespace macula::viewer {
 
@@ -33,14 +35,18 @@ std::shared_ptr<app::ModelKeeper> MainWindow::makeKeeper() {
 // tells of faults, is still there.
 MainWindow::~MainWindow() {
     keepState();
-    delete viewport_;
+    // All that looks at the session goes before it does.
+    hide();
+    for (QDockWidget* panel : findChildren<QDockWidget*>()) delete panel;
+    delete tools_;
+    delete takeCentralWidget();  // with the panes
     viewport_ = nullptr;
     loader_.setKeeper(nullptr);
     keeper_.reset();
 }
 
 std::optional<app::StudyState> MainWindow::stateAsLeft(const app::OpenedStudy& study) {
-    if (study.stateAsLeft.empty() || !options_.restoresState) return std::nullopt;
+    if (study.stateAsLeft.empty() || options_.restores == Restores::nothing) return std::nullopt;
     auto state = app::studyStateFromJson(study.stateAsLeft, {});
     if (!state) {
         sessionNote_ = tr("How this study was left cannot be read; it is shown as when opened first.");
@@ -57,7 +63,7 @@ app::StudyState MainWindow::stateToKeep() const {
 }
 
 void MainWindow::keepState() {
-    if (!keeper_ || !study().volume || !options_.restoresState) return;
+    if (!keeper_ || !study().volume || options_.restores == Restores::nothing) return;
     app::StudyState now = stateToKeep();
     if (kept_ && *kept_ == now) return;
     keeper_->keepState(study().volume, app::toJson(now));
@@ -67,6 +73,7 @@ void MainWindow::keepState() {
 // What was measured is a person's work, and stays.
 void MainWindow::showAfresh() {
     if (!study().volume) return;
+    table_->cancel();
     sessionNote_.clear();
     session_.change(tr("Show afresh"), [this](app::StudyState& next) {
         next = {.seriesDigest = next.seriesDigest,

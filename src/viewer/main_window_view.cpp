@@ -76,7 +76,7 @@ void MainWindow::askWhereToSaveView() {
     dialog->setAcceptMode(QFileDialog::AcceptSave);
     dialog->setDefaultSuffix(QStringLiteral("json"));
     dialog->selectFile(QStringLiteral("view.json"));
-    ask(dialog, [this](const QString& path) { saveView(path); });
+    ask(dialog, [this, json = app::toJson(state())](const QString& path) { saveView(path, json); });
 }
 
 void MainWindow::openView(const QString& path) {
@@ -91,8 +91,8 @@ void MainWindow::openView(const QString& path) {
     }
 }
 
-void MainWindow::saveView(const QString& path) {
-    const Result<void> written = writeTextAtomically(path.toStdString(), app::toJson(state()));
+void MainWindow::saveView(const QString& path, const std::string& json) {
+    const Result<void> written = writeTextAtomically(path.toStdString(), json);
     if (written) {
         messages_->hide();
     } else {

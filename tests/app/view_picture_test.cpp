@@ -24,7 +24,8 @@ class ViewPictureTest : public gpu::GpuTest {
                             .seriesDigest = "phantom",
                             .sizePx = {31, 17},
                             .effort = {.quality = "draft"},
-                            .output = folder_.path() / name};
+                            .output = folder_.path() / name,
+                            .isOfNobody = true};
         picture.drawing = {.transferFunction = presetFor(catalogue, *picture.volume),
                            .lights = defaultLights(catalogue, trace::Look::cinematic),
                            .clip = nullptr};

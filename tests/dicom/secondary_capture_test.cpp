@@ -48,10 +48,11 @@ class SecondaryCaptureTest : public testing::Test {
         dataset.putAndInsertString(DCM_PatientID, "0042");
         dataset.putAndInsertString(DCM_AccessionNumber, "A17");
         ASSERT_TRUE(file.saveFile(source_.c_str()).good());
+        const std::string uid = textOf(dataset, DCM_SOPInstanceUID);
         capture_ = {.widthPx = kWidth,
                     .heightPx = kHeight,
                     .rgba = rgba_,
-                    .source = source_,
+                    .source = SecondaryCapture::Source{source_, uid},
                     .seriesDescription = "Macula 3D",
                     .derivation = "Volume rendering, path traced, 32 samples",
                     .softwareVersion = "1.0"};
@@ -148,11 +149,19 @@ TEST_F(SecondaryCaptureTest, whatDoesNotFitIsRefusedAndWritesNothing) {
     wrong.seriesDescription = "one\\two";
     refused(wrong, ErrorCode::usage);
     wrong = capture_;
-    wrong.source = folder_.path() / "gone.dcm";
+    wrong.source->file = folder_.path() / "gone.dcm";
     refused(wrong, ErrorCode::inputNotUsable);
     std::ofstream(folder_.path() / "text.dcm") << "no DICOM";
-    wrong.source = folder_.path() / "text.dcm";
+    wrong.source->file = folder_.path() / "text.dcm";
     refused(wrong, ErrorCode::inputNotUsable);
+    // The disc was changed: the same name, and another image.
+    wrong = capture_;
+    wrong.source->sopInstanceUid += "1";
+    refused(wrong, ErrorCode::inputNotUsable);
+    // Of somebody, and nobody says who.
+    wrong = capture_;
+    wrong.source.reset();
+    refused(wrong, ErrorCode::usage);
 }
 
 TEST_F(SecondaryCaptureTest, aFolderThatIsGoneIsAnError) {
@@ -167,7 +176,10 @@ TEST_F(SecondaryCaptureTest, theCheckerFindsNoError) {
     for (const int kind : {0, 1, 2}) {
         SecondaryCapture capture = capture_;
         capture.isDeidentified = kind == 1;
-        if (kind == 2) capture.source.reset();
+        if (kind == 2) {
+            capture.source.reset();
+            capture.isOfNobody = true;
+        }
         ASSERT_TRUE(writeSecondaryCapture(path_, capture).ok());
         const fs::path report = folder_.path() / "report.txt";
         std::ignore =

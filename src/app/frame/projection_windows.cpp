@@ -14,6 +14,7 @@ namespace {
 constexpr double kWidthPerHeight = 20.0;  // times wider for a drag over the height of the picture
 constexpr double kNarrowest = 1e-3;       // of the volume's units
 constexpr double kWidest = 1e9;
+constexpr double kNarrowestLinear = 2.0;
 
 }  // namespace
 
@@ -26,6 +27,8 @@ DisplayWindow SeriesWindows::of(trace::Look look, const Volume& volume) const {
 DisplayWindow dragged(const DisplayWindow& from, glm::dvec2 byHeights) {
     DisplayWindow window = from;
     window.width = std::clamp(from.width * std::pow(kWidthPerHeight, byHeights.x), kNarrowest, kWidest);
+    // LINEAR is defined from a width of 1 on, and is nearly a step there (PS3.3 C.11.2.1.2.1).
+    if (window.width < kNarrowestLinear && window.function != "SIGMOID") window.function = "LINEAR_EXACT";
     window.center = std::clamp(from.center + byHeights.y * from.width, -kWidest, kWidest);
     return window;
 }

@@ -64,6 +64,11 @@ std::string harmless(std::string_view text) {
     return (isFormula ? "'" : "") + std::string(text);
 }
 
+// Values may be small: those of a diffusion map in mm²/s are.
+std::string valueText(double value) {
+    return std::isfinite(value) ? fmt::format("{:.9g}", value) : std::string();
+}
+
 std::string number(std::optional<double> value) {
     if (!value || !std::isfinite(*value)) return {};
     const std::string text = fmt::format("{:.3f}", *value);
@@ -82,7 +87,7 @@ std::string lineOf(const Measurement& measurement, const Volume& volume) {
     if (const auto& values = said.values) {
         fields.push_back(std::to_string(values->voxels));
         for (const double value : {values->mean, values->deviation, values->low, values->high})
-            fields.push_back(number(value));
+            fields.push_back(valueText(value));
         fields.push_back(field(harmless(volume.unitName())));
     } else {
         fields.resize(fields.size() + 6);

@@ -13,9 +13,9 @@
 namespace macula::app {
 
 // RFC 4180, in UTF-8: a line of names, then one for each measurement; lines end with CR LF. Numbers have a
-// point and three decimals, whatever the locale; what a measurement does not have is empty. Points are those
-// of slices::pointsOf. No text is one that a spreadsheet would run: where it begins like a formula, an
-// apostrophe is put before it.
+// point and three decimals, values nine digits, whatever the locale; what a measurement does not have is
+// empty. Points are those of slices::pointsOf. No text is one that a spreadsheet would run: where it begins
+// like a formula, an apostrophe is put before it.
 std::string measurementsCsv(std::span<const slices::Measurement> measurements, const Volume& volume);
 
 //   { "version": 1, "frame": "patient LPS, mm", "measurements": [{as slices_json.h}] }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string_view>
 #include <utility>
 
@@ -13,7 +14,6 @@
 #include "app/picture/drawn_picture.h"
 #include "app/picture/picture_file.h"
 #include "app/picture/render_record.h"
-#include "dicom/secondary_capture.h"
 
 namespace macula::app {
 
@@ -39,12 +39,19 @@ Result<PictureRequest> requestOf(const ViewPicture& picture) {
                           .isLinear = isExr(picture.output)};
 }
 
-// Names a preset only where it is one of ours: those of a person may say whose they are.
-std::string derivationOf(const RenderRecord& record) {
-    return fmt::format(
-        "Volume rendering ({}), preset {}, {:.0f} samples per pixel{}. Not for primary diagnosis.",
-        trace::nameOf(record.settings.look), record.preset, record.statistics.meanSamplesPerPixel,
-        record.statistics.denoised ? ", denoised" : "");
+// Names a preset only where it is one of ours: those of a person may say whose they are. Remarks say what is
+// hidden, and through which window values are seen; units may have letters that DICOM's plain text has not.
+std::string derivationOf(const ViewPicture& picture, const RenderRecord& record) {
+    const trace::Look look = record.settings.look;
+    std::string text = fmt::format("Volume rendering ({})", trace::nameOf(look));
+    if (!trace::isProjection(look)) text += ", preset " + record.preset;
+    if (!picture.drawing.remarks.empty()) text += ", " + picture.drawing.remarks;
+    text +=
+        fmt::format(", {:.0f} samples per pixel{}. Not for primary diagnosis.",
+                    record.statistics.meanSamplesPerPixel, record.statistics.denoised ? ", denoised" : "");
+    std::ranges::replace_if(
+        text, [](char c) { return c < ' ' || c > '~' || c == '\\'; }, '?');
+    return text;
 }
 
 Result<void> writeCapture(const ViewPicture& picture, const DrawnPicture& drawn, const RenderRecord& record) {
@@ -54,8 +61,9 @@ Result<void> writeCapture(const ViewPicture& picture, const DrawnPicture& drawn,
                                          .rgba = drawn.rgba,
                                          .source = picture.source,
                                          .seriesDescription = "Macula 3D, not for primary diagnosis",
-                                         .derivation = derivationOf(record),
+                                         .derivation = derivationOf(picture, record),
                                          .softwareVersion = MACULA_VERSION,
+                                         .isOfNobody = picture.isOfNobody,
                                          .isDeidentified = picture.isDeidentified});
 }
 

@@ -13,6 +13,7 @@
 #include "base/progress.h"
 #include "base/result.h"
 #include "base/volume.h"
+#include "dicom/secondary_capture.h"
 
 namespace macula::app {
 
@@ -26,7 +27,8 @@ struct ViewPicture {
     std::filesystem::path output;  // .png, .exr or .dcm; a file that is there is replaced
     // Of .dcm: an image of the series that is shown (dicom::SecondaryCapture), and whether nothing is taken
     // from it.
-    std::optional<std::filesystem::path> source = {};
+    std::optional<dicom::SecondaryCapture::Source> source = {};
+    bool isOfNobody = false;
     bool isDeidentified = false;
 };
 

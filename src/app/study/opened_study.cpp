@@ -64,6 +64,8 @@ Result<OpenedStudy> loadFound(std::shared_ptr<const FoundVolumes> found, std::si
                       .whyThisSeries = "The volume that was chosen.",
                       .volumeTitles = found->titles(),
                       .volumeIndex = index};
+    study.isLowBright = std::ranges::any_of(
+        chosen.stack->messages, [](const Message& m) { return m.key == dicom::key::kInvertedDisplay; });
     const auto tell = [&](const std::vector<Message>& messages) {
         for (const Message& message : messages) {
             if (message.severity != Severity::info) study.messages.push_back(message.sentence);

@@ -28,6 +28,7 @@ struct OpenedStudy {
     std::shared_ptr<const FoundVolumes> found = {};
     std::vector<std::string> volumeTitles = {};
     std::size_t volumeIndex = 0;
+    bool isLowBright = false;       // its own display shows low values white (MONOCHROME1)
     std::string joinQuestion = {};  // see dicom::ScanOptions
     std::string stateAsLeft = {};   // ModelKeeper::stateOf; empty: nobody knows how it was left
 };

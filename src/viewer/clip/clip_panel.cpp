@@ -81,7 +81,7 @@ ClipPanel::ClipPanel(ViewerSession& session, QWidget* parent)
     connect(&session_, &ViewerSession::changed, this, [this](const app::StudyState& before) {
         const app::StudyState& now = session_.state();
         if (now.clip != before.clip) return showClip();
-        if (now.slices.crosshairMm != before.slices.crosshairMm) showTools();
+        if (isVisible() && now.slices.crosshairMm != before.slices.crosshairMm) showTools();
     });
     showStudy();
 }
@@ -310,6 +310,12 @@ void ClipPanel::showFaces() {
     }
     besides_->setText(besides.join(QLatin1Char(' ')));
     besides_->setVisible(!besides.isEmpty());
+}
+
+// While it is hidden it does not follow the cross-hair.
+void ClipPanel::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    showTools();
 }
 
 void ClipPanel::showTools() {

@@ -25,6 +25,9 @@ class ClipPanel : public QWidget {
   public:
     explicit ClipPanel(ViewerSession& session, QWidget* parent = nullptr);
 
+  protected:
+    void showEvent(QShowEvent* event) override;
+
   private:
     using Edited = Result<app::ClipChoice>;
     // A button, and what it would choose now; that is asked only while a study is open.

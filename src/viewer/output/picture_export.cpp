@@ -1,5 +1,6 @@
 #include "viewer/output/picture_export.h"
 
+#include <new>
 #include <utility>
 
 namespace macula::viewer {
@@ -15,8 +16,16 @@ PictureExport::PictureExport(std::string preferredDevice, QObject* parent)
 
 void PictureExport::start(app::ViewPicture picture) {
     path_ = QString::fromStdString(picture.output.string());
-    job_.start([picture = std::move(picture), device = preferredDevice_](Progress& progress) {
-        return app::writeViewPicture(picture, device, progress);
+    using Written = Result<std::vector<std::string>>;
+    job_.start([picture = std::move(picture), device = preferredDevice_](Progress& progress) -> Written {
+        try {
+            return app::writeViewPicture(picture, device, progress);
+        } catch (const std::bad_alloc&) {
+            return Error{ErrorCode::outOfMemory,
+                         "There is not enough memory for this picture.",
+                         {},
+                         "Choose a smaller size, or close other programs."};
+        }
     });
     emit began();
 }

@@ -9,7 +9,7 @@ namespace macula::viewer {
 QString MeasurementTexts::of(const slices::Measurement& measurement, const Volume& volume) {
     const auto found = std::ranges::find(known_, measurement, &Known::measurement);
     if (found != known_.end()) return found->text;
-    constexpr std::size_t kMost = 64;  // more than lie in a plane; each step of drawing is one
+    constexpr std::size_t kMost = 2048;  // more than a state has; each step of a moved one is one
     if (known_.size() == kMost) known_.erase(known_.begin());
     QString text = QString::fromStdString(slices::textOf(measurement, volume));
     if (!measurement.label.empty())

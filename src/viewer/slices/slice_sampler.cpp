@@ -39,6 +39,10 @@ void SliceSampler::publish(SliceWish wish) {
 void SliceSampler::run() {
     while (std::optional<SliceWish> wish = wishes_.take()) {
         if (ends_) return;
+        if (!wish->volume) {
+            last_.reset();
+            continue;
+        }
         SlicePicture picture = make(*wish);
         // Given up on the way: what was sampled is not whole.
         if (ends_ || study_ != wish->study) continue;

@@ -48,7 +48,7 @@ class SliceSampler {
     SliceSampler& operator=(const SliceSampler&) = delete;
     ~SliceSampler();  // gives up what it does
 
-    // Any wish of an earlier study is given up.
+    // Any wish of an earlier study is given up. Without a volume it only lets go of the one before.
     void publish(SliceWish wish);
 
   private:

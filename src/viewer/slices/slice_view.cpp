@@ -103,6 +103,9 @@ void SliceView::onStudyShown() {
     texts_.forget();
     steps_.reset();
     isFitted_ = true;
+    SliceWish nothing;  // a pane that is hidden keeps no volume
+    nothing.study = study_;
+    sampler_->publish(std::move(nothing));
     if (session_.hasStudy()) {
         steps_.emplace(volume(), orientation_, session_.state().slices.asAcquired);
         request();
@@ -149,7 +152,7 @@ void SliceView::request() {
                    .frame = frameOf(view_, *steps_, slice, sizePx, ratio),
                    .slab = session_.state().slices.slab,
                    .window = window(),
-                   .isInverted = session_.state().slices.isInverted,
+                   .isInverted = session_.state().slices.isInverted != session_.study().isLowBright,
                    .positionText = viewer::positionText(orientation_, *steps_, slice),
                    .isInterpolated = isInterpolated(volume(), *steps_, slice),
                    .pixelRatio = ratio,
@@ -205,7 +208,9 @@ QStringList SliceView::notes() const {
     if (!shown_) return notes;
     if (shown_->grey.isNull()) notes.push_back(tr("No memory for this picture: make the window smaller"));
     if (const QString slab = slabText(shown_->of.slab); !slab.isEmpty()) notes.push_back(slab);
-    if (shown_->of.isInverted) notes.push_back(tr("Inverted"));
+    if (shown_->of.isInverted)
+        notes.push_back(session_.study().isLowBright ? tr("Low values are white, as in the images")
+                                                     : tr("Inverted"));
     if (shown_->of.isInterpolated) notes.push_back(tr("Interpolated: no image was taken here"));
     return notes;
 }
@@ -267,14 +272,27 @@ std::vector<ShownMeasurement> SliceView::shownMeasurements() {
     const auto& measurements = session_.state().measurements;
     for (std::size_t i = 0; i < measurements.size(); ++i) {
         if (!isShownHere(measurements[i])) continue;
-        shown.push_back({.measurement = measurements[i],
-                         .text = texts_.of(measurements[i], volume()),
-                         .isSelected = selected_ == i});
+        shown.push_back(
+            {.measurement = measurements[i], .text = textOf(measurements[i]), .isSelected = selected_ == i});
     }
     const auto drawn = drawing_ ? drawing_->soFar() : std::nullopt;
-    if (drawn)
-        shown.push_back({.measurement = *drawn, .text = texts_.of(*drawn, volume()), .isSelected = true});
+    if (drawn) shown.push_back({.measurement = *drawn, .text = textWhileDrawn(*drawn), .isSelected = true});
     return shown;
+}
+
+// Values are of the plane, whatever is projected onto it.
+QString SliceView::textOf(const slices::Measurement& measurement) {
+    const QString text = texts_.of(measurement, volume());
+    const bool isOfPlane =
+        shown_->of.slab.thicknessMm > 0.0 && std::holds_alternative<slices::Ellipse>(measurement.shape);
+    return isOfPlane ? tr("Plane alone: %1").arg(text) : text;
+}
+
+// Values are counted once the hand lets go: that takes too long for each of its steps.
+QString SliceView::textWhileDrawn(const slices::Measurement& measurement) {
+    const auto* ellipse = std::get_if<slices::Ellipse>(&measurement.shape);
+    if (ellipse == nullptr) return texts_.of(measurement, volume());
+    return tr("%1 mm²").arg(std::llround(slices::areaMm2(*ellipse)));
 }
 
 }  // namespace macula::viewer

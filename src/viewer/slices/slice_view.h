@@ -108,12 +108,14 @@ class SliceView : public QWidget {
     void setCrosshair(const glm::dvec3& mm);
     void finishDrawing();
     void removeSelected();
-    bool handleKey(int key);
+    bool handleKey(int key, bool withShift);
     void endOwnDrag(const QString& what);
 
     void paintPicture(QPainter& painter);
     SliceOverlay overlay();
     std::vector<ShownMeasurement> shownMeasurements();
+    QString textOf(const slices::Measurement& measurement);
+    QString textWhileDrawn(const slices::Measurement& measurement);
 
     ViewerSession& session_;
     slices::Orientation orientation_;

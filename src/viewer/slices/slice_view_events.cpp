@@ -205,17 +205,19 @@ void SliceView::wheelEvent(QWheelEvent* event) {
 
 void SliceView::keyPressEvent(QKeyEvent* event) {
     const Qt::KeyboardModifiers others = event->modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier);
-    if (!steps_ || others != Qt::NoModifier || !handleKey(event->key())) QWidget::keyPressEvent(event);
+    if (!steps_ || others != Qt::NoModifier ||
+        !handleKey(event->key(), event->modifiers().testFlag(Qt::ShiftModifier)))
+        QWidget::keyPressEvent(event);
 }
 
 // Whether it was one of its keys.
-bool SliceView::handleKey(int key) {
+bool SliceView::handleKey(int key, bool withShift) {
     const QPointF middle(0.5 * width(), 0.5 * height());
     switch (key) {
         case Qt::Key_Up:
-            return moveBy(1), true;
+            return moveBy(withShift ? kManySlices : 1), true;
         case Qt::Key_Down:
-            return moveBy(-1), true;
+            return moveBy(withShift ? -kManySlices : -1), true;
         case Qt::Key_PageUp:
             return moveBy(kManySlices), true;
         case Qt::Key_PageDown:
