@@ -76,12 +76,13 @@ void MainWindow::showAfresh() {
     table_->cancel();
     sessionNote_.clear();
     session_.change(tr("Show afresh"), [this](app::StudyState& next) {
-        next = {.seriesDigest = next.seriesDigest,
-                .preset = usualPreset(*study().volume),
-                .lights = options_.lights,
-                .layout = next.layout,
-                .measurements = next.measurements,
-                .otherKeys = next.otherKeys};
+        const app::StudyState before = std::exchange(next, {});
+        next.seriesDigest = before.seriesDigest;
+        next.preset = usualPreset(*study().volume);
+        next.lights = options_.lights;
+        next.layout = before.layout;
+        next.measurements = before.measurements;
+        next.otherKeys = before.otherKeys;
     });
     viewport_->showFrom(options_.firstView);
     showNotes();

@@ -60,10 +60,10 @@ Result<void> writeCapture(const ViewPicture& picture, const DrawnPicture& drawn,
                                          .heightPx = picture.sizePx.y,
                                          .rgba = drawn.rgba,
                                          .source = picture.source,
+                                         .isOfNobody = picture.isOfNobody,
                                          .seriesDescription = "Macula 3D, not for primary diagnosis",
                                          .derivation = derivationOf(picture, record),
                                          .softwareVersion = MACULA_VERSION,
-                                         .isOfNobody = picture.isOfNobody,
                                          .isDeidentified = picture.isDeidentified});
 }
 

@@ -130,6 +130,7 @@ void ToolBox::addSlab() {
     projection_->setObjectName(QStringLiteral("slab-projection"));
     projection_->setPopupMode(QToolButton::InstantPopup);
     projection_->setAutoRaise(true);
+    projection_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);  // in the middle of the bar
     projection_->setFocusPolicy(Qt::TabFocus);
     auto* menu = new QMenu(projection_);
     for (const ProjectionRow& row : kProjections) {
