@@ -69,7 +69,8 @@ std::vector<std::uint8_t> toGrey(std::span<const float> values, const DisplayWin
         std::vector<std::uint8_t> bytes(values.size());
         for (std::size_t n = 0; n < values.size(); ++n) {
             if (std::isnan(values[n])) continue;
-            const int shade = static_cast<int>(grey(values[n]) * 255.0 + 0.5);
+            const double toNearest = grey(values[n]) * 255.0 + 0.5;  // std::lround is a call for each pixel
+            const int shade = static_cast<int>(toNearest);
             bytes[n] = static_cast<std::uint8_t>(inverted ? 255 - shade : shade);
         }
         return bytes;

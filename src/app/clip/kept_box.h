@@ -28,7 +28,7 @@ constexpr bool isHigh(Face face) {
     return int(face) % 2 == 1;
 }
 constexpr Face faceOf(int axis, bool high) {
-    return kFaces.at(std::size_t(2 * axis + (high ? 1 : 0)));
+    return kFaces.at(2 * std::size_t(axis) + (high ? 1 : 0));
 }
 std::string_view nameOf(Face face);  // "right"
 char letterOf(Face face);            // 'R'
