@@ -167,6 +167,7 @@ void fillSeriesAndEquipment(Writer& write, const SecondaryCapture& capture, cons
     write.text(DCM_SeriesInstanceUID, newUid());
     write.text(DCM_SeriesNumber, std::to_string(capture.seriesNumber));
     write.text(DCM_SeriesDescription, capture.seriesDescription);
+    write.text(DCM_Laterality, "");         // type 2C: not known of a part that may be paired
     write.text(DCM_ConversionType, "WSD");  // workstation: PS3.3 C.8.6.1
     write.text(DCM_SecondaryCaptureDeviceManufacturer, "Macula");
     write.text(DCM_SecondaryCaptureDeviceManufacturerModelName, "Macula");
