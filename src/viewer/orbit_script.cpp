@@ -47,7 +47,7 @@ double percentile(std::vector<double> values, double fraction) {
 }  // namespace
 
 OrbitScript::OrbitScript(MainWindow& window, OrbitScriptOptions options, QObject* parent)
-    : QObject(parent), window_(window), options_(std::move(options)) {
+    : QObject(parent), window_(window), options_(std::move(options)), opening_(window) {
     hand_.setTimerType(Qt::PreciseTimer);
     hand_.setInterval(kHandIntervalMs);
     connect(&hand_, &QTimer::timeout, this, &OrbitScript::moveHand);
@@ -72,6 +72,7 @@ OrbitScript::OrbitScript(MainWindow& window, OrbitScriptOptions options, QObject
 void OrbitScript::start() {
     if (!options_.screenshotFolder.isEmpty()) QDir().mkpath(options_.screenshotFolder);
     heartbeat_.start();
+    opening_.start();
     deadline_.start();
 }
 
@@ -228,6 +229,7 @@ void OrbitScript::report() {
     const QSize size = window_.viewport().pictureSize();
     const QJsonObject json{
         {"device", device_},
+        {"opening", opening_.toJson()},
         {"width", size.width()},
         {"height", size.height()},
         {"orbitSeconds", orbitedSeconds_},

@@ -11,6 +11,7 @@
 #include <optional>
 #include <vector>
 
+#include "viewer/opening_times.h"
 #include "viewer/ui_heartbeat.h"
 
 namespace macula::viewer {
@@ -26,11 +27,11 @@ struct OrbitScriptOptions {
 
 // Begins some time after the first full picture of the study is there, ends when the picture has converged or
 // the time for that is over. The drag goes through the event system into the native window, as that of a
-// mouse does. At the end a JSON object goes to standard output: what followed the hand, each picture in
-// motion (what it was, its size, when it was on screen and how long after the input), and how soon it was
-// sharp again (-1: not before the rest was over). `finished` carries the exit code: 0; 3 when the study could
-// not be opened; 4 when the device could not be used; 1 when no picture came in time or a screenshot could
-// not be written.
+// mouse does. At the end a JSON object goes to standard output: how soon the study was there, what followed
+// the hand, each picture in motion (what it was, its size, when it was on screen and how long after the
+// input), and how soon it was sharp again (-1: not before the rest was over). `finished` carries the exit
+// code: 0; 3 when the study could not be opened; 4 when the device could not be used; 1 when no picture came
+// in time or a screenshot could not be written.
 class OrbitScript : public QObject {
     Q_OBJECT
 
@@ -61,6 +62,7 @@ class OrbitScript : public QObject {
     MainWindow& window_;
     OrbitScriptOptions options_;
     UiHeartbeat heartbeat_;
+    OpeningTimes opening_;
     QTimer hand_;
     QTimer deadline_;
     Phase phase_ = Phase::waiting;

@@ -1,0 +1,33 @@
+#include "viewer/opening_times.h"
+
+#include <cmath>
+
+#include "viewer/slices/slice_view.h"
+
+namespace macula::viewer {
+
+OpeningTimes::OpeningTimes(MainWindow& window, QObject* parent) : QObject(parent) {
+    connect(&window.viewport().window(), &VulkanWindow::exposed, this, [this] { note(windowMs_); });
+    connect(&window, &MainWindow::studyShown, this, [this] { note(studyReadMs_); });
+    for (const auto orientation :
+         {slices::Orientation::axial, slices::Orientation::coronal, slices::Orientation::sagittal})
+        connect(&window.slices(orientation), &SliceView::pictureShown, this, [this] { note(sliceMs_); });
+    connect(&window, &MainWindow::frameShown, this, [this](const app::FrameShown& frame) {
+        note(pictureMs_);
+        if (frame.picture != app::OnScreen::model || modelMs_ >= 0.0) return;
+        note(modelMs_);
+        modelOrigin_ = QString::fromUtf8(nameOf(frame.model.origin).data());
+    });
+}
+
+void OpeningTimes::note(double& ms) const {
+    if (ms < 0.0 && clock_.isValid()) ms = double(clock_.nsecsElapsed()) / 1e6;
+}
+
+QJsonObject OpeningTimes::toJson() const {
+    return {{"windowMs", std::round(windowMs_)}, {"studyReadMs", std::round(studyReadMs_)},
+            {"sliceMs", std::round(sliceMs_)},   {"pictureMs", std::round(pictureMs_)},
+            {"modelMs", std::round(modelMs_)},   {"modelOrigin", modelOrigin_}};
+}
+
+}  // namespace macula::viewer
