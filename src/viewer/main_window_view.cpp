@@ -52,6 +52,8 @@ void MainWindow::showChosen() {
     presets_->setCurrentIndex(indexOf(catalogue().presets, [&](const TransferFunction& preset) {
         return state.preset && app::isSame(preset, *state.preset);
     }));
+    // One that was edited is in no list.
+    if (state.preset) presets_->setPlaceholderText(titleOr(state.preset->title, state.preset->name));
     looks_->choose(int(state.settings.look));
     shading_->setChecked(state.settings.shading == trace::Shading::headlight);
     // Number 0 is no clip; a clip of its own is none of the menu's, and "No Clip" takes it away.
