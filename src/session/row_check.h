@@ -16,7 +16,8 @@ using Value = std::variant<std::monostate, std::int64_t, std::string>;
 // the checksum of what came before.
 std::uint64_t crc64(std::string_view bytes, std::uint64_t before = 0);
 
-// The checksum column by column, of what lies elsewhere: a row that is only looked at is not copied.
+// RowSum takes the checksum of a row column by column, where SQLite holds it: a row that is only looked at
+// is not copied.
 class RowSum {
   public:
     explicit RowSum(std::string_view table) : crc_(crc64(table)) {}

@@ -18,7 +18,7 @@ std::vector<glm::dvec3> handlesOf(const slices::Measurement& measurement);
 slices::Measurement withHandleAt(const slices::Measurement& measurement, std::size_t handle,
                                  const glm::dvec3& mm);
 
-// Points along its lines, joined by straight ones.
+// The vertices of the polyline that the shape is drawn as; an ellipse is cut into short pieces.
 std::vector<glm::dvec3> outlineOf(const slices::Measurement& measurement);
 
 struct Hit {

@@ -1,4 +1,4 @@
-// The slices that a pane goes through.
+// SliceSteps numbers the parallel planes that the wheel goes through in a pane.
 #pragma once
 
 #include <optional>
