@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "app/clip/eye_cut.h"
+
 namespace macula::app {
 
 trace::Settings settingsOf(const StudyState& state, const SeriesWindows& seriesWindows,
@@ -37,15 +39,17 @@ Drawing drawingOf(const StudyState& state, const Catalogue& catalogue, const Ser
         remarks.push_back(
             fmt::format("{} {:g}{}{}", p.label, p.get(state.settings), p.unit.empty() ? "" : " ", p.unit));
     }
-    if (drawing.clip && drawing.clip->mask) remarks.emplace_back("table left out");
+    const bool isMasked = drawing.clip && drawing.clip->mask;
+    if (isMasked && (state.leavesTableOut || state.cuts.scissors.empty()))
+        remarks.emplace_back("table left out");
     if (drawing.clip && drawing.clip->hasShape()) remarks.emplace_back("clipped");
+    if (isMasked && !state.cuts.scissors.empty()) remarks.emplace_back("cut with scissors");
     drawing.remarks = fmt::format("{}", fmt::join(remarks, ", "));
     return drawing;
 }
 
 std::shared_ptr<const Clip> clipOf(const StudyState& state, const Volume& volume, std::optional<Mask> mask) {
-    Clip clip;
-    if (state.clip) clip = clipFor(*state.clip, volume);
+    Clip clip = clipFor(state.clip, state.cuts, volume);
     clip.mask = std::move(mask);
     return clip.isNothing() ? nullptr : std::make_shared<const Clip>(std::move(clip));
 }

@@ -55,12 +55,13 @@ bool StudyState::operator==(const StudyState& b) const {
     return seriesDigest == b.seriesDigest && samePreset(*this, b) && clip == b.clip &&
            leavesTableOut == b.leavesTableOut && sameLights(*this, b) && settings == b.settings &&
            windows == b.windows && camera == b.camera && layout == b.layout && slices == b.slices &&
-           measurements == b.measurements && otherKeys == b.otherKeys;
+           measurements == b.measurements && cuts == b.cuts && namedClips == b.namedClips &&
+           otherKeys == b.otherKeys;
 }
 
 Stale staleAfter(const StudyState& before, const StudyState& after) {
     if (before.seriesDigest != after.seriesDigest) return Stale::volume;
-    if (!samePreset(before, after) || before.clip != after.clip ||
+    if (!samePreset(before, after) || before.clip != after.clip || before.cuts != after.cuts ||
         before.leavesTableOut != after.leavesTableOut)
         return Stale::matter;
     Stale stale = staleAfter(before.settings, after.settings);

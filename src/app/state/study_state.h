@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/clip/cuts.h"
 #include "app/state/parameters.h"
 #include "base/camera.h"
 #include "base/result.h"
@@ -77,6 +78,8 @@ struct StudyState {
     Layout layout = Layout::fourPanes;
     SliceState slices = {};
     std::vector<slices::Measurement> measurements = {};
+    Cuts cuts = {};                          // of what the clip leaves
+    std::vector<NamedClip> namedClips = {};  // to go back to; not shown
     // A JSON object of what a newer Macula has written and this one does not know. It is written back.
     std::string otherKeys = {};
 

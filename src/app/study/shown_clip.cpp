@@ -2,6 +2,9 @@
 
 #include <utility>
 
+#include "app/clip/eye_cut.h"
+#include "app/study/shown_voxels.h"
+
 namespace macula::app {
 
 std::optional<Mask> maskOf(const std::shared_ptr<const segment::PatientMask>& found) {
@@ -22,7 +25,12 @@ Result<ShownClip> shownClip(const ClipPreset& preset, bool removeTable, const Vo
 }
 
 Result<ShownClip> shownClip(const StudyState& state, const Volume& volume, Progress& progress) {
-    return shownClip(state.clip.value_or(ClipPreset{}), state.leavesTableOut, volume, progress);
+    MACULA_TRY(ShownClip shown,
+               shownClip(state.clip.value_or(ClipPreset{}), state.leavesTableOut, volume, progress));
+    std::optional<Mask> mask = std::move(shown.clip.mask);
+    shown.clip = clipFor(state.clip, state.cuts, volume);
+    MACULA_TRY(shown.clip.mask, shownVoxels(std::move(mask), state.cuts.scissors, volume, progress));
+    return shown;
 }
 
 }  // namespace macula::app

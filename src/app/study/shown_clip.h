@@ -25,7 +25,8 @@ struct ShownClip {
     std::vector<std::string> notes;  // about the table
 };
 
-// Fails as segment::findPatient where the table is to be removed.
+// Fails as segment::findPatient where the table is to be removed. Of a state its cuts are in it too: fails as
+// shownVoxels.
 Result<ShownClip> shownClip(const ClipPreset& preset, bool removeTable, const Volume& volume,
                             Progress& progress);
 Result<ShownClip> shownClip(const StudyState& state, const Volume& volume, Progress& progress);
