@@ -221,6 +221,75 @@ Result<ClipChoice> withBallRemoved(const ClipChoice& clip, const glm::dvec3& cen
 
 namespace {
 
+Error notThere() {
+    return error("That part of the clip is not there any more.", "Take hold of another one.");
+}
+
+glm::dvec3 nearestIn(const Box& box, const glm::dvec3& point) {
+    return glm::clamp(point, box.low, box.high);
+}
+
+}  // namespace
+
+Result<ClipChoice> withPlaneThrough(const ClipChoice& clip, std::size_t plane, const glm::dvec3& pointMm,
+                                    const Volume& volume) {
+    if (!isFinite(pointMm)) return notANumber();
+    if (!clip || plane >= clip->clip.planes.size()) return notThere();
+    const Box all = volume.worldBox();
+    const glm::dvec3 normal = clip->clip.planes[plane].normal;
+    const double reach = glm::dot(0.5 * (all.high - all.low), glm::abs(normal));
+    const double voxel = glm::dot(voxelExtentMm(volume), glm::abs(normal));
+    const double fromMiddle =
+        std::clamp(glm::dot(normal, pointMm - all.centre()), -reach, std::max(reach - voxel, -reach));
+    ClipPreset next = *clip;
+    next.planesAt.at(plane) = fractionOf(volume, all.centre() + fromMiddle * normal);
+    return own(std::move(next), volume);
+}
+
+Result<ClipChoice> withRemovedFace(const ClipChoice& clip, Face face, double atMm, const Volume& volume) {
+    if (!std::isfinite(atMm)) return notANumber();
+    if (!clip || !clip->clip.box || clip->clip.ofBox != Keep::outside ||
+        clip->clip.box->axes != glm::dmat3(1.0))
+        return notThere();
+    const OrientedBox now = *clipFor(*clip, volume).box;
+    Box removed{now.centreMm - now.halfSizeMm, now.centreMm + now.halfSizeMm};
+    const Box all = volume.worldBox();
+    const int axis = axisOf(face);
+    const double voxelMm = voxelExtentMm(volume)[axis];
+    const double at = std::clamp(atMm, all.low[axis], all.high[axis]);
+    setFaceMm(removed, face,
+              isHigh(face) ? std::max(at, removed.low[axis] + voxelMm)
+                           : std::min(at, removed.high[axis] - voxelMm));
+    ClipPreset next = *clip;
+    next.clip.box = boxOf(fractionsOf(removed, volume));
+    return own(std::move(next), volume);
+}
+
+Result<ClipChoice> withCornerAt(const ClipChoice& clip, const glm::dvec3& pointMm, const Volume& volume) {
+    if (!isFinite(pointMm)) return notANumber();
+    if (!clip || !clip->clip.cut) return notThere();
+    ClipPreset next = *clip;
+    next.clip.cut->pointMm = fractionOf(volume, nearestIn(volume.worldBox(), pointMm));
+    return own(std::move(next), volume);
+}
+
+Result<ClipChoice> withBallAt(const ClipChoice& clip, const glm::dvec3& centreMm, double radiusMm,
+                              const Volume& volume) {
+    if (!isFinite(centreMm) || !std::isfinite(radiusMm)) return notANumber();
+    if (!clip || !clip->clip.ball) return notThere();
+    const ValueRange radii = ballRadiiMm(volume);
+    const Box all = volume.worldBox();
+    const glm::dvec3 size = all.high - all.low;
+    ClipPreset next = *clip;
+    next.clip.ball = Ball{
+        .centreMm = fractionOf(volume, nearestIn(all, centreMm)),
+        .radiusMm = std::min(std::clamp(radiusMm, radii.low, radii.high) / std::min({size.x, size.y, size.z}),
+                             kMostRadius)};
+    return own(std::move(next), volume);
+}
+
+namespace {
+
 struct Parts {
     bool faces = false;
     std::ptrdiff_t obliquePlanes = 0;

@@ -40,6 +40,16 @@ ValueRange ballRadiiMm(const Volume& volume);
 Result<ClipChoice> withBallRemoved(const ClipChoice& clip, const glm::dvec3& centreMm, double radiusMm,
                                    const Volume& volume);
 
+// What is there already goes elsewhere, as near to the point as the volume allows; whether its inside or its
+// outside is removed stays. usage also for what the clip has not: such a plane, a box that is removed (by its
+// face), a corner, a ball.
+Result<ClipChoice> withPlaneThrough(const ClipChoice& clip, std::size_t plane, const glm::dvec3& pointMm,
+                                    const Volume& volume);
+Result<ClipChoice> withRemovedFace(const ClipChoice& clip, Face face, double atMm, const Volume& volume);
+Result<ClipChoice> withCornerAt(const ClipChoice& clip, const glm::dvec3& pointMm, const Volume& volume);
+Result<ClipChoice> withBallAt(const ClipChoice& clip, const glm::dvec3& centreMm, double radiusMm,
+                              const Volume& volume);
+
 // Shows what was removed, and removes what was shown. Of a clip of one part: faces, one oblique plane, a box,
 // a corner or a ball; of more the rest is no clip.
 Result<ClipChoice> turnedInsideOut(const ClipChoice& clip, const Volume& volume);

@@ -56,14 +56,14 @@ ScissorCut scissorFrom(const JsonNode& node) {
     return cut;
 }
 
-Json toJson(const EyeCut& cut) {
+Json eyeJson(const EyeCut& cut) {
     return {{"normal", {cut.plane.normal.x, cut.plane.normal.y, cut.plane.normal.z}},
             {"offsetMm", cut.plane.offsetMm},
             {"fromMiddleMm", cut.fromMiddleMm},
             {"followsCamera", cut.followsCamera}};
 }
 
-Json toJson(const ScissorCut& cut) {
+Json scissorJson(const ScissorCut& cut) {
     Json outline = Json::array();
     for (const glm::dvec2& p : cut.outline) {
         outline.push_back(p.x);
@@ -109,12 +109,12 @@ Result<NamedClip> namedClipFrom(const Json& json, const std::string& where) {
 Json toJson(const Cuts& cuts) {
     Json json = Json::object();
     if (cuts.eye) {
-        Json eye = toJson(*cuts.eye);
+        Json eye = eyeJson(*cuts.eye);
         if (isTaken(eye, eyeFrom)) json["eye"] = std::move(eye);
     }
     for (const ScissorCut& cut : cuts.scissors) {
         if (json.contains("scissors") && json["scissors"].size() == kMostScissorCuts) break;
-        Json scissor = toJson(cut);
+        Json scissor = scissorJson(cut);
         if (isTaken(scissor, scissorFrom)) json["scissors"].push_back(std::move(scissor));
     }
     return json;
