@@ -10,6 +10,7 @@
 #include "app/slices/window_presets.h"
 #include "pipeline/volume/window.h"
 #include "viewer/harmless_text.h"
+#include "viewer/slices/clip_on_slice.h"
 #include "viewer/slices/slice_texts.h"
 
 namespace macula::viewer {
@@ -66,6 +67,15 @@ void SliceView::setTool(SliceTool tool) {
     tool_ = tool;
     endGesture();
     setCursor(tool == SliceTool::pan ? Qt::OpenHandCursor : Qt::CrossCursor);
+}
+
+void SliceView::showClip(bool shown, bool withHandles) {
+    if (shown == showsClip_ && withHandles == hasClipHandles_) return;
+    showsClip_ = shown;
+    hasClipHandles_ = withHandles;
+    if (drag_ == Drag::clip) endGesture();
+    setCursor(tool_ == SliceTool::pan ? Qt::OpenHandCursor : Qt::CrossCursor);
+    update();
 }
 
 void SliceView::setLines(const QStringList& lines) {
@@ -246,6 +256,13 @@ void SliceView::paintEvent(QPaintEvent*) {
 void SliceView::paintPicture(QPainter& painter) {
     const QSizeF logical = QSizeF(shown_->grey.size()) / shown_->of.pixelRatio;
     painter.drawImage(QRectF(QPointF(0.0, 0.0), logical), shown_->grey);
+    if (showsClip_) {
+        const slices::SliceFrame& frame = shown_->of.frame;
+        ClipOnSlice clip = clipOnSlice(session_.state(), volume(), frame, hasClipHandles_);
+        const auto pointed = hoverAt_ ? clipHandleAt(*hoverAt_) : std::nullopt;
+        clip.held = heldClip_ ? heldClip_ : pointed ? std::optional(pointed->handle) : std::nullopt;
+        paintClip(painter, size(), clip, frame, shown_->of.pixelRatio);
+    }
     paintOverlay(painter, size(), overlay());
 }
 

@@ -10,6 +10,7 @@
 #include <memory>
 #include <optional>
 
+#include "app/clip/clip_handles.h"
 #include "slices/slice_plane.h"
 #include "viewer/session/viewer_session.h"
 #include "viewer/slices/measurement_drawing.h"
@@ -42,6 +43,8 @@ class SliceView : public QWidget {
     // Whose pictures these are: written over each, unless hidden.
     void setLines(const QStringList& lines);
     void showNames(bool shown);
+    // What the clip removes, dimmed; and where it is taken hold of.
+    void showClip(bool shown, bool withHandles);
 
     void fit();                   // the volume fits the pane, and stays so until a hand zooms or pans
     void applyWindow(int digit);  // of app::windowPresets; nothing where there is none
@@ -81,7 +84,7 @@ class SliceView : public QWidget {
     void focusOutEvent(QFocusEvent* event) override;
 
   private:
-    enum class Drag { none, crosshair, window, zoom, pan, draw, handle, probe };
+    enum class Drag { none, crosshair, window, zoom, pan, draw, handle, probe, clip };
 
     void onStudyShown();
     void onChanged(const app::StudyState& before);
@@ -104,6 +107,9 @@ class SliceView : public QWidget {
     void dragTo(const QPointF& place);
     void endGesture();
     bool takeHold(const QPointF& place);
+    std::optional<app::PlacedHandle> clipHandleAt(const QPointF& place) const;
+    void moveClip(const QPointF& place);
+    void showCursorAt(const QPointF& place);
     void moveHandle(const QPointF& place);
     void setCrosshair(const glm::dvec3& mm);
     void finishDrawing();
@@ -142,6 +148,9 @@ class SliceView : public QWidget {
     std::optional<MeasurementDrawing> drawing_;
     std::optional<std::size_t> selected_;
     std::size_t heldHandle_ = 0;  // of the selected one, in Drag::handle
+    bool showsClip_ = true;
+    bool hasClipHandles_ = false;
+    std::optional<app::ClipHandle> heldClip_;  // in Drag::clip
     MeasurementTexts texts_;
 
     QTimer cine_;

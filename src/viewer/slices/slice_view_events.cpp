@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/frame/projection_windows.h"
+#include "viewer/slices/clip_on_slice.h"
 #include "viewer/slices/slice_view.h"
 
 namespace macula::viewer {
@@ -113,6 +114,12 @@ void SliceView::press(const QPointF& place) {
 // Of a measurement that is seen; not for those tools that act on the picture as a whole.
 bool SliceView::takeHold(const QPointF& place) {
     if (tool_ == SliceTool::window || tool_ == SliceTool::zoom || tool_ == SliceTool::pan) return false;
+    if (const auto clip = clipHandleAt(place)) {
+        heldClip_ = clip->handle;
+        drag_ = Drag::clip;
+        session_.endDrag();  // of what was dragged before
+        return true;
+    }
     const auto& measurements = session_.state().measurements;
     std::vector<bool> shown;
     for (const slices::Measurement& measurement : measurements) shown.push_back(isShownHere(measurement));
@@ -128,12 +135,45 @@ bool SliceView::takeHold(const QPointF& place) {
     return true;
 }
 
+std::optional<app::PlacedHandle> SliceView::clipHandleAt(const QPointF& place) const {
+    if (!showsClip_ || !hasClipHandles_ || !shown_) return std::nullopt;
+    const slices::SliceFrame& frame = shown_->of.frame;
+    const app::StudyState& state = session_.state();
+    const double ratio = shown_->of.pixelRatio;
+    return handleAt(app::handlesOn(frame, state.clip, state.cuts, volume()), frame,
+                    glm::dvec2(place.x(), place.y()) * ratio, kHitPx * ratio);
+}
+
+// What the clip refuses leaves it where it is.
+void SliceView::moveClip(const QPointF& place) {
+    if (!heldClip_) return;
+    const app::StudyState& state = session_.state();
+    const glm::dvec3 mm = app::draggedTo(*heldClip_, worldAt(place), shown_->of.frame, state.clip, volume());
+    const auto moved = app::withHandleAt(state.clip, state.cuts, *heldClip_, mm, volume());
+    if (!moved) return;
+    session_.drag(tr("Clip"), [&](app::StudyState& next) {
+        next.clip = moved->clip;
+        next.cuts = moved->cuts;
+    });
+}
+
+void SliceView::showCursorAt(const QPointF& place) {
+    if (drag_ != Drag::none || drawing_ || !hasClipHandles_) return;
+    const bool takesHold = tool_ != SliceTool::window && tool_ != SliceTool::zoom && tool_ != SliceTool::pan;
+    const auto handle = takesHold ? clipHandleAt(place) : std::nullopt;
+    setCursor(handle                    ? cursorOf(*handle, shown_->of.frame.plane)
+              : tool_ == SliceTool::pan ? Qt::OpenHandCursor
+                                        : Qt::CrossCursor);
+}
+
 void SliceView::mouseMoveEvent(QMouseEvent* event) {
     hoverAt_ = event->position();
     if (!shown_) return;
+    showCursorAt(event->position());
     // A button that went up elsewhere: nobody told.
     if (drag_ != Drag::none && !event->buttons().testFlag(dragButton_)) {
         drag_ = Drag::none;
+        heldClip_.reset();
         session_.endDrag();
     }
     dragTo(event->position());
@@ -159,6 +199,8 @@ void SliceView::dragTo(const QPointF& place) {
             return request();
         case Drag::handle:
             return moveHandle(place);
+        case Drag::clip:
+            return moveClip(place);
         case Drag::draw:
         case Drag::none:
             if (drawing_) drawing_->move(worldAt(place));
@@ -171,11 +213,13 @@ void SliceView::dragTo(const QPointF& place) {
 void SliceView::mouseReleaseEvent(QMouseEvent* event) {
     if (drag_ == Drag::none || event->button() != dragButton_) return;
     const Drag ended = std::exchange(drag_, Drag::none);
+    heldClip_.reset();
     if (ended == Drag::draw && drawing_ && shown_) {
         drawing_->release(worldAt(event->position()));
         if (drawing_->isComplete()) finishDrawing();
     }
-    if (ended == Drag::crosshair || ended == Drag::window || ended == Drag::handle) session_.endDrag();
+    if (ended == Drag::crosshair || ended == Drag::window || ended == Drag::handle || ended == Drag::clip)
+        session_.endDrag();
     update();
 }
 
@@ -323,8 +367,10 @@ void SliceView::removeSelected() {
 }
 
 void SliceView::endGesture() {
-    if (drag_ == Drag::crosshair || drag_ == Drag::window || drag_ == Drag::handle) session_.endDrag();
+    if (drag_ == Drag::crosshair || drag_ == Drag::window || drag_ == Drag::handle || drag_ == Drag::clip)
+        session_.endDrag();
     drag_ = Drag::none;
+    heldClip_.reset();
     drawing_.reset();
     update();
 }

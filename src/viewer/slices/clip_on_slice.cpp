@@ -1,0 +1,150 @@
+#include "viewer/slices/clip_on_slice.h"
+
+#include <QImage>
+#include <QPainterPath>
+#include <algorithm>
+#include <cmath>
+
+#include "app/clip/eye_cut.h"
+#include "viewer/slices/haloed_drawing.h"
+
+namespace macula::viewer {
+
+namespace {
+
+constexpr double kHandlePx = 5.0;  // logical, as all below: half the side of a square
+constexpr double kLinePx = 1.5;
+const QColor kDim(0, 0, 0, 150);
+const QColor kClipInk(255, 150, 60);
+const QColor kHeldInk(255, 225, 90);
+
+// From device pixels to those of the painter.
+class Places {
+  public:
+    explicit Places(double pixelRatio) : ratio_(pixelRatio) {}
+    QPointF operator()(const glm::dvec2& px) const { return {px.x / ratio_, px.y / ratio_}; }
+
+    void add(QPainterPath& path, const app::Contour& contour) const {
+        QPolygonF polygon;
+        for (const glm::dvec2& px : contour) polygon << (*this)(px);
+        path.addPolygon(polygon);
+        path.closeSubpath();
+    }
+
+  private:
+    double ratio_;
+};
+
+// All but what the path encloses.
+void dimAround(QPainter& painter, const QSize& size, const QPainterPath& path) {
+    QImage around(size, QImage::Format_ARGB32_Premultiplied);
+    if (around.isNull()) return;  // no memory for it: the outline is drawn all the same
+    around.fill(kDim);
+    QPainter cut(&around);
+    cut.setRenderHint(QPainter::Antialiasing);
+    cut.setCompositionMode(QPainter::CompositionMode_Clear);
+    cut.fillPath(path, Qt::black);
+    cut.end();
+    painter.drawImage(QPointF(0.0, 0.0), around);
+}
+
+void dim(QPainter& painter, const QSize& size, const ClipOnSlice& clip, const Places& at) {
+    QPainterPath removed;
+    removed.setFillRule(Qt::WindingFill);
+    for (const app::Contour& contour : clip.removed) at.add(removed, contour);
+    painter.fillPath(removed, kDim);
+    for (const ClipOnSlice::Scissors& scissors : clip.scissors) {
+        QPainterPath behind;
+        behind.setFillRule(Qt::WindingFill);
+        if (!scissors.behind.empty()) at.add(behind, scissors.behind);
+        if (scissors.removesOutside) {
+            dimAround(painter, size, behind);
+        } else {
+            painter.fillPath(behind, kDim);
+        }
+    }
+}
+
+void drawLine(QPainter& painter, const app::Contour& line, const Places& at) {
+    QPainterPath path;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        if (i == 0) {
+            path.moveTo(at(line[i]));
+        } else {
+            path.lineTo(at(line[i]));
+        }
+    }
+    drawHaloed(painter, path, kClipInk, kLinePx);
+}
+
+}  // namespace
+
+ClipOnSlice clipOnSlice(const app::StudyState& state, const Volume& volume, const slices::SliceFrame& frame,
+                        bool withHandles) {
+    ClipOnSlice shown;
+    if (state.clip || state.cuts.eye) {
+        shown.removed = app::removedContours(app::clipFor(state.clip, state.cuts, volume), frame);
+        shown.lines = app::clipLines(state.clip, state.cuts, volume, frame);
+    }
+    for (const app::ScissorCut& cut : state.cuts.scissors) {
+        app::Contour behind = app::behindOutline(cut, frame);
+        if (behind.empty() && !cut.removesOutside) continue;
+        if (!behind.empty()) {
+            shown.lines.push_back(behind);
+            shown.lines.back().push_back(behind.front());
+        }
+        shown.scissors.push_back({.behind = std::move(behind), .removesOutside = cut.removesOutside});
+    }
+    if (withHandles) shown.handles = app::handlesOn(frame, state.clip, state.cuts, volume);
+    return shown;
+}
+
+void paintClip(QPainter& painter, const QSize& size, const ClipOnSlice& clip, const slices::SliceFrame& frame,
+               double pixelRatio) {
+    if (clip.isNothing()) return;
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    const Places at(pixelRatio);
+    dim(painter, size, clip, at);
+    for (const app::Contour& line : clip.lines) drawLine(painter, line, at);
+    for (const app::PlacedHandle& handle : clip.handles) {
+        const QPointF middle = at(frame.pictureFromWorld(handle.atMm));
+        QPainterPath square;
+        if (handle.along == glm::dvec3(0.0)) {
+            square.addEllipse(middle, kHandlePx, kHandlePx);
+        } else {
+            square.addRect(
+                QRectF(middle.x() - kHandlePx, middle.y() - kHandlePx, 2.0 * kHandlePx, 2.0 * kHandlePx));
+        }
+        const QColor ink = clip.held == handle.handle ? kHeldInk : kClipInk;
+        drawHaloed(painter, square, ink, kLinePx);
+        if (clip.held == handle.handle) painter.fillPath(square, ink);
+    }
+    painter.restore();
+}
+
+std::optional<app::PlacedHandle> handleAt(const std::vector<app::PlacedHandle>& handles,
+                                          const slices::SliceFrame& frame, const glm::dvec2& px,
+                                          double radiusPx) {
+    std::optional<app::PlacedHandle> nearest;
+    double least = radiusPx;
+    for (const app::PlacedHandle& handle : handles) {
+        const double away = glm::distance(frame.pictureFromWorld(handle.atMm), px);
+        if (!(away <= least)) continue;
+        least = away;
+        nearest = handle;
+    }
+    return nearest;
+}
+
+Qt::CursorShape cursorOf(const app::PlacedHandle& handle, const slices::SlicePlane& plane) {
+    const glm::dvec2 along(glm::dot(handle.along, plane.right), glm::dot(handle.along, plane.down));
+    if (!(glm::length(along) > 0.0)) return Qt::SizeAllCursor;
+    constexpr double kDiagonal = 0.4142;  // the tangent of an eighth of a turn's half
+    const glm::dvec2 size = glm::abs(along);
+    if (size.y < kDiagonal * size.x) return Qt::SizeHorCursor;
+    if (size.x < kDiagonal * size.y) return Qt::SizeVerCursor;
+    return (along.x > 0.0) == (along.y > 0.0) ? Qt::SizeFDiagCursor : Qt::SizeBDiagCursor;
+}
+
+}  // namespace macula::viewer

@@ -1,0 +1,48 @@
+// A clip on a slice: what it removes is dimmed, its borders are lines, and handles move them.
+#pragma once
+
+#include <QCursor>
+#include <QPainter>
+#include <QSize>
+#include <optional>
+#include <vector>
+
+#include "app/clip/clip_handles.h"
+#include "app/clip/removed_on_slice.h"
+#include "app/state/study_state.h"
+#include "slices/slice_plane.h"
+
+namespace macula::viewer {
+
+// In device pixels of the picture.
+struct ClipOnSlice {
+    std::vector<app::Contour> removed;  // winding: by box, planes, corner and ball
+    struct Scissors {
+        app::Contour behind;
+        bool removesOutside = false;
+    };
+    std::vector<Scissors> scissors;
+    std::vector<app::Contour> lines;
+    std::vector<app::PlacedHandle> handles;
+    std::optional<app::ClipHandle> held;  // or pointed at
+
+    bool isNothing() const { return removed.empty() && scissors.empty() && lines.empty() && handles.empty(); }
+};
+
+// Of what was chosen; without handles unless they are asked for.
+ClipOnSlice clipOnSlice(const app::StudyState& state, const Volume& volume, const slices::SliceFrame& frame,
+                        bool withHandles);
+
+// `size` of the pane in logical pixels, which the painter must have.
+void paintClip(QPainter& painter, const QSize& size, const ClipOnSlice& clip, const slices::SliceFrame& frame,
+               double pixelRatio);
+
+// The nearest handle within `radiusPx` of a place in the picture.
+std::optional<app::PlacedHandle> handleAt(const std::vector<app::PlacedHandle>& handles,
+                                          const slices::SliceFrame& frame, const glm::dvec2& px,
+                                          double radiusPx);
+
+// Says where a handle can be moved to.
+Qt::CursorShape cursorOf(const app::PlacedHandle& handle, const slices::SlicePlane& plane);
+
+}  // namespace macula::viewer
