@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <utility>
 #include <variant>
@@ -87,7 +88,10 @@ Viewport::Viewport(gpu::Instance instance, std::string preferredDevice,
     connectWindow();
     nudgeEnds_.setSingleShot(true);
     nudgeEnds_.setInterval(kNudgeLasts);
-    connect(&nudgeEnds_, &QTimer::timeout, this, &Viewport::publish);
+    connect(&nudgeEnds_, &QTimer::timeout, this, [this] {
+        publish();
+        emit cameraRested();
+    });
 
     // The events cross to this thread through its queue; those that come after this widget is gone are
     // dropped by Qt.
@@ -155,21 +159,24 @@ void Viewport::connectWindow() {
         }
         publish();
     });
-    // What is pointed at is what is looked at; while it is dragged it goes with the pointer.
-    connect(window_, &VulkanWindow::pointed, this, [this](QPointF place) {
-        pointedAt_ = {place.x(), place.y()};
-    });
+    connect(window_, &VulkanWindow::pointed, this, &Viewport::onPointed);
     connect(window_, &VulkanWindow::doubleClicked, this, &Viewport::doubleClicked);
     connect(window_, &VulkanWindow::dragBegan, this, [this] { dragging_ = true; });
     connect(window_, &VulkanWindow::dragged, this, &Viewport::applyDrag);
     connect(window_, &VulkanWindow::dragEnded, this, [this] {
+        endHold();
         dragging_ = false;
         publish();
+        emit cameraRested();
     });
-    connect(window_, &VulkanWindow::wheelTurned, this, [this](double notches) {
-        nudge();
-        setCamera(zoomed(camera_, std::pow(kZoomPerNotch, notches), sceneDiagonalMm()));
+    window_->setGrab([this](QPointF place, bool withShift) { return grab(place, withShift); });
+    connect(window_, &VulkanWindow::toolMoved, this, [this](QPointF place, bool withShift) {
+        if (holder_ != nullptr) holder_->move(placeAt(place, withShift));
     });
+    connect(window_, &VulkanWindow::toolReleased, this, [this](QPointF place, bool withShift) {
+        if (holder_ != nullptr) std::exchange(holder_, nullptr)->release(placeAt(place, withShift));
+    });
+    connect(window_, &VulkanWindow::wheelTurned, this, &Viewport::onWheel);
     connect(window_, &VulkanWindow::keyPressed, this, [this](QKeyEvent* event) {
         if (!handleKey(*event)) emit keyNotHandled(event);
     });
@@ -287,6 +294,8 @@ bool Viewport::handleKey(const QKeyEvent& event) {
 void Viewport::applyDrag(VulkanWindow::Drag drag, QPointF byPixels) {
     const double height = window_->height();
     switch (drag) {
+        case VulkanWindow::Drag::tool:  // is told as toolMoved
+            return;
         case VulkanWindow::Drag::orbit:
             return setCamera(app::orbitedByDrag(camera_, byPixels.x(), byPixels.y(), height));
         case VulkanWindow::Drag::pan:
@@ -304,6 +313,65 @@ void Viewport::applyDrag(VulkanWindow::Drag drag, QPointF byPixels) {
     }
 }
 
+void Viewport::setTools(std::vector<PictureTool*> tools) {
+    endHold();
+    std::erase(tools, nullptr);
+    tools_ = std::move(tools);
+    updateMarks();
+}
+
+void Viewport::updateMarks() {
+    const auto before = input_.text;
+    updateText();
+    if (input_.text != before) publish();
+}
+
+PictureGeometry Viewport::geometry() const {
+    return {.camera = toCamera(camera_),
+            .aspect = aspect(),
+            .sizePx = {std::max(window_->width(), 1), std::max(window_->height(), 1)}};
+}
+
+PicturePlace Viewport::placeAt(QPointF place, bool withShift) const {
+    return {.picture = geometry(), .at = {place.x(), place.y()}, .withShift = withShift};
+}
+
+bool Viewport::grab(QPointF place, bool withShift) {
+    if (!input_.volume) return false;
+    const PicturePlace at = placeAt(place, withShift);
+    const auto taker = std::ranges::find_if(tools_, [&](PictureTool* tool) { return tool->press(at); });
+    if (taker == tools_.end()) return false;
+    holder_ = *taker;
+    dragging_ = holder_->changesPicture();
+    return true;
+}
+
+// What is pointed at is what is looked at; while it is dragged it goes with the pointer.
+void Viewport::onPointed(QPointF place) {
+    pointedAt_ = {place.x(), place.y()};
+    if (!input_.volume || holder_ != nullptr) return;
+    std::optional<Qt::CursorShape> shape;
+    for (PictureTool* tool : tools_) {
+        if (!shape) shape = tool->point(placeAt(place, false));
+    }
+    if (shape) {
+        window_->setCursor(*shape);
+    } else {
+        window_->unsetCursor();
+    }
+}
+
+void Viewport::endHold() {
+    if (holder_ != nullptr) std::exchange(holder_, nullptr)->giveUp();
+}
+
+void Viewport::onWheel(double notches, bool withShift) {
+    const auto isForTool = [&](PictureTool* tool) { return tool->turnWheel(notches, geometry()); };
+    if (withShift && input_.volume && std::ranges::any_of(tools_, isForTool)) return;
+    nudge();
+    setCamera(zoomed(camera_, std::pow(kZoomPerNotch, notches), sceneDiagonalMm()));
+}
+
 void Viewport::nudge() {
     nudgeEnds_.start();
 }
@@ -312,6 +380,7 @@ void Viewport::setCamera(const app::OrbitCamera& camera) {
     camera_ = camera;
     untouched_ = false;
     publishChange();
+    if (!dragging_ && !nudgeEnds_.isActive()) emit cameraRested();
 }
 
 void Viewport::publishChange() {
@@ -335,11 +404,23 @@ std::uint64_t Viewport::publish() {
 void Viewport::updateText() {
     const std::vector<std::string> names = namesShown_ ? names_ : std::vector<std::string>();
     const double ratio = window_->devicePixelRatio();
-    if (names == textNames_ && input_.width == textWidthPx_ && ratio == textPixelRatio_) return;
-    textNames_ = names;
-    textWidthPx_ = input_.width;
-    textPixelRatio_ = ratio;
-    input_.text = paintText(names, input_.width, ratio);
+    if (names != textNames_ || input_.width != textWidthPx_ || ratio != textPixelRatio_) {
+        textNames_ = names;
+        textWidthPx_ = input_.width;
+        textPixelRatio_ = ratio;
+        namesText_ = paintText(names, input_.width, ratio);
+        marksOf_.reset();
+    }
+    std::vector<PictureMark> marks;
+    if (input_.volume) {
+        for (const PictureTool* tool : tools_)
+            std::ranges::copy(tool->marks(geometry()), std::back_inserter(marks));
+    }
+    const QSize pixels(input_.width, input_.height);
+    if (marksOf_ == pixels && marks == marks_) return;
+    marksOf_ = pixels;
+    marks_ = std::move(marks);
+    input_.text = withMarks(namesText_, marks_, pixels, ratio);
 }
 
 double Viewport::sceneDiagonalMm() const {

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "app/camera/orbit_camera.h"
+#include "viewer/picture_tool.h"
 
 namespace macula::viewer {
 
@@ -50,6 +51,10 @@ class Viewport : public QWidget {
     // Whether the fovea lies where somebody points, or in the middle of the picture.
     void setGazeFollowsPointer(bool follows);
     void setPictureSizeHint(QSize pixels);
+    // Asked in this order before the camera moves; null is none of them. They outlive this or are taken away.
+    void setTools(std::vector<PictureTool*> tools);
+    void updateMarks();  // of the tools: what they show has changed
+    PictureGeometry geometry() const;
 
     void showFrom(ViewDirection from);
     void showFrom(const Camera& camera);  // as near as a turntable comes to it: see app::orbitCameraOf
@@ -74,6 +79,7 @@ class Viewport : public QWidget {
     void namesToggled(bool shown);
     // What is shown there is meant: -1 to 1, right and up are positive.
     void doubleClicked(QPointF place);
+    void cameraRested();                    // where a hand, a key or a view has put it
     void windowDragged(QPointF byHeights);  // with the right button, in projections: see app::dragged
     void dropped(const macula::viewer::Dropped& what);
     void keyNotHandled(QKeyEvent* event);
@@ -83,6 +89,11 @@ class Viewport : public QWidget {
     void setCamera(const app::OrbitCamera& camera);
     void publishChange();  // of what is to be seen
     void applyDrag(VulkanWindow::Drag drag, QPointF byPixels);
+    PicturePlace placeAt(QPointF place, bool withShift) const;
+    bool grab(QPointF place, bool withShift);
+    void onPointed(QPointF place);
+    void endHold();  // of a tool
+    void onWheel(double notches, bool withShift);
     void nudge();             // an interaction without an end: a key, a notch of the wheel
     std::uint64_t publish();  // its number
     double sceneDiagonalMm() const;
@@ -104,6 +115,11 @@ class Viewport : public QWidget {
 
     std::vector<std::string> names_;  // of the study
     bool namesShown_ = true;
+    std::vector<PictureTool*> tools_;
+    PictureTool* holder_ = nullptr;  // of them, that which holds something
+    std::shared_ptr<const app::PictureText> namesText_;
+    std::vector<PictureMark> marks_;
+    std::optional<QSize> marksOf_;  // the picture that the text has them for; nothing: it has none yet
     // What input_.text was made of.
     std::vector<std::string> textNames_;
     int textWidthPx_ = 0;

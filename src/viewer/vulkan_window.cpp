@@ -101,11 +101,13 @@ void VulkanWindow::mousePressEvent(QMouseEvent* event) {
         default:
             return;
     }
+    last_ = event->position();
+    if (event->button() == Qt::LeftButton && !control && grab_ && grab_(placeOf(last_), shift))
+        drag_ = Drag::tool;
     dragging_ = true;
     dragButton_ = event->button();
-    last_ = event->position();
     emit pointed(placeOf(last_));
-    emit dragBegan();
+    if (drag_ != Drag::tool) emit dragBegan();
 }
 
 void VulkanWindow::mouseMoveEvent(QMouseEvent* event) {
@@ -115,6 +117,10 @@ void VulkanWindow::mouseMoveEvent(QMouseEvent* event) {
     }
     // The button went up where this window was not told, as over a dialog.
     if (!event->buttons().testFlag(dragButton_)) return endDrag();
+    if (drag_ == Drag::tool) {
+        emit toolMoved(placeOf(event->position()), event->modifiers().testFlag(Qt::ShiftModifier));
+        return;
+    }
     const QPointF moved = event->position() - last_;
     last_ = event->position();
     emit dragged(drag_, moved);
@@ -126,7 +132,10 @@ QPointF VulkanWindow::placeOf(QPointF position) const {
 }
 
 void VulkanWindow::mouseReleaseEvent(QMouseEvent* event) {
-    if (event->button() == dragButton_) endDrag();
+    if (event->button() != dragButton_) return;
+    if (dragging_ && drag_ == Drag::tool)
+        emit toolReleased(placeOf(event->position()), event->modifiers().testFlag(Qt::ShiftModifier));
+    endDrag();
 }
 
 void VulkanWindow::focusOutEvent(QFocusEvent*) {
@@ -143,7 +152,10 @@ void VulkanWindow::mouseDoubleClickEvent(QMouseEvent* event) {
 }
 
 void VulkanWindow::wheelEvent(QWheelEvent* event) {
-    emit wheelTurned(event->angleDelta().y() / kEighthsOfDegreePerNotch);
+    // With some modifiers it turns sideways on some desktops.
+    const QPoint turned = event->angleDelta();
+    const int by = turned.y() != 0 ? turned.y() : turned.x();
+    emit wheelTurned(by / kEighthsOfDegreePerNotch, event->modifiers().testFlag(Qt::ShiftModifier));
 }
 
 void VulkanWindow::keyPressEvent(QKeyEvent* event) {

@@ -6,6 +6,8 @@
 
 #include <QPointF>
 #include <QWindow>
+#include <functional>
+#include <utility>
 
 #include "viewer/dropped.h"
 
@@ -17,8 +19,10 @@ class VulkanWindow : public QWindow {
     Q_OBJECT
 
   public:
-    // Of the last, the picture decides.
-    enum class Drag { orbit, pan, zoom, windowOrZoom };
+    // Of the last but one, the picture decides; `tool` is what a grab has taken.
+    enum class Drag { orbit, pan, zoom, windowOrZoom, tool };
+    // Asked when the left button goes down, where. Whether what follows is for it and for no camera.
+    using Grab = std::function<bool(QPointF place, bool withShift)>;
 
     // `instance` must outlive the window.
     explicit VulkanWindow(QVulkanInstance* instance);
@@ -26,6 +30,8 @@ class VulkanWindow : public QWindow {
 
     QSize pixels() const;                              // device pixels
     VkSurfaceKHR surface() const { return surface_; }  // null before surfaceReady and from surfaceGoing on
+
+    void setGrab(Grab grab) { grab_ = std::move(grab); }
 
     // Of a drag whose button goes up elsewhere nobody is told. Nothing without a drag.
     void endDrag();
@@ -45,8 +51,12 @@ class VulkanWindow : public QWindow {
     void dragBegan();
     void dragged(macula::viewer::VulkanWindow::Drag drag, QPointF byPixels);  // logical pixels, y downwards
     void dragEnded();
-    void wheelTurned(double notches);   // positive: away from the user
-    void keyPressed(QKeyEvent* event);  // not accepted: it is offered to the main window
+    // Of a drag that was grabbed, in the place of dragBegan and dragged; dragEnded follows. Where it ends in
+    // another way than by its button, toolReleased does not come.
+    void toolMoved(QPointF place, bool withShift);
+    void toolReleased(QPointF place, bool withShift);
+    void wheelTurned(double notches, bool withShift);  // positive: away from the user
+    void keyPressed(QKeyEvent* event);                 // not accepted: it is offered to the main window
     void dropped(const macula::viewer::Dropped& what);
 
   protected:
@@ -66,6 +76,7 @@ class VulkanWindow : public QWindow {
     void createSurface();
     void loseSurface();
 
+    Grab grab_;
     VkSurfaceKHR surface_ = VK_NULL_HANDLE;
     bool dragging_ = false;
     Drag drag_ = Drag::orbit;

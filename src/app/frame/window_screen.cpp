@@ -48,7 +48,7 @@ Result<gpu::BlitOverlay> WindowScreen::overlay() {
         MACULA_TRY_VOID(gpu::uploadTo(image, std::span<const std::byte>(text_->rgba)));
         textImage_ = std::move(image);
     }
-    return gpu::BlitOverlay{&*textImage_, text_->boxes};
+    return gpu::BlitOverlay{&*textImage_, text_->boxes, text_->places};
 }
 
 Result<bool> WindowScreen::show(const gpu::Image& picture) {

@@ -42,16 +42,28 @@ void moveLayout(VkCommandBuffer commands, VkImage image, VkImageLayout from, VkI
     vkCmdPipelineBarrier2(commands, &dependency);
 }
 
-// The blit of a part of the source to the same place in the target; nothing where they do not meet.
-std::optional<VkImageBlit> samePlace(const VkRect2D& part, VkExtent2D target) {
-    const auto end = [](std::int32_t from, std::uint32_t length, std::uint32_t most) {
-        return static_cast<std::int32_t>(std::min<std::int64_t>(std::int64_t{from} + length, most));
+// The blit of a part of the source to a place in the target; nothing where they do not meet.
+std::optional<VkImageBlit> placed(const VkRect2D& part, VkOffset2D place, VkExtent2D target) {
+    // Of the part, along one side.
+    struct Span {
+        std::int32_t begin;
+        std::int32_t end;
     };
-    const VkOffset3D from{part.offset.x, part.offset.y, 0};
-    const VkOffset3D to{end(from.x, part.extent.width, target.width),
-                        end(from.y, part.extent.height, target.height), 1};
-    if (to.x <= from.x || to.y <= from.y) return std::nullopt;
-    return VkImageBlit{kWholeLayer, {from, to}, kWholeLayer, {from, to}};
+    const auto within = [](std::int32_t at, std::uint32_t length, std::uint32_t most) {
+        const std::int64_t begin = std::max<std::int64_t>(-std::int64_t{at}, 0);
+        const std::int64_t end = std::min<std::int64_t>(length, std::int64_t{most} - at);
+        return begin < end ? Span{std::int32_t(begin), std::int32_t(end)} : Span{0, 0};
+    };
+    const Span x = within(place.x, part.extent.width, target.width);
+    const Span y = within(place.y, part.extent.height, target.height);
+    if (x.begin == x.end || y.begin == y.end) return std::nullopt;
+    const auto region = [&](VkOffset2D from, std::int32_t atX, std::int32_t atY, std::int32_t z) {
+        return VkOffset3D{from.x + atX, from.y + atY, z};
+    };
+    return VkImageBlit{kWholeLayer,
+                       {region(part.offset, x.begin, y.begin, 0), region(part.offset, x.end, y.end, 1)},
+                       kWholeLayer,
+                       {region(place, x.begin, y.begin, 0), region(place, x.end, y.end, 1)}};
 }
 
 void checkRange(const Buffer& buffer, std::uint64_t offset, std::uint64_t bytes) {
@@ -283,11 +295,14 @@ void Recorder::clear(const Image& image, const VkClearColorValue& value, Order o
 void Recorder::blit(const Image& from, const BlitTarget& to, VkFilter filter, const BlitOverlay& overlay) {
     MACULA_CHECK(from.shape() == ImageShape::flat);
     std::vector<VkImageBlit> parts;
-    for (const VkRect2D& part : overlay.parts) {
+    MACULA_CHECK(overlay.places.empty() || overlay.places.size() == overlay.parts.size());
+    for (std::size_t i = 0; i < overlay.parts.size(); ++i) {
+        const VkRect2D& part = overlay.parts[i];
         MACULA_CHECK(overlay.image != nullptr && part.offset.x >= 0 && part.offset.y >= 0);
         MACULA_CHECK_LE(std::uint64_t(part.offset.x) + part.extent.width, overlay.image->extent().width);
         MACULA_CHECK_LE(std::uint64_t(part.offset.y) + part.extent.height, overlay.image->extent().height);
-        if (const auto region = samePlace(part, to.extent)) parts.push_back(*region);
+        const VkOffset2D place = overlay.places.empty() ? part.offset : overlay.places[i];
+        if (const auto region = placed(part, place, to.extent)) parts.push_back(*region);
     }
     begin(Order::afterPrevious);
     moveLayout(commands_.buffer, to.image, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,

@@ -75,11 +75,11 @@ struct Timing {
     double milliseconds = 0.0;
 };
 
-// Parts of an image that are laid over a blitted one, each where it is in its own image; what lies outside of
-// the target is left out.
+// Parts of an image that are laid over a blitted one; what lies outside of the target is left out.
 struct BlitOverlay {
     const Image* image = nullptr;  // null: nothing
     std::span<const VkRect2D> parts;
+    std::span<const VkOffset2D> places = {};  // of each in the target; empty: where it is in its own image
 };
 
 struct BlitTarget {  // Swapchain::Frame::target()

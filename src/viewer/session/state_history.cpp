@@ -31,6 +31,12 @@ bool StateHistory::push(const QString& what, app::StudyState state, bool joins) 
     return true;
 }
 
+bool StateHistory::amend(app::StudyState state) {
+    if (state == now()) return false;
+    states_[place_].state = std::move(state);
+    return true;
+}
+
 void StateHistory::undo() {
     MACULA_CHECK(canUndo());
     --place_;

@@ -20,6 +20,8 @@ class StateHistory {
     // Whether it is another one than before. With `joins`, it takes the place of the last step where that was
     // made of the same `what` by such a push, and none has ended it.
     bool push(const QString& what, app::StudyState state, bool joins = false);
+    // What comes of itself, and is no step: the state takes the place of that of now. Whether it is another.
+    bool amend(app::StudyState state);
     void endJoining() { joining_ = false; }
 
     bool canUndo() const { return place_ > 0; }

@@ -25,6 +25,12 @@ void ViewerSession::endDrag() {
     history_.endJoining();
 }
 
+void ViewerSession::follow(const Edit& edit) {
+    app::StudyState next = state();
+    edit(next);
+    tellOfChange([&] { return history_.amend(std::move(next)); });
+}
+
 void ViewerSession::push(const QString& what, const Edit& edit, bool joins) {
     app::StudyState next = state();
     edit(next);

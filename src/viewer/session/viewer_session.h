@@ -40,6 +40,8 @@ class ViewerSession : public QObject {
     // The same while a hand moves: until `endDrag`, or a change of something else, all is one step.
     void drag(const QString& what, const Edit& edit);
     void endDrag();
+    // What comes of itself, such as of the camera, which is no part of what can be undone: no step.
+    void follow(const Edit& edit);
 
     bool canUndo() const { return history_.canUndo(); }
     bool canRedo() const { return history_.canRedo(); }

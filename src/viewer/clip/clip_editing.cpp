@@ -1,0 +1,147 @@
+#include "viewer/clip/clip_editing.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "app/clip/eye_cut.h"
+#include "app/clip/scissor_cut.h"
+#include "base/check.h"
+
+namespace macula::viewer {
+
+namespace {
+
+constexpr int kWheelPauseMs = 600;      // what is turned until then is one step to undo
+constexpr double kStepsThrough = 50.0;  // of the wheel, from one end of the volume to the other
+
+Error noStudy() {
+    return {ErrorCode::usage,
+            QObject::tr("No study is open.").toStdString(),
+            {},
+            QObject::tr("Open a study first.").toStdString()};
+}
+
+}  // namespace
+
+ClipEditing::ClipEditing(ViewerSession& session, QObject* parent) : QObject(parent), session_(session) {
+    wheelEnds_.setSingleShot(true);
+    wheelEnds_.setInterval(kWheelPauseMs);
+    // By then, another hand may be at something else.
+    connect(&wheelEnds_, &QTimer::timeout, this, [this] {
+        if (session_.undoText() == tr("Depth of the cut")) session_.endDrag();
+    });
+}
+
+void ClipEditing::setShowsOnSlices(bool shows) {
+    if (std::exchange(showsOnSlices_, shows) != shows) emit changed();
+}
+
+void ClipEditing::setPanelOpen(bool open) {
+    if (std::exchange(isPanelOpen_, open) != open) emit changed();
+}
+
+void ClipEditing::setHandlesAskedFor(bool asked) {
+    if (std::exchange(areAskedFor_, asked) != asked) emit changed();
+}
+
+void ClipEditing::drag(const app::ClipHandle& handle, const glm::dvec3& mm) {
+    if (!session_.hasStudy()) return;
+    const auto moved = app::withHandleAt(state().clip, state().cuts, handle, mm, volume());
+    if (!moved) return;
+    session_.drag(tr("Clip"), [&](app::StudyState& next) {
+        next.clip = moved->clip;
+        next.cuts = moved->cuts;
+    });
+}
+
+Result<app::EyeCut> ClipEditing::newEyeCut() const {
+    if (!session_.hasStudy()) return noStudy();
+    if (!app::hasRoomForEyeCut(state().clip))
+        return Error{ErrorCode::usage,
+                     tr("The clip has six planes and no more.").toStdString(),
+                     {},
+                     tr("Remove one of them first, or begin without a clip.").toStdString()};
+    return app::eyeCut(camera_, 0.0, true, volume());
+}
+
+Result<void> ClipEditing::setEyeCut(bool cuts) {
+    std::optional<app::EyeCut> cut;
+    if (cuts) {
+        MACULA_TRY(cut, newEyeCut());
+        if (const auto& crosshair = state().slices.crosshairMm)
+            cut = app::through(*cut, *crosshair, volume());
+    }
+    session_.change(tr("Cut from the eye"), [&](app::StudyState& next) { next.cuts.eye = cut; });
+    return {};
+}
+
+void ClipEditing::setFollowsCamera(bool follows) {
+    if (!state().cuts.eye) return;
+    session_.change(tr("Cut from the eye"),
+                    [&](app::StudyState& next) { next.cuts.eye->followsCamera = follows; });
+    if (follows) setCamera(camera_);
+}
+
+void ClipEditing::dragEyeCut(double fromMiddleMm) {
+    if (state().cuts.eye && session_.hasStudy())
+        putEyeCut(app::at(*state().cuts.eye, fromMiddleMm, volume()));
+}
+
+Result<void> ClipEditing::stepEyeCut(double steps) {
+    std::optional<app::EyeCut> cut = state().cuts.eye;
+    const bool isNew = !cut;
+    if (isNew) {
+        MACULA_TRY(cut, newEyeCut());
+    }
+    if (!session_.hasStudy()) return noStudy();
+    const ValueRange range = app::eyeCutRangeMm(cut->plane.normal, volume());
+    const double fromMm = isNew ? range.low : cut->fromMiddleMm;
+    putEyeCut(app::at(*cut, fromMm + steps * (range.high - range.low) / kStepsThrough, volume()));
+    wheelEnds_.start();
+    return {};
+}
+
+void ClipEditing::putEyeCut(const app::EyeCut& cut) {
+    session_.drag(tr("Depth of the cut"), [&](app::StudyState& next) { next.cuts.eye = cut; });
+}
+
+void ClipEditing::setCamera(const Camera& camera) {
+    camera_ = camera;
+    const auto& eye = state().cuts.eye;
+    if (!eye || !eye->followsCamera || !session_.hasStudy()) return;
+    const auto cut = app::eyeCut(camera_, eye->fromMiddleMm, true, volume());
+    if (!cut || cut->plane.normal == eye->plane.normal) return;
+    session_.follow([&](app::StudyState& next) { next.cuts.eye = *cut; });
+}
+
+Result<void> ClipEditing::addScissorCut(app::ScissorCut cut) {
+    if (!session_.hasStudy()) return noStudy();
+    MACULA_TRY_VOID(app::validate(cut));
+    if (state().cuts.scissors.size() >= app::kMostScissorCuts)
+        return Error{ErrorCode::usage,
+                     tr("There are %1 cuts with the scissors, and no more are possible.")
+                         .arg(app::kMostScissorCuts)
+                         .toStdString(),
+                     {},
+                     tr("Undo one of them first.").toStdString()};
+    session_.change(tr("Scissors"),
+                    [&](app::StudyState& next) { next.cuts.scissors.push_back(std::move(cut)); });
+    return {};
+}
+
+void ClipEditing::removeScissorCuts() {
+    session_.change(tr("Remove cuts"), [](app::StudyState& next) { next.cuts.scissors.clear(); });
+}
+
+void ClipEditing::showAll() {
+    session_.change(tr("Show all"), [](app::StudyState& next) {
+        next.clip.reset();
+        next.cuts = {};
+    });
+}
+
+bool ClipEditing::isAllShown() const {
+    return !state().clip && state().cuts.isNothing();
+}
+
+}  // namespace macula::viewer

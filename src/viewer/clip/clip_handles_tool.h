@@ -1,0 +1,46 @@
+// Handles of the clip in the 3D picture.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "app/camera/picture_rays.h"
+#include "app/clip/clip_handles.h"
+#include "viewer/clip/clip_editing.h"
+#include "viewer/picture_tool.h"
+
+namespace macula::viewer {
+
+// Faces and planes go along their normal, centre and corner across the line of sight; the radius is taken at
+// the right of the ball. They lie over the picture, whatever is before them. Session and editing outlive it.
+class ClipHandlesTool : public PictureTool {
+  public:
+    ClipHandlesTool(ViewerSession& session, ClipEditing& editing) : session_(session), editing_(editing) {}
+
+    bool press(const PicturePlace& place) override;
+    void move(const PicturePlace& place) override;
+    void release(const PicturePlace& place) override;
+    void giveUp() override;
+    bool changesPicture() const override { return true; }
+    std::optional<Qt::CursorShape> point(const PicturePlace& place) override;
+    bool turnWheel(double notches, const PictureGeometry& picture) override;
+    std::vector<PictureMark> marks(const PictureGeometry& picture) const override;
+
+  private:
+    struct Held {
+        app::PlacedHandle handle;
+        glm::dvec3 grabbedMm;  // less this, the handle is where it was
+    };
+    bool isUsable() const { return editing_.hasHandles() && session_.hasStudy(); }
+    std::vector<app::PlacedHandle> handles(const app::PictureRays& rays) const;
+    std::optional<app::PlacedHandle> handleAt(const PicturePlace& place) const;
+    std::optional<glm::dvec3> draggedTo(const app::PlacedHandle& handle, const PicturePlace& place) const;
+    void addLines(std::vector<PictureMark>& marks, const app::PictureRays& rays) const;
+
+    ViewerSession& session_;
+    ClipEditing& editing_;
+    std::optional<Held> held_;
+    std::optional<app::ClipHandle> pointed_;
+};
+
+}  // namespace macula::viewer

@@ -1,0 +1,55 @@
+// The scissors: an outline that is drawn over the 3D picture.
+#pragma once
+
+#include <QObject>
+#include <optional>
+#include <vector>
+
+#include "app/clip/cuts.h"
+#include "base/result.h"
+#include "viewer/clip/clip_editing.h"
+#include "viewer/picture_tool.h"
+
+namespace macula::viewer {
+
+// While they are out, the left button draws, and when it goes up what lies behind the outline is removed;
+// with Shift, all else. The editing outlives it.
+class ScissorTool : public QObject, public PictureTool {
+    Q_OBJECT
+
+  public:
+    explicit ScissorTool(ClipEditing& editing, QObject* parent = nullptr)
+        : QObject(parent), editing_(editing) {}
+
+    bool isOut() const { return isOut_; }
+    void setOut(bool out);  // puts away what is being drawn
+
+    bool press(const PicturePlace& place) override;
+    void move(const PicturePlace& place) override;
+    void release(const PicturePlace& place) override;
+    void giveUp() override;
+    bool changesPicture() const override { return false; }
+    std::optional<Qt::CursorShape> point(const PicturePlace& place) override;
+    bool turnWheel(double, const PictureGeometry&) override { return false; }
+    std::vector<PictureMark> marks(const PictureGeometry& picture) const override;
+
+  signals:
+    void drawn();  // the outline is another one
+    void taken(bool out);
+    void refused(const macula::Error& error);
+
+  private:
+    // In half heights of the picture that it was begun over.
+    struct Outline {
+        PictureGeometry picture;
+        std::vector<glm::dvec2> points;
+    };
+    static glm::dvec2 halfHeights(const PicturePlace& place);
+    bool isOver(const PictureGeometry& picture) const;
+
+    ClipEditing& editing_;
+    bool isOut_ = false;
+    std::optional<Outline> outline_;
+};
+
+}  // namespace macula::viewer
