@@ -17,6 +17,8 @@
 #include "app/state/drawing_of.h"
 #include "pipeline/volume/window.h"
 #include "viewer/browser/study_browser.h"
+#include "viewer/clip/scissor_tool.h"
+#include "viewer/clip/voxel_cutting.h"
 #include "viewer/join_question.h"
 #include "viewer/keys.h"
 #include "viewer/panes/pane_grid.h"
@@ -63,6 +65,7 @@ MainWindow::MainWindow(gpu::Instance instance, MainWindowOptions options)
     setAcceptDrops(true);
 
     makePanes();
+    makeClipTools();
     auto* centre = new QWidget(this);
     auto* column = new QVBoxLayout(centre);
     column->setContentsMargins(0, 0, 0, 0);
@@ -163,7 +166,7 @@ void MainWindow::connectTable() {
 // What is double-clicked in 3D is where the slices go, and what the camera turns around.
 void MainWindow::connectPick() {
     connect(viewport_, &Viewport::doubleClicked, this, [this](QPointF place) {
-        if (study().volume)
+        if (study().volume && !scissors_->isOut())
             pick_->start(study().volume, drawing(), toCamera(viewport_->camera()), {place.x(), place.y()},
                          viewport_->aspect());
     });
@@ -196,7 +199,8 @@ void MainWindow::redraw() {
 }
 
 void MainWindow::updateClip() {
-    clip_ = study().volume ? app::clipOf(session_.state(), *study().volume, table_->mask()) : nullptr;
+    wantVoxels();
+    clip_ = study().volume ? app::clipOf(session_.state(), *study().volume, cutting_->mask()) : nullptr;
     redraw();
 }
 
@@ -271,12 +275,13 @@ void MainWindow::onChanged(const app::StudyState& before) {
         if (std::exchange(presetNote_, note) != note) showNotes();
     }
     // A cross-hair that is dragged changes nothing in menus and panes.
-    if (now.preset != before.preset || now.clip != before.clip || now.settings.look != before.settings.look ||
-        now.settings.shading != before.settings.shading)
+    if (now.preset != before.preset || now.clip != before.clip || now.cuts != before.cuts ||
+        now.settings.look != before.settings.look || now.settings.shading != before.settings.shading)
         showChosen();
     if (now.layout != before.layout) showPanes();
     if (now.leavesTableOut != before.leavesTableOut) table_->ask(now.leavesTableOut);
-    if (now.clip != before.clip) {
+    const bool isOtherMask = wantVoxels();
+    if (now.clip != before.clip || now.cuts.eye != before.cuts.eye || isOtherMask) {
         updateClip();
     } else {
         redraw();
@@ -326,6 +331,7 @@ void MainWindow::showStudy(const app::OpenedStudy& study) {
     if (options_.restores == Restores::work) left.reset();
     presetNote_ = presetWarning(*now.preset, volume);
     table_->setVolume(study.volume);
+    cutting_->setVolume(study.volume);
     pick_->cancel();
     seriesWindows_.forget();
     QStringList lines;
@@ -340,6 +346,7 @@ void MainWindow::showStudy(const app::OpenedStudy& study) {
     visibilityNote_ = visibilityNote(first, volume, catalogue());
     viewport_->setStudy(study.volume, linesOf(study.identity), std::move(first), options_.firstView);
     if (left && left->camera) viewport_->showFrom(*left->camera);
+    wantVoxels();
     redraw();  // menus and lists show it
     if (left) table_->ask(left->leavesTableOut);
     kept_ = stateToKeep();

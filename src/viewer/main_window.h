@@ -28,18 +28,24 @@
 #include "viewer/table_removal.h"
 #include "viewer/volume_choice.h"
 
+class QDockWidget;
 class QFileDialog;
+class QMenu;
 
 namespace macula::viewer {
 
+class ClipEditing;
 class ClipPanel;
+class CutTools;
 class PaneGrid;
 class PictureDialog;
+class ScissorTool;
 class SliceView;
 class StudyBrowser;
 class ToolBox;
 class TransferFunctionEditor;
 class UndoActions;
+class VoxelCutting;
 enum class Pane;
 
 // What comes back of a study that was seen before, and is kept for the next time.
@@ -83,6 +89,10 @@ class MainWindow : public QMainWindow {
     void cancelLoading() { loader_.cancel(); }
     bool loading() const { return loader_.loading(); }
     bool searchingTable() const { return table_->searching(); }
+    bool cutting() const;  // with the scissors
+    // Where a clip is taken hold of; and the scissors over the 3D picture.
+    ClipEditing& clipEditing() { return *clipEditing_; }
+    ScissorTool& scissors() { return *scissors_; }
     bool loaderAtRest() const { return loader_.atRest(); }
 
     Viewport& viewport() { return *viewport_; }
@@ -121,6 +131,12 @@ class MainWindow : public QMainWindow {
   private:
     void makePanes();
     void makePanels();
+    void makeClipTools();
+    void connectCutting();
+    QWidget* makeClipColumn();
+    void addClipActions(QMenu& menu);
+    void addClipPanel(QDockWidget& dock);
+    bool wantVoxels();  // whether what is shown of them is another at once
     void makeMenus();
     void makeFileMenu();
     void makeEditMenu();
@@ -208,6 +224,11 @@ class MainWindow : public QMainWindow {
     UndoActions* undo_ = nullptr;
     TransferFunctionEditor* transfer_ = nullptr;
     ClipPanel* clipPanel_ = nullptr;
+    ClipEditing* clipEditing_ = nullptr;
+    CutTools* cutTools_ = nullptr;
+    ScissorTool* scissors_ = nullptr;
+    VoxelCutting* cutting_ = nullptr;
+    WorkBar* cuttingBar_ = nullptr;
     StudyBrowser* browser_ = nullptr;
     QAction* browserShown_ = nullptr;  // shows and hides it
     QList<QAction*> panels_;           // show and hide them

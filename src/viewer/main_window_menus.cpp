@@ -189,6 +189,7 @@ void MainWindow::makeClipMenu() {
     clips_ = new ChoiceMenu(tr("&Clip"), this);
     menuBar()->addMenu(clips_);
     clips_->addAction(&table_->action());
+    addClipActions(*clips_);
     clips_->addSeparator();
     clips_->addChoice(tr("&No Clip"), QStringLiteral("no-clip"))->setShortcut(keyOf(KeyAction::noClip));
     for (const auto& clip : catalogue().clips) {
@@ -198,6 +199,7 @@ void MainWindow::makeClipMenu() {
     connect(clips_, &ChoiceMenu::changed, this, [this](int index) {
         session_.change(tr("Clip"), [&](app::StudyState& next) {
             next.clip.reset();
+            if (index == 0) next.cuts = {};
             if (index > 0) next.clip = *catalogue().clips.at(std::size_t(index) - 1);  // 0 is no clip
         });
     });
@@ -246,6 +248,7 @@ void MainWindow::makeStatusBar() {
     statusBar()->addWidget(loading_);
     statusBar()->addWidget(searching_);
     statusBar()->addWidget(exporting_);
+    statusBar()->addWidget(cuttingBar_);
     badge_ = new FidelityBadge;
     statusBar()->addWidget(badge_);
     statusBar()->addWidget(fidelity_, 1);

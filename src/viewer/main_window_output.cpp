@@ -75,7 +75,9 @@ void MainWindow::askWhereToSavePicture(const PictureDialog& how) {
                              .output = {},
                              .source = imageOf(study()),
                              .isOfNobody = study().identity.isOfNobody,
-                             .isDeidentified = how.isDeidentified()};
+                             .isDeidentified = how.isDeidentified(),
+                             .leavesTableOut = table_->mask().has_value(),
+                             .isCutWithScissors = !session_.state().cuts.scissors.empty()};
     ask(dialog, [this, picture = std::move(picture)](const QString& path) {
         app::ViewPicture wanted = picture;
         wanted.output = path.toStdString();

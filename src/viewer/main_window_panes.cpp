@@ -77,7 +77,6 @@ void MainWindow::setCine(bool plays) {
 void MainWindow::makePanels() {
     transfer_ = new TransferFunctionEditor(session_);
     connect(transfer_, &TransferFunctionEditor::saveAsked, this, &MainWindow::askWhereToSavePreset);
-    clipPanel_ = new ClipPanel(session_);
     browser_ = new StudyBrowser;
     connect(browser_, &StudyBrowser::chosen, this, &MainWindow::openFound);
     const auto add = [this](Qt::DockWidgetArea area, QWidget* panel, const QString& title, const char* name,
@@ -97,7 +96,8 @@ void MainWindow::makePanels() {
         add(Qt::LeftDockWidgetArea, browser_, tr("Studies"), "studies-panel", "F2")->toggleViewAction();
     QDockWidget* first =
         add(Qt::RightDockWidgetArea, transfer_, tr("Transfer Function"), "transfer-panel", "F3");
-    QDockWidget* second = add(Qt::RightDockWidgetArea, clipPanel_, tr("Clip"), "clip-panel", "F4");
+    QDockWidget* second = add(Qt::RightDockWidgetArea, makeClipColumn(), tr("Clip"), "clip-panel", "F4");
+    addClipPanel(*second);
     splitDockWidget(first, second, Qt::Vertical);
 }
 

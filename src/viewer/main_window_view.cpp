@@ -59,7 +59,8 @@ void MainWindow::showChosen() {
     // Number 0 is no clip; a clip of its own is none of the menu's, and "No Clip" takes it away.
     const int clip =
         indexOf(catalogue().clips, [&](const ClipPreset& c) { return state.clip && c == *state.clip; });
-    clips_->choose(!state.clip ? 0 : clip < 0 ? -1 : clip + 1);
+    const bool isAll = !state.clip && state.cuts.isNothing();
+    clips_->choose(isAll ? 0 : clip < 0 ? -1 : clip + 1);
 }
 
 void MainWindow::askForView() {

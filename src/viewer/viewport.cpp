@@ -277,6 +277,9 @@ bool Viewport::handleKey(const QKeyEvent& event) {
     if (action == KeyAction::names) return showNames(!namesShown_), true;
     if (const auto view = action ? viewDirectionOf(*action) : std::nullopt) return showFrom(*view), true;
     switch (event.key()) {
+        case Qt::Key_Escape:
+            if (holder_ == nullptr) return false;
+            return endHold(), true;
         case Qt::Key_Plus:
         case Qt::Key_Equal:  // the same key without shift on many keyboards
             nudge();

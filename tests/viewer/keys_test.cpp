@@ -35,7 +35,8 @@ TEST(Keys, ALetterIsFoundByItsEvent) {
     EXPECT_EQ(pressed(Qt::Key_F), KeyAction::fit);
     EXPECT_EQ(pressed(Qt::Key_L), KeyAction::left);
     EXPECT_EQ(viewDirectionOf(KeyAction::left), ViewDirection::left);
-    EXPECT_EQ(pressed(Qt::Key_X), std::nullopt);
+    EXPECT_EQ(pressed(Qt::Key_X), KeyAction::scissors);
+    EXPECT_EQ(pressed(Qt::Key_Y), std::nullopt);
     EXPECT_EQ(pressed(Qt::Key_T), std::nullopt) << "only with Ctrl";
 }
 

@@ -39,8 +39,9 @@ Result<void> setLights(WishedPicture& picture, const std::string& typed) {
 }
 
 std::string publicClip(const RenderWish& wish, const StudyState& state) {
-    return state.clip && wish.state.clip.empty() ? publicClipName(*state.clip)
-                                                 : publicClipName(wish.state.clip);
+    const std::string clip =
+        state.clip && wish.state.clip.empty() ? publicClipName(*state.clip) : publicClipName(wish.state.clip);
+    return state.cuts.isNothing() ? clip : clip + " and cuts";
 }
 
 }  // namespace

@@ -85,8 +85,8 @@ Result<std::vector<std::string>> writeViewPicture(const ViewPicture& picture,
     record.seriesDigest = picture.seriesDigest;
     record.preset = publicPresetName(request.scene.function);
     record.lights = publicLightsName(*picture.drawing.lights);
-    record.clip = request.scene.clip.hasShape() ? "clipped" : "none";
-    record.tableRemoved = request.scene.clip.mask.has_value();
+    record.clip = request.scene.clip.hasShape() || picture.isCutWithScissors ? "clipped" : "none";
+    record.tableRemoved = picture.leavesTableOut;
     record.presetFitted = request.scene.function.fitToVolume.has_value();
     record.window = request.settings.window;
     record.add(request, drawn);

@@ -53,6 +53,7 @@ Result<StudyState> stateOf(const StateWish& wish, StudyState usual) {
     MACULA_TRY_VOID(setPreset(state, wish));
     if (!wish.clip.empty()) {
         MACULA_TRY(state.clip, chooseClip(wish.clip));
+        state.cuts = {};
     }
     state.leavesTableOut = state.leavesTableOut || wish.removeTable;
     MACULA_TRY_VOID(setCamera(state, wish));

@@ -23,7 +23,7 @@ struct StateWish {
     std::filesystem::path session = {};  // a view that was saved: readStudyState
     std::string preset = {};             // as choosePreset
     bool fit = false;                    // the preset's range is stretched to the volume
-    std::string clip = {};               // as chooseClip
+    std::string clip = {};               // as chooseClip; in the place of the cuts of a view too
     bool removeTable = false;
     std::optional<trace::Look> look = {};
     std::string window = {};                          // of projections: parseWindow

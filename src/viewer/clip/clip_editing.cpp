@@ -133,15 +133,4 @@ void ClipEditing::removeScissorCuts() {
     session_.change(tr("Remove cuts"), [](app::StudyState& next) { next.cuts.scissors.clear(); });
 }
 
-void ClipEditing::showAll() {
-    session_.change(tr("Show all"), [](app::StudyState& next) {
-        next.clip.reset();
-        next.cuts = {};
-    });
-}
-
-bool ClipEditing::isAllShown() const {
-    return !state().clip && state().cuts.isNothing();
-}
-
 }  // namespace macula::viewer

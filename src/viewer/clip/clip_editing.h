@@ -42,10 +42,6 @@ class ClipEditing : public QObject {
     Result<void> addScissorCut(app::ScissorCut cut);
     void removeScissorCuts();
 
-    // All of the volume is shown again, but for the table.
-    void showAll();
-    bool isAllShown() const;
-
   signals:
     void changed();  // what the pictures show of it
 

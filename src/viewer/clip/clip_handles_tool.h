@@ -1,6 +1,7 @@
 // Handles of the clip in the 3D picture.
 #pragma once
 
+#include <QObject>
 #include <optional>
 #include <vector>
 
@@ -13,9 +14,10 @@ namespace macula::viewer {
 
 // Faces and planes go along their normal, centre and corner across the line of sight; the radius is taken at
 // the right of the ball. They lie over the picture, whatever is before them. Session and editing outlive it.
-class ClipHandlesTool : public PictureTool {
+class ClipHandlesTool : public QObject, public PictureTool {
   public:
-    ClipHandlesTool(ViewerSession& session, ClipEditing& editing) : session_(session), editing_(editing) {}
+    ClipHandlesTool(ViewerSession& session, ClipEditing& editing, QObject* parent = nullptr)
+        : QObject(parent), session_(session), editing_(editing) {}
 
     bool press(const PicturePlace& place) override;
     void move(const PicturePlace& place) override;

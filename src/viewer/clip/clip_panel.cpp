@@ -71,6 +71,7 @@ ClipPanel::ClipPanel(ViewerSession& session, QWidget* parent)
                              [this] { return app::turnedInsideOut(clip(), volume()); }));
     whole->addWidget(addTool(tr("Undo all: no clip"), QStringLiteral("clip-none"),
                              tr("Shows all of the volume again"), [this] { return withoutClip(); }));
+    tools_.back().showsAll = true;
     column->addLayout(whole);
     column->addWidget(makeCuts());
     column->addWidget(makeSizes());
@@ -80,7 +81,7 @@ ClipPanel::ClipPanel(ViewerSession& session, QWidget* parent)
     connect(&session_, &ViewerSession::studyShown, this, &ClipPanel::showStudy);
     connect(&session_, &ViewerSession::changed, this, [this](const app::StudyState& before) {
         const app::StudyState& now = session_.state();
-        if (now.clip != before.clip) return showClip();
+        if (now.clip != before.clip || now.cuts != before.cuts) return showClip();
         if (isVisible() && now.slices.crosshairMm != before.slices.crosshairMm) showTools();
     });
     showStudy();
@@ -199,7 +200,7 @@ QPushButton* ClipPanel::addTool(const QString& text, const QString& name, const 
     tools_.push_back({.button = button, .what = what, .edit = std::move(edit)});
     const std::size_t number = tools_.size() - 1;
     connect(button, &QPushButton::clicked, this, [this, number] {
-        if (session_.hasStudy()) propose(tools_.at(number).edit(), false);
+        if (session_.hasStudy()) propose(tools_.at(number).edit(), false, tools_.at(number).showsAll);
     });
     return button;
 }
@@ -220,16 +221,19 @@ QDoubleSpinBox* ClipPanel::makeMmBox(const QString& name, const QString& what, d
 void ClipPanel::chooseFromList(int index) {
     if (!session_.hasStudy()) return;
     const auto& listed = session_.catalogue().clips;
-    if (index == 0) return propose(app::ClipChoice{}, false);
+    if (index == 0) return propose(app::ClipChoice{}, false, true);
     if (index == clips_->count() - 1) return propose(lastOwn_ ? lastOwn_ : clip(), false);
     propose(app::ClipChoice(*listed.at(std::size_t(index) - 1)), false);
 }
 
 // What is refused leaves all as it is, and the controls go back to it.
-void ClipPanel::propose(const Edited& edited, bool isDrag) {
+void ClipPanel::propose(const Edited& edited, bool isDrag, bool showsAll) {
     trouble_->setText(edited ? QString() : reason(edited.error()));
     if (edited) {
-        const auto edit = [&](app::StudyState& next) { next.clip = *edited; };
+        const auto edit = [&](app::StudyState& next) {
+            next.clip = *edited;
+            if (showsAll) next.cuts = {};
+        };
         isDrag ? session_.drag(tr("Clip"), edit) : session_.change(tr("Clip"), edit);
     }
     showClip();
@@ -356,7 +360,7 @@ ClipPanel::Edited ClipPanel::removedCorner() const {
 }
 
 ClipPanel::Edited ClipPanel::withoutClip() const {
-    if (clip()) return app::ClipChoice{};
+    if (clip() || !session_.state().cuts.isNothing()) return app::ClipChoice{};
     return Error{ErrorCode::usage,
                  tr("All of the volume is shown.").toStdString(),
                  {},

@@ -35,6 +35,7 @@ class ClipPanel : public QWidget {
         QPushButton* button;
         QString what;
         std::function<Edited()> edit;
+        bool showsAll = false;  // cuts go too
     };
 
     void makeClips();
@@ -46,7 +47,7 @@ class ClipPanel : public QWidget {
     QDoubleSpinBox* makeMmBox(const QString& name, const QString& what, double mm);
 
     void chooseFromList(int index);
-    void propose(const Edited& edited, bool isDrag);
+    void propose(const Edited& edited, bool isDrag, bool showsAll = false);
     void showStudy();
     void showClip();
     void showInList();

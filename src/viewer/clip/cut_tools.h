@@ -1,0 +1,46 @@
+// What is cut from where somebody looks: a plane before the eye, and the scissors.
+#pragma once
+
+#include <QCheckBox>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QWidget>
+
+#include "viewer/clip/clip_editing.h"
+#include "viewer/session/viewer_session.h"
+
+namespace macula::viewer {
+
+// Shows the cuts of the session's state, and proposes others. Session and editing outlive it.
+class CutTools : public QWidget {
+    Q_OBJECT
+
+  public:
+    CutTools(ViewerSession& session, ClipEditing& editing, QWidget* parent = nullptr);
+
+    void setScissorsOut(bool out);
+
+  signals:
+    void scissorsAsked(bool out);
+
+  private:
+    QWidget* makeEye();
+    QWidget* makeScissors();
+    void setUsable(QWidget& control, const QString& does);
+    void showCuts();
+    void tell(const Result<void>& done);
+
+    ViewerSession& session_;
+    ClipEditing& editing_;
+    QCheckBox* onSlices_;
+    QCheckBox* eye_;
+    QDoubleSpinBox* depth_;
+    QCheckBox* follows_;
+    QPushButton* scissors_;
+    QPushButton* uncut_;
+    QLabel* count_;
+    QLabel* trouble_;
+};
+
+}  // namespace macula::viewer

@@ -1,0 +1,46 @@
+// Clips of this study under a name.
+#pragma once
+
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QPushButton>
+#include <QWidget>
+#include <optional>
+
+#include "viewer/session/viewer_session.h"
+
+namespace macula::viewer {
+
+// Shows those of the session's state, and proposes others: what is clipped and cut now can be kept under a
+// name and gone back to. Names are unlike each other. The session outlives it.
+class NamedClips : public QWidget {
+    Q_OBJECT
+
+  public:
+    explicit NamedClips(ViewerSession& session, QWidget* parent = nullptr);
+
+  private:
+    QPushButton* addButton(const QString& text, const char* name, void (NamedClips::*does)());
+    const std::vector<app::NamedClip>& clips() const { return session_.state().namedClips; }
+    std::optional<std::size_t> chosen() const;
+    std::optional<std::size_t> indexOf(const std::string& name) const;
+    std::optional<std::string> typedName();  // nothing, and said why, where it is none
+    void save();
+    void apply();
+    void rename();
+    void remove();
+    void showClips();
+    void showButtons();
+
+    ViewerSession& session_;
+    QListWidget* list_;
+    QLineEdit* name_;
+    QPushButton* save_;
+    QPushButton* apply_;
+    QPushButton* rename_;
+    QPushButton* remove_;
+    QLabel* trouble_;
+};
+
+}  // namespace macula::viewer
