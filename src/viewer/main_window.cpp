@@ -317,6 +317,7 @@ void MainWindow::showStudy(const app::OpenedStudy& study) {
     if (left && options_.restores == Restores::work) {
         now.slices = left->slices;
         now.measurements = left->measurements;
+        now.namedClips = left->namedClips;
         now.otherKeys = left->otherKeys;
     } else if (left) {
         now = *left;

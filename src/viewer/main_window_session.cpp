@@ -82,6 +82,7 @@ void MainWindow::showAfresh() {
         next.lights = options_.lights;
         next.layout = before.layout;
         next.measurements = before.measurements;
+        next.namedClips = before.namedClips;
         next.otherKeys = before.otherKeys;
     });
     viewport_->showFrom(options_.firstView);

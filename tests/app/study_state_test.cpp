@@ -65,6 +65,13 @@ StudyState everything() {
         .asAcquired = true,
         .crosshairMm = glm::dvec3(1.0 / 3.0, -2.0, 1e5)};
     state.measurements = oneOfEachKind();
+    state.cuts.eye = EyeCut{.plane = {.normal = {0.0, 0.6, 0.8}, .offsetMm = -1.0 / 3.0},
+                            .fromMiddleMm = 12.5,
+                            .followsCamera = true};
+    state.cuts.scissors = {{.camera = *state.camera,
+                            .outline = {{-0.5, -0.5}, {1.0 / 3.0, -0.5}, {0.0, 0.7}},
+                            .removesOutside = true}};
+    state.namedClips = {{.name = "lungs, \"höher\"", .clip = *catalogue().clips.at(1), .cuts = state.cuts}};
     return state;
 }
 
@@ -106,6 +113,9 @@ TEST(StudyState, IsAnotherWhenOneThingOfTheSlicesIs) {
     EXPECT_TRUE(differs([](auto& s) { s.measurements[1].normal = {0.0, 0.0, 1.0}; }));
     EXPECT_TRUE(differs([](auto& s) { s.measurements[2].shape = slices::Distance{}; }));
     EXPECT_TRUE(differs([](auto& s) { s.measurements.pop_back(); }));
+    EXPECT_TRUE(differs([](auto& s) { s.cuts.eye->followsCamera = false; }));
+    EXPECT_TRUE(differs([](auto& s) { s.cuts.scissors[0].outline[1].x += 1e-9; }));
+    EXPECT_TRUE(differs([](auto& s) { s.namedClips[0].name = "lung"; }));
 }
 
 TEST(StudyState, WritesTheKeysThatItSaysItHas) {
@@ -335,6 +345,9 @@ TEST(StudyState, AChangeMakesNoMoreStaleThanItMust) {
     EXPECT_EQ(after([](auto& s) { s.preset = catalogue().presets.at(4); }), Stale::matter);
     EXPECT_EQ(after([](auto& s) { s.clip.reset(); }), Stale::matter);
     EXPECT_EQ(after([](auto& s) { s.leavesTableOut = false; }), Stale::matter);
+    EXPECT_EQ(after([](auto& s) { s.cuts.eye.reset(); }), Stale::matter);
+    EXPECT_EQ(after([](auto& s) { s.cuts.scissors.clear(); }), Stale::matter);
+    EXPECT_EQ(after([](auto& s) { s.namedClips.clear(); }), Stale::nothing);
     EXPECT_EQ(after([](auto& s) { s.seriesDigest = "another"; }), Stale::volume);
     // The most of all that changed.
     EXPECT_EQ(after([](auto& s) {
