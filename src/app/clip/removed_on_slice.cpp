@@ -172,12 +172,14 @@ Contour behindOutline(const ScissorCut& cut, const slices::SliceFrame& frame) {
     const glm::dmat3 pictureFromSeen = glm::inverse(seenFromPicture);
     std::vector<glm::dvec3> seen;
     for (const glm::dvec2& p : cut.outline) seen.push_back(pictureFromSeen * glm::dvec3(p, 1.0));
-    // What would be farther than this from the picture is where the slice goes past the eye, or behind it.
+    // Where the slice goes past the eye, or behind it, an outline has no end: it is cut off around the
+    // picture. Before the eye z is above 0, which these sides together ask for.
     const double size = double(std::max({frame.sizePx.x, frame.sizePx.y, 1}));
-    double largest = 0.0;
-    for (const glm::dvec3& p : seen) largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
-    const double nearest = std::max(largest / (1e4 * size), 1e-300);
-    seen = within(seen, [&](const glm::dvec3& p) { return p.z - nearest; });
+    for (int axis = 0; axis < 2; ++axis) {
+        seen = within(seen, [&](const glm::dvec3& p) { return p[axis] + size * p.z; });
+        seen = within(seen, [&](const glm::dvec3& p) { return 2.0 * size * p.z - p[axis]; });
+    }
+    std::erase_if(seen, [](const glm::dvec3& p) { return !(p.z > 0.0); });
     Contour contour;
     for (const glm::dvec3& p : seen) contour.emplace_back(p.x / p.z, p.y / p.z);
     if (contour.size() < 3) contour.clear();
