@@ -127,5 +127,18 @@ TEST(StateHistory, ForgetsTheOldestOfTooMany) {
     EXPECT_EQ(undoAll(history), 0);
 }
 
+TEST(StateHistory, WhatComesOfItselfIsNoStep) {
+    StateHistory history;
+    history.push(kSlab, thick(1));
+    history.push(kSlab, thick(2));
+    history.undo();
+    EXPECT_TRUE(history.amend(thick(7)));
+    EXPECT_FALSE(history.amend(thick(7)));
+    EXPECT_EQ(thicknessMm(history), 7);
+    EXPECT_TRUE(history.canRedo());
+    EXPECT_EQ(undoAll(history), 1);
+    EXPECT_EQ(history.now(), app::StudyState());
+}
+
 }  // namespace
 }  // namespace macula::viewer
