@@ -96,7 +96,7 @@ void MainWindow::addClipPanel(QDockWidget& dock) {
 void MainWindow::addClipActions(QMenu& menu) {
     menu.addSeparator();
     QAction* handles = menu.addAction(tr("&Handles in the Pictures"));
-    handles->setObjectName(QStringLiteral("clip-handles"));
+    handles->setObjectName(QStringLiteral("handles-of-clip"));
     handles->setCheckable(true);
     handles->setShortcut(keyOf(KeyAction::clipHandles));
     handles->setToolTip(tr("Drag faces, planes and balls of the clip where they are seen"));

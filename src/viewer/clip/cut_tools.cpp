@@ -39,10 +39,7 @@ CutTools::CutTools(ViewerSession& session, ClipEditing& editing, QWidget* parent
     trouble_->setObjectName(QStringLiteral("clip-cuts-trouble"));
     column->addWidget(trouble_);
 
-    connect(&session_, &ViewerSession::studyShown, this, [this] {
-        trouble_->clear();
-        showCuts();
-    });
+    connect(&session_, &ViewerSession::studyShown, this, &CutTools::showCuts);
     connect(&session_, &ViewerSession::changed, this, [this](const app::StudyState& before) {
         const app::StudyState& now = session_.state();
         if (now.cuts != before.cuts || now.clip != before.clip) showCuts();
@@ -96,9 +93,8 @@ void CutTools::setScissorsOut(bool out) {
 }
 
 void CutTools::tell(const Result<void>& done) {
-    trouble_->setText(done ? QString()
-                           : QString::fromStdString(done.error().message + " " + done.error().hint));
     showCuts();
+    if (!done) trouble_->setText(QString::fromStdString(done.error().message + " " + done.error().hint));
 }
 
 void CutTools::setUsable(QWidget& control, const QString& does) {
@@ -119,6 +115,9 @@ void CutTools::showCuts() {
     setUsable(*scissors_, tr("Draw around something in the 3D picture: it is removed. With Shift, all "
                              "else is"));
     setUsable(*uncut_, tr("Shows again what the scissors removed"));
+    const bool isLeftOut = cuts.eye && !app::hasRoomForEyeCut(session_.state().clip);
+    trouble_->setText(isLeftOut ? tr("The clip has six planes: the cut from the eye is not shown.")
+                                : QString());
     eye_->setChecked(cuts.eye.has_value());
     if (cuts.eye && session_.hasStudy()) {
         const ValueRange range = app::eyeCutRangeMm(cuts.eye->plane.normal, *session_.study().volume);
@@ -126,8 +125,6 @@ void CutTools::showCuts() {
         depth_->setSingleStep(std::max((range.high - range.low) / 100.0, 0.1));
         depth_->setValue(cuts.eye->fromMiddleMm);
         follows_->setChecked(cuts.eye->followsCamera);
-        if (!app::hasRoomForEyeCut(session_.state().clip))
-            trouble_->setText(tr("The clip has six planes: the cut from the eye is not shown."));
     }
     for (QWidget* control : {static_cast<QWidget*>(depth_), static_cast<QWidget*>(follows_)}) {
         if (cuts.eye || !session_.hasStudy()) continue;
