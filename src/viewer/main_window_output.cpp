@@ -76,8 +76,7 @@ void MainWindow::askWhereToSavePicture(const PictureDialog& how) {
                              .source = imageOf(study()),
                              .isOfNobody = study().identity.isOfNobody,
                              .isDeidentified = how.isDeidentified(),
-                             .leavesTableOut = table_->mask().has_value(),
-                             .isCutWithScissors = !session_.state().cuts.scissors.empty()};
+                             .leavesTableOut = table_->mask().has_value()};
     ask(dialog, [this, picture = std::move(picture)](const QString& path) {
         app::ViewPicture wanted = picture;
         wanted.output = path.toStdString();

@@ -150,6 +150,8 @@ TEST(ScissorCut, WhatElseIsHiddenStaysHidden) {
     const auto none = shownVoxels(others, {}, volume, progress);
     ASSERT_TRUE(none.ok() && *none);
     EXPECT_EQ((*none)->labels, others.labels) << "no copy where nothing is cut";
+    EXPECT_FALSE(isCutWithScissors(others));
+    EXPECT_TRUE(isCutWithScissors(**shownVoxels(others, std::vector{cut}, volume, progress)));
     const auto nothing = shownVoxels({}, {}, volume, progress);
     ASSERT_TRUE(nothing.ok());
     EXPECT_FALSE(*nothing);

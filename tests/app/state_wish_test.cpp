@@ -80,6 +80,7 @@ TEST_F(AWish, isTheViewWhereThatIsGiven) {
 }
 
 TEST_F(AWish, countsMoreThanTheView) {
+    view_.cuts.eye = EyeCut{};
     StateWish wish = saved();
     wish.look = trace::Look::average;
     wish.window = "40,400";
@@ -92,6 +93,7 @@ TEST_F(AWish, countsMoreThanTheView) {
     EXPECT_EQ(state.windows.at(std::size_t(trace::Look::mip)), *parseWindow("300,600"));
     EXPECT_EQ(state.settings.exposure, 0.5);
     EXPECT_EQ(state.clip->name, "right-half");
+    EXPECT_TRUE(state.cuts.isNothing());
     EXPECT_FALSE(state.camera) << "the view of a direction is found when it is drawn";
     EXPECT_TRUE(state.leavesTableOut);
     EXPECT_EQ(*state.lights, *view_.lights);

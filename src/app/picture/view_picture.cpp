@@ -14,6 +14,7 @@
 #include "app/picture/drawn_picture.h"
 #include "app/picture/picture_file.h"
 #include "app/picture/render_record.h"
+#include "app/study/shown_voxels.h"
 
 namespace macula::app {
 
@@ -85,7 +86,9 @@ Result<std::vector<std::string>> writeViewPicture(const ViewPicture& picture,
     record.seriesDigest = picture.seriesDigest;
     record.preset = publicPresetName(request.scene.function);
     record.lights = publicLightsName(*picture.drawing.lights);
-    record.clip = request.scene.clip.hasShape() || picture.isCutWithScissors ? "clipped" : "none";
+    const Clip& clip = request.scene.clip;
+    const bool isCut = clip.mask && isCutWithScissors(*clip.mask);
+    record.clip = clip.hasShape() || isCut ? "clipped" : "none";
     record.tableRemoved = picture.leavesTableOut;
     record.presetFitted = request.scene.function.fitToVolume.has_value();
     record.window = request.settings.window;

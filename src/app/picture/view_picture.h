@@ -30,9 +30,7 @@ struct ViewPicture {
     std::optional<dicom::SecondaryCapture::Source> source = {};
     bool isOfNobody = false;
     bool isDeidentified = false;
-    // What the mask of the drawing's clip hides.
-    bool leavesTableOut = false;
-    bool isCutWithScissors = false;
+    bool leavesTableOut = false;  // by the mask of the drawing's clip
 };
 
 // Opens a device of its own, as `preferredDevice` of gpu::chooseDevice, so a window goes on beside it. Takes

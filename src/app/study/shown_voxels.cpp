@@ -15,6 +15,7 @@ namespace macula::app {
 namespace {
 
 constexpr std::uint16_t kShown = 1;
+constexpr const char* kLabel = "Left by the scissors";
 
 // One row of voxels under one cut.
 class CutRow {
@@ -94,7 +95,12 @@ Result<std::optional<Mask>> shownVoxels(std::optional<Mask> others, std::span<co
                          "Nothing of the volume would be left.",
                          {},
                          "Draw the outline around less, or keep the inside with Shift."};
-        MACULA_TRY(LabelMap map, LabelMap::create(size, volume.worldFromVoxel(), {}, std::move(labels)));
+        Segment left;
+        left.number = kShown;
+        left.label = kLabel;
+        std::vector<Segment> segments{std::move(left)};
+        MACULA_TRY(LabelMap map,
+                   LabelMap::create(size, volume.worldFromVoxel(), std::move(segments), std::move(labels)));
         return std::optional(Mask{.labels = std::make_shared<const LabelMap>(std::move(map)),
                                   .numbers = {kShown},
                                   .keep = Keep::inside});
@@ -104,6 +110,11 @@ Result<std::optional<Mask>> shownVoxels(std::optional<Mask> others, std::span<co
                      {},
                      "Close other programs, or clip with a box, planes or a ball."};
     }
+}
+
+bool isCutWithScissors(const Mask& mask) {
+    const Segment* left = mask.labels ? mask.labels->segment(kShown) : nullptr;
+    return left != nullptr && left->label == kLabel;
 }
 
 }  // namespace macula::app

@@ -20,4 +20,7 @@ namespace macula::app {
 Result<std::optional<Mask>> shownVoxels(std::optional<Mask> others, std::span<const ScissorCut> scissors,
                                         const Volume& volume, Progress& progress);
 
+// Whether the mask is of voxels that scissors left.
+bool isCutWithScissors(const Mask& mask);
+
 }  // namespace macula::app
