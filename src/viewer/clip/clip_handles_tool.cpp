@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "app/clip/clip_outline.h"
+#include "viewer/slices/clip_on_slice.h"
 
 namespace macula::viewer {
 
@@ -149,13 +150,8 @@ std::optional<Qt::CursorShape> ClipHandlesTool::point(const PicturePlace& place)
     if (movesAnywhere(*handle)) return Qt::SizeAllCursor;
     const auto rays = app::PictureRays::of(place.picture.camera, place.picture.aspect);
     if (!rays) return std::nullopt;
-    const glm::dvec2 along(glm::dot(handle->along, rays->axes().right),
-                           glm::dot(handle->along, rays->axes().up));
-    const glm::dvec2 size = glm::abs(along);
-    constexpr double kDiagonal = 0.4142;  // the tangent of 22.5 degrees
-    if (size.y < kDiagonal * size.x) return Qt::SizeHorCursor;
-    if (size.x < kDiagonal * size.y) return Qt::SizeVerCursor;
-    return (along.x > 0.0) == (along.y > 0.0) ? Qt::SizeBDiagCursor : Qt::SizeFDiagCursor;
+    return cursorAlong(
+        {glm::dot(handle->along, rays->axes().right), -glm::dot(handle->along, rays->axes().up)});
 }
 
 bool ClipHandlesTool::turnWheel(double notches, const PictureGeometry& picture) {

@@ -137,14 +137,17 @@ std::optional<app::PlacedHandle> handleAt(const std::vector<app::PlacedHandle>& 
     return nearest;
 }
 
-Qt::CursorShape cursorOf(const app::PlacedHandle& handle, const slices::SlicePlane& plane) {
-    const glm::dvec2 along(glm::dot(handle.along, plane.right), glm::dot(handle.along, plane.down));
+Qt::CursorShape cursorAlong(const glm::dvec2& along) {
     if (!(glm::length(along) > 0.0)) return Qt::SizeAllCursor;
-    constexpr double kDiagonal = 0.4142;  // the tangent of an eighth of a turn's half
+    constexpr double kDiagonal = 0.4142;  // the tangent of 22.5 degrees
     const glm::dvec2 size = glm::abs(along);
     if (size.y < kDiagonal * size.x) return Qt::SizeHorCursor;
     if (size.x < kDiagonal * size.y) return Qt::SizeVerCursor;
     return (along.x > 0.0) == (along.y > 0.0) ? Qt::SizeFDiagCursor : Qt::SizeBDiagCursor;
+}
+
+Qt::CursorShape cursorOf(const app::PlacedHandle& handle, const slices::SlicePlane& plane) {
+    return cursorAlong({glm::dot(handle.along, plane.right), glm::dot(handle.along, plane.down)});
 }
 
 }  // namespace macula::viewer

@@ -42,7 +42,8 @@ std::optional<app::PlacedHandle> handleAt(const std::vector<app::PlacedHandle>& 
                                           const slices::SliceFrame& frame, const glm::dvec2& px,
                                           double radiusPx);
 
-// Says where a handle can be moved to.
+// Says where a handle can be moved to: along a direction of the picture, y downwards; of none, anywhere.
+Qt::CursorShape cursorAlong(const glm::dvec2& along);
 Qt::CursorShape cursorOf(const app::PlacedHandle& handle, const slices::SlicePlane& plane);
 
 }  // namespace macula::viewer
