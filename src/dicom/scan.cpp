@@ -12,6 +12,7 @@
 #include "dicom/read/examination.h"
 #include "dicom/read/folder.h"
 #include "dicom/read/media_directory.h"
+#include "dicom/scan_glimpse.h"
 #include "dicom/split/copies.h"
 #include "dicom/split/join.h"
 #include "dicom/split/neighbours.h"
@@ -396,11 +397,13 @@ Result<Scan> scanFolder(const fs::path& path, Progress& progress, const ScanOpti
     progress.beginStage(fmt::format("Reading {} files", files.size()), files.size());
     std::vector<Examination> found(files.size());
     std::atomic<bool> noMemory{false};
+    ScanGlimpses glimpses(options.glimpsed);
     parallelFor(
         files.size(),
         [&](std::size_t i) {
             try {
                 if (!noMemory) found[i] = examine(files[i], progress.token());
+                if (!progress.cancelled()) glimpses.add(found[i]);
             } catch (const std::bad_alloc&) {
                 noMemory = true;  // and no file is damaged by that
             } catch (...) {

@@ -72,6 +72,7 @@ MainWindow::MainWindow(gpu::Instance instance, MainWindowOptions options)
     column->addWidget(messages_);
     setCentralWidget(centre);
     makePanels();
+    connectBrowser();
     makeMenus();
     makeToolBar();
     makeStatusBar();
@@ -343,7 +344,7 @@ void MainWindow::showStudy(const app::OpenedStudy& study) {
     redraw();  // menus and lists show it
     if (left) table_->ask(left->leavesTableOut);
     kept_ = stateToKeep();
-    browser_->setFound(study.found, study.volumeIndex);
+    showFound(study.found, study.volumeIndex);
     volumes_->setVolumes(study.volumeTitles, study.volumeIndex);
     volumesInBar_->setVisible(volumes_->count() > 0 && options_.namesPatient);
 

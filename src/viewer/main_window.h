@@ -35,6 +35,7 @@ namespace macula::viewer {
 class ClipPanel;
 class PaneGrid;
 class PictureDialog;
+class RecentMenu;
 class SliceView;
 class StudyBrowser;
 class ToolBox;
@@ -130,6 +131,8 @@ class MainWindow : public QMainWindow {
     void makeToolBar();
     void makeStatusBar();
     void connectLoader();
+    void connectBrowser();
+    void showFound(const std::shared_ptr<const app::FoundVolumes>& found, std::optional<std::size_t> open);
     void connectTable();
     app::Drawing drawing() const;
     const app::Catalogue& catalogue() const { return session_.catalogue(); }
@@ -209,6 +212,7 @@ class MainWindow : public QMainWindow {
     TransferFunctionEditor* transfer_ = nullptr;
     ClipPanel* clipPanel_ = nullptr;
     StudyBrowser* browser_ = nullptr;
+    RecentMenu* recent_ = nullptr;
     QAction* browserShown_ = nullptr;  // shows and hides it
     QList<QAction*> panels_;           // show and hide them
     std::optional<Pane> lastPane_;

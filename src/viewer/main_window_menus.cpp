@@ -6,6 +6,7 @@
 
 #include "app/camera/view_directions.h"
 #include "pipeline/volume/window.h"
+#include "viewer/browser/recent_menu.h"
 #include "viewer/browser/study_browser.h"
 #include "viewer/help_boxes.h"
 #include "viewer/keys.h"
@@ -60,6 +61,7 @@ void MainWindow::makeFileMenu() {
     QAction* openFile = file->addAction(tr("Open &File…"), this, &MainWindow::askForFile);
     openFile->setShortcut(keyOf(KeyAction::openFile));
     openFile->setToolTip(tr("Open the series of an image, a DICOMDIR, or a NIfTI, NRRD or MetaImage file"));
+    file->addMenu(recent_);
     QAction* phantom = file->addAction(tr("Open &Phantom"), this, [this] { open(std::nullopt); });
     phantom->setToolTip(tr("Open the built-in phantom study"));
     file->addSeparator();

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "viewer/browser/recent_menu.h"
 #include "viewer/browser/study_browser.h"
 #include "viewer/clip/clip_panel.h"
 #include "viewer/main_window.h"
@@ -79,7 +80,6 @@ void MainWindow::makePanels() {
     connect(transfer_, &TransferFunctionEditor::saveAsked, this, &MainWindow::askWhereToSavePreset);
     clipPanel_ = new ClipPanel(session_);
     browser_ = new StudyBrowser;
-    connect(browser_, &StudyBrowser::chosen, this, &MainWindow::openFound);
     const auto add = [this](Qt::DockWidgetArea area, QWidget* panel, const QString& title, const char* name,
                             const char* key) {
         auto* dock = new QDockWidget(title, this);
@@ -118,6 +118,7 @@ void MainWindow::showNames(bool shown) {
     viewport_->showNames(shown);
     for (SliceView* pane : slices_) pane->showNames(shown);
     browser_->showNames(shown);
+    recent_->showNames(shown);
     names_->setChecked(shown);
 }
 

@@ -1,5 +1,6 @@
 #include "viewer/study_loader.h"
 
+#include <QMetaObject>
 #include <chrono>
 #include <utility>
 
@@ -30,13 +31,28 @@ StudyLoader::StudyLoader(QObject* parent)
 
 void StudyLoader::open(app::StudySource source, bool join) {
     source_ = source;
-    job_.start([source = std::move(source), join, keeper = keeper_](Progress& progress) {
-        return withState(app::openStudy(source, progress, join), keeper);
+    job_.start([source = std::move(source), join, keeper = keeper_,
+                tells = tellsOf(++opening_)](Progress& progress) {
+        return withState(app::openStudy(source, progress, join, tells), keeper);
     });
     emit began();
 }
 
+// Called on other threads; the job's end, which is told by the same queue, comes after all of it.
+app::FoundSoFar StudyLoader::tellsOf(std::uint64_t opening) {
+    return [this, opening](std::shared_ptr<const app::FoundVolumes> volumes) {
+        QMetaObject::invokeMethod(
+            this,
+            [this, opening, volumes = std::move(volumes)] {
+                if (opening == opening_ && loading()) emit found(volumes);
+            },
+            Qt::QueuedConnection);
+    };
+}
+
 void StudyLoader::open(std::shared_ptr<const app::FoundVolumes> found, std::size_t index) {
+    ++opening_;
+    source_.reset();
     job_.start([found = std::move(found), index, keeper = keeper_](Progress& progress) {
         return withState(app::openFoundVolume(found, index, progress), keeper);
     });

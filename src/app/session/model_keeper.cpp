@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "app/session/scene_key.h"
+#include "app/session/seen_before.h"
 #include "app/state/state_keys.h"
 #include "base/fingerprint.h"
 #include "base/log.h"
@@ -454,6 +455,15 @@ std::optional<std::string> ModelKeeper::stateOf(const std::shared_ptr<const Volu
         // The promise was dropped, or there is no memory.
     }
     return std::nullopt;
+}
+
+void ModelKeeper::askWhatWasSeen(std::shared_ptr<const FoundVolumes> found,
+                                 std::function<void(std::set<std::size_t>)> answer) {
+    post(Urgency::isWaitedFor,
+         [this, found = std::move(found), answer = std::move(answer)](session::Store& store) {
+             if (const auto seen = volumesSeenBefore(store, *found)) return answer(*seen);
+             else tell(seen.error());
+         });
 }
 
 void ModelKeeper::keepState(std::shared_ptr<const Volume> volume, std::string json) {

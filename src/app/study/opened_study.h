@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -38,8 +39,13 @@ struct OpenedStudy {
 // phantom.
 using StudySource = std::optional<std::filesystem::path>;
 
+// Told of a folder while it is opened: what was found so far, now and then, and all of it before the volume is
+// decoded. Called on threads that read, one at a time.
+using FoundSoFar = std::function<void(std::shared_ptr<const FoundVolumes>)>;
+
 // Scans, chooses the series and decodes it. Blocks; a file at a time sees a cancellation. Throws nothing.
-Result<OpenedStudy> openStudy(const StudySource& source, Progress& progress, bool join = false);
+Result<OpenedStudy> openStudy(const StudySource& source, Progress& progress, bool join = false,
+                              const FoundSoFar& foundSoFar = {});
 // Decodes another volume of the folder.
 Result<OpenedStudy> openFoundVolume(std::shared_ptr<const FoundVolumes> found, std::size_t index,
                                     Progress& progress);

@@ -180,8 +180,10 @@ class Builder {
             images += stack.frames.size();
             if (stack.canBeVolume()) volumes.push_back(&stack);
         }
+        if (!found_.isWhole()) images = series.instances;
         std::vector<std::string> facts{series.modality, "no images"};
         if (images > 0) facts.back() = counted(images, "image", "images");
+        if (!found_.isWhole()) facts.back() += " so far";
         if (!series.objects.empty()) facts.push_back(counted(series.objects.size(), "object", "objects"));
         if (series.stacks.size() > 1) facts.push_back(counted(volumes.size(), "volume", "volumes"));
         row.details = {joined(facts, kBetween)};
@@ -191,7 +193,7 @@ class Builder {
             const dicom::Stack& stack = isOne ? series.stacks.front() : *volumes.front();
             row.details.push_back(joined({sizeText(stack), voxelText(stack)}, kBetween));
         }
-        if (volumes.empty()) row.whyNot = whyNoVolume(series);
+        if (volumes.empty() && found_.isWhole()) row.whyNot = whyNoVolume(series);
         addMessages(series.messages, row);
         if (isOne) addMessages(series.stacks.front().messages, row);
         row.picture = pictureOf(series);

@@ -3,6 +3,7 @@
 #include <QEvent>
 #include <QKeyEvent>
 #include <QScopedValueRollback>
+#include <QScrollBar>
 #include <QVBoxLayout>
 #include <utility>
 
@@ -32,6 +33,7 @@ StudyBrowser::StudyBrowser(QWidget* parent)
       search_(new QLineEdit),
       tree_(new QTreeView),
       nothing_(new QLabel),
+      reading_(new QLabel(tr("The folder is still being read. What is in it can be opened then."))),
       model_(new StudyTreeModel(this)),
       pictures_(this, {.progressed = [](const ProgressUpdate&) {},
                        .ended = [this](const Result<app::Thumbnail>& made) { takePicture(made); }}) {
@@ -39,10 +41,13 @@ StudyBrowser::StudyBrowser(QWidget* parent)
     column->setContentsMargins(0, 0, 0, 0);
     column->addWidget(search_);
     column->addWidget(nothing_);
+    column->addWidget(reading_);
     column->addWidget(tree_, 1);
     column->addStretch();
     makeSearch();
     makeTree();
+    reading_->setObjectName(QStringLiteral("reading"));
+    reading_->setWordWrap(true);
     nothing_->setObjectName(QStringLiteral("nothing"));
     nothing_->setTextFormat(Qt::PlainText);
     nothing_->setWordWrap(true);
@@ -90,15 +95,20 @@ void StudyBrowser::setFound(std::shared_ptr<const app::FoundVolumes> found, std:
     if (found == found_) return setShown(open);
     pictures_.cancel();
     making_ = nullptr;
+    const bool goesOn = found_ && found && !found_->isWhole();
+    const int scrolledTo = tree_->verticalScrollBar()->value();
     found_ = std::move(found);
-    endSearch();
+    if (!goesOn) endSearch();
     model_->setTree(makeRows());
+    model_->setRowsShown(app::rowsThatMatch(model_->tree(), search_->text().toStdString()));
     expanded_.clear();
     for (const app::StudyRow& row : model_->tree().rows) expanded_.push_back(startsExpanded(row.kind));
     model_->setOpen(open);
     layOut(app::kNoRow);
     revealOpen();
     tellWhatIsMissing();
+    // What somebody looks at stays in its place while more is found below.
+    if (goesOn && !open) tree_->verticalScrollBar()->setValue(scrolledTo);
 }
 
 void StudyBrowser::setShown(std::optional<std::size_t> open) {
@@ -222,6 +232,7 @@ void StudyBrowser::tellWhatIsMissing() {
         nothing_->setText(tr("Nothing matches “%1”.").arg(search_->text().simplified()));
     }
     nothing_->setVisible(isEmpty);
+    reading_->setVisible(found_ && !found_->isWhole());
     tree_->setVisible(!isEmpty);
     search_->setEnabled(!model_->tree().rows.empty());
 }

@@ -28,8 +28,10 @@ class StudyBrowser : public QWidget {
   public:
     explicit StudyBrowser(QWidget* parent = nullptr);
 
-    // Null: there is no folder. `open` is in FoundVolumes::volumes(). The search starts anew with a folder.
+    // Null: there is no folder. `open` is in FoundVolumes::volumes(). The search starts anew with a folder, but
+    // for one that was shown while it was being read (FoundVolumes::isWhole): that is the same one.
     void setFound(std::shared_ptr<const app::FoundVolumes> found, std::optional<std::size_t> open);
+    const std::shared_ptr<const app::FoundVolumes>& found() const { return found_; }
     void setShown(std::optional<std::size_t> open);
     // Without names no text of the files is shown that may name a patient; pictures are, and text that a
     // machine has drawn into its images is seen in them.
@@ -65,6 +67,7 @@ class StudyBrowser : public QWidget {
     QLineEdit* search_;
     QTreeView* tree_;
     QLabel* nothing_;
+    QLabel* reading_;  // the folder is not read to its end
     StudyTreeModel* model_;
 
     std::shared_ptr<const app::FoundVolumes> found_;
