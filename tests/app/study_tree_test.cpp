@@ -244,5 +244,21 @@ TEST(StudyTree, ManySeriesAreAllThere) {
         << "patient, study, and by number and by name a series";
 }
 
+TEST(StudyTree, OfAGlimpseNothingCanBeOpenedAndNothingIsRefused) {
+    dicom::Scan scan;
+    dicom::Series series = test::seriesOf(2, "Thorax", {});
+    series.instances = 17;
+    scan.studies.push_back(test::studyOf(0, "DOE^JANE", "20200102", "Chest", {std::move(series)}));
+    scan.patients = 1;
+    const FoundVolumes found(std::move(scan), FoundVolumes::Extent::soFar);
+    EXPECT_TRUE(found.volumes().empty());
+    const StudyTree tree = studyTree(found);
+    const StudyRow& row = tree.rows[rowTitled(tree, "Series 2: Thorax")];
+    EXPECT_EQ(row.details, Texts{"CT · 17 images so far"});
+    EXPECT_EQ(row.whyNot, "");
+    EXPECT_EQ(row.picture, nullptr);
+    EXPECT_FALSE(row.volume);
+}
+
 }  // namespace
 }  // namespace macula::app
