@@ -103,6 +103,7 @@ void FrameRenderer::accept(FrameInput input) {
     }
     if (input.sampleLimit > input_.sampleLimit) course_.goOnTracing();
     input.gaze = usableGaze(input.gaze);
+    if (input.volume) input.camera = standingBefore(input.camera, input.volume->worldBox());
     input_ = std::move(input);
     lookForModel();
     tellCourse();

@@ -256,13 +256,14 @@ class Recording {
             // What can be seen is known when it is on the device.
             const double aspect = double(options_.sizePx.x) / double(options_.sizePx.y);
             const auto corners = cornersOf(input_.volume->worldBox());
-            publish(RecordingPhase::opening,
-                    toCamera(framed(corners, options_.from, Camera{}.verticalFovDeg, aspect)));
+            OrbitCamera start = turnedTo({}, options_.from);
+            start.isParallel = options_.isParallel;
+            publish(RecordingPhase::opening, toCamera(fitted(start, corners, aspect)));
             MACULA_TRY_VOID(wait([&] { return tape_->outlineMm() != nullptr; }));
             std::vector<glm::dvec3> outlineMm = *tape_->outlineMm();
             if (outlineMm.empty() || trace::isProjection(input_.drawing.settings.look))
                 outlineMm.assign(corners.begin(), corners.end());
-            const Camera first = toCamera(framed(outlineMm, options_.from, Camera{}.verticalFovDeg, aspect));
+            const Camera first = toCamera(fitted(start, outlineMm, aspect));
             path = turntable(first, options_.turnS, options_.movingS);
             publish(RecordingPhase::opening, first);
         }
