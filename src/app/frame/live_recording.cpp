@@ -151,6 +151,8 @@ class TapeScreen final : public Screen {
 
     Result<void> resize(VkExtent2D) override { return {}; }
     void setText(std::shared_ptr<const PictureText> text) override { text_ = std::move(text); }
+    void setMarks(std::shared_ptr<const PictureText> marks) override { marks_ = std::move(marks); }
+    const std::shared_ptr<const PictureText>& marks() const override { return marks_; }
     const std::shared_ptr<const PictureText>& text() const override { return text_; }
     Result<bool> show(const gpu::Image& picture) override {
         // Shown is what is drawn, not what will be.
@@ -167,6 +169,7 @@ class TapeScreen final : public Screen {
     std::shared_ptr<Tape> tape_;
     std::shared_ptr<gpu::Device> device_;
     std::shared_ptr<const PictureText> text_;
+    std::shared_ptr<const PictureText> marks_;
 };
 
 class TapePlace final : public ScreenPlace {

@@ -33,22 +33,27 @@ Result<void> WindowScreen::resize(VkExtent2D extent) {
 }
 
 void WindowScreen::setText(std::shared_ptr<const PictureText> text) {
-    if (text == text_) return;
-    text_ = std::move(text);
-    textImage_.reset();
+    if (text != text_.text) text_ = {.text = std::move(text), .image = {}};
 }
 
-Result<gpu::BlitOverlay> WindowScreen::overlay() {
-    if (!text_ || isColour_) return gpu::BlitOverlay{};
-    if (!textImage_) {
+void WindowScreen::setMarks(std::shared_ptr<const PictureText> marks) {
+    if (marks != marks_.text) marks_ = {.text = std::move(marks), .image = {}};
+}
+
+Result<void> WindowScreen::add(Overlay& overlay, VkExtent2D target, std::vector<gpu::BlitOverlay>& to) {
+    if (!overlay.text || isColour_) return {};
+    const PictureText& text = *overlay.text;
+    if (text.of.width > 0 && (text.of.width != target.width || text.of.height != target.height)) return {};
+    if (!overlay.image) {
         MACULA_TRY(gpu::Image image, gpu::Image::create(device_, {.label = "text over the picture",
-                                                                  .width = text_->size.width,
-                                                                  .height = text_->size.height,
+                                                                  .width = text.size.width,
+                                                                  .height = text.size.height,
                                                                   .format = VK_FORMAT_R8G8B8A8_UNORM}));
-        MACULA_TRY_VOID(gpu::uploadTo(image, std::span<const std::byte>(text_->rgba)));
-        textImage_ = std::move(image);
+        MACULA_TRY_VOID(gpu::uploadTo(image, std::span<const std::byte>(text.rgba)));
+        overlay.image = std::move(image);
     }
-    return gpu::BlitOverlay{&*textImage_, text_->boxes};
+    to.push_back({.image = &*overlay.image, .parts = text.boxes, .at = text.at});
+    return {};
 }
 
 Result<bool> WindowScreen::show(const gpu::Image& picture) {
@@ -79,7 +84,6 @@ Result<void> WindowScreen::keep(const gpu::Image& picture) {
 Result<bool> WindowScreen::showAgain() {
     if (!keptIsValid_) return false;
     owes_ = true;
-    MACULA_TRY(const gpu::BlitOverlay text, overlay());
     for (int attempt = 0; attempt < kResizeAttempts; ++attempt) {
         MACULA_TRY(const gpu::Swapchain::Frame frame, swapchain_.acquire(kAcquireTimeoutNs));
         if (frame.status == gpu::Swapchain::Status::outOfDate) {
@@ -88,11 +92,14 @@ Result<bool> WindowScreen::showAgain() {
         }
         owes_ = frame.status != gpu::Swapchain::Status::hidden;
         if (!frame.usable()) return false;
+        std::vector<gpu::BlitOverlay> overlays;
+        MACULA_TRY_VOID(add(text_, frame.extent, overlays));
+        MACULA_TRY_VOID(add(marks_, frame.extent, overlays));
         MACULA_TRY(gpu::Recorder recorder, gpu::Recorder::create(device_, "present"));
         // A picture of the window's size is not scaled; on a CPU device nearest filtering is then faster.
         const VkExtent3D size = kept_->extent();
         const bool isSameSize = size.width == frame.extent.width && size.height == frame.extent.height;
-        recorder.blit(*kept_, frame.target(), isSameSize ? VK_FILTER_NEAREST : VK_FILTER_LINEAR, text);
+        recorder.blit(*kept_, frame.target(), isSameSize ? VK_FILTER_NEAREST : VK_FILTER_LINEAR, overlays);
         MACULA_TRY(const gpu::Ticket ticket,
                    recorder.submit({.wait = frame.available, .signal = frame.rendered}));
         MACULA_TRY(const gpu::Swapchain::Status status, swapchain_.present(frame, ticket));
