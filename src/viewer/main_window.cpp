@@ -307,6 +307,7 @@ void MainWindow::showStudy(const app::OpenedStudy& study) {
                         .preset = preset,
                         .lights = before.lights,
                         .settings = {.look = before.settings.look, .shading = before.settings.shading},
+                        .showsMarks = before.showsMarks,
                         .layout = before.layout};
     std::optional<app::StudyState> left = stateAsLeft(study);
     if (left && options_.restores == Restores::work) {

@@ -161,7 +161,9 @@ void Viewport::connectWindow() {
     connect(window_, &VulkanWindow::pointed, this, [this](QPointF place) {
         pointedAt_ = {place.x(), place.y()};
     });
-    connect(window_, &VulkanWindow::doubleClicked, this, &Viewport::doubleClicked);
+    connect(window_, &VulkanWindow::doubleClicked, this, [this](QPointF place) {
+        if (!sideAt(place)) emit doubleClicked(place);  // nothing is meant behind the cube
+    });
     connect(window_, &VulkanWindow::dragBegan, this, [this] { dragging_ = true; });
     connect(window_, &VulkanWindow::dragged, this, &Viewport::applyDrag);
     connect(window_, &VulkanWindow::dragEnded, this, [this] {
@@ -278,10 +280,13 @@ std::optional<MarkedPicture> Viewport::pictureOnScreen() const {
 }
 
 // The cube on screen is that of the picture, not of the camera that is asked for by now.
-void Viewport::turnToSide(QPointF place) {
+std::optional<ViewDirection> Viewport::sideAt(QPointF place) const {
     const auto picture = marksShown_ ? pictureOnScreen() : std::nullopt;
-    const auto side = picture ? cubeSideAt(*picture, place) : std::nullopt;
-    if (side) setCamera(app::turnedTo(camera_, *side));
+    return picture ? cubeSideAt(*picture, place) : std::nullopt;
+}
+
+void Viewport::turnToSide(QPointF place) {
+    if (const auto side = sideAt(place)) setCamera(app::turnedTo(camera_, *side));
 }
 
 // With parallel rays nothing comes nearer: what is seen gets larger instead.
@@ -453,6 +458,8 @@ void Viewport::onRendered(const app::RenderEvent& event) {
         if (frame->study != input_.study) return;  // that picture is being taken off the screen
         setLetters(frame->letters);
         shown_ = *frame;
+    } else if (std::holds_alternative<app::PictureRemoved>(event)) {
+        shown_.reset();
     } else if (const auto* outline = std::get_if<app::OutlineFound>(&event)) {
         onOutline(*outline);
     } else if (const auto* failure = std::get_if<app::RenderFailure>(&event)) {

@@ -66,9 +66,10 @@ class Viewport : public QWidget {
     bool handleKey(const QKeyEvent& event);
 
     const app::OrbitCamera& camera() const { return camera_; }
-    // The side from which what is visible fits the picture; nothing once somebody has moved the camera.
+    // The side from which what is visible fits the picture; nothing once somebody has moved the camera, or
+    // has chosen parallel rays.
     std::optional<ViewDirection> framedFrom() const {
-        return untouched_ ? std::optional(framedFrom_) : std::nullopt;
+        return untouched_ && !camera_.isParallel ? std::optional(framedFrom_) : std::nullopt;
     }
     std::uint64_t study() const { return input_.study; }  // as in FrameShown
     app::EdgeLetters letters() const;                     // those on screen; empty without a picture
@@ -95,7 +96,8 @@ class Viewport : public QWidget {
     void setCamera(const app::OrbitCamera& camera);
     void publishChange();  // of what is to be seen
     void applyDrag(VulkanWindow::Drag drag, QPointF byPixels);
-    void turnToSide(QPointF place);  // of the cube, if that is there
+    std::optional<ViewDirection> sideAt(QPointF place) const;  // of the cube, if that is there
+    void turnToSide(QPointF place);
     void fly(double notches);
     bool handleRoll(const QKeyEvent& event);
     void nudge();             // an interaction without an end: a key, a notch of the wheel

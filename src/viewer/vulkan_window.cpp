@@ -163,7 +163,11 @@ void VulkanWindow::wheelEvent(QWheelEvent* event) {
     const QPoint angle = event->angleDelta();
     const bool alt = event->modifiers().testFlag(Qt::AltModifier);
     const double notches = (alt && angle.y() == 0 ? angle.x() : angle.y()) / kEighthsOfDegreePerNotch;
-    alt ? emit flyTurned(notches) : emit wheelTurned(notches);
+    if (alt) {
+        emit flyTurned(notches);
+    } else {
+        emit wheelTurned(notches);
+    }
 }
 
 void VulkanWindow::keyPressEvent(QKeyEvent* event) {
