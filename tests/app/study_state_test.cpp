@@ -56,7 +56,9 @@ StudyState everything() {
     state.camera = Camera{.positionMm = {1.0 / 3.0, -700.0, 12.5},
                           .targetMm = {0.1, 0.2, 0.3},
                           .up = {0.0, 0.0, 1.0},
-                          .verticalFovDeg = 42.0};
+                          .verticalFovDeg = 42.0,
+                          .parallelHeightMm = 1000.0 / 7.0};
+    state.showsMarks = false;
     state.layout = Layout::sagittal;
     state.slices = {
         .window = DisplayWindow{.center = -600.5, .width = 1500.0, .explanation = {}, .function = "SIGMOID"},

@@ -13,6 +13,7 @@ namespace macula::viewer {
 namespace {
 
 constexpr double kOctavesPerHeight = 2.0;
+constexpr double kMostOctaves = 40.0;
 constexpr double kWidthOfAStep = 100.0;  // in values of the preset: of a curve that has no width
 
 // From where the opacity begins to change to where it ends; of one that does not, all of the curve.
@@ -26,13 +27,24 @@ ValueRange slopeOf(const TransferFunction& function) {
     return {first->value, last->value};
 }
 
+QString textOf(double shift, double factor, const QString& unit) {
+    // A thousandth is less than what a hand can do.
+    const double shown = std::abs(shift) < 1e-3 ? 0.0 : shift;
+    const QString by = QLocale().toString(std::abs(shown), 'f', std::abs(shown) >= 10.0 ? 0 : 2);
+    return TransferDrag::tr("Transfer function: shifted by %1%2, %3 times as wide")
+        .arg(shown < 0.0 ? QStringLiteral("\u2212") : QStringLiteral("+"),
+             unit.isEmpty() ? by : by + QLatin1Char(' ') + unit)
+        .arg(factor, 0, 'f', 2);
+}
+
 }  // namespace
 
 TransferDrag::TransferDrag(ViewerSession& session, const TransferFunctionEditor& editor, QObject* parent)
     : QObject(parent), session_(session), editor_(editor) {}
 
 void TransferDrag::drag(QPointF byHeights) {
-    if (isRefused_ || !session_.hasStudy()) return;
+    if (isRefused_ || !session_.hasStudy() || !std::isfinite(byHeights.x()) || !std::isfinite(byHeights.y()))
+        return;
     if (!base_) {
         base_ = editor_.edited();
         moved_ = {};
@@ -48,17 +60,13 @@ void TransferDrag::drag(QPointF byHeights) {
     const ValueRange slope = slopeOf(base);
     const double width = slope.high > slope.low ? slope.high - slope.low : kWidthOfAStep;
     const double shift = moved_.x() * width;
-    const double factor = std::exp2(-kOctavesPerHeight * moved_.y());
+    const double factor = std::exp2(std::clamp(-kOctavesPerHeight * moved_.y(), -kMostOctaves, kMostOctaves));
     TransferFunction now = app::shifted(app::widened(base, factor, 0.5 * (slope.low + slope.high)), shift);
     session_.drag(tr("Transfer function"), [&](app::StudyState& next) {
         next.preset = std::make_shared<const TransferFunction>(std::move(now));
     });
-    const QString unit = QString::fromStdString(session_.study().volume->unitName());
-    const QString by = QLocale().toString(std::abs(shift * base_->map.scale), 'g', 4) +
-                       (unit.isEmpty() ? QString() : QLatin1Char(' ') + unit);
-    emit told(tr("Transfer function: shifted by %1%2, %3 times as wide")
-                  .arg(shift < 0.0 ? QStringLiteral("\u2212") : QStringLiteral("+"), by)
-                  .arg(factor, 0, 'f', 2));
+    emit told(textOf(shift * base_->map.scale, factor,
+                     QString::fromStdString(session_.study().volume->unitName())));
 }
 
 void TransferDrag::end() {
