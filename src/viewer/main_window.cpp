@@ -340,7 +340,11 @@ void MainWindow::showStudy(const app::OpenedStudy& study) {
     app::Drawing first = drawing();
     visibilityNote_ = visibilityNote(first, volume, catalogue());
     viewport_->setStudy(study.volume, linesOf(study.identity), std::move(first), options_.firstView);
-    if (left && left->camera) viewport_->showFrom(*left->camera);
+    if (left && left->camera) {
+        viewport_->showFrom(*left->camera);
+    } else if (left) {
+        viewport_->setParallel(false);
+    }
     redraw();  // menus and lists show it
     if (left) table_->ask(left->leavesTableOut);
     kept_ = stateToKeep();

@@ -16,7 +16,8 @@ struct PictureText {
     std::vector<std::byte> rgba;  // 8 bits each, opaque; row by row
     std::vector<VkRect2D> boxes;  // in that image; not empty
     VkOffset2D at{0, 0};  // of the picture, where the top left corner of the image lies; neither below 0
-    // The picture that it means something for: over one of another size it is not shown. 0: over any.
+    // The picture that it means something for: over one of another size, but for rounding, it
+    // is not shown. 0: over any.
     VkExtent2D of{};
 };
 

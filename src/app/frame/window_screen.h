@@ -48,7 +48,8 @@ class WindowScreen final : public Screen {
         std::shared_ptr<const PictureText> text;
         std::optional<gpu::Image> image;  // of it; made when it is first shown
     };
-    Result<void> add(Overlay& overlay, VkExtent2D target, std::vector<gpu::BlitOverlay>& to);
+    Result<void> prepare(Overlay& overlay);
+    std::vector<gpu::BlitOverlay> overlaysFor(VkExtent2D target) const;
 
     std::shared_ptr<gpu::Device> device_;
     gpu::Swapchain swapchain_;
