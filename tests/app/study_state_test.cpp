@@ -101,6 +101,8 @@ TEST(StudyState, IsAnotherWhenOneThingOfTheSlicesIs) {
     EXPECT_TRUE(differs([](auto& s) { s.layout = Layout::axial; }));
     EXPECT_TRUE(differs([](auto& s) { s.slices.window.reset(); }));
     EXPECT_TRUE(differs([](auto& s) { s.slices.slab.thicknessMm = 8.0; }));
+    EXPECT_TRUE(differs([](auto& s) { s.showsMarks = true; }));
+    EXPECT_TRUE(differs([](auto& s) { s.camera->parallelHeightMm = 0.0; }));
     EXPECT_TRUE(differs([](auto& s) { s.slices.isInverted = false; }));
     EXPECT_TRUE(differs([](auto& s) { s.slices.asAcquired = false; }));
     EXPECT_TRUE(differs([](auto& s) { s.slices.crosshairMm->x += 1e-9; }));

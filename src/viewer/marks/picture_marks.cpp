@@ -1,7 +1,6 @@
 #include "viewer/marks/picture_marks.h"
 
 #include <QCoreApplication>
-#include <QFontMetricsF>
 #include <QGuiApplication>
 #include <QImage>
 #include <QPainter>
