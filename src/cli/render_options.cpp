@@ -62,6 +62,8 @@ void addCamera(CLI::App& command, app::RenderWish& o) {
         .add_option("--camera", o.state.camera,
                     "JSON file: positionMm, targetMm, up, verticalFovDeg; patient LPS mm")
         ->excludes(view);
+    command.add_flag("--parallel", o.state.isParallel,
+                     "Parallel rays: the same mm per pixel at every depth; of --camera as at its target");
     command
         .add_option("--fov", o.state.fovDeg,
                     "Vertical field of view in degrees (default: that of --camera, or 30)")

@@ -308,6 +308,7 @@ void MainWindow::showStudy(const app::OpenedStudy& study) {
                         .preset = preset,
                         .lights = before.lights,
                         .settings = {.look = before.settings.look, .shading = before.settings.shading},
+                        .showsMarks = before.showsMarks,
                         .layout = before.layout};
     std::optional<app::StudyState> left = stateAsLeft(study);
     if (left && options_.restores == Restores::work) {
@@ -340,7 +341,11 @@ void MainWindow::showStudy(const app::OpenedStudy& study) {
     app::Drawing first = drawing();
     visibilityNote_ = visibilityNote(first, volume, catalogue());
     viewport_->setStudy(study.volume, linesOf(study.identity), std::move(first), options_.firstView);
-    if (left && left->camera) viewport_->showFrom(*left->camera);
+    if (left && left->camera) {
+        viewport_->showFrom(*left->camera);
+    } else if (left) {
+        viewport_->setParallel(false);
+    }
     redraw();  // menus and lists show it
     if (left) table_->ask(left->leavesTableOut);
     kept_ = stateToKeep();

@@ -126,6 +126,7 @@ class MainWindow : public QMainWindow {
     void makeFileMenu();
     void makeEditMenu();
     void makeViewMenu();
+    void addView3dActions(QMenu& view);
     void makeLookMenu();
     void makeClipMenu();
     void makeToolBar();

@@ -137,6 +137,7 @@ void MainWindow::makeViewMenu() {
     names_->setCheckable(true);
     names_->setChecked(true);
     connect(names_, &QAction::triggered, this, &MainWindow::showNames);
+    addView3dActions(*view);
     QAction* gaze = view->addAction(tr("Trace where the pointer is, while moving"));
     gaze->setCheckable(true);
     gaze->setChecked(true);

@@ -84,6 +84,7 @@ void MainWindow::showAfresh() {
         next.measurements = before.measurements;
         next.otherKeys = before.otherKeys;
     });
+    viewport_->setParallel(false);
     viewport_->showFrom(options_.firstView);
     showNotes();
 }

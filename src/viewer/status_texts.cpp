@@ -38,7 +38,10 @@ QString fidelityText(const app::FrameShown& frame) {
                (frame.greyFacesAreCoarse ? tr(", values on cut faces only coarsely") : QString());
     }
     QString text = lookText(frame.look) + remarks;
-    if (frame.picture == app::OnScreen::preview) {
+    const bool isPreview = frame.picture == app::OnScreen::preview;
+    if (isParallel(frame.camera))
+        text += isPreview ? tr(", parallel rays without splats") : tr(", parallel rays");
+    if (isPreview) {
         text += tr(", preview");
         if (trace::isPathTraced(frame.look)) text += frame.denoised ? tr(", denoised") : tr(", smoothed");
         if (frame.scale > 1) text += tr(", 1/%1 of the pixels each way").arg(frame.scale);

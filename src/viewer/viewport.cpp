@@ -26,6 +26,8 @@ constexpr double kOrbitStepDeg = 5.0;
 constexpr double kPanStepOfHeight = 0.05;
 constexpr double kZoomPerNotch = 1.15;
 constexpr double kDragZoomPerHeight = 6.0;  // times larger for a drag over the height of the picture
+constexpr double kRollStepDeg = 5.0;
+constexpr double kFlyOfDiagonal = 0.03;  // for each notch
 constexpr QSize kSmallestPicture{160, 120};
 
 QLabel* edgeLabel(QWidget* parent, const QString& edge) {
@@ -151,7 +153,7 @@ void Viewport::connectWindow() {
     connect(window_, &VulkanWindow::resized, this, [this] {
         // A view nobody has touched goes on fitting the window.
         if (untouched_ && input_.volume) {
-            camera_ = app::framed(outlineMm(), framedFrom_, kVerticalFovDeg, aspect());
+            camera_ = app::fitted(app::turnedTo(camera_, framedFrom_), outlineMm(), aspect());
         }
         publish();
     });
@@ -159,7 +161,9 @@ void Viewport::connectWindow() {
     connect(window_, &VulkanWindow::pointed, this, [this](QPointF place) {
         pointedAt_ = {place.x(), place.y()};
     });
-    connect(window_, &VulkanWindow::doubleClicked, this, &Viewport::doubleClicked);
+    connect(window_, &VulkanWindow::doubleClicked, this, [this](QPointF place) {
+        if (!sideAt(place)) emit doubleClicked(place);  // nothing is meant behind the cube
+    });
     connect(window_, &VulkanWindow::dragBegan, this, [this] { dragging_ = true; });
     connect(window_, &VulkanWindow::dragged, this, &Viewport::applyDrag);
     connect(window_, &VulkanWindow::dragEnded, this, [this] {
@@ -170,6 +174,8 @@ void Viewport::connectWindow() {
         nudge();
         setCamera(zoomed(camera_, std::pow(kZoomPerNotch, notches), sceneDiagonalMm()));
     });
+    connect(window_, &VulkanWindow::flyTurned, this, &Viewport::fly);
+    connect(window_, &VulkanWindow::clicked, this, &Viewport::turnToSide);
     connect(window_, &VulkanWindow::keyPressed, this, [this](QKeyEvent* event) {
         if (!handleKey(*event)) emit keyNotHandled(event);
     });
@@ -180,6 +186,7 @@ void Viewport::setStudy(std::shared_ptr<const Volume> volume, std::vector<std::s
                         app::Drawing drawing, ViewDirection from) {
     ++input_.study;
     outline_.reset();
+    shown_.reset();
     names_ = std::move(names);
     input_.volume = std::move(volume);
     input_.drawing = std::move(drawing);
@@ -202,6 +209,21 @@ void Viewport::showNames(bool shown) {
     namesShown_ = shown;
     publish();
     emit namesToggled(shown);
+}
+
+void Viewport::showMarks(bool shown) {
+    if (shown == marksShown_) return;
+    marksShown_ = shown;
+    publish();
+}
+
+void Viewport::setParallel(bool isParallel) {
+    if (isParallel == camera_.isParallel) return;
+    const bool untouched = untouched_;
+    app::OrbitCamera camera = camera_;
+    camera.isParallel = isParallel;
+    setCamera(camera);
+    untouched_ = untouched;
 }
 
 void Viewport::setSampleLimit(std::uint32_t samplesPerPixel) {
@@ -229,7 +251,9 @@ void Viewport::setPictureSizeHint(QSize pixels) {
 void Viewport::showFrom(ViewDirection from) {
     if (!input_.volume) return;
     framedFrom_ = from;
-    setCamera(app::framed(outlineMm(), from, kVerticalFovDeg, aspect()));
+    app::OrbitCamera camera = app::turnedTo(camera_, from);
+    camera.verticalFovDeg = kVerticalFovDeg;
+    setCamera(app::fitted(camera, outlineMm(), aspect()));
     untouched_ = true;
 }
 
@@ -250,7 +274,45 @@ void Viewport::fit() {
     setCamera(app::fitted(camera_, outlineMm(), aspect()));
 }
 
+std::optional<MarkedPicture> Viewport::pictureOnScreen() const {
+    if (!shown_ || shown_->study != input_.study) return std::nullopt;
+    return MarkedPicture{shown_->camera, window_->pixels(), window_->devicePixelRatio()};
+}
+
+// The cube on screen is that of the picture, not of the camera that is asked for by now.
+std::optional<ViewDirection> Viewport::sideAt(QPointF place) const {
+    const auto picture = marksShown_ ? pictureOnScreen() : std::nullopt;
+    return picture ? cubeSideAt(*picture, place) : std::nullopt;
+}
+
+void Viewport::turnToSide(QPointF place) {
+    if (const auto side = sideAt(place)) setCamera(app::turnedTo(camera_, *side));
+}
+
+// With parallel rays nothing comes nearer: what is seen gets larger instead.
+void Viewport::fly(double notches) {
+    if (!input_.volume) return;
+    nudge();
+    if (camera_.isParallel)
+        return setCamera(zoomed(camera_, std::pow(kZoomPerNotch, notches), sceneDiagonalMm()));
+    setCamera(flown(camera_, notches * kFlyOfDiagonal * sceneDiagonalMm(), input_.volume->worldBox()));
+}
+
+bool Viewport::handleRoll(const QKeyEvent& event) {
+    const bool control = event.modifiers().testFlag(Qt::ControlModifier);
+    const auto is = [&](Qt::Key bracket, Qt::Key arrow) {
+        // Many keyboards have brackets with AltGr only, which some platforms tell as Ctrl and Alt.
+        return event.key() == bracket || (control && event.key() == arrow);
+    };
+    const bool clockwise = is(Qt::Key_BracketRight, Qt::Key_Right);
+    if (!clockwise && !is(Qt::Key_BracketLeft, Qt::Key_Left)) return false;
+    nudge();
+    setCamera(rolled(camera_, clockwise ? kRollStepDeg : -kRollStepDeg));
+    return true;
+}
+
 bool Viewport::handleKey(const QKeyEvent& event) {
+    if (handleRoll(event)) return true;
     const bool shift = event.modifiers().testFlag(Qt::ShiftModifier);
     const Qt::KeyboardModifiers others = event.modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier);
     if (others != Qt::NoModifier) return false;
@@ -268,6 +330,8 @@ bool Viewport::handleKey(const QKeyEvent& event) {
     const std::optional<KeyAction> action = actionOf(event);
     if (action == KeyAction::fit) return fit(), true;
     if (action == KeyAction::names) return showNames(!namesShown_), true;
+    if (action == KeyAction::marks) return emit marksAsked(!marksShown_), true;
+    if (action == KeyAction::parallel) return setParallel(!camera_.isParallel), true;
     if (const auto view = action ? viewDirectionOf(*action) : std::nullopt) return showFrom(*view), true;
     switch (event.key()) {
         case Qt::Key_Plus:
@@ -291,6 +355,14 @@ void Viewport::applyDrag(VulkanWindow::Drag drag, QPointF byPixels) {
             return setCamera(app::orbitedByDrag(camera_, byPixels.x(), byPixels.y(), height));
         case VulkanWindow::Drag::pan:
             return setCamera(app::pannedByDrag(camera_, byPixels.x(), byPixels.y(), height));
+        case VulkanWindow::Drag::roll:
+            return setCamera(app::rolledByDrag(camera_, byPixels.x(), height));
+        case VulkanWindow::Drag::transfer:
+            if (!trace::isProjection(input_.drawing.settings.look)) {
+                emit transferDragged(byPixels / std::max(height, 1.0));
+                return;
+            }
+            [[fallthrough]];
         case VulkanWindow::Drag::windowOrZoom:
             if (trace::isProjection(input_.drawing.settings.look)) {
                 emit windowDragged(byPixels / std::max(height, 1.0));
@@ -309,9 +381,10 @@ void Viewport::nudge() {
 }
 
 void Viewport::setCamera(const app::OrbitCamera& camera) {
-    camera_ = camera;
+    const bool wasParallel = std::exchange(camera_, camera).isParallel;
     untouched_ = false;
     publishChange();
+    if (camera_.isParallel != wasParallel) emit parallelChanged(camera_.isParallel);
 }
 
 void Viewport::publishChange() {
@@ -327,6 +400,7 @@ std::uint64_t Viewport::publish() {
     input_.camera = toCamera(camera_);
     input_.letters = edgeLetters(camera_);
     updateText();
+    updateMarks();
     input_.gaze = gazeFollowsPointer_ ? pointedAt_ : glm::dvec2(0.0);
     input_.interacting = dragging_ || nudgeEnds_.isActive();
     return renderThread_->publish(input_);
@@ -340,6 +414,16 @@ void Viewport::updateText() {
     textWidthPx_ = input_.width;
     textPixelRatio_ = ratio;
     input_.text = paintText(names, input_.width, ratio);
+}
+
+// A few tenths of a millisecond: for each step of a drag.
+void Viewport::updateMarks() {
+    const MarkedPicture picture{input_.camera, window_->pixels(), window_->devicePixelRatio()};
+    const auto wanted =
+        marksShown_ && input_.volume ? std::optional(picture) : std::optional<MarkedPicture>();
+    if (wanted == marked_) return;
+    marked_ = wanted;
+    input_.marks = wanted ? paintMarks(*wanted) : nullptr;
 }
 
 double Viewport::sceneDiagonalMm() const {
@@ -373,10 +457,14 @@ void Viewport::onRendered(const app::RenderEvent& event) {
     if (const auto* frame = std::get_if<app::FrameShown>(&event)) {
         if (frame->study != input_.study) return;  // that picture is being taken off the screen
         setLetters(frame->letters);
+        shown_ = *frame;
+    } else if (std::holds_alternative<app::PictureRemoved>(event)) {
+        shown_.reset();
     } else if (const auto* outline = std::get_if<app::OutlineFound>(&event)) {
         onOutline(*outline);
     } else if (const auto* failure = std::get_if<app::RenderFailure>(&event)) {
         setLetters({});
+        shown_.reset();
         // A picture that stays after an error would be taken for that of what is wanted now; unless something
         // else is wanted by now, which takes it off first.
         if (failure->pictureRemains && failure->inputSequence >= lastChange_) container_->hide();

@@ -14,6 +14,8 @@ namespace macula::viewer {
 namespace {
 
 constexpr double kEighthsOfDegreePerNotch = 120.0;
+constexpr double kClickPx = 3.0;  // a hand that clicks moves by as much
+constexpr Qt::Key kTransferKey = Qt::Key_T;
 
 }  // namespace
 
@@ -86,26 +88,35 @@ void VulkanWindow::resizeEvent(QResizeEvent*) {
 void VulkanWindow::mousePressEvent(QMouseEvent* event) {
     requestActivate();  // keys go to the picture that was clicked
     if (dragging_) return;
-    const bool shift = event->modifiers().testFlag(Qt::ShiftModifier);
-    const bool control = event->modifiers().testFlag(Qt::ControlModifier);
-    switch (event->button()) {
-        case Qt::LeftButton:
-            drag_ = shift ? Drag::pan : control ? Drag::zoom : Drag::orbit;
-            break;
-        case Qt::MiddleButton:
-            drag_ = Drag::pan;
-            break;
-        case Qt::RightButton:
-            drag_ = Drag::windowOrZoom;
-            break;
-        default:
-            return;
-    }
+    const std::optional<Drag> drag = dragOf(*event);
+    if (!drag) return;
+    drag_ = *drag;
     dragging_ = true;
+    hasMoved_ = false;
     dragButton_ = event->button();
-    last_ = event->position();
+    last_ = pressedAt_ = event->position();
     emit pointed(placeOf(last_));
     emit dragBegan();
+}
+
+std::optional<VulkanWindow::Drag> VulkanWindow::dragOf(const QMouseEvent& event) const {
+    const bool alt = event.modifiers().testFlag(Qt::AltModifier);
+    const bool shift = event.modifiers().testFlag(Qt::ShiftModifier);
+    const bool control = event.modifiers().testFlag(Qt::ControlModifier);
+    switch (event.button()) {
+        case Qt::LeftButton:
+            return holdsTransfer_ ? Drag::transfer
+                   : alt          ? Drag::roll
+                   : shift        ? Drag::pan
+                   : control      ? Drag::zoom
+                                  : Drag::orbit;
+        case Qt::MiddleButton:
+            return Drag::pan;
+        case Qt::RightButton:
+            return holdsTransfer_ || alt ? Drag::transfer : Drag::windowOrZoom;
+        default:
+            return std::nullopt;
+    }
 }
 
 void VulkanWindow::mouseMoveEvent(QMouseEvent* event) {
@@ -117,6 +128,7 @@ void VulkanWindow::mouseMoveEvent(QMouseEvent* event) {
     if (!event->buttons().testFlag(dragButton_)) return endDrag();
     const QPointF moved = event->position() - last_;
     last_ = event->position();
+    hasMoved_ = hasMoved_ || (last_ - pressedAt_).manhattanLength() > kClickPx;
     emit dragged(drag_, moved);
 }
 
@@ -126,10 +138,14 @@ QPointF VulkanWindow::placeOf(QPointF position) const {
 }
 
 void VulkanWindow::mouseReleaseEvent(QMouseEvent* event) {
-    if (event->button() == dragButton_) endDrag();
+    if (event->button() != dragButton_) return;
+    const bool isClick = dragging_ && !hasMoved_ && drag_ == Drag::orbit;
+    endDrag();
+    if (isClick) emit clicked(placeOf(event->position()));
 }
 
 void VulkanWindow::focusOutEvent(QFocusEvent*) {
+    holdsTransfer_ = false;  // nobody is told of keys that go up elsewhere
     endDrag();
 }
 
@@ -143,11 +159,24 @@ void VulkanWindow::mouseDoubleClickEvent(QMouseEvent* event) {
 }
 
 void VulkanWindow::wheelEvent(QWheelEvent* event) {
-    emit wheelTurned(event->angleDelta().y() / kEighthsOfDegreePerNotch);
+    // With Alt a wheel turns sideways, on most platforms.
+    const QPoint angle = event->angleDelta();
+    const bool alt = event->modifiers().testFlag(Qt::AltModifier);
+    const double notches = (alt && angle.y() == 0 ? angle.x() : angle.y()) / kEighthsOfDegreePerNotch;
+    if (alt) {
+        emit flyTurned(notches);
+    } else {
+        emit wheelTurned(notches);
+    }
 }
 
 void VulkanWindow::keyPressEvent(QKeyEvent* event) {
+    if (event->key() == kTransferKey && event->modifiers() == Qt::NoModifier) holdsTransfer_ = true;
     emit keyPressed(event);
+}
+
+void VulkanWindow::keyReleaseEvent(QKeyEvent* event) {
+    if (event->key() == kTransferKey && !event->isAutoRepeat()) holdsTransfer_ = false;
 }
 
 }  // namespace macula::viewer

@@ -6,6 +6,7 @@
 
 #include <QPointF>
 #include <QWindow>
+#include <optional>
 
 #include "viewer/dropped.h"
 
@@ -17,8 +18,8 @@ class VulkanWindow : public QWindow {
     Q_OBJECT
 
   public:
-    // Of the last, the picture decides.
-    enum class Drag { orbit, pan, zoom, windowOrZoom };
+    // Of windowOrZoom the picture decides. `transfer` shifts and widens what is seen.
+    enum class Drag { orbit, pan, zoom, windowOrZoom, roll, transfer };
 
     // `instance` must outlive the window.
     explicit VulkanWindow(QVulkanInstance* instance);
@@ -42,10 +43,12 @@ class VulkanWindow : public QWindow {
     // Where somebody points who drags nothing, or begins to: -1 to 1, right and up are positive.
     void pointed(QPointF place);
     void doubleClicked(QPointF place);  // with the left button; likewise
+    void clicked(QPointF place);        // with the left button, which did not move; likewise
     void dragBegan();
     void dragged(macula::viewer::VulkanWindow::Drag drag, QPointF byPixels);  // logical pixels, y downwards
     void dragEnded();
     void wheelTurned(double notches);   // positive: away from the user
+    void flyTurned(double notches);     // the same with Alt
     void keyPressed(QKeyEvent* event);  // not accepted: it is offered to the main window
     void dropped(const macula::viewer::Dropped& what);
 
@@ -59,10 +62,12 @@ class VulkanWindow : public QWindow {
     void mouseDoubleClickEvent(QMouseEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
+    void keyReleaseEvent(QKeyEvent* event) override;
     void focusOutEvent(QFocusEvent* event) override;
 
   private:
     QPointF placeOf(QPointF position) const;
+    std::optional<Drag> dragOf(const QMouseEvent& event) const;
     void createSurface();
     void loseSurface();
 
@@ -71,6 +76,9 @@ class VulkanWindow : public QWindow {
     Drag drag_ = Drag::orbit;
     Qt::MouseButton dragButton_ = Qt::NoButton;
     QPointF last_;
+    QPointF pressedAt_;
+    bool hasMoved_ = false;       // farther than a click
+    bool holdsTransfer_ = false;  // the key for it is down
 };
 
 }  // namespace macula::viewer

@@ -56,7 +56,9 @@ StudyState everything() {
     state.camera = Camera{.positionMm = {1.0 / 3.0, -700.0, 12.5},
                           .targetMm = {0.1, 0.2, 0.3},
                           .up = {0.0, 0.0, 1.0},
-                          .verticalFovDeg = 42.0};
+                          .verticalFovDeg = 42.0,
+                          .parallelHeightMm = 1000.0 / 7.0};
+    state.showsMarks = false;
     state.layout = Layout::sagittal;
     state.slices = {
         .window = DisplayWindow{.center = -600.5, .width = 1500.0, .explanation = {}, .function = "SIGMOID"},
@@ -99,6 +101,8 @@ TEST(StudyState, IsAnotherWhenOneThingOfTheSlicesIs) {
     EXPECT_TRUE(differs([](auto& s) { s.layout = Layout::axial; }));
     EXPECT_TRUE(differs([](auto& s) { s.slices.window.reset(); }));
     EXPECT_TRUE(differs([](auto& s) { s.slices.slab.thicknessMm = 8.0; }));
+    EXPECT_TRUE(differs([](auto& s) { s.showsMarks = true; }));
+    EXPECT_TRUE(differs([](auto& s) { s.camera->parallelHeightMm = 0.0; }));
     EXPECT_TRUE(differs([](auto& s) { s.slices.isInverted = false; }));
     EXPECT_TRUE(differs([](auto& s) { s.slices.asAcquired = false; }));
     EXPECT_TRUE(differs([](auto& s) { s.slices.crosshairMm->x += 1e-9; }));

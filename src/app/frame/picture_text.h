@@ -1,4 +1,4 @@
-// Text that stands in a corner of the picture, as pixels.
+// Text and marks that stand in a corner of the picture, as pixels.
 #pragma once
 
 #include <vulkan/vulkan_core.h>
@@ -14,7 +14,11 @@ namespace macula::app {
 struct PictureText {
     VkExtent2D size{};            // of the image that holds all boxes
     std::vector<std::byte> rgba;  // 8 bits each, opaque; row by row
-    std::vector<VkRect2D> boxes;  // in that image, and likewise from the top left of the picture; not empty
+    std::vector<VkRect2D> boxes;  // in that image; not empty
+    VkOffset2D at{0, 0};  // of the picture, where the top left corner of the image lies; neither below 0
+    // The picture that it means something for: over one of another size, but for rounding, it
+    // is not shown. 0: over any.
+    VkExtent2D of{};
 };
 
 }  // namespace macula::app

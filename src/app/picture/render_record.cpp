@@ -60,6 +60,9 @@ image::Metadata metadata(const RenderRecord& record) {
             {"macula:cameraTargetMm", numbers(record.camera.targetMm)},
             {"macula:cameraUp", numbers(record.camera.up)},
             {"macula:verticalFovDeg", fmt::format("{:.6g}", record.camera.verticalFovDeg)},
+            {"macula:parallelHeightMm", isParallel(record.camera)
+                                            ? fmt::format("{:.6g}", record.camera.parallelHeightMm)
+                                            : std::string("none")},
             {"macula:notes", fmt::format("{}", fmt::join(record.notes, " "))},
             {"macula:device", record.device}};
 }

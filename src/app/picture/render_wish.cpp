@@ -95,6 +95,7 @@ Result<WishedPicture> wishedPicture(const RenderWish& wish) {
     request.camera = picture.state.camera;
     request.from = wish.state.view.value_or(request.from);
     if (wish.state.fovDeg > 0.0) request.verticalFovDeg = wish.state.fovDeg;
+    request.isParallel = wish.state.isParallel;
     request.keepUnfinished = wish.keepUnfinished;
     request.isLinear = isExr(wish.output);
     request.memory = wish.memory;

@@ -31,6 +31,7 @@ Result<void> setCamera(StudyState& state, const StateWish& wish) {
         MACULA_TRY(state.camera, readCamera(wish.camera));
     }
     if (state.camera && wish.fovDeg > 0.0) state.camera->verticalFovDeg = wish.fovDeg;
+    if (state.camera && wish.isParallel) state.camera = inParallel(*state.camera);
     return {};
 }
 

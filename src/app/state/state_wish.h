@@ -31,6 +31,7 @@ struct StateWish {
     std::optional<ViewDirection> view = {};           // what is seen fills the picture, from there
     std::filesystem::path camera = {};                // camera_file.h
     double fovDeg = 0.0;                              // 0: not given; of whichever camera
+    bool isParallel = false;                          // rays are parallel, whichever the camera
 };
 
 // What may be a file among what is given, for OutputFiles::read.

@@ -54,8 +54,8 @@ Stale staleAfter(const trace::Settings& before, const trace::Settings& after) {
 bool StudyState::operator==(const StudyState& b) const {
     return seriesDigest == b.seriesDigest && samePreset(*this, b) && clip == b.clip &&
            leavesTableOut == b.leavesTableOut && sameLights(*this, b) && settings == b.settings &&
-           windows == b.windows && camera == b.camera && layout == b.layout && slices == b.slices &&
-           measurements == b.measurements && otherKeys == b.otherKeys;
+           windows == b.windows && camera == b.camera && showsMarks == b.showsMarks && layout == b.layout &&
+           slices == b.slices && measurements == b.measurements && otherKeys == b.otherKeys;
 }
 
 Stale staleAfter(const StudyState& before, const StudyState& after) {

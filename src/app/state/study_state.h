@@ -74,6 +74,7 @@ struct StudyState {
     // The windows of projections that somebody set, by look. Nothing: that of the series.
     std::array<std::optional<DisplayWindow>, trace::kLooks.size()> windows = {};
     std::optional<Camera> camera = {};  // nothing: one that fits what is visible
+    bool showsMarks = true;             // cube and scale over the picture in 3D
     Layout layout = Layout::fourPanes;
     SliceState slices = {};
     std::vector<slices::Measurement> measurements = {};

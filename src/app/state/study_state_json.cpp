@@ -3,7 +3,7 @@
 //     "denoising": "denoised", <a key for each row of parameters()>,
 //     "preset": {as presets/transfer}, "clip": {as presets/clip}, "leavesTableOut": true,
 //     "lights": {as presets/lights}, "windows": { "mip": { "center": 40, "width": 400 } },
-//     "camera": {as camera_file.h}, "layout": "axial", "slices": {as slices_json.h},
+//     "camera": {as camera_file.h}, "cubeAndScale": false, "layout": "axial", "slices": {as slices_json.h},
 //     "measurements": [as slices_json.h] }
 // Everything but the version may be left out.
 #include <cmath>
@@ -71,9 +71,10 @@ Result<std::optional<T>> readPart(const Json& all, const char* key, const Read& 
 }  // namespace
 
 std::vector<std::string> stateKeys() {
-    std::vector<std::string> keys{"version",   "series", "look",   "shading",        "filter",
-                                  "denoising", "preset", "clip",   "leavesTableOut", "lights",
-                                  "windows",   "camera", "layout", "slices",         "measurements"};
+    std::vector<std::string> keys{"version",        "series",    "look",         "shading",
+                                  "filter",         "denoising", "preset",       "clip",
+                                  "leavesTableOut", "lights",    "windows",      "camera",
+                                  "layout",         "slices",    "measurements", "cubeAndScale"};
     for (const Parameter& parameter : parameters()) keys.emplace_back(parameter.id);
     return keys;
 }
@@ -95,6 +96,7 @@ std::string toJson(const StudyState& state) {
             json["windows"][std::string(look.name)] = {{"center", window->center}, {"width", window->width}};
     }
     if (state.camera) json["camera"] = toJson(*state.camera);
+    if (!state.showsMarks) json["cubeAndScale"] = false;
     if (state.layout != StudyState{}.layout) json["layout"] = nameOf(state.layout);
     if (Json slices = toJson(state.slices); !slices.empty()) json["slices"] = std::move(slices);
     if (Json all = measurementsJson(state.measurements); !all.empty()) json["measurements"] = std::move(all);
@@ -127,6 +129,7 @@ Result<StudyState> studyStateFromJson(std::string_view text, const std::string& 
         state.camera = cameraFrom(*node);
         if (!basis(*state.camera)) node->fail("an eye, a target and an upright that make a camera");
     }
+    if (const auto node = root.find("cubeAndScale")) state.showsMarks = node->boolean();
     readName(root, "layout", kLayouts, state.layout);
     if (const auto node = root.find("slices")) state.slices = sliceStateFrom(*node);
     if (const auto node = root.find("measurements")) state.measurements = measurementsFrom(*node);

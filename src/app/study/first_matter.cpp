@@ -31,10 +31,11 @@ std::optional<Ray> rayThrough(const Camera& camera, const glm::dvec2& place, dou
     const Result<CameraBasis> axes = basis(camera);
     if (!axes || !std::isfinite(aspect) || !std::isfinite(place.x) || !std::isfinite(place.y))
         return std::nullopt;
+    const glm::dvec3 inPicture = place.x * aspect * axes->right + place.y * axes->up;
+    if (isParallel(camera))
+        return Ray{camera.positionMm + 0.5 * camera.parallelHeightMm * inPicture, axes->forward};
     const double halfHeight = std::tan(0.5 * glm::radians(camera.verticalFovDeg));
-    const glm::dvec3 direction =
-        axes->forward + place.x * halfHeight * aspect * axes->right + place.y * halfHeight * axes->up;
-    return Ray{camera.positionMm, glm::normalize(direction)};
+    return Ray{camera.positionMm, glm::normalize(axes->forward + halfHeight * inPicture)};
 }
 
 // Where the ray is within the voxels' volume.
@@ -178,7 +179,7 @@ std::optional<glm::dvec3> matterAlong(const Walk& walk, const Matter& matter, co
 
 std::optional<glm::dvec3> firstMatterMm(const Volume& volume, const Drawing& drawing, const Camera& camera,
                                         const glm::dvec2& place, double aspectWidthOverHeight) {
-    const auto ray = rayThrough(camera, place, aspectWidthOverHeight);
+    const auto ray = rayThrough(standingBefore(camera, volume.worldBox()), place, aspectWidthOverHeight);
     const auto span = ray ? spanIn(volume, *ray) : std::nullopt;
     if (!span) return std::nullopt;
     const glm::dvec3 spacing = volume.spacingMm();

@@ -42,16 +42,32 @@ void moveLayout(VkCommandBuffer commands, VkImage image, VkImageLayout from, VkI
     vkCmdPipelineBarrier2(commands, &dependency);
 }
 
-// The blit of a part of the source to the same place in the target; nothing where they do not meet.
-std::optional<VkImageBlit> samePlace(const VkRect2D& part, VkExtent2D target) {
-    const auto end = [](std::int32_t from, std::uint32_t length, std::uint32_t most) {
-        return static_cast<std::int32_t>(std::min<std::int64_t>(std::int64_t{from} + length, most));
+// The blit of a part of an overlay to its place in the target; nothing where they do not meet.
+std::optional<VkImageBlit> inPlace(const VkRect2D& part, VkOffset2D at, VkExtent2D target) {
+    const auto length = [](std::int32_t from, std::uint32_t wanted, std::uint32_t most) {
+        return static_cast<std::int32_t>(std::min<std::int64_t>(wanted, std::int64_t{most} - from));
     };
     const VkOffset3D from{part.offset.x, part.offset.y, 0};
-    const VkOffset3D to{end(from.x, part.extent.width, target.width),
-                        end(from.y, part.extent.height, target.height), 1};
-    if (to.x <= from.x || to.y <= from.y) return std::nullopt;
-    return VkImageBlit{kWholeLayer, {from, to}, kWholeLayer, {from, to}};
+    const VkOffset3D to{from.x + at.x, from.y + at.y, 0};
+    const std::int32_t width = length(to.x, part.extent.width, target.width);
+    const std::int32_t height = length(to.y, part.extent.height, target.height);
+    if (width <= 0 || height <= 0) return std::nullopt;
+    return VkImageBlit{kWholeLayer,
+                       {from, {from.x + width, from.y + height, 1}},
+                       kWholeLayer,
+                       {to, {to.x + width, to.y + height, 1}}};
+}
+
+std::vector<VkImageBlit> partsOf(const BlitOverlay& overlay, VkExtent2D target) {
+    std::vector<VkImageBlit> parts;
+    MACULA_CHECK(overlay.at.x >= 0 && overlay.at.y >= 0);
+    for (const VkRect2D& part : overlay.parts) {
+        MACULA_CHECK(overlay.image != nullptr && part.offset.x >= 0 && part.offset.y >= 0);
+        MACULA_CHECK_LE(std::uint64_t(part.offset.x) + part.extent.width, overlay.image->extent().width);
+        MACULA_CHECK_LE(std::uint64_t(part.offset.y) + part.extent.height, overlay.image->extent().height);
+        if (const auto region = inPlace(part, overlay.at, target)) parts.push_back(*region);
+    }
+    return parts;
 }
 
 void checkRange(const Buffer& buffer, std::uint64_t offset, std::uint64_t bytes) {
@@ -280,15 +296,9 @@ void Recorder::clear(const Image& image, const VkClearColorValue& value, Order o
     vkCmdClearColorImage(commands_.buffer, image.handle(), VK_IMAGE_LAYOUT_GENERAL, &value, 1, &kWholeRange);
 }
 
-void Recorder::blit(const Image& from, const BlitTarget& to, VkFilter filter, const BlitOverlay& overlay) {
+void Recorder::blit(const Image& from, const BlitTarget& to, VkFilter filter,
+                    std::span<const BlitOverlay> overlays) {
     MACULA_CHECK(from.shape() == ImageShape::flat);
-    std::vector<VkImageBlit> parts;
-    for (const VkRect2D& part : overlay.parts) {
-        MACULA_CHECK(overlay.image != nullptr && part.offset.x >= 0 && part.offset.y >= 0);
-        MACULA_CHECK_LE(std::uint64_t(part.offset.x) + part.extent.width, overlay.image->extent().width);
-        MACULA_CHECK_LE(std::uint64_t(part.offset.y) + part.extent.height, overlay.image->extent().height);
-        if (const auto region = samePlace(part, to.extent)) parts.push_back(*region);
-    }
     begin(Order::afterPrevious);
     moveLayout(commands_.buffer, to.image, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
                VK_ACCESS_2_TRANSFER_WRITE_BIT);
@@ -301,7 +311,9 @@ void Recorder::blit(const Image& from, const BlitTarget& to, VkFilter filter, co
                             static_cast<std::int32_t>(to.extent.height), 1};
     vkCmdBlitImage(commands_.buffer, from.handle(), VK_IMAGE_LAYOUT_GENERAL, to.image,
                    VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region, filter);
-    if (!parts.empty()) {
+    for (const BlitOverlay& overlay : overlays) {
+        const std::vector<VkImageBlit> parts = partsOf(overlay, to.extent);
+        if (parts.empty()) continue;
         moveLayout(commands_.buffer, to.image, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
                    VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, VK_ACCESS_2_TRANSFER_WRITE_BIT);
         vkCmdBlitImage(commands_.buffer, overlay.image->handle(), VK_IMAGE_LAYOUT_GENERAL, to.image,

@@ -75,11 +75,12 @@ struct Timing {
     double milliseconds = 0.0;
 };
 
-// Parts of an image that are laid over a blitted one, each where it is in its own image; what lies outside of
-// the target is left out.
+// Parts of an image that are laid over a blitted one, each where it is in its own image, whose top left
+// corner lies at `at` of the target; what lies outside of the target is left out.
 struct BlitOverlay {
     const Image* image = nullptr;  // null: nothing
     std::span<const VkRect2D> parts;
+    VkOffset2D at{0, 0};  // neither below 0
 };
 
 struct BlitTarget {  // Swapchain::Frame::target()
@@ -174,7 +175,7 @@ class Recorder {
     // to be presented. Values are converted to the target's format, not encoded: write display-encoded
     // values.
     void blit(const Image& from, const BlitTarget& to, VkFilter filter = VK_FILTER_NEAREST,
-              const BlitOverlay& overlay = {});
+              std::span<const BlitOverlay> overlays = {});
 
     // What follows waits for what came before. Only needed around Order::concurrent and commands().
     void barrier();

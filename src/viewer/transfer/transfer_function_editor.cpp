@@ -238,6 +238,11 @@ std::optional<app::ValueMap> TransferFunctionEditor::mapFor(const TransferFuncti
                                        .to = Fit::To::foreground});
 }
 
+std::optional<TransferFunctionEditor::Edited> TransferFunctionEditor::edited() const {
+    const auto map = session_.hasStudy() && chosen_ ? mapFor(own_) : std::nullopt;
+    return map ? std::optional(Edited{own_, *map}) : std::nullopt;
+}
+
 void TransferFunctionEditor::propose(const TransferFunction& function, bool isDrag) {
     const auto preset = std::make_shared<const TransferFunction>(function);
     const auto edit = [&preset](app::StudyState& next) { next.preset = preset; };
