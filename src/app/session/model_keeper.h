@@ -55,6 +55,11 @@ class ModelKeeper final : public SceneKeeper {
                                        std::chrono::milliseconds patience);
     void keepState(std::shared_ptr<const Volume> volume, std::string json);
 
+    // For what else is stored: called once, on the keeper's thread, in the order of these calls; with null
+    // where there is no store. It throws nothing but for a lack of memory.
+    using StoreUse = std::function<void(session::Store*)>;
+    void withStore(StoreUse use);
+
     // Whether all that was handed over is done, and until it is. For tests and for those who measure.
     bool isIdle();
     void waitUntilIdle();
