@@ -113,7 +113,7 @@ struct March {
     const Optics& optics;
     const Lighting& lighting;
     const Clip* clip;  // null: nothing is hidden
-    double stepMm;
+    double longestStepMm;
 
     // How much of the light of the eye comes back: Lambert, as much from behind.
     double shade(const glm::dvec3& cell, const glm::dvec3& alongCells) const {
@@ -138,9 +138,14 @@ struct March {
         const glm::dvec3 along = transformVector(coarse.cellFromWorld(), alongMm);
         const Stretch stretch = within(coarse.size(), from, along);
         glm::dvec3 sum(0.0);
+        if (!(stretch.from < stretch.to)) return sum;
+        // Steps end where the volume does: a thin slab absorbs what it has to.
+        const double lengthMm = stretch.to - stretch.from;
+        const int steps = std::max(1, int(std::ceil(lengthMm / longestStepMm)));
+        const double stepMm = lengthMm / steps;
         double transmittance = 1.0;
-        for (double at = stretch.from + 0.5 * stepMm; at < stretch.to && transmittance > kOpaque;
-             at += stepMm) {
+        for (int step = 0; step < steps && transmittance > kOpaque; ++step) {
+            const double at = stretch.from + (step + 0.5) * stepMm;
             const glm::dvec3 cell = from + at * along;
             const Optics::Entry& entry = optics.at(coarse.valueAt(cell));
             if (!(entry.extinctionPerMm > 0.0)) continue;

@@ -159,6 +159,7 @@ Result<app::PresetRef> PresetLibrary::saveCurve(const QString& title, const app:
         return Error{ErrorCode::usage, "There is no preset to save yet.", {}, "Open a study first."};
     MACULA_TRY(const app::PresetRef ref, shelf_.add(typed(title), *functionOf(state)));
     tellChange();
+    showAs(tr("Keep preset"), state.preset, ref);
     return ref;
 }
 
@@ -168,6 +169,7 @@ Result<app::PresetRef> PresetLibrary::saveSeen(const QString& title, const app::
     MACULA_TRY(const app::PresetRef ref, shelf_.add(typed(title), *functionOf(state),
                                                     app::seenOf(state, *session_.study().volume)));
     tellChange();
+    showAs(tr("Keep preset"), state.preset, ref);
     return ref;
 }
 
@@ -184,13 +186,16 @@ Result<void> PresetLibrary::rename(const app::PresetRef& own, const QString& tit
     const auto before = shelf_.find(own);
     MACULA_TRY_VOID(shelf_.rename(own, typed(title)));
     tellChange();
-    // What is shown is the same curve under its new name.
-    const auto& shown = session_.state().preset;
-    if (before && shown && app::isSame(*shown, *before->function))
-        session_.change(tr("Rename preset"), [&](app::StudyState& next) {
-            next.preset = shelf_.find(own)->function;
-        });
+    showAs(tr("Rename preset"), before->function, own);
     return {};
+}
+
+void PresetLibrary::showAs(const QString& what, const std::shared_ptr<const TransferFunction>& before,
+                           const app::PresetRef& now) {
+    const auto& shown = session_.state().preset;
+    const auto own = shelf_.find(now);
+    if (!before || !shown || !own || !app::isSame(*shown, *before)) return;
+    session_.change(what, [&](app::StudyState& next) { next.preset = own->function; });
 }
 
 QString PresetLibrary::whyNameIsRefused(const QString& title, const app::PresetRef& own) const {

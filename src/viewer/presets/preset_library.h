@@ -84,6 +84,9 @@ class PresetLibrary : public QObject {
     void onStored(const Result<app::StoredPresets>& stored);
     void write();
     void tellChange();
+    // What is shown of it goes on under the name that it has now; one step of the session.
+    void showAs(const QString& what, const std::shared_ptr<const TransferFunction>& before,
+                const app::PresetRef& now);
     void onImported(const Result<presets::ImportedPresets>& read);
 
     ViewerSession& session_;
