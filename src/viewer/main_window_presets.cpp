@@ -4,7 +4,6 @@
 #include <QMenuBar>
 #include <algorithm>
 
-#include "app/choice/preset_kinds.h"
 #include "app/state/drawing_of.h"
 #include "pipeline/volume/window.h"
 #include "viewer/main_window.h"
@@ -41,18 +40,21 @@ void MainWindow::makePresets() {
     connect(gallery_, &PresetGallery::failed, messages_, &MessageBar::showError);
     connect(presetLibrary_, &PresetLibrary::imported, this,
             [this](const QStringList& titles, const QStringList& notes) {
-                const QStringList told{tr("Kept as presets of your own: %1.").arg(titles.join(QStringLiteral(", ")))};
+                const QStringList told{
+                    tr("Kept as presets of your own: %1.").arg(titles.join(QStringLiteral(", ")))};
                 messages_->showNote((told + notes).join(QLatin1Char(' ')));
             });
     connect(presetLibrary_, &PresetLibrary::failed, this, [this](const Error& error) {
         messages_->showError(error);
         emit failed(error);
     });
-    connect(&session_, &ViewerSession::presetsChanged, this, [this] {
+    const auto offer = [this] {
         if (presets_ == nullptr) return;  // the tool bar is not made yet
         presets_->fillAnew();
         showChosen();
-    });
+    };
+    connect(&session_, &ViewerSession::presetsChanged, this, offer);
+    connect(&session_, &ViewerSession::studyShown, this, offer);
 }
 
 // Made anew whenever it opens: it is of the volume that is open then.
@@ -70,8 +72,7 @@ void MainWindow::fillPresetMenu(QMenu& menu) {
     for (QMenu* inner : menu.findChildren<QMenu*>(Qt::FindDirectChildrenOnly)) delete inner;
     const auto& shown = session_.state().preset;
     const auto add = [&](QMenu& to, const LibraryPreset& preset) {
-        QAction* action =
-            to.addAction(inMenu(titleOf(preset)), this, [this, preset] { usePreset(preset); });
+        QAction* action = to.addAction(inMenu(titleOf(preset)), this, [this, preset] { usePreset(preset); });
         action->setCheckable(true);
         action->setChecked(shown && app::isSame(*shown, *preset.function));
     };
@@ -80,8 +81,7 @@ void MainWindow::fillPresetMenu(QMenu& menu) {
     if (!own.empty()) menu.addSeparator();
     QMenu* others = nullptr;
     for (const LibraryPreset& preset : presetLibrary_->builtIn()) {
-        const bool fits =
-            !study().volume || !app::presetsForVolume({preset.function}, *study().volume).fitting.empty();
+        const bool fits = presetLibrary_->fits(*preset.function);
         if (!fits && !others) {
             others = new QMenu(tr("For &Other Images"), &menu);
             others->setToolTipsVisible(true);
@@ -132,7 +132,8 @@ void MainWindow::askWhereToExportPreset(const LibraryPreset& preset) {
     });
 }
 
-// The same view, once as it is and once under the other preset, whose clip and lights count where it has some.
+// The same view, once as it is and once under the other preset, whose clip and lights count where it has
+// some.
 void MainWindow::comparePreset(const LibraryPreset& preset) {
     if (!study().volume) return;
     const QSize size = viewport_->pictureSize().scaled(QSize(kComparedPx, kComparedPx), Qt::KeepAspectRatio);

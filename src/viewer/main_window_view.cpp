@@ -49,7 +49,6 @@ Result<void> MainWindow::setState(const app::StudyState& state) {
 
 void MainWindow::showChosen() {
     const app::StudyState& state = session_.state();
-    presets_->setVolume(study().volume);
     presets_->choose(state.preset.get());
     looks_->choose(int(state.settings.look));
     shading_->setChecked(state.settings.shading == trace::Shading::headlight);

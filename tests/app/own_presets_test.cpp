@@ -112,12 +112,11 @@ class OwnPresets : public testing::Test {
         state.settings.exposure = 2.5;
         state.lights = catalogue_.lights.back();
         state.clip = *catalogue_.clips.front();
-        state.windows.at(std::size_t(trace::Look::mip)) = DisplayWindow{.center = 40.0,
-                                                                        .width = 400.0,
-                                                                        .explanation = "Doe^John",
-                                                                        .function = "LINEAR_EXACT"};
+        state.windows.at(std::size_t(trace::Look::mip)) = DisplayWindow{
+            .center = 40.0, .width = 400.0, .explanation = "Doe^John", .function = "LINEAR_EXACT"};
         state.slices.crosshairMm = glm::dvec3(1.0);
-        state.slices.window = DisplayWindow{.center = 50.0, .width = 350.0, .explanation = "Doe^John", .function = {}};
+        state.slices.window =
+            DisplayWindow{.center = 50.0, .width = 350.0, .explanation = "Doe^John", .function = {}};
         state.measurements.resize(1);
         state.leavesTableOut = true;
         state.camera = Camera{.positionMm = {10.0, -700.0, 5.0}, .targetMm = {3.0, 2.0, 1.0}};
@@ -150,7 +149,7 @@ TEST_F(OwnPresets, SurviveReopeningWithTheirNamesAndCurves) {
 TEST_F(OwnPresets, HaveKeysThatFilesTakeAndThatNoOtherHas) {
     PresetShelf all = shelf();
     std::set<std::string> keys;
-    for (const char* name : {"Кость", "骨", "CT Bone", "Cinematic  MR"}) {
+    for (const char* name : {"Кость", "骨", "CT Bone", "Cinematic  Kopf"}) {
         const auto id = all.add(name, bone());
         ASSERT_TRUE(id.ok()) << name << ": " << id.error().message;
         const TransferFunction& function = *all.find(*id)->function;
@@ -158,7 +157,7 @@ TEST_F(OwnPresets, HaveKeysThatFilesTakeAndThatNoOtherHas) {
         EXPECT_FALSE(findPreset(catalogue_, function.name).ok()) << function.name;
         const auto read = transferFunctionFromJson(toJson(function), {});
         ASSERT_TRUE(read.ok()) << read.error().message;
-        EXPECT_EQ(read->title, name == std::string("Cinematic  MR") ? "Cinematic MR" : name);
+        EXPECT_EQ(read->title, name == std::string("Cinematic  Kopf") ? "Cinematic Kopf" : name);
     }
 }
 
@@ -338,12 +337,15 @@ TEST_F(OwnPresets, WhatThisVersionDoesNotUnderstandStaysInTheStore) {
         session::Store store = open();
         for (const char* text : {newer.c_str(), "{}", R"({"version": 1, "title": "x", "preset": 7})",
                                  R"({"version": 1, "title": "\u202e", "preset": {"volumeProperties": []}})"})
-            ASSERT_TRUE(store.putDocument({DocumentKind::preset, {}, "own-" + std::to_string(std::string(text).size())},
-                                          2, text, {})
+            ASSERT_TRUE(store
+                            .putDocument(
+                                {DocumentKind::preset, {}, "own-" + std::to_string(std::string(text).size())},
+                                2, text, {})
                             .ok());
         ASSERT_TRUE(store.putDocument({DocumentKind::favourite, {}, "preset x"}, 1, "{}", {}).ok());
-        ASSERT_TRUE(store.putDocument({DocumentKind::favourite, {}, std::string(kLastUsedDocument)}, 1,
-                                      R"({"version": 1, "lastUsed": 3})", {})
+        ASSERT_TRUE(store
+                        .putDocument({DocumentKind::favourite, {}, std::string(kLastUsedDocument)}, 1,
+                                     R"({"version": 1, "lastUsed": 3})", {})
                         .ok());
         ASSERT_TRUE(store.putDocument({DocumentKind::favourite, {}, "of something else"}, 1, "{}", {}).ok());
     }
@@ -362,10 +364,10 @@ TEST(PresetKinds, EachVolumeHasItsOwn) {
     const auto fitting = [&](Unit unit, const char* modality) {
         const auto volume = Volume::create({.size = glm::ivec3(2), .unit = unit, .modality = modality},
                                            std::vector<std::uint16_t>(8, 7));
-        const PresetsForVolume divided = presetsForVolume(catalogue.presets, *volume);
-        EXPECT_EQ(divided.fitting.size() + divided.others.size(), catalogue.presets.size());
+        const FitsVolume fits(*volume);
         std::set<std::string> names;
-        for (const auto& preset : divided.fitting) names.insert(preset->name);
+        for (const auto& preset : catalogue.presets)
+            if (fits(*preset)) names.insert(preset->name);
         return names;
     };
     const auto ct = fitting(Unit::hounsfield, "CT");

@@ -136,10 +136,13 @@ TEST(PresetThumbnail, APresetThatIsFittedIsStretchedToTheVolume) {
         for (int k = 0; k < 20; ++k)
             for (int j = 0; j < 20; ++j)
                 for (int i = 0; i < 20; ++i)
-                    voxels.push_back(std::uint16_t(i > 3 && i < 16 && j > 3 && j < 16 && k > 3 && k < 16 ? 400 + 10 * i : 2));
-        auto volume = Volume::create(
-            {.size = glm::ivec3(20), .unitsFromStored = {.slope = slope}, .unit = Unit::raw, .modality = "MR"},
-            std::move(voxels));
+                    voxels.push_back(std::uint16_t(
+                        i > 3 && i < 16 && j > 3 && j < 16 && k > 3 && k < 16 ? 400 + 10 * i : 2));
+        auto volume = Volume::create({.size = glm::ivec3(20),
+                                      .unitsFromStored = {.slope = slope},
+                                      .unit = Unit::raw,
+                                      .modality = "MR"},
+                                     std::move(voxels));
         return presetThumbnail(*coarseOf(std::make_shared<const Volume>(*std::move(volume))), mr)->rgba;
     };
     const auto one = picture(1.0);
@@ -151,8 +154,8 @@ TEST(PresetThumbnail, APresetThatIsFittedIsStretchedToTheVolume) {
 }
 
 TEST(PresetThumbnail, EveryBuiltInPresetDrawsAndTheyDiffer) {
-    const auto coarse = coarseOf(std::make_shared<const Volume>(
-        phantom::make({.size = {48, 42, 30}, .spacingMm = {6.4, 6.4, 10.0}})));
+    const auto coarse = coarseOf(
+        std::make_shared<const Volume>(phantom::make({.size = {48, 42, 30}, .spacingMm = {6.4, 6.4, 10.0}})));
     const Catalogue catalogue = *builtInCatalogue();
     std::set<std::vector<std::uint8_t>> different;
     for (const auto& preset : catalogue.presets) {

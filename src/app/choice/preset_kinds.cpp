@@ -18,21 +18,14 @@ std::string kindOf(const TransferFunction& preset) {
     return kind;
 }
 
-bool isMadeFor(const TransferFunction& preset, const Volume& volume) {
-    if (!suits(preset, volume.unit())) return false;
-    const auto& made = preset.modalities;
-    return made.empty() || volume.modality().empty() ||
-           std::ranges::find(made, volume.modality()) != made.end();
-}
+FitsVolume::FitsVolume(const Volume& volume)
+    : unit_(volume.unit()), modality_(volume.modality()), usual_(presets::defaultTransfer(volume)) {}
 
-PresetsForVolume presetsForVolume(const Presets& all, const Volume& volume) {
-    const std::string usual = presets::defaultTransfer(volume);
-    PresetsForVolume divided;
-    for (const auto& preset : all) {
-        const bool fits = preset->name == usual || isMadeFor(*preset, volume);
-        (fits ? divided.fitting : divided.others).push_back(preset);
-    }
-    return divided;
+bool FitsVolume::operator()(const TransferFunction& preset) const {
+    if (preset.name == usual_) return true;
+    if (!suits(preset, unit_)) return false;
+    const auto& made = preset.modalities;
+    return made.empty() || modality_.empty() || std::ranges::find(made, modality_) != made.end();
 }
 
 }  // namespace macula::app

@@ -1,9 +1,7 @@
 // Which presets are made for what kind of images.
 #pragma once
 
-#include <memory>
 #include <string>
-#include <vector>
 
 #include "base/volume.h"
 #include "pipeline/volume/transfer_function.h"
@@ -14,16 +12,17 @@ namespace macula::app {
 // it says nothing. Micro-CT calls its modality CT and has raw numbers; diffusion has its name only.
 std::string kindOf(const TransferFunction& preset);
 
-// Made for the values and the modality of this volume, as far as both say.
-bool isMadeFor(const TransferFunction& preset, const Volume& volume);
+// Tells which presets are made for the values and the modality of a volume, as far as both say. What it is
+// shown with when nobody chose counts as one of them; that is asked of the voxels, once.
+class FitsVolume {
+  public:
+    explicit FitsVolume(const Volume& volume);
+    bool operator()(const TransferFunction& preset) const;
 
-using Presets = std::vector<std::shared_ptr<const TransferFunction>>;
-
-// `all` in two, each in the order of `all`. What a volume is shown with when nobody chose counts as fitting.
-struct PresetsForVolume {
-    Presets fitting;
-    Presets others;
+  private:
+    Unit unit_;
+    std::string modality_;
+    std::string usual_;
 };
-PresetsForVolume presetsForVolume(const Presets& all, const Volume& volume);
 
 }  // namespace macula::app

@@ -169,11 +169,11 @@ Result<PresetThumbnail> draw(const CoarseVolume& coarse, const TransferFunction&
     values.low = std::min(values.low, airOf(volume));
     const Optics optics(function, values);
     const glm::dmat3 worldFromCell = glm::inverse(glm::dmat3(coarse.cellFromWorld()));
-    const double shortestMm =
-        std::min({glm::length(worldFromCell[0]), glm::length(worldFromCell[1]), glm::length(worldFromCell[2])});
+    const double shortestMm = std::min(
+        {glm::length(worldFromCell[0]), glm::length(worldFromCell[1]), glm::length(worldFromCell[2])});
     // Cells of a thick slab are long: as many steps as an ordinary volume has are enough.
-    const double stepMm = std::max(kStepCells * shortestMm,
-                                   volume.worldBox().diagonal() / (4.0 * kLongestCoarseSide));
+    const double stepMm =
+        std::max(kStepCells * shortestMm, volume.worldBox().diagonal() / (4.0 * kLongestCoarseSide));
     const March march{coarse, optics, function.lighting, clip && clip->hasShape() ? clip : nullptr, stepMm};
 
     const Camera camera = frameBox(volume.worldBox(), ViewDirection::anterior, kFovDeg, 1.0);
@@ -215,8 +215,8 @@ Result<std::shared_ptr<const CoarseVolume>> CoarseVolume::of(std::shared_ptr<con
         const double cellMm = std::max({sidesMm.x, sidesMm.y, sidesMm.z}) / kLongestCoarseSide;
         std::array<std::vector<std::vector<int>>, 3> places;
         for (int axis = 0; axis < 3; ++axis) {
-            const int cells =
-                std::clamp(int(std::lround(sidesMm[axis] / cellMm)), 1, std::min(voxels[axis], kLongestCoarseSide));
+            const int cells = std::clamp(int(std::lround(sidesMm[axis] / cellMm)), 1,
+                                         std::min(voxels[axis], kLongestCoarseSide));
             coarse->size_[axis] = cells;
             for (int cell = 0; cell < cells; ++cell)
                 places.at(std::size_t(axis)).push_back(voxelsOf(cell, cells, voxels[axis]));
@@ -229,17 +229,15 @@ Result<std::shared_ptr<const CoarseVolume>> CoarseVolume::of(std::shared_ptr<con
                     double sum = 0.0;
                     for (const int k : ks)
                         for (const int j : js)
-                            for (const int i : is)
-                                sum += fine.isPadding(i, j, k) ? air : fine.value(i, j, k);
+                            for (const int i : is) sum += fine.isPadding(i, j, k) ? air : fine.value(i, j, k);
                     coarse->values_.push_back(float(sum / double(ks.size() * js.size() * is.size())));
                 }
             }
         }
         // The middle of cell c is that of its voxels: at (c + 1/2) n / N - 1/2.
         const glm::dvec3 voxelsPerCell = glm::dvec3(voxels) / glm::dvec3(coarse->size_);
-        const glm::dmat4 voxelFromCell =
-            affine({voxelsPerCell.x, 0, 0}, {0, voxelsPerCell.y, 0}, {0, 0, voxelsPerCell.z},
-                   0.5 * voxelsPerCell - 0.5);
+        const glm::dmat4 voxelFromCell = affine({voxelsPerCell.x, 0, 0}, {0, voxelsPerCell.y, 0},
+                                                {0, 0, voxelsPerCell.z}, 0.5 * voxelsPerCell - 0.5);
         coarse->cellFromWorld_ = glm::inverse(fine.worldFromVoxel() * voxelFromCell);
         return std::shared_ptr<const CoarseVolume>(std::move(coarse));
     } catch (const std::bad_alloc&) {
@@ -272,8 +270,8 @@ TransferFunction CoarseVolume::fittedCurves(const TransferFunction& preset) cons
             const TransferFunction any{.fitToVolume = Fit{.low = 0.0, .high = 1.0}};
             foreground_ = fitOf(any, *in16Bits(volume_))->volume;
         });
-        const double scale = (foreground_.high - foreground_.low) /
-                             (preset.fitToVolume->high - preset.fitToVolume->low);
+        const double scale =
+            (foreground_.high - foreground_.low) / (preset.fitToVolume->high - preset.fitToVolume->low);
         const auto moved = [&](double value) {
             return foreground_.low + (value - preset.fitToVolume->low) * scale;
         };

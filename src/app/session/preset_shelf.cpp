@@ -91,7 +91,8 @@ std::string PresetShelf::nearestFreeName(std::string_view title) const {
         const std::string ending = fmt::format(" ({})", number);
         // As many letters as the ending has make room for it.
         std::string begin = name;
-        while (!checkedPresetName(begin + ending)) begin = nearestPresetName(begin.substr(0, begin.size() - 1));
+        while (!checkedPresetName(begin + ending))
+            begin = nearestPresetName(begin.substr(0, begin.size() - 1));
         free = begin + ending;
     }
     return free;
@@ -99,8 +100,8 @@ std::string PresetShelf::nearestFreeName(std::string_view title) const {
 
 void PresetShelf::put(OwnPreset preset) {
     std::erase_if(own_, [&](const auto& other) { return other->id == preset.id; });
-    const auto place = std::ranges::find_if(
-        own_, [&](const auto& other) { return preset.title() < other->title(); });
+    const auto place =
+        std::ranges::find_if(own_, [&](const auto& other) { return preset.title() < other->title(); });
     own_.insert(place, std::make_shared<const OwnPreset>(std::move(preset)));
 }
 
@@ -138,7 +139,9 @@ Result<PresetRef> PresetShelf::add(std::string_view title, const TransferFunctio
                      .seen = std::move(seen)};
     // What was seen has numbers of its own, such as a camera.
     if (const auto read = ownPresetFromJson(preset.id, toJson(preset)); !read)
-        return Error{ErrorCode::inputNotUsable, "What is seen cannot be kept: " + read.error().message, {},
+        return Error{ErrorCode::inputNotUsable,
+                     "What is seen cannot be kept: " + read.error().message,
+                     {},
                      read.error().hint};
     const PresetRef id = preset.id;
     changes_.push_back({DocumentKind::preset, id, toJson(preset)});

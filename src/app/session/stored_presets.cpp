@@ -77,7 +77,8 @@ std::string favouriteJson(const PresetRef& ref) {
 
 std::string lastUsedJson(std::span<const UsedPreset> used) {
     Json list = Json::array();
-    for (const UsedPreset& each : used) list.push_back({{"preset", each.preset}, {"modality", each.modality}});
+    for (const UsedPreset& each : used)
+        list.push_back({{"preset", each.preset}, {"modality", each.modality}});
     const Json json{{"version", kVersion}, {"lastUsed", std::move(list)}};
     return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }

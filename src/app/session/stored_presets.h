@@ -24,8 +24,8 @@ std::string favouriteDocumentName(const PresetRef& ref);
 std::string favouriteJson(const PresetRef& ref);
 std::string lastUsedJson(std::span<const UsedPreset> used);
 
-// What is damaged is counted, set aside by the store, and left out; and so is what cannot be understood, which
-// stays in the store for the version that wrote it. Fails only where the store itself does.
+// What is damaged is counted, set aside by the store, and left out; and so is what cannot be understood,
+// which stays in the store for the version that wrote it. Fails only where the store itself does.
 Result<StoredPresets> readStoredPresets(session::Store& store);
 
 Result<void> writePresetDocument(session::Store& store, const PresetDocument& document);

@@ -3,9 +3,7 @@
 #include <QListView>
 #include <QSignalBlocker>
 #include <QStandardItemModel>
-#include <utility>
 
-#include "app/choice/preset_kinds.h"
 #include "viewer/status_texts.h"
 
 namespace macula::viewer {
@@ -17,11 +15,6 @@ PresetBox::PresetBox(const PresetLibrary& library, QWidget* parent) : QComboBox(
         if (row < 0 || std::size_t(row) >= rows_.size()) return;
         if (const std::optional<LibraryPreset> preset = rows_[std::size_t(row)]) emit chosen(*preset);
     });
-    fillAnew();
-}
-
-void PresetBox::setVolume(std::shared_ptr<const Volume> volume) {
-    if (std::exchange(volume_, volume) == volume) return;
     fillAnew();
 }
 
@@ -51,10 +44,10 @@ void PresetBox::fillAnew() {
     addLine();
     std::vector<LibraryPreset> others;
     for (const LibraryPreset& preset : library_.builtIn()) {
-        if (volume_ && app::presetsForVolume({preset.function}, *volume_).fitting.empty()) {
-            others.push_back(preset);
-        } else {
+        if (library_.fits(*preset.function)) {
             add(preset, true);
+        } else {
+            others.push_back(preset);
         }
     }
     for (const LibraryPreset& preset : others) add(preset, false);

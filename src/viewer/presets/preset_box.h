@@ -3,11 +3,9 @@
 
 #include <QComboBox>
 #include <QString>
-#include <memory>
 #include <optional>
 #include <vector>
 
-#include "base/volume.h"
 #include "viewer/presets/preset_library.h"
 
 namespace macula::viewer {
@@ -20,9 +18,7 @@ class PresetBox : public QComboBox {
   public:
     explicit PresetBox(const PresetLibrary& library, QWidget* parent = nullptr);
 
-    // Without a volume all are offered.
-    void setVolume(std::shared_ptr<const Volume> volume);
-    void fillAnew();
+    void fillAnew();  // as the library is now; nothing is chosen
     // Tells nobody. What is in no list, as it was edited, is named.
     void choose(const TransferFunction* function);
 
@@ -34,7 +30,6 @@ class PresetBox : public QComboBox {
     void addLine();
 
     const PresetLibrary& library_;
-    std::shared_ptr<const Volume> volume_;
     std::vector<std::optional<LibraryPreset>> rows_;  // nothing: a line between groups
 };
 

@@ -132,8 +132,9 @@ PresetComparison::PresetComparison(const Side& first, const Side& second, const 
     titles->addWidget(makeTitle(first.title, Qt::AlignLeft), 1);
     titles->addWidget(makeTitle(second.title, Qt::AlignRight), 1);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
-    QPushButton* choose = buttons->addButton(tr("&Use %1").arg(QString(second.title).replace(QLatin1Char('&'), QLatin1String("&&"))),
-                                             QDialogButtonBox::AcceptRole);
+    QPushButton* choose = buttons->addButton(
+        tr("&Use %1").arg(QString(second.title).replace(QLatin1Char('&'), QLatin1String("&&"))),
+        QDialogButtonBox::AcceptRole);
     choose->setObjectName(QStringLiteral("comparison-use"));
     auto* column = new QVBoxLayout(this);
     column->addLayout(titles);
@@ -164,7 +165,9 @@ PresetComparison::PresetComparison(const Side& first, const Side& second, const 
         try {
             return app::drawViewPictures(pictures, preferredDevice, progress);
         } catch (const std::bad_alloc&) {
-            return Error{ErrorCode::outOfMemory, "There is not enough memory for both pictures.", {},
+            return Error{ErrorCode::outOfMemory,
+                         "There is not enough memory for both pictures.",
+                         {},
                          "Close other programs."};
         }
     });

@@ -67,8 +67,8 @@ void paintPreset(QPainter& painter, const QStyleOptionViewItem& option, const QM
         painter.setRenderHint(QPainter::Antialiasing);
         painter.setPen(QPen(Qt::black, 1.0));
         painter.setBrush(palette.text());
-        painter.drawPath(star(QPointF(square.right() - kStarPx * 0.7, square.top() + kStarPx * 0.7),
-                              kStarPx / 2.0));
+        painter.drawPath(
+            star(QPointF(square.right() - kStarPx * 0.7, square.top() + kStarPx * 0.7), kStarPx / 2.0));
     }
     const QFontMetrics& metrics = option.fontMetrics;
     const auto line = [&](int number, const QString& text, QPalette::ColorRole role) {

@@ -93,7 +93,8 @@ void PresetGallery::makeBar(QVBoxLayout& column) {
     filter_->setObjectName(QStringLiteral("preset-filter"));
     filter_->setAccessibleName(tr("Filter the presets"));
     filter_->setPlaceholderText(tr("Filter"));
-    filter_->setToolTip(tr("Part of a name or a kind of image; Down or Enter goes to the presets, Esc ends it"));
+    filter_->setToolTip(
+        tr("Part of a name or a kind of image; Down or Enter goes to the presets, Esc ends it"));
     filter_->setClearButtonEnabled(true);
     filter_->installEventFilter(this);
     connect(filter_, &QLineEdit::textChanged, this, [this](const QString& text) {
@@ -128,8 +129,9 @@ void PresetGallery::makeBar(QVBoxLayout& column) {
 void PresetGallery::makeList() {
     list_->setObjectName(QStringLiteral("presets"));
     list_->setAccessibleName(tr("Presets"));
-    list_->setToolTip(tr("Each preset as it shows this volume, from anterior and coarse. A double click or "
-                         "Enter uses it."));
+    list_->setToolTip(
+        tr("Each preset as it shows this volume, from anterior and coarse. A double click or "
+           "Enter uses it."));
     list_->setModel(model_);
     list_->setItemDelegate(new PresetDelegate(list_));
     list_->setFlow(QListView::LeftToRight);
@@ -201,11 +203,8 @@ std::vector<LibraryPreset> PresetGallery::presetsOf(PresetGroup group) const {
                 if (library_.shelf().isFavourite(preset.ref)) presets.push_back(preset);
         return presets;
     }
-    // Without a volume nothing is told apart.
     for (const LibraryPreset& preset : library_.builtIn()) {
-        const bool fits = !session_.hasStudy() ||
-                          !app::presetsForVolume({preset.function}, *session_.study().volume).fitting.empty();
-        if (fits == (group == PresetGroup::fitting)) presets.push_back(preset);
+        if (library_.fits(*preset.function) == (group == PresetGroup::fitting)) presets.push_back(preset);
     }
     return presets;
 }
@@ -349,8 +348,9 @@ void PresetGallery::fillMenu(QMenu& menu, const LibraryPreset& preset) {
     };
     const bool isOwn = preset.own != nullptr;
     add(tr("&Use"), "preset-use", [this, preset] { emit useAsked(preset); });
-    add(tr("&Compare with What Is Shown…"), "preset-compare", [this, preset] { emit compareAsked(preset); })
-        ->setEnabled(session_.hasStudy());
+    add(tr("&Compare with What Is Shown…"), "preset-compare", [this, preset] {
+        emit compareAsked(preset);
+    })->setEnabled(session_.hasStudy());
     const bool isFavourite = library_.shelf().isFavourite(preset.ref);
     QAction* favourite = add(tr("&Favourite"), "preset-favourite", [this, preset, isFavourite] {
         library_.setFavourite(preset.ref, !isFavourite);
@@ -366,17 +366,17 @@ void PresetGallery::fillMenu(QMenu& menu, const LibraryPreset& preset) {
         if (!isOwn) action->setToolTip(tr("Built-in presets are never changed: save a copy"));
     }
     menu.addSeparator();
-    add(tr("&Export…"), "preset-export", [this, preset] { emit exportAsked(preset); })
-        ->setToolTip(tr("The curve, as a file for --preset and 3D Slicer"));
+    add(tr("&Export…"), "preset-export", [this, preset] {
+        emit exportAsked(preset);
+    })->setToolTip(tr("The curve, as a file for --preset and 3D Slicer"));
     add(tr("&Import…"), "preset-import", [this] { emit importAsked(); });
 }
 
 void PresetGallery::askForName(const QString& title, const QString& what, const QString& proposed,
-                               const app::PresetRef& own,
-                               std::function<Result<void>(const QString&)> then) {
+                               const app::PresetRef& own, std::function<Result<void>(const QString&)> then) {
     auto* dialog = new PresetNameDialog(
-        title, what, proposed, [this, own](const QString& name) { return library_.whyNameIsRefused(name, own); },
-        window());
+        title, what, proposed,
+        [this, own](const QString& name) { return library_.whyNameIsRefused(name, own); }, window());
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog, &QDialog::accepted, this, [this, dialog, then = std::move(then)] {
         trouble_.clear();
@@ -459,7 +459,9 @@ void PresetGallery::drawNext() {
                 if (made) drawn.picture = asImage(*made);  // else it has none
                 return drawn;
             } catch (const std::bad_alloc&) {
-                return Error{ErrorCode::outOfMemory, "There is not enough memory for small pictures.", {},
+                return Error{ErrorCode::outOfMemory,
+                             "There is not enough memory for small pictures.",
+                             {},
                              "Close other programs."};
             }
         });

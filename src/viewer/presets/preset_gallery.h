@@ -26,9 +26,9 @@ class QVBoxLayout;
 
 namespace macula::viewer {
 
-// A grid in groups with a filter above it. One click selects, a double click or Enter uses. Pictures are drawn
-// one after another beside the UI thread, on the host, of the rows that are seen; of nothing while the gallery
-// is hidden. Session and library outlive it.
+// A grid in groups with a filter above it. One click selects, a double click or Enter uses. Pictures are
+// drawn one after another beside the UI thread, on the host, of the rows that are seen; of nothing while the
+// gallery is hidden. Session and library outlive it.
 class PresetGallery : public QWidget {
     Q_OBJECT
 
@@ -39,7 +39,7 @@ class PresetGallery : public QWidget {
     PresetGallery(ViewerSession& session, PresetLibrary& library, StateNow stateNow,
                   QWidget* parent = nullptr);
 
-    PresetListModel& model() { return *model_; }
+    PresetListModel& model() const { return *model_; }
     bool isDrawing() const { return drawing_ != nullptr; }
     void focusFilter();
 

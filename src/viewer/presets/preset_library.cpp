@@ -36,6 +36,12 @@ PresetLibrary::PresetLibrary(ViewerSession& session, const std::shared_ptr<app::
       import_(this, {.progressed = [](const ProgressUpdate&) {},
                      .ended = [this](const Result<presets::ImportedPresets>& read) { onImported(read); }}) {
     mailbox_->library = this;
+    // Before anybody who shows presets hears of the study.
+    connect(&session_, &ViewerSession::studyShown, this, [this] {
+        fitsVolume_.reset();
+        if (session_.hasStudy()) fitsVolume_.emplace(*session_.study().volume);
+    });
+    if (session_.hasStudy()) fitsVolume_.emplace(*session_.study().volume);
     readStored();
 }
 
@@ -118,8 +124,9 @@ void PresetLibrary::tellChange() {
 
 QString PresetLibrary::note() const {
     if (isKept_) return storeNote_;
-    return tr("Nothing is kept between runs: presets of your own live until this window closes. Export those "
-              "that you need.");
+    return tr(
+        "Nothing is kept between runs: presets of your own live until this window closes. Export those "
+        "that you need.");
 }
 
 std::vector<LibraryPreset> PresetLibrary::builtIn() const {
@@ -139,6 +146,10 @@ std::optional<LibraryPreset> PresetLibrary::find(const app::PresetRef& ref) cons
     for (const auto& function : session_.builtInPresets())
         if (function->name == ref) return LibraryPreset{ref, function, nullptr};
     return std::nullopt;
+}
+
+bool PresetLibrary::fits(const TransferFunction& function) const {
+    return !fitsVolume_ || (*fitsVolume_)(function);
 }
 
 app::PresetRef PresetLibrary::refOf(const TransferFunction& function) const {
@@ -166,8 +177,8 @@ Result<app::PresetRef> PresetLibrary::saveCurve(const QString& title, const app:
 Result<app::PresetRef> PresetLibrary::saveSeen(const QString& title, const app::StudyState& state) {
     if (!session_.hasStudy())
         return Error{ErrorCode::usage, "There is nothing to be seen yet.", {}, "Open a study first."};
-    MACULA_TRY(const app::PresetRef ref, shelf_.add(typed(title), *functionOf(state),
-                                                    app::seenOf(state, *session_.study().volume)));
+    MACULA_TRY(const app::PresetRef ref,
+               shelf_.add(typed(title), *functionOf(state), app::seenOf(state, *session_.study().volume)));
     tellChange();
     showAs(tr("Keep preset"), state.preset, ref);
     return ref;
@@ -259,7 +270,8 @@ void PresetLibrary::onImported(const Result<presets::ImportedPresets>& read) {
     std::optional<Error> error;
     for (const presets::ImportedPreset& preset : *read) {
         const TransferFunction& function = preset.function;
-        const std::string title = shelf_.nearestFreeName(function.title.empty() ? function.name : function.title);
+        const std::string title =
+            shelf_.nearestFreeName(function.title.empty() ? function.name : function.title);
         const auto added = shelf_.add(title, function);
         if (!added) {
             if (!error) error = added.error();

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "app/choice/preset_kinds.h"
 #include "app/session/model_keeper.h"
 #include "app/session/preset_shelf.h"
 #include "presets/imported_preset.h"
@@ -41,6 +42,8 @@ class PresetLibrary : public QObject {
     std::vector<LibraryPreset> builtIn() const;
     std::vector<LibraryPreset> own() const;
     std::optional<LibraryPreset> find(const app::PresetRef& ref) const;
+    // Whether it is made for images such as those that are open; without a study all are.
+    bool fits(const TransferFunction& function) const;
     // Which of them this is; empty: none, as it was edited.
     app::PresetRef refOf(const TransferFunction& function) const;
     // What has to be known about how presets are kept; empty where all is well.
@@ -97,6 +100,7 @@ class PresetLibrary : public QObject {
     std::shared_ptr<const app::OwnPreset> removed_;
     std::shared_ptr<Mailbox> mailbox_ = std::make_shared<Mailbox>();
     BackgroundJob<presets::ImportedPresets> import_;
+    std::optional<app::FitsVolume> fitsVolume_;  // that of the session
 };
 
 }  // namespace macula::viewer
