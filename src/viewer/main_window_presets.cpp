@@ -28,6 +28,15 @@ QString inMenu(QString title) {
     return title.replace(QLatin1Char('&'), QLatin1String("&&"));
 }
 
+// A null volume: nothing is open.
+void use(const LibraryPreset& preset, const Volume* volume, app::StudyState& next) {
+    if (volume != nullptr && preset.own && preset.own->seen) return app::use(*preset.own, *volume, next);
+    next.preset = preset.function;
+    // In projections it is a window, and of those each look has its own.
+    if (const trace::Look look = next.settings.look; volume != nullptr && trace::isProjection(look))
+        next.windows.at(std::size_t(look)) = presetWindow(*next.preset, *volume);
+}
+
 }  // namespace
 
 void MainWindow::makePresets() {
@@ -100,15 +109,8 @@ void MainWindow::fillPresetMenu(QMenu& menu) {
 
 void MainWindow::usePreset(const LibraryPreset& preset) {
     options_.preset = preset.function;  // kept for the next study
-    const bool isAllSeen = preset.own && preset.own->seen && study().volume;
-    session_.change(tr("Preset"), [&](app::StudyState& next) {
-        if (isAllSeen) return app::use(*preset.own, *study().volume, next);
-        next.preset = preset.function;
-        // In projections it is a window, and of those each look has its own.
-        if (const trace::Look look = next.settings.look; study().volume && trace::isProjection(look))
-            next.windows.at(std::size_t(look)) = presetWindow(*next.preset, *study().volume);
-    });
-    if (isAllSeen && preset.own->seen->camera)
+    session_.change(tr("Preset"), [&](app::StudyState& next) { use(preset, study().volume.get(), next); });
+    if (study().volume && preset.own && preset.own->seen && preset.own->seen->camera)
         viewport_->showFrom(app::cameraIn(*preset.own->seen->camera, *study().volume));
     presetLibrary_->noteUsed(preset.ref);
     focusPicture();
@@ -139,8 +141,7 @@ void MainWindow::comparePreset(const LibraryPreset& preset) {
     const QSize size = viewport_->pictureSize().scaled(QSize(kComparedPx, kComparedPx), Qt::KeepAspectRatio);
     const app::StudyState& now = session_.state();
     app::StudyState other = now;
-    other.preset = preset.function;
-    if (preset.own) app::use(*preset.own, *study().volume, other);
+    use(preset, study().volume.get(), other);
     const auto picture = [&](app::Drawing drawing) {
         app::ViewPicture view;
         view.volume = study().volume;

@@ -152,7 +152,8 @@ class PresetGalleryTest : public test::OffscreenTest {
 
 TEST_F(PresetGalleryTest, WhatFitsTheImagesStandsFirstAndTheOthersAreFolded) {
     openStudy();
-    EXPECT_EQ(headings(), (QStringList{QStringLiteral("For such images"), QStringLiteral("For other images")}));
+    EXPECT_EQ(headings(),
+              (QStringList{QStringLiteral("For such images"), QStringLiteral("For other images")}));
     const QStringList fitting = titlesIn(PresetGroup::fitting);
     EXPECT_TRUE(fitting.contains(QStringLiteral("CT-Bone")));
     EXPECT_FALSE(fitting.contains(QStringLiteral("uCT-Skull")));
@@ -340,7 +341,8 @@ TEST_F(PresetGalleryTest, ControlsHaveNamesAndToolTipsAndTheModelKeepsItsWord) {
 // What is kept. --------------------------------------------------------------------------------------
 
 TEST_F(PresetGalleryTest, WithoutAStoreItSaysThatPresetsLiveForTheRun) {
-    EXPECT_TRUE(note_->text().contains(QStringLiteral("until this window closes"))) << note_->text().toStdString();
+    EXPECT_TRUE(note_->text().contains(QStringLiteral("until this window closes")))
+        << note_->text().toStdString();
     openStudy();
     keepCurve("Mine");
     EXPECT_EQ(titlesIn(PresetGroup::own), QStringList{QStringLiteral("Mine")});

@@ -74,7 +74,7 @@ class PresetShelf {
     void setFavourite(const PresetRef& ref, bool isFavourite);
     void noteUsed(const PresetRef& ref, std::string_view modality);
 
-    // Nothing where the name can be given to a preset; `own` is the one that has it now, or is empty.
+    // The name as it is kept, where it can be given; `own` is the preset that may have it now, or is empty.
     Result<std::string> freeName(std::string_view title, const PresetRef& own = {}) const;
     // `title`, or the first of "title (2)", "title (3)" that is free.
     std::string nearestFreeName(std::string_view title) const;

@@ -136,6 +136,7 @@ PresetComparison::PresetComparison(const Side& first, const Side& second, const 
         tr("&Use %1").arg(QString(second.title).replace(QLatin1Char('&'), QLatin1String("&&"))),
         QDialogButtonBox::AcceptRole);
     choose->setObjectName(QStringLiteral("comparison-use"));
+    choose->setToolTip(tr("Show the volume with the preset at the right; can be undone"));
     auto* column = new QVBoxLayout(this);
     column->addLayout(titles);
     column->addWidget(curtain_, 1);
