@@ -106,7 +106,7 @@ inline constexpr std::array kKeys{
     KeyRow{KeyAction::undo, "", "Ctrl+Z", "Undo the last change"},
     KeyRow{KeyAction::redo, "", "Ctrl+Shift+Z", "Do it again"},
     KeyRow{KeyAction::panes, "F5 to F9", "", "Four panes, or 3D, axial, coronal, sagittal alone"},
-    KeyRow{KeyAction::panels, "F2 to F4", "", "Panels: studies, transfer function, clip"},
+    KeyRow{KeyAction::panels, "F2 to F4, F10", "", "Panels: studies, transfer function, clip; presets"},
     KeyRow{KeyAction::find, "", "Ctrl+F", "Find a study of the folder"},
     KeyRow{KeyAction::sliceStep, "Wheel, Up, Down on slices", "",
            "Next slice; with Shift, or Page Up and Page Down, five; Home and End: to the ends"},

@@ -15,12 +15,12 @@
 #include <variant>
 
 #include "app/state/drawing_of.h"
-#include "pipeline/volume/window.h"
 #include "viewer/browser/study_browser.h"
 #include "viewer/join_question.h"
 #include "viewer/keys.h"
 #include "viewer/panes/pane_grid.h"
 #include "viewer/panes/tool_box.h"
+#include "viewer/presets/preset_box.h"
 #include "viewer/slices/slice_view.h"
 #include "viewer/status_texts.h"
 #include "viewer/visibility_note.h"
@@ -71,6 +71,7 @@ MainWindow::MainWindow(gpu::Instance instance, MainWindowOptions options)
     column->addWidget(notes_);
     column->addWidget(messages_);
     setCentralWidget(centre);
+    makePresets();
     makePanels();
     connectBrowser();
     makeMenus();
@@ -251,17 +252,6 @@ void MainWindow::showOpenError(const Error& error) {
         told.hint += tr(" What is on screen is still of the study that was open before.").toStdString();
     }
     messages_->showError(told);
-}
-
-void MainWindow::choosePreset(int index) {
-    options_.preset = catalogue().presets[std::size_t(index)];  // kept for the next study
-    session_.change(tr("Preset"), [&](app::StudyState& next) {
-        next.preset = options_.preset;
-        // In projections it is a window, and of those each look has its own.
-        if (const trace::Look look = next.settings.look; study().volume && trace::isProjection(look))
-            next.windows.at(std::size_t(look)) = presetWindow(*next.preset, *study().volume);
-    });
-    focusPicture();
 }
 
 // Of the same study; the table is searched for, and is in the state once it is found.

@@ -29,12 +29,16 @@
 #include "viewer/volume_choice.h"
 
 class QFileDialog;
+class QMenu;
 
 namespace macula::viewer {
 
 class ClipPanel;
 class PaneGrid;
 class PictureDialog;
+class PresetBox;
+class PresetGallery;
+class PresetLibrary;
 class RecentMenu;
 class SliceView;
 class StudyBrowser;
@@ -42,6 +46,7 @@ class ToolBox;
 class TransferFunctionEditor;
 class UndoActions;
 enum class Pane;
+struct LibraryPreset;
 
 // What comes back of a study that was seen before, and is kept for the next time.
 enum class Restores {
@@ -122,6 +127,9 @@ class MainWindow : public QMainWindow {
   private:
     void makePanes();
     void makePanels();
+    void makePresets();
+    void makePresetMenu();
+    void fillPresetMenu(QMenu& menu);
     void makeMenus();
     void makeFileMenu();
     void makeEditMenu();
@@ -162,7 +170,10 @@ class MainWindow : public QMainWindow {
     void askForFile();
     void ask(QFileDialog* dialog, std::function<void(const QString&)> then);
     void openDropped(const Dropped& what);
-    void choosePreset(int index);
+    void usePreset(const LibraryPreset& preset);
+    void askForPresetFile();
+    void askWhereToExportPreset(const LibraryPreset& preset);
+    void comparePreset(const LibraryPreset& preset);
     void showOpenError(const Error& error);
     void onRendered(const app::RenderEvent& event);
     void onFrame(const app::FrameShown& frame);
@@ -233,7 +244,9 @@ class MainWindow : public QMainWindow {
     VolumeChoice* volumes_ = nullptr;
     QAction* volumesInBar_ = nullptr;  // shows and hides it
     QTimer rateEnds_;                  // nothing has been shown for a while
-    QComboBox* presets_ = nullptr;
+    PresetLibrary* presetLibrary_ = nullptr;
+    PresetGallery* gallery_ = nullptr;
+    PresetBox* presets_ = nullptr;
     QComboBox* lights_ = nullptr;
     ElidingLabel* description_ = nullptr;
     ElidingLabel* fidelity_ = nullptr;

@@ -11,6 +11,7 @@
 #include "viewer/help_boxes.h"
 #include "viewer/keys.h"
 #include "viewer/main_window.h"
+#include "viewer/presets/preset_box.h"
 #include "viewer/session/undo_actions.h"
 #include "viewer/status_texts.h"
 
@@ -43,6 +44,7 @@ void MainWindow::makeMenus() {
     makeFileMenu();
     makeEditMenu();
     makeViewMenu();
+    makePresetMenu();
     makeLookMenu();
     makeClipMenu();
 
@@ -209,10 +211,7 @@ void MainWindow::makeClipMenu() {
 void MainWindow::makeToolBar() {
     QToolBar* bar = addToolBar(tr("Look"));
     bar->setMovable(false);
-    presets_ = new QComboBox(bar);
-    presets_->setAccessibleName(tr("Preset"));
-    fill(*presets_, catalogue().presets);
-    presets_->setCurrentIndex(-1);
+    presets_ = new PresetBox(*presetLibrary_, bar);
     lights_ = new QComboBox(bar);
     lights_->setAccessibleName(tr("Lights"));
     fill(*lights_, catalogue().lights);
@@ -229,7 +228,7 @@ void MainWindow::makeToolBar() {
     description_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
     bar->addWidget(description_);
 
-    connect(presets_, &QComboBox::activated, this, &MainWindow::choosePreset);
+    connect(presets_, &PresetBox::chosen, this, &MainWindow::usePreset);
     connect(lights_, &QComboBox::activated, this, [this](int index) {
         session_.change(tr("Lights"),
                         [&](app::StudyState& next) { next.lights = catalogue().lights[std::size_t(index)]; });

@@ -10,6 +10,7 @@
 #include "viewer/main_window.h"
 #include "viewer/panes/pane_grid.h"
 #include "viewer/panes/tool_box.h"
+#include "viewer/presets/preset_gallery.h"
 #include "viewer/session/undo_actions.h"
 #include "viewer/slices/slice_view.h"
 #include "viewer/transfer/transfer_function_editor.h"
@@ -77,7 +78,7 @@ void MainWindow::setCine(bool plays) {
 
 void MainWindow::makePanels() {
     transfer_ = new TransferFunctionEditor(session_);
-    connect(transfer_, &TransferFunctionEditor::saveAsked, this, &MainWindow::askWhereToSavePreset);
+    connect(transfer_, &TransferFunctionEditor::saveAsked, gallery_, &PresetGallery::askToSaveCurve);
     clipPanel_ = new ClipPanel(session_);
     browser_ = new StudyBrowser;
     const auto add = [this](Qt::DockWidgetArea area, QWidget* panel, const QString& title, const char* name,
@@ -99,6 +100,7 @@ void MainWindow::makePanels() {
         add(Qt::RightDockWidgetArea, transfer_, tr("Transfer Function"), "transfer-panel", "F3");
     QDockWidget* second = add(Qt::RightDockWidgetArea, clipPanel_, tr("Clip"), "clip-panel", "F4");
     splitDockWidget(first, second, Qt::Vertical);
+    add(Qt::RightDockWidgetArea, gallery_, tr("Presets"), "presets-panel", "F10");
 }
 
 void MainWindow::showPanes() {

@@ -8,6 +8,7 @@
 #include "app/session/model_keeper.h"
 #include "viewer/main_window.h"
 #include "viewer/panes/tool_box.h"
+#include "viewer/presets/preset_library.h"
 
 namespace macula::viewer {
 
@@ -39,6 +40,7 @@ MainWindow::~MainWindow() {
     hide();
     for (QDockWidget* panel : findChildren<QDockWidget*>()) delete panel;
     delete tools_;
+    delete presetLibrary_;
     delete takeCentralWidget();  // with the panes
     viewport_ = nullptr;
     loader_.setKeeper(nullptr);

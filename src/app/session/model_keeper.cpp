@@ -202,6 +202,19 @@ bool ModelKeeper::isIdle() {
     return !hasJobs() && !isBusy_;
 }
 
+void ModelKeeper::withStore(StoreUse use) {
+    // Where there is no store the job is dropped, and so is this.
+    struct Once {
+        StoreUse use;
+        ~Once() {
+            if (use) use(nullptr);
+        }
+    };
+    post(Urgency::isWaitedFor, [once = std::make_shared<Once>(std::move(use))](session::Store& store) {
+        std::exchange(once->use, nullptr)(&store);
+    });
+}
+
 void ModelKeeper::waitUntilIdle() {
     std::unique_lock lock(mutex_);
     idle_.wait(lock, [this] { return !hasJobs() && !isBusy_; });

@@ -60,6 +60,11 @@ class ModelKeeper final : public SceneKeeper {
     void askWhatWasSeen(std::shared_ptr<const FoundVolumes> found,
                         std::function<void(std::set<std::size_t>)> answer);
 
+    // For what else is stored: called once, on the keeper's thread, in the order of these calls; with null
+    // where there is no store. It throws nothing but for a lack of memory.
+    using StoreUse = std::function<void(session::Store*)>;
+    void withStore(StoreUse use);
+
     // Whether all that was handed over is done, and until it is. For tests and for those who measure.
     bool isIdle();
     void waitUntilIdle();
