@@ -7,7 +7,8 @@ namespace macula::app {
 std::optional<Mask> maskOf(const std::shared_ptr<const segment::PatientMask>& found) {
     if (!(found->removedMl > 0.0)) return std::nullopt;
     return Mask{.labels = std::shared_ptr<const LabelMap>(found, &found->map),
-                .numbers = {segment::PatientMask::kPatient}};
+                .numbers = {segment::PatientMask::kPatient},
+                .remark = std::string(kTableLeftOut)};
 }
 
 Result<ShownClip> shownClip(const ClipPreset& preset, bool removeTable, const Volume& volume,
