@@ -33,8 +33,11 @@ class QFileDialog;
 namespace macula::viewer {
 
 class ClipPanel;
+class HiddenVoxels;
 class PaneGrid;
 class PictureDialog;
+class SegmentationKeeper;
+class SegmentationPanel;
 class SliceView;
 class StudyBrowser;
 class ToolBox;
@@ -82,6 +85,7 @@ class MainWindow : public QMainWindow {
     void showStudy(const app::OpenedStudy& study);
     void cancelLoading() { loader_.cancel(); }
     bool loading() const { return loader_.loading(); }
+    SegmentationKeeper& segments() { return *segments_; }
     bool searchingTable() const { return table_->searching(); }
     bool loaderAtRest() const { return loader_.atRest(); }
 
@@ -131,6 +135,7 @@ class MainWindow : public QMainWindow {
     void makeStatusBar();
     void connectLoader();
     void connectTable();
+    void connectSegments();
     app::Drawing drawing() const;
     const app::Catalogue& catalogue() const { return session_.catalogue(); }
     const app::OpenedStudy& study() const { return session_.study(); }
@@ -208,6 +213,7 @@ class MainWindow : public QMainWindow {
     UndoActions* undo_ = nullptr;
     TransferFunctionEditor* transfer_ = nullptr;
     ClipPanel* clipPanel_ = nullptr;
+    SegmentationPanel* segmentsPanel_ = nullptr;
     StudyBrowser* browser_ = nullptr;
     QAction* browserShown_ = nullptr;  // shows and hides it
     QList<QAction*> panels_;           // show and hide them
@@ -217,6 +223,9 @@ class MainWindow : public QMainWindow {
     WorkBar* loading_ = nullptr;
     TableRemoval* table_ = nullptr;
     WorkBar* searching_ = nullptr;  // for the table
+    HiddenVoxels* hidden_ = nullptr;
+    SegmentationKeeper* segments_ = nullptr;
+    WorkBar* segmenting_ = nullptr;  // segments are loaded
     PictureExport* export_ = nullptr;
     WorkBar* exporting_ = nullptr;
     AnatomyPick* pick_ = nullptr;

@@ -9,6 +9,7 @@
 #include "viewer/main_window.h"
 #include "viewer/panes/pane_grid.h"
 #include "viewer/panes/tool_box.h"
+#include "viewer/segmentation/segmentation_panel.h"
 #include "viewer/session/undo_actions.h"
 #include "viewer/slices/slice_view.h"
 #include "viewer/transfer/transfer_function_editor.h"
@@ -78,6 +79,7 @@ void MainWindow::makePanels() {
     transfer_ = new TransferFunctionEditor(session_);
     connect(transfer_, &TransferFunctionEditor::saveAsked, this, &MainWindow::askWhereToSavePreset);
     clipPanel_ = new ClipPanel(session_);
+    segmentsPanel_ = new SegmentationPanel(session_, *segments_);
     browser_ = new StudyBrowser;
     connect(browser_, &StudyBrowser::chosen, this, &MainWindow::openFound);
     const auto add = [this](Qt::DockWidgetArea area, QWidget* panel, const QString& title, const char* name,
@@ -99,6 +101,9 @@ void MainWindow::makePanels() {
         add(Qt::RightDockWidgetArea, transfer_, tr("Transfer Function"), "transfer-panel", "F3");
     QDockWidget* second = add(Qt::RightDockWidgetArea, clipPanel_, tr("Clip"), "clip-panel", "F4");
     splitDockWidget(first, second, Qt::Vertical);
+    QDockWidget* third =
+        add(Qt::RightDockWidgetArea, segmentsPanel_, tr("Segmentations"), "segments-panel", "F11");
+    splitDockWidget(second, third, Qt::Vertical);
 }
 
 void MainWindow::showPanes() {
@@ -118,6 +123,7 @@ void MainWindow::showNames(bool shown) {
     viewport_->showNames(shown);
     for (SliceView* pane : slices_) pane->showNames(shown);
     browser_->showNames(shown);
+    segmentsPanel_->showNames(shown);
     names_->setChecked(shown);
 }
 

@@ -41,6 +41,15 @@ void choose(std::vector<SegmentationChoice>& choices, std::string_view digest, c
     choose(choices, std::move(choice));
 }
 
+std::vector<SegmentationChoice> onSlicesAlone(std::span<const SegmentationChoice> choices) {
+    std::vector<SegmentationChoice> all;
+    for (SegmentationChoice choice : choices) {
+        for (SegmentChoice& segment : choice.segments) segment.in3d = In3d::asIs;
+        choose(all, std::move(choice));
+    }
+    return all;
+}
+
 std::vector<In3dOf> in3dOf(std::span<const SegmentationChoice> choices) {
     std::vector<In3dOf> all;
     for (const SegmentationChoice& choice : choices) {

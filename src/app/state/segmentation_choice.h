@@ -57,6 +57,9 @@ SegmentChoice choiceOf(const SegmentationChoice& choice, std::uint16_t number);
 void choose(std::vector<SegmentationChoice>& choices, SegmentationChoice choice);
 void choose(std::vector<SegmentationChoice>& choices, std::string_view digest, const SegmentChoice& segment);
 
+// The same, but for what they do in 3D.
+std::vector<SegmentationChoice> onSlicesAlone(std::span<const SegmentationChoice> choices);
+
 // What of all this changes the picture in 3D.
 using In3dOf = std::tuple<std::string, std::uint16_t, In3d>;  // digest, number
 std::vector<In3dOf> in3dOf(std::span<const SegmentationChoice> choices);
