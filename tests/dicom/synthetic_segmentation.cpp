@@ -55,7 +55,12 @@ std::vector<Uint8> packed(const std::vector<Uint8>& cells) {
 
 void putHeader(DcmItem& item, const SyntheticSegmentation& s, const Made& made) {
     const bool isBinary = s.type == "BINARY";
-    put(item, DCM_FrameOfReferenceUID, s.frameOfReferenceUid);
+    if (s.frameOfReferenceUid.empty()) {
+        erase(item, DCM_FrameOfReferenceUID);
+    } else {
+        put(item, DCM_FrameOfReferenceUID, s.frameOfReferenceUid);
+    }
+    put(item, DCM_PatientID, s.patientId);
     put(item, DCM_ContentLabel, s.contentLabel);
     put(nested(item, DCM_ReferencedSeriesSequence), DCM_SeriesInstanceUID, s.referencedSeriesUid);
     putWord(item, DCM_SamplesPerPixel, 1);
@@ -118,7 +123,6 @@ void writeSegmentation(const std::filesystem::path& file, const SyntheticSegment
         if (bytes.size() % 2 != 0) bytes.push_back(0);
         ASSERT_TRUE(item.putAndInsertUint8Array(DCM_PixelData, bytes.data(), bytes.size()).good());
     });
-    for (const Edit& edit : s.edits) shell.edits.push_back(edit);
     writeShell(file, shell);
 }
 

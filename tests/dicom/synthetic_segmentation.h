@@ -25,13 +25,13 @@ struct SyntheticSegmentation {
     std::string type = "BINARY";  // or FRACTIONAL, of 200 levels
     std::string sopInstanceUid = "2.25.4000";
     std::string seriesUid = "2.25.4001";
-    std::string frameOfReferenceUid = "2.25.1002";  // that of SyntheticSeries, as the next
+    std::string frameOfReferenceUid = "2.25.1002";  // that of SyntheticSeries, as the two below; empty: none
     std::string referencedSeriesUid = "2.25.1001";
+    std::string patientId = "SYN1";
     std::string contentLabel = "ORGANS";
     glm::ivec3 size{8, 7, 12};
     glm::dmat4 worldFromVoxel{1.0};  // slices need not be perpendicular to rows and columns
     std::vector<Part> parts;
-    std::vector<Edit> edits;  // last
 };
 
 // A frame for each slice in which there is something of a part; all of a part's, part by part.
