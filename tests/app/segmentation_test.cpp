@@ -8,6 +8,7 @@
 #include "app/segmentation/found_segmentation.h"
 #include "app/segmentation/loaded_segmentation.h"
 #include "app/segmentation/segment_mask.h"
+#include "app/segmentation/segments_to_draw.h"
 #include "app/state/segmentation_choice.h"
 #include "app/state/study_state.h"
 #include "app/study/combined_mask.h"
@@ -218,6 +219,41 @@ TEST_F(SegmentationOfAFolder, AloneAndHiddenLeaveWhatTheySay) {
     });
     const auto none = combinedMask({}, *study_.volume, progress);
     EXPECT_TRUE(none && !*none);
+}
+
+TEST_F(SegmentationOfAFolder, IsKeptOrHiddenByItsLabel) {
+    open();
+    Progress progress;
+    const auto draw = [&](const std::vector<std::string>& typed,
+                          std::vector<SegmentationChoice> choices = {}) {
+        std::vector<SegmentWish> wishes;
+        for (const std::string& each : typed) wishes.push_back(*segmentWishFrom(each));
+        return segmentsToDraw(*study_.found, volume(), std::move(choices), wishes, *study_.volume, progress);
+    };
+    const auto both = draw({"keep:liver", "hide:Tumour"});
+    ASSERT_TRUE(both) << both.error().message;
+    ASSERT_TRUE(both->mask);
+    const MaskBits bits = maskBits(*both->mask, *study_.volume);
+    forEachVoxel([&](const glm::ivec3& v, const glm::dvec3& mm) {
+        const double far = glm::distance(mm, centreMm_);
+        ASSERT_EQ(bits.shows(v.x, v.y, v.z), far <= 6.5 && far > 3.0);
+    });
+    EXPECT_TRUE(both->notes.empty());
+    const auto none = draw({"keep:Spleen"});
+    ASSERT_FALSE(none);
+    EXPECT_EQ(none.error().code, ErrorCode::usage);
+    SegmentChoice one;
+    one.in3d = In3d::hidden;
+    std::vector<SegmentationChoice> ofAView;
+    choose(ofAView, digestOf('e'), one);
+    ofAView.front().isShown = true;
+    const auto gone = draw({}, ofAView);
+    ASSERT_TRUE(gone);
+    EXPECT_FALSE(gone->mask);
+    EXPECT_FALSE(gone->notes.empty()) << "it is not in the folder";
+    for (const char* wrong : {"", "keep", "keep:", ":Liver", "drop:Liver", "Liver"})
+        EXPECT_FALSE(segmentWishFrom(wrong)) << wrong;
+    EXPECT_EQ(segmentWishFrom("hide:Lobe: upper")->label, "Lobe: upper");
 }
 
 TEST_F(SegmentationOfAFolder, ATruncatedFileIsAnErrorAndNoSegment) {

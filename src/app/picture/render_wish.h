@@ -23,6 +23,7 @@ struct RenderWish {
     std::string series;
     StateWish state;
     std::string lights;    // as chooseLights, a panorama too
+    std::vector<std::string> segments;  // segmentWishFrom each
     bool shading = false;  // of ray casts, whatever the preset asks for
     std::string size = "768x768";
     EffortWish effort;  // counts more than the view that was saved

@@ -31,6 +31,7 @@ struct ShownClip {
 // Fails as segment::findPatient where the table is to be removed.
 Result<ShownClip> shownClip(const ClipPreset& preset, bool removeTable, const Volume& volume,
                             Progress& progress);
+// Segments of the state are not hidden, and a note says so: app::segmentsToDraw.
 Result<ShownClip> shownClip(const StudyState& state, const Volume& volume, Progress& progress);
 
 }  // namespace macula::app
