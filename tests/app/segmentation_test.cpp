@@ -36,7 +36,7 @@ class SegmentationOfAFolder : public testing::Test {
         segmentation_.size = series_.size;
         segmentation_.worldFromVoxel = series_.worldFromVoxel;
         centreMm_ = transformPoint(series_.worldFromVoxel, {10, 9, 8});
-        segmentation_.parts = {{.number = 1, .label = "Liver", .share = ball(centreMm_, 6.5)},
+        segmentation_.parts = {{.number = 1, .label = "Liver", .share = ball(centreMm_, 6.45)},
                                {.number = 2, .label = "Tumour", .share = ball(centreMm_, 3.0)}};
     }
     static std::function<double(const glm::dvec3&)> ball(const glm::dvec3& centreMm, double radiusMm) {
@@ -98,13 +98,13 @@ TEST_F(SegmentationOfAFolder, IsFoundAndLiesWhereItWasDrawn) {
     EXPECT_EQ(loaded->segment(3), nullptr);
     std::size_t count = 0;
     forEachVoxel([&](const glm::ivec3& voxel, const glm::dvec3& mm) {
-        ASSERT_EQ(liver->voxels->contains(voxel), glm::distance(mm, centreMm_) <= 6.5);
+        ASSERT_EQ(liver->voxels->contains(voxel), glm::distance(mm, centreMm_) <= 6.45);
         ASSERT_EQ(tumour->voxels->contains(voxel), glm::distance(mm, centreMm_) <= 3.0);
         count += liver->voxels->contains(voxel) ? 1 : 0;
     });
     const double det = std::abs(glm::determinant(glm::dmat3(study_.volume->worldFromVoxel())));
     EXPECT_NEAR(*liver->volumeMl, double(count) * det / 1000.0, 1e-6);
-    EXPECT_NEAR(*liver->volumeMl, 4.0 / 3.0 * 3.14159265 * 274.625 / 1000.0, 0.1) << "a ball of 6.5 mm";
+    EXPECT_NEAR(*liver->volumeMl, 4.0 / 3.0 * 3.14159265 * 268.336 / 1000.0, 0.1) << "a ball of 6.45 mm";
     EXPECT_LT(glm::distance(*tumour->centroidMm, centreMm_), 0.4);
     EXPECT_EQ(usualRgb(liver->segment), *liver->segment.recommendedRgb);
     EXPECT_NE(usualRgb(tumour->segment), usualRgb(liver->segment));
@@ -186,10 +186,10 @@ TEST_F(SegmentationOfAFolder, AloneAndHiddenLeaveWhatTheySay) {
             ASSERT_EQ(bits.shows(v.x, v.y, v.z), isShown(far)) << far;
         });
     };
-    expectShown(maskOf(In3d::alone, In3d::asIs), [](double mm) { return mm <= 6.5; });
+    expectShown(maskOf(In3d::alone, In3d::asIs), [](double mm) { return mm <= 6.45; });
     expectShown(maskOf(In3d::asIs, In3d::hidden), [](double mm) { return mm > 3.0; });
-    expectShown(maskOf(In3d::alone, In3d::hidden), [](double mm) { return mm <= 6.5 && mm > 3.0; });
-    expectShown(maskOf(In3d::alone, In3d::alone), [](double mm) { return mm <= 6.5; });
+    expectShown(maskOf(In3d::alone, In3d::hidden), [](double mm) { return mm <= 6.45 && mm > 3.0; });
+    expectShown(maskOf(In3d::alone, In3d::alone), [](double mm) { return mm <= 6.45; });
     EXPECT_EQ(maskOf(In3d::alone, In3d::hidden)->remark, "one segment alone, a segment left out");
     EXPECT_FALSE(maskOf(In3d::asIs, In3d::asIs));
     EXPECT_FALSE(maskOf(In3d::alone, In3d::hidden, false)) << "it is not shown";
@@ -215,7 +215,7 @@ TEST_F(SegmentationOfAFolder, AloneAndHiddenLeaveWhatTheySay) {
     EXPECT_EQ((*both)->remark, "half left out, one segment alone");
     const MaskBits bits = maskBits(**both, *study_.volume);
     forEachVoxel([&](const glm::ivec3& v, const glm::dvec3& mm) {
-        ASSERT_EQ(bits.shows(v.x, v.y, v.z), v.x < 10 && glm::distance(mm, centreMm_) <= 6.5);
+        ASSERT_EQ(bits.shows(v.x, v.y, v.z), v.x < 10 && glm::distance(mm, centreMm_) <= 6.45);
     });
     const auto none = combinedMask({}, *study_.volume, progress);
     EXPECT_TRUE(none && !*none);
@@ -236,7 +236,7 @@ TEST_F(SegmentationOfAFolder, IsKeptOrHiddenByItsLabel) {
     const MaskBits bits = maskBits(*both->mask, *study_.volume);
     forEachVoxel([&](const glm::ivec3& v, const glm::dvec3& mm) {
         const double far = glm::distance(mm, centreMm_);
-        ASSERT_EQ(bits.shows(v.x, v.y, v.z), far <= 6.5 && far > 3.0);
+        ASSERT_EQ(bits.shows(v.x, v.y, v.z), far <= 6.45 && far > 3.0);
     });
     EXPECT_TRUE(both->notes.empty());
     const auto none = draw({"keep:Spleen"});

@@ -30,7 +30,7 @@ class SegmentationPanelTest : public test::OffscreenTest {
         dicom::test::SyntheticSegmentation seg;
         seg.size = series_.size;
         seg.worldFromVoxel = series_.worldFromVoxel;
-        seg.parts = {{.number = 1, .label = "Liver", .share = ball(6.5)},
+        seg.parts = {{.number = 1, .label = "Liver", .share = ball(6.45)},
                      {.number = 2, .label = "Tumour", .share = ball(3.0)}};
         dicom::test::writeSegmentation(folder_ / "seg/a", seg);
         seg.frameOfReferenceUid = "2.25.77";

@@ -83,6 +83,7 @@ SlicePicture SliceSampler::make(const SliceWish& wish) {
     } catch (const std::bad_alloc&) {
         last_.reset();
         painted_ = {};
+        picture.grey = {};  // without its segments it would say less than was asked for
         log::error("No memory for a slice of {} x {} pixels", wish.frame.sizePx.x, wish.frame.sizePx.y);
     }
     return picture;
