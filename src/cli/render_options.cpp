@@ -131,6 +131,12 @@ void addRenderOptions(CLI::App& command, app::RenderWish& wish) {
     addLights(command, o);
     command.add_flag("--remove-table", o.state.removeTable,
                      "Leave out the table and what else lies beside the patient; CT only. What went is said");
+    command
+        .add_option("--segments", o.segments,
+                    "Of DICOM segmentations in the folder: draw these alone, or leave them out")
+        ->delimiter(',')
+        ->allow_extra_args(false)
+        ->option_text("keep:LABEL,hide:LABEL,…");
     command.add_option("--clip", o.state.clip,
                        "Name from macula presets, or JSON file: what is shown of the volume");
     command

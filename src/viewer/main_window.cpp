@@ -16,11 +16,13 @@
 
 #include "app/state/drawing_of.h"
 #include "viewer/browser/study_browser.h"
+#include "viewer/hidden_voxels.h"
 #include "viewer/join_question.h"
 #include "viewer/keys.h"
 #include "viewer/panes/pane_grid.h"
 #include "viewer/panes/tool_box.h"
 #include "viewer/presets/preset_box.h"
+#include "viewer/segmentation/segmentation_keeper.h"
 #include "viewer/slices/slice_view.h"
 #include "viewer/status_texts.h"
 #include "viewer/visibility_note.h"
@@ -55,6 +57,9 @@ MainWindow::MainWindow(gpu::Instance instance, MainWindowOptions options)
       loading_(new WorkBar),
       table_(new TableRemoval(this)),
       searching_(new WorkBar),
+      hidden_(new HiddenVoxels(this)),
+      segments_(new SegmentationKeeper(session_, this)),
+      segmenting_(new WorkBar),
       export_(new PictureExport(options_.device, this)),
       exporting_(new WorkBar),
       pick_(new AnatomyPick(this)) {
@@ -79,6 +84,7 @@ MainWindow::MainWindow(gpu::Instance instance, MainWindowOptions options)
     makeStatusBar();
     connectLoader();
     connectTable();
+    connectSegments();
     connectExport();
     connectPick();
 
@@ -153,7 +159,7 @@ void MainWindow::connectTable() {
         session_.change(tr("Table"), [this](app::StudyState& next) {
             next.leavesTableOut = table_->action().isChecked();
         });
-        updateClip();
+        hidden_->set(HiddenVoxels::Part::table, table_->mask());
         showNotes();
     });
     connect(table_, &TableRemoval::failed, this, [this](const Error& error) {
@@ -198,7 +204,7 @@ void MainWindow::redraw() {
 }
 
 void MainWindow::updateClip() {
-    clip_ = study().volume ? app::clipOf(session_.state(), *study().volume, table_->mask()) : nullptr;
+    clip_ = study().volume ? app::clipOf(session_.state(), *study().volume, hidden_->mask()) : nullptr;
     redraw();
 }
 
@@ -304,6 +310,7 @@ void MainWindow::showStudy(const app::OpenedStudy& study) {
     if (left && options_.restores == Restores::work) {
         now.slices = left->slices;
         now.measurements = left->measurements;
+        now.segmentations = app::onSlicesAlone(left->segmentations);
         now.otherKeys = left->otherKeys;
     } else if (left) {
         now = *left;
@@ -318,6 +325,7 @@ void MainWindow::showStudy(const app::OpenedStudy& study) {
     if (options_.restores == Restores::work) left.reset();
     presetNote_ = presetWarning(*now.preset, volume);
     table_->setVolume(study.volume);
+    hidden_->setVolume(study.volume);
     pick_->cancel();
     seriesWindows_.forget();
     QStringList lines;
@@ -357,6 +365,7 @@ void MainWindow::showStudy(const app::OpenedStudy& study) {
 
 void MainWindow::showNotes() {
     QStringList notes = studyNotes_ + table_->notes();
+    if (const QString note = segments_->note(); !note.isEmpty()) notes << note;
     if (!presetNote_.isEmpty()) notes.prepend(presetNote_);
     if (!storeNote_.isEmpty()) notes.prepend(storeNote_);
     if (!sessionNote_.isEmpty()) notes.prepend(sessionNote_);

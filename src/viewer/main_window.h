@@ -34,12 +34,15 @@ class QMenu;
 namespace macula::viewer {
 
 class ClipPanel;
+class HiddenVoxels;
 class PaneGrid;
 class PictureDialog;
 class PresetBox;
 class PresetGallery;
 class PresetLibrary;
 class RecentMenu;
+class SegmentationKeeper;
+class SegmentationPanel;
 class SliceView;
 class StudyBrowser;
 class ToolBox;
@@ -88,6 +91,7 @@ class MainWindow : public QMainWindow {
     void showStudy(const app::OpenedStudy& study);
     void cancelLoading() { loader_.cancel(); }
     bool loading() const { return loader_.loading(); }
+    SegmentationKeeper& segments() { return *segments_; }
     bool searchingTable() const { return table_->searching(); }
     bool loaderAtRest() const { return loader_.atRest(); }
 
@@ -143,6 +147,7 @@ class MainWindow : public QMainWindow {
     void connectBrowser();
     void showFound(const std::shared_ptr<const app::FoundVolumes>& found, std::optional<std::size_t> open);
     void connectTable();
+    void connectSegments();
     app::Drawing drawing() const;
     const app::Catalogue& catalogue() const { return session_.catalogue(); }
     const app::OpenedStudy& study() const { return session_.study(); }
@@ -223,6 +228,7 @@ class MainWindow : public QMainWindow {
     UndoActions* undo_ = nullptr;
     TransferFunctionEditor* transfer_ = nullptr;
     ClipPanel* clipPanel_ = nullptr;
+    SegmentationPanel* segmentsPanel_ = nullptr;
     StudyBrowser* browser_ = nullptr;
     RecentMenu* recent_ = nullptr;
     QAction* browserShown_ = nullptr;  // shows and hides it
@@ -233,6 +239,9 @@ class MainWindow : public QMainWindow {
     WorkBar* loading_ = nullptr;
     TableRemoval* table_ = nullptr;
     WorkBar* searching_ = nullptr;  // for the table
+    HiddenVoxels* hidden_ = nullptr;
+    SegmentationKeeper* segments_ = nullptr;
+    WorkBar* segmenting_ = nullptr;  // segments are loaded
     PictureExport* export_ = nullptr;
     WorkBar* exporting_ = nullptr;
     AnatomyPick* pick_ = nullptr;

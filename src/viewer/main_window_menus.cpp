@@ -247,6 +247,7 @@ void MainWindow::makeStatusBar() {
     fidelity_->keepLongest();
     statusBar()->addWidget(loading_);
     statusBar()->addWidget(searching_);
+    statusBar()->addWidget(segmenting_);
     statusBar()->addWidget(exporting_);
     badge_ = new FidelityBadge;
     statusBar()->addWidget(badge_);

@@ -11,6 +11,7 @@
 #include "viewer/panes/pane_grid.h"
 #include "viewer/panes/tool_box.h"
 #include "viewer/presets/preset_gallery.h"
+#include "viewer/segmentation/segmentation_panel.h"
 #include "viewer/session/undo_actions.h"
 #include "viewer/slices/slice_view.h"
 #include "viewer/transfer/transfer_function_editor.h"
@@ -80,6 +81,7 @@ void MainWindow::makePanels() {
     transfer_ = new TransferFunctionEditor(session_);
     connect(transfer_, &TransferFunctionEditor::saveAsked, gallery_, &PresetGallery::askToSaveCurve);
     clipPanel_ = new ClipPanel(session_);
+    segmentsPanel_ = new SegmentationPanel(session_, *segments_);
     browser_ = new StudyBrowser;
     const auto add = [this](Qt::DockWidgetArea area, QWidget* panel, const QString& title, const char* name,
                             const char* key) {
@@ -100,7 +102,17 @@ void MainWindow::makePanels() {
         add(Qt::RightDockWidgetArea, transfer_, tr("Transfer Function"), "transfer-panel", "F3");
     QDockWidget* second = add(Qt::RightDockWidgetArea, clipPanel_, tr("Clip"), "clip-panel", "F4");
     splitDockWidget(first, second, Qt::Vertical);
-    add(Qt::RightDockWidgetArea, gallery_, tr("Presets"), "presets-panel", "F10");
+    QDockWidget* presets = add(Qt::RightDockWidgetArea, gallery_, tr("Presets"), "presets-panel", "F10");
+    QDockWidget* segments =
+        add(Qt::RightDockWidgetArea, segmentsPanel_, tr("Segmentations"), "segments-panel", "F11");
+    tabifyDockWidget(first, presets);
+    tabifyDockWidget(second, segments);
+    for (QDockWidget* dock : {first, presets, second, segments}) {
+        // What is asked for is in front.
+        connect(dock->toggleViewAction(), &QAction::triggered, dock, [dock](bool shown) {
+            if (shown) dock->raise();
+        });
+    }
 }
 
 void MainWindow::showPanes() {
@@ -121,6 +133,7 @@ void MainWindow::showNames(bool shown) {
     for (SliceView* pane : slices_) pane->showNames(shown);
     browser_->showNames(shown);
     recent_->showNames(shown);
+    segmentsPanel_->showNames(shown);
     names_->setChecked(shown);
 }
 

@@ -116,7 +116,7 @@ TEST(StudyTree, WhatCannotBeOpenedSaysWhy) {
     const auto why = [&](std::string_view title) { return tree.rows[rowTitled(tree, title)].whyNot; };
     EXPECT_EQ(why("Series 1: Scout"), dicom::message(dicom::key::kLocalizer).sentence);
     EXPECT_EQ(why("Series 9: Report of Jane"),
-              "This is no image, and cannot be shown here: Structured report.");
+              "This is no image, and is not shown by itself: Structured report.");
     EXPECT_EQ(why("Series 10: Broken"), "No file of this series can be read; it has 4.");
     EXPECT_EQ(tree.rows[rowTitled(tree, "Series 9: Report of Jane")].picture, nullptr);
     EXPECT_EQ(tree.rows[rowTitled(tree, "Series 9: Report of Jane")].details,

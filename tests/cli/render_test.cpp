@@ -240,6 +240,17 @@ TEST_F(Render, TheNameOfAUsersFileIsNotRepeated) {
     EXPECT_NE(readAll(at("a.json")).find("custom"), std::string::npos);
 }
 
+TEST_F(Render, SegmentsThatNobodyCanMeanAreRefused) {
+    for (const char* wrong : {"Liver", "keep:", "drop:Liver"}) {
+        const Ran ran = runMacula({"render", "-o", at("a.png"), "--segments", wrong});
+        EXPECT_EQ(ran.exitCode, 2) << wrong << ran.err;
+        EXPECT_EQ(ran.errorLines(), 1u) << ran.err;
+    }
+    const Ran phantom = runMacula({"render", "phantom:", "-o", at("a.png"), "--segments", "keep:Liver"});
+    EXPECT_EQ(phantom.exitCode, 2) << phantom.err;
+    EXPECT_EQ(fileCount(), 0u);
+}
+
 // A picture says that a table was removed only when one was, and where none is, nothing else goes.
 TEST_F(Render, OfATableSaysWhetherOneWasRemoved) {
     const std::array<std::string, 1> key{"macula:tableRemoved"};

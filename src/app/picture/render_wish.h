@@ -22,8 +22,9 @@ struct RenderWish {
     std::filesystem::path output;
     std::string series;
     StateWish state;
-    std::string lights;    // as chooseLights, a panorama too
-    bool shading = false;  // of ray casts, whatever the preset asks for
+    std::string lights;                 // as chooseLights, a panorama too
+    std::vector<std::string> segments;  // segmentWishFrom each
+    bool shading = false;               // of ray casts, whatever the preset asks for
     std::string size = "768x768";
     EffortWish effort;  // counts more than the view that was saved
     std::uint32_t seed = 0;

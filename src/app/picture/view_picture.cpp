@@ -14,6 +14,7 @@
 #include "app/picture/drawn_picture.h"
 #include "app/picture/picture_file.h"
 #include "app/picture/render_record.h"
+#include "app/study/shown_clip.h"
 
 namespace macula::app {
 
@@ -86,7 +87,8 @@ Result<std::vector<std::string>> writeViewPicture(const ViewPicture& picture,
     record.preset = publicPresetName(request.scene.function);
     record.lights = publicLightsName(*picture.drawing.lights);
     record.clip = request.scene.clip.hasShape() ? "clipped" : "none";
-    record.tableRemoved = request.scene.clip.mask.has_value();
+    if (request.scene.clip.mask) record.masked = request.scene.clip.mask->remark;
+    record.tableRemoved = record.masked.find(kTableLeftOut) != std::string::npos;
     record.presetFitted = request.scene.function.fitToVolume.has_value();
     record.window = request.settings.window;
     record.add(request, drawn);

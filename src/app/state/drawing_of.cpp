@@ -37,7 +37,8 @@ Drawing drawingOf(const StudyState& state, const Catalogue& catalogue, const Ser
         remarks.push_back(
             fmt::format("{} {:g}{}{}", p.label, p.get(state.settings), p.unit.empty() ? "" : " ", p.unit));
     }
-    if (drawing.clip && drawing.clip->mask) remarks.emplace_back("table left out");
+    if (drawing.clip && drawing.clip->mask)
+        remarks.push_back(drawing.clip->mask->remark.empty() ? "masked" : drawing.clip->mask->remark);
     if (drawing.clip && drawing.clip->hasShape()) remarks.emplace_back("clipped");
     drawing.remarks = fmt::format("{}", fmt::join(remarks, ", "));
     return drawing;

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "app/state/parameters.h"
+#include "app/state/segmentation_choice.h"
 #include "base/camera.h"
 #include "base/result.h"
 #include "base/volume.h"
@@ -78,6 +79,7 @@ struct StudyState {
     Layout layout = Layout::fourPanes;
     SliceState slices = {};
     std::vector<slices::Measurement> measurements = {};
+    std::vector<SegmentationChoice> segmentations = {};  // kept by `choose`
     // A JSON object of what a newer Macula has written and this one does not know. It is written back.
     std::string otherKeys = {};
 

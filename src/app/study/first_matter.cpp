@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "pipeline/trace/look.h"
+#include "pipeline/volume/mask_bits.h"
 #include "pipeline/volume/volume_fit.h"
 
 namespace macula::app {
@@ -57,9 +58,10 @@ std::optional<Span> spanIn(const Volume& volume, const Ray& ray) {
 
 bool isMasked(const Mask& mask, const glm::dmat4& labelFromWorld, const glm::dvec3& pointMm) {
     const glm::ivec3 at = glm::ivec3(glm::round(transformPoint(labelFromWorld, pointMm)));
-    const glm::ivec3 size = mask.labels->size();
+    const glm::ivec3 size = mask.bits ? mask.bits->size : mask.labels->size();
     const bool isInside =
         glm::all(glm::greaterThanEqual(at, glm::ivec3(0))) && glm::all(glm::lessThan(at, size));
+    if (mask.bits) return !(isInside && mask.bits->shows(at.x, at.y, at.z));
     const std::uint16_t label = isInside ? mask.labels->label(at.x, at.y, at.z) : std::uint16_t{0};
     const bool belongs =
         mask.numbers.empty() ? label != 0 : std::ranges::find(mask.numbers, label) != mask.numbers.end();
@@ -71,7 +73,8 @@ class Matter {
     Matter(const Volume& volume, const Drawing& drawing)
         : volume_(volume), clip_(drawing.clip.get()), voxelFromWorld_(glm::inverse(volume.worldFromVoxel())) {
         if (clip_ != nullptr && clip_->mask)
-            labelFromWorld_ = glm::inverse(clip_->mask->labels->worldFromVoxel());
+            labelFromWorld_ =
+                clip_->mask->bits ? voxelFromWorld_ : glm::inverse(clip_->mask->labels->worldFromVoxel());
     }
 
     bool isShown(const glm::dvec3& pointMm) const {

@@ -7,7 +7,8 @@ namespace macula::app {
 std::optional<Mask> maskOf(const std::shared_ptr<const segment::PatientMask>& found) {
     if (!(found->removedMl > 0.0)) return std::nullopt;
     return Mask{.labels = std::shared_ptr<const LabelMap>(found, &found->map),
-                .numbers = {segment::PatientMask::kPatient}};
+                .numbers = {segment::PatientMask::kPatient},
+                .remark = std::string(kTableLeftOut)};
 }
 
 Result<ShownClip> shownClip(const ClipPreset& preset, bool removeTable, const Volume& volume,
@@ -22,7 +23,11 @@ Result<ShownClip> shownClip(const ClipPreset& preset, bool removeTable, const Vo
 }
 
 Result<ShownClip> shownClip(const StudyState& state, const Volume& volume, Progress& progress) {
-    return shownClip(state.clip.value_or(ClipPreset{}), state.leavesTableOut, volume, progress);
+    MACULA_TRY(ShownClip shown,
+               shownClip(state.clip.value_or(ClipPreset{}), state.leavesTableOut, volume, progress));
+    if (!in3dOf(state.segmentations).empty())
+        shown.notes.emplace_back("The view keeps or hides segments; here they change nothing.");
+    return shown;
 }
 
 }  // namespace macula::app

@@ -1,5 +1,7 @@
 #include "viewer/slices/slice_sampler.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <new>
 #include <utility>
@@ -18,6 +20,15 @@ QImage imageOf(const std::vector<std::uint8_t>& grey, const glm::ivec2& sizePx) 
     const std::size_t width = std::size_t(sizePx.x);
     for (int y = 0; y < sizePx.y; ++y)
         std::memcpy(image.scanLine(y), grey.data() + std::size_t(y) * width, width);
+    return image;
+}
+
+QImage imageOf(const slices::SegmentPicture& picture) {
+    QImage image(picture.sizePx.x, picture.sizePx.y, QImage::Format_ARGB32_Premultiplied);
+    if (image.isNull()) throw std::bad_alloc();
+    const std::size_t width = std::size_t(picture.sizePx.x);
+    for (int y = 0; y < picture.sizePx.y; ++y)
+        std::memcpy(image.scanLine(y), picture.argb.data() + std::size_t(y) * width, 4 * width);
     return image;
 }
 
@@ -41,6 +52,8 @@ void SliceSampler::run() {
         if (ends_) return;
         if (!wish->volume) {
             last_.reset();
+            painted_ = {};
+            segments_ = {};
             continue;
         }
         SlicePicture picture = make(*wish);
@@ -65,11 +78,32 @@ SlicePicture SliceSampler::make(const SliceWish& wish) {
         }
         picture.grey =
             imageOf(slices::toGrey(last_->slice.values, wish.window, wish.isInverted), wish.frame.sizePx);
+        paintSegments(wish);
+        picture.segments = segments_;
     } catch (const std::bad_alloc&) {
         last_.reset();
+        painted_ = {};
+        picture.grey = {};  // without its segments it would say less than was asked for
         log::error("No memory for a slice of {} x {} pixels", wish.frame.sizePx.x, wish.frame.sizePx.y);
     }
     return picture;
+}
+
+void SliceSampler::paintSegments(const SliceWish& wish) {
+    if (painted_.volume == wish.volume && painted_.frame == wish.frame &&
+        painted_.segments == wish.segments && painted_.pixelRatio == wish.pixelRatio)
+        return;
+    painted_ = {};
+    segments_ = {};
+    if (wish.segments) {
+        const auto isGivenUp = [this, study = wish.study] { return ends_ || study_ != study; };
+        const int linePx = std::max(1, int(std::lround(wish.pixelRatio)));
+        const slices::SegmentPicture picture =
+            slices::paintSegments(*wish.volume, wish.frame, *wish.segments, linePx, isGivenUp);
+        if (isGivenUp()) return;
+        if (!picture.argb.empty()) segments_ = imageOf(picture);
+    }
+    painted_ = wish;
 }
 
 }  // namespace macula::viewer

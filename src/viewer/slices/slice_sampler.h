@@ -13,6 +13,7 @@
 #include "app/frame/latest.h"
 #include "base/volume.h"
 #include "slices/sampled_slice.h"
+#include "slices/segment_picture.h"
 #include "slices/slice_plane.h"
 
 namespace macula::viewer {
@@ -24,6 +25,7 @@ struct SliceWish {
     slices::Slab slab;
     DisplayWindow window;
     bool isInverted = false;
+    std::shared_ptr<const slices::ShownSegments> segments = {};  // over it; null: none
     // What the picture is shown with: handed through.
     QString positionText;
     bool isInterpolated = false;  // no image was taken there
@@ -35,7 +37,8 @@ struct SliceWish {
 
 struct SlicePicture {
     SliceWish of;
-    QImage grey;  // of the frame's size; null when there was no memory for it
+    QImage grey;           // of the frame's size; null when there was no memory for it
+    QImage segments = {};  // over it; null where none is seen
 };
 
 // One wish at a time on a thread of its own; of those that come meanwhile the newest is next. Values are
@@ -54,6 +57,7 @@ class SliceSampler {
   private:
     void run();
     SlicePicture make(const SliceWish& wish);
+    void paintSegments(const SliceWish& wish);  // keeps them
 
     struct Sampled {
         std::shared_ptr<const Volume> volume;
@@ -66,8 +70,10 @@ class SliceSampler {
     app::Latest<SliceWish> wishes_;
     std::atomic<std::uint64_t> study_{0};
     std::atomic<bool> ends_{false};
-    std::optional<Sampled> last_;  // of the thread
-    std::jthread thread_;          // the last: it uses the rest
+    std::optional<Sampled> last_;  // of the thread, as the two below
+    SliceWish painted_;            // the wish that `segments_` are of
+    QImage segments_;
+    std::jthread thread_;  // the last: it uses the rest
 };
 
 }  // namespace macula::viewer

@@ -82,6 +82,12 @@ void SliceView::showNames(bool shown) {
     update();
 }
 
+void SliceView::setSegments(std::shared_ptr<const slices::ShownSegments> segments) {
+    if (segments == segments_) return;
+    segments_ = std::move(segments);
+    request();
+}
+
 void SliceView::fit() {
     isFitted_ = true;
     request();
@@ -101,6 +107,7 @@ void SliceView::onStudyShown() {
     shown_.reset();
     selected_.reset();
     texts_.forget();
+    segments_.reset();  // they are of the voxels of the study before
     steps_.reset();
     isFitted_ = true;
     SliceWish nothing;  // a pane that is hidden keeps no volume
@@ -153,6 +160,7 @@ void SliceView::request() {
                    .slab = session_.state().slices.slab,
                    .window = window(),
                    .isInverted = session_.state().slices.isInverted != session_.study().isLowBright,
+                   .segments = segments_,
                    .positionText = viewer::positionText(orientation_, *steps_, slice),
                    .isInterpolated = isInterpolated(volume(), *steps_, slice),
                    .pixelRatio = ratio,
@@ -207,7 +215,10 @@ QStringList SliceView::notes() const {
     QStringList notes;
     if (!shown_) return notes;
     if (shown_->grey.isNull()) notes.push_back(tr("No memory for this picture: make the window smaller"));
-    if (const QString slab = slabText(shown_->of.slab); !slab.isEmpty()) notes.push_back(slab);
+    if (const QString slab = slabText(shown_->of.slab); !slab.isEmpty()) {
+        notes.push_back(slab);
+        if (!shown_->segments.isNull()) notes.push_back(tr("Segments: middle of the slab"));
+    }
     if (shown_->of.isInverted)
         notes.push_back(session_.study().isLowBright ? tr("Low values are white, as in the images")
                                                      : tr("Inverted"));
@@ -217,8 +228,20 @@ QStringList SliceView::notes() const {
 
 QString SliceView::probedText() const {
     if (!shown_ || !hoverAt_) return {};
-    const QString text = probeText(*shown_->of.volume, worldAt(*hoverAt_));
+    const glm::dvec3 mm = worldAt(*hoverAt_);
+    QString text = probeText(*shown_->of.volume, mm);
+    if (const QString segments = segmentText(mm); !segments.isEmpty())
+        text = tr("%1, in %2").arg(text, segments);
     return shown_->of.slab.thicknessMm > 0.0 ? tr("Middle of the slab: %1").arg(text) : text;
+}
+
+// "Liver, Tumour": of those that are on screen.
+QString SliceView::segmentText(const glm::dvec3& mm) const {
+    QStringList labels;
+    if (!shown_->of.segments) return {};
+    for (const std::size_t i : slices::segmentsAt(*shown_->of.volume, mm, *shown_->of.segments))
+        labels << harmless(QString::fromStdString(shown_->of.segments->at(i).label));
+    return labels.join(QStringLiteral(", "));
 }
 
 bool SliceView::isUpToDate() const {
@@ -246,6 +269,7 @@ void SliceView::paintEvent(QPaintEvent*) {
 void SliceView::paintPicture(QPainter& painter) {
     const QSizeF logical = QSizeF(shown_->grey.size()) / shown_->of.pixelRatio;
     painter.drawImage(QRectF(QPointF(0.0, 0.0), logical), shown_->grey);
+    if (!shown_->segments.isNull()) painter.drawImage(QRectF(QPointF(0.0, 0.0), logical), shown_->segments);
     paintOverlay(painter, size(), overlay());
 }
 

@@ -42,6 +42,8 @@ class SliceView : public QWidget {
     // Whose pictures these are: written over each, unless hidden.
     void setLines(const QStringList& lines);
     void showNames(bool shown);
+    // Over the slices of the study that is open; null: none.
+    void setSegments(std::shared_ptr<const slices::ShownSegments> segments);
 
     void fit();                   // the volume fits the pane, and stays so until a hand zooms or pans
     void applyWindow(int digit);  // of app::windowPresets; nothing where there is none
@@ -114,6 +116,7 @@ class SliceView : public QWidget {
     void paintPicture(QPainter& painter);
     SliceOverlay overlay();
     std::vector<ShownMeasurement> shownMeasurements();
+    QString segmentText(const glm::dvec3& mm) const;
     QString textOf(const slices::Measurement& measurement);
     QString textWhileDrawn(const slices::Measurement& measurement);
 
@@ -127,6 +130,7 @@ class SliceView : public QWidget {
     bool isFitted_ = true;  // no hand has zoomed or panned
     std::optional<SliceWish> wanted_;
     std::optional<SlicePicture> shown_;
+    std::shared_ptr<const slices::ShownSegments> segments_;
     QStringList lines_;
     bool namesShown_ = true;
 
