@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "pipeline/trace/look.h"
+#include "viewer/language/core_words.h"
 
 namespace macula::viewer {
 
@@ -27,36 +28,42 @@ QString lookText(trace::Look look) {
     if (look == trace::Look::cinematic) return QCoreApplication::translate("Look", "Path traced");
     if (look == trace::Look::clear) return QCoreApplication::translate("Look", "Path traced, clear");
     const std::string_view title = trace::kLooks.at(std::size_t(look)).title;
-    return QString::fromUtf8(title.data(), qsizetype(title.size()));
+    return titleInWindowsLanguage(std::string(title));
 }
 
 }  // namespace
 
 QString titleOr(const std::string& title, const std::string& name) {
-    return QString::fromStdString(title.empty() ? name : title);
+    return titleInWindowsLanguage(title.empty() ? name : title);
 }
 
 QString fidelityText(const app::FrameShown& frame) {
     const QString remarks =
-        frame.remarks.empty() ? QString() : QStringLiteral(", ") + QString::fromStdString(frame.remarks);
+        frame.remarks.empty() ? QString() : QStringLiteral(", ") + listInWindowsLanguage(frame.remarks);
     if (frame.picture == app::OnScreen::model) {
-        const QString fovea = frame.foveaAgeMs
-                                  ? FidelityWords::tr(", fovea traced %L1 s ago").arg(*frame.foveaAgeMs / 1000.0, 0, 'f', 1)
-                                  : QString();
-        return FidelityWords::tr("Peripheral model, %L1 splats, %L2 steps").arg(frame.model.splats).arg(frame.model.steps) +
+        const QString fovea =
+            frame.foveaAgeMs
+                ? FidelityWords::tr(", fovea traced %L1 s ago").arg(*frame.foveaAgeMs / 1000.0, 0, 'f', 1)
+                : QString();
+        return FidelityWords::tr("Peripheral model, %L1 splats, %L2 steps")
+                   .arg(frame.model.splats)
+                   .arg(frame.model.steps) +
                fovea + remarks +
-               (frame.greyFacesAreCoarse ? FidelityWords::tr(", values on cut faces only coarsely") : QString());
+               (frame.greyFacesAreCoarse ? FidelityWords::tr(", values on cut faces only coarsely")
+                                         : QString());
     }
     QString text = lookText(frame.look) + remarks;
     if (frame.picture == app::OnScreen::preview) {
         text += FidelityWords::tr(", preview");
-        if (trace::isPathTraced(frame.look)) text += frame.denoised ? FidelityWords::tr(", denoised") : FidelityWords::tr(", smoothed");
+        if (trace::isPathTraced(frame.look))
+            text += frame.denoised ? FidelityWords::tr(", denoised") : FidelityWords::tr(", smoothed");
         if (frame.scale > 1) text += FidelityWords::tr(", 1/%1 of the pixels each way").arg(frame.scale);
         return text;
     }
     const bool isComplete = frame.stage == app::Stage::converged;
-    text += isComplete ? FidelityWords::tr(", %1 samples").arg(frame.samplesPerPixel)
-                       : FidelityWords::tr(", %1 of %2 samples").arg(frame.samplesPerPixel).arg(frame.sampleLimit);
+    text += isComplete
+                ? FidelityWords::tr(", %1 samples").arg(frame.samplesPerPixel)
+                : FidelityWords::tr(", %1 of %2 samples").arg(frame.samplesPerPixel).arg(frame.sampleLimit);
     if (frame.denoised) text += FidelityWords::tr(", denoised");
     return text + (isComplete ? FidelityWords::tr(", complete") : FidelityWords::tr(", converging"));
 }
@@ -85,7 +92,8 @@ QString modelText(const hybrid::ModelNews& model) {
 
 QString aboutModel(const hybrid::ModelNews& model) {
     using hybrid::ModelOrigin;
-    if (model.origin == ModelOrigin::stored) return ModelWords::tr("It goes on from where an earlier session left it.");
+    if (model.origin == ModelOrigin::stored)
+        return ModelWords::tr("It goes on from where an earlier session left it.");
     if (model.origin == ModelOrigin::otherLights)
         return ModelWords::tr("It began with the stored model of other lights.");
     if (model.origin == ModelOrigin::otherTrainer)
@@ -105,14 +113,16 @@ QString aboutModel(const hybrid::ModelNews& model) {
 
 QString presetWarning(const TransferFunction& preset, const Volume& volume) {
     const auto words = [](const std::string& text) { return QString::fromStdString(text); };
-    const QString title = words(preset.title.empty() ? preset.name : preset.title);
+    const QString title = titleOr(preset.title, preset.name);
     if (!suits(preset, volume.unit())) {
         const QString wanted = words(std::string(unitSymbol(preset.unit)));
         const QString is = words(volume.unitName());
-        return PresetWords::tr("The preset %1 is made for values in %2; those of this volume are %3. What it shows here, "
-                  "and in which colours, means nothing.")
+        return PresetWords::tr(
+                   "The preset %1 is made for values in %2; those of this volume are %3. What it shows here, "
+                   "and in which colours, means nothing.")
             .arg(title, wanted.isEmpty() ? PresetWords::tr("another unit") : wanted,
-                 is.isEmpty() ? PresetWords::tr("raw numbers of the scanner") : PresetWords::tr("in %1").arg(is));
+                 is.isEmpty() ? PresetWords::tr("raw numbers of the scanner")
+                              : PresetWords::tr("in %1").arg(is));
     }
     const auto& made = preset.modalities;
     if (made.empty() || volume.modality().empty() ||
@@ -120,7 +130,8 @@ QString presetWarning(const TransferFunction& preset, const Volume& volume) {
         return {};
     QStringList modalities;
     for (const std::string& modality : made) modalities << words(modality);
-    return PresetWords::tr("The preset %1 is made for %2; this volume is %3. Its colours may mean something else here.")
+    return PresetWords::tr(
+               "The preset %1 is made for %2; this volume is %3. Its colours may mean something else here.")
         .arg(title, modalities.join(QStringLiteral(", ")), words(volume.modality()));
 }
 

@@ -6,6 +6,7 @@
 
 #include "app/frame/projection_windows.h"
 #include "pipeline/trace/look.h"
+#include "viewer/language/core_words.h"
 
 namespace macula::viewer {
 
@@ -34,7 +35,7 @@ bool isFor(const TransferFunction& preset, const Volume& volume) {
 }
 
 QString title(const TransferFunction& preset) {
-    return QString::fromStdString(preset.title.empty() ? preset.name : preset.title);
+    return titleInWindowsLanguage(preset.title.empty() ? preset.name : preset.title);
 }
 
 QString valuesText(const ValueRange& values, const Volume& volume) {
@@ -51,7 +52,8 @@ QString windowNote(const DisplayWindow& window, const ValueRange& values, const 
     if (!isBelow && !isAbove) return {};
     return Words::tr("All of this volume is %1 in the window %2: %3.")
         .arg(isBelow ? Words::tr("black") : Words::tr("white"),
-             QString::fromStdString(app::windowText(window, volume.unitName())), valuesText(values, volume));
+             withLocalNumbers(QString::fromStdString(app::windowText(window, volume.unitName()))),
+             valuesText(values, volume));
 }
 
 }  // namespace

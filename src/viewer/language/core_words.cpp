@@ -26,6 +26,7 @@ struct Pattern {
 };
 
 struct Words {
+    QHash<QString, QString> titles;
     QHash<QString, QString> exact;
     QList<Pattern> patterns;  // the one that says most by itself first
     QHash<QString, QString> remembered;
@@ -54,8 +55,8 @@ std::optional<Pattern> patternOf(const QString& source, const QString& translati
         expression += QRegularExpression::escape(fixed);
         pattern.fixedLetters += fixed.size();
         from = match.capturedEnd();
-        expression += from == source.size() ? QStringLiteral("(.+)")
-                                            : QStringLiteral("((?:(?![.?!] [A-Z]).)+?)");
+        expression +=
+            from == source.size() ? QStringLiteral("(.+)") : QStringLiteral("((?:(?![.?!] [A-Z]).)+?)");
         pattern.places << match.captured(1).toInt();
     }
     expression += QRegularExpression::escape(source.mid(from));
@@ -105,7 +106,7 @@ std::optional<QString> asAWhole(const QString& text, int depth) {
 
 QString translated(const QString& text, int depth) {
     if (depth > kMostNested) return text;
-    const QString plain = text.trimmed();
+    const QString plain = text.trimmed();  // pieces of a sentence begin with a space
     if (plain.isEmpty()) return text;
     const auto at = text.indexOf(plain);
     const QString before = text.left(at);
@@ -132,16 +133,24 @@ void useCoreWords(const QString& path) {
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly)) return;
     QXmlStreamReader xml(&file);
+    QString context;
     QString source;
     while (!xml.atEnd()) {
         if (xml.readNext() != QXmlStreamReader::StartElement) continue;
-        if (xml.name() == QLatin1String("source")) {
+        if (xml.name() == QLatin1String("name")) {
+            context = xml.readElementText();
+        } else if (xml.name() == QLatin1String("source")) {
             source = xml.readElementText();
         } else if (xml.name() == QLatin1String("translation")) {
             // "unfinished", "vanished" or "obsolete": nobody stands by it.
             const bool isDone = !xml.attributes().hasAttribute(QLatin1String("type"));
             const QString translation = xml.readElementText();
-            if (isDone) add(known, source, translation);
+            if (!isDone) continue;
+            if (context == QLatin1String("titles")) {
+                known.titles.insert(source, translation);
+            } else {
+                add(known, source, translation);
+            }
         }
     }
     std::ranges::stable_sort(known.patterns, std::ranges::greater(), &Pattern::fixedLetters);
@@ -158,6 +167,24 @@ QString inWindowsLanguage(const QString& text) {
 
 QString inWindowsLanguage(const std::string& text) {
     return inWindowsLanguage(QString::fromStdString(text));
+}
+
+QString listInWindowsLanguage(const std::string& facts, const QString& between) {
+    QStringList all = QString::fromStdString(facts).split(between);
+    for (QString& fact : all) fact = asAWhole(fact, 0).value_or(fact);
+    return all.join(between);
+}
+
+QString titleInWindowsLanguage(const std::string& title) {
+    const QString whole = QString::fromStdString(title);
+    // "CT-Bone (edited 2)": see app::ownCopy.
+    static const QRegularExpression edited(QStringLiteral("^(.+) \\(edited( \\d+)?\\)$"));
+    const QHash<QString, QString>& titles = words().titles;
+    const QRegularExpressionMatch copy = edited.match(whole);
+    if (!copy.hasMatch()) return titles.value(whole, whole);
+    const QString mark = titles.value(QStringLiteral("edited"), QStringLiteral("edited"));
+    const QString of = copy.captured(1);
+    return QStringLiteral("%1 (%2%3)").arg(titles.value(of, of), mark, copy.captured(2));
 }
 
 QString inWindowsLanguage(const Error& error) {

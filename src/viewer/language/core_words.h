@@ -16,6 +16,13 @@ namespace macula::viewer {
 QString inWindowsLanguage(const QString& text);
 QString inWindowsLanguage(const std::string& text);
 
+// Facts in a row, each by itself; what stands between them, as it is.
+QString listInWindowsLanguage(const std::string& facts, const QString& between = QStringLiteral(", "));
+
+// Of a preset, a clip, a light rig, a look or a quality. Only what is built in has another one: the words of
+// titles are in no sentence, so that no text of a file is ever taken for one.
+QString titleInWindowsLanguage(const std::string& title);
+
 // Message and hint, or sentence and action, in one line. The path of an error is not in it.
 QString inWindowsLanguage(const Error& error);
 QString inWindowsLanguage(const Message& message);

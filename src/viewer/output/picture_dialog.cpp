@@ -6,6 +6,7 @@
 
 #include "app/choice/quality_choice.h"
 #include "pipeline/trace/settings.h"
+#include "viewer/language/core_words.h"
 
 namespace macula::viewer {
 
@@ -59,7 +60,7 @@ PictureDialog::PictureDialog(QSize onScreenPx, QWidget* parent)
         for (const trace::Quality& quality : *all) {
             const QString samples =
                 quality.samplesPerPixel == 1 ? tr("1 sample") : tr("%1 samples").arg(quality.samplesPerPixel);
-            qualities_->addItem(QStringLiteral("%1: %2").arg(QString::fromStdString(quality.title), samples),
+            qualities_->addItem(QStringLiteral("%1: %2").arg(titleInWindowsLanguage(quality.title), samples),
                                 QString::fromStdString(quality.name));
         }
     }
@@ -85,6 +86,11 @@ PictureDialog::PictureDialog(QSize onScreenPx, QWidget* parent)
 void PictureDialog::addSize(const QString& title, QSize pixels) {
     sizes_->addItem(QStringLiteral("%1 (%2 × %3)").arg(title).arg(pixels.width()).arg(pixels.height()),
                     pixels);
+}
+
+void PictureDialog::beginWith(const QString& quality, bool isDeidentified) {
+    if (const int index = qualities_->findData(quality); index >= 0) qualities_->setCurrentIndex(index);
+    deidentified_->setChecked(isDeidentified);
 }
 
 QSize PictureDialog::sizePx() const {
