@@ -25,7 +25,7 @@ QString asText(std::string_view text) {
 
 // With a capital.
 QString asTitle(const std::string& name) {
-    QString title = inWindowsLanguage(name);
+    QString title = titleInWindowsLanguage(name);
     if (!title.isEmpty()) title[0] = title[0].toUpper();
     return title;
 }

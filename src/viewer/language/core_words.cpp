@@ -27,6 +27,7 @@ struct Pattern {
 
 struct Words {
     QHash<QString, QString> titles;
+    QHash<QString, QString> pieces;  // single words, which mean that only within a sentence
     QHash<QString, QString> exact;
     QList<Pattern> patterns;  // the one that says most by itself first
     QHash<QString, QString> remembered;
@@ -56,7 +57,7 @@ std::optional<Pattern> patternOf(const QString& source, const QString& translati
         pattern.fixedLetters += fixed.size();
         from = match.capturedEnd();
         expression +=
-            from == source.size() ? QStringLiteral("(.+)") : QStringLiteral("((?:(?![.?!] [A-Z]).)+?)");
+            from == source.size() ? QStringLiteral("(.+)") : QStringLiteral("((?:(?![.?!] [A-Z]).)*?)");
         pattern.places << match.captured(1).toInt();
     }
     expression += QRegularExpression::escape(source.mid(from));
@@ -96,7 +97,10 @@ QString filledIn(const Pattern& pattern, const QRegularExpressionMatch& match, i
 
 std::optional<QString> asAWhole(const QString& text, int depth) {
     const Words& known = words();
-    if (const auto found = known.exact.find(text); found != known.exact.end()) return *found;
+    if (const auto found = known.exact.constFind(text); found != known.exact.constEnd()) return *found;
+    if (depth > 0) {
+        if (const auto piece = known.pieces.constFind(text); piece != known.pieces.constEnd()) return *piece;
+    }
     for (const Pattern& pattern : known.patterns) {
         const QRegularExpressionMatch match = pattern.source.match(text);
         if (match.hasMatch()) return filledIn(pattern, match, depth);
@@ -148,6 +152,8 @@ void useCoreWords(const QString& path) {
             if (!isDone) continue;
             if (context == QLatin1String("titles")) {
                 known.titles.insert(source, translation);
+            } else if (context == QLatin1String("pieces")) {
+                known.pieces.insert(source, translation);
             } else {
                 add(known, source, translation);
             }

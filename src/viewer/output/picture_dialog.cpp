@@ -35,6 +35,7 @@ PictureDialog::PictureDialog(QSize onScreenPx, QWidget* parent)
       deidentified_(new QCheckBox(tr("&Without patient and study"), this)) {
     setWindowTitle(tr("Save Picture"));
     sizes_->setAccessibleName(tr("Size"));
+    sizes_->setToolTip(tr("A usual size in pixels; any other below"));
     addSize(tr("As on screen"), onScreenPx);
     addSize(tr("Twice the screen"), 2 * onScreenPx);
     addSize(tr("Full HD"), {1920, 1080});
@@ -72,6 +73,9 @@ PictureDialog::PictureDialog(QSize onScreenPx, QWidget* parent)
 
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
     buttons->button(QDialogButtonBox::Ok)->setText(tr("&Choose File…"));
+    buttons->button(QDialogButtonBox::Ok)
+        ->setToolTip(tr("Choose where the picture is saved; then it is drawn"));
+    buttons->button(QDialogButtonBox::Cancel)->setToolTip(tr("Save no picture"));
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     auto* form = new QFormLayout(this);

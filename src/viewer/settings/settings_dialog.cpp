@@ -7,6 +7,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QTabBar>
 #include <QTabWidget>
 #include <QVBoxLayout>
 #include <utility>
@@ -54,8 +55,8 @@ SettingsDialog::SettingsDialog(Settings settings, QList<KeyEntry> keys, bool isK
     setWindowTitle(tr("Settings"));
     auto* pages = new QTabWidget(this);
     pages->setObjectName(QStringLiteral("settings-pages"));
-    pages->setAccessibleName(tr("Pages of settings"));
-    pages->setToolTip(tr("Left and Right go from page to page"));
+    pages->tabBar()->setAccessibleName(tr("Pages of settings"));
+    pages->tabBar()->setToolTip(tr("Left and Right go from page to page"));
     pages->addTab(makeLook(), tr("Look"));
     pages->addTab(makePictures(), tr("Pictures"));
     pages->addTab(makeSessions(), tr("Sessions"));

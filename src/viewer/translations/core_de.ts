@@ -268,16 +268,40 @@
         <translation>Volumen-Rendering</translation>
     </message>
     <message>
-        <source>Maximum</source>
-        <translation>Maximum</translation>
+        <source>Maximum (MIP)</source>
+        <translation>Maximum (MIP)</translation>
     </message>
     <message>
-        <source>Minimum</source>
-        <translation>Minimum</translation>
+        <source>Minimum (MinIP)</source>
+        <translation>Minimum (MinIP)</translation>
     </message>
     <message>
-        <source>Average</source>
-        <translation>Mittelwert</translation>
+        <source>Average (X-ray)</source>
+        <translation>Mittelwert (Röntgen)</translation>
+    </message>
+    <message>
+        <source>anterior</source>
+        <translation>anterior</translation>
+    </message>
+    <message>
+        <source>posterior</source>
+        <translation>posterior</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>links</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>rechts</translation>
+    </message>
+    <message>
+        <source>superior</source>
+        <translation>superior</translation>
+    </message>
+    <message>
+        <source>inferior</source>
+        <translation>inferior</translation>
     </message>
     <message>
         <source>Cinematic MR</source>
@@ -1008,7 +1032,7 @@
     </message>
     <message>
         <source>Of %1 volumes%2 the %3one %4with the most voxels (%5 x %6 x %7).</source>
-        <translation>Von %1 Volumen%2 das mit den meisten Voxeln (%5 x %6 x %7).</translation>
+        <translation>Von %1 Volumen%2 das %3%4mit den meisten Voxeln (%5 x %6 x %7).</translation>
     </message>
     <message>
         <source>it is no volume.</source>
@@ -1585,18 +1609,6 @@
         <translation>In diesen Bildern wurde kein Patient gefunden; nichts ist weggelassen.</translation>
     </message>
     <message>
-        <source>high</source>
-        <translation>hoch</translation>
-    </message>
-    <message>
-        <source>medium</source>
-        <translation>mittel</translation>
-    </message>
-    <message>
-        <source>low</source>
-        <translation>gering</translation>
-    </message>
-    <message>
         <source>Telling the patient from the table was cancelled.</source>
         <translation>Die Suche nach dem Tisch wurde abgebrochen.</translation>
     </message>
@@ -1690,30 +1702,6 @@
 </context>
 <context>
     <name>app</name>
-    <message>
-        <source>anterior</source>
-        <translation>anterior</translation>
-    </message>
-    <message>
-        <source>posterior</source>
-        <translation>posterior</translation>
-    </message>
-    <message>
-        <source>left</source>
-        <translation>links</translation>
-    </message>
-    <message>
-        <source>right</source>
-        <translation>rechts</translation>
-    </message>
-    <message>
-        <source>superior</source>
-        <translation>superior</translation>
-    </message>
-    <message>
-        <source>inferior</source>
-        <translation>inferior</translation>
-    </message>
     <message>
         <source>There is no such preset.</source>
         <translation>Diese Voreinstellung gibt es nicht.</translation>
@@ -2257,6 +2245,61 @@
     <message>
         <source>Use an X11 or a Wayland display, or `macula render`.</source>
         <translation>Verwenden Sie eine X11- oder Wayland-Anzeige, oder `macula render`.</translation>
+    </message>
+</context>
+<context>
+    <name>pieces</name>
+    <message>
+        <source>anterior</source>
+        <translation>anterior</translation>
+    </message>
+    <message>
+        <source>posterior</source>
+        <translation>posterior</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>links</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>rechts</translation>
+    </message>
+    <message>
+        <source>superior</source>
+        <translation>superior</translation>
+    </message>
+    <message>
+        <source>inferior</source>
+        <translation>inferior</translation>
+    </message>
+    <message>
+        <source>high</source>
+        <translation>hoch</translation>
+    </message>
+    <message>
+        <source>medium</source>
+        <translation>mittel</translation>
+    </message>
+    <message>
+        <source>low</source>
+        <translation>gering</translation>
+    </message>
+    <message>
+        <source>original axial</source>
+        <translation>originale axiale</translation>
+    </message>
+    <message>
+        <source>original</source>
+        <translation>originale</translation>
+    </message>
+    <message>
+        <source>axial</source>
+        <translation>axiale</translation>
+    </message>
+    <message>
+        <source>without interpolated slices and</source>
+        <translation>ohne interpolierte Schichten und</translation>
     </message>
 </context>
 <context>
