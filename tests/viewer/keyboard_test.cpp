@@ -3,7 +3,6 @@
 #include <QVBoxLayout>
 
 #include "app/choice/catalogue.h"
-#include "viewer/browser/study_browser.h"
 #include "viewer/clip/clip_panel.h"
 #include "viewer/keyboard_walk.h"
 #include "viewer/offscreen.h"
@@ -39,11 +38,15 @@ class KeyboardTest : public test::OffscreenTest {
         ASSERT_TRUE(test::waitFor([&] { return window.isActiveWindow(); }));
         settle();
     }
-    // A panel stands in a window.
+    // A panel stands in a window, beside something else that the focus can go to.
     void walk(QWidget* panel) {
         QWidget window;
         auto* column = new QVBoxLayout(&window);
         column->addWidget(panel);
+        auto* beside = new QLineEdit;
+        beside->setAccessibleName(QStringLiteral("beside"));
+        beside->setToolTip(QStringLiteral("beside"));
+        column->addWidget(beside);
         window.resize(500, 900);
         activate(window);
         test::expectWalkable(window);

@@ -10,7 +10,6 @@
 #include "viewer/slices/slice_view.h"
 #include "viewer/theme/theme.h"
 #include "viewer/transfer/point_fields.h"
-#include "viewer/transfer/transfer_function_editor.h"
 
 namespace macula::viewer {
 namespace {
@@ -81,15 +80,6 @@ TEST_F(PixelRatioTest, TheColourOfAPointIsSharp) {
     const QList<QSize> sizes = button->icon().availableSizes();
     ASSERT_FALSE(sizes.isEmpty());
     EXPECT_EQ(button->icon().pixmap(QSize(16, 16), 2.0).size(), QSize(32, 32));
-}
-
-TEST_F(PixelRatioTest, TheCurveIsPaintedForTheScreen) {
-    session_->show(smallStudy(), {});
-    TransferFunctionEditor editor(*session_);
-    editor.resize(400, 400);
-    editor.show();
-    ASSERT_TRUE(test::waitFor([&] { return !editor.isCounting(); }));
-    EXPECT_EQ(editor.curve().grab().size(), editor.curve().size() * 2);
 }
 
 }  // namespace

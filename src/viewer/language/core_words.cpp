@@ -31,6 +31,7 @@ struct Words {
     QHash<QString, QString> exact;
     QList<Pattern> patterns;  // the one that says most by itself first
     QHash<QString, QString> remembered;
+    QString decimalSign = QStringLiteral(".");
 };
 
 Words& words() {
@@ -134,6 +135,7 @@ QString joined(const std::string& first, const std::string& second) {
 void useCoreWords(const QString& path) {
     Words& known = words();
     known = {};
+    known.decimalSign = QLocale().decimalPoint();
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly)) return;
     QXmlStreamReader xml(&file);
@@ -202,7 +204,7 @@ QString inWindowsLanguage(const Message& message) {
 }
 
 QString withLocalNumbers(QString text) {
-    const QString sign = QLocale().decimalPoint();
+    const QString& sign = words().decimalSign;
     if (sign == QLatin1String(".")) return text;
     static const QRegularExpression point(QStringLiteral("(?<=\\d)\\.(?=\\d)"));
     return text.replace(point, sign);

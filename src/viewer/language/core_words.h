@@ -10,7 +10,7 @@
 namespace macula::viewer {
 
 // Errors, messages, stages of work, and titles of what is built in come in English from rooms that know no
-// Qt. They are looked up by their text in translations/core_LANGUAGE.ts, in which %1 to %9 stand for what a
+// Qt. They are looked up by their text in translations/core_de.ts, in which %1 to %9 stand for what a
 // program puts into a sentence. A text that is not there, such as one of somebody else's, stays as it is; of
 // several sentences each is looked up by itself. On the UI thread.
 QString inWindowsLanguage(const QString& text);
@@ -31,7 +31,8 @@ QString inWindowsLanguage(const Message& message);
 // looks like a number may be none.
 QString withLocalNumbers(QString text);
 
-// Reads such a file; where there is none, as for English, all texts stay as they are.
+// Reads such a file; where there is none, as for English, all texts stay as they are. The decimal sign is
+// that of QLocale() then; before, it is a point.
 void useCoreWords(const QString& path);
 
 }  // namespace macula::viewer

@@ -1183,6 +1183,18 @@
         <source>&amp;Quality</source>
         <translation>&amp;Qualität</translation>
     </message>
+    <message>
+        <source>A usual size in pixels; any other below</source>
+        <translation>Eine übliche Größe in Pixeln; jede andere darunter</translation>
+    </message>
+    <message>
+        <source>Choose where the picture is saved; then it is drawn</source>
+        <translation>Wählen, wo das Bild gespeichert wird; dann wird es gezeichnet</translation>
+    </message>
+    <message>
+        <source>Save no picture</source>
+        <translation>Kein Bild speichern</translation>
+    </message>
 </context>
 <context>
     <name>macula::viewer::PointFields</name>
@@ -1813,6 +1825,14 @@ Rad: die Achse zoomen; die Achse ziehen verschiebt sie; Doppelklick darauf zeigt
     <message>
         <source>bottom</source>
         <translation>unten</translation>
+    </message>
+    <message>
+        <source>The volume in 3D</source>
+        <translation>Das Volumen in 3D</translation>
+    </message>
+    <message>
+        <source>Left drag or arrows walk around the patient, the wheel goes closer; sizes are in mm</source>
+        <translation>Links ziehen oder Pfeile gehen um den Patienten herum, das Rad geht näher; Größen sind in mm</translation>
     </message>
 </context>
 <context>
