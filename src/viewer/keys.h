@@ -6,6 +6,7 @@
 #include <QString>
 #include <array>
 #include <optional>
+#include <vector>
 
 #include "app/state/study_state.h"
 #include "base/frames.h"
@@ -60,6 +61,7 @@ enum class KeyAction {
     cine,
     removeMeasurement,
     paneAlone,
+    settings,
     quit,
     help,  // the last: a test counts to it
 };
@@ -121,6 +123,7 @@ inline constexpr std::array kKeys{
     KeyRow{KeyAction::cine, "Space on slices", "", "Play through all slices, or stop"},
     KeyRow{KeyAction::removeMeasurement, "Delete on slices", "", "Remove the measurement that is chosen"},
     KeyRow{KeyAction::paneAlone, "Double click on slices", "", "This pane alone, or all four"},
+    KeyRow{KeyAction::settings, "", "Ctrl+,", "Settings: language, look, keys, what is kept"},
     KeyRow{KeyAction::help, "", "F1", "All keys"},
     KeyRow{KeyAction::quit, "", "Ctrl+Q", "Quit"},
 };
@@ -136,13 +139,20 @@ inline constexpr std::array kLayouts{LayoutRow{app::Layout::fourPanes, "&Four Pa
                                      LayoutRow{app::Layout::coronal, "C&oronal Alone", "F8"},
                                      LayoutRow{app::Layout::sagittal, "Sa&gittal Alone", "F9"}};
 
+// Studies, transfer function, clip.
+inline constexpr std::array kPanelKeys{"F2", "F3", "F4"};
+
 // Empty for what only a hand does.
 QKeySequence keyOf(KeyAction action);
 // "Ctrl+1" and so on, in the order of trace::kLooks.
 QKeySequence keyOf(trace::Look look);
 QKeySequence keyOf(const LayoutRow& row);
+// All keys of a row that names several in words.
+std::vector<QKeySequence> keysOf(KeyAction action);
 // What is pressed in a help text: "Drop a folder or a file, Ctrl+O".
 QString pressedFor(const KeyRow& row);
+// The same with the keys that a person has chosen, in the language of the window.
+QString chosenFor(const KeyRow& row);
 // Of keys without Ctrl or Alt, which act on the picture only.
 std::optional<KeyAction> actionOf(const QKeyEvent& event);
 std::optional<ViewDirection> viewDirectionOf(KeyAction action);

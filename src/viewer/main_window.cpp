@@ -19,6 +19,7 @@
 #include "viewer/hidden_voxels.h"
 #include "viewer/join_question.h"
 #include "viewer/keys.h"
+#include "viewer/language/core_words.h"
 #include "viewer/panes/pane_grid.h"
 #include "viewer/panes/tool_box.h"
 #include "viewer/presets/preset_box.h"
@@ -43,6 +44,15 @@ void select(QComboBox& box, const std::vector<std::shared_ptr<const Item>>& item
         return item == wanted || (wanted && *item == *wanted);
     });
     box.setCurrentIndex(found == items.end() ? -1 : int(found - items.begin()));
+}
+
+// "born" and "no study date" in the language of the window; a name is never looked up.
+std::vector<std::string> linesToShow(const app::Identity& identity) {
+    std::vector<std::string> lines = linesOf(identity);
+    const std::size_t first = identity.isOfNobody ? 0 : 1;
+    for (std::size_t i = first; i < lines.size(); ++i)
+        lines[i] = listInWindowsLanguage(lines[i]).toStdString();
+    return lines;
 }
 
 }  // namespace
@@ -108,7 +118,8 @@ MainWindow::MainWindow(gpu::Instance instance, MainWindowOptions options)
     if (keeper_) keeps_.start(kStateKeptEvery);
     viewport_->setSampleLimit(options_.sampleLimit);
     viewport_->setUsesModel(options_.usesModel);
-    showNames(options_.namesPatient);
+    useKeys();
+    showNames(options_.namesPatient && options_.settings.showsNames);
     showPanes();
     redraw();
     if (options_.layout == app::Layout::fourPanes) {
@@ -329,7 +340,8 @@ void MainWindow::showStudy(const app::OpenedStudy& study) {
     pick_->cancel();
     seriesWindows_.forget();
     QStringList lines;
-    for (const std::string& line : linesOf(study.identity)) lines << QString::fromStdString(line);
+    const std::vector<std::string> identity = linesToShow(study.identity);
+    for (const std::string& line : identity) lines << QString::fromStdString(line);
     for (SliceView* pane : slices_) pane->setLines(lines);
     session_.show(study, std::move(now));
     showChosen();
@@ -338,7 +350,7 @@ void MainWindow::showStudy(const app::OpenedStudy& study) {
     clearStudyTexts();
     app::Drawing first = drawing();
     visibilityNote_ = visibilityNote(first, volume, catalogue());
-    viewport_->setStudy(study.volume, linesOf(study.identity), std::move(first), options_.firstView);
+    viewport_->setStudy(study.volume, identity, std::move(first), options_.firstView);
     if (left && left->camera) {
         viewport_->showFrom(*left->camera);
     } else if (left) {
@@ -352,9 +364,9 @@ void MainWindow::showStudy(const app::OpenedStudy& study) {
     volumesInBar_->setVisible(volumes_->count() > 0 && options_.namesPatient);
 
     for (const std::string& assumption : volume.provenance().assumptions) {
-        notes << QString::fromStdString(assumption);
+        notes << inWindowsLanguage(assumption);
     }
-    for (const std::string& message : study.messages) notes << QString::fromStdString(message);
+    for (const std::string& message : study.messages) notes << inWindowsLanguage(message);
     messages_->hide();
     studyNotes_ = notes;
     pictureNote_.clear();

@@ -23,6 +23,7 @@
 #include "viewer/output/picture_export.h"
 #include "viewer/pick/anatomy_pick.h"
 #include "viewer/session/viewer_session.h"
+#include "viewer/settings/settings.h"
 #include "viewer/status_widgets.h"
 #include "viewer/study_loader.h"
 #include "viewer/table_removal.h"
@@ -75,6 +76,8 @@ struct MainWindowOptions {
     std::optional<int> keepDays = {};  // what was not opened for so long is deleted there; nothing: never
     Restores restores = Restores::all;
     bool keepsLayout = false;  // as above, whatever a study was left with
+    Settings settings = {};
+    std::optional<std::filesystem::path> settingsFile = {};  // where they are kept; nothing: nowhere
 };
 
 // Menus, choices, the viewport, and what is known about the picture in it. Nothing here waits: folders are
@@ -105,6 +108,9 @@ class MainWindow : public QMainWindow {
     QString rate() const { return pictureText_->fullText(); }   // pixels, and pictures per second in motion
     QString fidelity() const { return fidelity_->fullText(); }  // how true the picture is
     QString badge() const { return badge_->text(); }            // the same in a word
+    const Settings& settings() const { return options_.settings; }
+    void takeSettings(const Settings& settings);  // uses them, and keeps them
+    void tell(const Error& error) { messages_->showError(error); }
     // Null where nothing is kept.
     app::ModelKeeper* keeper() { return keeper_.get(); }
     QString modelState() const { return modelText_->fullText(); }  // what the peripheral model is doing
@@ -195,6 +201,8 @@ class MainWindow : public QMainWindow {
     void clearStudyTexts();
     void showNotes();
     void triggerShortcut(QKeyEvent* event);
+    void useKeys();
+    void askForSettings();
 
     MainWindowOptions options_;
     StudyLoader loader_;

@@ -10,9 +10,11 @@
 #include "viewer/browser/study_browser.h"
 #include "viewer/help_boxes.h"
 #include "viewer/keys.h"
+#include "viewer/language/core_words.h"
 #include "viewer/main_window.h"
 #include "viewer/presets/preset_box.h"
 #include "viewer/session/undo_actions.h"
+#include "viewer/settings/key_book.h"
 #include "viewer/status_texts.h"
 
 namespace macula::viewer {
@@ -25,7 +27,7 @@ QString asText(std::string_view text) {
 
 // With a capital.
 QString asTitle(const std::string& name) {
-    QString title = QString::fromStdString(name);
+    QString title = titleInWindowsLanguage(name);
     if (!title.isEmpty()) title[0] = title[0].toUpper();
     return title;
 }
@@ -105,36 +107,44 @@ void MainWindow::makeEditMenu() {
         session_.change(tr("Remove measurements"), [](app::StudyState& next) { next.measurements.clear(); });
     });
     clear->setObjectName(QStringLiteral("remove-measurements"));
+    edit->addSeparator();
+    QAction* settings = edit->addAction(tr("&Settings…"), this, &MainWindow::askForSettings);
+    settings->setObjectName(QStringLiteral("settings"));
+    settings->setShortcut(keyOf(KeyAction::settings));
+    settings->setToolTip(tr("Language, look, keys, and what is kept"));
 }
 
 void MainWindow::makeViewMenu() {
     // The keys of this menu are handled by the viewport, so that they do nothing while a list has the focus.
     QMenu* view = menuBar()->addMenu(tr("&View"));
-    const auto withKey = [](const QString& title, KeyAction action) {
-        return title + QLatin1Char('\t') + keyOf(action).toString();
+    const auto withKey = [](QAction* item, KeyAction action) {
+        KeyBook::showPictureKey(*item, keyOf(action));
+        return item;
     };
     for (const KeyRow& row : kKeys) {
         if (const auto direction = viewDirectionOf(row.action))
-            view->addAction(withKey(asTitle(app::nameOf(*direction)), row.action), this,
-                            [this, from = *direction] { viewport_->showFrom(from); });
+            withKey(view->addAction(asTitle(app::nameOf(*direction)), this,
+                                    [this, from = *direction] { viewport_->showFrom(from); }),
+                    row.action);
     }
     view->addSeparator();
-    view->addAction(withKey(tr("Fit what is visible"), KeyAction::fit), this, [this] { viewport_->fit(); });
+    withKey(view->addAction(tr("Fit what is visible"), this, [this] { viewport_->fit(); }), KeyAction::fit);
     QAction* afresh = view->addAction(tr("Show as when first opened"), this, &MainWindow::showAfresh);
     afresh->setObjectName(QStringLiteral("show-afresh"));
     afresh->setToolTip(
         tr("Preset, lights, clip, look and camera that a study has which nobody has seen yet"));
     view->addSeparator();
     for (const LayoutRow& row : kLayouts) {
-        QAction* action = view->addAction(tr(row.title), this, [this, layout = row.layout] {
-            session_.change(tr("Panes"), [layout](app::StudyState& next) { next.layout = layout; });
-        });
+        QAction* action = view->addAction(
+            inWindowsLanguage(QString::fromLatin1(row.title)), this, [this, layout = row.layout] {
+                session_.change(tr("Panes"), [layout](app::StudyState& next) { next.layout = layout; });
+            });
         action->setShortcut(keyOf(row));
     }
     view->addSeparator();
     view->addActions(panels_);
     view->addSeparator();
-    names_ = view->addAction(withKey(tr("Patient and study over the picture"), KeyAction::names));
+    names_ = withKey(view->addAction(tr("Patient and study over the picture")), KeyAction::names);
     names_->setObjectName(QStringLiteral("names"));
     names_->setCheckable(true);
     names_->setChecked(true);
@@ -150,7 +160,9 @@ void MainWindow::makeLookMenu() {
     looks_ = new ChoiceMenu(tr("&Look"), this);
     menuBar()->addMenu(looks_);
     for (const trace::LookTraits& look : trace::kLooks) {
-        looks_->addChoice(asText(look.title), QStringLiteral("look-") + asText(look.name))
+        looks_
+            ->addChoice(titleInWindowsLanguage(std::string(look.title)),
+                        QStringLiteral("look-") + asText(look.name))
             ->setShortcut(keyOf(look.look));
     }
     looks_->addSeparator();

@@ -51,6 +51,7 @@ void MainWindow::askForPicture() {
     viewport_->window().endDrag();
     auto* dialog = new PictureDialog(viewport_->pictureSize(), this);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->beginWith(options_.settings.quality, options_.settings.deidentifies);
     connect(dialog, &QDialog::accepted, this, [this, dialog] { askWhereToSavePicture(*dialog); });
     dialog->open();
 }

@@ -7,6 +7,7 @@
 #include "viewer/browser/recent_menu.h"
 #include "viewer/browser/study_browser.h"
 #include "viewer/clip/clip_panel.h"
+#include "viewer/keys.h"
 #include "viewer/main_window.h"
 #include "viewer/panes/pane_grid.h"
 #include "viewer/panes/tool_box.h"
@@ -96,11 +97,11 @@ void MainWindow::makePanels() {
         panels_ << dock->toggleViewAction();
         return dock;
     };
-    browserShown_ =
-        add(Qt::LeftDockWidgetArea, browser_, tr("Studies"), "studies-panel", "F2")->toggleViewAction();
+    browserShown_ = add(Qt::LeftDockWidgetArea, browser_, tr("Studies"), "studies-panel", kPanelKeys[0])
+                        ->toggleViewAction();
     QDockWidget* first =
-        add(Qt::RightDockWidgetArea, transfer_, tr("Transfer Function"), "transfer-panel", "F3");
-    QDockWidget* second = add(Qt::RightDockWidgetArea, clipPanel_, tr("Clip"), "clip-panel", "F4");
+        add(Qt::RightDockWidgetArea, transfer_, tr("Transfer Function"), "transfer-panel", kPanelKeys[1]);
+    QDockWidget* second = add(Qt::RightDockWidgetArea, clipPanel_, tr("Clip"), "clip-panel", kPanelKeys[2]);
     splitDockWidget(first, second, Qt::Vertical);
     QDockWidget* presets = add(Qt::RightDockWidgetArea, gallery_, tr("Presets"), "presets-panel", "F10");
     QDockWidget* segments =

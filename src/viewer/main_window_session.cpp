@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/session/model_keeper.h"
+#include "viewer/language/core_words.h"
 #include "viewer/main_window.h"
 #include "viewer/panes/tool_box.h"
 #include "viewer/presets/preset_library.h"
@@ -18,12 +19,13 @@ std::shared_ptr<app::ModelKeeper> MainWindow::makeKeeper() {
     std::optional<std::chrono::days> retention;
     if (options_.keepDays) retention.emplace(*options_.keepDays);
     return std::make_shared<app::ModelKeeper>(
-        session::StoreOptions{.folder = *options_.sessions},
+        session::StoreOptions{.folder = *options_.sessions,
+                              .modelCapBytes = std::uint64_t(options_.settings.modelCapMb) * 1'000'000},
         [this](const Error& error) {
             QMetaObject::invokeMethod(
                 this,
                 [this, error] {
-                    storeNote_ = QString::fromStdString(error.message + " " + error.hint);
+                    storeNote_ = inWindowsLanguage(error);
                     storeNoteIsNew_ = !study().volume || loader_.loading();
                     showNotes();
                 },

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/study/found_volumes.h"
+#include "viewer/language/core_words.h"
 
 namespace macula::viewer {
 
@@ -25,7 +26,7 @@ StudyLoader::StudyLoader(QObject* parent)
     : QObject(parent),
       job_(this, {.progressed =
                       [this](const ProgressUpdate& update) {
-                          emit progressed(QString::fromStdString(update.stage), update.fraction);
+                          emit progressed(inWindowsLanguage(update.stage), update.fraction);
                       },
                   .ended = [this](const Result<app::OpenedStudy>& outcome) { tellOutcome(outcome); }}) {}
 
@@ -66,7 +67,7 @@ void StudyLoader::cancel() {
 void StudyLoader::tellOutcome(const Result<app::OpenedStudy>& outcome) {
     if (outcome && !outcome->volume) {
         emit askedToJoin(QString::fromStdString(source_.value_or("").string()),
-                         QString::fromStdString(outcome->joinQuestion));
+                         inWindowsLanguage(outcome->joinQuestion));
     } else if (outcome) {
         emit loaded(*outcome);
     } else if (outcome.error().code == ErrorCode::cancelled) {

@@ -108,6 +108,10 @@ Viewport::~Viewport() {
 void Viewport::layOut() {
     container_ = QWidget::createWindowContainer(window_, this);
     container_->setFocusPolicy(Qt::StrongFocus);
+    container_->setObjectName(QStringLiteral("volume"));
+    container_->setAccessibleName(tr("The volume in 3D"));
+    container_->setToolTip(
+        tr("Left drag or arrows walk around the patient, the wheel goes closer; sizes are in mm"));
     container_->setMinimumSize(kSmallestPicture);
     QSizePolicy policy = container_->sizePolicy();
     policy.setRetainSizeWhenHidden(true);

@@ -10,6 +10,7 @@
 #include "app/slices/window_presets.h"
 #include "pipeline/volume/window.h"
 #include "viewer/harmless_text.h"
+#include "viewer/language/core_words.h"
 #include "viewer/slices/slice_texts.h"
 
 namespace macula::viewer {
@@ -286,8 +287,8 @@ SliceOverlay SliceView::overlay() {
                          .measurements = shownMeasurements()};
     if (const QString probed = probedText(); !probed.isEmpty()) overlay.facts.push_back(probed);
     overlay.facts.push_back(of.positionText);
-    overlay.facts.push_back(
-        harmless(QString::fromStdString(app::windowText(of.window, of.volume->unitName()))));
+    overlay.facts.push_back(harmless(
+        withLocalNumbers(QString::fromStdString(app::windowText(of.window, of.volume->unitName())))));
     return overlay;
 }
 
