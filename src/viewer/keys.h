@@ -139,8 +139,8 @@ inline constexpr std::array kLayouts{LayoutRow{app::Layout::fourPanes, "&Four Pa
                                      LayoutRow{app::Layout::coronal, "C&oronal Alone", "F8"},
                                      LayoutRow{app::Layout::sagittal, "Sa&gittal Alone", "F9"}};
 
-// Studies, transfer function, clip.
-inline constexpr std::array kPanelKeys{"F2", "F3", "F4"};
+// Studies, transfer function, clip, presets.
+inline constexpr std::array kPanelKeys{"F2", "F3", "F4", "F10"};
 
 // Empty for what only a hand does.
 QKeySequence keyOf(KeyAction action);

@@ -103,7 +103,8 @@ void MainWindow::makePanels() {
         add(Qt::RightDockWidgetArea, transfer_, tr("Transfer Function"), "transfer-panel", kPanelKeys[1]);
     QDockWidget* second = add(Qt::RightDockWidgetArea, clipPanel_, tr("Clip"), "clip-panel", kPanelKeys[2]);
     splitDockWidget(first, second, Qt::Vertical);
-    QDockWidget* presets = add(Qt::RightDockWidgetArea, gallery_, tr("Presets"), "presets-panel", "F10");
+    QDockWidget* presets =
+        add(Qt::RightDockWidgetArea, gallery_, tr("Presets"), "presets-panel", kPanelKeys[3]);
     QDockWidget* segments =
         add(Qt::RightDockWidgetArea, segmentsPanel_, tr("Segmentations"), "segments-panel", "F11");
     tabifyDockWidget(first, presets);
