@@ -37,7 +37,7 @@ Result<void> render(const app::RenderWish& options) {
 
     Progress progress(terminalProgressBar(), interruptToken());
     const auto start = std::chrono::steady_clock::now();
-    MACULA_TRY(app::StudyInput study, app::loadStudy(options.path, options.series, progress, 0, options.how));
+    MACULA_TRY(app::StudyInput study, app::loadStudyOf(options, progress));
     bringTo16Bits(study);
     app::RenderRecord record{.seriesDigest = study.seriesDigest,
                              .lights = picture.lights,

@@ -9,6 +9,8 @@
 #include "app/output/output_files.h"
 #include "app/picture/picture_file.h"
 #include "app/state/drawing_of.h"
+#include "dicom/presentation/presentation_state.h"
+#include "formats/volume_file.h"
 
 namespace macula::app {
 
@@ -99,6 +101,21 @@ Result<WishedPicture> wishedPicture(const RenderWish& wish) {
     request.isLinear = isExr(wish.output);
     request.memory = wish.memory;
     return picture;
+}
+
+Result<StudyInput> loadStudyOf(const RenderWish& wish, Progress& progress) {
+    const bool isOfPresentation = wish.series.empty() && !wish.state.presentation.empty() &&
+                                  !wish.path.empty() && wish.path != "phantom:" &&
+                                  !formats::isVolumeFileName(wish.path);
+    if (isOfPresentation) {
+        MACULA_TRY(const dicom::PresentationState read,
+                   dicom::readPresentationState(wish.state.presentation));
+        // usage: it is not there under its own name, and may still be meant by a deidentified one.
+        Result<StudyInput> meant =
+            loadStudy(wish.path, read.presentation.series.seriesInstanceUid, progress, 0, wish.how);
+        if (meant || meant.error().code != ErrorCode::usage) return meant;
+    }
+    return loadStudy(wish.path, wish.series, progress, 0, wish.how);
 }
 
 trace::Settings settingsToDraw(const RenderWish& wish, const StudyState& state, const Volume& volume) {

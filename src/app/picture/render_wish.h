@@ -9,6 +9,8 @@
 #include "app/picture/picture_effort.h"
 #include "app/picture/picture_request.h"
 #include "app/state/state_wish.h"
+#include "app/study/study_input.h"
+#include "base/progress.h"
 #include "base/result.h"
 #include "base/volume.h"
 #include "dicom/scan.h"
@@ -51,6 +53,9 @@ struct WishedPicture {
 
 // All that can be wrong about the wish, the study not yet read.
 Result<WishedPicture> wishedPicture(const RenderWish& wish);
+
+// The series that was asked for, or else the one that the presentation state is of, or else the best.
+Result<StudyInput> loadStudyOf(const RenderWish& wish, Progress& progress);
 
 // For the volume, when completeState has put the preset into the state.
 trace::Settings settingsToDraw(const RenderWish& wish, const StudyState& state, const Volume& volume);

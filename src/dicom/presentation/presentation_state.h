@@ -52,6 +52,4 @@ Result<PresentationState> readPresentationState(const std::filesystem::path& pat
 // that the presentation is of, deidentified or not.
 bool isSeries(const PresentedSeries& series, std::string_view seriesDigest);
 
-inline constexpr std::string_view kVolumePresentationState = "1.2.840.10008.5.1.4.1.1.11.9";
-
 }  // namespace macula::dicom

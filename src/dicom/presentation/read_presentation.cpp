@@ -13,6 +13,7 @@
 #include "dicom/presentation/presentation_tags.h"
 #include "dicom/presentation/srgb_profile.h"
 #include "dicom/read/dataset.h"
+#include "dicom/read/sop_class.h"
 #include "dicom/uid.h"
 
 namespace macula::dicom {
@@ -349,7 +350,7 @@ Result<PresentationState> readPresentationState(const fs::path& path) try {
     };
     if (!read.header)
         return notUsable("The presentation state cannot be read.", "Copy the file again from its source.");
-    if (read.header->text(tag::kSopClassUid) != kVolumePresentationState)
+    if (read.header->text(tag::kSopClassUid) != sop_class::kVolumePresentationState)
         return notUsable("The file is no presentation state of one rendered volume.",
                          "Choose a file of the kind Volume Rendering Volumetric Presentation State.");
     return Reader(*read.header, path.string()).read();

@@ -17,6 +17,7 @@
 #include "dicom/presentation/srgb_profile.h"
 #include "dicom/read/examination.h"
 #include "dicom/read/quiet_toolkit.h"
+#include "dicom/read/sop_class.h"
 #include "dicom/uid.h"
 
 namespace macula::dicom {
@@ -199,7 +200,7 @@ void writeSeries(ItemWriter to, const VolumePresentation& p, const PresentationO
 
 void writeIdentification(ItemWriter to, const VolumePresentation& p) {
     const Now now;
-    to.text(DCM_SOPClassUID, std::string(kVolumePresentationState));
+    to.text(DCM_SOPClassUID, std::string(sop_class::kVolumePresentationState));
     to.text(DCM_SOPInstanceUID, newUid());
     to.text(DCM_InstanceCreationDate, now.date);
     to.text(DCM_InstanceCreationTime, now.time);
