@@ -29,12 +29,14 @@
 #include "viewer/volume_choice.h"
 
 class QFileDialog;
+class QMenu;
 
 namespace macula::viewer {
 
 class ClipPanel;
 class PaneGrid;
 class PictureDialog;
+class PresentationFiles;
 class SliceView;
 class StudyBrowser;
 class ToolBox;
@@ -151,6 +153,10 @@ class MainWindow : public QMainWindow {
     void askWhereToSaveView();
     void connectExport();
     void connectPick();
+    void addPresentationsTo(QMenu& file);
+    void askForPresentation();
+    void askHowToSavePresentation();
+    void askWhereToSavePresentation(bool isDeidentified);
     void askForPicture();
     void askWhereToSavePicture(const PictureDialog& how);
     void openFound(std::size_t index);  // another volume of the folder
@@ -218,6 +224,7 @@ class MainWindow : public QMainWindow {
     TableRemoval* table_ = nullptr;
     WorkBar* searching_ = nullptr;  // for the table
     PictureExport* export_ = nullptr;
+    PresentationFiles* presentations_ = nullptr;
     WorkBar* exporting_ = nullptr;
     AnatomyPick* pick_ = nullptr;
     ChoiceMenu* looks_ = nullptr;
