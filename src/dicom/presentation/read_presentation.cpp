@@ -322,10 +322,15 @@ class Reader {
 
     void readOwnState() {
         if (file_.text(tags::kPrivateBlock) != tags::kPrivateCreator) return;
-        const auto own = file_.text(tags::kOwnState);
-        if (!own) return;
+        std::string own;
+        for (const std::uint16_t two : file_.words(tags::kOwnState)) {
+            own.push_back(static_cast<char>(two & 0xFFu));
+            own.push_back(static_cast<char>(two >> 8));
+        }
+        own.erase(own.find_last_not_of(std::string_view(" \0", 2)) + 1);
+        if (own.empty()) return;
         if (state_.messages.empty() && file_.text(tags::kOwnStateDigest) == digestOf(state_.presentation)) {
-            state_.presentation.ownState = *own;
+            state_.presentation.ownState = std::move(own);
             return;
         }
         state_.hasForeignChanges = true;

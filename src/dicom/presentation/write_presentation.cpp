@@ -165,11 +165,13 @@ class ItemWriter {
                                              static_cast<unsigned long>(values.size())));
     }
     void point(Tag tag, const glm::dvec3& p) { numbers(tag, {p.x, p.y, p.z}); }
-    // Text of a private element.
-    void text(Tag tag, DcmEVR vr, const std::string& value) {
-        DcmTag key(tag.group, tag.element, vr);
-        key.setPrivateCreator(tags::kPrivateCreator);
-        note(item_->putAndInsertString(key, value.c_str()));
+    void ownBlock(const std::string& state, const std::string& digest) {
+        const auto tagOf = [](Tag tag, DcmEVR vr) { return DcmTag(tag.group, tag.element, vr); };
+        note(item_->putAndInsertString(tagOf(tags::kPrivateBlock, EVR_LO), tags::kPrivateCreator));
+        std::vector<std::uint8_t> json(state.begin(), state.end());
+        if (json.size() % 2 != 0) json.push_back(' ');
+        bytes(tags::kOwnState, json);
+        note(item_->putAndInsertString(tagOf(tags::kOwnStateDigest, EVR_LO), digest.c_str()));
     }
     ItemWriter item(Tag sequence, std::size_t place) {
         DcmItem* made = nullptr;
@@ -396,9 +398,7 @@ Result<void> writePresentationState(const fs::path& path, const VolumePresentati
     writeRendering(to, written);
     writeDisplay(to, written.palette);
     if (!written.ownState.empty()) {
-        to.text(DcmTagKey(tags::kPrivateBlock.group, tags::kPrivateBlock.element), tags::kPrivateCreator);
-        to.text(tags::kOwnState, EVR_UT, written.ownState);
-        to.text(tags::kOwnStateDigest, EVR_LO, digestOf(written));
+        to.ownBlock(written.ownState, digestOf(written));
     }
     if (!ok) return failed;
     return writeAtomically(path, [&](const fs::path& draft) -> Result<void> {
