@@ -13,7 +13,7 @@ namespace {
 constexpr double kAll = 65535.0;
 constexpr double kFewestEntries = 2048.0;
 constexpr double kMostEntries = 65536.0;
-constexpr double kDensest = 0.999;  // as extinctionPerMm has it
+constexpr double kThinnest = 1e-6;  // of density, below which nothing is seen
 
 double linearOf(double encoded) {
     return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
@@ -46,13 +46,6 @@ std::size_t entriesOver(const ValueRange& range) {
     if (span + 1.0 > kMostEntries) return std::size_t(kMostEntries);
     if (span != std::floor(span)) return std::size_t(2.0 * kFewestEntries) + 1;
     return std::size_t(span * std::max(1.0, std::ceil(kFewestEntries / span))) + 1;
-}
-
-// With the density, of a layer as thick.
-double opacityOf(const TransferFunction& function, double value) {
-    const double opacity = opacityAt(function, value);
-    if (function.density == 1.0) return opacity;
-    return 1.0 - std::pow(1.0 - std::min(opacity, kDensest), function.density);
 }
 
 double colourOf(const TransferFunction& function, double encoded) {
@@ -100,16 +93,21 @@ std::vector<std::size_t> corners(std::span<const std::vector<std::uint16_t>* con
 dicom::Palette paletteOf(const TransferFunction& function) {
     dicom::Palette palette{.values = rangeOf(function), .red = {}, .green = {}, .blue = {}, .alpha = {}};
     const std::size_t entries = entriesOver(palette.values);
-    const double step = (palette.values.high - palette.values.low) / double(entries - 1);
+    const double span = palette.values.high - palette.values.low;
     for (std::size_t i = 0; i < entries; ++i) {
-        const double value = palette.values.low + step * double(i);
+        // In this order whole values are exact, so that steps at them are where they were.
+        const double value = palette.values.low + span * double(i) / double(entries - 1);
         const glm::dvec3 colour = colourAt(function, value);
         palette.red.push_back(levelOf(colourOf(function, colour.r)));
         palette.green.push_back(levelOf(colourOf(function, colour.g)));
         palette.blue.push_back(levelOf(colourOf(function, colour.b)));
-        palette.alpha.push_back(levelOf(opacityOf(function, value)));
+        palette.alpha.push_back(levelOf(function.density < kThinnest ? 0.0 : opacityAt(function, value)));
     }
     return palette;
+}
+
+double layerMmOf(const TransferFunction& function) {
+    return function.unitDistanceMm / (function.density < kThinnest ? 1.0 : function.density);
 }
 
 TransferFunction transferOf(const dicom::Palette& palette, double layerMm) {

@@ -101,7 +101,7 @@ Result<void> say(SaidState& said, const StudyState& state, const Volume& volume,
     }
     const TransferFunction function = fitted(*state.preset, volume);
     p.palette = paletteOf(function);
-    p.samplingStepMm = function.unitDistanceMm;
+    p.samplingStepMm = layerMmOf(function);
     if (settings.look == trace::Look::average)
         said.leftOut.emplace_back("Others cannot show an average, and show the preset instead.");
     if (usesGradientOpacity(function))
