@@ -143,7 +143,6 @@ Result<PresentedState> stateOf(const dicom::PresentationState& read, StudyState 
             "What a newer Macula has written cannot be read; the picture is as others show it.");
     }
     presented.state = std::move(usual);
-    presented.state.preset.reset();
     presented.state.clip.reset();
     presented.state.seriesDigest.clear();
     MACULA_TRY_VOID(Telling(said, presented).tell(where));
@@ -159,7 +158,7 @@ Result<void> completeFor(PresentedState& presented, const dicom::PresentationSta
     StudyState& state = presented.state;
     state.seriesDigest = std::string(seriesDigest);
     if (presented.isOwn) return {};
-    if (state.preset) {
+    if (said.method == dicom::RenderingMethod::volumeRendered) {
         TransferFunction function = *state.preset;
         function.unit = volume.unit();
         function.modalities = {volume.modality()};
