@@ -1,5 +1,7 @@
 #include "dicom/object_owner.h"
 
+#include <dcmtk/config/osconfig.h>
+#include <dcmtk/dcmdata/dctk.h>
 #include <fmt/format.h>
 
 #include <array>

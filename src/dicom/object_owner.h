@@ -1,14 +1,13 @@
-// Whose an object is that Macula writes: patient and study of an image, or nobody's. DCMTK is in it: for the
-// writers of this room alone.
+// Whose an object is that Macula writes: patient and study of an image, or nobody's. For the writers of this
+// room alone.
 #pragma once
-
-#include <dcmtk/config/osconfig.h>
-#include <dcmtk/dcmdata/dctk.h>
 
 #include <string>
 
 #include "base/result.h"
 #include "dicom/secondary_capture.h"
+
+class DcmDataset;  // of DCMTK
 
 namespace macula::dicom {
 
