@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -37,6 +38,7 @@ namespace {
 
 struct ReadStudy {
     app::StudyInput input;
+    std::string series;                              // that was meant, as chooseVolume takes it
     std::shared_ptr<const app::FoundVolumes> found;  // the folder, where its segmentations are needed
 };
 
@@ -49,13 +51,14 @@ Result<ReadStudy> readStudy(const app::RenderWish& options, bool needsSegments, 
                      "Only a folder of DICOM files can have segmentations.",
                      {},
                      "Leave --segments out."};
-    if (!needsSegments || !isFolder) {
+    if (!isFolder) {
         MACULA_TRY(study.input, app::loadStudy(options.path, options.series, progress, 0, options.how));
         return study;
     }
     MACULA_TRY(dicom::Scan scan, dicom::scanFolder(options.path, progress, options.how));
-    study.found = std::make_shared<const app::FoundVolumes>(std::move(scan));
-    MACULA_TRY(study.input, app::loadStudy(study.found->scan(), options.path, options.series, progress));
+    MACULA_TRY(study.series, app::seriesWished(options, scan));
+    MACULA_TRY(study.input, app::loadStudy(scan, options.path, study.series, progress));
+    if (needsSegments) study.found = std::make_shared<const app::FoundVolumes>(std::move(scan));
     return study;
 }
 
@@ -69,7 +72,7 @@ Result<app::SegmentsToDraw> segmentsOf(const ReadStudy& study, const app::Render
             none.notes.emplace_back("The segments of the view are not here; all of the volume is shown.");
         return none;
     }
-    MACULA_TRY(const dicom::Choice chosen, app::chooseVolume(study.found->scan(), options.series));
+    MACULA_TRY(const dicom::Choice chosen, app::chooseVolume(study.found->scan(), study.series));
     const auto& volumes = study.found->volumes();
     const auto volume = std::ranges::find(volumes, chosen.stack, &app::FoundVolume::stack);
     MACULA_CHECK(volume != volumes.end());

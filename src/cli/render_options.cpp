@@ -46,6 +46,12 @@ void addInput(CLI::App& command, app::RenderWish& o) {
     command.add_option("--series", o.series,
                        "Place in the list of macula info, or series UID (default: the best)");
     addSession(command, o.state.session);
+    command
+        .add_option(
+            "--presentation-state", o.state.presentation,
+            "DICOM presentation state of this series: drawn as it says, but for what is given besides")
+        ->option_text("FILE")
+        ->excludes("--session");
     command.add_option(
         "--preset", o.state.preset,
         "Name or number from macula presets, or preset file (default: by what the series shows)");

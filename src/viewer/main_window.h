@@ -38,6 +38,7 @@ class ClipPanel;
 class HiddenVoxels;
 class PaneGrid;
 class PictureDialog;
+class PresentationFiles;
 class PresetBox;
 class PresetGallery;
 class PresetLibrary;
@@ -174,6 +175,10 @@ class MainWindow : public QMainWindow {
     void askWhereToSaveView();
     void connectExport();
     void connectPick();
+    void addPresentationsTo(QMenu& file);
+    void askForPresentation();
+    void askHowToSavePresentation();
+    void askWhereToSavePresentation(bool isDeidentified);
     void askForPicture();
     void askWhereToSavePicture(const PictureDialog& how);
     void openFound(std::size_t index);  // another volume of the folder
@@ -251,6 +256,7 @@ class MainWindow : public QMainWindow {
     SegmentationKeeper* segments_ = nullptr;
     WorkBar* segmenting_ = nullptr;  // segments are loaded
     PictureExport* export_ = nullptr;
+    PresentationFiles* presentations_ = nullptr;
     WorkBar* exporting_ = nullptr;
     AnatomyPick* pick_ = nullptr;
     ChoiceMenu* looks_ = nullptr;

@@ -75,6 +75,7 @@ void MainWindow::makeFileMenu() {
     QAction* saveView = file->addAction(tr("&Save View…"), this, &MainWindow::askWhereToSaveView);
     saveView->setShortcut(keyOf(KeyAction::saveView));
     saveView->setToolTip(tr("All that was chosen, and the camera, for another time"));
+    addPresentationsTo(*file);
     file->addSeparator();
     QAction* savePicture = file->addAction(tr("Save &Picture…"), this, &MainWindow::askForPicture);
     savePicture->setObjectName(QStringLiteral("save-picture"));

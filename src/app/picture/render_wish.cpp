@@ -9,6 +9,7 @@
 #include "app/output/output_files.h"
 #include "app/picture/picture_file.h"
 #include "app/state/drawing_of.h"
+#include "dicom/presentation/presentation_state.h"
 
 namespace macula::app {
 
@@ -100,6 +101,14 @@ Result<WishedPicture> wishedPicture(const RenderWish& wish) {
     request.isLinear = isExr(wish.output);
     request.memory = wish.memory;
     return picture;
+}
+
+Result<std::string> seriesWished(const RenderWish& wish, const dicom::Scan& scan) {
+    if (!wish.series.empty() || wish.state.presentation.empty()) return wish.series;
+    MACULA_TRY(const dicom::PresentationState read, dicom::readPresentationState(wish.state.presentation));
+    const std::string& uid = read.presentation.series.seriesInstanceUid;
+    // One that is not there under its own name may still be meant by a deidentified one.
+    return dicom::findAllSeries(scan, uid).empty() ? std::string() : uid;
 }
 
 trace::Settings settingsToDraw(const RenderWish& wish, const StudyState& state, const Volume& volume) {
