@@ -63,7 +63,7 @@ Result<ReadStudy> readStudy(const app::RenderWish& options, bool needsSegments, 
 }
 
 // What a view and --segments leave of the volume.
-Result<app::SegmentsToDraw> segmentsOf(const ReadStudy& study, const app::RenderWish& options,
+Result<app::SegmentsToDraw> segmentsOf(const ReadStudy& study,
                                        const std::vector<app::SegmentationChoice>& choices,
                                        std::span<const app::SegmentWish> wishes, Progress& progress) {
     if (!study.found) {
@@ -132,8 +132,7 @@ Result<void> render(const app::RenderWish& options) {
     MACULA_TRY(app::ShownClip shown, app::shownClip(state, *study.volume, progress));
     for (const std::string& note : shown.notes) tell(note);
     record.tableRemoved = shown.tableRemoved;
-    MACULA_TRY(const app::SegmentsToDraw segments,
-               segmentsOf(read, options, segmentChoices, segmentWishes, progress));
+    MACULA_TRY(const app::SegmentsToDraw segments, segmentsOf(read, segmentChoices, segmentWishes, progress));
     for (const std::string& note : segments.notes) tell(note);
     MACULA_TRY_VOID(addMask(shown.clip, segments.mask, *study.volume, progress));
     if (shown.clip.mask) record.masked = shown.clip.mask->remark;
