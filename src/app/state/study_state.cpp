@@ -55,7 +55,7 @@ bool StudyState::operator==(const StudyState& b) const {
     return seriesDigest == b.seriesDigest && samePreset(*this, b) && clip == b.clip &&
            leavesTableOut == b.leavesTableOut && sameLights(*this, b) && settings == b.settings &&
            windows == b.windows && camera == b.camera && layout == b.layout && slices == b.slices &&
-           measurements == b.measurements && otherKeys == b.otherKeys;
+           measurements == b.measurements && beside == b.beside && otherKeys == b.otherKeys;
 }
 
 Stale staleAfter(const StudyState& before, const StudyState& after) {

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/state/beside_state.h"
 #include "app/state/parameters.h"
 #include "base/camera.h"
 #include "base/result.h"
@@ -77,6 +78,7 @@ struct StudyState {
     Layout layout = Layout::fourPanes;
     SliceState slices = {};
     std::vector<slices::Measurement> measurements = {};
+    std::optional<BesideState> beside = {};  // nothing: no second volume
     // A JSON object of what a newer Macula has written and this one does not know. It is written back.
     std::string otherKeys = {};
 
@@ -87,8 +89,8 @@ struct StudyState {
 // Whether both draw the same, whatever else is in the files that they come from.
 bool isSame(const TransferFunction& a, const TransferFunction& b);
 
-// What has to be made again of the picture in 3D when one follows the other: nothing for layout, slices and
-// measurements.
+// What has to be made again of the picture in 3D when one follows the other: nothing for layout, slices,
+// measurements and a second volume.
 Stale staleAfter(const StudyState& before, const StudyState& after);
 
 // Readable text; reading it gives an equal state. Holds no name of a patient: presets, clips and lights that
