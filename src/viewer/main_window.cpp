@@ -72,9 +72,11 @@ MainWindow::MainWindow(gpu::Instance instance, MainWindowOptions options)
     column->addWidget(messages_);
     setCentralWidget(centre);
     makePanels();
+    makeBeside();
     makeMenus();
     makeToolBar();
     makeStatusBar();
+    makeBesideBar();
     connectLoader();
     connectTable();
     connectExport();

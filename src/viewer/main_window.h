@@ -32,9 +32,12 @@ class QFileDialog;
 
 namespace macula::viewer {
 
+class BesideBar;
+class BesideStudy;
 class ClipPanel;
 class PaneGrid;
 class PictureDialog;
+class SlicePair;
 class SliceView;
 class StudyBrowser;
 class ToolBox;
@@ -88,6 +91,8 @@ class MainWindow : public QMainWindow {
     Viewport& viewport() { return *viewport_; }
     SliceView& slices(slices::Orientation orientation) { return *slices_.at(std::size_t(orientation)); }
     PaneGrid& panes() { return *panes_; }
+    BesideStudy& beside() { return *beside_; }  // the second volume
+    SlicePair& pair(slices::Orientation orientation) { return *pairs_.at(std::size_t(orientation)); }
     // What went wrong last; what is to be known about the study. Empty when there is nothing, or dismissed.
     QString message() const { return messages_->isVisible() ? messages_->text() : QString(); }
     QString notes() const { return notes_->isVisible() ? notes_->text() : QString(); }
@@ -121,6 +126,12 @@ class MainWindow : public QMainWindow {
   private:
     void makePanes();
     void makePanels();
+    void makeBeside();
+    void makeBesideBar();
+    void addBesideToFile(QMenu& file);
+    void addBesideToView(QMenu& view);
+    void askForBeside(int mode);  // a QFileDialog::FileMode
+    void showBeside();
     void makeMenus();
     void makeFileMenu();
     void makeEditMenu();
@@ -203,6 +214,11 @@ class MainWindow : public QMainWindow {
 
     Viewport* viewport_ = nullptr;
     std::array<SliceView*, 3> slices_{};  // by slices::Orientation
+    std::array<SlicePair*, 3> pairs_{};   // the same, with those of the second volume
+    BesideStudy* beside_ = nullptr;
+    BesideBar* besideBar_ = nullptr;
+    QList<QAction*> besideActions_;  // that need a second volume
+    WorkBar* besideWork_ = nullptr;
     PaneGrid* panes_ = nullptr;
     ToolBox* tools_ = nullptr;
     UndoActions* undo_ = nullptr;

@@ -62,6 +62,7 @@ void MainWindow::makeFileMenu() {
     openFile->setToolTip(tr("Open the series of an image, a DICOMDIR, or a NIfTI, NRRD or MetaImage file"));
     QAction* phantom = file->addAction(tr("Open &Phantom"), this, [this] { open(std::nullopt); });
     phantom->setToolTip(tr("Open the built-in phantom study"));
+    addBesideToFile(*file);
     file->addSeparator();
     QAction* openView = file->addAction(tr("Open &View…"), this, &MainWindow::askForView);
     openView->setShortcut(keyOf(KeyAction::openView));
@@ -127,6 +128,7 @@ void MainWindow::makeViewMenu() {
         });
         action->setShortcut(keyOf(row));
     }
+    addBesideToView(*view);
     view->addSeparator();
     view->addActions(panels_);
     view->addSeparator();

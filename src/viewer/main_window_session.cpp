@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "app/session/model_keeper.h"
+#include "viewer/beside/beside_bar.h"
+#include "viewer/beside/beside_study.h"
 #include "viewer/main_window.h"
 #include "viewer/panes/tool_box.h"
 
@@ -39,6 +41,8 @@ MainWindow::~MainWindow() {
     hide();
     for (QDockWidget* panel : findChildren<QDockWidget*>()) delete panel;
     delete tools_;
+    delete besideBar_;
+    delete beside_;
     delete takeCentralWidget();  // with the panes
     viewport_ = nullptr;
     loader_.setKeeper(nullptr);
@@ -82,6 +86,7 @@ void MainWindow::showAfresh() {
         next.lights = options_.lights;
         next.layout = before.layout;
         next.measurements = before.measurements;
+        next.beside = before.beside;
         next.otherKeys = before.otherKeys;
     });
     viewport_->showFrom(options_.firstView);
