@@ -41,7 +41,7 @@ constexpr std::array kColours{
     ColourRow{slices::ColourTable::green, QT_TRANSLATE_NOOP("BesideBar", "Green")},
     ColourRow{slices::ColourTable::grey, QT_TRANSLATE_NOOP("BesideBar", "Grey")}};
 
-void setEnabled(QComboBox& box, int index, bool enabled) {
+void setItemEnabled(QComboBox& box, int index, bool enabled) {
     auto* model = qobject_cast<QStandardItemModel*>(box.model());
     if (model != nullptr) model->item(index)->setEnabled(enabled);
 }
@@ -180,9 +180,9 @@ void BesideBar::showState() {
     const Volume& volume = *second.study.volume;
     const auto view = std::ranges::find(kViews, state->view, &ViewRow::view);
     views_->setCurrentIndex(int(view - kViews.begin()));
-    setEnabled(*views_, int(app::BesideView::over), state->isLinked());
+    setItemEnabled(*views_, int(app::BesideView::over), state->isLinked());
     links_->setCurrentIndex(int(state->link));
-    setEnabled(*links_, int(app::BesideLink::sameFrame), beside_.canShareFrame());
+    setItemEnabled(*links_, int(app::BesideLink::sameFrame), beside_.canShareFrame());
     const bool isOver = state->view == app::BesideView::over;
     colours_->setEnabled(isOver);
     opacity_->setEnabled(isOver);

@@ -38,7 +38,10 @@ BesideStudy::BesideStudy(ViewerSession& session, QObject* parent)
     });
     connect(&loader_, &StudyLoader::began, this, [this] { emit began(tr("Opening the second volume")); });
     connect(&loader_, &StudyLoader::progressed, this, &BesideStudy::progressed);
-    connect(&loader_, &StudyLoader::loaded, this, &BesideStudy::onLoaded);
+    connect(&loader_, &StudyLoader::loaded, this, [this](const app::OpenedStudy& second) {
+        emit ended();
+        offer(second);
+    });
     connect(&loader_, &StudyLoader::cancelled, this, &BesideStudy::ended);
     connect(&loader_, &StudyLoader::failed, this, [this](const Error& error) {
         emit ended();
@@ -109,20 +112,18 @@ bool BesideStudy::canShareFrame() const {
     return second_ && app::shareFrameOfReference(session_.study(), second_->study);
 }
 
-void BesideStudy::onLoaded(const app::OpenedStudy& study) {
-    emit ended();
-    if (study.volume->size() == session_.study().volume->size() &&
-        study.seriesDigest == session_.study().seriesDigest &&
-        study.volumeIndex == session_.study().volumeIndex)
+void BesideStudy::offer(const app::OpenedStudy& second) {
+    const app::OpenedStudy& study = session_.study();
+    if (second.volume->size() == study.volume->size() && second.seriesDigest == study.seriesDigest &&
+        second.volumeIndex == study.volumeIndex)
         return emit failed({ErrorCode::usage,
                             tr("This is the volume that is open already.").toStdString(),
                             {},
                             tr("Choose another series to stand beside it.").toStdString()});
-    if (app::samePatient(session_.study().identity, study.identity) != app::SamePatient::no)
-        return show(study);
-    asked_ = study;
+    if (app::samePatient(study.identity, second.identity) != app::SamePatient::no) return show(second);
+    asked_ = second;
     QStringList differs;
-    for (const std::string& name : app::whatDiffers(session_.study().identity, study.identity))
+    for (const std::string& name : app::whatDiffers(study.identity, second.identity))
         differs << QString::fromStdString(name);
     emit askedAboutPatient(differs);
 }

@@ -31,6 +31,8 @@ class BesideStudy : public QObject {
     // Errors come by `failed`: there has to be a study.
     void open(app::StudySource source, bool join = false);
     void open(std::shared_ptr<const app::FoundVolumes> found, std::size_t index);
+    // What open() ends with when all went well.
+    void offer(const app::OpenedStudy& second);
     void close();   // and take it out of the state
     void cancel();  // reading or registering; what was opened stays
     bool isWorking() const { return loader_.loading() || registration_.running(); }
@@ -64,7 +66,6 @@ class BesideStudy : public QObject {
   private:
     void onStudyShown();
     void openWhatStateNames();
-    void onLoaded(const app::OpenedStudy& study);
     void show(app::OpenedStudy second);
     void drop();
     void onRegistered(const Result<registration::RigidRegistration>& found);

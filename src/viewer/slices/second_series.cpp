@@ -30,7 +30,7 @@ QString tagOf(app::Age age, const QString& plain) {
     return tr("Second: %1").arg(plain);
 }
 
-QString plainTag(const app::OpenedStudy& study) {
+QString shownTag(const app::OpenedStudy& study) {
     return harmless(QString::fromStdString(app::plainTag(study)));
 }
 
@@ -55,8 +55,8 @@ bool isActivity(const Volume& volume) {
 SecondSeries secondSeries(const app::OpenedStudy& study, app::OpenedStudy second) {
     SecondSeries made;
     made.usualWindow = app::secondWindow(*second.volume);
-    made.tag = tagOf(app::ageOf(study.identity, second.identity), plainTag(second));
-    made.studyTag = tr("Current: %1").arg(plainTag(study));
+    made.tag = tagOf(app::ageOf(study.identity, second.identity), shownTag(second));
+    made.studyTag = tr("Current: %1").arg(shownTag(study));
     for (const std::string& line : app::linesOf(second.identity)) {
         const QString shown = harmless(QString::fromStdString(line));
         if (!shown.isEmpty()) made.lines.push_back(shown);

@@ -60,10 +60,12 @@ class SliceView : public QWidget {
 
     // Of the picture on screen; nothing before the first.
     std::optional<slices::SliceFrame> shownFrame() const;
-    QString positionText() const;  // as positionText
-    QStringList notes() const;     // what has to be known of it: slab, inverted, interpolated
-    QString probedText() const;    // of what the pointer is on; empty outside of the pane
-    bool isUpToDate() const;       // it is of what is chosen
+    QString positionText() const;    // as positionText
+    QStringList tags() const;        // whose it is, where there is a second volume: names nobody
+    QStringList notes() const;       // what has to be known of it: slab, inverted, interpolated
+    QString probedText() const;      // of what the pointer is on; empty outside of the pane
+    QString overProbedText() const;  // the same, of a second volume in colours
+    bool isUpToDate() const;         // it is of what is chosen
     std::optional<std::size_t> selected() const { return selected_; }  // of the measurements of the state
 
     QSize sizeHint() const override { return {360, 360}; }
@@ -116,7 +118,6 @@ class SliceView : public QWidget {
     void addSecond(SliceWish& wish) const;
     void proposeWindow(const std::optional<DisplayWindow>& window, bool isDrag);
     void moveSecond(int slices);
-    QString overProbedText() const;
     bool isMeasuring() const;  // the tool does
     bool showsStudy() const { return shown_ && shown_->of.shows == SliceShows::study; }
 

@@ -122,6 +122,10 @@ QString SliceView::overProbedText() const {
     return tr("In colours: %1").arg(probeText(*over.volume, mm));
 }
 
+QStringList SliceView::tags() const {
+    return shown_ ? shown_->of.tags : QStringList();
+}
+
 bool SliceView::isMeasuring() const {
     return tool_ == SliceTool::distance || tool_ == SliceTool::angle || tool_ == SliceTool::ellipse;
 }
