@@ -11,7 +11,7 @@ namespace macula::registration {
 
 namespace {
 
-constexpr std::size_t kPointsOfPart = 8192;
+constexpr std::size_t kPointsOfPart = 4096;
 
 struct Part {
     std::array<double, std::size_t(kBins) * kBins> weights{};  // fixed * kBins + moving

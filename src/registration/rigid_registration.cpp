@@ -25,9 +25,9 @@ constexpr std::size_t kFine = 0;
 constexpr std::size_t kMiddle = 1;
 constexpr std::size_t kCoarse = 2;
 
-constexpr std::size_t kCoarsePoints = 8000;
-constexpr std::size_t kMiddlePoints = 32000;
-constexpr std::size_t kFinePoints = 64000;
+constexpr std::size_t kCoarsePoints = 4000;
+constexpr std::size_t kMiddlePoints = 16000;
+constexpr std::size_t kFinePoints = 40000;
 constexpr std::size_t kLeastPoints = 200;
 
 constexpr double kLeverMm = 100.0;     // a turn is told by how far it moves what lies so far from its middle

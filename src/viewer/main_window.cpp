@@ -362,7 +362,7 @@ void MainWindow::showStudy(const app::OpenedStudy& study) {
 }
 
 void MainWindow::showNotes() {
-    QStringList notes = studyNotes_ + table_->notes();
+    QStringList notes = studyNotes_ + table_->notes() + besideNotes();
     if (!presetNote_.isEmpty()) notes.prepend(presetNote_);
     if (!storeNote_.isEmpty()) notes.prepend(storeNote_);
     if (!sessionNote_.isEmpty()) notes.prepend(sessionNote_);

@@ -132,6 +132,7 @@ class MainWindow : public QMainWindow {
     void addBesideToView(QMenu& view);
     void askForBeside(int mode);  // a QFileDialog::FileMode
     void showBeside();
+    QStringList besideNotes() const;  // what is to be known of the second volume
     void makeMenus();
     void makeFileMenu();
     void makeEditMenu();

@@ -3,6 +3,7 @@
 #include <QMenu>
 #include <QStatusBar>
 
+#include "registration/rigid_registration.h"
 #include "viewer/beside/beside_bar.h"
 #include "viewer/beside/beside_study.h"
 #include "viewer/beside/patient_question.h"
@@ -44,6 +45,7 @@ void MainWindow::makeBeside() {
     connect(beside_, &BesideStudy::secondChanged, this, [this] {
         for (SlicePair* pair : pairs_) pair->setSecond(beside_->second());
         showBeside();
+        showNotes();
     });
     connect(&session_, &ViewerSession::changed, this, &MainWindow::showBeside);
     for (SlicePair* pair : pairs_) {
@@ -70,6 +72,26 @@ void MainWindow::showBeside() {
     const bool both = state != nullptr && state->view == app::BesideView::beside;
     for (SlicePair* pair : pairs_) pair->setBoth(both);
     for (QAction* action : besideActions_) action->setEnabled(state != nullptr);
+}
+
+QStringList MainWindow::besideNotes() const {
+    QStringList notes;
+    const app::BesideState* state = beside_->state();
+    if (state == nullptr) {
+        if (session_.state().beside && !beside_->isWorking())
+            notes << tr(
+                "The second volume that was beside this study is not in its folder; open it with Ctrl+B to "
+                "see both as they were.");
+        return notes;
+    }
+    const app::OpenedStudy& second = beside_->second()->study;
+    for (const std::string& assumption : second.volume->provenance().assumptions)
+        notes << tr("Second volume: %1").arg(QString::fromStdString(assumption));
+    for (const std::string& message : second.messages)
+        notes << tr("Second volume: %1").arg(QString::fromStdString(message));
+    if (registration::boxOverlap(*study().volume, *second.volume, state->secondFromStudy) == 0.0)
+        notes << tr("The second volume shows another part of the body: nothing of it lies in the study.");
+    return notes;
 }
 
 void MainWindow::addBesideToFile(QMenu& file) {

@@ -20,6 +20,7 @@ namespace macula::viewer {
 namespace {
 
 constexpr int kPercent = 100;
+constexpr int kArrowsPx = 40;
 constexpr double kLargest = 1e9;  // of the ends of a window, as in files
 
 struct ViewRow {
@@ -151,6 +152,9 @@ void BesideBar::addWindow() {
         box->setRange(-kLargest, kLargest);
         box->setKeyboardTracking(false);  // "25" is not 2 for a moment
         box->setAccessibleName(text);
+        // Its range would make it wider than any value that is seen.
+        box->setMaximumWidth(box->fontMetrics().horizontalAdvance(QStringLiteral("-100,000.00 g/mL")) +
+                             kArrowsPx);
         connect(box, &QDoubleSpinBox::valueChanged, this, &BesideBar::proposeWindow);
         connect(box, &QDoubleSpinBox::editingFinished, &session_, &ViewerSession::endDrag);
         addWidget(box);

@@ -139,6 +139,7 @@ void BesideStudy::refusePatient() {
 // As it was left, when the state is about it: nobody has to register it again. A digest that several volumes
 // of a series share does not say which of them was registered.
 void BesideStudy::show(app::OpenedStudy second) {
+    if (registration_.cancel()) emit ended();
     const bool isOnly =
         !second.found || app::volumeWithDigest(*second.found, second.seriesDigest).has_value();
     second_ = std::make_shared<const SecondSeries>(secondSeries(session_.study(), std::move(second)));

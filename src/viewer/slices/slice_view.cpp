@@ -150,7 +150,8 @@ void SliceView::request() {
     if (!steps_ || !isVisible() || width() < 1 || height() < 1) return;
     const glm::ivec2 sizePx(width(), height());
     if (isFitted_) view_ = fittedView(volume(), *steps_, sizePx);
-    if (told_ != view_) {
+    // A pane that follows another has nothing to tell before it was told.
+    if (told_ != view_ && (told_ || role_ == PaneRole::study)) {
         told_ = view_;
         emit viewChanged(view_);
     }

@@ -70,6 +70,8 @@ void SliceView::addSecond(SliceWish& wish) const {
         wish.tags = {second_->tag};
         wish.names = second_->lines;
         wish.secondNotes = {linkText(*state)};
+        if (!wish.volume->provenance().interpolatedSlices.empty())
+            wish.secondNotes.push_back(tr("Some of its slices are interpolated"));
     } else if (role_ == PaneRole::study && state->view == app::BesideView::over && state->isLinked()) {
         wish.over = SliceOver{.volume = second_->study.volume,
                               .volumeFromPane = state->secondFromStudy,
