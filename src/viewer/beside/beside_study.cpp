@@ -113,6 +113,7 @@ bool BesideStudy::canShareFrame() const {
 }
 
 void BesideStudy::offer(const app::OpenedStudy& second) {
+    if (!session_.hasStudy() || !second.volume) return;
     const app::OpenedStudy& study = session_.study();
     if (second.volume->size() == study.volume->size() && second.seriesDigest == study.seriesDigest &&
         second.volumeIndex == study.volumeIndex)

@@ -9,7 +9,7 @@ namespace macula::viewer {
 
 void SliceView::setSecond(std::shared_ptr<const SecondSeries> second) {
     second_ = std::move(second);
-    if (!second_ && role_ == PaneRole::second) {
+    if (!second_ && (role_ == PaneRole::second || !isVisible())) {
         ++study_;
         wanted_.reset();
         shown_.reset();
