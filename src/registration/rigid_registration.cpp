@@ -7,6 +7,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <limits>
 #include <new>
+#include <utility>
 #include <vector>
 
 #include "registration/intensity_bins.h"
@@ -28,7 +29,8 @@ constexpr std::size_t kCoarse = 2;
 constexpr std::size_t kCoarsePoints = 4000;
 constexpr std::size_t kMiddlePoints = 16000;
 constexpr std::size_t kFinePoints = 40000;
-constexpr std::size_t kLeastPoints = 200;
+constexpr std::size_t kLeastPoints = 200;  // and cells of a volume
+constexpr double kLeastPointsMet = 100.0;  // fewer are alike by chance
 
 constexpr double kLeverMm = 100.0;     // a turn is told by how far it moves what lies so far from its middle
 constexpr double kLeastOverlap = 0.3;  // of the smaller volume
@@ -74,13 +76,13 @@ struct Extent {
     Box box{glm::dvec3(std::numeric_limits<double>::max()),
             glm::dvec3(std::numeric_limits<double>::lowest())};
     glm::dvec3 middleMm{0.0};  // of all cells that have a value
+    std::size_t cells = 0;
     double volumeMl = 0.0;
 };
 
 Extent extentOf(const ScalarGrid& grid) {
     Extent extent;
     glm::dvec3 sum(0.0);
-    std::size_t count = 0;
     for (int k = 0; k < grid.size.z; ++k) {
         for (int j = 0; j < grid.size.y; ++j) {
             for (int i = 0; i < grid.size.x; ++i) {
@@ -89,12 +91,13 @@ Extent extentOf(const ScalarGrid& grid) {
                 extent.box.low = glm::min(extent.box.low, mm);
                 extent.box.high = glm::max(extent.box.high, mm);
                 sum += mm;
-                ++count;
+                ++extent.cells;
             }
         }
     }
-    if (count > 0) extent.middleMm = sum / double(count);
-    extent.volumeMl = double(count) * std::abs(glm::determinant(glm::dmat3(grid.worldFromGrid))) / 1000.0;
+    if (extent.cells > 0) extent.middleMm = sum / double(extent.cells);
+    extent.volumeMl =
+        double(extent.cells) * std::abs(glm::determinant(glm::dmat3(grid.worldFromGrid))) / 1000.0;
     return extent;
 }
 
@@ -161,7 +164,7 @@ class RigidSearch {
         if (progress_.cancelled()) return cancelled();
         MACULA_TRY_VOID(checkInput());
         const Comparison coarse = comparison(kCoarse, kCoarsePoints, 0);
-        if (coarse.pointCount() < kLeastPoints)
+        if (coarse.pointCount() < kLeastPoints || movingExtent_.cells < kLeastPoints)
             return notUsable("One of the volumes has too few voxels to be registered.");
         const Highest start = startOf(coarse);
         if (progress_.cancelled()) return cancelled();
@@ -180,8 +183,11 @@ class RigidSearch {
   private:
     Comparison comparison(std::size_t level, std::size_t points, std::uint64_t run) const {
         const double smaller = std::min(1.0, movingExtent_.volumeMl / fixedExtent_.volumeMl);
-        return {samplePoints(fixed_.levels[level], fixedBins_, points, kSeed + 10 * run + level),
-                moving_.levels[level], movingBins_, fixedExtent_.middleMm, kLeastOverlap * smaller};
+        std::vector<SamplePoint> drawn =
+            samplePoints(fixed_.levels[level], fixedBins_, points, kSeed + 10 * run + level);
+        const double least = std::max(kLeastOverlap * smaller,
+                                      kLeastPointsMet / double(std::max<std::size_t>(drawn.size(), 1)));
+        return {std::move(drawn), moving_.levels[level], movingBins_, fixedExtent_.middleMm, least};
     }
 
     Result<void> checkInput() const {

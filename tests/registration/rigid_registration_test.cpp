@@ -131,6 +131,7 @@ TEST(RigidRegistration, FourVoxelsEachWayAreTooFew) {
     for (int n = 0; n < 64; ++n) voxels.push_back(float(n % 7));
     const auto tiny = Volume::createFloat({.size = size}, voxels);
     EXPECT_NE(errorOf(*tiny, fixedPhantom()).message.find("too few voxels"), std::string::npos);
+    EXPECT_NE(errorOf(fixedPhantom(), *tiny).message.find("too few voxels"), std::string::npos);
 }
 
 TEST(RigidRegistration, WhoCancelsIsObeyed) {
