@@ -89,9 +89,11 @@ MainWindow::MainWindow(gpu::Instance instance, MainWindowOptions options)
     makePresets();
     makePanels();
     connectBrowser();
+    makeBeside();
     makeMenus();
     makeToolBar();
     makeStatusBar();
+    makeBesideBar();
     connectLoader();
     connectTable();
     connectSegments();
@@ -376,7 +378,7 @@ void MainWindow::showStudy(const app::OpenedStudy& study) {
 }
 
 void MainWindow::showNotes() {
-    QStringList notes = studyNotes_ + table_->notes();
+    QStringList notes = studyNotes_ + table_->notes() + besideNotes();
     if (const QString note = segments_->note(); !note.isEmpty()) notes << note;
     if (!presetNote_.isEmpty()) notes.prepend(presetNote_);
     if (!storeNote_.isEmpty()) notes.prepend(storeNote_);

@@ -34,6 +34,8 @@ class QMenu;
 
 namespace macula::viewer {
 
+class BesideBar;
+class BesideStudy;
 class ClipPanel;
 class HiddenVoxels;
 class PaneGrid;
@@ -45,6 +47,7 @@ class PresetLibrary;
 class RecentMenu;
 class SegmentationKeeper;
 class SegmentationPanel;
+class SlicePair;
 class SliceView;
 class StudyBrowser;
 class ToolBox;
@@ -102,6 +105,8 @@ class MainWindow : public QMainWindow {
     Viewport& viewport() { return *viewport_; }
     SliceView& slices(slices::Orientation orientation) { return *slices_.at(std::size_t(orientation)); }
     PaneGrid& panes() { return *panes_; }
+    BesideStudy& beside() { return *beside_; }  // the second volume
+    SlicePair& pair(slices::Orientation orientation) { return *pairs_.at(std::size_t(orientation)); }
     // What went wrong last; what is to be known about the study. Empty when there is nothing, or dismissed.
     QString message() const { return messages_->isVisible() ? messages_->text() : QString(); }
     QString notes() const { return notes_->isVisible() ? notes_->text() : QString(); }
@@ -141,6 +146,13 @@ class MainWindow : public QMainWindow {
     void makePresets();
     void makePresetMenu();
     void fillPresetMenu(QMenu& menu);
+    void makeBeside();
+    void makeBesideBar();
+    void addBesideToFile(QMenu& file);
+    void addBesideToView(QMenu& view);
+    void askForBeside(int mode);  // a QFileDialog::FileMode
+    void showBeside();
+    QStringList besideNotes() const;  // what is to be known of the second volume
     void makeMenus();
     void makeFileMenu();
     void makeEditMenu();
@@ -236,6 +248,11 @@ class MainWindow : public QMainWindow {
 
     Viewport* viewport_ = nullptr;
     std::array<SliceView*, 3> slices_{};  // by slices::Orientation
+    std::array<SlicePair*, 3> pairs_{};   // the same, with those of the second volume
+    BesideStudy* beside_ = nullptr;
+    BesideBar* besideBar_ = nullptr;
+    QList<QAction*> besideActions_;  // that need a second volume
+    WorkBar* besideWork_ = nullptr;
     PaneGrid* panes_ = nullptr;
     ToolBox* tools_ = nullptr;
     UndoActions* undo_ = nullptr;

@@ -18,8 +18,9 @@ void MainWindow::connectBrowser() {
     recent_ = new RecentMenu(this);
     connect(recent_, &RecentMenu::chosen, this, [this](const QString& path) { open(path.toStdString()); });
 
-    connect(&loader_, &StudyLoader::found, this,
-            [this](const std::shared_ptr<const app::FoundVolumes>& found) { showFound(found, std::nullopt); });
+    connect(
+        &loader_, &StudyLoader::found, this,
+        [this](const std::shared_ptr<const app::FoundVolumes>& found) { showFound(found, std::nullopt); });
     connect(&loader_, &StudyLoader::loaded, this, [this] {
         if (const app::StudySource& source = loader_.source()) recent_->add(*source);
     });

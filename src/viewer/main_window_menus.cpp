@@ -68,6 +68,7 @@ void MainWindow::makeFileMenu() {
     file->addMenu(recent_);
     QAction* phantom = file->addAction(tr("Open &Phantom"), this, [this] { open(std::nullopt); });
     phantom->setToolTip(tr("Open the built-in phantom study"));
+    addBesideToFile(*file);
     file->addSeparator();
     QAction* openView = file->addAction(tr("Open &View…"), this, &MainWindow::askForView);
     openView->setShortcut(keyOf(KeyAction::openView));
@@ -142,6 +143,7 @@ void MainWindow::makeViewMenu() {
             });
         action->setShortcut(keyOf(row));
     }
+    addBesideToView(*view);
     view->addSeparator();
     view->addActions(panels_);
     view->addSeparator();

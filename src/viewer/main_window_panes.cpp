@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "viewer/beside/slice_pair.h"
 #include "viewer/browser/recent_menu.h"
 #include "viewer/browser/study_browser.h"
 #include "viewer/clip/clip_panel.h"
@@ -31,7 +32,9 @@ Pane paneOf(slices::Orientation orientation) {
 void MainWindow::makePanes() {
     for (const auto orientation :
          {slices::Orientation::axial, slices::Orientation::coronal, slices::Orientation::sagittal}) {
-        auto* pane = new SliceView(session_, orientation);
+        auto* pair = new SlicePair(session_, orientation);
+        pairs_.at(std::size_t(orientation)) = pair;
+        SliceView* pane = &pair->study();
         slices_.at(std::size_t(orientation)) = pane;
         connect(pane, &SliceView::maximizeAsked, this,
                 [this, orientation] { panes_->maximize(paneOf(orientation)); });
@@ -43,10 +46,10 @@ void MainWindow::makePanes() {
             tools_->setCine(std::ranges::any_of(slices_, &SliceView::isCineOn));
         });
     }
-    panes_ = new PaneGrid({.axial = slices_[std::size_t(slices::Orientation::axial)],
+    panes_ = new PaneGrid({.axial = pairs_[std::size_t(slices::Orientation::axial)],
                            .volume = viewport_,
-                           .coronal = slices_[std::size_t(slices::Orientation::coronal)],
-                           .sagittal = slices_[std::size_t(slices::Orientation::sagittal)]},
+                           .coronal = pairs_[std::size_t(slices::Orientation::coronal)],
+                           .sagittal = pairs_[std::size_t(slices::Orientation::sagittal)]},
                           this);
     connect(panes_, &PaneGrid::layoutAsked, this, [this](app::Layout layout) {
         session_.change(tr("Panes"), [layout](app::StudyState& next) { next.layout = layout; });
@@ -132,7 +135,7 @@ void MainWindow::focusPicture() {
 
 void MainWindow::showNames(bool shown) {
     viewport_->showNames(shown);
-    for (SliceView* pane : slices_) pane->showNames(shown);
+    for (SlicePair* pair : pairs_) pair->showNames(shown);
     browser_->showNames(shown);
     recent_->showNames(shown);
     segmentsPanel_->showNames(shown);

@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "app/session/model_keeper.h"
+#include "viewer/beside/beside_bar.h"
+#include "viewer/beside/beside_study.h"
 #include "viewer/language/core_words.h"
 #include "viewer/main_window.h"
 #include "viewer/panes/tool_box.h"
@@ -43,6 +45,8 @@ MainWindow::~MainWindow() {
     for (QDockWidget* panel : findChildren<QDockWidget*>()) delete panel;
     delete tools_;
     delete presetLibrary_;
+    delete besideBar_;
+    delete beside_;
     delete takeCentralWidget();  // with the panes
     viewport_ = nullptr;
     loader_.setKeeper(nullptr);
@@ -86,6 +90,7 @@ void MainWindow::showAfresh() {
         next.lights = options_.lights;
         next.layout = before.layout;
         next.measurements = before.measurements;
+        next.beside = before.beside;
         next.otherKeys = before.otherKeys;
     });
     viewport_->setParallel(false);

@@ -67,6 +67,17 @@ StudyState everything() {
         .asAcquired = true,
         .crosshairMm = glm::dvec3(1.0 / 3.0, -2.0, 1e5)};
     state.measurements = oneOfEachKind();
+    BesideState beside;
+    beside.seriesDigest = "fedcba";
+    beside.link = BesideLink::registered;
+    beside.secondFromStudy = affine({0.6, 0.8, 0.0}, {-0.8, 0.6, 0.0}, {0.0, 0.0, 1.0}, {1.0 / 3.0, 7, -80});
+    beside.boundMm = 0.7;
+    beside.isDoubtful = true;
+    beside.view = BesideView::over;
+    beside.window = DisplayWindow{.center = 4.0, .width = 8.0, .explanation = {}, .function = "LINEAR_EXACT"};
+    beside.opacity = 0.3;
+    beside.colours = slices::ColourTable::green;
+    state.beside = beside;
     return state;
 }
 
@@ -110,6 +121,9 @@ TEST(StudyState, IsAnotherWhenOneThingOfTheSlicesIs) {
     EXPECT_TRUE(differs([](auto& s) { s.measurements[1].normal = {0.0, 0.0, 1.0}; }));
     EXPECT_TRUE(differs([](auto& s) { s.measurements[2].shape = slices::Distance{}; }));
     EXPECT_TRUE(differs([](auto& s) { s.measurements.pop_back(); }));
+    EXPECT_TRUE(differs([](auto& s) { s.beside.reset(); }));
+    EXPECT_TRUE(differs([](auto& s) { s.beside->opacity = 0.4; }));
+    EXPECT_TRUE(differs([](auto& s) { s.beside->secondFromStudy[3][0] += 1e-6; }));
 }
 
 TEST(StudyState, WritesTheKeysThatItSaysItHas) {
@@ -124,7 +138,8 @@ TEST(StudyState, WritesTheKeysThatItSaysItHas) {
 
 TEST(StudyState, SlicesAreWrittenWhereTheyAreNotAsByDefault) {
     const Json usual = Json::parse(toJson(StudyState{}));
-    for (const char* key : {"layout", "slices", "measurements"}) EXPECT_FALSE(usual.contains(key)) << key;
+    for (const char* key : {"layout", "slices", "measurements", "beside"})
+        EXPECT_FALSE(usual.contains(key)) << key;
     for (const Layout layout : kLayouts) EXPECT_EQ(read(toJson(StudyState{.layout = layout})).layout, layout);
 
     StudyState state;
@@ -137,6 +152,30 @@ TEST(StudyState, SlicesAreWrittenWhereTheyAreNotAsByDefault) {
             DisplayWindow{.center = 40.0, .width = 400.0, .explanation = {}, .function = function};
         EXPECT_EQ(read(toJson(state)), state) << function;
     }
+}
+
+// A mirrored second volume would be taken for the patient.
+TEST(StudyState, ASecondVolumeIsTurnedAndMovedAndNothingElse) {
+    const auto with = [](const char* transform) {
+        return std::string("{\"version\": 1, \"beside\": {\"series\": \"ab\", \"secondFromStudy\": ") +
+               transform + "}}";
+    };
+    EXPECT_EQ(whyNot(with("[1,0,0,5, 0,1,0,6, 0,0,1,7, 0,0,0,1]")), "");
+    const StudyState state = read(with("[1,0,0,5, 0,1,0,6, 0,0,1,7, 0,0,0,1]"));
+    ASSERT_TRUE(state.beside);
+    EXPECT_EQ(glm::dvec3(state.beside->secondFromStudy[3]), glm::dvec3(5.0, 6.0, 7.0)) << "row by row";
+    for (const char* broken :
+         {"[-1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,1]", "[2,0,0,0, 0,2,0,0, 0,0,2,0, 0,0,0,1]",
+          "[1,0,0,0, 0,1,0,0, 0,0,1,0, 1,0,0,1]", "[1,0,0,0, 0,1,0,0, 0,0,1,0]", "\"no\""})
+        EXPECT_NE(whyNot(with(broken)).find("secondFromStudy"), std::string::npos) << broken;
+    EXPECT_NE(whyNot("{\"version\": 1, \"beside\": {}}"), "");
+    EXPECT_NE(whyNot("{\"version\": 1, \"beside\": {\"series\": \"ab\", \"opacity\": 2}}"), "");
+
+    StudyState unreadable;
+    unreadable.beside.emplace();
+    unreadable.beside->seriesDigest = "ab";
+    unreadable.beside->secondFromStudy[0][0] = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_FALSE(read(toJson(unreadable)).beside) << "the rest is not lost with it";
 }
 
 // A text that cannot be read would lose all that is in it.

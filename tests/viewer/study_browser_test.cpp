@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <QAbstractItemModelTester>
+#include <QAction>
 #include <QScrollBar>
 #include <QTest>
 #include <functional>
@@ -127,6 +128,25 @@ TEST_F(StudyBrowserTest, WhatIsOpenIsSelectedAndSeen) {
     EXPECT_EQ(tree_->currentIndex(), open);
     EXPECT_TRUE(tree_->isExpanded(open.parent()));
     EXPECT_TRUE(tree_->viewport()->rect().intersects(tree_->visualRect(open)));
+}
+
+TEST_F(StudyBrowserTest, WhatIsSelectedIsOpenedBesideUnlessItIsOpen) {
+    std::vector<std::size_t> asked;
+    QObject::connect(&*browser_, &StudyBrowser::besideAsked, &*browser_,
+                     [&](std::size_t index) { asked.push_back(index); });
+    auto* beside = tree_->findChild<QAction*>(QStringLiteral("open-beside-row"));
+    ASSERT_NE(beside, nullptr);
+    beside->trigger();
+    EXPECT_FALSE(browser_->selectedOther()) << "there is no folder";
+    browser_->setFound(app::test::twoPatients(), 2);
+    beside->trigger();
+    EXPECT_TRUE(asked.empty()) << "it is open already";
+    browser_->setShown(0);
+    tree_->setCurrentIndex(rowTitled(QStringLiteral("EchoTime 9.2, phase 2 of 2")));
+    EXPECT_EQ(browser_->selectedOther(), 2U);
+    beside->trigger();
+    EXPECT_EQ(asked, (std::vector<std::size_t>{2}));
+    EXPECT_TRUE(chosen_.empty()) << "the study stays";
 }
 
 TEST_F(StudyBrowserTest, AClickSelectsAndADoubleClickChooses) {

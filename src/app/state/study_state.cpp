@@ -56,7 +56,7 @@ bool StudyState::operator==(const StudyState& b) const {
            leavesTableOut == b.leavesTableOut && sameLights(*this, b) && settings == b.settings &&
            windows == b.windows && camera == b.camera && showsMarks == b.showsMarks && layout == b.layout &&
            slices == b.slices && measurements == b.measurements && segmentations == b.segmentations &&
-           otherKeys == b.otherKeys;
+           beside == b.beside && otherKeys == b.otherKeys;
 }
 
 Stale staleAfter(const StudyState& before, const StudyState& after) {

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/state/beside_state.h"
 #include "app/state/parameters.h"
 #include "app/state/segmentation_choice.h"
 #include "base/camera.h"
@@ -80,6 +81,7 @@ struct StudyState {
     SliceState slices = {};
     std::vector<slices::Measurement> measurements = {};
     std::vector<SegmentationChoice> segmentations = {};  // kept by `choose`
+    std::optional<BesideState> beside = {};  // nothing: no second volume
     // A JSON object of what a newer Macula has written and this one does not know. It is written back.
     std::string otherKeys = {};
 
@@ -90,8 +92,8 @@ struct StudyState {
 // Whether both draw the same, whatever else is in the files that they come from.
 bool isSame(const TransferFunction& a, const TransferFunction& b);
 
-// What has to be made again of the picture in 3D when one follows the other: nothing for layout, slices and
-// measurements.
+// What has to be made again of the picture in 3D when one follows the other: nothing for layout, slices,
+// measurements and a second volume.
 Stale staleAfter(const StudyState& before, const StudyState& after);
 
 // Readable text; reading it gives an equal state. Holds no name of a patient: presets, clips and lights that

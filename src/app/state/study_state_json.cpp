@@ -4,12 +4,14 @@
 //     "preset": {as presets/transfer}, "clip": {as presets/clip}, "leavesTableOut": true,
 //     "lights": {as presets/lights}, "windows": { "mip": { "center": 40, "width": 400 } },
 //     "camera": {as camera_file.h}, "cubeAndScale": false, "layout": "axial", "slices": {as slices_json.h},
-//     "measurements": [as slices_json.h], "segmentations": [as segments_json.h] }
+//     "measurements": [as slices_json.h], "segmentations": [as segments_json.h],
+//     "beside": {as beside_json.h} }
 // Everything but the version may be left out.
 #include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "app/camera/camera_file.h"
+#include "app/state/beside_json.h"
 #include "app/state/json_names.h"
 #include "app/state/segments_json.h"
 #include "app/state/slices_json.h"
@@ -72,11 +74,10 @@ Result<std::optional<T>> readPart(const Json& all, const char* key, const Read& 
 }  // namespace
 
 std::vector<std::string> stateKeys() {
-    std::vector<std::string> keys{"version",        "series",    "look",         "shading",
-                                  "filter",         "denoising", "preset",       "clip",
-                                  "leavesTableOut", "lights",    "windows",      "camera",
-                                  "layout",         "slices",    "measurements", "cubeAndScale",
-                                  "segmentations"};
+    std::vector<std::string> keys{"version",      "series",        "look",   "shading",        "filter",
+                                  "denoising",    "preset",        "clip",   "leavesTableOut", "lights",
+                                  "windows",      "camera",        "layout", "slices",         "measurements",
+                                  "cubeAndScale", "segmentations", "beside"};
     for (const Parameter& parameter : parameters()) keys.emplace_back(parameter.id);
     return keys;
 }
@@ -104,6 +105,9 @@ std::string toJson(const StudyState& state) {
     if (Json all = measurementsJson(state.measurements); !all.empty()) json["measurements"] = std::move(all);
     if (Json all = segmentationsJson(state.segmentations); !all.empty())
         json["segmentations"] = std::move(all);
+    if (state.beside) {
+        if (Json beside = toJson(*state.beside); !beside.is_null()) json["beside"] = std::move(beside);
+    }
     if (!state.otherKeys.empty()) {
         const Json others = Json::parse(state.otherKeys);
         for (const auto& [key, value] : others.items()) json[key] = value;
@@ -138,6 +142,7 @@ Result<StudyState> studyStateFromJson(std::string_view text, const std::string& 
     if (const auto node = root.find("slices")) state.slices = sliceStateFrom(*node);
     if (const auto node = root.find("measurements")) state.measurements = measurementsFrom(*node);
     if (const auto node = root.find("segmentations")) state.segmentations = segmentationsFrom(*node);
+    if (const auto node = root.find("beside")) state.beside = besideStateFrom(*node);
     MACULA_TRY_VOID(document.status());
 
     // The text is valid JSON by now, and an object.

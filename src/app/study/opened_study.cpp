@@ -52,6 +52,15 @@ std::string joinQuestionOf(const FoundVolumes& found) {
     return found.volumes().empty() && asked != messages.end() ? asked->sentence : std::string();
 }
 
+// Empty where its frames do not all name the same one.
+std::string frameOfReferenceOf(const dicom::Stack& stack) {
+    if (stack.frames.empty()) return {};
+    const std::string& first = stack.frames.front().frameOfReferenceUid;
+    const bool isOne = std::ranges::all_of(
+        stack.frames, [&](const dicom::Frame& frame) { return frame.frameOfReferenceUid == first; });
+    return isOne ? first : std::string();
+}
+
 Result<OpenedStudy> loadFound(std::shared_ptr<const FoundVolumes> found, std::size_t index,
                               Progress& progress) {
     const FoundVolume& chosen = found->volumes().at(index);
@@ -66,6 +75,7 @@ Result<OpenedStudy> loadFound(std::shared_ptr<const FoundVolumes> found, std::si
                       .volumeIndex = index};
     study.isLowBright = std::ranges::any_of(
         chosen.stack->messages, [](const Message& m) { return m.key == dicom::key::kInvertedDisplay; });
+    study.frameOfReferenceUid = frameOfReferenceOf(*chosen.stack);
     const auto tell = [&](const std::vector<Message>& messages) {
         for (const Message& message : messages) {
             if (message.severity != Severity::info) study.messages.push_back(message.sentence);

@@ -29,9 +29,10 @@ struct OpenedStudy {
     std::shared_ptr<const FoundVolumes> found = {};
     std::vector<std::string> volumeTitles = {};
     std::size_t volumeIndex = 0;
-    bool isLowBright = false;       // its own display shows low values white (MONOCHROME1)
-    std::string joinQuestion = {};  // see dicom::ScanOptions
-    std::string stateAsLeft = {};   // ModelKeeper::stateOf; empty: nobody knows how it was left
+    bool isLowBright = false;              // its own display shows low values white (MONOCHROME1)
+    std::string joinQuestion = {};         // see dicom::ScanOptions
+    std::string frameOfReferenceUid = {};  // PS3.3 C.7.4.1; empty: not known
+    std::string stateAsLeft = {};          // ModelKeeper::stateOf; empty: nobody knows how it was left
 };
 
 // A folder, or the DICOMDIR in it, of which the best series is meant; an image, of which its own series in

@@ -1,5 +1,6 @@
 #include "viewer/browser/study_browser.h"
 
+#include <QAction>
 #include <QEvent>
 #include <QKeyEvent>
 #include <QScopedValueRollback>
@@ -89,6 +90,21 @@ void StudyBrowser::makeTree() {
     connect(tree_, &QTreeView::expanded, this, [this](const QModelIndex& i) { rememberExpanded(i, true); });
     connect(tree_, &QTreeView::collapsed, this, [this](const QModelIndex& i) { rememberExpanded(i, false); });
     setFocusProxy(tree_);
+    auto* beside = new QAction(tr("Open &Beside"), tree_);
+    beside->setObjectName(QStringLiteral("open-beside-row"));
+    beside->setToolTip(tr("Show this volume beside the study that is open"));
+    connect(beside, &QAction::triggered, this, [this] {
+        if (const auto other = selectedOther()) emit besideAsked(*other);
+    });
+    tree_->addAction(beside);
+    tree_->setContextMenuPolicy(Qt::ActionsContextMenu);
+}
+
+std::optional<std::size_t> StudyBrowser::selectedOther() const {
+    const std::size_t row = currentRow();
+    if (row >= model_->tree().rows.size()) return std::nullopt;
+    const std::optional<std::size_t> volume = model_->tree().rows[row].volume;
+    return volume && volume != model_->open() ? volume : std::nullopt;
 }
 
 void StudyBrowser::setFound(std::shared_ptr<const app::FoundVolumes> found, std::optional<std::size_t> open) {

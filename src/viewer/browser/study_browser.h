@@ -39,9 +39,11 @@ class StudyBrowser : public QWidget {
     // Volumes that something is kept of between runs.
     void setStored(std::set<std::size_t> volumes);
     void focusSearch();
+    std::optional<std::size_t> selectedOther() const;  // a volume that is not the one that is open
 
   signals:
-    void chosen(std::size_t index);  // another volume than the one that is open
+    void chosen(std::size_t index);       // another volume than the one that is open
+    void besideAsked(std::size_t index);  // the same, to be shown beside it
 
   protected:
     bool eventFilter(QObject* watched, QEvent* event) override;

@@ -23,13 +23,23 @@ QImage imageOf(const std::vector<std::uint8_t>& grey, const glm::ivec2& sizePx) 
     return image;
 }
 
-QImage imageOf(const slices::SegmentPicture& picture) {
-    QImage image(picture.sizePx.x, picture.sizePx.y, QImage::Format_ARGB32_Premultiplied);
+QImage imageOf(const std::vector<std::uint32_t>& colours, const glm::ivec2& sizePx) {
+    QImage image(sizePx.x, sizePx.y, QImage::Format_ARGB32_Premultiplied);
     if (image.isNull()) throw std::bad_alloc();
-    const std::size_t width = std::size_t(picture.sizePx.x);
-    for (int y = 0; y < picture.sizePx.y; ++y)
-        std::memcpy(image.scanLine(y), picture.argb.data() + std::size_t(y) * width, 4 * width);
+    const std::size_t width = std::size_t(sizePx.x);
+    for (int y = 0; y < sizePx.y; ++y)
+        std::memcpy(image.scanLine(y), colours.data() + std::size_t(y) * width,
+                    width * sizeof(std::uint32_t));
     return image;
+}
+
+slices::SliceFrame transformed(const slices::SliceFrame& frame, const glm::dmat4& toFromFrame) {
+    if (toFromFrame == glm::dmat4(1.0)) return frame;  // to the bit
+    slices::SliceFrame to = frame;
+    to.plane.centreMm = transformPoint(toFromFrame, frame.plane.centreMm);
+    to.plane.right = glm::normalize(transformVector(toFromFrame, frame.plane.right));
+    to.plane.down = glm::normalize(transformVector(toFromFrame, frame.plane.down));
+    return to;
 }
 
 }  // namespace
@@ -52,6 +62,7 @@ void SliceSampler::run() {
         if (ends_) return;
         if (!wish->volume) {
             last_.reset();
+            lastOver_.reset();
             painted_ = {};
             segments_ = {};
             continue;
@@ -64,26 +75,29 @@ void SliceSampler::run() {
 }
 
 SlicePicture SliceSampler::make(const SliceWish& wish) {
-    SlicePicture picture{.of = wish, .grey = {}};
+    SlicePicture picture{.of = wish, .grey = {}, .colours = {}};
     try {
-        if (!last_ || last_->volume != wish.volume || last_->frame != wish.frame ||
-            last_->slab != wish.slab) {
-            last_.reset();
-            const auto isGivenUp = [this, study = wish.study] { return ends_ || study_ != study; };
-            slices::SampledSlice slice =
-                slices::sampleSlice(*wish.volume, wish.frame, wish.slab, slices::Filter::linear, isGivenUp);
-            if (slice.sizePx != wish.frame.sizePx || isGivenUp()) return picture;
-            last_ = Sampled{
-                .volume = wish.volume, .frame = wish.frame, .slab = wish.slab, .slice = std::move(slice)};
-        }
+        const auto* slice = sampled(last_, wish.volume, transformed(wish.frame, wish.volumeFromPane), wish);
+        if (slice == nullptr) return picture;
         picture.grey =
-            imageOf(slices::toGrey(last_->slice.values, wish.window, wish.isInverted), wish.frame.sizePx);
+            imageOf(slices::toGrey(slice->values, wish.window, wish.isInverted), wish.frame.sizePx);
         paintSegments(wish);
         picture.segments = segments_;
+        if (!wish.over) {
+            lastOver_.reset();
+            return picture;
+        }
+        const SliceOver& over = *wish.over;
+        slice = sampled(lastOver_, over.volume, transformed(wish.frame, over.volumeFromPane), wish);
+        if (slice == nullptr) return {.of = wish, .grey = {}};
+        picture.colours = imageOf(
+            slices::toColours(slice->values, over.window, over.isInverted, over.colours, over.opacity),
+            wish.frame.sizePx);
     } catch (const std::bad_alloc&) {
         last_.reset();
+        lastOver_.reset();
         painted_ = {};
-        picture.grey = {};  // without its segments it would say less than was asked for
+        picture.grey = {};  // a part of it must not be taken for the whole
         log::error("No memory for a slice of {} x {} pixels", wish.frame.sizePx.x, wish.frame.sizePx.y);
     }
     return picture;
@@ -101,9 +115,24 @@ void SliceSampler::paintSegments(const SliceWish& wish) {
         const slices::SegmentPicture picture =
             slices::paintSegments(*wish.volume, wish.frame, *wish.segments, linePx, isGivenUp);
         if (isGivenUp()) return;
-        if (!picture.argb.empty()) segments_ = imageOf(picture);
+        if (!picture.argb.empty()) segments_ = imageOf(picture.argb, picture.sizePx);
     }
     painted_ = wish;
+}
+
+// Null when it was given up.
+const slices::SampledSlice* SliceSampler::sampled(std::optional<Sampled>& kept,
+                                                  const std::shared_ptr<const Volume>& volume,
+                                                  const slices::SliceFrame& frame, const SliceWish& wish) {
+    if (kept && kept->volume == volume && kept->frame == frame && kept->slab == wish.slab)
+        return &kept->slice;
+    kept.reset();
+    const auto isGivenUp = [this, study = wish.study] { return ends_ || study_ != study; };
+    slices::SampledSlice slice =
+        slices::sampleSlice(*volume, frame, wish.slab, slices::Filter::linear, isGivenUp);
+    if (slice.sizePx != frame.sizePx || isGivenUp()) return nullptr;
+    kept = Sampled{.volume = volume, .frame = frame, .slab = wish.slab, .slice = std::move(slice)};
+    return &kept->slice;
 }
 
 }  // namespace macula::viewer

@@ -104,6 +104,7 @@ void SliceView::press(const QPointF& place) {
         case SliceTool::ellipse:
             break;
     }
+    if (!showsStudy()) return;  // what is measured is kept with the study
     const slices::SliceFrame& frame = shown_->of.frame;
     drawing_.emplace(tool_, frame.plane, worldAt(place),
                      kOnePointPx * frame.mmPerPixel * shown_->of.pixelRatio);
@@ -149,7 +150,7 @@ void SliceView::dragTo(const QPointF& place) {
             return setCrosshair(worldAt(place));
         case Drag::window: {
             const DisplayWindow next = app::dragged(window(), glm::dvec2(by.x(), by.y()) / heightPx);
-            return session_.drag(tr("Window"), [&](app::StudyState& state) { state.slices.window = next; });
+            return proposeWindow(next, true);
         }
         case Drag::zoom:
             return zoomAt(pressedAt_, std::pow(kDragZoomPerHeight, -by.y() / heightPx));
@@ -243,6 +244,7 @@ bool SliceView::handleKey(int key, bool withShift) {
                             [](app::StudyState& next) { next.slices.isInverted = !next.slices.isInverted; });
             return true;
         case Qt::Key_Space:
+            if (role_ == PaneRole::second) return false;  // it follows the study
             return setCine(!isCineOn()), true;
         default:
             if (key < Qt::Key_1 || key > Qt::Key_9) return false;
@@ -252,6 +254,7 @@ bool SliceView::handleKey(int key, bool withShift) {
 
 void SliceView::moveBy(int slices) {
     if (!steps_) return;
+    if (wantsSecond() && !beside()->isLinked()) return moveSecond(slices);
     goTo(slice() + (steps_->stepMm() > 0.0 ? slices : -slices), tr("Slice"));
 }
 
@@ -291,6 +294,7 @@ void SliceView::zoomAt(const QPointF& place, double factor) {
 }
 
 void SliceView::setCrosshair(const glm::dvec3& mm) {
+    if (shown_->of.shows == SliceShows::secondByHand) return;  // it is no place in the study
     session_.drag(tr("Cross-hair"), [&](app::StudyState& next) { next.slices.crosshairMm = mm; });
 }
 
