@@ -241,12 +241,12 @@ vec4 matterOfEntry(float entry) {
 // the transmittance. A cell is crossed in as many steps as the transfer function needs over the values in it, and as what is
 // left of the light deserves. Exact where extinction and colour are constant over each step; `phase`, 0 to 1, is where in its
 // step a value is taken, and the mean over all phases has no bias of first order.
-vec4 castMatter(vec3 worldDirection, float phase, INOUT(int) rounds) {
-    vec3 directionVoxel = voxelsPerMm(worldDirection);
-    BrickWalk walk = startEyeWalk(params.originVoxel, directionVoxel);
-    CellWalk cells = startCells(params.originVoxel, directionVoxel);
+vec4 castMatter(EyeRay eye, float phase, INOUT(int) rounds) {
+    vec3 directionVoxel = voxelsPerMm(eye.direction);
+    BrickWalk walk = startEyeWalk(eye.originVoxel, directionVoxel);
+    CellWalk cells = startCells(eye.originVoxel, directionVoxel);
     float face = float(0.0);
-    if (useClip() && params.greyFaces != 0) face = stopAtFace(walk, params.originVoxel, directionVoxel);
+    if (useClip() && params.greyFaces != 0) face = stopAtFace(walk, eye.originVoxel, directionVoxel);
     int least = hasGradients() ? 2 : 1;  // gradients change within a cell too
     vec3 colour = vec3(0.0);
     float transmittance = float(1.0);
@@ -274,7 +274,7 @@ vec4 castMatter(vec3 worldDirection, float phase, INOUT(int) rounds) {
                 if (hasGradients()) {
                     vec3 gradient = gradientIn(cells, gradients, fraction);
                     if (useGradientOpacity()) extinction = thinnedByGradient(extinction, gradient);
-                    if (useShading()) emitted *= headlight(gradient, worldDirection);
+                    if (useShading()) emitted *= headlight(gradient, eye.direction);
                 }
                 float through = exp(-extinction * step);
                 colour += emitted * (transmittance * (float(1.0) - through));
@@ -303,10 +303,10 @@ bool isCounted(Corners corners) {
 // most lie, or at one of three points between. A mask counts for a whole cell, as it is in the middle of its stretch. The medium
 // of a projection bounds how much a brick can change the answer (src/pipeline/volume/medium.h), so that bricks which cannot are
 // not looked at.
-vec4 castValues(vec3 worldDirection, INOUT(int) rounds) {
-    vec3 directionVoxel = voxelsPerMm(worldDirection);
-    BrickWalk walk = startEyeWalk(params.originVoxel, directionVoxel);
-    CellWalk cells = startCells(params.originVoxel, directionVoxel);
+vec4 castValues(EyeRay eye, INOUT(int) rounds) {
+    vec3 directionVoxel = voxelsPerMm(eye.direction);
+    BrickWalk walk = startEyeWalk(eye.originVoxel, directionVoxel);
+    CellWalk cells = startCells(eye.originVoxel, directionVoxel);
     float sign = castLook() == kCastMinimum ? float(-1.0) : float(1.0);
     float best = float(-1e9);  // sign times the value
     float sum = float(0.0);
@@ -350,7 +350,7 @@ vec3 castOffset(uint sampleIndex) {
 // One sample of a pixel: premultiplied, with coverage.
 vec4 castSample(ivec2 pixel, uint sampleIndex, INOUT(int) rounds) {
     vec3 offset = castOffset(sampleIndex);
-    vec3 direction = eyeDirection(vec2(float(pixel.x) + offset.x, float(pixel.y) + offset.y));
-    if (castLook() == kCastMatter) return castMatter(direction, offset.z, rounds);
-    return castValues(direction, rounds);
+    EyeRay eye = eyeRay(vec2(float(pixel.x) + offset.x, float(pixel.y) + offset.y));
+    if (castLook() == kCastMatter) return castMatter(eye, offset.z, rounds);
+    return castValues(eye, rounds);
 }

@@ -37,6 +37,11 @@ float pixelAngleAt(ivec2 pixel) {
     return denoise.pixelAngle * sqrt(seenArea(fovea, stored * denoise.planeHalfSize));
 }
 
+// Width of what a pixel shows so far from where its ray begins: of a parallel view it is the same everywhere.
+float footprintMmAt(ivec2 pixel, float distanceMm) {
+    return pixelAngleAt(pixel) * (denoise.parallelMm > float(0.0) ? denoise.parallelMm : distanceMm);
+}
+
 // Mass: coverage * albedo, and coverage.
 float massOfLight(vec4 mass) {
     return luminance(vec3(mass.x, mass.y, mass.z));

@@ -41,7 +41,7 @@ Record gatherPixel(ivec2 pixel) {
     place = clamp(place, vec2(-2.0), vec2(denoise.imageSize) + vec2(2.0));
     vec2 low = floor(place);
     vec2 f = place - low;
-    float footprintMm = pixelAngleAt(pixel) * motion.w;
+    float footprintMm = footprintMmAt(pixel, motion.w);
     float spreadMm = float(4.0) * footprintMm * (float(1.0) / max(motion.z, float(0.05)) - float(1.0));
     float toleranceMm = float(4.0) * footprintMm + float(0.5) * spreadMm;
     vec4 oldMean = vec4(0.0);

@@ -95,7 +95,7 @@ Prepared preparePixel(ivec2 pixel) {
     float slope = float(0.0);
     float spread = float(0.0);
     if (surface.w >= float(0.0)) {
-        float footprintMm = pixelAngleAt(pixel) * surface.w;
+        float footprintMm = footprintMmAt(pixel, surface.w);
         slope = max(slopeAlong(pixel, surface.w, ivec2(1, 0)), slopeAlong(pixel, surface.w, ivec2(0, 1)));
         slope = max(slope, float(0.5) * footprintMm);
         spread = float(4.0) * footprintMm * (float(1.0) / max(confidence, float(0.02)) - float(1.0));

@@ -28,14 +28,17 @@ struct Eye {
     vec3 up;
     vec3 forward;
     Fovea fovea;
+    float parallelMm;
 };
 
-// The inverse of eyeDirection for any eye: where the direction `v` (world, any length) meets its picture, in pixels.
-// False when it is behind the eye; then `pixel` is 0.
+// The inverse of eyeRay for any eye: where what lies at `v` from it (world mm) is in its picture, in pixels. False when it
+// is behind the eye; then `pixel` is 0.
 bool pixelOfDirection(vec3 v, Eye eye, OUT(vec2) pixel) {
     pixel = vec2(0.0);
     float along = dot(v, eye.forward);
-    if (!(along * along > float(1e-8) * dot(v, v)) || along < float(0.0)) return false;
+    if (!(along >= float(0.0))) return false;
+    if (eye.parallelMm > float(0.0)) along = eye.parallelMm;
+    else if (!(along * along > float(1e-8) * dot(v, v))) return false;
     float x = dot(v, eye.right) / (along * dot(eye.right, eye.right));
     float y = dot(v, eye.up) / (along * dot(eye.up, eye.up));
     if (eye.fovea.magnification > float(1.0)) {
@@ -156,17 +159,23 @@ vec3 surfaceNormal(vec3 at, vec3 worldDirection) {
     return normalize(dot(world, worldDirection) > float(0.0) ? -world : world);
 }
 
+// From a ray to another at a distance from where they begin, world mm.
+vec3 betweenRays(EyeRay to, EyeRay from, float distanceMm) {
+    return (to.asideMm - from.asideMm) + (to.direction - from.direction) * distanceMm;
+}
+
 // The guide of the ray through a point of the picture, in pixels.
 //
 // Confidence tells how well one depth stands for what is seen: f / (f + s), where s is the length over which
 // transmittance falls from 3/4 to 1/4 and f the width of four pixels there. It fades to 0 as coverage falls from 3/4 to
 // 1/2, below which there is no depth.
 Guide guideOf(vec2 pixel, Eye before) {
-    vec3 direction = eyeDirection(pixel);
+    EyeRay eye = eyeRay(pixel);
+    vec3 direction = eye.direction;
     vec3 directionVoxel = voxelsPerMm(direction);
-    BrickWalk walk = startEyeWalk(params.originVoxel, directionVoxel);
+    BrickWalk walk = startEyeWalk(eye.originVoxel, directionVoxel);
     float face = float(0.0);
-    if (useClip() && params.greyFaces != 0) face = stopAtFace(walk, params.originVoxel, directionVoxel);
+    if (useClip() && params.greyFaces != 0) face = stopAtFace(walk, eye.originVoxel, directionVoxel);
     March m = march(walk);
     if (face > float(0.0)) endAtFace(m, walk.endMm, face * params.exposure);
 
@@ -177,22 +186,22 @@ Guide guideOf(vec2 pixel, Eye before) {
     guide.confidence = float(0.0);
     guide.normal = vec3(0.0);
     if (m.halfMm >= float(0.0)) {
-        vec3 aside = eyeDirection(pixel + vec2(float(1.0), float(0.0))) - direction;
-        vec3 below = eyeDirection(pixel + vec2(float(0.0), float(1.0))) - direction;
-        float footprintMm = m.halfMm * sqrt(max(dot(aside, aside), dot(below, below)));
+        vec3 aside = betweenRays(eyeRay(pixel + vec2(float(1.0), float(0.0))), eye, m.halfMm);
+        vec3 below = betweenRays(eyeRay(pixel + vec2(float(0.0), float(1.0))), eye, m.halfMm);
+        float footprintMm = sqrt(max(dot(aside, aside), dot(below, below)));
         float spreadMm = (m.farMm >= float(0.0) ? m.farMm : m.endMm) - m.nearMm;
         guide.confidence = float(4.0) * footprintMm / (float(4.0) * footprintMm + max(spreadMm, float(1e-20)));
         guide.confidence *= clamp(float(4.0) * guide.coverage - float(2.0), float(0.0), float(1.0));
-        guide.normal = surfaceNormal(params.originVoxel + directionVoxel * m.halfMm, direction);
+        guide.normal = surfaceNormal(eye.originVoxel + directionVoxel * m.halfMm, direction);
     }
     // What is too thin for a depth moves like the middle of what it adds.
-    vec3 fromBefore = before.oursMm + direction * (m.halfMm >= float(0.0) ? m.halfMm : m.seenMm / max(m.seen, float(1e-20)));
+    vec3 fromBefore = before.oursMm + eye.asideMm + direction * (m.halfMm >= float(0.0) ? m.halfMm : m.seenMm / max(m.seen, float(1e-20)));
     vec2 pixelBefore;
     guide.motion = vec2(0.0);
     guide.beforeMm = float(-1.0);
     if (m.seen > float(0.0) && pixelOfDirection(fromBefore, before, pixelBefore)) {
         guide.motion = pixelBefore - pixel;
-        guide.beforeMm = sqrt(dot(fromBefore, fromBefore));
+        guide.beforeMm = before.parallelMm > float(0.0) ? dot(fromBefore, before.forward) : sqrt(dot(fromBefore, fromBefore));
     }
     return guide;
 }

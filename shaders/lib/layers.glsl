@@ -30,10 +30,11 @@ struct LayeredRay {
 // Marches the ray through a point of the picture, in pixels; fills layerMm.
 LayeredRay layersOf(vec2 pixel) {
     for (int i = 0; i < LAYERS; ++i) layerMm[i] = float(-1.0);
-    vec3 directionVoxel = voxelsPerMm(eyeDirection(pixel));
-    BrickWalk walk = startEyeWalk(params.originVoxel, directionVoxel);
+    EyeRay eye = eyeRay(pixel);
+    vec3 directionVoxel = voxelsPerMm(eye.direction);
+    BrickWalk walk = startEyeWalk(eye.originVoxel, directionVoxel);
     float face = float(0.0);
-    if (useClip() && params.greyFaces != 0) face = stopAtFace(walk, params.originVoxel, directionVoxel);
+    if (useClip() && params.greyFaces != 0) face = stopAtFace(walk, eye.originVoxel, directionVoxel);
     March m = march(walk);
     if (face > float(0.0)) {
         endAtFace(m, walk.endMm, face * params.exposure);

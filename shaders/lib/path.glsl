@@ -184,15 +184,27 @@ bool extendPath(INOUT(Path) path, INOUT(Rng) rng) {
     return !follow(path, rng) || decide(path, rng);
 }
 
-// The eye ray through a point of the picture, in pixels from its top left corner: unit, world frame.
-vec3 eyeDirection(vec2 pixel) {
+// The ray through a point of the picture.
+struct EyeRay {
+    vec3 originVoxel;  // the eye; of a parallel view the point of the plane through it, across the view
+    vec3 asideMm;      // from the eye to there, world
+    vec3 direction;    // unit, world
+};
+
+// `pixel` is counted from the top left corner of the picture.
+EyeRay eyeRay(vec2 pixel) {
     vec2 p = vec2(float(2.0) * pixel.x / float(params.imageSize.x) - float(1.0),
                   float(1.0) - float(2.0) * pixel.y / float(params.imageSize.y));
     if (params.foveaMagnification > float(1.0)) {
         Fovea fovea = Fovea(params.planeHalfSize, params.gaze, params.foveaRadius, params.foveaMagnification);
         p = seenFromStored(fovea, p * params.planeHalfSize) / params.planeHalfSize;
     }
-    return normalize(params.forward + params.right * p.x + params.up * p.y);
+    vec3 inPlane = params.right * p.x + params.up * p.y;
+    if (params.parallelMm > float(0.0)) {
+        vec3 asideMm = inPlane * params.parallelMm;
+        return EyeRay(params.originVoxel + voxelsPerMm(asideMm), asideMm, params.forward);
+    }
+    return EyeRay(params.originVoxel, vec3(0.0), normalize(params.forward + inPlane));
 }
 
 // The path of one sample of a pixel, and the random numbers it will use.
@@ -203,5 +215,6 @@ Path startSample(ivec2 pixel, uint sampleIndex, OUT(Rng) rng) {
     // takes samples as independent, would blur them for noise that they do not have.
     float x = float(pixel.x) + random01(rng);
     float y = float(pixel.y) + random01(rng);
-    return startPath(params.originVoxel, eyeDirection(vec2(x, y)), net);
+    EyeRay ray = eyeRay(vec2(x, y));
+    return startPath(ray.originVoxel, ray.direction, net);
 }

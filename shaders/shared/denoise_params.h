@@ -16,6 +16,7 @@ struct DenoisePush {
     vec2 gaze;
     float foveaRadius;
     float foveaMagnification;
+    float parallelMm;  // as in TraceParams
 };
 
 MACULA_SHARED_END

@@ -13,7 +13,8 @@ struct GuidePush {
     vec2 gaze;
     float foveaRadius;
     float foveaMagnification;
-    int firstRow;  // of this dispatch
+    float parallelMm;  // likewise
+    int firstRow;      // of this dispatch
 };
 
 MACULA_SHARED_END

@@ -57,6 +57,7 @@ struct TraceParams {
     vec2 gaze;
     float foveaRadius;
     float foveaMagnification;
+    float parallelMm;  // above 0: rays are parallel, and the picture shows what an eye would at this distance
 
     float lightStrength;  // multiplies what the environment sends
     // Gradient opacity, see shaders/lib/gradient.glsl.

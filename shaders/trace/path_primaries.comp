@@ -1,5 +1,5 @@
 // Adds the same samples to a picture as path.comp, and tells where each has met matter, and what light left there towards the
-// eye.
+// eye. Of parallel views nobody asks for them: src/pipeline/hybrid/light/lit_view.cpp.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_control_flow_attributes : require

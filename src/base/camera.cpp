@@ -13,6 +13,7 @@ namespace {
 constexpr double kMinFovDeg = 0.1;
 constexpr double kMaxFovDeg = 170.0;
 constexpr double kFramingMargin = 1.04;
+constexpr double kBeforeOfDiagonal = 0.01;  // how far before a box rays that are moved back begin
 
 struct StandardView {
     glm::dvec3 fromDirection;  // from the target to the eye, LPS
@@ -39,6 +40,10 @@ StandardView standardView(ViewDirection direction) {
     return {{0, -1, 0}, superior};
 }
 
+double tangentOfHalf(double verticalFovDeg) {
+    return std::tan(glm::radians(verticalFovDeg) / 2.0);
+}
+
 bool finite(const glm::dvec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
@@ -55,6 +60,10 @@ Result<CameraBasis> basis(const Camera& camera) {
     if (!(camera.verticalFovDeg >= kMinFovDeg && camera.verticalFovDeg <= kMaxFovDeg)) {
         return fail("The camera's vertical field of view must lie between 0.1 and 170 degrees.");
     }
+    if (camera.parallelHeightMm != 0.0 &&
+        !(camera.parallelHeightMm >= kLeastParallelMm && camera.parallelHeightMm <= kMostParallelMm)) {
+        return fail("The height of a parallel picture must lie between 0.001 mm and 1 km.");
+    }
     const glm::dvec3 view = camera.targetMm - camera.positionMm;
     const double distance = glm::length(view);
     if (!(distance > 0.0)) return fail("The camera's position and target are the same point.");
@@ -64,6 +73,38 @@ Result<CameraBasis> basis(const Camera& camera) {
     if (!(sine > 1e-6)) return fail("The camera's up direction is parallel to its view.");
     const glm::dvec3 right = glm::normalize(side);
     return CameraBasis{right, glm::cross(right, forward), forward};
+}
+
+double heightAtTargetMm(const Camera& camera) {
+    if (isParallel(camera)) return camera.parallelHeightMm;
+    return 2.0 * glm::distance(camera.positionMm, camera.targetMm) * tangentOfHalf(camera.verticalFovDeg);
+}
+
+Camera inParallel(Camera camera) {
+    camera.parallelHeightMm = std::clamp(heightAtTargetMm(camera), kLeastParallelMm, kMostParallelMm);
+    return camera;
+}
+
+Camera inPerspective(Camera camera) {
+    if (!isParallel(camera)) return camera;
+    const glm::dvec3 toEye = camera.positionMm - camera.targetMm;
+    const double distanceMm = 0.5 * camera.parallelHeightMm / tangentOfHalf(camera.verticalFovDeg);
+    camera.positionMm = camera.targetMm + toEye * (distanceMm / glm::length(toEye));
+    camera.parallelHeightMm = 0.0;
+    return camera;
+}
+
+Camera standingBefore(Camera camera, const Box& box) {
+    if (!isParallel(camera)) return camera;
+    const glm::dvec3 view = camera.targetMm - camera.positionMm;
+    const double distanceMm = glm::length(view);
+    if (!(distanceMm > 0.0)) return camera;
+    double behindMm = 0.0;  // the corner that is farthest behind where the rays begin
+    for (const glm::dvec3& corner : cornersOf(box))
+        behindMm = std::max(behindMm, glm::dot(camera.positionMm - corner, view / distanceMm));
+    if (behindMm > 0.0)
+        camera.positionMm -= (behindMm + kBeforeOfDiagonal * box.diagonal()) / distanceMm * view;
+    return camera;
 }
 
 CameraBasis standardBasis(ViewDirection from) {
@@ -109,6 +150,31 @@ Camera framePoints(std::span<const glm::dvec3> pointsMm, const CameraBasis& axes
             .targetMm = eye + axes.forward * (target - along),
             .up = axes.up,
             .verticalFovDeg = verticalFovDeg};
+}
+
+Camera frameInParallel(std::span<const glm::dvec3> pointsMm, const CameraBasis& axes, double verticalFovDeg,
+                       double aspectWidthOverHeight) {
+    MACULA_CHECK(!pointsMm.empty());
+    Box box{glm::dvec3(std::numeric_limits<double>::infinity()),
+            glm::dvec3(-std::numeric_limits<double>::infinity())};  // along right, up, forward
+    for (const glm::dvec3& point : pointsMm) {
+        const glm::dvec3 along(glm::dot(point, axes.right), glm::dot(point, axes.up),
+                               glm::dot(point, axes.forward));
+        box = {glm::min(box.low, along), glm::max(box.high, along)};
+    }
+    const glm::dvec3 size = box.high - box.low;
+    const double heightMm = std::clamp(std::max(size.y, size.x / aspectWidthOverHeight) / kFittedPart,
+                                       kLeastParallelMm, kMostParallelMm);
+    const glm::dvec3 middle = box.centre();
+    const glm::dvec3 targetMm = axes.right * middle.x + axes.up * middle.y + axes.forward * middle.z;
+    const double distanceMm = 0.5 * heightMm / tangentOfHalf(verticalFovDeg);
+    Camera camera;
+    camera.positionMm = targetMm - axes.forward * std::max(distanceMm, size.z);
+    camera.targetMm = targetMm;
+    camera.up = axes.up;
+    camera.verticalFovDeg = verticalFovDeg;
+    camera.parallelHeightMm = heightMm;
+    return camera;
 }
 
 Camera frameBox(const Box& box, ViewDirection from, double verticalFovDeg, double aspectWidthOverHeight) {

@@ -17,6 +17,7 @@
 #include "cli/interrupt.h"
 #include "cli/json_text.h"
 #include "cli/output_options.h"
+#include "cli/presentation_export.h"
 #include "cli/report.h"
 #include "cli/study_options.h"
 #include "formats/volume_file.h"
@@ -30,6 +31,7 @@ namespace fs = std::filesystem;
 struct Options {
     fs::path path;
     fs::path output;
+    PresentationOptions presentation;
     std::string series;
     std::size_t volume = 0;  // from 1; 0: not given
     bool overwrite = false;
@@ -79,6 +81,17 @@ Result<void> exportVolume(const Options& options, app::StudyInput study, double 
 }
 
 Result<void> exportSeries(const Options& options) {
+    if (!options.presentation.output.empty())
+        return exportPresentation(options.presentation, {.path = options.path,
+                                                         .series = options.series,
+                                                         .volume = options.volume,
+                                                         .how = options.how,
+                                                         .overwrite = options.overwrite});
+    if (options.output.empty())
+        return Error{ErrorCode::usage,
+                     "--output is required.",
+                     {},
+                     "Give -o FILE for the values, or --presentation-state FILE for a 3D view."};
     MACULA_TRY_VOID(checkExport(options));
     Progress progress(terminalProgressBar(), interruptToken());
     const auto start = std::chrono::steady_clock::now();
@@ -110,10 +123,9 @@ void addExport(CLI::App& app, Action& action) {
     auto* command = app.add_subcommand(
         "export", "Write a series, of images or of segmentations, to a NIfTI, NRRD or MetaImage file");
     command->add_option("PATH", o.path, "Folder with DICOM files, or a volume file to convert")->required();
-    command
-        ->add_option("-o,--output", o.output,
-                     "File to write: " + formats::volumeFileEndings() + "; values in units, patient left out")
-        ->required();
+    auto* output = command->add_option(
+        "-o,--output", o.output,
+        "File to write: " + formats::volumeFileEndings() + "; values in units, patient left out");
     command->add_option("--series", o.series,
                         "Place in the list of macula info (3, or 3.2), or series UID (default: the best)");
     command
@@ -122,7 +134,8 @@ void addExport(CLI::App& app, Action& action) {
         ->check(CLI::Range(1, 1000000));
     addOverwrite(*command, o.overwrite);
     addJoin(*command, o.how);
-    command->add_flag("--json", o.json, "Print what was written as JSON");
+    auto* json = command->add_flag("--json", o.json, "Print what was written as JSON");
+    addPresentation(*command, o.presentation)->excludes(output)->excludes(json);
     command->callback([options, &action] { action = [options] { return exportSeries(*options); }; });
 }
 

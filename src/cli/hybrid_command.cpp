@@ -49,6 +49,8 @@ void addHybrid(CLI::App& app, Action& action) {
     auto* camera =
         command->add_option("--camera", o.state.camera, "Where the viewer stands first: as of render");
     camera->excludes(view);
+    command->add_flag("--parallel", o.state.isParallel,
+                      "Parallel rays, as of render; traced, without splats");
     const auto addNumber = [&](const char* name, double& value, double low, const char* help) {
         return command->add_option(name, value, help)->check(between(low, 3600.0))->capture_default_str();
     };

@@ -17,7 +17,9 @@
 #include "cli/json_text.h"
 #include "cli/study_options.h"
 #include "cli/volume_file_info.h"
+#include "dicom/read/sop_class.h"
 #include "dicom/read/transfer_syntax.h"
+#include "dicom/segmentation/segmentation.h"
 #include "formats/volume_file.h"
 
 namespace macula::cli {
@@ -81,6 +83,20 @@ void print(const dicom::Stack& stack, const std::string& place, bool isBest) {
     print(stack.messages, "          ");
 }
 
+// Of a segmentation.
+void printSegments(const dicom::OtherObject& object) {
+    if (!dicom::isSegmentation(object.sopClassUid)) return;
+    const auto segmentation = dicom::readSegmentation(object.file);
+    if (!segmentation) {
+        fmt::print("      segmentation: {}\n", segmentation.error().message);
+        return;
+    }
+    fmt::print("      segmentation in {} frames, segments {}\n", segmentation->frames.size(),
+               segmentation->segments.empty() ? "without a description" : "by number and label:");
+    for (const Segment& segment : segmentation->segments)
+        fmt::print("        {:>5}  {}\n", segment.number, orNone(segment.label));
+}
+
 void print(const dicom::Series& series, std::size_t place, const dicom::Choice& best) {
     fmt::print("  [{}] {}", place, orNone(series.modality));
     if (series.number) fmt::print("  series {}", *series.number);
@@ -90,6 +106,7 @@ void print(const dicom::Series& series, std::size_t place, const dicom::Choice& 
         fmt::print("      encoding: {}\n", dicom::describeTransferSyntax(uid));
     }
     print(series.messages, "      ");
+    for (const dicom::OtherObject& object : series.objects) printSegments(object);
     // Hundreds of stacks that say the same are one fact: the first few, the best one, and how many more.
     std::size_t notShown = 0;
     std::size_t imagesNotShown = 0;

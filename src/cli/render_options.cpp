@@ -46,6 +46,12 @@ void addInput(CLI::App& command, app::RenderWish& o) {
     command.add_option("--series", o.series,
                        "Place in the list of macula info, or series UID (default: the best)");
     addSession(command, o.state.session);
+    command
+        .add_option(
+            "--presentation-state", o.state.presentation,
+            "DICOM presentation state of this series: drawn as it says, but for what is given besides")
+        ->option_text("FILE")
+        ->excludes("--session");
     command.add_option(
         "--preset", o.state.preset,
         "Name or number from macula presets, or preset file (default: by what the series shows)");
@@ -62,6 +68,8 @@ void addCamera(CLI::App& command, app::RenderWish& o) {
         .add_option("--camera", o.state.camera,
                     "JSON file: positionMm, targetMm, up, verticalFovDeg; patient LPS mm")
         ->excludes(view);
+    command.add_flag("--parallel", o.state.isParallel,
+                     "Parallel rays: the same mm per pixel at every depth; of --camera as at its target");
     command
         .add_option("--fov", o.state.fovDeg,
                     "Vertical field of view in degrees (default: that of --camera, or 30)")
@@ -129,6 +137,12 @@ void addRenderOptions(CLI::App& command, app::RenderWish& wish) {
     addLights(command, o);
     command.add_flag("--remove-table", o.state.removeTable,
                      "Leave out the table and what else lies beside the patient; CT only. What went is said");
+    command
+        .add_option("--segments", o.segments,
+                    "Of DICOM segmentations in the folder: draw these alone, or leave them out")
+        ->delimiter(',')
+        ->allow_extra_args(false)
+        ->option_text("keep:LABEL,hide:LABEL,…");
     command.add_option("--clip", o.state.clip,
                        "Name from macula presets, or JSON file: what is shown of the volume");
     command

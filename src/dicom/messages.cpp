@@ -197,7 +197,7 @@ constexpr std::array kCatalogue = std::to_array<CatalogueEntry>({
      "between the first and the last was never imaged, and is interpolated here.",
      "Do not read anything into what lies between the slices."},
     // Pixels and values.
-    {key::kUnsupportedSopClass, kInfo, 14, "This is no image, and cannot be shown here: {kind}.", ""},
+    {key::kUnsupportedSopClass, kInfo, 14, "This is no image, and is not shown by itself: {kind}.", ""},
     {key::kUnsupportedSeries, kBlocksVolume, 13, "Images of this kind ({kind}) are no slices of a volume.",
      "Choose a series of slices."},
     {key::kColourImage, kBlocksVolume, 0, "The images are in colour; a volume needs one value per voxel.",
@@ -268,6 +268,18 @@ constexpr std::array kCatalogue = std::to_array<CatalogueEntry>({
     {key::kSegmentsOutside, kWarning, 0,
      "{count} voxels of the segmentation lie outside of the volume, and are not shown.",
      "Check that no slices of the series are missing."},
+    // Presentation states.
+    {key::kPresentationState, kInfo, 0,
+     "Presentation states of 3D views: {count}; they are no images, and say how a series is shown.",
+     "Open its series, and in the window File, Open Presentation State, or give it to macula render."},
+    {key::kPresentationLeftOut, kWarning, 0, "The presentation state has {what}, which cannot be shown.",
+     "Compare with what the program shows that made it."},
+    {key::kPresentationApproximated, kWarning, 0, "The presentation state has {what}; {how}.",
+     "Compare with what the program shows that made it."},
+    {key::kPresentationChanged, kInfo, 0,
+     "Another program changed this presentation state of Macula; it is shown as its standard attributes "
+     "say.",
+     ""},
 });
 
 }  // namespace

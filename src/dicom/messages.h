@@ -131,6 +131,11 @@ inline constexpr std::string_view kInvalidWindow = "invalid-window";
 // Segmentations.
 inline constexpr std::string_view kSegmentsOverlap = "segments-overlap";
 inline constexpr std::string_view kSegmentsOutside = "segments-outside";
+// Presentation states.
+inline constexpr std::string_view kPresentationState = "presentation-state";
+inline constexpr std::string_view kPresentationLeftOut = "presentation-left-out";
+inline constexpr std::string_view kPresentationApproximated = "presentation-approximated";
+inline constexpr std::string_view kPresentationChanged = "presentation-changed";
 }  // namespace key
 
 }  // namespace macula::dicom

@@ -12,6 +12,8 @@
 #include "dicom/read/examination.h"
 #include "dicom/read/folder.h"
 #include "dicom/read/media_directory.h"
+#include "dicom/read/sop_class.h"
+#include "dicom/scan_glimpse.h"
 #include "dicom/split/copies.h"
 #include "dicom/split/join.h"
 #include "dicom/split/neighbours.h"
@@ -211,7 +213,15 @@ void reportFiles(SeriesInProgress& place, std::size_t copies, std::size_t repeat
     if (unreadableFolders > 0) tell(series, message(key::kUnreadableFolder, {count(unreadableFolders)}));
     if (place.frames.empty()) {
         std::set<std::string> kinds;
-        for (const OtherObject& object : series.objects) kinds.insert(object.kind);
+        std::size_t presentations = 0;
+        for (const OtherObject& object : series.objects) {
+            if (object.sopClassUid == sop_class::kVolumePresentationState) {
+                ++presentations;
+            } else {
+                kinds.insert(object.kind);
+            }
+        }
+        if (presentations > 0) tell(series, message(key::kPresentationState, {count(presentations)}));
         for (const std::string& kind : kinds)
             tell(series, message(key::kUnsupportedSopClass, {{"kind", kind}}));
     }
@@ -396,11 +406,13 @@ Result<Scan> scanFolder(const fs::path& path, Progress& progress, const ScanOpti
     progress.beginStage(fmt::format("Reading {} files", files.size()), files.size());
     std::vector<Examination> found(files.size());
     std::atomic<bool> noMemory{false};
+    ScanGlimpses glimpses(options.glimpsed);
     parallelFor(
         files.size(),
         [&](std::size_t i) {
             try {
                 if (!noMemory) found[i] = examine(files[i], progress.token());
+                if (!progress.cancelled()) glimpses.add(found[i]);
             } catch (const std::bad_alloc&) {
                 noMemory = true;  // and no file is damaged by that
             } catch (...) {

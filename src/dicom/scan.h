@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -46,10 +47,15 @@ struct Scan {
     std::size_t objectCount() const;  // DICOM objects that are no images
 };
 
+// Told of a folder while it is still being read: its studies and series so far, with the number of images that
+// were met (Series::instances), and no stacks or messages. Copies and broken files are not told apart yet.
+using GlimpseListener = std::function<void(Scan)>;
+
 struct ScanOptions {
     // Images that agree in everything but identifiers that were made anew for each of them are one series:
     // see join.h. Nobody but a person may say so; key::kUidPerSlice asks.
     bool join = false;
+    GlimpseListener glimpsed = {};  // called on the threads that read; see scan_glimpse.h for how often
 };
 
 // `path` is a folder, read with all its sub-folders (see folder.h for links), or one file. A DICOMDIR given

@@ -5,11 +5,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <ctime>
 #include <vector>
 
 #include "base/atomic_file.h"
+#include "dicom/object_owner.h"
 #include "dicom/read/examination.h"
 #include "dicom/read/quiet_toolkit.h"
 #include "dicom/uid.h"
@@ -23,27 +22,6 @@ namespace {
 constexpr int kLongestSide = 65535;               // Rows and Columns, VR US
 constexpr std::size_t kLongestDescription = 64;   // VR LO
 constexpr std::size_t kLongestDerivation = 1024;  // VR ST
-
-// Of the Patient and the General Study module (PS3.3 C.7.1.1, C.7.2.1), those that archives file by. Those of
-// type 2 are written empty where the source has none.
-struct Taken {
-    DcmTagKey tag;
-    bool isWrittenEmpty;
-};
-const std::array kTaken{Taken{DCM_SpecificCharacterSet, false},
-                        Taken{DCM_PatientName, true},
-                        Taken{DCM_PatientID, true},
-                        Taken{DCM_IssuerOfPatientID, false},
-                        Taken{DCM_PatientBirthDate, true},
-                        Taken{DCM_PatientSex, true},
-                        Taken{DCM_StudyInstanceUID, false},
-                        Taken{DCM_StudyDate, true},
-                        Taken{DCM_StudyTime, true},
-                        Taken{DCM_ReferringPhysicianName, true},
-                        Taken{DCM_StudyID, true},
-                        Taken{DCM_AccessionNumber, true},
-                        Taken{DCM_StudyDescription, false},
-                        Taken{DCM_PatientAge, false}};
 
 bool isAscii(const std::string& text) {
     return std::ranges::all_of(text, [](char c) { return c >= ' ' && c <= '~' && c != '\\'; });
@@ -71,20 +49,6 @@ Result<void> check(const SecondaryCapture& capture) {
     return {};
 }
 
-// Local, as scanners write them.
-struct Now {
-    std::string date = "19700101";
-    std::string time = "000000";
-
-    Now() {
-        const std::time_t seconds = std::time(nullptr);
-        std::tm local{};
-        if (localtime_r(&seconds, &local) == nullptr) return;
-        date = fmt::format("{:04}{:02}{:02}", local.tm_year + 1900, local.tm_mon + 1, local.tm_mday);
-        time = fmt::format("{:02}{:02}{:02}", local.tm_hour, local.tm_min, local.tm_sec);
-    }
-};
-
 class Writer {
   public:
     explicit Writer(DcmDataset& to) : to_(to) {}
@@ -94,13 +58,6 @@ class Writer {
     }
     void word(const DcmTagKey& tag, int value) {
         ok_ = ok_ && to_.putAndInsertUint16(tag, static_cast<Uint16>(value)).good();
-    }
-    void copy(DcmDataset& from, const Taken& taken) {
-        if (from.tagExists(taken.tag)) {
-            ok_ = ok_ && from.findAndInsertCopyOfElement(taken.tag, &to_).good();
-        } else if (taken.isWrittenEmpty) {
-            ok_ = ok_ && to_.insertEmptyElement(taken.tag).good();
-        }
     }
     void rgb(const SecondaryCapture& capture) {
         std::vector<Uint8> bytes;
@@ -116,51 +73,6 @@ class Writer {
     DcmDataset& to_;
     bool ok_ = true;
 };
-
-struct Origin {
-    std::string modality = "OT";  // other
-    std::string sopClassUid;
-    std::string sopInstanceUid;
-};
-
-// Patient and study. What the source is told by never goes into the error: it may name a patient.
-Result<Origin> fillFromSource(Writer& write, const SecondaryCapture::Source& source) {
-    const Error unreadable{
-        ErrorCode::inputNotUsable, "The study that the picture belongs to cannot be read any more.",
-        source.file.string(), "Open the study again, or write the picture without the patient."};
-    DcmFileFormat format;
-    if (format
-            .loadFileUntilTag(source.file.c_str(), EXS_Unknown, EGL_noChange, DCM_MaxReadLength,
-                              ERM_autoDetect, DCM_PixelData)
-            .bad())
-        return unreadable;
-    DcmDataset& from = *format.getDataset();
-    Origin origin;
-    OFString value;
-    if (from.findAndGetOFString(DCM_StudyInstanceUID, value).bad() || value.empty()) return unreadable;
-    OFString uid;
-    if (from.findAndGetOFString(DCM_SOPInstanceUID, uid).bad() || uid != source.sopInstanceUid.c_str())
-        return unreadable;
-    for (const Taken& taken : kTaken) write.copy(from, taken);
-    if (from.findAndGetOFString(DCM_Modality, value).good() && !value.empty())
-        origin.modality = value.c_str();
-    if (from.findAndGetOFString(DCM_SOPClassUID, value).good()) origin.sopClassUid = value.c_str();
-    if (from.findAndGetOFString(DCM_SOPInstanceUID, value).good()) origin.sopInstanceUid = value.c_str();
-    return origin;
-}
-
-void fillNobody(Writer& write, bool isDeidentified) {
-    write.text(DCM_SpecificCharacterSet, "ISO_IR 192");
-    write.text(DCM_PatientName, isDeidentified ? "ANONYMOUS" : "PHANTOM^MACULA");
-    write.text(DCM_PatientID, isDeidentified ? "ANONYMOUS" : "MACULA-PHANTOM");
-    for (const DcmTagKey& tag : {DCM_PatientBirthDate, DCM_PatientSex, DCM_StudyDate, DCM_StudyTime,
-                                 DCM_ReferringPhysicianName, DCM_StudyID, DCM_AccessionNumber})
-        write.text(tag, "");
-    write.text(DCM_StudyInstanceUID, newUid());
-    if (!isDeidentified) return;
-    write.text(DCM_PatientIdentityRemoved, "YES");
-    write.text(DCM_DeidentificationMethod, "Macula: patient, study and all UIDs replaced");
-}
 
 void fillSeriesAndEquipment(Writer& write, const SecondaryCapture& capture, const Origin& origin) {
     write.text(DCM_Modality, origin.modality);
@@ -222,9 +134,9 @@ Result<void> writeSecondaryCapture(const fs::path& path, const SecondaryCapture&
     Writer write(dataset);
     Origin origin;
     if (capture.source && !capture.isDeidentified) {
-        MACULA_TRY(origin, fillFromSource(write, *capture.source));
-    } else {
-        fillNobody(write, capture.isDeidentified);
+        MACULA_TRY(origin, copyOwner(dataset, *capture.source));
+    } else if (!writeNobody(dataset, capture.isDeidentified)) {
+        return failed;
     }
     fillSeriesAndEquipment(write, capture, origin);
     fillImage(write, capture, Now());

@@ -15,6 +15,7 @@
 #include "base/draft.h"
 #include "base/parallel.h"
 #include "base/sha256.h"
+#include "dicom/decimal_string.h"
 #include "dicom/read/examination.h"
 #include "dicom/read/quiet_toolkit.h"
 #include "dicom/uid.h"
@@ -26,20 +27,9 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr double kPerpendicular = 1e-6;
-constexpr std::size_t kDecimalStringLength = 16;  // PS3.5 6.2, VR DS
 
 Error notWritable(std::string message, const fs::path& where, std::string hint) {
     return {ErrorCode::outputNotWritable, std::move(message), where.string(), std::move(hint)};
-}
-
-// The most exact Decimal String there is room for.
-std::string decimalString(double value) {
-    if (value == 0.0) return "0";  // and no "-0"
-    for (int digits = 17; digits > 1; --digits) {
-        std::string text = fmt::format("{:.{}g}", value, digits);
-        if (text.size() <= kDecimalStringLength) return text;
-    }
-    return fmt::format("{:.2g}", value);
 }
 
 std::string decimalStrings(std::initializer_list<double> values) {

@@ -10,9 +10,12 @@
 namespace macula::dicom {
 
 std::string uidFrom(std::string_view text) {
-    const std::string hex = sha256Hex(text).substr(0, 32);
+    return uidFromSha256(sha256Hex(text));
+}
+
+std::string uidFromSha256(std::string_view hex) {
     std::string decimal = "0";
-    for (const char c : hex) {
+    for (const char c : hex.substr(0, 32)) {
         int carry = c <= '9' ? c - '0' : c - 'a' + 10;
         for (auto digit = decimal.rbegin(); digit != decimal.rend(); ++digit) {
             const int sum = (*digit - '0') * 16 + carry;

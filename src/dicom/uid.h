@@ -11,5 +11,7 @@ namespace macula::dicom {
 // the same twice.
 std::string uidFrom(std::string_view text);
 std::string newUid();
+// uidFrom of a text of which only sha256Hex is known; of at least 32 hexadecimal digits, lower case.
+std::string uidFromSha256(std::string_view hex);
 
 }  // namespace macula::dicom

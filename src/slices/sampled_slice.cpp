@@ -8,6 +8,7 @@
 #include "base/parallel.h"
 #include "slices/slab_steps.h"
 #include "slices/voxel_grid.h"
+#include "slices/voxel_places.h"
 
 namespace macula::slices {
 
@@ -15,43 +16,12 @@ namespace {
 
 constexpr float kNoValue = std::numeric_limits<float>::quiet_NaN();
 
-// Where voxels are: half a voxel outside of the outer middles.
-struct Bounds {
-    glm::dvec3 low{0.0};
-    glm::dvec3 high{0.0};
-
-    bool contain(const glm::dvec3& at) const {
-        return glm::all(glm::lessThanEqual(low, at)) && glm::all(glm::lessThanEqual(at, high));
-    }
-};
-
-Bounds boundsOf(const glm::ivec3& size) {
-    const double beyond = 0.5 + kSamePlace;
-    return {glm::dvec3(-beyond), glm::dvec3(size - 1) + beyond};
-}
-
 // Where each place has a voxel on either side.
 Bounds insideOf(const glm::ivec3& size) {
     Bounds inside{glm::dvec3(0.0), glm::dvec3(size - 1)};
     for (int axis = 0; axis < 3; ++axis) inside.high[axis] = std::nextafter(inside.high[axis], -1.0);
     return inside;
 }
-
-// From voxel coordinates to those of the patient and back. The origin is subtracted before the turn, so that
-// far from the origin of the patient's coordinates no digits are lost.
-class VoxelPlaces {
-  public:
-    explicit VoxelPlaces(const Volume& volume)
-        : voxelFromMm_(glm::inverse(glm::dmat3(volume.worldFromVoxel()))),
-          originMm_(volume.worldFromVoxel()[3]) {}
-
-    glm::dvec3 ofPoint(const glm::dvec3& mm) const { return voxelFromMm_ * (mm - originMm_); }
-    glm::dvec3 ofVector(const glm::dvec3& mm) const { return voxelFromMm_ * mm; }
-
-  private:
-    glm::dmat3 voxelFromMm_;
-    glm::dvec3 originMm_;
-};
 
 // The middles of the pixels of a row, in voxel coordinates. Each is found from the first, so that a long row
 // does not drift.

@@ -17,8 +17,8 @@ constexpr int kLargestEdge = trace::kMaxPictureSide;
 constexpr int kSmallestEdge = 160;
 constexpr double kShortestScriptSeconds = 1e-3;
 constexpr double kLongestScriptSeconds = 3600.0;
-constexpr int kMostKeptDays = 36500;
 constexpr const char* kKeepDaysVariable = "MACULA_KEEP_DAYS";
+constexpr const char* kSessionsVariable = "MACULA_SESSIONS";
 
 Error usage(const QString& message, const char* hint = "Run macula-viewer --help.") {
     return {ErrorCode::usage, message.toStdString(), {}, hint};
@@ -66,6 +66,11 @@ Result<app::Layout> parseLayout(const QString& text) {
                  "The layouts are fourPanes, volume, axial, coronal and sagittal.");
 }
 
+Result<Language> parseLanguage(const QString& text) {
+    if (const auto language = languageOf(text)) return *language;
+    return usage(QStringLiteral("There is no language '%1'.").arg(text), "The languages are en and de.");
+}
+
 Result<double> parseFontScale(const QString& text) {
     bool isNumber = false;
     const double scale = text.toDouble(&isNumber);
@@ -88,6 +93,8 @@ struct Options {
     const QCommandLineOption layout{
         "layout", "Which panes: fourPanes, volume, axial, coronal or sagittal; volume with a script.", "NAME",
         "fourPanes"};
+    const QCommandLineOption language{"language", "Of the window: en or de; else that of the desktop.",
+                                      "CODE"};
     const QCommandLineOption highContrast{"high-contrast", "Black, white and yellow."};
     const QCommandLineOption fontScale{"font-scale", "Times the size of the desktop's letters, 0.8 to 2.",
                                        "X", "1"};
@@ -119,9 +126,9 @@ struct Options {
                                   "300"};
 
     void addTo(QCommandLineParser& parser) const {
-        parser.addOptions({preset,      lights,      view,    device,   size,      layout,   highContrast,
-                           fontScale,   samples,     noModel, sessions, noSession, keepDays, script,
-                           screenshots, withPatient, wait,    turn,     seconds,   rest});
+        parser.addOptions({preset,       lights,      view,        device,  size,     layout,    language,
+                           highContrast, fontScale,   samples,     noModel, sessions, noSession, keepDays,
+                           script,       screenshots, withPatient, wait,    turn,     seconds,   rest});
     }
 };
 
@@ -211,7 +218,11 @@ Result<CommandLine> parseCommandLine(const QStringList& arguments) {
     }
     MACULA_TRY(result.layout, parseLayout(parser.value(options.layout)));
     result.choosesLayout = parser.isSet(options.layout);
+    if (parser.isSet(options.language)) {
+        MACULA_TRY(result.language, parseLanguage(parser.value(options.language)));
+    }
     result.highContrast = parser.isSet(options.highContrast);
+    result.choosesFontScale = parser.isSet(options.fontScale);
     MACULA_TRY(result.fontScale, parseFontScale(parser.value(options.fontScale)));
     bool isNumber = false;
     result.samples = parser.value(options.samples).toUInt(&isNumber);
@@ -224,6 +235,17 @@ Result<CommandLine> parseCommandLine(const QStringList& arguments) {
         parser.isSet(options.preset) || parser.isSet(options.lights) || parser.isSet(options.view);
     MACULA_TRY_VOID(readScript(parser, options, result));
     return result;
+}
+
+CommandLine withSettings(CommandLine line, const Settings& settings) {
+    if (!line.language) line.language = settings.language;
+    line.highContrast = line.highContrast || settings.highContrast;
+    if (!line.choosesFontScale) line.fontScale = settings.fontScale;
+    if (!line.keepsSessions) return line;
+    const bool isFolderTold = line.sessions || qEnvironmentVariableIsSet(kSessionsVariable);
+    if (!isFolderTold && !settings.sessionFolder.isEmpty()) line.sessions = settings.sessionFolder;
+    if (!line.keepDays) line.keepDays = settings.keepDays;
+    return line;
 }
 
 }  // namespace macula::viewer

@@ -10,6 +10,7 @@
 #include "app/state/study_state.h"
 #include "base/frames.h"
 #include "base/result.h"
+#include "viewer/settings/settings.h"
 
 namespace macula::viewer {
 
@@ -22,8 +23,10 @@ struct CommandLine {
     std::optional<QSize> size;  // of the picture
     app::Layout layout = app::Layout::fourPanes;
     bool choosesLayout = false;
+    std::optional<Language> language = {};  // nothing: as settings or the desktop have it
     bool highContrast = false;
     double fontScale = 1.0;
+    bool choosesFontScale = false;
     std::uint32_t samples = 512;
     bool usesModel = true;
     bool keepsSessions = true;
@@ -43,5 +46,8 @@ struct CommandLine {
 // `arguments` begins with the program's name. Without --keep-days, MACULA_KEEP_DAYS of the environment
 // counts. Fails with usage.
 Result<CommandLine> parseCommandLine(const QStringList& arguments);
+
+// What neither the line nor the environment says is as a person has set it.
+CommandLine withSettings(CommandLine line, const Settings& settings);
 
 }  // namespace macula::viewer

@@ -9,19 +9,19 @@ namespace macula::viewer {
 
 namespace {
 
-QString tr(const char* text) {
-    return QCoreApplication::translate("JoinQuestion", text);
-}
+struct Words {
+    Q_DECLARE_TR_FUNCTIONS(JoinQuestion)
+};
 
 }  // namespace
 
 void askToJoin(QWidget* parent, const QString& question, std::function<void()> join) {
-    auto* box = new QMessageBox(QMessageBox::Question, tr("One series?"),
-                                question + tr(" Are they one series?"), QMessageBox::Cancel, parent);
+    auto* box = new QMessageBox(QMessageBox::Question, Words::tr("One series?"),
+                                question + Words::tr(" Are they one series?"), QMessageBox::Cancel, parent);
     box->setInformativeText(
-        tr("If you join them, check that all of them are of one patient and one examination."));
+        Words::tr("If you join them, check that all of them are of one patient and one examination."));
     box->setAttribute(Qt::WA_DeleteOnClose);
-    QPushButton* yes = box->addButton(tr("&Join Them"), QMessageBox::AcceptRole);
+    QPushButton* yes = box->addButton(Words::tr("&Join Them"), QMessageBox::AcceptRole);
     box->setDefaultButton(QMessageBox::Cancel);
     QObject::connect(yes, &QPushButton::clicked, box, [join = std::move(join)] { join(); });
     box->open();  // exec() would run a second event loop

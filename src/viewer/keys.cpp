@@ -4,6 +4,9 @@
 #include <algorithm>
 
 #include "base/check.h"
+#include "viewer/language/core_words.h"
+#include "viewer/panes/slice_tool_keys.h"
+#include "viewer/settings/key_book.h"
 
 namespace macula::viewer {
 
@@ -28,10 +31,48 @@ QString pressedFor(const KeyRow& row) {
     return hand.isEmpty() || key.isEmpty() ? hand + key : hand + QStringLiteral(", ") + key;
 }
 
+std::vector<QKeySequence> keysOf(KeyAction action) {
+    std::vector<QKeySequence> keys;
+    switch (action) {
+        case KeyAction::look:
+            for (const trace::LookTraits& look : trace::kLooks) keys.push_back(keyOf(look.look));
+            break;
+        case KeyAction::panes:
+            for (const LayoutRow& row : kLayouts) keys.push_back(keyOf(row));
+            break;
+        case KeyAction::sliceTool:
+            for (const SliceToolRow& row : kSliceTools) keys.push_back(keyOf(row));
+            break;
+        case KeyAction::panels:
+            for (const char* key : kPanelKeys) keys.push_back(QKeySequence(QString::fromLatin1(key)));
+            break;
+        default:
+            if (const QKeySequence key = keyOf(action); !key.isEmpty()) keys.push_back(key);
+    }
+    return keys;
+}
+
+QString chosenFor(const KeyRow& row) {
+    const KeyBook& book = KeyBook::ofProgram();
+    QStringList keys;
+    bool isChanged = false;
+    for (const QKeySequence& usual : keysOf(row.action)) {
+        const QKeySequence key = book.chosen(usual);
+        isChanged = isChanged || key != usual;
+        if (!key.isEmpty()) keys << key.toString(QKeySequence::NativeText);
+    }
+    const QString hand = inWindowsLanguage(QString::fromUtf8(row.hand));
+    // Where a row has no sequence, the words are the keys.
+    if (row.sequence[0] == '\0') return isChanged ? keys.join(QStringLiteral(", ")) : hand;
+    if (!hand.isEmpty()) keys.prepend(hand);
+    return keys.join(QStringLiteral(", "));
+}
+
 std::optional<KeyAction> actionOf(const QKeyEvent& event) {
     const QKeySequence pressed(event.key());
+    const KeyBook& book = KeyBook::ofProgram();
     for (const KeyRow& row : kKeys) {
-        if (row.sequence[0] != '\0' && keyOf(row.action) == pressed) return row.action;
+        if (row.sequence[0] != '\0' && book.chosen(keyOf(row.action)) == pressed) return row.action;
     }
     return std::nullopt;
 }

@@ -20,7 +20,10 @@
 #include "viewer/changes_script.h"
 #include "viewer/command_line.h"
 #include "viewer/display_check.h"
+#include "viewer/language/core_words.h"
+#include "viewer/language/language.h"
 #include "viewer/orbit_script.h"
+#include "viewer/settings/settings.h"
 #include "viewer/theme/theme.h"
 
 namespace {
@@ -75,17 +78,38 @@ void returnFreedMemory() {
 #endif
 }
 
-int run(QApplication& application, const CommandLine& line) {
+// A script measures what the command line says, and nothing else.
+struct ReadSettings {
+    Settings settings = {};
+    std::optional<std::filesystem::path> file = {};  // where they are kept; nothing: nowhere
+    std::optional<Error> error = {};
+};
+
+ReadSettings readSettingsFor(const CommandLine& line) {
+    ReadSettings read;
+    if (line.script != CommandLine::Script::none) return read;
+    const std::filesystem::path file = settingsFile();
+    Result<Settings> settings = readSettings(file);
+    if (settings) {
+        read.settings = *std::move(settings);
+    } else {
+        read.error = settings.error();
+    }
+    if (line.keepsSessions) read.file = file;
+    return read;
+}
+
+int run(QApplication& application, const CommandLine& line, const ReadSettings& read) {
     Result<MainWindowOptions> options = windowOptions(line);
     if (!options) return fail(options.error());
+    options->settings = read.settings;
+    options->settingsFile = read.file;
     Result<gpu::Instance> instance = createInstanceForWindows();
     if (!instance) {
         const int code = fail(instance.error());
         // Started from a desktop, nobody sees the standard error stream.
         if (line.script == CommandLine::Script::none) {
-            QMessageBox::critical(
-                nullptr, QStringLiteral("Macula"),
-                QString::fromStdString(instance.error().message + " " + instance.error().hint));
+            QMessageBox::critical(nullptr, QStringLiteral("Macula"), inWindowsLanguage(instance.error()));
         }
         return code;
     }
@@ -112,6 +136,7 @@ int run(QApplication& application, const CommandLine& line) {
         begin(changes);
     }
     window.show();
+    if (read.error) window.tell(*read.error);
     window.open(source);
     return application.exec();
 }
@@ -142,7 +167,11 @@ int main(int argc, char** argv) {
     // patients. Below a file that is no folder nothing can be written.
     QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, QStringLiteral("/dev/null"));
     QApplication application(argc, argv);
-    applyTheme(application, {.highContrast = line->highContrast, .fontScale = line->fontScale});
+    const ReadSettings read = readSettingsFor(*line);
+    const CommandLine wanted = withSettings(*line, read.settings);
+    const bool isScript = wanted.script != CommandLine::Script::none;
+    useLanguage(wanted.language.value_or(isScript ? Language::english : desktopLanguage()));
+    applyTheme(application, {.highContrast = wanted.highContrast, .fontScale = wanted.fontScale});
     display.reset();
-    return run(application, *line);
+    return run(application, wanted, read);
 }

@@ -15,14 +15,17 @@
 #include <variant>
 
 #include "app/state/drawing_of.h"
-#include "pipeline/volume/window.h"
 #include "viewer/browser/study_browser.h"
 #include "viewer/clip/scissor_tool.h"
 #include "viewer/clip/voxel_cutting.h"
+#include "viewer/hidden_voxels.h"
 #include "viewer/join_question.h"
 #include "viewer/keys.h"
+#include "viewer/language/core_words.h"
 #include "viewer/panes/pane_grid.h"
 #include "viewer/panes/tool_box.h"
+#include "viewer/presets/preset_box.h"
+#include "viewer/segmentation/segmentation_keeper.h"
 #include "viewer/slices/slice_view.h"
 #include "viewer/status_texts.h"
 #include "viewer/visibility_note.h"
@@ -45,6 +48,15 @@ void select(QComboBox& box, const std::vector<std::shared_ptr<const Item>>& item
     box.setCurrentIndex(found == items.end() ? -1 : int(found - items.begin()));
 }
 
+// "born" and "no study date" in the language of the window; a name is never looked up.
+std::vector<std::string> linesToShow(const app::Identity& identity) {
+    std::vector<std::string> lines = linesOf(identity);
+    const std::size_t first = identity.isOfNobody ? 0 : 1;
+    for (std::size_t i = first; i < lines.size(); ++i)
+        lines[i] = listInWindowsLanguage(lines[i]).toStdString();
+    return lines;
+}
+
 }  // namespace
 
 MainWindow::MainWindow(gpu::Instance instance, MainWindowOptions options)
@@ -57,6 +69,9 @@ MainWindow::MainWindow(gpu::Instance instance, MainWindowOptions options)
       loading_(new WorkBar),
       table_(new TableRemoval(this)),
       searching_(new WorkBar),
+      hidden_(new HiddenVoxels(this)),
+      segments_(new SegmentationKeeper(session_, this)),
+      segmenting_(new WorkBar),
       export_(new PictureExport(options_.device, this)),
       exporting_(new WorkBar),
       pick_(new AnatomyPick(this)) {
@@ -74,12 +89,17 @@ MainWindow::MainWindow(gpu::Instance instance, MainWindowOptions options)
     column->addWidget(notes_);
     column->addWidget(messages_);
     setCentralWidget(centre);
+    makePresets();
     makePanels();
+    connectBrowser();
+    makeBeside();
     makeMenus();
     makeToolBar();
     makeStatusBar();
+    makeBesideBar();
     connectLoader();
     connectTable();
+    connectSegments();
     connectExport();
     connectPick();
 
@@ -103,7 +123,8 @@ MainWindow::MainWindow(gpu::Instance instance, MainWindowOptions options)
     if (keeper_) keeps_.start(kStateKeptEvery);
     viewport_->setSampleLimit(options_.sampleLimit);
     viewport_->setUsesModel(options_.usesModel);
-    showNames(options_.namesPatient);
+    useKeys();
+    showNames(options_.namesPatient && options_.settings.showsNames);
     showPanes();
     redraw();
     if (options_.layout == app::Layout::fourPanes) {
@@ -154,7 +175,7 @@ void MainWindow::connectTable() {
         session_.change(tr("Table"), [this](app::StudyState& next) {
             next.leavesTableOut = table_->action().isChecked();
         });
-        updateClip();
+        hidden_->set(HiddenVoxels::Part::table, table_->mask());
         showNotes();
     });
     connect(table_, &TableRemoval::failed, this, [this](const Error& error) {
@@ -199,8 +220,7 @@ void MainWindow::redraw() {
 }
 
 void MainWindow::updateClip() {
-    wantVoxels();
-    clip_ = study().volume ? app::clipOf(session_.state(), *study().volume, cutting_->mask()) : nullptr;
+    clip_ = study().volume ? app::clipOf(session_.state(), *study().volume, hidden_->mask()) : nullptr;
     redraw();
 }
 
@@ -256,17 +276,6 @@ void MainWindow::showOpenError(const Error& error) {
     messages_->showError(told);
 }
 
-void MainWindow::choosePreset(int index) {
-    options_.preset = catalogue().presets[std::size_t(index)];  // kept for the next study
-    session_.change(tr("Preset"), [&](app::StudyState& next) {
-        next.preset = options_.preset;
-        // In projections it is a window, and of those each look has its own.
-        if (const trace::Look look = next.settings.look; study().volume && trace::isProjection(look))
-            next.windows.at(std::size_t(look)) = presetWindow(*next.preset, *study().volume);
-    });
-    focusPicture();
-}
-
 // Of the same study; the table is searched for, and is in the state once it is found.
 void MainWindow::onChanged(const app::StudyState& before) {
     const app::StudyState now = session_.state();
@@ -280,8 +289,8 @@ void MainWindow::onChanged(const app::StudyState& before) {
         showChosen();
     if (now.layout != before.layout) showPanes();
     if (now.leavesTableOut != before.leavesTableOut) table_->ask(now.leavesTableOut);
-    const bool isOtherMask = wantVoxels();
-    if (now.clip != before.clip || now.cuts.eye != before.cuts.eye || isOtherMask) {
+    cutting_->want(now.cuts.scissors);
+    if (now.clip != before.clip || now.cuts.eye != before.cuts.eye) {
         updateClip();
     } else {
         redraw();
@@ -312,12 +321,14 @@ void MainWindow::showStudy(const app::OpenedStudy& study) {
                         .preset = preset,
                         .lights = before.lights,
                         .settings = {.look = before.settings.look, .shading = before.settings.shading},
+                        .showsMarks = before.showsMarks,
                         .layout = before.layout};
     std::optional<app::StudyState> left = stateAsLeft(study);
     if (left && options_.restores == Restores::work) {
         now.slices = left->slices;
         now.measurements = left->measurements;
         now.namedClips = left->namedClips;
+        now.segmentations = app::onSlicesAlone(left->segmentations);
         now.otherKeys = left->otherKeys;
     } else if (left) {
         now = *left;
@@ -333,10 +344,12 @@ void MainWindow::showStudy(const app::OpenedStudy& study) {
     presetNote_ = presetWarning(*now.preset, volume);
     table_->setVolume(study.volume);
     cutting_->setVolume(study.volume);
+    hidden_->setVolume(study.volume);
     pick_->cancel();
     seriesWindows_.forget();
     QStringList lines;
-    for (const std::string& line : linesOf(study.identity)) lines << QString::fromStdString(line);
+    const std::vector<std::string> identity = linesToShow(study.identity);
+    for (const std::string& line : identity) lines << QString::fromStdString(line);
     for (SliceView* pane : slices_) pane->setLines(lines);
     session_.show(study, std::move(now));
     showChosen();
@@ -345,20 +358,24 @@ void MainWindow::showStudy(const app::OpenedStudy& study) {
     clearStudyTexts();
     app::Drawing first = drawing();
     visibilityNote_ = visibilityNote(first, volume, catalogue());
-    viewport_->setStudy(study.volume, linesOf(study.identity), std::move(first), options_.firstView);
-    if (left && left->camera) viewport_->showFrom(*left->camera);
-    wantVoxels();
+    viewport_->setStudy(study.volume, identity, std::move(first), options_.firstView);
+    if (left && left->camera) {
+        viewport_->showFrom(*left->camera);
+    } else if (left) {
+        viewport_->setParallel(false);
+    }
+    cutting_->want(session_.state().cuts.scissors);
     redraw();  // menus and lists show it
     if (left) table_->ask(left->leavesTableOut);
     kept_ = stateToKeep();
-    browser_->setFound(study.found, study.volumeIndex);
+    showFound(study.found, study.volumeIndex);
     volumes_->setVolumes(study.volumeTitles, study.volumeIndex);
     volumesInBar_->setVisible(volumes_->count() > 0 && options_.namesPatient);
 
     for (const std::string& assumption : volume.provenance().assumptions) {
-        notes << QString::fromStdString(assumption);
+        notes << inWindowsLanguage(assumption);
     }
-    for (const std::string& message : study.messages) notes << QString::fromStdString(message);
+    for (const std::string& message : study.messages) notes << inWindowsLanguage(message);
     messages_->hide();
     studyNotes_ = notes;
     pictureNote_.clear();
@@ -368,7 +385,8 @@ void MainWindow::showStudy(const app::OpenedStudy& study) {
 }
 
 void MainWindow::showNotes() {
-    QStringList notes = studyNotes_ + table_->notes();
+    QStringList notes = studyNotes_ + table_->notes() + besideNotes();
+    if (const QString note = segments_->note(); !note.isEmpty()) notes << note;
     if (!presetNote_.isEmpty()) notes.prepend(presetNote_);
     if (!storeNote_.isEmpty()) notes.prepend(storeNote_);
     if (!sessionNote_.isEmpty()) notes.prepend(sessionNote_);

@@ -23,6 +23,7 @@
 #include "viewer/output/picture_export.h"
 #include "viewer/pick/anatomy_pick.h"
 #include "viewer/session/viewer_session.h"
+#include "viewer/settings/settings.h"
 #include "viewer/status_widgets.h"
 #include "viewer/study_loader.h"
 #include "viewer/table_removal.h"
@@ -34,12 +35,23 @@ class QMenu;
 
 namespace macula::viewer {
 
+class BesideBar;
+class BesideStudy;
 class ClipEditing;
 class ClipPanel;
 class CutTools;
+class HiddenVoxels;
 class PaneGrid;
 class PictureDialog;
+class PresentationFiles;
+class PresetBox;
+class PresetGallery;
+class PresetLibrary;
+class RecentMenu;
 class ScissorTool;
+class SegmentationKeeper;
+class SegmentationPanel;
+class SlicePair;
 class SliceView;
 class StudyBrowser;
 class ToolBox;
@@ -47,6 +59,7 @@ class TransferFunctionEditor;
 class UndoActions;
 class VoxelCutting;
 enum class Pane;
+struct LibraryPreset;
 
 // What comes back of a study that was seen before, and is kept for the next time.
 enum class Restores {
@@ -72,6 +85,8 @@ struct MainWindowOptions {
     std::optional<int> keepDays = {};  // what was not opened for so long is deleted there; nothing: never
     Restores restores = Restores::all;
     bool keepsLayout = false;  // as above, whatever a study was left with
+    Settings settings = {};
+    std::optional<std::filesystem::path> settingsFile = {};  // where they are kept; nothing: nowhere
 };
 
 // Menus, choices, the viewport, and what is known about the picture in it. Nothing here waits: folders are
@@ -88,6 +103,7 @@ class MainWindow : public QMainWindow {
     void showStudy(const app::OpenedStudy& study);
     void cancelLoading() { loader_.cancel(); }
     bool loading() const { return loader_.loading(); }
+    SegmentationKeeper& segments() { return *segments_; }
     bool searchingTable() const { return table_->searching(); }
     bool cutting() const;  // with the scissors
     // Where a clip is taken hold of; and the scissors over the 3D picture.
@@ -98,6 +114,8 @@ class MainWindow : public QMainWindow {
     Viewport& viewport() { return *viewport_; }
     SliceView& slices(slices::Orientation orientation) { return *slices_.at(std::size_t(orientation)); }
     PaneGrid& panes() { return *panes_; }
+    BesideStudy& beside() { return *beside_; }  // the second volume
+    SlicePair& pair(slices::Orientation orientation) { return *pairs_.at(std::size_t(orientation)); }
     // What went wrong last; what is to be known about the study. Empty when there is nothing, or dismissed.
     QString message() const { return messages_->isVisible() ? messages_->text() : QString(); }
     QString notes() const { return notes_->isVisible() ? notes_->text() : QString(); }
@@ -105,6 +123,9 @@ class MainWindow : public QMainWindow {
     QString rate() const { return pictureText_->fullText(); }   // pixels, and pictures per second in motion
     QString fidelity() const { return fidelity_->fullText(); }  // how true the picture is
     QString badge() const { return badge_->text(); }            // the same in a word
+    const Settings& settings() const { return options_.settings; }
+    void takeSettings(const Settings& settings);  // uses them, and keeps them
+    void tell(const Error& error) { messages_->showError(error); }
     // Null where nothing is kept.
     app::ModelKeeper* keeper() { return keeper_.get(); }
     QString modelState() const { return modelText_->fullText(); }  // what the peripheral model is doing
@@ -136,17 +157,30 @@ class MainWindow : public QMainWindow {
     QWidget* makeClipColumn();
     void addClipActions(QMenu& menu);
     void addClipPanel(QDockWidget& dock);
-    bool wantVoxels();  // whether what is shown of them is another at once
+    void makePresets();
+    void makePresetMenu();
+    void fillPresetMenu(QMenu& menu);
+    void makeBeside();
+    void makeBesideBar();
+    void addBesideToFile(QMenu& file);
+    void addBesideToView(QMenu& view);
+    void askForBeside(int mode);  // a QFileDialog::FileMode
+    void showBeside();
+    QStringList besideNotes() const;  // what is to be known of the second volume
     void makeMenus();
     void makeFileMenu();
     void makeEditMenu();
     void makeViewMenu();
+    void addView3dActions(QMenu& view);
     void makeLookMenu();
     void makeClipMenu();
     void makeToolBar();
     void makeStatusBar();
     void connectLoader();
+    void connectBrowser();
+    void showFound(const std::shared_ptr<const app::FoundVolumes>& found, std::optional<std::size_t> open);
     void connectTable();
+    void connectSegments();
     app::Drawing drawing() const;
     const app::Catalogue& catalogue() const { return session_.catalogue(); }
     const app::OpenedStudy& study() const { return session_.study(); }
@@ -167,6 +201,10 @@ class MainWindow : public QMainWindow {
     void askWhereToSaveView();
     void connectExport();
     void connectPick();
+    void addPresentationsTo(QMenu& file);
+    void askForPresentation();
+    void askHowToSavePresentation();
+    void askWhereToSavePresentation(bool isDeidentified);
     void askForPicture();
     void askWhereToSavePicture(const PictureDialog& how);
     void openFound(std::size_t index);  // another volume of the folder
@@ -174,7 +212,10 @@ class MainWindow : public QMainWindow {
     void askForFile();
     void ask(QFileDialog* dialog, std::function<void(const QString&)> then);
     void openDropped(const Dropped& what);
-    void choosePreset(int index);
+    void usePreset(const LibraryPreset& preset);
+    void askForPresetFile();
+    void askWhereToExportPreset(const LibraryPreset& preset);
+    void comparePreset(const LibraryPreset& preset);
     void showOpenError(const Error& error);
     void onRendered(const app::RenderEvent& event);
     void onFrame(const app::FrameShown& frame);
@@ -191,6 +232,8 @@ class MainWindow : public QMainWindow {
     void clearStudyTexts();
     void showNotes();
     void triggerShortcut(QKeyEvent* event);
+    void useKeys();
+    void askForSettings();
 
     MainWindowOptions options_;
     StudyLoader loader_;
@@ -219,6 +262,11 @@ class MainWindow : public QMainWindow {
 
     Viewport* viewport_ = nullptr;
     std::array<SliceView*, 3> slices_{};  // by slices::Orientation
+    std::array<SlicePair*, 3> pairs_{};   // the same, with those of the second volume
+    BesideStudy* beside_ = nullptr;
+    BesideBar* besideBar_ = nullptr;
+    QList<QAction*> besideActions_;  // that need a second volume
+    WorkBar* besideWork_ = nullptr;
     PaneGrid* panes_ = nullptr;
     ToolBox* tools_ = nullptr;
     UndoActions* undo_ = nullptr;
@@ -229,7 +277,9 @@ class MainWindow : public QMainWindow {
     ScissorTool* scissors_ = nullptr;
     VoxelCutting* cutting_ = nullptr;
     WorkBar* cuttingBar_ = nullptr;
+    SegmentationPanel* segmentsPanel_ = nullptr;
     StudyBrowser* browser_ = nullptr;
+    RecentMenu* recent_ = nullptr;
     QAction* browserShown_ = nullptr;  // shows and hides it
     QList<QAction*> panels_;           // show and hide them
     std::optional<Pane> lastPane_;
@@ -238,7 +288,11 @@ class MainWindow : public QMainWindow {
     WorkBar* loading_ = nullptr;
     TableRemoval* table_ = nullptr;
     WorkBar* searching_ = nullptr;  // for the table
+    HiddenVoxels* hidden_ = nullptr;
+    SegmentationKeeper* segments_ = nullptr;
+    WorkBar* segmenting_ = nullptr;  // segments are loaded
     PictureExport* export_ = nullptr;
+    PresentationFiles* presentations_ = nullptr;
     WorkBar* exporting_ = nullptr;
     AnatomyPick* pick_ = nullptr;
     ChoiceMenu* looks_ = nullptr;
@@ -249,7 +303,9 @@ class MainWindow : public QMainWindow {
     VolumeChoice* volumes_ = nullptr;
     QAction* volumesInBar_ = nullptr;  // shows and hides it
     QTimer rateEnds_;                  // nothing has been shown for a while
-    QComboBox* presets_ = nullptr;
+    PresetLibrary* presetLibrary_ = nullptr;
+    PresetGallery* gallery_ = nullptr;
+    PresetBox* presets_ = nullptr;
     QComboBox* lights_ = nullptr;
     ElidingLabel* description_ = nullptr;
     ElidingLabel* fidelity_ = nullptr;

@@ -12,6 +12,7 @@
 #include "viewer/clip/named_clips.h"
 #include "viewer/clip/scissor_tool.h"
 #include "viewer/clip/voxel_cutting.h"
+#include "viewer/hidden_voxels.h"
 #include "viewer/keys.h"
 #include "viewer/main_window.h"
 #include "viewer/slices/slice_view.h"
@@ -25,12 +26,12 @@ void MainWindow::makeClipTools() {
     connect(clipEditing_, &ClipEditing::changed, this, [this] {
         for (SliceView* pane : slices_)
             pane->showClip(clipEditing_->showsOnSlices(), clipEditing_->hasHandles());
-        viewport_->updateMarks();
+        viewport_->updateToolMarks();
     });
-    connect(&session_, &ViewerSession::changed, viewport_, &Viewport::updateMarks);
+    connect(&session_, &ViewerSession::changed, viewport_, &Viewport::updateToolMarks);
     connect(viewport_, &Viewport::cameraRested, clipEditing_,
             [this] { clipEditing_->setCamera(toCamera(viewport_->camera())); });
-    connect(scissors_, &ScissorTool::drawn, viewport_, &Viewport::updateMarks);
+    connect(scissors_, &ScissorTool::drawn, viewport_, &Viewport::updateToolMarks);
     connect(scissors_, &ScissorTool::refused, this,
             [this](const Error& error) { messages_->showError(error); });
     connectCutting();
@@ -50,7 +51,8 @@ void MainWindow::connectCutting() {
     connect(cutting_, &VoxelCutting::progressed, cuttingBar_, &WorkBar::setProgress);
     connect(cuttingBar_, &WorkBar::cancelClicked, cutting_, &VoxelCutting::cancel);
     connect(cutting_, &VoxelCutting::ended, cuttingBar_, &QWidget::hide);
-    connect(cutting_, &VoxelCutting::changed, this, &MainWindow::updateClip);
+    connect(cutting_, &VoxelCutting::changed, this,
+            [this] { hidden_->set(HiddenVoxels::Part::scissors, cutting_->mask()); });
     // What is not to be had is not chosen either: pictures and state say the same.
     connect(cutting_, &VoxelCutting::refused, this, [this](const std::vector<app::ScissorCut>& had) {
         session_.change(tr("No cut"), [&](app::StudyState& next) { next.cuts.scissors = had; });
@@ -59,10 +61,6 @@ void MainWindow::connectCutting() {
         messages_->showError(error);
         emit failed(error);
     });
-}
-
-bool MainWindow::wantVoxels() {
-    return cutting_->want(table_->mask(), session_.state().cuts.scissors);
 }
 
 // More than fits on a small screen.

@@ -3,6 +3,7 @@
 #include <utility>
 #include <variant>
 
+#include "viewer/language/core_words.h"
 #include "viewer/main_window.h"
 #include "viewer/status_texts.h"
 
@@ -20,7 +21,7 @@ void MainWindow::setStudyTexts(const app::OpenedStudy& study) {
                              .arg(spacing.y, 0, 'f', 2)
                              .arg(spacing.z, 0, 'f', 2);
     volumeText_->setFullText(text);
-    const QString why = QString::fromStdString(study.whyThisSeries);
+    const QString why = inWindowsLanguage(study.whyThisSeries);
     // The description of a series may name a patient.
     if (options_.namesPatient) description_->setFullText(QString::fromStdString(study.description), why);
     description_->setStatusTip(why);
@@ -66,7 +67,7 @@ void MainWindow::onRendered(const app::RenderEvent& event) {
     } else if (const auto* changed = std::get_if<app::ModelChanged>(&event)) {
         if (changed->study == viewport_->study()) onModel(changed->model);
     } else if (const auto* preparing = std::get_if<app::Preparing>(&event)) {
-        preparing_ = QString::fromStdString(preparing->what) + QStringLiteral("…");
+        preparing_ = inWindowsLanguage(preparing->what) + QStringLiteral("…");
         if (!prepares_.isActive()) prepares_.start();
     } else if (std::holds_alternative<app::PictureRemoved>(event)) {
         badge_->hide();
@@ -93,8 +94,7 @@ void MainWindow::onFrame(const app::FrameShown& frame) {
     QString text = fidelityText(frame);
     if (frame.samplesLeftOut > 0) text += tr(", %1 samples left out").arg(frame.samplesLeftOut);
     QStringList about;
-    for (const Message& message : frame.messages)
-        about << QString::fromStdString(message.sentence) << QString::fromStdString(message.action);
+    for (const Message& message : frame.messages) about << inWindowsLanguage(message);
     if (!about.isEmpty()) text += tr(", less than the full resolution");  // also when the note is dismissed
     // Only when it is news: who has dismissed it has read it.
     if (const QString note = about.join(QLatin1Char(' ')); note != pictureNote_) {

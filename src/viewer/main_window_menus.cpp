@@ -6,11 +6,15 @@
 
 #include "app/camera/view_directions.h"
 #include "pipeline/volume/window.h"
+#include "viewer/browser/recent_menu.h"
 #include "viewer/browser/study_browser.h"
 #include "viewer/help_boxes.h"
 #include "viewer/keys.h"
+#include "viewer/language/core_words.h"
 #include "viewer/main_window.h"
+#include "viewer/presets/preset_box.h"
 #include "viewer/session/undo_actions.h"
+#include "viewer/settings/key_book.h"
 #include "viewer/status_texts.h"
 
 namespace macula::viewer {
@@ -23,7 +27,7 @@ QString asText(std::string_view text) {
 
 // With a capital.
 QString asTitle(const std::string& name) {
-    QString title = QString::fromStdString(name);
+    QString title = titleInWindowsLanguage(name);
     if (!title.isEmpty()) title[0] = title[0].toUpper();
     return title;
 }
@@ -42,6 +46,7 @@ void MainWindow::makeMenus() {
     makeFileMenu();
     makeEditMenu();
     makeViewMenu();
+    makePresetMenu();
     makeLookMenu();
     makeClipMenu();
 
@@ -60,8 +65,10 @@ void MainWindow::makeFileMenu() {
     QAction* openFile = file->addAction(tr("Open &File…"), this, &MainWindow::askForFile);
     openFile->setShortcut(keyOf(KeyAction::openFile));
     openFile->setToolTip(tr("Open the series of an image, a DICOMDIR, or a NIfTI, NRRD or MetaImage file"));
+    file->addMenu(recent_);
     QAction* phantom = file->addAction(tr("Open &Phantom"), this, [this] { open(std::nullopt); });
     phantom->setToolTip(tr("Open the built-in phantom study"));
+    addBesideToFile(*file);
     file->addSeparator();
     QAction* openView = file->addAction(tr("Open &View…"), this, &MainWindow::askForView);
     openView->setShortcut(keyOf(KeyAction::openView));
@@ -69,6 +76,7 @@ void MainWindow::makeFileMenu() {
     QAction* saveView = file->addAction(tr("&Save View…"), this, &MainWindow::askWhereToSaveView);
     saveView->setShortcut(keyOf(KeyAction::saveView));
     saveView->setToolTip(tr("All that was chosen, and the camera, for another time"));
+    addPresentationsTo(*file);
     file->addSeparator();
     QAction* savePicture = file->addAction(tr("Save &Picture…"), this, &MainWindow::askForPicture);
     savePicture->setObjectName(QStringLiteral("save-picture"));
@@ -101,40 +109,50 @@ void MainWindow::makeEditMenu() {
         session_.change(tr("Remove measurements"), [](app::StudyState& next) { next.measurements.clear(); });
     });
     clear->setObjectName(QStringLiteral("remove-measurements"));
+    edit->addSeparator();
+    QAction* settings = edit->addAction(tr("&Settings…"), this, &MainWindow::askForSettings);
+    settings->setObjectName(QStringLiteral("settings"));
+    settings->setShortcut(keyOf(KeyAction::settings));
+    settings->setToolTip(tr("Language, look, keys, and what is kept"));
 }
 
 void MainWindow::makeViewMenu() {
     // The keys of this menu are handled by the viewport, so that they do nothing while a list has the focus.
     QMenu* view = menuBar()->addMenu(tr("&View"));
-    const auto withKey = [](const QString& title, KeyAction action) {
-        return title + QLatin1Char('\t') + keyOf(action).toString();
+    const auto withKey = [](QAction* item, KeyAction action) {
+        KeyBook::showPictureKey(*item, keyOf(action));
+        return item;
     };
     for (const KeyRow& row : kKeys) {
         if (const auto direction = viewDirectionOf(row.action))
-            view->addAction(withKey(asTitle(app::nameOf(*direction)), row.action), this,
-                            [this, from = *direction] { viewport_->showFrom(from); });
+            withKey(view->addAction(asTitle(app::nameOf(*direction)), this,
+                                    [this, from = *direction] { viewport_->showFrom(from); }),
+                    row.action);
     }
     view->addSeparator();
-    view->addAction(withKey(tr("Fit what is visible"), KeyAction::fit), this, [this] { viewport_->fit(); });
+    withKey(view->addAction(tr("Fit what is visible"), this, [this] { viewport_->fit(); }), KeyAction::fit);
     QAction* afresh = view->addAction(tr("Show as when first opened"), this, &MainWindow::showAfresh);
     afresh->setObjectName(QStringLiteral("show-afresh"));
     afresh->setToolTip(
         tr("Preset, lights, clip, look and camera that a study has which nobody has seen yet"));
     view->addSeparator();
     for (const LayoutRow& row : kLayouts) {
-        QAction* action = view->addAction(tr(row.title), this, [this, layout = row.layout] {
-            session_.change(tr("Panes"), [layout](app::StudyState& next) { next.layout = layout; });
-        });
+        QAction* action = view->addAction(
+            inWindowsLanguage(QString::fromLatin1(row.title)), this, [this, layout = row.layout] {
+                session_.change(tr("Panes"), [layout](app::StudyState& next) { next.layout = layout; });
+            });
         action->setShortcut(keyOf(row));
     }
+    addBesideToView(*view);
     view->addSeparator();
     view->addActions(panels_);
     view->addSeparator();
-    names_ = view->addAction(withKey(tr("Patient and study over the picture"), KeyAction::names));
+    names_ = withKey(view->addAction(tr("Patient and study over the picture")), KeyAction::names);
     names_->setObjectName(QStringLiteral("names"));
     names_->setCheckable(true);
     names_->setChecked(true);
     connect(names_, &QAction::triggered, this, &MainWindow::showNames);
+    addView3dActions(*view);
     QAction* gaze = view->addAction(tr("Trace where the pointer is, while moving"));
     gaze->setCheckable(true);
     gaze->setChecked(true);
@@ -145,7 +163,9 @@ void MainWindow::makeLookMenu() {
     looks_ = new ChoiceMenu(tr("&Look"), this);
     menuBar()->addMenu(looks_);
     for (const trace::LookTraits& look : trace::kLooks) {
-        looks_->addChoice(asText(look.title), QStringLiteral("look-") + asText(look.name))
+        looks_
+            ->addChoice(titleInWindowsLanguage(std::string(look.title)),
+                        QStringLiteral("look-") + asText(look.name))
             ->setShortcut(keyOf(look.look));
     }
     looks_->addSeparator();
@@ -208,10 +228,7 @@ void MainWindow::makeClipMenu() {
 void MainWindow::makeToolBar() {
     QToolBar* bar = addToolBar(tr("Look"));
     bar->setMovable(false);
-    presets_ = new QComboBox(bar);
-    presets_->setAccessibleName(tr("Preset"));
-    fill(*presets_, catalogue().presets);
-    presets_->setCurrentIndex(-1);
+    presets_ = new PresetBox(*presetLibrary_, bar);
     lights_ = new QComboBox(bar);
     lights_->setAccessibleName(tr("Lights"));
     fill(*lights_, catalogue().lights);
@@ -228,7 +245,7 @@ void MainWindow::makeToolBar() {
     description_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
     bar->addWidget(description_);
 
-    connect(presets_, &QComboBox::activated, this, &MainWindow::choosePreset);
+    connect(presets_, &PresetBox::chosen, this, &MainWindow::usePreset);
     connect(lights_, &QComboBox::activated, this, [this](int index) {
         session_.change(tr("Lights"),
                         [&](app::StudyState& next) { next.lights = catalogue().lights[std::size_t(index)]; });
@@ -247,6 +264,7 @@ void MainWindow::makeStatusBar() {
     fidelity_->keepLongest();
     statusBar()->addWidget(loading_);
     statusBar()->addWidget(searching_);
+    statusBar()->addWidget(segmenting_);
     statusBar()->addWidget(exporting_);
     statusBar()->addWidget(cuttingBar_);
     badge_ = new FidelityBadge;

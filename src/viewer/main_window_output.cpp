@@ -51,6 +51,7 @@ void MainWindow::askForPicture() {
     viewport_->window().endDrag();
     auto* dialog = new PictureDialog(viewport_->pictureSize(), this);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->beginWith(options_.settings.quality, options_.settings.deidentifies);
     connect(dialog, &QDialog::accepted, this, [this, dialog] { askWhereToSavePicture(*dialog); });
     dialog->open();
 }
@@ -75,8 +76,7 @@ void MainWindow::askWhereToSavePicture(const PictureDialog& how) {
                              .output = {},
                              .source = imageOf(study()),
                              .isOfNobody = study().identity.isOfNobody,
-                             .isDeidentified = how.isDeidentified(),
-                             .leavesTableOut = table_->mask().has_value()};
+                             .isDeidentified = how.isDeidentified()};
     ask(dialog, [this, picture = std::move(picture)](const QString& path) {
         app::ViewPicture wanted = picture;
         wanted.output = path.toStdString();

@@ -4,11 +4,16 @@
 #include <algorithm>
 #include <array>
 
+#include "viewer/beside/slice_pair.h"
+#include "viewer/browser/recent_menu.h"
 #include "viewer/browser/study_browser.h"
 #include "viewer/clip/clip_panel.h"
+#include "viewer/keys.h"
 #include "viewer/main_window.h"
 #include "viewer/panes/pane_grid.h"
 #include "viewer/panes/tool_box.h"
+#include "viewer/presets/preset_gallery.h"
+#include "viewer/segmentation/segmentation_panel.h"
 #include "viewer/session/undo_actions.h"
 #include "viewer/slices/slice_view.h"
 #include "viewer/transfer/transfer_function_editor.h"
@@ -27,7 +32,9 @@ Pane paneOf(slices::Orientation orientation) {
 void MainWindow::makePanes() {
     for (const auto orientation :
          {slices::Orientation::axial, slices::Orientation::coronal, slices::Orientation::sagittal}) {
-        auto* pane = new SliceView(session_, orientation);
+        auto* pair = new SlicePair(session_, orientation);
+        pairs_.at(std::size_t(orientation)) = pair;
+        SliceView* pane = &pair->study();
         slices_.at(std::size_t(orientation)) = pane;
         connect(pane, &SliceView::maximizeAsked, this,
                 [this, orientation] { panes_->maximize(paneOf(orientation)); });
@@ -39,10 +46,10 @@ void MainWindow::makePanes() {
             tools_->setCine(std::ranges::any_of(slices_, &SliceView::isCineOn));
         });
     }
-    panes_ = new PaneGrid({.axial = slices_[std::size_t(slices::Orientation::axial)],
+    panes_ = new PaneGrid({.axial = pairs_[std::size_t(slices::Orientation::axial)],
                            .volume = viewport_,
-                           .coronal = slices_[std::size_t(slices::Orientation::coronal)],
-                           .sagittal = slices_[std::size_t(slices::Orientation::sagittal)]},
+                           .coronal = pairs_[std::size_t(slices::Orientation::coronal)],
+                           .sagittal = pairs_[std::size_t(slices::Orientation::sagittal)]},
                           this);
     connect(panes_, &PaneGrid::layoutAsked, this, [this](app::Layout layout) {
         session_.change(tr("Panes"), [layout](app::StudyState& next) { next.layout = layout; });
@@ -76,9 +83,9 @@ void MainWindow::setCine(bool plays) {
 
 void MainWindow::makePanels() {
     transfer_ = new TransferFunctionEditor(session_);
-    connect(transfer_, &TransferFunctionEditor::saveAsked, this, &MainWindow::askWhereToSavePreset);
+    connect(transfer_, &TransferFunctionEditor::saveAsked, gallery_, &PresetGallery::askToSaveCurve);
+    segmentsPanel_ = new SegmentationPanel(session_, *segments_);
     browser_ = new StudyBrowser;
-    connect(browser_, &StudyBrowser::chosen, this, &MainWindow::openFound);
     const auto add = [this](Qt::DockWidgetArea area, QWidget* panel, const QString& title, const char* name,
                             const char* key) {
         auto* dock = new QDockWidget(title, this);
@@ -92,13 +99,26 @@ void MainWindow::makePanels() {
         panels_ << dock->toggleViewAction();
         return dock;
     };
-    browserShown_ =
-        add(Qt::LeftDockWidgetArea, browser_, tr("Studies"), "studies-panel", "F2")->toggleViewAction();
+    browserShown_ = add(Qt::LeftDockWidgetArea, browser_, tr("Studies"), "studies-panel", kPanelKeys[0])
+                        ->toggleViewAction();
     QDockWidget* first =
-        add(Qt::RightDockWidgetArea, transfer_, tr("Transfer Function"), "transfer-panel", "F3");
-    QDockWidget* second = add(Qt::RightDockWidgetArea, makeClipColumn(), tr("Clip"), "clip-panel", "F4");
+        add(Qt::RightDockWidgetArea, transfer_, tr("Transfer Function"), "transfer-panel", kPanelKeys[1]);
+    QDockWidget* second =
+        add(Qt::RightDockWidgetArea, makeClipColumn(), tr("Clip"), "clip-panel", kPanelKeys[2]);
     addClipPanel(*second);
     splitDockWidget(first, second, Qt::Vertical);
+    QDockWidget* presets =
+        add(Qt::RightDockWidgetArea, gallery_, tr("Presets"), "presets-panel", kPanelKeys[3]);
+    QDockWidget* segments =
+        add(Qt::RightDockWidgetArea, segmentsPanel_, tr("Segmentations"), "segments-panel", "F11");
+    tabifyDockWidget(first, presets);
+    tabifyDockWidget(second, segments);
+    for (QDockWidget* dock : {first, presets, second, segments}) {
+        // What is asked for is in front.
+        connect(dock->toggleViewAction(), &QAction::triggered, dock, [dock](bool shown) {
+            if (shown) dock->raise();
+        });
+    }
 }
 
 void MainWindow::showPanes() {
@@ -116,8 +136,10 @@ void MainWindow::focusPicture() {
 
 void MainWindow::showNames(bool shown) {
     viewport_->showNames(shown);
-    for (SliceView* pane : slices_) pane->showNames(shown);
+    for (SlicePair* pair : pairs_) pair->showNames(shown);
     browser_->showNames(shown);
+    recent_->showNames(shown);
+    segmentsPanel_->showNames(shown);
     names_->setChecked(shown);
 }
 

@@ -6,8 +6,12 @@
 #include <utility>
 
 #include "app/session/model_keeper.h"
+#include "viewer/beside/beside_bar.h"
+#include "viewer/beside/beside_study.h"
+#include "viewer/language/core_words.h"
 #include "viewer/main_window.h"
 #include "viewer/panes/tool_box.h"
+#include "viewer/presets/preset_library.h"
 
 namespace macula::viewer {
 
@@ -17,12 +21,13 @@ std::shared_ptr<app::ModelKeeper> MainWindow::makeKeeper() {
     std::optional<std::chrono::days> retention;
     if (options_.keepDays) retention.emplace(*options_.keepDays);
     return std::make_shared<app::ModelKeeper>(
-        session::StoreOptions{.folder = *options_.sessions},
+        session::StoreOptions{.folder = *options_.sessions,
+                              .modelCapBytes = std::uint64_t(options_.settings.modelCapMb) * 1'000'000},
         [this](const Error& error) {
             QMetaObject::invokeMethod(
                 this,
                 [this, error] {
-                    storeNote_ = QString::fromStdString(error.message + " " + error.hint);
+                    storeNote_ = inWindowsLanguage(error);
                     storeNoteIsNew_ = !study().volume || loader_.loading();
                     showNotes();
                 },
@@ -39,6 +44,9 @@ MainWindow::~MainWindow() {
     hide();
     for (QDockWidget* panel : findChildren<QDockWidget*>()) delete panel;
     delete tools_;
+    delete presetLibrary_;
+    delete besideBar_;
+    delete beside_;
     delete takeCentralWidget();  // with the panes
     viewport_ = nullptr;
     loader_.setKeeper(nullptr);
@@ -83,8 +91,10 @@ void MainWindow::showAfresh() {
         next.layout = before.layout;
         next.measurements = before.measurements;
         next.namedClips = before.namedClips;
+        next.beside = before.beside;
         next.otherKeys = before.otherKeys;
     });
+    viewport_->setParallel(false);
     viewport_->showFrom(options_.firstView);
     showNotes();
 }

@@ -5,7 +5,7 @@
 #include "app/state/drawing_of.h"
 #include "base/atomic_file.h"
 #include "viewer/main_window.h"
-#include "viewer/status_texts.h"
+#include "viewer/presets/preset_box.h"
 
 namespace macula::viewer {
 
@@ -49,11 +49,7 @@ Result<void> MainWindow::setState(const app::StudyState& state) {
 
 void MainWindow::showChosen() {
     const app::StudyState& state = session_.state();
-    presets_->setCurrentIndex(indexOf(catalogue().presets, [&](const TransferFunction& preset) {
-        return state.preset && app::isSame(preset, *state.preset);
-    }));
-    // One that was edited is in no list.
-    if (state.preset) presets_->setPlaceholderText(titleOr(state.preset->title, state.preset->name));
+    presets_->choose(state.preset.get());
     looks_->choose(int(state.settings.look));
     shading_->setChecked(state.settings.shading == trace::Shading::headlight);
     // Number 0 is no clip; a clip of its own is none of the menu's, and "No Clip" takes it away.

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/camera.h"
-#include "viewer/picture_marks.h"
+#include "viewer/marks/tool_marks.h"
 
 namespace macula::viewer {
 
@@ -42,7 +42,7 @@ class PictureTool {
     virtual std::optional<Qt::CursorShape> point(const PicturePlace& place) = 0;
     // With Shift. Whether it was meant for it.
     virtual bool turnWheel(double notches, const PictureGeometry& picture) = 0;
-    virtual std::vector<PictureMark> marks(const PictureGeometry& picture) const = 0;
+    virtual std::vector<ToolMark> marks(const PictureGeometry& picture) const = 0;
 };
 
 }  // namespace macula::viewer

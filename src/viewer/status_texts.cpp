@@ -6,106 +6,127 @@
 #include <string_view>
 
 #include "pipeline/trace/look.h"
+#include "viewer/language/core_words.h"
 
 namespace macula::viewer {
 
 namespace {
+
+// What a status line says has no class of its own to be translated in.
+struct FidelityWords {
+    Q_DECLARE_TR_FUNCTIONS(Fidelity)
+};
+struct ModelWords {
+    Q_DECLARE_TR_FUNCTIONS(Model)
+};
+struct PresetWords {
+    Q_DECLARE_TR_FUNCTIONS(Preset)
+};
 
 // How a picture was made, in the status line.
 QString lookText(trace::Look look) {
     if (look == trace::Look::cinematic) return QCoreApplication::translate("Look", "Path traced");
     if (look == trace::Look::clear) return QCoreApplication::translate("Look", "Path traced, clear");
     const std::string_view title = trace::kLooks.at(std::size_t(look)).title;
-    return QString::fromUtf8(title.data(), qsizetype(title.size()));
+    return titleInWindowsLanguage(std::string(title));
 }
 
 }  // namespace
 
 QString titleOr(const std::string& title, const std::string& name) {
-    return QString::fromStdString(title.empty() ? name : title);
+    return titleInWindowsLanguage(title.empty() ? name : title);
 }
 
 QString fidelityText(const app::FrameShown& frame) {
-    const auto tr = [](const char* text) { return QCoreApplication::translate("Fidelity", text); };
     const QString remarks =
-        frame.remarks.empty() ? QString() : QStringLiteral(", ") + QString::fromStdString(frame.remarks);
+        frame.remarks.empty() ? QString() : QStringLiteral(", ") + listInWindowsLanguage(frame.remarks);
     if (frame.picture == app::OnScreen::model) {
-        const QString fovea = frame.foveaAgeMs
-                                  ? tr(", fovea traced %L1 s ago").arg(*frame.foveaAgeMs / 1000.0, 0, 'f', 1)
-                                  : QString();
-        return tr("Peripheral model, %L1 splats, %L2 steps").arg(frame.model.splats).arg(frame.model.steps) +
+        const QString fovea =
+            frame.foveaAgeMs
+                ? FidelityWords::tr(", fovea traced %L1 s ago").arg(*frame.foveaAgeMs / 1000.0, 0, 'f', 1)
+                : QString();
+        return FidelityWords::tr("Peripheral model, %L1 splats, %L2 steps")
+                   .arg(frame.model.splats)
+                   .arg(frame.model.steps) +
                fovea + remarks +
-               (frame.greyFacesAreCoarse ? tr(", values on cut faces only coarsely") : QString());
+               (frame.greyFacesAreCoarse ? FidelityWords::tr(", values on cut faces only coarsely")
+                                         : QString());
     }
     QString text = lookText(frame.look) + remarks;
-    if (frame.picture == app::OnScreen::preview) {
-        text += tr(", preview");
-        if (trace::isPathTraced(frame.look)) text += frame.denoised ? tr(", denoised") : tr(", smoothed");
-        if (frame.scale > 1) text += tr(", 1/%1 of the pixels each way").arg(frame.scale);
+    const bool isPreview = frame.picture == app::OnScreen::preview;
+    if (isParallel(frame.camera))
+        text += isPreview ? FidelityWords::tr(", parallel rays without splats")
+                          : FidelityWords::tr(", parallel rays");
+    if (isPreview) {
+        text += FidelityWords::tr(", preview");
+        if (trace::isPathTraced(frame.look))
+            text += frame.denoised ? FidelityWords::tr(", denoised") : FidelityWords::tr(", smoothed");
+        if (frame.scale > 1) text += FidelityWords::tr(", 1/%1 of the pixels each way").arg(frame.scale);
         return text;
     }
     const bool isComplete = frame.stage == app::Stage::converged;
-    text += isComplete ? tr(", %1 samples").arg(frame.samplesPerPixel)
-                       : tr(", %1 of %2 samples").arg(frame.samplesPerPixel).arg(frame.sampleLimit);
-    if (frame.denoised) text += tr(", denoised");
-    return text + (isComplete ? tr(", complete") : tr(", converging"));
+    text += isComplete
+                ? FidelityWords::tr(", %1 samples").arg(frame.samplesPerPixel)
+                : FidelityWords::tr(", %1 of %2 samples").arg(frame.samplesPerPixel).arg(frame.sampleLimit);
+    if (frame.denoised) text += FidelityWords::tr(", denoised");
+    return text + (isComplete ? FidelityWords::tr(", complete") : FidelityWords::tr(", converging"));
 }
 
 QString modelText(const hybrid::ModelNews& model) {
     using hybrid::ModelStage;
-    const auto tr = [](const char* text) { return QCoreApplication::translate("Model", text); };
     switch (model.stage) {
         case ModelStage::none:
         case ModelStage::nothingToSee:
             return {};
         case ModelStage::searching:
-            return tr("Finding points of the peripheral model");
+            return ModelWords::tr("Finding points of the peripheral model");
         case ModelStage::resuming:
-            return tr("Model of an earlier session, %1 steps").arg(model.steps);
+            return ModelWords::tr("Model of an earlier session, %1 steps").arg(model.steps);
         case ModelStage::learning:
-            return tr("Model learning, %1 steps").arg(model.steps);
+            return ModelWords::tr("Model learning, %1 steps").arg(model.steps);
         case ModelStage::resting:
-            return tr("Model complete, %1 steps").arg(model.steps);
+            return ModelWords::tr("Model complete, %1 steps").arg(model.steps);
         case ModelStage::noRoom:
-            return tr("No memory for a model");
+            return ModelWords::tr("No memory for a model");
         case ModelStage::failed:
-            return tr("No model");
+            return ModelWords::tr("No model");
     }
     return {};
 }
 
 QString aboutModel(const hybrid::ModelNews& model) {
-    const auto tr = [](const char* text) { return QCoreApplication::translate("Model", text); };
     using hybrid::ModelOrigin;
-    if (model.origin == ModelOrigin::stored) return tr("It goes on from where an earlier session left it.");
+    if (model.origin == ModelOrigin::stored)
+        return ModelWords::tr("It goes on from where an earlier session left it.");
     if (model.origin == ModelOrigin::otherLights)
-        return tr("It began with the stored model of other lights.");
+        return ModelWords::tr("It began with the stored model of other lights.");
     if (model.origin == ModelOrigin::otherTrainer)
-        return tr("It began with a model that another version of Macula stored.");
+        return ModelWords::tr("It began with a model that another version of Macula stored.");
     if (model.origin == ModelOrigin::damagedPoints)
-        return tr("The stored model of this was damaged; it began anew.");
+        return ModelWords::tr("The stored model of this was damaged; it began anew.");
     if (model.stage == hybrid::ModelStage::noRoom)
-        return tr(
+        return ModelWords::tr(
             "The graphics device has no room for it beside the volume: while a hand moves, small traced "
             "pictures are shown.");
     if (model.stage == hybrid::ModelStage::failed)
-        return tr(
+        return ModelWords::tr(
             "It could not be made on this graphics device: while a hand moves, small traced pictures are "
             "shown.");
     return {};
 }
 
 QString presetWarning(const TransferFunction& preset, const Volume& volume) {
-    const auto tr = [](const char* text) { return QCoreApplication::translate("Preset", text); };
     const auto words = [](const std::string& text) { return QString::fromStdString(text); };
-    const QString title = words(preset.title.empty() ? preset.name : preset.title);
+    const QString title = titleOr(preset.title, preset.name);
     if (!suits(preset, volume.unit())) {
         const QString wanted = words(std::string(unitSymbol(preset.unit)));
         const QString is = words(volume.unitName());
-        return tr("The preset %1 is made for values in %2; those of this volume are %3. What it shows here, "
-                  "and in which colours, means nothing.")
-            .arg(title, wanted.isEmpty() ? tr("another unit") : wanted,
-                 is.isEmpty() ? tr("raw numbers of the scanner") : tr("in %1").arg(is));
+        return PresetWords::tr(
+                   "The preset %1 is made for values in %2; those of this volume are %3. What it shows here, "
+                   "and in which colours, means nothing.")
+            .arg(title, wanted.isEmpty() ? PresetWords::tr("another unit") : wanted,
+                 is.isEmpty() ? PresetWords::tr("raw numbers of the scanner")
+                              : PresetWords::tr("in %1").arg(is));
     }
     const auto& made = preset.modalities;
     if (made.empty() || volume.modality().empty() ||
@@ -113,7 +134,8 @@ QString presetWarning(const TransferFunction& preset, const Volume& volume) {
         return {};
     QStringList modalities;
     for (const std::string& modality : made) modalities << words(modality);
-    return tr("The preset %1 is made for %2; this volume is %3. Its colours may mean something else here.")
+    return PresetWords::tr(
+               "The preset %1 is made for %2; this volume is %3. Its colours may mean something else here.")
         .arg(title, modalities.join(QStringLiteral(", ")), words(volume.modality()));
 }
 

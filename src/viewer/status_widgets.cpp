@@ -7,6 +7,7 @@
 #include <QToolButton>
 #include <algorithm>
 
+#include "viewer/language/core_words.h"
 #include "viewer/theme/theme.h"
 
 namespace macula::viewer {
@@ -82,7 +83,7 @@ void FidelityBadge::setFidelity(const app::Fidelity& fidelity) {
     setText(isFinal_ ? tr("Final") : tr("Preliminary"));
     update();  // the text may be the same
     QStringList because;
-    for (const std::string& reason : fidelity.because) because << QString::fromStdString(reason);
+    for (const std::string& reason : fidelity.because) because << inWindowsLanguage(reason);
     const QString reasons = because.join(QStringLiteral(", "));
     const QString is = isFinal_ ? tr("Nothing will change any more") : tr("The picture gets better");
     setToolTip(reasons.isEmpty() ? is : QStringLiteral("%1: %2").arg(is, reasons));
@@ -118,9 +119,9 @@ MessageBar::MessageBar(QWidget* parent) : QWidget(parent), text_(new QLabel(this
 }
 
 void MessageBar::showError(const Error& error) {
-    QString text = QString::fromStdString(error.message);
+    QString text = inWindowsLanguage(error.message);
     if (!error.where.empty()) text += QStringLiteral(" (%1)").arg(QString::fromStdString(error.where));
-    if (!error.hint.empty()) text += QStringLiteral(" ") + QString::fromStdString(error.hint);
+    if (!error.hint.empty()) text += QStringLiteral(" ") + inWindowsLanguage(error.hint);
     show(text, true);
 }
 

@@ -1,9 +1,11 @@
 #include "viewer/study_loader.h"
 
+#include <QMetaObject>
 #include <chrono>
 #include <utility>
 
 #include "app/study/found_volumes.h"
+#include "viewer/language/core_words.h"
 
 namespace macula::viewer {
 
@@ -24,19 +26,34 @@ StudyLoader::StudyLoader(QObject* parent)
     : QObject(parent),
       job_(this, {.progressed =
                       [this](const ProgressUpdate& update) {
-                          emit progressed(QString::fromStdString(update.stage), update.fraction);
+                          emit progressed(inWindowsLanguage(update.stage), update.fraction);
                       },
                   .ended = [this](const Result<app::OpenedStudy>& outcome) { tellOutcome(outcome); }}) {}
 
 void StudyLoader::open(app::StudySource source, bool join) {
     source_ = source;
-    job_.start([source = std::move(source), join, keeper = keeper_](Progress& progress) {
-        return withState(app::openStudy(source, progress, join), keeper);
+    job_.start([source = std::move(source), join, keeper = keeper_,
+                tells = tellsOf(++opening_)](Progress& progress) {
+        return withState(app::openStudy(source, progress, join, tells), keeper);
     });
     emit began();
 }
 
+// Called on other threads; the job's end, which is told by the same queue, comes after all of it.
+app::FoundSoFar StudyLoader::tellsOf(std::uint64_t opening) {
+    return [this, opening](std::shared_ptr<const app::FoundVolumes> volumes) {
+        QMetaObject::invokeMethod(
+            this,
+            [this, opening, volumes = std::move(volumes)] {
+                if (opening == opening_ && loading()) emit found(volumes);
+            },
+            Qt::QueuedConnection);
+    };
+}
+
 void StudyLoader::open(std::shared_ptr<const app::FoundVolumes> found, std::size_t index) {
+    ++opening_;
+    source_.reset();
     job_.start([found = std::move(found), index, keeper = keeper_](Progress& progress) {
         return withState(app::openFoundVolume(found, index, progress), keeper);
     });
@@ -50,7 +67,7 @@ void StudyLoader::cancel() {
 void StudyLoader::tellOutcome(const Result<app::OpenedStudy>& outcome) {
     if (outcome && !outcome->volume) {
         emit askedToJoin(QString::fromStdString(source_.value_or("").string()),
-                         QString::fromStdString(outcome->joinQuestion));
+                         inWindowsLanguage(outcome->joinQuestion));
     } else if (outcome) {
         emit loaded(*outcome);
     } else if (outcome.error().code == ErrorCode::cancelled) {

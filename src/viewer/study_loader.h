@@ -3,6 +3,7 @@
 
 #include <QObject>
 #include <QString>
+#include <cstdint>
 #include <memory>
 #include <utility>
 
@@ -26,22 +27,27 @@ class StudyLoader : public QObject {
     void open(app::StudySource source, bool join = false);
     void open(std::shared_ptr<const app::FoundVolumes> found, std::size_t index);
     void cancel();  // `cancelled` follows
+    const app::StudySource& source() const { return source_; }  // that was opened last; nothing: a volume found
     bool loading() const { return job_.running(); }
     bool atRest() const { return job_.atRest(); }  // cancelled ones have noticed, too
 
   signals:
     void began();
     void progressed(const QString& stage, double fraction);
+    // What the folder holds, so far; then all of it, before a volume of it is there.
+    void found(std::shared_ptr<const macula::app::FoundVolumes> found);
     void loaded(const macula::app::OpenedStudy& study);
     void askedToJoin(const QString& path, const QString& question);  // open(path, true) is yes
     void failed(const macula::Error& error);
     void cancelled();
 
   private:
+    app::FoundSoFar tellsOf(std::uint64_t opening);
     void tellOutcome(const Result<app::OpenedStudy>& outcome);
 
     BackgroundJob<app::OpenedStudy> job_;
     app::StudySource source_;
+    std::uint64_t opening_ = 0;  // the number of the last; of others nothing more is told
     std::shared_ptr<app::ModelKeeper> keeper_;
 };
 

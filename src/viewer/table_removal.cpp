@@ -4,6 +4,7 @@
 
 #include "app/study/shown_clip.h"
 #include "viewer/keys.h"
+#include "viewer/language/core_words.h"
 
 namespace macula::viewer {
 
@@ -12,7 +13,7 @@ TableRemoval::TableRemoval(QObject* parent)
       action_(tr("&Remove Table"), this),
       job_(this, {.progressed =
                       [this](const ProgressUpdate& update) {
-                          emit progressed(QString::fromStdString(update.stage), update.fraction);
+                          emit progressed(inWindowsLanguage(update.stage), update.fraction);
                       },
                   .ended = [this](const Result<Found>& outcome) { onEnded(outcome); }}) {
     action_.setObjectName(QStringLiteral("remove-table"));
@@ -57,10 +58,7 @@ std::optional<Mask> TableRemoval::mask() const {
 QStringList TableRemoval::notes() const {
     QStringList notes;
     if (!asked_ || !found_) return notes;
-    for (const Message& message : found_->messages) {
-        notes << QString::fromStdString(message.sentence);
-        if (!message.action.empty()) notes << QString::fromStdString(message.action);
-    }
+    for (const Message& message : found_->messages) notes << inWindowsLanguage(message);
     return notes;
 }
 

@@ -27,6 +27,8 @@ constexpr double kOrbitStepDeg = 5.0;
 constexpr double kPanStepOfHeight = 0.05;
 constexpr double kZoomPerNotch = 1.15;
 constexpr double kDragZoomPerHeight = 6.0;  // times larger for a drag over the height of the picture
+constexpr double kRollStepDeg = 5.0;
+constexpr double kFlyOfDiagonal = 0.03;  // for each notch
 constexpr QSize kSmallestPicture{160, 120};
 
 QLabel* edgeLabel(QWidget* parent, const QString& edge) {
@@ -110,6 +112,10 @@ Viewport::~Viewport() {
 void Viewport::layOut() {
     container_ = QWidget::createWindowContainer(window_, this);
     container_->setFocusPolicy(Qt::StrongFocus);
+    container_->setObjectName(QStringLiteral("volume"));
+    container_->setAccessibleName(tr("The volume in 3D"));
+    container_->setToolTip(
+        tr("Left drag or arrows walk around the patient, the wheel goes closer; sizes are in mm"));
     container_->setMinimumSize(kSmallestPicture);
     QSizePolicy policy = container_->sizePolicy();
     policy.setRetainSizeWhenHidden(true);
@@ -155,12 +161,14 @@ void Viewport::connectWindow() {
     connect(window_, &VulkanWindow::resized, this, [this] {
         // A view nobody has touched goes on fitting the window.
         if (untouched_ && input_.volume) {
-            camera_ = app::framed(outlineMm(), framedFrom_, kVerticalFovDeg, aspect());
+            camera_ = app::fitted(app::turnedTo(camera_, framedFrom_), outlineMm(), aspect());
         }
         publish();
     });
     connect(window_, &VulkanWindow::pointed, this, &Viewport::onPointed);
-    connect(window_, &VulkanWindow::doubleClicked, this, &Viewport::doubleClicked);
+    connect(window_, &VulkanWindow::doubleClicked, this, [this](QPointF place) {
+        if (!sideAt(place)) emit doubleClicked(place);  // nothing is meant behind the cube
+    });
     connect(window_, &VulkanWindow::dragBegan, this, [this] { dragging_ = true; });
     connect(window_, &VulkanWindow::dragged, this, &Viewport::applyDrag);
     connect(window_, &VulkanWindow::dragEnded, this, [this] {
@@ -177,6 +185,8 @@ void Viewport::connectWindow() {
         if (holder_ != nullptr) std::exchange(holder_, nullptr)->release(placeAt(place, withShift));
     });
     connect(window_, &VulkanWindow::wheelTurned, this, &Viewport::onWheel);
+    connect(window_, &VulkanWindow::flyTurned, this, &Viewport::fly);
+    connect(window_, &VulkanWindow::clicked, this, &Viewport::turnToSide);
     connect(window_, &VulkanWindow::keyPressed, this, [this](QKeyEvent* event) {
         if (!handleKey(*event)) emit keyNotHandled(event);
     });
@@ -187,6 +197,7 @@ void Viewport::setStudy(std::shared_ptr<const Volume> volume, std::vector<std::s
                         app::Drawing drawing, ViewDirection from) {
     ++input_.study;
     outline_.reset();
+    shown_.reset();
     names_ = std::move(names);
     input_.volume = std::move(volume);
     input_.drawing = std::move(drawing);
@@ -209,6 +220,21 @@ void Viewport::showNames(bool shown) {
     namesShown_ = shown;
     publish();
     emit namesToggled(shown);
+}
+
+void Viewport::showMarks(bool shown) {
+    if (shown == marksShown_) return;
+    marksShown_ = shown;
+    publish();
+}
+
+void Viewport::setParallel(bool isParallel) {
+    if (isParallel == camera_.isParallel) return;
+    const bool untouched = untouched_;
+    app::OrbitCamera camera = camera_;
+    camera.isParallel = isParallel;
+    setCamera(camera);
+    untouched_ = untouched;
 }
 
 void Viewport::setSampleLimit(std::uint32_t samplesPerPixel) {
@@ -236,7 +262,9 @@ void Viewport::setPictureSizeHint(QSize pixels) {
 void Viewport::showFrom(ViewDirection from) {
     if (!input_.volume) return;
     framedFrom_ = from;
-    setCamera(app::framed(outlineMm(), from, kVerticalFovDeg, aspect()));
+    app::OrbitCamera camera = app::turnedTo(camera_, from);
+    camera.verticalFovDeg = kVerticalFovDeg;
+    setCamera(app::fitted(camera, outlineMm(), aspect()));
     untouched_ = true;
 }
 
@@ -257,7 +285,45 @@ void Viewport::fit() {
     setCamera(app::fitted(camera_, outlineMm(), aspect()));
 }
 
+std::optional<MarkedPicture> Viewport::pictureOnScreen() const {
+    if (!shown_ || shown_->study != input_.study) return std::nullopt;
+    return MarkedPicture{shown_->camera, window_->pixels(), window_->devicePixelRatio()};
+}
+
+// The cube on screen is that of the picture, not of the camera that is asked for by now.
+std::optional<ViewDirection> Viewport::sideAt(QPointF place) const {
+    const auto picture = marksShown_ ? pictureOnScreen() : std::nullopt;
+    return picture ? cubeSideAt(*picture, place) : std::nullopt;
+}
+
+void Viewport::turnToSide(QPointF place) {
+    if (const auto side = sideAt(place)) setCamera(app::turnedTo(camera_, *side));
+}
+
+// With parallel rays nothing comes nearer: what is seen gets larger instead.
+void Viewport::fly(double notches) {
+    if (!input_.volume) return;
+    nudge();
+    if (camera_.isParallel)
+        return setCamera(zoomed(camera_, std::pow(kZoomPerNotch, notches), sceneDiagonalMm()));
+    setCamera(flown(camera_, notches * kFlyOfDiagonal * sceneDiagonalMm(), input_.volume->worldBox()));
+}
+
+bool Viewport::handleRoll(const QKeyEvent& event) {
+    const bool control = event.modifiers().testFlag(Qt::ControlModifier);
+    const auto is = [&](Qt::Key bracket, Qt::Key arrow) {
+        // Many keyboards have brackets with AltGr only, which some platforms tell as Ctrl and Alt.
+        return event.key() == bracket || (control && event.key() == arrow);
+    };
+    const bool clockwise = is(Qt::Key_BracketRight, Qt::Key_Right);
+    if (!clockwise && !is(Qt::Key_BracketLeft, Qt::Key_Left)) return false;
+    nudge();
+    setCamera(rolled(camera_, clockwise ? kRollStepDeg : -kRollStepDeg));
+    return true;
+}
+
 bool Viewport::handleKey(const QKeyEvent& event) {
+    if (handleRoll(event)) return true;
     const bool shift = event.modifiers().testFlag(Qt::ShiftModifier);
     const Qt::KeyboardModifiers others = event.modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier);
     if (others != Qt::NoModifier) return false;
@@ -275,6 +341,8 @@ bool Viewport::handleKey(const QKeyEvent& event) {
     const std::optional<KeyAction> action = actionOf(event);
     if (action == KeyAction::fit) return fit(), true;
     if (action == KeyAction::names) return showNames(!namesShown_), true;
+    if (action == KeyAction::marks) return emit marksAsked(!marksShown_), true;
+    if (action == KeyAction::parallel) return setParallel(!camera_.isParallel), true;
     if (const auto view = action ? viewDirectionOf(*action) : std::nullopt) return showFrom(*view), true;
     switch (event.key()) {
         case Qt::Key_Escape:
@@ -303,6 +371,14 @@ void Viewport::applyDrag(VulkanWindow::Drag drag, QPointF byPixels) {
             return setCamera(app::orbitedByDrag(camera_, byPixels.x(), byPixels.y(), height));
         case VulkanWindow::Drag::pan:
             return setCamera(app::pannedByDrag(camera_, byPixels.x(), byPixels.y(), height));
+        case VulkanWindow::Drag::roll:
+            return setCamera(app::rolledByDrag(camera_, byPixels.x(), height));
+        case VulkanWindow::Drag::transfer:
+            if (!trace::isProjection(input_.drawing.settings.look)) {
+                emit transferDragged(byPixels / std::max(height, 1.0));
+                return;
+            }
+            [[fallthrough]];
         case VulkanWindow::Drag::windowOrZoom:
             if (trace::isProjection(input_.drawing.settings.look)) {
                 emit windowDragged(byPixels / std::max(height, 1.0));
@@ -320,13 +396,13 @@ void Viewport::setTools(std::vector<PictureTool*> tools) {
     endHold();
     std::erase(tools, nullptr);
     tools_ = std::move(tools);
-    updateMarks();
+    updateToolMarks();
 }
 
-void Viewport::updateMarks() {
-    const auto before = input_.text;
-    updateText();
-    if (input_.text != before) publish();
+void Viewport::updateToolMarks() {
+    const auto before = input_.marks;
+    updateMarks();
+    if (input_.marks != before) publish();
 }
 
 PictureGeometry Viewport::geometry() const {
@@ -380,9 +456,10 @@ void Viewport::nudge() {
 }
 
 void Viewport::setCamera(const app::OrbitCamera& camera) {
-    camera_ = camera;
+    const bool wasParallel = std::exchange(camera_, camera).isParallel;
     untouched_ = false;
     publishChange();
+    if (camera_.isParallel != wasParallel) emit parallelChanged(camera_.isParallel);
     if (!dragging_ && !nudgeEnds_.isActive()) emit cameraRested();
 }
 
@@ -399,6 +476,7 @@ std::uint64_t Viewport::publish() {
     input_.camera = toCamera(camera_);
     input_.letters = edgeLetters(camera_);
     updateText();
+    updateMarks();
     input_.gaze = gazeFollowsPointer_ ? pointedAt_ : glm::dvec2(0.0);
     input_.interacting = dragging_ || nudgeEnds_.isActive();
     return renderThread_->publish(input_);
@@ -407,23 +485,30 @@ std::uint64_t Viewport::publish() {
 void Viewport::updateText() {
     const std::vector<std::string> names = namesShown_ ? names_ : std::vector<std::string>();
     const double ratio = window_->devicePixelRatio();
-    if (names != textNames_ || input_.width != textWidthPx_ || ratio != textPixelRatio_) {
-        textNames_ = names;
-        textWidthPx_ = input_.width;
-        textPixelRatio_ = ratio;
-        namesText_ = paintText(names, input_.width, ratio);
-        marksOf_.reset();
-    }
-    std::vector<PictureMark> marks;
+    if (names == textNames_ && input_.width == textWidthPx_ && ratio == textPixelRatio_) return;
+    textNames_ = names;
+    textWidthPx_ = input_.width;
+    textPixelRatio_ = ratio;
+    input_.text = paintText(names, input_.width, ratio);
+}
+
+// A few tenths of a millisecond: for each step of a drag.
+void Viewport::updateMarks() {
+    std::optional<Marked> wanted;
     if (input_.volume) {
+        wanted = Marked{.picture = {input_.camera, window_->pixels(), window_->devicePixelRatio()},
+                        .hasCube = marksShown_};
         for (const PictureTool* tool : tools_)
-            std::ranges::copy(tool->marks(geometry()), std::back_inserter(marks));
+            std::ranges::copy(tool->marks(geometry()), std::back_inserter(wanted->ofTools));
     }
-    const QSize pixels(input_.width, input_.height);
-    if (marksOf_ == pixels && marks == marks_) return;
-    marksOf_ = pixels;
-    marks_ = std::move(marks);
-    input_.text = withMarks(namesText_, marks_, pixels, ratio);
+    if (wanted == marked_) return;
+    const bool isSameCube =
+        wanted && marked_ && wanted->picture == marked_->picture && wanted->hasCube == marked_->hasCube;
+    marked_ = std::move(wanted);
+    if (!isSameCube) cube_ = marked_ && marked_->hasCube ? paintCubeAndScale(marked_->picture) : nullptr;
+    input_.marks =
+        marked_ ? withToolMarks(cube_, marked_->ofTools, marked_->picture.pixels, marked_->picture.pixelRatio)
+                : nullptr;
 }
 
 double Viewport::sceneDiagonalMm() const {
@@ -457,10 +542,14 @@ void Viewport::onRendered(const app::RenderEvent& event) {
     if (const auto* frame = std::get_if<app::FrameShown>(&event)) {
         if (frame->study != input_.study) return;  // that picture is being taken off the screen
         setLetters(frame->letters);
+        shown_ = *frame;
+    } else if (std::holds_alternative<app::PictureRemoved>(event)) {
+        shown_.reset();
     } else if (const auto* outline = std::get_if<app::OutlineFound>(&event)) {
         onOutline(*outline);
     } else if (const auto* failure = std::get_if<app::RenderFailure>(&event)) {
         setLetters({});
+        shown_.reset();
         // A picture that stays after an error would be taken for that of what is wanted now; unless something
         // else is wanted by now, which takes it off first.
         if (failure->pictureRemains && failure->inputSequence >= lastChange_) container_->hide();

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "app/camera/orbit_camera.h"
+#include "viewer/marks/cube_and_scale.h"
 #include "viewer/picture_tool.h"
 
 namespace macula::viewer {
@@ -53,34 +54,46 @@ class Viewport : public QWidget {
     void setPictureSizeHint(QSize pixels);
     // Asked in this order before the camera moves; null is none of them. They outlive this or are taken away.
     void setTools(std::vector<PictureTool*> tools);
-    void updateMarks();  // of the tools: what they show has changed
+    void updateToolMarks();  // what they show has changed
     PictureGeometry geometry() const;
+    // Cube and scale over each picture: of the camera that it was seen by, whatever is asked for meanwhile.
+    void showMarks(bool shown);
+    bool marksShown() const { return marksShown_; }
+    // Whether rays are parallel; as much is shown of what the camera turns around.
+    void setParallel(bool isParallel);
 
     void showFrom(ViewDirection from);
     void showFrom(const Camera& camera);  // as near as a turntable comes to it: see app::orbitCameraOf
     void centreOn(const glm::dvec3& mm);  // turns around that from now on
     void fit();                           // what is visible, from the side where the camera is
-    // Arrows, +, -, F, N (names) and the letters of the standard views. False for any other key.
+    // Arrows, +, -, [, ], F, N (names), B (marks), O and the letters of the standard views. False for any
+    // other key.
     bool handleKey(const QKeyEvent& event);
 
     const app::OrbitCamera& camera() const { return camera_; }
-    // The side from which what is visible fits the picture; nothing once somebody has moved the camera.
+    // The side from which what is visible fits the picture; nothing once somebody has moved the camera, or
+    // has chosen parallel rays.
     std::optional<ViewDirection> framedFrom() const {
-        return untouched_ ? std::optional(framedFrom_) : std::nullopt;
+        return untouched_ && !camera_.isParallel ? std::optional(framedFrom_) : std::nullopt;
     }
     std::uint64_t study() const { return input_.study; }  // as in FrameShown
     app::EdgeLetters letters() const;                     // those on screen; empty without a picture
     VulkanWindow& window() { return *window_; }
     QSize pictureSize() const { return window_->pixels(); }
+    // The picture on screen and its camera, as its marks were painted for; nothing without a picture.
+    std::optional<MarkedPicture> pictureOnScreen() const;
     double aspect() const;  // width over height
 
   signals:
     void rendered(const macula::app::RenderEvent& event);
     void namesToggled(bool shown);
+    void marksAsked(bool shown);  // by key: who owns the state shows them
+    void parallelChanged(bool isParallel);
     // What is shown there is meant: -1 to 1, right and up are positive.
     void doubleClicked(QPointF place);
-    void cameraRested();                    // where a hand, a key or a view has put it
-    void windowDragged(QPointF byHeights);  // with the right button, in projections: see app::dragged
+    void cameraRested();                      // where a hand, a key or a view has put it
+    void windowDragged(QPointF byHeights);    // with the right button, in projections: see app::dragged
+    void transferDragged(QPointF byHeights);  // since the last time: to the right, and down
     void dropped(const macula::viewer::Dropped& what);
     void keyNotHandled(QKeyEvent* event);
 
@@ -94,6 +107,10 @@ class Viewport : public QWidget {
     void onPointed(QPointF place);
     void endHold();  // of a tool
     void onWheel(double notches, bool withShift);
+    std::optional<ViewDirection> sideAt(QPointF place) const;  // of the cube, if that is there
+    void turnToSide(QPointF place);
+    void fly(double notches);
+    bool handleRoll(const QKeyEvent& event);
     void nudge();             // an interaction without an end: a key, a notch of the wheel
     std::uint64_t publish();  // its number
     double sceneDiagonalMm() const;
@@ -102,6 +119,7 @@ class Viewport : public QWidget {
     void onRendered(const app::RenderEvent& event);
     void setLetters(const app::EdgeLetters& letters);
     void updateText();
+    void updateMarks();
     void layOut();
 
     QVulkanInstance vulkan_;  // outlives the window
@@ -117,13 +135,21 @@ class Viewport : public QWidget {
     bool namesShown_ = true;
     std::vector<PictureTool*> tools_;
     PictureTool* holder_ = nullptr;  // of them, that which holds something
-    std::shared_ptr<const app::PictureText> namesText_;
-    std::vector<PictureMark> marks_;
-    std::optional<QSize> marksOf_;  // the picture that the text has them for; nothing: it has none yet
     // What input_.text was made of.
     std::vector<std::string> textNames_;
     int textWidthPx_ = 0;
     double textPixelRatio_ = 0.0;
+    bool marksShown_ = true;
+    struct Marked {
+        MarkedPicture picture;
+        bool hasCube = true;
+        std::vector<ToolMark> ofTools = {};
+
+        bool operator==(const Marked&) const = default;
+    };
+    std::optional<Marked> marked_;                  // what input_.marks was made of
+    std::shared_ptr<const app::PictureText> cube_;  // and scale: a part of it
+    std::optional<app::FrameShown> shown_;          // the picture on screen
 
     app::OrbitCamera camera_;
     app::FrameInput input_;

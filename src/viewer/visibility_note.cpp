@@ -6,6 +6,7 @@
 
 #include "app/frame/projection_windows.h"
 #include "pipeline/trace/look.h"
+#include "viewer/language/core_words.h"
 
 namespace macula::viewer {
 
@@ -13,9 +14,9 @@ namespace {
 
 constexpr int kMostNamed = 5;
 
-QString tr(const char* text) {
-    return QCoreApplication::translate("Visibility", text);
-}
+struct Words {
+    Q_DECLARE_TR_FUNCTIONS(Visibility)
+};
 
 // Between two of its points the curve runs one way: what it reaches, it reaches at a point or at an end.
 bool showsAnyOf(const TransferFunction& preset, const ValueRange& values) {
@@ -34,11 +35,11 @@ bool isFor(const TransferFunction& preset, const Volume& volume) {
 }
 
 QString title(const TransferFunction& preset) {
-    return QString::fromStdString(preset.title.empty() ? preset.name : preset.title);
+    return titleInWindowsLanguage(preset.title.empty() ? preset.name : preset.title);
 }
 
 QString valuesText(const ValueRange& values, const Volume& volume) {
-    return tr("its values are %1 to %2 %3")
+    return Words::tr("its values are %1 to %2 %3")
         .arg(values.low, 0, 'g', 6)
         .arg(values.high, 0, 'g', 6)
         .arg(QString::fromStdString(volume.unitName()))
@@ -49,20 +50,21 @@ QString windowNote(const DisplayWindow& window, const ValueRange& values, const 
     const bool isBelow = values.high <= window.center - 0.5 * window.width;
     const bool isAbove = values.low >= window.center + 0.5 * window.width;
     if (!isBelow && !isAbove) return {};
-    return tr("All of this volume is %1 in the window %2: %3.")
-        .arg(isBelow ? tr("black") : tr("white"),
-             QString::fromStdString(app::windowText(window, volume.unitName())), valuesText(values, volume));
+    return Words::tr("All of this volume is %1 in the window %2: %3.")
+        .arg(isBelow ? Words::tr("black") : Words::tr("white"),
+             withLocalNumbers(QString::fromStdString(app::windowText(window, volume.unitName()))),
+             valuesText(values, volume));
 }
 
 }  // namespace
 
 QString visibilityNote(const app::Drawing& drawing, const Volume& volume, const app::Catalogue& catalogue) {
     const std::optional<ValueRange>& values = volume.valueRange();
-    if (!values) return tr("This volume has no values: all of it is padding.");
+    if (!values) return Words::tr("This volume has no values: all of it is padding.");
     if (trace::isProjection(drawing.settings.look))
         return drawing.settings.window ? windowNote(*drawing.settings.window, *values, volume) : QString();
     if (!drawing.transferFunction || showsAnyOf(*drawing.transferFunction, *values)) return {};
-    QString note = tr("Nothing of this volume can be seen with the preset %1: %2.")
+    QString note = Words::tr("Nothing of this volume can be seen with the preset %1: %2.")
                        .arg(title(*drawing.transferFunction), valuesText(*values, volume));
     QStringList others;
     for (const auto& preset : catalogue.presets) {
@@ -70,7 +72,7 @@ QString visibilityNote(const app::Drawing& drawing, const Volume& volume, const 
     }
     const QString more = others.size() > kMostNamed ? QStringLiteral("…") : QString();
     if (!others.isEmpty())
-        note += tr(" Presets that show something of it: %1.")
+        note += Words::tr(" Presets that show something of it: %1.")
                     .arg(others.mid(0, kMostNamed).join(QStringLiteral(", ")) + more);
     return note;
 }

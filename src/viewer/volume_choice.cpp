@@ -1,5 +1,7 @@
 #include "viewer/volume_choice.h"
 
+#include "viewer/language/core_words.h"
+
 namespace macula::viewer {
 
 namespace {
@@ -25,7 +27,7 @@ void VolumeChoice::setVolumes(const std::vector<std::string>& titles, std::size_
     shown_ = int(shown);
     if (titles.size() < 2) return;
     for (std::size_t i = 0; i < titles.size(); ++i) {
-        const QString title = QString::fromStdString(titles[i]).simplified();
+        const QString title = listInWindowsLanguage(titles[i]).simplified();
         addItem(tr("%1 of %2: %3").arg(i + 1).arg(titles.size()).arg(title));
         setItemData(count() - 1, title, Qt::ToolTipRole);
     }

@@ -14,6 +14,8 @@ namespace macula::viewer {
 namespace {
 
 constexpr double kEighthsOfDegreePerNotch = 120.0;
+constexpr double kClickPx = 3.0;  // a hand that clicks moves by as much
+constexpr Qt::Key kTransferKey = Qt::Key_T;
 
 }  // namespace
 
@@ -86,28 +88,39 @@ void VulkanWindow::resizeEvent(QResizeEvent*) {
 void VulkanWindow::mousePressEvent(QMouseEvent* event) {
     requestActivate();  // keys go to the picture that was clicked
     if (dragging_) return;
-    const bool shift = event->modifiers().testFlag(Qt::ShiftModifier);
-    const bool control = event->modifiers().testFlag(Qt::ControlModifier);
-    switch (event->button()) {
-        case Qt::LeftButton:
-            drag_ = shift ? Drag::pan : control ? Drag::zoom : Drag::orbit;
-            break;
-        case Qt::MiddleButton:
-            drag_ = Drag::pan;
-            break;
-        case Qt::RightButton:
-            drag_ = Drag::windowOrZoom;
-            break;
-        default:
-            return;
-    }
-    last_ = event->position();
-    if (event->button() == Qt::LeftButton && !control && grab_ && grab_(placeOf(last_), shift))
+    const std::optional<Drag> drag = dragOf(*event);
+    if (!drag) return;
+    drag_ = *drag;
+    last_ = pressedAt_ = event->position();
+    // With Ctrl, Alt or the key for it the left button is for the camera or for what is seen.
+    const bool isForTools = event->button() == Qt::LeftButton && (drag_ == Drag::orbit || drag_ == Drag::pan);
+    if (isForTools && grab_ && grab_(placeOf(last_), event->modifiers().testFlag(Qt::ShiftModifier)))
         drag_ = Drag::tool;
     dragging_ = true;
+    hasMoved_ = false;
     dragButton_ = event->button();
     emit pointed(placeOf(last_));
     if (drag_ != Drag::tool) emit dragBegan();
+}
+
+std::optional<VulkanWindow::Drag> VulkanWindow::dragOf(const QMouseEvent& event) const {
+    const bool alt = event.modifiers().testFlag(Qt::AltModifier);
+    const bool shift = event.modifiers().testFlag(Qt::ShiftModifier);
+    const bool control = event.modifiers().testFlag(Qt::ControlModifier);
+    switch (event.button()) {
+        case Qt::LeftButton:
+            return holdsTransfer_ ? Drag::transfer
+                   : alt          ? Drag::roll
+                   : shift        ? Drag::pan
+                   : control      ? Drag::zoom
+                                  : Drag::orbit;
+        case Qt::MiddleButton:
+            return Drag::pan;
+        case Qt::RightButton:
+            return holdsTransfer_ || alt ? Drag::transfer : Drag::windowOrZoom;
+        default:
+            return std::nullopt;
+    }
 }
 
 void VulkanWindow::mouseMoveEvent(QMouseEvent* event) {
@@ -123,6 +136,7 @@ void VulkanWindow::mouseMoveEvent(QMouseEvent* event) {
     }
     const QPointF moved = event->position() - last_;
     last_ = event->position();
+    hasMoved_ = hasMoved_ || (last_ - pressedAt_).manhattanLength() > kClickPx;
     emit dragged(drag_, moved);
 }
 
@@ -133,12 +147,15 @@ QPointF VulkanWindow::placeOf(QPointF position) const {
 
 void VulkanWindow::mouseReleaseEvent(QMouseEvent* event) {
     if (event->button() != dragButton_) return;
+    const bool isClick = dragging_ && !hasMoved_ && drag_ == Drag::orbit;
     if (dragging_ && drag_ == Drag::tool)
         emit toolReleased(placeOf(event->position()), event->modifiers().testFlag(Qt::ShiftModifier));
     endDrag();
+    if (isClick) emit clicked(placeOf(event->position()));
 }
 
 void VulkanWindow::focusOutEvent(QFocusEvent*) {
+    holdsTransfer_ = false;  // nobody is told of keys that go up elsewhere
     endDrag();
 }
 
@@ -152,14 +169,23 @@ void VulkanWindow::mouseDoubleClickEvent(QMouseEvent* event) {
 }
 
 void VulkanWindow::wheelEvent(QWheelEvent* event) {
-    // With some modifiers it turns sideways on some desktops.
-    const QPoint turned = event->angleDelta();
-    const int by = turned.y() != 0 ? turned.y() : turned.x();
-    emit wheelTurned(by / kEighthsOfDegreePerNotch, event->modifiers().testFlag(Qt::ShiftModifier));
+    // With some modifiers a wheel turns sideways: with Alt on most platforms, with Shift on some.
+    const QPoint angle = event->angleDelta();
+    const double notches = (angle.y() != 0 ? angle.y() : angle.x()) / kEighthsOfDegreePerNotch;
+    if (event->modifiers().testFlag(Qt::AltModifier)) {
+        emit flyTurned(notches);
+    } else {
+        emit wheelTurned(notches, event->modifiers().testFlag(Qt::ShiftModifier));
+    }
 }
 
 void VulkanWindow::keyPressEvent(QKeyEvent* event) {
+    if (event->key() == kTransferKey && event->modifiers() == Qt::NoModifier) holdsTransfer_ = true;
     emit keyPressed(event);
+}
+
+void VulkanWindow::keyReleaseEvent(QKeyEvent* event) {
+    if (event->key() == kTransferKey && !event->isAutoRepeat()) holdsTransfer_ = false;
 }
 
 }  // namespace macula::viewer

@@ -7,6 +7,7 @@
 #include <QPointF>
 #include <QWindow>
 #include <functional>
+#include <optional>
 #include <utility>
 
 #include "viewer/dropped.h"
@@ -19,8 +20,9 @@ class VulkanWindow : public QWindow {
     Q_OBJECT
 
   public:
-    // Of the last but one, the picture decides; `tool` is what a grab has taken.
-    enum class Drag { orbit, pan, zoom, windowOrZoom, tool };
+    // Of windowOrZoom the picture decides. `transfer` shifts and widens what is seen; `tool` is what a grab
+    // has taken.
+    enum class Drag { orbit, pan, zoom, windowOrZoom, roll, transfer, tool };
     // Asked when the left button goes down, where. Whether what follows is for it and for no camera.
     using Grab = std::function<bool(QPointF place, bool withShift)>;
 
@@ -48,6 +50,7 @@ class VulkanWindow : public QWindow {
     // Where somebody points who drags nothing, or begins to: -1 to 1, right and up are positive.
     void pointed(QPointF place);
     void doubleClicked(QPointF place);  // with the left button; likewise
+    void clicked(QPointF place);        // with the left button, which did not move; likewise
     void dragBegan();
     void dragged(macula::viewer::VulkanWindow::Drag drag, QPointF byPixels);  // logical pixels, y downwards
     void dragEnded();
@@ -56,6 +59,7 @@ class VulkanWindow : public QWindow {
     void toolMoved(QPointF place, bool withShift);
     void toolReleased(QPointF place, bool withShift);
     void wheelTurned(double notches, bool withShift);  // positive: away from the user
+    void flyTurned(double notches);                    // the same with Alt
     void keyPressed(QKeyEvent* event);                 // not accepted: it is offered to the main window
     void dropped(const macula::viewer::Dropped& what);
 
@@ -69,10 +73,12 @@ class VulkanWindow : public QWindow {
     void mouseDoubleClickEvent(QMouseEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
+    void keyReleaseEvent(QKeyEvent* event) override;
     void focusOutEvent(QFocusEvent* event) override;
 
   private:
     QPointF placeOf(QPointF position) const;
+    std::optional<Drag> dragOf(const QMouseEvent& event) const;
     void createSurface();
     void loseSurface();
 
@@ -82,6 +88,9 @@ class VulkanWindow : public QWindow {
     Drag drag_ = Drag::orbit;
     Qt::MouseButton dragButton_ = Qt::NoButton;
     QPointF last_;
+    QPointF pressedAt_;
+    bool hasMoved_ = false;       // farther than a click
+    bool holdsTransfer_ = false;  // the key for it is down
 };
 
 }  // namespace macula::viewer

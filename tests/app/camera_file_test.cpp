@@ -29,6 +29,23 @@ TEST_F(CameraFile, holdsACamera) {
     EXPECT_EQ(camera->verticalFovDeg, 12.5);
 }
 
+TEST_F(CameraFile, MayHaveParallelRays) {
+    const std::string start =
+        R"({"positionMm": [1, -2.5, 3], "targetMm": [4, 5, 6], "up": [0, 0, 1], "verticalFovDeg": 12.5)";
+    const auto eye = read(start + "}");
+    ASSERT_TRUE(eye);
+    EXPECT_FALSE(isParallel(*eye));
+    EXPECT_FALSE(toJson(*eye).contains("parallelHeightMm"));
+    const auto camera = read(start + R"(, "parallelHeightMm": 240.5})");
+    ASSERT_TRUE(camera) << camera.error().message;
+    EXPECT_EQ(camera->parallelHeightMm, 240.5);
+    const auto again = read(toJson(*camera).dump());
+    ASSERT_TRUE(again);
+    EXPECT_EQ(*again, *camera);
+    for (const char* wrong : {"0", "-5", "1e9", "\"high\"", "true"})
+        EXPECT_FALSE(read(start + R"(, "parallelHeightMm": )" + wrong + "}")) << wrong;
+}
+
 // Nothing is guessed: neither what is missing, nor what a key that is not known may mean.
 TEST_F(CameraFile, isRefusedAsInput) {
     const std::string rest = R"("targetMm": [0, 0, 0], "up": [0, 0, 1])";

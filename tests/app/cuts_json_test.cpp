@@ -20,6 +20,8 @@ Cuts someCuts() {
                       .followsCamera = false},
         .scissors = {{.camera = {.positionMm = {1.0 / 3.0, -700, 12.5}, .targetMm = {0.1, 0.2, 0.3}},
                       .outline = {{-0.5, -0.5}, {1.0 / 3.0, -0.5}, {0.0, 0.7}}},
+                     {.camera = {.positionMm = {0, -50, 1}, .parallelHeightMm = 1000.0 / 3.0},
+                      .outline = {{0, 0}, {0.5, 0}, {0, 0.5}}},
                      {.camera = {}, .outline = {{0, 0}, {1, 0}, {1, 1}, {0, 1}}, .removesOutside = true}}};
 }
 

@@ -19,6 +19,15 @@ TEST(Fidelity, OfATracedPictureWithAllItsSamplesIsFinalWithoutReserve) {
     EXPECT_EQ(toJson(frame)["tracedShare"], 1.0);
 }
 
+TEST(Fidelity, SaysWhyAPictureInMotionIsNoModel) {
+    FrameShown frame{.picture = OnScreen::preview, .stage = Stage::converged};
+    EXPECT_EQ(fidelityOf(frame).because, Because{});
+    frame.camera.parallelHeightMm = 200;
+    EXPECT_EQ(fidelityOf(frame).because, Because{"no splats with parallel rays"});
+    frame.picture = OnScreen::traced;
+    EXPECT_EQ(fidelityOf(frame).because, Because{}) << "a traced picture is what it is";
+}
+
 TEST(Fidelity, SaysWhatIsBetweenAFrameAndTheTruth) {
     FrameShown frame{.picture = OnScreen::model};
     EXPECT_FALSE(fidelityOf(frame).isFinal);

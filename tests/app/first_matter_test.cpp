@@ -70,6 +70,25 @@ TEST(FirstMatter, RightAndUpAreThoseOfThePicture) {
     EXPECT_NEAR(found->z, 0.5 * found->x, 0.5);
 }
 
+// The ray of a parallel picture through a place is straight: so many mm beside the middle, at every depth.
+TEST(FirstMatter, OfParallelRaysIsStraightAhead) {
+    const auto volume = ball();
+    Camera parallel = kFront;
+    parallel.parallelHeightMm = 60;
+    const auto found = firstMatterMm(*volume, drawing(), parallel, {0.2, 0.2}, 1.5);
+    ASSERT_TRUE(found);
+    EXPECT_NEAR(found->x, 0.2 * 45, 1e-6);
+    EXPECT_NEAR(found->z, 0.2 * 30, 1e-6);
+    EXPECT_NEAR(found->y, -std::sqrt(400.0 - 81.0 - 36.0), 2.0 * kVoxelMm);
+    // Rays begin before all of the volume, wherever the camera stands.
+    parallel.positionMm = {0, 35, 0};
+    parallel.targetMm = {0, 36, 0};
+    const auto again = firstMatterMm(*volume, drawing(), parallel, {0.2, 0.2}, 1.5);
+    ASSERT_TRUE(again);
+    EXPECT_NEAR(again->y, found->y, 1.0);
+    EXPECT_FALSE(firstMatterMm(*volume, drawing(), parallel, {0.99, 0.99}, 1.5));
+}
+
 TEST(FirstMatter, NothingIsFoundWhereNothingIsSeen) {
     const auto volume = ball();
     EXPECT_FALSE(firstMatterMm(*volume, drawing(), kFront, {0.9, 0.9}, 1.0));

@@ -20,6 +20,8 @@ class DarkScreen final : public Screen {
     explicit DarkScreen(std::shared_ptr<gpu::Device> device) : device_(std::move(device)) {}
     Result<void> resize(VkExtent2D) override { return {}; }
     void setText(std::shared_ptr<const PictureText> text) override { text_ = std::move(text); }
+    void setMarks(std::shared_ptr<const PictureText> marks) override { marks_ = std::move(marks); }
+    const std::shared_ptr<const PictureText>& marks() const override { return marks_; }
     const std::shared_ptr<const PictureText>& text() const override { return text_; }
     Result<bool> show(const gpu::Image&) override {
         MACULA_TRY_VOID(device_->waitForAll());
@@ -33,6 +35,7 @@ class DarkScreen final : public Screen {
   private:
     std::shared_ptr<gpu::Device> device_;
     std::shared_ptr<const PictureText> text_;
+    std::shared_ptr<const PictureText> marks_;
 };
 
 class DarkPlace final : public ScreenPlace {

@@ -6,10 +6,13 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <optional>
+#include <set>
 #include <span>
 #include <sstream>
 
 #include "app/choice/preset_choice.h"
+#include "app/found_by_hand.h"
 #include "app/session/scene_key.h"
 #include "base/fingerprint.h"
 #include "base/phantom.h"
@@ -364,6 +367,42 @@ TEST_F(ModelKeeperTest, TheStateOfAStudyComesBackForItsVolumeAlone) {
     EXPECT_EQ(left->find("clip"), std::string::npos) << "what was taken back does not come back";
     EXPECT_NE(left->find("later"), std::string::npos) << "what a newer version wrote stays";
     EXPECT_TRUE(told_.empty());
+}
+
+TEST_F(ModelKeeperTest, KnowsWhatOfAFolderWasSeenBefore) {
+    dicom::Scan scan;
+    const auto series = [](const std::string& uid, std::size_t volumes) {
+        dicom::Series made = test::seriesOf(1, "Thorax", {});
+        for (std::size_t n = 0; n < volumes; ++n) made.stacks.push_back(test::volumeOf(2));
+        made.studyInstanceUid = uid.empty() ? "" : "1.2.3";
+        made.seriesInstanceUid = uid;
+        return made;
+    };
+    scan.studies.push_back(
+        test::studyOf(0, "DOE^JANE", "20200102", "Chest",
+                      {series("1.2.3.1", 1), series("1.2.3.2", 1), series("1.2.3.3", 2), series("", 1)}));
+    const auto folder = std::make_shared<const FoundVolumes>(std::move(scan));
+    const auto open = [this](const char* uid, const char* digest) {
+        auto store = session::Store::open({.folder = folder_ / "sessions"});
+        ASSERT_TRUE(store);
+        ASSERT_TRUE(store->recordOpened({.study = session::studyIdentity("1.2.3"),
+                                         .series = session::seriesIdentity("1.2.3", uid),
+                                         .volume = sha256Hex(digest)}));
+    };
+    const auto seen = [&] {
+        std::optional<std::set<std::size_t>> told;
+        const auto asked = keeper();
+        asked->askWhatWasSeen(folder, [&](const std::set<std::size_t>& s) { told = s; });
+        asked->waitUntilIdle();
+        return told;
+    };
+    using Seen = std::optional<std::set<std::size_t>>;
+    EXPECT_EQ(seen(), Seen(std::set<std::size_t>{}));
+    open("1.2.3.2", "a");
+    open("1.2.3.3", "b");  // one of its two volumes: nobody knows which
+    EXPECT_EQ(seen(), Seen(std::set<std::size_t>{1}));
+    open("1.2.3.3", "c");
+    EXPECT_EQ(seen(), Seen(std::set<std::size_t>({1, 2, 3})));
 }
 
 }  // namespace

@@ -123,6 +123,112 @@ TEST(OrbitCamera, ZoomStopsBeforeTheTargetAndBeforeThePatientIsLost) {
     EXPECT_LT(zoomed(someCamera(), 0.0, diagonal).distanceMm, 100 * diagonal);
 }
 
+// Clockwise in the picture: what was on top comes to the right.
+TEST(OrbitCamera, RollsThePatientClockwise) {
+    const OrbitCamera upright = framed(cornersOf(kBox), ViewDirection::anterior, 30, 1);
+    const EdgeLetters quarter = edgeLetters(rolled(upright, 90));
+    EXPECT_EQ(quarter.right, "S");
+    EXPECT_EQ(quarter.top, "R");
+    EXPECT_EQ(quarter.left, "I");
+    const EdgeLetters back = edgeLetters(rolled(upright, -90));
+    EXPECT_EQ(back.left, "S");
+    EXPECT_EQ(edgeLetters(rolled(rolled(upright, 190), 170)).top, "S");
+    EXPECT_EQ(rolledByDrag(upright, kHeightPx, kHeightPx).rollDeg, -180.0) << "half a turn";
+    for (const double roll : {0.0, 37.0, -120.0, 179.0}) {
+        for (const double elevation : {-90.0, -20.0, 0.0, 89.9, 90.0}) {
+            OrbitCamera camera = someCamera();
+            camera.elevationDeg = elevation;
+            const auto axes = basis(toCamera(rolled(camera, roll)));
+            ASSERT_TRUE(axes.ok());
+            // Never mirrored.
+            EXPECT_NEAR(glm::dot(glm::cross(axes->right, axes->up), -axes->forward), 1.0, 1e-9);
+        }
+    }
+}
+
+TEST(OrbitCamera, ComesBackFromItsCamera) {
+    for (const double roll : {0.0, 12.0, -170.0}) {
+        for (const double elevation : {-60.0, 0.0, 40.0}) {
+            for (const bool isParallel : {false, true}) {
+                OrbitCamera before = rolled(someCamera(), roll);
+                before.elevationDeg = elevation;
+                before.isParallel = isParallel;
+                const OrbitCamera after = orbitCameraOf(standingBefore(toCamera(before), kBox));
+                EXPECT_NEAR(after.distanceMm, before.distanceMm, 1e-6);
+                EXPECT_NEAR(after.azimuthDeg, before.azimuthDeg, 1e-6);
+                EXPECT_NEAR(after.elevationDeg, before.elevationDeg, 1e-6);
+                EXPECT_NEAR(after.rollDeg, before.rollDeg, 1e-5);
+                EXPECT_EQ(after.isParallel, isParallel);
+                if (roll == 0.0) {
+                    EXPECT_EQ(after.rollDeg, 0.0);
+                }
+            }
+        }
+    }
+}
+
+TEST(OrbitCamera, ThePatientFollowsTheDragInARolledPictureToo) {
+    const OrbitCamera before = rolled(someCamera(), 70);
+    const Camera camera = toCamera(before);
+    const glm::dvec3 front = before.targetMm + 100.0 * glm::normalize(camera.positionMm - camera.targetMm);
+    EXPECT_GT(project(orbitedByDrag(before, 20, 0, kHeightPx), front).x, 1.0);
+    EXPECT_GT(project(orbitedByDrag(before, 0, 20, kHeightPx), front).y, 1.0);
+    const CameraBasis axes = *basis(camera);
+    const glm::dvec3 point = before.targetMm + 40.0 * axes.right - 25.0 * axes.up;
+    const glm::dvec2 at = project(before, point);
+    const OrbitCamera after = pannedByDrag(before, 37, -52, kHeightPx);
+    EXPECT_NEAR(project(after, point).x, at.x + 37, 1e-9);
+    EXPECT_NEAR(project(after, point).y, at.y - 52, 1e-9);
+}
+
+TEST(OrbitCamera, FliesForwardWithWhatItTurnsAround) {
+    const OrbitCamera before = someCamera();
+    const Camera from = toCamera(before);
+    const Camera to = toCamera(flown(before, 50, kBox));
+    const glm::dvec3 forward = basis(from)->forward;
+    expectNear(to.positionMm, from.positionMm + 50.0 * forward, 1e-9);
+    expectNear(to.targetMm, from.targetMm + 50.0 * forward, 1e-9);
+    OrbitCamera far = before;
+    for (int i = 0; i < 1000; ++i) far = flown(far, 40, kBox);
+    EXPECT_LE(glm::distance(far.targetMm, kBox.centre()), kBox.diagonal());
+    EXPECT_NE(flown(far, -40, kBox).targetMm, far.targetMm) << "the way back is free";
+    EXPECT_EQ(flown(before, std::nan(""), kBox).targetMm, before.targetMm);
+}
+
+TEST(OrbitCamera, TurnsToASideAsNearAsBefore) {
+    for (const auto side : {ViewDirection::anterior, ViewDirection::posterior, ViewDirection::left,
+                            ViewDirection::right, ViewDirection::superior, ViewDirection::inferior}) {
+        const OrbitCamera turned = turnedTo(rolled(someCamera(), 33), side);
+        EXPECT_EQ(turned.targetMm, someCamera().targetMm);
+        EXPECT_EQ(turned.distanceMm, someCamera().distanceMm);
+        const CameraBasis expected = standardBasis(side);
+        expectNear(basis(toCamera(turned))->forward, expected.forward, 1e-9);
+        expectNear(basis(toCamera(turned))->up, expected.up, 1e-9);
+    }
+}
+
+TEST(OrbitCamera, ParallelRaysKeepTheScaleOfTheTargetAndZoomChangesIt) {
+    OrbitCamera camera = someCamera();
+    const double mm = mmPerPixel(camera, kHeightPx);
+    EXPECT_NEAR(mm, 2.0 * 700 * std::tan(glm::radians(15.0)) / kHeightPx, 1e-12);
+    camera.isParallel = true;
+    EXPECT_NEAR(mmPerPixel(camera, kHeightPx), mm, 1e-12);
+    EXPECT_NEAR(toCamera(zoomed(camera, 2.0, kBox.diagonal())).parallelHeightMm, 0.5 * mm * kHeightPx, 1e-9);
+    for (const double magnification : {1e-30, 1e30})
+        EXPECT_TRUE(basis(toCamera(zoomed(camera, magnification, kBox.diagonal()))).ok());
+    const OrbitCamera all = fitted(camera, cornersOf(kBox), 1.25);
+    EXPECT_TRUE(all.isParallel);
+    EXPECT_EQ(all.azimuthDeg, camera.azimuthDeg);
+    const CameraBasis axes = *basis(toCamera(all));
+    glm::dvec2 most(0.0);
+    for (const glm::dvec3& corner : cornersOf(kBox)) {
+        const glm::dvec3 v = corner - all.targetMm;
+        most = glm::max(most, glm::abs(glm::dvec2(glm::dot(v, axes.right), glm::dot(v, axes.up))));
+    }
+    const double half = 0.5 * mmPerPixel(all, kHeightPx) * kHeightPx;
+    EXPECT_NEAR(std::max(most.x / 1.25, most.y) / half, 0.9, 1e-9);
+}
+
 TEST(OrbitCamera, LettersAreThoseOfARadiologicalDisplay) {
     const EdgeLetters front = edgeLetters(framed(cornersOf(kBox), ViewDirection::anterior, 30, 1));
     EXPECT_EQ(front.left, "R");

@@ -52,6 +52,37 @@ TEST(PictureRays, WhatIsBehindTheEyeHasNoPlace) {
     EXPECT_FALSE(PictureRays::of(fromAnterior(), std::numeric_limits<double>::quiet_NaN()));
 }
 
+// Twice as far is as large, and what is behind where they begin is seen as well.
+TEST(PictureRays, OfAParallelCameraAreParallel) {
+    Camera camera = fromAnterior();
+    camera.parallelHeightMm = 500.0;
+    const auto rays = PictureRays::of(camera, 2.0);
+    ASSERT_TRUE(rays);
+    for (const double y : {-2000.0, -1000.0, 0.0, 3000.0}) {
+        const auto left = rays->placeOf({250, y, 0});
+        ASSERT_TRUE(left);
+        EXPECT_NEAR(left->x, 0.5, 1e-12) << "the patient's left is at the right";
+        EXPECT_NEAR(rays->placeOf({0, y, 125})->y, 0.5, 1e-12) << "the head is up";
+    }
+    for (const glm::dvec2 place : {glm::dvec2(0, 0), glm::dvec2(-1, 1), glm::dvec2(0.3, -0.8)}) {
+        const PictureRay ray = rays->through(place);
+        EXPECT_LT(glm::distance(ray.direction, {0, 1, 0}), 1e-12);
+        for (const double mm : {-900.0, 0.0, 800.0}) {
+            const auto back = rays->placeOf(ray.at(mm));
+            ASSERT_TRUE(back);
+            EXPECT_LT(glm::distance(*back, place), 1e-9);
+        }
+        const auto met = meets(ray, {0, -1500, 0}, {0, 1, 0});
+        ASSERT_TRUE(met) << "behind its origin, which is no eye";
+        EXPECT_NEAR(met->y, -1500.0, 1e-9);
+        EXPECT_TRUE(nearestOnLine(ray, {0, -2000, 30}, {1, 0, 0}));
+    }
+    const glm::dvec3 a(5, 6, 7);
+    const glm::dvec3 b(-50, 60, 170);
+    EXPECT_LT(glm::distance(rays->homogeneous(a) + rays->homogeneousStep(b - a), rays->homogeneous(b)), 1e-9);
+    EXPECT_FALSE(rays->placeOf({std::numeric_limits<double>::quiet_NaN(), 0, 0}));
+}
+
 TEST(PictureRays, FindWhereALineOrAPlaneIsMet) {
     const PictureRay ray{.originMm = {0, -1000, 0}, .direction = {0, 1, 0}};
     // A line along x, 30 mm above the ray: nearest where x is 0.

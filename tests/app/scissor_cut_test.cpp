@@ -11,8 +11,9 @@
 #include <random>
 
 #include "app/state/study_state.h"
+#include "app/study/combined_mask.h"
+#include "app/study/scissor_mask.h"
 #include "app/study/shown_clip.h"
-#include "app/study/shown_voxels.h"
 #include "base/phantom.h"
 #include "pipeline/volume/mask_bits.h"
 
@@ -42,6 +43,15 @@ Camera inside() {
     return {.positionMm = {0, 2, -3}, .targetMm = {10, 30, 5}, .up = {0, 0, 1}, .verticalFovDeg = 100};
 }
 
+// Stands in the volume: what is behind it is seen, too.
+Camera parallel() {
+    return {.positionMm = {5, -8, 3},
+            .targetMm = {0, 5, 0},
+            .up = {0, 0, 1},
+            .verticalFovDeg = 35,
+            .parallelHeightMm = 90};
+}
+
 // A star with points in and out: not convex, and no line crosses another.
 std::vector<glm::dvec2> star(glm::dvec2 centre, double radius) {
     std::vector<glm::dvec2> points;
@@ -53,15 +63,20 @@ std::vector<glm::dvec2> star(glm::dvec2 centre, double radius) {
     return points;
 }
 
-// By another way than the code: a pinhole, and how often a ray to the right crosses the outline.
+// By another way than the code: a pinhole or its far end, and how often a ray to the right crosses the
+// outline.
 bool isSeenWithin(const ScissorCut& cut, const glm::dvec3& mm) {
     const glm::dvec3 forward = glm::normalize(cut.camera.targetMm - cut.camera.positionMm);
     const glm::dvec3 right = glm::normalize(glm::cross(forward, cut.camera.up));
     const glm::dvec3 up = glm::cross(right, forward);
     const glm::dvec3 from = mm - cut.camera.positionMm;
     const double depth = glm::dot(from, forward);
-    if (depth <= 0.0) return false;
-    const double scale = 1.0 / (depth * std::tan(0.5 * cut.camera.verticalFovDeg * std::numbers::pi / 180.0));
+    const bool isFar = cut.camera.parallelHeightMm > 0.0;
+    if (!isFar && depth <= 0.0) return false;
+    const double halfHeightMm =
+        isFar ? 0.5 * cut.camera.parallelHeightMm
+              : depth * std::tan(0.5 * cut.camera.verticalFovDeg * std::numbers::pi / 180.0);
+    const double scale = 1.0 / halfHeightMm;
     const glm::dvec2 p(glm::dot(from, right) * scale, glm::dot(from, up) * scale);
     bool within = false;
     for (std::size_t i = 0, j = cut.outline.size() - 1; i < cut.outline.size(); j = i++) {
@@ -73,9 +88,9 @@ bool isSeenWithin(const ScissorCut& cut, const glm::dvec3& mm) {
     return within;
 }
 
-MaskBits bitsOf(const std::vector<ScissorCut>& cuts, const Volume& volume, std::optional<Mask> others = {}) {
+MaskBits bitsOf(const std::vector<ScissorCut>& cuts, const Volume& volume, std::optional<Mask> before = {}) {
     Progress progress;
-    auto mask = shownVoxels(std::move(others), cuts, volume, progress);
+    auto mask = scissorMask(std::move(before), cuts, volume, progress);
     EXPECT_TRUE(mask.ok()) << (mask ? "" : mask.error().message);
     if (!mask || !*mask) return {};
     return maskBits(**mask, volume);
@@ -91,7 +106,7 @@ void forEachVoxel(const Volume& volume, const Body& body) {
 
 TEST(ScissorCut, RemovesAVoxelIfAndOnlyIfItsMiddleIsSeenWithinTheOutline) {
     const Volume volume = tilted();
-    for (const Camera& camera : {outside(), inside()}) {
+    for (const Camera& camera : {outside(), inside(), parallel()}) {
         for (const bool removesOutside : {false, true}) {
             const ScissorCut cut{
                 .camera = camera, .outline = star({0.05, -0.02}, 0.4), .removesOutside = removesOutside};
@@ -113,11 +128,13 @@ TEST(ScissorCut, RemovesAVoxelIfAndOnlyIfItsMiddleIsSeenWithinTheOutline) {
 TEST(ScissorCut, FindsWhatIsAtTheEdgeOfThePictureAndBeyond) {
     const Volume volume = tilted();
     for (const glm::dvec2 at : {glm::dvec2(-0.6, 0.3), glm::dvec2(0.5, 0.5), glm::dvec2(0.0, -1.4)}) {
-        const ScissorCut cut{.camera = inside(), .outline = star(at, 0.9)};
-        const MaskBits bits = bitsOf({cut}, volume);
-        forEachVoxel(volume, [&](int i, int j, int k, const glm::dvec3& mm) {
-            ASSERT_EQ(bits.shows(i, j, k), !isSeenWithin(cut, mm));
-        });
+        for (const Camera& camera : {inside(), parallel()}) {
+            const ScissorCut cut{.camera = camera, .outline = star(at, 0.9)};
+            const MaskBits bits = bitsOf({cut}, volume);
+            forEachVoxel(volume, [&](int i, int j, int k, const glm::dvec3& mm) {
+                ASSERT_EQ(bits.shows(i, j, k), !isSeenWithin(cut, mm));
+            });
+        }
     }
 }
 
@@ -126,7 +143,7 @@ TEST(ScissorCut, OneAfterTheOtherIsTheSameAsTogether) {
     const ScissorCut first{.camera = outside(), .outline = star({-0.1, 0.1}, 0.2)};
     const ScissorCut second{.camera = inside(), .outline = star({0.2, 0.0}, 0.5), .removesOutside = true};
     Progress progress;
-    const auto afterFirst = shownVoxels({}, std::vector{first}, volume, progress);
+    const auto afterFirst = scissorMask({}, std::vector{first}, volume, progress);
     ASSERT_TRUE(afterFirst.ok());
     EXPECT_EQ(bitsOf({second}, volume, *afterFirst).words, bitsOf({first, second}, volume).words);
 }
@@ -135,24 +152,28 @@ TEST(ScissorCut, WhatElseIsHiddenStaysHidden) {
     const Volume volume = tilted();
     std::vector<std::uint16_t> labels(std::size_t(17 * 14 * 11), 0);
     for (std::size_t n = 0; n < labels.size(); n += 3) labels[n] = 4;
-    const Mask others{.labels = std::make_shared<const LabelMap>(
-                          *LabelMap::create({17, 14, 11}, volume.worldFromVoxel(), {}, labels)),
-                      .numbers = {4},
-                      .keep = Keep::inside};
+    Mask others;
+    others.labels = std::make_shared<const LabelMap>(
+        *LabelMap::create({17, 14, 11}, volume.worldFromVoxel(), {}, labels));
+    others.numbers = {4};
+    others.remark = "liver hidden";
     const ScissorCut cut{.camera = outside(), .outline = star({0, 0}, 0.2)};
-    const MaskBits alone = bitsOf({cut}, volume);
-    const MaskBits both = bitsOf({cut}, volume, others);
+    Progress progress;
+    const auto alone = scissorMask({}, std::vector{cut}, volume, progress);
+    ASSERT_TRUE(alone.ok() && *alone);
+    EXPECT_EQ((*alone)->remark, kCutWithScissors);
+    const auto both = combinedMask(std::vector{others, **alone}, volume, progress);
+    ASSERT_TRUE(both.ok() && *both);
+    EXPECT_EQ((*both)->remark, "liver hidden, cut with scissors");
+    const MaskBits shown = maskBits(**both, volume);
     forEachVoxel(volume, [&](int i, int j, int k, const glm::dvec3&) {
         const bool isLabelled = (std::size_t((k * 14 + j) * 17 + i)) % 3 == 0;
-        ASSERT_EQ(both.shows(i, j, k), isLabelled && alone.shows(i, j, k));
+        ASSERT_EQ(shown.shows(i, j, k), isLabelled && (*alone)->bits->shows(i, j, k));
     });
-    Progress progress;
-    const auto none = shownVoxels(others, {}, volume, progress);
-    ASSERT_TRUE(none.ok() && *none);
-    EXPECT_EQ((*none)->labels, others.labels) << "no copy where nothing is cut";
-    EXPECT_FALSE(isCutWithScissors(others));
-    EXPECT_TRUE(isCutWithScissors(**shownVoxels(others, std::vector{cut}, volume, progress)));
-    const auto nothing = shownVoxels({}, {}, volume, progress);
+    const auto same = scissorMask(*alone, {}, volume, progress);
+    ASSERT_TRUE(same.ok() && *same);
+    EXPECT_EQ((*same)->bits, (*alone)->bits) << "no copy where nothing is cut";
+    const auto nothing = scissorMask({}, {}, volume, progress);
     ASSERT_TRUE(nothing.ok());
     EXPECT_FALSE(*nothing);
 }
@@ -169,13 +190,13 @@ TEST(ScissorCut, ALoopThatIsDrawnTwiceEnclosesWhatItEncloses) {
 TEST(ScissorCut, RefusesToLeaveNothing) {
     const ScissorCut all{.camera = outside(), .outline = {{-50, -50}, {50, -50}, {50, 50}, {-50, 50}}};
     Progress progress;
-    const auto mask = shownVoxels({}, std::vector{all}, tilted(), progress);
+    const auto mask = scissorMask({}, std::vector{all}, tilted(), progress);
     ASSERT_FALSE(mask.ok());
     EXPECT_EQ(mask.error().code, ErrorCode::usage);
     EXPECT_FALSE(mask.error().hint.empty());
     // One voxel: it is there, or all would be gone.
     const Volume one = volumeOf({1, 1, 1}, affine({1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 5, 0}));
-    EXPECT_FALSE(shownVoxels({}, std::vector{all}, one, progress).ok());
+    EXPECT_FALSE(scissorMask({}, std::vector{all}, one, progress).ok());
     const ScissorCut beside{.camera = outside(), .outline = {{0.8, 0.8}, {0.9, 0.8}, {0.9, 0.9}}};
     EXPECT_TRUE(bitsOf({beside}, one).shows(0, 0, 0));
 }
@@ -185,7 +206,7 @@ TEST(ScissorCut, CanBeCancelled) {
     token.cancel();
     Progress progress([](const ProgressUpdate&) {}, token);
     const ScissorCut cut{.camera = outside(), .outline = star({0, 0}, 0.2)};
-    EXPECT_EQ(shownVoxels({}, std::vector{cut}, tilted(), progress).error().code, ErrorCode::cancelled);
+    EXPECT_EQ(scissorMask({}, std::vector{cut}, tilted(), progress).error().code, ErrorCode::cancelled);
 }
 
 TEST(ScissorCut, SaysWhatIsWrongWithIt) {
@@ -196,7 +217,7 @@ TEST(ScissorCut, SaysWhatIsWrongWithIt) {
         change(cut);
         const auto valid = validate(cut);
         Progress progress;
-        EXPECT_EQ(shownVoxels({}, std::vector{cut}, tilted(), progress).ok(), valid.ok());
+        EXPECT_EQ(scissorMask({}, std::vector{cut}, tilted(), progress).ok(), valid.ok());
         return !valid.ok() && valid.error().code == ErrorCode::usage && !valid.error().message.empty();
     };
     EXPECT_TRUE(isRefused([](auto& c) { c.outline.clear(); }));
@@ -207,6 +228,7 @@ TEST(ScissorCut, SaysWhatIsWrongWithIt) {
     EXPECT_TRUE(isRefused([](auto& c) { c.outline.resize(kMostOutlinePoints + 1, {0.1, 0.2}); }));
     EXPECT_TRUE(isRefused([](auto& c) { c.camera.targetMm = c.camera.positionMm; }));
     EXPECT_TRUE(isRefused([](auto& c) { c.camera.positionMm.x = kNan; }));
+    EXPECT_TRUE(isRefused([](auto& c) { c.camera.parallelHeightMm = 1e9; }));
 }
 
 TEST(ScissorCut, AnOutlineGetsFewerPointsAndStaysWhereItWas) {
@@ -242,6 +264,7 @@ TEST(ShownClip, OfAStateIsCutWithItsScissors) {
     ASSERT_TRUE(shown.ok());
     ASSERT_TRUE(shown->clip.mask);
     EXPECT_FALSE(shown->tableRemoved);
+    EXPECT_EQ(shown->clip.mask->remark, kCutWithScissors);
     EXPECT_EQ(maskBits(*shown->clip.mask, volume).words, bitsOf(state.cuts.scissors, volume).words);
 }
 

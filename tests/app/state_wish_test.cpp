@@ -108,6 +108,15 @@ TEST_F(AWish, ofAFieldOfViewKeepsTheCamera) {
     EXPECT_EQ(state.camera->verticalFovDeg, 50.0);
 }
 
+TEST_F(AWish, ofParallelRaysKeepsWhatIsSeenAtTheTarget) {
+    StateWish wish = saved();
+    wish.isParallel = true;
+    const StudyState state = stateFor(wish);
+    ASSERT_TRUE(state.camera);
+    EXPECT_EQ(state.camera->positionMm, view_.camera->positionMm);
+    EXPECT_EQ(state.camera->parallelHeightMm, heightAtTargetMm(*view_.camera));
+}
+
 // In a projection a preset is a window, whatever the one of the view was.
 TEST_F(AWish, ofAPresetBringsItsWindow) {
     StateWish wish = saved();

@@ -56,7 +56,9 @@ StudyState everything() {
     state.camera = Camera{.positionMm = {1.0 / 3.0, -700.0, 12.5},
                           .targetMm = {0.1, 0.2, 0.3},
                           .up = {0.0, 0.0, 1.0},
-                          .verticalFovDeg = 42.0};
+                          .verticalFovDeg = 42.0,
+                          .parallelHeightMm = 1000.0 / 7.0};
+    state.showsMarks = false;
     state.layout = Layout::sagittal;
     state.slices = {
         .window = DisplayWindow{.center = -600.5, .width = 1500.0, .explanation = {}, .function = "SIGMOID"},
@@ -72,6 +74,17 @@ StudyState everything() {
                             .outline = {{-0.5, -0.5}, {1.0 / 3.0, -0.5}, {0.0, 0.7}},
                             .removesOutside = true}};
     state.namedClips = {{.name = "lungs, \"höher\"", .clip = *catalogue().clips.at(1), .cuts = state.cuts}};
+    BesideState beside;
+    beside.seriesDigest = "fedcba";
+    beside.link = BesideLink::registered;
+    beside.secondFromStudy = affine({0.6, 0.8, 0.0}, {-0.8, 0.6, 0.0}, {0.0, 0.0, 1.0}, {1.0 / 3.0, 7, -80});
+    beside.boundMm = 0.7;
+    beside.isDoubtful = true;
+    beside.view = BesideView::over;
+    beside.window = DisplayWindow{.center = 4.0, .width = 8.0, .explanation = {}, .function = "LINEAR_EXACT"};
+    beside.opacity = 0.3;
+    beside.colours = slices::ColourTable::green;
+    state.beside = beside;
     return state;
 }
 
@@ -106,6 +119,8 @@ TEST(StudyState, IsAnotherWhenOneThingOfTheSlicesIs) {
     EXPECT_TRUE(differs([](auto& s) { s.layout = Layout::axial; }));
     EXPECT_TRUE(differs([](auto& s) { s.slices.window.reset(); }));
     EXPECT_TRUE(differs([](auto& s) { s.slices.slab.thicknessMm = 8.0; }));
+    EXPECT_TRUE(differs([](auto& s) { s.showsMarks = true; }));
+    EXPECT_TRUE(differs([](auto& s) { s.camera->parallelHeightMm = 0.0; }));
     EXPECT_TRUE(differs([](auto& s) { s.slices.isInverted = false; }));
     EXPECT_TRUE(differs([](auto& s) { s.slices.asAcquired = false; }));
     EXPECT_TRUE(differs([](auto& s) { s.slices.crosshairMm->x += 1e-9; }));
@@ -116,6 +131,9 @@ TEST(StudyState, IsAnotherWhenOneThingOfTheSlicesIs) {
     EXPECT_TRUE(differs([](auto& s) { s.cuts.eye->followsCamera = false; }));
     EXPECT_TRUE(differs([](auto& s) { s.cuts.scissors[0].outline[1].x += 1e-9; }));
     EXPECT_TRUE(differs([](auto& s) { s.namedClips[0].name = "lung"; }));
+    EXPECT_TRUE(differs([](auto& s) { s.beside.reset(); }));
+    EXPECT_TRUE(differs([](auto& s) { s.beside->opacity = 0.4; }));
+    EXPECT_TRUE(differs([](auto& s) { s.beside->secondFromStudy[3][0] += 1e-6; }));
 }
 
 TEST(StudyState, WritesTheKeysThatItSaysItHas) {
@@ -130,7 +148,8 @@ TEST(StudyState, WritesTheKeysThatItSaysItHas) {
 
 TEST(StudyState, SlicesAreWrittenWhereTheyAreNotAsByDefault) {
     const Json usual = Json::parse(toJson(StudyState{}));
-    for (const char* key : {"layout", "slices", "measurements"}) EXPECT_FALSE(usual.contains(key)) << key;
+    for (const char* key : {"layout", "slices", "measurements", "beside"})
+        EXPECT_FALSE(usual.contains(key)) << key;
     for (const Layout layout : kLayouts) EXPECT_EQ(read(toJson(StudyState{.layout = layout})).layout, layout);
 
     StudyState state;
@@ -143,6 +162,30 @@ TEST(StudyState, SlicesAreWrittenWhereTheyAreNotAsByDefault) {
             DisplayWindow{.center = 40.0, .width = 400.0, .explanation = {}, .function = function};
         EXPECT_EQ(read(toJson(state)), state) << function;
     }
+}
+
+// A mirrored second volume would be taken for the patient.
+TEST(StudyState, ASecondVolumeIsTurnedAndMovedAndNothingElse) {
+    const auto with = [](const char* transform) {
+        return std::string("{\"version\": 1, \"beside\": {\"series\": \"ab\", \"secondFromStudy\": ") +
+               transform + "}}";
+    };
+    EXPECT_EQ(whyNot(with("[1,0,0,5, 0,1,0,6, 0,0,1,7, 0,0,0,1]")), "");
+    const StudyState state = read(with("[1,0,0,5, 0,1,0,6, 0,0,1,7, 0,0,0,1]"));
+    ASSERT_TRUE(state.beside);
+    EXPECT_EQ(glm::dvec3(state.beside->secondFromStudy[3]), glm::dvec3(5.0, 6.0, 7.0)) << "row by row";
+    for (const char* broken :
+         {"[-1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,1]", "[2,0,0,0, 0,2,0,0, 0,0,2,0, 0,0,0,1]",
+          "[1,0,0,0, 0,1,0,0, 0,0,1,0, 1,0,0,1]", "[1,0,0,0, 0,1,0,0, 0,0,1,0]", "\"no\""})
+        EXPECT_NE(whyNot(with(broken)).find("secondFromStudy"), std::string::npos) << broken;
+    EXPECT_NE(whyNot("{\"version\": 1, \"beside\": {}}"), "");
+    EXPECT_NE(whyNot("{\"version\": 1, \"beside\": {\"series\": \"ab\", \"opacity\": 2}}"), "");
+
+    StudyState unreadable;
+    unreadable.beside.emplace();
+    unreadable.beside->seriesDigest = "ab";
+    unreadable.beside->secondFromStudy[0][0] = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_FALSE(read(toJson(unreadable)).beside) << "the rest is not lost with it";
 }
 
 // A text that cannot be read would lose all that is in it.

@@ -116,7 +116,7 @@ TEST(StudyTree, WhatCannotBeOpenedSaysWhy) {
     const auto why = [&](std::string_view title) { return tree.rows[rowTitled(tree, title)].whyNot; };
     EXPECT_EQ(why("Series 1: Scout"), dicom::message(dicom::key::kLocalizer).sentence);
     EXPECT_EQ(why("Series 9: Report of Jane"),
-              "This is no image, and cannot be shown here: Structured report.");
+              "This is no image, and is not shown by itself: Structured report.");
     EXPECT_EQ(why("Series 10: Broken"), "No file of this series can be read; it has 4.");
     EXPECT_EQ(tree.rows[rowTitled(tree, "Series 9: Report of Jane")].picture, nullptr);
     EXPECT_EQ(tree.rows[rowTitled(tree, "Series 9: Report of Jane")].details,
@@ -242,6 +242,22 @@ TEST(StudyTree, ManySeriesAreAllThere) {
     EXPECT_EQ(tree.rows.size(), 2002u);
     EXPECT_EQ(shownFor(tree, "thorax 1999").size(), 4u)
         << "patient, study, and by number and by name a series";
+}
+
+TEST(StudyTree, OfAGlimpseNothingCanBeOpenedAndNothingIsRefused) {
+    dicom::Scan scan;
+    dicom::Series series = test::seriesOf(2, "Thorax", {});
+    series.instances = 17;
+    scan.studies.push_back(test::studyOf(0, "DOE^JANE", "20200102", "Chest", {std::move(series)}));
+    scan.patients = 1;
+    const FoundVolumes found(std::move(scan), FoundVolumes::Extent::soFar);
+    EXPECT_TRUE(found.volumes().empty());
+    const StudyTree tree = studyTree(found);
+    const StudyRow& row = tree.rows[rowTitled(tree, "Series 2: Thorax")];
+    EXPECT_EQ(row.details, Texts{"CT · 17 images so far"});
+    EXPECT_EQ(row.whyNot, "");
+    EXPECT_EQ(row.picture, nullptr);
+    EXPECT_FALSE(row.volume);
 }
 
 }  // namespace

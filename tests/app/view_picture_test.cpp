@@ -67,6 +67,26 @@ TEST_F(ViewPictureTest, WhatCannotBeWrittenIsSaidBeforeAnythingIsDrawn) {
     refused(huge);
 }
 
+TEST_F(ViewPictureTest, TwoPresetsAreDrawnBesideEachOtherWithoutAnyFile) {
+    const Catalogue catalogue = *builtInCatalogue();
+    ViewPicture first = wished("a.png");
+    first.drawing.settings.look = trace::Look::dvr;
+    ViewPicture second = first;
+    second.drawing.transferFunction = *findPreset(catalogue, "ct-lung");
+    second.output.clear();
+    Progress progress;
+    const auto drawn = drawViewPictures({first, second, first}, {}, progress);
+    ASSERT_TRUE(drawn.ok()) << drawn.error().message;
+    ASSERT_EQ(drawn->size(), 3u);
+    for (const auto& rgba : *drawn) EXPECT_EQ(rgba.size(), std::size_t(31 * 17 * 4));
+    EXPECT_NE(drawn->at(0), drawn->at(1));
+    EXPECT_EQ(drawn->at(0), drawn->at(2));
+    EXPECT_FALSE(fs::exists(first.output));
+    Progress stopped;
+    stopped.token().cancel();
+    EXPECT_EQ(drawViewPictures({first}, {}, stopped).error().code, ErrorCode::cancelled);
+}
+
 TEST_F(ViewPictureTest, WhoStopsItGetsNoFile) {
     Progress progress;
     progress.token().cancel();

@@ -1,7 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "base/camera.h"
 
@@ -44,6 +46,74 @@ TEST(Camera, RefusesWhatHasNoView) {
     EXPECT_FALSE(basis({.verticalFovDeg = 0.0}).ok());
     EXPECT_FALSE(basis({.verticalFovDeg = 171.0}).ok());
     EXPECT_FALSE(basis({.positionMm = {std::numeric_limits<double>::infinity(), 0, 0}}).ok());
+}
+
+constexpr std::array kDirections{ViewDirection::anterior, ViewDirection::posterior, ViewDirection::left,
+                                 ViewDirection::right,    ViewDirection::superior,  ViewDirection::inferior};
+
+TEST(Camera, ParallelRaysShowAsMuchOfThePlaneOfTheTarget) {
+    const Camera eye{.positionMm = {30, -700, 50}, .targetMm = {10, -20, 30}, .verticalFovDeg = 25};
+    const Camera parallel = inParallel(eye);
+    EXPECT_TRUE(isParallel(parallel));
+    EXPECT_FALSE(isParallel(eye));
+    EXPECT_NEAR(heightAtTargetMm(parallel), heightAtTargetMm(eye), 1e-9);
+    EXPECT_NEAR(heightAtTargetMm(eye),
+                2.0 * glm::distance(eye.positionMm, eye.targetMm) * std::tan(glm::radians(12.5)), 1e-9);
+    EXPECT_NEAR(glm::distance(inPerspective(parallel).positionMm, eye.positionMm), 0.0, 1e-9);
+    EXPECT_EQ(inPerspective(eye), eye);
+    // The place of a parallel camera along its view says nothing about its size.
+    Camera moved = parallel;
+    moved.positionMm = moved.targetMm + 3.0 * (moved.positionMm - moved.targetMm);
+    EXPECT_NEAR(glm::distance(inPerspective(moved).positionMm, eye.positionMm), 0.0, 1e-9);
+}
+
+TEST(Camera, ParallelRaysBeginBeforeAllOfABox) {
+    for (const glm::dvec3& from : {glm::dvec3(0, -10, 0), glm::dvec3(90, 10, -150), glm::dvec3(0, 5000, 1)}) {
+        Camera camera{.positionMm = from, .targetMm = {1, 2, 3}, .up = {0.1, 0.2, 1}};
+        camera.parallelHeightMm = 200;
+        const Camera before = standingBefore(camera, kBox);
+        const CameraBasis axes = *basis(before);
+        for (const glm::dvec3& corner : cornersOf(kBox))
+            EXPECT_GT(glm::dot(corner - before.positionMm, axes.forward), 0.0);
+        // The same rays.
+        EXPECT_NEAR(glm::distance(axes.forward, basis(camera)->forward), 0.0, 1e-9);
+        EXPECT_NEAR(glm::dot(before.positionMm - camera.positionMm, axes.right), 0.0, 1e-9);
+        EXPECT_NEAR(glm::dot(before.positionMm - camera.positionMm, axes.up), 0.0, 1e-9);
+        EXPECT_EQ(standingBefore(before, kBox), before);
+        camera.parallelHeightMm = 0.0;
+        EXPECT_EQ(standingBefore(camera, kBox), camera) << "an eye stays where it is";
+    }
+}
+
+TEST(Camera, AParallelPictureIsFilledByWhatItIsOf) {
+    for (const auto from : kDirections) {
+        for (const double aspect : {0.5, 1.0, 2.0}) {
+            const auto corners = cornersOf(kBox);
+            const Camera camera = frameInParallel(corners, standardBasis(from), 30, aspect);
+            const auto axes = basis(camera);
+            ASSERT_TRUE(axes.ok());
+            glm::dvec2 most(0.0);
+            for (const glm::dvec3& corner : corners) {
+                const glm::dvec3 v = corner - camera.targetMm;
+                most = glm::max(most, glm::abs(glm::dvec2(glm::dot(v, axes->right), glm::dot(v, axes->up))));
+            }
+            const double half = 0.5 * camera.parallelHeightMm;
+            EXPECT_NEAR(std::max(most.x / (half * aspect), most.y / half), kFittedPart, 1e-9);
+            EXPECT_EQ(standingBefore(camera, kBox).targetMm, camera.targetMm);
+        }
+    }
+    const glm::dvec3 point(3, -4, 5);
+    const Camera one = frameInParallel(std::span(&point, 1), standardBasis(ViewDirection::left), 30, 1.5);
+    EXPECT_TRUE(basis(one).ok());
+    EXPECT_EQ(one.targetMm, point);
+}
+
+TEST(Camera, RefusesParallelPicturesThatAreNone) {
+    for (const double wrong : {-300.0, 1e-5, 1e8, std::nan(""), double(INFINITY)}) {
+        Camera camera;
+        camera.parallelHeightMm = wrong;
+        EXPECT_FALSE(basis(camera).ok()) << wrong;
+    }
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "base/paths.h"
 #include "base/phantom.h"
 #include "cli/run_command.h"
 
@@ -48,6 +49,24 @@ TEST_F(Info, JsonIsPrintedAlsoWhereNothingCanBeRead) {
         EXPECT_TRUE(json["studies"].empty());
         EXPECT_FALSE(json["error"].contains("where"));
     }
+}
+
+TEST_F(Info, SegmentsAreListedByNumberAndLabel) {
+    const auto pair = macula::test::sharedFolder() / "data/odd/legacy_enhanced_pair";
+    if (!std::filesystem::exists(pair)) GTEST_SKIP() << "the real test data are not on this machine";
+    const Ran text = runMacula({"info", pair.string()});
+    ASSERT_EQ(text.exitCode, 0) << text.err;
+    EXPECT_NE(text.out.find("    1  Liver\n"), std::string::npos) << text.out;
+    const Ran ran = runMacula({"info", pair.string(), "--json"});
+    ASSERT_EQ(ran.exitCode, 0) << ran.err;
+    bool isListed = false;
+    const auto json = nlohmann::json::parse(ran.out);
+    for (const auto& study : json["studies"])
+        for (const auto& series : study["series"])
+            for (const auto& object : series["objects"])
+                isListed = isListed || object.value("segments", nlohmann::json::array()) ==
+                                           nlohmann::json::parse(R"([{"number": 1, "label": "Liver"}])");
+    EXPECT_TRUE(isListed) << ran.out;
 }
 
 // Each image of a class of its own is a stack of its own; one line stands for most of them.

@@ -167,6 +167,30 @@ TEST_F(Render, WhatIsSeenFillsThePicture) {
     }
 }
 
+// The phantom's body is 264 mm high: so it is in the picture, by what that says of its height.
+TEST_F(Render, ParallelRaysSayHowHighThePictureIs) {
+    const image::Image image =
+        render("a.exr", {"--parallel", "--view", "left", "--preset", "ct-muscle", "--json", at("a.json")});
+    const auto camera = nlohmann::json::parse(readAll(at("a.json")))["camera"];
+    const double heightMm = camera["parallelHeightMm"];
+    int low = 1000;
+    int high = -1;
+    for (int y = 0; y < image.height; ++y) {
+        for (int x = 0; x < image.width; ++x) {
+            if (image.pixels[std::size_t(5 * (y * image.width + x) + 3)] < 0.3f) continue;
+            low = std::min(low, y);
+            high = std::max(high, y + 1);
+        }
+    }
+    EXPECT_NEAR((high - low) * heightMm / image.height, 264.0, 2.0 * heightMm / image.height);
+    // A camera from a file becomes parallel at its target.
+    const std::string file = write("camera.json", R"({"positionMm": [0, -1000, 0], "targetMm": [0, 0, 0],
+        "up": [0, 0, 1], "verticalFovDeg": 25})");
+    render("b.png", {"--parallel", "--camera", file, "--json", at("b.json")});
+    EXPECT_NEAR(nlohmann::json::parse(readAll(at("b.json")))["camera"]["parallelHeightMm"].get<double>(),
+                2000.0 * std::tan(12.5 / 180.0 * 3.14159265358979), 1e-6);
+}
+
 TEST_F(Render, SameSeedSamePictureOtherSeedAnother) {
     const auto first = render("1.png", {"--seed", "5"}).pixels;
     EXPECT_EQ(first, render("2.png", {"--seed", "5"}).pixels);
@@ -214,6 +238,17 @@ TEST_F(Render, TheNameOfAUsersFileIsNotRepeated) {
     EXPECT_EQ(readAll(at("a.png")).find("DOE_JANE"), std::string::npos);
     EXPECT_EQ(readAll(at("a.json")).find("DOE_JANE"), std::string::npos);
     EXPECT_NE(readAll(at("a.json")).find("custom"), std::string::npos);
+}
+
+TEST_F(Render, SegmentsThatNobodyCanMeanAreRefused) {
+    for (const char* wrong : {"Liver", "keep:", "drop:Liver"}) {
+        const Ran ran = runMacula({"render", "-o", at("a.png"), "--segments", wrong});
+        EXPECT_EQ(ran.exitCode, 2) << wrong << ran.err;
+        EXPECT_EQ(ran.errorLines(), 1u) << ran.err;
+    }
+    const Ran phantom = runMacula({"render", "phantom:", "-o", at("a.png"), "--segments", "keep:Liver"});
+    EXPECT_EQ(phantom.exitCode, 2) << phantom.err;
+    EXPECT_EQ(fileCount(), 0u);
 }
 
 // A picture says that a table was removed only when one was, and where none is, nothing else goes.

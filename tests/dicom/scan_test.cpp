@@ -319,5 +319,40 @@ TEST(Scan, namesInOtherAlphabetsAreUtf8) {
     EXPECT_EQ(name("chrKoreanMulti.dcm"), "김희중");
 }
 
+TEST(Scan, tellsOfStudiesWhileTheyAreRead) {
+    const TemporaryFolder folder;
+    write(smallVolume(), folder / "a", {.seriesDescription = "First", .seriesNumber = 3});
+    std::vector<Scan> glimpses;
+    Progress progress;
+    const auto found = scanFolder(folder.path(), progress,
+                                  {.glimpsed = [&](Scan seen) { glimpses.push_back(std::move(seen)); }});
+    ASSERT_TRUE(found);
+    ASSERT_FALSE(glimpses.empty());  // the first comes with the first header
+    std::size_t images = 0;
+    for (const Scan& seen : glimpses) {
+        ASSERT_EQ(seen.studies.size(), 1u);
+        EXPECT_EQ(seen.patients, 1);
+        EXPECT_EQ(seen.studies[0].patientId, found->studies[0].patientId);
+        EXPECT_EQ(seen.studies[0].date, found->studies[0].date);
+        ASSERT_EQ(seen.studies[0].series.size(), 1u);
+        const Series& series = seen.studies[0].series[0];
+        EXPECT_EQ(series.description, "First");
+        EXPECT_EQ(series.number, 3);
+        EXPECT_TRUE(series.stacks.empty());
+        EXPECT_GT(series.instances, images);
+        images = series.instances;
+    }
+    EXPECT_LE(images, found->studies[0].series[0].instances);
+}
+
+TEST(Scan, aGlimpseShowsNothingOfFilesThatAreNoDicom) {
+    const TemporaryFolder folder;
+    std::ofstream(folder / "notes.txt") << std::string(500, 'x');
+    int glimpses = 0;
+    Progress progress;
+    EXPECT_FALSE(scanFolder(folder.path(), progress, {.glimpsed = [&](const Scan&) { ++glimpses; }}));
+    EXPECT_EQ(glimpses, 0);
+}
+
 }  // namespace
 }  // namespace macula::dicom::test

@@ -5,6 +5,7 @@
 #include "dicom/best_volume.h"
 #include "dicom/loader.h"
 #include "dicom/pixels/pixels.h"
+#include "dicom/presentation/presentation_state.h"
 #include "dicom/read/examination.h"
 #include "dicom/read/media_directory.h"
 #include "dicom/scan.h"
@@ -57,6 +58,7 @@ void loadBest(const Scan& scan) {
 }
 
 void loadLabels(const std::filesystem::path& file) {
+    (void)readPresentationState(file);
     const auto segmentation = readSegmentation(file);
     if (!segmentation || cellsOf(segmentation->columns, segmentation->rows) > kMostCells) return;
     Progress progress;

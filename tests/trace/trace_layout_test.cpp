@@ -53,6 +53,7 @@ const std::vector<LaidOutField> kTraceParams{MACULA_FIELD(TraceParams, originVox
                                              MACULA_FIELD(TraceParams, gaze),
                                              MACULA_FIELD(TraceParams, foveaRadius),
                                              MACULA_FIELD(TraceParams, foveaMagnification),
+                                             MACULA_FIELD(TraceParams, parallelMm),
                                              MACULA_FIELD(TraceParams, lightStrength),
                                              MACULA_FIELD(TraceParams, gradientScale),
                                              MACULA_FIELD(TraceParams, gradientLast),
@@ -115,7 +116,7 @@ TEST(TraceLayout, ParametersAndPushConstantsAgreeInEveryKernel) {
          MACULA_FIELD(shared::GuidePush, up), MACULA_FIELD(shared::GuidePush, forward),
          MACULA_FIELD(shared::GuidePush, planeHalfSize), MACULA_FIELD(shared::GuidePush, gaze),
          MACULA_FIELD(shared::GuidePush, foveaRadius), MACULA_FIELD(shared::GuidePush, foveaMagnification),
-         MACULA_FIELD(shared::GuidePush, firstRow)});
+         MACULA_FIELD(shared::GuidePush, parallelMm), MACULA_FIELD(shared::GuidePush, firstRow)});
     for (const auto& code :
          {shaders::denoise_gather_comp, shaders::denoise_prepare_comp, shaders::denoise_filter_comp}) {
         const auto denoise = gpu::reflectSpirv(code.words);
@@ -127,7 +128,8 @@ TEST(TraceLayout, ParametersAndPushConstantsAgreeInEveryKernel) {
              MACULA_FIELD(shared::DenoisePush, historySamples), MACULA_FIELD(shared::DenoisePush, firstRow),
              MACULA_FIELD(shared::DenoisePush, planeHalfSize), MACULA_FIELD(shared::DenoisePush, gaze),
              MACULA_FIELD(shared::DenoisePush, foveaRadius),
-             MACULA_FIELD(shared::DenoisePush, foveaMagnification)});
+             MACULA_FIELD(shared::DenoisePush, foveaMagnification),
+             MACULA_FIELD(shared::DenoisePush, parallelMm)});
     }
     const auto display = gpu::reflectSpirv(shaders::trace_display_comp.words);
     ASSERT_TRUE(display.ok());

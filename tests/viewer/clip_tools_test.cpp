@@ -16,7 +16,7 @@
 
 #include "app/clip/edited_clip.h"
 #include "app/clip/eye_cut.h"
-#include "app/study/shown_voxels.h"
+#include "app/study/scissor_mask.h"
 #include "base/phantom.h"
 #include "pipeline/volume/mask_bits.h"
 #include "viewer/clip/clip_editing.h"
@@ -121,7 +121,7 @@ TEST_F(ClipToolsTest, FacesTowardsTheEyeHaveNoHandle) {
     editing_->setPanelOpen(true);
     ClipHandlesTool tool(*session_, *editing_);
     int handles = 0;
-    for (const PictureMark& mark : tool.marks(fromAnterior())) handles += mark.kind == MarkKind::handle;
+    for (const ToolMark& mark : tool.marks(fromAnterior())) handles += mark.kind == MarkKind::handle;
     EXPECT_EQ(handles, 4);
     editing_->setPanelOpen(false);
     EXPECT_TRUE(tool.marks(fromAnterior()).empty());
@@ -221,7 +221,7 @@ TEST_F(ClipToolsTest, ScissorsCutWhatIsDrawnAround) {
     for (const glm::dvec2 to : {glm::dvec2(0.2, -0.2), glm::dvec2(0.2, 0.2), glm::dvec2(-0.2, 0.2)})
         tool.move(at(to.x, to.y));
     EXPECT_GT(tool.marks(fromAnterior()).size(), 20u);
-    EXPECT_LE(tool.marks(fromAnterior()).size(), kMostMarks);
+    EXPECT_LE(tool.marks(fromAnterior()).size(), kMostToolMarks);
     tool.release(at(-0.2, 0.2));
     EXPECT_TRUE(tool.marks(fromAnterior()).empty());
     ASSERT_EQ(state().cuts.scissors.size(), 1u);
@@ -267,7 +267,7 @@ TEST_F(ClipToolsTest, AClickOrAnotherCameraIsNoCut) {
     ASSERT_TRUE(tool.press(at(0.0, 0.0)));
     for (int i = 0; i < 30000; ++i)
         tool.move(at(0.9 * std::cos(i * 0.37) * (i % 97) / 97.0, 0.9 * std::sin(i * 0.37)));
-    EXPECT_LE(tool.marks(fromAnterior()).size(), kMostMarks);
+    EXPECT_LE(tool.marks(fromAnterior()).size(), kMostToolMarks);
     tool.release(at(0.0, 0.0));
     ASSERT_EQ(state().cuts.scissors.size(), 1u);
     EXPECT_LE(state().cuts.scissors[0].outline.size(), app::kMostOutlinePoints);
@@ -286,24 +286,27 @@ TEST_F(ClipToolsTest, CuttingFindsWhatIsLeftAndGoesBackAtOnce) {
     cutting.setVolume(session_->study().volume);
     int changes = 0;
     QObject::connect(&cutting, &VoxelCutting::changed, &cutting, [&] { ++changes; });
-    EXPECT_FALSE(cutting.want({}, {})) << "nothing is hidden already";
-    EXPECT_FALSE(cutting.want({}, {square(0.2)}));
+    cutting.want({});
+    EXPECT_EQ(changes, 0) << "nothing is cut already";
+    cutting.want({square(0.2)});
     EXPECT_FALSE(cutting.mask()) << "until it is found";
     ASSERT_TRUE(waitUntil([&] { return !cutting.running(); }));
     EXPECT_EQ(changes, 1);
     ASSERT_TRUE(cutting.mask());
-    EXPECT_FALSE(cutting.want({}, {square(0.2)})) << "the same again";
-    EXPECT_FALSE(cutting.running());
+    cutting.want({square(0.2)});
+    EXPECT_FALSE(cutting.running()) << "the same again";
 
-    EXPECT_FALSE(cutting.want({}, {square(0.2), square(0.1, {0.3, 0.3})}));
+    cutting.want({square(0.2), square(0.1, {0.3, 0.3})});
     ASSERT_TRUE(waitUntil([&] { return !cutting.running(); }));
     Progress progress;
     const auto together =
-        app::shownVoxels({}, std::vector{square(0.2), square(0.1, {0.3, 0.3})}, volume(), progress);
-    EXPECT_EQ(maskBits(*cutting.mask(), volume()).words, maskBits(**together, volume()).words);
-    EXPECT_TRUE(cutting.want({}, {}));
-    EXPECT_FALSE(cutting.mask());
+        app::scissorMask({}, std::vector{square(0.2), square(0.1, {0.3, 0.3})}, volume(), progress);
+    ASSERT_TRUE(together.ok() && *together);
+    EXPECT_EQ(cutting.mask()->bits->words, (*together)->bits->words);
     EXPECT_EQ(changes, 2);
+    cutting.want({});
+    EXPECT_FALSE(cutting.mask());
+    EXPECT_EQ(changes, 3);
 }
 
 TEST_F(ClipToolsTest, WhatCannotBeCutIsRefusedAndSaysWhatIsLeft) {
@@ -314,39 +317,45 @@ TEST_F(ClipToolsTest, WhatCannotBeCutIsRefusedAndSaysWhatIsLeft) {
     std::optional<Error> error;
     QObject::connect(&cutting, &VoxelCutting::refused, &cutting, [&](const auto& cuts) { had = cuts; });
     QObject::connect(&cutting, &VoxelCutting::failed, &cutting, [&](const Error& e) { error = e; });
-    cutting.want({}, {square(0.2)});
+    cutting.want({square(0.2)});
     ASSERT_TRUE(waitUntil([&] { return !cutting.running(); }));
     EXPECT_FALSE(had);
-    cutting.want({}, {square(0.2), square(50.0)});
+    cutting.want({square(0.2), square(50.0)});
     ASSERT_TRUE(waitUntil([&] { return !cutting.running(); }));
     ASSERT_TRUE(had && error);
     EXPECT_EQ(*had, std::vector{square(0.2)});
     EXPECT_TRUE(cutting.mask()) << "of the first cut";
-    EXPECT_FALSE(cutting.want({}, *had));
+    cutting.want(*had);
+    EXPECT_FALSE(cutting.running());
     had.reset();
-    cutting.want({}, {square(0.2), square(0.3)});
+    cutting.want({square(0.2), square(0.3)});
     cutting.cancel();
     ASSERT_TRUE(had);
     EXPECT_EQ(*had, std::vector{square(0.2)});
 }
 
-TEST_F(ClipToolsTest, MarksAreLaidOverTheNames) {
-    const auto names = std::make_shared<const app::PictureText>(app::PictureText{
-        .size = {3, 2}, .rgba = std::vector<std::byte>(24, std::byte{7}), .boxes = {{{1, 1}, {2, 1}}}});
-    EXPECT_EQ(withMarks(names, {}, {200, 100}, 1.0), names);
-    EXPECT_EQ(withMarks(nullptr, {}, {200, 100}, 1.0), nullptr);
+TEST_F(ClipToolsTest, MarksOfToolsAreLaidOverTheCube) {
+    const auto cube = std::make_shared<const app::PictureText>(
+        app::PictureText{.size = {3, 2},
+                         .rgba = std::vector<std::byte>(24, std::byte{7}),
+                         .boxes = {{{1, 1}, {2, 1}}},
+                         .places = {{190, 90}}});
+    EXPECT_EQ(withToolMarks(cube, {}, {200, 100}, 1.0), cube);
+    EXPECT_EQ(withToolMarks(nullptr, {}, {200, 100}, 1.0), nullptr);
     const double nan = std::numeric_limits<double>::quiet_NaN();
-    const std::vector<PictureMark> marks{{.kind = MarkKind::handle, .place = {0, 0}},
-                                         {.kind = MarkKind::dot, .place = {0.5, 0.5}},
-                                         {.kind = MarkKind::handle, .place = {-0.5, -0.5}},
-                                         {.kind = MarkKind::handle, .place = {nan, 0}},
-                                         {.kind = MarkKind::handle, .place = {7, 0}}};
-    const auto with = withMarks(names, marks, {200, 100}, 1.0);
+    const std::vector<ToolMark> marks{{.kind = MarkKind::handle, .place = {0, 0}},
+                                      {.kind = MarkKind::dot, .place = {0.5, 0.5}},
+                                      {.kind = MarkKind::handle, .place = {-0.5, -0.5}},
+                                      {.kind = MarkKind::handle, .place = {nan, 0}},
+                                      {.kind = MarkKind::handle, .place = {7, 0}}};
+    const auto with = withToolMarks(cube, marks, {200, 100}, 1.0);
     ASSERT_TRUE(with);
     ASSERT_EQ(with->boxes.size(), 4u);
     ASSERT_EQ(with->places.size(), 4u);
-    EXPECT_EQ(with->places[0].x, 1);
-    EXPECT_EQ(with->places[0].y, 1);
+    EXPECT_EQ(with->places[0].x, 190);
+    EXPECT_EQ(with->places[0].y, 90);
+    EXPECT_EQ(with->of.width, 200u) << "over no picture of another size";
+    EXPECT_EQ(with->of.height, 100u);
     EXPECT_EQ(with->places[1].x, 100 - 6) << "its middle is there";
     EXPECT_EQ(with->places[1].y, 50 - 6);
     EXPECT_EQ(with->places[2].y, 25 - 1) << "up is positive";
@@ -357,8 +366,8 @@ TEST_F(ClipToolsTest, MarksAreLaidOverTheNames) {
         EXPECT_LE(std::uint32_t(box.offset.x) + box.extent.width, with->size.width);
         EXPECT_LE(std::uint32_t(box.offset.y) + box.extent.height, with->size.height);
     }
-    const std::vector<PictureMark> many(2 * kMostMarks, marks[0]);
-    EXPECT_EQ(withMarks(nullptr, many, {200, 100}, 1.0)->boxes.size(), kMostMarks);
+    const std::vector<ToolMark> many(2 * kMostToolMarks, marks[0]);
+    EXPECT_EQ(withToolMarks(nullptr, many, {200, 100}, 1.0)->boxes.size(), kMostToolMarks);
 }
 
 class ClipWidgetsTest : public ClipToolsTest {

@@ -139,6 +139,45 @@ TEST_F(SliceViewTest, NothingIsMirrored) {
     }
 }
 
+TEST_F(SliceViewTest, SegmentsLieOverTheirVoxelsAndTheProbeNamesThem) {
+    showStudy();
+    session_->change("Cross-hair",
+                     [](app::StudyState& next) { next.slices.crosshairMm = test::kBlockCentreMm; });
+    VoxelSet set({4, 3, 14}, {10, 9, 18});  // the white block
+    for (int k = 14; k <= 18; ++k)
+        for (int j = 3; j <= 9; ++j)
+            for (int i = 4; i <= 10; ++i) set.add({i, j, k});
+    slices::ShownSegment block;
+    block.voxels = std::make_shared<const VoxelSet>(std::move(set));
+    block.label = "Block";
+    block.rgb = {0, 200, 0};
+    block.opacity = 1.0;
+    for (const Orientation orientation : {Orientation::axial, Orientation::coronal, Orientation::sagittal}) {
+        const auto view = pane(orientation);
+        const QImage before = pictureOf(*view);
+        view->setSegments(std::make_shared<const slices::ShownSegments>(slices::ShownSegments{block}));
+        ASSERT_TRUE(settled(*view));
+        const QImage with = pictureOf(*view);
+        int covered = 0;
+        for (int y = 0; y < before.height(); ++y) {
+            for (int x = 0; x < before.width(); ++x) {
+                if (before.pixel(x, y) != qRgb(255, 255, 255)) continue;
+                ASSERT_EQ(with.pixel(x, y), qRgb(0, 200, 0)) << int(orientation) << ": " << x << ' ' << y;
+                ++covered;
+            }
+        }
+        EXPECT_GT(covered, 100);
+        move(*view, placeOf(*view, test::kBlockCentreMm), Qt::NoButton);
+        EXPECT_TRUE(view->probedText().endsWith(", in Block")) << view->probedText().toStdString();
+        move(*view, {395, 395}, Qt::NoButton);
+        EXPECT_FALSE(view->probedText().contains("Block"));
+        view->setSegments(nullptr);
+        ASSERT_TRUE(settled(*view));
+        move(*view, placeOf(*view, test::kBlockCentreMm), Qt::NoButton);
+        EXPECT_FALSE(view->probedText().contains("Block"));
+    }
+}
+
 TEST_F(SliceViewTest, AClickTakesTheOtherPanesThere) {
     showStudy();
     const auto axial = pane(Orientation::axial);

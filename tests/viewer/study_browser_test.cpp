@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <QAbstractItemModelTester>
+#include <QAction>
+#include <QScrollBar>
 #include <QTest>
 #include <functional>
 #include <optional>
@@ -12,6 +14,7 @@
 #include "app/found_by_hand.h"
 #include "dicom/support.h"
 #include "dicom/synthetic.h"
+#include "viewer/browser/recent_menu.h"
 #include "viewer/offscreen.h"
 
 namespace macula::viewer {
@@ -125,6 +128,25 @@ TEST_F(StudyBrowserTest, WhatIsOpenIsSelectedAndSeen) {
     EXPECT_EQ(tree_->currentIndex(), open);
     EXPECT_TRUE(tree_->isExpanded(open.parent()));
     EXPECT_TRUE(tree_->viewport()->rect().intersects(tree_->visualRect(open)));
+}
+
+TEST_F(StudyBrowserTest, WhatIsSelectedIsOpenedBesideUnlessItIsOpen) {
+    std::vector<std::size_t> asked;
+    QObject::connect(&*browser_, &StudyBrowser::besideAsked, &*browser_,
+                     [&](std::size_t index) { asked.push_back(index); });
+    auto* beside = tree_->findChild<QAction*>(QStringLiteral("open-beside-row"));
+    ASSERT_NE(beside, nullptr);
+    beside->trigger();
+    EXPECT_FALSE(browser_->selectedOther()) << "there is no folder";
+    browser_->setFound(app::test::twoPatients(), 2);
+    beside->trigger();
+    EXPECT_TRUE(asked.empty()) << "it is open already";
+    browser_->setShown(0);
+    tree_->setCurrentIndex(rowTitled(QStringLiteral("EchoTime 9.2, phase 2 of 2")));
+    EXPECT_EQ(browser_->selectedOther(), 2U);
+    beside->trigger();
+    EXPECT_EQ(asked, (std::vector<std::size_t>{2}));
+    EXPECT_TRUE(chosen_.empty()) << "the study stays";
 }
 
 TEST_F(StudyBrowserTest, AClickSelectsAndADoubleClickChooses) {
@@ -362,6 +384,79 @@ TEST_F(StudyBrowserTest, MayGetAnotherFolderAndEndWhilePicturesAreMade) {
     browser_->setFound(found, 0);
     settle();
     browser_.reset();
+}
+
+std::shared_ptr<const app::FoundVolumes> glimpseOf(std::size_t series) {
+    dicom::Scan scan = app::test::manySeries(series)->scan();
+    for (dicom::Series& each : scan.studies[0].series) {
+        each.instances = each.stacks[0].frames.size();
+        each.stacks.clear();
+    }
+    return std::make_shared<const app::FoundVolumes>(std::move(scan), app::FoundVolumes::Extent::soFar);
+}
+
+TEST_F(StudyBrowserTest, ShowsAFolderWhileItIsReadAndKeepsTheSearch) {
+    const auto* reading = browser_->findChild<QLabel*>(QStringLiteral("reading"));
+    ASSERT_NE(reading, nullptr);
+    EXPECT_FALSE(reading->isVisible());
+    browser_->setFound(glimpseOf(3), std::nullopt);
+    EXPECT_TRUE(reading->isVisible());
+    EXPECT_EQ(allRows().size(), 5u);
+    const QModelIndex series = rowTitled(QStringLiteral("Series 1: Thorax 0"));
+    EXPECT_TRUE(series.data(StudyTreeModel::whyNotRole).toString().isEmpty());
+    QTest::mouseDClick(tree_->viewport(), Qt::LeftButton, {}, middleOf(series));
+    EXPECT_TRUE(chosen_.empty());
+
+    type("thorax 1");
+    const QStringList searched = titles();
+    EXPECT_EQ(searched.size(), 3);
+    browser_->setFound(glimpseOf(4), std::nullopt);
+    EXPECT_EQ(titles(), searched);
+    browser_->setFound(app::test::manySeries(4), std::nullopt);
+    EXPECT_EQ(titles(), searched);
+    EXPECT_FALSE(reading->isVisible());
+    QTest::mouseDClick(tree_->viewport(), Qt::LeftButton, {},
+                       middleOf(rowTitled(QStringLiteral("Series 2: Thorax 1"))));
+    EXPECT_EQ(chosen_, Chosen{1});
+
+    browser_->setFound(app::test::twoPatients(), 0);  // another folder
+    EXPECT_TRUE(search_->text().isEmpty());
+}
+
+TEST_F(StudyBrowserTest, WhatIsLookedAtStaysInItsPlaceWhileMoreIsFound) {
+    browser_->setFound(glimpseOf(60), std::nullopt);
+    settle();
+    tree_->verticalScrollBar()->setValue(tree_->verticalScrollBar()->maximum() / 2);
+    const int before = tree_->verticalScrollBar()->value();
+    ASSERT_GT(before, 0);
+    browser_->setFound(glimpseOf(61), std::nullopt);
+    settle();
+    EXPECT_EQ(tree_->verticalScrollBar()->value(), before);
+}
+
+TEST_F(StudyBrowserTest, TheMenuOfWhatWasOpenedHasTheLastFirst) {
+    RecentMenu menu;
+    QStringList asked;
+    QObject::connect(&menu, &RecentMenu::chosen, &menu, [&](const QString& path) { asked << path; });
+    EXPECT_FALSE(menu.isEnabled());
+    for (int n = 0; n < 12; ++n) menu.add("/data/exports/" + std::to_string(n));
+    menu.add("/data/exports/5/");  // the same folder
+    ASSERT_TRUE(menu.isEnabled());
+    QList<QAction*> actions = menu.actions();
+    ASSERT_EQ(actions.size(), 12);  // ten, a line, and what forgets them
+    EXPECT_EQ(actions[0]->toolTip(), QStringLiteral("/data/exports/5"));
+    EXPECT_EQ(actions[1]->toolTip(), QStringLiteral("/data/exports/11"));
+    EXPECT_EQ(actions[9]->toolTip(), QStringLiteral("/data/exports/2"));
+    actions[1]->trigger();
+    EXPECT_EQ(asked, QStringList{QStringLiteral("/data/exports/11")});
+
+    menu.showNames(false);
+    EXPECT_FALSE(menu.isEnabled());
+    EXPECT_TRUE(menu.actions().isEmpty());
+    menu.showNames(true);
+    menu.actions().back()->trigger();
+    settle();
+    EXPECT_FALSE(menu.isEnabled());
 }
 
 }  // namespace

@@ -6,9 +6,12 @@
 #include <QElapsedTimer>
 #include <QThread>
 #include <optional>
+#include <vector>
 
 #include "base/paths.h"
 #include "base/phantom.h"
+#include "dicom/support.h"
+#include "dicom/synthetic.h"
 
 namespace macula::viewer {
 namespace {
@@ -98,6 +101,31 @@ TEST_F(StudyLoaderTest, ANewLoadReplacesTheOneBefore) {
 TEST_F(StudyLoaderTest, MayBeDestroyedWhileLoading) {
     StudyLoader loader;
     loader.open(std::nullopt);
+}
+
+TEST_F(StudyLoaderTest, TellsOfTheWholeFolderBeforeTheVolumeIsThere) {
+    const dicom::test::TemporaryFolder folder;
+    dicom::test::write(dicom::test::smallVolume(), folder.path());
+    StudyLoader loader;
+    std::vector<std::shared_ptr<const app::FoundVolumes>> found;
+    std::shared_ptr<const app::FoundVolumes> ofStudy;
+    QObject::connect(&loader, &StudyLoader::found, &loader,
+                     [&](const std::shared_ptr<const app::FoundVolumes>& f) {
+                         EXPECT_EQ(ofStudy, nullptr);
+                         found.push_back(f);
+                     });
+    QObject::connect(&loader, &StudyLoader::loaded, &loader,
+                     [&](const app::OpenedStudy& study) { ofStudy = study.found; });
+    loader.open(folder.path());
+    EXPECT_EQ(loader.source(), folder.path());
+    ASSERT_TRUE(waitUntil([&] { return ofStudy != nullptr; }));
+    ASSERT_FALSE(found.empty());
+    for (std::size_t i = 0; i + 1 < found.size(); ++i) EXPECT_FALSE(found[i]->isWhole());
+    EXPECT_TRUE(found.back()->isWhole());
+    EXPECT_EQ(found.back(), ofStudy);
+
+    loader.open(ofStudy, 0);
+    EXPECT_FALSE(loader.source());
 }
 
 }  // namespace

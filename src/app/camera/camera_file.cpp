@@ -15,18 +15,25 @@ glm::dvec3 vector(const JsonNode& node) {
 }  // namespace
 
 Camera cameraFrom(const JsonNode& node) {
-    node.allowOnly({"positionMm", "targetMm", "up", "verticalFovDeg"});
-    const Camera camera{vector(node["positionMm"]), vector(node["targetMm"]), vector(node["up"]),
-                        node["verticalFovDeg"].number({0.1, 170.0})};
+    node.allowOnly({"positionMm", "targetMm", "up", "verticalFovDeg", "parallelHeightMm"});
+    Camera camera;
+    camera.positionMm = vector(node["positionMm"]);
+    camera.targetMm = vector(node["targetMm"]);
+    camera.up = vector(node["up"]);
+    camera.verticalFovDeg = node["verticalFovDeg"].number({0.1, 170.0});
+    if (const auto height = node.find("parallelHeightMm"))
+        camera.parallelHeightMm = height->number({kLeastParallelMm, kMostParallelMm});
     return camera;
 }
 
 nlohmann::ordered_json toJson(const Camera& camera) {
     const auto list = [](const glm::dvec3& p) { return nlohmann::ordered_json{p.x, p.y, p.z}; };
-    return {{"positionMm", list(camera.positionMm)},
-            {"targetMm", list(camera.targetMm)},
-            {"up", list(camera.up)},
-            {"verticalFovDeg", camera.verticalFovDeg}};
+    nlohmann::ordered_json json{{"positionMm", list(camera.positionMm)},
+                                {"targetMm", list(camera.targetMm)},
+                                {"up", list(camera.up)},
+                                {"verticalFovDeg", camera.verticalFovDeg}};
+    if (isParallel(camera)) json["parallelHeightMm"] = camera.parallelHeightMm;
+    return json;
 }
 
 Result<Camera> readCamera(const std::filesystem::path& path) {

@@ -1,6 +1,8 @@
 // The camera as a JSON file:
-//   { "positionMm": [x, y, z], "targetMm": [x, y, z], "up": [x, y, z], "verticalFovDeg": 30 }
-// in patient LPS mm. All four keys are needed, and no others are known.
+//   { "positionMm": [x, y, z], "targetMm": [x, y, z], "up": [x, y, z], "verticalFovDeg": 30,
+//     "parallelHeightMm": 300 }
+// in patient LPS mm. The first four keys are needed; the last makes the rays parallel, and says how high the
+// picture is. No others are known.
 #pragma once
 
 #include <filesystem>

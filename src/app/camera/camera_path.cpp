@@ -84,6 +84,10 @@ Camera cameraAt(const CameraPath& path, double atS) {
     now.positionMm = now.targetMm + distanceMm * turned(glm::normalize(aside), glm::normalize(bside), t);
     now.up = turned(glm::normalize(a.up), glm::normalize(b.up), t);
     now.verticalFovDeg = glm::mix(a.verticalFovDeg, b.verticalFovDeg, t);
+    // From an eye to parallel rays there is nothing between.
+    now.parallelHeightMm = isParallel(a) && isParallel(b)
+                               ? glm::mix(a.parallelHeightMm, b.parallelHeightMm, t)
+                               : a.parallelHeightMm;
     // Halfway the up direction may come to lie along the view; the one of before is as good.
     if (!basis(now)) now.up = a.up;
     return basis(now) ? now : a;

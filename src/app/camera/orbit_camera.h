@@ -17,11 +17,13 @@ struct OrbitCamera {
     double azimuthDeg = 0.0;    // kept in [-180, 180)
     double elevationDeg = 0.0;  // kept in [-90, 90]
     double verticalFovDeg = 30.0;
+    double rollDeg = 0.0;     // in [-180, 180): by so much the patient is turned clockwise in the picture
+    bool isParallel = false;  // shows as much of the plane of the target as the eye would
 };
 
 Camera toCamera(const OrbitCamera& camera);
-// The orbit camera that stands where `camera` stands and looks where it looks. A turntable is always upright:
-// of a camera that is rolled only that is lost. The camera must be valid (basis()).
+// The orbit camera that shows what `camera` shows, which must be valid (basis()). A parallel camera gives the
+// distance of an eye that sees as much, wherever it stands.
 OrbitCamera orbitCameraOf(const Camera& camera);
 
 // Looks at the points from `from`, or from the side that `camera` looks from, as near as they fit
@@ -38,6 +40,22 @@ OrbitCamera orbited(OrbitCamera camera, double azimuthDeg, double elevationDeg);
 // target plane that was under the cursor under it.
 OrbitCamera orbitedByDrag(const OrbitCamera& camera, double dxPx, double dyPx, double heightPx);
 OrbitCamera pannedByDrag(OrbitCamera camera, double dxPx, double dyPx, double heightPx);
+
+// Turns the patient clockwise in the picture. A drag to the right over the height of the picture is half a
+// turn.
+OrbitCamera rolled(OrbitCamera camera, double clockwiseDeg);
+OrbitCamera rolledByDrag(const OrbitCamera& camera, double dxPx, double heightPx);
+
+// The eye and what it turns around go forward together, into what is seen; negative: back. Nothing moves
+// farther than the diagonal of the scene from its middle.
+OrbitCamera flown(OrbitCamera camera, double forwardMm, const Box& sceneMm);
+
+// Looks at the same place from there, upright and as near as before.
+OrbitCamera turnedTo(OrbitCamera camera, ViewDirection from);
+
+// Millimetres of a pixel of a picture `heightPx` high, at the depth of the target; of a parallel camera at
+// every depth.
+double mmPerPixel(const OrbitCamera& camera, double heightPx);
 
 // Divides the distance by `magnification`, within limits that keep the eye from reaching the target and from
 // losing a patient of `sceneDiagonalMm`.

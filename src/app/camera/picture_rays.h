@@ -12,6 +12,7 @@ namespace macula::app {
 struct PictureRay {
     glm::dvec3 originMm{0.0};
     glm::dvec3 direction{0.0, 0.0, 1.0};  // unit
+    bool beginsThere = true;  // at an eye; one of parallel rays shows what is behind its origin, too
 
     glm::dvec3 at(double mm) const { return originMm + mm * direction; }
 };
@@ -24,29 +25,30 @@ class PictureRays {
     static std::optional<PictureRays> of(const Camera& camera, double aspectWidthOverHeight);
 
     PictureRay through(const glm::dvec2& place) const;
-    // Nothing of what is not in front of the eye.
+    // Nothing of what is not in front of the eye; parallel rays have none.
     std::optional<glm::dvec2> placeOf(const glm::dvec3& mm) const;
 
-    // In half heights after division by z, which is above 0 in front of the eye alone. Linear in the point,
-    // so that who walks along a line may add `homogeneousStep` of the way.
-    glm::dvec3 homogeneous(const glm::dvec3& mm) const { return homogeneousStep(mm - eyeMm_); }
+    // In half heights after division by z, which is above 0 in front of the eye alone, and everywhere of
+    // parallel rays. Linear in the point, so that who walks along a line may add `homogeneousStep` of the
+    // way.
+    glm::dvec3 homogeneous(const glm::dvec3& mm) const;
     glm::dvec3 homogeneousStep(const glm::dvec3& byMm) const;
 
     glm::dvec2 halfHeights(const glm::dvec2& place) const { return {place.x * aspect_, place.y}; }
     const CameraBasis& axes() const { return axes_; }
 
   private:
-    PictureRays(const glm::dvec3& eyeMm, const CameraBasis& axes, double halfHeight, double aspect)
-        : eyeMm_(eyeMm), axes_(axes), halfHeight_(halfHeight), aspect_(aspect) {}
+    PictureRays(const Camera& camera, const CameraBasis& axes, double aspect);
 
-    glm::dvec3 eyeMm_;
+    glm::dvec3 originMm_;  // the eye
     CameraBasis axes_;
-    double halfHeight_;  // of the picture, at a distance of 1
+    bool isParallel_;
+    double halfHeight_;  // of the picture, at a distance of 1; of parallel rays in mm, everywhere
     double aspect_;
 };
 
 // The point of a line that is nearest to a ray, in units of `direction` from `pointMm`. Nothing where they
-// are as good as parallel, or the nearest point of the ray lies behind its origin.
+// are as good as parallel, or the nearest point lies before the ray begins.
 std::optional<double> nearestOnLine(const PictureRay& ray, const glm::dvec3& pointMm,
                                     const glm::dvec3& direction);
 

@@ -23,6 +23,8 @@ Fidelity fidelityOf(const FrameShown& frame) {
     Fidelity fidelity{.isFinal = frame.picture == OnScreen::traced && frame.stage == Stage::converged};
     std::vector<std::string>& because = fidelity.because;
     if (frame.picture == OnScreen::model) addModel(frame, because);
+    if (frame.picture == OnScreen::preview && isParallel(frame.camera))
+        because.emplace_back("no splats with parallel rays");
     if (frame.picture == OnScreen::fading) because.emplace_back("splats fade out");
     if (frame.scale > 1) because.push_back(fmt::format("1/{} of the pixels each way", frame.scale));
     if (frame.picture != OnScreen::model && frame.stage != Stage::converged)

@@ -36,7 +36,9 @@ struct FrameInput {
     Camera camera{};
     EdgeLetters letters{};  // at the edges for this camera; they come back with its pictures
     std::shared_ptr<const PictureText> text{};  // over every picture of the study; null: nothing
-    glm::vec3 background{0.02f};                // linear
+    // Over pictures of this camera and size, and over no others; null: nothing.
+    std::shared_ptr<const PictureText> marks{};
+    glm::vec3 background{0.02f};      // linear
     std::uint32_t sampleLimit = 512;  // per pixel; then it counts as converged, if noise is not gone before
     bool interacting = false;         // a hand is moving something: stay fast
     glm::dvec2 gaze{0.0};   // where the eye looks in the picture, -1 to 1; right and up are positive

@@ -79,6 +79,7 @@ void FrameRenderer::accept(FrameInput input) {
         // prepared.
         duty_.otherStudy();
         if (screen_) screen_->forget();
+        kept_.reset();
         unreported_.reset();
         hybrid_.reset();
         putModelAway();
@@ -103,6 +104,7 @@ void FrameRenderer::accept(FrameInput input) {
     }
     if (input.sampleLimit > input_.sampleLimit) course_.goOnTracing();
     input.gaze = usableGaze(input.gaze);
+    if (input.volume) input.camera = standingBefore(input.camera, input.volume->worldBox());
     input_ = std::move(input);
     lookForModel();
     tellCourse();
@@ -122,18 +124,27 @@ void FrameRenderer::tellCourse() {
     course_.setPreviewLimit(TracedPictures::previewLimit(input_));
     course_.setFovea(wantsFovea());
     ModelState state = ModelState::none;
+    // While rays are parallel the model waits: what is traced is all that is shown.
+    const bool works = model_ && model_->hasWork() && !isParallel(input_.camera);
     if (canDrawModel())
         state = ModelState::ready;
-    else if (model_ && model_->hasWork())
+    else if (works)
         state = ModelState::searching;
-    course_.setModel(state, model_ && model_->hasWork());
+    course_.setModel(state, works);
+}
+
+// The marks that are wanted are of the picture on screen, and are not there: they were hidden or are to be.
+bool FrameRenderer::hasOtherMarks() const {
+    return screen_ && kept_ == Shown{input_.camera, input_.width, input_.height} &&
+           screen_->marks() != input_.marks;
 }
 
 bool FrameRenderer::hasWork() const {
     if (!input_.visible || !input_.place) return false;
     if (input_.width <= 0 || input_.height <= 0) return false;
     const bool isWindowRight = screen_ && applied_.exposures == input_.exposures &&
-                               screen_->text() == input_.text && !duty_.isForeign() && !screen_->owes();
+                               screen_->text() == input_.text && !hasOtherMarks() && !duty_.isForeign() &&
+                               !screen_->owes();
     if (duty_.isHalted()) return screen_ && !isWindowRight;
     return !device_ || !isWindowRight || work() != RenderDuty::Work::nothing;
 }
@@ -252,6 +263,7 @@ Result<void> FrameRenderer::ensureScreen() {
     const VkExtent2D window{std::uint32_t(input_.width), std::uint32_t(input_.height)};
     if (!screen_) {
         MACULA_TRY(screen_, input_.place->open(device_, window));
+        kept_.reset();
         duty_.beginAnew();
     } else if (applied_.window.width != window.width || applied_.window.height != window.height) {
         MACULA_TRY_VOID(screen_->resize(window));
@@ -259,9 +271,11 @@ Result<void> FrameRenderer::ensureScreen() {
     applied_.window = window;
     // The kept picture is of the input's study: that of another study is forgotten by now.
     const bool isOtherText = screen_->text() != input_.text;
-    if (applied_.exposures != input_.exposures || isOtherText || screen_->owes()) {
+    const bool isOtherMarks = hasOtherMarks();
+    if (applied_.exposures != input_.exposures || isOtherText || isOtherMarks || screen_->owes()) {
         applied_.exposures = input_.exposures;
         screen_->setText(input_.text);
+        if (isOtherMarks) screen_->setMarks(input_.marks);
         MACULA_TRY(const bool shown, screen_->showAgain());
         if (shown) {
             if (duty_.isForeign()) listener_(PictureRemoved{});
@@ -274,6 +288,7 @@ Result<void> FrameRenderer::ensureScreen() {
 
 Result<void> FrameRenderer::clearWindow() {
     screen_->forget();
+    kept_.reset();
     unreported_.reset();
     shown_.clear();
     const glm::vec3 b = input_.background;

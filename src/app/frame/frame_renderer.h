@@ -86,7 +86,11 @@ class FrameRenderer {
     Result<void> workOnModel(const std::function<bool()>& keepGoing);
     Result<void> learn(const Interrupts& interrupts);
     Result<void> showAgain();
-    bool canDrawModel() const { return hybrid_ && model_ && model_->canBeDrawn(); }
+    // Splats are drawn for an eye, not with parallel rays.
+    bool canDrawModel() const {
+        return hybrid_ && model_ && model_->canBeDrawn() && !isParallel(input_.camera);
+    }
+    bool hasOtherMarks() const;
     Result<const gpu::Image*> frame(float tracedShare);
     double foveaMsPerSample() const;
     bool wantsFovea() const;
@@ -139,6 +143,15 @@ class FrameRenderer {
     hybrid::ModelNews modelTold_;
     Clock::time_point modelToldAt_{};
     gpu::LossCount losses_;
+    // What the picture that the screen keeps was made of.
+    struct Shown {
+        Camera camera;
+        int width;
+        int height;
+
+        bool operator==(const Shown&) const = default;
+    };
+    std::optional<Shown> kept_;
     std::optional<FrameShown> unreported_;  // of the picture that the screen keeps, while nobody sees it
 };
 

@@ -267,6 +267,8 @@ Result<const gpu::Image*> FrameRenderer::frame(float tracedShare) {
 }
 
 Result<void> FrameRenderer::show(const gpu::Image& picture) {
+    screen_->setMarks(input_.marks);
+    kept_ = {input_.camera, input_.width, input_.height};
     MACULA_TRY(const bool visible, screen_->show(picture));
     const Clock::time_point now = Clock::now();
     const OnScreen kind = course_.onScreen();
@@ -280,6 +282,7 @@ Result<void> FrameRenderer::show(const gpu::Image& picture) {
     FrameShown frame{.inputSequence = input_.sequence,
                      .study = input_.study,
                      .letters = input_.letters,
+                     .camera = input_.camera,
                      .picture = kind,
                      .width = input_.width,
                      .height = input_.height,

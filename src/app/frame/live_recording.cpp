@@ -151,6 +151,8 @@ class TapeScreen final : public Screen {
 
     Result<void> resize(VkExtent2D) override { return {}; }
     void setText(std::shared_ptr<const PictureText> text) override { text_ = std::move(text); }
+    void setMarks(std::shared_ptr<const PictureText> marks) override { marks_ = std::move(marks); }
+    const std::shared_ptr<const PictureText>& marks() const override { return marks_; }
     const std::shared_ptr<const PictureText>& text() const override { return text_; }
     Result<bool> show(const gpu::Image& picture) override {
         // Shown is what is drawn, not what will be.
@@ -167,6 +169,7 @@ class TapeScreen final : public Screen {
     std::shared_ptr<Tape> tape_;
     std::shared_ptr<gpu::Device> device_;
     std::shared_ptr<const PictureText> text_;
+    std::shared_ptr<const PictureText> marks_;
 };
 
 class TapePlace final : public ScreenPlace {
@@ -256,13 +259,14 @@ class Recording {
             // What can be seen is known when it is on the device.
             const double aspect = double(options_.sizePx.x) / double(options_.sizePx.y);
             const auto corners = cornersOf(input_.volume->worldBox());
-            publish(RecordingPhase::opening,
-                    toCamera(framed(corners, options_.from, Camera{}.verticalFovDeg, aspect)));
+            OrbitCamera start = turnedTo({}, options_.from);
+            start.isParallel = options_.isParallel;
+            publish(RecordingPhase::opening, toCamera(fitted(start, corners, aspect)));
             MACULA_TRY_VOID(wait([&] { return tape_->outlineMm() != nullptr; }));
             std::vector<glm::dvec3> outlineMm = *tape_->outlineMm();
             if (outlineMm.empty() || trace::isProjection(input_.drawing.settings.look))
                 outlineMm.assign(corners.begin(), corners.end());
-            const Camera first = toCamera(framed(outlineMm, options_.from, Camera{}.verticalFovDeg, aspect));
+            const Camera first = toCamera(fitted(start, outlineMm, aspect));
             path = turntable(first, options_.turnS, options_.movingS);
             publish(RecordingPhase::opening, first);
         }

@@ -25,6 +25,7 @@ struct RecordingOptions {
     // it, one turn in `turnS`, for `movingS`; 0: it stands still.
     std::optional<CameraPath> path;
     ViewDirection from = ViewDirection::anterior;
+    bool isParallel = false;  // of a camera that is made here
     double turnS = 60.0;
     double movingS = 10.0;
     double learningS = 5.0;     // from the first traced picture on, before a hand begins to move the camera

@@ -16,6 +16,9 @@ struct PictureText {
     std::vector<std::byte> rgba;          // 8 bits each, opaque; row by row
     std::vector<VkRect2D> boxes;          // in that image; not empty
     std::vector<VkOffset2D> places = {};  // of each from the top left of the picture; empty: as in the image
+    // The picture that it means something for: over one of another size, but for rounding, it
+    // is not shown. 0: over any.
+    VkExtent2D of{};
 };
 
 }  // namespace macula::app

@@ -54,6 +54,7 @@ struct FrameShown {
     std::uint64_t inputSequence = 0;       // of the input it was made from
     std::uint64_t study = 0;               // likewise; whose picture it is
     EdgeLetters letters{};                 // where the sides of the patient are in it
+    Camera camera{};                       // that it was seen by
     OnScreen picture = OnScreen::nothing;  // which kind
     Stage stage = Stage::moving;
     int width = 0;  // of what was drawn; the window's, divided by `scale`

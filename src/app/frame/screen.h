@@ -24,6 +24,9 @@ class Screen {
     // Null: nothing.
     virtual void setText(std::shared_ptr<const PictureText> text) = 0;
     virtual const std::shared_ptr<const PictureText>& text() const = 0;
+    // Likewise what is of one picture only, of its camera: set before that is shown, or shown again.
+    virtual void setMarks(std::shared_ptr<const PictureText> marks) = 0;
+    virtual const std::shared_ptr<const PictureText>& marks() const = 0;
 
     // Shows `picture`, and keeps a copy where it may have to be shown again. Returns whether it is there: not
     // while the window is hidden, nor when the window system gives out no image in time (see owes).

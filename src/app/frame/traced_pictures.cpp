@@ -39,11 +39,6 @@ constexpr std::uint64_t kDenoisedBelow = 64;
 // cloud of dots.
 constexpr std::uint64_t kFirstPlain = 4;
 
-bool sameCamera(const Camera& a, const Camera& b) {
-    return a.positionMm == b.positionMm && a.targetMm == b.targetMm && a.up == b.up &&
-           a.verticalFovDeg == b.verticalFovDeg;
-}
-
 bool hasNoise(const FrameInput& input) {
     return trace::isPathTraced(input.drawing.settings.look);
 }
@@ -63,8 +58,8 @@ trace::Settings previewSettings(trace::Settings settings, std::uint32_t number) 
 }  // namespace
 
 bool isSamePicture(const FrameInput& a, const FrameInput& b) {
-    return a.volume == b.volume && a.drawing == b.drawing && sameCamera(a.camera, b.camera) &&
-           a.place == b.place && a.width == b.width && a.height == b.height;
+    return a.volume == b.volume && a.drawing == b.drawing && a.camera == b.camera && a.place == b.place &&
+           a.width == b.width && a.height == b.height;
 }
 
 Result<TracedPictures> TracedPictures::create(const std::shared_ptr<gpu::Device>& device) {

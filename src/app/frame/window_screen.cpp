@@ -1,5 +1,6 @@
 #include "app/frame/window_screen.h"
 
+#include <cstdlib>
 #include <utility>
 
 #include "pipeline/gpu/recorder.h"
@@ -12,6 +13,14 @@ namespace {
 // Long enough for any window system, short enough that a stuck one does not hold up the render thread.
 constexpr std::uint64_t kAcquireTimeoutNs = 100'000'000;
 constexpr int kResizeAttempts = 3;
+
+// Where the window system counts in other units than pixels, the two may differ by rounding.
+bool isOf(const PictureText& text, VkExtent2D target) {
+    constexpr int kRoundingPx = 2;
+    if (text.of.width == 0) return true;
+    return std::abs(int(text.of.width) - int(target.width)) <= kRoundingPx &&
+           std::abs(int(text.of.height) - int(target.height)) <= kRoundingPx;
+}
 
 }  // namespace
 
@@ -33,22 +42,34 @@ Result<void> WindowScreen::resize(VkExtent2D extent) {
 }
 
 void WindowScreen::setText(std::shared_ptr<const PictureText> text) {
-    if (text == text_) return;
-    text_ = std::move(text);
-    textImage_.reset();
+    if (text != text_.text) text_ = {.text = std::move(text), .image = {}};
 }
 
-Result<gpu::BlitOverlay> WindowScreen::overlay() {
-    if (!text_ || isColour_) return gpu::BlitOverlay{};
-    if (!textImage_) {
-        MACULA_TRY(gpu::Image image, gpu::Image::create(device_, {.label = "text over the picture",
-                                                                  .width = text_->size.width,
-                                                                  .height = text_->size.height,
-                                                                  .format = VK_FORMAT_R8G8B8A8_UNORM}));
-        MACULA_TRY_VOID(gpu::uploadTo(image, std::span<const std::byte>(text_->rgba)));
-        textImage_ = std::move(image);
+void WindowScreen::setMarks(std::shared_ptr<const PictureText> marks) {
+    if (marks != marks_.text) marks_ = {.text = std::move(marks), .image = {}};
+}
+
+Result<void> WindowScreen::prepare(Overlay& overlay) {
+    if (!overlay.text || overlay.image || isColour_) return {};
+    const PictureText& text = *overlay.text;
+    MACULA_TRY(gpu::Image image, gpu::Image::create(device_, {.label = "text over the picture",
+                                                              .width = text.size.width,
+                                                              .height = text.size.height,
+                                                              .format = VK_FORMAT_R8G8B8A8_UNORM}));
+    MACULA_TRY_VOID(gpu::uploadTo(image, std::span<const std::byte>(text.rgba)));
+    overlay.image = std::move(image);
+    return {};
+}
+
+// What is over a picture in a window of that size.
+std::vector<gpu::BlitOverlay> WindowScreen::overlaysFor(VkExtent2D target) const {
+    std::vector<gpu::BlitOverlay> overlays;
+    for (const Overlay* overlay : {&text_, &marks_}) {
+        if (isColour_ || !overlay->image || !isOf(*overlay->text, target)) continue;
+        overlays.push_back(
+            {.image = &*overlay->image, .parts = overlay->text->boxes, .places = overlay->text->places});
     }
-    return gpu::BlitOverlay{&*textImage_, text_->boxes, text_->places};
+    return overlays;
 }
 
 Result<bool> WindowScreen::show(const gpu::Image& picture) {
@@ -79,7 +100,8 @@ Result<void> WindowScreen::keep(const gpu::Image& picture) {
 Result<bool> WindowScreen::showAgain() {
     if (!keptIsValid_) return false;
     owes_ = true;
-    MACULA_TRY(const gpu::BlitOverlay text, overlay());
+    MACULA_TRY_VOID(prepare(text_));
+    MACULA_TRY_VOID(prepare(marks_));
     for (int attempt = 0; attempt < kResizeAttempts; ++attempt) {
         MACULA_TRY(const gpu::Swapchain::Frame frame, swapchain_.acquire(kAcquireTimeoutNs));
         if (frame.status == gpu::Swapchain::Status::outOfDate) {
@@ -88,11 +110,12 @@ Result<bool> WindowScreen::showAgain() {
         }
         owes_ = frame.status != gpu::Swapchain::Status::hidden;
         if (!frame.usable()) return false;
+        const std::vector<gpu::BlitOverlay> overlays = overlaysFor(frame.extent);
         MACULA_TRY(gpu::Recorder recorder, gpu::Recorder::create(device_, "present"));
         // A picture of the window's size is not scaled; on a CPU device nearest filtering is then faster.
         const VkExtent3D size = kept_->extent();
         const bool isSameSize = size.width == frame.extent.width && size.height == frame.extent.height;
-        recorder.blit(*kept_, frame.target(), isSameSize ? VK_FILTER_NEAREST : VK_FILTER_LINEAR, text);
+        recorder.blit(*kept_, frame.target(), isSameSize ? VK_FILTER_NEAREST : VK_FILTER_LINEAR, overlays);
         MACULA_TRY(const gpu::Ticket ticket,
                    recorder.submit({.wait = frame.available, .signal = frame.rendered}));
         MACULA_TRY(const gpu::Swapchain::Status status, swapchain_.present(frame, ticket));

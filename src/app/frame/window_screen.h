@@ -32,7 +32,9 @@ class WindowScreen final : public Screen {
 
     Result<void> resize(VkExtent2D extent) override;
     void setText(std::shared_ptr<const PictureText> text) override;
-    const std::shared_ptr<const PictureText>& text() const override { return text_; }
+    const std::shared_ptr<const PictureText>& text() const override { return text_.text; }
+    void setMarks(std::shared_ptr<const PictureText> marks) override;
+    const std::shared_ptr<const PictureText>& marks() const override { return marks_.text; }
     // Scales the picture over the window.
     Result<bool> show(const gpu::Image& picture) override;
     Result<bool> showAgain() override;
@@ -42,7 +44,12 @@ class WindowScreen final : public Screen {
 
   private:
     Result<void> keep(const gpu::Image& picture);
-    Result<gpu::BlitOverlay> overlay();
+    struct Overlay {
+        std::shared_ptr<const PictureText> text;
+        std::optional<gpu::Image> image;  // of it; made when it is first shown
+    };
+    Result<void> prepare(Overlay& overlay);
+    std::vector<gpu::BlitOverlay> overlaysFor(VkExtent2D target) const;
 
     std::shared_ptr<gpu::Device> device_;
     gpu::Swapchain swapchain_;
@@ -51,8 +58,8 @@ class WindowScreen final : public Screen {
     bool keptIsValid_ = false;
     bool owes_ = false;
     bool isColour_ = false;  // what is kept is a colour
-    std::shared_ptr<const PictureText> text_;
-    std::optional<gpu::Image> textImage_;  // text_ as an image; made when it is first shown
+    Overlay text_;
+    Overlay marks_;
 };
 
 }  // namespace macula::app

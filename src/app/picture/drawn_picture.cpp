@@ -22,8 +22,9 @@ Result<Camera> fittedCamera(const PictureRequest& request, const trace::PathTrac
         const auto corners = cornersOf(request.scene.volume->worldBox());
         outline.assign(corners.begin(), corners.end());
     }
-    return framePoints(outline, standardBasis(request.from), request.verticalFovDeg,
-                       double(request.sizePx.x) / request.sizePx.y);
+    const auto frame = request.isParallel ? frameInParallel : framePoints;
+    return frame(outline, standardBasis(request.from), request.verticalFovDeg,
+                 double(request.sizePx.x) / request.sizePx.y);
 }
 
 Result<void> traceAll(trace::PathTracer& tracer, std::uint32_t samplesPerPixel, Progress& progress) {
@@ -83,6 +84,7 @@ Result<DrawnPicture> drawPicture(const std::shared_ptr<gpu::Device>& device, con
     } else {
         MACULA_TRY(drawn.camera, fittedCamera(request, tracer));
     }
+    drawn.camera = standingBefore(drawn.camera, scene.volume->worldBox());
     MACULA_TRY_VOID(
         tracer.setView({.camera = drawn.camera, .width = request.sizePx.x, .height = request.sizePx.y}));
     MACULA_TRY_VOID(request.settings.errorThreshold > 0.0

@@ -18,7 +18,8 @@ struct PictureRequest {
     std::optional<Camera> camera;
     ViewDirection from = ViewDirection::anterior;
     double verticalFovDeg = 30.0;
-    glm::ivec2 sizePx{768};  // each from 1 to trace::kMaxPictureSide
+    bool isParallel = false;  // of a camera that is made here
+    glm::ivec2 sizePx{768};   // each from 1 to trace::kMaxPictureSide
     trace::Settings settings;
     // The number of samples; with Settings::errorThreshold about the most that are spent on noise.
     std::uint32_t samplesPerPixel = 64;

@@ -51,9 +51,12 @@ Result<void> makeFolder(const RecordingWish& wish) {
 Result<RecordingOptions> optionsOf(const RecordingWish& wish, const std::optional<Camera>& camera) {
     RecordingOptions options = wish.recording;
     options.from = wish.state.view.value_or(options.from);
+    options.isParallel = wish.state.isParallel;
     MACULA_TRY(options.sizePx, parseSize(wish.size));
     if (!wish.cameraPath.empty()) {
         MACULA_TRY(options.path, readCameraPath(wish.cameraPath));
+        if (wish.state.isParallel)
+            for (CameraPath::Stop& stop : options.path->stops) stop.camera = inParallel(stop.camera);
     } else if (camera) {
         options.path = options.movingS > 0.0 ? turntable(*camera, options.turnS, options.movingS)
                                              : CameraPath{.stops = {{.atS = 0.0, .camera = *camera}}};

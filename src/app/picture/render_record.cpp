@@ -45,6 +45,7 @@ image::Metadata metadata(const RenderRecord& record) {
             {"macula:lights", record.lights},
             {"macula:clip", record.clip},
             {"macula:tableRemoved", record.tableRemoved ? "yes" : "no"},
+            {"macula:masked", record.masked.empty() ? "none" : record.masked},
             {"macula:filter", std::string(trace::nameOf(record.settings.filter))},
             {"macula:samples", fmt::format("{:.6g}", record.statistics.meanSamplesPerPixel)},
             {"macula:bounces", fmt::to_string(record.settings.bounces)},
@@ -60,6 +61,9 @@ image::Metadata metadata(const RenderRecord& record) {
             {"macula:cameraTargetMm", numbers(record.camera.targetMm)},
             {"macula:cameraUp", numbers(record.camera.up)},
             {"macula:verticalFovDeg", fmt::format("{:.6g}", record.camera.verticalFovDeg)},
+            {"macula:parallelHeightMm", isParallel(record.camera)
+                                            ? fmt::format("{:.6g}", record.camera.parallelHeightMm)
+                                            : std::string("none")},
             {"macula:notes", fmt::format("{}", fmt::join(record.notes, " "))},
             {"macula:device", record.device}};
 }
@@ -79,6 +83,7 @@ Json toJson(const RenderRecord& record) {
             {"window", windowJson(record.window)},
             {"clip", record.clip},
             {"tableRemoved", record.tableRemoved},
+            {"masked", record.masked.empty() ? "none" : record.masked},
             {"filter", trace::nameOf(record.settings.filter)},
             {"device", record.device},
             {"camera", toJson(record.camera)},

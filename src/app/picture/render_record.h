@@ -20,6 +20,7 @@ struct RenderRecord {
     std::string lights;
     std::string clip;
     bool tableRemoved = false;  // the table, or other things beside the patient, were found and left out
+    std::string masked = {};    // Mask::remark: what of the volume was left out by voxels
     std::string device;
     Camera camera;
     int width = 0;

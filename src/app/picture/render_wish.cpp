@@ -9,6 +9,7 @@
 #include "app/output/output_files.h"
 #include "app/picture/picture_file.h"
 #include "app/state/drawing_of.h"
+#include "dicom/presentation/presentation_state.h"
 
 namespace macula::app {
 
@@ -96,10 +97,19 @@ Result<WishedPicture> wishedPicture(const RenderWish& wish) {
     request.camera = picture.state.camera;
     request.from = wish.state.view.value_or(request.from);
     if (wish.state.fovDeg > 0.0) request.verticalFovDeg = wish.state.fovDeg;
+    request.isParallel = wish.state.isParallel;
     request.keepUnfinished = wish.keepUnfinished;
     request.isLinear = isExr(wish.output);
     request.memory = wish.memory;
     return picture;
+}
+
+Result<std::string> seriesWished(const RenderWish& wish, const dicom::Scan& scan) {
+    if (!wish.series.empty() || wish.state.presentation.empty()) return wish.series;
+    MACULA_TRY(const dicom::PresentationState read, dicom::readPresentationState(wish.state.presentation));
+    const std::string& uid = read.presentation.series.seriesInstanceUid;
+    // One that is not there under its own name may still be meant by a deidentified one.
+    return dicom::findAllSeries(scan, uid).empty() ? std::string() : uid;
 }
 
 trace::Settings settingsToDraw(const RenderWish& wish, const StudyState& state, const Volume& volume) {

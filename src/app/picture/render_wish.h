@@ -9,6 +9,8 @@
 #include "app/picture/picture_effort.h"
 #include "app/picture/picture_request.h"
 #include "app/state/state_wish.h"
+#include "app/study/study_input.h"
+#include "base/progress.h"
 #include "base/result.h"
 #include "base/volume.h"
 #include "dicom/scan.h"
@@ -22,8 +24,9 @@ struct RenderWish {
     std::filesystem::path output;
     std::string series;
     StateWish state;
-    std::string lights;    // as chooseLights, a panorama too
-    bool shading = false;  // of ray casts, whatever the preset asks for
+    std::string lights;                 // as chooseLights, a panorama too
+    std::vector<std::string> segments;  // segmentWishFrom each
+    bool shading = false;               // of ray casts, whatever the preset asks for
     std::string size = "768x768";
     EffortWish effort;  // counts more than the view that was saved
     std::uint32_t seed = 0;
@@ -51,6 +54,10 @@ struct WishedPicture {
 
 // All that can be wrong about the wish, the study not yet read.
 Result<WishedPicture> wishedPicture(const RenderWish& wish);
+
+// As loadStudy takes it: the series that was asked for, or else the one that the presentation state is of;
+// empty where neither says which.
+Result<std::string> seriesWished(const RenderWish& wish, const dicom::Scan& scan);
 
 // For the volume, when completeState has put the preset into the state.
 trace::Settings settingsToDraw(const RenderWish& wish, const StudyState& state, const Volume& volume);

@@ -14,14 +14,13 @@
 #include "app/picture/drawn_picture.h"
 #include "app/picture/picture_file.h"
 #include "app/picture/render_record.h"
-#include "app/study/shown_voxels.h"
+#include "app/study/shown_clip.h"
 
 namespace macula::app {
 
 namespace {
 
 Result<PictureRequest> requestOf(const ViewPicture& picture) {
-    if (!isDicom(picture.output)) MACULA_TRY_VOID(checkPictureName(picture.output));
     const glm::ivec2 size = picture.sizePx;
     if (size.x < 1 || size.y < 1 || size.x > trace::kMaxPictureSide || size.y > trace::kMaxPictureSide)
         return Error{ErrorCode::usage, "The picture cannot have that size.",
@@ -72,6 +71,7 @@ Result<void> writeCapture(const ViewPicture& picture, const DrawnPicture& drawn,
 
 Result<std::vector<std::string>> writeViewPicture(const ViewPicture& picture,
                                                   const std::string& preferredDevice, Progress& progress) {
+    if (!isDicom(picture.output)) MACULA_TRY_VOID(checkPictureName(picture.output));
     MACULA_TRY(const PictureRequest request, requestOf(picture));
     std::vector<std::string> sentences;
     MACULA_TRY(gpu::LastingDevice device, openDevice(preferredDevice, [&](std::string_view sentence) {
@@ -86,10 +86,9 @@ Result<std::vector<std::string>> writeViewPicture(const ViewPicture& picture,
     record.seriesDigest = picture.seriesDigest;
     record.preset = publicPresetName(request.scene.function);
     record.lights = publicLightsName(*picture.drawing.lights);
-    const Clip& clip = request.scene.clip;
-    const bool isCut = clip.mask && isCutWithScissors(*clip.mask);
-    record.clip = clip.hasShape() || isCut ? "clipped" : "none";
-    record.tableRemoved = picture.leavesTableOut;
+    record.clip = request.scene.clip.hasShape() ? "clipped" : "none";
+    if (request.scene.clip.mask) record.masked = request.scene.clip.mask->remark;
+    record.tableRemoved = record.masked.find(kTableLeftOut) != std::string::npos;
     record.presetFitted = request.scene.function.fitToVolume.has_value();
     record.window = request.settings.window;
     record.add(request, drawn);
@@ -99,6 +98,23 @@ Result<std::vector<std::string>> writeViewPicture(const ViewPicture& picture,
     for (const PictureNote& note : notesOf(drawn, request))
         sentences.push_back(note.action.empty() ? note.sentence : note.sentence + " " + note.action);
     return sentences;
+}
+
+Result<std::vector<std::vector<std::uint8_t>>> drawViewPictures(const std::vector<ViewPicture>& pictures,
+                                                                const std::string& preferredDevice,
+                                                                Progress& progress) {
+    MACULA_TRY(gpu::LastingDevice device, openDevice(preferredDevice, [](std::string_view) {}));
+    std::vector<std::vector<std::uint8_t>> drawn;
+    for (const ViewPicture& picture : pictures) {
+        MACULA_TRY(PictureRequest request, requestOf(picture));
+        request.isLinear = false;
+        MACULA_TRY_VOID(device.run([&](const std::shared_ptr<gpu::Device>& on) -> Result<void> {
+            MACULA_TRY(DrawnPicture made, drawPicture(on, request, progress));
+            drawn.push_back(std::move(made.rgba));
+            return {};
+        }));
+    }
+    return drawn;
 }
 
 }  // namespace macula::app

@@ -1,6 +1,7 @@
 // What a window shows, drawn whole and at any size, to a file.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -30,7 +31,6 @@ struct ViewPicture {
     std::optional<dicom::SecondaryCapture::Source> source = {};
     bool isOfNobody = false;
     bool isDeidentified = false;
-    bool leavesTableOut = false;  // by the mask of the drawing's clip
 };
 
 // Opens a device of its own, as `preferredDevice` of gpu::chooseDevice, so a window goes on beside it. Takes
@@ -38,5 +38,11 @@ struct ViewPicture {
 // extension or size; fails as drawPicture and writePicture; nothing is written then.
 Result<std::vector<std::string>> writeViewPicture(const ViewPicture& picture,
                                                   const std::string& preferredDevice, Progress& progress);
+
+// The same pictures to be looked at, beside each other: 4 bytes a pixel, display-encoded over black, row 0 on
+// top. `output` and what is of files does not matter. Fails as above.
+Result<std::vector<std::vector<std::uint8_t>>> drawViewPictures(const std::vector<ViewPicture>& pictures,
+                                                                const std::string& preferredDevice,
+                                                                Progress& progress);
 
 }  // namespace macula::app

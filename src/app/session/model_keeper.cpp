@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "app/session/scene_key.h"
+#include "app/session/seen_before.h"
 #include "app/state/state_keys.h"
 #include "base/fingerprint.h"
 #include "base/log.h"
@@ -199,6 +200,19 @@ void ModelKeeper::forgetUnused() {
 bool ModelKeeper::isIdle() {
     const std::lock_guard lock(mutex_);
     return !hasJobs() && !isBusy_;
+}
+
+void ModelKeeper::withStore(StoreUse use) {
+    // Where there is no store the job is dropped, and so is this.
+    struct Once {
+        StoreUse use;
+        ~Once() {
+            if (use) use(nullptr);
+        }
+    };
+    post(Urgency::isWaitedFor, [once = std::make_shared<Once>(std::move(use))](session::Store& store) {
+        std::exchange(once->use, nullptr)(&store);
+    });
 }
 
 void ModelKeeper::waitUntilIdle() {
@@ -454,6 +468,15 @@ std::optional<std::string> ModelKeeper::stateOf(const std::shared_ptr<const Volu
         // The promise was dropped, or there is no memory.
     }
     return std::nullopt;
+}
+
+void ModelKeeper::askWhatWasSeen(std::shared_ptr<const FoundVolumes> found,
+                                 std::function<void(std::set<std::size_t>)> answer) {
+    post(Urgency::isWaitedFor,
+         [this, found = std::move(found), answer = std::move(answer)](session::Store& store) {
+             if (const auto seen = volumesSeenBefore(store, *found)) return answer(*seen);
+             else tell(seen.error());
+         });
 }
 
 void ModelKeeper::keepState(std::shared_ptr<const Volume> volume, std::string json) {

@@ -23,6 +23,7 @@
 #include <thread>
 
 #include "app/frame/scene_keeper.h"
+#include "app/study/found_volumes.h"
 #include "base/result.h"
 #include "base/volume.h"
 #include "pipeline/splat/files/packed_pictures.h"
@@ -54,6 +55,15 @@ class ModelKeeper final : public SceneKeeper {
     std::optional<std::string> stateOf(const std::shared_ptr<const Volume>& volume,
                                        std::chrono::milliseconds patience);
     void keepState(std::shared_ptr<const Volume> volume, std::string json);
+    // See volumesSeenBefore. `answer` is called on the keeper's thread, and not at all where nothing can be
+    // told.
+    void askWhatWasSeen(std::shared_ptr<const FoundVolumes> found,
+                        std::function<void(std::set<std::size_t>)> answer);
+
+    // For what else is stored: called once, on the keeper's thread, in the order of these calls; with null
+    // where there is no store. It throws nothing but for a lack of memory.
+    using StoreUse = std::function<void(session::Store*)>;
+    void withStore(StoreUse use);
 
     // Whether all that was handed over is done, and until it is. For tests and for those who measure.
     bool isIdle();

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "app/clip/eye_cut.h"
-#include "app/study/shown_voxels.h"
 
 namespace macula::app {
 
@@ -40,11 +39,9 @@ Drawing drawingOf(const StudyState& state, const Catalogue& catalogue, const Ser
         remarks.push_back(
             fmt::format("{} {:g}{}{}", p.label, p.get(state.settings), p.unit.empty() ? "" : " ", p.unit));
     }
-    const Mask* mask = drawing.clip && drawing.clip->mask ? &*drawing.clip->mask : nullptr;
-    const bool isCut = mask != nullptr && isCutWithScissors(*mask);
-    if (mask != nullptr && (state.leavesTableOut || !isCut)) remarks.emplace_back("table left out");
+    if (drawing.clip && drawing.clip->mask)
+        remarks.push_back(drawing.clip->mask->remark.empty() ? "masked" : drawing.clip->mask->remark);
     if (drawing.clip && drawing.clip->hasShape()) remarks.emplace_back("clipped");
-    if (isCut) remarks.emplace_back("cut with scissors");
     drawing.remarks = fmt::format("{}", fmt::join(remarks, ", "));
     return drawing;
 }

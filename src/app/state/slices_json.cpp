@@ -50,19 +50,6 @@ glm::dvec3 direction(const JsonNode& node) {
     return std::abs(length - 1.0) < kRounding ? v : v / length;
 }
 
-DisplayWindow windowFrom(const JsonNode& node) {
-    node.allowOnly({"center", "width", "function"});
-    DisplayWindow window{.center = node["center"].number({-1e9, 1e9}),
-                         .width = node["width"].number({1e-9, 1e9}),
-                         .explanation = {},
-                         .function = {}};
-    if (const auto function = node.find("function")) {
-        window.function = function->text();
-        if (!isWindowFunction(window.function)) function->fail("\"LINEAR\", \"LINEAR_EXACT\" or \"SIGMOID\"");
-    }
-    return window;
-}
-
 slices::Slab slabFrom(const JsonNode& node) {
     node.allowOnly({"thicknessMm", "projection"});
     slices::Slab slab;
@@ -137,12 +124,29 @@ std::string writtenLabel(const std::string& label) {
 
 }  // namespace
 
+Json windowJson(const DisplayWindow& from) {
+    Json window{{"center", from.center}, {"width", from.width}};
+    if (isWindowFunction(from.function)) window["function"] = from.function;
+    return isTaken(window, windowFrom) ? window : Json();
+}
+
+DisplayWindow windowFrom(const JsonNode& node) {
+    node.allowOnly({"center", "width", "function"});
+    DisplayWindow window{.center = node["center"].number({-1e9, 1e9}),
+                         .width = node["width"].number({1e-9, 1e9}),
+                         .explanation = {},
+                         .function = {}};
+    if (const auto function = node.find("function")) {
+        window.function = function->text();
+        if (!isWindowFunction(window.function)) function->fail("\"LINEAR\", \"LINEAR_EXACT\" or \"SIGMOID\"");
+    }
+    return window;
+}
+
 Json toJson(const SliceState& state) {
     Json json = Json::object();
     if (state.window) {
-        Json window{{"center", state.window->center}, {"width", state.window->width}};
-        if (isWindowFunction(state.window->function)) window["function"] = state.window->function;
-        if (isTaken(window, windowFrom)) json["window"] = window;
+        if (Json window = windowJson(*state.window); !window.is_null()) json["window"] = std::move(window);
     }
     if (state.slab != slices::Slab{}) {
         const Json slab{{"thicknessMm", state.slab.thicknessMm},

@@ -34,6 +34,10 @@ inline constexpr double kThickestSlabMm = 1e4;
 // that may name anybody.
 nlohmann::ordered_json toJson(const SliceState& state);
 
+// Null where the reader would refuse it; without its explanation.
+nlohmann::ordered_json windowJson(const DisplayWindow& window);
+DisplayWindow windowFrom(const JsonNode& node);
+
 // A measurement as above, whatever it is like.
 nlohmann::ordered_json toJson(const slices::Measurement& measurement);
 // Those that the reader takes, at most kMostMeasurements; labels are cut at kLongestLabelBytes.

@@ -7,6 +7,7 @@
 #include "app/choice/clip_choice.h"
 #include "app/choice/preset_choice.h"
 #include "app/choice/typed_values.h"
+#include "app/presentation/state_of_presentation.h"
 #include "pipeline/volume/volume_fit.h"
 #include "pipeline/volume/window.h"
 
@@ -31,19 +32,46 @@ Result<void> setCamera(StudyState& state, const StateWish& wish) {
         MACULA_TRY(state.camera, readCamera(wish.camera));
     }
     if (state.camera && wish.fovDeg > 0.0) state.camera->verticalFovDeg = wish.fovDeg;
+    if (state.camera && wish.isParallel) state.camera = inParallel(*state.camera);
+    return {};
+}
+
+// The clip, and what the values are, unless something else was given.
+Result<void> completePresented(StudyState& state, const StateWish& wish, StudyInput& study) {
+    const std::string where = wish.presentation.string();
+    MACULA_TRY(const dicom::PresentationState read, dicom::readPresentationState(wish.presentation));
+    MACULA_TRY(PresentedState presented, stateOf(read, {}, where));
+    MACULA_TRY_VOID(completeFor(presented, read, *study.volume, study.seriesDigest, where));
+    state.seriesDigest = study.seriesDigest;
+    if (wish.clip.empty()) state.clip = presented.state.clip;
+    if (state.preset && presented.state.preset) {
+        TransferFunction function = *state.preset;
+        function.unit = presented.state.preset->unit;
+        function.modalities = presented.state.preset->modalities;
+        state.preset = std::make_shared<const TransferFunction>(std::move(function));
+    }
+    for (const std::string& note : presented.notes) {
+        study.notes.push_back(note);
+        study.warnings.push_back(note);
+    }
     return {};
 }
 
 }  // namespace
 
 std::vector<std::filesystem::path> filesOf(const StateWish& wish) {
-    return {wish.session, wish.preset, wish.clip, wish.camera};
+    return {wish.session, wish.presentation, wish.preset, wish.clip, wish.camera};
 }
 
 Result<StudyState> stateOf(const StateWish& wish, StudyState usual) {
     StudyState state = std::move(usual);
     if (!wish.session.empty()) {
         MACULA_TRY(state, readStudyState(wish.session));
+    }
+    if (!wish.presentation.empty()) {
+        MACULA_TRY(const dicom::PresentationState read, dicom::readPresentationState(wish.presentation));
+        MACULA_TRY(PresentedState presented, stateOf(read, std::move(state), wish.presentation.string()));
+        state = std::move(presented.state);
     }
     if (wish.look) state.settings.look = *wish.look;
     for (const auto& [id, value] : wish.numbers) parameter(id).set(state.settings, value);
@@ -61,6 +89,7 @@ Result<StudyState> stateOf(const StateWish& wish, StudyState usual) {
 }
 
 Result<StudyPreset> completeState(StudyState& state, const StateWish& wish, StudyInput& study) {
+    if (!wish.presentation.empty()) MACULA_TRY_VOID(completePresented(state, wish, study));
     MACULA_TRY_VOID(checkSeries(state, study.seriesDigest, wish.session.string()));
     StudyPreset preset;
     if (state.preset) {

@@ -21,9 +21,11 @@ namespace macula::app {
 // Empty: not given.
 struct StateWish {
     std::filesystem::path session = {};  // a view that was saved: readStudyState
-    std::string preset = {};             // as choosePreset
-    bool fit = false;                    // the preset's range is stretched to the volume
-    std::string clip = {};               // as chooseClip; in the place of the cuts of a view too
+    // A DICOM presentation state, which takes the place of a view: dicom::readPresentationState.
+    std::filesystem::path presentation = {};
+    std::string preset = {};  // as choosePreset
+    bool fit = false;         // the preset's range is stretched to the volume
+    std::string clip = {};    // as chooseClip; in the place of the cuts of a view too
     bool removeTable = false;
     std::optional<trace::Look> look = {};
     std::string window = {};                          // of projections: parseWindow
@@ -31,6 +33,7 @@ struct StateWish {
     std::optional<ViewDirection> view = {};           // what is seen fills the picture, from there
     std::filesystem::path camera = {};                // camera_file.h
     double fovDeg = 0.0;                              // 0: not given; of whichever camera
+    bool isParallel = false;                          // rays are parallel, whichever the camera
 };
 
 // What may be a file among what is given, for OutputFiles::read.
@@ -43,7 +46,8 @@ Result<StudyState> stateOf(const StateWish& wish, StudyState usual = {});
 
 // The same for a study that is read and in 16 bits. The state gets the preset that is drawn. The range of one
 // that was given becomes the window of a projection, as in the viewer. What there is to say of the preset
-// joins the notes of the study. inputNotUsable for a view that was saved of another series.
+// joins the notes of the study, and so does what a presentation state has that is shown otherwise.
+// inputNotUsable for a view or a presentation state of another series.
 Result<StudyPreset> completeState(StudyState& state, const StateWish& wish, StudyInput& study);
 
 }  // namespace macula::app

@@ -54,15 +54,17 @@ Stale staleAfter(const trace::Settings& before, const trace::Settings& after) {
 bool StudyState::operator==(const StudyState& b) const {
     return seriesDigest == b.seriesDigest && samePreset(*this, b) && clip == b.clip &&
            leavesTableOut == b.leavesTableOut && sameLights(*this, b) && settings == b.settings &&
-           windows == b.windows && camera == b.camera && layout == b.layout && slices == b.slices &&
-           measurements == b.measurements && cuts == b.cuts && namedClips == b.namedClips &&
+           windows == b.windows && camera == b.camera && showsMarks == b.showsMarks && layout == b.layout &&
+           slices == b.slices && measurements == b.measurements && cuts == b.cuts &&
+           namedClips == b.namedClips && segmentations == b.segmentations && beside == b.beside &&
            otherKeys == b.otherKeys;
 }
 
 Stale staleAfter(const StudyState& before, const StudyState& after) {
     if (before.seriesDigest != after.seriesDigest) return Stale::volume;
     if (!samePreset(before, after) || before.clip != after.clip || before.cuts != after.cuts ||
-        before.leavesTableOut != after.leavesTableOut)
+        before.leavesTableOut != after.leavesTableOut ||
+        in3dOf(before.segmentations) != in3dOf(after.segmentations))
         return Stale::matter;
     Stale stale = staleAfter(before.settings, after.settings);
     if (!sameLights(before, after)) stale = std::max(stale, Stale::light);

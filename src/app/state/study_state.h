@@ -12,7 +12,9 @@
 #include <vector>
 
 #include "app/clip/cuts.h"
+#include "app/state/beside_state.h"
 #include "app/state/parameters.h"
+#include "app/state/segmentation_choice.h"
 #include "base/camera.h"
 #include "base/result.h"
 #include "base/volume.h"
@@ -75,11 +77,14 @@ struct StudyState {
     // The windows of projections that somebody set, by look. Nothing: that of the series.
     std::array<std::optional<DisplayWindow>, trace::kLooks.size()> windows = {};
     std::optional<Camera> camera = {};  // nothing: one that fits what is visible
+    bool showsMarks = true;             // cube and scale over the picture in 3D
     Layout layout = Layout::fourPanes;
     SliceState slices = {};
     std::vector<slices::Measurement> measurements = {};
-    Cuts cuts = {};                          // of what the clip leaves
-    std::vector<NamedClip> namedClips = {};  // to go back to; not shown
+    Cuts cuts = {};                                      // of what the clip leaves
+    std::vector<NamedClip> namedClips = {};              // to go back to; not shown
+    std::vector<SegmentationChoice> segmentations = {};  // kept by `choose`
+    std::optional<BesideState> beside = {};              // nothing: no second volume
     // A JSON object of what a newer Macula has written and this one does not know. It is written back.
     std::string otherKeys = {};
 
@@ -90,8 +95,8 @@ struct StudyState {
 // Whether both draw the same, whatever else is in the files that they come from.
 bool isSame(const TransferFunction& a, const TransferFunction& b);
 
-// What has to be made again of the picture in 3D when one follows the other: nothing for layout, slices and
-// measurements.
+// What has to be made again of the picture in 3D when one follows the other: nothing for layout, slices,
+// measurements and a second volume.
 Stale staleAfter(const StudyState& before, const StudyState& after);
 
 // Readable text; reading it gives an equal state. Holds no name of a patient: presets, clips and lights that

@@ -3,15 +3,19 @@
 //     "denoising": "denoised", <a key for each row of parameters()>,
 //     "preset": {as presets/transfer}, "clip": {as presets/clip}, "leavesTableOut": true,
 //     "lights": {as presets/lights}, "windows": { "mip": { "center": 40, "width": 400 } },
-//     "camera": {as camera_file.h}, "layout": "axial", "slices": {as slices_json.h},
-//     "measurements": [as slices_json.h], "cuts": {as cuts_json.h}, "namedClips": [likewise] }
+//     "camera": {as camera_file.h}, "cubeAndScale": false, "layout": "axial", "slices": {as slices_json.h},
+//     "measurements": [as slices_json.h], "cuts": {as cuts_json.h}, "namedClips": [likewise],
+//     "segmentations": [as segments_json.h],
+//     "beside": {as beside_json.h} }
 // Everything but the version may be left out.
 #include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "app/camera/camera_file.h"
+#include "app/state/beside_json.h"
 #include "app/state/cuts_json.h"
 #include "app/state/json_names.h"
+#include "app/state/segments_json.h"
 #include "app/state/slices_json.h"
 #include "app/state/state_keys.h"
 #include "app/state/study_state.h"
@@ -72,9 +76,10 @@ Result<std::optional<T>> readPart(const Json& all, const char* key, const Read& 
 }  // namespace
 
 std::vector<std::string> stateKeys() {
-    std::vector<std::string> keys{"version", "series", "look",           "shading", "filter",    "denoising",
-                                  "preset",  "clip",   "leavesTableOut", "lights",  "windows",   "camera",
-                                  "layout",  "slices", "measurements",   "cuts",    "namedClips"};
+    std::vector<std::string> keys{"version",      "series", "look",       "shading",        "filter",
+                                  "denoising",    "preset", "clip",       "leavesTableOut", "lights",
+                                  "windows",      "camera", "layout",     "slices",         "measurements",
+                                  "cubeAndScale", "cuts",   "namedClips", "segmentations",  "beside"};
     for (const Parameter& parameter : parameters()) keys.emplace_back(parameter.id);
     return keys;
 }
@@ -96,11 +101,17 @@ std::string toJson(const StudyState& state) {
             json["windows"][std::string(look.name)] = {{"center", window->center}, {"width", window->width}};
     }
     if (state.camera) json["camera"] = toJson(*state.camera);
+    if (!state.showsMarks) json["cubeAndScale"] = false;
     if (state.layout != StudyState{}.layout) json["layout"] = nameOf(state.layout);
     if (Json slices = toJson(state.slices); !slices.empty()) json["slices"] = std::move(slices);
     if (Json all = measurementsJson(state.measurements); !all.empty()) json["measurements"] = std::move(all);
     if (Json cuts = toJson(state.cuts); !cuts.empty()) json["cuts"] = std::move(cuts);
     if (Json named = namedClipsJson(state.namedClips); !named.empty()) json["namedClips"] = std::move(named);
+    if (Json all = segmentationsJson(state.segmentations); !all.empty())
+        json["segmentations"] = std::move(all);
+    if (state.beside) {
+        if (Json beside = toJson(*state.beside); !beside.is_null()) json["beside"] = std::move(beside);
+    }
     if (!state.otherKeys.empty()) {
         const Json others = Json::parse(state.otherKeys);
         for (const auto& [key, value] : others.items()) json[key] = value;
@@ -130,10 +141,13 @@ Result<StudyState> studyStateFromJson(std::string_view text, const std::string& 
         state.camera = cameraFrom(*node);
         if (!basis(*state.camera)) node->fail("an eye, a target and an upright that make a camera");
     }
+    if (const auto node = root.find("cubeAndScale")) state.showsMarks = node->boolean();
     readName(root, "layout", kLayouts, state.layout);
     if (const auto node = root.find("slices")) state.slices = sliceStateFrom(*node);
     if (const auto node = root.find("measurements")) state.measurements = measurementsFrom(*node);
     if (const auto node = root.find("cuts")) state.cuts = cutsFrom(*node);
+    if (const auto node = root.find("segmentations")) state.segmentations = segmentationsFrom(*node);
+    if (const auto node = root.find("beside")) state.beside = besideStateFrom(*node);
     MACULA_TRY_VOID(document.status());
 
     // The text is valid JSON by now, and an object.

@@ -5,7 +5,9 @@
 #include <limits>
 #include <vector>
 
+#include "app/camera/picture_rays.h"
 #include "pipeline/trace/look.h"
+#include "pipeline/volume/mask_bits.h"
 #include "pipeline/volume/volume_fit.h"
 
 namespace macula::app {
@@ -16,29 +18,14 @@ constexpr double kStepOfVoxel = 1.0 / 3.0;
 constexpr double kMostSteps = 8192.0;
 constexpr double kLeastLoss = 0.02;  // of light: what is thinner is not pointed at
 
-struct Ray {
-    glm::dvec3 originMm;
-    glm::dvec3 direction;  // unit
-};
-
 // Along the ray, in mm.
 struct Span {
     double begin;
     double end;
 };
 
-std::optional<Ray> rayThrough(const Camera& camera, const glm::dvec2& place, double aspect) {
-    const Result<CameraBasis> axes = basis(camera);
-    if (!axes || !std::isfinite(aspect) || !std::isfinite(place.x) || !std::isfinite(place.y))
-        return std::nullopt;
-    const double halfHeight = std::tan(0.5 * glm::radians(camera.verticalFovDeg));
-    const glm::dvec3 direction =
-        axes->forward + place.x * halfHeight * aspect * axes->right + place.y * halfHeight * axes->up;
-    return Ray{camera.positionMm, glm::normalize(direction)};
-}
-
 // Where the ray is within the voxels' volume.
-std::optional<Span> spanIn(const Volume& volume, const Ray& ray) {
+std::optional<Span> spanIn(const Volume& volume, const PictureRay& ray) {
     const glm::dmat4 voxelFromWorld = glm::inverse(volume.worldFromVoxel());
     const glm::dvec3 origin = transformPoint(voxelFromWorld, ray.originMm);
     const glm::dvec3 direction = transformVector(voxelFromWorld, ray.direction);
@@ -56,9 +43,10 @@ std::optional<Span> spanIn(const Volume& volume, const Ray& ray) {
 
 bool isMasked(const Mask& mask, const glm::dmat4& labelFromWorld, const glm::dvec3& pointMm) {
     const glm::ivec3 at = glm::ivec3(glm::round(transformPoint(labelFromWorld, pointMm)));
-    const glm::ivec3 size = mask.labels->size();
+    const glm::ivec3 size = mask.bits ? mask.bits->size : mask.labels->size();
     const bool isInside =
         glm::all(glm::greaterThanEqual(at, glm::ivec3(0))) && glm::all(glm::lessThan(at, size));
+    if (mask.bits) return !(isInside && mask.bits->shows(at.x, at.y, at.z));
     const std::uint16_t label = isInside ? mask.labels->label(at.x, at.y, at.z) : std::uint16_t{0};
     const bool belongs =
         mask.numbers.empty() ? label != 0 : std::ranges::find(mask.numbers, label) != mask.numbers.end();
@@ -70,7 +58,8 @@ class Matter {
     Matter(const Volume& volume, const Drawing& drawing)
         : volume_(volume), clip_(drawing.clip.get()), voxelFromWorld_(glm::inverse(volume.worldFromVoxel())) {
         if (clip_ != nullptr && clip_->mask)
-            labelFromWorld_ = glm::inverse(clip_->mask->labels->worldFromVoxel());
+            labelFromWorld_ =
+                clip_->mask->bits ? voxelFromWorld_ : glm::inverse(clip_->mask->labels->worldFromVoxel());
     }
 
     bool isShown(const glm::dvec3& pointMm) const {
@@ -118,7 +107,7 @@ class Matter {
 };
 
 struct Walk {
-    Ray ray;
+    PictureRay ray;
     Span span;
     double stepMm;
 
@@ -178,12 +167,14 @@ std::optional<glm::dvec3> matterAlong(const Walk& walk, const Matter& matter, co
 
 std::optional<glm::dvec3> firstMatterMm(const Volume& volume, const Drawing& drawing, const Camera& camera,
                                         const glm::dvec2& place, double aspectWidthOverHeight) {
-    const auto ray = rayThrough(camera, place, aspectWidthOverHeight);
-    const auto span = ray ? spanIn(volume, *ray) : std::nullopt;
+    const auto rays = PictureRays::of(standingBefore(camera, volume.worldBox()), aspectWidthOverHeight);
+    if (!rays || !std::isfinite(place.x) || !std::isfinite(place.y)) return std::nullopt;
+    const PictureRay ray = rays->through(place);
+    const auto span = spanIn(volume, ray);
     if (!span) return std::nullopt;
     const glm::dvec3 spacing = volume.spacingMm();
     const double wanted = kStepOfVoxel * std::min({spacing.x, spacing.y, spacing.z});
-    const Walk walk{*ray, *span, std::max(wanted, (span->end - span->begin) / kMostSteps)};
+    const Walk walk{ray, *span, std::max(wanted, (span->end - span->begin) / kMostSteps)};
     const Matter matter(volume, drawing);
     switch (drawing.settings.look) {
         case trace::Look::mip:

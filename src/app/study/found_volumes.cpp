@@ -36,7 +36,7 @@ std::string seriesLine(const dicom::Series& series, const dicom::Stack& stack) {
 
 }  // namespace
 
-FoundVolumes::FoundVolumes(dicom::Scan scan) : scan_(std::move(scan)) {
+FoundVolumes::FoundVolumes(dicom::Scan scan, Extent extent) : scan_(std::move(scan)), extent_(extent) {
     for (const dicom::Study& study : scan_.studies) {
         for (const dicom::Series& series : study.series) {
             for (const dicom::Stack& stack : series.stacks) {

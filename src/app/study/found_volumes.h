@@ -21,10 +21,15 @@ struct FoundVolume {
 // Never changed after it was made. What it tells may name a patient.
 class FoundVolumes {
   public:
-    explicit FoundVolumes(dicom::Scan scan);
+    enum class Extent {
+        whole,
+        soFar,  // a glimpse of a scan that goes on: series without stacks, and no volumes
+    };
+    explicit FoundVolumes(dicom::Scan scan, Extent extent = Extent::whole);
     FoundVolumes(const FoundVolumes&) = delete;
     FoundVolumes& operator=(const FoundVolumes&) = delete;
 
+    bool isWhole() const { return extent_ == Extent::whole; }
     const dicom::Scan& scan() const { return scan_; }
     const std::vector<FoundVolume>& volumes() const { return volumes_; }  // in the order of the scan
     // One line each, which tells apart patients and studies where there are several.
@@ -43,6 +48,7 @@ class FoundVolumes {
     std::optional<std::size_t> indexOf(const dicom::Stack* stack) const;
 
     dicom::Scan scan_;
+    Extent extent_;
     std::vector<FoundVolume> volumes_;
 };
 

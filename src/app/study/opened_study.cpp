@@ -52,6 +52,15 @@ std::string joinQuestionOf(const FoundVolumes& found) {
     return found.volumes().empty() && asked != messages.end() ? asked->sentence : std::string();
 }
 
+// Empty where its frames do not all name the same one.
+std::string frameOfReferenceOf(const dicom::Stack& stack) {
+    if (stack.frames.empty()) return {};
+    const std::string& first = stack.frames.front().frameOfReferenceUid;
+    const bool isOne = std::ranges::all_of(
+        stack.frames, [&](const dicom::Frame& frame) { return frame.frameOfReferenceUid == first; });
+    return isOne ? first : std::string();
+}
+
 Result<OpenedStudy> loadFound(std::shared_ptr<const FoundVolumes> found, std::size_t index,
                               Progress& progress) {
     const FoundVolume& chosen = found->volumes().at(index);
@@ -66,6 +75,7 @@ Result<OpenedStudy> loadFound(std::shared_ptr<const FoundVolumes> found, std::si
                       .volumeIndex = index};
     study.isLowBright = std::ranges::any_of(
         chosen.stack->messages, [](const Message& m) { return m.key == dicom::key::kInvertedDisplay; });
+    study.frameOfReferenceUid = frameOfReferenceOf(*chosen.stack);
     const auto tell = [&](const std::vector<Message>& messages) {
         for (const Message& message : messages) {
             if (message.severity != Severity::info) study.messages.push_back(message.sentence);
@@ -85,18 +95,24 @@ Result<OpenedStudy> loadFound(std::shared_ptr<const FoundVolumes> found, std::si
     return study;
 }
 
-Result<OpenedStudy> openPath(const std::filesystem::path& given, Progress& progress, bool join) {
+Result<OpenedStudy> openPath(const std::filesystem::path& given, Progress& progress, bool join,
+                             const FoundSoFar& foundSoFar) {
     // The path is made absolute, because a name without a folder has no parent.
     const std::filesystem::path path = std::filesystem::absolute(given).lexically_normal();
     std::error_code notThere;
     const bool isFile = std::filesystem::is_regular_file(path, notThere);
     if (isFile && formats::isVolumeFileName(path)) return openVolumeFile(path, progress);
     const bool isOneImage = isFile && !isMediaDirectory(path);
-    MACULA_TRY(dicom::Scan scan,
-               dicom::scanFolder(isFile ? path.parent_path() : path, progress, {.join = join}));
+    dicom::ScanOptions how{.join = join};
+    if (foundSoFar)
+        how.glimpsed = [&](dicom::Scan seen) {
+            foundSoFar(std::make_shared<const FoundVolumes>(std::move(seen), FoundVolumes::Extent::soFar));
+        };
+    MACULA_TRY(dicom::Scan scan, dicom::scanFolder(isFile ? path.parent_path() : path, progress, how));
     const auto found = std::make_shared<const FoundVolumes>(std::move(scan));
     if (auto question = joinQuestionOf(*found); !question.empty())
         return OpenedStudy{.volume = nullptr, .joinQuestion = std::move(question)};
+    if (foundSoFar) foundSoFar(found);
     MACULA_TRY(const FoundVolumes::Choice choice, isOneImage ? found->holding(path) : found->best(path));
     MACULA_TRY(OpenedStudy study, loadFound(found, choice.index, progress));
     study.whyThisSeries = choice.why;
@@ -122,9 +138,11 @@ Result<OpenedStudy> withoutExceptions(const StudySource& source, Load load) {
 
 }  // namespace
 
-Result<OpenedStudy> openStudy(const StudySource& source, Progress& progress, bool join) {
-    return withoutExceptions(
-        source, [&] { return source ? openPath(*source, progress, join) : openPhantom(progress); });
+Result<OpenedStudy> openStudy(const StudySource& source, Progress& progress, bool join,
+                              const FoundSoFar& foundSoFar) {
+    return withoutExceptions(source, [&] {
+        return source ? openPath(*source, progress, join, foundSoFar) : openPhantom(progress);
+    });
 }
 
 Result<OpenedStudy> openFoundVolume(std::shared_ptr<const FoundVolumes> found, std::size_t index,

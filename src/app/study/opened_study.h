@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -28,9 +29,10 @@ struct OpenedStudy {
     std::shared_ptr<const FoundVolumes> found = {};
     std::vector<std::string> volumeTitles = {};
     std::size_t volumeIndex = 0;
-    bool isLowBright = false;       // its own display shows low values white (MONOCHROME1)
-    std::string joinQuestion = {};  // see dicom::ScanOptions
-    std::string stateAsLeft = {};   // ModelKeeper::stateOf; empty: nobody knows how it was left
+    bool isLowBright = false;              // its own display shows low values white (MONOCHROME1)
+    std::string joinQuestion = {};         // see dicom::ScanOptions
+    std::string frameOfReferenceUid = {};  // PS3.3 C.7.4.1; empty: not known
+    std::string stateAsLeft = {};          // ModelKeeper::stateOf; empty: nobody knows how it was left
 };
 
 // A folder, or the DICOMDIR in it, of which the best series is meant; an image, of which its own series in
@@ -38,8 +40,13 @@ struct OpenedStudy {
 // phantom.
 using StudySource = std::optional<std::filesystem::path>;
 
+// Told of a folder while it is opened: what was found so far, now and then, and all of it before the volume is
+// decoded. Called on threads that read, one at a time.
+using FoundSoFar = std::function<void(std::shared_ptr<const FoundVolumes>)>;
+
 // Scans, chooses the series and decodes it. Blocks; a file at a time sees a cancellation. Throws nothing.
-Result<OpenedStudy> openStudy(const StudySource& source, Progress& progress, bool join = false);
+Result<OpenedStudy> openStudy(const StudySource& source, Progress& progress, bool join = false,
+                              const FoundSoFar& foundSoFar = {});
 // Decodes another volume of the folder.
 Result<OpenedStudy> openFoundVolume(std::shared_ptr<const FoundVolumes> found, std::size_t index,
                                     Progress& progress);

@@ -4,6 +4,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "dicom/read/sop_class.h"
+#include "dicom/segmentation/segmentation.h"
+
 namespace macula::app {
 
 namespace {
@@ -83,6 +86,12 @@ Json toJson(const dicom::OtherObject& object, PatientData patientData) {
     Json json = {{"kind", object.kind}, {"sopClassUid", object.sopClassUid}};
     if (!object.referencedSeriesUids.empty()) json["referencedSeriesUids"] = object.referencedSeriesUids;
     if (patientData == PatientData::include) json["file"] = object.file.string();
+    if (!dicom::isSegmentation(object.sopClassUid)) return json;
+    if (const auto segmentation = dicom::readSegmentation(object.file)) {
+        json["segments"] = Json::array();
+        for (const Segment& segment : segmentation->segments)
+            json["segments"].push_back({{"number", segment.number}, {"label", segment.label}});
+    }
     return json;
 }
 

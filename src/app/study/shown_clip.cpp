@@ -3,14 +3,16 @@
 #include <utility>
 
 #include "app/clip/eye_cut.h"
-#include "app/study/shown_voxels.h"
+#include "app/study/combined_mask.h"
+#include "app/study/scissor_mask.h"
 
 namespace macula::app {
 
 std::optional<Mask> maskOf(const std::shared_ptr<const segment::PatientMask>& found) {
     if (!(found->removedMl > 0.0)) return std::nullopt;
     return Mask{.labels = std::shared_ptr<const LabelMap>(found, &found->map),
-                .numbers = {segment::PatientMask::kPatient}};
+                .numbers = {segment::PatientMask::kPatient},
+                .remark = std::string(kTableLeftOut)};
 }
 
 Result<ShownClip> shownClip(const ClipPreset& preset, bool removeTable, const Volume& volume,
@@ -27,9 +29,14 @@ Result<ShownClip> shownClip(const ClipPreset& preset, bool removeTable, const Vo
 Result<ShownClip> shownClip(const StudyState& state, const Volume& volume, Progress& progress) {
     MACULA_TRY(ShownClip shown,
                shownClip(state.clip.value_or(ClipPreset{}), state.leavesTableOut, volume, progress));
-    std::optional<Mask> mask = std::move(shown.clip.mask);
+    std::vector<Mask> masks;
+    if (shown.clip.mask) masks.push_back(*std::move(shown.clip.mask));
+    MACULA_TRY(std::optional<Mask> cut, scissorMask({}, state.cuts.scissors, volume, progress));
+    if (cut) masks.push_back(*std::move(cut));
     shown.clip = clipFor(state.clip, state.cuts, volume);
-    MACULA_TRY(shown.clip.mask, shownVoxels(std::move(mask), state.cuts.scissors, volume, progress));
+    MACULA_TRY(shown.clip.mask, combinedMask(masks, volume, progress));
+    if (!in3dOf(state.segmentations).empty())
+        shown.notes.emplace_back("The view keeps or hides segments; here they change nothing.");
     return shown;
 }
 

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/state/study_state.h"
@@ -14,6 +15,8 @@
 #include "segment/patient.h"
 
 namespace macula::app {
+
+inline constexpr std::string_view kTableLeftOut = "table left out";  // Mask::remark
 
 // Without the table and what else lies beside the patient; nothing where none of that was found. Shares the
 // life of what was found: a map may be as large as the volume.
@@ -26,9 +29,10 @@ struct ShownClip {
 };
 
 // Fails as segment::findPatient where the table is to be removed. Of a state its cuts are in it too: fails as
-// shownVoxels.
+// scissorMask and combinedMask.
 Result<ShownClip> shownClip(const ClipPreset& preset, bool removeTable, const Volume& volume,
                             Progress& progress);
+// Segments of the state are not hidden, and a note says so: app::segmentsToDraw.
 Result<ShownClip> shownClip(const StudyState& state, const Volume& volume, Progress& progress);
 
 }  // namespace macula::app

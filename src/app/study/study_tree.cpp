@@ -59,7 +59,8 @@ std::string whyNoVolume(const dicom::Series& series) {
         [](const dicom::Stack& a, const dicom::Stack& b) { return a.frames.size() < b.frames.size(); });
     if (largest != series.stacks.end()) return whyNoVolume(*largest);
     for (const Message& message : series.messages) {
-        if (message.key == dicom::key::kUnsupportedSopClass) return message.sentence;
+        if (message.key == dicom::key::kUnsupportedSopClass || message.key == dicom::key::kPresentationState)
+            return message.sentence;
     }
     return "There are no images in this series.";
 }
@@ -180,24 +181,38 @@ class Builder {
             images += stack.frames.size();
             if (stack.canBeVolume()) volumes.push_back(&stack);
         }
+        if (!found_.isWhole()) images = series.instances;
         std::vector<std::string> facts{series.modality, "no images"};
         if (images > 0) facts.back() = counted(images, "image", "images");
+        if (!found_.isWhole()) facts.back() += " so far";
         if (!series.objects.empty()) facts.push_back(counted(series.objects.size(), "object", "objects"));
         if (series.stacks.size() > 1) facts.push_back(counted(volumes.size(), "volume", "volumes"));
         row.details = {joined(facts, kBetween)};
+        if (!hides_) addLabels(series, row);
         const bool isOne = series.stacks.size() == 1;
         if (volumes.size() == 1) row.volume = volumes_.at(volumes.front());
         if (isOne || volumes.size() == 1) {
             const dicom::Stack& stack = isOne ? series.stacks.front() : *volumes.front();
             row.details.push_back(joined({sizeText(stack), voxelText(stack)}, kBetween));
         }
-        if (volumes.empty()) row.whyNot = whyNoVolume(series);
+        if (volumes.empty() && found_.isWhole()) row.whyNot = whyNoVolume(series);
         addMessages(series.messages, row);
         if (isOne) addMessages(series.stacks.front().messages, row);
         row.picture = pictureOf(series);
         const std::size_t index = add(std::move(row), {series.modality});
         if (isOne) return;
         for (std::size_t i = 0; i < series.stacks.size(); ++i) addStack(series.stacks[i], i, index);
+    }
+
+    // What presentation states call themselves, each once.
+    static void addLabels(const dicom::Series& series, StudyRow& row) {
+        std::vector<std::string> labels;
+        for (const dicom::OtherObject& object : series.objects) {
+            if (!object.label.empty() &&
+                std::find(labels.begin(), labels.end(), object.label) == labels.end())
+                labels.push_back(object.label);
+        }
+        if (!labels.empty()) row.details.push_back(joined(labels, kBetween));
     }
 
     void addStack(const dicom::Stack& stack, std::size_t place, std::size_t parent) {

@@ -56,6 +56,12 @@ OtherObject readObject(const std::filesystem::path& file, const Dataset& header,
             object.referencedSeriesUids.push_back(std::move(*uid));
     }
     std::sort(object.referencedSeriesUids.begin(), object.referencedSeriesUids.end());
+    if (sopClass == sop_class::kVolumePresentationState) {
+        constexpr Tag kContentLabel{0x0070, 0x0080};
+        constexpr Tag kContentDescription{0x0070, 0x0081};
+        object.label = header.shortText(kContentDescription);
+        if (object.label.empty()) object.label = header.shortText(kContentLabel);
+    }
     return object;
 }
 

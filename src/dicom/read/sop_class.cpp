@@ -33,6 +33,7 @@ constexpr std::array kKinds = std::to_array<Kind>({
     {"1.2.840.10008.5.1.4.1.1.6.1", "Ultrasound image", false},
     {"1.2.840.10008.5.1.4.1.1.88.59", "Key object selection", false},
     {"1.2.840.10008.5.1.4.1.1.88.", "Structured report", false},
+    {"1.2.840.10008.5.1.4.1.1.11.9", "Presentation state of a 3D view", false},
     {"1.2.840.10008.5.1.4.1.1.11.", "Presentation state", false},
     {"1.2.840.10008.5.1.4.1.1.9.", "Waveform", false},
     {"1.2.840.10008.5.1.4.1.1.66", "Raw data", false},

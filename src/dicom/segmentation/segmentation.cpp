@@ -23,6 +23,7 @@ constexpr Tag kSegmentAlgorithmName{0x0062, 0x0009};
 constexpr Tag kReferencedSegmentNumber{0x0062, 0x000B};
 constexpr Tag kRecommendedCieLab{0x0062, 0x000D};
 constexpr Tag kMaximumFractionalValue{0x0062, 0x000E};
+constexpr Tag kContentLabel{0x0070, 0x0080};
 constexpr int kMostRows = 65535;
 
 Error notUsable(const fs::path& file, std::string message,
@@ -105,6 +106,8 @@ Result<Segmentation> readSegmentation(const fs::path& file) try {
         if (auto uid = series.text(tag::kSeriesInstanceUid))
             segmentation.referencedSeriesUids.push_back(std::move(*uid));
     }
+    segmentation.sopInstanceUid = header.text(tag::kSopInstanceUid).value_or("");
+    segmentation.contentLabel = header.text(kContentLabel).value_or("");
     segmentation.format = {.bitsAllocated = header.integer(tag::kBitsAllocated).value_or(0),
                            .bitsStored = header.integer(tag::kBitsStored).value_or(0),
                            .highBit = header.integer(tag::kHighBit).value_or(0),

@@ -39,6 +39,8 @@ struct Segmentation {
     };
     std::vector<Frame> frames;
     double spacingMm = 0.0;  // between frames as the header says; 0 when it does not
+    std::string sopInstanceUid = {};
+    std::string contentLabel = {};  // of the whole of it, for a person; may be empty
 };
 
 // Fails with inputNotUsable when the file is no segmentation, or does not say where its frames lie or what

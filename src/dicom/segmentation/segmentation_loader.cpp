@@ -8,8 +8,9 @@
 #include "base/check.h"
 #include "dicom/messages.h"
 #include "dicom/pixels/pixels.h"
-#include "dicom/segmentation/grid_placement.h"
+#include "dicom/segmentation/segment_cells.h"
 #include "dicom/segmentation/segmentation.h"
+#include "dicom/segmentation/segmentation_grid.h"
 
 namespace macula::dicom {
 
@@ -19,65 +20,15 @@ Error notUsable(const Segmentation& segmentation, std::string message, std::stri
     return {ErrorCode::inputNotUsable, std::move(message), segmentation.file.string(), std::move(hint)};
 }
 
-using Placements = std::vector<GridPlacement>;
-
-// Places a frame in the plane of a slice that lies a little off its even place, as if both lay at that place.
-std::optional<GridPlacement> placeOnSlice(const Segmentation& segmentation, ImagePlane plane,
-                                          const glm::dmat4& worldFromVoxel, const glm::dmat4& voxelFromWorld,
-                                          std::span<const glm::dvec3> slicePositionsMm) {
-    const double along = transformPoint(voxelFromWorld, plane.positionMm).z;
-    const double last = static_cast<double>(slicePositionsMm.size()) - 1.0;
-    if (!(along > -1.0 && along < last + 1.0)) return {};
-    const glm::dvec3 positionMm = plane.positionMm;
-    for (const double k : {std::round(along), std::floor(along), std::ceil(along)}) {
-        if (k < 0.0 || k > last) continue;
-        const glm::dvec3 even = transformPoint(worldFromVoxel, {0.0, 0.0, k});
-        plane.positionMm = positionMm + even - slicePositionsMm[static_cast<std::size_t>(k)];
-        auto placement = placeOnGrid(voxelFromWorld, plane, segmentation.columns, segmentation.rows);
-        // A frame that runs across the slices has no one slice.
-        if (placement && placement->origin.z == static_cast<int>(k) && placement->columnStep.z == 0 &&
-            placement->rowStep.z == 0) {
-            return placement;
-        }
-    }
-    return {};
-}
-
-// The placements of all frames; `firstOff` tells which one does not lie on the grid.
-std::optional<Placements> placeAll(const Segmentation& segmentation, const glm::dmat4& worldFromVoxel,
-                                   std::span<const glm::dvec3> slicePositionsMm = {},
-                                   std::size_t* firstOff = nullptr) {
-    if (!isInvertibleAffine(worldFromVoxel)) return {};
-    const glm::dmat4 voxelFromWorld = glm::inverse(worldFromVoxel);
-    Placements placements;
-    placements.reserve(segmentation.frames.size());
-    for (const Segmentation::Frame& frame : segmentation.frames) {
-        auto placement = placeOnGrid(voxelFromWorld, frame.plane, segmentation.columns, segmentation.rows);
-        if (!placement && !slicePositionsMm.empty()) {
-            placement =
-                placeOnSlice(segmentation, frame.plane, worldFromVoxel, voxelFromWorld, slicePositionsMm);
-        }
-        if (!placement) {
-            if (firstOff != nullptr) *firstOff = placements.size();
-            return {};
-        }
-        placements.push_back(*placement);
-    }
-    return placements;
-}
-
 // Writes frames into the grid, and counts what cannot be kept.
 class Painter {
   public:
     Painter(const Segmentation& segmentation, glm::ivec3 size)
         : segmentation_(segmentation),
           size_(size),
+          cells_(segmentation),
           labels_(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) *
-                  static_cast<std::size_t>(size.z)) {
-        const CellFormat& format = segmentation.format;
-        shift_ = format.highBit + 1 - format.bitsStored;
-        mask_ = (1u << format.bitsStored) - 1u;
-    }
+                  static_cast<std::size_t>(size.z)) {}
 
     void paint(const Segmentation::Frame& frame, const GridPlacement& placement,
                std::span<const std::uint16_t> cells) {
@@ -85,7 +36,7 @@ class Painter {
         for (int row = 0; row < segmentation_.rows; ++row) {
             glm::ivec3 voxel = placement.origin + row * placement.rowStep;
             for (int column = 0; column < segmentation_.columns; ++column, voxel += placement.columnStep) {
-                const std::uint16_t label = labelOf(frame, cells[at++]);
+                const std::uint16_t label = cells_.segmentOf(frame, cells[at++]);
                 if (label != 0) set(voxel, label);
             }
         }
@@ -115,21 +66,6 @@ class Painter {
     std::vector<std::uint16_t> take() { return std::move(labels_); }
 
   private:
-    std::uint16_t labelOf(const Segmentation::Frame& frame, std::uint16_t cell) const {
-        const unsigned value = (unsigned{cell} >> shift_) & mask_;
-        switch (segmentation_.type) {
-            case SegmentationType::binary:
-                return value != 0 ? frame.segment : std::uint16_t{0};
-            case SegmentationType::fractional:
-                return value > 0 && 2 * value >= static_cast<unsigned>(segmentation_.fractionalMaximum)
-                           ? frame.segment
-                           : std::uint16_t{0};
-            case SegmentationType::labelMap:
-                break;
-        }
-        return static_cast<std::uint16_t>(value);
-    }
-
     void set(const glm::ivec3& voxel, std::uint16_t label) {
         if (label != lastSeen_) {
             seen_.insert(label);
@@ -151,9 +87,8 @@ class Painter {
 
     const Segmentation& segmentation_;
     glm::ivec3 size_;
+    SegmentCells cells_;
     std::vector<std::uint16_t> labels_;
-    int shift_ = 0;
-    unsigned mask_ = 0;
     std::set<std::uint16_t> seen_;
     std::uint16_t lastSeen_ = 0;
     std::size_t overlaps_ = 0;
@@ -209,39 +144,6 @@ Error outOfMemory(const Segmentation& segmentation) {
             segmentation.file.string(), "Close other programs."};
 }
 
-// Axes that could be those of a grid that holds all frames: along the normal, or from the lowest frame to the
-// highest; as far apart as the header says, or as the two nearest are.
-std::vector<glm::dvec3> likelySliceAxes(const Segmentation& segmentation) {
-    const auto& frames = segmentation.frames;
-    const glm::dvec3 normal = glm::normalize(frames.front().plane.normal());
-    const auto height = [&](const Segmentation::Frame& f) { return glm::dot(f.plane.positionMm, normal); };
-    const auto [lowest, highest] = std::minmax_element(
-        frames.begin(), frames.end(), [&](const auto& a, const auto& b) { return height(a) < height(b); });
-    const double distance = height(*highest) - height(*lowest);
-    const double stated = segmentation.spacingMm;
-    if (distance < kSamePositionMm) return {normal * (stated > 0.0 ? stated : 1.0)};
-
-    std::vector<double> heights;
-    for (const auto& frame : frames) heights.push_back(height(frame));
-    std::sort(heights.begin(), heights.end());
-    double nearest = distance;
-    for (std::size_t i = 1; i < heights.size(); ++i) {
-        if (const double gap = heights[i] - heights[i - 1]; gap >= kSamePositionMm)
-            nearest = std::min(nearest, gap);
-    }
-    std::vector<glm::dvec3> axes;
-    for (const double spacing : {stated, nearest}) {
-        if (spacing <= 0.0) continue;
-        const double steps = std::round(distance / spacing);
-        if (steps < 1.0) continue;
-        // The step is taken over the whole length, so that what a rounded spacing is wrong by does not add
-        // up.
-        axes.push_back(normal * (distance / steps));
-        axes.push_back((highest->plane.positionMm - lowest->plane.positionMm) / steps);
-    }
-    return axes;
-}
-
 }  // namespace
 
 Result<LabelMap> loadSegmentation(const Segmentation& segmentation, const glm::dmat4& worldFromVoxel,
@@ -253,7 +155,7 @@ Result<LabelMap> loadSegmentation(const Segmentation& segmentation, const glm::d
     }
     MACULA_CHECK(slicePositionsMm.empty() || slicePositionsMm.size() == static_cast<std::size_t>(size.z));
     std::size_t firstOff = 0;
-    const auto placements = placeAll(segmentation, worldFromVoxel, slicePositionsMm, &firstOff);
+    const auto placements = placeFrames(segmentation, worldFromVoxel, slicePositionsMm, &firstOff);
     if (!placements) {
         return notUsable(segmentation,
                          fmt::format("Frame {} of the segmentation does not lie on the voxels of the series.",
@@ -268,26 +170,8 @@ Result<LabelMap> loadSegmentation(const Segmentation& segmentation, const glm::d
 Result<LabelMap> loadSegmentation(const Segmentation& segmentation, Progress& progress) try {
     if (segmentation.frames.empty())
         return notUsable(segmentation, "The segmentation has no frames.", "Choose another segmentation.");
-    const ImagePlane& plane = segmentation.frames.front().plane;
-    for (const glm::dvec3& sliceAxis : likelySliceAxes(segmentation)) {
-        glm::dmat4 worldFromVoxel =
-            affine(plane.columnSpacingMm * plane.rowDirection, plane.rowSpacingMm * plane.columnDirection,
-                   sliceAxis, plane.positionMm);
-        auto placements = placeAll(segmentation, worldFromVoxel);
-        if (!placements) continue;
-        glm::ivec3 low = placements->front().origin;
-        glm::ivec3 high = low;
-        for (const GridPlacement& p : *placements) {
-            for (const glm::ivec3& corner : {p.origin, p.origin + (segmentation.columns - 1) * p.columnStep +
-                                                           (segmentation.rows - 1) * p.rowStep}) {
-                low = glm::min(low, corner);
-                high = glm::max(high, corner);
-            }
-        }
-        worldFromVoxel[3] = worldFromVoxel * glm::dvec4(glm::dvec3(low), 1.0);
-        for (GridPlacement& p : *placements) p.origin -= low;
-        return load(segmentation, *placements, worldFromVoxel, high - low + glm::ivec3(1), progress);
-    }
+    if (const auto grid = ownGrid(segmentation))
+        return load(segmentation, grid->placements, grid->worldFromVoxel, grid->size, progress);
     return notUsable(segmentation, "The frames of the segmentation do not lie on one grid.",
                      "Open the segmentation with the series it was drawn on.");
 } catch (const std::exception&) {

@@ -16,6 +16,7 @@ struct OtherObject {
     std::string sopClassUid;
     std::string kind;                               // "Segmentation"; for a person
     std::vector<std::string> referencedSeriesUids;  // of a segmentation; sorted
+    std::string label;  // of a presentation state of a 3D view: its own, or its description; may be empty
 };
 
 // Descriptions, numbers and UIDs may name a patient: for the screen, never for the log.

@@ -66,6 +66,20 @@ std::optional<VkImageBlit> placed(const VkRect2D& part, VkOffset2D place, VkExte
                        {region(place, x.begin, y.begin, 0), region(place, x.end, y.end, 1)}};
 }
 
+std::vector<VkImageBlit> partsOf(const BlitOverlay& overlay, VkExtent2D target) {
+    std::vector<VkImageBlit> parts;
+    MACULA_CHECK(overlay.places.empty() || overlay.places.size() == overlay.parts.size());
+    for (std::size_t i = 0; i < overlay.parts.size(); ++i) {
+        const VkRect2D& part = overlay.parts[i];
+        MACULA_CHECK(overlay.image != nullptr && part.offset.x >= 0 && part.offset.y >= 0);
+        MACULA_CHECK_LE(std::uint64_t(part.offset.x) + part.extent.width, overlay.image->extent().width);
+        MACULA_CHECK_LE(std::uint64_t(part.offset.y) + part.extent.height, overlay.image->extent().height);
+        const VkOffset2D place = overlay.places.empty() ? part.offset : overlay.places[i];
+        if (const auto region = placed(part, place, target)) parts.push_back(*region);
+    }
+    return parts;
+}
+
 void checkRange(const Buffer& buffer, std::uint64_t offset, std::uint64_t bytes) {
     MACULA_CHECK_LE(offset, buffer.bytes());
     MACULA_CHECK_LE(bytes, buffer.bytes() - offset);
@@ -292,18 +306,9 @@ void Recorder::clear(const Image& image, const VkClearColorValue& value, Order o
     vkCmdClearColorImage(commands_.buffer, image.handle(), VK_IMAGE_LAYOUT_GENERAL, &value, 1, &kWholeRange);
 }
 
-void Recorder::blit(const Image& from, const BlitTarget& to, VkFilter filter, const BlitOverlay& overlay) {
+void Recorder::blit(const Image& from, const BlitTarget& to, VkFilter filter,
+                    std::span<const BlitOverlay> overlays) {
     MACULA_CHECK(from.shape() == ImageShape::flat);
-    std::vector<VkImageBlit> parts;
-    MACULA_CHECK(overlay.places.empty() || overlay.places.size() == overlay.parts.size());
-    for (std::size_t i = 0; i < overlay.parts.size(); ++i) {
-        const VkRect2D& part = overlay.parts[i];
-        MACULA_CHECK(overlay.image != nullptr && part.offset.x >= 0 && part.offset.y >= 0);
-        MACULA_CHECK_LE(std::uint64_t(part.offset.x) + part.extent.width, overlay.image->extent().width);
-        MACULA_CHECK_LE(std::uint64_t(part.offset.y) + part.extent.height, overlay.image->extent().height);
-        const VkOffset2D place = overlay.places.empty() ? part.offset : overlay.places[i];
-        if (const auto region = placed(part, place, to.extent)) parts.push_back(*region);
-    }
     begin(Order::afterPrevious);
     moveLayout(commands_.buffer, to.image, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
                VK_ACCESS_2_TRANSFER_WRITE_BIT);
@@ -316,7 +321,9 @@ void Recorder::blit(const Image& from, const BlitTarget& to, VkFilter filter, co
                             static_cast<std::int32_t>(to.extent.height), 1};
     vkCmdBlitImage(commands_.buffer, from.handle(), VK_IMAGE_LAYOUT_GENERAL, to.image,
                    VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region, filter);
-    if (!parts.empty()) {
+    for (const BlitOverlay& overlay : overlays) {
+        const std::vector<VkImageBlit> parts = partsOf(overlay, to.extent);
+        if (parts.empty()) continue;
         moveLayout(commands_.buffer, to.image, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
                    VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, VK_ACCESS_2_TRANSFER_WRITE_BIT);
         vkCmdBlitImage(commands_.buffer, overlay.image->handle(), VK_IMAGE_LAYOUT_GENERAL, to.image,

@@ -174,7 +174,7 @@ class Recorder {
     // to be presented. Values are converted to the target's format, not encoded: write display-encoded
     // values.
     void blit(const Image& from, const BlitTarget& to, VkFilter filter = VK_FILTER_NEAREST,
-              const BlitOverlay& overlay = {});
+              std::span<const BlitOverlay> overlays = {});
 
     // What follows waits for what came before. Only needed around Order::concurrent and commands().
     void barrier();

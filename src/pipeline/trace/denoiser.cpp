@@ -110,7 +110,8 @@ Result<bool> Denoiser::run(const Film& film, const Guides& now, const Guides* be
                                  .planeHalfSize = fovea.halfSize,
                                  .gaze = fovea.gaze,
                                  .foveaRadius = static_cast<float>(fovea.radius),
-                                 .foveaMagnification = static_cast<float>(fovea.magnification)};
+                                 .foveaMagnification = static_cast<float>(fovea.magnification),
+                                 .parallelMm = static_cast<float>(fovea.parallelMm)};
         if (stage_ == 0) {
             recorder.dispatch(kernels_->gather, threads, push,
                               {film.sums(), film.counts(), film.squares(), now.surfaces(), now.matters(),

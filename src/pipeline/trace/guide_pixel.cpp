@@ -15,6 +15,7 @@ Result<shared::GuidePush> guidePush(const View& now, const View& before) {
                              .gaze = fovea.gaze,
                              .foveaRadius = static_cast<float>(fovea.radius),
                              .foveaMagnification = static_cast<float>(fovea.magnification),
+                             .parallelMm = static_cast<float>(fovea.parallelMm),
                              .firstRow = 0};
 }
 

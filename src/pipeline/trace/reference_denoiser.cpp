@@ -22,7 +22,8 @@ struct Host : GlslInCpp<double> {
                   vec2(push.planeHalfSize),
                   vec2(push.gaze),
                   double(push.foveaRadius),
-                  double(push.foveaMagnification)} {}
+                  double(push.foveaMagnification),
+                  double(push.parallelMm)} {}
 
     struct {
         ivec2 imageSize;
@@ -34,6 +35,7 @@ struct Host : GlslInCpp<double> {
         vec2 gaze;
         double foveaRadius;
         double foveaMagnification;
+        double parallelMm;
     } denoise;
     const DenoiseFilm* film = nullptr;
     const DenoiseGuides* now = nullptr;

@@ -32,7 +32,7 @@ struct MACULA_HOST : GlslInCpp<MACULA_REAL> {
         int clipKeepCount, clipBoxCount, clipCornerCount, clipBall, clipShadows, greyFaces;
         Real greyLow, greyHigh, exposure;
         vec2 planeHalfSize, gaze;
-        Real foveaRadius, foveaMagnification;
+        Real foveaRadius, foveaMagnification, parallelMm;
         Real lightStrength, gradientScale;
         int gradientLast;
         Real unitDepthMm;
@@ -41,7 +41,7 @@ struct MACULA_HOST : GlslInCpp<MACULA_REAL> {
     };
     // A field added to the shared block must be added above and below.
     static_assert(sizeof(shared::TraceParams) ==
-                  4 * (10 * 3 + 2 * 3 + 2 * 2 + 3 + 4 * shared::kMaxClipPlanes + 4 * 3 + 6 + 3 + 2 * 2 + 2 + 11));
+                  4 * (10 * 3 + 2 * 3 + 2 * 2 + 3 + 4 * shared::kMaxClipPlanes + 4 * 3 + 6 + 3 + 2 * 2 + 3 + 11));
 
     MACULA_HOST(const ReferenceTracer::Tables& tables, const shared::TraceParams& p, Filter filter)
         : params{p.originVoxel, p.right, p.up, p.forward, p.voxelFromWorldX, p.voxelFromWorldY,
@@ -50,7 +50,7 @@ struct MACULA_HOST : GlslInCpp<MACULA_REAL> {
                  Real(p.anisotropy), {}, p.clipBallCentre, p.clipBallX, p.clipBallY,
                  p.clipBallZ, p.clipKeepCount, p.clipBoxCount, p.clipCornerCount, p.clipBall, p.clipShadows,
                  p.greyFaces, Real(p.greyLow), Real(p.greyHigh), Real(p.exposure), p.planeHalfSize,
-                 p.gaze, Real(p.foveaRadius), Real(p.foveaMagnification), Real(p.lightStrength),
+                 p.gaze, Real(p.foveaRadius), Real(p.foveaMagnification), Real(p.parallelMm), Real(p.lightStrength),
                  Real(p.gradientScale), p.gradientLast, Real(p.unitDepthMm), p.entryCount, Real(p.windowLow),
                  Real(p.windowHigh), Real(p.paddingEntry), Real(p.stepsPerEntry), Real(p.ambient), Real(p.diffuse)},
           entries_(tables.entries.data()),

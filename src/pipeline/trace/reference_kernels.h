@@ -82,7 +82,8 @@ std::vector<GuideOf<double>> guidesOn(Host prototype, const shared::GuidePush& b
             before.right,
             before.up,
             before.forward,
-            {before.planeHalfSize, before.gaze, Real(before.foveaRadius), Real(before.foveaMagnification)}};
+            {before.planeHalfSize, before.gaze, Real(before.foveaRadius), Real(before.foveaMagnification)},
+            Real(before.parallelMm)};
         for (int x = 0; x < width; ++x) {
             const auto guide = host.guideOf({Real(x) + Real(0.5), Real(row) + Real(0.5)}, eye);
             pixels[row * std::size_t(width) + std::size_t(x)] = {.depthMm = double(guide.depthMm),

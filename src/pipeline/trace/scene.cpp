@@ -127,6 +127,7 @@ FoveaInPlane foveaInPlane(const View& view) {
     FoveaInPlane fovea;
     fovea.halfSize.y = std::tan(glm::radians(view.camera.verticalFovDeg) / 2.0);
     fovea.halfSize.x = fovea.halfSize.y * double(view.width) / double(view.height);
+    fovea.parallelMm = view.camera.parallelHeightMm / (2.0 * fovea.halfSize.y);
     if (!view.foveation) return fovea;
     // A gaze on the border would leave no room between the fovea and it.
     constexpr double kInside = 0.98;
@@ -141,6 +142,8 @@ FoveaInPlane foveaInPlane(const View& view) {
 
 Result<View> fovealWindow(const View& view, const glm::dvec2& gaze, double fieldDeg, int pixels) {
     MACULA_TRY(const CameraBasis eye, basis(view.camera));
+    if (isParallel(view.camera))
+        return Error{ErrorCode::usage, "A parallel view has no fovea.", {}, "Trace all of the picture."};
     const glm::dvec2 inPlane = gaze * foveaInPlane(view).halfSize;
     View window{.camera = view.camera, .width = pixels, .height = pixels};
     window.camera.targetMm =
@@ -198,6 +201,7 @@ Result<shared::TraceParams> makeTraceParams(const Volume& volume, const Medium& 
     params.gaze = fovea.gaze;
     params.foveaRadius = static_cast<float>(fovea.radius);
     params.foveaMagnification = static_cast<float>(fovea.magnification);
+    params.parallelMm = static_cast<float>(fovea.parallelMm);
     return params;
 }
 

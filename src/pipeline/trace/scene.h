@@ -26,6 +26,8 @@ struct FoveaInPlane {
     glm::dvec2 gaze{0.0};
     double radius = 0.0;
     double magnification = 1.0;
+    // Of a parallel view: at this distance an eye would see as much as it shows; 0: it is no parallel view.
+    double parallelMm = 0.0;
 };
 FoveaInPlane foveaInPlane(const View& view);
 

@@ -28,9 +28,8 @@ bool sameFovea(const std::optional<Foveation>& a, const std::optional<Foveation>
 }
 
 bool sameView(const View& a, const View& b) {
-    return a.width == b.width && a.height == b.height && a.camera.positionMm == b.camera.positionMm &&
-           a.camera.targetMm == b.camera.targetMm && a.camera.up == b.camera.up &&
-           a.camera.verticalFovDeg == b.camera.verticalFovDeg && sameFovea(a.foveation, b.foveation, 0.0);
+    return a.width == b.width && a.height == b.height && a.camera == b.camera &&
+           sameFovea(a.foveation, b.foveation, 0.0);
 }
 
 // The angle by which the camera's axes have turned, at most; nothing where a camera has none.
@@ -47,6 +46,7 @@ std::optional<double> turnDeg(const Camera& from, const Camera& to) {
 bool continues(const View& from, const View& to, LightFrame lights) {
     if (from.width != to.width || from.height != to.height ||
         from.camera.verticalFovDeg != to.camera.verticalFovDeg ||
+        isParallel(from.camera) != isParallel(to.camera) ||
         !sameFovea(from.foveation, to.foveation, kFarthestGaze)) {
         return false;
     }

@@ -123,7 +123,7 @@ Result<void> validate(const Clip& clip) {
     if (clip.ball &&
         (!isFinite(clip.ball->centreMm) || !std::isfinite(clip.ball->radiusMm) || clip.ball->radiusMm <= 0.0))
         return notUsable("the ball has no size", "Give a centre and a positive radius in mm.");
-    if (clip.mask && clip.mask->labels == nullptr)
+    if (clip.mask && clip.mask->labels == nullptr && clip.mask->bits == nullptr)
         return notUsable("there is no segmentation to mask with", "Give one.");
     if (clip.greyFaces && !(std::isfinite(clip.greyFaces->center) && clip.greyFaces->width > 0.0 &&
                             std::isfinite(clip.greyFaces->width)))

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "base/frames.h"
@@ -48,12 +49,18 @@ struct Ball {
     bool operator==(const Ball&) const = default;
 };
 
+struct MaskBits;
+
 // Shows voxels by the segment they belong to. On another grid than the volume's the nearest label counts;
 // what lies outside of the map's grid belongs to nothing.
 struct Mask {
-    std::shared_ptr<const LabelMap> labels;
-    std::vector<std::uint16_t> numbers;  // of segments; empty: any but 0
+    std::shared_ptr<const LabelMap> labels = {};
+    std::vector<std::uint16_t> numbers = {};  // of segments; empty: any but 0
     Keep keep = Keep::inside;
+    // Instead of the three above: which voxels of the volume are shown. Of no other volume.
+    std::shared_ptr<const MaskBits> bits = {};
+    // What a picture lacks because of it, in a few words for its remarks: "table left out". No patient data.
+    std::string remark = {};
 
     bool operator==(const Mask&) const = default;
 };

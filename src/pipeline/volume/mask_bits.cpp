@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/check.h"
 #include "base/parallel.h"
 
 namespace macula {
@@ -18,8 +19,12 @@ bool MaskBits::showsAny(const glm::ivec3& low, const glm::ivec3& high) const {
 }
 
 MaskBits maskBits(const Mask& mask, const Volume& volume) {
-    const LabelMap& map = *mask.labels;
     const glm::ivec3 size = volume.size();
+    if (mask.bits) {
+        MACULA_CHECK(mask.bits->size == size);
+        return *mask.bits;
+    }
+    const LabelMap& map = *mask.labels;
     const glm::ivec3 mapSize = map.size();
     const glm::dmat4 labelFromVoxel = glm::inverse(map.worldFromVoxel()) * volume.worldFromVoxel();
     std::vector<bool> chosen(65536, mask.numbers.empty());

@@ -1,8 +1,10 @@
 #include "viewer/browser/study_browser.h"
 
+#include <QAction>
 #include <QEvent>
 #include <QKeyEvent>
 #include <QScopedValueRollback>
+#include <QScrollBar>
 #include <QVBoxLayout>
 #include <utility>
 
@@ -32,6 +34,7 @@ StudyBrowser::StudyBrowser(QWidget* parent)
       search_(new QLineEdit),
       tree_(new QTreeView),
       nothing_(new QLabel),
+      reading_(new QLabel(tr("The folder is still being read. What is in it can be opened then."))),
       model_(new StudyTreeModel(this)),
       pictures_(this, {.progressed = [](const ProgressUpdate&) {},
                        .ended = [this](const Result<app::Thumbnail>& made) { takePicture(made); }}) {
@@ -39,10 +42,13 @@ StudyBrowser::StudyBrowser(QWidget* parent)
     column->setContentsMargins(0, 0, 0, 0);
     column->addWidget(search_);
     column->addWidget(nothing_);
+    column->addWidget(reading_);
     column->addWidget(tree_, 1);
     column->addStretch();
     makeSearch();
     makeTree();
+    reading_->setObjectName(QStringLiteral("reading"));
+    reading_->setWordWrap(true);
     nothing_->setObjectName(QStringLiteral("nothing"));
     nothing_->setTextFormat(Qt::PlainText);
     nothing_->setWordWrap(true);
@@ -84,21 +90,41 @@ void StudyBrowser::makeTree() {
     connect(tree_, &QTreeView::expanded, this, [this](const QModelIndex& i) { rememberExpanded(i, true); });
     connect(tree_, &QTreeView::collapsed, this, [this](const QModelIndex& i) { rememberExpanded(i, false); });
     setFocusProxy(tree_);
+    auto* beside = new QAction(tr("Open &Beside"), tree_);
+    beside->setObjectName(QStringLiteral("open-beside-row"));
+    beside->setToolTip(tr("Show this volume beside the study that is open"));
+    connect(beside, &QAction::triggered, this, [this] {
+        if (const auto other = selectedOther()) emit besideAsked(*other);
+    });
+    tree_->addAction(beside);
+    tree_->setContextMenuPolicy(Qt::ActionsContextMenu);
+}
+
+std::optional<std::size_t> StudyBrowser::selectedOther() const {
+    const std::size_t row = currentRow();
+    if (row >= model_->tree().rows.size()) return std::nullopt;
+    const std::optional<std::size_t> volume = model_->tree().rows[row].volume;
+    return volume && volume != model_->open() ? volume : std::nullopt;
 }
 
 void StudyBrowser::setFound(std::shared_ptr<const app::FoundVolumes> found, std::optional<std::size_t> open) {
     if (found == found_) return setShown(open);
     pictures_.cancel();
     making_ = nullptr;
+    const bool goesOn = found_ && found && !found_->isWhole();
+    const int scrolledTo = tree_->verticalScrollBar()->value();
     found_ = std::move(found);
-    endSearch();
+    if (!goesOn) endSearch();
     model_->setTree(makeRows());
+    model_->setRowsShown(app::rowsThatMatch(model_->tree(), search_->text().toStdString()));
     expanded_.clear();
     for (const app::StudyRow& row : model_->tree().rows) expanded_.push_back(startsExpanded(row.kind));
     model_->setOpen(open);
     layOut(app::kNoRow);
     revealOpen();
     tellWhatIsMissing();
+    // What somebody looks at stays in its place while more is found below.
+    if (goesOn && !open) tree_->verticalScrollBar()->setValue(scrolledTo);
 }
 
 void StudyBrowser::setShown(std::optional<std::size_t> open) {
@@ -222,6 +248,7 @@ void StudyBrowser::tellWhatIsMissing() {
         nothing_->setText(tr("Nothing matches “%1”.").arg(search_->text().simplified()));
     }
     nothing_->setVisible(isEmpty);
+    reading_->setVisible(found_ && !found_->isWhole());
     tree_->setVisible(!isEmpty);
     search_->setEnabled(!model_->tree().rows.empty());
 }

@@ -28,8 +28,10 @@ class StudyBrowser : public QWidget {
   public:
     explicit StudyBrowser(QWidget* parent = nullptr);
 
-    // Null: there is no folder. `open` is in FoundVolumes::volumes(). The search starts anew with a folder.
+    // Null: there is no folder. `open` is in FoundVolumes::volumes(). The search starts anew with a folder, but
+    // for one that was shown while it was being read (FoundVolumes::isWhole): that is the same one.
     void setFound(std::shared_ptr<const app::FoundVolumes> found, std::optional<std::size_t> open);
+    const std::shared_ptr<const app::FoundVolumes>& found() const { return found_; }
     void setShown(std::optional<std::size_t> open);
     // Without names no text of the files is shown that may name a patient; pictures are, and text that a
     // machine has drawn into its images is seen in them.
@@ -37,9 +39,11 @@ class StudyBrowser : public QWidget {
     // Volumes that something is kept of between runs.
     void setStored(std::set<std::size_t> volumes);
     void focusSearch();
+    std::optional<std::size_t> selectedOther() const;  // a volume that is not the one that is open
 
   signals:
-    void chosen(std::size_t index);  // another volume than the one that is open
+    void chosen(std::size_t index);       // another volume than the one that is open
+    void besideAsked(std::size_t index);  // the same, to be shown beside it
 
   protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -65,6 +69,7 @@ class StudyBrowser : public QWidget {
     QLineEdit* search_;
     QTreeView* tree_;
     QLabel* nothing_;
+    QLabel* reading_;  // the folder is not read to its end
     StudyTreeModel* model_;
 
     std::shared_ptr<const app::FoundVolumes> found_;

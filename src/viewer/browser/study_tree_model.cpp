@@ -3,15 +3,21 @@
 #include <utility>
 
 #include "viewer/harmless_text.h"
+#include "viewer/language/core_words.h"
 
 namespace macula::viewer {
 
 namespace {
 
 constexpr int kLinesOfWhyNot = 2;
+const QString kBetween = QStringLiteral(" \u00b7 ");  // facts of a row: see app/study/study_tree.cpp
 
 QString shownText(const std::string& text) {
     return harmless(QString::fromStdString(text));
+}
+
+QString titleText(const app::StudyRow& row) {
+    return inWindowsLanguage(shownText(row.title));
 }
 
 }  // namespace
@@ -120,7 +126,8 @@ bool StudyTreeModel::isStored(std::size_t row) const {
 
 QStringList StudyTreeModel::details(std::size_t row) const {
     QStringList lines;
-    for (const std::string& line : tree_.rows[row].details) lines << shownText(line);
+    for (const std::string& line : tree_.rows[row].details)
+        lines << listInWindowsLanguage(shownText(line).toStdString(), kBetween);
     if (isOpen(row)) lines << tr("Open now");
     if (isStored(row)) lines << tr("Seen before; opens as it was left");
     return lines;
@@ -129,9 +136,9 @@ QStringList StudyTreeModel::details(std::size_t row) const {
 // Escaped, since Qt takes text that looks like HTML for HTML, and files may hold any.
 QString StudyTreeModel::toolTip(std::size_t row) const {
     const app::StudyRow& shown = tree_.rows[row];
-    QStringList lines{shownText(shown.title)};
+    QStringList lines{titleText(shown)};
     lines += details(row);
-    for (const std::string& message : shown.messages) lines << shownText(message);
+    for (const std::string& message : shown.messages) lines << inWindowsLanguage(shownText(message));
     if (!shown.whyNot.empty()) {
         lines << tr("This cannot be opened.");
     } else if (shown.volume && !isOpen(row)) {
@@ -143,9 +150,10 @@ QString StudyTreeModel::toolTip(std::size_t row) const {
 
 QString StudyTreeModel::spoken(std::size_t row) const {
     const app::StudyRow& shown = tree_.rows[row];
-    QStringList parts{shownText(shown.title)};
+    QStringList parts{titleText(shown)};
     parts += details(row);
-    if (!shown.whyNot.empty()) parts << tr("Cannot be opened: %1").arg(shownText(shown.whyNot));
+    if (!shown.whyNot.empty())
+        parts << tr("Cannot be opened: %1").arg(inWindowsLanguage(shownText(shown.whyNot)));
     return parts.join(QStringLiteral(", "));
 }
 
@@ -155,7 +163,7 @@ QVariant StudyTreeModel::data(const QModelIndex& index, int role) const {
     const app::StudyRow& shown = tree_.rows[row];
     switch (role) {
         case Qt::DisplayRole:
-            return shownText(shown.title);
+            return titleText(shown);
         case Qt::ToolTipRole:
             return toolTip(row);
         case Qt::AccessibleTextRole:
@@ -163,7 +171,7 @@ QVariant StudyTreeModel::data(const QModelIndex& index, int role) const {
         case detailsRole:
             return details(row);
         case whyNotRole:
-            return shownText(shown.whyNot);
+            return inWindowsLanguage(shownText(shown.whyNot));
         case isOpenRole:
             return isOpen(row);
         case hasPictureRole:

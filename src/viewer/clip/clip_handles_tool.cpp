@@ -19,16 +19,16 @@ constexpr int kDotsOfEdge = 5;   // without its ends
 constexpr int kDotsOfBall = 40;
 constexpr double kTowardsEye = 0.995;  // the cosine of an angle: who looks along a line cannot drag along it
 
-void addDot(std::vector<PictureMark>& marks, const app::PictureRays& rays, const glm::dvec3& mm) {
+void addDot(std::vector<ToolMark>& marks, const app::PictureRays& rays, const glm::dvec3& mm) {
     if (const auto place = rays.placeOf(mm)) marks.push_back({.kind = MarkKind::dot, .place = *place});
 }
 
-void addEdge(std::vector<PictureMark>& marks, const app::PictureRays& rays, const glm::dvec3& a,
+void addEdge(std::vector<ToolMark>& marks, const app::PictureRays& rays, const glm::dvec3& a,
              const glm::dvec3& b) {
     for (int i = 0; i <= kDotsOfEdge; ++i) addDot(marks, rays, a + double(i) / (kDotsOfEdge + 1) * (b - a));
 }
 
-void addBox(std::vector<PictureMark>& marks, const app::PictureRays& rays, const Box& box) {
+void addBox(std::vector<ToolMark>& marks, const app::PictureRays& rays, const Box& box) {
     const std::array<glm::dvec3, 8> corners = cornersOf(box);
     for (std::size_t a = 0; a < corners.size(); ++a) {
         for (std::size_t b = a + 1; b < corners.size(); ++b) {
@@ -41,7 +41,7 @@ void addBox(std::vector<PictureMark>& marks, const app::PictureRays& rays, const
 }
 
 // Where a plane meets the box.
-void addPlane(std::vector<PictureMark>& marks, const app::PictureRays& rays, const HalfSpace& plane,
+void addPlane(std::vector<ToolMark>& marks, const app::PictureRays& rays, const HalfSpace& plane,
               const Box& box) {
     const glm::dvec3 n = plane.normal;
     const glm::dvec3 other = std::abs(n.z) < 0.9 ? glm::dvec3(0.0, 0.0, 1.0) : glm::dvec3(1.0, 0.0, 0.0);
@@ -52,7 +52,7 @@ void addPlane(std::vector<PictureMark>& marks, const app::PictureRays& rays, con
         addEdge(marks, rays, outline[i], outline[(i + 1) % outline.size()]);
 }
 
-void addBall(std::vector<PictureMark>& marks, const app::PictureRays& rays, const Ball& ball) {
+void addBall(std::vector<ToolMark>& marks, const app::PictureRays& rays, const Ball& ball) {
     for (int i = 0; i < kDotsOfBall; ++i) {
         const double turn = 2.0 * std::numbers::pi * i / kDotsOfBall;
         addDot(marks, rays,
@@ -160,10 +160,10 @@ bool ClipHandlesTool::turnWheel(double notches, const PictureGeometry& picture) 
     return editing_.stepEyeCut(notches).ok();
 }
 
-std::vector<PictureMark> ClipHandlesTool::marks(const PictureGeometry& picture) const {
+std::vector<ToolMark> ClipHandlesTool::marks(const PictureGeometry& picture) const {
     const auto rays = app::PictureRays::of(picture.camera, picture.aspect);
     if (!isUsable() || !rays) return {};
-    std::vector<PictureMark> marks;
+    std::vector<ToolMark> marks;
     addLines(marks, *rays);
     for (const app::PlacedHandle& handle : handles(*rays)) {
         const auto place = rays->placeOf(handle.atMm);
@@ -177,7 +177,7 @@ std::vector<PictureMark> ClipHandlesTool::marks(const PictureGeometry& picture) 
     return marks;
 }
 
-void ClipHandlesTool::addLines(std::vector<PictureMark>& marks, const app::PictureRays& rays) const {
+void ClipHandlesTool::addLines(std::vector<ToolMark>& marks, const app::PictureRays& rays) const {
     const app::StudyState& state = session_.state();
     const Volume& volume = *session_.study().volume;
     if (const Result<Box> kept = app::keptBox(state.clip, volume)) addBox(marks, rays, *kept);

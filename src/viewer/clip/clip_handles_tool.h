@@ -26,7 +26,7 @@ class ClipHandlesTool : public QObject, public PictureTool {
     bool changesPicture() const override { return true; }
     std::optional<Qt::CursorShape> point(const PicturePlace& place) override;
     bool turnWheel(double notches, const PictureGeometry& picture) override;
-    std::vector<PictureMark> marks(const PictureGeometry& picture) const override;
+    std::vector<ToolMark> marks(const PictureGeometry& picture) const override;
 
   private:
     struct Held {
@@ -37,7 +37,7 @@ class ClipHandlesTool : public QObject, public PictureTool {
     std::vector<app::PlacedHandle> handles(const app::PictureRays& rays) const;
     std::optional<app::PlacedHandle> handleAt(const PicturePlace& place) const;
     std::optional<glm::dvec3> draggedTo(const app::PlacedHandle& handle, const PicturePlace& place) const;
-    void addLines(std::vector<PictureMark>& marks, const app::PictureRays& rays) const;
+    void addLines(std::vector<ToolMark>& marks, const app::PictureRays& rays) const;
 
     ViewerSession& session_;
     ClipEditing& editing_;

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <utility>
 
+#include "viewer/language/core_words.h"
 #include "viewer/status_texts.h"
 
 namespace macula::viewer {
@@ -41,7 +42,7 @@ bool isSameClip(const ClipPreset& listed, const ClipPreset& clip) {
 }
 
 QString reason(const Error& error) {
-    return QString::fromStdString(error.message + " " + error.hint);
+    return inWindowsLanguage(error);
 }
 
 }  // namespace

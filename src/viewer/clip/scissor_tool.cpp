@@ -90,7 +90,7 @@ std::optional<Qt::CursorShape> ScissorTool::point(const PicturePlace&) {
 }
 
 // Dots along what was drawn, and half as many along the line that closes it.
-std::vector<PictureMark> ScissorTool::marks(const PictureGeometry& picture) const {
+std::vector<ToolMark> ScissorTool::marks(const PictureGeometry& picture) const {
     if (!isOver(picture)) return {};
     const auto place = [&](const glm::dvec2& p) { return glm::dvec2(p.x / picture.aspect, p.y); };
     double every = kDotsEveryPx / pixelsPerHalfHeight(picture);
@@ -98,7 +98,7 @@ std::vector<PictureMark> ScissorTool::marks(const PictureGeometry& picture) cons
     const std::vector<glm::dvec2>& points = outline_->points;
     for (std::size_t i = 1; i < points.size(); ++i) length += glm::distance(points[i - 1], points[i]);
     every = std::max(every, length / double(kMostDots));
-    std::vector<PictureMark> marks{{.kind = MarkKind::drawnDot, .place = place(points.front())}};
+    std::vector<ToolMark> marks{{.kind = MarkKind::drawnDot, .place = place(points.front())}};
     double gone = 0.0;
     for (std::size_t i = 1; i < points.size(); ++i) {
         const double step = glm::distance(points[i - 1], points[i]);
@@ -111,7 +111,7 @@ std::vector<PictureMark> ScissorTool::marks(const PictureGeometry& picture) cons
         gone += step;
     }
     const double closing = glm::distance(points.back(), points.front());
-    for (double at = 2.0 * every; at < closing && marks.size() < kMostMarks; at += 2.0 * every)
+    for (double at = 2.0 * every; at < closing && marks.size() < kMostToolMarks; at += 2.0 * every)
         marks.push_back(
             {.kind = MarkKind::dot, .place = place(glm::mix(points.back(), points.front(), at / closing))});
     return marks;

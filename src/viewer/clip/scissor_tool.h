@@ -31,7 +31,7 @@ class ScissorTool : public QObject, public PictureTool {
     bool changesPicture() const override { return false; }
     std::optional<Qt::CursorShape> point(const PicturePlace& place) override;
     bool turnWheel(double, const PictureGeometry&) override { return false; }
-    std::vector<PictureMark> marks(const PictureGeometry& picture) const override;
+    std::vector<ToolMark> marks(const PictureGeometry& picture) const override;
 
   signals:
     void drawn();  // the outline is another one

@@ -15,7 +15,7 @@
 
 namespace macula::viewer {
 
-// Keeps the mask of app::shownVoxels for what was wanted last. Until it is found the one before holds, and a
+// Keeps the mask of app::scissorMask for what was wanted last. Until it is found the one before holds, and a
 // cut that comes after others takes no more time than alone. Lives on the UI thread.
 class VoxelCutting : public QObject {
     Q_OBJECT
@@ -23,10 +23,9 @@ class VoxelCutting : public QObject {
   public:
     explicit VoxelCutting(QObject* parent);
 
-    void setVolume(std::shared_ptr<const Volume> volume);  // nothing is hidden of it yet
-    // `others` is what is hidden besides. Whether the mask is another one at once; else `changed` tells.
-    bool want(const std::optional<Mask>& others, const std::vector<app::ScissorCut>& scissors);
-    const std::optional<Mask>& mask() const { return made_.mask; }
+    void setVolume(std::shared_ptr<const Volume> volume);  // nothing is cut of it yet; tells nobody
+    void want(const std::vector<app::ScissorCut>& scissors);
+    const std::optional<Mask>& mask() const { return made_.mask; }  // nothing: nothing is cut
     bool running() const { return job_.running(); }
     // What is being cut is refused: see `refused`.
     void cancel();
@@ -41,20 +40,14 @@ class VoxelCutting : public QObject {
     void failed(const macula::Error& error);
 
   private:
-    struct Wanted {
-        std::optional<Mask> others = {};
-        std::vector<app::ScissorCut> scissors = {};
-        bool operator==(const Wanted&) const = default;
-    };
     struct Made {
-        Wanted of = {};
+        std::vector<app::ScissorCut> of = {};
         std::optional<Mask> mask = {};
     };
     void onEnded(const Result<std::optional<Mask>>& outcome);
-    void refuse();
 
     std::shared_ptr<const Volume> volume_;
-    Wanted wanted_;
+    std::vector<app::ScissorCut> wanted_;
     Made made_;
     BackgroundJob<std::optional<Mask>> job_;
 };

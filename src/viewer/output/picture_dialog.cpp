@@ -6,6 +6,7 @@
 
 #include "app/choice/quality_choice.h"
 #include "pipeline/trace/settings.h"
+#include "viewer/language/core_words.h"
 
 namespace macula::viewer {
 
@@ -34,6 +35,7 @@ PictureDialog::PictureDialog(QSize onScreenPx, QWidget* parent)
       deidentified_(new QCheckBox(tr("&Without patient and study"), this)) {
     setWindowTitle(tr("Save Picture"));
     sizes_->setAccessibleName(tr("Size"));
+    sizes_->setToolTip(tr("A usual size in pixels; any other below"));
     addSize(tr("As on screen"), onScreenPx);
     addSize(tr("Twice the screen"), 2 * onScreenPx);
     addSize(tr("Full HD"), {1920, 1080});
@@ -59,7 +61,7 @@ PictureDialog::PictureDialog(QSize onScreenPx, QWidget* parent)
         for (const trace::Quality& quality : *all) {
             const QString samples =
                 quality.samplesPerPixel == 1 ? tr("1 sample") : tr("%1 samples").arg(quality.samplesPerPixel);
-            qualities_->addItem(QStringLiteral("%1: %2").arg(QString::fromStdString(quality.title), samples),
+            qualities_->addItem(QStringLiteral("%1: %2").arg(titleInWindowsLanguage(quality.title), samples),
                                 QString::fromStdString(quality.name));
         }
     }
@@ -71,6 +73,9 @@ PictureDialog::PictureDialog(QSize onScreenPx, QWidget* parent)
 
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
     buttons->button(QDialogButtonBox::Ok)->setText(tr("&Choose File…"));
+    buttons->button(QDialogButtonBox::Ok)
+        ->setToolTip(tr("Choose where the picture is saved; then it is drawn"));
+    buttons->button(QDialogButtonBox::Cancel)->setToolTip(tr("Save no picture"));
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     auto* form = new QFormLayout(this);
@@ -85,6 +90,11 @@ PictureDialog::PictureDialog(QSize onScreenPx, QWidget* parent)
 void PictureDialog::addSize(const QString& title, QSize pixels) {
     sizes_->addItem(QStringLiteral("%1 (%2 × %3)").arg(title).arg(pixels.width()).arg(pixels.height()),
                     pixels);
+}
+
+void PictureDialog::beginWith(const QString& quality, bool isDeidentified) {
+    if (const int index = qualities_->findData(quality); index >= 0) qualities_->setCurrentIndex(index);
+    deidentified_->setChecked(isDeidentified);
 }
 
 QSize PictureDialog::sizePx() const {

@@ -18,6 +18,9 @@ class PictureDialog : public QDialog {
     // `onScreenPx` is the first choice.
     explicit PictureDialog(QSize onScreenPx, QWidget* parent = nullptr);
 
+    // Instead of what it begins with by itself; a quality that there is not changes nothing.
+    void beginWith(const QString& quality, bool isDeidentified);
+
     QSize sizePx() const;
     std::string quality() const;  // by name: app::EffortWish
     bool isDeidentified() const { return deidentified_->isChecked(); }

@@ -3,6 +3,8 @@
 #include <new>
 #include <utility>
 
+#include "viewer/language/core_words.h"
+
 namespace macula::viewer {
 
 PictureExport::PictureExport(std::string preferredDevice, QObject* parent)
@@ -10,7 +12,7 @@ PictureExport::PictureExport(std::string preferredDevice, QObject* parent)
       preferredDevice_(std::move(preferredDevice)),
       job_(this, {.progressed =
                       [this](const ProgressUpdate& update) {
-                          emit progressed(QString::fromStdString(update.stage), update.fraction);
+                          emit progressed(inWindowsLanguage(update.stage), update.fraction);
                       },
                   .ended = [this](const auto& outcome) { onEnded(outcome); }}) {}
 
@@ -41,7 +43,7 @@ void PictureExport::onEnded(const Result<std::vector<std::string>>& outcome) {
         return;
     }
     QStringList notes;
-    for (const std::string& note : *outcome) notes << QString::fromStdString(note);
+    for (const std::string& note : *outcome) notes << inWindowsLanguage(note);
     emit written(path_, notes);
 }
 

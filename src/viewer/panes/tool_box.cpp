@@ -90,9 +90,16 @@ void ToolBox::addTools() {
     for (const SliceToolRow& row : kSliceTools) {
         const QByteArray name = QByteArray("slice-tool-") + row.name;
         const QKeySequence key = keyOf(row);
-        QAction* action =
-            add(row.glyph, name.constData(), titleOf(row),
-                tr("%1 (%2): %3").arg(titleOf(row), key.toString(QKeySequence::NativeText), whatItDoes(row)));
+        QAction* action = add(row.glyph, name.constData(), titleOf(row), whatItDoes(row));
+        // With the key that it has now: see KeyBook.
+        const auto tellKey = [action, &row] {
+            const QString pressed = action->shortcut().toString(QKeySequence::NativeText);
+            const QString tip = pressed.isEmpty()
+                                    ? tr("%1: %2").arg(titleOf(row), whatItDoes(row))
+                                    : tr("%1 (%2): %3").arg(titleOf(row), pressed, whatItDoes(row));
+            if (action->toolTip() != tip) action->setToolTip(tip);
+        };
+        connect(action, &QAction::changed, this, tellKey);
         action->setShortcut(key);
         action->setData(int(row.tool));
         action->setChecked(row.tool == tool_);

@@ -5,7 +5,17 @@
 namespace macula::viewer {
 
 ViewerSession::ViewerSession(app::Catalogue catalogue, QObject* parent)
-    : QObject(parent), catalogue_(std::move(catalogue)) {}
+    : QObject(parent), catalogue_(std::move(catalogue)), builtInPresets_(catalogue_.presets.size()) {}
+
+void ViewerSession::setOwnPresets(std::span<const std::shared_ptr<const TransferFunction>> own) {
+    catalogue_.presets.resize(builtInPresets_);
+    catalogue_.presets.insert(catalogue_.presets.end(), own.begin(), own.end());
+    emit presetsChanged();
+}
+
+std::span<const std::shared_ptr<const TransferFunction>> ViewerSession::builtInPresets() const {
+    return std::span(catalogue_.presets).first(builtInPresets_);
+}
 
 void ViewerSession::show(app::OpenedStudy study, app::StudyState state) {
     study_ = std::move(study);

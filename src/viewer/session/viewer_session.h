@@ -4,7 +4,10 @@
 
 #include <QObject>
 #include <QString>
+#include <cstddef>
 #include <functional>
+#include <memory>
+#include <span>
 
 #include "app/choice/catalogue.h"
 #include "app/state/study_state.h"
@@ -26,6 +29,9 @@ class ViewerSession : public QObject {
     explicit ViewerSession(app::Catalogue catalogue, QObject* parent = nullptr);
 
     const app::Catalogue& catalogue() const { return catalogue_; }
+    // The presets that a person owns stand in the catalogue behind the built-in ones.
+    void setOwnPresets(std::span<const std::shared_ptr<const TransferFunction>> own);
+    std::span<const std::shared_ptr<const TransferFunction>> builtInPresets() const;
     bool hasStudy() const { return study_.volume != nullptr; }
     const app::OpenedStudy& study() const { return study_; }  // its volume is null before the first
     const app::StudyState& state() const { return history_.now(); }
@@ -54,12 +60,14 @@ class ViewerSession : public QObject {
     void studyShown();  // another one, with its state
     // Of the same study. `before` is valid while the signal is told.
     void changed(const macula::app::StudyState& before);
+    void presetsChanged();  // those of the catalogue
 
   private:
     void push(const QString& what, const Edit& edit, bool joins);
     void tellOfChange(const std::function<bool()>& change);
 
     app::Catalogue catalogue_;
+    std::size_t builtInPresets_ = 0;  // the first so many of the catalogue
     app::OpenedStudy study_;
     StateHistory history_;
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "viewer/harmless_text.h"
+#include "viewer/language/core_words.h"
 
 namespace macula::viewer {
 
@@ -11,7 +12,7 @@ QString MeasurementTexts::of(const slices::Measurement& measurement, const Volum
     if (found != known_.end()) return found->text;
     constexpr std::size_t kMost = 2048;  // more than a state has; each step of a moved one is one
     if (known_.size() == kMost) known_.erase(known_.begin());
-    QString text = QString::fromStdString(slices::textOf(measurement, volume));
+    QString text = withLocalNumbers(QString::fromStdString(slices::textOf(measurement, volume)));
     if (!measurement.label.empty())
         text = harmless(QString::fromStdString(measurement.label)) + QStringLiteral(": ") + text;
     known_.push_back({measurement, text});

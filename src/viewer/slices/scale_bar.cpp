@@ -3,6 +3,8 @@
 #include <QCoreApplication>
 #include <cmath>
 
+#include "viewer/language/core_words.h"
+
 namespace macula::viewer {
 
 std::optional<ScaleBar> scaleBar(double mmPerPx, double mostPx) {
@@ -13,9 +15,11 @@ std::optional<ScaleBar> scaleBar(double mmPerPx, double mostPx) {
     double lengthMm = power;
     for (const double times : {2.0, 5.0})
         if (times * power <= mostMm * (1.0 + kRounding)) lengthMm = times * power;
-    const QString text = lengthMm >= 10.0
-                             ? QCoreApplication::translate("Slices", "%1 cm").arg(lengthMm / 10.0)
-                             : QCoreApplication::translate("Slices", "%1 mm").arg(lengthMm);
+    const QString text =
+        lengthMm >= 10.0
+            ? QCoreApplication::translate("Slices", "%1 cm")
+                  .arg(withLocalNumbers(QString::number(lengthMm / 10.0)))
+            : QCoreApplication::translate("Slices", "%1 mm").arg(withLocalNumbers(QString::number(lengthMm)));
     return ScaleBar{.lengthMm = lengthMm, .lengthPx = lengthMm / mmPerPx, .text = text};
 }
 

@@ -1,5 +1,7 @@
 #include "viewer/slices/slice_sampler.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <new>
 #include <utility>
@@ -19,6 +21,25 @@ QImage imageOf(const std::vector<std::uint8_t>& grey, const glm::ivec2& sizePx) 
     for (int y = 0; y < sizePx.y; ++y)
         std::memcpy(image.scanLine(y), grey.data() + std::size_t(y) * width, width);
     return image;
+}
+
+QImage imageOf(const std::vector<std::uint32_t>& colours, const glm::ivec2& sizePx) {
+    QImage image(sizePx.x, sizePx.y, QImage::Format_ARGB32_Premultiplied);
+    if (image.isNull()) throw std::bad_alloc();
+    const std::size_t width = std::size_t(sizePx.x);
+    for (int y = 0; y < sizePx.y; ++y)
+        std::memcpy(image.scanLine(y), colours.data() + std::size_t(y) * width,
+                    width * sizeof(std::uint32_t));
+    return image;
+}
+
+slices::SliceFrame transformed(const slices::SliceFrame& frame, const glm::dmat4& toFromFrame) {
+    if (toFromFrame == glm::dmat4(1.0)) return frame;  // to the bit
+    slices::SliceFrame to = frame;
+    to.plane.centreMm = transformPoint(toFromFrame, frame.plane.centreMm);
+    to.plane.right = glm::normalize(transformVector(toFromFrame, frame.plane.right));
+    to.plane.down = glm::normalize(transformVector(toFromFrame, frame.plane.down));
+    return to;
 }
 
 }  // namespace
@@ -41,6 +62,9 @@ void SliceSampler::run() {
         if (ends_) return;
         if (!wish->volume) {
             last_.reset();
+            lastOver_.reset();
+            painted_ = {};
+            segments_ = {};
             continue;
         }
         SlicePicture picture = make(*wish);
@@ -51,25 +75,64 @@ void SliceSampler::run() {
 }
 
 SlicePicture SliceSampler::make(const SliceWish& wish) {
-    SlicePicture picture{.of = wish, .grey = {}};
+    SlicePicture picture{.of = wish, .grey = {}, .colours = {}};
     try {
-        if (!last_ || last_->volume != wish.volume || last_->frame != wish.frame ||
-            last_->slab != wish.slab) {
-            last_.reset();
-            const auto isGivenUp = [this, study = wish.study] { return ends_ || study_ != study; };
-            slices::SampledSlice slice =
-                slices::sampleSlice(*wish.volume, wish.frame, wish.slab, slices::Filter::linear, isGivenUp);
-            if (slice.sizePx != wish.frame.sizePx || isGivenUp()) return picture;
-            last_ = Sampled{
-                .volume = wish.volume, .frame = wish.frame, .slab = wish.slab, .slice = std::move(slice)};
-        }
+        const auto* slice = sampled(last_, wish.volume, transformed(wish.frame, wish.volumeFromPane), wish);
+        if (slice == nullptr) return picture;
         picture.grey =
-            imageOf(slices::toGrey(last_->slice.values, wish.window, wish.isInverted), wish.frame.sizePx);
+            imageOf(slices::toGrey(slice->values, wish.window, wish.isInverted), wish.frame.sizePx);
+        paintSegments(wish);
+        picture.segments = segments_;
+        if (!wish.over) {
+            lastOver_.reset();
+            return picture;
+        }
+        const SliceOver& over = *wish.over;
+        slice = sampled(lastOver_, over.volume, transformed(wish.frame, over.volumeFromPane), wish);
+        if (slice == nullptr) return {.of = wish, .grey = {}};
+        picture.colours = imageOf(
+            slices::toColours(slice->values, over.window, over.isInverted, over.colours, over.opacity),
+            wish.frame.sizePx);
     } catch (const std::bad_alloc&) {
         last_.reset();
+        lastOver_.reset();
+        painted_ = {};
+        picture.grey = {};  // a part of it must not be taken for the whole
         log::error("No memory for a slice of {} x {} pixels", wish.frame.sizePx.x, wish.frame.sizePx.y);
     }
     return picture;
+}
+
+void SliceSampler::paintSegments(const SliceWish& wish) {
+    if (painted_.volume == wish.volume && painted_.frame == wish.frame &&
+        painted_.segments == wish.segments && painted_.pixelRatio == wish.pixelRatio)
+        return;
+    painted_ = {};
+    segments_ = {};
+    if (wish.segments) {
+        const auto isGivenUp = [this, study = wish.study] { return ends_ || study_ != study; };
+        const int linePx = std::max(1, int(std::lround(wish.pixelRatio)));
+        const slices::SegmentPicture picture =
+            slices::paintSegments(*wish.volume, wish.frame, *wish.segments, linePx, isGivenUp);
+        if (isGivenUp()) return;
+        if (!picture.argb.empty()) segments_ = imageOf(picture.argb, picture.sizePx);
+    }
+    painted_ = wish;
+}
+
+// Null when it was given up.
+const slices::SampledSlice* SliceSampler::sampled(std::optional<Sampled>& kept,
+                                                  const std::shared_ptr<const Volume>& volume,
+                                                  const slices::SliceFrame& frame, const SliceWish& wish) {
+    if (kept && kept->volume == volume && kept->frame == frame && kept->slab == wish.slab)
+        return &kept->slice;
+    kept.reset();
+    const auto isGivenUp = [this, study = wish.study] { return ends_ || study_ != study; };
+    slices::SampledSlice slice =
+        slices::sampleSlice(*volume, frame, wish.slab, slices::Filter::linear, isGivenUp);
+    if (slice.sizePx != frame.sizePx || isGivenUp()) return nullptr;
+    kept = Sampled{.volume = volume, .frame = frame, .slab = wish.slab, .slice = std::move(slice)};
+    return &kept->slice;
 }
 
 }  // namespace macula::viewer

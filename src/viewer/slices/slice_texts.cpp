@@ -6,6 +6,7 @@
 #include <string>
 
 #include "viewer/harmless_text.h"
+#include "viewer/language/core_words.h"
 
 namespace macula::viewer {
 
@@ -70,7 +71,7 @@ QString positionText(Orientation orientation, const SliceSteps& steps, int slice
     if (!steps.areStraight()) text = QCoreApplication::translate("Slices", "%1, oblique").arg(text);
     text = QCoreApplication::translate("Slices", "%1 %2 %3 mm")
                .arg(text, letters(position < 0.0 ? -plane.normal() : plane.normal()),
-                    QString::number(std::abs(position), 'f', 1));
+                    withLocalNumbers(QString::number(std::abs(position), 'f', 1)));
     if (!steps.areAcquired()) return text;
     return QCoreApplication::translate("Slices", "%1, slice %2 of %3")
         .arg(text)
@@ -80,7 +81,7 @@ QString positionText(Orientation orientation, const SliceSteps& steps, int slice
 
 QString slabText(const slices::Slab& slab) {
     if (!(slab.thicknessMm > 0.0)) return {};
-    const QString thickness = QString::number(slab.thicknessMm);
+    const QString thickness = withLocalNumbers(QString::number(slab.thicknessMm));
     switch (slab.projection) {
         case slices::Projection::maximum:
             return QCoreApplication::translate("Slices", "MIP %1 mm").arg(thickness);
@@ -95,7 +96,7 @@ QString slabText(const slices::Slab& slab) {
 QString pointText(const glm::dvec3& mm) {
     const auto along = [](double value, const char* positive, const char* negative) {
         return QString::fromLatin1(value < 0.0 ? negative : positive) + QLatin1Char(' ') +
-               QString::number(std::abs(value), 'f', 1);
+               withLocalNumbers(QString::number(std::abs(value), 'f', 1));
     };
     return QCoreApplication::translate("Slices", "%1 %2 %3 mm")
         .arg(along(mm.x, "L", "R"), along(mm.y, "P", "A"), along(mm.z, "S", "I"));
@@ -106,7 +107,7 @@ QString probeText(const Volume& volume, const glm::dvec3& mm) {
     if (!probe) return QCoreApplication::translate("Slices", "Outside, %1").arg(pointText(mm));
     QString value = QCoreApplication::translate("Slices", "Padding");
     if (!probe->isPadding) {
-        value = numberText(probe->value);
+        value = withLocalNumbers(numberText(probe->value));
         if (!volume.unitName().empty())
             value += QLatin1Char(' ') + harmless(QString::fromStdString(volume.unitName()));
     }

@@ -10,6 +10,7 @@
 #include "app/slices/window_presets.h"
 #include "pipeline/volume/window.h"
 #include "viewer/harmless_text.h"
+#include "viewer/language/core_words.h"
 #include "viewer/slices/clip_on_slice.h"
 #include "viewer/slices/slice_texts.h"
 
@@ -20,6 +21,8 @@ namespace {
 constexpr int kCineMs = 100;
 constexpr int kWheelPauseMs = 600;
 constexpr int kFocusPx = 2;
+constexpr int kSecondPx = 2;
+const QColor kSecondInk(255, 190, 90);  // of notes over slices
 const QColor kQuietInk(150, 150, 150);
 
 // Whether both have the same pixels: the cross-hair is drawn over them.
@@ -34,18 +37,22 @@ bool isFinite(const glm::dvec3& mm) {
 
 }  // namespace
 
-SliceView::SliceView(ViewerSession& session, slices::Orientation orientation, QWidget* parent)
-    : QWidget(parent), session_(session), orientation_(orientation) {
+SliceView::SliceView(ViewerSession& session, slices::Orientation orientation, QWidget* parent, PaneRole role)
+    : QWidget(parent), session_(session), orientation_(orientation), role_(role) {
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     setAttribute(Qt::WA_OpaquePaintEvent);
     setContextMenuPolicy(Qt::PreventContextMenu);  // the right button drags
     setCursor(Qt::CrossCursor);
-    setAccessibleName(tr("%1 slices").arg(nameOf(orientation)));
+    setAccessibleName((role == PaneRole::second ? tr("%1 slices of the second volume") : tr("%1 slices"))
+                          .arg(nameOf(orientation)));
     setToolTip(tr("%1 slices, in mm. Wheel: next slice; right drag: window").arg(nameOf(orientation)));
     wheelEnds_.setSingleShot(true);
     wheelEnds_.setInterval(kWheelPauseMs);
-    connect(&wheelEnds_, &QTimer::timeout, this, [this] { endOwnDrag(tr("Slice")); });
+    connect(&wheelEnds_, &QTimer::timeout, this, [this] {
+        endOwnDrag(tr("Slice"));
+        endOwnDrag(tr("Second volume moved"));
+    });
     cine_.setInterval(kCineMs);
     connect(&cine_, &QTimer::timeout, this, &SliceView::cineStep);
     connect(&session_, &ViewerSession::studyShown, this, &SliceView::onStudyShown);
@@ -92,6 +99,12 @@ void SliceView::showNames(bool shown) {
     update();
 }
 
+void SliceView::setSegments(std::shared_ptr<const slices::ShownSegments> segments) {
+    if (segments == segments_) return;
+    segments_ = std::move(segments);
+    request();
+}
+
 void SliceView::fit() {
     isFitted_ = true;
     request();
@@ -99,8 +112,7 @@ void SliceView::fit() {
 
 void SliceView::applyWindow(int digit) {
     if (!steps_) return;
-    if (const auto preset = app::windowPreset(volume(), digit))
-        session_.change(tr("Window"), [&](app::StudyState& next) { next.slices.window = preset->window; });
+    if (const auto preset = app::windowPreset(wantedVolume(), digit)) proposeWindow(preset->window, false);
 }
 
 void SliceView::onStudyShown() {
@@ -111,9 +123,10 @@ void SliceView::onStudyShown() {
     shown_.reset();
     selected_.reset();
     texts_.forget();
+    segments_.reset();  // they are of the voxels of the study before
     steps_.reset();
-    isFitted_ = true;
-    SliceWish nothing;  // a pane that is hidden keeps no volume
+    isFitted_ = role_ == PaneRole::study;  // the other follows it
+    SliceWish nothing;                     // a pane that is hidden keeps no volume
     nothing.study = study_;
     sampler_->publish(std::move(nothing));
     if (session_.hasStudy()) {
@@ -155,18 +168,25 @@ void SliceView::request() {
     if (!steps_ || !isVisible() || width() < 1 || height() < 1) return;
     const glm::ivec2 sizePx(width(), height());
     if (isFitted_) view_ = fittedView(volume(), *steps_, sizePx);
+    // A pane that follows another has nothing to tell before it was told.
+    if (told_ != view_ && (told_ || role_ == PaneRole::study)) {
+        told_ = view_;
+        emit viewChanged(view_);
+    }
     const double ratio = devicePixelRatioF();
     const int slice = this->slice();
     SliceWish wish{.study = study_,
                    .volume = session_.study().volume,
                    .frame = frameOf(view_, *steps_, slice, sizePx, ratio),
                    .slab = session_.state().slices.slab,
-                   .window = window(),
+                   .window = studyWindow(),
                    .isInverted = session_.state().slices.isInverted != session_.study().isLowBright,
+                   .segments = segments_,
                    .positionText = viewer::positionText(orientation_, *steps_, slice),
                    .isInterpolated = isInterpolated(volume(), *steps_, slice),
                    .pixelRatio = ratio,
                    .crosshairMm = crosshairMm()};
+    addSecond(wish);
     const bool isNew = !wanted_ || !samePixels(*wanted_, wish);
     wanted_ = wish;
     if (isNew) sampler_->publish(std::move(wish));
@@ -180,7 +200,7 @@ void SliceView::onPicture(SlicePicture picture) {
         const slices::SlicePlane& drawn = drawing_->plane();
         const slices::SlicePlane& now = shown_->of.frame.plane;
         const double offMm = std::abs(shown_->of.frame.distanceMm(drawn.centreMm));
-        if (drawn.right != now.right || drawn.down != now.down || offMm > 1e-6) endGesture();
+        if (!showsStudy() || drawn.right != now.right || drawn.down != now.down || offMm > 1e-6) endGesture();
     }
     setAccessibleDescription(positionText());
     update();
@@ -193,6 +213,10 @@ glm::dvec3 SliceView::crosshairMm() const {
 }
 
 DisplayWindow SliceView::window() const {
+    return wantsSecond() ? secondWindow() : studyWindow();
+}
+
+DisplayWindow SliceView::studyWindow() const {
     const auto& set = session_.state().slices.window;
     return set ? *set : seriesWindow(volume());
 }
@@ -202,7 +226,8 @@ glm::dvec3 SliceView::worldAt(const QPointF& place) const {
 }
 
 bool SliceView::isShownHere(const slices::Measurement& measurement) const {
-    return shown_ && slices::liesIn(measurement, shown_->of.frame.plane, 0.5 * std::abs(steps_->stepMm()));
+    return showsStudy() &&
+           slices::liesIn(measurement, shown_->of.frame.plane, 0.5 * std::abs(steps_->stepMm()));
 }
 
 std::optional<slices::SliceFrame> SliceView::shownFrame() const {
@@ -217,18 +242,35 @@ QStringList SliceView::notes() const {
     QStringList notes;
     if (!shown_) return notes;
     if (shown_->grey.isNull()) notes.push_back(tr("No memory for this picture: make the window smaller"));
-    if (const QString slab = slabText(shown_->of.slab); !slab.isEmpty()) notes.push_back(slab);
+    if (const QString slab = slabText(shown_->of.slab); !slab.isEmpty()) {
+        notes.push_back(slab);
+        if (!shown_->segments.isNull()) notes.push_back(tr("Segments: middle of the slab"));
+    }
     if (shown_->of.isInverted)
-        notes.push_back(session_.study().isLowBright ? tr("Low values are white, as in the images")
-                                                     : tr("Inverted"));
+        notes.push_back(showsStudy() && session_.study().isLowBright
+                            ? tr("Low values are white, as in the images")
+                            : tr("Inverted"));
     if (shown_->of.isInterpolated) notes.push_back(tr("Interpolated: no image was taken here"));
-    return notes;
+    if (!showsStudy() && isMeasuring()) notes.push_back(tr("Measurements are of the study alone"));
+    return shown_->of.secondNotes + notes;
 }
 
 QString SliceView::probedText() const {
     if (!shown_ || !hoverAt_) return {};
-    const QString text = probeText(*shown_->of.volume, worldAt(*hoverAt_));
+    const glm::dvec3 paneMm = worldAt(*hoverAt_);
+    QString text = probeText(*shown_->of.volume, transformPoint(shown_->of.volumeFromPane, paneMm));
+    if (const QString segments = showsStudy() ? segmentText(paneMm) : QString(); !segments.isEmpty())
+        text = tr("%1, in %2").arg(text, segments);
     return shown_->of.slab.thicknessMm > 0.0 ? tr("Middle of the slab: %1").arg(text) : text;
+}
+
+// "Liver, Tumour": of those that are on screen.
+QString SliceView::segmentText(const glm::dvec3& mm) const {
+    QStringList labels;
+    if (!shown_->of.segments) return {};
+    for (const std::size_t i : slices::segmentsAt(*shown_->of.volume, mm, *shown_->of.segments))
+        labels << harmless(QString::fromStdString(shown_->of.segments->at(i).label));
+    return labels.join(QStringLiteral(", "));
 }
 
 bool SliceView::isUpToDate() const {
@@ -256,7 +298,9 @@ void SliceView::paintEvent(QPaintEvent*) {
 void SliceView::paintPicture(QPainter& painter) {
     const QSizeF logical = QSizeF(shown_->grey.size()) / shown_->of.pixelRatio;
     painter.drawImage(QRectF(QPointF(0.0, 0.0), logical), shown_->grey);
-    if (showsClip_) {
+    if (!shown_->segments.isNull()) painter.drawImage(QRectF(QPointF(0.0, 0.0), logical), shown_->segments);
+    if (!shown_->colours.isNull()) painter.drawImage(QRectF(QPointF(0.0, 0.0), logical), shown_->colours);
+    if (showsClip_ && showsStudy()) {  // it is of the study alone
         const slices::SliceFrame& frame = shown_->of.frame;
         ClipOnSlice clip = clipOnSlice(session_.state(), volume(), frame, hasClipHandles_);
         const auto pointed = hoverAt_ ? clipHandleAt(*hoverAt_) : std::nullopt;
@@ -264,6 +308,11 @@ void SliceView::paintPicture(QPainter& painter) {
         paintClip(painter, size(), clip, frame, shown_->of.pixelRatio);
     }
     paintOverlay(painter, size(), overlay());
+    if (showsStudy()) return;
+    // Nobody may take it for the study, at a glance either.
+    painter.setPen(QPen(kSecondInk, kSecondPx, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin));
+    const int inset = kFocusPx + kSecondPx / 2;
+    painter.drawRect(rect().adjusted(inset, inset, -inset, -inset));
 }
 
 SliceOverlay SliceView::overlay() {
@@ -274,13 +323,20 @@ SliceOverlay SliceView::overlay() {
                          .frame = of.frame,
                          .pixelRatio = of.pixelRatio,
                          .crosshairMm = isLive ? crosshairMm() : of.crosshairMm,
-                         .names = namesShown_ ? lines_ : QStringList(),
+                         .names = of.tags,
                          .notes = notes(),
                          .measurements = shownMeasurements()};
-    if (const QString probed = probedText(); !probed.isEmpty()) overlay.facts.push_back(probed);
+    if (namesShown_) overlay.names += showsStudy() ? lines_ : of.names;
+    if (of.shows == SliceShows::secondByHand) overlay.crosshairMm.reset();
+    for (const QString& probed : {overProbedText(), probedText()})
+        if (!probed.isEmpty()) overlay.facts.push_back(probed);
     overlay.facts.push_back(of.positionText);
-    overlay.facts.push_back(
-        harmless(QString::fromStdString(app::windowText(of.window, of.volume->unitName()))));
+    if (of.over)
+        overlay.facts.push_back(
+            tr("In colours: %1").arg(secondWindowText(*of.over->volume, of.over->window)));
+    overlay.facts.push_back(showsStudy() ? harmless(withLocalNumbers(QString::fromStdString(
+                                               app::windowText(of.window, of.volume->unitName()))))
+                                         : secondWindowText(*of.volume, of.window));
     return overlay;
 }
 

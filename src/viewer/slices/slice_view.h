@@ -17,12 +17,16 @@
 #include "viewer/slices/measurement_handles.h"
 #include "viewer/slices/measurement_texts.h"
 #include "viewer/slices/pane_view.h"
+#include "viewer/slices/second_series.h"
 #include "viewer/slices/slice_overlay.h"
 #include "viewer/slices/slice_sampler.h"
 #include "viewer/slices/slice_steps.h"
 #include "viewer/slices/slice_tool.h"
 
 namespace macula::viewer {
+
+// Whether a pane shows the second volume when it is beside the study.
+enum class PaneRole { study, second };
 
 // Shows the slice that the cross-hair of the session lies in, through its window, with its measurements;
 // proposes others of them. Zoom and place are its own. Pictures are made on another thread: until the next is
@@ -33,7 +37,8 @@ class SliceView : public QWidget {
 
   public:
     // The session must outlive it.
-    SliceView(ViewerSession& session, slices::Orientation orientation, QWidget* parent = nullptr);
+    SliceView(ViewerSession& session, slices::Orientation orientation, QWidget* parent = nullptr,
+              PaneRole role = PaneRole::study);
     ~SliceView() override;
 
     slices::Orientation orientation() const { return orientation_; }
@@ -45,6 +50,12 @@ class SliceView : public QWidget {
     void showNames(bool shown);
     // What the clip removes, dimmed; and where it is taken hold of.
     void showClip(bool shown, bool withHandles);
+    // Over the slices of the study that is open; null: none.
+    void setSegments(std::shared_ptr<const slices::ShownSegments> segments);
+
+    // Null: there is none. How it is shown is the session's (app::BesideState).
+    void setSecond(std::shared_ptr<const SecondSeries> second);
+    void setPaneView(const PaneView& view);  // as a pane beside it has it
 
     void fit();                   // the volume fits the pane, and stays so until a hand zooms or pans
     void applyWindow(int digit);  // of app::windowPresets; nothing where there is none
@@ -54,10 +65,12 @@ class SliceView : public QWidget {
 
     // Of the picture on screen; nothing before the first.
     std::optional<slices::SliceFrame> shownFrame() const;
-    QString positionText() const;  // as positionText
-    QStringList notes() const;     // what has to be known of it: slab, inverted, interpolated
-    QString probedText() const;    // of what the pointer is on; empty outside of the pane
-    bool isUpToDate() const;       // it is of what is chosen
+    QString positionText() const;    // as positionText
+    QStringList tags() const;        // whose it is, where there is a second volume: names nobody
+    QStringList notes() const;       // what has to be known of it: slab, inverted, interpolated
+    QString probedText() const;      // of what the pointer is on; empty outside of the pane
+    QString overProbedText() const;  // the same, of a second volume in colours
+    bool isUpToDate() const;         // it is of what is chosen
     std::optional<std::size_t> selected() const { return selected_; }  // of the measurements of the state
 
     QSize sizeHint() const override { return {360, 360}; }
@@ -67,6 +80,7 @@ class SliceView : public QWidget {
     void maximizeAsked();
     void cineChanged(bool on);
     void pictureShown();
+    void viewChanged(const macula::viewer::PaneView& view);  // by a hand, or to fit
 
   protected:
     void paintEvent(QPaintEvent* event) override;
@@ -94,11 +108,23 @@ class SliceView : public QWidget {
 
     const Volume& volume() const { return *session_.study().volume; }
     glm::dvec3 crosshairMm() const;
-    DisplayWindow window() const;
+    DisplayWindow window() const;  // of what the pane is to show
+    DisplayWindow studyWindow() const;
     int slice() const { return steps_->nearest(crosshairMm()); }
     slices::SlicePlane plane() const { return steps_->plane(slice(), view_.centreMm); }
     glm::dvec3 worldAt(const QPointF& place) const;  // of the picture on screen, which must be
     bool isShownHere(const slices::Measurement& measurement) const;
+
+    const app::BesideState* beside() const;
+    bool wantsSecond() const;  // in the place of the study
+    const Volume& wantedVolume() const;
+    DisplayWindow secondWindow() const;
+    bool secondIsInverted() const;
+    void addSecond(SliceWish& wish) const;
+    void proposeWindow(const std::optional<DisplayWindow>& window, bool isDrag);
+    void moveSecond(int slices);
+    bool isMeasuring() const;  // the tool does
+    bool showsStudy() const { return shown_ && shown_->of.shows == SliceShows::study; }
 
     void goTo(int slice, const QString& what);
     void cineStep();
@@ -120,19 +146,24 @@ class SliceView : public QWidget {
     void paintPicture(QPainter& painter);
     SliceOverlay overlay();
     std::vector<ShownMeasurement> shownMeasurements();
+    QString segmentText(const glm::dvec3& mm) const;
     QString textOf(const slices::Measurement& measurement);
     QString textWhileDrawn(const slices::Measurement& measurement);
 
     ViewerSession& session_;
     slices::Orientation orientation_;
+    PaneRole role_;
     std::unique_ptr<SliceSampler> sampler_;
 
     std::uint64_t study_ = 0;          // counts those that were shown
     std::optional<SliceSteps> steps_;  // nothing: no study
     PaneView view_;
-    bool isFitted_ = true;  // no hand has zoomed or panned
+    std::optional<PaneView> told_;  // by viewChanged
+    bool isFitted_ = true;          // no hand has zoomed or panned
+    std::shared_ptr<const SecondSeries> second_;
     std::optional<SliceWish> wanted_;
     std::optional<SlicePicture> shown_;
+    std::shared_ptr<const slices::ShownSegments> segments_;
     QStringList lines_;
     bool namesShown_ = true;
 

@@ -105,6 +105,7 @@ void SliceView::press(const QPointF& place) {
         case SliceTool::ellipse:
             break;
     }
+    if (!showsStudy()) return;  // what is measured is kept with the study
     const slices::SliceFrame& frame = shown_->of.frame;
     drawing_.emplace(tool_, frame.plane, worldAt(place),
                      kOnePointPx * frame.mmPerPixel * shown_->of.pixelRatio);
@@ -136,7 +137,7 @@ bool SliceView::takeHold(const QPointF& place) {
 }
 
 std::optional<app::PlacedHandle> SliceView::clipHandleAt(const QPointF& place) const {
-    if (!showsClip_ || !hasClipHandles_ || !shown_) return std::nullopt;
+    if (!showsClip_ || !hasClipHandles_ || !showsStudy()) return std::nullopt;
     const slices::SliceFrame& frame = shown_->of.frame;
     const app::StudyState& state = session_.state();
     const double ratio = shown_->of.pixelRatio;
@@ -146,7 +147,7 @@ std::optional<app::PlacedHandle> SliceView::clipHandleAt(const QPointF& place) c
 
 // What the clip refuses leaves it where it is.
 void SliceView::moveClip(const QPointF& place) {
-    if (!heldClip_) return;
+    if (!heldClip_ || !showsStudy()) return;
     const app::StudyState& state = session_.state();
     const glm::dvec3 mm = app::draggedTo(*heldClip_, worldAt(place), shown_->of.frame, state.clip, volume());
     const auto moved = app::withHandleAt(state.clip, state.cuts, *heldClip_, mm, volume());
@@ -189,7 +190,7 @@ void SliceView::dragTo(const QPointF& place) {
             return setCrosshair(worldAt(place));
         case Drag::window: {
             const DisplayWindow next = app::dragged(window(), glm::dvec2(by.x(), by.y()) / heightPx);
-            return session_.drag(tr("Window"), [&](app::StudyState& state) { state.slices.window = next; });
+            return proposeWindow(next, true);
         }
         case Drag::zoom:
             return zoomAt(pressedAt_, std::pow(kDragZoomPerHeight, -by.y() / heightPx));
@@ -287,6 +288,7 @@ bool SliceView::handleKey(int key, bool withShift) {
                             [](app::StudyState& next) { next.slices.isInverted = !next.slices.isInverted; });
             return true;
         case Qt::Key_Space:
+            if (role_ == PaneRole::second) return false;  // it follows the study
             return setCine(!isCineOn()), true;
         default:
             if (key < Qt::Key_1 || key > Qt::Key_9) return false;
@@ -296,6 +298,7 @@ bool SliceView::handleKey(int key, bool withShift) {
 
 void SliceView::moveBy(int slices) {
     if (!steps_) return;
+    if (wantsSecond() && !beside()->isLinked()) return moveSecond(slices);
     goTo(slice() + (steps_->stepMm() > 0.0 ? slices : -slices), tr("Slice"));
 }
 
@@ -335,6 +338,7 @@ void SliceView::zoomAt(const QPointF& place, double factor) {
 }
 
 void SliceView::setCrosshair(const glm::dvec3& mm) {
+    if (shown_->of.shows == SliceShows::secondByHand) return;  // it is no place in the study
     session_.drag(tr("Cross-hair"), [&](app::StudyState& next) { next.slices.crosshairMm = mm; });
 }
 

@@ -96,7 +96,9 @@ void PointFields::showColour(const std::optional<glm::dvec3>& colour) {
         colour_->setIcon({});
         return;
     }
-    QPixmap swatch(kSwatchPx, kSwatchPx);
+    const double ratio = devicePixelRatioF();
+    QPixmap swatch(QSize(kSwatchPx, kSwatchPx) * ratio);
+    swatch.setDevicePixelRatio(ratio);
     swatch.fill(colourOf(*colour));
     colour_->setIcon(QIcon(swatch));
 }

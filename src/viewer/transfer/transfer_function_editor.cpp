@@ -12,6 +12,7 @@
 #include "app/transfer/edited_transfer.h"
 #include "app/transfer/own_copy.h"
 #include "pipeline/volume/volume_fit.h"
+#include "viewer/language/core_words.h"
 
 namespace macula::viewer {
 
@@ -30,7 +31,7 @@ ValueRange foregroundOf(std::shared_ptr<const Volume> volume) {
 }
 
 QString titleOf(const TransferFunction& function) {
-    return QString::fromStdString(function.title.empty() ? function.name : function.title);
+    return titleInWindowsLanguage(function.title.empty() ? function.name : function.title);
 }
 
 }  // namespace
@@ -185,7 +186,7 @@ void TransferFunctionEditor::onSeen(const Result<SeenResult>& outcome) {
     if (!session_.hasStudy()) return;
     if (!outcome) {
         if (outcome.error().code == ErrorCode::cancelled) return;
-        trouble_ = QString::fromStdString(outcome.error().message + " " + outcome.error().hint);
+        trouble_ = inWindowsLanguage(outcome.error());
         return showState();
     }
     seen_ = *outcome;
@@ -236,6 +237,11 @@ std::optional<app::ValueMap> TransferFunctionEditor::mapFor(const TransferFuncti
     return app::ValueMap::of(VolumeFit{.preset = {function.fitToVolume->low, function.fitToVolume->high},
                                        .volume = *seen_->foreground,
                                        .to = Fit::To::foreground});
+}
+
+std::optional<TransferFunctionEditor::Edited> TransferFunctionEditor::edited() const {
+    const auto map = session_.hasStudy() && chosen_ ? mapFor(own_) : std::nullopt;
+    return map ? std::optional(Edited{own_, *map}) : std::nullopt;
 }
 
 void TransferFunctionEditor::propose(const TransferFunction& function, bool isDrag) {

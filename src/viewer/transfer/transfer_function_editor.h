@@ -34,6 +34,13 @@ class TransferFunctionEditor : public QWidget {
 
     TransferCurve& curve() { return *curve_; }
     bool isCounting() const { return job_.running(); }
+    // What is edited: the preset of the state, or the copy that its first change makes; and how its values
+    // lie on the volume. Nothing without a study, and as long as that is being counted.
+    struct Edited {
+        TransferFunction function;
+        app::ValueMap map;
+    };
+    std::optional<Edited> edited() const;
     QString line() const { return line_->text(); }  // which preset it is, or why there is none
 
   signals:

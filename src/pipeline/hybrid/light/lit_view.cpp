@@ -28,6 +28,11 @@ struct EyeRays {
 
 Result<EyeRays> eyeRays(const Camera& camera, const glm::ivec2& sizePx) {
     MACULA_TRY(const CameraBasis eye, basis(camera));
+    if (isParallel(camera))
+        return Error{ErrorCode::usage,
+                     "Light is learnt from what an eye sees, not from parallel rays.",
+                     {},
+                     "Take a camera that is not parallel."};
     const double half = std::tan(glm::radians(camera.verticalFovDeg) / 2.0);
     return EyeRays{.right = eye.right * (half * sizePx.x / sizePx.y),
                    .up = eye.up * half,

@@ -47,6 +47,9 @@ Result<void> checkPicture(const glm::ivec2& sizePx, double nearMm) {
 Result<RasterView> rasterView(const Camera& camera, const glm::ivec2& sizePx, const glm::dvec3& originMm,
                               double nearMm) {
     MACULA_TRY(const CameraBasis eye, basis(camera));
+    if (isParallel(camera))
+        return notUsable("Splats are drawn for an eye, not with parallel rays.",
+                         "Leave parallelHeightMm out of the camera.");
     MACULA_TRY_VOID(checkPicture(sizePx, nearMm));
     const double focal = 0.5 * sizePx.y / std::tan(glm::radians(camera.verticalFovDeg) / 2.0);
     return RasterView{

@@ -1,4 +1,4 @@
-#include "viewer/picture_marks.h"
+#include "viewer/marks/tool_marks.h"
 
 #include <QImage>
 #include <QPainter>
@@ -50,7 +50,7 @@ QImage paintMark(MarkKind kind, double pixelRatio) {
 }
 
 // Where its upper left corner is, in device pixels.
-std::optional<VkOffset2D> cornerOf(const PictureMark& mark, QSize pixels, int side) {
+std::optional<VkOffset2D> cornerOf(const ToolMark& mark, QSize pixels, int side) {
     const double x = 0.5 * (mark.place.x + 1.0) * pixels.width();
     const double y = 0.5 * (1.0 - mark.place.y) * pixels.height();
     if (!(x >= -side && x <= pixels.width() + side && y >= -side && y <= pixels.height() + side))
@@ -61,11 +61,12 @@ std::optional<VkOffset2D> cornerOf(const PictureMark& mark, QSize pixels, int si
 // Images one below the other; each is a box of its own.
 class Atlas {
   public:
-    explicit Atlas(const std::shared_ptr<const app::PictureText>& text) {
-        if (text) atlas_ = *text;
-        if (text && atlas_.places.empty()) {
+    Atlas(const std::shared_ptr<const app::PictureText>& others, QSize pixels) {
+        if (others) atlas_ = *others;
+        if (atlas_.places.empty()) {
             for (const VkRect2D& box : atlas_.boxes) atlas_.places.push_back(box.offset);
         }
+        atlas_.of = {std::uint32_t(pixels.width()), std::uint32_t(pixels.height())};
     }
 
     // The box of an image that has been added.
@@ -108,15 +109,15 @@ class Atlas {
 
 }  // namespace
 
-std::shared_ptr<const app::PictureText> withMarks(const std::shared_ptr<const app::PictureText>& text,
-                                                  std::span<const PictureMark> marks, QSize pixels,
-                                                  double pixelRatio) {
-    if (pixels.isEmpty()) return text;
-    Atlas atlas(text);
+std::shared_ptr<const app::PictureText> withToolMarks(const std::shared_ptr<const app::PictureText>& others,
+                                                      std::span<const ToolMark> marks, QSize pixels,
+                                                      double pixelRatio) {
+    if (pixels.isEmpty()) return others;
+    Atlas atlas(others, pixels);
     std::array<std::optional<VkRect2D>, kKinds.size()> boxes;
     std::size_t count = 0;
-    for (const PictureMark& mark : marks) {
-        if (count == kMostMarks) break;
+    for (const ToolMark& mark : marks) {
+        if (count == kMostToolMarks) break;
         const auto at = cornerOf(mark, pixels, sidePx(mark.kind, pixelRatio));
         if (!at) continue;
         auto& box = boxes.at(std::size_t(mark.kind));
@@ -124,7 +125,7 @@ std::shared_ptr<const app::PictureText> withMarks(const std::shared_ptr<const ap
         atlas.place(*box, *at);
         ++count;
     }
-    return count > 0 ? atlas.take() : text;
+    return count > 0 ? atlas.take() : others;
 }
 
 }  // namespace macula::viewer

@@ -1,21 +1,20 @@
-#include "app/study/shown_voxels.h"
+#include "app/study/scissor_mask.h"
 
 #include <atomic>
+#include <cstdint>
 #include <memory>
 #include <new>
 #include <utility>
 #include <vector>
 
 #include "app/clip/scissor_cut.h"
+#include "base/check.h"
 #include "base/parallel.h"
 #include "pipeline/volume/mask_bits.h"
 
 namespace macula::app {
 
 namespace {
-
-constexpr std::uint16_t kShown = 1;
-constexpr const char* kLabel = "Left by the scissors";
 
 // One row of voxels under one cut.
 class CutRow {
@@ -38,12 +37,18 @@ class CutRow {
     bool isClear_;
 };
 
+// Words are shared by rows, and by slices.
+void addBits(MaskBits& bits, std::size_t word, std::uint32_t shown) {
+    if (shown != 0) std::atomic_ref(bits.words[word]).fetch_or(shown, std::memory_order_relaxed);
+}
+
 // Whether any voxel of the slice is shown.
-bool cutSlice(int k, const std::vector<ScissorBlades>& cuts, const MaskBits* others, const Volume& volume,
-              std::vector<std::uint16_t>& labels) {
+bool cutSlice(int k, const std::vector<ScissorBlades>& cuts, const MaskBits* before, const Volume& volume,
+              MaskBits& bits) {
     const glm::ivec3 size = volume.size();
     const glm::dmat4& worldFromVoxel = volume.worldFromVoxel();
     bool isAnyShown = false;
+    std::size_t n = std::size_t(k) * std::size_t(size.y) * std::size_t(size.x);
     for (int j = 0; j < size.y; ++j) {
         const glm::dvec3 firstMm = transformPoint(worldFromVoxel, {0.0, double(j), double(k)});
         std::vector<CutRow> rows;
@@ -52,14 +57,14 @@ bool cutSlice(int k, const std::vector<ScissorBlades>& cuts, const MaskBits* oth
             CutRow row(cut, firstMm, glm::dvec3(worldFromVoxel[0]), size.x);
             if (!row.removesNothing()) rows.push_back(row);
         }
-        std::uint16_t* const label =
-            labels.data() + (std::size_t(k) * std::size_t(size.y) + std::size_t(j)) * std::size_t(size.x);
-        for (int i = 0; i < size.x; ++i) {
-            bool isShown = others == nullptr || others->shows(i, j, k);
+        std::uint32_t shown = 0;  // of the word of voxel n
+        for (int i = 0; i < size.x; ++i, ++n) {
+            bool isShown = before == nullptr || before->shows(i, j, k);
             for (std::size_t row = 0; isShown && row < rows.size(); ++row) isShown = !rows[row].removes(i);
-            if (!isShown) continue;
-            label[i] = kShown;
-            isAnyShown = true;
+            if (isShown) shown |= 1u << (n % 32);
+            isAnyShown = isAnyShown || isShown;
+            if (n % 32 != 31 && i + 1 != size.x) continue;
+            addBits(bits, n / 32, std::exchange(shown, 0));
         }
     }
     return isAnyShown;
@@ -67,25 +72,26 @@ bool cutSlice(int k, const std::vector<ScissorBlades>& cuts, const MaskBits* oth
 
 }  // namespace
 
-Result<std::optional<Mask>> shownVoxels(std::optional<Mask> others, std::span<const ScissorCut> scissors,
+Result<std::optional<Mask>> scissorMask(std::optional<Mask> before, std::span<const ScissorCut> scissors,
                                         const Volume& volume, Progress& progress) {
-    if (scissors.empty()) return others;
+    if (scissors.empty()) return before;
+    MACULA_CHECK(!before || before->bits);
     std::vector<ScissorBlades> cuts;
     for (const ScissorCut& cut : scissors) {
         MACULA_TRY_VOID(validate(cut));
         cuts.emplace_back(cut);
     }
     try {
-        std::optional<MaskBits> bits;
-        if (others) bits = maskBits(*others, volume);
         const glm::ivec3 size = volume.size();
-        std::vector<std::uint16_t> labels(std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z));
+        const std::size_t voxels = std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z);
+        MaskBits bits{size, std::vector<std::uint32_t>((voxels + 31) / 32)};
         std::atomic<bool> isAnyShown{false};
         progress.beginStage("Cutting with the scissors", std::size_t(size.z));
         parallelFor(
             std::size_t(size.z),
             [&](std::size_t k) {
-                if (cutSlice(int(k), cuts, bits ? &*bits : nullptr, volume, labels)) isAnyShown = true;
+                if (cutSlice(int(k), cuts, before ? before->bits.get() : nullptr, volume, bits))
+                    isAnyShown = true;
                 progress.advance();
             },
             progress.token());
@@ -95,26 +101,16 @@ Result<std::optional<Mask>> shownVoxels(std::optional<Mask> others, std::span<co
                          "Nothing of the volume would be left.",
                          {},
                          "Draw the outline around less, or keep the inside with Shift."};
-        Segment left;
-        left.number = kShown;
-        left.label = kLabel;
-        std::vector<Segment> segments{std::move(left)};
-        MACULA_TRY(LabelMap map,
-                   LabelMap::create(size, volume.worldFromVoxel(), std::move(segments), std::move(labels)));
-        return std::optional(Mask{.labels = std::make_shared<const LabelMap>(std::move(map)),
-                                  .numbers = {kShown},
-                                  .keep = Keep::inside});
+        Mask left;
+        left.bits = std::make_shared<const MaskBits>(std::move(bits));
+        left.remark = kCutWithScissors;
+        return std::optional<Mask>(std::move(left));
     } catch (const std::bad_alloc&) {
         return Error{ErrorCode::outOfMemory,
                      "There is not enough memory to cut this volume with the scissors.",
                      {},
                      "Close other programs, or clip with a box, planes or a ball."};
     }
-}
-
-bool isCutWithScissors(const Mask& mask) {
-    const Segment* left = mask.labels ? mask.labels->segment(kShown) : nullptr;
-    return left != nullptr && left->label == kLabel;
 }
 
 }  // namespace macula::app

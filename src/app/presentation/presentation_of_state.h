@@ -1,0 +1,25 @@
+// What was chosen, as a DICOM presentation state says it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/state/study_state.h"
+#include "base/result.h"
+#include "base/volume.h"
+#include "dicom/presentation/volume_presentation.h"
+
+namespace macula::app {
+
+struct SaidState {
+    dicom::VolumePresentation presentation;  // its series is still to be put in
+    std::vector<std::string> leftOut;        // sentences: what other programs will show otherwise
+};
+
+// Needs a preset and a camera; the volume in 16 bits. The state as a whole goes into
+// VolumePresentation::ownState, so that Macula draws the same picture; `isDeidentified` leaves out of it
+// what a person has named or written. usage without preset or camera, or for a camera that is none.
+Result<SaidState> presentationOf(const StudyState& state, const Volume& volume, double aspectWidthOverHeight,
+                                 bool isDeidentified = false);
+
+}  // namespace macula::app

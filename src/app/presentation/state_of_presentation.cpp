@@ -1,0 +1,179 @@
+#include "app/presentation/state_of_presentation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <utility>
+
+#include "app/presentation/cropping_clip.h"
+#include "app/presentation/palette_of_transfer.h"
+#include "base/sha256.h"
+
+namespace macula::app {
+
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+constexpr double kSmallest = 0.1;  // degrees, as base/camera.h
+constexpr double kLargest = 170.0;
+constexpr double kMostSpecularPower = 128.0;  // shininess 1
+
+class Telling {
+  public:
+    Telling(const dicom::VolumePresentation& said, PresentedState& presented)
+        : said_(said), presented_(presented) {}
+
+    Result<void> tell(const std::string& where) {
+        tellColours();
+        const auto camera = cameraOf();
+        if (!camera)
+            return Error{ErrorCode::inputNotUsable, "The camera of the presentation state is not usable.",
+                         where, "Choose another presentation state."};
+        presented_.state.camera = *camera;
+        return {};
+    }
+
+  private:
+    void note(const char* sentence) { presented_.notes.emplace_back(sentence); }
+
+    void tellColours() {
+        StudyState& state = presented_.state;
+        if (said_.method != dicom::RenderingMethod::volumeRendered) {
+            const bool isMaximum = said_.method == dicom::RenderingMethod::maximum;
+            state.settings.look = isMaximum ? trace::Look::mip : trace::Look::minip;
+            const ValueRange& values = said_.palette.values;
+            state.windows.at(std::size_t(state.settings.look)) =
+                DisplayWindow{.center = 0.5 * (values.low + values.high),
+                              .width = values.high - values.low,
+                              .explanation = {},
+                              .function = "LINEAR_EXACT"};
+            if (!said_.palette.red.empty()) note("The colours of this projection are shown as greys.");
+            return;
+        }
+        state.settings.look = trace::Look::dvr;
+        TransferFunction function = transferOf(said_.palette, said_.samplingStepMm.value_or(1.0));
+        if (!said_.samplingStepMm)
+            note("The presentation state does not say of which thickness its opacities are; 1 mm is taken.");
+        function.name = "presentation-state";
+        function.title = "Presentation state";
+        tellShading(function);
+        state.preset = std::make_shared<const TransferFunction>(std::move(function));
+    }
+
+    void tellShading(TransferFunction& function) {
+        presented_.state.settings.shading = said_.shading ? trace::Shading::headlight : trace::Shading::none;
+        function.lighting.shade = said_.shading.has_value();
+        if (!said_.shading) return;
+        const dicom::PresentedShading& shading = *said_.shading;
+        function.lighting.ambient = shading.ambient;
+        function.lighting.diffuse = shading.diffuse;
+        function.lighting.specular = shading.specular;
+        if (shading.shininess) function.lighting.specularPower = kMostSpecularPower * *shading.shininess;
+        if (shading.specular > 0.0) note("Highlights are not drawn.");
+        if (!shading.isDoubleSided) note("Surfaces are shaded from both sides.");
+        const glm::dvec3 forward = said_.view.lookAtMm - said_.view.positionMm;
+        const double along = glm::dot(forward, shading.lightDirection);
+        if (shading.diffuse > 0.0 &&
+            along < 0.9998 * glm::length(forward) * glm::length(shading.lightDirection))
+            note("Light comes from the viewer, and not from where the presentation state has it.");
+    }
+
+    std::optional<Camera> cameraOf() {
+        const dicom::PresentedView& view = said_.view;
+        const dicom::FieldOfView& field = view.field;
+        Camera camera{.positionMm = view.positionMm, .targetMm = view.lookAtMm, .up = view.up};
+        const auto axes = basis(camera);
+        if (!axes) return {};
+        if (view.projection == dicom::Projection::perspective) {
+            const double half = std::max(field.topMm, -field.bottomMm);
+            camera.verticalFovDeg = 2.0 * std::atan2(half, field.farMm) / kDegree;
+            constexpr double kOff = 1e-6;
+            if (std::abs(field.topMm + field.bottomMm) > kOff * half ||
+                std::abs(field.leftMm + field.rightMm) > kOff * half)
+                note(
+                    "The picture is larger than that of the presentation state, whose middle is not where it "
+                    "looks at.");
+        } else {
+            camera.parallelHeightMm = field.topMm - field.bottomMm;
+            const glm::dvec3 aside = 0.5 * (field.leftMm + field.rightMm) * axes->right +
+                                     0.5 * (field.topMm + field.bottomMm) * axes->up;
+            camera.targetMm += aside;
+            camera.positionMm += aside;
+        }
+        if (!(camera.verticalFovDeg >= kSmallest && camera.verticalFovDeg <= kLargest)) return {};
+        if (!basis(camera)) return {};
+        return camera;
+    }
+
+    const dicom::VolumePresentation& said_;
+    PresentedState& presented_;
+};
+
+// What near and far planes of the camera cut off of the volume is shown here.
+bool cutsByDepth(const dicom::PresentedView& view, const Volume& volume) {
+    constexpr double kToleranceMm = 0.5;
+    const glm::dvec3 forward = glm::normalize(view.lookAtMm - view.positionMm);
+    return std::ranges::any_of(cornersOf(volume.worldBox()), [&](const glm::dvec3& corner) {
+        const double depth = glm::dot(corner - view.positionMm, forward);
+        // What is behind the eye of a perspective is never seen.
+        const bool isBefore = depth < view.field.nearMm - kToleranceMm &&
+                              (depth > kToleranceMm || view.projection == dicom::Projection::orthographic);
+        return isBefore || depth > view.field.farMm + kToleranceMm;
+    });
+}
+
+}  // namespace
+
+Result<PresentedState> stateOf(const dicom::PresentationState& read, StudyState usual,
+                               const std::string& where) {
+    PresentedState presented;
+    for (const Message& message : read.messages) presented.notes.push_back(message.sentence);
+    const dicom::VolumePresentation& said = read.presentation;
+    if (!said.ownState.empty()) {
+        if (auto own = studyStateFromJson(said.ownState, where)) {
+            presented.state = *std::move(own);
+            presented.isOwn = true;
+            return presented;
+        }
+        presented.notes.emplace_back(
+            "What a newer Macula has written cannot be read; the picture is as others show it.");
+    }
+    presented.state = std::move(usual);
+    presented.state.clip.reset();
+    presented.state.cuts = {};
+    presented.state.seriesDigest.clear();
+    MACULA_TRY_VOID(Telling(said, presented).tell(where));
+    return presented;
+}
+
+Result<void> completeFor(PresentedState& presented, const dicom::PresentationState& read,
+                         const Volume& volume, std::string_view seriesDigest, const std::string& where) {
+    const dicom::VolumePresentation& said = read.presentation;
+    if (!isSeries(said.series, seriesDigest))
+        return Error{ErrorCode::inputNotUsable, "The presentation state is of another series.", where,
+                     "Open that series, or choose another presentation state."};
+    StudyState& state = presented.state;
+    state.seriesDigest = std::string(seriesDigest);
+    if (presented.isOwn) return {};
+    if (said.method == dicom::RenderingMethod::volumeRendered) {
+        TransferFunction function = *state.preset;
+        function.unit = volume.unit();
+        function.modalities = {volume.modality()};
+        state.preset = std::make_shared<const TransferFunction>(std::move(function));
+    }
+    MACULA_TRY(state.clip, clipOf(said.cropping, volume, where));
+    if (cutsByDepth(said.view, volume))
+        presented.notes.emplace_back("What lies before or behind the depth of its view is shown, too.");
+    return {};
+}
+
+Result<PresentedState> openPresentation(const std::filesystem::path& path, const Volume& volume,
+                                        std::string_view seriesDigest, StudyState usual) {
+    MACULA_TRY(const dicom::PresentationState read, dicom::readPresentationState(path));
+    MACULA_TRY(PresentedState presented, stateOf(read, std::move(usual), path.string()));
+    MACULA_TRY_VOID(completeFor(presented, read, volume, seriesDigest, path.string()));
+    return presented;
+}
+
+}  // namespace macula::app

@@ -1,0 +1,38 @@
+// What a DICOM presentation state says, as something to choose.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/state/study_state.h"
+#include "base/result.h"
+#include "base/volume.h"
+#include "dicom/presentation/presentation_state.h"
+
+namespace macula::app {
+
+struct PresentedState {
+    StudyState state;
+    bool isOwn = false;              // in the words of Macula, and so the same picture
+    std::vector<std::string> notes;  // sentences: what it has that is not shown, or otherwise
+};
+
+// As far as that can be said without the volume: look, camera, colours, windows, lights. What is not in the
+// object is as in `usual`. The series is still to be checked. inputNotUsable for a camera that is none;
+// `where` is for the error.
+Result<PresentedState> stateOf(const dicom::PresentationState& read, StudyState usual,
+                               const std::string& where);
+
+// Of the series that is open (StudyInput::seriesDigest), and with what needs its volume: the clip, and what
+// the values are. inputNotUsable when it is of another series, or its clip leaves nothing or is of too many
+// planes.
+Result<void> completeFor(PresentedState& presented, const dicom::PresentationState& read,
+                         const Volume& volume, std::string_view seriesDigest, const std::string& where);
+
+// A file, both of the above.
+Result<PresentedState> openPresentation(const std::filesystem::path& path, const Volume& volume,
+                                        std::string_view seriesDigest, StudyState usual = {});
+
+}  // namespace macula::app

@@ -1,0 +1,38 @@
+// Segments that a picture is drawn without, or of alone, for who has no window.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "app/segmentation/found_segmentation.h"
+#include "app/state/segmentation_choice.h"
+#include "base/progress.h"
+#include "base/result.h"
+#include "base/volume.h"
+#include "pipeline/volume/clip.h"
+
+namespace macula::app {
+
+struct SegmentWish {
+    In3d in3d = In3d::alone;
+    std::string label;
+};
+
+// "keep:Liver", to draw nothing else, or "hide:Liver". usage for anything else.
+Result<SegmentWish> segmentWishFrom(const std::string& typed);
+
+struct SegmentsToDraw {
+    std::optional<Mask> mask;        // nothing: all is shown
+    std::vector<std::string> notes;  // sentences, without patient data
+};
+
+// What was chosen in a view, and what is wished besides: of all segments of that label, in whichever case of
+// letters, in segmentations of the volume. usage when a wish is for none. Fails as loadSegments.
+Result<SegmentsToDraw> segmentsToDraw(const FoundVolumes& found, const FoundVolume& volume,
+                                      std::vector<SegmentationChoice> choices,
+                                      std::span<const SegmentWish> wishes, const Volume& voxels,
+                                      Progress& progress);
+
+}  // namespace macula::app

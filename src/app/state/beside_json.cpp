@@ -1,0 +1,70 @@
+#include "app/state/beside_json.h"
+
+#include <vector>
+
+#include "app/state/json_names.h"
+#include "app/state/slices_json.h"
+#include "pipeline/volume/json_reader.h"
+#include "registration/rigid_registration.h"
+
+namespace macula::app {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr JsonRange kOfTransform{-1e6, 1e6};
+constexpr JsonRange kBoundMm{0.0, 1e6};
+
+glm::dmat4 transformFrom(const JsonNode& node) {
+    const std::vector<double> rows = node.numbers(16, kOfTransform);
+    glm::dmat4 transform(1.0);
+    for (int row = 0; row < 4; ++row)
+        for (int column = 0; column < 4; ++column)
+            transform[column][row] = rows[std::size_t(4 * row + column)];
+    if (registration::isRigid(transform)) return transform;
+    node.fail("a rotation and a shift, row by row");
+    return glm::dmat4(1.0);
+}
+
+}  // namespace
+
+Json toJson(const BesideState& state) {
+    Json json{{"series", state.seriesDigest}, {"link", nameOf(state.link)}};
+    for (int row = 0; row < 4; ++row)
+        for (int column = 0; column < 4; ++column)
+            json["secondFromStudy"].push_back(state.secondFromStudy[column][row]);
+    if (state.link == BesideLink::registered) {
+        json["boundMm"] = state.boundMm;
+        if (state.isDoubtful) json["doubtful"] = true;
+    }
+    json["view"] = nameOf(state.view);
+    if (state.window) {
+        if (Json window = windowJson(*state.window); !window.is_null()) json["window"] = std::move(window);
+    }
+    json["opacity"] = state.opacity;
+    json["colours"] = slices::nameOf(state.colours);
+    const JsonDocument document = JsonDocument::of(nlohmann::json(json), {});
+    besideStateFrom(document.root());
+    return document.status().ok() ? json : Json();
+}
+
+BesideState besideStateFrom(const JsonNode& node) {
+    node.allowOnly(
+        {"series", "link", "secondFromStudy", "boundMm", "doubtful", "view", "window", "opacity", "colours"});
+    BesideState state;
+    state.seriesDigest = node["series"].text();
+    if (state.seriesDigest.empty()) node["series"].fail("the digest of a series");
+    readName(node, "link", kBesideLinks, state.link);
+    if (const auto transform = node.find("secondFromStudy"))
+        state.secondFromStudy = transformFrom(*transform);
+    if (const auto bound = node.find("boundMm")) state.boundMm = bound->number(kBoundMm);
+    if (const auto doubtful = node.find("doubtful")) state.isDoubtful = doubtful->boolean();
+    readName(node, "view", kBesideViews, state.view);
+    if (const auto window = node.find("window")) state.window = windowFrom(*window);
+    if (const auto opacity = node.find("opacity")) state.opacity = opacity->number({0.0, 1.0});
+    readName(node, "colours", slices::kColourTables, state.colours);
+    return state;
+}
+
+}  // namespace macula::app

@@ -1,0 +1,67 @@
+// How the segmentations of a study are shown.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <vector>
+
+namespace macula::app {
+
+// What a segment does to the volume in 3D. Of several that are alone, all are seen; what is hidden is hidden.
+enum class In3d { asIs, alone, hidden };
+inline constexpr std::array kIn3d{In3d::asIs, In3d::alone, In3d::hidden};
+
+// As in files.
+constexpr std::string_view nameOf(In3d in3d) {
+    switch (in3d) {
+        case In3d::asIs:
+            return "asIs";
+        case In3d::alone:
+            return "alone";
+        case In3d::hidden:
+            return "hidden";
+    }
+    return {};
+}
+
+inline constexpr double kUsualSegmentOpacity = 0.4;
+
+struct SegmentChoice {
+    std::uint16_t number = 1;
+    bool isVisible = true;                                // on slices
+    std::optional<std::array<std::uint8_t, 3>> rgb = {};  // sRGB; nothing: what the file recommends
+    double opacity = kUsualSegmentOpacity;                // of what is filled on slices
+    In3d in3d = In3d::asIs;
+
+    bool operator==(const SegmentChoice&) const = default;
+};
+
+struct SegmentationChoice {
+    std::string digest;                        // SHA-256 of its SOP Instance UID
+    bool isShown = false;                      // else it changes nothing, on slices or in 3D
+    std::vector<SegmentChoice> segments = {};  // by number; others are as by default
+
+    bool operator==(const SegmentationChoice&) const = default;
+};
+
+// As by default where nobody chose.
+SegmentationChoice choiceOf(std::span<const SegmentationChoice> choices, std::string_view digest);
+SegmentChoice choiceOf(const SegmentationChoice& choice, std::uint16_t number);
+
+// Sets it, and keeps nothing of what is as by default: equal choices compare equal.
+void choose(std::vector<SegmentationChoice>& choices, SegmentationChoice choice);
+void choose(std::vector<SegmentationChoice>& choices, std::string_view digest, const SegmentChoice& segment);
+
+// The same, but for what they do in 3D.
+std::vector<SegmentationChoice> onSlicesAlone(std::span<const SegmentationChoice> choices);
+
+// What of all this changes the picture in 3D.
+using In3dOf = std::tuple<std::string, std::uint16_t, In3d>;  // digest, number
+std::vector<In3dOf> in3dOf(std::span<const SegmentationChoice> choices);
+
+}  // namespace macula::app

@@ -1,0 +1,156 @@
+#include "app/study/second_study.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <vector>
+
+#include "base/parsing.h"
+#include "base/sha256.h"
+#include "dicom/read/patient.h"
+#include "pipeline/volume/window.h"
+
+namespace macula::app {
+
+namespace {
+
+struct Attribute {
+    const char* name;
+    std::string a;
+    std::string b;
+
+    bool differs() const { return !a.empty() && !b.empty() && a != b; }
+};
+
+std::string plain(const std::string& text) {
+    return std::string(trimmed(text));
+}
+
+std::string date(const std::string& text) {
+    std::string digits = plain(text);
+    std::erase(digits, '.');  // 2000.01.01, of before DICOM 3: PS3.5 6.2 note to DA
+    return digits;
+}
+
+std::string sex(const std::string& text) {
+    std::string letter = plain(text);
+    std::ranges::transform(letter, letter.begin(),
+                           [](char c) { return c >= 'a' && c <= 'z' ? char(c - 'a' + 'A') : c; });
+    return letter;
+}
+
+std::array<Attribute, 4> attributesOf(const Identity& a, const Identity& b) {
+    return {
+        {{"ID", plain(a.patientId), plain(b.patientId)},
+         {"name", dicom::normalisedName(plain(a.patientName)), dicom::normalisedName(plain(b.patientName))},
+         {"date of birth", date(a.birthDate), date(b.birthDate)},
+         {"sex", sex(a.sex), sex(b.sex)}}};
+}
+
+bool isDate(const std::string& text) {
+    return text.size() == 8 &&
+           std::ranges::all_of(text, [](unsigned char c) { return std::isdigit(c) != 0; });
+}
+
+bool isActivity(const Volume& volume) {
+    return volume.unit() == Unit::becquerelsPerMillilitre || volume.unit() == Unit::suvBodyWeight;
+}
+
+// Values of the volume that are no padding, some hundred thousand at most, evenly.
+std::vector<double> someValues(const Volume& volume) {
+    constexpr std::size_t kMost = 200'000;
+    const glm::ivec3 size = volume.size();
+    const std::size_t all = volume.voxelCount();
+    const std::size_t stride = all / kMost + 1;
+    std::vector<double> values;
+    const auto width = std::size_t(size.x);
+    const auto height = std::size_t(size.y);
+    for (std::size_t at = 0; at < all; at += stride) {
+        const auto i = int(at % width);
+        const auto j = int(at / width % height);
+        const auto k = int(at / width / height);
+        if (!volume.isPadding(i, j, k)) values.push_back(volume.value(i, j, k));
+    }
+    return values;
+}
+
+}  // namespace
+
+SamePatient samePatient(const Identity& a, const Identity& b) {
+    if (a.isOfNobody && b.isOfNobody) return SamePatient::yes;
+    if (!whatDiffers(a, b).empty()) return SamePatient::no;
+    const auto attributes = attributesOf(a, b);
+    const bool agree = std::ranges::all_of(
+        attributes, [](const Attribute& attribute) { return attribute.a == attribute.b; });
+    const bool isNamed = !attributes[0].a.empty() || !attributes[1].a.empty();
+    return agree && isNamed ? SamePatient::yes : SamePatient::unknown;
+}
+
+std::vector<std::string> whatDiffers(const Identity& a, const Identity& b) {
+    std::vector<std::string> names;
+    for (const Attribute& attribute : attributesOf(a, b))
+        if (attribute.differs()) names.emplace_back(attribute.name);
+    return names;
+}
+
+Age ageOf(const Identity& study, const Identity& second) {
+    const std::string a = date(study.studyDate);
+    const std::string b = date(second.studyDate);
+    if (!isDate(a) || !isDate(b)) return Age::unknown;
+    if (a == b) return Age::sameDay;
+    return b < a ? Age::earlier : Age::later;
+}
+
+std::string plainTag(const OpenedStudy& study) {
+    if (study.identity.isOfNobody) return "phantom";
+    std::string tag = study.volume->modality().empty() ? "images" : study.volume->modality();
+    const std::string day = date(study.identity.studyDate);
+    tag += ", " + (isDate(day) ? dateForPeople(day) : std::string("no study date"));
+    if (!study.found || study.volumeIndex >= study.found->volumes().size()) return tag;
+    if (const auto& number = study.found->volumes()[study.volumeIndex].series->number)
+        tag += fmt::format(", series {}", *number);
+    return tag;
+}
+
+bool shareFrameOfReference(const OpenedStudy& study, const OpenedStudy& second) {
+    return !study.frameOfReferenceUid.empty() && study.frameOfReferenceUid == second.frameOfReferenceUid &&
+           samePatient(study.identity, second.identity) != SamePatient::no;
+}
+
+BesideState firstLink(const OpenedStudy& study, const OpenedStudy& second) {
+    BesideState state;
+    state.seriesDigest = second.seriesDigest;
+    if (shareFrameOfReference(study, second)) {
+        state.link = BesideLink::sameFrame;
+        return state;
+    }
+    const glm::dvec3 shift = second.volume->worldBox().centre() - study.volume->worldBox().centre();
+    state.secondFromStudy[3] = glm::dvec4(shift, 1.0);
+    return state;
+}
+
+DisplayWindow secondWindow(const Volume& second) {
+    if (!isActivity(second)) return seriesWindow(second);
+    std::vector<double> values = someValues(second);
+    if (values.empty()) return seriesWindow(second);
+    constexpr double kAllBut = 0.999;
+    const auto place = values.begin() + std::ptrdiff_t(kAllBut * double(values.size() - 1));
+    std::ranges::nth_element(values, place);
+    if (!(*place > 0.0)) return seriesWindow(second);
+    return windowOver({0.0, *place});
+}
+
+std::optional<std::size_t> volumeWithDigest(const FoundVolumes& found, const std::string& seriesDigest) {
+    std::optional<std::size_t> only;
+    for (std::size_t n = 0; n < found.volumes().size(); ++n) {
+        if (sha256Hex(found.volumes()[n].series->seriesInstanceUid) != seriesDigest) continue;
+        if (only) return std::nullopt;
+        only = n;
+    }
+    return only;
+}
+
+}  // namespace macula::app

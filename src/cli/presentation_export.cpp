@@ -1,0 +1,99 @@
+#include "cli/presentation_export.h"
+
+#include <fmt/format.h>
+
+#include <map>
+#include <utility>
+
+#include "app/clip/kept_box.h"
+#include "app/output/output_files.h"
+#include "app/presentation/presentation_file.h"
+#include "base/progress_bar.h"
+#include "cli/interrupt.h"
+#include "cli/name_option.h"
+#include "cli/report.h"
+#include "cli/study_options.h"
+#include "formats/volume_file.h"
+
+namespace macula::cli {
+
+namespace {
+
+constexpr double kUsualFovDeg = 30.0;
+
+// All that the clip leaves, from the side that was asked for.
+Result<Camera> usualCamera(const PresentationOptions& options, const app::StudyState& state,
+                           const Volume& volume) {
+    MACULA_TRY(const Box kept, app::keptBox(state.clip, volume));
+    return framePoints(cornersOf(kept), standardBasis(options.state.view.value_or(ViewDirection::anterior)),
+                       options.state.fovDeg > 0.0 ? options.state.fovDeg : kUsualFovDeg, 1.0);
+}
+
+Result<void> checkFiles(const PresentationOptions& options, const PresentedStudy& study) {
+    if (study.path == "phantom:" || formats::isVolumeFileName(study.path))
+        return Error{ErrorCode::usage,
+                     "A presentation state refers to DICOM images, and there are none.",
+                     {},
+                     "Give a folder with DICOM files; macula phantom writes one."};
+    app::OutputFiles outputs(study.overwrite);
+    outputs.read(study.path);
+    for (const std::filesystem::path& input : filesOf(options.state)) outputs.read(input);
+    return outputs.write(options.output);
+}
+
+}  // namespace
+
+CLI::Option* addPresentation(CLI::App& command, PresentationOptions& options) {
+    app::StateWish& state = options.state;
+    auto* output =
+        command
+            .add_option(
+                "--presentation-state", options.output,
+                "Instead of values: DICOM file (.dcm) to write, which says how the series is seen in 3D")
+            ->option_text("FILE");
+    addSession(command, state.session);
+    command.get_option("--session")->needs(output);
+    command.add_option("--preset", state.preset, "Of a presentation state: as of render")->needs(output);
+    command.add_option("--clip", state.clip, "As of render")->needs(output);
+    auto* view = command.add_option("--view", state.view, "As of render")
+                     ->transform(asViewDirection())
+                     ->option_text(kViewDirectionNames)
+                     ->needs(output);
+    command.add_option("--camera", state.camera, "As of render")->needs(output)->excludes(view);
+    command
+        .add_flag("--deidentify", options.isDeidentified,
+                  "Without patient and study, and with other UIDs, by which only who has the series knows it")
+        ->needs(output);
+    return output;
+}
+
+Result<void> exportPresentation(const PresentationOptions& options, const PresentedStudy& study) {
+    MACULA_TRY_VOID(checkFiles(options, study));
+    // A ray cast is what other programs come nearest to; what a view says counts more.
+    app::StudyState usual;
+    usual.settings.look = trace::Look::dvr;
+    usual.settings.shading = trace::Shading::headlight;
+    MACULA_TRY(app::StudyState state, app::stateOf(options.state, std::move(usual)));
+    Progress progress(terminalProgressBar(), interruptToken());
+    MACULA_TRY(const dicom::Scan scan, dicom::scanFolder(study.path, progress, study.how));
+    MACULA_TRY(const dicom::Choice chosen, app::chooseVolume(scan, study.series, study.volume));
+    app::PresentationWish wish;
+    MACULA_TRY(wish.images, app::presentedImages(*chosen.series, *chosen.stack));
+    MACULA_TRY(app::StudyInput input, app::loadStudy(scan, study.path, study.series, progress, study.volume));
+    bringTo16Bits(input);
+    MACULA_TRY_VOID(app::completeState(state, options.state, input));
+    state.seriesDigest = input.seriesDigest;
+    if (!state.camera) {
+        MACULA_TRY(state.camera, usualCamera(options, state, *input.volume));
+    }
+    printNotes(input.notes, input.warnings);
+    wish.state = std::move(state);
+    wish.volume = input.volume;
+    wish.isDeidentified = options.isDeidentified;
+    MACULA_TRY(const std::vector<std::string> leftOut, app::writePresentation(options.output, wish));
+    for (const std::string& sentence : leftOut) printNote(sentence);
+    fmt::print("Wrote a presentation state of {} images\n", wish.images.series.images.size());
+    return {};
+}
+
+}  // namespace macula::cli

@@ -1,0 +1,35 @@
+// macula export PATH --presentation-state FILE: a 3D view as a DICOM object, for archives.
+#pragma once
+
+#include <CLI/App.hpp>
+#include <CLI/Option.hpp>
+#include <filesystem>
+#include <string>
+
+#include "app/state/state_wish.h"
+#include "base/result.h"
+#include "dicom/scan.h"
+
+namespace macula::cli {
+
+struct PresentationOptions {
+    std::filesystem::path output;  // empty: not asked for
+    app::StateWish state;
+    bool isDeidentified = false;
+};
+
+// The series that it is of.
+struct PresentedStudy {
+    std::filesystem::path path;
+    std::string series;
+    std::size_t volume = 0;
+    dicom::ScanOptions how;
+    bool overwrite = false;
+};
+
+// --presentation-state, which is returned, and what needs it. `options` must outlive the parsing.
+CLI::Option* addPresentation(CLI::App& command, PresentationOptions& options);
+
+Result<void> exportPresentation(const PresentationOptions& options, const PresentedStudy& study);
+
+}  // namespace macula::cli

@@ -1,0 +1,11 @@
+// Numbers as text: the VR DS of PS3.5 6.2.
+#pragma once
+
+#include <string>
+
+namespace macula::dicom {
+
+// The most exact text of at most 16 characters.
+std::string decimalString(double value);
+
+}  // namespace macula::dicom

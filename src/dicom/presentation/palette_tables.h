@@ -1,0 +1,25 @@
+// Palette Color Lookup Tables of a data set (PS3.3 C.7.6.3.1.5 and C.7.9.2).
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "dicom/read/dataset.h"
+
+namespace macula::dicom {
+
+struct PaletteTable {
+    int firstValue = 0;                 // that the first entry is of
+    std::vector<std::uint16_t> values;  // 65535 is all, whatever the bits of the table; at least 2
+};
+
+// A table of 8 or 16 bits, plain or else segmented. Nothing where a part of it is missing or does not fit.
+std::optional<PaletteTable> readPaletteTable(const Dataset& from, Tag descriptor, Tag data, Tag segmented);
+
+// The entries that segments come to; nothing unless these are exactly `count`, at most 65536.
+std::optional<std::vector<std::uint16_t>> expandSegments(std::span<const std::uint16_t> words,
+                                                         std::size_t count);
+
+}  // namespace macula::dicom

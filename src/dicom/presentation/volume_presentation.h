@@ -1,0 +1,124 @@
+// How a volume is rendered in 3D, as a Volume Rendering Volumetric Presentation State says it (PS3.3 A.80.2,
+// modules C.11.22 to C.11.32): a plain value, without pixels and without a patient. Patient LPS, mm.
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/frames.h"
+#include "base/volume.h"
+
+namespace macula::dicom {
+
+struct ReferencedImage {
+    std::string sopClassUid;
+    std::string sopInstanceUid;
+
+    bool operator==(const ReferencedImage&) const = default;
+};
+
+// UIDs may name a patient: never logged.
+struct PresentedSeries {
+    std::string seriesInstanceUid;
+    std::string frameOfReferenceUid;
+    std::vector<ReferencedImage> images;
+
+    bool operator==(const PresentedSeries&) const = default;
+};
+
+// From values to colour and opacity. Entry i of n is of the value low + i / (n - 1) * (high - low); values
+// beyond have those of the end. 0 is nothing, 65535 all.
+struct Palette {
+    ValueRange values;  // after Modality LUT or rescale
+    // Equally many each, 2 to 65536. Without red, green and blue: from black to white.
+    std::vector<std::uint16_t> red;
+    std::vector<std::uint16_t> green;
+    std::vector<std::uint16_t> blue;
+    std::vector<std::uint16_t> alpha;  // none: from clear to opaque
+
+    bool operator==(const Palette&) const = default;
+};
+
+// Keeps the points with dot(outward, p) <= offsetMm; a unit vector.
+struct CroppingPlane {
+    glm::dvec3 outward{1.0, 0.0, 0.0};
+    double offsetMm = 0.0;
+
+    bool operator==(const CroppingPlane&) const = default;
+};
+
+// What all of these leave is shown.
+struct Cropping {
+    // By two opposite corners, along the axes of the volume's voxels, which may be none of the patient's.
+    std::vector<Box> boxes;
+    std::vector<CroppingPlane> planes;
+
+    bool isNothing() const { return boxes.empty() && planes.empty(); }
+    bool operator==(const Cropping& b) const;
+};
+
+enum class Projection { perspective, orthographic };
+
+// What is seen: x to the right and y up, in perspective at the distance `farMm` before the eye.
+struct FieldOfView {
+    double leftMm = -1.0;
+    double rightMm = 1.0;
+    double topMm = 1.0;
+    double bottomMm = -1.0;
+    double nearMm = 1.0;
+    double farMm = 2.0;
+
+    bool operator==(const FieldOfView&) const = default;
+};
+
+struct PresentedView {
+    Projection projection = Projection::perspective;
+    glm::dvec3 positionMm{0.0, -1000.0, 0.0};
+    glm::dvec3 lookAtMm{0.0};
+    glm::dvec3 up{0.0, 0.0, 1.0};
+    FieldOfView field;
+
+    bool operator==(const PresentedView&) const = default;
+};
+
+// Phong's, each 0 to 1.
+struct PresentedShading {
+    bool isDoubleSided = true;
+    double ambient = 0.0;
+    double diffuse = 0.0;
+    double specular = 0.0;
+    std::optional<double> shininess;
+    glm::dvec3 lightDirection{0.0, 1.0, 0.0};  // that light travels in; a unit vector
+
+    bool operator==(const PresentedShading&) const = default;
+};
+
+enum class RenderingMethod { volumeRendered, maximum, minimum };
+
+struct VolumePresentation {
+    std::string label = "VOLUME";  // at most 16 of A to Z, 0 to 9, blank and underscore
+    std::string description;       // at most 64; for a person, who may have written a name
+    std::string creationDate;      // YYYYMMDD; empty when written: now
+    std::string creationTime;      // HHMMSS
+    PresentedSeries series;
+    RenderingMethod method = RenderingMethod::volumeRendered;
+    Palette palette;
+    // The thickness that opacities are of; nothing: nobody says.
+    std::optional<double> samplingStepMm;
+    Cropping cropping;
+    PresentedView view;
+    std::optional<PresentedShading> shading;  // nothing: colours as they are
+    // What only Macula reads, in ASCII: a view in its own words, which says more than all of the above. Read
+    // only where nobody has changed that.
+    std::string ownState;
+
+    bool operator==(const VolumePresentation&) const = default;
+};
+
+// SHA-256 of all that makes the picture: not of labels, date and own state.
+std::string digestOf(const VolumePresentation& presentation);
+
+}  // namespace macula::dicom

@@ -1,0 +1,42 @@
+// What is known of a folder while it is still being read.
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <map>
+#include <mutex>
+#include <string>
+#include <utility>
+
+#include "dicom/read/examination.h"
+#include "dicom/scan.h"
+
+namespace macula::dicom {
+
+// Collects what the headers that were read so far say, and tells the listener of it now and then: the first
+// time as soon as there is a series, then at most every kGlimpseEvery, and never so often that it takes more
+// than a tenth of the time. Thread-safe; calls of the listener never overlap, and come from whichever thread
+// adds.
+class ScanGlimpses {
+  public:
+    explicit ScanGlimpses(GlimpseListener listener) : listener_(std::move(listener)) {}
+
+    void add(const Examination& found);
+
+  private:
+    using Clock = std::chrono::steady_clock;
+    struct StudySeen {
+        Study study;
+        std::map<std::string, Series> series;  // by UID
+    };
+
+    Scan seen() const;
+
+    const GlimpseListener listener_;
+    std::mutex mutex_;
+    std::map<std::pair<std::string, PatientIdentity>, StudySeen> studies_;  // as the scan groups them
+    std::map<PatientIdentity, int> patients_;                               // in the order they were met
+    Clock::time_point due_{};
+};
+
+}  // namespace macula::dicom

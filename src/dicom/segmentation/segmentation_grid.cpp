@@ -1,0 +1,114 @@
+#include "dicom/segmentation/segmentation_grid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace macula::dicom {
+
+namespace {
+
+// Places a frame in the plane of a slice that lies a little off its even place, as if both lay at that place.
+std::optional<GridPlacement> placeOnSlice(const Segmentation& segmentation, ImagePlane plane,
+                                          const glm::dmat4& worldFromVoxel, const glm::dmat4& voxelFromWorld,
+                                          std::span<const glm::dvec3> slicePositionsMm) {
+    const double along = transformPoint(voxelFromWorld, plane.positionMm).z;
+    const double last = static_cast<double>(slicePositionsMm.size()) - 1.0;
+    if (!(along > -1.0 && along < last + 1.0)) return {};
+    const glm::dvec3 positionMm = plane.positionMm;
+    for (const double k : {std::round(along), std::floor(along), std::ceil(along)}) {
+        if (k < 0.0 || k > last) continue;
+        const glm::dvec3 even = transformPoint(worldFromVoxel, {0.0, 0.0, k});
+        plane.positionMm = positionMm + even - slicePositionsMm[static_cast<std::size_t>(k)];
+        auto placement = placeOnGrid(voxelFromWorld, plane, segmentation.columns, segmentation.rows);
+        // A frame that runs across the slices has no one slice.
+        if (placement && placement->origin.z == static_cast<int>(k) && placement->columnStep.z == 0 &&
+            placement->rowStep.z == 0) {
+            return placement;
+        }
+    }
+    return {};
+}
+
+// Axes that could be those of a grid that holds all frames: along the normal, or from the lowest frame to the
+// highest; as far apart as the header says, or as the two nearest are.
+std::vector<glm::dvec3> likelySliceAxes(const Segmentation& segmentation) {
+    const auto& frames = segmentation.frames;
+    const glm::dvec3 normal = glm::normalize(frames.front().plane.normal());
+    const auto height = [&](const Segmentation::Frame& f) { return glm::dot(f.plane.positionMm, normal); };
+    const auto [lowest, highest] = std::minmax_element(
+        frames.begin(), frames.end(), [&](const auto& a, const auto& b) { return height(a) < height(b); });
+    const double distance = height(*highest) - height(*lowest);
+    const double stated = segmentation.spacingMm;
+    if (distance < kSamePositionMm) return {normal * (stated > 0.0 ? stated : 1.0)};
+
+    std::vector<double> heights;
+    for (const auto& frame : frames) heights.push_back(height(frame));
+    std::sort(heights.begin(), heights.end());
+    double nearest = distance;
+    for (std::size_t i = 1; i < heights.size(); ++i) {
+        if (const double gap = heights[i] - heights[i - 1]; gap >= kSamePositionMm)
+            nearest = std::min(nearest, gap);
+    }
+    std::vector<glm::dvec3> axes;
+    for (const double spacing : {stated, nearest}) {
+        if (spacing <= 0.0) continue;
+        const double steps = std::round(distance / spacing);
+        if (steps < 1.0) continue;
+        // The step is taken over the whole length, so that what a rounded spacing is wrong by does not add
+        // up.
+        axes.push_back(normal * (distance / steps));
+        axes.push_back((highest->plane.positionMm - lowest->plane.positionMm) / steps);
+    }
+    return axes;
+}
+
+}  // namespace
+
+std::optional<Placements> placeFrames(const Segmentation& segmentation, const glm::dmat4& worldFromVoxel,
+                                      std::span<const glm::dvec3> slicePositionsMm, std::size_t* firstOff) {
+    if (!isInvertibleAffine(worldFromVoxel)) return {};
+    const glm::dmat4 voxelFromWorld = glm::inverse(worldFromVoxel);
+    Placements placements;
+    placements.reserve(segmentation.frames.size());
+    for (const Segmentation::Frame& frame : segmentation.frames) {
+        auto placement = placeOnGrid(voxelFromWorld, frame.plane, segmentation.columns, segmentation.rows);
+        if (!placement && !slicePositionsMm.empty()) {
+            placement =
+                placeOnSlice(segmentation, frame.plane, worldFromVoxel, voxelFromWorld, slicePositionsMm);
+        }
+        if (!placement) {
+            if (firstOff != nullptr) *firstOff = placements.size();
+            return {};
+        }
+        placements.push_back(*placement);
+    }
+    return placements;
+}
+
+std::optional<SegmentationGrid> ownGrid(const Segmentation& segmentation) {
+    if (segmentation.frames.empty()) return {};
+    const ImagePlane& plane = segmentation.frames.front().plane;
+    for (const glm::dvec3& sliceAxis : likelySliceAxes(segmentation)) {
+        glm::dmat4 worldFromVoxel =
+            affine(plane.columnSpacingMm * plane.rowDirection, plane.rowSpacingMm * plane.columnDirection,
+                   sliceAxis, plane.positionMm);
+        auto placements = placeFrames(segmentation, worldFromVoxel);
+        if (!placements) continue;
+        glm::ivec3 low = placements->front().origin;
+        glm::ivec3 high = low;
+        for (const GridPlacement& p : *placements) {
+            for (const glm::ivec3& corner : {p.origin, p.origin + (segmentation.columns - 1) * p.columnStep +
+                                                           (segmentation.rows - 1) * p.rowStep}) {
+                low = glm::min(low, corner);
+                high = glm::max(high, corner);
+            }
+        }
+        worldFromVoxel[3] = worldFromVoxel * glm::dvec4(glm::dvec3(low), 1.0);
+        for (GridPlacement& p : *placements) p.origin -= low;
+        return SegmentationGrid{worldFromVoxel, high - low + glm::ivec3(1), *std::move(placements)};
+    }
+    return {};
+}
+
+}  // namespace macula::dicom

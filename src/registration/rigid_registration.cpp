@@ -1,0 +1,347 @@
+#include "registration/rigid_registration.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <glm/gtc/matrix_transform.hpp>
+#include <limits>
+#include <new>
+#include <utility>
+#include <vector>
+
+#include "registration/intensity_bins.h"
+#include "registration/joint_histogram.h"
+#include "registration/pattern_search.h"
+#include "registration/sample_points.h"
+#include "registration/scalar_grid.h"
+
+namespace macula::registration {
+
+namespace {
+
+// Of the cells, in mm: fine enough for half a voxel of a slice that is read, and quick.
+constexpr std::array kCellsMm{2.0, 4.0, 8.0};
+constexpr std::size_t kFine = 0;
+constexpr std::size_t kMiddle = 1;
+constexpr std::size_t kCoarse = 2;
+
+constexpr std::size_t kCoarsePoints = 4000;
+constexpr std::size_t kMiddlePoints = 16000;
+constexpr std::size_t kFinePoints = 40000;
+constexpr std::size_t kLeastPoints = 200;  // and cells of a volume
+constexpr double kLeastPointsMet = 100.0;  // fewer are alike by chance
+
+constexpr double kLeverMm = 100.0;     // a turn is told by how far it moves what lies so far from its middle
+constexpr double kLeastOverlap = 0.3;  // of the smaller volume
+constexpr double kSweepStepMm = 24.0;  // along the patient, for starts: scans differ in where they begin
+constexpr double kSweepReachMm = 480.0;  // to each side
+constexpr std::size_t kStartsFollowed = 4;
+constexpr double kApartMm = 3.0;  // of the two starts of the second and third level
+constexpr SearchRange kCoarseRange{.firstStep = 8.0, .lastStep = 1.0};
+constexpr SearchRange kMiddleRange{.firstStep = 3.0, .lastStep = 0.3};
+constexpr SearchRange kFineRange{.firstStep = 1.0, .lastStep = 0.06};
+
+constexpr std::uint64_t kSeed = 20031;
+
+constexpr double kDoubtfulMm = 3.0;
+constexpr double kDoubtfulInformation = 0.05;  // nats: what is left between volumes of two bodies, about
+constexpr double kDoubtfulOverlap = 0.1;
+
+constexpr std::size_t kProgressSteps = 10;
+
+Error cancelled() {
+    return {ErrorCode::cancelled, "Registration was cancelled.", {}, {}};
+}
+
+Error notUsable(const char* sentence) {
+    return {ErrorCode::inputNotUsable, sentence, {}, "Link the volumes by hand, or choose another series."};
+}
+
+// A volume, coarser and coarser.
+struct Pyramid {
+    std::array<ScalarGrid, kCellsMm.size()> levels;  // by kFine, kMiddle, kCoarse
+};
+
+Pyramid pyramidOf(const Volume& volume, const CancelToken& token) {
+    Pyramid pyramid;
+    pyramid.levels[kFine] = gridOf(volume, kCellsMm[kFine], token);
+    for (const std::size_t level : {kMiddle, kCoarse})
+        pyramid.levels[level] = coarser(pyramid.levels[level - 1], kCellsMm[level]);
+    return pyramid;
+}
+
+// Where a volume has values.
+struct Extent {
+    Box box{glm::dvec3(std::numeric_limits<double>::max()),
+            glm::dvec3(std::numeric_limits<double>::lowest())};
+    glm::dvec3 middleMm{0.0};  // of all cells that have a value
+    std::size_t cells = 0;
+    double volumeMl = 0.0;
+};
+
+Extent extentOf(const ScalarGrid& grid) {
+    Extent extent;
+    glm::dvec3 sum(0.0);
+    for (int k = 0; k < grid.size.z; ++k) {
+        for (int j = 0; j < grid.size.y; ++j) {
+            for (int i = 0; i < grid.size.x; ++i) {
+                if (std::isnan(grid.values[grid.index(i, j, k)])) continue;
+                const glm::dvec3 mm = transformPoint(grid.worldFromGrid, glm::dvec3(i, j, k));
+                extent.box.low = glm::min(extent.box.low, mm);
+                extent.box.high = glm::max(extent.box.high, mm);
+                sum += mm;
+                ++extent.cells;
+            }
+        }
+    }
+    if (extent.cells > 0) extent.middleMm = sum / double(extent.cells);
+    extent.volumeMl =
+        double(extent.cells) * std::abs(glm::determinant(glm::dmat3(grid.worldFromGrid))) / 1000.0;
+    return extent;
+}
+
+std::array<glm::dvec3, 8> cornersOf(const Box& box) {
+    std::array<glm::dvec3, 8> corners;
+    for (unsigned n = 0; n < corners.size(); ++n)
+        corners[n] = {n & 1U ? box.high.x : box.low.x, n & 2U ? box.high.y : box.low.y,
+                      n & 4U ? box.high.z : box.low.z};
+    return corners;
+}
+
+// The first three numbers turn, about the middle of the fixed volume, the others move; all in mm.
+glm::dmat4 transformOf(const Parameters& p, const glm::dvec3& middleMm) {
+    const glm::dvec3 turn = glm::dvec3(p[0], p[1], p[2]) / kLeverMm;
+    const double angle = glm::length(turn);
+    glm::dmat4 movingFromFixed = glm::translate(glm::dmat4(1.0), middleMm + glm::dvec3(p[3], p[4], p[5]));
+    if (angle > 0.0) movingFromFixed = glm::rotate(movingFromFixed, angle, turn / angle);
+    return glm::translate(movingFromFixed, -middleMm);
+}
+
+// How alike the volumes are on one level, by one set of points.
+class Comparison {
+  public:
+    Comparison(std::vector<SamplePoint> points, const ScalarGrid& moving, const IntensityBins& bins,
+               const glm::dvec3& middleMm, double leastOverlap)
+        : points_(std::move(points)),
+          moving_(moving),
+          bins_(bins),
+          middleMm_(middleMm),
+          leastOverlap_(leastOverlap) {}
+
+    Likeness at(const Parameters& p) const {
+        return likenessOf(points_, moving_, bins_, transformOf(p, middleMm_));
+    }
+    double score(const Parameters& p) const {
+        const Likeness likeness = at(p);
+        return likeness.overlap < leastOverlap_ ? -std::numeric_limits<double>::infinity()
+                                                : likeness.normalised;
+    }
+    std::size_t pointCount() const { return points_.size(); }
+
+  private:
+    std::vector<SamplePoint> points_;
+    const ScalarGrid& moving_;
+    const IntensityBins& bins_;
+    glm::dvec3 middleMm_;
+    double leastOverlap_;
+};
+
+class RigidSearch {
+  public:
+    RigidSearch(const Volume& fixed, const Volume& moving, Progress& progress)
+        : progress_(progress),
+          fixed_(pyramidOf(fixed, progress.token())),
+          moving_((progress.advance(), pyramidOf(moving, progress.token()))),
+          fixedBins_(fixed_.levels[kMiddle], fixed.unit()),
+          movingBins_(moving_.levels[kMiddle], moving.unit()),
+          fixedExtent_(extentOf(fixed_.levels[kMiddle])),
+          movingExtent_(extentOf(moving_.levels[kMiddle])) {
+        progress.advance();
+    }
+
+    Result<RigidRegistration> found() {
+        if (progress_.cancelled()) return cancelled();
+        MACULA_TRY_VOID(checkInput());
+        const Comparison coarse = comparison(kCoarse, kCoarsePoints, 0);
+        if (coarse.pointCount() < kLeastPoints || movingExtent_.cells < kLeastPoints)
+            return notUsable("One of the volumes has too few voxels to be registered.");
+        const Highest start = startOf(coarse);
+        if (progress_.cancelled()) return cancelled();
+        if (!std::isfinite(start.value))
+            return notUsable("The volumes do not show enough of the same part of the body to be registered.");
+        progress_.advance(2);
+        std::array<Highest, 2> ends{};
+        for (std::size_t run = 0; run < ends.size(); ++run) {
+            ends[run] = refined(start.at, run);
+            if (progress_.cancelled()) return cancelled();
+            progress_.advance(3);
+        }
+        return told(ends);
+    }
+
+  private:
+    Comparison comparison(std::size_t level, std::size_t points, std::uint64_t run) const {
+        const double smaller = std::min(1.0, movingExtent_.volumeMl / fixedExtent_.volumeMl);
+        std::vector<SamplePoint> drawn =
+            samplePoints(fixed_.levels[level], fixedBins_, points, kSeed + 10 * run + level);
+        const double least = std::max(kLeastOverlap * smaller,
+                                      kLeastPointsMet / double(std::max<std::size_t>(drawn.size(), 1)));
+        return {std::move(drawn), moving_.levels[level], movingBins_, fixedExtent_.middleMm, least};
+    }
+
+    Result<void> checkInput() const {
+        for (const Pyramid* volume : {&fixed_, &moving_}) {
+            const glm::ivec3& size = volume->levels[kFine].size;
+            if (size.x < 3 || size.y < 3 || size.z < 3)
+                return notUsable(
+                    "A volume of fewer than three slices, rows or columns cannot be registered.");
+        }
+        if (fixedExtent_.volumeMl <= 0.0 || movingExtent_.volumeMl <= 0.0)
+            return notUsable("One of the volumes has no values: there is nothing to register by.");
+        if (!fixedBins_.areUsable() || !movingBins_.areUsable())
+            return notUsable(
+                "One of the volumes has the same value everywhere: there is nothing to register by.");
+        return {};
+    }
+
+    Highest highest(const Comparison& on, const Parameters& start, const SearchRange& range) const {
+        return patternSearch([&](const Parameters& p) { return on.score(p); }, start, range,
+                             [this] { return progress_.cancelled(); });
+    }
+
+    // As they lie, middle on middle, and from there along the patient.
+    std::vector<Parameters> starts() const {
+        const glm::dvec3 toMiddle = movingExtent_.middleMm - fixedExtent_.middleMm;
+        std::vector<Parameters> all{{}, {0.0, 0.0, 0.0, toMiddle.x, toMiddle.y, toMiddle.z}};
+        const auto reach = int(kSweepReachMm / kSweepStepMm);
+        for (int n = -reach; n <= reach; ++n) {
+            all.push_back({0.0, 0.0, 0.0, toMiddle.x, toMiddle.y, toMiddle.z + n * kSweepStepMm});
+            all.push_back({0.0, 0.0, 0.0, 0.0, 0.0, n * kSweepStepMm});
+        }
+        return all;
+    }
+
+    // The best that the best starts lead to.
+    Highest startOf(const Comparison& coarse) const {
+        std::vector<Highest> all;
+        for (const Parameters& start : starts()) {
+            if (progress_.cancelled()) return {};
+            all.push_back({start, coarse.score(start)});
+        }
+        std::ranges::stable_sort(all, std::ranges::greater(), &Highest::value);
+        Highest best = all.front();
+        for (std::size_t n = 0; n < std::min(all.size(), kStartsFollowed); ++n) {
+            if (!std::isfinite(all[n].value)) break;
+            const Highest end = highest(coarse, all[n].at, kCoarseRange);
+            if (end.value > best.value) best = end;
+        }
+        return best;
+    }
+
+    // From one of two starts that lie on both sides of the answer of the coarse level.
+    Highest refined(const Parameters& from, std::size_t run) const {
+        Parameters start = from;
+        const double away = run == 0 ? kApartMm : -kApartMm;
+        for (std::size_t n = 0; n < start.size(); ++n) start[n] += n % 2 == 0 ? away : -away;
+        const Highest middle = highest(comparison(kMiddle, kMiddlePoints, run), start, kMiddleRange);
+        return highest(comparison(kFine, kFinePoints, run), middle.at, kFineRange);
+    }
+
+    RigidRegistration told(const std::array<Highest, 2>& ends) const {
+        const Comparison judge = comparison(kFine, kFinePoints, ends.size());
+        const bool isSecond = judge.score(ends[1].at) > judge.score(ends[0].at);
+        const Parameters& chosen = ends[isSecond ? 1 : 0].at;
+        const Likeness after = judge.at(chosen);
+        RigidRegistration registration{.movingFromFixed = transformOf(chosen, fixedExtent_.middleMm),
+                                       .informationBefore = informationBefore(judge),
+                                       .informationAfter = after.information,
+                                       .overlap = after.overlap};
+        registration.boundMm = kFineRange.lastStep + farthestApartMm(ends);
+        return registration;
+    }
+
+    double informationBefore(const Comparison& judge) const {
+        const std::vector<Parameters> all = starts();
+        const bool asTheyLie = std::isfinite(judge.score(all[0]));
+        return judge.at(asTheyLie ? all[0] : all[1]).information;
+    }
+
+    // At the corners of what both volumes show.
+    double farthestApartMm(const std::array<Highest, 2>& ends) const {
+        const glm::dmat4 first = transformOf(ends[0].at, fixedExtent_.middleMm);
+        const glm::dmat4 second = transformOf(ends[1].at, fixedExtent_.middleMm);
+        const glm::dmat4 back = glm::inverse(first);
+        Box moving{glm::dvec3(std::numeric_limits<double>::max()),
+                   glm::dvec3(std::numeric_limits<double>::lowest())};
+        for (const glm::dvec3& corner : cornersOf(movingExtent_.box)) {
+            moving.low = glm::min(moving.low, transformPoint(back, corner));
+            moving.high = glm::max(moving.high, transformPoint(back, corner));
+        }
+        const Box both{glm::max(fixedExtent_.box.low, moving.low),
+                       glm::min(fixedExtent_.box.high, moving.high)};
+        double apartMm = 0.0;
+        for (const glm::dvec3& corner : cornersOf(both)) {
+            const glm::dvec3 from = transformPoint(first, corner);
+            apartMm = std::max(apartMm, glm::length(from - transformPoint(second, corner)));
+        }
+        return apartMm;
+    }
+
+    Progress& progress_;
+    Pyramid fixed_;
+    Pyramid moving_;
+    IntensityBins fixedBins_;
+    IntensityBins movingBins_;
+    Extent fixedExtent_;
+    Extent movingExtent_;
+};
+
+}  // namespace
+
+bool RigidRegistration::isDoubtful() const {
+    return !(boundMm <= kDoubtfulMm) || informationAfter < kDoubtfulInformation ||
+           informationAfter < informationBefore || overlap < kDoubtfulOverlap;
+}
+
+Result<RigidRegistration> registerRigid(const Volume& fixed, const Volume& moving, Progress& progress) try {
+    progress.beginStage("Registering the second volume", kProgressSteps);
+    return RigidSearch(fixed, moving, progress).found();
+} catch (const std::bad_alloc&) {
+    return Error{ErrorCode::outOfMemory,
+                 "There is not enough memory to register the volumes.",
+                 {},
+                 "Close other programs, or link the volumes by hand."};
+}
+
+double boxOverlap(const Volume& fixed, const Volume& moving, const glm::dmat4& movingFromFixed) {
+    constexpr int kAlong = 12;  // points, evenly within the fixed volume
+    const glm::dmat4 cellFromVoxel =
+        glm::inverse(moving.worldFromVoxel()) * movingFromFixed * fixed.worldFromVoxel();
+    int within = 0;
+    for (int n = 0; n < kAlong * kAlong * kAlong; ++n) {
+        const glm::dvec3 share =
+            (glm::dvec3(n % kAlong, n / kAlong % kAlong, n / kAlong / kAlong) + 0.5) / double(kAlong);
+        const glm::dvec3 at = transformPoint(cellFromVoxel, share * glm::dvec3(fixed.size()) - 0.5);
+        const glm::dvec3 end = glm::dvec3(moving.size()) - 0.5;
+        if (at.x >= -0.5 && at.y >= -0.5 && at.z >= -0.5 && at.x <= end.x && at.y <= end.y && at.z <= end.z)
+            ++within;
+    }
+    return double(within) / (kAlong * kAlong * kAlong);
+}
+
+bool isRigid(const glm::dmat4& transform) {
+    constexpr double kTolerance = 1e-3;
+    for (int column = 0; column < 4; ++column)
+        for (int row = 0; row < 4; ++row)
+            if (!std::isfinite(transform[column][row])) return false;
+    const glm::dmat3 turn(transform);
+    const glm::dmat3 square = glm::transpose(turn) * turn;
+    for (int column = 0; column < 3; ++column)
+        for (int row = 0; row < 3; ++row)
+            if (std::abs(square[column][row] - (column == row ? 1.0 : 0.0)) > kTolerance) return false;
+    return glm::determinant(turn) > 0.0 && transform[0][3] == 0.0 && transform[1][3] == 0.0 &&
+           transform[2][3] == 0.0 && transform[3][3] == 1.0;
+}
+
+}  // namespace macula::registration

@@ -1,0 +1,48 @@
+// Segments over the picture of a slice: filled, with a line along the border of their voxels.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "base/volume.h"
+#include "base/voxel_set.h"
+#include "slices/slice_plane.h"
+
+namespace macula::slices {
+
+struct ShownSegment {
+    std::shared_ptr<const VoxelSet> voxels;  // of the volume that is shown
+    std::string label;                       // for the screen
+    std::array<std::uint8_t, 3> rgb{};       // sRGB
+    double opacity = 0.4;                    // of what is filled, 0 to 1; the line is opaque
+
+    bool operator==(const ShownSegment&) const = default;  // of voxels: the same set
+};
+using ShownSegments = std::vector<ShownSegment>;
+
+// Row by row, sizePx.x pixels each: 0xAARRGGBB, sRGB, premultiplied. Empty where there is nothing to see.
+struct SegmentPicture {
+    glm::ivec2 sizePx{0};
+    std::vector<std::uint32_t> argb;
+};
+
+// A pixel belongs to the segments of the voxel whose middle is nearest to the pixel's, as in sampleSlice with
+// Filter::nearest; so borders are those of voxels. Later segments lie over earlier ones, and lines over all
+// that is filled; a line lies within its segment, `linePx` wide, and none where a segment leaves the picture.
+// Of a slab it is the plane in the middle. Uses all cores. `cancelled` is asked from several threads at a
+// time; then the result is empty. May throw std::bad_alloc.
+SegmentPicture paintSegments(const Volume& volume, const SliceFrame& frame,
+                             std::span<const ShownSegment> segments, int linePx,
+                             const std::function<bool()>& cancelled = {});
+
+// The places in `segments` of those that the voxel nearest to a point belongs to.
+std::vector<std::size_t> segmentsAt(const Volume& volume, const glm::dvec3& mm,
+                                    std::span<const ShownSegment> segments);
+
+}  // namespace macula::slices

@@ -1,0 +1,212 @@
+#include "viewer/beside/beside_bar.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QScopedValueRollback>
+#include <QSlider>
+#include <QStandardItemModel>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "viewer/beside/beside_study.h"
+#include "viewer/harmless_text.h"
+#include "viewer/status_widgets.h"
+
+namespace macula::viewer {
+
+namespace {
+
+constexpr int kPercent = 100;
+constexpr int kArrowsPx = 40;
+constexpr double kLargest = 1e9;  // of the ends of a window, as in files
+
+struct ViewRow {
+    app::BesideView view;
+    const char* title;
+};
+constexpr std::array kViews{
+    ViewRow{app::BesideView::hidden, QT_TRANSLATE_NOOP("BesideBar", "Study alone")},
+    ViewRow{app::BesideView::beside, QT_TRANSLATE_NOOP("BesideBar", "Side by side")},
+    ViewRow{app::BesideView::instead, QT_TRANSLATE_NOOP("BesideBar", "Second alone")},
+    ViewRow{app::BesideView::over, QT_TRANSLATE_NOOP("BesideBar", "In colours over the study")}};
+
+struct ColourRow {
+    slices::ColourTable colours;
+    const char* title;
+};
+constexpr std::array kColours{
+    ColourRow{slices::ColourTable::hotIron, QT_TRANSLATE_NOOP("BesideBar", "Hot iron")},
+    ColourRow{slices::ColourTable::green, QT_TRANSLATE_NOOP("BesideBar", "Green")},
+    ColourRow{slices::ColourTable::grey, QT_TRANSLATE_NOOP("BesideBar", "Grey")}};
+
+void setItemEnabled(QComboBox& box, int index, bool enabled) {
+    auto* model = qobject_cast<QStandardItemModel*>(box.model());
+    if (model != nullptr) model->item(index)->setEnabled(enabled);
+}
+
+// Steps of a window that is so wide.
+double stepOf(double width) {
+    return std::pow(10.0, std::floor(std::log10(std::max(width, 1e-6))) - 1.0);
+}
+
+}  // namespace
+
+BesideBar::BesideBar(ViewerSession& session, BesideStudy& beside, QWidget* parent)
+    : QToolBar(tr("Second Volume"), parent),
+      session_(session),
+      beside_(beside),
+      tag_(new ElidingLabel(tr("The second volume"))) {
+    setObjectName(QStringLiteral("beside-bar"));
+    setMovable(false);
+    tag_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+    addViews();
+    addLinks();
+    addColours();
+    addWindow();
+    addWidget(tag_);
+    QAction* close = addAction(tr("Close"), &beside_, &BesideStudy::close);
+    close->setObjectName(QStringLiteral("close-beside"));
+    close->setToolTip(tr("Close the second volume; the study stays"));
+    connect(&session_, &ViewerSession::changed, this, &BesideBar::showState);
+    connect(&beside_, &BesideStudy::secondChanged, this, &BesideBar::showState);
+    connect(&beside_, &BesideStudy::began, this, &BesideBar::showState);
+    connect(&beside_, &BesideStudy::ended, this, &BesideBar::showState);
+    showState();
+}
+
+void BesideBar::addViews() {
+    views_ = new QComboBox(this);
+    views_->setObjectName(QStringLiteral("beside-view"));
+    views_->setAccessibleName(tr("How the second volume is shown"));
+    views_->setToolTip(
+        tr("The second volume beside the study, in its place, or over it. J puts it in the place "
+           "of the study, and back"));
+    for (const ViewRow& row : kViews) views_->addItem(tr(row.title));
+    connect(views_, &QComboBox::activated, this,
+            [this](int index) { beside_.setView(kViews.at(std::size_t(index)).view); });
+    addWidget(views_);
+}
+
+void BesideBar::addLinks() {
+    links_ = new QComboBox(this);
+    links_->setObjectName(QStringLiteral("beside-link"));
+    links_->setAccessibleName(tr("How the second volume is linked"));
+    links_->setToolTip(tr(
+        "What takes a place in the study to the same place in the second volume. By hand, the wheel over the "
+        "second volume moves it alone"));
+    links_->addItems({tr("By hand"), tr("Same frame of reference"), tr("Registered")});
+    connect(links_, &QComboBox::activated, this, [this](int index) {
+        switch (app::kBesideLinks.at(std::size_t(index))) {
+            case app::BesideLink::byHand:
+                beside_.linkByHand();
+                break;
+            case app::BesideLink::sameFrame:
+                beside_.linkByFrame();
+                break;
+            case app::BesideLink::registered:
+                beside_.registerNow();
+                break;
+        }
+        showState();  // until it is found, it is as before
+    });
+    addWidget(links_);
+}
+
+void BesideBar::addColours() {
+    colours_ = new QComboBox(this);
+    colours_->setObjectName(QStringLiteral("beside-colours"));
+    colours_->setAccessibleName(tr("Colours of the second volume"));
+    colours_->setToolTip(tr("Colours of the second volume where it lies over the study"));
+    for (const ColourRow& row : kColours) colours_->addItem(tr(row.title));
+    connect(colours_, &QComboBox::activated, this, [this](int index) {
+        if (beside_.state() == nullptr) return;
+        session_.change(tr("Colours"), [index](app::StudyState& next) {
+            next.beside->colours = kColours.at(std::size_t(index)).colours;
+        });
+    });
+    addWidget(colours_);
+    opacity_ = new QSlider(Qt::Horizontal, this);
+    opacity_->setObjectName(QStringLiteral("beside-opacity"));
+    opacity_->setRange(0, kPercent);
+    opacity_->setAccessibleName(tr("Opacity of the second volume in percent"));
+    constexpr int kSliderPx = 100;
+    opacity_->setFixedWidth(kSliderPx);
+    connect(opacity_, &QSlider::valueChanged, this, [this](int percent) {
+        opacity_->setToolTip(tr("Opacity of the second volume over the study: %1 %").arg(percent));
+        if (isShowing_ || beside_.state() == nullptr) return;
+        session_.drag(tr("Opacity"), [percent](app::StudyState& next) {
+            next.beside->opacity = double(percent) / kPercent;
+        });
+    });
+    connect(opacity_, &QSlider::sliderReleased, &session_, &ViewerSession::endDrag);
+    addWidget(opacity_);
+}
+
+void BesideBar::addWindow() {
+    const auto add = [this](const char* name, const QString& text) {
+        auto* box = new QDoubleSpinBox(this);
+        box->setObjectName(QString::fromLatin1(name));
+        box->setRange(-kLargest, kLargest);
+        box->setKeyboardTracking(false);  // "25" is not 2 for a moment
+        box->setAccessibleName(text);
+        // Its range would make it wider than any value that is seen.
+        box->setMaximumWidth(box->fontMetrics().horizontalAdvance(QStringLiteral("-100,000.00 g/mL")) +
+                             kArrowsPx);
+        connect(box, &QDoubleSpinBox::valueChanged, this, &BesideBar::proposeWindow);
+        connect(box, &QDoubleSpinBox::editingFinished, &session_, &ViewerSession::endDrag);
+        addWidget(box);
+        return box;
+    };
+    black_ = add("beside-black", tr("Window of the second volume from"));
+    white_ = add("beside-white", tr("Window of the second volume up to"));
+}
+
+void BesideBar::proposeWindow() {
+    if (isShowing_ || beside_.state() == nullptr) return;
+    const double low = black_->value();
+    const double high = white_->value();
+    if (!(high > low)) return showState();  // no window: the one before stays
+    session_.drag(tr("Window of the second volume"), [&](app::StudyState& next) {
+        next.beside->window = DisplayWindow{
+            .center = 0.5 * (low + high), .width = high - low, .explanation = {}, .function = "LINEAR_EXACT"};
+    });
+}
+
+void BesideBar::showState() {
+    const app::BesideState* state = beside_.state();
+    setVisible(state != nullptr);
+    if (state == nullptr) return;
+    const QScopedValueRollback shows(isShowing_, true);
+    const SecondSeries& second = *beside_.second();
+    const Volume& volume = *second.study.volume;
+    const auto view = std::ranges::find(kViews, state->view, &ViewRow::view);
+    views_->setCurrentIndex(int(view - kViews.begin()));
+    setItemEnabled(*views_, int(app::BesideView::over), state->isLinked());
+    links_->setCurrentIndex(int(state->link));
+    setItemEnabled(*links_, int(app::BesideLink::sameFrame), beside_.canShareFrame());
+    const bool isOver = state->view == app::BesideView::over;
+    colours_->setEnabled(isOver);
+    opacity_->setEnabled(isOver);
+    const auto colours = std::ranges::find(kColours, state->colours, &ColourRow::colours);
+    colours_->setCurrentIndex(int(colours - kColours.begin()));
+    opacity_->setValue(int(std::lround(state->opacity * kPercent)));
+    const DisplayWindow window = state->window.value_or(second.usualWindow);
+    const QString unit = harmless(QString::fromStdString(volume.unitName()));
+    for (QDoubleSpinBox* box : {black_, white_}) {
+        const double step = stepOf(window.width);
+        box->setDecimals(std::clamp(int(-std::floor(std::log10(step))), 0, 6));
+        box->setSingleStep(step);
+        box->setSuffix(unit.isEmpty() ? QString() : QLatin1Char(' ') + unit);
+        box->setToolTip(tr("What is black and what is white of the second volume, in its own unit"));
+    }
+    black_->setValue(window.center - 0.5 * window.width);
+    white_->setValue(window.center + 0.5 * window.width);
+    QString text = second.tag + QStringLiteral(". ");
+    text += beside_.isRegistering() ? tr("Registering…") : linkText(*state);
+    tag_->setFullText(text, second.patientNote);
+}
+
+}  // namespace macula::viewer

@@ -1,0 +1,47 @@
+// How the second volume is shown: a bar that is there while there is one.
+#pragma once
+
+#include <QToolBar>
+
+class QAction;
+class QComboBox;
+class QDoubleSpinBox;
+class QSlider;
+
+namespace macula::viewer {
+
+class BesideStudy;
+class ElidingLabel;
+class ViewerSession;
+
+// Whose it is, in columns or colours, how it is linked, and its window. All of it is the session's state; it
+// is proposed, and shown as the state has it. Hidden without a second volume.
+class BesideBar : public QToolBar {
+    Q_OBJECT
+
+  public:
+    // Both outlive it.
+    BesideBar(ViewerSession& session, BesideStudy& beside, QWidget* parent = nullptr);
+
+    void showState();
+
+  private:
+    void addViews();
+    void addLinks();
+    void addColours();
+    void addWindow();
+    void proposeWindow();
+
+    ViewerSession& session_;
+    BesideStudy& beside_;
+    ElidingLabel* tag_;
+    QComboBox* views_ = nullptr;
+    QComboBox* links_ = nullptr;
+    QComboBox* colours_ = nullptr;
+    QSlider* opacity_ = nullptr;
+    QDoubleSpinBox* black_ = nullptr;  // ends of the window, in the unit of the second volume
+    QDoubleSpinBox* white_ = nullptr;
+    bool isShowing_ = false;  // the state, and proposes nothing
+};
+
+}  // namespace macula::viewer

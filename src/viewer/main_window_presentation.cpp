@@ -1,0 +1,98 @@
+// Presentation states: the 3D view as a DICOM object, saved and opened again.
+#include <QAction>
+#include <QFileDialog>
+#include <QMenu>
+#include <utility>
+
+#include "app/study/found_volumes.h"
+#include "viewer/keys.h"
+#include "viewer/main_window.h"
+#include "viewer/output/presentation_dialog.h"
+#include "viewer/output/presentation_files.h"
+
+namespace macula::viewer {
+
+void MainWindow::addPresentationsTo(QMenu& file) {
+    QAction* open = file.addAction(tr("Open Presen&tation State…"), this, &MainWindow::askForPresentation);
+    open->setObjectName(QStringLiteral("open-presentation"));
+    open->setToolTip(tr("Show this series as a DICOM presentation state says"));
+    QAction* save =
+        file.addAction(tr("Save Presentation State…"), this, &MainWindow::askHowToSavePresentation);
+    save->setObjectName(QStringLiteral("save-presentation"));
+    save->setShortcut(keyOf(KeyAction::savePresentation));
+    save->setToolTip(tr("The 3D view as a DICOM object, for the archive and other programs"));
+
+    presentations_ = new PresentationFiles(this);
+    connect(presentations_, &PresentationFiles::saved, this,
+            [this](const QString& path, const QStringList& notes) {
+                QStringList told{tr("The presentation state is written to %1.").arg(path)};
+                messages_->showNote((told + notes).join(QLatin1Char(' ')));
+            });
+    connect(presentations_, &PresentationFiles::opened, this,
+            [this](const app::StudyState& state, const QStringList& notes) {
+                if (const Result<void> shown = setState(state); !shown) {
+                    messages_->showError(shown.error());
+                } else if (notes.isEmpty()) {
+                    messages_->hide();
+                } else {
+                    messages_->showNote(notes.join(QLatin1Char(' ')));
+                }
+            });
+    connect(presentations_, &PresentationFiles::failed, this, [this](const Error& error) {
+        messages_->showError(error);
+        emit failed(error);
+    });
+}
+
+void MainWindow::askForPresentation() {
+    if (!study().volume)
+        return messages_->showError({ErrorCode::usage,
+                                     tr("No study is open.").toStdString(),
+                                     {},
+                                     tr("Open the series of the presentation state first.").toStdString()});
+    auto* dialog = new QFileDialog(this, tr("Open a presentation state"), lastFolder_,
+                                   tr("DICOM files (*.dcm);;All files (*)"));
+    dialog->setFileMode(QFileDialog::ExistingFile);
+    ask(dialog, [this](const QString& path) {
+        presentations_->open(path.toStdString(), study().volume, study().seriesDigest, state());
+    });
+}
+
+void MainWindow::askHowToSavePresentation() {
+    if (!study().volume || !study().found)
+        return messages_->showError(
+            {ErrorCode::usage,
+             tr("A presentation state refers to DICOM images, and none are open.").toStdString(),
+             {},
+             tr("Open a folder with DICOM files, or save the view.").toStdString()});
+    viewport_->window().endDrag();
+    auto* dialog = new PresentationDialog(this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &QDialog::accepted, this,
+            [this, dialog] { askWhereToSavePresentation(dialog->isDeidentified()); });
+    dialog->open();
+}
+
+void MainWindow::askWhereToSavePresentation(bool isDeidentified) {
+    // What is on screen now: while a person looks for a folder another study may come.
+    const app::FoundVolume& shown = study().found->volumes().at(study().volumeIndex);
+    auto images = app::presentedImages(*shown.series, *shown.stack);
+    if (!images) return messages_->showError(images.error());
+    app::PresentationWish wish;
+    wish.state = state();
+    wish.volume = study().volume;
+    wish.images = *std::move(images);
+    const QSize size = viewport_->pictureSize();
+    if (!size.isEmpty()) wish.aspectWidthOverHeight = double(size.width()) / size.height();
+    wish.isDeidentified = isDeidentified;
+    auto* dialog =
+        new QFileDialog(this, tr("Save the presentation state"), lastFolder_, tr("DICOM files (*.dcm)"));
+    dialog->setAcceptMode(QFileDialog::AcceptSave);
+    dialog->setDefaultSuffix(QStringLiteral("dcm"));
+    dialog->selectFile(QStringLiteral("presentation.dcm"));
+    ask(dialog, [this, wish = std::move(wish)](const QString& path) {
+        presentations_->save(path.toStdString(), wish);
+    });
+}
+
+}  // namespace macula::viewer

@@ -1,0 +1,69 @@
+#include "viewer/output/presentation_files.h"
+
+#include <new>
+#include <utility>
+
+namespace macula::viewer {
+
+namespace {
+
+QStringList listOf(const std::vector<std::string>& sentences) {
+    QStringList list;
+    for (const std::string& sentence : sentences) list << QString::fromStdString(sentence);
+    return list;
+}
+
+Error tooLarge() {
+    return {ErrorCode::outOfMemory,
+            "There is not enough memory for the presentation state.",
+            {},
+            "Close other programs."};
+}
+
+}  // namespace
+
+PresentationFiles::PresentationFiles(QObject* parent)
+    : QObject(parent),
+      saving_(this, {.progressed = [](const ProgressUpdate&) {},
+                     .ended =
+                         [this](const auto& leftOut) {
+                             if (leftOut) {
+                                 emit saved(path_, listOf(*leftOut));
+                             } else {
+                                 emit failed(leftOut.error());
+                             }
+                         }}),
+      opening_(this, {.progressed = [](const ProgressUpdate&) {},
+                      .ended =
+                          [this](const auto& presented) {
+                              if (presented) {
+                                  emit opened(presented->state, listOf(presented->notes));
+                              } else {
+                                  emit failed(presented.error());
+                              }
+                          }}) {}
+
+void PresentationFiles::save(const std::filesystem::path& path, app::PresentationWish wish) {
+    path_ = QString::fromStdString(path.string());
+    saving_.start([path, wish = std::move(wish)](Progress&) -> Result<std::vector<std::string>> {
+        try {
+            return app::writePresentation(path, wish);
+        } catch (const std::bad_alloc&) {
+            return tooLarge();
+        }
+    });
+}
+
+void PresentationFiles::open(const std::filesystem::path& path, std::shared_ptr<const Volume> volume,
+                             std::string seriesDigest, app::StudyState usual) {
+    opening_.start([path, volume = std::move(volume), digest = std::move(seriesDigest),
+                    usual = std::move(usual)](Progress&) -> Result<app::PresentedState> {
+        try {
+            return app::openPresentation(path, *volume, digest, usual);
+        } catch (const std::bad_alloc&) {
+            return tooLarge();
+        }
+    });
+}
+
+}  // namespace macula::viewer

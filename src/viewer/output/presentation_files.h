@@ -1,0 +1,43 @@
+// Presentation states that are written and read while the window goes on.
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <QStringList>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/presentation/presentation_file.h"
+#include "app/presentation/state_of_presentation.h"
+#include "viewer/background_job.h"
+
+namespace macula::viewer {
+
+// One of each at a time; another one takes the place of the one before. Lives on the UI thread, and so do its
+// signals.
+class PresentationFiles : public QObject {
+    Q_OBJECT
+
+  public:
+    explicit PresentationFiles(QObject* parent = nullptr);
+
+    void save(const std::filesystem::path& path, app::PresentationWish wish);
+    // For the series that is open; what the file does not say is as in `usual`.
+    void open(const std::filesystem::path& path, std::shared_ptr<const Volume> volume,
+              std::string seriesDigest, app::StudyState usual);
+
+  signals:
+    // `notes` are what other programs will show otherwise, and what is shown otherwise here.
+    void saved(const QString& path, const QStringList& notes);
+    void opened(const macula::app::StudyState& state, const QStringList& notes);
+    void failed(const macula::Error& error);
+
+  private:
+    QString path_;
+    BackgroundJob<std::vector<std::string>> saving_;
+    BackgroundJob<app::PresentedState> opening_;
+};
+
+}  // namespace macula::viewer

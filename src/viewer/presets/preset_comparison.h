@@ -1,0 +1,88 @@
+// Two presets of the same view, beside each other.
+#pragma once
+
+#include <QDialog>
+#include <QImage>
+#include <QLabel>
+#include <QSlider>
+#include <QString>
+#include <array>
+#include <string>
+#include <vector>
+
+#include "app/picture/view_picture.h"
+#include "viewer/background_job.h"
+
+class QCheckBox;
+
+namespace macula::viewer {
+
+class WorkBar;
+
+// Two pictures of one size: with a line between them that a hand moves, left of which is the first, or each
+// as a whole.
+class PictureCurtain : public QWidget {
+    Q_OBJECT
+
+  public:
+    explicit PictureCurtain(QWidget* parent = nullptr);
+
+    void setPictures(QImage first, QImage second);
+    bool hasPictures() const { return !first_.isNull(); }
+    void setBesideEachOther(bool are);
+    void setPart(double part);  // 0 to 1, from the left
+    double part() const { return part_; }
+    QSize sizeHint() const override;
+
+  signals:
+    void partMoved(double part);  // by a hand
+
+  protected:
+    void paintEvent(QPaintEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+
+  private:
+    QRect place() const;  // of a picture, when both lie over each other
+
+    QImage first_;
+    QImage second_;
+    bool areBesideEachOther_ = false;
+    double part_ = 0.5;
+};
+
+// Draws both beside the window, as still pictures; closing it cancels. To be shown with open() or show().
+class PresetComparison : public QDialog {
+    Q_OBJECT
+
+  public:
+    struct Side {
+        QString title;
+        app::ViewPicture picture;  // both of one size; no file is written
+    };
+
+    PresetComparison(const Side& first, const Side& second, const std::string& preferredDevice,
+                     QWidget* parent = nullptr);
+
+    PictureCurtain& curtain() { return *curtain_; }
+    bool isDrawing() const { return job_.running(); }
+    QString trouble() const { return trouble_->text(); }
+
+  signals:
+    void secondChosen();
+
+  private:
+    using Pictures = std::vector<std::vector<std::uint8_t>>;
+
+    void onDrawn(const Result<Pictures>& drawn);
+
+    QSize sizePx_;
+    PictureCurtain* curtain_;
+    QSlider* slider_;
+    QCheckBox* beside_;
+    QLabel* trouble_;
+    WorkBar* work_;
+    BackgroundJob<Pictures> job_;
+};
+
+}  // namespace macula::viewer

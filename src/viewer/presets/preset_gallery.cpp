@@ -1,0 +1,483 @@
+#include "viewer/presets/preset_gallery.h"
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QMenu>
+#include <QScrollBar>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <new>
+#include <utility>
+
+#include "app/choice/preset_kinds.h"
+#include "app/study/search_text.h"
+#include "viewer/presets/preset_delegate.h"
+#include "viewer/presets/preset_name_dialog.h"
+#include "viewer/status_texts.h"
+
+namespace macula::viewer {
+
+namespace {
+
+constexpr std::size_t kMostLastUsedShown = 6;
+
+QString titleOf(const LibraryPreset& preset) {
+    return titleOr(preset.function->title, preset.function->name);
+}
+
+QImage asImage(const app::PresetThumbnail& thumbnail) {
+    const QImage borrowed(thumbnail.rgba.data(), thumbnail.sizePx, thumbnail.sizePx, QImage::Format_RGBA8888);
+    return borrowed.copy();
+}
+
+bool isSame(const PresetRow& a, const PresetRow& b) {
+    return a.group == b.group && a.preset.has_value() == b.preset.has_value() &&
+           (!a.preset || a.preset->ref == b.preset->ref);
+}
+
+}  // namespace
+
+PresetGallery::PresetGallery(ViewerSession& session, PresetLibrary& library, StateNow stateNow,
+                             QWidget* parent)
+    : QWidget(parent),
+      session_(session),
+      library_(library),
+      stateNow_(std::move(stateNow)),
+      filter_(new QLineEdit),
+      list_(new QListView),
+      model_(new PresetListModel(this)),
+      nothing_(new QLabel),
+      note_(new QLabel),
+      undo_(new QPushButton(tr("Undo"))),
+      pictures_(this, {.progressed = [](const ProgressUpdate&) {},
+                       .ended = [this](const Result<Drawn>& drawn) { takePicture(drawn); }}) {
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    makeBar(*column);
+    makeList();
+    nothing_->setObjectName(QStringLiteral("preset-nothing"));
+    nothing_->setTextFormat(Qt::PlainText);
+    nothing_->setWordWrap(true);
+    nothing_->setAlignment(Qt::AlignCenter);
+    note_->setObjectName(QStringLiteral("preset-note"));
+    note_->setTextFormat(Qt::PlainText);
+    note_->setWordWrap(true);
+    undo_->setObjectName(QStringLiteral("preset-undo"));
+    undo_->setAccessibleName(tr("Put the deleted preset back"));
+    undo_->setToolTip(tr("The preset that was deleted last comes back as it was"));
+    auto* below = new QHBoxLayout;
+    below->setContentsMargins(4, 0, 4, 4);
+    below->addWidget(note_, 1);
+    below->addWidget(undo_);
+    column->addWidget(nothing_);
+    column->addWidget(list_, 1);
+    column->addLayout(below);
+    setFocusProxy(list_);
+    picturesAreDue_.setSingleShot(true);
+    connect(&picturesAreDue_, &QTimer::timeout, this, &PresetGallery::drawNext);
+    connect(undo_, &QPushButton::clicked, this, [this] {
+        removed_.clear();
+        library_.putBackRemoved();
+    });
+    connect(&library_, &PresetLibrary::changed, this, &PresetGallery::showRows);
+    connect(&session_, &ViewerSession::studyShown, this, &PresetGallery::onStudyShown);
+    connect(&session_, &ViewerSession::changed, this, [this](const app::StudyState& before) {
+        if (session_.state().preset != before.preset) showShown();
+    });
+    onStudyShown();
+}
+
+void PresetGallery::makeBar(QVBoxLayout& column) {
+    filter_->setObjectName(QStringLiteral("preset-filter"));
+    filter_->setAccessibleName(tr("Filter the presets"));
+    filter_->setPlaceholderText(tr("Filter"));
+    filter_->setToolTip(
+        tr("Part of a name or a kind of image; Down or Enter goes to the presets, Esc ends it"));
+    filter_->setClearButtonEnabled(true);
+    filter_->installEventFilter(this);
+    connect(filter_, &QLineEdit::textChanged, this, [this](const QString& text) {
+        words_ = app::searchWords(text.toStdString());
+        showRows();
+    });
+    auto* keep = new QToolButton;
+    keep->setObjectName(QStringLiteral("preset-keep"));
+    keep->setText(tr("Keep"));
+    keep->setAccessibleName(tr("Keep or import a preset of your own"));
+    keep->setToolTip(tr("Keep the curve, or all that is seen, as a preset of your own; or import one"));
+    keep->setPopupMode(QToolButton::InstantPopup);
+    auto* menu = new QMenu(keep);
+    menu->setToolTipsVisible(true);
+    QAction* curve = menu->addAction(tr("Keep the &Curve…"), this, &PresetGallery::askToSaveCurve);
+    curve->setObjectName(QStringLiteral("keep-curve"));
+    curve->setToolTip(tr("The transfer function that is shown"));
+    QAction* seen = menu->addAction(tr("Keep All That Is &Seen…"), this, &PresetGallery::askToSaveSeen);
+    seen->setObjectName(QStringLiteral("keep-seen"));
+    seen->setToolTip(tr("Curve, look, lights, window, clip and camera, for other studies too"));
+    menu->addSeparator();
+    menu->addAction(tr("&Import…"), this, &PresetGallery::importAsked)
+        ->setToolTip(tr("Of Macula, 3D Slicer, ParaView, VolView, MITK, Horos or OsiriX"));
+    keep->setMenu(menu);
+    auto* bar = new QHBoxLayout;
+    bar->setContentsMargins(4, 4, 4, 0);
+    bar->addWidget(filter_, 1);
+    bar->addWidget(keep);
+    column.addLayout(bar);
+}
+
+void PresetGallery::makeList() {
+    list_->setObjectName(QStringLiteral("presets"));
+    list_->setAccessibleName(tr("Presets"));
+    list_->setToolTip(
+        tr("Each preset as it shows this volume, from anterior and coarse. A double click or "
+           "Enter uses it."));
+    list_->setModel(model_);
+    list_->setItemDelegate(new PresetDelegate(list_));
+    list_->setFlow(QListView::LeftToRight);
+    list_->setWrapping(true);
+    list_->setResizeMode(QListView::Adjust);
+    list_->setMovement(QListView::Static);
+    list_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    list_->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
+    list_->verticalScrollBar()->setSingleStep(24);
+    list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    // Headings are as wide as the list: it must not change its width by what is in it.
+    list_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);
+    list_->setContextMenuPolicy(Qt::CustomContextMenu);
+    list_->setMinimumWidth(2 * app::kPresetThumbnailPx + 60);
+    list_->installEventFilter(this);
+    list_->viewport()->installEventFilter(this);
+    connect(list_, &QListView::doubleClicked, this, [this](const QModelIndex& index) {
+        if (!index.data(PresetListModel::isHeadingRole).toBool()) activate(index);
+    });
+    connect(list_, &QListView::clicked, this, [this](const QModelIndex& index) {
+        if (index.data(PresetListModel::isHeadingRole).toBool()) activate(index);
+    });
+    connect(list_, &QWidget::customContextMenuRequested, this, &PresetGallery::showMenu);
+}
+
+void PresetGallery::focusFilter() {
+    filter_->setFocus(Qt::ShortcutFocusReason);
+    filter_->selectAll();
+}
+
+void PresetGallery::onStudyShown() {
+    pictures_.cancel();
+    drawing_.reset();
+    coarse_.reset();
+    hasNoPictures_ = false;
+    model_->forgetPictures();
+    showRows();
+}
+
+// Rows. ----------------------------------------------------------------------------------------------
+
+std::set<PresetGroup> PresetGallery::expandedNow() const {
+    std::set<PresetGroup> expanded(kPresetGroups.begin(), kPresetGroups.end());
+    if (words_.empty())
+        for (const PresetGroup group : folded_) expanded.erase(group);
+    return expanded;
+}
+
+bool PresetGallery::isFound(const LibraryPreset& preset) const {
+    const TransferFunction& function = *preset.function;
+    return app::holdsAll(
+        app::foldedForSearch(function.title + ' ' + function.name + ' ' + app::kindOf(function)), words_);
+}
+
+std::vector<LibraryPreset> PresetGallery::presetsOf(PresetGroup group) const {
+    std::vector<LibraryPreset> presets;
+    if (group == PresetGroup::own) return library_.own();
+    if (group == PresetGroup::lastUsed) {
+        const auto& volume = session_.study().volume;
+        for (const app::PresetRef& ref : library_.shelf().lastUsed(volume ? volume->modality() : "")) {
+            if (presets.size() == kMostLastUsedShown) break;
+            if (auto preset = library_.find(ref)) presets.push_back(*std::move(preset));
+        }
+        return presets;
+    }
+    if (group == PresetGroup::favourites) {
+        for (const auto& all : {library_.own(), library_.builtIn()})
+            for (const LibraryPreset& preset : all)
+                if (library_.shelf().isFavourite(preset.ref)) presets.push_back(preset);
+        return presets;
+    }
+    for (const LibraryPreset& preset : library_.builtIn()) {
+        if (library_.fits(*preset.function) == (group == PresetGroup::fitting)) presets.push_back(preset);
+    }
+    return presets;
+}
+
+std::vector<PresetRow> PresetGallery::makeRows(const std::set<PresetGroup>& expanded) const {
+    std::vector<PresetRow> rows;
+    for (const PresetGroup group : kPresetGroups) {
+        std::vector<LibraryPreset> presets = presetsOf(group);
+        std::erase_if(presets, [this](const LibraryPreset& preset) { return !isFound(preset); });
+        if (presets.empty()) continue;
+        rows.push_back({.group = group, .preset = std::nullopt, .count = presets.size()});
+        if (!expanded.contains(group)) continue;
+        for (LibraryPreset& preset : presets) rows.push_back({.group = group, .preset = std::move(preset)});
+    }
+    return rows;
+}
+
+void PresetGallery::showRows() {
+    const std::optional<PresetRow> before = currentRow();
+    const int scrolled = list_->verticalScrollBar()->value();
+    std::set<PresetGroup> expanded = expandedNow();
+    std::set<app::PresetRef> favourites;
+    for (const auto& all : {library_.own(), library_.builtIn()})
+        for (const LibraryPreset& preset : all)
+            if (library_.shelf().isFavourite(preset.ref)) favourites.insert(preset.ref);
+    std::vector<PresetRow> rows = makeRows(expanded);
+    model_->setRows(std::move(rows), std::move(expanded), std::move(favourites));
+    selectAgain(before);
+    list_->verticalScrollBar()->setValue(scrolled);
+    const bool isEmpty = model_->rowCount() == 0;
+    nothing_->setText(tr("No preset matches “%1”.").arg(filter_->text().simplified()));
+    nothing_->setVisible(isEmpty);
+    list_->setVisible(!isEmpty);
+    showShown();
+    showNotes();
+}
+
+void PresetGallery::showShown() {
+    const auto& preset = session_.state().preset;
+    model_->setShown(preset ? library_.refOf(*preset) : app::PresetRef());
+}
+
+std::optional<PresetRow> PresetGallery::currentRow() const {
+    const QModelIndex index = list_->currentIndex();
+    if (!index.isValid()) return std::nullopt;
+    return model_->rows().at(std::size_t(index.row()));
+}
+
+// The row that was selected; where it is gone, its heading.
+void PresetGallery::selectAgain(const std::optional<PresetRow>& before) {
+    if (!before) return;
+    const std::vector<PresetRow>& rows = model_->rows();
+    auto found = std::ranges::find_if(rows, [&](const PresetRow& row) { return isSame(row, *before); });
+    if (found == rows.end())
+        found = std::ranges::find_if(
+            rows, [&](const PresetRow& row) { return row.group == before->group && !row.preset; });
+    if (found != rows.end()) list_->setCurrentIndex(model_->index(int(found - rows.begin())));
+}
+
+void PresetGallery::showNotes() {
+    QStringList notes;
+    if (!trouble_.isEmpty()) notes << trouble_;
+    const bool canPutBack = !removed_.isEmpty() && removed_ == library_.removedTitle();
+    if (canPutBack) notes << tr("“%1” is deleted.").arg(removed_);
+    if (hasNoPictures_) notes << tr("There is nothing in this volume to draw small pictures of.");
+    if (const QString note = library_.note(); !note.isEmpty()) notes << note;
+    note_->setText(notes.join(QLatin1Char(' ')));
+    note_->setVisible(!notes.isEmpty());
+    undo_->setVisible(canPutBack);
+}
+
+void PresetGallery::tell(const Error& error) {
+    if (!isVisible()) return emit failed(error);
+    trouble_ = QString::fromStdString(error.message + " " + error.hint);
+    showNotes();
+}
+
+// Choosing. ------------------------------------------------------------------------------------------
+
+void PresetGallery::toggle(PresetGroup group) {
+    if (!words_.empty()) return;  // all that was found is shown
+    if (folded_.erase(group) == 0) folded_.insert(group);
+    showRows();
+}
+
+void PresetGallery::activate(const QModelIndex& index) {
+    if (!index.isValid()) return;
+    const PresetRow row = model_->rows().at(std::size_t(index.row()));
+    if (!row.preset) return toggle(row.group);
+    trouble_.clear();
+    showNotes();
+    emit useAsked(*row.preset);
+}
+
+bool PresetGallery::onListKey(int key) {
+    if (key == Qt::Key_Return || key == Qt::Key_Enter) return activate(list_->currentIndex()), true;
+    if (key != Qt::Key_Delete) return false;
+    if (const auto row = currentRow(); row && row->preset && row->preset->own) remove(*row->preset);
+    return true;
+}
+
+bool PresetGallery::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == list_->viewport()) {
+        // Whatever has brought other rows to sight has them painted.
+        if (event->type() == QEvent::Paint) picturesAreDue_.start(0);
+    } else if (event->type() == QEvent::KeyPress) {
+        const int key = static_cast<QKeyEvent*>(event)->key();
+        if (watched == list_ && onListKey(key)) return true;
+        const bool goesOn = key == Qt::Key_Down || key == Qt::Key_Return || key == Qt::Key_Enter;
+        if (watched == filter_ && goesOn && model_->rowCount() > 1) {
+            list_->setFocus(Qt::TabFocusReason);
+            list_->setCurrentIndex(model_->index(1));  // 0 is a heading
+            return true;
+        }
+        if (watched == filter_ && key == Qt::Key_Escape && !filter_->text().isEmpty())
+            return filter_->clear(), true;
+    }
+    return QWidget::eventFilter(watched, event);
+}
+
+// Keeping. -------------------------------------------------------------------------------------------
+
+void PresetGallery::showMenu(const QPoint& at) {
+    const QModelIndex index = list_->indexAt(at);
+    if (!index.isValid()) return;
+    const PresetRow& row = model_->rows().at(std::size_t(index.row()));
+    if (!row.preset) return;
+    auto* menu = new QMenu(this);
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    menu->setObjectName(QStringLiteral("preset-menu"));
+    menu->setToolTipsVisible(true);
+    fillMenu(*menu, *row.preset);
+    menu->popup(list_->viewport()->mapToGlobal(at));
+}
+
+void PresetGallery::fillMenu(QMenu& menu, const LibraryPreset& preset) {
+    const auto add = [&](const QString& text, const char* name, const auto& then) {
+        QAction* action = menu.addAction(text, this, then);
+        action->setObjectName(QLatin1String(name));
+        return action;
+    };
+    const bool isOwn = preset.own != nullptr;
+    add(tr("&Use"), "preset-use", [this, preset] { emit useAsked(preset); });
+    add(tr("&Compare with What Is Shown…"), "preset-compare", [this, preset] {
+        emit compareAsked(preset);
+    })->setEnabled(session_.hasStudy());
+    const bool isFavourite = library_.shelf().isFavourite(preset.ref);
+    QAction* favourite = add(tr("&Favourite"), "preset-favourite", [this, preset, isFavourite] {
+        library_.setFavourite(preset.ref, !isFavourite);
+    });
+    favourite->setCheckable(true);
+    favourite->setChecked(isFavourite);
+    menu.addSeparator();
+    add(tr("Save as C&opy…"), "preset-copy", [this, preset] { askToCopy(preset); });
+    QAction* rename = add(tr("&Rename…"), "preset-rename", [this, preset] { askToRename(preset); });
+    QAction* removal = add(tr("&Delete"), "preset-delete", [this, preset] { remove(preset); });
+    for (QAction* action : {rename, removal}) {
+        action->setEnabled(isOwn);
+        if (!isOwn) action->setToolTip(tr("Built-in presets are never changed: save a copy"));
+    }
+    menu.addSeparator();
+    add(tr("&Export…"), "preset-export", [this, preset] {
+        emit exportAsked(preset);
+    })->setToolTip(tr("The curve, as a file for --preset and 3D Slicer"));
+    add(tr("&Import…"), "preset-import", [this] { emit importAsked(); });
+}
+
+void PresetGallery::askForName(const QString& title, const QString& what, const QString& proposed,
+                               const app::PresetRef& own, std::function<Result<void>(const QString&)> then) {
+    auto* dialog = new PresetNameDialog(
+        title, what, proposed,
+        [this, own](const QString& name) { return library_.whyNameIsRefused(name, own); }, window());
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &QDialog::accepted, this, [this, dialog, then = std::move(then)] {
+        trouble_.clear();
+        const Result<void> done = then(dialog->name());
+        done ? showNotes() : tell(done.error());
+    });
+    dialog->open();
+}
+
+// What is saved is what is shown now, whatever is shown when a name was found.
+void PresetGallery::askToSaveCurve() {
+    if (!session_.hasStudy())
+        return tell({ErrorCode::usage, "There is no preset to save yet.", {}, "Open a study first."});
+    const app::StudyState state = stateNow_();
+    const QString shown = state.preset ? titleOr(state.preset->title, state.preset->name) : tr("Preset");
+    askForName(tr("Keep the curve"), tr("The transfer function that is shown, as a preset of your own."),
+               library_.freeTitle(shown), {}, [this, state](const QString& name) -> Result<void> {
+                   const auto saved = library_.saveCurve(name, state);
+                   return saved ? Result<void>() : Result<void>(saved.error());
+               });
+}
+
+void PresetGallery::askToSaveSeen() {
+    if (!session_.hasStudy())
+        return tell({ErrorCode::usage, "There is nothing to be seen yet.", {}, "Open a study first."});
+    const app::StudyState state = stateNow_();
+    const QString shown = state.preset ? titleOr(state.preset->title, state.preset->name) : tr("Preset");
+    askForName(tr("Keep all that is seen"),
+               tr("Curve, look, lights, window, clip and camera, as a preset of your own. It is for all "
+                  "studies: clip and camera go with the size of the volume."),
+               library_.freeTitle(tr("%1, as seen").arg(shown)), {},
+               [this, state](const QString& name) -> Result<void> {
+                   const auto saved = library_.saveSeen(name, state);
+                   return saved ? Result<void>() : Result<void>(saved.error());
+               });
+}
+
+void PresetGallery::askToCopy(const LibraryPreset& preset) {
+    askForName(tr("Save as copy"), tr("A preset of your own, like “%1”.").arg(titleOf(preset)),
+               library_.freeTitle(titleOf(preset)), {},
+               [this, ref = preset.ref](const QString& name) -> Result<void> {
+                   const auto saved = library_.saveCopy(name, ref);
+                   return saved ? Result<void>() : Result<void>(saved.error());
+               });
+}
+
+void PresetGallery::askToRename(const LibraryPreset& preset) {
+    askForName(tr("Rename the preset"), tr("Another name for “%1”.").arg(titleOf(preset)), titleOf(preset),
+               preset.ref,
+               [this, ref = preset.ref](const QString& name) { return library_.rename(ref, name); });
+}
+
+void PresetGallery::remove(const LibraryPreset& preset) {
+    trouble_.clear();
+    removed_ = titleOf(preset);
+    if (!library_.remove(preset.ref)) removed_.clear();
+}
+
+// Pictures. ------------------------------------------------------------------------------------------
+
+void PresetGallery::drawNext() {
+    if (drawing_ || hasNoPictures_ || !session_.hasStudy() || !list_->isVisible()) return;
+    const QRect seen = list_->viewport()->rect();
+    for (std::size_t row = 0; row < model_->rows().size(); ++row) {
+        const std::optional<LibraryPreset>& preset = model_->rows()[row].preset;
+        if (!preset || model_->hasPicture(*preset->function)) continue;
+        if (!list_->visualRect(model_->index(int(row))).intersects(seen)) continue;
+        drawing_ = preset->function;
+        std::optional<ClipPreset> clip;
+        if (preset->own && preset->own->seen) clip = preset->own->seen->state.clip;
+        pictures_.start([volume = session_.study().volume, coarse = coarse_, function = preset->function,
+                         clip = std::move(clip)](Progress& progress) -> Result<Drawn> {
+            try {
+                Drawn drawn{.coarse = coarse, .picture = {}};
+                if (!drawn.coarse) {
+                    MACULA_TRY(drawn.coarse, app::CoarseVolume::of(volume, progress.token()));
+                }
+                const Clip hidden = clip ? clipFor(*clip, *volume) : Clip{};
+                const auto made = app::presetThumbnail(*drawn.coarse, *function, &hidden, progress.token());
+                if (made) drawn.picture = asImage(*made);  // else it has none
+                return drawn;
+            } catch (const std::bad_alloc&) {
+                return Error{ErrorCode::outOfMemory,
+                             "There is not enough memory for small pictures.",
+                             {},
+                             "Close other programs."};
+            }
+        });
+        return;
+    }
+}
+
+void PresetGallery::takePicture(const Result<Drawn>& drawn) {
+    const auto function = std::exchange(drawing_, nullptr);
+    if (!drawn) {
+        hasNoPictures_ = true;
+        return drawn.error().code == ErrorCode::inputNotUsable ? showNotes() : tell(drawn.error());
+    }
+    coarse_ = drawn->coarse;
+    model_->setPicture(function, drawn->picture);
+    drawNext();
+}
+
+}  // namespace macula::viewer

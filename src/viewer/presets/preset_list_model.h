@@ -1,0 +1,74 @@
+// The presets of the gallery, in groups below headings, as one list.
+#pragma once
+
+#include <QAbstractListModel>
+#include <QImage>
+#include <QString>
+#include <array>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "viewer/presets/preset_library.h"
+
+namespace macula::viewer {
+
+enum class PresetGroup { favourites, lastUsed, own, fitting, others };
+inline constexpr std::array kPresetGroups{PresetGroup::favourites, PresetGroup::lastUsed, PresetGroup::own,
+                                          PresetGroup::fitting, PresetGroup::others};
+
+// A heading, or a preset. A preset is in each group that it belongs to.
+struct PresetRow {
+    PresetGroup group = PresetGroup::others;
+    std::optional<LibraryPreset> preset;  // nothing: the heading of the group
+    std::size_t count = 0;                // of a heading: presets of the group
+};
+
+class PresetListModel : public QAbstractListModel {
+    Q_OBJECT
+
+  public:
+    static constexpr int isHeadingRole = Qt::UserRole;
+    static constexpr int isExpandedRole = Qt::UserRole + 1;
+    static constexpr int isFavouriteRole = Qt::UserRole + 2;
+    static constexpr int isShownRole = Qt::UserRole + 3;  // it is what the volume is shown with
+    static constexpr int aboutRole = Qt::UserRole + 4;    // a line below the title
+
+    explicit PresetListModel(QObject* parent = nullptr);
+
+    // All rows anew. Groups that are folded have a heading only; empty ones have none.
+    void setRows(std::vector<PresetRow> rows, std::set<PresetGroup> expanded,
+                 std::set<app::PresetRef> favourites);
+    void setShown(const app::PresetRef& ref);
+    const std::vector<PresetRow>& rows() const { return rows_; }
+    bool isExpanded(PresetGroup group) const { return expanded_.contains(group); }
+
+    // Pictures are of a function, and stay when rows change.
+    void forgetPictures();
+    bool hasPicture(const TransferFunction& function) const { return pictures_.contains(&function); }
+    void setPicture(std::shared_ptr<const TransferFunction> function, QImage picture);  // null: there is none
+
+    int rowCount(const QModelIndex& parent = {}) const override;
+    QVariant data(const QModelIndex& index, int role) const override;
+    Qt::ItemFlags flags(const QModelIndex& index) const override;
+
+  private:
+    QString titleOf(const PresetRow& row) const;
+    QString aboutOf(const LibraryPreset& preset) const;
+    QVariant headingData(const PresetRow& row, int role) const;
+
+    std::vector<PresetRow> rows_;
+    std::set<PresetGroup> expanded_;
+    std::set<app::PresetRef> favourites_;
+    app::PresetRef shown_;
+    struct Picture {
+        std::shared_ptr<const TransferFunction> function;  // its address is not used for another
+        QImage image;
+    };
+    std::map<const TransferFunction*, Picture> pictures_;
+};
+
+}  // namespace macula::viewer

@@ -1,0 +1,214 @@
+#include "viewer/segmentation/segmentation_keeper.h"
+
+#include <algorithm>
+#include <functional>
+#include <set>
+
+#include "app/study/found_volumes.h"
+
+namespace macula::viewer {
+
+namespace {
+
+using app::SegmentationChoice;
+
+QString sentenceOf(const Error& error) {
+    return QString::fromStdString(error.hint.empty() ? error.message : error.message + " " + error.hint);
+}
+
+}  // namespace
+
+SegmentationKeeper::SegmentationKeeper(ViewerSession& session, QObject* parent)
+    : QObject(parent),
+      session_(session),
+      finding_(this, {.progressed = [](const ProgressUpdate&) {},
+                      .ended = [this](const Result<Found>& outcome) { onFound(outcome); }}),
+      loading_(this, {.progressed =
+                          [this](const ProgressUpdate& update) {
+                              emit progressed(QString::fromStdString(update.stage), update.fraction);
+                          },
+                      .ended = [this](const Result<Loaded>& outcome) { onLoaded(outcome); }}),
+      masking_(this, {.progressed = [](const ProgressUpdate&) {},
+                      .ended =
+                          [this](const Result<std::optional<Mask>>& outcome) {
+                              if (outcome) {
+                                  emit maskMade(*outcome);
+                              } else {
+                                  emit failed(outcome.error());
+                              }
+                          }}) {
+    connect(&session_, &ViewerSession::studyShown, this, &SegmentationKeeper::onStudyShown);
+    connect(&session_, &ViewerSession::changed, this, &SegmentationKeeper::onChanged);
+    onStudyShown();
+}
+
+const dicom::Stack* SegmentationKeeper::stack() const {
+    const app::OpenedStudy& study = session_.study();
+    if (!study.found || study.volumeIndex >= study.found->volumes().size()) return nullptr;
+    return study.found->volumes()[study.volumeIndex].stack;
+}
+
+const app::LoadedSegmentation* SegmentationKeeper::loaded(std::string_view digest) const {
+    const auto at = std::ranges::find_if(loaded_, [&](const Loaded& each) { return each->digest == digest; });
+    return at == loaded_.end() ? nullptr : at->get();
+}
+
+QString SegmentationKeeper::trouble(std::string_view digest) const {
+    const auto at = troubles_.find(digest);
+    return at == troubles_.end() ? QString() : at->second;
+}
+
+void SegmentationKeeper::onStudyShown() {
+    finding_.cancel();
+    masking_.cancel();
+    if (loading_.cancel()) emit ended();
+    found_.clear();
+    loaded_.clear();
+    troubles_.clear();
+    isBeingLoaded_.clear();
+    masked_.clear();
+    maskedOf_ = 0;
+    shown_.reset();
+    if (stack() != nullptr) {
+        finding_.start(
+            [found = session_.study().found, index = session_.study().volumeIndex](Progress& progress) {
+                return app::findSegmentations(*found, found->volumes().at(index), progress);
+            });
+    }
+    emit listChanged();
+    emit shownChanged();
+}
+
+void SegmentationKeeper::onFound(const Result<Found>& outcome) {
+    if (outcome) {
+        found_ = *outcome;
+    } else {
+        emit failed(outcome.error());
+    }
+    emit listChanged();
+    loadNext();
+}
+
+void SegmentationKeeper::onChanged(const app::StudyState& before) {
+    if (session_.state().segmentations == before.segmentations) return;
+    // What somebody shows again is tried again.
+    for (const SegmentationChoice& choice : session_.state().segmentations) {
+        if (choice.isShown && !app::choiceOf(before.segmentations, choice.digest).isShown)
+            troubles_.erase(choice.digest);
+    }
+    if (isLoading() && !app::choiceOf(session_.state().segmentations, isBeingLoaded_).isShown) {
+        loading_.cancel();
+        isBeingLoaded_.clear();
+        emit ended();
+    }
+    loadNext();
+    showOnSlices();
+    mask();
+}
+
+// The first of those that are shown and not there yet.
+void SegmentationKeeper::loadNext() {
+    if (isLoading() || isFinding() || stack() == nullptr) return;
+    const auto isWanted = [this](const app::FoundSegmentation& each) {
+        return each.canBeShown() && !loaded(each.digest) && trouble(each.digest).isEmpty() &&
+               app::choiceOf(session_.state().segmentations, each.digest).isShown;
+    };
+    const auto next = std::ranges::find_if(found_, isWanted);
+    if (next == found_.end()) return;
+    isBeingLoaded_ = next->digest;
+    loading_.start([found = *next, volume = session_.study().volume, scanned = session_.study().found,
+                    stack = stack()](Progress& progress) {
+        return app::loadSegments(found, *volume, *stack, progress);
+    });
+    emit began();
+}
+
+void SegmentationKeeper::onLoaded(const Result<Loaded>& outcome) {
+    emit ended();
+    const std::string digest = std::exchange(isBeingLoaded_, {});
+    if (outcome) {
+        loaded_.push_back(*outcome);
+    } else {
+        troubles_[digest] = sentenceOf(outcome.error());
+        emit failed(outcome.error());
+    }
+    emit listChanged();
+    showOnSlices();
+    mask();
+    loadNext();
+}
+
+void SegmentationKeeper::cancel() {
+    if (!loading_.cancel()) return;
+    isBeingLoaded_.clear();
+    emit ended();
+    session_.change(tr("Segmentations"), [this](app::StudyState& next) {
+        for (const app::FoundSegmentation& each : found_) {
+            SegmentationChoice choice = app::choiceOf(next.segmentations, each.digest);
+            if (!choice.isShown || loaded(each.digest)) continue;
+            choice.isShown = false;
+            app::choose(next.segmentations, std::move(choice));
+        }
+    });
+}
+
+void SegmentationKeeper::showOnSlices() {
+    auto shown = std::make_shared<slices::ShownSegments>();
+    for (const app::FoundSegmentation& found : found_) {
+        const SegmentationChoice choice = app::choiceOf(session_.state().segmentations, found.digest);
+        const app::LoadedSegmentation* there = choice.isShown ? loaded(found.digest) : nullptr;
+        if (there == nullptr) continue;
+        for (const app::LoadedSegment& segment : there->segments) {
+            const app::SegmentChoice how = app::choiceOf(choice, segment.segment.number);
+            if (!how.isVisible || !segment.isInVolume()) continue;
+            slices::ShownSegment each;
+            each.voxels = segment.voxels;
+            each.label = segment.segment.label;
+            each.rgb = how.rgb.value_or(app::usualRgb(segment.segment));
+            each.opacity = how.opacity;
+            shown->push_back(std::move(each));
+        }
+    }
+    if (shown->empty() ? !shown_ : shown_ && *shown_ == *shown) return;
+    shown_.reset();
+    if (!shown->empty()) shown_ = std::move(shown);
+    emit shownChanged();
+}
+
+// Anew only where something else is asked for, or more is there to do it with.
+void SegmentationKeeper::mask() {
+    std::vector<app::In3dOf> wanted = app::in3dOf(session_.state().segmentations);
+    if (wanted == masked_ && (wanted.empty() || maskedOf_ == loaded_.size())) return;
+    masked_ = std::move(wanted);
+    maskedOf_ = loaded_.size();
+    if (masked_.empty()) {
+        masking_.cancel();
+        emit maskMade(std::nullopt);
+        return;
+    }
+    masking_.start([choices = session_.state().segmentations, loaded = loaded_,
+                    volume = session_.study().volume](Progress& progress) {
+        return app::segmentMask(choices, loaded, *volume, progress);
+    });
+}
+
+QString SegmentationKeeper::note() const {
+    if (!session_.hasStudy() || isFinding()) return {};
+    const auto isThere = [this](const SegmentationChoice& choice) {
+        return std::ranges::any_of(found_, [&](const app::FoundSegmentation& each) {
+            return each.digest == choice.digest && each.canBeShown();
+        });
+    };
+    for (const SegmentationChoice& choice : session_.state().segmentations) {
+        if (choice.isShown && !isThere(choice))
+            return tr(
+                "A segmentation that was shown with this study is not in the folder; nothing of it is "
+                "shown or hidden.");
+    }
+    const auto count = std::ranges::count_if(found_, &app::FoundSegmentation::canBeShown);
+    if (count == 0) return {};
+    return count == 1 ? tr("There is a segmentation of this volume: F11.")
+                      : tr("There are %1 segmentations of this volume: F11.").arg(count);
+}
+
+}  // namespace macula::viewer

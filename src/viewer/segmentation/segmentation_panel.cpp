@@ -1,0 +1,390 @@
+#include "viewer/segmentation/segmentation_panel.h"
+
+#include <QColorDialog>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLocale>
+#include <QPixmap>
+#include <QScopedValueRollback>
+#include <QSignalBlocker>
+#include <QStringList>
+#include <QTreeWidgetItemIterator>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "viewer/clip/wheel_guard.h"
+#include "viewer/harmless_text.h"
+
+namespace macula::viewer {
+
+namespace {
+
+constexpr int kDigestRole = Qt::UserRole;
+constexpr int kNumberRole = Qt::UserRole + 1;
+constexpr int kName = 0;
+constexpr int kMl = 1;
+constexpr int kIn3d = 2;
+constexpr int kChipPx = 14;
+
+QString shown(const std::string& text) {
+    return harmless(QString::fromStdString(text));
+}
+
+QIcon chip(const QColor& colour) {
+    QPixmap pixmap(kChipPx, kChipPx);
+    pixmap.fill(colour);
+    return QIcon(pixmap);
+}
+
+QString mlText(double ml) {
+    return QLocale().toString(ml, 'f', ml < 1.0 ? 3 : ml < 100.0 ? 2 : 1);
+}
+
+QString madeBy(const Segment& segment) {
+    QString how;
+    if (segment.algorithm == "MANUAL") how = SegmentationPanel::tr("Drawn by hand");
+    if (segment.algorithm == "SEMIAUTOMATIC") how = SegmentationPanel::tr("Made by a person with a program");
+    if (segment.algorithm == "AUTOMATIC") how = SegmentationPanel::tr("Made by a program");
+    const QString name = shown(segment.algorithmName);
+    if (name.isEmpty()) return how;
+    return how.isEmpty() ? name : QStringLiteral("%1: %2").arg(how, name);
+}
+
+QString toolTipOf(const Segment& segment) {
+    QStringList lines{SegmentationPanel::tr("Segment %1").arg(segment.number)};
+    for (const QString& line : {shown(segment.description), madeBy(segment)})
+        if (!line.isEmpty()) lines << line;
+    return lines.join(QLatin1Char('\n')).toHtmlEscaped().replace(QLatin1Char('\n'), QStringLiteral("<br>"));
+}
+
+QString in3dText(app::In3d in3d) {
+    switch (in3d) {
+        case app::In3d::asIs:
+            return {};
+        case app::In3d::alone:
+            return SegmentationPanel::tr("alone");
+        case app::In3d::hidden:
+            return SegmentationPanel::tr("hidden");
+    }
+    return {};
+}
+
+}  // namespace
+
+SegmentationPanel::SegmentationPanel(ViewerSession& session, SegmentationKeeper& keeper, QWidget* parent)
+    : QWidget(parent), session_(session), keeper_(keeper) {
+    makeTree();
+    notes_ = new QLabel(this);
+    notes_->setObjectName(QStringLiteral("segments-notes"));
+    notes_->setTextFormat(Qt::PlainText);
+    notes_->setWordWrap(true);
+    auto* column = new QVBoxLayout(this);
+    column->addWidget(tree_, 1);
+    column->addWidget(makeControls());
+    column->addWidget(notes_);
+    connect(&keeper_, &SegmentationKeeper::listChanged, this, &SegmentationPanel::fill);
+    connect(&session_, &ViewerSession::changed, this, [this](const app::StudyState& before) {
+        if (session_.state().segmentations != before.segmentations) showChoices();
+    });
+    fill();
+}
+
+void SegmentationPanel::makeTree() {
+    tree_ = new QTreeWidget(this);
+    tree_->setObjectName(QStringLiteral("segments"));
+    tree_->setAccessibleName(tr("Segmentations"));
+    tree_->setToolTip(tr("Segmentations of the folder; a check mark shows them on slices"));
+    tree_->setHeaderLabels({tr("Segment"), tr("ml"), tr("3D")});
+    tree_->header()->setSectionResizeMode(kName, QHeaderView::Stretch);
+    tree_->header()->setSectionResizeMode(kMl, QHeaderView::ResizeToContents);
+    tree_->header()->setSectionResizeMode(kIn3d, QHeaderView::ResizeToContents);
+    tree_->header()->setStretchLastSection(false);
+    connect(tree_, &QTreeWidget::itemChanged, this, &SegmentationPanel::onItemChanged);
+    connect(tree_, &QTreeWidget::currentItemChanged, this, [this] {
+        if (!isFilling_) showControls();
+    });
+}
+
+QWidget* SegmentationPanel::makeControls() {
+    auto* controls = new QWidget(this);
+    const auto button = [controls](const QString& text, const char* name, const QString& what) {
+        auto* made = new QPushButton(text, controls);
+        made->setObjectName(QString::fromLatin1(name));
+        made->setAccessibleName(what);
+        made->setToolTip(what);
+        return made;
+    };
+    colour_ = button(tr("Colour…"), "segment-colour", tr("Colour of the segment on slices"));
+    connect(colour_, &QPushButton::clicked, this, &SegmentationPanel::askForColour);
+    centre_ = button(tr("Centre"), "segment-centre", tr("Cross-hair to the middle of the segment"));
+    connect(centre_, &QPushButton::clicked, this, &SegmentationPanel::centre);
+    alone_ = button(tr("Alone"), "segment-alone",
+                    tr("In 3D, this segment and others that are alone, and nothing else"));
+    hide_ = button(tr("Hide"), "segment-hide", tr("In 3D, all but this segment"));
+    for (QPushButton* each : {alone_, hide_}) each->setCheckable(true);
+    connect(alone_, &QPushButton::clicked, this, [this](bool on) { setIn3d(app::In3d::alone, on); });
+    connect(hide_, &QPushButton::clicked, this, [this](bool on) { setIn3d(app::In3d::hidden, on); });
+    opacity_ = new QSlider(Qt::Horizontal, controls);
+    opacity_->setObjectName(QStringLiteral("segment-opacity"));
+    opacity_->setAccessibleName(tr("Opacity"));
+    opacity_->setToolTip(tr("How opaque the segment is filled on slices, in %"));
+    opacity_->setRange(0, 100);
+    opacity_->setPageStep(10);
+    (new WheelGuard(this))->watch(*opacity_);
+    connect(opacity_, &QSlider::valueChanged, this, [this](int percent) {
+        edit(
+            tr("Opacity"), [percent](app::SegmentChoice& next) { next.opacity = percent / 100.0; }, true);
+        if (!opacity_->isSliderDown()) session_.endDrag();
+    });
+    connect(opacity_, &QSlider::sliderReleased, &session_, &ViewerSession::endDrag);
+
+    auto* form = new QFormLayout(controls);
+    form->setContentsMargins(0, 0, 0, 0);
+    const auto row = [](QWidget* a, QWidget* b) {
+        auto* both = new QHBoxLayout;
+        both->addWidget(a);
+        both->addWidget(b);
+        return both;
+    };
+    form->addRow(row(colour_, centre_));
+    form->addRow(tr("Opacity"), opacity_);
+    form->addRow(tr("In 3D"), row(alone_, hide_));
+    return controls;
+}
+
+void SegmentationPanel::showNames(bool shown) {
+    if (shown == namesShown_) return;
+    namesShown_ = shown;
+    fill();
+}
+
+SegmentationPanel::Row SegmentationPanel::rowOf(const QTreeWidgetItem& item) {
+    return {item.data(kName, kDigestRole).toString().toStdString(),
+            std::uint16_t(item.data(kName, kNumberRole).toInt())};
+}
+
+void SegmentationPanel::fill() {
+    {
+        const QScopedValueRollback fills(isFilling_, true);
+        const QSignalBlocker blocker(tree_);
+        const auto was = tree_->currentItem() ? std::optional(rowOf(*tree_->currentItem())) : std::nullopt;
+        tree_->clear();
+        std::size_t place = 0;
+        for (const app::FoundSegmentation& found : keeper_.found()) addSegmentation(found, ++place);
+        tree_->expandAll();
+        for (QTreeWidgetItemIterator at(tree_); was && *at != nullptr; ++at) {
+            if (rowOf(**at) == *was) tree_->setCurrentItem(*at);
+        }
+    }
+    showChoices();
+}
+
+void SegmentationPanel::addSegmentation(const app::FoundSegmentation& found, std::size_t place) {
+    auto* item = new QTreeWidgetItem(tree_);
+    item->setData(kName, kDigestRole, QString::fromStdString(found.digest));
+    item->setData(kName, kNumberRole, 0);
+    const QString title = namesShown_ ? shown(found.title) : tr("Segmentation %1").arg(place);
+    item->setText(kName, title);
+    item->setToolTip(kName, title.toHtmlEscaped());
+    if (!found.canBeShown()) {
+        // The reason is a row of its own, so that nobody has to look for it.
+        auto* why = new QTreeWidgetItem(item);
+        why->setText(kName, shown(found.whyNot));
+        why->setToolTip(kName, shown(found.whyNot).toHtmlEscaped());
+        why->setFirstColumnSpanned(true);
+        for (QTreeWidgetItem* each : {item, why})
+            each->setFlags(each->flags() & ~(Qt::ItemIsUserCheckable | Qt::ItemIsEnabled));
+        return;
+    }
+    item->setFlags(item->flags() | Qt::ItemIsUserCheckable);
+    if (const app::LoadedSegmentation* there = keeper_.loaded(found.digest)) {
+        for (const app::LoadedSegment& each : there->segments) addSegment(*item, found.digest, each.segment);
+    } else {
+        for (const Segment& each : found.header.segments) addSegment(*item, found.digest, each);
+    }
+}
+
+void SegmentationPanel::addSegment(QTreeWidgetItem& above, const std::string& digest,
+                                   const Segment& segment) {
+    auto* item = new QTreeWidgetItem(&above);
+    item->setData(kName, kDigestRole, QString::fromStdString(digest));
+    item->setData(kName, kNumberRole, segment.number);
+    const QString label = shown(segment.label);
+    item->setText(kName, label.isEmpty() ? tr("Segment %1").arg(segment.number) : label);
+    item->setToolTip(kName, toolTipOf(segment));
+    item->setFlags(item->flags() | Qt::ItemIsUserCheckable);
+    const Row row{digest, segment.number};
+    const app::LoadedSegment* there = loaded(row);
+    QString ml = QStringLiteral("–");
+    if (there != nullptr && there->volumeMl) ml = mlText(*there->volumeMl);
+    item->setText(kMl, ml);
+    item->setTextAlignment(kMl, Qt::AlignRight | Qt::AlignVCenter);
+    item->setToolTip(kMl, there == nullptr ? tr("Volume in ml, once the segmentation is shown")
+                                           : tr("Volume in ml: its voxels, times that of one"));
+}
+
+void SegmentationPanel::showChoices() {
+    {
+        const QSignalBlocker blocker(tree_);
+        for (QTreeWidgetItemIterator at(tree_); *at != nullptr; ++at) showChoice(**at);
+    }
+    showControls();
+}
+
+void SegmentationPanel::showChoice(QTreeWidgetItem& item) {
+    if (!item.flags().testFlag(Qt::ItemIsUserCheckable)) return;
+    const Row row = rowOf(item);
+    if (row.number == 0) {
+        const bool isShown = app::choiceOf(session_.state().segmentations, row.digest).isShown;
+        item.setCheckState(kName, isShown ? Qt::Checked : Qt::Unchecked);
+        return;
+    }
+    const app::SegmentChoice now = choice(row);
+    item.setCheckState(kName, now.isVisible ? Qt::Checked : Qt::Unchecked);
+    item.setIcon(kName, chip(colour(row)));
+    item.setText(kIn3d, in3dText(now.in3d));
+}
+
+void SegmentationPanel::onItemChanged(QTreeWidgetItem* item, int column) {
+    if (column != kName || !session_.hasStudy()) return;
+    const Row row = rowOf(*item);
+    const bool isChecked = item->checkState(kName) == Qt::Checked;
+    session_.change(tr("Segmentations"), [&](app::StudyState& next) {
+        if (row.number == 0) {
+            app::SegmentationChoice whole = app::choiceOf(next.segmentations, row.digest);
+            whole.isShown = isChecked;
+            return app::choose(next.segmentations, std::move(whole));
+        }
+        app::SegmentChoice one = app::choiceOf(app::choiceOf(next.segmentations, row.digest), row.number);
+        one.isVisible = isChecked;
+        app::choose(next.segmentations, row.digest, one);
+    });
+}
+
+std::optional<SegmentationPanel::Row> SegmentationPanel::selected() const {
+    const QTreeWidgetItem* item = tree_->currentItem();
+    if (item == nullptr || !item->flags().testFlag(Qt::ItemIsUserCheckable) || !session_.hasStudy())
+        return std::nullopt;
+    const Row row = rowOf(*item);
+    return row.number == 0 ? std::nullopt : std::optional(row);
+}
+
+app::SegmentChoice SegmentationPanel::choice(const Row& row) const {
+    return app::choiceOf(app::choiceOf(session_.state().segmentations, row.digest), row.number);
+}
+
+const app::LoadedSegment* SegmentationPanel::loaded(const Row& row) const {
+    const app::LoadedSegmentation* there = keeper_.loaded(row.digest);
+    return there != nullptr ? there->segment(row.number) : nullptr;
+}
+
+std::optional<Segment> SegmentationPanel::segment(const Row& row) const {
+    if (const app::LoadedSegment* there = loaded(row)) return there->segment;
+    for (const app::FoundSegmentation& found : keeper_.found()) {
+        if (found.digest != row.digest) continue;
+        for (const Segment& each : found.header.segments)
+            if (each.number == row.number) return each;
+    }
+    return std::nullopt;
+}
+
+QColor SegmentationPanel::colour(const Row& row) const {
+    const auto own = choice(row).rgb;
+    const std::array<std::uint8_t, 3> rgb = own ? *own : app::usualRgb(segment(row).value_or(Segment{}));
+    return {rgb[0], rgb[1], rgb[2]};
+}
+
+void SegmentationPanel::showControls() {
+    const auto row = selected();
+    for (QWidget* each : {static_cast<QWidget*>(colour_), static_cast<QWidget*>(opacity_)})
+        each->setEnabled(row.has_value());
+    const app::LoadedSegment* there = row ? loaded(*row) : nullptr;
+    const bool isEmpty = there != nullptr && !there->isInVolume();
+    centre_->setEnabled(there != nullptr && there->centroidMm.has_value());
+    const app::SegmentChoice now = row ? choice(*row) : app::SegmentChoice{};
+    for (QPushButton* each : {alone_, hide_}) each->setEnabled(row && !isEmpty);
+    alone_->setChecked(now.in3d == app::In3d::alone);
+    hide_->setChecked(now.in3d == app::In3d::hidden);
+    colour_->setIcon(row ? chip(colour(*row)) : QIcon());
+    {
+        const QSignalBlocker blocker(opacity_);
+        if (!opacity_->isSliderDown()) opacity_->setValue(int(std::lround(100.0 * now.opacity)));
+    }
+    QStringList notes;
+    if (!session_.hasStudy()) {
+        notes << tr("Open a study first.");
+    } else if (keeper_.found().empty()) {
+        notes << (keeper_.isFinding() ? tr("Looking for segmentations.")
+                                      : tr("There are no segmentations in this folder."));
+    }
+    if (const QTreeWidgetItem* item = tree_->currentItem()) {
+        const std::string digest = rowOf(*item).digest;
+        if (const QString trouble = keeper_.trouble(digest); !trouble.isEmpty())
+            notes << shown(trouble.toStdString());
+        if (const app::LoadedSegmentation* whole = keeper_.loaded(digest))
+            for (const std::string& note : whole->notes) notes << QString::fromStdString(note);
+    }
+    if (isEmpty) notes << tr("This segment has no voxel in the volume.");
+    notes_->setText(notes.join(QLatin1Char(' ')));
+    notes_->setVisible(!notes.isEmpty());
+}
+
+void SegmentationPanel::edit(const QString& what, const std::function<void(app::SegmentChoice&)>& edit,
+                             bool isDrag) {
+    const auto row = selected();
+    if (!row) return;
+    const auto change = [&](app::StudyState& next) {
+        app::SegmentChoice one = app::choiceOf(app::choiceOf(next.segmentations, row->digest), row->number);
+        edit(one);
+        app::choose(next.segmentations, row->digest, one);
+    };
+    isDrag ? session_.drag(what, change) : session_.change(what, change);
+}
+
+// A segmentation that is not shown changes nothing: whoever asks for it in 3D wants it shown.
+void SegmentationPanel::setIn3d(app::In3d in3d, bool on) {
+    const auto row = selected();
+    if (!row) return;
+    session_.change(tr("Segments in 3D"), [&](app::StudyState& next) {
+        app::SegmentationChoice whole = app::choiceOf(next.segmentations, row->digest);
+        app::SegmentChoice one = app::choiceOf(whole, row->number);
+        one.in3d = on ? in3d : app::In3d::asIs;
+        app::choose(next.segmentations, row->digest, one);
+        if (!on) return;
+        whole = app::choiceOf(next.segmentations, row->digest);
+        whole.isShown = true;
+        app::choose(next.segmentations, std::move(whole));
+    });
+    showControls();
+}
+
+void SegmentationPanel::askForColour() {
+    const auto row = selected();
+    if (!row) return;
+    auto* dialog = new QColorDialog(colour(*row), this);
+    dialog->setObjectName(QStringLiteral("segment-colour-dialog"));
+    dialog->setWindowTitle(tr("Colour of the segment"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &QColorDialog::colorSelected, this, &SegmentationPanel::setColour);
+    dialog->open();
+}
+
+void SegmentationPanel::setColour(const QColor& rgb) {
+    if (!rgb.isValid()) return;
+    edit(tr("Colour"), [&](app::SegmentChoice& next) {
+        next.rgb = {std::uint8_t(rgb.red()), std::uint8_t(rgb.green()), std::uint8_t(rgb.blue())};
+    });
+}
+
+void SegmentationPanel::centre() {
+    const auto row = selected();
+    const app::LoadedSegment* there = row ? loaded(*row) : nullptr;
+    if (there == nullptr || !there->centroidMm) return;
+    const glm::dvec3 mm = *there->centroidMm;
+    session_.change(tr("Cross-hair"), [&](app::StudyState& next) { next.slices.crosshairMm = mm; });
+}
+
+}  // namespace macula::viewer

@@ -1,0 +1,73 @@
+// The segmentations of the study, to choose what of them is seen, and how.
+#pragma once
+
+#include <QColor>
+#include <QLabel>
+#include <QPushButton>
+#include <QSlider>
+#include <QTreeWidget>
+#include <QWidget>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "viewer/segmentation/segmentation_keeper.h"
+#include "viewer/session/viewer_session.h"
+
+namespace macula::viewer {
+
+// Shows what the keeper has found and what the session's state says of it, and proposes other states. Both
+// outlive it.
+class SegmentationPanel : public QWidget {
+    Q_OBJECT
+
+  public:
+    SegmentationPanel(ViewerSession& session, SegmentationKeeper& keeper, QWidget* parent = nullptr);
+
+    void showNames(bool shown);         // what a segmentation calls itself may name the patient
+    void setColour(const QColor& rgb);  // of the segment that is selected; nothing without one
+
+  private:
+    // A row of the tree; number 0 is the segmentation itself.
+    struct Row {
+        std::string digest;
+        std::uint16_t number = 0;
+        bool operator==(const Row&) const = default;
+    };
+
+    QWidget* makeControls();
+    void makeTree();
+    void fill();
+    void addSegmentation(const app::FoundSegmentation& found, std::size_t place);
+    void addSegment(QTreeWidgetItem& above, const std::string& digest, const Segment& segment);
+    void showChoices();
+    void showChoice(QTreeWidgetItem& item);
+    void showControls();
+    void onItemChanged(QTreeWidgetItem* item, int column);
+    void setIn3d(app::In3d in3d, bool on);
+    void askForColour();
+    void centre();
+    void edit(const QString& what, const std::function<void(app::SegmentChoice&)>& edit, bool isDrag = false);
+
+    static Row rowOf(const QTreeWidgetItem& item);
+    std::optional<Row> selected() const;  // a segment that can be shown
+    app::SegmentChoice choice(const Row& row) const;
+    std::optional<Segment> segment(const Row& row) const;
+    const app::LoadedSegment* loaded(const Row& row) const;  // null: not there yet
+    QColor colour(const Row& row) const;
+
+    ViewerSession& session_;
+    SegmentationKeeper& keeper_;
+    bool namesShown_ = true;
+    bool isFilling_ = false;
+    QTreeWidget* tree_ = nullptr;
+    QLabel* notes_ = nullptr;
+    QPushButton* colour_ = nullptr;
+    QSlider* opacity_ = nullptr;
+    QPushButton* alone_ = nullptr;
+    QPushButton* hide_ = nullptr;
+    QPushButton* centre_ = nullptr;
+};
+
+}  // namespace macula::viewer

@@ -1,0 +1,47 @@
+// Where a person sees which key does what, and takes another one.
+#pragma once
+
+#include <QKeySequenceEdit>
+#include <QLabel>
+#include <QLineEdit>
+#include <QList>
+#include <QMap>
+#include <QPushButton>
+#include <QString>
+#include <QTreeWidget>
+#include <QWidget>
+
+#include "viewer/settings/key_book.h"
+
+namespace macula::viewer {
+
+// Changes nothing but its own list of chosen keys: who asked for it takes that.
+class KeysPage : public QWidget {
+    Q_OBJECT
+
+  public:
+    KeysPage(QList<KeyEntry> entries, QMap<QString, QString> own, QWidget* parent = nullptr);
+
+    const QMap<QString, QString>& own() const { return own_; }
+    QString trouble() const { return trouble_->text(); }  // with the key that was taken last; empty: none
+
+  private:
+    void makeList();
+    void search(const QString& words);
+    void showCurrent();
+    void take(const QKeySequence& key);
+    void showKey(int index);
+    int current() const;  // in entries_; -1: none
+
+    QList<KeyEntry> entries_;
+    QMap<QString, QString> own_;
+    QLineEdit* search_;
+    QTreeWidget* list_;
+    QKeySequenceEdit* key_;
+    QPushButton* none_;
+    QPushButton* usual_;
+    QPushButton* allUsual_;
+    QLabel* trouble_;
+};
+
+}  // namespace macula::viewer

@@ -1,0 +1,124 @@
+#include "viewer/settings/settings.h"
+
+#include <QJsonDocument>
+#include <QStandardPaths>
+#include <cmath>
+#include <limits>
+#include <system_error>
+
+#include "base/atomic_file.h"
+#include "viewer/theme/theme.h"
+
+namespace macula::viewer {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMostBytes = 1u << 20;
+constexpr int kVersion = 1;
+
+// Takes members out of the object: those that nobody has asked for are left.
+class Members {
+  public:
+    explicit Members(QJsonObject object) : object_(std::move(object)) {}
+
+    QString text(const QString& name, const QString& otherwise) {
+        const QJsonValue value = object_.take(name);
+        return value.isString() ? value.toString() : otherwise;
+    }
+    bool flag(const QString& name, bool otherwise) {
+        const QJsonValue value = object_.take(name);
+        return value.isBool() ? value.toBool() : otherwise;
+    }
+    std::optional<double> number(const QString& name, double least, double most) {
+        const double value = object_.take(name).toDouble(std::nan(""));
+        return value >= least && value <= most ? std::optional(value) : std::nullopt;
+    }
+    std::optional<int> whole(const QString& name, int least, int most) {
+        const std::optional<double> value = number(name, least, most);
+        return value && *value == std::floor(*value) ? std::optional(int(*value)) : std::nullopt;
+    }
+    QJsonObject object(const QString& name) { return object_.take(name).toObject(); }
+    QJsonObject rest() const { return object_; }
+
+  private:
+    QJsonObject object_;
+};
+
+Error notReadable() {
+    return {ErrorCode::inputNotUsable,
+            "The file of settings is damaged.",
+            {},
+            "The usual settings are taken; what you set next is saved, and the damaged file is kept."};
+}
+
+}  // namespace
+
+fs::path settingsFile() {
+    const QString folder = QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation);
+    return fs::path(folder.toStdString()) / "macula" / "settings.json";
+}
+
+Result<Settings> settingsFromJson(const std::string& text) {
+    const QJsonDocument document = QJsonDocument::fromJson(QByteArray::fromStdString(text));
+    if (!document.isObject()) return notReadable();
+    Members members(document.object());
+    Settings settings;
+    members.whole(QStringLiteral("version"), 0, std::numeric_limits<int>::max());
+    settings.language = languageOf(members.text(QStringLiteral("language"), {}));
+    settings.highContrast = members.flag(QStringLiteral("highContrast"), settings.highContrast);
+    settings.fontScale = members.number(QStringLiteral("fontScale"), kSmallestFontScale, kLargestFontScale)
+                             .value_or(settings.fontScale);
+    settings.sessionFolder = members.text(QStringLiteral("sessionFolder"), {});
+    settings.keepDays = members.whole(QStringLiteral("keepDays"), 1, kMostKeptDays);
+    settings.modelCapMb = members.whole(QStringLiteral("modelCapMb"), kLeastModelCapMb, kMostModelCapMb)
+                              .value_or(settings.modelCapMb);
+    settings.quality = members.text(QStringLiteral("quality"), settings.quality);
+    settings.deidentifies = members.flag(QStringLiteral("deidentifies"), settings.deidentifies);
+    settings.showsNames = members.flag(QStringLiteral("showsNames"), settings.showsNames);
+    const QJsonObject keys = members.object(QStringLiteral("keys"));
+    for (auto key = keys.begin(); key != keys.end(); ++key) {
+        if (key->isString()) settings.keys.insert(key.key(), key->toString());
+    }
+    settings.others = members.rest();
+    return settings;
+}
+
+std::string toJson(const Settings& settings) {
+    QJsonObject object = settings.others;
+    object[QStringLiteral("version")] = kVersion;
+    if (settings.language) object[QStringLiteral("language")] = codeOf(*settings.language);
+    object[QStringLiteral("highContrast")] = settings.highContrast;
+    object[QStringLiteral("fontScale")] = settings.fontScale;
+    if (!settings.sessionFolder.isEmpty()) object[QStringLiteral("sessionFolder")] = settings.sessionFolder;
+    if (settings.keepDays) object[QStringLiteral("keepDays")] = *settings.keepDays;
+    object[QStringLiteral("modelCapMb")] = settings.modelCapMb;
+    object[QStringLiteral("quality")] = settings.quality;
+    object[QStringLiteral("deidentifies")] = settings.deidentifies;
+    object[QStringLiteral("showsNames")] = settings.showsNames;
+    QJsonObject keys;
+    for (auto key = settings.keys.begin(); key != settings.keys.end(); ++key) keys[key.key()] = key.value();
+    if (!keys.isEmpty()) object[QStringLiteral("keys")] = keys;
+    return QJsonDocument(object).toJson(QJsonDocument::Indented).toStdString();
+}
+
+Result<Settings> readSettings(const fs::path& file) {
+    std::error_code error;
+    if (!fs::exists(file, error) && !error) return Settings{};
+    MACULA_TRY(const std::string text, readText(file, kMostBytes));
+    return settingsFromJson(text);
+}
+
+Result<void> writeSettings(const Settings& settings, const fs::path& file) {
+    std::error_code error;
+    fs::create_directories(file.parent_path(), error);
+    if (error)
+        return Error{ErrorCode::outputNotWritable,
+                     "The settings could not be saved: their folder cannot be made.",
+                     file.parent_path().string(), "Check free space and permissions."};
+    if (!readSettings(file)) fs::rename(file, fs::path(file).concat(".damaged"), error);
+    return writeTextAtomically(file, toJson(settings));
+}
+
+}  // namespace macula::viewer

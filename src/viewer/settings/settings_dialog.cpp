@@ -1,0 +1,193 @@
+#include "viewer/settings/settings_dialog.h"
+
+#include <QDialogButtonBox>
+#include <QDir>
+#include <QFileDialog>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QTabBar>
+#include <QTabWidget>
+#include <QVBoxLayout>
+#include <utility>
+
+#include "app/choice/quality_choice.h"
+#include "session/store.h"
+#include "viewer/language/core_words.h"
+#include "viewer/theme/theme.h"
+
+namespace macula::viewer {
+
+namespace {
+
+constexpr int kCapStepMb = 500;
+constexpr double kFontStep = 0.1;
+
+QLabel* remark(const QString& text, QWidget* parent) {
+    auto* label = new QLabel(text, parent);
+    label->setWordWrap(true);
+    label->setTextFormat(Qt::PlainText);
+    return label;
+}
+
+void name(QWidget& control, const char* objectName, const QString& title, const QString& tip) {
+    control.setObjectName(QLatin1String(objectName));
+    control.setAccessibleName(title);
+    control.setToolTip(tip);
+}
+
+}  // namespace
+
+SettingsDialog::SettingsDialog(Settings settings, QList<KeyEntry> keys, bool isKept, QWidget* parent)
+    : QDialog(parent),
+      before_(std::move(settings)),
+      languages_(new QComboBox(this)),
+      highContrast_(new QCheckBox(tr("&High contrast: black, white and yellow"), this)),
+      fontScale_(new QDoubleSpinBox(this)),
+      showsNames_(new QCheckBox(tr("&Patient and study over pictures"), this)),
+      qualities_(new QComboBox(this)),
+      deidentifies_(new QCheckBox(tr("DICOM pictures &without patient and study"), this)),
+      folder_(new QLineEdit(before_.sessionFolder, this)),
+      keepDays_(new QSpinBox(this)),
+      modelCap_(new QSpinBox(this)),
+      keys_(new KeysPage(std::move(keys), before_.keys, this)) {
+    setWindowTitle(tr("Settings"));
+    auto* pages = new QTabWidget(this);
+    pages->setObjectName(QStringLiteral("settings-pages"));
+    pages->tabBar()->setAccessibleName(tr("Pages of settings"));
+    pages->tabBar()->setToolTip(tr("Left and Right go from page to page"));
+    pages->addTab(makeLook(), tr("Look"));
+    pages->addTab(makePictures(), tr("Pictures"));
+    pages->addTab(makeSessions(), tr("Sessions"));
+    pages->addTab(keys_, tr("Keys"));
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
+    buttons->button(QDialogButtonBox::Ok)->setToolTip(tr("Take all pages as they are"));
+    buttons->button(QDialogButtonBox::Cancel)->setToolTip(tr("Change nothing"));
+    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    auto* column = new QVBoxLayout(this);
+    column->addWidget(pages, 1);
+    column->addWidget(
+        remark(isKept ? tr("What was chosen on the command line counts more, until the program ends.")
+                      : tr("These settings are not kept: the program was started so."),
+               this));
+    column->addWidget(buttons);
+}
+
+QWidget* SettingsDialog::makeLook() {
+    auto* page = new QWidget(this);
+    name(*languages_, "settings-language", tr("Language"),
+         tr("Of the window, and how numbers are written; from the next start on"));
+    languages_->addItem(tr("As the desktop"), QString());
+    for (const LanguageRow& row : kLanguages)
+        languages_->addItem(QString::fromUtf8(row.title), QString::fromLatin1(row.code));
+    languages_->setCurrentIndex(
+        languages_->findData(before_.language ? codeOf(*before_.language) : QString()));
+    name(*highContrast_, "settings-high-contrast", tr("High contrast"),
+         tr("Instead of the dark window; at once"));
+    highContrast_->setChecked(before_.highContrast);
+    name(*fontScale_, "settings-font-scale", tr("Size of letters, times that of the desktop"),
+         tr("Times the size of the desktop's letters, 0.8 to 2; at once"));
+    fontScale_->setRange(kSmallestFontScale, kLargestFontScale);
+    fontScale_->setSingleStep(kFontStep);
+    fontScale_->setPrefix(QStringLiteral("× "));
+    fontScale_->setValue(before_.fontScale);
+    name(*showsNames_, "settings-names", tr("Patient and study over pictures"),
+         tr("When the window opens; N hides and shows them at any time"));
+    showsNames_->setChecked(before_.showsNames);
+    auto* form = new QFormLayout(page);
+    form->addRow(tr("&Language"), languages_);
+    form->addRow(tr("Letters"), fontScale_);
+    form->addRow(highContrast_);
+    form->addRow(showsNames_);
+    return page;
+}
+
+QWidget* SettingsDialog::makePictures() {
+    auto* page = new QWidget(this);
+    name(*qualities_, "settings-quality", tr("Quality of saved pictures"),
+         tr("What Save Picture begins with: more samples per pixel take more time"));
+    if (const auto all = app::builtInQualities()) {
+        for (const trace::Quality& quality : *all)
+            qualities_->addItem(
+                tr("%1: %2 samples").arg(titleInWindowsLanguage(quality.title)).arg(quality.samplesPerPixel),
+                QString::fromStdString(quality.name));
+    }
+    qualities_->setCurrentIndex(qualities_->findData(before_.quality));
+    name(*deidentifies_, "settings-deidentify", tr("DICOM pictures without patient and study"),
+         tr("What Save Picture begins with: nothing of the patient is written, and all UIDs are new"));
+    deidentifies_->setChecked(before_.deidentifies);
+    auto* form = new QFormLayout(page);
+    form->addRow(tr("&Quality"), qualities_);
+    form->addRow(deidentifies_);
+    return page;
+}
+
+QWidget* SettingsDialog::makeSessions() {
+    auto* page = new QWidget(this);
+    name(*folder_, "settings-folder", tr("Folder of stored sessions"),
+         tr("Where models, and how studies were left, are kept; empty: the usual folder. From the next "
+            "start on; what is in the old folder stays there."));
+    folder_->setPlaceholderText(QString::fromStdString(session::defaultFolder().string()));
+    folder_->setClearButtonEnabled(true);
+    auto* browse = new QPushButton(tr("&Choose…"), page);
+    name(*browse, "settings-browse", tr("Choose the folder of stored sessions"),
+         tr("Choose a folder; it must be empty, or one that Macula made"));
+    connect(browse, &QPushButton::clicked, this, &SettingsDialog::askForFolder);
+    name(*keepDays_, "settings-keep-days", tr("Days that studies are kept"),
+         tr("What was not opened for so many days is deleted at the start, 1 to %1 days; nothing is deleted "
+            "with 0")
+             .arg(kMostKeptDays));
+    keepDays_->setRange(0, kMostKeptDays);
+    keepDays_->setSpecialValueText(tr("for ever"));
+    keepDays_->setSuffix(tr(" days"));
+    keepDays_->setValue(before_.keepDays.value_or(0));
+    name(*modelCap_, "settings-model-cap", tr("Room for stored models in MB"),
+         tr("Of all stored models together, in MB; above it those that were not used for longest go. From "
+            "the next start on."));
+    modelCap_->setRange(kLeastModelCapMb, kMostModelCapMb);
+    modelCap_->setSingleStep(kCapStepMb);
+    modelCap_->setSuffix(tr(" MB"));
+    modelCap_->setValue(before_.modelCapMb);
+    auto* row = new QHBoxLayout;
+    row->addWidget(folder_, 1);
+    row->addWidget(browse);
+    auto* form = new QFormLayout(page);
+    form->addRow(tr("&Folder"), row);
+    form->addRow(tr("&Keep"), keepDays_);
+    form->addRow(tr("&Models"), modelCap_);
+    form->addRow(
+        remark(tr("Names and IDs are not kept, but models and views tell as much of a patient as pictures "
+                  "do."),
+               page));
+    return page;
+}
+
+void SettingsDialog::askForFolder() {
+    auto* dialog = new QFileDialog(this, tr("Folder of stored sessions"), folder_->text());
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setFileMode(QFileDialog::Directory);
+    dialog->setOption(QFileDialog::ShowDirsOnly);
+    connect(dialog, &QFileDialog::fileSelected, folder_, &QLineEdit::setText);
+    dialog->open();  // exec() would run a second event loop
+}
+
+Settings SettingsDialog::settings() const {
+    Settings now = before_;
+    now.language = languageOf(languages_->currentData().toString());
+    now.highContrast = highContrast_->isChecked();
+    now.fontScale = fontScale_->value();
+    now.showsNames = showsNames_->isChecked();
+    if (qualities_->currentIndex() >= 0) now.quality = qualities_->currentData().toString();
+    now.deidentifies = deidentifies_->isChecked();
+    // Wherever the program is started from the next time.
+    const QString folder = folder_->text().trimmed();
+    now.sessionFolder = folder.isEmpty() ? QString() : QDir(folder).absolutePath();
+    now.keepDays = keepDays_->value() > 0 ? std::optional(keepDays_->value()) : std::nullopt;
+    now.modelCapMb = modelCap_->value();
+    now.keys = keys_->own();
+    return now;
+}
+
+}  // namespace macula::viewer

@@ -1,0 +1,45 @@
+// Where a person says what the program is like, whatever is open.
+#pragma once
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDialog>
+#include <QDoubleSpinBox>
+#include <QLineEdit>
+#include <QSpinBox>
+
+#include "viewer/settings/keys_page.h"
+#include "viewer/settings/settings.h"
+
+namespace macula::viewer {
+
+// What it says holds once it is accepted.
+class SettingsDialog : public QDialog {
+    Q_OBJECT
+
+  public:
+    // Not kept: what is chosen ends with the program, and the dialog says so.
+    SettingsDialog(Settings settings, QList<KeyEntry> keys, bool isKept, QWidget* parent = nullptr);
+
+    Settings settings() const;
+
+  private:
+    QWidget* makeLook();
+    QWidget* makePictures();
+    QWidget* makeSessions();
+    void askForFolder();
+
+    Settings before_;
+    QComboBox* languages_;
+    QCheckBox* highContrast_;
+    QDoubleSpinBox* fontScale_;
+    QCheckBox* showsNames_;
+    QComboBox* qualities_;
+    QCheckBox* deidentifies_;
+    QLineEdit* folder_;
+    QSpinBox* keepDays_;
+    QSpinBox* modelCap_;
+    KeysPage* keys_;
+};
+
+}  // namespace macula::viewer

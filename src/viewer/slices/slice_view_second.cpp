@@ -1,0 +1,136 @@
+// What a pane does with a second volume, in the place of the study or over it.
+#include <cmath>
+#include <utility>
+
+#include "viewer/slices/slice_texts.h"
+#include "viewer/slices/slice_view.h"
+
+namespace macula::viewer {
+
+void SliceView::setSecond(std::shared_ptr<const SecondSeries> second) {
+    second_ = std::move(second);
+    if (!second_ && (role_ == PaneRole::second || !isVisible())) {
+        ++study_;
+        wanted_.reset();
+        shown_.reset();
+        SliceWish nothing;  // it keeps no volume that is gone
+        nothing.study = study_;
+        sampler_->publish(std::move(nothing));
+    }
+    request();
+    update();
+}
+
+void SliceView::setPaneView(const PaneView& view) {
+    if (view == view_) return;
+    view_ = view;
+    told_ = view;
+    isFitted_ = false;
+    request();
+}
+
+// Null unless the second volume that is there is the one of the state.
+const app::BesideState* SliceView::beside() const {
+    const auto& state = session_.state().beside;
+    return second_ && state && state->seriesDigest == second_->study.seriesDigest ? &*state : nullptr;
+}
+
+bool SliceView::wantsSecond() const {
+    const app::BesideState* state = beside();
+    if (state == nullptr) return false;
+    return role_ == PaneRole::second || state->view == app::BesideView::instead;
+}
+
+const Volume& SliceView::wantedVolume() const {
+    return wantsSecond() ? *second_->study.volume : volume();
+}
+
+DisplayWindow SliceView::secondWindow() const {
+    return beside()->window.value_or(second_->usualWindow);
+}
+
+bool SliceView::secondIsInverted() const {
+    return session_.state().slices.isInverted != second_->study.isLowBright;
+}
+
+// Completes what is wished for, which is of the study so far.
+void SliceView::addSecond(SliceWish& wish) const {
+    const app::BesideState* state = beside();
+    if (state == nullptr) return;
+    wish.tags = {second_->studyTag};
+    if (wantsSecond()) {
+        wish.volume = second_->study.volume;
+        wish.volumeFromPane = state->secondFromStudy;
+        wish.shows = state->isLinked() ? SliceShows::second : SliceShows::secondByHand;
+        wish.window = secondWindow();
+        wish.isInverted = secondIsInverted();
+        wish.isInterpolated = false;
+        wish.segments.reset();  // they are of the study's voxels
+        wish.positionText = state->isLinked() ? tr("In the plane of the study: %1").arg(wish.positionText)
+                                              : tr("Not in a plane of the study");
+        wish.tags = {second_->tag};
+        wish.names = second_->lines;
+        wish.secondNotes = {linkText(*state)};
+        if (!wish.volume->provenance().interpolatedSlices.empty())
+            wish.secondNotes.push_back(tr("Some of its slices are interpolated"));
+    } else if (role_ == PaneRole::study && state->view == app::BesideView::over && state->isLinked()) {
+        wish.over = SliceOver{.volume = second_->study.volume,
+                              .volumeFromPane = state->secondFromStudy,
+                              .window = secondWindow(),
+                              .isInverted = second_->study.isLowBright,
+                              .colours = state->colours,
+                              .opacity = state->opacity};
+        wish.tags.push_back(tr("In colours: %1").arg(second_->tag));
+        wish.secondNotes = {linkText(*state)};
+    } else {
+        return;
+    }
+    if (!second_->patientNote.isEmpty()) wish.secondNotes.prepend(second_->patientNote);
+}
+
+void SliceView::proposeWindow(const std::optional<DisplayWindow>& window, bool isDrag) {
+    const bool ofSecond = wantsSecond();
+    const auto edit = [&](app::StudyState& next) {
+        (ofSecond ? next.beside->window : next.slices.window) = window;
+    };
+    const QString what = ofSecond ? tr("Window of the second volume") : tr("Window");
+    if (isDrag) {
+        session_.drag(what, edit);
+    } else {
+        session_.change(what, edit);
+    }
+}
+
+// Along the normal of the pane: a slice of another volume for the one that the study shows.
+void SliceView::moveSecond(int slices) {
+    const slices::SlicePlane shown = plane();
+    const glm::dmat4 from = beside()->secondFromStudy;
+    const slices::SlicePlane there{.centreMm = transformPoint(from, shown.centreMm),
+                                   .right = transformVector(from, shown.right),
+                                   .down = transformVector(from, shown.down)};
+    const double byMm = slices * slices::stepMm(*second_->study.volume, there);
+    const slices::DepthRange depths = slices::depthsMm(*second_->study.volume, there);
+    if (byMm > depths.highMm || byMm < depths.lowMm) return;  // nothing of it would be seen
+    const glm::dvec3 by = byMm * there.normal();
+    session_.drag(tr("Second volume moved"),
+                  [&](app::StudyState& next) { next.beside->secondFromStudy[3] += glm::dvec4(by, 0.0); });
+    wheelEnds_.start();
+}
+
+// Of what is on screen. Empty where nothing lies over it.
+QString SliceView::overProbedText() const {
+    if (!shown_ || !hoverAt_ || !shown_->of.over) return {};
+    const SliceOver& over = *shown_->of.over;
+    const glm::dvec3 mm = transformPoint(over.volumeFromPane, worldAt(*hoverAt_));
+    return tr("In colours: %1").arg(probeText(*over.volume, mm));
+}
+
+QStringList SliceView::tags() const {
+    return shown_ ? shown_->of.tags : QStringList();
+}
+
+bool SliceView::isMeasuring() const {
+    return tool_ == SliceTool::distance || tool_ == SliceTool::angle || tool_ == SliceTool::ellipse;
+}
+
+}  // namespace macula::viewer

@@ -1,0 +1,152 @@
+// A second volume: whose, how old, and where it lies.
+#include "app/study/second_study.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "app/found_by_hand.h"
+#include "base/sha256.h"
+
+namespace macula::app {
+namespace {
+
+Identity jane() {
+    return {.patientName = "DOE^JANE",
+            .patientId = "17",
+            .birthDate = "19700102",
+            .sex = "F",
+            .studyDate = "20240301",
+            .studyDescription = "Chest",
+            .series = "CT, series 3: Miller"};
+}
+
+OpenedStudy studyOf(Identity identity, const glm::dvec3& firstMm = glm::dvec3(0.0)) {
+    auto volume = Volume::create({.size = {4, 5, 6},
+                                  .worldFromVoxel = affine({2, 0, 0}, {0, 2, 0}, {0, 0, 2}, firstMm),
+                                  .unit = Unit::hounsfield,
+                                  .modality = "CT"},
+                                 std::vector<std::uint16_t>(120, 7));
+    OpenedStudy study;
+    study.volume = std::make_shared<const Volume>(*std::move(volume));
+    study.seriesDigest = "digest";
+    study.identity = std::move(identity);
+    return study;
+}
+
+template <class Change>
+Identity janeBut(Change change) {
+    Identity identity = jane();
+    change(identity);
+    return identity;
+}
+
+TEST(SecondStudy, IsOfTheSamePatientOnlyWhereAllAgrees) {
+    EXPECT_EQ(samePatient(jane(), jane()), SamePatient::yes);
+    EXPECT_EQ(samePatient(jane(), janeBut([](auto& i) { i.patientName = "Doe^Jane^^^ "; })), SamePatient::yes)
+        << "written otherwise";
+    EXPECT_EQ(samePatient(jane(), janeBut([](auto& i) { i.birthDate = "1970.01.02"; })), SamePatient::yes);
+    EXPECT_EQ(samePatient(jane(), janeBut([](auto& i) { i.studyDate = "20200101"; })), SamePatient::yes);
+    EXPECT_EQ(samePatient({.series = "File a.nii"}, {.series = "File b.nii"}), SamePatient::unknown);
+    EXPECT_EQ(samePatient(jane(), {.series = "File a.nii"}), SamePatient::unknown);
+    EXPECT_EQ(samePatient(jane(), janeBut([](auto& i) { i.birthDate.clear(); })), SamePatient::unknown);
+    EXPECT_EQ(samePatient({.series = "a", .isOfNobody = true}, {.series = "a", .isOfNobody = true}),
+              SamePatient::yes);
+    EXPECT_NE(samePatient(jane(), {.series = "a", .isOfNobody = true}), SamePatient::yes);
+}
+
+TEST(SecondStudy, OneThingThatDiffersIsAnotherPatient) {
+    using Names = std::vector<std::string>;
+    const auto differs = [](auto change) {
+        const Identity other = janeBut(change);
+        EXPECT_EQ(samePatient(jane(), other), SamePatient::no);
+        EXPECT_EQ(samePatient(other, jane()), SamePatient::no);
+        return whatDiffers(jane(), other);
+    };
+    EXPECT_EQ(differs([](auto& i) { i.patientId = "18"; }), Names{"ID"});
+    EXPECT_EQ(differs([](auto& i) { i.patientName = "ROE^JANE"; }), Names{"name"});
+    EXPECT_EQ(differs([](auto& i) { i.birthDate = "19700103"; }), Names{"date of birth"});
+    EXPECT_EQ(differs([](auto& i) { i.sex = "M"; }), Names{"sex"});
+    EXPECT_EQ(differs([](auto& i) { i.patientId = "18", i.sex = "O"; }), (Names{"ID", "sex"}));
+}
+
+TEST(SecondStudy, IsPriorOrLaterByTheDateOfTheStudy) {
+    const auto of = [](const char* date) { return janeBut([date](auto& i) { i.studyDate = date; }); };
+    EXPECT_EQ(ageOf(jane(), of("20220301")), Age::earlier);
+    EXPECT_EQ(ageOf(jane(), of("20240301")), Age::sameDay);
+    EXPECT_EQ(ageOf(jane(), of("20240302")), Age::later);
+    for (const char* date : {"", "2024", "20240x01", "yesterday"})
+        EXPECT_EQ(ageOf(jane(), of(date)), Age::unknown) << date;
+}
+
+TEST(SecondStudy, ItsTagHoldsNoWordThatAPersonTyped) {
+    EXPECT_EQ(plainTag(studyOf(jane())), "CT, 2024-03-01");
+    EXPECT_EQ(plainTag(studyOf(janeBut([](auto& i) { i.studyDate = "for Miller"; }))), "CT, no study date");
+    EXPECT_EQ(plainTag(studyOf({.series = "Phantom of Miller", .isOfNobody = true})), "phantom");
+    OpenedStudy found = studyOf(jane());
+    found.found = test::twoPatients();
+    found.volumeIndex = found.found->volumes().size() - 1;
+    const int number = found.found->volumes().back().series->number.value();
+    EXPECT_EQ(plainTag(found), "CT, 2024-03-01, series " + std::to_string(number));
+    found.volumeIndex = 10'000;
+    EXPECT_EQ(plainTag(found), "CT, 2024-03-01");
+}
+
+TEST(SecondStudy, IsLinkedByItsFrameOfReferenceOrByHand) {
+    OpenedStudy study = studyOf(jane());
+    OpenedStudy second = studyOf(jane(), {100.0, -20.0, 7.0});
+    second.seriesDigest = "other";
+    BesideState link = firstLink(study, second);
+    EXPECT_EQ(link.link, BesideLink::byHand) << "nothing is known of where it lies";
+    EXPECT_FALSE(link.isLinked());
+    EXPECT_EQ(transformPoint(link.secondFromStudy, study.volume->worldBox().centre()),
+              second.volume->worldBox().centre());
+    EXPECT_EQ(link.seriesDigest, "other");
+    study.frameOfReferenceUid = second.frameOfReferenceUid = "1.2.3";
+    link = firstLink(study, second);
+    EXPECT_EQ(link.link, BesideLink::sameFrame);
+    EXPECT_EQ(link.secondFromStudy, glm::dmat4(1.0));
+    second.identity.patientId = "18";
+    EXPECT_EQ(firstLink(study, second).link, BesideLink::byHand) << "another patient";
+    second.identity = jane();
+    second.frameOfReferenceUid = "1.2.4";
+    EXPECT_EQ(firstLink(study, second).link, BesideLink::byHand);
+}
+
+TEST(SecondStudy, ActivityIsSeenFromNothingToTheBrightest) {
+    std::vector<float> voxels(10'000, 0.5F);
+    for (std::size_t n = 0; n < 100; ++n) voxels[n * 97] = 8.0F;
+    voxels[5] = 4000.0F;  // one hot pixel
+    const auto pet = Volume::createFloat(
+        {.size = {100, 100, 1}, .unit = Unit::suvBodyWeight, .modality = "PT"}, std::move(voxels));
+    const DisplayWindow window = secondWindow(*pet);
+    EXPECT_NEAR(window.center - 0.5 * window.width, 0.0, 0.6);
+    EXPECT_NEAR(window.center + 0.5 * window.width, 8.0, 0.6);
+    // Nothing is taken up anywhere, and nothing is a number.
+    for (const float value : {0.0F, std::numeric_limits<float>::quiet_NaN()}) {
+        const auto empty = Volume::createFloat(
+            {.size = glm::ivec3(3), .unit = Unit::becquerelsPerMillilitre, .modality = "PT"},
+            std::vector<float>(27, value));
+        EXPECT_TRUE(std::isfinite(secondWindow(*empty).center));
+    }
+}
+
+TEST(SecondStudy, IsFoundByItsDigestWhereThatIsOfOneVolume) {
+    dicom::Series one = test::seriesOf(1, "a", {test::volumeOf(3)});
+    one.seriesInstanceUid = "1.1";
+    dicom::Series two = test::seriesOf(2, "b", {test::volumeOf(3), test::volumeOf(4)});
+    two.seriesInstanceUid = "1.2";
+    dicom::Scan scan;
+    scan.studies.push_back(test::studyOf(0, "DOE^JANE", "20240301", "Chest", {one, two}));
+    const FoundVolumes found(std::move(scan));
+    EXPECT_EQ(volumeWithDigest(found, sha256Hex("1.1")), 0U);
+    EXPECT_FALSE(volumeWithDigest(found, sha256Hex("1.2"))) << "which of two?";
+    EXPECT_FALSE(volumeWithDigest(found, "phantom"));
+}
+
+}  // namespace
+}  // namespace macula::app

@@ -1,0 +1,65 @@
+// The whole window with a second volume.
+#include <QAction>
+#include <stdexcept>
+
+#include "viewer/beside/beside_study.h"
+#include "viewer/beside/slice_pair.h"
+#include "viewer/panes/pane_grid.h"
+#include "viewer/window_fixture.h"
+
+namespace macula::viewer {
+namespace {
+
+using slices::Orientation;
+
+class BesideWindowTest : public WindowTest {
+  protected:
+    BesideWindowTest() { layout_ = app::Layout::fourPanes; }
+    QAction& action(const char* name) {
+        auto* found = window_->findChild<QAction*>(QString::fromLatin1(name));
+        if (found == nullptr) throw std::runtime_error(name);
+        return *found;
+    }
+    static app::OpenedStudy named(const char* digest) {
+        app::OpenedStudy study = smallStudy(Unit::hounsfield);
+        study.seriesDigest = digest;
+        return study;
+    }
+};
+
+TEST_F(BesideWindowTest, ASecondVolumeHasTwoColumnsAFlipAndAnEnd) {
+    EXPECT_FALSE(action("flip").isEnabled());
+    window_->beside().open(std::filesystem::path("/no/such/folder"));
+    EXPECT_FALSE(window_->message().isEmpty()) << "there is no study that it could be beside";
+    window_->showStudy(named("current"));
+    window_->beside().offer(named("second"));
+    SlicePair& axial = window_->pair(Orientation::axial);
+    EXPECT_TRUE(axial.showsBoth());
+    EXPECT_EQ(window_->panes().shownLayout(), app::Layout::axial) << "large enough to compare";
+    EXPECT_TRUE(axial.second().isVisible());
+    // It has one value only: the window says so, and it is linked by hand.
+    ASSERT_TRUE(waitUntil([&] { return !window_->beside().isWorking(); }));
+    EXPECT_TRUE(window_->message().contains("same value everywhere")) << window_->message().toStdString();
+    ASSERT_TRUE(waitUntil([&] { return axial.second().isUpToDate(); }));
+    EXPECT_FALSE(axial.second().tags().isEmpty());
+
+    action("flip").trigger();
+    EXPECT_FALSE(axial.showsBoth());
+    ASSERT_TRUE(waitUntil([&] { return axial.study().isUpToDate(); }));
+    EXPECT_EQ(axial.study().tags(), axial.second().tags());
+    action("flip").trigger();
+    EXPECT_TRUE(axial.showsBoth());
+    EXPECT_TRUE(window_->state().beside);
+
+    action("close-second").trigger();
+    EXPECT_FALSE(axial.showsBoth());
+    EXPECT_FALSE(window_->state().beside);
+    EXPECT_FALSE(action("flip").isEnabled());
+    window_->beside().offer(named("second"));
+    window_->showStudy(named("third"));
+    EXPECT_EQ(window_->beside().second(), nullptr) << "it was beside another study";
+    EXPECT_FALSE(axial.showsBoth());
+}
+
+}  // namespace
+}  // namespace macula::viewer

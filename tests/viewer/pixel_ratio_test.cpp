@@ -1,0 +1,86 @@
+// A screen of two device pixels to a logical one: what is drawn has the pixels of the screen, and no fewer.
+#include <QIcon>
+#include <QPixmap>
+#include <QPushButton>
+
+#include "viewer/offscreen.h"
+#include "viewer/painted_text.h"
+#include "viewer/panes/drawn_icon.h"
+#include "viewer/session/viewer_session.h"
+#include "viewer/slices/slice_view.h"
+#include "viewer/theme/theme.h"
+#include "viewer/transfer/point_fields.h"
+
+namespace macula::viewer {
+namespace {
+
+class PixelRatioTest : public test::OffscreenTest {
+  protected:
+    void SetUp() override {
+        setenv("QT_SCALE_FACTOR", "2", 1);
+        OffscreenTest::SetUp();
+        applyTheme(*application_, {});
+        session_.emplace(app::Catalogue{});
+    }
+    void TearDown() override {
+        session_.reset();
+        OffscreenTest::TearDown();
+        unsetenv("QT_SCALE_FACTOR");
+    }
+
+    std::optional<ViewerSession> session_;
+};
+
+TEST_F(PixelRatioTest, ASliceIsSampledForEachPixelOfTheScreen) {
+    session_->show(smallStudy(), {});
+    SliceView view(*session_, slices::Orientation::axial);
+    view.resize(200, 150);
+    view.show();
+    ASSERT_DOUBLE_EQ(view.devicePixelRatioF(), 2.0);
+    ASSERT_TRUE(test::waitFor([&] { return view.isUpToDate(); }));
+    const auto frame = view.shownFrame();
+    ASSERT_TRUE(frame.has_value());
+    EXPECT_EQ(frame->sizePx, glm::ivec2(400, 300));
+    EXPECT_EQ(view.grab().size(), QSize(400, 300));
+}
+
+TEST_F(PixelRatioTest, IconsAreDrawnAndNotEnlarged) {
+    const QIcon icon = drawnIcon(Glyph::crosshair);
+    const QPixmap pixmap = icon.pixmap(QSize(24, 24), 2.0);
+    EXPECT_EQ(pixmap.size(), QSize(48, 48));
+    EXPECT_DOUBLE_EQ(pixmap.devicePixelRatio(), 2.0);
+    // A line of the glyph begins on an odd row: an enlarged one has equal pairs of rows everywhere.
+    const QImage image = pixmap.toImage();
+    bool isEnlarged = true;
+    for (int y = 0; y < image.height() && isEnlarged; y += 2) {
+        for (int x = 0; x < image.width(); ++x)
+            isEnlarged = isEnlarged && image.pixel(x, y) == image.pixel(x, y + 1);
+    }
+    EXPECT_FALSE(isEnlarged);
+}
+
+TEST_F(PixelRatioTest, NamesOverThePictureHaveTwiceThePixels) {
+    const auto once = paintText({"A name"}, 1000, 1.0);
+    const auto twice = paintText({"A name"}, 1000, 2.0);
+    ASSERT_TRUE(once && twice);
+    EXPECT_NEAR(twice->boxes.front().extent.height, 2.0 * once->boxes.front().extent.height, 2.0);
+    EXPECT_NEAR(twice->boxes.front().extent.width, 2.0 * once->boxes.front().extent.width,
+                0.2 * twice->boxes.front().extent.width);
+    EXPECT_EQ(twice->boxes.front().offset.x, 2 * once->boxes.front().offset.x);
+}
+
+TEST_F(PixelRatioTest, TheColourOfAPointIsSharp) {
+    PointFields fields;
+    fields.show();
+    PointFields::Point point;
+    point.colour = glm::dvec3(1.0, 0.0, 0.0);
+    fields.showPoint(point);
+    const auto* button = fields.findChild<QPushButton*>(QStringLiteral("transfer-colour"));
+    ASSERT_NE(button, nullptr);
+    const QList<QSize> sizes = button->icon().availableSizes();
+    ASSERT_FALSE(sizes.isEmpty());
+    EXPECT_EQ(button->icon().pixmap(QSize(16, 16), 2.0).size(), QSize(32, 32));
+}
+
+}  // namespace
+}  // namespace macula::viewer

@@ -1,0 +1,92 @@
+// Presentation states in the window: written and read beside it, and whose they are to be.
+#include "viewer/output/presentation_files.h"
+
+#include "app/choice/catalogue.h"
+#include "base/sha256.h"
+#include "support.h"
+#include "viewer/offscreen.h"
+#include "viewer/output/presentation_dialog.h"
+
+namespace macula::viewer {
+namespace {
+
+class Presentations : public test::OffscreenTest {
+  protected:
+    void SetUp() override {
+        OffscreenTest::SetUp();
+        dicom::test::write(dicom::test::smallVolume(), folder_ / "study");
+        scan_ = dicom::test::scan(folder_ / "study");
+        ASSERT_TRUE(scan_);
+        const dicom::Series& series = scan_->studies.at(0).series.at(0);
+        digest_ = sha256Hex(series.seriesInstanceUid);
+        wish_.volume = dicom::test::load(series);
+        wish_.images = *app::presentedImages(series, series.stacks.at(0));
+        wish_.state.preset = app::builtInCatalogue()->presets.front();
+        wish_.state.camera = frameBox(wish_.volume->worldBox(), ViewDirection::left, 30.0, 1.0);
+        files_.emplace();
+        QObject::connect(&*files_, &PresentationFiles::saved, &*files_,
+                         [this](const QString& path, const QStringList&) { saved_ = path; });
+        QObject::connect(&*files_, &PresentationFiles::opened, &*files_,
+                         [this](const app::StudyState& state, const QStringList&) { opened_ = state; });
+        QObject::connect(&*files_, &PresentationFiles::failed, &*files_,
+                         [this](const Error& error) { error_ = error; });
+    }
+    void TearDown() override {
+        files_.reset();
+        OffscreenTest::TearDown();
+    }
+
+    const dicom::test::TemporaryFolder folder_;
+    const std::filesystem::path path_ = folder_ / "a.dcm";
+    std::optional<dicom::Scan> scan_;
+    std::string digest_;
+    app::PresentationWish wish_;
+    std::optional<PresentationFiles> files_;
+    QString saved_;
+    std::optional<app::StudyState> opened_;
+    std::optional<Error> error_;
+};
+
+TEST_F(Presentations, AreSavedAndOpenedBesideTheWindow) {
+    files_->save(path_, wish_);
+    ASSERT_TRUE(test::waitFor([&] { return !saved_.isEmpty() || error_; }));
+    ASSERT_FALSE(error_) << error_->message;
+    EXPECT_EQ(saved_.toStdString(), path_.string());
+    files_->open(path_, wish_.volume, digest_, {});
+    ASSERT_TRUE(test::waitFor([&] { return opened_ || error_; }));
+    ASSERT_FALSE(error_) << error_->message;
+    EXPECT_EQ(opened_->camera, wish_.state.camera);
+    EXPECT_EQ(opened_->seriesDigest, digest_);
+    ASSERT_TRUE(opened_->preset);
+    EXPECT_TRUE(app::isSame(*opened_->preset, *wish_.state.preset));
+}
+
+TEST_F(Presentations, ThatCannotBeAreErrors) {
+    files_->open(path_, wish_.volume, digest_, {});
+    ASSERT_TRUE(test::waitFor([&] { return error_.has_value(); }));
+    EXPECT_EQ(error_->code, ErrorCode::inputNotUsable);
+    error_.reset();
+    files_->save(folder_ / "gone" / "a.dcm", wish_);
+    ASSERT_TRUE(test::waitFor([&] { return error_.has_value(); }));
+    EXPECT_EQ(error_->code, ErrorCode::outputNotWritable);
+    error_.reset();
+    wish_.state.preset.reset();
+    files_->save(path_, wish_);
+    ASSERT_TRUE(test::waitFor([&] { return error_.has_value(); }));
+    EXPECT_FALSE(std::filesystem::exists(path_));
+    EXPECT_FALSE(opened_);
+}
+
+TEST_F(Presentations, BelongToThePatientUnlessSomebodySaysNot) {
+    PresentationDialog dialog;
+    EXPECT_FALSE(dialog.isDeidentified());
+    auto* box = dialog.findChild<QCheckBox*>(QStringLiteral("without-patient"));
+    ASSERT_NE(box, nullptr);
+    EXPECT_FALSE(box->accessibleName().isEmpty());
+    EXPECT_FALSE(box->toolTip().isEmpty());
+    box->click();
+    EXPECT_TRUE(dialog.isDeidentified());
+}
+
+}  // namespace
+}  // namespace macula::viewer

@@ -1,0 +1,273 @@
+// The segmentations of a study under a real hand: found, loaded, on slices, in 3D, and undone.
+#include "viewer/segmentation/segmentation_panel.h"
+
+#include <gtest/gtest.h>
+
+#include <QLabel>
+#include <QPushButton>
+#include <QSlider>
+#include <QTest>
+#include <QTreeWidget>
+#include <stdexcept>
+
+#include "app/study/opened_study.h"
+#include "pipeline/volume/mask_bits.h"
+#include "support.h"
+#include "synthetic_segmentation.h"
+#include "viewer/hidden_voxels.h"
+#include "viewer/offscreen.h"
+
+namespace macula::viewer {
+namespace {
+
+class SegmentationPanelTest : public test::OffscreenTest {
+  protected:
+    void SetUp() override {
+        OffscreenTest::SetUp();
+        series_.size = {21, 19, 17};
+        dicom::test::writeFiles(folder_ / "ct", series_);
+        centreMm_ = transformPoint(series_.worldFromVoxel, {10, 9, 8});
+        dicom::test::SyntheticSegmentation seg;
+        seg.size = series_.size;
+        seg.worldFromVoxel = series_.worldFromVoxel;
+        seg.parts = {{.number = 1, .label = "Liver", .share = ball(6.45)},
+                     {.number = 2, .label = "Tumour", .share = ball(3.0)}};
+        dicom::test::writeSegmentation(folder_ / "seg/a", seg);
+        seg.frameOfReferenceUid = "2.25.77";
+        seg.sopInstanceUid = "2.25.4444";
+        seg.seriesUid = "2.25.4445";
+        dicom::test::writeSegmentation(folder_ / "seg/b", seg);
+        session_.emplace(app::Catalogue{});
+        keeper_.emplace(*session_);
+        hidden_.emplace();
+        panel_.emplace(*session_, *keeper_);
+        QObject::connect(
+            &*keeper_, &SegmentationKeeper::maskMade, &*hidden_,
+            [this](const std::optional<Mask>& mask) { hidden_->set(HiddenVoxels::Part::segments, mask); });
+        panel_->resize(400, 500);
+        panel_->show();
+    }
+    void TearDown() override {
+        panel_.reset();
+        hidden_.reset();
+        keeper_.reset();
+        session_.reset();
+        OffscreenTest::TearDown();
+    }
+
+    std::function<double(const glm::dvec3&)> ball(double radiusMm) const {
+        return [centre = centreMm_, radiusMm](const glm::dvec3& mm) {
+            return glm::distance(mm, centre) <= radiusMm ? 1.0 : 0.0;
+        };
+    }
+    void openFolder() {
+        Progress progress;
+        auto study = app::openStudy(folder_.path(), progress);
+        ASSERT_TRUE(study) << study.error().message;
+        hidden_->setVolume(study->volume);
+        session_->show(*std::move(study), {});
+        ASSERT_TRUE(settled());
+    }
+    bool settled() {
+        return test::waitFor([this] { return keeper_->isAtRest() && !hidden_->isJoining(); });
+    }
+    void showFirst() {
+        segmentation().setCheckState(0, Qt::Checked);
+        ASSERT_TRUE(settled());
+    }
+
+    template <class Widget>
+    Widget& find(const char* name) {
+        auto* found = panel_->findChild<Widget*>(QLatin1String(name));
+        if (found == nullptr) throw std::runtime_error(name);
+        return *found;
+    }
+    QTreeWidget& tree() { return find<QTreeWidget>("segments"); }
+    QTreeWidgetItem& segmentation() { return *tree().topLevelItem(0); }
+    QTreeWidgetItem& segment(int n) { return *segmentation().child(n); }
+    void select(int n) { tree().setCurrentItem(&segment(n)); }
+    void click(const char* name) { QTest::mouseClick(&find<QPushButton>(name), Qt::LeftButton); }
+    // How many voxels are left in 3D; all: nothing is hidden.
+    std::size_t left() {
+        const Volume& volume = *session_->study().volume;
+        if (!hidden_->mask()) return volume.voxelCount();
+        const MaskBits bits = maskBits(*hidden_->mask(), volume);
+        std::size_t count = 0;
+        for (int k = 0; k < bits.size.z; ++k)
+            for (int j = 0; j < bits.size.y; ++j)
+                for (int i = 0; i < bits.size.x; ++i) count += bits.shows(i, j, k) ? 1 : 0;
+        return count;
+    }
+    std::size_t voxelsOf(std::uint16_t number) const {
+        return keeper_->loaded(keeper_->found().front().digest)->segment(number)->voxels->count();
+    }
+
+    dicom::test::TemporaryFolder folder_;
+    dicom::test::SyntheticSeries series_;
+    glm::dvec3 centreMm_{0.0};
+    std::optional<ViewerSession> session_;
+    std::optional<SegmentationKeeper> keeper_;
+    std::optional<HiddenVoxels> hidden_;
+    std::optional<SegmentationPanel> panel_;
+};
+
+TEST_F(SegmentationPanelTest, WithoutAStudyItSaysWhatToDo) {
+    EXPECT_EQ(tree().topLevelItemCount(), 0);
+    EXPECT_EQ(find<QLabel>("segments-notes").text(), QLatin1String("Open a study first."));
+    EXPECT_FALSE(find<QSlider>("segment-opacity").isEnabled());
+    session_->show(smallStudy(), {});  // of no folder
+    ASSERT_TRUE(settled());
+    EXPECT_TRUE(find<QLabel>("segments-notes").text().contains(QLatin1String("no segmentations")));
+    EXPECT_TRUE(keeper_->note().isEmpty());
+}
+
+TEST_F(SegmentationPanelTest, ListsWhatIsThereWithTheReasonWhyItCannotBeShown) {
+    openFolder();
+    ASSERT_EQ(tree().topLevelItemCount(), 2);
+    ASSERT_EQ(segmentation().childCount(), 2);
+    EXPECT_EQ(segment(0).text(0), QLatin1String("Liver"));
+    EXPECT_EQ(segment(1).text(1), QStringLiteral("–")) << "not loaded yet";
+    EXPECT_EQ(segmentation().checkState(0), Qt::Unchecked);
+    EXPECT_FALSE(keeper_->shown());
+    QTreeWidgetItem& other = *tree().topLevelItem(1);
+    EXPECT_FALSE(other.flags().testFlag(Qt::ItemIsUserCheckable));
+    ASSERT_EQ(other.childCount(), 1);
+    EXPECT_TRUE(other.child(0)->text(0).contains(QLatin1String("frame of reference")));
+    EXPECT_TRUE(keeper_->note().contains(QLatin1String("F11")));
+    EXPECT_TRUE(segmentation().text(0).contains(QLatin1String("ORGANS")));
+    panel_->showNames(false);
+    EXPECT_FALSE(segmentation().text(0).contains(QLatin1String("ORGANS")));
+}
+
+TEST_F(SegmentationPanelTest, AMarkShowsItOnSlicesWithItsVolume) {
+    openFolder();
+    showFirst();
+    ASSERT_TRUE(keeper_->shown());
+    ASSERT_EQ(keeper_->shown()->size(), 2u);
+    EXPECT_EQ(keeper_->shown()->at(0).label, "Liver");
+    const double det = std::abs(glm::determinant(glm::dmat3(session_->study().volume->worldFromVoxel())));
+    const double ml = double(voxelsOf(1)) * det / 1000.0;
+    EXPECT_NEAR(QLocale().toDouble(segment(0).text(1)), ml, 0.006);
+    segment(0).setCheckState(0, Qt::Unchecked);
+    ASSERT_EQ(keeper_->shown()->size(), 1u);
+    EXPECT_EQ(keeper_->shown()->at(0).label, "Tumour");
+    session_->undo();
+    EXPECT_EQ(segment(0).checkState(0), Qt::Checked);
+    EXPECT_EQ(keeper_->shown()->size(), 2u);
+    session_->undo();
+    EXPECT_EQ(segmentation().checkState(0), Qt::Unchecked);
+    EXPECT_FALSE(keeper_->shown());
+    EXPECT_FALSE(session_->canUndo());
+}
+
+TEST_F(SegmentationPanelTest, AloneAndHideChangeWhatIsLeftIn3d) {
+    openFolder();
+    const std::size_t all = left();
+    select(1);
+    click("segment-hide");  // shows it, too
+    ASSERT_TRUE(settled());
+    EXPECT_EQ(segmentation().checkState(0), Qt::Checked);
+    EXPECT_EQ(left(), all - voxelsOf(2));
+    EXPECT_EQ(segment(1).text(2), QLatin1String("hidden"));
+    EXPECT_EQ(hidden_->mask()->remark, "a segment left out");
+    select(0);
+    click("segment-alone");
+    ASSERT_TRUE(settled());
+    EXPECT_EQ(left(), voxelsOf(1) - voxelsOf(2)) << "the tumour lies in the liver";
+    session_->undo();
+    ASSERT_TRUE(settled());
+    EXPECT_EQ(left(), all - voxelsOf(2));
+    select(1);
+    EXPECT_TRUE(find<QPushButton>("segment-hide").isChecked());
+    click("segment-alone");
+    ASSERT_TRUE(settled());
+    EXPECT_FALSE(find<QPushButton>("segment-hide").isChecked());
+    EXPECT_EQ(left(), voxelsOf(2));
+    click("segment-alone");
+    ASSERT_TRUE(settled());
+    EXPECT_EQ(left(), all);
+    EXPECT_FALSE(hidden_->mask());
+}
+
+// As the table and segments are.
+TEST_F(SegmentationPanelTest, SeveralPartsHideTogether) {
+    openFolder();
+    showFirst();
+    const Volume& volume = *session_->study().volume;
+    auto labels = LabelMap::create(volume.size(), volume.worldFromVoxel(), {},
+                                   std::vector<std::uint16_t>(volume.voxelCount(), 0));
+    Mask nothing;
+    nothing.labels = std::make_shared<const LabelMap>(*std::move(labels));
+    nothing.remark = "all left out";
+    select(0);
+    click("segment-alone");
+    ASSERT_TRUE(settled());
+    EXPECT_EQ(left(), voxelsOf(1));
+    hidden_->set(HiddenVoxels::Part::table, nothing);
+    EXPECT_TRUE(hidden_->isJoining());
+    ASSERT_TRUE(settled());
+    EXPECT_EQ(left(), 0u);
+    EXPECT_EQ(hidden_->mask()->remark, "all left out, one segment alone");
+    hidden_->set(HiddenVoxels::Part::table, std::nullopt);
+    EXPECT_EQ(left(), voxelsOf(1)) << "at once";
+}
+
+TEST_F(SegmentationPanelTest, ColourOpacityAndCentre) {
+    openFolder();
+    select(1);
+    EXPECT_FALSE(find<QPushButton>("segment-centre").isEnabled()) << "not loaded";
+    showFirst();
+    select(1);
+    panel_->setColour(QColor(10, 20, 30));
+    EXPECT_EQ(keeper_->shown()->at(1).rgb, (std::array<std::uint8_t, 3>{10, 20, 30}));
+    auto& opacity = find<QSlider>("segment-opacity");
+    EXPECT_EQ(opacity.value(), 40);
+    QTest::keyClick(&opacity, Qt::Key_End);
+    EXPECT_EQ(keeper_->shown()->at(1).opacity, 1.0);
+    session_->undo();
+    EXPECT_EQ(opacity.value(), 40);
+    click("segment-centre");
+    ASSERT_TRUE(session_->state().slices.crosshairMm);
+    EXPECT_LT(glm::distance(*session_->state().slices.crosshairMm, centreMm_), 1e-3);
+}
+
+TEST_F(SegmentationPanelTest, CancelTakesBackWhatIsNotThereYet) {
+    openFolder();
+    bool began = false;
+    bool ended = false;
+    QObject::connect(&*keeper_, &SegmentationKeeper::began, [&] { began = true; });
+    QObject::connect(&*keeper_, &SegmentationKeeper::ended, [&] { ended = true; });
+    segmentation().setCheckState(0, Qt::Checked);
+    EXPECT_TRUE(began);
+    keeper_->cancel();
+    EXPECT_TRUE(ended);
+    EXPECT_EQ(segmentation().checkState(0), Qt::Unchecked);
+    ASSERT_TRUE(settled());
+    EXPECT_FALSE(keeper_->shown());
+    showFirst();
+    EXPECT_TRUE(keeper_->shown()) << "it can be asked for again";
+}
+
+TEST_F(SegmentationPanelTest, AStateThatIsOpenedAgainShowsThemAndWhatIsGoneIsTold) {
+    openFolder();
+    select(0);
+    click("segment-alone");
+    ASSERT_TRUE(settled());
+    const app::StudyState state = session_->state();
+    const std::size_t alone = left();
+    app::OpenedStudy study = session_->study();
+    hidden_->setVolume(study.volume);
+    session_->show(study, state);
+    ASSERT_TRUE(settled());
+    EXPECT_EQ(left(), alone);
+    EXPECT_TRUE(keeper_->shown());
+    study.found.reset();
+    hidden_->setVolume(study.volume);
+    session_->show(study, state);
+    ASSERT_TRUE(settled());
+    EXPECT_FALSE(keeper_->shown());
+    EXPECT_TRUE(keeper_->note().contains(QLatin1String("not in the folder")));
+}
+
+}  // namespace
+}  // namespace macula::viewer

@@ -1,0 +1,245 @@
+// German: nothing that the window says is left in English, and what is put into a sentence arrives there.
+#include <gtest/gtest.h>
+
+#include <QCoreApplication>
+#include <QFile>
+#include <QLocale>
+#include <QProcess>
+#include <QRegularExpression>
+#include <QSet>
+#include <QTemporaryDir>
+#include <QXmlStreamReader>
+#include <fstream>
+#include <set>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/choice/catalogue.h"
+#include "app/choice/quality_choice.h"
+#include "base/paths.h"
+#include "viewer/keys.h"
+#include "viewer/language/core_words.h"
+#include "viewer/language/language.h"
+#include "viewer/offscreen.h"
+
+namespace macula::viewer {
+namespace {
+
+struct Text {
+    QString context;
+    QString source;
+    QString translation;
+    bool isUnfinished = false;
+};
+
+std::vector<Text> textsIn(const QString& path) {
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly)) throw std::runtime_error(path.toStdString());
+    QXmlStreamReader xml(&file);
+    std::vector<Text> texts;
+    QString context;
+    while (!xml.atEnd()) {
+        if (xml.readNext() != QXmlStreamReader::StartElement) continue;
+        if (xml.name() == QLatin1String("name")) context = xml.readElementText();
+        if (xml.name() == QLatin1String("source")) texts.push_back({context, xml.readElementText(), {}});
+        if (xml.name() == QLatin1String("translation")) {
+            texts.back().isUnfinished = xml.attributes().hasAttribute(QLatin1String("type"));
+            texts.back().translation = xml.readElementText();
+        }
+    }
+    EXPECT_FALSE(xml.hasError()) << xml.errorString().toStdString();
+    return texts;
+}
+
+QString folder() {
+    return QString::fromStdString((macula::test::projectFolder() / "src/viewer/translations/").string());
+}
+
+// The places of a text: "%1", "%L2".
+QStringList placesOf(const QString& text) {
+    static const QRegularExpression place(QStringLiteral("%L?[1-9]"));
+    QSet<QString> places;
+    for (auto matches = place.globalMatch(text); matches.hasNext();) places << matches.next().captured();
+    QStringList sorted(places.begin(), places.end());
+    sorted.sort();
+    return sorted;
+}
+
+TEST(Translation, EveryTextHasOneWithTheSamePlaces) {
+    for (const char* name : {"macula_de.ts", "core_de.ts"}) {
+        const std::vector<Text> texts = textsIn(folder() + QLatin1String(name));
+        EXPECT_GT(texts.size(), 300u) << name;
+        for (const Text& text : texts) {
+            EXPECT_FALSE(text.isUnfinished || text.translation.isEmpty())
+                << name << ": " << text.source.toStdString();
+            if (QLatin1String(name) == QLatin1String("macula_de.ts")) {
+                EXPECT_EQ(placesOf(text.source), placesOf(text.translation)) << text.source.toStdString();
+            }
+            for (const QString& place : placesOf(text.translation))
+                EXPECT_TRUE(placesOf(text.source).contains(place)) << text.source.toStdString();
+        }
+    }
+}
+
+// What tr() marks in the sources, against the file: packaging/translations adds what is missing there.
+TEST(Translation, NoTextOfTheWindowIsMissing) {
+    const QString lupdate = QString::fromLatin1(MACULA_LUPDATE);
+    if (!QFile::exists(lupdate)) GTEST_SKIP() << "packaging/bootstrap installs lupdate";
+    QTemporaryDir scratch;
+    const QString found = scratch.filePath(QStringLiteral("found_de.ts"));
+    const QString sources = QString::fromStdString((macula::test::projectFolder() / "src").string());
+    QProcess process;
+    process.start(lupdate, {"-silent", sources + "/viewer", "-I", sources, "-locations", "none",
+                            "-target-language", "de", "-ts", found});
+    ASSERT_TRUE(process.waitForFinished(30'000)) << process.errorString().toStdString();
+    ASSERT_EQ(process.exitCode(), 0) << process.readAllStandardError().toStdString();
+    std::set<std::pair<QString, QString>> known;
+    for (const Text& text : textsIn(folder() + QStringLiteral("macula_de.ts")))
+        known.insert({text.context, text.source});
+    const std::vector<Text> texts = textsIn(found);
+    EXPECT_GT(texts.size(), 300u);
+    for (const Text& text : texts)
+        EXPECT_TRUE(known.contains({text.context, text.source}))
+            << "run packaging/translations, and translate: " << text.source.toStdString();
+}
+
+class GermanTest : public test::OffscreenTest {
+  protected:
+    void SetUp() override {
+        OffscreenTest::SetUp();
+        useLanguage(Language::german);
+    }
+    void TearDown() override {
+        useLanguage(Language::english);
+        QLocale::setDefault(QLocale::c());
+        OffscreenTest::TearDown();
+    }
+    static std::set<QString> coreTexts() {
+        std::set<QString> known;
+        for (const Text& text : textsIn(folder() + QStringLiteral("core_de.ts"))) known.insert(text.source);
+        return known;
+    }
+};
+
+TEST_F(GermanTest, TextsOfTheWindowAreInTheProgram) {
+    EXPECT_EQ(QCoreApplication::translate("macula::viewer::MainWindow", "&Open Folder…"),
+              QStringLiteral("&Ordner öffnen…"));
+    EXPECT_EQ(QLocale().decimalPoint(), QStringLiteral(","));
+    useLanguage(Language::english);
+    EXPECT_EQ(QCoreApplication::translate("macula::viewer::MainWindow", "&Open Folder…"),
+              QStringLiteral("&Open Folder…"));
+    EXPECT_EQ(inWindowsLanguage(std::string("There is only one slice.")),
+              QStringLiteral("There is only one slice."));
+}
+
+TEST_F(GermanTest, KeysAndTitlesOfWhatIsBuiltInHaveOne) {
+    const std::set<QString> known = coreTexts();
+    const auto has = [&](const std::string& text) { return known.contains(QString::fromStdString(text)); };
+    for (const KeyRow& row : kKeys) {
+        EXPECT_TRUE(has(row.does)) << row.does;
+        EXPECT_TRUE(row.hand[0] == '\0' || has(row.hand)) << row.hand;
+    }
+    for (const LayoutRow& row : kLayouts) EXPECT_TRUE(has(row.title)) << row.title;
+    for (const trace::LookTraits& look : trace::kLooks) EXPECT_TRUE(has(std::string(look.title)));
+    const auto catalogue = app::builtInCatalogue();
+    ASSERT_TRUE(catalogue.ok());
+    for (const auto& lights : catalogue->lights) EXPECT_TRUE(has(lights->title)) << lights->title;
+    for (const auto& clip : catalogue->clips) EXPECT_TRUE(has(clip->title)) << clip->title;
+    for (const auto& preset : catalogue->presets) {
+        // "CT-Bone": those of others are names.
+        if (preset->title.find(' ') != std::string::npos) {
+            EXPECT_TRUE(has(preset->title)) << preset->title;
+        }
+    }
+    const auto qualities = app::builtInQualities();
+    ASSERT_TRUE(qualities.ok());
+    for (const trace::Quality& quality : *qualities) EXPECT_TRUE(has(quality.title)) << quality.title;
+}
+
+// Literals of the tables of messages, as a reader of C++ joins them; "{count}" is a place.
+QStringList sentencesOf(const char* source) {
+    std::ifstream file(macula::test::projectFolder() / source);
+    std::stringstream text;
+    text << file.rdbuf();
+    static const QRegularExpression literals(
+        QStringLiteral("\"(?:[^\"\\\\\\n]|\\\\.)*\"(?:\\s*\"(?:[^\"\\\\\\n]|\\\\.)*\")*"));
+    static const QRegularExpression seam(QStringLiteral("\"\\s*\""));
+    static const QRegularExpression place(QStringLiteral("\\{[^}]*\\}"));
+    QStringList sentences;
+    auto matches = literals.globalMatch(QString::fromStdString(text.str()));
+    while (matches.hasNext()) {
+        QString sentence = matches.next().captured();
+        sentence = sentence.mid(1, sentence.size() - 2).remove(seam);
+        for (int number = 1; sentence.contains(place); ++number) {
+            const QRegularExpressionMatch match = place.match(sentence);
+            sentence.replace(match.capturedStart(), match.capturedLength(),
+                             QStringLiteral("%%1").arg(number));
+        }
+        if (sentence.contains(QLatin1Char(' ')) && sentence.endsWith(QLatin1Char('.'))) sentences << sentence;
+    }
+    return sentences;
+}
+
+TEST_F(GermanTest, MessagesWithKeysHaveOne) {
+    const std::set<QString> known = coreTexts();
+    for (const char* source : {"src/dicom/messages.cpp", "src/segment/messages.cpp"}) {
+        const QStringList sentences = sentencesOf(source);
+        EXPECT_GT(sentences.size(), 8) << source;
+        for (const QString& sentence : sentences)
+            EXPECT_TRUE(known.contains(sentence)) << source << ": " << sentence.toStdString();
+    }
+}
+
+TEST_F(GermanTest, WhatStandsInASentenceArrivesInTheOther) {
+    const auto german = [](const char* text) { return inWindowsLanguage(std::string(text)); };
+    EXPECT_EQ(german("Slices that are missing: 3 of 40, which are 1.250 mm apart."),
+              QStringLiteral("Fehlende Schichten: 3 von 40, die 1,250 mm auseinander liegen."));
+    EXPECT_EQ(german("The images do not make a volume: their sizes differ."),
+              QStringLiteral("Die Bilder ergeben kein Volumen: ihre Größen unterscheiden sich."));
+    EXPECT_EQ(
+        german("Nothing is left to remove on the left side. Move the cross-hair into what is shown."),
+        QStringLiteral("Auf der Seite links ist nichts mehr zu entfernen. Bewegen Sie das Fadenkreuz in das "
+                       "Gezeigte."));
+    EXPECT_EQ(german("Of 3 volumes the axial one with the most voxels (512 x 512 x 90)."),
+              QStringLiteral("Von 3 Volumen das axiale mit den meisten Voxeln (512 x 512 x 90)."));
+    EXPECT_EQ(inWindowsLanguage(Error{ErrorCode::usage, "The folder does not exist.", {}, "Check the path."}),
+              QStringLiteral("Den Ordner gibt es nicht. Prüfen Sie den Pfad."));
+}
+
+// Text of a file, or of a later version, is shown as it is.
+TEST_F(GermanTest, WhatNobodyTranslatedStaysAsItIs) {
+    for (const char* text :
+         {"", " ", "Nobody knows this.", "%1", "left", "High", "100 %", "\\d+ (", "Ünïcödé"}) {
+        EXPECT_EQ(inWindowsLanguage(std::string(text)), QString::fromUtf8(text));
+    }
+    EXPECT_EQ(listInWindowsLanguage("CT, series 3: High, no description"),
+              QStringLiteral("CT, Serie 3: High, keine Beschreibung"));
+    const std::string huge(10'000, 'a');
+    EXPECT_EQ(inWindowsLanguage(huge), QString::fromStdString(huge));
+}
+
+TEST_F(GermanTest, TitlesAndTheirCopies) {
+    EXPECT_EQ(titleInWindowsLanguage("Cinematic bone"), QStringLiteral("Cinematic Knochen"));
+    EXPECT_EQ(titleInWindowsLanguage("Cinematic bone (edited 2)"),
+              QStringLiteral("Cinematic Knochen (bearbeitet 2)"));
+    EXPECT_EQ(titleInWindowsLanguage("CT-Bone"), QStringLiteral("CT-Bone"));
+}
+
+TEST_F(GermanTest, NumbersHaveACommaAndIdentifiersKeepTheirPoints) {
+    EXPECT_EQ(withLocalNumbers(QStringLiteral("12.5 mm, 3 HU, v. 4")), QStringLiteral("12,5 mm, 3 HU, v. 4"));
+    useLanguage(Language::english);
+    EXPECT_EQ(withLocalNumbers(QStringLiteral("12.5 mm")), QStringLiteral("12.5 mm"));
+}
+
+TEST(Language, IsKnownByItsCode) {
+    EXPECT_EQ(languageOf(QStringLiteral("de")), Language::german);
+    EXPECT_EQ(languageOf(QStringLiteral("en")), Language::english);
+    for (const char* code : {"", "DE", "fr", "deu"}) EXPECT_EQ(languageOf(QLatin1String(code)), std::nullopt);
+    for (const LanguageRow& row : kLanguages) EXPECT_EQ(languageOf(codeOf(row.language)), row.language);
+}
+
+}  // namespace
+}  // namespace macula::viewer
