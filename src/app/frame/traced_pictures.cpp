@@ -53,6 +53,12 @@ trace::Settings denoised(trace::Settings settings, bool isDenoised) {
     return settings;
 }
 
+// How low the noise has to be is no part of what is seen.
+bool sameDrawing(const Drawing& a, Drawing b) {
+    b.settings.errorThreshold = a.settings.errorThreshold;
+    return a == b;
+}
+
 trace::Settings previewSettings(trace::Settings settings, std::uint32_t number) {
     settings.bounces = std::min(settings.bounces, kPreviewBounces);
     settings.seed += number;  // else the noise would stand still on the screen like dirt
@@ -63,7 +69,7 @@ trace::Settings previewSettings(trace::Settings settings, std::uint32_t number) 
 }  // namespace
 
 bool isSamePicture(const FrameInput& a, const FrameInput& b) {
-    return a.volume == b.volume && a.drawing == b.drawing && sameCamera(a.camera, b.camera) &&
+    return a.volume == b.volume && sameDrawing(a.drawing, b.drawing) && sameCamera(a.camera, b.camera) &&
            a.place == b.place && a.width == b.width && a.height == b.height;
 }
 
@@ -136,7 +142,12 @@ bool TracedPictures::hasFull(const FrameInput& input) const {
 }
 
 Result<void> TracedPictures::beginFull(const FrameInput& input) {
-    if (full_ && isSamePicture(*full_, input)) return {};
+    if (full_ && settings_ && isSamePicture(*full_, input)) {
+        full_ = input;
+        trace::Settings settings = *settings_;
+        settings.errorThreshold = input.drawing.settings.errorThreshold;
+        return applySettings(settings);
+    }
     full_.reset();
     scale_ = 1;
     view_ = {.camera = input.camera, .width = input.width, .height = input.height};
