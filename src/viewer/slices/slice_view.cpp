@@ -10,6 +10,7 @@
 #include "app/slices/window_presets.h"
 #include "pipeline/volume/window.h"
 #include "viewer/harmless_text.h"
+#include "viewer/slices/label_editor.h"
 #include "viewer/slices/slice_texts.h"
 
 namespace macula::viewer {
@@ -41,7 +42,8 @@ SliceView::SliceView(ViewerSession& session, slices::Orientation orientation, QW
     setContextMenuPolicy(Qt::PreventContextMenu);  // the right button drags
     setCursor(Qt::CrossCursor);
     setAccessibleName(tr("%1 slices").arg(nameOf(orientation)));
-    setToolTip(tr("%1 slices, in mm. Wheel: next slice; right drag: window").arg(nameOf(orientation)));
+    setToolTip(tr("%1 slices, in mm. Wheel: next slice; right drag: window; right click: windows")
+                   .arg(nameOf(orientation)));
     wheelEnds_.setSingleShot(true);
     wheelEnds_.setInterval(kWheelPauseMs);
     connect(&wheelEnds_, &QTimer::timeout, this, [this] { endOwnDrag(tr("Slice")); });
@@ -93,8 +95,17 @@ void SliceView::applyWindow(int digit) {
         session_.change(tr("Window"), [&](app::StudyState& next) { next.slices.window = preset->window; });
 }
 
+void SliceView::applyOwnWindow(int number) {
+    if (!steps_ || own_ == nullptr || number < 1) return;
+    const auto own = own_->fitting(volume());
+    if (std::size_t(number) > own.size()) return;
+    session_.change(tr("Window"),
+                    [&](app::StudyState& next) { next.slices.window = own[std::size_t(number) - 1].window; });
+}
+
 void SliceView::onStudyShown() {
     setCine(false);
+    delete findChild<LabelEditor*>();  // of a measurement that is gone
     endGesture();
     ++study_;
     wanted_.reset();
