@@ -53,6 +53,11 @@ enum class KeyAction {
     cine,
     removeMeasurement,
     paneAlone,
+    quality,
+    convergeNow,
+    sliceMenu,
+    ownWindow,
+    label,
     quit,
     help,  // the last: a test counts to it
 };
@@ -105,6 +110,12 @@ inline constexpr std::array kKeys{
     KeyRow{KeyAction::cine, "Space on slices", "", "Play through all slices, or stop"},
     KeyRow{KeyAction::removeMeasurement, "Delete on slices", "", "Remove the measurement that is chosen"},
     KeyRow{KeyAction::paneAlone, "Double click on slices", "", "This pane alone, or all four"},
+    KeyRow{KeyAction::quality, "Ctrl+[ and Ctrl+]", "", "Frames in motion: faster, or more accurate"},
+    KeyRow{KeyAction::convergeNow, "", "Ctrl+Return",
+           "Trace the picture at rest until it is final; Esc stops"},
+    KeyRow{KeyAction::sliceMenu, "Right click, Menu on slices", "", "Windows, and those of your own"},
+    KeyRow{KeyAction::ownWindow, "Alt+1 to Alt+9 on slices", "", "A window of your own"},
+    KeyRow{KeyAction::label, "Double click on a measurement, Enter", "", "Its label"},
     KeyRow{KeyAction::help, "", "F1", "All keys"},
     KeyRow{KeyAction::quit, "", "Ctrl+Q", "Quit"},
 };

@@ -10,6 +10,7 @@
 #include "viewer/help_boxes.h"
 #include "viewer/keys.h"
 #include "viewer/main_window.h"
+#include "viewer/quality/quality_control.h"
 #include "viewer/session/undo_actions.h"
 #include "viewer/status_texts.h"
 
@@ -79,6 +80,7 @@ void MainWindow::makeFileMenu() {
     saveMeasurements->setObjectName(QStringLiteral("save-measurements"));
     saveMeasurements->setShortcut(keyOf(KeyAction::saveMeasurements));
     saveMeasurements->setToolTip(tr("As a table (CSV) or JSON, in mm, degrees and the unit of the study"));
+    addOutputActions(*file);
     file->addAction(tr("Save P&reset…"), this, &MainWindow::askWhereToSavePreset)
         ->setToolTip(tr("The transfer function, for other studies and programs"));
     file->addSeparator();
@@ -139,6 +141,7 @@ void MainWindow::makeViewMenu() {
     gaze->setCheckable(true);
     gaze->setChecked(true);
     connect(gaze, &QAction::triggered, viewport_, &Viewport::setGazeFollowsPointer);
+    addQualityActions(*view);
 }
 
 void MainWindow::makeLookMenu() {
@@ -225,6 +228,7 @@ void MainWindow::makeToolBar() {
     description_ = new ElidingLabel(tr("Series"), bar);
     description_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
     bar->addWidget(description_);
+    bar->addWidget(quality_);
 
     connect(presets_, &QComboBox::activated, this, &MainWindow::choosePreset);
     connect(lights_, &QComboBox::activated, this, [this](int index) {
@@ -246,6 +250,8 @@ void MainWindow::makeStatusBar() {
     statusBar()->addWidget(loading_);
     statusBar()->addWidget(searching_);
     statusBar()->addWidget(exporting_);
+    statusBar()->addWidget(filming_);
+    statusBar()->addWidget(converging_);
     badge_ = new FidelityBadge;
     statusBar()->addWidget(badge_);
     statusBar()->addWidget(fidelity_, 1);

@@ -154,6 +154,8 @@ void Viewport::connectWindow() {
             camera_ = app::framed(outlineMm(), framedFrom_, kVerticalFovDeg, aspect());
         }
         publish();
+        emit resized();
+        emit otherPictureWanted();
     });
     // What is pointed at is what is looked at; while it is dragged it goes with the pointer.
     connect(window_, &VulkanWindow::pointed, this, [this](QPointF place) {
@@ -207,6 +209,25 @@ void Viewport::showNames(bool shown) {
 void Viewport::setSampleLimit(std::uint32_t samplesPerPixel) {
     input_.sampleLimit = samplesPerPixel;
     publish();
+}
+
+void Viewport::setRestGoal(const RestGoal& goal) {
+    input_.sampleLimit = goal.sampleLimit;
+    input_.noiseTarget = goal.noiseTarget;
+    input_.convergesNow = goal.convergesNow;
+    publish();
+}
+
+void Viewport::setLiveQuality(const app::LiveQuality& quality) {
+    input_.live = quality;
+    publish();
+}
+
+std::uint64_t Viewport::askForModel(bool withTraining) {
+    ++input_.modelWishes;
+    input_.wishesTraining = withTraining;
+    publish();
+    return input_.modelWishes;
 }
 
 void Viewport::setGazeFollowsPointer(bool follows) {
@@ -317,6 +338,7 @@ void Viewport::setCamera(const app::OrbitCamera& camera) {
 void Viewport::publishChange() {
     container_->show();
     lastChange_ = publish();
+    emit otherPictureWanted();
 }
 
 std::uint64_t Viewport::publish() {

@@ -24,7 +24,9 @@ ModelExport::ModelExport(QObject* parent)
                         told += tr(" %L1 splats have numbers that this format cannot hold; they were "
                                    "limited.")
                                     .arg(*limited);
-                    if (app::holdsTraining(wish_.path)) told += tr(" It holds pictures of the study.");
+                    const splat::ModelFormat* format = splat::modelFormatOf(wish_.path);
+                    if (format != nullptr && format->keepsTraining())
+                        told += tr(" It holds pictures of the study.");
                     emit written(told);
                 }}) {}
 

@@ -18,8 +18,9 @@ struct MovieWish {
     bool wantsVideo = false;  // where there is an encoder
 };
 
-// One at a time; another one takes the place of the one before. When it is stopped nothing of it is left.
-// Lives on the UI thread, and so do its signals.
+// One at a time; another one takes the place of the one before. When drawing
+// is stopped nothing of it is left; when encoding is, the pictures are. Lives on the UI thread, and so do its
+// signals.
 class MovieExport : public QObject {
     Q_OBJECT
 
