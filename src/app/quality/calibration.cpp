@@ -73,6 +73,11 @@ std::optional<Calibration> keptCalibration(const std::filesystem::path& folder, 
 
 Result<Calibration> measureCalibration(const std::shared_ptr<gpu::Device>& device, Progress& progress) {
     using Clock = std::chrono::steady_clock;
+    const auto stopped = [&]() -> Result<void> {
+        if (!progress.cancelled()) return {};
+        return Error{ErrorCode::cancelled, "The measurement was stopped.", {}, {}};
+    };
+    MACULA_TRY_VOID(stopped());
     progress.beginStage("Measuring this machine", kTimes + 1);
     MACULA_TRY(const presets::ImportedPreset preset, choosePreset(kPreset));
     MACULA_TRY(trace::PathTracer tracer, tracerOf(device, preset.function));
@@ -84,9 +89,8 @@ Result<Calibration> measureCalibration(const std::shared_ptr<gpu::Device>& devic
     for (int i = 0; i <= kTimes; ++i) {
         MACULA_TRY_VOID(tracer.setTransferFunction(preset.function));
         const Clock::time_point start = Clock::now();
-        MACULA_TRY(const bool isWhole, tracer.trace(1, keepGoing));
-        if (!isWhole || progress.cancelled())
-            return Error{ErrorCode::cancelled, "The measurement was stopped.", {}, {}};
+        MACULA_TRY_VOID(tracer.trace(1, keepGoing));
+        MACULA_TRY_VOID(stopped());
         MACULA_TRY_VOID(device->waitForAll());
         const double ms = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
         if (i > 0) calibration.traceMs = std::min(calibration.traceMs, ms);
