@@ -252,6 +252,7 @@ class MainWindow : public QMainWindow {
     MovieExport* movieExport_ = nullptr;
     WorkBar* filming_ = nullptr;
     ModelExport* modelExport_ = nullptr;
+    WorkBar* savingModel_ = nullptr;
     ChoiceMenu* looks_ = nullptr;
     QAction* shading_ = nullptr;
     QAction* resetWindow_ = nullptr;

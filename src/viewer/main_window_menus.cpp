@@ -251,6 +251,7 @@ void MainWindow::makeStatusBar() {
     statusBar()->addWidget(searching_);
     statusBar()->addWidget(exporting_);
     statusBar()->addWidget(filming_);
+    statusBar()->addWidget(savingModel_);
     statusBar()->addWidget(converging_);
     badge_ = new FidelityBadge;
     statusBar()->addWidget(badge_);

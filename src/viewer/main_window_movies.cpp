@@ -67,6 +67,13 @@ void MainWindow::makeMovies() {
     connect(movieExport_, &MovieExport::written, messages_, &MessageBar::showNote);
 
     modelExport_ = new ModelExport(this);
+    savingModel_ = new WorkBar;
+    connect(modelExport_, &ModelExport::began, this, [this] {
+        messages_->hide();
+        savingModel_->begin(tr("Writing the model"));
+    });
+    connect(savingModel_, &WorkBar::cancelClicked, modelExport_, &ModelExport::cancel);
+    connect(modelExport_, &ModelExport::ended, savingModel_, &QWidget::hide);
     connect(modelExport_, &ModelExport::written, messages_, &MessageBar::showNote);
     connect(viewport_, &Viewport::rendered, this, [this](const app::RenderEvent& event) {
         if (const auto* taken = std::get_if<app::ModelTaken>(&event)) modelExport_->onTaken(*taken);

@@ -141,7 +141,7 @@ void FrameRenderer::tellCourse() {
     ModelState state = ModelState::none;
     if (canDrawModel())
         state = ModelState::ready;
-    else if (model_ && model_->hasWork())
+    else if (model_ && model_->hasWork() && !input_.convergesNow)
         state = ModelState::searching;
     course_.setModel(state, model_ && model_->hasWork() && !input_.convergesNow);
 }

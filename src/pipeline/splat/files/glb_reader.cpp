@@ -85,6 +85,8 @@ double valueOf(const std::byte* from, const Component& component) {
     }
 }
 
+constexpr std::uint64_t kMostJsonBytes = 16u << 20;  // that of a model has a few thousand
+
 // A file in its two parts.
 struct Parts {
     Json json;
@@ -101,6 +103,8 @@ Result<Parts> partsOf(Bytes bytes) {
     if (length > bytes.size() || numberAt(bytes, glb::kHeaderBytes + 4) != glb::kJsonChunk ||
         jsonBytes > length - std::min<std::uint64_t>(length, kFirst))
         return damaged();
+    if (jsonBytes > kMostJsonBytes)
+        return unusable("The glTF file holds far more than a model.", "Export the model alone.");
     const Bytes text = bytes.subspan(kFirst, jsonBytes);
     Parts parts;
     parts.json = Json::parse(reinterpret_cast<const char*>(text.data()),
