@@ -6,6 +6,7 @@
 
 #include "app/state/drawing_of.h"
 #include "pipeline/volume/window.h"
+#include "viewer/hidden_voxels.h"
 #include "viewer/main_window.h"
 #include "viewer/presets/preset_box.h"
 #include "viewer/presets/preset_comparison.h"
@@ -151,7 +152,7 @@ void MainWindow::comparePreset(const LibraryPreset& preset) {
         view.effort.quality = "draft";
         return view;
     };
-    const auto clip = app::clipOf(other, *study().volume, table_->mask());
+    const auto clip = app::clipOf(other, *study().volume, hidden_->mask());
     auto* dialog = new PresetComparison(
         {now.preset ? titleOr(now.preset->title, now.preset->name) : QString(), picture(drawing())},
         {titleOf(preset), picture(app::drawingOf(other, catalogue(), seriesWindows_, study().volume, clip))},
