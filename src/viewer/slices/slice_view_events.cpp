@@ -4,9 +4,12 @@
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <utility>
 
 #include "app/frame/projection_windows.h"
+#include "viewer/slices/label_editor.h"
+#include "viewer/slices/slice_menu.h"
 #include "viewer/slices/slice_view.h"
 
 namespace macula::viewer {
@@ -15,6 +18,7 @@ namespace {
 
 constexpr double kHitPx = 8.0;       // logical, as all below
 constexpr double kOnePointPx = 3.0;  // nearer points are one
+constexpr double kClickPx = 3.0;     // a right click moves no farther
 constexpr int kManySlices = 5;       // with Shift, or by pages
 constexpr int kNotch = 120;          // eighths of a degree: QWheelEvent
 constexpr double kZoomPerNotch = 1.15;
@@ -54,6 +58,7 @@ void SliceView::leaveEvent(QEvent*) {
 void SliceView::mousePressEvent(QMouseEvent* event) {
     if (!shown_ || drag_ != Drag::none) return event->ignore();
     pressedAt_ = lastAt_ = event->position();
+    hasDragged_ = false;
     dragButton_ = event->button();
     switch (dragButton_) {
         case Qt::LeftButton:
@@ -145,6 +150,8 @@ void SliceView::mouseMoveEvent(QMouseEvent* event) {
 void SliceView::dragTo(const QPointF& place) {
     const QPointF by = place - lastAt_;
     const double heightPx = std::max(height(), 1);
+    if (isStillClick(place)) return;
+    hasDragged_ = hasDragged_ || drag_ != Drag::none;
     switch (drag_) {
         case Drag::crosshair:
             return setCrosshair(worldAt(place));
@@ -178,6 +185,41 @@ void SliceView::mouseReleaseEvent(QMouseEvent* event) {
     }
     if (ended == Drag::crosshair || ended == Drag::window || ended == Drag::handle) session_.endDrag();
     update();
+    if (dragButton_ == Qt::RightButton && !hasDragged_) showMenu(event->position());
+}
+
+// A hand that clicks moves a little.
+bool SliceView::isStillClick(const QPointF& place) const {
+    return dragButton_ == Qt::RightButton && drag_ == Drag::window && !hasDragged_ &&
+           (place - pressedAt_).manhattanLength() <= kClickPx;
+}
+
+void SliceView::showMenu(const QPointF& place) {
+    if (!shown_ || drawing_ || !showsStudy()) return;  // the second volume has its own bar
+    const bool isMeant = takeHold(place);
+    drag_ = Drag::none;
+    std::function<void()> edit;
+    if (isMeant) edit = [this, index = *selected_] { editLabel(index); };
+    makeSliceMenu({.session = &session_, .own = own_, .window = studyWindow(), .editLabel = std::move(edit)},
+                  this)
+        ->popup(mapToGlobal(place.toPoint()));
+    update();
+}
+
+void SliceView::editLabel(std::size_t index) {
+    const auto& measurements = session_.state().measurements;
+    if (!shown_ || index >= measurements.size()) return;
+    const slices::Measurement edited = measurements[index];
+    const glm::dvec2 px =
+        shown_->of.frame.pictureFromWorld(handlesOf(edited).front()) / shown_->of.pixelRatio;
+    const QString before = QString::fromStdString(edited.label);
+    auto* editor = new LabelEditor(this, QPointF(px.x, px.y).toPoint(), before);
+    connect(editor, &LabelEditor::accepted, this, [this, edited](const QString& text) {
+        session_.change(tr("Label"), [&](app::StudyState& next) {
+            const auto found = std::ranges::find(next.measurements, edited);
+            if (found != next.measurements.end()) found->label = text.toStdString();
+        });
+    });
 }
 
 // Its first click has begun a measurement: that was not meant. In the middle of one it is a click like any
@@ -187,6 +229,10 @@ void SliceView::mouseDoubleClickEvent(QMouseEvent* event) {
         return mousePressEvent(event);
     drawing_.reset();
     update();
+    if (shown_ && takeHold(event->position())) {
+        drag_ = Drag::none;
+        return editLabel(*selected_);
+    }
     emit maximizeAsked();
 }
 
@@ -206,6 +252,8 @@ void SliceView::wheelEvent(QWheelEvent* event) {
 
 void SliceView::keyPressEvent(QKeyEvent* event) {
     const Qt::KeyboardModifiers others = event->modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier);
+    if (steps_ && others == Qt::AltModifier && event->key() >= Qt::Key_1 && event->key() <= Qt::Key_9)
+        return applyOwnWindow(event->key() - Qt::Key_0);
     if (!steps_ || others != Qt::NoModifier ||
         !handleKey(event->key(), event->modifiers().testFlag(Qt::ShiftModifier)))
         QWidget::keyPressEvent(event);
@@ -236,6 +284,12 @@ bool SliceView::handleKey(int key, bool withShift) {
         case Qt::Key_Backspace:
             if (!selected_) return false;
             return removeSelected(), true;
+        case Qt::Key_Return:
+        case Qt::Key_Enter:
+            if (!selected_) return false;
+            return editLabel(*selected_), true;
+        case Qt::Key_Menu:
+            return showMenu(hoverAt_.value_or(middle)), true;
         case Qt::Key_Escape:
             if (!drawing_) return false;
             return endGesture(), true;
