@@ -69,7 +69,7 @@ void editPreset(app::StudyState& next, const app::Catalogue& catalogue, Dice& di
     if (dice.coin()) {  // one of a person's own
         made->name = "own";
         made->title = "Eigenes & \"neu\"";
-        made->densityScale = dice.number(0.1, 10);
+        made->density = dice.number(0.1, 10);
     }
     next.preset = std::move(made);
 }
@@ -84,7 +84,7 @@ void editLights(app::StudyState& next, const app::Catalogue& catalogue, Dice& di
 }
 
 void editLook(app::StudyState& next, const app::Catalogue&, Dice& dice) {
-    next.settings.look = dice.of(trace::kLooks);
+    next.settings.look = dice.of(trace::kLooks).look;
     next.settings.shading = dice.coin() ? trace::Shading::headlight : trace::Shading::none;
 }
 
@@ -96,7 +96,7 @@ void editNumber(app::StudyState& next, const app::Catalogue&, Dice& dice) {
 
 void editWindow(app::StudyState& next, const app::Catalogue&, Dice& dice) {
     const std::size_t look = dice.below(trace::kLooks.size());
-    if (!trace::isProjection(trace::kLooks[look])) return;
+    if (!trace::isProjection(trace::kLooks[look].look)) return;
     next.windows.at(look).reset();
     if (dice.below(4) > 0) next.windows.at(look) = aWindow(dice);
 }
