@@ -15,6 +15,7 @@ void addInfo(CLI::App& app, Action& action);
 void addHybrid(CLI::App& app, Action& action);
 void addRender(CLI::App& app, Action& action);
 void addSplatRender(CLI::App& app, Action& action);
+void addSplatExport(CLI::App& app, Action& action);
 void addSheet(CLI::App& app, Action& action);
 void addDevices(CLI::App& app, Action& action);
 void addPresets(CLI::App& app, Action& action);

@@ -65,6 +65,7 @@ int run(int argc, char** argv) {
     cli::addHybrid(app, action);
     cli::addSheet(app, action);
     cli::addSplatRender(app, action);
+    cli::addSplatExport(app, action);
     cli::addExport(app, action);
     cli::addPresets(app, action);
     cli::addDevices(app, action);

@@ -193,7 +193,8 @@ void addTrain(CLI::App& app, Action& action) {
     command->add_option("PATH", o.path, "Folder with DICOM files, volume file, or phantom: (default)");
     command
         ->add_option("-o,--output", o.output,
-                     "Model: .ply (exact), .spz (small), or .macula (with all that training needs to go on)")
+                     "Model: .ply (exact), .spz (small), .glb (glTF), or .macula (with all that training "
+                     "needs to go on)")
         ->required();
     command->add_flag("--display-colours", o.displayColours,
                       "Colours as displayed, for other programs: they do not know linear light and tone map");

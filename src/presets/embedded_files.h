@@ -1,5 +1,5 @@
-// The files of presets/transfer, lights, clip and quality, carried inside the program: it needs no
-// data files to run.
+// The files of presets/transfer, lights, clip, quality and front, carried inside the program: it needs
+// no data files to run.
 #pragma once
 
 #include <span>
@@ -17,5 +17,6 @@ std::span<const EmbeddedFile> transferFiles();
 std::span<const EmbeddedFile> lightFiles();
 std::span<const EmbeddedFile> clipFiles();
 std::span<const EmbeddedFile> qualityFiles();
+std::span<const EmbeddedFile> frontFiles();
 
 }  // namespace macula::presets

@@ -109,6 +109,8 @@ struct Options {
         "Before anything is opened, delete what is kept of studies that were not opened for N days. "
         "Default: MACULA_KEEP_DAYS of the environment, else nothing is deleted.",
         "N"};
+    const QCommandLineOption calibrate{
+        "calibrate", "Measure this machine anew for the quality slider, say how fast it is, and quit."};
     const QCommandLineOption script{
         "script",
         "Drive the window, measure it, print JSON, quit. 'orbit': turn the volume, "
@@ -126,9 +128,10 @@ struct Options {
                                   "300"};
 
     void addTo(QCommandLineParser& parser) const {
-        parser.addOptions({preset,       lights,      view,        device,  size,     layout,    language,
-                           highContrast, fontScale,   samples,     noModel, sessions, noSession, keepDays,
-                           script,       screenshots, withPatient, wait,    turn,     seconds,   rest});
+        parser.addOptions({calibrate, preset,    lights,       view,      device,      size,
+                           layout,    language,  highContrast, fontScale, samples,     noModel,
+                           sessions,  noSession, keepDays,     script,    screenshots, withPatient,
+                           wait,      turn,      seconds,      rest});
     }
 };
 
@@ -231,6 +234,10 @@ Result<CommandLine> parseCommandLine(const QStringList& arguments) {
     }
     result.usesModel = !parser.isSet(options.noModel);
     MACULA_TRY_VOID(readSessions(parser, options, result));
+    result.calibrates = parser.isSet(options.calibrate);
+    if (result.calibrates && (!folders.isEmpty() || parser.isSet(options.script)))
+        return usage(QStringLiteral("--calibrate measures the machine, and opens nothing."),
+                     "Leave out the folder and --script.");
     result.choosesView =
         parser.isSet(options.preset) || parser.isSet(options.lights) || parser.isSet(options.view);
     MACULA_TRY_VOID(readScript(parser, options, result));

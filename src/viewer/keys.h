@@ -68,6 +68,11 @@ enum class KeyAction {
     removeMeasurement,
     paneAlone,
     settings,
+    quality,
+    convergeNow,
+    sliceMenu,
+    ownWindow,
+    label,
     quit,
     help,  // the last: a test counts to it
 };
@@ -138,6 +143,12 @@ inline constexpr std::array kKeys{
     KeyRow{KeyAction::removeMeasurement, "Delete on slices", "", "Remove the measurement that is chosen"},
     KeyRow{KeyAction::paneAlone, "Double click on slices", "", "This pane alone, or all four"},
     KeyRow{KeyAction::settings, "", "Ctrl+,", "Settings: language, look, keys, what is kept"},
+    KeyRow{KeyAction::quality, "Ctrl+[ and Ctrl+]", "", "Frames in motion: faster, or more accurate"},
+    KeyRow{KeyAction::convergeNow, "", "Ctrl+Return",
+           "Trace the picture at rest until it is final; Esc stops"},
+    KeyRow{KeyAction::sliceMenu, "Right click, Menu on slices", "", "Windows, and those of your own"},
+    KeyRow{KeyAction::ownWindow, "Alt+1 to Alt+9 on slices", "", "A window of your own"},
+    KeyRow{KeyAction::label, "Double click on a measurement, Enter", "", "Its label"},
     KeyRow{KeyAction::help, "", "F1", "All keys"},
     KeyRow{KeyAction::quit, "", "Ctrl+Q", "Quit"},
 };

@@ -16,6 +16,8 @@
 #endif
 
 #include "app/exit_codes.h"
+#include "app/quality/calibration.h"
+#include "app/quality/quality_front.h"
 #include "session/store.h"
 #include "viewer/changes_script.h"
 #include "viewer/command_line.h"
@@ -63,6 +65,7 @@ Result<MainWindowOptions> windowOptions(const CommandLine& line) {
         options.sessions =
             line.sessions ? std::filesystem::path(line.sessions->toStdString()) : session::defaultFolder();
     options.keepDays = line.keepDays;
+    options.calibrates = line.script == CommandLine::Script::none;
     options.restores = line.script != CommandLine::Script::none ? Restores::nothing
                        : line.choosesView                       ? Restores::work
                                                                 : Restores::all;
@@ -97,6 +100,22 @@ ReadSettings readSettingsFor(const CommandLine& line) {
     }
     if (line.keepsSessions) read.file = file;
     return read;
+}
+
+// Needs no display.
+int calibrate(const CommandLine& line) {
+    std::optional<std::filesystem::path> folder;
+    if (line.keepsSessions)
+        folder =
+            line.sessions ? std::filesystem::path(line.sessions->toStdString()) : session::defaultFolder();
+    Progress progress;
+    const auto front = app::builtInQualityFront();
+    if (!front) return fail(front.error());
+    const auto measured = app::calibrationOf(line.device.toStdString(), folder, true, progress);
+    if (!measured) return fail(measured.error());
+    std::printf("%s: %.1f ms, %.2f times the machine that the quality slider was measured on.\n",
+                measured->device.c_str(), measured->traceMs, measured->traceMs / front->calibrationMs);
+    return app::kExitDone;
 }
 
 int run(QApplication& application, const CommandLine& line, const ReadSettings& read) {
@@ -156,6 +175,7 @@ int main(int argc, char** argv) {
         std::fputs(line->print->toLocal8Bit().constData(), stdout);
         return app::kExitDone;
     }
+    if (line->calibrates) return calibrate(*line);
     std::optional<DisplayCheck> display(std::in_place);
     if (!display->found()) {
         return fail({ErrorCode::deviceNotUsable,

@@ -74,7 +74,9 @@ MainWindow::MainWindow(gpu::Instance instance, MainWindowOptions options)
       segmenting_(new WorkBar),
       export_(new PictureExport(options_.device, this)),
       exporting_(new WorkBar),
-      pick_(new AnatomyPick(this)) {
+      pick_(new AnatomyPick(this)),
+      calibration_(this, {.progressed = [](const ProgressUpdate&) {},
+                          .ended = [this](const auto& measured) { onCalibrated(measured); }}) {
     session_.show({}, {.lights = options_.lights, .layout = options_.layout});
     setTitle({});
     setAcceptDrops(true);
@@ -93,6 +95,8 @@ MainWindow::MainWindow(gpu::Instance instance, MainWindowOptions options)
     makePanels();
     connectBrowser();
     makeBeside();
+    makeQuality();
+    makeMovies();
     makeMenus();
     makeToolBar();
     makeStatusBar();
@@ -287,6 +291,7 @@ void MainWindow::onChanged(const app::StudyState& before) {
     if (now.preset != before.preset || now.clip != before.clip || now.cuts != before.cuts ||
         now.settings.look != before.settings.look || now.settings.shading != before.settings.shading)
         showChosen();
+    if (now.settings.bounces != before.settings.bounces) showCost();
     if (now.layout != before.layout) showPanes();
     if (now.leavesTableOut != before.leavesTableOut) table_->ask(now.leavesTableOut);
     cutting_->want(now.cuts.scissors);
@@ -381,6 +386,7 @@ void MainWindow::showStudy(const app::OpenedStudy& study) {
     pictureNote_.clear();
     if (deviceIsBack_) deviceNote_.clear();
     showNotes();
+    showCost();
     emit studyShown();
 }
 

@@ -16,9 +16,11 @@
 
 #include "app/choice/catalogue.h"
 #include "app/frame/projection_windows.h"
+#include "app/quality/calibration.h"
 #include "app/session/model_keeper.h"
 #include "app/state/study_state.h"
 #include "slices/slice_plane.h"
+#include "viewer/background_job.h"
 #include "viewer/choice_menu.h"
 #include "viewer/output/picture_export.h"
 #include "viewer/pick/anatomy_pick.h"
@@ -39,14 +41,20 @@ class BesideBar;
 class BesideStudy;
 class ClipEditing;
 class ClipPanel;
+class ConvergeNow;
 class CutTools;
 class HiddenVoxels;
+class ModelExport;
+class MovieExport;
+class MoviePanel;
+class OwnWindowList;
 class PaneGrid;
 class PictureDialog;
 class PresentationFiles;
 class PresetBox;
 class PresetGallery;
 class PresetLibrary;
+class QualityControl;
 class RecentMenu;
 class ScissorTool;
 class SegmentationKeeper;
@@ -83,6 +91,7 @@ struct MainWindowOptions {
     // Where models, and how studies were left, are kept for the next time. Nothing: nowhere.
     std::optional<std::filesystem::path> sessions = {};
     std::optional<int> keepDays = {};  // what was not opened for so long is deleted there; nothing: never
+    bool calibrates = false;           // measures in the background how fast this machine is, once
     Restores restores = Restores::all;
     bool keepsLayout = false;  // as above, whatever a study was left with
     Settings settings = {};
@@ -176,6 +185,19 @@ class MainWindow : public QMainWindow {
     void makeClipMenu();
     void makeToolBar();
     void makeStatusBar();
+    void makeQuality();
+    void addQualityActions(QMenu& view);
+    void calibrate();
+    void onCalibrated(const Result<app::Calibration>& measured);
+    void convergeNow();
+    void showCost();  // of frames in motion, in this window
+    void makeMovies();
+    void addOutputActions(QMenu& file);
+    void askWhereToDrawMovie();
+    void askForPath();
+    void askWhereToSavePath();
+    void askWhereToSaveModel();
+    bool hasPictureFor(const QString& what);
     void connectLoader();
     void connectBrowser();
     void showFound(const std::shared_ptr<const app::FoundVolumes>& found, std::optional<std::size_t> open);
@@ -295,6 +317,17 @@ class MainWindow : public QMainWindow {
     PresentationFiles* presentations_ = nullptr;
     WorkBar* exporting_ = nullptr;
     AnatomyPick* pick_ = nullptr;
+    OwnWindowList* ownWindows_ = nullptr;
+    QualityControl* quality_ = nullptr;
+    BackgroundJob<app::Calibration> calibration_;
+    ConvergeNow* converge_ = nullptr;
+    WorkBar* converging_ = nullptr;
+    QAction* stopConverging_ = nullptr;
+    MoviePanel* movie_ = nullptr;
+    MovieExport* movieExport_ = nullptr;
+    WorkBar* filming_ = nullptr;
+    ModelExport* modelExport_ = nullptr;
+    WorkBar* savingModel_ = nullptr;
     ChoiceMenu* looks_ = nullptr;
     QAction* shading_ = nullptr;
     QAction* resetWindow_ = nullptr;

@@ -13,6 +13,7 @@
 #include "viewer/language/core_words.h"
 #include "viewer/main_window.h"
 #include "viewer/presets/preset_box.h"
+#include "viewer/quality/quality_control.h"
 #include "viewer/session/undo_actions.h"
 #include "viewer/settings/key_book.h"
 #include "viewer/status_texts.h"
@@ -87,6 +88,7 @@ void MainWindow::makeFileMenu() {
     saveMeasurements->setObjectName(QStringLiteral("save-measurements"));
     saveMeasurements->setShortcut(keyOf(KeyAction::saveMeasurements));
     saveMeasurements->setToolTip(tr("As a table (CSV) or JSON, in mm, degrees and the unit of the study"));
+    addOutputActions(*file);
     file->addAction(tr("Save P&reset…"), this, &MainWindow::askWhereToSavePreset)
         ->setToolTip(tr("The transfer function, for other studies and programs"));
     file->addSeparator();
@@ -157,6 +159,7 @@ void MainWindow::makeViewMenu() {
     gaze->setCheckable(true);
     gaze->setChecked(true);
     connect(gaze, &QAction::triggered, viewport_, &Viewport::setGazeFollowsPointer);
+    addQualityActions(*view);
 }
 
 void MainWindow::makeLookMenu() {
@@ -244,6 +247,7 @@ void MainWindow::makeToolBar() {
     description_ = new ElidingLabel(tr("Series"), bar);
     description_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
     bar->addWidget(description_);
+    bar->addWidget(quality_);
 
     connect(presets_, &PresetBox::chosen, this, &MainWindow::usePreset);
     connect(lights_, &QComboBox::activated, this, [this](int index) {
@@ -266,6 +270,9 @@ void MainWindow::makeStatusBar() {
     statusBar()->addWidget(searching_);
     statusBar()->addWidget(segmenting_);
     statusBar()->addWidget(exporting_);
+    statusBar()->addWidget(filming_);
+    statusBar()->addWidget(savingModel_);
+    statusBar()->addWidget(converging_);
     statusBar()->addWidget(cuttingBar_);
     badge_ = new FidelityBadge;
     statusBar()->addWidget(badge_);

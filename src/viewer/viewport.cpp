@@ -164,6 +164,8 @@ void Viewport::connectWindow() {
             camera_ = app::fitted(app::turnedTo(camera_, framedFrom_), outlineMm(), aspect());
         }
         publish();
+        emit resized();
+        emit otherPictureWanted();
     });
     connect(window_, &VulkanWindow::pointed, this, &Viewport::onPointed);
     connect(window_, &VulkanWindow::doubleClicked, this, [this](QPointF place) {
@@ -240,6 +242,25 @@ void Viewport::setParallel(bool isParallel) {
 void Viewport::setSampleLimit(std::uint32_t samplesPerPixel) {
     input_.sampleLimit = samplesPerPixel;
     publish();
+}
+
+void Viewport::setRestGoal(const RestGoal& goal) {
+    input_.sampleLimit = goal.sampleLimit;
+    input_.noiseTarget = goal.noiseTarget;
+    input_.convergesNow = goal.convergesNow;
+    publish();
+}
+
+void Viewport::setLiveQuality(const app::LiveQuality& quality) {
+    input_.live = quality;
+    publish();
+}
+
+std::uint64_t Viewport::askForModel(bool withTraining) {
+    ++input_.modelWishes;
+    input_.wishesTraining = withTraining;
+    publish();
+    return input_.modelWishes;
 }
 
 void Viewport::setGazeFollowsPointer(bool follows) {
@@ -466,6 +487,7 @@ void Viewport::setCamera(const app::OrbitCamera& camera) {
 void Viewport::publishChange() {
     container_->show();
     lastChange_ = publish();
+    emit otherPictureWanted();
 }
 
 std::uint64_t Viewport::publish() {

@@ -16,6 +16,7 @@
 #include "app/camera/orbit_camera.h"
 #include "viewer/marks/cube_and_scale.h"
 #include "viewer/picture_tool.h"
+#include "viewer/quality/converge_now.h"
 
 namespace macula::viewer {
 
@@ -47,6 +48,11 @@ class Viewport : public QWidget {
     bool namesShown() const { return namesShown_; }
     void setDrawing(app::Drawing drawing);
     void setSampleLimit(std::uint32_t samplesPerPixel);
+    // What counts as converged at rest, and whether the model waits for it: see app::FrameInput.
+    void setRestGoal(const RestGoal& goal);
+    void setLiveQuality(const app::LiveQuality& quality);  // of frames in motion
+    // Asks for the model that is drawn now: it comes as app::ModelTaken with the number that is returned.
+    std::uint64_t askForModel(bool withTraining);
     // Whether the peripheral model, splats, is shown while a hand moves; if not, small traced pictures are.
     void setUsesModel(bool uses);
     // Whether the fovea lies where somebody points, or in the middle of the picture.
@@ -86,6 +92,8 @@ class Viewport : public QWidget {
 
   signals:
     void rendered(const macula::app::RenderEvent& event);
+    void otherPictureWanted();  // of another study, drawn otherwise, or from elsewhere
+    void resized();             // the picture
     void namesToggled(bool shown);
     void marksAsked(bool shown);  // by key: who owns the state shows them
     void parallelChanged(bool isParallel);

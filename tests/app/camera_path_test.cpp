@@ -2,9 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <vector>
+
+#include "app/camera/orbit_camera.h"
 
 namespace macula::app {
 namespace {
@@ -81,6 +85,75 @@ TEST_F(CameraPathTest, ATurntableGoesAroundAtConstantSpeed) {
     EXPECT_NEAR(cameraAt(path, 4.0).positionMm.y, 500.0, 1e-6);
     EXPECT_NEAR(glm::length(cameraAt(path, 0.123).positionMm), 500.0, 0.5);
     EXPECT_EQ(turntable(camera, 8.0, 0.0).stops.size(), 1u);
+}
+
+// On turntables, as a window's are.
+CameraPath wayThrough(const std::vector<OrbitCamera>& places) {
+    CameraPath path;
+    for (const OrbitCamera& place : places)
+        path.stops.push_back({.atS = 2.0 * double(path.stops.size()), .camera = toCamera(place)});
+    return path;
+}
+
+TEST(SmoothCameraPath, GoesThroughItsStopsWithoutACorner) {
+    const CameraPath path = wayThrough({{.distanceMm = 500.0, .azimuthDeg = 0.0, .elevationDeg = 0.0},
+                                        {.distanceMm = 400.0, .azimuthDeg = 60.0, .elevationDeg = 30.0},
+                                        {.distanceMm = 900.0, .azimuthDeg = 80.0, .elevationDeg = 45.0},
+                                        {.distanceMm = 900.0, .azimuthDeg = 170.0, .elevationDeg = 10.0}});
+    for (const CameraPath::Stop& stop : path.stops)
+        EXPECT_LT(glm::distance(cameraAt(path, stop.atS).positionMm, stop.camera.positionMm), 1e-6);
+    // Just before and just after a stop it has the same speed.
+    constexpr double kStepS = 1e-4;
+    for (const double atS : {2.0, 4.0}) {
+        const auto at = [&](double s) { return orbitCameraOf(cameraAt(path, s)).azimuthDeg; };
+        const double before = (at(atS) - at(atS - kStepS)) / kStepS;
+        const double after = (at(atS + kStepS) - at(atS)) / kStepS;
+        EXPECT_NEAR(before, after, 0.05 * std::abs(after) + 0.05) << atS;
+    }
+    // Between two stops it is nowhere beyond them.
+    for (int i = 0; i <= 600; ++i) {
+        const double atS = i / 100.0;
+        const OrbitCamera now = orbitCameraOf(cameraAt(path, atS));
+        const auto from = std::size_t(std::min(atS / 2.0, 2.0));
+        const OrbitCamera a = orbitCameraOf(path.stops[from].camera);
+        const OrbitCamera b = orbitCameraOf(path.stops[from + 1].camera);
+        EXPECT_GE(now.distanceMm, std::min(a.distanceMm, b.distanceMm) - 1e-6) << atS;
+        EXPECT_LE(now.distanceMm, std::max(a.distanceMm, b.distanceMm) + 1e-6) << atS;
+        EXPECT_GE(now.azimuthDeg, a.azimuthDeg - 1e-6) << atS;
+        EXPECT_LE(now.azimuthDeg, b.azimuthDeg + 1e-6) << atS;
+    }
+}
+
+// Over the poles and behind the patient, where angles jump: the picture never does.
+TEST(SmoothCameraPath, NeverFlips) {
+    const CameraPath path = wayThrough({{.azimuthDeg = 170.0, .elevationDeg = 60.0},
+                                        {.azimuthDeg = -170.0, .elevationDeg = 90.0},
+                                        {.azimuthDeg = -130.0, .elevationDeg = -90.0},
+                                        {.azimuthDeg = 90.0, .elevationDeg = 0.0}});
+    Camera before = cameraAt(path, 0.0);
+    for (int i = 1; i <= 6000; ++i) {
+        const Camera now = cameraAt(path, i / 1000.0);
+        const auto axes = basis(now);
+        ASSERT_TRUE(axes.ok()) << i;
+        EXPECT_GT(glm::dot(axes->up, basis(before)->up), 0.99) << i;
+        EXPECT_GT(glm::dot(axes->right, basis(before)->right), 0.99) << i;
+        before = now;
+    }
+}
+
+TEST(SmoothCameraPath, IsTextAndBack) {
+    const CameraPath path =
+        wayThrough({{.azimuthDeg = 12.5}, {.targetMm = {1.0 / 3.0, 0.0, 0.0}, .elevationDeg = -20.0}});
+    const fs::path file = fs::temp_directory_path() / "macula-path-text.json";
+    std::ofstream(file) << toJson(path);
+    const auto read = readCameraPath(file);
+    fs::remove(file);
+    ASSERT_TRUE(read.ok()) << read.error().message;
+    ASSERT_EQ(read->stops.size(), 2u);
+    for (std::size_t i = 0; i < 2; ++i) {
+        EXPECT_EQ(read->stops[i].atS, path.stops[i].atS);
+        EXPECT_EQ(read->stops[i].camera, path.stops[i].camera);
+    }
 }
 
 }  // namespace

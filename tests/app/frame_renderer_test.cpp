@@ -71,7 +71,11 @@ class FrameRendererTest : public testing::Test {
         if (!instance) FAIL() << "packaging/bootstrap installs a Vulkan driver: " << instance.error().message;
         renderer_.emplace(std::move(*instance), std::string(), keeper_, [this](const RenderEvent& event) {
             if (const auto* changed = std::get_if<ModelChanged>(&event)) news_ = changed->model;
-            if (const auto* frame = std::get_if<FrameShown>(&event)) news_ = frame->model;
+            if (const auto* frame = std::get_if<FrameShown>(&event)) {
+                news_ = frame->model;
+                shown_ = *frame;
+            }
+            if (const auto* taken = std::get_if<ModelTaken>(&event)) taken_ = *taken;
             if (const auto* failure = std::get_if<RenderFailure>(&event))
                 failures_.push_back(failure->error.message);
         });
@@ -103,6 +107,8 @@ class FrameRendererTest : public testing::Test {
     const std::shared_ptr<EmptyKeeper> keeper_ = std::make_shared<EmptyKeeper>();
     hybrid::ModelNews news_;
     std::vector<std::string> failures_;
+    std::optional<FrameShown> shown_;
+    std::optional<ModelTaken> taken_;
     FrameInput input_;
     std::optional<FrameRenderer> renderer_;
 };
@@ -125,6 +131,55 @@ TEST_F(FrameRendererTest, AModelIsKeptWhenAPictureFails) {
     renderer_->accept(input_);
     EXPECT_TRUE(stepUntil([&] { return news_.origin == hybrid::ModelOrigin::shelf; }));
     EXPECT_EQ(keeper_->lookedFor_.size(), 1u);
+}
+
+TEST_F(FrameRendererTest, TheModelIsGivenToWhoAsksAndOnlyThatOfWhatIsWanted) {
+    input_.modelWishes = 1;
+    renderer_->accept(input_);
+    ASSERT_TRUE(taken_);
+    EXPECT_EQ(taken_->wish, 1u);
+    EXPECT_FALSE(taken_->splats) << "there is none yet";
+    ASSERT_TRUE(stepUntil([&] { return news_.stage == hybrid::ModelStage::learning; }));
+    input_.modelWishes = 2;
+    input_.wishesTraining = true;
+    renderer_->accept(input_);
+    ASSERT_EQ(taken_->wish, 2u);
+    ASSERT_TRUE(taken_->splats);
+    EXPECT_TRUE(taken_->splats->validate().ok());
+    EXPECT_GT(taken_->splats->size(), 0u);
+    EXPECT_GT(taken_->gain, 0.0);
+    ASSERT_TRUE(taken_->state);
+    EXPECT_TRUE(taken_->state->validate().ok());
+    // Other light: what is on the device is not of that.
+    input_.drawing.settings.lightStrength = 2.0;
+    input_.modelWishes = 3;
+    renderer_->accept(input_);
+    EXPECT_EQ(taken_->wish, 3u);
+    EXPECT_FALSE(taken_->splats);
+}
+
+// A picture that is final goes on where less noise is wanted, and keeps its samples.
+TEST_F(FrameRendererTest, LessNoiseIsTracedOnTopOfWhatThereIs) {
+    input_.usesModel = false;
+    input_.sampleLimit = 8;
+    renderer_->accept(input_);
+    const auto isFinal = [&] { return shown_ && shown_->stage == Stage::converged; };
+    ASSERT_TRUE(stepUntil(isFinal));
+    const std::uint64_t before = shown_->samplesPerPixel;
+    EXPECT_GE(before, 8u);
+    EXPECT_EQ(shown_->noiseTarget, kUnseenNoise);
+    shown_.reset();
+    ++input_.sequence;
+    input_.sampleLimit = 64;
+    input_.noiseTarget = 1e-6;
+    input_.convergesNow = true;
+    renderer_->accept(input_);
+    ASSERT_TRUE(stepUntil([&] { return shown_.has_value(); }));
+    EXPECT_EQ(shown_->noiseTarget, 1e-6);
+    EXPECT_GE(shown_->samplesPerPixel, before) << "it did not begin anew";
+    ASSERT_TRUE(stepUntil(isFinal));
+    EXPECT_GE(shown_->samplesPerPixel, 64u);
+    EXPECT_GT(shown_->noise, 0.0);
 }
 
 }  // namespace

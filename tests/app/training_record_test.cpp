@@ -60,7 +60,10 @@ TEST(TrainingRecord, SaysWhatIsWrittenOfOneThatStopped) {
 TEST(ModelOutput, IsKnownByItsName) {
     EXPECT_TRUE(checkModelName("m.ply"));
     EXPECT_TRUE(checkModelName("m.spz"));
+    EXPECT_TRUE(checkModelName("m.glb"));
     EXPECT_TRUE(checkModelName("m.macula"));
+    EXPECT_TRUE(checkSplatsName("m.glb"));
+    EXPECT_EQ(checkSplatsName("m.macula").error().code, ErrorCode::usage);
     EXPECT_EQ(checkModelName("m.obj").error().code, ErrorCode::usage);
     EXPECT_EQ(checkModelName("ply").error().code, ErrorCode::usage);
     EXPECT_TRUE(holdsTraining("m.macula"));

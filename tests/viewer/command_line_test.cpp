@@ -19,6 +19,13 @@ TEST(CommandLine, WithoutArgumentsItIsThePhantom) {
     EXPECT_TRUE(line->usesModel);
 }
 
+TEST(CommandLine, MeasuresTheMachineAlone) {
+    EXPECT_FALSE(parse({})->calibrates);
+    EXPECT_TRUE(parse({"--calibrate", "--device", "0"})->calibrates);
+    EXPECT_FALSE(parse({"--calibrate", "/some/folder"}).ok());
+    EXPECT_FALSE(parse({"--calibrate", "--script", "orbit"}).ok());
+}
+
 TEST(CommandLine, ReadsAllOptions) {
     const auto line = parse({"/some/folder",
                              "--preset",

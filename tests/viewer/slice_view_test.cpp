@@ -6,6 +6,7 @@
 #include <QApplication>
 #include <QElapsedTimer>
 #include <QImage>
+#include <QMenu>
 #include <QPixmap>
 #include <QTest>
 #include <QThread>
@@ -16,6 +17,7 @@
 #include "app/clip/edited_clip.h"
 #include "app/frame/projection_windows.h"
 #include "viewer/slice_volume.h"
+#include "viewer/slices/label_editor.h"
 
 namespace macula::viewer {
 namespace {
@@ -454,6 +456,96 @@ TEST_F(SliceViewTest, NamesAreOverThePictureUnlessTheyAreHidden) {
     EXPECT_NE(pictureOf(*view).copy(corner), without);
     view->showNames(false);
     EXPECT_EQ(pictureOf(*view).copy(corner), without);
+}
+
+TEST_F(SliceViewTest, ALabelIsTypedWhereTheMeasurementLies) {
+    showStudy();
+    const auto view = pane(Orientation::axial);
+    view->setTool(SliceTool::distance);
+    drag(*view, Qt::LeftButton, {100, 100}, {160, 180});
+    ASSERT_EQ(state().measurements.size(), 1u);
+    int asked = 0;
+    QObject::connect(view.get(), &SliceView::maximizeAsked, view.get(), [&] { ++asked; });
+    const auto editor = [&] { return view->findChild<LabelEditor*>(); };
+    QTest::mouseDClick(view.get(), Qt::LeftButton, {}, {100, 100});
+    ASSERT_NE(editor(), nullptr);
+    EXPECT_EQ(asked, 0) << "a measurement was meant";
+    QTest::keyClicks(editor(), "L3, 2 of 3");  // digits and letters are no windows and tools here
+    QTest::keyClick(editor(), Qt::Key_Return);
+    EXPECT_EQ(state().measurements.front().label, "L3, 2 of 3");
+    EXPECT_FALSE(state().slices.window);
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    EXPECT_EQ(editor(), nullptr);
+    session_->undo();
+    EXPECT_EQ(state().measurements.front().label, "");
+    session_->redo();
+
+    // Enter on the one that is chosen; Esc leaves it.
+    QTest::keyClick(view.get(), Qt::Key_Return);
+    ASSERT_NE(editor(), nullptr);
+    EXPECT_EQ(editor()->text(), "L3, 2 of 3");
+    QTest::keyClicks(editor(), "another");
+    QTest::keyClick(editor(), Qt::Key_Escape);
+    EXPECT_EQ(state().measurements.front().label, "L3, 2 of 3");
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+
+    // No longer than what is kept, and no half letters.
+    QTest::keyClick(view.get(), Qt::Key_Return);
+    editor()->setText(QString(180, QChar(0x00e4)));
+    QTest::keyClick(editor(), Qt::Key_Return);
+    EXPECT_EQ(QString::fromStdString(state().measurements.front().label), QString(100, QChar(0x00e4)));
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+
+    // One that is gone meanwhile takes its words along.
+    QTest::keyClick(view.get(), Qt::Key_Return);
+    session_->change("Removed", [](app::StudyState& next) { next.measurements.clear(); });
+    editor()->setText("late");
+    QTest::keyClick(editor(), Qt::Key_Return);
+    EXPECT_TRUE(state().measurements.empty());
+    QTest::keyClick(view.get(), Qt::Key_Return);
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    EXPECT_EQ(editor(), nullptr) << "nothing is chosen";
+}
+
+TEST_F(SliceViewTest, ARightClickOffersWindowsAndADragDoesNot) {
+    showStudy();
+    OwnWindowList own(std::nullopt);
+    ASSERT_TRUE(own.add({.name = "Kidney & more",
+                         .window = {.center = 60.0, .width = 300.0, .explanation = {}, .function = {}},
+                         .unit = session_->study().volume->unitName()})
+                    .ok());
+    ASSERT_TRUE(own.add({.name = "Of another unit",
+                         .window = {.center = 1.0, .width = 2.0, .explanation = {}, .function = {}},
+                         .unit = "mm"})
+                    .ok());
+    const auto view = pane(Orientation::axial);
+    view->setOwnWindows(&own);
+    drag(*view, Qt::RightButton, {200, 200}, {240, 200});
+    EXPECT_EQ(view->findChild<QMenu*>(), nullptr);
+    session_->undo();
+    QTest::mousePress(view.get(), Qt::RightButton, {}, {200, 200});
+    move(*view, {201, 200}, Qt::RightButton);
+    QTest::mouseRelease(view.get(), Qt::RightButton, {}, {201, 200});
+    EXPECT_FALSE(state().slices.window) << "a click that shakes is no drag";
+    QMenu* menu = view->findChild<QMenu*>();
+    ASSERT_NE(menu, nullptr);
+    QAction* kidney = nullptr;
+    for (QAction* action : menu->actions()) {
+        EXPECT_FALSE(action->text().startsWith("Of another unit"));
+        if (action->text().startsWith("Kidney && more")) kidney = action;
+    }
+    ASSERT_NE(kidney, nullptr);
+    kidney->trigger();
+    ASSERT_TRUE(state().slices.window);
+    EXPECT_EQ(state().slices.window->width, 300.0);
+    menu->close();
+    session_->undo();
+    QTest::keyClick(view.get(), Qt::Key_1, Qt::AltModifier);
+    ASSERT_TRUE(state().slices.window);
+    EXPECT_EQ(state().slices.window->center, 60.0);
+    session_->undo();
+    for (const int digit : {2, 9}) QTest::keyClick(view.get(), Qt::Key(Qt::Key_0 + digit), Qt::AltModifier);
+    EXPECT_FALSE(session_->canUndo()) << "there are no such windows";
 }
 
 // Left of 6 mm is removed.

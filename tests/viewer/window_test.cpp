@@ -17,6 +17,7 @@
 #include "base/paths.h"
 #include "base/phantom.h"
 #include "support.h"
+#include "viewer/quality/converge_now.h"
 #include "viewer/window_fixture.h"
 
 namespace macula::viewer {
@@ -312,6 +313,26 @@ TEST_F(WindowTest, StatusTextsKeepApartInANarrowWindow) {
             5));
         expectApart();
     }
+}
+
+TEST_F(WindowTest, ConvergingGoesOnFromThePictureThereIsAndCanBeStopped) {
+    auto* start = window_->findChild<QAction*>(QStringLiteral("converge-now"));
+    auto* stop = window_->findChild<QAction*>(QStringLiteral("stop-converging"));
+    ASSERT_TRUE(start && stop);
+    start->trigger();
+    EXPECT_FALSE(stop->isEnabled()) << "there is no picture";
+    EXPECT_FALSE(window_->message().isEmpty());
+    window_->open(std::nullopt);
+    ASSERT_TRUE(waitForConverged());
+    start->trigger();
+    EXPECT_TRUE(stop->isEnabled());
+    last_.reset();
+    ASSERT_TRUE(waitUntil([&] { return last_ && last_->noiseTarget == ConvergeNow::kNoiseTarget; }));
+    EXPECT_EQ(last_->picture, app::OnScreen::traced) << "it does not begin anew";
+    stop->trigger();
+    EXPECT_FALSE(stop->isEnabled());
+    EXPECT_TRUE(waitForConverged());
+    EXPECT_TRUE(window_->message().isEmpty());
 }
 
 // Whatever is under way, it ends with the window: no frame comes after, and no thread stays.

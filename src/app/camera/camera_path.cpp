@@ -3,12 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "app/camera/camera_file.h"
 #include "app/camera/orbit_camera.h"
 #include "base/atomic_file.h"
 #include "pipeline/volume/json_reader.h"
+#include "pipeline/volume/json_writer.h"
 
 namespace macula::app {
 
@@ -27,7 +31,85 @@ glm::dvec3 turned(const glm::dvec3& a, const glm::dvec3& b, double t) {
     return std::cos(t * angle) * a + std::sin(t * angle) * across;
 }
 
+constexpr double kUpright = 1e-6;  // of the up directions of two pictures that look the same
+
+// A camera as numbers that may be interpolated one by one.
+struct OnTurntable {
+    std::array<double, 7> values{};  // target x, y, z, distance, azimuth, elevation, field of view
+    static constexpr std::size_t kAzimuth = 4;
+};
+
+// Nothing for a camera that is rolled.
+std::optional<OnTurntable> onTurntable(const Camera& camera) {
+    const OrbitCamera orbit = orbitCameraOf(camera);
+    const auto seen = basis(camera);
+    const auto upright = basis(toCamera(orbit));
+    if (!seen || !upright || glm::distance(seen->up, upright->up) > kUpright) return std::nullopt;
+    return OnTurntable{{orbit.targetMm.x, orbit.targetMm.y, orbit.targetMm.z, orbit.distanceMm,
+                        orbit.azimuthDeg, orbit.elevationDeg, orbit.verticalFovDeg}};
+}
+
+Camera toCamera(const OnTurntable& at) {
+    const auto& v = at.values;
+    return toCamera(OrbitCamera{.targetMm = {v[0], v[1], v[2]},
+                                .distanceMm = v[3],
+                                .azimuthDeg = v[4],
+                                .elevationDeg = v[5],
+                                .verticalFovDeg = v[6]});
+}
+
+// The slope at a point between two pieces of the way: their harmonic mean, none at a turning point. A cubic
+// with such slopes never leaves the values at its ends (Fritsch and Butland).
+double slopeAt(double before, double beforeS, double after, double afterS) {
+    if (!(before * after > 0.0)) return 0.0;
+    const double a = 2.0 * afterS + beforeS;
+    const double b = afterS + 2.0 * beforeS;
+    return (a + b) / (a / before + b / after);
+}
+
+// Of the way from stop `from` to the next, at `t` of it, 0 to 1.
+std::optional<Camera> smoothly(const std::vector<CameraPath::Stop>& stops, std::size_t from, double t) {
+    const std::size_t first = from == 0 ? 0 : from - 1;
+    const std::size_t last = std::min(from + 2, stops.size() - 1);
+    std::vector<OnTurntable> around;
+    for (std::size_t i = first; i <= last; ++i) {
+        const auto at = onTurntable(stops[i].camera);
+        if (!at) return std::nullopt;
+        around.push_back(*at);
+        if (i == first) continue;
+        double& azimuth = around.back().values[OnTurntable::kAzimuth];
+        const double before = around[around.size() - 2].values[OnTurntable::kAzimuth];
+        azimuth = before + std::remainder(azimuth - before, 360.0);
+    }
+    const std::size_t a = from - first;
+    const double spanS = stops[from + 1].atS - stops[from].atS;
+    OnTurntable now;
+    for (std::size_t v = 0; v < now.values.size(); ++v) {
+        const auto slope = [&](std::size_t i) {  // of the piece that begins there
+            const double seconds = stops[first + i + 1].atS - stops[first + i].atS;
+            return std::pair((around[i + 1].values[v] - around[i].values[v]) / seconds, seconds);
+        };
+        const auto [middle, middleS] = slope(a);
+        double atBegin = middle;
+        double atEnd = middle;
+        if (a > 0) atBegin = slopeAt(slope(a - 1).first, slope(a - 1).second, middle, middleS);
+        if (a + 2 < around.size()) atEnd = slopeAt(middle, middleS, slope(a + 1).first, slope(a + 1).second);
+        const double t2 = t * t;
+        const double t3 = t2 * t;
+        now.values[v] = (2 * t3 - 3 * t2 + 1) * around[a].values[v] + (t3 - 2 * t2 + t) * spanS * atBegin +
+                        (3 * t2 - 2 * t3) * around[a + 1].values[v] + (t3 - t2) * spanS * atEnd;
+    }
+    return toCamera(now);
+}
+
 }  // namespace
+
+std::string toJson(const CameraPath& path) {
+    nlohmann::ordered_json stops = nlohmann::ordered_json::array();
+    for (const CameraPath::Stop& stop : path.stops)
+        stops.push_back({{"atS", stop.atS}, {"camera", toJson(stop.camera)}});
+    return prettyJson(stops);
+}
 
 Result<CameraPath> readCameraPath(const std::filesystem::path& path) {
     MACULA_TRY(const std::string text, readText(path));
@@ -76,6 +158,8 @@ Camera cameraAt(const CameraPath& path, double atS) {
     const Camera& a = std::prev(after)->camera;
     const Camera& b = after->camera;
     const double t = (atS - std::prev(after)->atS) / (after->atS - std::prev(after)->atS);
+    if (t <= 0.0) return a;
+    if (const auto smooth = smoothly(stops, std::size_t(std::prev(after) - stops.begin()), t)) return *smooth;
     const glm::dvec3 aside = a.positionMm - a.targetMm;
     const glm::dvec3 bside = b.positionMm - b.targetMm;
     const double distanceMm = glm::mix(glm::length(aside), glm::length(bside), t);

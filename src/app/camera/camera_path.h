@@ -4,6 +4,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "base/camera.h"
@@ -28,8 +29,13 @@ Result<CameraPath> readCameraPath(const std::filesystem::path& path);
 // Walks around the target of `camera` towards the patient's left: one turn in `turnS`, for `seconds`.
 CameraPath turntable(const Camera& camera, double turnS, double seconds);
 
-// Between two stops the target goes straight, and the eye around it by the shorter way. Before the first and
-// after the last it stands still.
+// The text that readCameraPath reads.
+std::string toJson(const CameraPath& path);
+
+// Before the first stop and after the last it stands still. Between two upright ones (as all of a window are)
+// it goes around as on a turntable, by the shorter way: smoothly through every stop, never beyond what both
+// neighbours say, never upside down. Between others the target goes straight, and the eye around it by the
+// shorter way.
 Camera cameraAt(const CameraPath& path, double atS);
 
 }  // namespace macula::app

@@ -9,6 +9,7 @@
 
 #include "app/camera/orbit_camera.h"
 #include "app/frame/drawing.h"
+#include "app/frame/live_quality.h"
 #include "app/frame/picture_text.h"
 #include "app/frame/screen.h"
 #include "base/camera.h"
@@ -16,6 +17,10 @@
 #include "pipeline/trace/path_tracer.h"
 
 namespace macula::app {
+
+// Noise that nobody sees, as the standard error of what is shown, black to white being 1: one step of eight
+// bits.
+inline constexpr double kUnseenNoise = 1.0 / 255.0;
 
 // Everything that decides what is on the screen. The UI thread publishes a whole new one after each change;
 // the render thread takes the newest and looks for itself what is different. Nothing in it is ever changed
@@ -38,11 +43,17 @@ struct FrameInput {
     std::shared_ptr<const PictureText> text{};  // over every picture of the study; null: nothing
     // Over pictures of this camera and size, and over no others; null: nothing.
     std::shared_ptr<const PictureText> marks{};
-    glm::vec3 background{0.02f};      // linear
-    std::uint32_t sampleLimit = 512;  // per pixel; then it counts as converged, if noise is not gone before
-    bool interacting = false;         // a hand is moving something: stay fast
+    glm::vec3 background{0.02f};        // linear
+    std::uint32_t sampleLimit = 512;    // per pixel; then it counts as converged, if noise is not gone before
+    double noiseTarget = kUnseenNoise;  // below which it is gone; above 0
+    bool convergesNow = false;          // while nothing moves the model does not learn: all time is for this
+    bool interacting = false;           // a hand is moving something: stay fast
     glm::dvec2 gaze{0.0};   // where the eye looks in the picture, -1 to 1; right and up are positive
     bool usesModel = true;  // draw the peripheral model while the view moves
+    LiveQuality live{};     // and over it
+    // Grows with each wish for the model that is drawn then (ModelTaken); with all that it learns from.
+    std::uint64_t modelWishes = 0;
+    bool wishesTraining = false;
 };
 
 }  // namespace macula::app

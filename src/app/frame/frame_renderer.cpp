@@ -15,8 +15,6 @@ namespace {
 using std::chrono::milliseconds;
 
 constexpr milliseconds kModelToldEvery{500};
-// Standard error of what is shown: one step of eight bits, which nobody sees.
-constexpr double kConverged = 1.0 / 255.0;
 constexpr std::uint64_t kShelfBytes = std::uint64_t(1) << 30;
 
 // Whether both are the same picture but for the size of the window.
@@ -72,7 +70,8 @@ void FrameRenderer::dropModelAfter(void (hybrid::LiveModel::*keep)()) {
 }
 
 void FrameRenderer::accept(FrameInput input) {
-    input.drawing.settings.errorThreshold = kConverged;
+    if (!(input.noiseTarget > 0.0)) input.noiseTarget = kUnseenNoise;
+    input.drawing.settings.errorThreshold = input.noiseTarget;
     if (input.place != input_.place) releaseScreen();
     if (input.study != input_.study || input.volume != input_.volume) {
         // Nobody may take the picture of one patient for that of the next, not even while this one is
@@ -102,12 +101,30 @@ void FrameRenderer::accept(FrameInput input) {
     } else if (input.background != input_.background) {
         duty_.otherBackground();
     }
-    if (input.sampleLimit > input_.sampleLimit) course_.goOnTracing();
+    if (input.sampleLimit > input_.sampleLimit || input.noiseTarget < input_.noiseTarget)
+        course_.goOnTracing();
     input.gaze = usableGaze(input.gaze);
     if (input.volume) input.camera = standingBefore(input.camera, input.volume->worldBox());
     input_ = std::move(input);
     lookForModel();
     tellCourse();
+    if (input_.modelWishes == modelsGiven_) return;
+    modelsGiven_ = input_.modelWishes;
+    if (const Result<void> given = giveModel(); !given) handle(given.error());
+}
+
+// What is drawn now, and only of what is wanted now.
+Result<void> FrameRenderer::giveModel() {
+    ModelTaken taken{.wish = input_.modelWishes};
+    if (isComplete() && canDrawModel() && model_->key() == sceneNames_.of(input_.study, input_.drawing)) {
+        taken.splats = model_->shown();
+        taken.gain = model_->gain();
+        if (input_.wishesTraining) {
+            MACULA_TRY(taken.state, model_->state());
+        }
+    }
+    listener_(std::move(taken));
+    return {};
 }
 
 // While the volume is brought to the device the stored model is read.
@@ -125,7 +142,7 @@ void FrameRenderer::tellCourse() {
     course_.setFovea(wantsFovea());
     ModelState state = ModelState::none;
     // While rays are parallel the model waits: what is traced is all that is shown.
-    const bool works = model_ && model_->hasWork() && !isParallel(input_.camera);
+    const bool works = model_ && model_->hasWork() && !isParallel(input_.camera) && !input_.convergesNow;
     if (canDrawModel())
         state = ModelState::ready;
     else if (works)

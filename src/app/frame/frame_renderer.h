@@ -101,6 +101,7 @@ class FrameRenderer {
     Result<void> show(const gpu::Image& picture);
     hybrid::ModelNews modelNews() const;
     void tellOfModel();
+    Result<void> giveModel();
     void handle(Error error);
     void dropDevice();
     double framesPerSecond() const;
@@ -140,6 +141,7 @@ class FrameRenderer {
     RenderDuty duty_;
     std::deque<Clock::time_point> shown_;  // when pictures of one kind were shown lately
     OnScreen shownKind_ = OnScreen::nothing;
+    std::uint64_t modelsGiven_ = 0;  // the last wish that was answered
     hybrid::ModelNews modelTold_;
     Clock::time_point modelToldAt_{};
     gpu::LossCount losses_;

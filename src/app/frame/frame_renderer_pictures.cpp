@@ -19,8 +19,6 @@ constexpr milliseconds kRateWindow{2000};
 constexpr double kSliceMs = 40.0;
 // A picture on screen is worth learning from with so many: fewer are noise, and later the model knows most.
 constexpr std::uint32_t kLearntFromSamples = 4;
-// Of tracing the fovea after each frame, while a hand moves.
-constexpr double kFoveaSliceMs = 12.0;
 
 double millisecondsBetween(std::chrono::steady_clock::time_point from,
                            std::chrono::steady_clock::time_point to) {
@@ -37,7 +35,7 @@ Result<void> FrameRenderer::take(Step step, const Interrupts& interrupts) {
             MACULA_TRY_VOID(showModel());
             // A hand that never rests would else leave no time for the fovea.
             if (course_.next(Clock::now()) != Step::traceFovea ||
-                hybrid_->foveaBudgetMs(hybrid::kFoveaBudgetMs) < hybrid::kLeastFoveaBudgetMs)
+                hybrid_->foveaBudgetMs(input_.live.foveaMs) < hybrid::kLeastFoveaBudgetMs)
                 return {};
             MACULA_TRY(const bool isThere, traceFovea(interrupts));
             return isThere && !interrupts.newInput() ? showModel() : Result<void>();
@@ -85,7 +83,7 @@ double FrameRenderer::foveaMsPerSample() const {
 // At rest a small one at once, and larger ones after it, where all pixels take longer still.
 bool FrameRenderer::wantsFovea() const {
     if (!canDrawModel() || !foveaHasRoom_) return false;
-    if (input_.interacting) return hybrid_->wantsFovea(input_.camera);
+    if (input_.interacting) return input_.live.hasFovea && hybrid_->wantsFovea(input_.camera);
     const double wholeMs = double(input_.width) * input_.height * foveaMsPerSample();
     return wholeMs > hybrid::kRestFoveaBudgetMs &&
            hybrid_->wouldGrow(input_.camera, hybrid::kRestFoveaBudgetMs);
@@ -94,18 +92,19 @@ bool FrameRenderer::wantsFovea() const {
 hybrid::FoveaAim FrameRenderer::nextFovea() const {
     const trace::View whole{.camera = input_.camera, .width = input_.width, .height = input_.height};
     const bool isLarger = !input_.interacting && hybrid_->isFoveaOf(input_.camera);
-    const double budgetMs = input_.interacting ? hybrid_->foveaBudgetMs(hybrid::kFoveaBudgetMs)
-                            : isLarger         ? hybrid::kRestFoveaBudgetMs
-                                               : hybrid::kFoveaBudgetMs;
-    return hybrid::affordableFovea(whole, input_.gaze, foveaMsPerSample(), budgetMs);
+    if (input_.interacting)
+        return hybrid::affordableFovea(whole, input_.gaze, foveaMsPerSample(),
+                                       hybrid_->foveaBudgetMs(input_.live.foveaMs), input_.live.fovea);
+    return hybrid::affordableFovea(whole, input_.gaze, foveaMsPerSample(),
+                                   isLarger ? hybrid::kRestFoveaBudgetMs : hybrid::kFoveaBudgetMs);
 }
 
 // For a slice, and longer until a new input comes. Whether a new fovea is there.
 Result<bool> FrameRenderer::traceFovea(const Interrupts& interrupts) {
     const Clock::time_point start = Clock::now();
     const auto keepGoing = [&] {
-        return !interrupts.stopping() &&
-               (!interrupts.newInput() || millisecondsBetween(start, Clock::now()) < kFoveaSliceMs);
+        return !interrupts.stopping() && (!interrupts.newInput() || millisecondsBetween(start, Clock::now()) <
+                                                                        input_.live.betweenFramesMs);
     };
     const auto traceSome = [&]() -> Result<bool> {
         if (!hybrid_->isTracing() || hybrid_->hasLeftAim(input_.camera))
@@ -287,6 +286,7 @@ Result<void> FrameRenderer::show(const gpu::Image& picture) {
                      .width = input_.width,
                      .height = input_.height,
                      .sampleLimit = TracedPictures::sampleLimit(input_),
+                     .noiseTarget = input_.noiseTarget,
                      .look = input_.drawing.settings.look,
                      .remarks = input_.drawing.remarks,
                      .framesPerSecond = framesPerSecond(),
@@ -307,6 +307,7 @@ Result<void> FrameRenderer::show(const gpu::Image& picture) {
         frame.height = traced_->height();
         frame.scale = traced_->scale();
         frame.samplesPerPixel = static_cast<std::uint64_t>(statistics.meanSamplesPerPixel);
+        frame.noise = statistics.estimatedError;
         frame.denoised = statistics.denoised;
         frame.samplesLeftOut = statistics.nonFiniteSamples + statistics.abandonedSamples;
     }

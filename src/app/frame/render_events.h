@@ -14,6 +14,8 @@
 #include "base/message.h"
 #include "base/result.h"
 #include "pipeline/hybrid/model/model_news.h"
+#include "pipeline/hybrid/model/peripheral_state.h"
+#include "pipeline/splat/model/splats.h"
 #include "pipeline/trace/look.h"
 
 namespace macula::app {
@@ -43,6 +45,14 @@ struct ModelChanged {
     hybrid::ModelNews model{};
 };
 
+// The peripheral model that was asked for: FrameInput::modelWishes.
+struct ModelTaken {
+    std::uint64_t wish = 0;
+    std::shared_ptr<const splat::Splats> splats{};           // null: there is none of what is wanted now
+    double gain = 1.0;                                       // as hybrid::LiveModel::gain
+    std::shared_ptr<const hybrid::PeripheralState> state{};  // null: not asked for, or nothing was learnt
+};
+
 // What can be seen of the matter, found anew after each change of volume, preset or clip: its outline.
 struct OutlineFound {
     std::uint64_t study = 0;
@@ -67,7 +77,9 @@ struct FrameShown {
     bool greyFacesAreCoarse = false;     // of a clip, by splats
     std::uint64_t samplesPerPixel = 0;   // on average: noise decides where they go
     std::uint64_t sampleLimit = 0;
-    bool denoised = false;  // filtered: smooth, and not quite what was traced
+    double noise = 0.0;        // estimated standard error of what is shown; +infinity before it is known
+    double noiseTarget = 0.0;  // FrameInput::noiseTarget
+    bool denoised = false;     // filtered: smooth, and not quite what was traced
     trace::Look look{};
     std::string remarks{};             // of the drawing it was made from
     double framesPerSecond = 0.0;      // of pictures shown lately; 0 when there was only one
@@ -88,7 +100,7 @@ struct RenderFailure {
 };
 
 using RenderEvent = std::variant<DeviceReady, DeviceRestarting, Preparing, ModelChanged, OutlineFound,
-                                 FrameShown, PictureRemoved, RenderFailure>;
+                                 FrameShown, PictureRemoved, RenderFailure, ModelTaken>;
 using RenderListener = std::function<void(RenderEvent)>;
 
 }  // namespace macula::app

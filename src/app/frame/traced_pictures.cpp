@@ -48,6 +48,12 @@ trace::Settings denoised(trace::Settings settings, bool isDenoised) {
     return settings;
 }
 
+// How low the noise has to be is no part of what is seen.
+bool sameDrawing(const Drawing& a, Drawing b) {
+    b.settings.errorThreshold = a.settings.errorThreshold;
+    return a == b;
+}
+
 trace::Settings previewSettings(trace::Settings settings, std::uint32_t number) {
     settings.bounces = std::min(settings.bounces, kPreviewBounces);
     settings.seed += number;  // else the noise would stand still on the screen like dirt
@@ -58,8 +64,8 @@ trace::Settings previewSettings(trace::Settings settings, std::uint32_t number) 
 }  // namespace
 
 bool isSamePicture(const FrameInput& a, const FrameInput& b) {
-    return a.volume == b.volume && a.drawing == b.drawing && a.camera == b.camera && a.place == b.place &&
-           a.width == b.width && a.height == b.height;
+    return a.volume == b.volume && sameDrawing(a.drawing, b.drawing) && a.camera == b.camera &&
+           a.place == b.place && a.width == b.width && a.height == b.height;
 }
 
 Result<TracedPictures> TracedPictures::create(const std::shared_ptr<gpu::Device>& device) {
@@ -131,7 +137,12 @@ bool TracedPictures::hasFull(const FrameInput& input) const {
 }
 
 Result<void> TracedPictures::beginFull(const FrameInput& input) {
-    if (full_ && isSamePicture(*full_, input)) return {};
+    if (full_ && settings_ && isSamePicture(*full_, input)) {
+        full_ = input;
+        trace::Settings settings = *settings_;
+        settings.errorThreshold = input.drawing.settings.errorThreshold;
+        return applySettings(settings);
+    }
     full_.reset();
     scale_ = 1;
     view_ = {.camera = input.camera, .width = input.width, .height = input.height};

@@ -14,6 +14,13 @@ Result<void> checkModelName(const std::filesystem::path& path) {
                  "End it with " + splat::modelExtensions(true) + "."};
 }
 
+Result<void> checkSplatsName(const std::filesystem::path& path) {
+    const splat::ModelFormat* format = splat::modelFormatOf(path);
+    if (format != nullptr && !format->keepsTraining()) return {};
+    return Error{ErrorCode::usage, "The name says no format that splats alone are written in.", path.string(),
+                 "End it with " + splat::modelExtensions(false) + "."};
+}
+
 bool holdsTraining(const std::filesystem::path& path) {
     const splat::ModelFormat* format = splat::modelFormatOf(path);
     return format != nullptr && format->keepsTraining();
@@ -21,10 +28,14 @@ bool holdsTraining(const std::filesystem::path& path) {
 
 Result<std::size_t> writeTrained(const std::filesystem::path& path, const splat::TrainingState& state,
                                  bool displayColours) {
-    if (!holdsTraining(path))
-        return splat::writeModel(path, displayColours ? splat::asDisplayed(state.splats) : state.splats);
+    if (!holdsTraining(path)) return writeSplats(path, state.splats, displayColours);
     MACULA_TRY_VOID(splat::writeTraining(path, state));
     return std::size_t{0};
+}
+
+Result<std::size_t> writeSplats(const std::filesystem::path& path, const splat::Splats& splats,
+                                bool displayColours) {
+    return splat::writeModel(path, displayColours ? splat::asDisplayed(splats) : splats);
 }
 
 }  // namespace macula::app

@@ -68,36 +68,50 @@ Result<void> traceUntilConverged(trace::PathTracer& tracer, const PictureRequest
 
 }  // namespace
 
-Result<DrawnPicture> drawPicture(const std::shared_ptr<gpu::Device>& device, const PictureRequest& request,
-                                 Progress& progress) {
-    const auto start = std::chrono::steady_clock::now();
+Result<PictureDrawer> PictureDrawer::create(const std::shared_ptr<gpu::Device>& device,
+                                            const PictureRequest& request) {
     const StudyScene& scene = request.scene;
-    DrawnPicture drawn{.device = gpu::describe(device->info())};
     MACULA_TRY(trace::PathTracer tracer, trace::PathTracer::create(device, request.memory));
     MACULA_TRY_VOID(tracer.setVolume(scene.volume));
     MACULA_TRY_VOID(tracer.setClip(scene.clip));  // first: what it hides is not uploaded
     MACULA_TRY_VOID(tracer.setTransferFunction(scene.function));
     MACULA_TRY_VOID(tracer.setEnvironment(scene.environment));
     MACULA_TRY_VOID(tracer.setSettings(request.settings));
-    if (request.camera) {
-        drawn.camera = *request.camera;
+    return PictureDrawer(gpu::describe(device->info()), request, std::move(tracer));
+}
+
+Result<DrawnPicture> PictureDrawer::draw(const std::optional<Camera>& camera, Progress& progress) {
+    const auto start = std::chrono::steady_clock::now();
+    DrawnPicture drawn{.device = device_};
+    if (camera) {
+        drawn.camera = *camera;
     } else {
-        MACULA_TRY(drawn.camera, fittedCamera(request, tracer));
+        MACULA_TRY(drawn.camera, fittedCamera(request_, tracer_));
     }
-    drawn.camera = standingBefore(drawn.camera, scene.volume->worldBox());
+    drawn.camera = standingBefore(drawn.camera, request_.scene.volume->worldBox());
+    tracer_.forgetViews();
     MACULA_TRY_VOID(
-        tracer.setView({.camera = drawn.camera, .width = request.sizePx.x, .height = request.sizePx.y}));
-    MACULA_TRY_VOID(request.settings.errorThreshold > 0.0
-                        ? traceUntilConverged(tracer, request, progress)
-                        : traceAll(tracer, request.samplesPerPixel, progress));
+        tracer_.setView({.camera = drawn.camera, .width = request_.sizePx.x, .height = request_.sizePx.y}));
+    MACULA_TRY_VOID(request_.settings.errorThreshold > 0.0
+                        ? traceUntilConverged(tracer_, request_, progress)
+                        : traceAll(tracer_, request_.samplesPerPixel, progress));
     drawn.seconds = secondsSince(start);
-    MACULA_TRY_VOID(tracer.estimateError());
-    MACULA_TRY(drawn.statistics, tracer.statistics());
-    if (request.isLinear) {
-        MACULA_TRY(drawn.traced, tracer.readback());
+    MACULA_TRY_VOID(tracer_.estimateError());
+    MACULA_TRY(drawn.statistics, tracer_.statistics());
+    if (request_.isLinear) {
+        MACULA_TRY(drawn.traced, tracer_.readback());
     } else {
-        MACULA_TRY(drawn.rgba, tracer.readDisplay(kBackground));
+        MACULA_TRY(drawn.rgba, tracer_.readDisplay(kBackground));
     }
+    return drawn;
+}
+
+Result<DrawnPicture> drawPicture(const std::shared_ptr<gpu::Device>& device, const PictureRequest& request,
+                                 Progress& progress) {
+    const auto start = std::chrono::steady_clock::now();
+    MACULA_TRY(PictureDrawer drawer, PictureDrawer::create(device, request));
+    MACULA_TRY(DrawnPicture drawn, drawer.draw(request.camera, progress));
+    drawn.seconds = secondsSince(start);  // with what was brought to the device
     return drawn;
 }
 

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/picture/picture_request.h"
@@ -22,6 +23,25 @@ struct DrawnPicture {
     // One of both, row 0 on top: display-encoded over black, 4 bytes a pixel; or linear.
     std::vector<std::uint8_t> rgba;
     std::optional<trace::TracedImage> traced;
+};
+
+// Several pictures of one request, of which only the camera differs: the scene is brought to the device once.
+// Each is as if it were drawn alone.
+class PictureDrawer {
+  public:
+    // Fails as trace::PathTracer.
+    static Result<PictureDrawer> create(const std::shared_ptr<gpu::Device>& device,
+                                        const PictureRequest& request);
+    // As drawPicture; nothing: a camera that what can be seen fills.
+    Result<DrawnPicture> draw(const std::optional<Camera>& camera, Progress& progress);
+
+  private:
+    PictureDrawer(std::string device, PictureRequest request, trace::PathTracer tracer)
+        : device_(std::move(device)), request_(std::move(request)), tracer_(std::move(tracer)) {}
+
+    std::string device_;
+    PictureRequest request_;
+    trace::PathTracer tracer_;
 };
 
 // Fails as trace::PathTracer; with `cancelled` when it is stopped, unless what is unfinished is kept and

@@ -6,38 +6,15 @@
 #include <string_view>
 #include <utility>
 
-#include "app/choice/clip_choice.h"
-#include "app/choice/lights_choice.h"
-#include "app/choice/preset_choice.h"
-#include "app/elapsed.h"
 #include "app/open_device.h"
 #include "app/picture/drawn_picture.h"
 #include "app/picture/picture_file.h"
 #include "app/picture/render_record.h"
-#include "app/study/shown_clip.h"
+#include "app/picture/view_request.h"
 
 namespace macula::app {
 
 namespace {
-
-Result<PictureRequest> requestOf(const ViewPicture& picture) {
-    const glm::ivec2 size = picture.sizePx;
-    if (size.x < 1 || size.y < 1 || size.x > trace::kMaxPictureSide || size.y > trace::kMaxPictureSide)
-        return Error{ErrorCode::usage, "The picture cannot have that size.",
-                     fmt::format("{} x {}", size.x, size.y),
-                     fmt::format("Take 1 to {} pixels for each side.", trace::kMaxPictureSide)};
-    MACULA_TRY(Effort effort, effortOf(picture.effort, picture.drawing.settings));
-    const Drawing& drawing = picture.drawing;
-    return PictureRequest{.scene = {.volume = in16Bits(picture.volume),
-                                    .function = *drawing.transferFunction,
-                                    .clip = drawing.clip ? *drawing.clip : Clip{},
-                                    .environment = trace::Environment::fromRig(*drawing.lights)},
-                          .camera = picture.camera,
-                          .sizePx = size,
-                          .settings = effort.settings,
-                          .samplesPerPixel = effort.samplesPerPixel,
-                          .isLinear = isExr(picture.output)};
-}
 
 // Names a preset only where it is one of ours: those of a person may say whose they are. Remarks say what is
 // hidden, and through which window values are seen; units may have letters that DICOM's plain text has not.
@@ -72,7 +49,7 @@ Result<void> writeCapture(const ViewPicture& picture, const DrawnPicture& drawn,
 Result<std::vector<std::string>> writeViewPicture(const ViewPicture& picture,
                                                   const std::string& preferredDevice, Progress& progress) {
     if (!isDicom(picture.output)) MACULA_TRY_VOID(checkPictureName(picture.output));
-    MACULA_TRY(const PictureRequest request, requestOf(picture));
+    MACULA_TRY(const PictureRequest request, requestOf(picture, isExr(picture.output)));
     std::vector<std::string> sentences;
     MACULA_TRY(gpu::LastingDevice device, openDevice(preferredDevice, [&](std::string_view sentence) {
                    sentences.emplace_back(sentence);
@@ -82,21 +59,11 @@ Result<std::vector<std::string>> writeViewPicture(const ViewPicture& picture,
         MACULA_TRY(drawn, drawPicture(on, request, progress));
         return {};
     }));
-    RenderRecord record;
-    record.seriesDigest = picture.seriesDigest;
-    record.preset = publicPresetName(request.scene.function);
-    record.lights = publicLightsName(*picture.drawing.lights);
-    record.clip = request.scene.clip.hasShape() ? "clipped" : "none";
-    if (request.scene.clip.mask) record.masked = request.scene.clip.mask->remark;
-    record.tableRemoved = record.masked.find(kTableLeftOut) != std::string::npos;
-    record.presetFitted = request.scene.function.fitToVolume.has_value();
-    record.window = request.settings.window;
-    record.add(request, drawn);
+    const RenderRecord record = recordOf(picture, request, drawn);
     MACULA_TRY_VOID(isDicom(picture.output)
                         ? writeCapture(picture, drawn, record)
                         : writePicture(picture.output, drawn, request.sizePx, metadata(record)));
-    for (const PictureNote& note : notesOf(drawn, request))
-        sentences.push_back(note.action.empty() ? note.sentence : note.sentence + " " + note.action);
+    for (std::string& note : sentencesOf(drawn, request)) sentences.push_back(std::move(note));
     return sentences;
 }
 
@@ -106,8 +73,7 @@ Result<std::vector<std::vector<std::uint8_t>>> drawViewPictures(const std::vecto
     MACULA_TRY(gpu::LastingDevice device, openDevice(preferredDevice, [](std::string_view) {}));
     std::vector<std::vector<std::uint8_t>> drawn;
     for (const ViewPicture& picture : pictures) {
-        MACULA_TRY(PictureRequest request, requestOf(picture));
-        request.isLinear = false;
+        MACULA_TRY(const PictureRequest request, requestOf(picture, false));
         MACULA_TRY_VOID(device.run([&](const std::shared_ptr<gpu::Device>& on) -> Result<void> {
             MACULA_TRY(DrawnPicture made, drawPicture(on, request, progress));
             drawn.push_back(std::move(made.rgba));

@@ -12,6 +12,7 @@
 #include "viewer/harmless_text.h"
 #include "viewer/language/core_words.h"
 #include "viewer/slices/clip_on_slice.h"
+#include "viewer/slices/label_editor.h"
 #include "viewer/slices/slice_texts.h"
 
 namespace macula::viewer {
@@ -46,7 +47,8 @@ SliceView::SliceView(ViewerSession& session, slices::Orientation orientation, QW
     setCursor(Qt::CrossCursor);
     setAccessibleName((role == PaneRole::second ? tr("%1 slices of the second volume") : tr("%1 slices"))
                           .arg(nameOf(orientation)));
-    setToolTip(tr("%1 slices, in mm. Wheel: next slice; right drag: window").arg(nameOf(orientation)));
+    setToolTip(tr("%1 slices, in mm. Wheel: next slice; right drag: window; right click: windows")
+                   .arg(nameOf(orientation)));
     wheelEnds_.setSingleShot(true);
     wheelEnds_.setInterval(kWheelPauseMs);
     connect(&wheelEnds_, &QTimer::timeout, this, [this] {
@@ -115,8 +117,15 @@ void SliceView::applyWindow(int digit) {
     if (const auto preset = app::windowPreset(wantedVolume(), digit)) proposeWindow(preset->window, false);
 }
 
+void SliceView::applyOwnWindow(int number) {
+    if (!steps_ || own_ == nullptr || number < 1) return;
+    const auto own = own_->fitting(wantedVolume());
+    if (std::size_t(number) <= own.size()) proposeWindow(own[std::size_t(number) - 1].window, false);
+}
+
 void SliceView::onStudyShown() {
     setCine(false);
+    delete findChild<LabelEditor*>();  // of a measurement that is gone
     endGesture();
     ++study_;
     wanted_.reset();

@@ -16,6 +16,7 @@
 #include "viewer/slices/measurement_drawing.h"
 #include "viewer/slices/measurement_handles.h"
 #include "viewer/slices/measurement_texts.h"
+#include "viewer/slices/own_window_list.h"
 #include "viewer/slices/pane_view.h"
 #include "viewer/slices/second_series.h"
 #include "viewer/slices/slice_overlay.h"
@@ -59,8 +60,12 @@ class SliceView : public QWidget {
 
     void fit();                   // the volume fits the pane, and stays so until a hand zooms or pans
     void applyWindow(int digit);  // of app::windowPresets; nothing where there is none
-    void moveBy(int slices);      // along the normal: of axial ones to the head
-    void setCine(bool on);        // goes to and fro through all slices, one step to undo; ends when hidden
+    // Of one's own; null: none are kept. They outlive it.
+    void setOwnWindows(OwnWindowList* own) { own_ = own; }
+    void applyOwnWindow(int number);    // from 1; nothing where there is none
+    void editLabel(std::size_t index);  // of the measurements of the state, which is shown here
+    void moveBy(int slices);            // along the normal: of axial ones to the head
+    void setCine(bool on);  // goes to and fro through all slices, one step to undo; ends when hidden
     bool isCineOn() const { return cine_.isActive(); }
 
     // Of the picture on screen; nothing before the first.
@@ -132,7 +137,9 @@ class SliceView : public QWidget {
     void press(const QPointF& place);
     void dragTo(const QPointF& place);
     void endGesture();
-    bool takeHold(const QPointF& place);
+    bool takesHold() const;
+    bool takeClip(const QPointF& place);
+    bool takeMeasurement(const QPointF& place);
     std::optional<app::PlacedHandle> clipHandleAt(const QPointF& place) const;
     void moveClip(const QPointF& place);
     void showCursorAt(const QPointF& place);
@@ -140,6 +147,8 @@ class SliceView : public QWidget {
     void setCrosshair(const glm::dvec3& mm);
     void finishDrawing();
     void removeSelected();
+    void showMenu(const QPointF& place);
+    bool isStillClick(const QPointF& place) const;
     bool handleKey(int key, bool withShift);
     void endOwnDrag(const QString& what);
 
@@ -172,6 +181,7 @@ class SliceView : public QWidget {
     Qt::MouseButton dragButton_ = Qt::NoButton;
     QPointF pressedAt_;
     QPointF lastAt_;
+    bool hasDragged_ = false;  // since the button went down
     std::optional<QPointF> hoverAt_;
     int wheelRest_ = 0;  // eighths of a degree that made no notch yet
     QTimer wheelEnds_;   // what is turned or stepped until then is one step to undo
@@ -183,6 +193,7 @@ class SliceView : public QWidget {
     bool hasClipHandles_ = false;
     std::optional<app::ClipHandle> heldClip_;  // in Drag::clip
     MeasurementTexts texts_;
+    OwnWindowList* own_ = nullptr;
 
     QTimer cine_;
     bool cineGoesBack_ = false;

@@ -4,10 +4,13 @@
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <utility>
 
 #include "app/frame/projection_windows.h"
 #include "viewer/slices/clip_on_slice.h"
+#include "viewer/slices/label_editor.h"
+#include "viewer/slices/slice_menu.h"
 #include "viewer/slices/slice_view.h"
 
 namespace macula::viewer {
@@ -16,6 +19,7 @@ namespace {
 
 constexpr double kHitPx = 8.0;       // logical, as all below
 constexpr double kOnePointPx = 3.0;  // nearer points are one
+constexpr double kClickPx = 3.0;     // a right click moves no farther
 constexpr int kManySlices = 5;       // with Shift, or by pages
 constexpr int kNotch = 120;          // eighths of a degree: QWheelEvent
 constexpr double kZoomPerNotch = 1.15;
@@ -55,6 +59,7 @@ void SliceView::leaveEvent(QEvent*) {
 void SliceView::mousePressEvent(QMouseEvent* event) {
     if (!shown_ || drag_ != Drag::none) return event->ignore();
     pressedAt_ = lastAt_ = event->position();
+    hasDragged_ = false;
     dragButton_ = event->button();
     switch (dragButton_) {
         case Qt::LeftButton:
@@ -82,7 +87,7 @@ void SliceView::press(const QPointF& place) {
         }
         return;
     }
-    if (takeHold(place)) return;
+    if (takeClip(place) || takeMeasurement(place)) return;
     selected_.reset();
     switch (tool_) {
         case SliceTool::crosshair:
@@ -112,15 +117,23 @@ void SliceView::press(const QPointF& place) {
     drag_ = Drag::draw;
 }
 
-// Of a measurement that is seen; not for those tools that act on the picture as a whole.
-bool SliceView::takeHold(const QPointF& place) {
-    if (tool_ == SliceTool::window || tool_ == SliceTool::zoom || tool_ == SliceTool::pan) return false;
-    if (const auto clip = clipHandleAt(place)) {
-        heldClip_ = clip->handle;
-        drag_ = Drag::clip;
-        session_.endDrag();  // of what was dragged before
-        return true;
-    }
+// Not for those tools that act on the picture as a whole.
+bool SliceView::takesHold() const {
+    return tool_ != SliceTool::window && tool_ != SliceTool::zoom && tool_ != SliceTool::pan;
+}
+
+bool SliceView::takeClip(const QPointF& place) {
+    const auto clip = takesHold() ? clipHandleAt(place) : std::nullopt;
+    if (!clip) return false;
+    heldClip_ = clip->handle;
+    drag_ = Drag::clip;
+    session_.endDrag();  // of what was dragged before
+    return true;
+}
+
+// One that is seen.
+bool SliceView::takeMeasurement(const QPointF& place) {
+    if (!takesHold()) return false;
     const auto& measurements = session_.state().measurements;
     std::vector<bool> shown;
     for (const slices::Measurement& measurement : measurements) shown.push_back(isShownHere(measurement));
@@ -160,8 +173,7 @@ void SliceView::moveClip(const QPointF& place) {
 
 void SliceView::showCursorAt(const QPointF& place) {
     if (drag_ != Drag::none || drawing_ || !hasClipHandles_) return;
-    const bool takesHold = tool_ != SliceTool::window && tool_ != SliceTool::zoom && tool_ != SliceTool::pan;
-    const auto handle = takesHold ? clipHandleAt(place) : std::nullopt;
+    const auto handle = takesHold() ? clipHandleAt(place) : std::nullopt;
     setCursor(handle                    ? cursorOf(*handle, shown_->of.frame.plane)
               : tool_ == SliceTool::pan ? Qt::OpenHandCursor
                                         : Qt::CrossCursor);
@@ -185,6 +197,8 @@ void SliceView::mouseMoveEvent(QMouseEvent* event) {
 void SliceView::dragTo(const QPointF& place) {
     const QPointF by = place - lastAt_;
     const double heightPx = std::max(height(), 1);
+    if (isStillClick(place)) return;
+    hasDragged_ = hasDragged_ || drag_ != Drag::none;
     switch (drag_) {
         case Drag::crosshair:
             return setCrosshair(worldAt(place));
@@ -222,6 +236,41 @@ void SliceView::mouseReleaseEvent(QMouseEvent* event) {
     if (ended == Drag::crosshair || ended == Drag::window || ended == Drag::handle || ended == Drag::clip)
         session_.endDrag();
     update();
+    if (dragButton_ == Qt::RightButton && !hasDragged_) showMenu(event->position());
+}
+
+// A hand that clicks moves a little.
+bool SliceView::isStillClick(const QPointF& place) const {
+    return dragButton_ == Qt::RightButton && drag_ == Drag::window && !hasDragged_ &&
+           (place - pressedAt_).manhattanLength() <= kClickPx;
+}
+
+void SliceView::showMenu(const QPointF& place) {
+    if (!shown_ || drawing_ || !showsStudy()) return;  // the second volume has its own bar
+    const bool isMeant = takeMeasurement(place);
+    drag_ = Drag::none;
+    std::function<void()> edit;
+    if (isMeant) edit = [this, index = *selected_] { editLabel(index); };
+    makeSliceMenu({.session = &session_, .own = own_, .window = studyWindow(), .editLabel = std::move(edit)},
+                  this)
+        ->popup(mapToGlobal(place.toPoint()));
+    update();
+}
+
+void SliceView::editLabel(std::size_t index) {
+    const auto& measurements = session_.state().measurements;
+    if (!shown_ || index >= measurements.size()) return;
+    const slices::Measurement edited = measurements[index];
+    const glm::dvec2 px =
+        shown_->of.frame.pictureFromWorld(handlesOf(edited).front()) / shown_->of.pixelRatio;
+    const QString before = QString::fromStdString(edited.label);
+    auto* editor = new LabelEditor(this, QPointF(px.x, px.y).toPoint(), before);
+    connect(editor, &LabelEditor::accepted, this, [this, edited](const QString& text) {
+        session_.change(tr("Label"), [&](app::StudyState& next) {
+            const auto found = std::ranges::find(next.measurements, edited);
+            if (found != next.measurements.end()) found->label = text.toStdString();
+        });
+    });
 }
 
 // Its first click has begun a measurement: that was not meant. In the middle of one it is a click like any
@@ -231,6 +280,10 @@ void SliceView::mouseDoubleClickEvent(QMouseEvent* event) {
         return mousePressEvent(event);
     drawing_.reset();
     update();
+    if (shown_ && takeMeasurement(event->position())) {
+        drag_ = Drag::none;
+        return editLabel(*selected_);
+    }
     emit maximizeAsked();
 }
 
@@ -250,6 +303,8 @@ void SliceView::wheelEvent(QWheelEvent* event) {
 
 void SliceView::keyPressEvent(QKeyEvent* event) {
     const Qt::KeyboardModifiers others = event->modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier);
+    if (steps_ && others == Qt::AltModifier && event->key() >= Qt::Key_1 && event->key() <= Qt::Key_9)
+        return applyOwnWindow(event->key() - Qt::Key_0);
     if (!steps_ || others != Qt::NoModifier ||
         !handleKey(event->key(), event->modifiers().testFlag(Qt::ShiftModifier)))
         QWidget::keyPressEvent(event);
@@ -280,6 +335,12 @@ bool SliceView::handleKey(int key, bool withShift) {
         case Qt::Key_Backspace:
             if (!selected_) return false;
             return removeSelected(), true;
+        case Qt::Key_Return:
+        case Qt::Key_Enter:
+            if (!selected_) return false;
+            return editLabel(*selected_), true;
+        case Qt::Key_Menu:
+            return showMenu(hoverAt_.value_or(middle)), true;
         case Qt::Key_Escape:
             if (!drawing_) return false;
             return endGesture(), true;

@@ -45,6 +45,21 @@ TEST(FoveaSize, WithLessItShrinksFirstAndIsCoarserThen) {
     }
 }
 
+TEST(FoveaSize, IsAsItIsWished) {
+    const FoveaWish wish{.fieldDeg = 10.0, .samplesPerPixel = 16, .denoising = trace::Denoising::off};
+    const FoveaAim all = affordableFovea(kWhole, {}, 1e-9, kFoveaBudgetMs, wish);
+    EXPECT_NEAR(all.fieldDeg, 10.0, 1e-9);
+    EXPECT_EQ(all.samplesPerPixel, 16u);
+    EXPECT_EQ(all.denoising, trace::Denoising::off);
+    EXPECT_NEAR(pixelsPerTangent(all), pixelsPerTangent(affordableFovea(kWhole, {}, 1e-9)),
+                0.02 * pixelsPerTangent(all));
+    // All of its samples have to fit into the time.
+    for (const double budgetMs : {50.0, 250.0, 2000.0}) {
+        const FoveaAim some = affordableFovea(kWhole, {}, 1e-3, budgetMs, wish);
+        EXPECT_LE(msOf(some, 1e-3), 1.05 * budgetMs);
+    }
+}
+
 TEST(FoveaSize, HoldsAtTheExtremes) {
     trace::View narrow = kWhole;
     narrow.camera.verticalFovDeg = 0.1;

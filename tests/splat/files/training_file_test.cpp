@@ -249,8 +249,8 @@ TEST(ModelFormats, AreThoseOfThePage) {
     }
     EXPECT_EQ(modelFormatOf("a.PLY"), &kModelFormats[0]);
     EXPECT_EQ(modelFormatOf("a.obj"), nullptr);
-    EXPECT_EQ(modelExtensions(true), ".ply, .spz or .macula");
-    EXPECT_EQ(modelExtensions(false), ".ply or .spz");
+    EXPECT_EQ(modelExtensions(true), ".ply, .spz, .glb or .macula");
+    EXPECT_EQ(modelExtensions(false), ".ply, .spz or .glb");
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // How large and how fine a picture for the fovea is, for the time that there is for it.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 
 #include "pipeline/gpu/device.h"
@@ -18,11 +19,20 @@ inline constexpr double kLeastFoveaBudgetMs = 60.0;
 // Time per pixel and sample before it was measured (HybridFrame::foveaMsPerSample).
 double guessedFoveaMsPerSample(const gpu::Device& device);
 
-// One sample per pixel. With enough time kFovealFieldDeg, and as fine as the frame. With less, first the
+// What is wanted of one, where time allows.
+struct FoveaWish {
+    double fieldDeg = trace::kFovealFieldDeg;
+    std::uint32_t samplesPerPixel = 1;
+    trace::Denoising denoising = trace::Denoising::on;
+
+    bool operator==(const FoveaWish&) const = default;
+};
+
+// With enough time the wished field, and as fine as the frame. With less, first the
 // field shrinks to three fifths, then the resolution falls to half, then the field shrinks on, to a tenth at
 // last, in steps of a twentieth of the sides. Never larger than the frame. `whole` is a usable view;
 // milliseconds are above 0.
 FoveaAim affordableFovea(const trace::View& whole, const glm::dvec2& gaze, double msPerSample,
-                         double budgetMs = kFoveaBudgetMs);
+                         double budgetMs = kFoveaBudgetMs, const FoveaWish& wish = {});
 
 }  // namespace macula::hybrid

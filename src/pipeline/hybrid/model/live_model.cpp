@@ -214,6 +214,15 @@ void LiveModel::keepSometimes() {
     giveToStore(std::make_shared<const PeripheralState>(std::move(state)));
 }
 
+Result<std::shared_ptr<const PeripheralState>> LiveModel::state() const {
+    using State = std::shared_ptr<const PeripheralState>;
+    if (whole_) return State(whole_->state);
+    if (!model_ || !canBeDrawn()) return State();
+    MACULA_TRY(PeripheralState state, model_->state());
+    state.gain = gain_;
+    return State(std::make_shared<const PeripheralState>(std::move(state)));
+}
+
 void LiveModel::giveUp(ModelStage stage) {
     putAway();
     end(stage);

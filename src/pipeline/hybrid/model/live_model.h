@@ -92,6 +92,8 @@ class LiveModel {
 
     // The model that draw() draws; null when there is none.
     std::shared_ptr<const splat::Splats> shown() const;
+    // All that it goes on with; null while nothing was learnt. Waits.
+    Result<std::shared_ptr<const PeripheralState>> state() const;
     ModelNews news() const;
     // Of the model that learns; nothing while there is none.
     std::optional<PeripheralReport> report() const;

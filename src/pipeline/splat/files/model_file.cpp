@@ -13,6 +13,7 @@
 #include "base/atomic_file.h"
 #include "base/check.h"
 #include "pipeline/splat/files/chunk_file.h"
+#include "pipeline/splat/files/glb.h"
 #include "pipeline/splat/files/ply.h"
 #include "pipeline/splat/files/spz.h"
 #include "pipeline/splat/files/training_file.h"
@@ -44,6 +45,11 @@ Error unreadable(const fs::path& path) {
             "Check the path and its permissions."};
 }
 
+Error tooLarge(const fs::path& path, std::string_view format) {
+    return {ErrorCode::inputNotUsable, fmt::format("The file is larger than any {} model.", format),
+            path.string(), "Check that it is the file you meant."};
+}
+
 Result<std::vector<std::byte>> bytesOf(std::istream& stream, std::uint64_t size) {
     std::vector<std::byte> bytes(size);
     stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size));
@@ -69,12 +75,15 @@ Result<ModelFile> readByContent(const fs::path& path, BadSplats bad) {
     stream.seekg(0);
     if (begin.starts_with("ply")) return readPly(stream, size, bad);
     if (looksLikeTraining(begin)) return readTrainedModel(stream, size, bad);
+    if (looksLikeGlb(begin)) {
+        if (size > kMostGlbBytes) return tooLarge(path, "glTF");
+        MACULA_TRY(const std::vector<std::byte> bytes, bytesOf(stream, size));
+        return decodeGlb(bytes, bad);
+    }
     if (!looksLikeSpz(begin.substr(0, 4)))
         return Error{ErrorCode::inputNotUsable, "The file is no " + modelNames() + " model.", path.string(),
                      "Choose a model of Gaussians, or convert it to PLY."};
-    if (size > kMostSpzBytes)
-        return Error{ErrorCode::inputNotUsable, "The file is larger than any SPZ model.", path.string(),
-                     "Check that it is the file you meant."};
+    if (size > kMostSpzBytes) return tooLarge(path, "SPZ");
     MACULA_TRY(const std::vector<std::byte> bytes, bytesOf(stream, size));
     return decodeSpz(bytes, bad);
 }
@@ -90,6 +99,10 @@ Result<std::size_t> writeTo(std::ostream& stream, const Splats& splats, ModelKin
             clamped = file.clamped;
             stream.write(reinterpret_cast<const char*>(file.bytes.data()),
                          static_cast<std::streamsize>(file.bytes.size()));
+            break;
+        }
+        case ModelKind::glb: {
+            MACULA_TRY(clamped, writeGlb(stream, splats));
             break;
         }
         case ModelKind::training:

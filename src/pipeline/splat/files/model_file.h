@@ -1,5 +1,5 @@
-// Models in files: PLY (exact), SPZ (small), and the splats of .macula files (a training that can go on). See
-// ply.h, spz.h and training_file.h for what each keeps.
+// Models in files: PLY (exact), SPZ (small), glTF (for other programs), and the splats of .macula files (a
+// training that can go on). See ply.h, spz.h, glb.h and training_file.h for what each keeps.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@
 
 namespace macula::splat {
 
-enum class ModelKind { ply, spz, training };
+enum class ModelKind { ply, spz, glb, training };
 
 // The formats, in one table: writers, messages and docs/model-files.md go by it.
 struct ModelFormat {
@@ -23,12 +23,13 @@ struct ModelFormat {
     // Written by writeTraining.
     constexpr bool keepsTraining() const { return kind == ModelKind::training; }
 };
-inline constexpr std::array<ModelFormat, 3> kModelFormats{{{ModelKind::ply, ".ply", "PLY"},
+inline constexpr std::array<ModelFormat, 4> kModelFormats{{{ModelKind::ply, ".ply", "PLY"},
                                                            {ModelKind::spz, ".spz", "SPZ"},
+                                                           {ModelKind::glb, ".glb", "glTF"},
                                                            {ModelKind::training, ".macula", ".macula"}}};
 // By extension; null for another.
 const ModelFormat* modelFormatOf(const std::filesystem::path& path);
-// ".ply, .spz or .macula"; `withTraining`: also what writeModel does not write.
+// ".ply, .spz, .glb or .macula"; `withTraining`: also what writeModel does not write.
 std::string modelExtensions(bool withTraining);
 
 // What a reader does with splats that validate would refuse. `repair` also clamps, see repair();
@@ -46,9 +47,9 @@ struct ModelFile {
 Result<ModelFile> readModel(const std::filesystem::path& path, BadSplats bad = BadSplats::refuse);
 
 // By extension, of a format that keeps no training; whole or not at all. Returns the number of splats that
-// the format could not hold as they are (see SpzBytes; 0 for PLY). Fails with usage for another extension,
-// with inputNotUsable for a model that is not valid or empty, with outputNotWritable when it cannot be
-// written.
+// the format could not hold as they are (see SpzBytes and writeGlb; 0 for PLY). Fails with usage for another
+// extension, with inputNotUsable for a model that is not valid or empty, with outputNotWritable when it
+// cannot be written.
 Result<std::size_t> writeModel(const std::filesystem::path& path, const Splats& splats);
 
 // The last step of every reader: refuses a model that is empty or not valid, or repairs it.

@@ -1,0 +1,38 @@
+// Windows that a person has kept under a name, for values of one unit.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/result.h"
+#include "base/volume.h"
+
+namespace macula::app {
+
+struct OwnWindow {
+    std::string name;      // a person's words, 1 to kLongestWindowName bytes
+    DisplayWindow window;  // its explanation is not kept
+    std::string unit;      // Volume::unitName of the values that it is for
+
+    bool operator==(const OwnWindow&) const = default;
+};
+inline constexpr std::size_t kMostOwnWindows = 50;
+inline constexpr std::size_t kLongestWindowName = 60;  // in UTF-8
+
+// { "windows": [ { "name": "Kidney", "center": 60, "width": 300, "function": "LINEAR", "unit": "HU" } ] };
+// what the reader would refuse is left out.
+std::string toJson(const std::vector<OwnWindow>& windows);
+// inputNotUsable: the message tells the line or the key, the hint what was expected.
+Result<std::vector<OwnWindow>> ownWindowsFromJson(std::string_view text);
+
+// Those for the values of a volume, in their order.
+std::vector<OwnWindow> ownWindowsFor(const std::vector<OwnWindow>& all, const Volume& volume);
+
+// With that one at the end, in place of the one of the same name and unit. Its name is cut where it is too
+// long, and blanks at its ends are left out. usage where nothing is left of it, or there are too many.
+Result<std::vector<OwnWindow>> withOwnWindow(std::vector<OwnWindow> all, OwnWindow added);
+
+}  // namespace macula::app

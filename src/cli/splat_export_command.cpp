@@ -1,0 +1,61 @@
+// macula splat-export MODEL -o FILE: a model of Gaussians in another format.
+#include <CLI/App.hpp>
+#include <CLI/Option.hpp>
+#include <chrono>
+#include <filesystem>
+#include <memory>
+
+#include "app/model/model_output.h"
+#include "app/output/output_files.h"
+#include "cli/command.h"
+#include "cli/output_options.h"
+#include "cli/report.h"
+#include "pipeline/splat/files/model_file.h"
+
+namespace macula::cli {
+
+namespace {
+
+struct Options {
+    std::filesystem::path model;
+    std::filesystem::path output;
+    bool displayColours = false;
+    bool overwrite = false;
+};
+
+Result<void> exportModel(const Options& options) {
+    const auto start = std::chrono::steady_clock::now();
+    MACULA_TRY_VOID(app::checkSplatsName(options.output));
+    app::OutputFiles files(options.overwrite);
+    files.read(options.model);
+    MACULA_TRY_VOID(files.write(options.output));
+    MACULA_TRY(const splat::ModelFile read, splat::readModel(options.model, splat::BadSplats::repair));
+    if (read.repaired.dropped > 0)
+        printNote(fmt::format("{} splats cannot be used; they were left out.", read.repaired.dropped));
+    MACULA_TRY(const std::size_t limited,
+               app::writeSplats(options.output, read.splats, options.displayColours));
+    if (limited > 0)
+        printNote(
+            fmt::format("{} splats have numbers that this format cannot hold; they were limited.", limited));
+    printWritten(options.output, start);
+    return {};
+}
+
+}  // namespace
+
+void addSplatExport(CLI::App& app, Action& action) {
+    auto options = std::make_shared<Options>();
+    Options& o = *options;
+    auto* command = app.add_subcommand("splat-export", "Write a model of Gaussians in another format");
+    command->add_option("MODEL", o.model, "A " + splat::modelExtensions(true) + " file")->required();
+    command
+        ->add_option("-o,--output", o.output,
+                     "Model: .ply (exact), .spz (small) or .glb (glTF, KHR_gaussian_splatting)")
+        ->required();
+    command->add_flag("--display-colours", o.displayColours,
+                      "Colours as displayed, for other programs: they do not know linear light and tone map");
+    addOverwrite(*command, o.overwrite);
+    command->callback([options, &action] { action = [options] { return exportModel(*options); }; });
+}
+
+}  // namespace macula::cli

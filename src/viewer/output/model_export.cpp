@@ -1,0 +1,77 @@
+#include "viewer/output/model_export.h"
+
+#include <new>
+#include <utility>
+
+#include "pipeline/splat/files/model_file.h"
+
+namespace macula::viewer {
+
+ModelExport::ModelExport(QObject* parent)
+    : QObject(parent),
+      job_(this,
+           {.progressed = [](const ProgressUpdate&) {},
+            .ended =
+                [this](const Result<std::size_t>& limited) {
+                    emit ended();
+                    if (!limited) {
+                        if (limited.error().code != ErrorCode::cancelled) emit failed(limited.error());
+                        return;
+                    }
+                    QString told =
+                        tr("The model is written to %1.").arg(QString::fromStdString(wish_.path.string()));
+                    if (*limited > 0)
+                        told += tr(" %L1 splats have numbers that this format cannot hold; they were "
+                                   "limited.")
+                                    .arg(*limited);
+                    const splat::ModelFormat* format = splat::modelFormatOf(wish_.path);
+                    if (format != nullptr && format->keepsTraining())
+                        told += tr(" It holds pictures of the study.");
+                    emit written(told);
+                }}) {}
+
+void ModelExport::expect(Wish wish, std::uint64_t number) {
+    cancel();
+    wish_ = std::move(wish);
+    expected_ = number;
+    emit began();
+}
+
+void ModelExport::cancel() {
+    const bool wasExpected = std::exchange(expected_, 0) != 0;
+    if (job_.cancel() || wasExpected) emit ended();
+}
+
+void ModelExport::onTaken(const app::ModelTaken& taken) {
+    if (taken.wish != expected_ || expected_ == 0) return;
+    expected_ = 0;
+    if (!taken.splats) {
+        emit ended();
+        emit failed(
+            {ErrorCode::inputNotUsable,
+             tr("There is no peripheral model of this picture.").toStdString(),
+             {},
+             tr("Only Cinematic and Clear in lights that stay in place have one. Wait until the status "
+                "line says that it learns.")
+                 .toStdString()});
+        return;
+    }
+    app::TakenModel model{.splats = taken.splats,
+                          .gain = taken.gain,
+                          .state = taken.state,
+                          .volume = wish_.volume,
+                          .drawing = wish_.drawing};
+    job_.start([model = std::move(model), path = wish_.path,
+                displayColours = wish_.displayColours](Progress& progress) -> Result<std::size_t> {
+        try {
+            return app::writeTakenModel(path, model, displayColours, progress);
+        } catch (const std::bad_alloc&) {
+            return Error{ErrorCode::outOfMemory,
+                         "There is not enough memory to write the model.",
+                         {},
+                         "Close other programs."};
+        }
+    });
+}
+
+}  // namespace macula::viewer

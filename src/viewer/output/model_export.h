@@ -1,0 +1,44 @@
+// The peripheral model of the window to a file, while the window goes on.
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <filesystem>
+
+#include "app/frame/render_events.h"
+#include "app/model/taken_model.h"
+#include "viewer/background_job.h"
+
+namespace macula::viewer {
+
+// First the render thread is asked for it, then it is written. One at a time. Lives on the UI thread.
+class ModelExport : public QObject {
+    Q_OBJECT
+
+  public:
+    explicit ModelExport(QObject* parent = nullptr);
+
+    struct Wish {
+        std::filesystem::path path;
+        bool displayColours = false;
+        std::shared_ptr<const Volume> volume{};  // whose it is, and how it was drawn, when it was asked for
+        app::Drawing drawing{};
+    };
+    // `number` is FrameInput::modelWishes of the question.
+    void expect(Wish wish, std::uint64_t number);
+    void onTaken(const app::ModelTaken& taken);
+    void cancel();
+
+  signals:
+    void began();
+    void ended();
+    void written(const QString& told);
+    void failed(const macula::Error& error);
+
+  private:
+    Wish wish_;
+    std::uint64_t expected_ = 0;  // 0: nothing
+    BackgroundJob<std::size_t> job_;
+};
+
+}  // namespace macula::viewer

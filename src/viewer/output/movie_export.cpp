@@ -1,0 +1,103 @@
+#include "viewer/output/movie_export.h"
+
+#include <QDateTime>
+#include <QDir>
+#include <QFileInfo>
+#include <cmath>
+#include <new>
+#include <utility>
+
+namespace macula::viewer {
+
+namespace {
+
+const QString kVideo = QStringLiteral("movie.mp4");
+
+// What is left, from how long the part that is done took.
+QString leftText(qint64 elapsedMs, double fraction) {
+    if (!(fraction > 0.0)) return {};
+    const double leftS = double(elapsedMs) / 1000.0 * (1.0 - fraction) / fraction;
+    return leftS < 90.0 ? MovieExport::tr(", %1 s left").arg(std::ceil(leftS), 0, 'f', 0)
+                        : MovieExport::tr(", %1 min left").arg(std::ceil(leftS / 60.0), 0, 'f', 0);
+}
+
+}  // namespace
+
+MovieExport::MovieExport(std::string preferredDevice, QObject* parent)
+    : QObject(parent),
+      preferredDevice_(std::move(preferredDevice)),
+      program_(VideoEncoder::find()),
+      job_(this, {.progressed =
+                      [this](const ProgressUpdate& update) {
+                          const qint64 elapsed = QDateTime::currentMSecsSinceEpoch() - stageBeganMs_;
+                          emit progressed(
+                              QString::fromStdString(update.stage) + leftText(elapsed, update.fraction),
+                              update.fraction);
+                      },
+                  .ended = [this](const Result<app::WrittenSequence>& outcome) { onDrawn(outcome); }}),
+      encoder_(this) {
+    connect(&encoder_, &VideoEncoder::progressed, this,
+            [this](double fraction) { emit progressed(tr("Encoding the video"), fraction); });
+    connect(&encoder_, &VideoEncoder::ended, this, [this](bool isWritten) {
+        finish(isWritten ? tr("The video is %1.").arg(kVideo)
+                         : tr("The encoder made no video of them: take another program for that."));
+    });
+}
+
+void MovieExport::start(MovieWish wish) {
+    cancel();
+    wish_ = wish;
+    told_.clear();
+    stageBeganMs_ = QDateTime::currentMSecsSinceEpoch();
+    using Written = Result<app::WrittenSequence>;
+    job_.start(
+        [sequence = std::move(wish.sequence), device = preferredDevice_](Progress& progress) -> Written {
+            try {
+                return app::writeViewSequence(sequence, device, progress);
+            } catch (const std::bad_alloc&) {
+                return Error{ErrorCode::outOfMemory,
+                             "There is not enough memory for these pictures.",
+                             {},
+                             "Choose a smaller size, or close other programs."};
+            }
+        });
+    emit began();
+}
+
+void MovieExport::cancel() {
+    const bool wasEncoding = encoder_.running();
+    encoder_.cancel();
+    if (job_.cancel()) {
+        emit ended();
+    } else if (wasEncoding) {
+        finish(tr("The video was stopped."));
+    }
+}
+
+void MovieExport::onDrawn(const Result<app::WrittenSequence>& outcome) {
+    if (!outcome) {
+        emit ended();
+        if (outcome.error().code != ErrorCode::cancelled) emit failed(outcome.error());
+        return;
+    }
+    const QString folder = QString::fromStdString(wish_.sequence.folder.string());
+    told_ << tr("%L1 pictures are in %2.").arg(outcome->files.size()).arg(folder);
+    for (const std::string& sentence : outcome->sentences) told_ << QString::fromStdString(sentence);
+    if (!wish_.wantsVideo) return finish({});
+    if (program_.isEmpty())
+        return finish(tr("No video was made of them: there is no encoder. Install ffmpeg, and draw again."));
+    if (QFileInfo::exists(QDir(folder).filePath(kVideo)))
+        return finish(tr("No video was made of them: %1 is there already.").arg(kVideo));
+    encoder_.start(program_, {.folder = folder,
+                              .frames = int(outcome->files.size()),
+                              .picturesPerS = wish_.picturesPerS,
+                              .fileName = kVideo});
+}
+
+void MovieExport::finish(const QString& aboutVideo) {
+    if (!aboutVideo.isEmpty()) told_ << aboutVideo;
+    emit ended();
+    emit written(told_.join(QLatin1Char(' ')));
+}
+
+}  // namespace macula::viewer

@@ -1,0 +1,17 @@
+// What is written over pictures of a sequence.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/camera/orbit_camera.h"
+#include "app/picture/stamp.h"
+
+namespace macula::viewer {
+
+// `lines` in the left upper corner, and the sides of the patient in the middle of each edge; both may be
+// empty. Sizes go with the picture's height. Needs a QGuiApplication; any thread may call it.
+std::vector<app::Stamp> stampsOf(const std::vector<std::string>& lines, const app::EdgeLetters& letters,
+                                 const glm::ivec2& sizePx);
+
+}  // namespace macula::viewer

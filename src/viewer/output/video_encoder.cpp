@@ -1,0 +1,139 @@
+#include "viewer/output/video_encoder.h"
+
+#include <QDir>
+#include <QFile>
+#include <QStandardPaths>
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "app/picture/view_sequence.h"
+
+namespace macula::viewer {
+
+namespace {
+
+struct Kind {
+    const char* codec;
+    std::array<const char*, 2> quality;
+};
+// All of them are MP4. The last is in every build of the encoder.
+constexpr std::array<Kind, 3> kKinds{
+    {{"libx264", {"-crf", "18"}}, {"libopenh264", {"-b:v", "12M"}}, {"mpeg4", {"-q:v", "2"}}}};
+
+// As the encoder counts them: frame-%04d.png.
+QString pattern(int frames) {
+    const QString last = QString::fromStdString(app::frameName(frames - 1, frames));
+    const auto digits = last.size() - QStringLiteral("frame-.png").size();
+    return QStringLiteral("frame-%0%1d.png").arg(digits);
+}
+
+}  // namespace
+
+VideoEncoder::VideoEncoder(QObject* parent) : QObject(parent) {}
+
+VideoEncoder::~VideoEncoder() {
+    cancel();
+}
+
+QString VideoEncoder::find(const QString& program) {
+    return QStandardPaths::findExecutable(program);
+}
+
+// Names are relative to the folder, whose own name may have any letters.
+QStringList VideoEncoder::argumentsFor(const VideoWish& wish, std::size_t kind) {
+    if (kind >= kKinds.size() || wish.frames < 1) return {};
+    const Kind& with = kKinds.at(kind);
+    return {QStringLiteral("-nostdin"),
+            QStringLiteral("-loglevel"),
+            QStringLiteral("error"),
+            QStringLiteral("-progress"),
+            QStringLiteral("pipe:1"),
+            QStringLiteral("-y"),
+            QStringLiteral("-framerate"),
+            QString::number(wish.picturesPerS, 'g', 6),
+            QStringLiteral("-start_number"),
+            QStringLiteral("1"),
+            QStringLiteral("-i"),
+            pattern(wish.frames),
+            QStringLiteral("-frames:v"),
+            QString::number(wish.frames),
+            QStringLiteral("-vf"),
+            QStringLiteral("pad=ceil(iw/2)*2:ceil(ih/2)*2"),
+            QStringLiteral("-c:v"),
+            QString::fromLatin1(with.codec),
+            QString::fromLatin1(with.quality[0]),
+            QString::fromLatin1(with.quality[1]),
+            QStringLiteral("-pix_fmt"),
+            QStringLiteral("yuv420p"),
+            QStringLiteral("-map_metadata"),
+            QStringLiteral("-1"),
+            QStringLiteral("-f"),
+            QStringLiteral("mp4"),
+            QStringLiteral(".") + wish.fileName + QStringLiteral(".part")};
+}
+
+QString VideoEncoder::partName() const {
+    return QDir(wish_.folder).filePath(QStringLiteral(".") + wish_.fileName + QStringLiteral(".part"));
+}
+
+void VideoEncoder::start(const QString& program, const VideoWish& wish) {
+    cancel();
+    program_ = program;
+    wish_ = wish;
+    kind_ = 0;
+    startKind();
+}
+
+void VideoEncoder::startKind() {
+    const QStringList arguments = argumentsFor(wish_, kind_);
+    if (arguments.isEmpty()) {
+        emit ended(false);
+        return;
+    }
+    process_ = new QProcess(this);
+    process_->setWorkingDirectory(wish_.folder);
+    process_->setStandardErrorFile(QProcess::nullDevice());
+    connect(process_, &QProcess::readyReadStandardOutput, this, &VideoEncoder::onOutput);
+    connect(process_, &QProcess::finished, this, [this](int code, QProcess::ExitStatus status) {
+        onFinished(code == 0 && status == QProcess::NormalExit);
+    });
+    connect(process_, &QProcess::errorOccurred, this, [this](QProcess::ProcessError error) {
+        if (error == QProcess::FailedToStart) onFinished(false);
+    });
+    process_->start(program_, arguments);
+}
+
+// Lines such as "frame=12".
+void VideoEncoder::onOutput() {
+    while (process_ != nullptr && process_->canReadLine()) {
+        const QByteArray line = process_->readLine().trimmed();
+        if (!line.startsWith("frame=")) continue;
+        emit progressed(std::clamp(line.mid(6).toDouble() / std::max(wish_.frames, 1), 0.0, 1.0));
+    }
+}
+
+void VideoEncoder::onFinished(bool isDone) {
+    if (process_ == nullptr) return;
+    std::exchange(process_, nullptr)->deleteLater();
+    const QString file = QDir(wish_.folder).filePath(wish_.fileName);
+    if (isDone && QFile::rename(partName(), file)) {
+        emit ended(true);
+        return;
+    }
+    QFile::remove(partName());
+    ++kind_;
+    startKind();  // another kind, which it may have
+}
+
+void VideoEncoder::cancel() {
+    if (process_ == nullptr) return;
+    QProcess* process = std::exchange(process_, nullptr);
+    process->disconnect(this);
+    process->kill();
+    process->waitForFinished(1000);
+    delete process;
+    QFile::remove(partName());
+}
+
+}  // namespace macula::viewer

@@ -1,0 +1,84 @@
+#include "viewer/quality/converge_now.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <utility>
+
+namespace macula::viewer {
+
+namespace {
+
+double secondsOfClock() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+// Noise falls with the root of the samples.
+double fractionOf(const app::FrameShown& frame) {
+    const double byNoise = frame.noise > 0.0 ? std::pow(ConvergeNow::kNoiseTarget / frame.noise, 2.0) : 0.0;
+    const double bySamples = double(frame.samplesPerPixel) / double(ConvergeNow::kSampleLimit);
+    return std::clamp(std::max(byNoise, bySamples), 0.0, 1.0);
+}
+
+QString percentText(double share) {
+    return ConvergeNow::tr("%L1 %").arg(100.0 * share, 0, 'f', 2);
+}
+
+}  // namespace
+
+ConvergeNow::ConvergeNow(const RestGoal& usual, QObject* parent, std::function<double()> nowS)
+    : QObject(parent), usual_(usual), nowS_(nowS ? std::move(nowS) : secondsOfClock) {}
+
+void ConvergeNow::start() {
+    if (std::exchange(isRunning_, true)) return;
+    startedS_ = nowS_();
+    startedAt_ = -1.0;
+    emit began();
+    emit goalChanged({.sampleLimit = std::max(kSampleLimit, usual_.sampleLimit),
+                      .noiseTarget = kNoiseTarget,
+                      .convergesNow = true});
+}
+
+void ConvergeNow::cancel() {
+    if (isRunning_) end({});
+}
+
+void ConvergeNow::onOtherPicture() {
+    if (isRunning_) end(tr("Converging was stopped: another picture is shown."));
+}
+
+void ConvergeNow::end(const QString& told) {
+    isRunning_ = false;
+    emit goalChanged(usual_);
+    emit ended(told);
+}
+
+void ConvergeNow::onFrame(const app::FrameShown& frame) {
+    // Frames of before still come for a while.
+    if (!isRunning_ || frame.noiseTarget != kNoiseTarget) return;
+    if (frame.picture != app::OnScreen::traced && frame.picture != app::OnScreen::fading) return;
+    if (frame.stage == app::Stage::converged) {
+        const bool isKnown = std::isfinite(frame.noise) && frame.noise > 0.0;
+        return end(isKnown ? tr("The picture is final: %L1 samples, noise %2 of black to white.")
+                                 .arg(frame.samplesPerPixel)
+                                 .arg(percentText(frame.noise))
+                           : tr("The picture is final: %L1 samples.").arg(frame.samplesPerPixel));
+    }
+    const double fraction = fractionOf(frame);
+    if (startedAt_ < 0.0 && std::isfinite(frame.noise)) {
+        startedAt_ = fraction;
+        startedS_ = nowS_();
+    }
+    emit progressed(stageOf(frame.noise, fraction), fraction);
+}
+
+QString ConvergeNow::stageOf(double noise, double fraction) const {
+    QString stage = tr("Converging");
+    if (std::isfinite(noise)) stage += tr(", noise %1").arg(percentText(noise));
+    if (startedAt_ < 0.0 || !(fraction > startedAt_)) return stage;
+    const double leftS = (nowS_() - startedS_) * (1.0 - fraction) / (fraction - startedAt_);
+    return stage + (leftS < 90.0 ? tr(", %1 s left").arg(std::ceil(leftS), 0, 'f', 0)
+                                 : tr(", %1 min left").arg(std::ceil(leftS / 60.0), 0, 'f', 0));
+}
+
+}  // namespace macula::viewer

@@ -1,0 +1,104 @@
+#include "viewer/slices/slice_menu.h"
+
+#include <QCoreApplication>
+#include <QInputDialog>
+#include <QMessageBox>
+
+#include "app/frame/projection_windows.h"
+#include "app/slices/window_presets.h"
+#include "viewer/harmless_text.h"
+
+namespace macula::viewer {
+
+namespace {
+
+struct SliceMenuWords {
+    Q_DECLARE_TR_FUNCTIONS(SliceMenu)
+};
+
+// Ampersands are letters of names, and no keys of menus.
+QString asTitle(const std::string& name) {
+    return harmless(QString::fromStdString(name)).replace(QLatin1Char('&'), QLatin1String("&&"));
+}
+
+void setWindow(ViewerSession& session, const std::optional<DisplayWindow>& window) {
+    session.change(SliceMenuWords::tr("Window"), [&](app::StudyState& next) { next.slices.window = window; });
+}
+
+void addWindows(QMenu& menu, const SliceMenuOf& of) {
+    const Volume& volume = *of.session->study().volume;
+    for (const app::WindowPreset& preset : app::windowPresets(volume)) {
+        QAction* action =
+            menu.addAction(QStringLiteral("%1\t%2").arg(asTitle(preset.name)).arg(preset.digit));
+        QObject::connect(action, &QAction::triggered, of.session,
+                         [session = of.session, window = preset.window] { setWindow(*session, window); });
+    }
+}
+
+void addOwnWindows(QMenu& menu, const SliceMenuOf& of, QWidget* parent) {
+    const Volume& volume = *of.session->study().volume;
+    const auto own = of.own->fitting(volume);
+    menu.addSeparator();
+    for (std::size_t i = 0; i < own.size(); ++i) {
+        QString title = asTitle(own[i].name);
+        if (i < 9) title += QStringLiteral("\tAlt+%1").arg(i + 1);
+        QAction* action = menu.addAction(title);
+        action->setToolTip(harmless(QString::fromStdString(app::windowText(own[i].window, own[i].unit))));
+        QObject::connect(action, &QAction::triggered, of.session,
+                         [session = of.session, window = own[i].window] { setWindow(*session, window); });
+    }
+    QAction* keep = menu.addAction(SliceMenuWords::tr("&Keep This Window…"));
+    keep->setObjectName(QStringLiteral("keep-window"));
+    keep->setToolTip(SliceMenuWords::tr("Under a name, for all studies with values of this unit"));
+    QObject::connect(keep, &QAction::triggered, parent, [of, parent] { askToKeepWindow(of, parent); });
+    if (own.empty()) return;
+    QMenu* remove = menu.addMenu(SliceMenuWords::tr("&Remove a Window"));
+    for (const app::OwnWindow& window : own) {
+        QAction* action = remove->addAction(asTitle(window.name));
+        QObject::connect(action, &QAction::triggered, of.own,
+                         [list = of.own, window] { list->remove(window); });
+    }
+}
+
+}  // namespace
+
+QMenu* makeSliceMenu(const SliceMenuOf& of, QWidget* parent) {
+    auto* menu = new QMenu(parent);
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    menu->setToolTipsVisible(true);
+    if (of.editLabel) {
+        QAction* label = menu->addAction(SliceMenuWords::tr("&Label…\tEnter"));
+        label->setObjectName(QStringLiteral("edit-label"));
+        label->setToolTip(SliceMenuWords::tr("Words beside this measurement"));
+        QObject::connect(label, &QAction::triggered, parent, of.editLabel);
+        menu->addSeparator();
+    }
+    addWindows(*menu, of);
+    if (of.own != nullptr) addOwnWindows(*menu, of, parent);
+    return menu;
+}
+
+void askToKeepWindow(const SliceMenuOf& of, QWidget* parent) {
+    auto* dialog = new QInputDialog(parent);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setInputMode(QInputDialog::TextInput);
+    dialog->setWindowTitle(SliceMenuWords::tr("Keep This Window"));
+    const std::string unit = of.session->study().volume->unitName();
+    dialog->setLabelText(SliceMenuWords::tr("Name of the window %1")
+                             .arg(harmless(QString::fromStdString(app::windowText(of.window, unit)))));
+    QObject::connect(dialog, &QInputDialog::textValueSelected, of.own,
+                     [list = of.own, window = of.window, unit, parent](const QString& name) {
+                         const auto added =
+                             list->add({.name = name.toStdString(), .window = window, .unit = unit});
+                         if (added) return;
+                         auto* box = new QMessageBox(
+                             QMessageBox::NoIcon, SliceMenuWords::tr("Keep This Window"),
+                             QString::fromStdString(added.error().message + " " + added.error().hint),
+                             QMessageBox::Close, parent);
+                         box->setAttribute(Qt::WA_DeleteOnClose);
+                         box->open();
+                     });
+    dialog->open();
+}
+
+}  // namespace macula::viewer

@@ -1,0 +1,68 @@
+// Windows of one's own between two runs, and where they cannot be kept.
+#include "viewer/slices/own_window_list.h"
+
+#include <gtest/gtest.h>
+
+#include <QTemporaryDir>
+#include <fstream>
+
+#include "app/session/machine_documents.h"
+#include "viewer/offscreen.h"
+
+namespace macula::viewer {
+namespace {
+
+class OwnWindowListTest : public test::OffscreenTest {
+  protected:
+    static app::OwnWindow window(const std::string& name) {
+        return {.name = name,
+                .window = {.center = 60.0, .width = 300.0, .explanation = {}, .function = {}},
+                .unit = "HU"};
+    }
+    std::filesystem::path folder() const {
+        return std::filesystem::path(folder_.path().toStdString()) / "sessions";
+    }
+
+    QTemporaryDir folder_;
+};
+
+TEST_F(OwnWindowListTest, WithoutAStoreTheyLastForTheRun) {
+    OwnWindowList list(std::nullopt);
+    ASSERT_TRUE(list.add(window("Kidney")).ok());
+    EXPECT_FALSE(list.add(window(" ")).ok());
+    EXPECT_EQ(list.all().size(), 1u);
+    list.remove(window("Kidney"));
+    list.remove(window("Kidney"));
+    EXPECT_TRUE(list.all().empty());
+}
+
+TEST_F(OwnWindowListTest, TheyComeBack) {
+    {
+        OwnWindowList list(folder());
+        // Before what was kept is read.
+        ASSERT_TRUE(list.add(window("Kidney")).ok());
+        ASSERT_TRUE(list.add(window("Liver")).ok());
+        const auto isKept = [this] {
+            const auto json = app::machineDocument(
+                folder(), {.kind = session::DocumentKind::preset, .study = {}, .name = "windows of slices"});
+            return json && *json && (*json)->find("Liver") != std::string::npos;
+        };
+        EXPECT_TRUE(test::waitFor(isKept));
+    }
+    OwnWindowList again(folder());
+    EXPECT_TRUE(test::waitFor([&] { return again.all().size() == 2; }));
+    EXPECT_EQ(again.all().front(), window("Kidney"));
+}
+
+TEST_F(OwnWindowListTest, WhatCannotBeKeptIsToldAndStaysForTheRun) {
+    std::ofstream(folder()) << "no folder";
+    OwnWindowList list(folder());
+    int told = 0;
+    QObject::connect(&list, &OwnWindowList::failed, &list, [&](const Error&) { ++told; });
+    ASSERT_TRUE(list.add(window("Kidney")).ok());
+    EXPECT_TRUE(test::waitFor([&] { return told >= 2; })) << "reading and writing";
+    EXPECT_EQ(list.all().size(), 1u);
+}
+
+}  // namespace
+}  // namespace macula::viewer
