@@ -14,11 +14,9 @@
 #include <utility>
 #include <variant>
 
-#include "app/state/drawing_of.h"
 #include "viewer/browser/study_browser.h"
 #include "viewer/clip/scissor_tool.h"
 #include "viewer/clip/voxel_cutting.h"
-#include "viewer/hidden_voxels.h"
 #include "viewer/join_question.h"
 #include "viewer/keys.h"
 #include "viewer/language/core_words.h"
@@ -48,29 +46,20 @@ void select(QComboBox& box, const std::vector<std::shared_ptr<const Item>>& item
     box.setCurrentIndex(found == items.end() ? -1 : int(found - items.begin()));
 }
 
-// "born" and "no study date" in the language of the window; a name is never looked up.
-std::vector<std::string> linesToShow(const app::Identity& identity) {
-    std::vector<std::string> lines = linesOf(identity);
-    const std::size_t first = identity.isOfNobody ? 0 : 1;
-    for (std::size_t i = first; i < lines.size(); ++i)
-        lines[i] = listInWindowsLanguage(lines[i]).toStdString();
-    return lines;
-}
-
 }  // namespace
 
 MainWindow::MainWindow(gpu::Instance instance, MainWindowOptions options)
     : options_(std::move(options)),
       session_(options_.catalogue),
       keeper_(makeKeeper()),
+      shown_(new ShownVolume(session_, this)),
       viewport_(new Viewport(std::move(instance), options_.device, keeper_)),
       notes_(new MessageBar),
       messages_(new MessageBar),
       loading_(new WorkBar),
-      table_(new TableRemoval(this)),
+      table_(&shown_->table()),
       searching_(new WorkBar),
-      hidden_(new HiddenVoxels(this)),
-      segments_(new SegmentationKeeper(session_, this)),
+      segments_(&shown_->segments()),
       segmenting_(new WorkBar),
       export_(new PictureExport(options_.device, this)),
       exporting_(new WorkBar),
@@ -108,6 +97,7 @@ MainWindow::MainWindow(gpu::Instance instance, MainWindowOptions options)
     connectPick();
 
     connect(&session_, &ViewerSession::changed, this, &MainWindow::onChanged);
+    connect(shown_, &ShownVolume::changed, this, &MainWindow::redraw);
     connect(viewport_, &Viewport::rendered, this, &MainWindow::onRendered);
     connect(viewport_, &Viewport::dropped, this, &MainWindow::openDropped);
     connect(viewport_, &Viewport::namesToggled, this, &MainWindow::showNames);
@@ -175,13 +165,7 @@ void MainWindow::connectTable() {
     connect(table_, &TableRemoval::progressed, searching_, &WorkBar::setProgress);
     connect(searching_, &WorkBar::cancelClicked, table_, &TableRemoval::cancel);
     connect(table_, &TableRemoval::ended, searching_, &QWidget::hide);
-    connect(table_, &TableRemoval::changed, this, [this] {
-        session_.change(tr("Table"), [this](app::StudyState& next) {
-            next.leavesTableOut = table_->action().isChecked();
-        });
-        hidden_->set(HiddenVoxels::Part::table, table_->mask());
-        showNotes();
-    });
+    connect(table_, &TableRemoval::changed, this, &MainWindow::showNotes);
     connect(table_, &TableRemoval::failed, this, [this](const Error& error) {
         messages_->showError(error);
         emit failed(error);
@@ -192,8 +176,8 @@ void MainWindow::connectTable() {
 void MainWindow::connectPick() {
     connect(viewport_, &Viewport::doubleClicked, this, [this](QPointF place) {
         if (study().volume && !scissors_->isOut())
-            pick_->start(study().volume, drawing(), toCamera(viewport_->camera()), {place.x(), place.y()},
-                         viewport_->aspect());
+            pick_->start(study().volume, shown_->drawing(), toCamera(viewport_->camera()),
+                         {place.x(), place.y()}, viewport_->aspect());
     });
     connect(pick_, &AnatomyPick::found, this, [this](const glm::dvec3& mm) {
         viewport_->centreOn(mm);
@@ -201,12 +185,8 @@ void MainWindow::connectPick() {
     });
 }
 
-app::Drawing MainWindow::drawing() const {
-    return app::drawingOf(session_.state(), catalogue(), seriesWindows_, study().volume, clip_);
-}
-
 void MainWindow::redraw() {
-    app::Drawing now = drawing();
+    app::Drawing now = shown_->drawing();
     const trace::Look look = now.settings.look;
     select(*lights_, catalogue().lights, now.lights);
     lights_->setEnabled(trace::isPathTraced(look));
@@ -221,11 +201,6 @@ void MainWindow::redraw() {
     if (study().volume) note = visibilityNote(now, *study().volume, catalogue());
     if (std::exchange(visibilityNote_, note) != note) showNotes();
     viewport_->setDrawing(std::move(now));
-}
-
-void MainWindow::updateClip() {
-    clip_ = study().volume ? app::clipOf(session_.state(), *study().volume, hidden_->mask()) : nullptr;
-    redraw();
 }
 
 void MainWindow::open(app::StudySource source) {
@@ -280,7 +255,7 @@ void MainWindow::showOpenError(const Error& error) {
     messages_->showError(told);
 }
 
-// Of the same study; the table is searched for, and is in the state once it is found.
+// Of the same study. What is drawn of it is told by ShownVolume.
 void MainWindow::onChanged(const app::StudyState& before) {
     const app::StudyState now = session_.state();
     if (study().volume && now.preset) {
@@ -293,13 +268,6 @@ void MainWindow::onChanged(const app::StudyState& before) {
         showChosen();
     if (now.settings.bounces != before.settings.bounces) showCost();
     if (now.layout != before.layout) showPanes();
-    if (now.leavesTableOut != before.leavesTableOut) table_->ask(now.leavesTableOut);
-    cutting_->want(now.cuts.scissors);
-    if (now.clip != before.clip || now.cuts.eye != before.cuts.eye) {
-        updateClip();
-    } else {
-        redraw();
-    }
 }
 
 // The one that was chosen last, where it fits: a curve over Hounsfield units means nothing on the raw numbers
@@ -347,29 +315,19 @@ void MainWindow::showStudy(const app::OpenedStudy& study) {
     }
     if (options_.restores == Restores::work) left.reset();
     presetNote_ = presetWarning(*now.preset, volume);
-    table_->setVolume(study.volume);
-    cutting_->setVolume(study.volume);
-    hidden_->setVolume(study.volume);
     pick_->cancel();
-    seriesWindows_.forget();
-    QStringList lines;
-    const std::vector<std::string> identity = linesToShow(study.identity);
-    for (const std::string& line : identity) lines << QString::fromStdString(line);
-    for (SliceView* pane : slices_) pane->setLines(lines);
     session_.show(study, std::move(now));
     showChosen();
     showPanes();
-    clip_ = app::clipOf(session_.state(), volume, std::nullopt);
     clearStudyTexts();
-    app::Drawing first = drawing();
+    app::Drawing first = shown_->drawing();
     visibilityNote_ = visibilityNote(first, volume, catalogue());
-    viewport_->setStudy(study.volume, identity, std::move(first), options_.firstView);
+    viewport_->setStudy(study.volume, linesToShow(study.identity), std::move(first), options_.firstView);
     if (left && left->camera) {
         viewport_->showFrom(*left->camera);
     } else if (left) {
         viewport_->setParallel(false);
     }
-    cutting_->want(session_.state().cuts.scissors);
     redraw();  // menus and lists show it
     if (left) table_->ask(left->leavesTableOut);
     kept_ = stateToKeep();

@@ -29,6 +29,7 @@
 #include "viewer/status_widgets.h"
 #include "viewer/study_loader.h"
 #include "viewer/table_removal.h"
+#include "viewer/volume/shown_volume.h"
 #include "viewer/volume_choice.h"
 
 class QDockWidget;
@@ -43,7 +44,6 @@ class ClipEditing;
 class ClipPanel;
 class ConvergeNow;
 class CutTools;
-class HiddenVoxels;
 class ModelExport;
 class MovieExport;
 class MoviePanel;
@@ -144,7 +144,7 @@ class MainWindow : public QMainWindow {
     // open, inputNotUsable when it was saved of another series.
     app::StudyState state() const;
     Result<void> setState(const app::StudyState& state);
-    bool hidesSomething() const { return clip_ != nullptr; }
+    bool hidesSomething() const { return shown_->hidesSomething(); }
 
   signals:
     void frameShown(const macula::app::FrameShown& frame);
@@ -203,12 +203,10 @@ class MainWindow : public QMainWindow {
     void showFound(const std::shared_ptr<const app::FoundVolumes>& found, std::optional<std::size_t> open);
     void connectTable();
     void connectSegments();
-    app::Drawing drawing() const;
     const app::Catalogue& catalogue() const { return session_.catalogue(); }
     const app::OpenedStudy& study() const { return session_.study(); }
     void onChanged(const app::StudyState& before);
     void redraw();      // what was chosen has changed
-    void updateClip();  // what is hidden has
     void showChosen();  // in menus and lists
     std::shared_ptr<app::ModelKeeper> makeKeeper();
     // Empty: nothing comes back.
@@ -268,8 +266,6 @@ class MainWindow : public QMainWindow {
     QString pictureNote_;     // and about what the device shows of it
     QString deviceNote_;      // and about the device
     bool deviceIsBack_ = true;
-    std::shared_ptr<const Clip> clip_;  // that it comes to; null: nothing is hidden
-    app::SeriesWindows seriesWindows_;
     std::shared_ptr<app::ModelKeeper> keeper_;  // null: nothing is kept
     // The state that it was given last, or that the study was shown in: what nobody has changed is not kept,
     // and takes the place of nothing that came too late or cannot be read.
@@ -282,6 +278,7 @@ class MainWindow : public QMainWindow {
     QString preparing_;  // which
     QString lastFolder_;
 
+    ShownVolume* shown_ = nullptr;
     Viewport* viewport_ = nullptr;
     std::array<SliceView*, 3> slices_{};  // by slices::Orientation
     std::array<SlicePair*, 3> pairs_{};   // the same, with those of the second volume
@@ -310,7 +307,6 @@ class MainWindow : public QMainWindow {
     WorkBar* loading_ = nullptr;
     TableRemoval* table_ = nullptr;
     WorkBar* searching_ = nullptr;  // for the table
-    HiddenVoxels* hidden_ = nullptr;
     SegmentationKeeper* segments_ = nullptr;
     WorkBar* segmenting_ = nullptr;  // segments are loaded
     PictureExport* export_ = nullptr;

@@ -12,7 +12,6 @@
 #include "viewer/clip/named_clips.h"
 #include "viewer/clip/scissor_tool.h"
 #include "viewer/clip/voxel_cutting.h"
-#include "viewer/hidden_voxels.h"
 #include "viewer/keys.h"
 #include "viewer/main_window.h"
 #include "viewer/slices/slice_view.h"
@@ -42,7 +41,7 @@ bool MainWindow::cutting() const {
 }
 
 void MainWindow::connectCutting() {
-    cutting_ = new VoxelCutting(this);
+    cutting_ = &shown_->cutting();
     cuttingBar_ = new WorkBar;
     connect(cutting_, &VoxelCutting::began, this, [this] {
         messages_->hide();
@@ -51,12 +50,6 @@ void MainWindow::connectCutting() {
     connect(cutting_, &VoxelCutting::progressed, cuttingBar_, &WorkBar::setProgress);
     connect(cuttingBar_, &WorkBar::cancelClicked, cutting_, &VoxelCutting::cancel);
     connect(cutting_, &VoxelCutting::ended, cuttingBar_, &QWidget::hide);
-    connect(cutting_, &VoxelCutting::changed, this,
-            [this] { hidden_->set(HiddenVoxels::Part::scissors, cutting_->mask()); });
-    // What is not to be had is not chosen either: pictures and state say the same.
-    connect(cutting_, &VoxelCutting::refused, this, [this](const std::vector<app::ScissorCut>& had) {
-        session_.change(tr("No cut"), [&](app::StudyState& next) { next.cuts.scissors = had; });
-    });
     connect(cutting_, &VoxelCutting::failed, this, [this](const Error& error) {
         messages_->showError(error);
         emit failed(error);

@@ -188,7 +188,7 @@ void MainWindow::makeLookMenu() {
     window->setToolTip(tr("Of the values: that of the series"));
     resetWindow_ = window;
     connect(viewport_, &Viewport::windowDragged, this, [this](QPointF byHeights) {
-        const auto from = drawing().settings.window;
+        const auto from = shown_->drawing().settings.window;
         if (!from) return;
         session_.drag(tr("Window"), [&](app::StudyState& next) {
             next.windows.at(std::size_t(next.settings.look)) =

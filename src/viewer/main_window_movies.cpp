@@ -109,7 +109,7 @@ void MainWindow::askWhereToDrawMovie() {
     MovieWish wish;
     wish.sequence.picture.volume = study().volume;
     wish.sequence.picture.seriesDigest = study().seriesDigest;
-    wish.sequence.picture.drawing = drawing();
+    wish.sequence.picture.drawing = shown_->drawing();
     wish.sequence.picture.sizePx = {movie_->sizePx().width(), movie_->sizePx().height()};
     wish.sequence.picture.effort.quality = movie_->quality();
     wish.sequence.path = *path;
@@ -181,7 +181,7 @@ void MainWindow::askWhereToSaveModel() {
         modelExport_->expect({.path = file.toStdString(),
                               .displayColours = chosen().displayColours && !holdsTraining,
                               .volume = study().volume,
-                              .drawing = drawing()},
+                              .drawing = shown_->drawing()},
                              viewport_->askForModel(holdsTraining));
     });
 }

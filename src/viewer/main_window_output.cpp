@@ -69,7 +69,7 @@ void MainWindow::askWhereToSavePicture(const PictureDialog& how) {
     // What is on screen now: while a person looks for a folder another study may come.
     app::ViewPicture picture{.volume = study().volume,
                              .seriesDigest = study().seriesDigest,
-                             .drawing = drawing(),
+                             .drawing = shown_->drawing(),
                              .camera = toCamera(viewport_->camera()),
                              .sizePx = {how.sizePx().width(), how.sizePx().height()},
                              .effort = {.quality = how.quality()},

@@ -6,7 +6,6 @@
 
 #include "app/state/drawing_of.h"
 #include "pipeline/volume/window.h"
-#include "viewer/hidden_voxels.h"
 #include "viewer/main_window.h"
 #include "viewer/presets/preset_box.h"
 #include "viewer/presets/preset_comparison.h"
@@ -152,11 +151,9 @@ void MainWindow::comparePreset(const LibraryPreset& preset) {
         view.effort.quality = "draft";
         return view;
     };
-    const auto clip = app::clipOf(other, *study().volume, hidden_->mask());
     auto* dialog = new PresetComparison(
-        {now.preset ? titleOr(now.preset->title, now.preset->name) : QString(), picture(drawing())},
-        {titleOf(preset), picture(app::drawingOf(other, catalogue(), seriesWindows_, study().volume, clip))},
-        options_.device, this);
+        {now.preset ? titleOr(now.preset->title, now.preset->name) : QString(), picture(shown_->drawing())},
+        {titleOf(preset), picture(shown_->drawingOf(other))}, options_.device, this);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog, &PresetComparison::secondChosen, this, [this, preset] { usePreset(preset); });
     // No picture is seen beside another study.

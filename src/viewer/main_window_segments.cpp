@@ -7,9 +7,6 @@
 namespace macula::viewer {
 
 void MainWindow::connectSegments() {
-    connect(hidden_, &HiddenVoxels::changed, this, &MainWindow::updateClip);
-    connect(segments_, &SegmentationKeeper::maskMade, this,
-            [this](const std::optional<Mask>& mask) { hidden_->set(HiddenVoxels::Part::segments, mask); });
     connect(segments_, &SegmentationKeeper::shownChanged, this, [this] {
         for (SliceView* pane : slices_) pane->setSegments(segments_->shown());
     });
@@ -25,7 +22,7 @@ void MainWindow::connectSegments() {
         emit failed(error);
     };
     connect(segments_, &SegmentationKeeper::failed, this, tell);
-    connect(hidden_, &HiddenVoxels::failed, this, tell);
+    connect(&shown_->hidden(), &HiddenVoxels::failed, this, tell);
 }
 
 }  // namespace macula::viewer

@@ -22,26 +22,14 @@ int indexOf(const Items& items, const Same& isSame) {
 }  // namespace
 
 app::StudyState MainWindow::state() const {
-    app::StudyState state = session_.state();
+    app::StudyState state = shown_->state();
     if (study().volume) state.camera = toCamera(viewport_->camera());
-    state.leavesTableOut = table_->action().isChecked();
     return state;
 }
 
 Result<void> MainWindow::setState(const app::StudyState& state) {
-    if (!study().volume)
-        return Error{ErrorCode::usage, "No study is open.", {}, "Open the study that the view is of first."};
-    MACULA_TRY_VOID(app::checkSeries(state, study().seriesDigest, {}));
+    MACULA_TRY_VOID(shown_->take(state));
     sessionNote_.clear();  // it is not as it was left any more
-    session_.change(tr("Open view"), [&](app::StudyState& next) {
-        const bool leavesTableOut = next.leavesTableOut;
-        next = state;
-        next.seriesDigest = study().seriesDigest;
-        next.camera.reset();                   // the viewport's, from here on
-        next.leavesTableOut = leavesTableOut;  // until it is found
-        if (!next.preset) next.preset = app::presetFor(catalogue(), *study().volume);
-    });
-    table_->ask(state.leavesTableOut);
     showNotes();
     if (state.camera) viewport_->showFrom(*state.camera);
     return {};

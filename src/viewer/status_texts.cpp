@@ -37,6 +37,15 @@ QString titleOr(const std::string& title, const std::string& name) {
     return titleInWindowsLanguage(title.empty() ? name : title);
 }
 
+// "born" and "no study date" in the language of the window; a name is never looked up.
+std::vector<std::string> linesToShow(const app::Identity& identity) {
+    std::vector<std::string> lines = linesOf(identity);
+    const std::size_t first = identity.isOfNobody ? 0 : 1;
+    for (std::size_t i = first; i < lines.size(); ++i)
+        lines[i] = listInWindowsLanguage(lines[i]).toStdString();
+    return lines;
+}
+
 QString fidelityText(const app::FrameShown& frame) {
     const QString remarks =
         frame.remarks.empty() ? QString() : QStringLiteral(", ") + listInWindowsLanguage(frame.remarks);

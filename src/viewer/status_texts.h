@@ -3,8 +3,10 @@
 
 #include <QString>
 #include <string>
+#include <vector>
 
 #include "app/frame/render_events.h"
+#include "app/study/identity.h"
 #include "base/volume.h"
 #include "pipeline/hybrid/model/model_news.h"
 #include "pipeline/volume/transfer_function.h"
@@ -15,6 +17,8 @@ namespace macula::viewer {
 QString titleOr(const std::string& title, const std::string& name);
 
 // What is on screen, how it was made, and how far it has come.
+// Whose picture it is, in the language of the window: a line each, as linesOf has them.
+std::vector<std::string> linesToShow(const app::Identity& identity);
 QString fidelityText(const app::FrameShown& frame);
 
 // What the peripheral model is doing; empty where there is nothing to say.

@@ -23,6 +23,13 @@ void ViewerSession::show(app::OpenedStudy study, app::StudyState state) {
     emit studyShown();
 }
 
+void ViewerSession::show(app::OpenedStudy study) {
+    app::StudyState state;
+    state.seriesDigest = study.seriesDigest;
+    if (study.volume) state.preset = app::presetFor(catalogue_, *study.volume);
+    show(std::move(study), std::move(state));
+}
+
 void ViewerSession::change(const QString& what, const Edit& edit) {
     push(what, edit, false);
 }

@@ -38,6 +38,8 @@ class ViewerSession : public QObject {
 
     // A study takes the place of the one before, in this state; there is nothing to undo.
     void show(app::OpenedStudy study, app::StudyState state);
+    // The same as when nobody has seen it: with the preset of its modality.
+    void show(app::OpenedStudy study);
 
     using Edit = std::function<void(app::StudyState&)>;
     // One step, `what` in a word or two for the menu: "Preset". Nothing happens where the edit changes

@@ -14,6 +14,7 @@
 #include "viewer/slices/clip_on_slice.h"
 #include "viewer/slices/label_editor.h"
 #include "viewer/slices/slice_texts.h"
+#include "viewer/status_texts.h"
 
 namespace macula::viewer {
 
@@ -138,6 +139,10 @@ void SliceView::onStudyShown() {
     SliceWish nothing;                     // a pane that is hidden keeps no volume
     nothing.study = study_;
     sampler_->publish(std::move(nothing));
+    QStringList lines;
+    for (const std::string& line : linesToShow(session_.study().identity))
+        if (session_.hasStudy()) lines << QString::fromStdString(line);
+    setLines(lines);
     if (session_.hasStudy()) {
         steps_.emplace(volume(), orientation_, session_.state().slices.asAcquired);
         request();

@@ -1,0 +1,97 @@
+#include "viewer/volume/shown_volume.h"
+
+#include <utility>
+
+#include "app/state/drawing_of.h"
+#include "viewer/clip/voxel_cutting.h"
+#include "viewer/hidden_voxels.h"
+#include "viewer/segmentation/segmentation_keeper.h"
+#include "viewer/table_removal.h"
+
+namespace macula::viewer {
+
+ShownVolume::ShownVolume(ViewerSession& session, QObject* parent)
+    : QObject(parent),
+      session_(session),
+      table_(new TableRemoval(this)),
+      cutting_(new VoxelCutting(this)),
+      hidden_(new HiddenVoxels(this)) {
+    connect(&session_, &ViewerSession::studyShown, this, &ShownVolume::onStudyShown);
+    connect(&session_, &ViewerSession::changed, this, &ShownVolume::onChanged);
+    segments_ = new SegmentationKeeper(session_, this);  // hears of a study after this
+    // It is in the state once it is found.
+    connect(table_, &TableRemoval::changed, this, [this] {
+        session_.change(tr("Table"), [this](app::StudyState& next) {
+            next.leavesTableOut = table_->action().isChecked();
+        });
+        hidden_->set(HiddenVoxels::Part::table, table_->mask());
+    });
+    connect(cutting_, &VoxelCutting::changed, this,
+            [this] { hidden_->set(HiddenVoxels::Part::scissors, cutting_->mask()); });
+    // What is not to be had is not chosen either: pictures and state say the same.
+    connect(cutting_, &VoxelCutting::refused, this, [this](const std::vector<app::ScissorCut>& had) {
+        session_.change(tr("No cut"), [&](app::StudyState& next) { next.cuts.scissors = had; });
+    });
+    connect(segments_, &SegmentationKeeper::maskMade, this,
+            [this](const std::optional<Mask>& mask) { hidden_->set(HiddenVoxels::Part::segments, mask); });
+    connect(hidden_, &HiddenVoxels::changed, this, &ShownVolume::updateClip);
+}
+
+app::Drawing ShownVolume::drawingOf(const app::StudyState& other) const {
+    const auto& volume = session_.study().volume;
+    return drawingOf(other, volume ? app::clipOf(other, *volume, hidden_->mask()) : nullptr);
+}
+
+app::Drawing ShownVolume::drawingOf(const app::StudyState& state, std::shared_ptr<const Clip> clip) const {
+    return app::drawingOf(state, session_.catalogue(), seriesWindows_, session_.study().volume,
+                          std::move(clip));
+}
+
+app::StudyState ShownVolume::state() const {
+    app::StudyState state = session_.state();
+    state.leavesTableOut = table_->action().isChecked();
+    return state;
+}
+
+Result<void> ShownVolume::take(const app::StudyState& state) {
+    if (!session_.hasStudy())
+        return Error{ErrorCode::usage, "No study is open.", {}, "Open the study that the view is of first."};
+    const app::OpenedStudy& study = session_.study();
+    MACULA_TRY_VOID(app::checkSeries(state, study.seriesDigest, {}));
+    session_.change(tr("Open view"), [&](app::StudyState& next) {
+        const bool leavesTableOut = next.leavesTableOut;
+        next = state;
+        next.seriesDigest = study.seriesDigest;
+        next.camera.reset();
+        next.leavesTableOut = leavesTableOut;  // until it is found
+        if (!next.preset) next.preset = app::presetFor(session_.catalogue(), *study.volume);
+    });
+    table_->ask(state.leavesTableOut);
+    return {};
+}
+
+void ShownVolume::onStudyShown() {
+    const auto& volume = session_.study().volume;
+    table_->setVolume(volume);
+    cutting_->setVolume(volume);
+    hidden_->setVolume(volume);
+    seriesWindows_.forget();
+    clip_ = volume ? app::clipOf(session_.state(), *volume, std::nullopt) : nullptr;
+    cutting_->want(session_.state().cuts.scissors);
+}
+
+void ShownVolume::onChanged(const app::StudyState& before) {
+    const app::StudyState now = session_.state();  // what follows may change it
+    if (now.leavesTableOut != before.leavesTableOut) table_->ask(now.leavesTableOut);
+    cutting_->want(now.cuts.scissors);
+    if (now.clip != before.clip || now.cuts.eye != before.cuts.eye) return updateClip();
+    emit changed();
+}
+
+void ShownVolume::updateClip() {
+    const auto& volume = session_.study().volume;
+    clip_ = volume ? app::clipOf(session_.state(), *volume, hidden_->mask()) : nullptr;
+    emit changed();
+}
+
+}  // namespace macula::viewer

@@ -1,0 +1,80 @@
+#include "viewer/volume/viewer_widget.h"
+
+#include <QVBoxLayout>
+#include <utility>
+#include <variant>
+
+#include "app/frame/projection_windows.h"
+#include "viewer/clip/voxel_cutting.h"
+#include "viewer/hidden_voxels.h"
+#include "viewer/segmentation/segmentation_keeper.h"
+#include "viewer/status_texts.h"
+#include "viewer/table_removal.h"
+
+namespace macula::viewer {
+
+ViewerWidget::ViewerWidget(ViewerSession& session, gpu::Instance instance, ViewerWidgetOptions options,
+                           QWidget* parent)
+    : QWidget(parent),
+      session_(session),
+      firstView_(options.firstView),
+      shown_(new ShownVolume(session, this)),
+      viewport_(new Viewport(std::move(instance), std::move(options.device), std::move(options.keeper))) {
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(viewport_);
+    viewport_->showNames(options.showsNames);
+
+    connect(&session_, &ViewerSession::studyShown, this, &ViewerWidget::onStudyShown);
+    connect(shown_, &ShownVolume::changed, this, [this] {
+        viewport_->showMarks(session_.state().showsMarks);
+        viewport_->setDrawing(shown_->drawing());
+    });
+    connect(viewport_, &Viewport::marksAsked, this, [this](bool isShown) {
+        session_.change(tr("Cube and scale"),
+                        [isShown](app::StudyState& next) { next.showsMarks = isShown; });
+    });
+    connect(viewport_, &Viewport::namesToggled, viewport_, &Viewport::showNames);
+    connect(viewport_, &Viewport::windowDragged, this, [this](QPointF byHeights) {
+        const auto from = shown_->drawing().settings.window;
+        if (!from) return;
+        session_.drag(tr("Window"), [&](app::StudyState& next) {
+            next.windows.at(std::size_t(next.settings.look)) =
+                app::dragged(*from, {byHeights.x(), byHeights.y()});
+        });
+    });
+    connect(&viewport_->window(), &VulkanWindow::dragEnded, &session_, &ViewerSession::endDrag);
+    connect(viewport_, &Viewport::rendered, this, [this](const app::RenderEvent& event) {
+        if (const auto* frame = std::get_if<app::FrameShown>(&event)) emit frameShown(*frame);
+        if (const auto* failure = std::get_if<app::RenderFailure>(&event)) emit failed(failure->error);
+    });
+    connect(&shown_->table(), &TableRemoval::failed, this, &ViewerWidget::failed);
+    connect(&shown_->cutting(), &VoxelCutting::failed, this, &ViewerWidget::failed);
+    connect(&shown_->segments(), &SegmentationKeeper::failed, this, &ViewerWidget::failed);
+    connect(&shown_->hidden(), &HiddenVoxels::failed, this, &ViewerWidget::failed);
+    onStudyShown();
+}
+
+ViewerWidget::~ViewerWidget() = default;
+
+void ViewerWidget::onStudyShown() {
+    const app::OpenedStudy& study = session_.study();
+    viewport_->showMarks(session_.state().showsMarks);
+    viewport_->setStudy(study.volume, study.volume ? linesToShow(study.identity) : std::vector<std::string>(),
+                        shown_->drawing(), firstView_);
+    if (const auto& camera = session_.state().camera) viewport_->showFrom(*camera);
+}
+
+app::StudyState ViewerWidget::state() const {
+    app::StudyState state = shown_->state();
+    if (session_.hasStudy()) state.camera = toCamera(viewport_->camera());
+    return state;
+}
+
+Result<void> ViewerWidget::setState(const app::StudyState& state) {
+    MACULA_TRY_VOID(shown_->take(state));
+    if (state.camera) viewport_->showFrom(*state.camera);
+    return {};
+}
+
+}  // namespace macula::viewer

@@ -1,0 +1,38 @@
+// A window of another program that shows a study: qt_host [FOLDER]
+#include "viewer/volume/viewer_widget.h"  // before Qt
+
+#include <QApplication>
+#include <QSplitter>
+
+#include "viewer/slices/slice_view.h"
+#include "viewer/study_loader.h"
+#include "viewer/transfer/transfer_function_editor.h"
+
+using namespace macula;
+
+int main(int argc, char** argv) {
+    QApplication application(argc, argv);
+    const auto fail = [](const Error& error) {
+        qWarning("%s %s", error.message.c_str(), error.hint.c_str());
+        QCoreApplication::exit(1);
+        return 1;
+    };
+    auto catalogue = app::builtInCatalogue();
+    if (!catalogue) return fail(catalogue.error());
+    auto instance = viewer::createInstanceForWindows();
+    if (!instance) return fail(instance.error());
+
+    viewer::ViewerSession session(*std::move(catalogue));
+    QSplitter window;
+    window.addWidget(new viewer::SliceView(session, slices::Orientation::axial));
+    window.addWidget(new viewer::ViewerWidget(session, *std::move(instance)));
+    window.addWidget(new viewer::TransferFunctionEditor(session));
+    viewer::StudyLoader loader;
+    QObject::connect(&loader, &viewer::StudyLoader::loaded,
+                     [&](const app::OpenedStudy& study) { session.show(study); });
+    QObject::connect(&loader, &viewer::StudyLoader::failed, fail);
+    loader.open(argc > 1 ? app::StudySource(argv[1]) : std::nullopt);
+    window.resize(1200, 500);
+    window.show();
+    return application.exec();
+}
