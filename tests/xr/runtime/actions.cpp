@@ -51,11 +51,10 @@ XrResult XRAPI_CALL createAction(XrActionSet set, const XrActionCreateInfo* info
 }
 
 bool isProfile(const std::string& name) {
-    constexpr const char* kKnown[] = {"/interaction_profiles/khr/simple_controller",
-                                      "/interaction_profiles/oculus/touch_controller",
-                                      "/interaction_profiles/htc/vive_controller",
-                                      "/interaction_profiles/valve/index_controller",
-                                      "/interaction_profiles/microsoft/motion_controller"};
+    constexpr const char* kKnown[] = {
+        "/interaction_profiles/khr/simple_controller", "/interaction_profiles/oculus/touch_controller",
+        "/interaction_profiles/htc/vive_controller", "/interaction_profiles/valve/index_controller",
+        "/interaction_profiles/microsoft/motion_controller"};
     return std::find(std::begin(kKnown), std::end(kKnown), name) != std::end(kKnown) ||
            (name == kEyesProfile && state().extensions.contains(XR_EXT_EYE_GAZE_INTERACTION_EXTENSION_NAME));
 }
@@ -137,8 +136,9 @@ Value valueOf(XrAction handle, XrPath hand) {
         value.isActive = true;
         const bool isSqueeze = path.find("/input/squeeze/") != std::string::npos;
         const bool isTrigger = path.find("/input/trigger/") != std::string::npos;
-        value.value =
-            std::max(value.value, isSqueeze ? scripted->squeeze : isTrigger ? scripted->trigger : 0.0f);
+        value.value = std::max(value.value, isSqueeze   ? scripted->squeeze
+                                            : isTrigger ? scripted->trigger
+                                                        : 0.0f);
     }
     return value;
 }
@@ -166,10 +166,10 @@ XrResult XRAPI_CALL getPose(XrSession session, const XrActionStateGetInfo* info,
     SpaceState space;
     space.action = info->action;
     space.hand = info->subactionPath;
-    out->isActive = s.session->state == XR_SESSION_STATE_FOCUSED &&
-                            poseOfAction(space, secondsOf(s.session->synced))
-                        ? XR_TRUE
-                        : XR_FALSE;
+    out->isActive =
+        s.session->state == XR_SESSION_STATE_FOCUSED && poseOfAction(space, secondsOf(s.session->synced))
+            ? XR_TRUE
+            : XR_FALSE;
     return XR_SUCCESS;
 }
 

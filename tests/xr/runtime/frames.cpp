@@ -126,8 +126,7 @@ XrResult XRAPI_CALL locateViews(XrSession session, const XrViewLocateInfo* info,
     const auto from = placeOf(*base->second, seconds);
     if (!from) return XR_ERROR_RUNTIME_FAILURE;
     for (std::uint32_t eye = 0; eye < 2; ++eye) {
-        if (views[eye].type != XR_TYPE_VIEW)
-            return wrong(XR_ERROR_VALIDATION_FAILURE, "xrLocateViews: type");
+        if (views[eye].type != XR_TYPE_VIEW) return wrong(XR_ERROR_VALIDATION_FAILURE, "xrLocateViews: type");
         const double aside = (eye == 0 ? -0.5 : 0.5) * all.script.eyesApartM;
         const Pose offset{{aside, 0.0, 0.0}, glm::dquat(1.0, 0.0, 0.0, 0.0)};
         const Field& field = all.script.fields[eye];

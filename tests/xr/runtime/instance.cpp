@@ -281,8 +281,8 @@ Record record() {
 
 }  // namespace macula::xr_script
 
-extern "C" MACULA_XR_SCRIPT_EXPORT XrResult xrNegotiateLoaderRuntimeInterface(
-    const XrNegotiateLoaderInfo* loader, XrNegotiateRuntimeRequest* request) {
+extern "C" MACULA_XR_SCRIPT_EXPORT XrResult
+xrNegotiateLoaderRuntimeInterface(const XrNegotiateLoaderInfo* loader, XrNegotiateRuntimeRequest* request) {
     if (!loader || !request || loader->structType != 1 || request->structType != 3 ||
         loader->minInterfaceVersion > 1 || loader->maxInterfaceVersion < 1)
         return XR_ERROR_INITIALIZATION_FAILED;

@@ -53,10 +53,10 @@ struct Script {
     double framesPerS = 30.0;
     std::array<Field, 2> fields{};
     double eyesApartM = 0.064;
-    std::function<Pose(double seconds)> head;                                      // empty: stands still
-    std::function<std::optional<Pose>(double seconds)> gaze;                       // empty: straight ahead
-    std::function<std::optional<Hand>(double seconds, int hand)> hand;             // 0: left; empty: none
-    std::function<bool(std::uint64_t frame)> shouldRender;                         // empty: always
+    std::function<Pose(double seconds)> head;                           // empty: stands still
+    std::function<std::optional<Pose>(double seconds)> gaze;            // empty: straight ahead
+    std::function<std::optional<Hand>(double seconds, int hand)> hand;  // 0: left; empty: none
+    std::function<bool(std::uint64_t frame)> shouldRender;              // empty: always
     // The `nth` call of that name, from 1, and all of the session or instance after it, are answered
     // with `answer`, an XrResult: XR_ERROR_SESSION_LOST or XR_ERROR_INSTANCE_LOST.
     std::string loseAt;
@@ -72,8 +72,8 @@ struct SubmittedView {
 };
 
 struct SubmittedFrame {
-    std::uint64_t number = 0;  // of the frame, from 0
-    double seconds = 0.0;      // when it is to be displayed
+    std::uint64_t number = 0;          // of the frame, from 0
+    double seconds = 0.0;              // when it is to be displayed
     std::vector<SubmittedView> views;  // none: nothing was shown
 };
 

@@ -161,9 +161,9 @@ XrResult XRAPI_CALL locateSpace(XrSpace space, XrSpace base, XrTime time, XrSpac
     location->pose = fromPose({});
     if (!at || !from) return XR_SUCCESS;
     location->pose = fromPose(combined(inverse(*from), *at));
-    location->locationFlags =
-        XR_SPACE_LOCATION_ORIENTATION_VALID_BIT | XR_SPACE_LOCATION_POSITION_VALID_BIT |
-        XR_SPACE_LOCATION_ORIENTATION_TRACKED_BIT | XR_SPACE_LOCATION_POSITION_TRACKED_BIT;
+    location->locationFlags = XR_SPACE_LOCATION_ORIENTATION_VALID_BIT | XR_SPACE_LOCATION_POSITION_VALID_BIT |
+                              XR_SPACE_LOCATION_ORIENTATION_TRACKED_BIT |
+                              XR_SPACE_LOCATION_POSITION_TRACKED_BIT;
     return XR_SUCCESS;
 }
 

@@ -113,7 +113,8 @@ Pose headAt(double seconds);
 std::optional<Pose> placeOf(const SpaceState& space, double seconds);  // in the stage
 void destroySwapchainNow(SwapchainState& swapchain);
 // What lies in a part of a released image.
-std::vector<glm::u8vec4> readImage(const SwapchainState& swapchain, std::uint32_t layer, const XrRect2Di& rect);
+std::vector<glm::u8vec4> readImage(const SwapchainState& swapchain, std::uint32_t layer,
+                                   const XrRect2Di& rect);
 
 // The function of that name, of each part; null where it has none.
 PFN_xrVoidFunction instanceFunction(std::string_view name);

@@ -61,8 +61,8 @@ XrResult XRAPI_CALL createVulkanDevice(XrInstance, const XrVulkanDeviceCreateInf
         return wrong(XR_ERROR_VALIDATION_FAILURE, "xrCreateVulkanDeviceKHR: the structure");
     if (!s.vulkan || info->vulkanPhysicalDevice != firstDevice(s.vulkan))
         return wrong(XR_ERROR_HANDLE_INVALID, "xrCreateVulkanDeviceKHR: another VkPhysicalDevice");
-    const auto create = reinterpret_cast<PFN_vkCreateDevice>(
-        info->pfnGetInstanceProcAddr(s.vulkan, "vkCreateDevice"));
+    const auto create =
+        reinterpret_cast<PFN_vkCreateDevice>(info->pfnGetInstanceProcAddr(s.vulkan, "vkCreateDevice"));
     *result = create(info->vulkanPhysicalDevice, info->vulkanCreateInfo, info->vulkanAllocator, device);
     return XR_SUCCESS;
 }
