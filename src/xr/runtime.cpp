@@ -58,9 +58,9 @@ Result<std::shared_ptr<Runtime>> Runtime::connect(const char* loaderLibrary) {
                      "(XR_KHR_vulkan_enable2).",
                      "", "Update it, or use another OpenXR runtime."};
     std::vector<const char*> extensions{XR_KHR_VULKAN_ENABLE2_EXTENSION_NAME};
-    runtime->offer_.hasGaze =
+    const bool mayFollowEyes =
         contains(runtime->offer_.extensions, XR_EXT_EYE_GAZE_INTERACTION_EXTENSION_NAME);
-    if (runtime->offer_.hasGaze) extensions.push_back(XR_EXT_EYE_GAZE_INTERACTION_EXTENSION_NAME);
+    if (mayFollowEyes) extensions.push_back(XR_EXT_EYE_GAZE_INTERACTION_EXTENSION_NAME);
 
     XrInstanceCreateInfo info{XR_TYPE_INSTANCE_CREATE_INFO};
     std::snprintf(info.applicationInfo.applicationName, XR_MAX_APPLICATION_NAME_SIZE, "Macula");
@@ -93,10 +93,11 @@ Result<void> Runtime::findHeadset() {
     MACULA_XR_TRY(call_.GetSystem(instance_, &info, &system_), "be found");
     XrSystemEyeGazeInteractionPropertiesEXT gaze{XR_TYPE_SYSTEM_EYE_GAZE_INTERACTION_PROPERTIES_EXT};
     XrSystemProperties properties{XR_TYPE_SYSTEM_PROPERTIES};
-    if (offer_.hasGaze) properties.next = &gaze;
+    const bool mayFollowEyes = contains(offer_.extensions, XR_EXT_EYE_GAZE_INTERACTION_EXTENSION_NAME);
+    if (mayFollowEyes) properties.next = &gaze;
     MACULA_XR_TRY(call_.GetSystemProperties(instance_, system_, &properties), "tell its name");
     offer_.headset = properties.systemName;
-    offer_.hasGaze = offer_.hasGaze && gaze.supportsEyeGazeInteraction == XR_TRUE;
+    offer_.hasGaze = mayFollowEyes && gaze.supportsEyeGazeInteraction == XR_TRUE;
 
     std::uint32_t count = 0;
     std::vector<XrViewConfigurationView> views(2, {XR_TYPE_VIEW_CONFIGURATION_VIEW});
@@ -134,8 +135,8 @@ Result<HeadsetDevice> openDevice(const Runtime& runtime, gpu::Validation validat
     XrGraphicsRequirementsVulkan2KHR needs{XR_TYPE_GRAPHICS_REQUIREMENTS_VULKAN2_KHR};
     MACULA_XR_TRY(call.GetVulkanGraphicsRequirements2KHR(runtime.instance(), runtime.system(), &needs),
                   "tell which Vulkan it needs");
-    if (needs.maxApiVersionSupported != 0 && needs.maxApiVersionSupported < XR_MAKE_VERSION(1, 3, 0) &&
-        needs.minApiVersionSupported > XR_MAKE_VERSION(1, 3, 0xffff))
+    // What a runtime was tested with at most is no limit: Vulkan 1.3 does all that 1.1 does.
+    if (needs.minApiVersionSupported > XR_MAKE_VERSION(1, 3, 0xffff))
         return Error{ErrorCode::deviceNotUsable, "The headset needs another version of Vulkan.", "",
                      "Update the software of the headset."};
 
