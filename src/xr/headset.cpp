@@ -4,6 +4,7 @@
 #include <chrono>
 #include <utility>
 
+#include "base/log.h"
 #include "xr/placement.h"
 
 namespace macula::xr {
@@ -59,9 +60,14 @@ Result<Headset::Views> Headset::draw(const FrameTime& time) {
     MACULA_TRY_VOID(useHands(seen.hands));
     const glm::dmat4 worldFromStage = glm::inverse(*stageFromWorld_);
 
+    auto pictures = picturesFor(eyes, worldFromStage, swapchains_.sizePx());
+    if (!pictures) {  // a headset that is confused for a moment says so
+        log::warning("{}", pictures.error().message);
+        return Views{};
+    }
     Shown shown;
     shown.displayed = time.displayed;
-    MACULA_TRY(shown.eyes, picturesFor(eyes, worldFromStage, swapchains_.sizePx()));
+    shown.eyes = *std::move(pictures);
     if (seen.gaze) shown.gaze = gazeIn(shown.eyes.centre, shown.eyes.sizePx, worldFromStage, *seen.gaze);
     MACULA_TRY(shown.frame, view_->draw(shown.eyes));
     MACULA_TRY(Views views, swapchains_.show(shown.eyes, shown.frame.pictures));

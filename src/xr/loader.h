@@ -11,9 +11,10 @@ inline constexpr const char* kLoaderLibrary = "libopenxr_loader.so.1";
 // The functions of an instance, by their names without xr.
 #define MACULA_XR_FUNCTIONS(X)                                                                            \
     X(DestroyInstance)                                                                                    \
-    X(GetInstanceProperties) X(PollEvent) X(ResultToString) X(StringToPath) X(GetSystem)                  \
-        X(GetSystemProperties) X(EnumerateViewConfigurationViews) X(EnumerateEnvironmentBlendModes)       \
-            X(CreateSession) X(DestroySession) X(BeginSession) X(EndSession) X(RequestExitSession)        \
+    X(GetInstanceProperties)                                                                              \
+    X(PollEvent) X(ResultToString) X(StringToPath) X(GetSystem) X(GetSystemProperties)                    \
+        X(EnumerateViewConfigurationViews) X(EnumerateEnvironmentBlendModes) X(CreateSession)             \
+            X(DestroySession) X(BeginSession) X(EndSession) X(RequestExitSession)                         \
                 X(EnumerateReferenceSpaces) X(CreateReferenceSpace) X(CreateActionSpace) X(DestroySpace)  \
                     X(LocateSpace) X(WaitFrame) X(BeginFrame) X(EndFrame) X(LocateViews)                  \
                         X(EnumerateSwapchainFormats) X(CreateSwapchain) X(DestroySwapchain)               \

@@ -108,16 +108,22 @@ Result<void> RoomView::work(const EyePictures& eyes, const glm::dvec2& gaze, dou
 
 Result<void> RoomView::traceFovea(const EyePictures& eyes, const glm::dvec2& gaze,
                                   const std::function<bool()>& keepGoing) {
-    hybrid::FoveaAim next = nextFovea(eyes, gaze);
-    const bool isSame = aimed_ && aimed_->whole.camera == next.whole.camera && aimed_->gaze == next.gaze &&
-                        aimed_->fieldDeg == next.fieldDeg;
-    const bool looksElsewhere = aimed_ && glm::length(aimed_->gaze - next.gaze) > kLooksElsewhere;
-    if (!hybrid_.isTracing() || hybrid_.hasLeftAim(eyes.centre) || looksElsewhere) {
-        if (isSame && hybrid_.hasFovea()) {
-            if (aimed_->samplesPerPixel >= kMostSamples) return {};
-            next.samplesPerPixel = 2 * aimed_->samplesPerPixel;
+    const bool isOverModel = model_.canBeDrawn();
+    const bool isSameKind = aimed_ && aimed_->isOverModel == isOverModel;
+    // The coarse picture of all would lie over what was learnt.
+    if (aimed_ && !isSameKind) hybrid_.forgetFovea();
+    const bool looksElsewhere =
+        isSameKind && isOverModel && glm::length(aimed_->gaze - gaze) > kLooksElsewhere;
+    if (!hybrid_.isTracing() || !isSameKind || looksElsewhere || hybrid_.hasLeftAim(eyes.centre)) {
+        const bool isSame = isSameKind && aimed_->aim.whole.camera == eyes.centre && aimed_->gaze == gaze &&
+                            hybrid_.isFoveaOf(eyes.centre);
+        Aimed next{
+            .aim = isSame ? aimed_->aim : newFovea(eyes, gaze), .gaze = gaze, .isOverModel = isOverModel};
+        if (isSame) {
+            if (next.aim.samplesPerPixel >= kMostSamples) return {};
+            next.aim.samplesPerPixel *= 2;
         }
-        MACULA_TRY_VOID(hybrid_.aim(next));
+        MACULA_TRY_VOID(hybrid_.aim(next.aim));
         aimed_ = next;
     }
     MACULA_TRY([[maybe_unused]] const bool isThere, hybrid_.traceFovea(keepGoing));
@@ -125,7 +131,7 @@ Result<void> RoomView::traceFovea(const EyePictures& eyes, const glm::dvec2& gaz
 }
 
 // While there is no model, a coarse picture of all that is seen, straight ahead.
-hybrid::FoveaAim RoomView::nextFovea(const EyePictures& eyes, const glm::dvec2& gaze) const {
+hybrid::FoveaAim RoomView::newFovea(const EyePictures& eyes, const glm::dvec2& gaze) const {
     const double msPerSample = hybrid_.foveaMsPerSample().value_or(hybrid::guessedFoveaMsPerSample(*device_));
     const double budgetMs =
         std::max(hybrid_.foveaBudgetMs(hybrid::kFoveaBudgetMs), hybrid::kLeastFoveaBudgetMs);

@@ -68,7 +68,7 @@ class RoomView {
     Result<hybrid::DrawnSplats> drawSplats(const Camera& eye, const glm::ivec2& sizePx);
     Result<void> traceFovea(const EyePictures& eyes, const glm::dvec2& gaze,
                             const std::function<bool()>& keepGoing);
-    hybrid::FoveaAim nextFovea(const EyePictures& eyes, const glm::dvec2& gaze) const;
+    hybrid::FoveaAim newFovea(const EyePictures& eyes, const glm::dvec2& gaze) const;
 
     std::shared_ptr<gpu::Device> device_;
     RoomScene scene_;
@@ -79,7 +79,12 @@ class RoomView {
     hybrid::LiveModel model_;
     Box seenMm_;
     std::optional<splat::DevicePicture> nothing_;  // instead of splats while there are none
-    std::optional<hybrid::FoveaAim> aimed_;        // the last one
+    struct Aimed {
+        hybrid::FoveaAim aim;
+        glm::dvec2 gaze{0.0};
+        bool isOverModel = false;
+    };
+    std::optional<Aimed> aimed_;  // the last one
     bool isTurnOfModel_ = false;
 };
 

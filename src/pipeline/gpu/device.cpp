@@ -93,7 +93,7 @@ Result<void> Device::initialise(const Instance& instance, const DeviceOptions& o
     unifiedMemory_ = (isCpu() || info_.type == DeviceType::integrated) && !options.separateMemory;
     const std::string doing = fmt::format("open the device {}", info_.name);
     if (options.lent) {
-        MACULA_TRY_VOID(borrow(*options.lent));
+        MACULA_TRY_VOID(borrow(*options.lent, options.physical));
     } else {
         MACULA_TRY_VOID(open(options, doing));
     }
@@ -127,10 +127,10 @@ Result<void> Device::initialise(const Instance& instance, const DeviceOptions& o
     return {};
 }
 
-Result<void> Device::borrow(const LentDevice& lent) {
-    if (!lent.handle || !lent.queue)
+Result<void> Device::borrow(const LentDevice& lent, VkPhysicalDevice physical) {
+    if (!lent.handle || !lent.queue || !physical)
         return Error{ErrorCode::deviceNotUsable, "The program that lends a graphics device gave none.", "",
-                     "Give a device and a queue of it."};
+                     "Give a device, a queue of it, and what it was made of."};
     // Nobody knows whether these were enabled.
     info_.floatAtomicAdd = false;
     info_.minSubgroupSize = 0;

@@ -137,7 +137,7 @@ class Device : public std::enable_shared_from_this<Device> {
     Device() = default;
     Result<void> initialise(const Instance& instance, const DeviceOptions& options);
     Result<void> open(const DeviceOptions& options, const std::string& doing);
-    Result<void> borrow(const LentDevice& lent);
+    Result<void> borrow(const LentDevice& lent, VkPhysicalDevice physical);
     Result<Commands> takeCommands();
     Result<Commands> makeCommands();
     void giveCommandsBack(const Commands& commands);

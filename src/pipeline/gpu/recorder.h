@@ -88,8 +88,7 @@ struct BlitTarget {  // Swapchain::Frame::target()
     VkExtent2D extent{};
 };
 
-// A layer of an image that others own, in the layout that they want it in before and after:
-// xr/swapchains.h.
+// A layer of an image that others own, and the layout in which they want it back: xr/swapchains.h.
 struct LentLayer {
     VkImage image = VK_NULL_HANDLE;
     std::uint32_t layer = 0;
