@@ -43,10 +43,10 @@ Result<Loader> Loader::open(const char* library) {
 
 Result<Functions> Loader::functionsOf(XrInstance instance) const {
     Functions functions;
-#define MACULA_XR_FIND(name) \
+#define MACULA_XR_FUNCTION(name) \
     if (!find(*this, instance, "xr" #name, functions.name)) return brokenRuntime();
-    MACULA_XR_FUNCTIONS(MACULA_XR_FIND)
-#undef MACULA_XR_FIND
+#include "xr/functions.inl"
+#undef MACULA_XR_FUNCTION
     return functions;
 }
 

