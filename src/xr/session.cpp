@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <utility>
 
 #include "base/check.h"
@@ -102,7 +103,8 @@ Result<Session::Phase> Session::listen() {
             return xrError(XR_ERROR_INSTANCE_LOST, "go on");
         if (event.type == XR_TYPE_EVENT_DATA_REFERENCE_SPACE_CHANGE_PENDING) wasRecentred_ = true;
         if (event.type == XR_TYPE_EVENT_DATA_SESSION_STATE_CHANGED) {
-            const auto& changed = reinterpret_cast<const XrEventDataSessionStateChanged&>(event);
+            XrEventDataSessionStateChanged changed{};
+            std::memcpy(&changed, &event, sizeof(changed));
             if (changed.session == session_) MACULA_TRY_VOID(changeTo(changed.state));
         }
     }

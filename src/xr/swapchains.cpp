@@ -39,8 +39,7 @@ Result<Swapchains> Swapchains::create(const Session& session, const glm::ivec2& 
     MACULA_TRY(const bool hasLayers, swapchains.add(session, kEyes));
     if (!hasLayers) {
         for (std::uint32_t eye = 0; eye < kEyes; ++eye) {
-            MACULA_TRY(const bool isThere, swapchains.add(session, 1));
-            if (!isThere) return xrError(XR_ERROR_FEATURE_UNSUPPORTED, "keep a picture for each eye");
+            MACULA_TRY([[maybe_unused]] const bool isThere, swapchains.add(session, 1));
         }
     }
     return swapchains;
@@ -72,7 +71,10 @@ Result<bool> Swapchains::add(const Session& session, std::uint32_t layers) {
     info.mipCount = 1;
     Chain chain;
     const XrResult created = call.CreateSwapchain(session.handle(), &info, &chain.handle);
-    if (created == XR_ERROR_FEATURE_UNSUPPORTED) return false;
+    // Runtimes say in many ways that they take no layers.
+    const bool isOver = created == XR_ERROR_SESSION_LOST || created == XR_ERROR_INSTANCE_LOST ||
+                        created == XR_ERROR_OUT_OF_MEMORY;
+    if (XR_FAILED(created) && layers > 1 && !isOver) return false;
     MACULA_XR_TRY(created, "keep pictures of the size that it asks for");
     chains_.push_back(chain);
 

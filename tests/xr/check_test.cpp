@@ -72,6 +72,22 @@ TEST_F(XrCommand, ShowsAStudyForSoManyFrames) {
     EXPECT_NE(ran.out.find("Scripted headset: 5 frames"), std::string::npos) << ran.out << ran.err;
 }
 
+// By the layer of Debian that checks what is called: openxr-layer-corevalidation.
+TEST_F(XrCommand, TheValidationLayerOfOpenXrFindsNothing) {
+    if (!std::filesystem::exists(
+            "/usr/share/openxr/1/api_layers/explicit.d/XrApiLayer_core_validation.x86_64-linux-gnu.json"))
+        GTEST_SKIP() << "openxr-layer-corevalidation is not installed";
+    const std::vector<std::string> checked{
+        kScripted, "XR_ENABLE_API_LAYERS=XR_APILAYER_LUNARG_core_validation",
+        "XR_CORE_VALIDATION_EXPORT_TYPE=text", "XR_CORE_VALIDATION_FILE_NAME=" + at("log.txt")};
+    const Ran ran = runMacula({"xr", writeBall(), "--frames", "5"}, checked);
+    EXPECT_EQ(ran.exitCode, 0) << ran.err;
+    EXPECT_NE((ran.out + ran.err).find("Core Validation"), std::string::npos) << "it was not there";
+    if (std::filesystem::exists(at("log.txt"))) {
+        EXPECT_EQ(cli::readAll(at("log.txt")), "");
+    }
+}
+
 TEST_F(XrCommand, AStudyIsNotReadWhereThereIsNoHeadset) {
     const Ran ran = runMacula({"xr", at("no such study")}, {kScripted, "MACULA_XR_SCRIPT=no-headset"});
     expectMissing(ran, "No headset is connected");
