@@ -10,7 +10,6 @@
 
 #include "base/progress_bar.h"
 #include "cli/interrupt.h"
-#include "cli/name_option.h"
 #include "cli/report.h"
 #include "cli/study_options.h"
 #include "xr/study_in_headset.h"
