@@ -25,6 +25,7 @@ void addBench(CLI::App& app, Action& action);
 void addEvaluate(CLI::App& app, Action& action);
 void addSessions(CLI::App& app, Action& action);
 void addTrain(CLI::App& app, Action& action);
+void addXr(CLI::App& app, Action& action);
 void addEvaluateLivePicture(CLI::App& evaluateApp, Action& action);  // a subcommand of evaluate
 void addEvaluateMotion(CLI::App& evaluateApp, Action& action);       // likewise
 void addEvaluateQuality(CLI::App& evaluateApp, Action& action);      // likewise

@@ -74,6 +74,7 @@ int run(int argc, char** argv) {
     cli::addTrain(app, action);
     cli::addEvaluate(app, action);
     cli::addSessions(app, action);
+    cli::addXr(app, action);
 
     try {
         app.parse(argc, argv);

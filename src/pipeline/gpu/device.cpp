@@ -91,8 +91,60 @@ Result<void> Device::initialise(const Instance& instance, const DeviceOptions& o
     instance_ = instance.handle();
     MACULA_TRY(info_, chosen(instance, options));
     unifiedMemory_ = (isCpu() || info_.type == DeviceType::integrated) && !options.separateMemory;
-    queueFamily_ = *universalQueueFamily(info_.physical);
+    const std::string doing = fmt::format("open the device {}", info_.name);
+    if (options.lent) {
+        MACULA_TRY_VOID(borrow(*options.lent, options.physical));
+    } else {
+        MACULA_TRY_VOID(open(options, doing));
+    }
 
+    const auto load = [&](auto& function, const char* name) {
+        function =
+            reinterpret_cast<std::remove_reference_t<decltype(function)>>(vkGetDeviceProcAddr(device_, name));
+    };
+    load(functions_.cmdPushDescriptorSet, "vkCmdPushDescriptorSetKHR");
+    if (!functions_.cmdPushDescriptorSet)
+        return Error{ErrorCode::deviceNotUsable,
+                     fmt::format("The device {} was opened without what Macula needs of it.", info_.name), "",
+                     "Open it with VK_KHR_push_descriptor."};
+    if (instance.hasDebugUtils()) {
+        load(functions_.setObjectName, "vkSetDebugUtilsObjectNameEXT");
+        load(functions_.cmdBeginLabel, "vkCmdBeginDebugUtilsLabelEXT");
+        load(functions_.cmdEndLabel, "vkCmdEndDebugUtilsLabelEXT");
+    }
+
+    VkPhysicalDeviceProperties properties{};
+    vkGetPhysicalDeviceProperties(info_.physical, &properties);
+    timestampPeriodNs_ = properties.limits.timestampPeriod;
+    timestampBits_ = timestampBits(info_.physical, queueFamily_);
+    std::copy_n(properties.limits.maxComputeWorkGroupCount, 3, maxGroups_);
+
+    VkSemaphoreTypeCreateInfo timeline{VK_STRUCTURE_TYPE_SEMAPHORE_TYPE_CREATE_INFO};
+    timeline.semaphoreType = VK_SEMAPHORE_TYPE_TIMELINE;
+    const VkSemaphoreCreateInfo semaphore{VK_STRUCTURE_TYPE_SEMAPHORE_CREATE_INFO, &timeline, 0};
+    MACULA_VK_TRY(vkCreateSemaphore(device_, &semaphore, nullptr, &timeline_), doing);
+    setName(VK_OBJECT_TYPE_SEMAPHORE, reinterpret_cast<std::uint64_t>(timeline_), "timeline");
+    return {};
+}
+
+Result<void> Device::borrow(const LentDevice& lent, VkPhysicalDevice physical) {
+    if (!lent.handle || !lent.queue || !physical)
+        return Error{ErrorCode::deviceNotUsable, "The program that lends a graphics device gave none.", "",
+                     "Give a device, a queue of it, and what it was made of."};
+    // Nobody knows whether these were enabled.
+    info_.floatAtomicAdd = false;
+    info_.minSubgroupSize = 0;
+    info_.maxSubgroupSize = 0;
+    device_ = lent.handle;
+    queue_ = lent.queue;
+    queueFamily_ = lent.queueFamily;
+    queueGuard_ = lent.guard;
+    isLent_ = true;
+    return {};
+}
+
+Result<void> Device::open(const DeviceOptions& options, const std::string& doing) {
+    queueFamily_ = *universalQueueFamily(info_.physical);
     std::vector<const char*> extensions = options.extensions;
     extensions.push_back(VK_KHR_PUSH_DESCRIPTOR_EXTENSION_NAME);
     for (const char* extension : extensions)
@@ -116,40 +168,16 @@ Result<void> Device::initialise(const Instance& instance, const DeviceOptions& o
     deviceInfo.pQueueCreateInfos = &queueInfo;
     deviceInfo.enabledExtensionCount = static_cast<std::uint32_t>(extensions.size());
     deviceInfo.ppEnabledExtensionNames = extensions.data();
-    const std::string doing = fmt::format("open the device {}", info_.name);
     MACULA_VK_TRY(options.createDevice ? options.createDevice(info_.physical, deviceInfo, &device_)
                                        : vkCreateDevice(info_.physical, &deviceInfo, nullptr, &device_),
                   doing);
     vkGetDeviceQueue(device_, queueFamily_, 0, &queue_);
-
-    const auto load = [&](auto& function, const char* name) {
-        function =
-            reinterpret_cast<std::remove_reference_t<decltype(function)>>(vkGetDeviceProcAddr(device_, name));
-    };
-    load(functions_.cmdPushDescriptorSet, "vkCmdPushDescriptorSetKHR");
-    if (instance.hasDebugUtils()) {
-        load(functions_.setObjectName, "vkSetDebugUtilsObjectNameEXT");
-        load(functions_.cmdBeginLabel, "vkCmdBeginDebugUtilsLabelEXT");
-        load(functions_.cmdEndLabel, "vkCmdEndDebugUtilsLabelEXT");
-    }
-
-    VkPhysicalDeviceProperties properties{};
-    vkGetPhysicalDeviceProperties(info_.physical, &properties);
-    timestampPeriodNs_ = properties.limits.timestampPeriod;
-    timestampBits_ = timestampBits(info_.physical, queueFamily_);
-    std::copy_n(properties.limits.maxComputeWorkGroupCount, 3, maxGroups_);
-
-    VkSemaphoreTypeCreateInfo timeline{VK_STRUCTURE_TYPE_SEMAPHORE_TYPE_CREATE_INFO};
-    timeline.semaphoreType = VK_SEMAPHORE_TYPE_TIMELINE;
-    const VkSemaphoreCreateInfo semaphore{VK_STRUCTURE_TYPE_SEMAPHORE_CREATE_INFO, &timeline, 0};
-    MACULA_VK_TRY(vkCreateSemaphore(device_, &semaphore, nullptr, &timeline_), doing);
-    setName(VK_OBJECT_TYPE_SEMAPHORE, reinterpret_cast<std::uint64_t>(timeline_), "timeline");
     return {};
 }
 
 Device::~Device() {
     if (!device_) return;
-    vkDeviceWaitIdle(device_);  // a lost device is idle, too
+    waitUntilIdle();
     for (const Dropped& dropped : dropped_) dropped.destroy(device_, dropped.object);
     kernels_.clear();
     for (const Commands& commands : freeCommands_) {
@@ -157,7 +185,7 @@ Device::~Device() {
         vkDestroyCommandPool(device_, commands.pool, nullptr);
     }
     vkDestroySemaphore(device_, timeline_, nullptr);
-    vkDestroyDevice(device_, nullptr);
+    if (!isLent_) vkDestroyDevice(device_, nullptr);
 }
 
 std::uint64_t Device::memoryAvailableBytes() const {
@@ -244,7 +272,17 @@ void Device::setName(VkObjectType type, std::uint64_t object, std::string_view n
 void Device::loseIt() const {
     // The work in flight when the device was lost may still end; nothing it uses may be freed before. This
     // returns in finite time on a lost device, too.
-    if (!lost_.exchange(true)) vkDeviceWaitIdle(device_);
+    if (!lost_.exchange(true)) waitUntilIdle();
+}
+
+// A lost device is idle, too. Of a lent one only the queue is ours to wait for.
+void Device::waitUntilIdle() const {
+    if (!isLent_) {
+        vkDeviceWaitIdle(device_);
+        return;
+    }
+    const auto held = queueGuard_ ? std::unique_lock(*queueGuard_) : std::unique_lock<std::mutex>();
+    vkQueueWaitIdle(queue_);
 }
 
 Result<void> Device::checkNotLost(std::string_view doing) const {
@@ -330,7 +368,9 @@ Result<Ticket> Device::submit(VkCommandBuffer commands, VkSemaphore wait, VkSema
     info.pCommandBufferInfos = &commandsInfo;
     info.signalSemaphoreInfoCount = signal ? 2 : 1;
     info.pSignalSemaphoreInfos = signals;
+    auto held = queueGuard_ ? std::unique_lock(*queueGuard_) : std::unique_lock<std::mutex>();
     const VkResult result = vkQueueSubmit2(queue_, 1, &info, VK_NULL_HANDLE);
+    if (held) held.unlock();  // a loss waits for the queue
     if (result < 0) return failed(result, "submit work to the graphics device");
     submitted_.store(ticket);
     return ticket;

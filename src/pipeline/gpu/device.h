@@ -9,6 +9,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -28,6 +29,15 @@ using Ticket = std::uint64_t;
 
 inline constexpr std::uint64_t kForever = UINT64_MAX;
 
+// A device that a host has made of DeviceOptions::physical and destroys after all that is made from it: with
+// VK_KHR_push_descriptor, timeline semaphores, scalar block layout, synchronization2 and maintenance4.
+struct LentDevice {
+    VkDevice handle = VK_NULL_HANDLE;
+    VkQueue queue = VK_NULL_HANDLE;  // with compute
+    std::uint32_t queueFamily = 0;
+    std::mutex* guard = nullptr;  // held while the queue is used; null: the host does not use it meanwhile
+};
+
 struct DeviceOptions {
     std::string preferred;                // see chooseDevice; when empty, the environment MACULA_DEVICE
     std::vector<const char*> extensions;  // on top of ours: VK_KHR_SWAPCHAIN_EXTENSION_NAME for a window
@@ -35,6 +45,7 @@ struct DeviceOptions {
     // (xrCreateVulkanDeviceKHR).
     VkPhysicalDevice physical = VK_NULL_HANDLE;
     std::function<VkResult(VkPhysicalDevice, const VkDeviceCreateInfo&, VkDevice*)> createDevice;
+    std::optional<LentDevice> lent;  // nothing is created
     // Takes device memory for unmapped, as on a graphics card, to test staging copies without one.
     bool separateMemory = false;
 };
@@ -125,10 +136,13 @@ class Device : public std::enable_shared_from_this<Device> {
 
     Device() = default;
     Result<void> initialise(const Instance& instance, const DeviceOptions& options);
+    Result<void> open(const DeviceOptions& options, const std::string& doing);
+    Result<void> borrow(const LentDevice& lent, VkPhysicalDevice physical);
     Result<Commands> takeCommands();
     Result<Commands> makeCommands();
     void giveCommandsBack(const Commands& commands);
     void loseIt() const;
+    void waitUntilIdle() const;
     void recorderClosed();
     Result<Ticket> submit(VkCommandBuffer commands, VkSemaphore wait, VkSemaphore signal);
 
@@ -139,6 +153,8 @@ class Device : public std::enable_shared_from_this<Device> {
     VkDevice device_ = VK_NULL_HANDLE;
     VkQueue queue_ = VK_NULL_HANDLE;
     std::uint32_t queueFamily_ = 0;
+    bool isLent_ = false;
+    std::mutex* queueGuard_ = nullptr;  // of the host that lends the queue
     double timestampPeriodNs_ = 1.0;
     std::uint32_t timestampBits_ = 0;  // 0: the queue has no timestamps
     std::uint32_t maxGroups_[3] = {0, 0, 0};

@@ -78,7 +78,7 @@ Instance::State::~State() {
             vkGetInstanceProcAddr(handle, "vkDestroyDebugUtilsMessengerEXT"));
         destroy(handle, messenger, nullptr);
     }
-    if (handle) vkDestroyInstance(handle, nullptr);
+    if (handle && !isLent) vkDestroyInstance(handle, nullptr);
 }
 
 Error noVulkanDriver() {
@@ -88,7 +88,19 @@ Error noVulkanDriver() {
             "mesa-vulkan-drivers: sudo apt install mesa-vulkan-drivers"};
 }
 
+Result<Instance> Instance::borrow(const InstanceOptions& options) {
+    auto state = std::make_shared<State>();
+    state->isLent = true;
+    state->handle = options.lent;
+    state->debugUtils = std::any_of(
+        options.extensions.begin(), options.extensions.end(),
+        [](const char* extension) { return std::strcmp(extension, VK_EXT_DEBUG_UTILS_EXTENSION_NAME) == 0; });
+    state->validating = options.validation == Validation::on && state->debugUtils;
+    return finished(std::move(state));
+}
+
 Result<Instance> Instance::create(const InstanceOptions& options) {
+    if (options.lent) return borrow(options);
     auto state = std::make_shared<State>();
     state->validating = options.validation == Validation::on || environmentWantsValidation();
     if (state->validating && !layerInstalled(kValidationLayer))
@@ -150,10 +162,15 @@ Result<Instance> Instance::create(const InstanceOptions& options) {
                      "Update the graphics driver."};
     }
     if (result != VK_SUCCESS) return vulkanError(result, "start Vulkan");
+    return finished(std::move(state));
+}
 
+// The rest, once there is a handle.
+Result<Instance> Instance::finished(std::shared_ptr<State> state) {
     if (state->validating && state->debugUtils) {
         const auto createMessenger = reinterpret_cast<PFN_vkCreateDebugUtilsMessengerEXT>(
             vkGetInstanceProcAddr(state->handle, "vkCreateDebugUtilsMessengerEXT"));
+        const auto messenger = messengerInfo(state->messages);
         MACULA_VK_TRY(createMessenger(state->handle, &messenger, nullptr, &state->messenger),
                       "listen to the Vulkan validation layer");
     }

@@ -19,6 +19,9 @@ struct InstanceOptions {
     Validation validation = Validation::off;  // the environment MACULA_VALIDATION=1 turns it on, too
     // OpenXR creates the instance itself (xrCreateVulkanInstanceKHR); default vkCreateInstance.
     std::function<VkResult(const VkInstanceCreateInfo&, VkInstance*)> createInstance;
+    // An instance that a host has made for Vulkan 1.3, with `extensions`, and destroys after all that is made
+    // from this. Whether it validates, the host knows: then VK_EXT_debug_utils makes us hear of it.
+    VkInstance lent = VK_NULL_HANDLE;
 };
 
 // The VkInstance and what the validation layer said so far. Devices keep it alive, so an Instance may be
@@ -47,6 +50,8 @@ class Instance {
     struct State;
 
     explicit Instance(std::shared_ptr<State> state) : state_(std::move(state)) {}
+    static Result<Instance> borrow(const InstanceOptions& options);
+    static Result<Instance> finished(std::shared_ptr<State> state);
 
     std::shared_ptr<State> state_;
 };

@@ -21,6 +21,7 @@ struct Instance::State {
     ~State();
 
     VkInstance handle = VK_NULL_HANDLE;
+    bool isLent = false;
     VkDebugUtilsMessengerEXT messenger = VK_NULL_HANDLE;
     bool validating = false;
     bool debugUtils = false;

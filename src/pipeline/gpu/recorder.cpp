@@ -26,7 +26,7 @@ void memoryBarrier(VkCommandBuffer commands, VkPipelineStageFlags2 toStages, VkA
 }
 
 void moveLayout(VkCommandBuffer commands, VkImage image, VkImageLayout from, VkImageLayout to,
-                VkAccessFlags2 access) {
+                VkAccessFlags2 access, std::uint32_t layer = 0) {
     VkImageMemoryBarrier2 barrier{VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2};
     barrier.srcStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
     barrier.srcAccessMask = VK_ACCESS_2_MEMORY_WRITE_BIT;
@@ -34,8 +34,10 @@ void moveLayout(VkCommandBuffer commands, VkImage image, VkImageLayout from, VkI
     barrier.dstAccessMask = access;
     barrier.oldLayout = from;
     barrier.newLayout = to;
+    barrier.srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
+    barrier.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
     barrier.image = image;
-    barrier.subresourceRange = kWholeRange;
+    barrier.subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, layer, 1};
     VkDependencyInfo dependency{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
     dependency.imageMemoryBarrierCount = 1;
     dependency.pImageMemoryBarriers = &barrier;
@@ -293,6 +295,24 @@ void Recorder::update(const Buffer& buffer, std::span<const std::byte> bytes, Or
     if (bytes.empty()) return;
     begin(order);
     vkCmdUpdateBuffer(commands_.buffer, buffer.handle(), 0, bytes.size(), bytes.data());
+}
+
+void Recorder::copy(const Image& from, const VkRect2D& part, const LentLayer& to) {
+    MACULA_CHECK(from.shape() == ImageShape::flat && part.offset.x >= 0 && part.offset.y >= 0);
+    MACULA_CHECK_LE(std::uint64_t(part.offset.x) + part.extent.width, from.extent().width);
+    MACULA_CHECK_LE(std::uint64_t(part.offset.y) + part.extent.height, from.extent().height);
+    begin(Order::afterPrevious);
+    moveLayout(commands_.buffer, to.image, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
+               VK_ACCESS_2_TRANSFER_WRITE_BIT, to.layer);
+    const VkImageCopy region{kWholeLayer,
+                             {part.offset.x, part.offset.y, 0},
+                             {VK_IMAGE_ASPECT_COLOR_BIT, 0, to.layer, 1},
+                             {0, 0, 0},
+                             {part.extent.width, part.extent.height, 1}};
+    vkCmdCopyImage(commands_.buffer, from.handle(), VK_IMAGE_LAYOUT_GENERAL, to.image,
+                   VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region);
+    moveLayout(commands_.buffer, to.image, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, to.layout,
+               VK_ACCESS_2_MEMORY_READ_BIT, to.layer);
 }
 
 void Recorder::fill(const Buffer& buffer, std::uint32_t value, Order order) {

@@ -87,6 +87,13 @@ struct BlitTarget {  // Swapchain::Frame::target()
     VkExtent2D extent{};
 };
 
+// A layer of an image that others own, and the layout in which they want it back: xr/swapchains.h.
+struct LentLayer {
+    VkImage image = VK_NULL_HANDLE;
+    std::uint32_t layer = 0;
+    VkImageLayout layout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
+};
+
 // Equivalent of a VkCommandBuffer in recording state. Movable, not copyable; one thread. While any recorder
 // of a device is open, nothing dropped is destroyed: submit or drop it soon. Dropping it unsubmitted discards
 // the commands.
@@ -164,6 +171,10 @@ class Recorder {
               Order order = Order::afterPrevious);
     // Both images have the same size and format.
     void copy(const Image& from, const Image& to, Order order = Order::afterPrevious);
+    // A part of the image, bit by bit, to the top left corner of a layer of the same texel size: what is
+    // encoded for display stays so in an sRGB image. What the layer held is lost. The image is ready for who
+    // owns it once that is done.
+    void copy(const Image& from, const VkRect2D& part, const LentLayer& to);
     // Writes a few bytes that travel in the command buffer itself: at most kMaxUpdateBytes, a multiple of 4.
     // So nobody has to wait until earlier work has read what was there before.
     void update(const Buffer& buffer, std::span<const std::byte> bytes, Order order = Order::afterPrevious);

@@ -1,0 +1,93 @@
+// macula xr PATH: a study in a headset; macula xr --check: what is missing for that.
+#include <CLI/App.hpp>
+
+#include "cli/command.h"
+
+#ifdef MACULA_HAS_XR
+
+#include <CLI/Option.hpp>
+#include <memory>
+
+#include "base/progress_bar.h"
+#include "cli/interrupt.h"
+#include "cli/report.h"
+#include "cli/study_options.h"
+#include "xr/study_in_headset.h"
+
+namespace macula::cli {
+
+namespace {
+
+struct Options {
+    bool onlyCheck = false;
+    xr::HeadsetWish wish;
+};
+
+Result<void> check() {
+    const xr::Check found = xr::checkHeadset();
+    const auto tell = [](const char* what, const std::string& text) {
+        if (!text.empty()) fmt::print("{:<10}{}\n", what, text);
+    };
+    tell("Software:", found.offer.runtime);
+    tell("Headset:", found.offer.headset);
+    if (!found.missing) {
+        fmt::print("{:<10}{}x{} pixels for each eye\n{:<10}{}\n", "Pictures:", found.offer.eyePx.x,
+                   found.offer.eyePx.y, "Gaze:", found.offer.hasGaze ? "followed" : "not followed");
+        fmt::print("Studies can be shown in it.\n");
+        return {};
+    }
+    return *found.missing;
+}
+
+Result<void> show(const Options& options) {
+    Progress progress(terminalProgressBar(), interruptToken());
+    MACULA_TRY(const xr::HeadsetFigures figures,
+               xr::showStudy(
+                   options.wish, [](const std::string& sentence) { printNote(sentence); }, progress));
+    fmt::print("{}\n", xr::textOf(figures));
+    return {};
+}
+
+}  // namespace
+
+void addXr(CLI::App& app, Action& action) {
+    auto options = std::make_shared<Options>();
+    xr::HeadsetWish& o = options->wish;
+    auto* command =
+        app.add_subcommand("xr", "Show a study in a headset (OpenXR), or tell what is missing for it");
+    addStudyAsOfRender(*command, o.path, o.series, o.how);
+    auto* only = command->add_flag("--check", options->onlyCheck,
+                                   "Only tell what software and headset there are, and what is missing");
+    addSession(*command, o.state.session);
+    command->add_option("--preset", o.state.preset, "As of render");
+    command->add_option("--lights", o.lights, "Name from macula presets");
+    command->add_option("--clip", o.state.clip, "As of render");
+    command->add_flag("--remove-table", o.state.removeTable, "As of render");
+    command->add_option("--frames", o.frames, "End after so many frames (default: when it is ended there)");
+    for (CLI::Option* option : command->get_options())
+        if (option != only && option != command->get_help_ptr()) only->excludes(option);
+    command->callback(
+        [options, &action] { action = [options] { return options->onlyCheck ? check() : show(*options); }; });
+}
+
+}  // namespace macula::cli
+
+#else
+
+namespace macula::cli {
+
+// What is given besides does not matter.
+void addXr(CLI::App& app, Action& action) {
+    auto* command = app.add_subcommand("xr", "Show a study in a headset (this build cannot)");
+    command->allow_extras();
+    command->callback([&action] {
+        action = []() -> Result<void> {
+            return Error{ErrorCode::deviceNotUsable, "This build of Macula knows no headsets.", "",
+                         "Build it with the package libopenxr-dev installed."};
+        };
+    });
+}
+
+}  // namespace macula::cli
+
+#endif

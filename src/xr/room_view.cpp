@@ -1,0 +1,169 @@
+#include "xr/room_view.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <utility>
+
+#include "base/check.h"
+#include "base/log.h"
+#include "pipeline/hybrid/frame/fovea_size.h"
+
+namespace macula::xr {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// Of the picture, in which -1 to 1 is all: who looks elsewhere does not wait for what was begun.
+constexpr double kLooksElsewhere = 0.25;
+// While neither head nor eyes move, the fovea is traced anew with twice the samples, up to these.
+constexpr std::uint32_t kMostSamples = 16;
+constexpr int kLeastSidePx = 32;
+constexpr double kWidestFieldDeg = 150.0;
+constexpr std::uint64_t kScene = 1;  // there is one study in the room
+
+Result<void> checkDrawing(const app::Drawing& drawing) {
+    if (!trace::isPathTraced(drawing.settings.look))
+        return Error{ErrorCode::usage, "In a headset only path-traced pictures can be shown.", "",
+                     "Choose the cinematic or the clear look."};
+    if (drawing.lights->frame != trace::LightFrame::patient)
+        return Error{ErrorCode::usage,
+                     "These lights hang on the camera, and in a headset there are two eyes.", "",
+                     "Choose lights that stay in place; macula presets lists them."};
+    return {};
+}
+
+}  // namespace
+
+Result<RoomView> RoomView::create(const std::shared_ptr<gpu::Device>& device, RoomScene scene,
+                                  std::shared_ptr<hybrid::ModelShelf> shelf, const RoomOptions& options) {
+    MACULA_CHECK(scene.volume && scene.drawing.transferFunction && scene.drawing.lights);
+    MACULA_TRY_VOID(checkDrawing(scene.drawing));
+    MACULA_TRY(trace::PathTracer tracer, trace::PathTracer::create(device));
+    MACULA_TRY_VOID(tracer.setVolume(scene.volume));
+    MACULA_TRY_VOID(tracer.setClip(scene.drawing.clip ? *scene.drawing.clip : Clip{}));
+    MACULA_TRY_VOID(tracer.setTransferFunction(*scene.drawing.transferFunction));
+    MACULA_TRY_VOID(tracer.setEnvironment(trace::Environment::fromRig(*scene.drawing.lights)));
+    MACULA_TRY_VOID(tracer.setSettings(scene.drawing.settings));
+    MACULA_TRY_VOID(tracer.setView({.width = 64, .height = 64}));  // whoever asks what is seen needs one
+    MACULA_TRY(hybrid::HybridFrame hybrid, hybrid::HybridFrame::create(device, tracer));
+    MACULA_TRY(hybrid::LiveModel model,
+               hybrid::LiveModel::create(device, tracer, std::move(shelf), nullptr,
+                                         options.model.value_or(hybrid::liveModelOptions(*device))));
+    RoomView view(device, std::move(scene), options, std::move(tracer), std::move(hybrid), std::move(model));
+    MACULA_TRY_VOID(view.applyScene());
+    return view;
+}
+
+Result<void> RoomView::applyScene() {
+    aimed_.reset();
+    MACULA_TRY(seenMm_, tracer_.seenMm());
+    if (seenMm_.low.x > seenMm_.high.x)
+        return Error{ErrorCode::inputNotUsable, "Nothing of this study can be seen.", "",
+                     "Choose another preset, or another clip."};
+    MACULA_TRY_VOID(hybrid_.setScene(scene_.drawing.settings));
+    if (options_.learns)
+        MACULA_TRY_VOID(model_.show(names_.of(kScene, scene_.drawing), scene_.drawing.settings));
+    return {};
+}
+
+Result<hybrid::DrawnSplats> RoomView::drawSplats(const Camera& eye, const glm::ivec2& sizePx) {
+    if (model_.canBeDrawn()) {
+        auto picture = model_.draw(eye, sizePx);
+        if (picture) return hybrid::DrawnSplats{*picture, &model_.drawnDepths()};
+        if (picture.error().code != ErrorCode::outOfMemory) return picture.error();
+        log::warning("There is no room for the peripheral model beside the pictures of the headset.");
+    }
+    if (!nothing_ || nothing_->width != sizePx.x || nothing_->height != sizePx.y) {
+        const std::vector<glm::vec4> pixels(std::size_t(sizePx.x) * std::size_t(sizePx.y), glm::vec4(0.0f));
+        nothing_.reset();
+        MACULA_TRY(nothing_,
+                   splat::DevicePicture::upload(device_, "nothing learnt", sizePx.x, sizePx.y, pixels));
+    }
+    return hybrid::DrawnSplats{&*nothing_, nullptr};
+}
+
+hybrid::Periphery RoomView::periphery() {
+    return {.draw = [this](const Camera& eye, const glm::ivec2& sizePx) { return drawSplats(eye, sizePx); },
+            .gain = static_cast<float>(model_.gain())};
+}
+
+Result<hybrid::Frame> RoomView::draw(const EyePictures& eyes) {
+    hybrid::FrameRequest request;
+    for (const EyePicture& eye : eyes.eyes) request.eyes.push_back(eye.camera);
+    request.sizePx = eyes.sizePx;
+    request.display.exposure = static_cast<float>(scene_.drawing.settings.exposure);
+    return hybrid_.draw(request, periphery());
+}
+
+Result<void> RoomView::work(const EyePictures& eyes, const glm::dvec2& gaze, double budgetMs) {
+    const auto end = Clock::now() + std::chrono::duration<double, std::milli>(budgetMs);
+    const std::function<bool()> keepGoing = [end] { return Clock::now() < end; };
+    const bool wantsModel = options_.learns && model_.hasWork();
+    // The first thing to be seen is traced.
+    isTurnOfModel_ = wantsModel && hybrid_.hasFovea() && !isTurnOfModel_;
+    return isTurnOfModel_ ? model_.work(budgetMs, keepGoing) : traceFovea(eyes, gaze, keepGoing);
+}
+
+Result<void> RoomView::traceFovea(const EyePictures& eyes, const glm::dvec2& gaze,
+                                  const std::function<bool()>& keepGoing) {
+    const bool isOverModel = model_.canBeDrawn();
+    const bool isSameKind = aimed_ && aimed_->isOverModel == isOverModel;
+    // The coarse picture of all would lie over what was learnt.
+    if (aimed_ && !isSameKind) hybrid_.forgetFovea();
+    const bool looksElsewhere =
+        isSameKind && isOverModel && glm::length(aimed_->gaze - gaze) > kLooksElsewhere;
+    if (!hybrid_.isTracing() || !isSameKind || looksElsewhere || hybrid_.hasLeftAim(eyes.centre)) {
+        const bool isSame = isSameKind && aimed_->aim.whole.camera == eyes.centre && aimed_->gaze == gaze &&
+                            hybrid_.isFoveaOf(eyes.centre);
+        Aimed next{
+            .aim = isSame ? aimed_->aim : newFovea(eyes, gaze), .gaze = gaze, .isOverModel = isOverModel};
+        if (isSame) {
+            if (next.aim.samplesPerPixel >= kMostSamples) return {};
+            next.aim.samplesPerPixel *= 2;
+        }
+        MACULA_TRY_VOID(hybrid_.aim(next.aim));
+        aimed_ = next;
+    }
+    MACULA_TRY([[maybe_unused]] const bool isThere, hybrid_.traceFovea(keepGoing));
+    return {};
+}
+
+// While there is no model, a coarse picture of all that is seen, straight ahead.
+hybrid::FoveaAim RoomView::newFovea(const EyePictures& eyes, const glm::dvec2& gaze) const {
+    const double msPerSample = hybrid_.foveaMsPerSample().value_or(hybrid::guessedFoveaMsPerSample(*device_));
+    const double budgetMs =
+        std::max(hybrid_.foveaBudgetMs(hybrid::kFoveaBudgetMs), hybrid::kLeastFoveaBudgetMs);
+    const trace::View whole{.camera = eyes.centre, .width = eyes.sizePx.x, .height = eyes.sizePx.y};
+    if (model_.canBeDrawn()) return hybrid::affordableFovea(whole, gaze, msPerSample, budgetMs);
+    const double halfHeight = std::tan(0.5 * glm::radians(eyes.centre.verticalFovDeg));
+    const double half = halfHeight * std::max(1.0, double(eyes.sizePx.x) / eyes.sizePx.y);
+    const int mostPx = std::max(eyes.sizePx.x, eyes.sizePx.y);
+    const int affordablePx = static_cast<int>(std::sqrt(budgetMs / msPerSample));
+    return {.whole = whole,
+            .gaze = glm::dvec2(0.0),
+            .fieldDeg = std::min(2.0 * glm::degrees(std::atan(half)), kWidestFieldDeg),
+            .sidePx = std::clamp(affordablePx, std::min(kLeastSidePx, mostPx), mostPx)};
+}
+
+Result<bool> RoomView::cut(const HalfSpace& kept) {
+    const std::shared_ptr<const Clip> before = scene_.drawing.clip;
+    Clip clip = before ? *before : Clip{};
+    if (clip.planes.size() >= Clip::kMostPlanes) return false;
+    clip.planes.push_back(kept);
+    MACULA_TRY_VOID(validate(clip));
+    scene_.drawing.clip = std::make_shared<const Clip>(std::move(clip));
+    const auto apply = [&]() -> Result<void> {
+        MACULA_TRY_VOID(tracer_.setClip(scene_.drawing.clip ? *scene_.drawing.clip : Clip{}));
+        return applyScene();
+    };
+    const Result<void> applied = apply();
+    if (applied) return true;
+    scene_.drawing.clip = before;
+    if (applied.error().code != ErrorCode::inputNotUsable) return applied.error();
+    MACULA_TRY_VOID(apply());
+    return false;
+}
+
+}  // namespace macula::xr

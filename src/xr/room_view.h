@@ -1,0 +1,91 @@
+// A study as both eyes see it: the same facade that the window has (pipeline/hybrid/frame). Knows no OpenXR.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <memory>
+#include <optional>
+
+#include "app/frame/drawing.h"
+#include "app/frame/scene_names.h"
+#include "base/result.h"
+#include "base/volume.h"
+#include "pipeline/gpu/device.h"
+#include "pipeline/hybrid/frame/hybrid_frame.h"
+#include "pipeline/hybrid/model/live_model.h"
+#include "pipeline/hybrid/model/model_shelf.h"
+#include "pipeline/trace/path_tracer.h"
+#include "xr/eyes.h"
+
+namespace macula::xr {
+
+struct RoomScene {
+    std::shared_ptr<const Volume> volume;  // in 16 bits
+    app::Drawing drawing;                  // complete
+};
+
+struct RoomOptions {
+    std::optional<hybrid::LiveModelOptions> model = {};  // nothing: what suits the device
+    bool learns = true;                                  // false: no model is made; all is traced
+};
+
+// Used by one thread at a time, the one that uses the device.
+class RoomView {
+  public:
+    // usage for a look that is not path-traced, and for light that hangs on the camera: there are two eyes,
+    // and both see the same light. inputNotUsable when nothing can be seen. What was learnt goes to the
+    // shelf, which may outlive the device.
+    static Result<RoomView> create(const std::shared_ptr<gpu::Device>& device, RoomScene scene,
+                                   std::shared_ptr<hybrid::ModelShelf> shelf,
+                                   const RoomOptions& options = {});
+
+    const Box& seenMm() const { return seenMm_; }
+    const RoomScene& scene() const { return scene_; }
+
+    // Waits for nothing. Pictures are valid until the next call.
+    Result<hybrid::Frame> draw(const EyePictures& eyes);
+    // About so long, at least a dispatch of some 12 ms: in turns the fovea, where the eyes look, and what the
+    // model learns.
+    Result<void> work(const EyePictures& eyes, const glm::dvec2& gaze, double budgetMs);
+
+    // Removes what is not kept too. False, and nothing happens, when nothing would be left, or the clip has
+    // all the planes that it may have.
+    Result<bool> cut(const HalfSpace& kept);
+
+    hybrid::HybridFrame& frame() { return hybrid_; }
+    hybrid::LiveModel& model() { return model_; }
+    hybrid::Periphery periphery();
+
+  private:
+    RoomView(std::shared_ptr<gpu::Device> device, RoomScene scene, const RoomOptions& options,
+             trace::PathTracer tracer, hybrid::HybridFrame hybrid, hybrid::LiveModel model)
+        : device_(std::move(device)),
+          scene_(std::move(scene)),
+          options_(options),
+          tracer_(std::move(tracer)),
+          hybrid_(std::move(hybrid)),
+          model_(std::move(model)) {}
+    Result<void> applyScene();
+    Result<hybrid::DrawnSplats> drawSplats(const Camera& eye, const glm::ivec2& sizePx);
+    Result<void> traceFovea(const EyePictures& eyes, const glm::dvec2& gaze,
+                            const std::function<bool()>& keepGoing);
+    hybrid::FoveaAim newFovea(const EyePictures& eyes, const glm::dvec2& gaze) const;
+
+    std::shared_ptr<gpu::Device> device_;
+    RoomScene scene_;
+    RoomOptions options_;
+    app::SceneNames names_;
+    trace::PathTracer tracer_;
+    hybrid::HybridFrame hybrid_;
+    hybrid::LiveModel model_;
+    Box seenMm_;
+    std::optional<splat::DevicePicture> nothing_;  // instead of splats while there are none
+    struct Aimed {
+        hybrid::FoveaAim aim;
+        glm::dvec2 gaze{0.0};
+        bool isOverModel = false;
+    };
+    std::optional<Aimed> aimed_;  // the last one
+    bool isTurnOfModel_ = false;
+};
+
+}  // namespace macula::xr

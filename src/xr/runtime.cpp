@@ -1,0 +1,184 @@
+#include "xr/runtime.h"
+
+#include <fmt/format.h>
+#include <vulkan/vulkan.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+
+#include "xr/xr_error.h"
+
+namespace macula::xr {
+
+namespace {
+
+// Where somebody has said which runtime is meant, it is there, and does not work.
+Error noRuntime() {
+    const char* chosen = std::getenv("XR_RUNTIME_JSON");
+    if (chosen && *chosen)
+        return {ErrorCode::deviceNotUsable, "The OpenXR runtime that XR_RUNTIME_JSON names cannot be loaded.",
+                chosen, "Correct or unset XR_RUNTIME_JSON."};
+    return xrError(XR_ERROR_RUNTIME_UNAVAILABLE, "answer");
+}
+
+Result<std::vector<std::string>> extensionsOf(const Loader& loader) {
+    std::uint32_t count = 0;
+    const XrResult asked = loader.enumerateExtensions(nullptr, 0, &count, nullptr);
+    if (asked == XR_ERROR_RUNTIME_UNAVAILABLE || asked == XR_ERROR_FILE_ACCESS_ERROR ||
+        asked == XR_ERROR_FILE_CONTENTS_INVALID || asked == XR_ERROR_INSTANCE_LOST)
+        return noRuntime();
+    MACULA_XR_TRY(asked, "tell what it offers");
+    std::vector<XrExtensionProperties> properties(count, {XR_TYPE_EXTENSION_PROPERTIES});
+    MACULA_XR_TRY(loader.enumerateExtensions(nullptr, count, &count, properties.data()),
+                  "tell what it offers");
+    std::vector<std::string> names;
+    for (const XrExtensionProperties& property : properties) names.emplace_back(property.extensionName);
+    return names;
+}
+
+bool contains(const std::vector<std::string>& names, const char* wanted) {
+    return std::find(names.begin(), names.end(), wanted) != names.end();
+}
+
+std::string versionText(XrVersion version) {
+    return fmt::format("{}.{}.{}", XR_VERSION_MAJOR(version), XR_VERSION_MINOR(version),
+                       XR_VERSION_PATCH(version));
+}
+
+}  // namespace
+
+Result<std::shared_ptr<Runtime>> Runtime::connect(const char* loaderLibrary) {
+    std::shared_ptr<Runtime> runtime(new Runtime());
+    MACULA_TRY(runtime->loader_, Loader::open(loaderLibrary));
+    MACULA_TRY(runtime->offer_.extensions, extensionsOf(runtime->loader_));
+    if (!contains(runtime->offer_.extensions, XR_KHR_VULKAN_ENABLE2_EXTENSION_NAME))
+        return Error{ErrorCode::deviceNotUsable,
+                     "The software of the headset cannot show pictures made with Vulkan "
+                     "(XR_KHR_vulkan_enable2).",
+                     "", "Update it, or use another OpenXR runtime."};
+    std::vector<const char*> extensions{XR_KHR_VULKAN_ENABLE2_EXTENSION_NAME};
+    const bool mayFollowEyes =
+        contains(runtime->offer_.extensions, XR_EXT_EYE_GAZE_INTERACTION_EXTENSION_NAME);
+    if (mayFollowEyes) extensions.push_back(XR_EXT_EYE_GAZE_INTERACTION_EXTENSION_NAME);
+
+    XrInstanceCreateInfo info{XR_TYPE_INSTANCE_CREATE_INFO};
+    std::snprintf(info.applicationInfo.applicationName, XR_MAX_APPLICATION_NAME_SIZE, "Macula");
+    std::snprintf(info.applicationInfo.engineName, XR_MAX_ENGINE_NAME_SIZE, "Macula");
+    info.applicationInfo.apiVersion = XR_MAKE_VERSION(1, 0, 0);
+    info.enabledExtensionCount = static_cast<std::uint32_t>(extensions.size());
+    info.enabledExtensionNames = extensions.data();
+    const XrResult created = runtime->loader_.createInstance(&info, &runtime->instance_);
+    if (created == XR_ERROR_RUNTIME_UNAVAILABLE) return noRuntime();
+    MACULA_XR_TRY(created, "be reached through its software");
+    auto functions = runtime->loader_.functionsOf(runtime->instance_);
+    if (!functions) return functions.error();  // the instance goes with what cannot be called
+    runtime->call_ = *functions;
+
+    XrInstanceProperties properties{XR_TYPE_INSTANCE_PROPERTIES};
+    MACULA_XR_TRY(runtime->call_.GetInstanceProperties(runtime->instance_, &properties),
+                  "tell the name of its software");
+    runtime->offer_.runtime =
+        fmt::format("{} {}", properties.runtimeName, versionText(properties.runtimeVersion));
+    return runtime;
+}
+
+Runtime::~Runtime() {
+    if (instance_ && call_.DestroyInstance) call_.DestroyInstance(instance_);
+}
+
+Result<void> Runtime::findHeadset() {
+    XrSystemGetInfo info{XR_TYPE_SYSTEM_GET_INFO};
+    info.formFactor = XR_FORM_FACTOR_HEAD_MOUNTED_DISPLAY;
+    MACULA_XR_TRY(call_.GetSystem(instance_, &info, &system_), "be found");
+    XrSystemEyeGazeInteractionPropertiesEXT gaze{XR_TYPE_SYSTEM_EYE_GAZE_INTERACTION_PROPERTIES_EXT};
+    XrSystemProperties properties{XR_TYPE_SYSTEM_PROPERTIES};
+    const bool mayFollowEyes = contains(offer_.extensions, XR_EXT_EYE_GAZE_INTERACTION_EXTENSION_NAME);
+    if (mayFollowEyes) properties.next = &gaze;
+    MACULA_XR_TRY(call_.GetSystemProperties(instance_, system_, &properties), "tell its name");
+    offer_.headset = properties.systemName;
+    offer_.hasGaze = mayFollowEyes && gaze.supportsEyeGazeInteraction == XR_TRUE;
+
+    std::uint32_t count = 0;
+    std::vector<XrViewConfigurationView> views(2, {XR_TYPE_VIEW_CONFIGURATION_VIEW});
+    MACULA_XR_TRY(call_.EnumerateViewConfigurationViews(
+                      instance_, system_, XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO, 2, &count, views.data()),
+                  "show a picture to each eye");
+    offer_.eyePx = {0, 0};
+    for (const XrViewConfigurationView& view : views) {
+        offer_.eyePx.x = std::max(offer_.eyePx.x, static_cast<int>(view.recommendedImageRectWidth));
+        offer_.eyePx.y = std::max(offer_.eyePx.y, static_cast<int>(view.recommendedImageRectHeight));
+    }
+    if (count != 2 || offer_.eyePx.x < 2 || offer_.eyePx.y < 2)
+        return Error{ErrorCode::deviceNotUsable, "The headset does not say how large its pictures are.", "",
+                     "Update the software of the headset."};
+    return {};
+}
+
+Result<XrPath> Runtime::path(const std::string& text) const {
+    XrPath path = XR_NULL_PATH;
+    MACULA_XR_TRY(call_.StringToPath(instance_, text.c_str(), &path), "name its controls");
+    return path;
+}
+
+Check checkHeadset(const char* loaderLibrary) {
+    const auto runtime = Runtime::connect(loaderLibrary);
+    if (!runtime) return {.offer = {}, .missing = runtime.error()};
+    const Result<void> found = (*runtime)->findHeadset();
+    Check check{.offer = (*runtime)->offer(), .missing = {}};
+    if (!found) check.missing = found.error();
+    return check;
+}
+
+Result<HeadsetDevice> openDevice(const Runtime& runtime, gpu::Validation validation) {
+    const Functions& call = runtime.call();
+    XrGraphicsRequirementsVulkan2KHR needs{XR_TYPE_GRAPHICS_REQUIREMENTS_VULKAN2_KHR};
+    MACULA_XR_TRY(call.GetVulkanGraphicsRequirements2KHR(runtime.instance(), runtime.system(), &needs),
+                  "tell which Vulkan it needs");
+    // What a runtime was tested with at most is no limit: Vulkan 1.3 does all that 1.1 does.
+    if (needs.minApiVersionSupported > XR_MAKE_VERSION(1, 3, 0xffff))
+        return Error{ErrorCode::deviceNotUsable, "The headset needs another version of Vulkan.", "",
+                     "Update the software of the headset."};
+
+    XrResult answer = XR_SUCCESS;
+    const auto asVulkan = [&answer](XrResult result, VkResult vulkan) {
+        answer = result;
+        return XR_FAILED(result) ? VK_ERROR_INITIALIZATION_FAILED : vulkan;
+    };
+    auto instance = gpu::Instance::create(
+        {.extensions = {},
+         .validation = validation,
+         .createInstance = [&](const VkInstanceCreateInfo& info, VkInstance* made) {
+             XrVulkanInstanceCreateInfoKHR wanted{XR_TYPE_VULKAN_INSTANCE_CREATE_INFO_KHR};
+             wanted.systemId = runtime.system();
+             wanted.pfnGetInstanceProcAddr = &vkGetInstanceProcAddr;
+             wanted.vulkanCreateInfo = &info;
+             VkResult vulkan = VK_SUCCESS;
+             return asVulkan(call.CreateVulkanInstanceKHR(runtime.instance(), &wanted, made, &vulkan),
+                             vulkan);
+         }});
+    if (XR_FAILED(answer)) return xrError(answer, "start Vulkan");
+    if (!instance) return instance.error();
+
+    gpu::DeviceOptions options;
+    XrVulkanGraphicsDeviceGetInfoKHR which{XR_TYPE_VULKAN_GRAPHICS_DEVICE_GET_INFO_KHR};
+    which.systemId = runtime.system();
+    which.vulkanInstance = instance->handle();
+    MACULA_XR_TRY(call.GetVulkanGraphicsDevice2KHR(runtime.instance(), &which, &options.physical),
+                  "tell which graphics device it is connected to");
+    options.createDevice = [&](VkPhysicalDevice physical, const VkDeviceCreateInfo& info, VkDevice* made) {
+        XrVulkanDeviceCreateInfoKHR wanted{XR_TYPE_VULKAN_DEVICE_CREATE_INFO_KHR};
+        wanted.systemId = runtime.system();
+        wanted.pfnGetInstanceProcAddr = &vkGetInstanceProcAddr;
+        wanted.vulkanPhysicalDevice = physical;
+        wanted.vulkanCreateInfo = &info;
+        VkResult vulkan = VK_SUCCESS;
+        return asVulkan(call.CreateVulkanDeviceKHR(runtime.instance(), &wanted, made, &vulkan), vulkan);
+    };
+    auto device = gpu::Device::create(*instance, options);
+    if (XR_FAILED(answer)) return xrError(answer, "open its graphics device");
+    if (!device) return device.error();
+    return HeadsetDevice{std::move(*instance), std::move(*device)};
+}
+
+}  // namespace macula::xr

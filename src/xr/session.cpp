@@ -1,0 +1,208 @@
+#include "xr/session.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <utility>
+
+#include "base/check.h"
+#include "xr/xr_error.h"
+
+namespace macula::xr {
+
+namespace {
+
+constexpr std::uint32_t kEyes = 2;
+const XrPosef kHere{{0.0f, 0.0f, 0.0f, 1.0f}, {0.0f, 0.0f, 0.0f}};
+
+}  // namespace
+
+XrPosef toXr(const Pose& pose) {
+    const glm::quat q(glm::normalize(pose.orientation));
+    const glm::vec3 p(pose.positionM);
+    return {{q.x, q.y, q.z, q.w}, {p.x, p.y, p.z}};
+}
+
+Pose fromXr(const XrPosef& pose) {
+    const XrQuaternionf& q = pose.orientation;
+    return {{pose.position.x, pose.position.y, pose.position.z}, glm::dquat(q.w, q.x, q.y, q.z)};
+}
+
+Result<Session> Session::begin(std::shared_ptr<Runtime> runtime, std::shared_ptr<gpu::Device> device) {
+    Session session(std::move(runtime), std::move(device));
+    MACULA_TRY_VOID(session.create());
+    MACULA_TRY_VOID(session.makeStage());
+    return session;
+}
+
+Session::Session(Session&& other) noexcept
+    : runtime_(std::move(other.runtime_)),
+      device_(std::move(other.device_)),
+      session_(std::exchange(other.session_, XR_NULL_HANDLE)),
+      stage_(std::exchange(other.stage_, XR_NULL_HANDLE)),
+      blend_(other.blend_),
+      phase_(other.phase_),
+      wasRecentred_(other.wasRecentred_) {}
+
+Session::~Session() {
+    if (!session_) return;
+    if (stage_) runtime_->call().DestroySpace(stage_);
+    runtime_->call().DestroySession(session_);
+}
+
+Result<void> Session::create() {
+    XrGraphicsBindingVulkan2KHR binding{XR_TYPE_GRAPHICS_BINDING_VULKAN2_KHR};
+    binding.instance = device_->instance();
+    binding.physicalDevice = device_->physical();
+    binding.device = device_->handle();
+    binding.queueFamilyIndex = device_->queueFamily();
+    binding.queueIndex = 0;
+    XrSessionCreateInfo info{XR_TYPE_SESSION_CREATE_INFO, &binding};
+    info.systemId = runtime_->system();
+    MACULA_XR_TRY(runtime_->call().CreateSession(runtime_->instance(), &info, &session_), "begin a session");
+
+    // The first is what the headset likes best; the anatomy stands in darkness where that is offered.
+    std::uint32_t count = 0;
+    MACULA_XR_TRY(runtime_->call().EnumerateEnvironmentBlendModes(runtime_->instance(), runtime_->system(),
+                                                                  XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO,
+                                                                  0, &count, nullptr),
+                  "tell how it shows pictures");
+    std::vector<XrEnvironmentBlendMode> modes(count);
+    MACULA_XR_TRY(runtime_->call().EnumerateEnvironmentBlendModes(runtime_->instance(), runtime_->system(),
+                                                                  XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO,
+                                                                  count, &count, modes.data()),
+                  "tell how it shows pictures");
+    if (!modes.empty() && std::find(modes.begin(), modes.end(), blend_) == modes.end())
+        blend_ = modes.front();
+    return {};
+}
+
+// The floor that somebody walks on where the headset knows it, else the place where it was put on.
+Result<void> Session::makeStage() {
+    std::uint32_t count = 0;
+    MACULA_XR_TRY(runtime_->call().EnumerateReferenceSpaces(session_, 0, &count, nullptr),
+                  "tell which spaces it knows");
+    std::vector<XrReferenceSpaceType> types(count);
+    MACULA_XR_TRY(runtime_->call().EnumerateReferenceSpaces(session_, count, &count, types.data()),
+                  "tell which spaces it knows");
+    const bool hasStage = std::find(types.begin(), types.end(), XR_REFERENCE_SPACE_TYPE_STAGE) != types.end();
+    XrReferenceSpaceCreateInfo info{XR_TYPE_REFERENCE_SPACE_CREATE_INFO};
+    info.referenceSpaceType = hasStage ? XR_REFERENCE_SPACE_TYPE_STAGE : XR_REFERENCE_SPACE_TYPE_LOCAL;
+    info.poseInReferenceSpace = kHere;
+    MACULA_XR_TRY(runtime_->call().CreateReferenceSpace(session_, &info, &stage_), "find its place");
+    return {};
+}
+
+Result<Session::Phase> Session::listen() {
+    while (phase_ != Phase::ended) {
+        XrEventDataBuffer event{XR_TYPE_EVENT_DATA_BUFFER};
+        const XrResult polled = runtime_->call().PollEvent(runtime_->instance(), &event);
+        if (polled == XR_EVENT_UNAVAILABLE) break;
+        MACULA_XR_TRY(polled, "tell what it does");
+        if (event.type == XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING)
+            return xrError(XR_ERROR_INSTANCE_LOST, "go on");
+        if (event.type == XR_TYPE_EVENT_DATA_REFERENCE_SPACE_CHANGE_PENDING) wasRecentred_ = true;
+        if (event.type == XR_TYPE_EVENT_DATA_SESSION_STATE_CHANGED) {
+            XrEventDataSessionStateChanged changed{};
+            std::memcpy(&changed, &event, sizeof(changed));
+            if (changed.session == session_) MACULA_TRY_VOID(changeTo(changed.state));
+        }
+    }
+    return phase_;
+}
+
+Result<void> Session::changeTo(XrSessionState state) {
+    switch (state) {
+        case XR_SESSION_STATE_READY: {
+            XrSessionBeginInfo info{XR_TYPE_SESSION_BEGIN_INFO};
+            info.primaryViewConfigurationType = XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO;
+            MACULA_XR_TRY(runtime_->call().BeginSession(session_, &info), "begin to show pictures");
+            phase_ = Phase::running;
+            return {};
+        }
+        case XR_SESSION_STATE_STOPPING:
+            phase_ = Phase::waiting;
+            MACULA_XR_TRY(runtime_->call().EndSession(session_), "stop showing pictures");
+            return {};
+        case XR_SESSION_STATE_EXITING:
+            phase_ = Phase::ended;
+            return {};
+        case XR_SESSION_STATE_LOSS_PENDING:
+            return xrError(XR_ERROR_SESSION_LOST, "go on");
+        default:  // whether frames are seen, shouldRender says
+            return {};
+    }
+}
+
+bool Session::wasRecentred() {
+    return std::exchange(wasRecentred_, false);
+}
+
+Result<void> Session::requestEnd() {
+    if (phase_ != Phase::running) {
+        phase_ = Phase::ended;
+        return {};
+    }
+    MACULA_XR_TRY(runtime_->call().RequestExitSession(session_), "end the session");
+    return {};
+}
+
+Result<FrameTime> Session::beginFrame() {
+    MACULA_CHECK(phase_ == Phase::running);
+    const XrFrameWaitInfo wait{XR_TYPE_FRAME_WAIT_INFO};
+    XrFrameState state{XR_TYPE_FRAME_STATE};
+    MACULA_XR_TRY(runtime_->call().WaitFrame(session_, &wait, &state), "tell when it shows a picture");
+    const XrFrameBeginInfo begin{XR_TYPE_FRAME_BEGIN_INFO};
+    MACULA_XR_TRY(runtime_->call().BeginFrame(session_, &begin), "begin a picture");
+    return FrameTime{state.predictedDisplayTime, double(state.predictedDisplayPeriod) * 1e-6,
+                     state.shouldRender == XR_TRUE};
+}
+
+Result<std::vector<Eye>> Session::eyesAt(XrTime time) const {
+    XrViewLocateInfo info{XR_TYPE_VIEW_LOCATE_INFO};
+    info.viewConfigurationType = XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO;
+    info.displayTime = time;
+    info.space = stage_;
+    XrViewState state{XR_TYPE_VIEW_STATE};
+    std::uint32_t count = 0;
+    std::vector<XrView> views(kEyes, {XR_TYPE_VIEW});
+    MACULA_XR_TRY(runtime_->call().LocateViews(session_, &info, &state, kEyes, &count, views.data()),
+                  "tell where the eyes are");
+    constexpr XrViewStateFlags kKnown =
+        XR_VIEW_STATE_ORIENTATION_VALID_BIT | XR_VIEW_STATE_POSITION_VALID_BIT;
+    std::vector<Eye> eyes;
+    if ((state.viewStateFlags & kKnown) != kKnown || count != kEyes) return eyes;
+    for (const XrView& view : views)
+        eyes.push_back({fromXr(view.pose), std::tan(double(view.fov.angleLeft)),
+                        std::tan(double(view.fov.angleRight)), std::tan(double(view.fov.angleUp)),
+                        std::tan(double(view.fov.angleDown))});
+    return eyes;
+}
+
+Result<void> Session::endFrame(const FrameTime& time,
+                               std::span<const XrCompositionLayerProjectionView> views) {
+    XrCompositionLayerProjection layer{XR_TYPE_COMPOSITION_LAYER_PROJECTION};
+    layer.space = stage_;
+    layer.viewCount = static_cast<std::uint32_t>(views.size());
+    layer.views = views.data();
+    const XrCompositionLayerBaseHeader* layers[] = {
+        reinterpret_cast<const XrCompositionLayerBaseHeader*>(&layer)};
+    XrFrameEndInfo info{XR_TYPE_FRAME_END_INFO};
+    info.displayTime = time.displayed;
+    info.environmentBlendMode = blend_;
+    info.layerCount = views.empty() ? 0 : 1;
+    info.layers = layers;
+    MACULA_XR_TRY(runtime_->call().EndFrame(session_, &info), "show a picture");
+    return {};
+}
+
+Result<std::optional<Pose>> Session::locate(XrSpace space, XrTime time) const {
+    XrSpaceLocation location{XR_TYPE_SPACE_LOCATION};
+    MACULA_XR_TRY(runtime_->call().LocateSpace(space, stage_, time, &location), "tell where hands are");
+    constexpr XrSpaceLocationFlags kKnown =
+        XR_SPACE_LOCATION_ORIENTATION_VALID_BIT | XR_SPACE_LOCATION_POSITION_VALID_BIT;
+    if ((location.locationFlags & kKnown) != kKnown) return std::optional<Pose>();
+    return std::optional(fromXr(location.pose));
+}
+
+}  // namespace macula::xr

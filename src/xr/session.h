@@ -1,0 +1,86 @@
+// One use of the headset: from when it is put on until it is taken off or lost.
+//
+//   switch (*session.listen()) running:
+//     MACULA_TRY(const FrameTime time, session.beginFrame());       // waits: the headset sets the pace
+//     if (time.shouldRender) MACULA_TRY(eyes, session.eyesAt(time.displayed)), draw ...
+//     session.endFrame(time, views);                                // always
+#pragma once
+
+#include <glm/glm.hpp>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "base/result.h"
+#include "pipeline/gpu/device.h"
+#include "xr/eyes.h"
+#include "xr/runtime.h"
+
+namespace macula::xr {
+
+struct FrameTime {
+    XrTime displayed = 0;  // when the frame will be seen
+    double periodMs = 0.0;
+    bool shouldRender = false;
+};
+
+XrPosef toXr(const Pose& pose);
+Pose fromXr(const XrPosef& pose);
+
+// Used by one thread at a time, the one that uses the device: frames use its queue. Errors of all calls:
+// deviceLost when the session or the runtime is lost; then drop it, and begin another one.
+class Session {
+  public:
+    enum class Phase {
+        waiting,  // it is not worn yet, or was taken off: listen again after a while
+        running,  // frames are wanted
+        ended,    // drop it
+    };
+
+    // `device` is that of openDevice. deviceNotUsable when the runtime refuses.
+    static Result<Session> begin(std::shared_ptr<Runtime> runtime, std::shared_ptr<gpu::Device> device);
+
+    Session(Session&& other) noexcept;
+    Session& operator=(Session&&) = delete;
+    ~Session();
+
+    // Hears what the runtime has to say, and does what it asks for.
+    Result<Phase> listen();
+    // Whether the space was moved since the last time that somebody asked: who wears it has recentred.
+    bool wasRecentred();
+    // Asks the runtime to end: frames go on until listen() says ended.
+    Result<void> requestEnd();
+
+    // Waits until it is time. The frame must be ended, with pictures or without.
+    Result<FrameTime> beginFrame();
+    // Nothing while the headset does not know where it is.
+    Result<std::vector<Eye>> eyesAt(XrTime time) const;
+    // `views`: of the stage, one for each eye; none: nothing is shown.
+    Result<void> endFrame(const FrameTime& time, std::span<const XrCompositionLayerProjectionView> views);
+
+    // Where a space is in the stage; nothing while nobody knows.
+    Result<std::optional<Pose>> locate(XrSpace space, XrTime time) const;
+
+    XrSession handle() const { return session_; }
+    const Runtime& runtime() const { return *runtime_; }
+    const std::shared_ptr<Runtime>& sharedRuntime() const { return runtime_; }
+    const std::shared_ptr<gpu::Device>& device() const { return device_; }
+
+  private:
+    Session(std::shared_ptr<Runtime> runtime, std::shared_ptr<gpu::Device> device)
+        : runtime_(std::move(runtime)), device_(std::move(device)) {}
+    Result<void> create();
+    Result<void> makeStage();
+    Result<void> changeTo(XrSessionState state);
+
+    std::shared_ptr<Runtime> runtime_;
+    std::shared_ptr<gpu::Device> device_;
+    XrSession session_ = XR_NULL_HANDLE;
+    XrSpace stage_ = XR_NULL_HANDLE;
+    XrEnvironmentBlendMode blend_ = XR_ENVIRONMENT_BLEND_MODE_OPAQUE;
+    Phase phase_ = Phase::waiting;
+    bool wasRecentred_ = false;
+};
+
+}  // namespace macula::xr

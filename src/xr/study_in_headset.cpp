@@ -1,0 +1,135 @@
+#include "xr/study_in_headset.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <memory>
+#include <thread>
+#include <utility>
+
+#include "app/choice/catalogue.h"
+#include "app/frame/projection_windows.h"
+#include "app/state/drawing_of.h"
+#include "app/study/shown_clip.h"
+#include "app/study/study_input.h"
+#include "pipeline/gpu/recovery.h"
+#include "xr/headset.h"
+
+namespace macula::xr {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::chrono::milliseconds kListenEvery{20};
+constexpr std::chrono::seconds kMostEnding{5};  // for a runtime to end a session that is asked to
+constexpr std::uint64_t kShelfBytes = std::uint64_t(1) << 30;
+
+Result<RoomScene> sceneOf(const HeadsetWish& wish, const Hears& note, Progress& progress) {
+    MACULA_TRY(app::StudyState state, app::stateOf(wish.state));
+    MACULA_TRY(const app::Catalogue catalogue, app::builtInCatalogue());
+    if (!wish.lights.empty()) {
+        MACULA_TRY(state.lights, app::findLights(catalogue, wish.lights));
+    }
+    MACULA_TRY(app::StudyInput study, app::loadStudy(wish.path, wish.series, progress, 0, wish.how));
+    app::bringTo16Bits(study);
+    MACULA_TRY_VOID(app::completeState(state, wish.state, study));
+    MACULA_TRY(app::ShownClip shown, app::shownClip(state, *study.volume, progress));
+    for (const auto* sentences : {&study.notes, &shown.notes}) std::ranges::for_each(*sentences, note);
+    RoomScene scene;
+    scene.volume = study.volume;
+    scene.drawing = app::drawingOf(
+        state, catalogue, app::SeriesWindows(), study.volume,
+        shown.clip.isNothing() ? nullptr : std::make_shared<const Clip>(std::move(shown.clip)));
+    return scene;
+}
+
+// What stays when a session is lost.
+struct Kept {
+    RoomScene scene;
+    std::shared_ptr<hybrid::ModelShelf> shelf = std::make_shared<hybrid::ModelShelf>(kShelfBytes);
+    std::optional<glm::dmat4> placed;
+    HeadsetFigures figures;
+};
+
+Result<std::shared_ptr<Runtime>> runtimeWithHeadset() {
+    MACULA_TRY(auto runtime, Runtime::connect());
+    MACULA_TRY_VOID(runtime->findHeadset());
+    return runtime;
+}
+
+// Until it is ended by whoever may.
+Result<void> goOn(Headset& headset, const HeadsetWish& wish, Kept& kept, const Progress& progress) {
+    std::optional<Clock::time_point> asked;
+    while (true) {
+        const bool isDone = wish.frames > 0 && kept.figures.frames >= wish.frames;
+        if (!asked && (isDone || progress.cancelled())) {
+            MACULA_TRY_VOID(headset.requestEnd());
+            asked = Clock::now();
+        }
+        MACULA_TRY(const Headset::Step step, headset.step());
+        kept.placed = headset.placed();
+        switch (step) {
+            case Headset::Step::ended:
+                return {};
+            case Headset::Step::waiting:
+                std::this_thread::sleep_for(kListenEvery);
+                break;
+            case Headset::Step::empty:
+                ++kept.figures.empty;
+                [[fallthrough]];
+            case Headset::Step::shown:
+                ++kept.figures.frames;
+                break;
+        }
+        if (asked && Clock::now() - *asked > kMostEnding) return {};  // dropping it ends it, too
+    }
+}
+
+Result<void> useOnce(std::shared_ptr<Runtime> runtime, const HeadsetWish& wish, Kept& kept,
+                     const Progress& progress) {
+    MACULA_TRY(const HeadsetDevice opened, openDevice(*runtime));
+    MACULA_TRY(RoomView view, RoomView::create(opened.device, kept.scene, kept.shelf));
+    const auto show = [&]() -> Result<void> {
+        MACULA_TRY(Headset headset, Headset::open(std::move(runtime), opened.device, view, kept.placed));
+        ++kept.figures.sessions;
+        return goOn(headset, wish, kept, progress);
+    };
+    Result<void> shown = show();
+    kept.scene = view.scene();  // with what was cut
+    if (shown)
+        view.model().hide();
+    else
+        view.model().save();
+    return shown;
+}
+
+}  // namespace
+
+std::string textOf(const HeadsetFigures& figures) {
+    const double rate = figures.seconds > 0.0 ? double(figures.frames) / figures.seconds : 0.0;
+    return fmt::format("{}: {} frames in {:.1f} s, {:.1f} a second; {} without pictures.", figures.headset,
+                       figures.frames, figures.seconds, rate, figures.empty);
+}
+
+Result<HeadsetFigures> showStudy(const HeadsetWish& wish, const Hears& note, Progress& progress) {
+    MACULA_TRY(std::shared_ptr<Runtime> runtime, runtimeWithHeadset());
+    Kept kept;
+    kept.figures.headset = runtime->offer().headset;
+    MACULA_TRY(kept.scene, sceneOf(wish, note, progress));
+    const Clock::time_point begun = Clock::now();
+    gpu::LossCount losses;
+    while (true) {
+        const Result<void> used = useOnce(std::exchange(runtime, nullptr), wish, kept, progress);
+        kept.figures.seconds = std::chrono::duration<double>(Clock::now() - begun).count();
+        if (used && progress.cancelled())
+            return Error{ErrorCode::cancelled, "Stopped.", "", "Nothing was written."};
+        if (used) return kept.figures;
+        if (used.error().code != ErrorCode::deviceLost || !losses.mayGoOn()) return used.error();
+        note(used.error().message + " It is begun again.");
+        MACULA_TRY(runtime, runtimeWithHeadset());
+    }
+}
+
+}  // namespace macula::xr

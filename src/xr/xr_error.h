@@ -1,0 +1,22 @@
+// What an XrResult means to a person.
+#pragma once
+
+#include <string_view>
+
+#include "base/result.h"
+#include "xr/openxr.h"
+
+namespace macula::xr {
+
+// `doing` completes "The headset could not ...". A lost session or instance becomes deviceLost: another one
+// may be begun.
+Error xrError(XrResult result, std::string_view doing);
+
+}  // namespace macula::xr
+
+// Returns the Error from the enclosing function when an OpenXR call fails.
+#define MACULA_XR_TRY(call, doing)                                                          \
+    do {                                                                                    \
+        const XrResult maculaXrResult = (call);                                             \
+        if (XR_FAILED(maculaXrResult)) return ::macula::xr::xrError(maculaXrResult, doing); \
+    } while (false)

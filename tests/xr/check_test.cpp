@@ -1,0 +1,99 @@
+// macula xr, as a person runs it.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "cli/run_command.h"
+#include "xr/loader.h"
+#include "xr/runtime.h"
+
+namespace macula::xr {
+namespace {
+
+using cli::Ran;
+using cli::runMacula;
+
+const std::string kScripted = "XR_RUNTIME_JSON=" MACULA_XR_MANIFEST;
+
+class XrCommand : public cli::CommandTest {
+  protected:
+    static void expectMissing(const Ran& ran, const std::string& words) {
+        EXPECT_EQ(ran.exitCode, 4) << ran.err;
+        EXPECT_EQ(ran.errorLines(), 1u) << ran.err;
+        EXPECT_NE(ran.err.find(words), std::string::npos) << ran.err;
+        EXPECT_EQ(ran.out.find("can be shown"), std::string::npos) << ran.out;
+    }
+};
+
+TEST_F(XrCommand, CheckTellsWhatThereIs) {
+    const Ran ran = runMacula({"xr", "--check"}, {kScripted});
+    EXPECT_EQ(ran.exitCode, 0) << ran.err;
+    for (const char* words :
+         {"Scripted runtime 1.2.3", "Scripted headset", "64x64 pixels", "followed", "can be shown in it"})
+        EXPECT_NE(ran.out.find(words), std::string::npos) << words << " is not in:\n" << ran.out;
+    EXPECT_EQ(ran.err, "");
+}
+
+TEST_F(XrCommand, CheckTellsWhatIsMissing) {
+    const Ran none = runMacula({"xr", "--check"}, {kScripted, "MACULA_XR_SCRIPT=no-headset"});
+    expectMissing(none, "No headset is connected");
+    EXPECT_NE(none.out.find("Scripted runtime"), std::string::npos) << "the software is there";
+    expectMissing(runMacula({"xr", "--check"}, {kScripted, "MACULA_XR_SCRIPT=no-vulkan2"}),
+                  "XR_KHR_vulkan_enable2");
+    const std::string broken = write("broken.json", "{ \"file_format_version\": ");
+    expectMissing(runMacula({"xr", "--check"}, {"XR_RUNTIME_JSON=" + broken}), "cannot be loaded");
+    expectMissing(runMacula({"xr", "--check"}, {"XR_RUNTIME_JSON=" + at("none.json")}), "cannot be loaded");
+    const std::string noLibrary = write("no-library.json",
+                                        R"({"file_format_version": "1.0.0",
+                                            "runtime": {"library_path": "/nonexistent/runtime.so"}})");
+    expectMissing(runMacula({"xr", "--check"}, {"XR_RUNTIME_JSON=" + noLibrary}), "cannot be loaded");
+}
+
+TEST_F(XrCommand, CheckTellsThatNoRuntimeIsChosen) {
+    for (const char* folder : {"/etc/xdg/openxr/1", "/etc/openxr/1", "/usr/local/share/openxr/1",
+                               "/usr/share/openxr/1", "/usr/local/etc/openxr/1"})
+        if (std::filesystem::exists(folder)) GTEST_SKIP() << "this computer has a runtime of its own";
+    expectMissing(runMacula({"xr", "--check"}, {"XR_RUNTIME_JSON=", "HOME=" + at("."),
+                                                "XDG_CONFIG_HOME=" + at("."), "XDG_CONFIG_DIRS=" + at(".")}),
+                  "No software of a headset");
+}
+
+TEST_F(XrCommand, AComputerWithoutTheLoaderIsTold) {
+    const Check check = checkHeadset("libmacula-has-no-such-loader.so");
+    ASSERT_TRUE(check.missing);
+    EXPECT_EQ(check.missing->code, ErrorCode::deviceNotUsable);
+    EXPECT_NE(check.missing->message.find("loader is not installed"), std::string::npos);
+    EXPECT_NE(check.missing->hint.find("libopenxr-loader1"), std::string::npos);
+}
+
+TEST_F(XrCommand, ShowsAStudyForSoManyFrames) {
+    const Ran ran = runMacula({"xr", writeBall(), "--frames", "5"}, {kScripted});
+    EXPECT_EQ(ran.exitCode, 0) << ran.err;
+    EXPECT_NE(ran.out.find("Scripted headset: 5 frames"), std::string::npos) << ran.out << ran.err;
+}
+
+// By the layer of Debian that checks what is called: openxr-layer-corevalidation.
+TEST_F(XrCommand, TheValidationLayerOfOpenXrFindsNothing) {
+    if (!std::filesystem::exists(
+            "/usr/share/openxr/1/api_layers/explicit.d/XrApiLayer_core_validation.x86_64-linux-gnu.json"))
+        GTEST_SKIP() << "openxr-layer-corevalidation is not installed";
+    const std::vector<std::string> checked{
+        kScripted, "XR_ENABLE_API_LAYERS=XR_APILAYER_LUNARG_core_validation",
+        "XR_CORE_VALIDATION_EXPORT_TYPE=text", "XR_CORE_VALIDATION_FILE_NAME=" + at("log.txt")};
+    const Ran ran = runMacula({"xr", writeBall(), "--frames", "5"}, checked);
+    EXPECT_EQ(ran.exitCode, 0) << ran.err;
+    EXPECT_NE((ran.out + ran.err).find("Core Validation"), std::string::npos) << "it was not there";
+    if (std::filesystem::exists(at("log.txt"))) {
+        EXPECT_EQ(cli::readAll(at("log.txt")), "");
+    }
+}
+
+TEST_F(XrCommand, AStudyIsNotReadWhereThereIsNoHeadset) {
+    const Ran ran = runMacula({"xr", at("no such study")}, {kScripted, "MACULA_XR_SCRIPT=no-headset"});
+    expectMissing(ran, "No headset is connected");
+    EXPECT_EQ(runMacula({"xr", at("no such study")}, {kScripted}).exitCode, 3);
+    EXPECT_EQ(runMacula({"xr", "--check", "--frames", "5"}, {kScripted}).exitCode, 2) << "without effect";
+}
+
+}  // namespace
+}  // namespace macula::xr

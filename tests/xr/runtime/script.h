@@ -1,0 +1,99 @@
+// A headset that does what a test says: an OpenXR 1.0 runtime without hardware, whose time goes on by one
+// frame for each xrWaitFrame. It is a shared library, found by the loader through a manifest
+// (XR_RUNTIME_JSON); a test links it besides, and says here what head, eyes and hands do.
+//
+// It checks what an application calls: the order of calls, and that structures, spaces, swapchains and layers
+// are those of the session. What is wrong is noted, and where the standard has a code for it, answered.
+//
+// A program that is run from outside takes MACULA_XR_SCRIPT, words between commas: no-headset, no-vulkan2,
+// no-gaze, no-layers.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <glm/glm.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#define MACULA_XR_SCRIPT_EXPORT __attribute__((visibility("default")))
+
+namespace macula::xr_script {
+
+// Metres, in the stage: +x right, +y up, -z ahead of who stands in its middle.
+struct Pose {
+    glm::dvec3 positionM{0.0};
+    glm::dquat orientation{1.0, 0.0, 0.0, 0.0};
+};
+
+// Angles in rad, as XrFovf: left and down are below 0 in most headsets.
+struct Field {
+    float left = -0.6f;
+    float right = 0.6f;
+    float up = 0.6f;
+    float down = -0.6f;
+};
+
+struct Hand {
+    Pose pose;
+    float squeeze = 0.0f;  // 0 to 1
+    float trigger = 0.0f;
+    bool isTracked = true;
+};
+
+struct Script {
+    bool hasHeadset = true;
+    bool offersVulkan2 = true;
+    bool offersGaze = true;
+    bool takesLayers = true;  // swapchains of two array layers
+    bool hasStage = true;     // a STAGE space
+    glm::uvec2 eyePx{64, 64};
+    double framesPerS = 30.0;
+    std::array<Field, 2> fields{};
+    double eyesApartM = 0.064;
+    std::function<Pose(double seconds)> head;                           // empty: stands still
+    std::function<std::optional<Pose>(double seconds)> gaze;            // empty: straight ahead
+    std::function<std::optional<Hand>(double seconds, int hand)> hand;  // 0: left; empty: none
+    std::function<bool(std::uint64_t frame)> shouldRender;              // empty: always
+    // The `nth` call of that name, from 1, and all of the session or instance after it, are answered
+    // with `answer`, an XrResult: XR_ERROR_SESSION_LOST or XR_ERROR_INSTANCE_LOST.
+    std::string loseAt;
+    int loseNth = 1;
+    int answer = 0;
+};
+
+struct SubmittedView {
+    Pose pose;
+    Field field;
+    glm::ivec2 sizePx{0};
+    std::vector<glm::u8vec4> rgba;  // as it lies in the image, sRGB encoded, row 0 on top
+};
+
+struct SubmittedFrame {
+    std::uint64_t number = 0;          // of the frame, from 0
+    double seconds = 0.0;              // when it is to be displayed
+    std::vector<SubmittedView> views;  // none: nothing was shown
+};
+
+struct Record {
+    std::vector<std::string> violations;
+    std::vector<SubmittedFrame> frames;  // the last kMostFrames of them
+    std::uint64_t waited = 0;            // calls of xrWaitFrame
+    std::uint64_t begun = 0;             // and so on
+    std::uint64_t ended = 0;
+    int instances = 0;  // that there are now
+    int sessions = 0;
+    int swapchains = 0;
+    int spaces = 0;
+};
+inline constexpr std::size_t kMostFrames = 64;
+
+// Holds for what is created from now on, and for poses at once. Forgets the record.
+MACULA_XR_SCRIPT_EXPORT void follow(Script script);
+MACULA_XR_SCRIPT_EXPORT Record record();
+// The person takes the headset off: the runtime asks the application to end.
+MACULA_XR_SCRIPT_EXPORT void requestEnd();
+
+}  // namespace macula::xr_script
