@@ -17,6 +17,7 @@
 
 #include "viewer/clip/wheel_guard.h"
 #include "viewer/harmless_text.h"
+#include "viewer/language/core_words.h"
 
 namespace macula::viewer {
 
@@ -325,7 +326,7 @@ void SegmentationPanel::showControls() {
         if (const QString trouble = keeper_.trouble(digest); !trouble.isEmpty())
             notes << shown(trouble.toStdString());
         if (const app::LoadedSegmentation* whole = keeper_.loaded(digest))
-            for (const std::string& note : whole->notes) notes << QString::fromStdString(note);
+            for (const std::string& note : whole->notes) notes << inWindowsLanguage(note);
     }
     if (isEmpty) notes << tr("This segment has no voxel in the volume.");
     notes_->setText(notes.join(QLatin1Char(' ')));
