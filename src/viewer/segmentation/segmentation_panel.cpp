@@ -193,8 +193,9 @@ void SegmentationPanel::addSegmentation(const app::FoundSegmentation& found, std
     if (!found.canBeShown()) {
         // The reason is a row of its own, so that nobody has to look for it.
         auto* why = new QTreeWidgetItem(item);
-        why->setText(kName, shown(found.whyNot));
-        why->setToolTip(kName, shown(found.whyNot).toHtmlEscaped());
+        const QString reason = harmless(inWindowsLanguage(found.whyNot));
+        why->setText(kName, reason);
+        why->setToolTip(kName, reason.toHtmlEscaped());
         why->setFirstColumnSpanned(true);
         for (QTreeWidgetItem* each : {item, why})
             each->setFlags(each->flags() & ~(Qt::ItemIsUserCheckable | Qt::ItemIsEnabled));
