@@ -11,6 +11,7 @@
 #include "viewer/browser/study_browser.h"
 #include "viewer/join_question.h"
 #include "viewer/keys.h"
+#include "viewer/language/core_words.h"
 #include "viewer/main_window.h"
 #include "viewer/panes/tool_box.h"
 
@@ -86,9 +87,9 @@ QStringList MainWindow::besideNotes() const {
     }
     const app::OpenedStudy& second = beside_->second()->study;
     for (const std::string& assumption : second.volume->provenance().assumptions)
-        notes << tr("Second volume: %1").arg(QString::fromStdString(assumption));
+        notes << tr("Second volume: %1").arg(inWindowsLanguage(assumption));
     for (const std::string& message : second.messages)
-        notes << tr("Second volume: %1").arg(QString::fromStdString(message));
+        notes << tr("Second volume: %1").arg(inWindowsLanguage(message));
     if (registration::boxOverlap(*study().volume, *second.volume, state->secondFromStudy) == 0.0)
         notes << tr("The second volume shows another part of the body: nothing of it lies in the study.");
     return notes;

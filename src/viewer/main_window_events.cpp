@@ -23,7 +23,7 @@ void MainWindow::setStudyTexts(const app::OpenedStudy& study) {
     volumeText_->setFullText(text);
     const QString why = inWindowsLanguage(study.whyThisSeries);
     // The description of a series may name a patient.
-    if (options_.namesPatient) description_->setFullText(QString::fromStdString(study.description), why);
+    if (options_.namesPatient) description_->setFullText(listInWindowsLanguage(study.description), why);
     description_->setStatusTip(why);
 }
 

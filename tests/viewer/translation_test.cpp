@@ -217,6 +217,9 @@ TEST_F(GermanTest, WhatNobodyTranslatedStaysAsItIs) {
     }
     EXPECT_EQ(listInWindowsLanguage("CT, series 3: High, no description"),
               QStringLiteral("CT, Serie 3: High, keine Beschreibung"));
+    EXPECT_EQ(listInWindowsLanguage("MR, series 3: axial"), QStringLiteral("MR, Serie 3: axial"));
+    EXPECT_EQ(inWindowsLanguage(std::string("Series 5: Segmentation")),
+              QStringLiteral("Serie 5: Segmentation"));
     const std::string huge(10'000, 'a');
     EXPECT_EQ(inWindowsLanguage(huge), QString::fromStdString(huge));
 }

@@ -3,14 +3,27 @@
 #include <QCoreApplication>
 #include <QMessageBox>
 #include <QPushButton>
+#include <array>
 #include <utility>
 
 namespace macula::viewer {
 
 namespace {
 
-QString tr(const char* text) {
-    return QCoreApplication::translate("PatientQuestion", text);
+struct Words {
+    Q_DECLARE_TR_FUNCTIONS(PatientQuestion)
+
+  public:
+    // What app::whatDiffers names.
+    static constexpr std::array kAttributes{
+        QT_TRANSLATE_NOOP("PatientQuestion", "ID"), QT_TRANSLATE_NOOP("PatientQuestion", "name"),
+        QT_TRANSLATE_NOOP("PatientQuestion", "date of birth"), QT_TRANSLATE_NOOP("PatientQuestion", "sex")};
+};
+
+QString inWords(const QStringList& attributes) {
+    QStringList all;
+    for (const QString& attribute : attributes) all << Words::tr(attribute.toUtf8().constData());
+    return all.join(QStringLiteral(", "));
 }
 
 }  // namespace
@@ -18,16 +31,16 @@ QString tr(const char* text) {
 void askAboutPatient(QWidget* parent, const QStringList& differs, std::function<void()> open,
                      std::function<void()> leave) {
     auto* box =
-        new QMessageBox(QMessageBox::Warning, tr("Another patient?"),
-                        tr("The second volume is of another patient than the study. What differs: %1.")
-                            .arg(differs.join(QStringLiteral(", "))),
+        new QMessageBox(QMessageBox::Warning, Words::tr("Another patient?"),
+                        Words::tr("The second volume is of another patient than the study. What differs: %1.")
+                            .arg(inWords(differs)),
                         QMessageBox::Cancel, parent);
     box->setObjectName(QStringLiteral("patient-question"));
-    box->setInformativeText(tr(
+    box->setInformativeText(Words::tr(
         "Open it only if you know that both are of one patient, or mean to compare two patients. Pictures of "
         "it will say so."));
     box->setAttribute(Qt::WA_DeleteOnClose);
-    QPushButton* yes = box->addButton(tr("&Open All the Same"), QMessageBox::AcceptRole);
+    QPushButton* yes = box->addButton(Words::tr("&Open All the Same"), QMessageBox::AcceptRole);
     box->setDefaultButton(QMessageBox::Cancel);
     QObject::connect(box, &QMessageBox::finished, box,
                      [box, yes, open = std::move(open), leave = std::move(leave)] {

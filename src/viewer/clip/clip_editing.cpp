@@ -16,9 +16,9 @@ constexpr double kStepsThrough = 50.0;  // of the wheel, from one end of the vol
 
 Error noStudy() {
     return {ErrorCode::usage,
-            QObject::tr("No study is open.").toStdString(),
+            ClipEditing::tr("No study is open.").toStdString(),
             {},
-            QObject::tr("Open a study first.").toStdString()};
+            ClipEditing::tr("Open a study first.").toStdString()};
 }
 
 }  // namespace

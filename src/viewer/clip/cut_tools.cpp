@@ -9,6 +9,7 @@
 
 #include "app/clip/eye_cut.h"
 #include "viewer/clip/wheel_guard.h"
+#include "viewer/language/core_words.h"
 
 namespace macula::viewer {
 
@@ -94,7 +95,7 @@ void CutTools::setScissorsOut(bool out) {
 
 void CutTools::tell(const Result<void>& done) {
     showCuts();
-    if (!done) trouble_->setText(QString::fromStdString(done.error().message + " " + done.error().hint));
+    if (!done) trouble_->setText(inWindowsLanguage(done.error()));
 }
 
 void CutTools::setUsable(QWidget& control, const QString& does) {

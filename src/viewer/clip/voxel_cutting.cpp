@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "app/study/scissor_mask.h"
+#include "viewer/language/core_words.h"
 
 namespace macula::viewer {
 
@@ -11,7 +12,7 @@ VoxelCutting::VoxelCutting(QObject* parent)
     : QObject(parent),
       job_(this, {.progressed =
                       [this](const ProgressUpdate& update) {
-                          emit progressed(QString::fromStdString(update.stage), update.fraction);
+                          emit progressed(inWindowsLanguage(update.stage), update.fraction);
                       },
                   .ended = [this](const Result<std::optional<Mask>>& outcome) { onEnded(outcome); }}) {}
 

@@ -23,6 +23,7 @@ struct Pattern {
     QList<int> places;  // the number of the place that each group stands for
     QString translation;
     qsizetype fixedLetters = 0;
+    bool keepsPlaces = false;  // text of a file stands there
 };
 
 struct Words {
@@ -68,9 +69,10 @@ std::optional<Pattern> patternOf(const QString& source, const QString& translati
     return pattern;
 }
 
-void add(Words& known, const QString& source, const QString& translation) {
+void add(Words& known, const QString& source, const QString& translation, bool keepsPlaces) {
     if (source.isEmpty() || translation.isEmpty()) return;
     if (auto pattern = patternOf(source, translation)) {
+        pattern->keepsPlaces = keepsPlaces;
         known.patterns << *std::move(pattern);
     } else {
         known.exact.insert(source, translation);
@@ -91,7 +93,11 @@ QString filledIn(const Pattern& pattern, const QRegularExpressionMatch& match, i
         const qsizetype group = pattern.places.indexOf(place.captured(1).toInt());
         if (group < 0) continue;  // translation_test.cpp finds such
         const QString said = match.captured(int(group) + 1);
-        text += isNumber.match(said).hasMatch() ? withLocalNumbers(said) : translated(said, depth + 1);
+        if (pattern.keepsPlaces) {
+            text += said;
+        } else {
+            text += isNumber.match(said).hasMatch() ? withLocalNumbers(said) : translated(said, depth + 1);
+        }
     }
     return text + pattern.translation.mid(from);
 }
@@ -157,7 +163,7 @@ void useCoreWords(const QString& path) {
             } else if (context == QLatin1String("pieces")) {
                 known.pieces.insert(source, translation);
             } else {
-                add(known, source, translation);
+                add(known, source, translation, context == QLatin1String("labels"));
             }
         }
     }

@@ -11,8 +11,9 @@ namespace macula::viewer {
 
 // Errors, messages, stages of work, and titles of what is built in come in English from rooms that know no
 // Qt. They are looked up by their text in translations/core_de.ts, in which %1 to %9 stand for what a
-// program puts into a sentence. A text that is not there, such as one of somebody else's, stays as it is; of
-// several sentences each is looked up by itself. On the UI thread.
+// program puts into a sentence; in those of the context "labels" it is text of a file, and stays. A text that
+// is not there, such as one of somebody else's, stays as it is; of several sentences each is looked up by
+// itself. On the UI thread.
 QString inWindowsLanguage(const QString& text);
 QString inWindowsLanguage(const std::string& text);
 

@@ -7,6 +7,8 @@
 #include <new>
 #include <utility>
 
+#include "viewer/language/core_words.h"
+
 namespace macula::viewer {
 
 namespace {
@@ -31,7 +33,7 @@ MovieExport::MovieExport(std::string preferredDevice, QObject* parent)
                       [this](const ProgressUpdate& update) {
                           const qint64 elapsed = QDateTime::currentMSecsSinceEpoch() - stageBeganMs_;
                           emit progressed(
-                              QString::fromStdString(update.stage) + leftText(elapsed, update.fraction),
+                              inWindowsLanguage(update.stage) + leftText(elapsed, update.fraction),
                               update.fraction);
                       },
                   .ended = [this](const Result<app::WrittenSequence>& outcome) { onDrawn(outcome); }}),
@@ -82,7 +84,7 @@ void MovieExport::onDrawn(const Result<app::WrittenSequence>& outcome) {
     }
     const QString folder = QString::fromStdString(wish_.sequence.folder.string());
     told_ << tr("%L1 pictures are in %2.").arg(outcome->files.size()).arg(folder);
-    for (const std::string& sentence : outcome->sentences) told_ << QString::fromStdString(sentence);
+    for (const std::string& sentence : outcome->sentences) told_ << inWindowsLanguage(sentence);
     if (!wish_.wantsVideo) return finish({});
     if (program_.isEmpty())
         return finish(tr("No video was made of them: there is no encoder. Install ffmpeg, and draw again."));

@@ -11,6 +11,7 @@
 #include "app/choice/quality_choice.h"
 #include "app/picture/view_sequence.h"
 #include "pipeline/trace/settings.h"
+#include "viewer/language/core_words.h"
 
 namespace macula::viewer {
 
@@ -80,7 +81,7 @@ void MoviePanel::addChoices() {
     qualities_->setToolTip(tr("More samples per pixel: less noise, and more time"));
     if (const auto all = app::builtInQualities()) {
         for (const trace::Quality& quality : *all)
-            qualities_->addItem(QString::fromStdString(quality.title), QString::fromStdString(quality.name));
+            qualities_->addItem(titleInWindowsLanguage(quality.title), QString::fromStdString(quality.name));
     }
     qualities_->setCurrentIndex(qualities_->findData(QString::fromLatin1(kFirstQuality)));
     letters_ = check(this, tr("Sides of the &patient"), tr("Letters at the edges of each picture"), true);

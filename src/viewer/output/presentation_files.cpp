@@ -3,13 +3,15 @@
 #include <new>
 #include <utility>
 
+#include "viewer/language/core_words.h"
+
 namespace macula::viewer {
 
 namespace {
 
 QStringList listOf(const std::vector<std::string>& sentences) {
     QStringList list;
-    for (const std::string& sentence : sentences) list << QString::fromStdString(sentence);
+    for (const std::string& sentence : sentences) list << inWindowsLanguage(sentence);
     return list;
 }
 

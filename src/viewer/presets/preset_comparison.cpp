@@ -11,6 +11,7 @@
 #include <new>
 #include <utility>
 
+#include "viewer/language/core_words.h"
 #include "viewer/status_widgets.h"
 
 namespace macula::viewer {
@@ -115,7 +116,7 @@ PresetComparison::PresetComparison(const Side& first, const Side& second, const 
       work_(new WorkBar),
       job_(this, {.progressed =
                       [this](const ProgressUpdate& update) {
-                          work_->setProgress(QString::fromStdString(update.stage), update.fraction);
+                          work_->setProgress(inWindowsLanguage(update.stage), update.fraction);
                       },
                   .ended = [this](const Result<Pictures>& drawn) { onDrawn(drawn); }}) {
     setWindowTitle(tr("Compare presets"));
@@ -177,7 +178,7 @@ PresetComparison::PresetComparison(const Side& first, const Side& second, const 
 void PresetComparison::onDrawn(const Result<Pictures>& drawn) {
     work_->hide();
     if (!drawn) {
-        trouble_->setText(QString::fromStdString(drawn.error().message + " " + drawn.error().hint));
+        trouble_->setText(inWindowsLanguage(drawn.error()));
         return trouble_->show();
     }
     curtain_->setPictures(asImage(drawn->at(0), sizePx_), asImage(drawn->at(1), sizePx_));

@@ -13,6 +13,7 @@
 
 #include "app/choice/preset_kinds.h"
 #include "app/study/search_text.h"
+#include "viewer/language/core_words.h"
 #include "viewer/presets/preset_delegate.h"
 #include "viewer/presets/preset_name_dialog.h"
 #include "viewer/status_texts.h"
@@ -182,8 +183,10 @@ std::set<PresetGroup> PresetGallery::expandedNow() const {
 
 bool PresetGallery::isFound(const LibraryPreset& preset) const {
     const TransferFunction& function = *preset.function;
-    return app::holdsAll(
-        app::foldedForSearch(function.title + ' ' + function.name + ' ' + app::kindOf(function)), words_);
+    const std::string shown = titleOf(preset).toStdString();  // in the language of the window
+    return app::holdsAll(app::foldedForSearch(function.title + ' ' + shown + ' ' + function.name + ' ' +
+                                              app::kindOf(function)),
+                         words_);
 }
 
 std::vector<LibraryPreset> PresetGallery::presetsOf(PresetGroup group) const {
@@ -278,7 +281,7 @@ void PresetGallery::showNotes() {
 
 void PresetGallery::tell(const Error& error) {
     if (!isVisible()) return emit failed(error);
-    trouble_ = QString::fromStdString(error.message + " " + error.hint);
+    trouble_ = inWindowsLanguage(error);
     showNotes();
 }
 

@@ -10,6 +10,7 @@
 #include "base/atomic_file.h"
 #include "pipeline/volume/transfer_function_json.h"
 #include "presets/preset_file.h"
+#include "viewer/language/core_words.h"
 
 namespace macula::viewer {
 
@@ -18,10 +19,6 @@ namespace {
 // Letters that are written in two ways are the same name.
 std::string typed(const QString& title) {
     return title.normalized(QString::NormalizationForm_C).toStdString();
-}
-
-QString sentenceOf(const Error& error) {
-    return QString::fromStdString(error.hint.empty() ? error.message : error.message + " " + error.hint);
 }
 
 }  // namespace
@@ -72,7 +69,7 @@ void PresetLibrary::readStored() {
 
 void PresetLibrary::onStored(const Result<app::StoredPresets>& stored) {
     if (!stored) {
-        storeNote_ = tr("Your presets could not be read: %1").arg(sentenceOf(stored.error()));
+        storeNote_ = tr("Your presets could not be read: %1").arg(inWindowsLanguage(stored.error()));
         emit changed();
         return;
     }
@@ -107,7 +104,7 @@ void PresetLibrary::write() {
             [library, error = *error] {
                 library->storeNote_ =
                     tr("The last change of your presets is not stored and lasts until this window closes: %1")
-                        .arg(sentenceOf(error));
+                        .arg(inWindowsLanguage(error));
                 emit library->changed();
             },
             Qt::QueuedConnection);
@@ -211,7 +208,7 @@ void PresetLibrary::showAs(const QString& what, const std::shared_ptr<const Tran
 
 QString PresetLibrary::whyNameIsRefused(const QString& title, const app::PresetRef& own) const {
     const auto free = shelf_.freeName(typed(title), own);
-    return free ? QString() : sentenceOf(free.error());
+    return free ? QString() : inWindowsLanguage(free.error());
 }
 
 QString PresetLibrary::freeTitle(const QString& title) const {
@@ -278,7 +275,7 @@ void PresetLibrary::onImported(const Result<presets::ImportedPresets>& read) {
             continue;
         }
         titles << QString::fromStdString(title);
-        for (const std::string& note : preset.notes) notes << QString::fromStdString(note);
+        for (const std::string& note : preset.notes) notes << inWindowsLanguage(note);
     }
     notes.removeDuplicates();
     if (!titles.isEmpty()) {
@@ -286,7 +283,7 @@ void PresetLibrary::onImported(const Result<presets::ImportedPresets>& read) {
         if (error)
             notes << tr("Presets of the file that could not be kept: %1. %2")
                          .arg(qsizetype(read->size()) - titles.size())
-                         .arg(sentenceOf(*error));
+                         .arg(inWindowsLanguage(*error));
         emit imported(titles, notes);
     } else if (error) {
         emit failed(*error);

@@ -5,16 +5,13 @@
 #include <set>
 
 #include "app/study/found_volumes.h"
+#include "viewer/language/core_words.h"
 
 namespace macula::viewer {
 
 namespace {
 
 using app::SegmentationChoice;
-
-QString sentenceOf(const Error& error) {
-    return QString::fromStdString(error.hint.empty() ? error.message : error.message + " " + error.hint);
-}
 
 }  // namespace
 
@@ -25,7 +22,7 @@ SegmentationKeeper::SegmentationKeeper(ViewerSession& session, QObject* parent)
                       .ended = [this](const Result<Found>& outcome) { onFound(outcome); }}),
       loading_(this, {.progressed =
                           [this](const ProgressUpdate& update) {
-                              emit progressed(QString::fromStdString(update.stage), update.fraction);
+                              emit progressed(inWindowsLanguage(update.stage), update.fraction);
                           },
                       .ended = [this](const Result<Loaded>& outcome) { onLoaded(outcome); }}),
       masking_(this, {.progressed = [](const ProgressUpdate&) {},
@@ -129,7 +126,7 @@ void SegmentationKeeper::onLoaded(const Result<Loaded>& outcome) {
     if (outcome) {
         loaded_.push_back(*outcome);
     } else {
-        troubles_[digest] = sentenceOf(outcome.error());
+        troubles_[digest] = inWindowsLanguage(outcome.error());
         emit failed(outcome.error());
     }
     emit listChanged();

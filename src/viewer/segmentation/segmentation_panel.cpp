@@ -17,6 +17,7 @@
 
 #include "viewer/clip/wheel_guard.h"
 #include "viewer/harmless_text.h"
+#include "viewer/language/core_words.h"
 
 namespace macula::viewer {
 
@@ -192,8 +193,9 @@ void SegmentationPanel::addSegmentation(const app::FoundSegmentation& found, std
     if (!found.canBeShown()) {
         // The reason is a row of its own, so that nobody has to look for it.
         auto* why = new QTreeWidgetItem(item);
-        why->setText(kName, shown(found.whyNot));
-        why->setToolTip(kName, shown(found.whyNot).toHtmlEscaped());
+        const QString reason = harmless(inWindowsLanguage(found.whyNot));
+        why->setText(kName, reason);
+        why->setToolTip(kName, reason.toHtmlEscaped());
         why->setFirstColumnSpanned(true);
         for (QTreeWidgetItem* each : {item, why})
             each->setFlags(each->flags() & ~(Qt::ItemIsUserCheckable | Qt::ItemIsEnabled));
@@ -325,7 +327,7 @@ void SegmentationPanel::showControls() {
         if (const QString trouble = keeper_.trouble(digest); !trouble.isEmpty())
             notes << shown(trouble.toStdString());
         if (const app::LoadedSegmentation* whole = keeper_.loaded(digest))
-            for (const std::string& note : whole->notes) notes << QString::fromStdString(note);
+            for (const std::string& note : whole->notes) notes << inWindowsLanguage(note);
     }
     if (isEmpty) notes << tr("This segment has no voxel in the volume.");
     notes_->setText(notes.join(QLatin1Char(' ')));

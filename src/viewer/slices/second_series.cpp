@@ -1,45 +1,58 @@
 #include "viewer/slices/second_series.h"
 
 #include <QCoreApplication>
+#include <array>
 #include <cmath>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "app/frame/projection_windows.h"
 #include "app/study/second_study.h"
 #include "viewer/harmless_text.h"
+#include "viewer/language/core_words.h"
 
 namespace macula::viewer {
 
 namespace {
 
-QString tr(const char* text) {
-    return QCoreApplication::translate("SecondSeries", text);
-}
+struct Words {
+    Q_DECLARE_TR_FUNCTIONS(SecondSeries)
+};
+
+// What app::plainTag begins with, where the images name no modality.
+constexpr std::array kKinds{QT_TRANSLATE_NOOP("SecondSeries", "phantom"),
+                            QT_TRANSLATE_NOOP("SecondSeries", "images")};
 
 QString tagOf(app::Age age, const QString& plain) {
     switch (age) {
         case app::Age::earlier:
-            return tr("Prior: %1").arg(plain);
+            return Words::tr("Prior: %1").arg(plain);
         case app::Age::later:
-            return tr("Later: %1").arg(plain);
+            return Words::tr("Later: %1").arg(plain);
         case app::Age::sameDay:
-            return tr("Second, same day: %1").arg(plain);
+            return Words::tr("Second, same day: %1").arg(plain);
         case app::Age::unknown:
             break;
     }
-    return tr("Second: %1").arg(plain);
+    return Words::tr("Second: %1").arg(plain);
 }
 
 QString shownTag(const app::OpenedStudy& study) {
-    return harmless(QString::fromStdString(app::plainTag(study)));
+    QString tag = listInWindowsLanguage(app::plainTag(study));
+    for (const char* kind : kKinds) {
+        if (const QLatin1String word(kind); tag == word || tag.startsWith(word + QLatin1Char(',')))
+            tag.replace(0, word.size(), Words::tr(kind));
+    }
+    return harmless(tag);
 }
 
 QString patientNote(const app::Identity& study, const app::Identity& second) {
     switch (app::samePatient(study, second)) {
         case app::SamePatient::no:
-            return tr("ANOTHER PATIENT than the study");
+            return Words::tr("ANOTHER PATIENT than the study");
         case app::SamePatient::unknown:
-            return tr("The images do not tell whether both are of one patient");
+            return Words::tr("The images do not tell whether both are of one patient");
         case app::SamePatient::yes:
             break;
     }
@@ -56,9 +69,12 @@ SecondSeries secondSeries(const app::OpenedStudy& study, app::OpenedStudy second
     SecondSeries made;
     made.usualWindow = app::secondWindow(*second.volume);
     made.tag = tagOf(app::ageOf(study.identity, second.identity), shownTag(second));
-    made.studyTag = tr("Current: %1").arg(shownTag(study));
-    for (const std::string& line : app::linesOf(second.identity)) {
-        const QString shown = harmless(QString::fromStdString(line));
+    made.studyTag = Words::tr("Current: %1").arg(shownTag(study));
+    const std::vector<std::string> lines = app::linesOf(second.identity);
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        const bool isName = i == 0 && !second.identity.isOfNobody;  // never looked up
+        const QString shown =
+            harmless(isName ? QString::fromStdString(lines[i]) : listInWindowsLanguage(lines[i]));
         if (!shown.isEmpty()) made.lines.push_back(shown);
     }
     made.patientNote = patientNote(study.identity, second.identity);
@@ -69,25 +85,25 @@ SecondSeries secondSeries(const app::OpenedStudy& study, app::OpenedStudy second
 QString linkText(const app::BesideState& state) {
     switch (state.link) {
         case app::BesideLink::sameFrame:
-            return tr("Same frame of reference");
+            return Words::tr("Same frame of reference");
         case app::BesideLink::registered:
-            return state.isDoubtful ? tr("Registration is doubtful (%1 mm): check landmarks")
-                                          .arg(QString::number(state.boundMm, 'f', 1))
-                                    : tr("Registered, rigid; searches agree to %1 mm")
-                                          .arg(QString::number(state.boundMm, 'f', 1));
+            return state.isDoubtful ? Words::tr("Registration is doubtful (%1 mm): check landmarks")
+                                          .arg(withLocalNumbers(QString::number(state.boundMm, 'f', 1)))
+                                    : Words::tr("Registered, rigid; searches agree to %1 mm")
+                                          .arg(withLocalNumbers(QString::number(state.boundMm, 'f', 1)));
         case app::BesideLink::byHand:
             break;
     }
-    return tr("Not registered: positions cannot be compared");
+    return Words::tr("Not registered: positions cannot be compared");
 }
 
 QString secondWindowText(const Volume& second, const DisplayWindow& window) {
     if (!isActivity(second) || !second.valueRange() || !(second.valueRange()->high > 0.0))
-        return harmless(QString::fromStdString(app::windowText(window, second.unitName())));
+        return harmless(withLocalNumbers(QString::fromStdString(app::windowText(window, second.unitName()))));
     const double low = window.center - 0.5 * window.width;
     const double high = window.center + 0.5 * window.width;
-    return tr("%1 to %2 %3, %4 % of the highest")
-        .arg(QString::number(low, 'g', 3), QString::number(high, 'g', 3),
+    return Words::tr("%1 to %2 %3, %4 % of the highest")
+        .arg(withLocalNumbers(QString::number(low, 'g', 3)), withLocalNumbers(QString::number(high, 'g', 3)),
              harmless(QString::fromStdString(second.unitName())),
              QString::number(std::lround(100.0 * high / second.valueRange()->high)));
 }

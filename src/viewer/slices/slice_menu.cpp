@@ -7,6 +7,7 @@
 #include "app/frame/projection_windows.h"
 #include "app/slices/window_presets.h"
 #include "viewer/harmless_text.h"
+#include "viewer/language/core_words.h"
 
 namespace macula::viewer {
 
@@ -86,18 +87,16 @@ void askToKeepWindow(const SliceMenuOf& of, QWidget* parent) {
     const std::string unit = of.session->study().volume->unitName();
     dialog->setLabelText(SliceMenuWords::tr("Name of the window %1")
                              .arg(harmless(QString::fromStdString(app::windowText(of.window, unit)))));
-    QObject::connect(dialog, &QInputDialog::textValueSelected, of.own,
-                     [list = of.own, window = of.window, unit, parent](const QString& name) {
-                         const auto added =
-                             list->add({.name = name.toStdString(), .window = window, .unit = unit});
-                         if (added) return;
-                         auto* box = new QMessageBox(
-                             QMessageBox::NoIcon, SliceMenuWords::tr("Keep This Window"),
-                             QString::fromStdString(added.error().message + " " + added.error().hint),
-                             QMessageBox::Close, parent);
-                         box->setAttribute(Qt::WA_DeleteOnClose);
-                         box->open();
-                     });
+    QObject::connect(
+        dialog, &QInputDialog::textValueSelected, of.own,
+        [list = of.own, window = of.window, unit, parent](const QString& name) {
+            const auto added = list->add({.name = name.toStdString(), .window = window, .unit = unit});
+            if (added) return;
+            auto* box = new QMessageBox(QMessageBox::NoIcon, SliceMenuWords::tr("Keep This Window"),
+                                        inWindowsLanguage(added.error()), QMessageBox::Close, parent);
+            box->setAttribute(Qt::WA_DeleteOnClose);
+            box->open();
+        });
     dialog->open();
 }
 

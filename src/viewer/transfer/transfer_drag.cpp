@@ -34,7 +34,7 @@ QString textOf(double shift, double factor, const QString& unit) {
     return TransferDrag::tr("Transfer function: shifted by %1%2, %3 times as wide")
         .arg(shown < 0.0 ? QStringLiteral("\u2212") : QStringLiteral("+"),
              unit.isEmpty() ? by : by + QLatin1Char(' ') + unit)
-        .arg(factor, 0, 'f', 2);
+        .arg(QLocale().toString(factor, 'f', 2));
 }
 
 }  // namespace

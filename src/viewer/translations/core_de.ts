@@ -252,6 +252,126 @@
         <source>Sa&amp;gittal Alone</source>
         <translation>Sa&amp;gittal allein</translation>
     </message>
+    <message>
+        <source>Alt + left drag, Ctrl + Left and Right, [ and ]</source>
+        <translation>Alt + links ziehen, Strg + Links und Rechts, [ und ]</translation>
+    </message>
+    <message>
+        <source>Turn the picture: clockwise to the right</source>
+        <translation>Bild drehen: nach rechts im Uhrzeigersinn</translation>
+    </message>
+    <message>
+        <source>Alt + wheel</source>
+        <translation>Alt + Rad</translation>
+    </message>
+    <message>
+        <source>Fly in: the camera and what it turns around go forward</source>
+        <translation>Hineinfliegen: Kamera und Drehpunkt gehen vorwärts</translation>
+    </message>
+    <message>
+        <source>Alt + right drag, or drag with T held</source>
+        <translation>Alt + rechts ziehen, oder ziehen mit gehaltenem T</translation>
+    </message>
+    <message>
+        <source>Transfer function: shift to the right, widen upwards</source>
+        <translation>Übertragungsfunktion: nach rechts verschieben, nach oben verbreitern</translation>
+    </message>
+    <message>
+        <source>Parallel rays, or seen by an eye</source>
+        <translation>Parallele Strahlen, oder wie mit einem Auge gesehen</translation>
+    </message>
+    <message>
+        <source>Cube and scale, or not</source>
+        <translation>Würfel und Maßstab, oder nicht</translation>
+    </message>
+    <message>
+        <source>Click on a side of the cube</source>
+        <translation>Klick auf eine Seite des Würfels</translation>
+    </message>
+    <message>
+        <source>Look from there, as near as before</source>
+        <translation>Ansicht von dort, so nah wie vorher</translation>
+    </message>
+    <message>
+        <source>Handles of the clip in all pictures, or not</source>
+        <translation>Griffe des Beschnitts in allen Bildern, oder nicht</translation>
+    </message>
+    <message>
+        <source>Shift + wheel in 3D with handles</source>
+        <translation>Umschalt + Rad in 3D mit Griffen</translation>
+    </message>
+    <message>
+        <source>Cut across the line of sight: deeper, less deep</source>
+        <translation>Schnitt quer zur Blickrichtung: tiefer, weniger tief</translation>
+    </message>
+    <message>
+        <source>Scissors: draw around what is to go in 3D; with Shift, what stays; or not</source>
+        <translation>Schere: in 3D umfahren, was weg soll; mit Umschalt, was bleibt; oder nicht</translation>
+    </message>
+    <message>
+        <source>Open a prior or another volume beside the study</source>
+        <translation>Voraufnahme oder anderes Volumen neben der Studie öffnen</translation>
+    </message>
+    <message>
+        <source>The second volume in the place of the study, and back</source>
+        <translation>Das zweite Volumen an Stelle der Studie, und zurück</translation>
+    </message>
+    <message>
+        <source>Ctrl+Tab</source>
+        <translation>Strg+Tab</translation>
+    </message>
+    <message>
+        <source>Save the 3D view as a DICOM presentation state</source>
+        <translation>3D-Ansicht als DICOM Presentation State speichern</translation>
+    </message>
+    <message>
+        <source>F2 to F4, F10</source>
+        <translation>F2 bis F4, F10</translation>
+    </message>
+    <message>
+        <source>Panels: studies, transfer function, clip; presets</source>
+        <translation>Leisten: Studien, Übertragungsfunktion, Beschnitt; Voreinstellungen</translation>
+    </message>
+    <message>
+        <source>Panel: segmentations</source>
+        <translation>Leiste: Segmentierungen</translation>
+    </message>
+    <message>
+        <source>Ctrl+[ and Ctrl+]</source>
+        <translation>Strg+[ und Strg+]</translation>
+    </message>
+    <message>
+        <source>Frames in motion: faster, or more accurate</source>
+        <translation>Bilder in Bewegung: schneller, oder genauer</translation>
+    </message>
+    <message>
+        <source>Trace the picture at rest until it is final; Esc stops</source>
+        <translation>Das ruhende Bild verfolgen, bis es endgültig ist; Esc hält an</translation>
+    </message>
+    <message>
+        <source>Right click, Menu on slices</source>
+        <translation>Rechtsklick, Menütaste auf Schichten</translation>
+    </message>
+    <message>
+        <source>Windows, and those of your own</source>
+        <translation>Fensterungen, auch eigene</translation>
+    </message>
+    <message>
+        <source>Alt+1 to Alt+9 on slices</source>
+        <translation>Alt+1 bis Alt+9 auf Schichten</translation>
+    </message>
+    <message>
+        <source>A window of your own</source>
+        <translation>Eine eigene Fensterung</translation>
+    </message>
+    <message>
+        <source>Double click on a measurement, Enter</source>
+        <translation>Doppelklick auf eine Messung, Eingabe</translation>
+    </message>
+    <message>
+        <source>Its label</source>
+        <translation>Ihre Beschriftung</translation>
+    </message>
 </context>
 <context>
     <name>titles</name>
@@ -414,6 +534,10 @@
     <message>
         <source>edited</source>
         <translation>bearbeitet</translation>
+    </message>
+    <message>
+        <source>Presentation state</source>
+        <translation>Presentation State</translation>
     </message>
 </context>
 <context>
@@ -849,10 +973,6 @@
     <message>
         <source>Do not read anything into what lies between the slices.</source>
         <translation>Deuten Sie nichts in das hinein, was zwischen den Schichten liegt.</translation>
-    </message>
-    <message>
-        <source>This is no image, and cannot be shown here: %1.</source>
-        <translation>Das ist kein Bild und kann hier nicht gezeigt werden: %1.</translation>
     </message>
     <message>
         <source>Images of this kind (%1) are no slices of a volume.</source>
@@ -1295,14 +1415,6 @@
         <translation>Speichern Sie das Bild ohne Patient und Studie oder als PNG.</translation>
     </message>
     <message>
-        <source>The study that the picture belongs to cannot be read any more.</source>
-        <translation>Die Studie, zu der das Bild gehört, kann nicht mehr gelesen werden.</translation>
-    </message>
-    <message>
-        <source>Open the study again, or write the picture without the patient.</source>
-        <translation>Öffnen Sie die Studie noch einmal, oder speichern Sie das Bild ohne den Patienten.</translation>
-    </message>
-    <message>
         <source>The DICOM file could not be written.</source>
         <translation>Die DICOM-Datei konnte nicht geschrieben werden.</translation>
     </message>
@@ -1333,6 +1445,334 @@
     <message>
         <source>Close other programs.</source>
         <translation>Schließen Sie andere Programme.</translation>
+    </message>
+    <message>
+        <source>This is no image, and is not shown by itself: %1.</source>
+        <translation>Das ist kein Bild und wird nicht für sich gezeigt: %1.</translation>
+    </message>
+    <message>
+        <source>Presentation states of 3D views: %1; they are no images, and say how a series is shown.</source>
+        <translation>Presentation States von 3D-Ansichten: %1; sie sind keine Bilder und sagen, wie eine Serie gezeigt wird.</translation>
+    </message>
+    <message>
+        <source>Open its series, and in the window File, Open Presentation State, or give it to macula render.</source>
+        <translation>Öffnen Sie die Serie dazu, dann im Fenster Datei, Presentation State öffnen, oder übergeben Sie ihn macula render.</translation>
+    </message>
+    <message>
+        <source>The presentation state has %1, which cannot be shown.</source>
+        <translation>Der Presentation State enthält %1; das kann nicht gezeigt werden.</translation>
+    </message>
+    <message>
+        <source>Compare with what the program shows that made it.</source>
+        <translation>Vergleichen Sie mit dem, was das Programm zeigt, das ihn erstellt hat.</translation>
+    </message>
+    <message>
+        <source>The presentation state has %1; %2.</source>
+        <translation>Der Presentation State enthält %1; %2.</translation>
+    </message>
+    <message>
+        <source>Another program changed this presentation state of Macula; it is shown as its standard attributes say.</source>
+        <translation>Ein anderes Programm hat diesen Presentation State von Macula geändert; er wird gezeigt, wie es seine Standardattribute angeben.</translation>
+    </message>
+    <message>
+        <source>The study that it belongs to cannot be read any more.</source>
+        <translation>Die Studie, zu der es gehört, kann nicht mehr gelesen werden.</translation>
+    </message>
+    <message>
+        <source>Open the study again, or write it without the patient.</source>
+        <translation>Öffnen Sie die Studie noch einmal, oder speichern Sie es ohne den Patienten.</translation>
+    </message>
+    <message>
+        <source>The DICOM file could not be made.</source>
+        <translation>Die DICOM-Datei konnte nicht erstellt werden.</translation>
+    </message>
+    <message>
+        <source>Check memory.</source>
+        <translation>Prüfen Sie den Speicher.</translation>
+    </message>
+    <message>
+        <source>Copy the file again from its source, or choose another presentation state.</source>
+        <translation>Kopieren Sie die Datei noch einmal von ihrer Quelle, oder wählen Sie einen anderen Presentation State.</translation>
+    </message>
+    <message>
+        <source>The presentation state does not say in which colours.</source>
+        <translation>Der Presentation State sagt nicht, in welchen Farben.</translation>
+    </message>
+    <message>
+        <source>several volumes blended into one picture</source>
+        <translation>mehrere Volumen, zu einem Bild gemischt</translation>
+    </message>
+    <message>
+        <source>colours of more than one input</source>
+        <translation>Farben von mehr als einer Eingabe</translation>
+    </message>
+    <message>
+        <source>The presentation state does not say which images it is of.</source>
+        <translation>Der Presentation State sagt nicht, von welchen Bildern er ist.</translation>
+    </message>
+    <message>
+        <source>more than one input</source>
+        <translation>mehr als eine Eingabe</translation>
+    </message>
+    <message>
+        <source>The presentation state is of something that is no volume.</source>
+        <translation>Der Presentation State ist von etwas, das kein Volumen ist.</translation>
+    </message>
+    <message>
+        <source>more than one set of images</source>
+        <translation>mehr als einen Satz von Bildern</translation>
+    </message>
+    <message>
+        <source>a registration to another frame of reference</source>
+        <translation>eine Registrierung auf ein anderes Koordinatensystem</translation>
+    </message>
+    <message>
+        <source>a sequence of volumes in time</source>
+        <translation>eine zeitliche Folge von Volumen</translation>
+    </message>
+    <message>
+        <source>The presentation state does not say which series it is of.</source>
+        <translation>Der Presentation State sagt nicht, von welcher Serie er ist.</translation>
+    </message>
+    <message>
+        <source>The presentation state does not say where it is looked from.</source>
+        <translation>Der Presentation State sagt nicht, von wo aus er gesehen wird.</translation>
+    </message>
+    <message>
+        <source>The presentation state is drawn by a method that Macula does not know.</source>
+        <translation>Der Presentation State wird mit einem Verfahren gezeichnet, das Macula nicht kennt.</translation>
+    </message>
+    <message>
+        <source>a window that is no straight line</source>
+        <translation>eine Fensterung, die keine gerade Linie ist</translation>
+    </message>
+    <message>
+        <source>a straight one is shown</source>
+        <translation>eine gerade wird gezeigt</translation>
+    </message>
+    <message>
+        <source>The colours of the presentation state are damaged.</source>
+        <translation>Die Farben des Presentation State sind beschädigt.</translation>
+    </message>
+    <message>
+        <source>The presentation state has a table of values (VOI LUT) before its colours, which Macula does not know.</source>
+        <translation>Der Presentation State hat vor seinen Farben eine Wertetabelle (VOI LUT), die Macula nicht kennt.</translation>
+    </message>
+    <message>
+        <source>The presentation state does not say which values its colours are of.</source>
+        <translation>Der Presentation State sagt nicht, zu welchen Werten seine Farben gehören.</translation>
+    </message>
+    <message>
+        <source>colours of another space</source>
+        <translation>Farben eines anderen Farbraums</translation>
+    </message>
+    <message>
+        <source>they are shown as sRGB</source>
+        <translation>sie werden als sRGB gezeigt</translation>
+    </message>
+    <message>
+        <source>A clip of the presentation state is missing in the file.</source>
+        <translation>Ein Beschnitt des Presentation State fehlt in der Datei.</translation>
+    </message>
+    <message>
+        <source>A clip of the presentation state is damaged.</source>
+        <translation>Ein Beschnitt des Presentation State ist beschädigt.</translation>
+    </message>
+    <message>
+        <source>a clip by a segmentation</source>
+        <translation>einen Beschnitt durch eine Segmentierung</translation>
+    </message>
+    <message>
+        <source>shading with numbers that are not 0 to 1</source>
+        <translation>eine Schattierung mit Zahlen, die nicht 0 bis 1 sind</translation>
+    </message>
+    <message>
+        <source>an animation</source>
+        <translation>eine Animation</translation>
+    </message>
+    <message>
+        <source>drawings or texts over the picture</source>
+        <translation>Zeichnungen oder Texte über dem Bild</translation>
+    </message>
+    <message>
+        <source>The presentation state cannot be read.</source>
+        <translation>Der Presentation State kann nicht gelesen werden.</translation>
+    </message>
+    <message>
+        <source>The file is no presentation state of one rendered volume.</source>
+        <translation>Die Datei ist kein Presentation State eines gerenderten Volumens.</translation>
+    </message>
+    <message>
+        <source>Choose a file of the kind Volume Rendering Volumetric Presentation State.</source>
+        <translation>Wählen Sie eine Datei der Art Volume Rendering Volumetric Presentation State.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for the presentation state.</source>
+        <translation>Für den Presentation State ist nicht genug Speicher da.</translation>
+    </message>
+    <message>
+        <source>The label of the presentation state is not usable.</source>
+        <translation>Die Bezeichnung des Presentation State ist nicht brauchbar.</translation>
+    </message>
+    <message>
+        <source>Take 1 to 16 capital letters, digits, blanks and underscores.</source>
+        <translation>Nehmen Sie 1 bis 16 Großbuchstaben, Ziffern, Leerzeichen und Unterstriche.</translation>
+    </message>
+    <message>
+        <source>The description is too long, or has characters that it may not have.</source>
+        <translation>Die Beschreibung ist zu lang oder hat Zeichen, die sie nicht haben darf.</translation>
+    </message>
+    <message>
+        <source>Take at most 64 letters, digits and signs, without a backslash.</source>
+        <translation>Nehmen Sie höchstens 64 Buchstaben, Ziffern und Zeichen, ohne umgekehrten Schrägstrich.</translation>
+    </message>
+    <message>
+        <source>The view is too large for a presentation state.</source>
+        <translation>Die Ansicht ist für einen Presentation State zu groß.</translation>
+    </message>
+    <message>
+        <source>Save it as a view, or remove measurements and large presets from it.</source>
+        <translation>Speichern Sie sie als Ansicht, oder entfernen Sie Messungen und große Voreinstellungen daraus.</translation>
+    </message>
+    <message>
+        <source>The colours of the presentation state are not usable.</source>
+        <translation>Die Farben des Presentation State sind nicht brauchbar.</translation>
+    </message>
+    <message>
+        <source>Choose another preset, or a window above 0.</source>
+        <translation>Wählen Sie eine andere Voreinstellung oder eine Fensterung über 0.</translation>
+    </message>
+    <message>
+        <source>The camera of the presentation state is not usable.</source>
+        <translation>Die Kamera des Presentation State ist nicht brauchbar.</translation>
+    </message>
+    <message>
+        <source>Choose another view.</source>
+        <translation>Wählen Sie eine andere Ansicht.</translation>
+    </message>
+    <message>
+        <source>The clip of the presentation state is not usable.</source>
+        <translation>Der Beschnitt des Presentation State ist nicht brauchbar.</translation>
+    </message>
+    <message>
+        <source>Choose another clip.</source>
+        <translation>Wählen Sie einen anderen Beschnitt.</translation>
+    </message>
+    <message>
+        <source>The opacities of the presentation state are not usable.</source>
+        <translation>Die Deckkräfte des Presentation State sind nicht brauchbar.</translation>
+    </message>
+    <message>
+        <source>Choose another preset.</source>
+        <translation>Wählen Sie eine andere Voreinstellung.</translation>
+    </message>
+    <message>
+        <source>The shading of the presentation state is not usable.</source>
+        <translation>Die Schattierung des Presentation State ist nicht brauchbar.</translation>
+    </message>
+    <message>
+        <source>A presentation state refers to DICOM images with a frame of reference, and this volume has none.</source>
+        <translation>Ein Presentation State bezieht sich auf DICOM-Bilder mit einem Koordinatensystem, und dieses Volumen hat keines.</translation>
+    </message>
+    <message>
+        <source>Save it as a view.</source>
+        <translation>Speichern Sie sie als Ansicht.</translation>
+    </message>
+    <message>
+        <source>Write the presentation state without patient and study.</source>
+        <translation>Speichern Sie den Presentation State ohne Patient und Studie.</translation>
+    </message>
+    <message>
+        <source>The pixels do not fit the size of the picture.</source>
+        <translation>Die Pixel passen nicht zur Größe des Bildes.</translation>
+    </message>
+    <message>
+        <source>Draw the picture again.</source>
+        <translation>Zeichnen Sie das Bild noch einmal.</translation>
+    </message>
+    <message>
+        <source>Take at most %1 letters, digits and signs, without a backslash.</source>
+        <translation>Nehmen Sie höchstens %1 Buchstaben, Ziffern und Zeichen, ohne umgekehrten Schrägstrich.</translation>
+    </message>
+    <message>
+        <source>The frames of the segmentation lie too far apart.</source>
+        <translation>Die Einzelbilder der Segmentierung liegen zu weit auseinander.</translation>
+    </message>
+    <message>
+        <source>Reading a segmentation of %1 frames</source>
+        <translation>Eine Segmentierung mit %1 Einzelbildern wird gelesen</translation>
+    </message>
+    <message>
+        <source>The segmentation ends before its last frame does.</source>
+        <translation>Die Segmentierung endet vor ihrem letzten Einzelbild.</translation>
+    </message>
+    <message>
+        <source>The segmentation changed while it was read.</source>
+        <translation>Die Segmentierung hat sich beim Lesen geändert.</translation>
+    </message>
+    <message>
+        <source>Open the study again.</source>
+        <translation>Öffnen Sie die Studie noch einmal.</translation>
+    </message>
+    <message>
+        <source>The frames of the segmentation do not lie on one grid.</source>
+        <translation>Die Einzelbilder der Segmentierung liegen nicht auf einem Gitter.</translation>
+    </message>
+    <message>
+        <source>Putting segments on the voxels of the volume</source>
+        <translation>Segmente werden auf die Voxel des Volumens gelegt</translation>
+    </message>
+    <message>
+        <source>The series of the segmentation is no volume.</source>
+        <translation>Die Serie der Segmentierung ist kein Volumen.</translation>
+    </message>
+    <message>
+        <source>The frames of the segmentation are of no kind that this version knows.</source>
+        <translation>Die Einzelbilder der Segmentierung sind von keiner Art, die diese Version kennt.</translation>
+    </message>
+    <message>
+        <source>The segmentation does not say what its values mean.</source>
+        <translation>Die Segmentierung sagt nicht, was ihre Werte bedeuten.</translation>
+    </message>
+    <message>
+        <source>The segmentation does not say where all of its frames lie.</source>
+        <translation>Die Segmentierung sagt nicht, wo alle ihre Einzelbilder liegen.</translation>
+    </message>
+    <message>
+        <source>The segmentation does not say where its frames lie.</source>
+        <translation>Die Segmentierung sagt nicht, wo ihre Einzelbilder liegen.</translation>
+    </message>
+    <message>
+        <source>The segmentation does not say what its frames show.</source>
+        <translation>Die Segmentierung sagt nicht, was ihre Einzelbilder zeigen.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory to read a segmentation.</source>
+        <translation>Es ist nicht genug Speicher da, um eine Segmentierung zu lesen.</translation>
+    </message>
+    <message>
+        <source>The frames of the segmentation lie too far apart for a grid of their own.</source>
+        <translation>Die Einzelbilder der Segmentierung liegen für ein eigenes Gitter zu weit auseinander.</translation>
+    </message>
+    <message>
+        <source>Open it with the series it was drawn on.</source>
+        <translation>Öffnen Sie sie mit der Serie, auf der sie gezeichnet wurde.</translation>
+    </message>
+    <message>
+        <source>Frame %1 of the segmentation does not lie on the voxels of the series.</source>
+        <translation>Einzelbild %1 der Segmentierung liegt nicht auf den Voxeln der Serie.</translation>
+    </message>
+    <message>
+        <source>Open the segmentation with the series it was drawn on.</source>
+        <translation>Öffnen Sie die Segmentierung mit der Serie, auf der sie gezeichnet wurde.</translation>
+    </message>
+    <message>
+        <source>The segmentation has no frames.</source>
+        <translation>Die Segmentierung hat keine Einzelbilder.</translation>
+    </message>
+    <message>
+        <source>Object of class %1</source>
+        <translation>Objekt der Klasse %1</translation>
     </message>
 </context>
 <context>
@@ -1561,6 +2001,42 @@
         <source>Close other programs, or choose a smaller one.</source>
         <translation>Schließen Sie andere Programme, oder wählen Sie ein kleineres.</translation>
     </message>
+    <message>
+        <source>A NIfTI file holds no volume of %1 x %2 x %3 voxels.</source>
+        <translation>Eine NIfTI-Datei fasst kein Volumen aus %1 x %2 x %3 Voxeln.</translation>
+    </message>
+    <message>
+        <source>Write a .nrrd or .mha file.</source>
+        <translation>Schreiben Sie eine .nrrd- oder .mha-Datei.</translation>
+    </message>
+    <message>
+        <source>The values of the image have NIfTI's data type %1; Macula reads whole numbers of 8 to 32 bits and floating-point ones.</source>
+        <translation>Die Werte des Bildes haben den NIfTI-Datentyp %1; Macula liest ganze Zahlen mit 8 bis 32 Bit und Gleitkommazahlen.</translation>
+    </message>
+    <message>
+        <source>The image has several values in each voxel, or an axis of time; a volume needs one value.</source>
+        <translation>Das Bild hat mehrere Werte in jedem Voxel oder eine Zeitachse; ein Volumen braucht einen Wert.</translation>
+    </message>
+    <message>
+        <source>An axis of the image does not lie in space.</source>
+        <translation>Eine Achse des Bildes liegt nicht im Raum.</translation>
+    </message>
+    <message>
+        <source>Text stands before the values, which Macula does not read.</source>
+        <translation>Vor den Werten steht Text, den Macula nicht liest.</translation>
+    </message>
+    <message>
+        <source>The values lie in another folder or in several files.</source>
+        <translation>Die Werte liegen in einem anderen Ordner oder in mehreren Dateien.</translation>
+    </message>
+    <message>
+        <source>Write the volume to one file, or put the file with the values beside the header.</source>
+        <translation>Schreiben Sie das Volumen in eine Datei, oder legen Sie die Datei mit den Werten neben den Kopf.</translation>
+    </message>
+    <message>
+        <source>The file could not be put in place: %1.</source>
+        <translation>Die Datei konnte nicht an ihren Ort gelegt werden: %1.</translation>
+    </message>
 </context>
 <context>
     <name>segment</name>
@@ -1698,6 +2174,46 @@
     <message>
         <source>The values were brought to 16 bits for the picture, with an error of at most %1.</source>
         <translation>Die Werte wurden für das Bild auf 16 Bit gebracht, mit einem Fehler von höchstens %1.</translation>
+    </message>
+    <message>
+        <source>Correct the camera.</source>
+        <translation>Berichtigen Sie die Kamera.</translation>
+    </message>
+    <message>
+        <source>The camera has a number that is not finite.</source>
+        <translation>Die Kamera hat eine Zahl, die nicht endlich ist.</translation>
+    </message>
+    <message>
+        <source>The camera's vertical field of view must lie between 0.1 and 170 degrees.</source>
+        <translation>Das senkrechte Blickfeld der Kamera muss zwischen 0,1 und 170 Grad liegen.</translation>
+    </message>
+    <message>
+        <source>The height of a parallel picture must lie between 0.001 mm and 1 km.</source>
+        <translation>Die Höhe eines parallelen Bildes muss zwischen 0,001 mm und 1 km liegen.</translation>
+    </message>
+    <message>
+        <source>The camera's position and target are the same point.</source>
+        <translation>Ort und Ziel der Kamera sind derselbe Punkt.</translation>
+    </message>
+    <message>
+        <source>The camera's up direction is parallel to its view.</source>
+        <translation>Die Richtung nach oben der Kamera ist parallel zu ihrem Blick.</translation>
+    </message>
+    <message>
+        <source>The segmentation has no voxels.</source>
+        <translation>Die Segmentierung hat keine Voxel.</translation>
+    </message>
+    <message>
+        <source>The segmentation has not as many voxels as its size says.</source>
+        <translation>Die Segmentierung hat nicht so viele Voxel, wie ihre Größe angibt.</translation>
+    </message>
+    <message>
+        <source>The segmentation does not say where it lies.</source>
+        <translation>Die Segmentierung sagt nicht, wo sie liegt.</translation>
+    </message>
+    <message>
+        <source>The volume should have %1 voxels, and has %2.</source>
+        <translation>Das Volumen sollte %1 Voxel haben und hat %2.</translation>
     </message>
 </context>
 <context>
@@ -2035,16 +2551,8 @@
         <translation>Serie %1</translation>
     </message>
     <message>
-        <source>series %1: %2</source>
-        <translation>Serie %1: %2</translation>
-    </message>
-    <message>
         <source>series without a number</source>
         <translation>Serie ohne Nummer</translation>
-    </message>
-    <message>
-        <source>series without a number: %1</source>
-        <translation>Serie ohne Nummer: %1</translation>
     </message>
     <message>
         <source>no description</source>
@@ -2067,10 +2575,6 @@
         <translation>Die Bilder sind kein Volumen.</translation>
     </message>
     <message>
-        <source>%1: this is no image.</source>
-        <translation>%1: das ist kein Bild.</translation>
-    </message>
-    <message>
         <source>No patient name</source>
         <translation>Kein Patientenname</translation>
     </message>
@@ -2081,10 +2585,6 @@
     <message>
         <source>no patient ID</source>
         <translation>keine Patienten-ID</translation>
-    </message>
-    <message>
-        <source>born %1</source>
-        <translation>geboren %1</translation>
     </message>
     <message>
         <source>Making the phantom</source>
@@ -2147,16 +2647,8 @@
         <translation>Serie %1</translation>
     </message>
     <message>
-        <source>Series %1: %2</source>
-        <translation>Serie %1: %2</translation>
-    </message>
-    <message>
         <source>Series without a number</source>
         <translation>Serie ohne Nummer</translation>
-    </message>
-    <message>
-        <source>Series without a number: %1</source>
-        <translation>Serie ohne Nummer: %1</translation>
     </message>
     <message>
         <source>no images</source>
@@ -2246,6 +2738,593 @@
         <source>Use an X11 or a Wayland display, or `macula render`.</source>
         <translation>Verwenden Sie eine X11- oder Wayland-Anzeige, oder `macula render`.</translation>
     </message>
+    <message>
+        <source>Camera %1 of the path is none: %2</source>
+        <translation>Kamera %1 der Fahrt ist keine: %2</translation>
+    </message>
+    <message>
+        <source>That part of the clip is not there any more.</source>
+        <translation>Diesen Teil des Beschnitts gibt es nicht mehr.</translation>
+    </message>
+    <message>
+        <source>Take hold of another one.</source>
+        <translation>Fassen Sie einen anderen.</translation>
+    </message>
+    <message>
+        <source>The depth of the cut is not a number.</source>
+        <translation>Die Tiefe des Schnitts ist keine Zahl.</translation>
+    </message>
+    <message>
+        <source>Draw around what is to be removed, in one go.</source>
+        <translation>Umfahren Sie in einem Zug, was entfernt werden soll.</translation>
+    </message>
+    <message>
+        <source>The outline has fewer than three points.</source>
+        <translation>Der Umriss hat weniger als drei Punkte.</translation>
+    </message>
+    <message>
+        <source>The outline has too many points.</source>
+        <translation>Der Umriss hat zu viele Punkte.</translation>
+    </message>
+    <message>
+        <source>A point of the outline is no number.</source>
+        <translation>Ein Punkt des Umrisses ist keine Zahl.</translation>
+    </message>
+    <message>
+        <source>The outline encloses nothing.</source>
+        <translation>Der Umriss umschließt nichts.</translation>
+    </message>
+    <message>
+        <source>no splats with parallel rays</source>
+        <translation>keine Splats bei parallelen Strahlen</translation>
+    </message>
+    <message>
+        <source>An error could not be reported.</source>
+        <translation>Ein Fehler konnte nicht gemeldet werden.</translation>
+    </message>
+    <message>
+        <source>Waiting for the graphics device to let go of the window.</source>
+        <translation>Das Grafikgerät gibt das Fenster noch nicht frei.</translation>
+    </message>
+    <message>
+        <source>The model's name says no format.</source>
+        <translation>Der Name des Modells nennt kein Format.</translation>
+    </message>
+    <message>
+        <source>The name says no format that splats alone are written in.</source>
+        <translation>Der Name nennt kein Format, in dem Splats allein geschrieben werden.</translation>
+    </message>
+    <message>
+        <source>The model has learnt nothing yet that training could go on with.</source>
+        <translation>Das Modell hat noch nichts gelernt, womit das Training weitergehen könnte.</translation>
+    </message>
+    <message>
+        <source>Wait until the picture converges, or save it as .ply, .spz or .glb.</source>
+        <translation>Warten Sie, bis das Bild besser wird, oder speichern Sie es als .ply, .spz oder .glb.</translation>
+    </message>
+    <message>
+        <source>The model could not be written.</source>
+        <translation>Das Modell konnte nicht gespeichert werden.</translation>
+    </message>
+    <message>
+        <source>Writing the model</source>
+        <translation>Das Modell wird gespeichert</translation>
+    </message>
+    <message>
+        <source>What goes on learning needs linear colours.</source>
+        <translation>Was weiterlernt, braucht lineare Farben.</translation>
+    </message>
+    <message>
+        <source>Save it as .ply, .spz or .glb, or without colours as displayed.</source>
+        <translation>Speichern Sie es als .ply, .spz oder .glb, oder ohne Farben wie gezeigt.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory to write the model.</source>
+        <translation>Es ist nicht genug Speicher da, um das Modell zu speichern.</translation>
+    </message>
+    <message>
+        <source>Give --overwrite to replace it, or choose another name.</source>
+        <translation>Geben Sie --overwrite an, um sie zu ersetzen, oder wählen Sie einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>Two outputs have the same name.</source>
+        <translation>Zwei Ausgaben haben denselben Namen.</translation>
+    </message>
+    <message>
+        <source>Give each a name of its own.</source>
+        <translation>Geben Sie jeder einen eigenen Namen.</translation>
+    </message>
+    <message>
+        <source>The small picture was not drawn.</source>
+        <translation>Das kleine Bild wurde nicht gezeichnet.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for small pictures of presets.</source>
+        <translation>Für kleine Bilder der Voreinstellungen ist nicht genug Speicher da.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for small pictures.</source>
+        <translation>Für kleine Bilder ist nicht genug Speicher da.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for both pictures.</source>
+        <translation>Für beide Bilder ist nicht genug Speicher da.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for these pictures.</source>
+        <translation>Für diese Bilder ist nicht genug Speicher da.</translation>
+    </message>
+    <message>
+        <source>Every voxel of the series is padding: there is nothing to draw.</source>
+        <translation>Jedes Voxel der Serie ist Füllwert: es gibt nichts zu zeichnen.</translation>
+    </message>
+    <message>
+        <source>Open another series.</source>
+        <translation>Öffnen Sie eine andere Serie.</translation>
+    </message>
+    <message>
+        <source>A sequence cannot have that many pictures.</source>
+        <translation>So viele Bilder kann eine Folge nicht haben.</translation>
+    </message>
+    <message>
+        <source>Take 1 to %1.</source>
+        <translation>Nehmen Sie 1 bis %1.</translation>
+    </message>
+    <message>
+        <source>The way of the camera has no view.</source>
+        <translation>Die Kamerafahrt hat keine Ansicht.</translation>
+    </message>
+    <message>
+        <source>Add one first.</source>
+        <translation>Fügen Sie zuerst eine hinzu.</translation>
+    </message>
+    <message>
+        <source>The folder for the pictures cannot be made.</source>
+        <translation>Der Ordner für die Bilder kann nicht angelegt werden.</translation>
+    </message>
+    <message>
+        <source>The folder holds pictures of another sequence.</source>
+        <translation>Der Ordner enthält Bilder einer anderen Folge.</translation>
+    </message>
+    <message>
+        <source>Choose an empty folder, or make a new one.</source>
+        <translation>Wählen Sie einen leeren Ordner, oder legen Sie einen neuen an.</translation>
+    </message>
+    <message>
+        <source>Drawing pictures</source>
+        <translation>Bilder werden gezeichnet</translation>
+    </message>
+    <message>
+        <source>Choose another presentation state.</source>
+        <translation>Wählen Sie einen anderen Presentation State.</translation>
+    </message>
+    <message>
+        <source>The clip of the presentation state leaves nothing of this series.</source>
+        <translation>Der Beschnitt des Presentation State lässt von dieser Serie nichts übrig.</translation>
+    </message>
+    <message>
+        <source>The clip of the presentation state is of more planes than six.</source>
+        <translation>Der Beschnitt des Presentation State hat mehr als sechs Ebenen.</translation>
+    </message>
+    <message>
+        <source>A presentation state refers to DICOM images with identifiers and a frame of reference, and this series has none.</source>
+        <translation>Ein Presentation State bezieht sich auf DICOM-Bilder mit Kennungen und einem Koordinatensystem, und diese Serie hat keine.</translation>
+    </message>
+    <message>
+        <source>The window is a curve; others get a straight one.</source>
+        <translation>Die Fensterung ist eine Kurve; andere Programme erhalten eine gerade.</translation>
+    </message>
+    <message>
+        <source>Others cannot show an average, and show the preset instead.</source>
+        <translation>Andere Programme können keinen Mittelwert zeigen und zeigen stattdessen die Voreinstellung.</translation>
+    </message>
+    <message>
+        <source>Opacities that depend on edges (gradients) are for Macula alone.</source>
+        <translation>Deckkräfte, die von Kanten (Gradienten) abhängen, gelten nur für Macula.</translation>
+    </message>
+    <message>
+        <source>Others have no path tracing: of the lights they get the strongest, and how bright the rest is.</source>
+        <translation>Andere Programme haben keine Pfadverfolgung: von der Beleuchtung erhalten sie das stärkste Licht und wie hell der Rest ist.</translation>
+    </message>
+    <message>
+        <source>Others show the table, which is left out here.</source>
+        <translation>Andere Programme zeigen den Tisch, der hier weggelassen ist.</translation>
+    </message>
+    <message>
+        <source>Others show segments that are hidden here.</source>
+        <translation>Andere Programme zeigen Segmente, die hier ausgeblendet sind.</translation>
+    </message>
+    <message>
+        <source>Others show what is cut off with scissors here.</source>
+        <translation>Andere Programme zeigen, was hier mit der Schere abgeschnitten ist.</translation>
+    </message>
+    <message>
+        <source>Others show boxes, corners and balls that are cut out here.</source>
+        <translation>Andere Programme zeigen Quader, Ecken und Kugeln, die hier herausgeschnitten sind.</translation>
+    </message>
+    <message>
+        <source>Grey faces and shadows of what is cut off are for Macula alone.</source>
+        <translation>Graue Flächen und Schatten des Abgeschnittenen gelten nur für Macula.</translation>
+    </message>
+    <message>
+        <source>There is no picture yet to make a presentation state of.</source>
+        <translation>Es gibt noch kein Bild für einen Presentation State.</translation>
+    </message>
+    <message>
+        <source>Wait until the study is shown.</source>
+        <translation>Warten Sie, bis die Studie gezeigt wird.</translation>
+    </message>
+    <message>
+        <source>The view is too large to be kept as a whole: Macula too shows only what others show.</source>
+        <translation>Die Ansicht ist zu groß, um ganz bewahrt zu werden: auch Macula zeigt nur, was andere zeigen.</translation>
+    </message>
+    <message>
+        <source>The colours of this projection are shown as greys.</source>
+        <translation>Die Farben dieser Projektion werden als Graustufen gezeigt.</translation>
+    </message>
+    <message>
+        <source>The presentation state does not say of which thickness its opacities are; 1 mm is taken.</source>
+        <translation>Der Presentation State sagt nicht, für welche Dicke seine Deckkräfte gelten; 1 mm wird angenommen.</translation>
+    </message>
+    <message>
+        <source>Highlights are not drawn.</source>
+        <translation>Glanzlichter werden nicht gezeichnet.</translation>
+    </message>
+    <message>
+        <source>Surfaces are shaded from both sides.</source>
+        <translation>Flächen werden von beiden Seiten schattiert.</translation>
+    </message>
+    <message>
+        <source>Light comes from the viewer, and not from where the presentation state has it.</source>
+        <translation>Das Licht kommt vom Betrachter und nicht von dort, wo der Presentation State es hat.</translation>
+    </message>
+    <message>
+        <source>The picture is larger than that of the presentation state, whose middle is not where it looks at.</source>
+        <translation>Das Bild ist größer als das des Presentation State, dessen Mitte nicht sein Blickpunkt ist.</translation>
+    </message>
+    <message>
+        <source>What a newer Macula has written cannot be read; the picture is as others show it.</source>
+        <translation>Was ein neueres Macula geschrieben hat, kann nicht gelesen werden; das Bild ist, wie andere es zeigen.</translation>
+    </message>
+    <message>
+        <source>The presentation state is of another series.</source>
+        <translation>Der Presentation State ist von einer anderen Serie.</translation>
+    </message>
+    <message>
+        <source>Open that series, or choose another presentation state.</source>
+        <translation>Öffnen Sie diese Serie, oder wählen Sie einen anderen Presentation State.</translation>
+    </message>
+    <message>
+        <source>What lies before or behind the depth of its view is shown, too.</source>
+        <translation>Auch was vor oder hinter der Tiefe seiner Ansicht liegt, wird gezeigt.</translation>
+    </message>
+    <message>
+        <source>The measurement was stopped.</source>
+        <translation>Die Messung wurde angehalten.</translation>
+    </message>
+    <message>
+        <source>Measuring this machine</source>
+        <translation>Dieser Rechner wird gemessen</translation>
+    </message>
+    <message>
+        <source>There is not enough memory to measure.</source>
+        <translation>Zum Messen ist nicht genug Speicher da.</translation>
+    </message>
+    <message>
+        <source>It is of another patient.</source>
+        <translation>Sie ist von einem anderen Patienten.</translation>
+    </message>
+    <message>
+        <source>It has no frames.</source>
+        <translation>Sie hat keine Einzelbilder.</translation>
+    </message>
+    <message>
+        <source>It lies in another coordinate system (frame of reference) than this volume.</source>
+        <translation>Sie liegt in einem anderen Koordinatensystem (Frame of Reference) als dieses Volumen.</translation>
+    </message>
+    <message>
+        <source>Nothing says that it lies in the coordinate system of this volume.</source>
+        <translation>Nichts sagt, dass sie im Koordinatensystem dieses Volumens liegt.</translation>
+    </message>
+    <message>
+        <source>It was drawn on another series of this coordinate system.</source>
+        <translation>Sie wurde auf einer anderen Serie dieses Koordinatensystems gezeichnet.</translation>
+    </message>
+    <message>
+        <source>Reading %1 segmentations</source>
+        <translation>%1 Segmentierungen werden gelesen</translation>
+    </message>
+    <message>
+        <source>Reading segmentations was cancelled.</source>
+        <translation>Das Lesen der Segmentierungen wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory to read the segmentations.</source>
+        <translation>Es ist nicht genug Speicher da, um die Segmentierungen zu lesen.</translation>
+    </message>
+    <message>
+        <source>It was drawn on other voxels than those of this volume; the nearest voxel is shown.</source>
+        <translation>Sie wurde auf anderen Voxeln als denen dieses Volumens gezeichnet; das nächste Voxel wird gezeigt.</translation>
+    </message>
+    <message>
+        <source>It has fractions; what is half or more is shown as the segment.</source>
+        <translation>Sie hat Anteile; was die Hälfte oder mehr ist, wird als Segment gezeigt.</translation>
+    </message>
+    <message>
+        <source>%1 of its voxels lie outside of this volume, and are not counted.</source>
+        <translation>%1 ihrer Voxel liegen außerhalb dieses Volumens und werden nicht gezählt.</translation>
+    </message>
+    <message>
+        <source>No voxel of it lies in this volume.</source>
+        <translation>Kein Voxel davon liegt in diesem Volumen.</translation>
+    </message>
+    <message>
+        <source>Hiding segments</source>
+        <translation>Segmente werden ausgeblendet</translation>
+    </message>
+    <message>
+        <source>Hiding segments was cancelled.</source>
+        <translation>Das Ausblenden der Segmente wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>one segment alone</source>
+        <translation>ein Segment allein</translation>
+    </message>
+    <message>
+        <source>some segments alone</source>
+        <translation>einige Segmente allein</translation>
+    </message>
+    <message>
+        <source>a segment left out</source>
+        <translation>ein Segment weggelassen</translation>
+    </message>
+    <message>
+        <source>some segments left out</source>
+        <translation>einige Segmente weggelassen</translation>
+    </message>
+    <message>
+        <source>There is not enough memory to hide segments.</source>
+        <translation>Es ist nicht genug Speicher da, um Segmente auszublenden.</translation>
+    </message>
+    <message>
+        <source>Close other programs, or hide fewer.</source>
+        <translation>Schließen Sie andere Programme, oder blenden Sie weniger aus.</translation>
+    </message>
+    <message>
+        <source>Stored sessions: %1 studies and %2 volumes were not opened for %3 days, and deleted.</source>
+        <translation>Gespeicherte Sitzungen: %1 Studien und %2 Volumen wurden %3 Tage lang nicht geöffnet und gelöscht.</translation>
+    </message>
+    <message>
+        <source>What was not opened for long could not be deleted.</source>
+        <translation>Was lange nicht geöffnet wurde, konnte nicht gelöscht werden.</translation>
+    </message>
+    <message>
+        <source>The name has letters that cannot be read.</source>
+        <translation>Der Name hat Buchstaben, die nicht gelesen werden können.</translation>
+    </message>
+    <message>
+        <source>Type it anew.</source>
+        <translation>Geben Sie ihn neu ein.</translation>
+    </message>
+    <message>
+        <source>The name has letters that cannot be seen.</source>
+        <translation>Der Name hat Buchstaben, die nicht zu sehen sind.</translation>
+    </message>
+    <message>
+        <source>Type it anew, without pasting.</source>
+        <translation>Geben Sie ihn neu ein, ohne einzufügen.</translation>
+    </message>
+    <message>
+        <source>The preset needs a name.</source>
+        <translation>Die Voreinstellung braucht einen Namen.</translation>
+    </message>
+    <message>
+        <source>Type one.</source>
+        <translation>Geben Sie einen ein.</translation>
+    </message>
+    <message>
+        <source>The name is too long.</source>
+        <translation>Der Name ist zu lang.</translation>
+    </message>
+    <message>
+        <source>Use at most %1 letters.</source>
+        <translation>Nehmen Sie höchstens %1 Buchstaben.</translation>
+    </message>
+    <message>
+        <source>It is too large.</source>
+        <translation>Sie ist zu groß.</translation>
+    </message>
+    <message>
+        <source>The preset cannot be kept: %1</source>
+        <translation>Die Voreinstellung kann nicht behalten werden: %1</translation>
+    </message>
+    <message>
+        <source>There is a preset of that name already.</source>
+        <translation>Eine Voreinstellung dieses Namens gibt es schon.</translation>
+    </message>
+    <message>
+        <source>There are too many presets of your own.</source>
+        <translation>Es gibt zu viele eigene Voreinstellungen.</translation>
+    </message>
+    <message>
+        <source>Delete some first.</source>
+        <translation>Löschen Sie zuerst einige.</translation>
+    </message>
+    <message>
+        <source>What is seen cannot be kept: %1</source>
+        <translation>Das Gezeigte kann nicht behalten werden: %1</translation>
+    </message>
+    <message>
+        <source>A built-in preset cannot be renamed.</source>
+        <translation>Eine eingebaute Voreinstellung kann nicht umbenannt werden.</translation>
+    </message>
+    <message>
+        <source>Save a copy of it.</source>
+        <translation>Speichern Sie eine Kopie davon.</translation>
+    </message>
+    <message>
+        <source>There is no preset to save yet.</source>
+        <translation>Es gibt noch keine Voreinstellung zu speichern.</translation>
+    </message>
+    <message>
+        <source>There is nothing to be seen yet.</source>
+        <translation>Es ist noch nichts zu sehen.</translation>
+    </message>
+    <message>
+        <source>The preset is gone.</source>
+        <translation>Die Voreinstellung gibt es nicht mehr.</translation>
+    </message>
+    <message>
+        <source>Choose another one.</source>
+        <translation>Wählen Sie eine andere.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory to read the presets.</source>
+        <translation>Es ist nicht genug Speicher da, um die Voreinstellungen zu lesen.</translation>
+    </message>
+    <message>
+        <source>A window is kept under a name.</source>
+        <translation>Eine Fensterung wird unter einem Namen behalten.</translation>
+    </message>
+    <message>
+        <source>Type one, such as Kidney.</source>
+        <translation>Geben Sie einen ein, zum Beispiel Niere.</translation>
+    </message>
+    <message>
+        <source>There are %1 windows of your own already.</source>
+        <translation>Es gibt schon %1 eigene Fensterungen.</translation>
+    </message>
+    <message>
+        <source>Remove one first.</source>
+        <translation>Entfernen Sie zuerst eine.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory to keep windows.</source>
+        <translation>Es ist nicht genug Speicher da, um Fensterungen zu behalten.</translation>
+    </message>
+    <message>
+        <source>at most %1 bytes</source>
+        <translation>höchstens %1 Bytes</translation>
+    </message>
+    <message>
+        <source>namedClips: expected another thing.</source>
+        <translation>namedClips: hier wird anderes erwartet.</translation>
+    </message>
+    <message>
+        <source>A list of at most %1 clips.</source>
+        <translation>Eine Liste mit höchstens %1 Beschnitten.</translation>
+    </message>
+    <message>
+        <source>one of %1</source>
+        <translation>eines von %1</translation>
+    </message>
+    <message>
+        <source>Hiding voxels</source>
+        <translation>Voxel werden ausgeblendet</translation>
+    </message>
+    <message>
+        <source>Hiding voxels was cancelled.</source>
+        <translation>Das Ausblenden der Voxel wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory to hide parts of the volume.</source>
+        <translation>Es ist nicht genug Speicher da, um Teile des Volumens auszublenden.</translation>
+    </message>
+    <message>
+        <source>Close other programs, or hide less.</source>
+        <translation>Schließen Sie andere Programme, oder blenden Sie weniger aus.</translation>
+    </message>
+    <message>
+        <source>Cutting with the scissors</source>
+        <translation>Mit der Schere wird geschnitten</translation>
+    </message>
+    <message>
+        <source>The cut was cancelled.</source>
+        <translation>Der Schnitt wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>Draw the outline around less, or keep the inside with Shift.</source>
+        <translation>Umfahren Sie weniger, oder behalten Sie mit Umschalt das Innere.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory to cut this volume with the scissors.</source>
+        <translation>Es ist nicht genug Speicher da, um dieses Volumen mit der Schere zu schneiden.</translation>
+    </message>
+    <message>
+        <source>Close other programs, or clip with a box, planes or a ball.</source>
+        <translation>Schließen Sie andere Programme, oder beschneiden Sie mit einem Quader, Ebenen oder einer Kugel.</translation>
+    </message>
+    <message>
+        <source>cut with scissors</source>
+        <translation>mit der Schere geschnitten</translation>
+    </message>
+    <message>
+        <source>There is no image.</source>
+        <translation>Es gibt kein Bild.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for a picture of the series.</source>
+        <translation>Für ein Bild der Serie ist nicht genug Speicher da.</translation>
+    </message>
+    <message>
+        <source>The view keeps or hides segments; here they change nothing.</source>
+        <translation>Die Ansicht behält Segmente oder blendet sie aus; hier ändern sie nichts.</translation>
+    </message>
+    <message>
+        <source>The preset is made for other units than those of the series.</source>
+        <translation>Die Voreinstellung ist für andere Einheiten gemacht als die der Serie.</translation>
+    </message>
+    <message>
+        <source>no images so far</source>
+        <translation>bisher keine Bilder</translation>
+    </message>
+    <message>
+        <source>1 image so far</source>
+        <translation>bisher 1 Bild</translation>
+    </message>
+    <message>
+        <source>%1 images so far</source>
+        <translation>bisher %1 Bilder</translation>
+    </message>
+    <message>
+        <source>%1 × %2</source>
+        <translation>%1 × %2</translation>
+    </message>
+    <message>
+        <source>There is no display to open a window on, or it does not answer.</source>
+        <translation>Es gibt keine Anzeige für ein Fenster, oder sie antwortet nicht.</translation>
+    </message>
+    <message>
+        <source>Set DISPLAY or WAYLAND_DISPLAY, or use `macula render`, which needs none.</source>
+        <translation>Setzen Sie DISPLAY oder WAYLAND_DISPLAY, oder verwenden Sie `macula render`, das keine braucht.</translation>
+    </message>
+</context>
+<context>
+    <name>labels</name>
+    <message>
+        <source>series %1: %2</source>
+        <translation>Serie %1: %2</translation>
+    </message>
+    <message>
+        <source>series without a number: %1</source>
+        <translation>Serie ohne Nummer: %1</translation>
+    </message>
+    <message>
+        <source>Series %1: %2</source>
+        <translation>Serie %1: %2</translation>
+    </message>
+    <message>
+        <source>Series without a number: %1</source>
+        <translation>Serie ohne Nummer: %1</translation>
+    </message>
+    <message>
+        <source>%1: this is no image.</source>
+        <translation>%1: das ist kein Bild.</translation>
+    </message>
+    <message>
+        <source>born %1</source>
+        <translation>geboren %1</translation>
+    </message>
 </context>
 <context>
     <name>pieces</name>
@@ -2300,6 +3379,362 @@
     <message>
         <source>without interpolated slices and</source>
         <translation>ohne interpolierte Schichten und</translation>
+    </message>
+    <message>
+        <source>it did not become whole</source>
+        <translation>sie wurde nicht vollständig</translation>
+    </message>
+    <message>
+        <source>something unforeseen happened</source>
+        <translation>etwas Unvorhergesehenes ist geschehen</translation>
+    </message>
+    <message>
+        <source>Computed radiography image</source>
+        <translation>Speicherfolienaufnahme (CR)</translation>
+    </message>
+    <message>
+        <source>Digital X-ray image</source>
+        <translation>digitale Röntgenaufnahme</translation>
+    </message>
+    <message>
+        <source>Digital X-ray image, unprocessed</source>
+        <translation>digitale Röntgenaufnahme, unverarbeitet</translation>
+    </message>
+    <message>
+        <source>Mammography image</source>
+        <translation>Mammographie</translation>
+    </message>
+    <message>
+        <source>Mammography image, unprocessed</source>
+        <translation>Mammographie, unverarbeitet</translation>
+    </message>
+    <message>
+        <source>Intra-oral X-ray image</source>
+        <translation>intraorale Röntgenaufnahme</translation>
+    </message>
+    <message>
+        <source>X-ray angiographic image</source>
+        <translation>angiographische Röntgenaufnahme</translation>
+    </message>
+    <message>
+        <source>Enhanced X-ray angiographic image</source>
+        <translation>angiographische Röntgenaufnahme (Enhanced)</translation>
+    </message>
+    <message>
+        <source>X-ray radiofluoroscopic image</source>
+        <translation>Durchleuchtung</translation>
+    </message>
+    <message>
+        <source>Enhanced X-ray radiofluoroscopic image</source>
+        <translation>Durchleuchtung (Enhanced)</translation>
+    </message>
+    <message>
+        <source>Visible light image</source>
+        <translation>Aufnahme in sichtbarem Licht</translation>
+    </message>
+    <message>
+        <source>Ultrasound clip</source>
+        <translation>Ultraschallsequenz</translation>
+    </message>
+    <message>
+        <source>Ultrasound image</source>
+        <translation>Ultraschallbild</translation>
+    </message>
+    <message>
+        <source>Key object selection</source>
+        <translation>Auswahl wichtiger Bilder (Key Object Selection)</translation>
+    </message>
+    <message>
+        <source>Structured report</source>
+        <translation>strukturierter Befund (Structured Report)</translation>
+    </message>
+    <message>
+        <source>Presentation state of a 3D view</source>
+        <translation>Presentation State einer 3D-Ansicht</translation>
+    </message>
+    <message>
+        <source>Presentation state</source>
+        <translation>Presentation State</translation>
+    </message>
+    <message>
+        <source>Waveform</source>
+        <translation>Kurve (Waveform)</translation>
+    </message>
+    <message>
+        <source>Raw data</source>
+        <translation>Rohdaten</translation>
+    </message>
+    <message>
+        <source>Spatial registration</source>
+        <translation>räumliche Registrierung</translation>
+    </message>
+    <message>
+        <source>Spatial fiducials</source>
+        <translation>räumliche Marker</translation>
+    </message>
+    <message>
+        <source>Deformable spatial registration</source>
+        <translation>elastische räumliche Registrierung</translation>
+    </message>
+    <message>
+        <source>Segmentation</source>
+        <translation>Segmentierung</translation>
+    </message>
+    <message>
+        <source>Surface segmentation</source>
+        <translation>Oberflächensegmentierung</translation>
+    </message>
+    <message>
+        <source>Tractography</source>
+        <translation>Traktographie</translation>
+    </message>
+    <message>
+        <source>Label map segmentation</source>
+        <translation>Label-Map-Segmentierung</translation>
+    </message>
+    <message>
+        <source>Real world value mapping</source>
+        <translation>Zuordnung von Real World Values</translation>
+    </message>
+    <message>
+        <source>MR spectroscopy</source>
+        <translation>MR-Spektroskopie</translation>
+    </message>
+    <message>
+        <source>PDF document</source>
+        <translation>PDF-Dokument</translation>
+    </message>
+    <message>
+        <source>CDA document</source>
+        <translation>CDA-Dokument</translation>
+    </message>
+    <message>
+        <source>Document</source>
+        <translation>Dokument</translation>
+    </message>
+    <message>
+        <source>Radiotherapy structure set</source>
+        <translation>Strahlentherapie-Strukturen (RTSTRUCT)</translation>
+    </message>
+    <message>
+        <source>Radiotherapy plan</source>
+        <translation>Bestrahlungsplan</translation>
+    </message>
+    <message>
+        <source>Radiotherapy object</source>
+        <translation>Strahlentherapie-Objekt</translation>
+    </message>
+    <message>
+        <source>Object of unknown kind</source>
+        <translation>Objekt unbekannter Art</translation>
+    </message>
+    <message>
+        <source>SUV by body weight</source>
+        <translation>SUV nach Körpergewicht</translation>
+    </message>
+    <message>
+        <source>Units of Bq/mL</source>
+        <translation>die Einheit Bq/mL</translation>
+    </message>
+    <message>
+        <source>correction for decay and attenuation</source>
+        <translation>die Korrektur für Zerfall und Schwächung</translation>
+    </message>
+    <message>
+        <source>time of the scan</source>
+        <translation>die Aufnahmezeit</translation>
+    </message>
+    <message>
+        <source>plausible time between injection and scan</source>
+        <translation>eine plausible Zeit zwischen Injektion und Aufnahme</translation>
+    </message>
+    <message>
+        <source>0 for the first camera</source>
+        <translation>0 für die erste Kamera</translation>
+    </message>
+    <message>
+        <source>a later time than that of the camera before</source>
+        <translation>eine spätere Zeit als die der Kamera davor</translation>
+    </message>
+    <message>
+        <source>an eye, a target and an upright that make a camera</source>
+        <translation>ein Auge, ein Ziel und eine Richtung nach oben, die eine Kamera ergeben</translation>
+    </message>
+    <message>
+        <source>a name</source>
+        <translation>ein Name</translation>
+    </message>
+    <message>
+        <source>a rotation and a shift, row by row</source>
+        <translation>eine Drehung und eine Verschiebung, Zeile für Zeile</translation>
+    </message>
+    <message>
+        <source>the digest of a series</source>
+        <translation>die Prüfsumme einer Serie</translation>
+    </message>
+    <message>
+        <source>a direction, not all zeros</source>
+        <translation>eine Richtung, nicht nur Nullen</translation>
+    </message>
+    <message>
+        <source>pairs of numbers</source>
+        <translation>Zahlenpaare</translation>
+    </message>
+    <message>
+        <source>"inside" or "outside"</source>
+        <translation>„inside“ oder „outside“</translation>
+    </message>
+    <message>
+        <source>a camera, and an outline that encloses something</source>
+        <translation>eine Kamera und ein Umriss, der etwas umschließt</translation>
+    </message>
+    <message>
+        <source>64 hexadecimal digits</source>
+        <translation>64 hexadezimale Ziffern</translation>
+    </message>
+    <message>
+        <source>a direction perpendicular to "right"</source>
+        <translation>eine Richtung senkrecht zu „right“</translation>
+    </message>
+    <message>
+        <source>"distance", "angle" or "ellipse"</source>
+        <translation>„distance“, „angle“ oder „ellipse“</translation>
+    </message>
+    <message>
+        <source>an object, { … }</source>
+        <translation>ein Objekt, { … }</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>eine Zahl</translation>
+    </message>
+    <message>
+        <source>a text in quotes</source>
+        <translation>ein Text in Anführungszeichen</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>true oder false</translation>
+    </message>
+    <message>
+        <source>lower-case letters, digits and hyphens</source>
+        <translation>Kleinbuchstaben, Ziffern und Bindestriche</translation>
+    </message>
+    <message>
+        <source>two ascending numbers</source>
+        <translation>zwei aufsteigende Zahlen</translation>
+    </message>
+    <message>
+        <source>there are more than six planes</source>
+        <translation>es sind mehr als sechs Ebenen</translation>
+    </message>
+    <message>
+        <source>the box has no size</source>
+        <translation>der Quader hat keine Größe</translation>
+    </message>
+    <message>
+        <source>the axes of the box are not at right angles</source>
+        <translation>die Achsen des Quaders stehen nicht senkrecht</translation>
+    </message>
+    <message>
+        <source>a plane has no direction</source>
+        <translation>eine Ebene hat keine Richtung</translation>
+    </message>
+    <message>
+        <source>the corner has no direction</source>
+        <translation>die Ecke hat keine Richtung</translation>
+    </message>
+    <message>
+        <source>the ball has no size</source>
+        <translation>die Kugel hat keine Größe</translation>
+    </message>
+    <message>
+        <source>there is no segmentation to mask with</source>
+        <translation>es gibt keine Segmentierung zum Ausblenden</translation>
+    </message>
+    <message>
+        <source>the window of its faces has no width</source>
+        <translation>die Fensterung seiner Flächen hat keine Breite</translation>
+    </message>
+    <message>
+        <source>RGB, HSV, Lab, CIELAB, Diverging or Step</source>
+        <translation>RGB, HSV, Lab, CIELAB, Diverging oder Step</translation>
+    </message>
+    <message>
+        <source>a continuous colour map: categories cannot be drawn as one</source>
+        <translation>eine stetige Farbtabelle: Kategorien können nicht so gezeichnet werden</translation>
+    </message>
+    <message>
+        <source>a linear scale</source>
+        <translation>eine lineare Skala</translation>
+    </message>
+    <message>
+        <source>colours at two values or more</source>
+        <translation>Farben bei zwei oder mehr Werten</translation>
+    </message>
+    <message>
+        <source>the interpolation, 0 for nearest or 1 for linear</source>
+        <translation>die Interpolation, 0 für nächste oder 1 für linear</translation>
+    </message>
+    <message>
+        <source>whether it is shaded, 0 or 1</source>
+        <translation>ob schattiert wird, 0 oder 1</translation>
+    </message>
+    <message>
+        <source>the diffuse coefficient, 0 or above</source>
+        <translation>der diffuse Koeffizient, 0 oder mehr</translation>
+    </message>
+    <message>
+        <source>the ambient coefficient, 0 or above</source>
+        <translation>der ambiente Koeffizient, 0 oder mehr</translation>
+    </message>
+    <message>
+        <source>the specular coefficient, 0 or above</source>
+        <translation>der spiegelnde Koeffizient, 0 oder mehr</translation>
+    </message>
+    <message>
+        <source>the specular power, 0 or above</source>
+        <translation>der spiegelnde Exponent, 0 oder mehr</translation>
+    </message>
+    <message>
+        <source>is empty</source>
+        <translation>ist leer</translation>
+    </message>
+    <message>
+        <source>has no points</source>
+        <translation>hat keine Punkte</translation>
+    </message>
+    <message>
+        <source>has a value that is too large</source>
+        <translation>hat einen zu großen Wert</translation>
+    </message>
+    <message>
+        <source>has something in it that is no usable number, or too many of them</source>
+        <translation>enthält etwas, das keine brauchbare Zahl ist, oder zu viele davon</translation>
+    </message>
+    <message>
+        <source>scalar opacity (line 7)</source>
+        <translation>Die Deckkraft (Zeile 7)</translation>
+    </message>
+    <message>
+        <source>gradient opacity (line 8)</source>
+        <translation>Die Gradienten-Deckkraft (Zeile 8)</translation>
+    </message>
+    <message>
+        <source>colour (line 9)</source>
+        <translation>Die Farbe (Zeile 9)</translation>
+    </message>
+    <message>
+        <source>holds a number that cannot be read</source>
+        <translation>enthält eine Zahl, die nicht gelesen werden kann</translation>
+    </message>
+    <message>
+        <source>has a key without a value, or a value without a key</source>
+        <translation>hat einen Schlüssel ohne Wert oder einen Wert ohne Schlüssel</translation>
+    </message>
+    <message>
+        <source>"LINEAR", "LINEAR_EXACT" or "SIGMOID"</source>
+        <translation>„LINEAR“, „LINEAR_EXACT“ oder „SIGMOID“</translation>
     </message>
 </context>
 <context>
@@ -2407,6 +3842,30 @@
     <message>
         <source>Make the setting once more.</source>
         <translation>Machen Sie die Einstellung noch einmal.</translation>
+    </message>
+    <message>
+        <source>What is to be stored is no valid setting.</source>
+        <translation>Was gespeichert werden soll, ist keine gültige Einstellung.</translation>
+    </message>
+    <message>
+        <source>Check that it has a name of at most 200 bytes, and is a JSON object of at most 8 MB and 64 levels.</source>
+        <translation>Prüfen Sie, ob es einen Namen von höchstens 200 Bytes hat und ein JSON-Objekt von höchstens 8 MB und 64 Ebenen ist.</translation>
+    </message>
+    <message>
+        <source>The data are deleted, but traces may remain in a file that another program is reading.</source>
+        <translation>Die Daten sind gelöscht, aber Spuren können in einer Datei bleiben, die ein anderes Programm liest.</translation>
+    </message>
+    <message>
+        <source>Close other windows of Macula and delete the same once more.</source>
+        <translation>Schließen Sie andere Fenster von Macula, und löschen Sie dasselbe noch einmal.</translation>
+    </message>
+    <message>
+        <source>Stored sessions were brought to the format of this version; older ones cannot read them now.</source>
+        <translation>Gespeicherte Sitzungen wurden in das Format dieser Version gebracht; ältere können sie nun nicht lesen.</translation>
+    </message>
+    <message>
+        <source>Other users of this computer may be able to read stored sessions.</source>
+        <translation>Andere Benutzer dieses Rechners können gespeicherte Sitzungen vielleicht lesen.</translation>
     </message>
 </context>
 <context>
@@ -2598,6 +4057,512 @@
     <message>
         <source>Known here: %1.</source>
         <translation>Hier bekannt: %1.</translation>
+    </message>
+    <message>
+        <source>a number from %1 to %2</source>
+        <translation>eine Zahl von %1 bis %2</translation>
+    </message>
+    <message>
+        <source>a number not below %1</source>
+        <translation>eine Zahl nicht unter %1</translation>
+    </message>
+    <message>
+        <source>a number not above %1</source>
+        <translation>eine Zahl nicht über %1</translation>
+    </message>
+    <message>
+        <source>line %1, column %2</source>
+        <translation>Zeile %1, Spalte %2</translation>
+    </message>
+    <message>
+        <source>a list of %1 entries</source>
+        <translation>eine Liste mit %1 Einträgen</translation>
+    </message>
+    <message>
+        <source>a list of %1 to %2 entries</source>
+        <translation>eine Liste mit %1 bis %2 Einträgen</translation>
+    </message>
+    <message>
+        <source>The file is nested too deeply at %1.</source>
+        <translation>Die Datei ist bei %1 zu tief geschachtelt.</translation>
+    </message>
+    <message>
+        <source>Look for numbers that are too large.</source>
+        <translation>Suchen Sie nach Zahlen, die zu groß sind.</translation>
+    </message>
+    <message>
+        <source>Correct the preset.</source>
+        <translation>Berichtigen Sie die Voreinstellung.</translation>
+    </message>
+    <message>
+        <source>The preset's opacity points are missing, not finite, or not sorted by value.</source>
+        <translation>Die Deckkraftpunkte der Voreinstellung fehlen, sind nicht endlich oder nicht nach Wert sortiert.</translation>
+    </message>
+    <message>
+        <source>The preset's colour points are missing, not finite, or not sorted by value.</source>
+        <translation>Die Farbpunkte der Voreinstellung fehlen, sind nicht endlich oder nicht nach Wert sortiert.</translation>
+    </message>
+    <message>
+        <source>The preset's gradient opacity points are not finite or not sorted by value.</source>
+        <translation>Die Punkte der Gradienten-Deckkraft der Voreinstellung sind nicht endlich oder nicht nach Wert sortiert.</translation>
+    </message>
+    <message>
+        <source>An opacity of the preset, a midpoint or a sharpness lies outside 0 to 1.</source>
+        <translation>Eine Deckkraft der Voreinstellung, ein Mittelpunkt oder eine Schärfe liegt außerhalb von 0 bis 1.</translation>
+    </message>
+    <message>
+        <source>A colour of the preset, a midpoint or a sharpness lies outside 0 to 1.</source>
+        <translation>Eine Farbe der Voreinstellung, ein Mittelpunkt oder eine Schärfe liegt außerhalb von 0 bis 1.</translation>
+    </message>
+    <message>
+        <source>The preset's unit distance must be above 0 mm.</source>
+        <translation>Die Bezugsdicke der Voreinstellung muss über 0 mm liegen.</translation>
+    </message>
+    <message>
+        <source>The preset's density must be 0 or above.</source>
+        <translation>Die Dichte der Voreinstellung muss 0 oder mehr sein.</translation>
+    </message>
+    <message>
+        <source>The preset's albedo must lie in 0 to 1.</source>
+        <translation>Die Albedo der Voreinstellung muss in 0 bis 1 liegen.</translation>
+    </message>
+    <message>
+        <source>The preset's scattering anisotropy must lie between -1 and 1.</source>
+        <translation>Die Streuanisotropie der Voreinstellung muss zwischen -1 und 1 liegen.</translation>
+    </message>
+    <message>
+        <source>The preset's range to fit to the volume is empty.</source>
+        <translation>Der Bereich der Voreinstellung, der an das Volumen angepasst wird, ist leer.</translation>
+    </message>
+    <message>
+        <source>The preset has no range of values that could be fitted.</source>
+        <translation>Die Voreinstellung hat keinen Wertebereich, der angepasst werden könnte.</translation>
+    </message>
+    <message>
+        <source>Use it without fitting, or give it an effectiveRange.</source>
+        <translation>Verwenden Sie sie ohne Anpassung, oder geben Sie ihr einen effectiveRange.</translation>
+    </message>
+    <message>
+        <source>points sorted by x: not below %1</source>
+        <translation>nach x sortierte Punkte: nicht unter %1</translation>
+    </message>
+    <message>
+        <source>The clip is not usable: %1.</source>
+        <translation>Der Beschnitt ist nicht brauchbar: %1.</translation>
+    </message>
+    <message>
+        <source>Give six planes at most.</source>
+        <translation>Geben Sie höchstens sechs Ebenen an.</translation>
+    </message>
+    <message>
+        <source>Give a centre and positive half sizes in mm.</source>
+        <translation>Geben Sie eine Mitte und positive halbe Größen in mm an.</translation>
+    </message>
+    <message>
+        <source>Give three unit vectors.</source>
+        <translation>Geben Sie drei Einheitsvektoren an.</translation>
+    </message>
+    <message>
+        <source>Give its normal as a unit vector, and its distance in mm.</source>
+        <translation>Geben Sie ihre Normale als Einheitsvektor an und ihren Abstand in mm.</translation>
+    </message>
+    <message>
+        <source>Give three signs, such as L, A, S.</source>
+        <translation>Geben Sie drei Seiten an, zum Beispiel L, A, S.</translation>
+    </message>
+    <message>
+        <source>Give a centre and a positive radius in mm.</source>
+        <translation>Geben Sie eine Mitte und einen positiven Radius in mm an.</translation>
+    </message>
+    <message>
+        <source>Give one.</source>
+        <translation>Geben Sie eine an.</translation>
+    </message>
+    <message>
+        <source>Give a centre and a positive width.</source>
+        <translation>Geben Sie eine Mitte und eine positive Breite an.</translation>
+    </message>
+    <message>
+        <source>Give a centre, and a width above 0.</source>
+        <translation>Geben Sie eine Mitte und eine Breite über 0 an.</translation>
+    </message>
+    <message>
+        <source>%1 bounces cannot be traced.</source>
+        <translation>%1 Streuungen können nicht verfolgt werden.</translation>
+    </message>
+    <message>
+        <source>Choose 1 to %1.</source>
+        <translation>Wählen Sie 1 bis %1.</translation>
+    </message>
+    <message>
+        <source>The exposure is not usable.</source>
+        <translation>Die Belichtung ist nicht brauchbar.</translation>
+    </message>
+    <message>
+        <source>Choose a number above 0, up to %1.</source>
+        <translation>Wählen Sie eine Zahl über 0, bis %1.</translation>
+    </message>
+    <message>
+        <source>The strength of the lights is not usable.</source>
+        <translation>Die Stärke der Beleuchtung ist nicht brauchbar.</translation>
+    </message>
+    <message>
+        <source>Choose a number from 0 to %1.</source>
+        <translation>Wählen Sie eine Zahl von 0 bis %1.</translation>
+    </message>
+    <message>
+        <source>The rotation of the lights is not usable.</source>
+        <translation>Die Drehung der Beleuchtung ist nicht brauchbar.</translation>
+    </message>
+    <message>
+        <source>Choose an angle in degrees.</source>
+        <translation>Wählen Sie einen Winkel in Grad.</translation>
+    </message>
+    <message>
+        <source>The window is not usable.</source>
+        <translation>Die Fensterung ist nicht brauchbar.</translation>
+    </message>
+    <message>
+        <source>Projections show all of the volume.</source>
+        <translation>Projektionen zeigen das ganze Volumen.</translation>
+    </message>
+    <message>
+        <source>Choose another look.</source>
+        <translation>Wählen Sie eine andere Darstellung.</translation>
+    </message>
+    <message>
+        <source>Choose a smaller picture, or another device.</source>
+        <translation>Wählen Sie ein kleineres Bild oder ein anderes Gerät.</translation>
+    </message>
+    <message>
+        <source>A volume of more than 2147 million voxels cannot be masked.</source>
+        <translation>In einem Volumen von mehr als 2147 Millionen Voxeln kann nichts ausgeblendet werden.</translation>
+    </message>
+    <message>
+        <source>Show it without a mask.</source>
+        <translation>Zeigen Sie es, ohne etwas auszublenden.</translation>
+    </message>
+    <message>
+        <source>There is nothing to be seen.</source>
+        <translation>Es ist nichts zu sehen.</translation>
+    </message>
+    <message>
+        <source>Choose a preset that shows something of the series.</source>
+        <translation>Wählen Sie eine Voreinstellung, die etwas von der Serie zeigt.</translation>
+    </message>
+    <message>
+        <source>The state of the peripheral model is damaged: its parts do not belong together.</source>
+        <translation>Der Zustand des peripheren Modells ist beschädigt: seine Teile gehören nicht zusammen.</translation>
+    </message>
+    <message>
+        <source>Load it again, or have it learnt anew.</source>
+        <translation>Laden Sie es noch einmal, oder lassen Sie es neu lernen.</translation>
+    </message>
+    <message>
+        <source>There is no memory for the model.</source>
+        <translation>Für das Modell ist kein Speicher da.</translation>
+    </message>
+    <message>
+        <source>The model is too large for a glTF file.</source>
+        <translation>Das Modell ist für eine glTF-Datei zu groß.</translation>
+    </message>
+    <message>
+        <source>Write it as .ply instead.</source>
+        <translation>Speichern Sie es stattdessen als .ply.</translation>
+    </message>
+    <message>
+        <source>The model holds no splats.</source>
+        <translation>Das Modell enthält keine Splats.</translation>
+    </message>
+    <message>
+        <source>The model reaches farther than an SPZ file can say: 8 km from its origin.</source>
+        <translation>Das Modell reicht weiter, als eine SPZ-Datei angeben kann: 8 km von seinem Ursprung.</translation>
+    </message>
+    <message>
+        <source>Remove the splats that are so far away, or write a PLY.</source>
+        <translation>Entfernen Sie die Splats, die so weit weg sind, oder speichern Sie eine PLY.</translation>
+    </message>
+    <message>
+        <source>The model has %1 splats; an SPZ file holds at most %2.</source>
+        <translation>Das Modell hat %1 Splats; eine SPZ-Datei fasst höchstens %2.</translation>
+    </message>
+    <message>
+        <source>Write a PLY.</source>
+        <translation>Speichern Sie eine PLY.</translation>
+    </message>
+    <message>
+        <source>The model's splats are so much alike that its SPZ file could not be told from a false one.</source>
+        <translation>Die Splats des Modells sind einander so ähnlich, dass seine SPZ-Datei nicht von einer falschen zu unterscheiden wäre.</translation>
+    </message>
+    <message>
+        <source>Models are written as %1.</source>
+        <translation>Modelle werden als %1 gespeichert.</translation>
+    </message>
+    <message>
+        <source>Give the file one of these extensions.</source>
+        <translation>Geben Sie der Datei eine dieser Endungen.</translation>
+    </message>
+    <message>
+        <source>The device %1 does not offer %2.</source>
+        <translation>Das Gerät %1 bietet %2 nicht.</translation>
+    </message>
+    <message>
+        <source>Update its driver, or choose another device with MACULA_DEVICE.</source>
+        <translation>Aktualisieren Sie seinen Treiber, oder wählen Sie mit MACULA_DEVICE ein anderes Gerät.</translation>
+    </message>
+    <message>
+        <source>There is no graphics device "%1".</source>
+        <translation>Es gibt kein Grafikgerät „%1“.</translation>
+    </message>
+    <message>
+        <source>Choose one by its number or a part of its name: %1</source>
+        <translation>Wählen Sie eines nach seiner Nummer oder einem Teil seines Namens: %1</translation>
+    </message>
+    <message>
+        <source>The graphics device stopped responding; the work begins anew on a new one.</source>
+        <translation>Das Grafikgerät hat nicht mehr geantwortet; die Arbeit beginnt auf einem neuen noch einmal.</translation>
+    </message>
+</context>
+<context>
+    <name>registration</name>
+    <message>
+        <source>Registration was cancelled.</source>
+        <translation>Die Registrierung wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>Link the volumes by hand, or choose another series.</source>
+        <translation>Koppeln Sie die Volumen von Hand, oder wählen Sie eine andere Serie.</translation>
+    </message>
+    <message>
+        <source>One of the volumes has too few voxels to be registered.</source>
+        <translation>Eines der Volumen hat zu wenige Voxel für eine Registrierung.</translation>
+    </message>
+    <message>
+        <source>The volumes do not show enough of the same part of the body to be registered.</source>
+        <translation>Die Volumen zeigen für eine Registrierung zu wenig vom selben Teil des Körpers.</translation>
+    </message>
+    <message>
+        <source>A volume of fewer than three slices, rows or columns cannot be registered.</source>
+        <translation>Ein Volumen mit weniger als drei Schichten, Zeilen oder Spalten kann nicht registriert werden.</translation>
+    </message>
+    <message>
+        <source>One of the volumes has no values: there is nothing to register by.</source>
+        <translation>Eines der Volumen hat keine Werte: es gibt nichts, wonach registriert werden kann.</translation>
+    </message>
+    <message>
+        <source>One of the volumes has the same value everywhere: there is nothing to register by.</source>
+        <translation>Eines der Volumen hat überall denselben Wert: es gibt nichts, wonach registriert werden kann.</translation>
+    </message>
+    <message>
+        <source>Registering the second volume</source>
+        <translation>Das zweite Volumen wird registriert</translation>
+    </message>
+    <message>
+        <source>There is not enough memory to register the volumes.</source>
+        <translation>Es ist nicht genug Speicher da, um die Volumen zu registrieren.</translation>
+    </message>
+    <message>
+        <source>Close other programs, or link the volumes by hand.</source>
+        <translation>Schließen Sie andere Programme, oder koppeln Sie die Volumen von Hand.</translation>
+    </message>
+</context>
+<context>
+    <name>presets</name>
+    <message>
+        <source>The %1 of the preset %2.</source>
+        <translation>%1 der Voreinstellung %2.</translation>
+    </message>
+    <message>
+        <source>Save the preset again in the program that it comes from.</source>
+        <translation>Speichern Sie die Voreinstellung noch einmal in dem Programm, aus dem sie kommt.</translation>
+    </message>
+    <message>
+        <source>The preset names the opacity table '%1', which is not in the file.</source>
+        <translation>Die Voreinstellung nennt die Deckkrafttabelle „%1“, die nicht in der Datei ist.</translation>
+    </message>
+    <message>
+        <source>Choose a built-in opacity table, or a 16-bit CLUT, and save the preset again.</source>
+        <translation>Wählen Sie eine eingebaute Deckkrafttabelle oder eine CLUT mit 16 Bit, und speichern Sie die Voreinstellung noch einmal.</translation>
+    </message>
+    <message>
+        <source>The shading '%1' is not known; the default shading was taken.</source>
+        <translation>Die Schattierung „%1“ ist nicht bekannt; die übliche wurde genommen.</translation>
+    </message>
+    <message>
+        <source>The filters of the preset are not applied.</source>
+        <translation>Die Filter der Voreinstellung werden nicht angewendet.</translation>
+    </message>
+    <message>
+        <source>A point of %1 has no usable %2.</source>
+        <translation>Ein Punkt von %1 hat kein brauchbares %2.</translation>
+    </message>
+    <message>
+        <source>Give it a number from %1 to %2.</source>
+        <translation>Geben Sie ihm eine Zahl von %1 bis %2.</translation>
+    </message>
+    <message>
+        <source>The %1 of the transfer function has %2 points.</source>
+        <translation>%1 der Übertragungsfunktion hat %2 Punkte.</translation>
+    </message>
+    <message>
+        <source>Give it 1 to %1 points.</source>
+        <translation>Geben Sie ihr 1 bis %1 Punkte.</translation>
+    </message>
+    <message>
+        <source>The version of the MITK transfer function is not known.</source>
+        <translation>Die Version der MITK-Übertragungsfunktion ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>Only version 1 can be read.</source>
+        <translation>Nur Version 1 kann gelesen werden.</translation>
+    </message>
+    <message>
+        <source>Opacities or colours outside 0 to 1 were clamped.</source>
+        <translation>Deckkräfte oder Farben außerhalb von 0 bis 1 wurden begrenzt.</translation>
+    </message>
+    <message>
+        <source>groups of %1 numbers</source>
+        <translation>Gruppen von %1 Zahlen</translation>
+    </message>
+    <message>
+        <source>The colour map has no opacities; a ramp from 0 at its first to 1 at its last colour was taken.</source>
+        <translation>Die Farbtabelle hat keine Deckkräfte; eine Rampe von 0 bei der ersten bis 1 bei der letzten Farbe wurde genommen.</translation>
+    </message>
+    <message>
+        <source>Only the first volume property, and its first component, are used.</source>
+        <translation>Nur die erste Volumeneigenschaft und ihre erste Komponente werden verwendet.</translation>
+    </message>
+    <message>
+        <source>The preset names the colour table '%1', which is not there.</source>
+        <translation>Die Voreinstellung nennt die Farbtabelle „%1“, die fehlt.</translation>
+    </message>
+    <message>
+        <source>Put the table beside the preset as NAME.plist, or save a 16-bit CLUT with the preset.</source>
+        <translation>Legen Sie die Tabelle als NAME.plist neben die Voreinstellung, oder speichern Sie eine CLUT mit 16 Bit darin.</translation>
+    </message>
+    <message>
+        <source>The preset file is empty.</source>
+        <translation>Die Datei der Voreinstellung ist leer.</translation>
+    </message>
+    <message>
+        <source>The file is no preset of a known format.</source>
+        <translation>Die Datei ist keine Voreinstellung in einem bekannten Format.</translation>
+    </message>
+    <message>
+        <source>Give a JSON preset, a .vp or presets.xml of 3D Slicer, a ParaView or VolView JSON, an XML of MITK, or a plist of Horos.</source>
+        <translation>Wählen Sie eine JSON-Voreinstellung, eine .vp oder presets.xml von 3D Slicer, ein JSON von ParaView oder VolView, ein XML von MITK oder eine plist von Horos.</translation>
+    </message>
+    <message>
+        <source>The file does not say what its values are; Hounsfield units of CT were assumed.</source>
+        <translation>Die Datei sagt nicht, was ihre Werte sind; Hounsfield-Einheiten eines CT wurden angenommen.</translation>
+    </message>
+    <message>
+        <source>The property list %1.</source>
+        <translation>Die Property List %1.</translation>
+    </message>
+    <message>
+        <source>Check that it is complete.</source>
+        <translation>Prüfen Sie, ob sie vollständig ist.</translation>
+    </message>
+    <message>
+        <source>The property list is in its binary form.</source>
+        <translation>Die Property List ist in ihrer binären Form.</translation>
+    </message>
+    <message>
+        <source>Convert it on a Mac: plutil -convert xml1 FILE.</source>
+        <translation>Wandeln Sie sie auf einem Mac um: plutil -convert xml1 DATEI.</translation>
+    </message>
+    <message>
+        <source>The file is no property list.</source>
+        <translation>Die Datei ist keine Property List.</translation>
+    </message>
+    <message>
+        <source>A .vp file of 3D Slicer has %1 lines; this has %2.</source>
+        <translation>Eine .vp-Datei von 3D Slicer hat %1 Zeilen; diese hat %2.</translation>
+    </message>
+    <message>
+        <source>Line %1 is not as expected.</source>
+        <translation>Zeile %1 ist nicht wie erwartet.</translation>
+    </message>
+    <message>
+        <source>The effective range cannot be read and was left out: "%1".</source>
+        <translation>Der wirksame Bereich kann nicht gelesen werden und wurde weggelassen: „%1“.</translation>
+    </message>
+    <message>
+        <source>The %1 of the preset %2 is no number from 0 to %3.</source>
+        <translation>%1 der Voreinstellung %2 ist keine Zahl von 0 bis %3.</translation>
+    </message>
+    <message>
+        <source>Correct it, or remove it.</source>
+        <translation>Berichtigen oder entfernen Sie das.</translation>
+    </message>
+    <message>
+        <source>The interpolation of the preset %1 is unknown.</source>
+        <translation>Die Interpolation der Voreinstellung %1 ist unbekannt.</translation>
+    </message>
+    <message>
+        <source>Use 0 for nearest or 1 for linear.</source>
+        <translation>Nehmen Sie 0 für nächste oder 1 für linear.</translation>
+    </message>
+    <message>
+        <source>The file holds too many presets.</source>
+        <translation>Die Datei enthält zu viele Voreinstellungen.</translation>
+    </message>
+    <message>
+        <source>Split it into files of at most %1.</source>
+        <translation>Teilen Sie sie in Dateien mit höchstens %1.</translation>
+    </message>
+    <message>
+        <source>The file holds no volume property of 3D Slicer.</source>
+        <translation>Die Datei enthält keine Volumeneigenschaft von 3D Slicer.</translation>
+    </message>
+    <message>
+        <source>Give a presets.xml, or an MRML scene with volume rendering.</source>
+        <translation>Wählen Sie eine presets.xml oder eine MRML-Szene mit Volumen-Rendering.</translation>
+    </message>
+    <message>
+        <source>The XML file declares entities, which no preset needs.</source>
+        <translation>Die XML-Datei deklariert Entities, die keine Voreinstellung braucht.</translation>
+    </message>
+    <message>
+        <source>Remove the DOCTYPE from the file, or take another one.</source>
+        <translation>Entfernen Sie den DOCTYPE aus der Datei, oder nehmen Sie eine andere.</translation>
+    </message>
+    <message>
+        <source>The file holds no XML element.</source>
+        <translation>Die Datei enthält kein XML-Element.</translation>
+    </message>
+    <message>
+        <source>The file is no valid XML around line %1.</source>
+        <translation>Die Datei ist um Zeile %1 kein gültiges XML.</translation>
+    </message>
+    <message>
+        <source>Check that it is complete, and look for a missing bracket or quote there.</source>
+        <translation>Prüfen Sie, ob sie vollständig ist, und suchen Sie dort nach einer fehlenden Klammer oder einem Anführungszeichen.</translation>
+    </message>
+    <message>
+        <source>The XML file is nested too deeply.</source>
+        <translation>Die XML-Datei ist zu tief geschachtelt.</translation>
+    </message>
+    <message>
+        <source>Give a file that is nested at most %1 deep.</source>
+        <translation>Wählen Sie eine Datei, die höchstens %1 tief geschachtelt ist.</translation>
+    </message>
+    <message>
+        <source>should have %1 numbers and has %2</source>
+        <translation>sollte %1 Zahlen haben und hat %2</translation>
+    </message>
+    <message>
+        <source>is not made of groups of %1</source>
+        <translation>besteht nicht aus Gruppen von %1</translation>
+    </message>
+    <message>
+        <source>is not sorted: %1 comes after %2</source>
+        <translation>ist nicht sortiert: %1 kommt nach %2</translation>
+    </message>
+    <message>
+        <source>holds &lt;%1&gt;, which no property list does</source>
+        <translation>enthält &lt;%1&gt;, was keine Property List tut</translation>
     </message>
 </context>
 </TS>

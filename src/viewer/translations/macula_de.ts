@@ -2,6 +2,37 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de" sourcelanguage="en">
 <context>
+    <name>BesideBar</name>
+    <message>
+        <source>Study alone</source>
+        <translation>Studie allein</translation>
+    </message>
+    <message>
+        <source>Side by side</source>
+        <translation>Nebeneinander</translation>
+    </message>
+    <message>
+        <source>Second alone</source>
+        <translation>Zweites allein</translation>
+    </message>
+    <message>
+        <source>In colours over the study</source>
+        <translation>Farbig über der Studie</translation>
+    </message>
+    <message>
+        <source>Hot iron</source>
+        <translation>Glühendes Eisen</translation>
+    </message>
+    <message>
+        <source>Green</source>
+        <translation>Grün</translation>
+    </message>
+    <message>
+        <source>Grey</source>
+        <translation>Grau</translation>
+    </message>
+</context>
+<context>
     <name>Clip</name>
     <message>
         <source>right</source>
@@ -73,6 +104,14 @@
     <message>
         <source>, converging</source>
         <translation>, wird besser</translation>
+    </message>
+    <message>
+        <source>, parallel rays without splats</source>
+        <translation>, parallele Strahlen ohne Splats</translation>
+    </message>
+    <message>
+        <source>, parallel rays</source>
+        <translation>, parallele Strahlen</translation>
     </message>
 </context>
 <context>
@@ -191,6 +230,41 @@
     </message>
 </context>
 <context>
+    <name>PatientQuestion</name>
+    <message>
+        <source>ID</source>
+        <translation>ID</translation>
+    </message>
+    <message>
+        <source>name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>date of birth</source>
+        <translation>Geburtsdatum</translation>
+    </message>
+    <message>
+        <source>sex</source>
+        <translation>Geschlecht</translation>
+    </message>
+    <message>
+        <source>Another patient?</source>
+        <translation>Anderer Patient?</translation>
+    </message>
+    <message>
+        <source>The second volume is of another patient than the study. What differs: %1.</source>
+        <translation>Das zweite Volumen ist von einem anderen Patienten als die Studie. Das weicht ab: %1.</translation>
+    </message>
+    <message>
+        <source>Open it only if you know that both are of one patient, or mean to compare two patients. Pictures of it will say so.</source>
+        <translation>Öffnen Sie es nur, wenn sicher ist, dass beide von einem Patienten sind, oder um zwei Patienten zu vergleichen. Bilder davon sagen es.</translation>
+    </message>
+    <message>
+        <source>&amp;Open All the Same</source>
+        <translation>&amp;Trotzdem öffnen</translation>
+    </message>
+</context>
+<context>
     <name>Preset</name>
     <message>
         <source>The preset %1 is made for values in %2; those of this volume are %3. What it shows here, and in which colours, means nothing.</source>
@@ -225,6 +299,107 @@
     <message>
         <source>The side of the patient at the %1 of the picture: Anterior, Posterior, Left, Right, Superior, Inferior</source>
         <translation>Die Seite des Patienten %1 im Bild: anterior (A), posterior (P), links (L), rechts (R), superior (S), inferior (I)</translation>
+    </message>
+</context>
+<context>
+    <name>ScaleBar</name>
+    <message>
+        <source>%1 at centre</source>
+        <translation>%1 in der Mitte</translation>
+    </message>
+</context>
+<context>
+    <name>SecondSeries</name>
+    <message>
+        <source>phantom</source>
+        <translation>Phantom</translation>
+    </message>
+    <message>
+        <source>images</source>
+        <translation>Bilder</translation>
+    </message>
+    <message>
+        <source>Prior: %1</source>
+        <translation>Voraufnahme: %1</translation>
+    </message>
+    <message>
+        <source>Later: %1</source>
+        <translation>Später: %1</translation>
+    </message>
+    <message>
+        <source>Second, same day: %1</source>
+        <translation>Zweites, gleicher Tag: %1</translation>
+    </message>
+    <message>
+        <source>Second: %1</source>
+        <translation>Zweites: %1</translation>
+    </message>
+    <message>
+        <source>ANOTHER PATIENT than the study</source>
+        <translation>ANDERER PATIENT als die Studie</translation>
+    </message>
+    <message>
+        <source>The images do not tell whether both are of one patient</source>
+        <translation>Die Bilder sagen nicht, ob beide von einem Patienten sind</translation>
+    </message>
+    <message>
+        <source>Current: %1</source>
+        <translation>Aktuell: %1</translation>
+    </message>
+    <message>
+        <source>Same frame of reference</source>
+        <translation>Gleiches Koordinatensystem</translation>
+    </message>
+    <message>
+        <source>Registration is doubtful (%1 mm): check landmarks</source>
+        <translation>Registrierung unsicher (%1 mm): Landmarken prüfen</translation>
+    </message>
+    <message>
+        <source>Registered, rigid; searches agree to %1 mm</source>
+        <translation>Registriert, starr; Suchläufe stimmen auf %1 mm überein</translation>
+    </message>
+    <message>
+        <source>Not registered: positions cannot be compared</source>
+        <translation>Nicht registriert: Orte sind nicht vergleichbar</translation>
+    </message>
+    <message>
+        <source>%1 to %2 %3, %4 % of the highest</source>
+        <translation>%1 bis %2 %3, %4 % des höchsten</translation>
+    </message>
+</context>
+<context>
+    <name>SliceMenu</name>
+    <message>
+        <source>Window</source>
+        <translation>Fensterung</translation>
+    </message>
+    <message>
+        <source>&amp;Keep This Window…</source>
+        <translation>Diese Fensterung &amp;behalten…</translation>
+    </message>
+    <message>
+        <source>Under a name, for all studies with values of this unit</source>
+        <translation>Unter einem Namen, für alle Studien mit Werten in dieser Einheit</translation>
+    </message>
+    <message>
+        <source>&amp;Remove a Window</source>
+        <translation>Fensterung &amp;entfernen</translation>
+    </message>
+    <message>
+        <source>&amp;Label…	Enter</source>
+        <translation>Be&amp;schriftung…	Eingabe</translation>
+    </message>
+    <message>
+        <source>Words beside this measurement</source>
+        <translation>Wörter neben dieser Messung</translation>
+    </message>
+    <message>
+        <source>Keep This Window</source>
+        <translation>Diese Fensterung behalten</translation>
+    </message>
+    <message>
+        <source>Name of the window %1</source>
+        <translation>Name der Fensterung %1</translation>
     </message>
 </context>
 <context>
@@ -382,6 +557,191 @@
     <message>
         <source> Presets that show something of it: %1.</source>
         <translation> Voreinstellungen, die etwas davon zeigen: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::BesideBar</name>
+    <message>
+        <source>Second Volume</source>
+        <translation>Zweites Volumen</translation>
+    </message>
+    <message>
+        <source>The second volume</source>
+        <translation>Das zweite Volumen</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Close the second volume; the study stays</source>
+        <translation>Das zweite Volumen schließen; die Studie bleibt</translation>
+    </message>
+    <message>
+        <source>How the second volume is shown</source>
+        <translation>Wie das zweite Volumen gezeigt wird</translation>
+    </message>
+    <message>
+        <source>The second volume beside the study, in its place, or over it. J puts it in the place of the study, and back</source>
+        <translation>Das zweite Volumen neben der Studie, an ihrer Stelle oder darüber. J setzt es an die Stelle der Studie und zurück</translation>
+    </message>
+    <message>
+        <source>How the second volume is linked</source>
+        <translation>Wie das zweite Volumen gekoppelt ist</translation>
+    </message>
+    <message>
+        <source>What takes a place in the study to the same place in the second volume. By hand, the wheel over the second volume moves it alone</source>
+        <translation>Was einen Ort der Studie an denselben Ort im zweiten Volumen führt. Von Hand bewegt das Rad über dem zweiten Volumen nur dieses</translation>
+    </message>
+    <message>
+        <source>By hand</source>
+        <translation>Von Hand</translation>
+    </message>
+    <message>
+        <source>Same frame of reference</source>
+        <translation>Gleiches Koordinatensystem</translation>
+    </message>
+    <message>
+        <source>Registered</source>
+        <translation>Registriert</translation>
+    </message>
+    <message>
+        <source>Colours of the second volume</source>
+        <translation>Farben des zweiten Volumens</translation>
+    </message>
+    <message>
+        <source>Colours of the second volume where it lies over the study</source>
+        <translation>Farben des zweiten Volumens, wo es über der Studie liegt</translation>
+    </message>
+    <message>
+        <source>Colours</source>
+        <translation>Farben</translation>
+    </message>
+    <message>
+        <source>Opacity of the second volume in percent</source>
+        <translation>Deckkraft des zweiten Volumens in Prozent</translation>
+    </message>
+    <message>
+        <source>Opacity of the second volume over the study: %1 %</source>
+        <translation>Deckkraft des zweiten Volumens über der Studie: %1 %</translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation>Deckkraft</translation>
+    </message>
+    <message>
+        <source>Window of the second volume from</source>
+        <translation>Fensterung des zweiten Volumens von</translation>
+    </message>
+    <message>
+        <source>Window of the second volume up to</source>
+        <translation>Fensterung des zweiten Volumens bis</translation>
+    </message>
+    <message>
+        <source>Window of the second volume</source>
+        <translation>Fensterung des zweiten Volumens</translation>
+    </message>
+    <message>
+        <source>What is black and what is white of the second volume, in its own unit</source>
+        <translation>Was am zweiten Volumen schwarz und was weiß ist, in seiner eigenen Einheit</translation>
+    </message>
+    <message>
+        <source>Registering…</source>
+        <translation>Wird registriert…</translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::BesideStudy</name>
+    <message>
+        <source>Registering the second volume</source>
+        <translation>Das zweite Volumen wird registriert</translation>
+    </message>
+    <message>
+        <source>Opening the second volume</source>
+        <translation>Das zweite Volumen wird geöffnet</translation>
+    </message>
+    <message>
+        <source>There is no study that a second volume could be beside.</source>
+        <translation>Es gibt keine Studie, neben der ein zweites Volumen stehen könnte.</translation>
+    </message>
+    <message>
+        <source>Open a study first.</source>
+        <translation>Öffnen Sie zuerst eine Studie.</translation>
+    </message>
+    <message>
+        <source>Second volume closed</source>
+        <translation>Zweites Volumen geschlossen</translation>
+    </message>
+    <message>
+        <source>This is the volume that is open already.</source>
+        <translation>Das ist das Volumen, das schon offen ist.</translation>
+    </message>
+    <message>
+        <source>Choose another series to stand beside it.</source>
+        <translation>Wählen Sie eine andere Serie, die daneben steht.</translation>
+    </message>
+    <message>
+        <source>Second volume</source>
+        <translation>Zweites Volumen</translation>
+    </message>
+    <message>
+        <source>Registration</source>
+        <translation>Registrierung</translation>
+    </message>
+    <message>
+        <source>Same frame of reference</source>
+        <translation>Gleiches Koordinatensystem</translation>
+    </message>
+    <message>
+        <source>Linked by hand</source>
+        <translation>Von Hand gekoppelt</translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::ClipEditing</name>
+    <message>
+        <source>Depth of the cut</source>
+        <translation>Tiefe des Schnitts</translation>
+    </message>
+    <message>
+        <source>Clip</source>
+        <translation>Beschnitt</translation>
+    </message>
+    <message>
+        <source>The clip has six planes and no more.</source>
+        <translation>Der Beschnitt hat sechs Ebenen und nicht mehr.</translation>
+    </message>
+    <message>
+        <source>Remove one of them first, or begin without a clip.</source>
+        <translation>Entfernen Sie zuerst eine davon, oder beginnen Sie ohne Beschnitt.</translation>
+    </message>
+    <message>
+        <source>Cut from the eye</source>
+        <translation>Schnitt vom Auge aus</translation>
+    </message>
+    <message>
+        <source>There are %1 cuts with the scissors, and no more are possible.</source>
+        <translation>Es gibt %1 Schnitte mit der Schere, und mehr sind nicht möglich.</translation>
+    </message>
+    <message>
+        <source>Undo one of them first.</source>
+        <translation>Machen Sie zuerst einen davon rückgängig.</translation>
+    </message>
+    <message>
+        <source>Scissors</source>
+        <translation>Schere</translation>
+    </message>
+    <message>
+        <source>Remove cuts</source>
+        <translation>Schnitte entfernen</translation>
+    </message>
+    <message>
+        <source>No study is open.</source>
+        <translation>Keine Studie ist offen.</translation>
+    </message>
+    <message>
+        <source>Open a study first.</source>
+        <translation>Öffnen Sie zuerst eine Studie.</translation>
     </message>
 </context>
 <context>
@@ -556,6 +916,136 @@
     </message>
 </context>
 <context>
+    <name>macula::viewer::ConvergeNow</name>
+    <message>
+        <source>%L1 %</source>
+        <translation>%L1 %</translation>
+    </message>
+    <message>
+        <source>Converging was stopped: another picture is shown.</source>
+        <translation>Das Fertigzeichnen wurde angehalten: ein anderes Bild wird gezeigt.</translation>
+    </message>
+    <message>
+        <source>The picture is final: %L1 samples, noise %2 of black to white.</source>
+        <translation>Das Bild ist endgültig: %L1 Abtastungen, Rauschen %2 von Schwarz bis Weiß.</translation>
+    </message>
+    <message>
+        <source>The picture is final: %L1 samples.</source>
+        <translation>Das Bild ist endgültig: %L1 Abtastungen.</translation>
+    </message>
+    <message>
+        <source>Converging</source>
+        <translation>Wird fertig gezeichnet</translation>
+    </message>
+    <message>
+        <source>, noise %1</source>
+        <translation>, Rauschen %1</translation>
+    </message>
+    <message>
+        <source>, %1 s left</source>
+        <translation>, noch %1 s</translation>
+    </message>
+    <message>
+        <source>, %1 min left</source>
+        <translation>, noch %1 min</translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::CutTools</name>
+    <message>
+        <source>Show clip on slices</source>
+        <translation>Beschnitt auf Schichten zeigen</translation>
+    </message>
+    <message>
+        <source>Cut from the eye</source>
+        <translation>Schnitt vom Auge aus</translation>
+    </message>
+    <message>
+        <source>Goes with the camera</source>
+        <translation>Geht mit der Kamera</translation>
+    </message>
+    <message>
+        <source>Scissors</source>
+        <translation>Schere</translation>
+    </message>
+    <message>
+        <source>Undo all cuts</source>
+        <translation>Alle Schnitte zurück</translation>
+    </message>
+    <message>
+        <source>Before the eye</source>
+        <translation>Vor dem Auge</translation>
+    </message>
+    <message>
+        <source>Depth of the cut from the eye, in mm</source>
+        <translation>Tiefe des Schnitts vom Auge aus, in mm</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>The cut goes with the camera</source>
+        <translation>Der Schnitt geht mit der Kamera</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Tiefe</translation>
+    </message>
+    <message>
+        <source>Scissors over the 3D picture</source>
+        <translation>Schere über dem 3D-Bild</translation>
+    </message>
+    <message>
+        <source>Undo all cuts with the scissors</source>
+        <translation>Alle Schnitte mit der Schere zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Open a study first.</source>
+        <translation>Öffnen Sie zuerst eine Studie.</translation>
+    </message>
+    <message>
+        <source>Slices show dark what the clip removes, and its borders as lines</source>
+        <translation>Schichten zeigen dunkel, was der Beschnitt entfernt, und seine Grenzen als Linien</translation>
+    </message>
+    <message>
+        <source>Removes all that lies before a plane across the line of sight, at the cross-hair</source>
+        <translation>Entfernt alles, was vor einer Ebene quer zur Blickrichtung am Fadenkreuz liegt</translation>
+    </message>
+    <message>
+        <source>From the middle of the volume, in mm; below 0 is nearer to the eye. In the picture: Shift + wheel</source>
+        <translation>Von der Mitte des Volumens, in mm; unter 0 ist näher am Auge. Im Bild: Umschalt + Rad</translation>
+    </message>
+    <message>
+        <source>The plane stays across the line of sight; else it stays in the patient</source>
+        <translation>Die Ebene bleibt quer zur Blickrichtung; sonst bleibt sie im Patienten</translation>
+    </message>
+    <message>
+        <source>Draw around something in the 3D picture: it is removed. With Shift, all else is</source>
+        <translation>Im 3D-Bild etwas umfahren: es wird entfernt. Mit Umschalt alles andere</translation>
+    </message>
+    <message>
+        <source>Shows again what the scissors removed</source>
+        <translation>Zeigt wieder, was die Schere entfernt hat</translation>
+    </message>
+    <message>
+        <source>The clip has six planes: the cut from the eye is not shown.</source>
+        <translation>Der Beschnitt hat sechs Ebenen: der Schnitt vom Auge aus wird nicht gezeigt.</translation>
+    </message>
+    <message>
+        <source>There is no cut from the eye.</source>
+        <translation>Es gibt keinen Schnitt vom Auge aus.</translation>
+    </message>
+    <message>
+        <source>Nothing is cut with the scissors.</source>
+        <translation>Mit der Schere ist nichts geschnitten.</translation>
+    </message>
+    <message>
+        <source>Cuts: %1</source>
+        <translation>Schnitte: %1</translation>
+    </message>
+</context>
+<context>
     <name>macula::viewer::FaceRow</name>
     <message>
         <source>Clip face, %1, slider</source>
@@ -662,6 +1152,21 @@
     <message>
         <source>Key</source>
         <translation>Taste</translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::LabelEditor</name>
+    <message>
+        <source>Label of the measurement</source>
+        <translation>Beschriftung der Messung</translation>
+    </message>
+    <message>
+        <source>Label of the measurement. Enter keeps it, Esc leaves it as it was</source>
+        <translation>Beschriftung der Messung. Eingabe behält sie, Esc lässt sie, wie sie war</translation>
+    </message>
+    <message>
+        <source>Label</source>
+        <translation>Beschriftung</translation>
     </message>
 </context>
 <context>
@@ -1078,6 +1583,330 @@
         <source>Save the view</source>
         <translation>Ansicht speichern</translation>
     </message>
+    <message>
+        <source>The second volume that was beside this study is not in its folder; open it with Ctrl+B to see both as they were.</source>
+        <translation>Das zweite Volumen, das neben dieser Studie stand, ist nicht in ihrem Ordner; Strg+B öffnet es und zeigt beide, wie sie waren.</translation>
+    </message>
+    <message>
+        <source>Second volume: %1</source>
+        <translation>Zweites Volumen: %1</translation>
+    </message>
+    <message>
+        <source>The second volume shows another part of the body: nothing of it lies in the study.</source>
+        <translation>Das zweite Volumen zeigt einen anderen Teil des Körpers: nichts davon liegt in der Studie.</translation>
+    </message>
+    <message>
+        <source>Open &amp;Beside…</source>
+        <translation>Da&amp;neben öffnen…</translation>
+    </message>
+    <message>
+        <source>A prior, a PET or an MR beside this study: what is selected in the list of studies, else of a folder</source>
+        <translation>Eine Voraufnahme, ein PET oder ein MR neben dieser Studie: was in der Liste der Studien gewählt ist, sonst aus einem Ordner</translation>
+    </message>
+    <message>
+        <source>Open File Besi&amp;de…</source>
+        <translation>Datei daneben ö&amp;ffnen…</translation>
+    </message>
+    <message>
+        <source>The series of an image, or a NIfTI, NRRD or MetaImage file, beside this study</source>
+        <translation>Die Serie eines Bildes oder eine NIfTI-, NRRD- oder MetaImage-Datei neben dieser Studie</translation>
+    </message>
+    <message>
+        <source>&amp;Close Second Volume</source>
+        <translation>Zweites Volumen s&amp;chließen</translation>
+    </message>
+    <message>
+        <source>The study stays open</source>
+        <translation>Die Studie bleibt offen</translation>
+    </message>
+    <message>
+        <source>Second Volume in the Place of the Study</source>
+        <translation>Zweites Volumen an Stelle der Studie</translation>
+    </message>
+    <message>
+        <source>The same planes of the second volume, and back</source>
+        <translation>Dieselben Ebenen des zweiten Volumens, und zurück</translation>
+    </message>
+    <message>
+        <source>Open a second volume beside the study</source>
+        <translation>Zweites Volumen neben der Studie öffnen</translation>
+    </message>
+    <message>
+        <source>Cutting</source>
+        <translation>Wird geschnitten</translation>
+    </message>
+    <message>
+        <source>No cut</source>
+        <translation>Kein Schnitt</translation>
+    </message>
+    <message>
+        <source>&amp;Handles in the Pictures</source>
+        <translation>&amp;Griffe in den Bildern</translation>
+    </message>
+    <message>
+        <source>Drag faces, planes and balls of the clip where they are seen</source>
+        <translation>Flächen, Ebenen und Kugeln des Beschnitts ziehen, wo sie zu sehen sind</translation>
+    </message>
+    <message>
+        <source>&amp;Scissors</source>
+        <translation>&amp;Schere</translation>
+    </message>
+    <message>
+        <source>Draw around something in the 3D picture: it is removed. With Shift, all else is</source>
+        <translation>Im 3D-Bild etwas umfahren: es wird entfernt. Mit Umschalt alles andere</translation>
+    </message>
+    <message>
+        <source>Cut from the &amp;Eye</source>
+        <translation>Schnitt vom &amp;Auge aus</translation>
+    </message>
+    <message>
+        <source>Remove all that lies before a plane across the line of sight</source>
+        <translation>Alles entfernen, was vor einer Ebene quer zur Blickrichtung liegt</translation>
+    </message>
+    <message>
+        <source>glTF, for other programs (*.glb)</source>
+        <translation>glTF, für andere Programme (*.glb)</translation>
+    </message>
+    <message>
+        <source>PLY, for other programs (*.ply)</source>
+        <translation>PLY, für andere Programme (*.ply)</translation>
+    </message>
+    <message>
+        <source>PLY, exact, in linear light (*.ply)</source>
+        <translation>PLY, genau, in linearem Licht (*.ply)</translation>
+    </message>
+    <message>
+        <source>SPZ, small, for other programs (*.spz)</source>
+        <translation>SPZ, klein, für andere Programme (*.spz)</translation>
+    </message>
+    <message>
+        <source>Training that can go on, with its pictures (*.macula)</source>
+        <translation>Training, das weitergehen kann, mit seinen Bildern (*.macula)</translation>
+    </message>
+    <message>
+        <source>Movie</source>
+        <translation>Film</translation>
+    </message>
+    <message>
+        <source>Drawing the movie</source>
+        <translation>Der Film wird gezeichnet</translation>
+    </message>
+    <message>
+        <source>Writing the model</source>
+        <translation>Das Modell wird gespeichert</translation>
+    </message>
+    <message>
+        <source>Save Mo&amp;vie…</source>
+        <translation>F&amp;ilm speichern…</translation>
+    </message>
+    <message>
+        <source>A turntable or a way of the camera as pictures, and as a video</source>
+        <translation>Eine Umrundung oder Kamerafahrt als Bilder und als Video</translation>
+    </message>
+    <message>
+        <source>Save Mo&amp;del…</source>
+        <translation>Mode&amp;ll speichern…</translation>
+    </message>
+    <message>
+        <source>The peripheral model, splats in mm of the patient, for this and other programs</source>
+        <translation>Das periphere Modell, Splats in mm des Patienten, für dieses und andere Programme</translation>
+    </message>
+    <message>
+        <source>There is nothing to draw yet.</source>
+        <translation>Es gibt noch nichts zu zeichnen.</translation>
+    </message>
+    <message>
+        <source>Choose a folder for the pictures</source>
+        <translation>Ordner für die Bilder wählen</translation>
+    </message>
+    <message>
+        <source>Open a way of the camera</source>
+        <translation>Kamerafahrt öffnen</translation>
+    </message>
+    <message>
+        <source>Ways (*.json)</source>
+        <translation>Kamerafahrten (*.json)</translation>
+    </message>
+    <message>
+        <source>Save the way of the camera</source>
+        <translation>Kamerafahrt speichern</translation>
+    </message>
+    <message>
+        <source>The way is written to %1. macula hybrid draws it with --path %1.</source>
+        <translation>Die Kamerafahrt ist in %1 gespeichert. macula hybrid zeichnet sie mit --path %1.</translation>
+    </message>
+    <message>
+        <source>There is no model to save yet.</source>
+        <translation>Es gibt noch kein Modell zu speichern.</translation>
+    </message>
+    <message>
+        <source>Save the model</source>
+        <translation>Modell speichern</translation>
+    </message>
+    <message>
+        <source>Presets</source>
+        <translation>Voreinstellungen</translation>
+    </message>
+    <message>
+        <source>Segmentations</source>
+        <translation>Segmentierungen</translation>
+    </message>
+    <message>
+        <source>Open Presen&amp;tation State…</source>
+        <translation>Presen&amp;tation State öffnen…</translation>
+    </message>
+    <message>
+        <source>Show this series as a DICOM presentation state says</source>
+        <translation>Diese Serie zeigen, wie ein DICOM Presentation State es angibt</translation>
+    </message>
+    <message>
+        <source>Save Presentation State…</source>
+        <translation>Presentation State speichern…</translation>
+    </message>
+    <message>
+        <source>The 3D view as a DICOM object, for the archive and other programs</source>
+        <translation>Die 3D-Ansicht als DICOM-Objekt, für das Archiv und andere Programme</translation>
+    </message>
+    <message>
+        <source>The presentation state is written to %1.</source>
+        <translation>Der Presentation State ist in %1 gespeichert.</translation>
+    </message>
+    <message>
+        <source>No study is open.</source>
+        <translation>Keine Studie ist offen.</translation>
+    </message>
+    <message>
+        <source>Open the series of the presentation state first.</source>
+        <translation>Öffnen Sie zuerst die Serie des Presentation State.</translation>
+    </message>
+    <message>
+        <source>Open a presentation state</source>
+        <translation>Presentation State öffnen</translation>
+    </message>
+    <message>
+        <source>DICOM files (*.dcm);;All files (*)</source>
+        <translation>DICOM-Dateien (*.dcm);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>A presentation state refers to DICOM images, and none are open.</source>
+        <translation>Ein Presentation State bezieht sich auf DICOM-Bilder, und keine sind offen.</translation>
+    </message>
+    <message>
+        <source>Open a folder with DICOM files, or save the view.</source>
+        <translation>Öffnen Sie einen Ordner mit DICOM-Dateien, oder speichern Sie die Ansicht.</translation>
+    </message>
+    <message>
+        <source>Save the presentation state</source>
+        <translation>Presentation State speichern</translation>
+    </message>
+    <message>
+        <source>DICOM files (*.dcm)</source>
+        <translation>DICOM-Dateien (*.dcm)</translation>
+    </message>
+    <message>
+        <source>Kept as presets of your own: %1.</source>
+        <translation>Als eigene Voreinstellungen behalten: %1.</translation>
+    </message>
+    <message>
+        <source>&amp;Preset</source>
+        <translation>&amp;Voreinstellung</translation>
+    </message>
+    <message>
+        <source>For &amp;Other Images</source>
+        <translation>Für &amp;andere Bilder</translation>
+    </message>
+    <message>
+        <source>Keep the &amp;Curve…</source>
+        <translation>&amp;Kurve behalten…</translation>
+    </message>
+    <message>
+        <source>The transfer function that is shown, as a preset of your own</source>
+        <translation>Die gezeigte Übertragungsfunktion, als eigene Voreinstellung</translation>
+    </message>
+    <message>
+        <source>Keep All That Is &amp;Seen…</source>
+        <translation>Alles &amp;Gezeigte behalten…</translation>
+    </message>
+    <message>
+        <source>Curve, look, lights, window, clip and camera, as a preset of your own</source>
+        <translation>Kurve, Darstellung, Beleuchtung, Fensterung, Beschnitt und Kamera, als eigene Voreinstellung</translation>
+    </message>
+    <message>
+        <source>&amp;Import…</source>
+        <translation>&amp;Importieren…</translation>
+    </message>
+    <message>
+        <source>Of Macula, 3D Slicer, ParaView, VolView, MITK, Horos or OsiriX</source>
+        <translation>Von Macula, 3D Slicer, ParaView, VolView, MITK, Horos oder OsiriX</translation>
+    </message>
+    <message>
+        <source>Import presets</source>
+        <translation>Voreinstellungen importieren</translation>
+    </message>
+    <message>
+        <source>Presets (*.json *.vp *.xml *.mrml *.plist);;All files (*)</source>
+        <translation>Voreinstellungen (*.json *.vp *.xml *.mrml *.plist);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Export the preset</source>
+        <translation>Voreinstellung exportieren</translation>
+    </message>
+    <message>
+        <source>Converging</source>
+        <translation>Wird fertig gezeichnet</translation>
+    </message>
+    <message>
+        <source>Frames in Motion: Faster</source>
+        <translation>Bilder in Bewegung: schneller</translation>
+    </message>
+    <message>
+        <source>Less is traced while a hand moves</source>
+        <translation>Während der Bewegung wird weniger verfolgt</translation>
+    </message>
+    <message>
+        <source>Frames in Motion: More Accurate</source>
+        <translation>Bilder in Bewegung: genauer</translation>
+    </message>
+    <message>
+        <source>More is traced while a hand moves</source>
+        <translation>Während der Bewegung wird mehr verfolgt</translation>
+    </message>
+    <message>
+        <source>Converge &amp;Now</source>
+        <translation>&amp;Jetzt fertig zeichnen</translation>
+    </message>
+    <message>
+        <source>Trace the picture at rest until it is final, with half of the usual noise</source>
+        <translation>Das ruhende Bild verfolgen, bis es endgültig ist, mit der Hälfte des üblichen Rauschens</translation>
+    </message>
+    <message>
+        <source>Stop Converging</source>
+        <translation>Fertigzeichnen anhalten</translation>
+    </message>
+    <message>
+        <source>There is no picture to converge yet.</source>
+        <translation>Es gibt noch kein Bild fertig zu zeichnen.</translation>
+    </message>
+    <message>
+        <source>Loading a segmentation</source>
+        <translation>Eine Segmentierung wird geladen</translation>
+    </message>
+    <message>
+        <source>Cube and scale</source>
+        <translation>Würfel und Maßstab</translation>
+    </message>
+    <message>
+        <source>From where the patient is seen, and how long a centimetre is: with parallel rays everywhere, else at the depth of what the camera turns around</source>
+        <translation>Von wo der Patient gesehen wird und wie lang ein Zentimeter ist: bei parallelen Strahlen überall, sonst in der Tiefe dessen, um das sich die Kamera dreht</translation>
+    </message>
+    <message>
+        <source>Parallel rays</source>
+        <translation>Parallele Strahlen</translation>
+    </message>
+    <message>
+        <source>The same millimetres for each pixel at every depth. The picture is traced; there are no splats while it moves</source>
+        <translation>In jeder Tiefe gleich viele Millimeter je Pixel. Das Bild wird verfolgt; während der Bewegung gibt es keine Splats</translation>
+    </message>
 </context>
 <context>
     <name>macula::viewer::MessageBar</name>
@@ -1091,10 +1920,356 @@
     </message>
 </context>
 <context>
+    <name>macula::viewer::ModelExport</name>
+    <message>
+        <source>The model is written to %1.</source>
+        <translation>Das Modell ist in %1 gespeichert.</translation>
+    </message>
+    <message>
+        <source> %L1 splats have numbers that this format cannot hold; they were limited.</source>
+        <translation> %L1 Splats haben Zahlen, die dieses Format nicht fassen kann; sie wurden begrenzt.</translation>
+    </message>
+    <message>
+        <source> It holds pictures of the study.</source>
+        <translation> Es enthält Bilder der Studie.</translation>
+    </message>
+    <message>
+        <source>There is no peripheral model of this picture.</source>
+        <translation>Von diesem Bild gibt es kein peripheres Modell.</translation>
+    </message>
+    <message>
+        <source>Only Cinematic and Clear in lights that stay in place have one. Wait until the status line says that it learns.</source>
+        <translation>Nur Cinematic und Klar in einer Beleuchtung, die an ihrem Ort bleibt, haben eines. Warten Sie, bis die Statuszeile sagt, dass es lernt.</translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::MovieExport</name>
+    <message>
+        <source>, %1 s left</source>
+        <translation>, noch %1 s</translation>
+    </message>
+    <message>
+        <source>, %1 min left</source>
+        <translation>, noch %1 min</translation>
+    </message>
+    <message>
+        <source>Encoding the video</source>
+        <translation>Das Video wird kodiert</translation>
+    </message>
+    <message>
+        <source>The video is %1.</source>
+        <translation>Das Video ist %1.</translation>
+    </message>
+    <message>
+        <source>The encoder made no video of them: take another program for that.</source>
+        <translation>Der Encoder hat daraus kein Video gemacht: verwenden Sie dafür ein anderes Programm.</translation>
+    </message>
+    <message>
+        <source>The video was stopped.</source>
+        <translation>Das Video wurde angehalten.</translation>
+    </message>
+    <message>
+        <source>%L1 pictures are in %2.</source>
+        <translation>%L1 Bilder sind in %2.</translation>
+    </message>
+    <message>
+        <source>No video was made of them: there is no encoder. Install ffmpeg, and draw again.</source>
+        <translation>Daraus wurde kein Video gemacht: es gibt keinen Encoder. Installieren Sie ffmpeg, und zeichnen Sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>No video was made of them: %1 is there already.</source>
+        <translation>Daraus wurde kein Video gemacht: %1 gibt es schon.</translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::MoviePanel</name>
+    <message>
+        <source>%1, %2 to %3%4</source>
+        <translation>%1, %2 bis %3%4</translation>
+    </message>
+    <message>
+        <source>&amp;Draw Movie…</source>
+        <translation>Film &amp;zeichnen…</translation>
+    </message>
+    <message>
+        <source>Draw all pictures to a folder, while the window goes on</source>
+        <translation>Alle Bilder in einen Ordner zeichnen, während das Fenster weitergeht</translation>
+    </message>
+    <message>
+        <source>How the camera goes</source>
+        <translation>Wie die Kamera geht</translation>
+    </message>
+    <message>
+        <source>Around the patient from here, or along views that are added</source>
+        <translation>Von hier um den Patienten herum oder entlang hinzugefügter Ansichten</translation>
+    </message>
+    <message>
+        <source>Turntable</source>
+        <translation>Umrundung</translation>
+    </message>
+    <message>
+        <source>Along views</source>
+        <translation>Entlang von Ansichten</translation>
+    </message>
+    <message>
+        <source>Degrees around the patient</source>
+        <translation>Grad um den Patienten</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Seconds</source>
+        <translation>Sekunden</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>Pictures per second</source>
+        <translation>Bilder je Sekunde</translation>
+    </message>
+    <message>
+        <source> /s</source>
+        <translation> /s</translation>
+    </message>
+    <message>
+        <source>Width in pixels</source>
+        <translation>Breite in Pixeln</translation>
+    </message>
+    <message>
+        <source> px</source>
+        <translation> px</translation>
+    </message>
+    <message>
+        <source>Height in pixels</source>
+        <translation>Höhe in Pixeln</translation>
+    </message>
+    <message>
+        <source>Quality</source>
+        <translation>Qualität</translation>
+    </message>
+    <message>
+        <source>More samples per pixel: less noise, and more time</source>
+        <translation>Mehr Abtastungen je Pixel: weniger Rauschen und mehr Zeit</translation>
+    </message>
+    <message>
+        <source>Sides of the &amp;patient</source>
+        <translation>Seiten des &amp;Patienten</translation>
+    </message>
+    <message>
+        <source>Letters at the edges of each picture</source>
+        <translation>Buchstaben an den Rändern jedes Bildes</translation>
+    </message>
+    <message>
+        <source>&amp;Name patient and study</source>
+        <translation>Patient und Studie &amp;nennen</translation>
+    </message>
+    <message>
+        <source>Over each picture, as in the window. Without it nobody is named; a face can still be seen</source>
+        <translation>Über jedem Bild, wie im Fenster. Ohne das wird niemand genannt; ein Gesicht ist trotzdem zu erkennen</translation>
+    </message>
+    <message>
+        <source>&amp;Video of them</source>
+        <translation>&amp;Video daraus</translation>
+    </message>
+    <message>
+        <source>An MP4 file beside them, by ffmpeg if it is installed</source>
+        <translation>Eine MP4-Datei daneben, mit ffmpeg, wenn es installiert ist</translation>
+    </message>
+    <message>
+        <source>&amp;Camera</source>
+        <translation>&amp;Kamera</translation>
+    </message>
+    <message>
+        <source>De&amp;grees</source>
+        <translation>&amp;Grad</translation>
+    </message>
+    <message>
+        <source>&amp;Seconds</source>
+        <translation>&amp;Sekunden</translation>
+    </message>
+    <message>
+        <source>&amp;Width</source>
+        <translation>&amp;Breite</translation>
+    </message>
+    <message>
+        <source>&amp;Height</source>
+        <translation>&amp;Höhe</translation>
+    </message>
+    <message>
+        <source>&amp;Quality</source>
+        <translation>&amp;Qualität</translation>
+    </message>
+    <message>
+        <source>Views of the way</source>
+        <translation>Ansichten der Kamerafahrt</translation>
+    </message>
+    <message>
+        <source>The camera goes smoothly from each to the next</source>
+        <translation>Die Kamera geht gleitend von jeder zur nächsten</translation>
+    </message>
+    <message>
+        <source>&amp;Add View</source>
+        <translation>&amp;Ansicht hinzufügen</translation>
+    </message>
+    <message>
+        <source>What is looked at now, 2 s after the view before</source>
+        <translation>Was jetzt zu sehen ist, 2 s nach der Ansicht davor</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>&amp;Entfernen</translation>
+    </message>
+    <message>
+        <source>Leave out the view that is chosen</source>
+        <translation>Die gewählte Ansicht weglassen</translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>&amp;Öffnen…</translation>
+    </message>
+    <message>
+        <source>A way from a file, as of macula hybrid --path</source>
+        <translation>Eine Kamerafahrt aus einer Datei, wie von macula hybrid --path</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>Speichern…</translation>
+    </message>
+    <message>
+        <source>The way to a file, for macula hybrid --path</source>
+        <translation>Die Kamerafahrt in eine Datei, für macula hybrid --path</translation>
+    </message>
+    <message>
+        <source>View %1, at %L2 s</source>
+        <translation>Ansicht %1, bei %L2 s</translation>
+    </message>
+    <message>
+        <source>%L1 pictures</source>
+        <translation>%L1 Bilder</translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::NamedClips</name>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>Anwenden</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Umbenennen</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Clips of this study</source>
+        <translation>Beschnitte dieser Studie</translation>
+    </message>
+    <message>
+        <source>Name of a clip</source>
+        <translation>Name eines Beschnitts</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Type a name first.</source>
+        <translation>Geben Sie zuerst einen Namen ein.</translation>
+    </message>
+    <message>
+        <source>There are %1 clips, and no more are possible. Delete one first.</source>
+        <translation>Es gibt %1 Beschnitte, und mehr sind nicht möglich. Löschen Sie zuerst einen.</translation>
+    </message>
+    <message>
+        <source>Save clip</source>
+        <translation>Beschnitt speichern</translation>
+    </message>
+    <message>
+        <source>Clip</source>
+        <translation>Beschnitt</translation>
+    </message>
+    <message>
+        <source>Another clip has that name. Take another one.</source>
+        <translation>Ein anderer Beschnitt heißt so. Nehmen Sie einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>Rename clip</source>
+        <translation>Beschnitt umbenennen</translation>
+    </message>
+    <message>
+        <source>Delete clip</source>
+        <translation>Beschnitt löschen</translation>
+    </message>
+    <message>
+        <source>Open a study first.</source>
+        <translation>Öffnen Sie zuerst eine Studie.</translation>
+    </message>
+    <message>
+        <source>Choose a clip of the list first.</source>
+        <translation>Wählen Sie zuerst einen Beschnitt aus der Liste.</translation>
+    </message>
+    <message>
+        <source>Double click shows one again</source>
+        <translation>Doppelklick zeigt einen wieder</translation>
+    </message>
+    <message>
+        <source>What the clip is called; it is kept with the study</source>
+        <translation>Wie der Beschnitt heißt; er wird mit der Studie aufbewahrt</translation>
+    </message>
+    <message>
+        <source>Keeps what is clipped and cut now under that name</source>
+        <translation>Behält unter diesem Namen, was jetzt beschnitten und geschnitten ist</translation>
+    </message>
+    <message>
+        <source>Clips as it was when that was saved</source>
+        <translation>Beschneidet, wie es beim Speichern war</translation>
+    </message>
+    <message>
+        <source>Gives the chosen clip the name that is typed</source>
+        <translation>Gibt dem gewählten Beschnitt den eingegebenen Namen</translation>
+    </message>
+    <message>
+        <source>Deletes the chosen clip from the list; what is shown stays</source>
+        <translation>Löscht den gewählten Beschnitt aus der Liste; das Gezeigte bleibt</translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::OwnWindowList</name>
+    <message>
+        <source>Windows of your own that were kept cannot be read.</source>
+        <translation>Behaltene eigene Fensterungen können nicht gelesen werden.</translation>
+    </message>
+    <message>
+        <source>The next one that you keep takes their place.</source>
+        <translation>Die nächste, die Sie behalten, tritt an ihre Stelle.</translation>
+    </message>
+</context>
+<context>
     <name>macula::viewer::PatientMmBox</name>
     <message>
         <source> mm</source>
         <translation> mm</translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::PictureCurtain</name>
+    <message>
+        <source>Both pictures</source>
+        <translation>Beide Bilder</translation>
+    </message>
+    <message>
+        <source>Drag the line between the two presets</source>
+        <translation>Die Linie zwischen den beiden Voreinstellungen ziehen</translation>
     </message>
 </context>
 <context>
@@ -1241,6 +2416,587 @@
     <message>
         <source>Colour of the point</source>
         <translation>Farbe des Punkts</translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::PresentationDialog</name>
+    <message>
+        <source>&amp;Without patient and study</source>
+        <translation>&amp;Ohne Patient und Studie</translation>
+    </message>
+    <message>
+        <source>Save Presentation State</source>
+        <translation>Presentation State speichern</translation>
+    </message>
+    <message>
+        <source>A DICOM object without pixels, for the archive: camera, colours, clip and shading of the 3D view. Macula draws the same picture of it; other programs draw what they can.</source>
+        <translation>Ein DICOM-Objekt ohne Pixel, für das Archiv: Kamera, Farben, Beschnitt und Schattierung der 3D-Ansicht. Macula zeichnet daraus dasselbe Bild; andere Programme zeichnen, was sie können.</translation>
+    </message>
+    <message>
+        <source>Without patient and study</source>
+        <translation>Ohne Patient und Studie</translation>
+    </message>
+    <message>
+        <source>Nothing of the patient is written, and all UIDs are other ones. It can be opened where the series itself is.</source>
+        <translation>Vom Patienten wird nichts geschrieben, und alle UIDs sind andere. Es kann geöffnet werden, wo die Serie selbst ist.</translation>
+    </message>
+    <message>
+        <source>&amp;Choose File…</source>
+        <translation>&amp;Datei wählen…</translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::PresetBox</name>
+    <message>
+        <source>Preset</source>
+        <translation>Voreinstellung</translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::PresetComparison</name>
+    <message>
+        <source>&amp;Beside each other</source>
+        <translation>&amp;Nebeneinander</translation>
+    </message>
+    <message>
+        <source>Compare presets</source>
+        <translation>Voreinstellungen vergleichen</translation>
+    </message>
+    <message>
+        <source>Where the two pictures meet</source>
+        <translation>Wo die beiden Bilder sich treffen</translation>
+    </message>
+    <message>
+        <source>Where the two pictures meet, from left to right</source>
+        <translation>Wo die beiden Bilder sich treffen, von links nach rechts</translation>
+    </message>
+    <message>
+        <source>Each picture as a whole, instead of one line between them</source>
+        <translation>Jedes Bild als Ganzes, statt einer Linie dazwischen</translation>
+    </message>
+    <message>
+        <source>&amp;Use %1</source>
+        <translation>%1 &amp;verwenden</translation>
+    </message>
+    <message>
+        <source>Show the volume with the preset at the right; can be undone</source>
+        <translation>Das Volumen mit der rechten Voreinstellung zeigen; kann rückgängig gemacht werden</translation>
+    </message>
+    <message>
+        <source>Drawing both</source>
+        <translation>Beide werden gezeichnet</translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::PresetGallery</name>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Put the deleted preset back</source>
+        <translation>Die gelöschte Voreinstellung zurückholen</translation>
+    </message>
+    <message>
+        <source>The preset that was deleted last comes back as it was</source>
+        <translation>Die zuletzt gelöschte Voreinstellung kommt zurück, wie sie war</translation>
+    </message>
+    <message>
+        <source>Filter the presets</source>
+        <translation>Voreinstellungen filtern</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>Filter</translation>
+    </message>
+    <message>
+        <source>Part of a name or a kind of image; Down or Enter goes to the presets, Esc ends it</source>
+        <translation>Teil eines Namens oder eine Bildart; Ab oder Eingabe geht zu den Voreinstellungen, Esc beendet es</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>Behalten</translation>
+    </message>
+    <message>
+        <source>Keep or import a preset of your own</source>
+        <translation>Eigene Voreinstellung behalten oder importieren</translation>
+    </message>
+    <message>
+        <source>Keep the curve, or all that is seen, as a preset of your own; or import one</source>
+        <translation>Die Kurve oder alles Gezeigte als eigene Voreinstellung behalten, oder eine importieren</translation>
+    </message>
+    <message>
+        <source>Keep the &amp;Curve…</source>
+        <translation>&amp;Kurve behalten…</translation>
+    </message>
+    <message>
+        <source>The transfer function that is shown</source>
+        <translation>Die gezeigte Übertragungsfunktion</translation>
+    </message>
+    <message>
+        <source>Keep All That Is &amp;Seen…</source>
+        <translation>Alles &amp;Gezeigte behalten…</translation>
+    </message>
+    <message>
+        <source>Curve, look, lights, window, clip and camera, for other studies too</source>
+        <translation>Kurve, Darstellung, Beleuchtung, Fensterung, Beschnitt und Kamera, auch für andere Studien</translation>
+    </message>
+    <message>
+        <source>&amp;Import…</source>
+        <translation>&amp;Importieren…</translation>
+    </message>
+    <message>
+        <source>Of Macula, 3D Slicer, ParaView, VolView, MITK, Horos or OsiriX</source>
+        <translation>Von Macula, 3D Slicer, ParaView, VolView, MITK, Horos oder OsiriX</translation>
+    </message>
+    <message>
+        <source>Presets</source>
+        <translation>Voreinstellungen</translation>
+    </message>
+    <message>
+        <source>Each preset as it shows this volume, from anterior and coarse. A double click or Enter uses it.</source>
+        <translation>Jede Voreinstellung, wie sie dieses Volumen zeigt, von anterior und grob. Ein Doppelklick oder Eingabe verwendet sie.</translation>
+    </message>
+    <message>
+        <source>No preset matches “%1”.</source>
+        <translation>Keine Voreinstellung passt zu „%1“.</translation>
+    </message>
+    <message>
+        <source>“%1” is deleted.</source>
+        <translation>„%1“ ist gelöscht.</translation>
+    </message>
+    <message>
+        <source>There is nothing in this volume to draw small pictures of.</source>
+        <translation>In diesem Volumen ist nichts, wovon kleine Bilder gezeichnet werden könnten.</translation>
+    </message>
+    <message>
+        <source>&amp;Use</source>
+        <translation>&amp;Verwenden</translation>
+    </message>
+    <message>
+        <source>&amp;Compare with What Is Shown…</source>
+        <translation>Mit dem Ge&amp;zeigten vergleichen…</translation>
+    </message>
+    <message>
+        <source>&amp;Favourite</source>
+        <translation>&amp;Favorit</translation>
+    </message>
+    <message>
+        <source>Save as C&amp;opy…</source>
+        <translation>Als &amp;Kopie speichern…</translation>
+    </message>
+    <message>
+        <source>&amp;Rename…</source>
+        <translation>&amp;Umbenennen…</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>&amp;Löschen</translation>
+    </message>
+    <message>
+        <source>Built-in presets are never changed: save a copy</source>
+        <translation>Eingebaute Voreinstellungen ändern sich nie: eine Kopie speichern</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>&amp;Exportieren…</translation>
+    </message>
+    <message>
+        <source>The curve, as a file for --preset and 3D Slicer</source>
+        <translation>Die Kurve, als Datei für --preset und 3D Slicer</translation>
+    </message>
+    <message>
+        <source>Preset</source>
+        <translation>Voreinstellung</translation>
+    </message>
+    <message>
+        <source>Keep the curve</source>
+        <translation>Kurve behalten</translation>
+    </message>
+    <message>
+        <source>The transfer function that is shown, as a preset of your own.</source>
+        <translation>Die gezeigte Übertragungsfunktion, als eigene Voreinstellung.</translation>
+    </message>
+    <message>
+        <source>Keep all that is seen</source>
+        <translation>Alles Gezeigte behalten</translation>
+    </message>
+    <message>
+        <source>Curve, look, lights, window, clip and camera, as a preset of your own. It is for all studies: clip and camera go with the size of the volume.</source>
+        <translation>Kurve, Darstellung, Beleuchtung, Fensterung, Beschnitt und Kamera, als eigene Voreinstellung. Sie gilt für alle Studien: Beschnitt und Kamera richten sich nach der Größe des Volumens.</translation>
+    </message>
+    <message>
+        <source>%1, as seen</source>
+        <translation>%1, wie gezeigt</translation>
+    </message>
+    <message>
+        <source>Save as copy</source>
+        <translation>Als Kopie speichern</translation>
+    </message>
+    <message>
+        <source>A preset of your own, like “%1”.</source>
+        <translation>Eine eigene Voreinstellung, wie „%1“.</translation>
+    </message>
+    <message>
+        <source>Rename the preset</source>
+        <translation>Voreinstellung umbenennen</translation>
+    </message>
+    <message>
+        <source>Another name for “%1”.</source>
+        <translation>Ein anderer Name für „%1“.</translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::PresetLibrary</name>
+    <message>
+        <source>Your presets could not be read: %1</source>
+        <translation>Ihre Voreinstellungen konnten nicht gelesen werden: %1</translation>
+    </message>
+    <message>
+        <source>Presets of yours that are damaged and were left out: %1.</source>
+        <translation>Eigene Voreinstellungen, die beschädigt sind und weggelassen wurden: %1.</translation>
+    </message>
+    <message>
+        <source>Presets of yours that this version of Macula cannot read, and leaves as they are: %1.</source>
+        <translation>Eigene Voreinstellungen, die diese Version von Macula nicht lesen kann und lässt, wie sie sind: %1.</translation>
+    </message>
+    <message>
+        <source>The last change of your presets is not stored and lasts until this window closes: %1</source>
+        <translation>Die letzte Änderung Ihrer Voreinstellungen ist nicht gespeichert und gilt, bis dieses Fenster schließt: %1</translation>
+    </message>
+    <message>
+        <source>Nothing is kept between runs: presets of your own live until this window closes. Export those that you need.</source>
+        <translation>Zwischen Starts wird nichts aufbewahrt: eigene Voreinstellungen gelten, bis dieses Fenster schließt. Exportieren Sie die, die Sie brauchen.</translation>
+    </message>
+    <message>
+        <source>Keep preset</source>
+        <translation>Voreinstellung behalten</translation>
+    </message>
+    <message>
+        <source>Rename preset</source>
+        <translation>Voreinstellung umbenennen</translation>
+    </message>
+    <message>
+        <source>Presets of the file that could not be kept: %1. %2</source>
+        <translation>Voreinstellungen der Datei, die nicht behalten werden konnten: %1. %2</translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::PresetListModel</name>
+    <message>
+        <source>Favourites</source>
+        <translation>Favoriten</translation>
+    </message>
+    <message>
+        <source>Last used for such images</source>
+        <translation>Zuletzt für solche Bilder verwendet</translation>
+    </message>
+    <message>
+        <source>Your own</source>
+        <translation>Eigene</translation>
+    </message>
+    <message>
+        <source>For such images</source>
+        <translation>Für solche Bilder</translation>
+    </message>
+    <message>
+        <source>For other images</source>
+        <translation>Für andere Bilder</translation>
+    </message>
+    <message>
+        <source>all that was seen</source>
+        <translation>alles Gezeigte</translation>
+    </message>
+    <message>
+        <source>%1, all that was seen</source>
+        <translation>%1, alles Gezeigte</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Enter or a click folds this group</source>
+        <translation>Eingabe oder ein Klick klappt diese Gruppe zu</translation>
+    </message>
+    <message>
+        <source>Enter or a click shows this group</source>
+        <translation>Eingabe oder ein Klick zeigt diese Gruppe</translation>
+    </message>
+    <message>
+        <source>%1, %2 presets, shown</source>
+        <translation>%1, %2 Voreinstellungen, gezeigt</translation>
+    </message>
+    <message>
+        <source>%1, %2 presets, folded</source>
+        <translation>%1, %2 Voreinstellungen, zugeklappt</translation>
+    </message>
+    <message>
+        <source>your own</source>
+        <translation>eigene</translation>
+    </message>
+    <message>
+        <source>built in, is never changed</source>
+        <translation>eingebaut, ändert sich nie</translation>
+    </message>
+    <message>
+        <source>favourite</source>
+        <translation>Favorit</translation>
+    </message>
+    <message>
+        <source>shown now</source>
+        <translation>jetzt gezeigt</translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::PresetNameDialog</name>
+    <message>
+        <source>Name of the preset</source>
+        <translation>Name der Voreinstellung</translation>
+    </message>
+    <message>
+        <source>For all studies, so without anything of a patient</source>
+        <translation>Für alle Studien, also ohne etwas von einem Patienten</translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::QualityControl</name>
+    <message>
+        <source>%L1 s</source>
+        <translation>%L1 s</translation>
+    </message>
+    <message>
+        <source>%L1 ms</source>
+        <translation>%L1 ms</translation>
+    </message>
+    <message>
+        <source>Quality of frames in motion</source>
+        <translation>Qualität der Bilder in Bewegung</translation>
+    </message>
+    <message>
+        <source>Quality of frames in motion, from fast to accurate</source>
+        <translation>Qualität der Bilder in Bewegung, von schnell bis genau</translation>
+    </message>
+    <message>
+        <source>How much of a frame is traced while a hand moves. At rest the picture always becomes final.</source>
+        <translation>Wie viel eines Bildes während der Bewegung verfolgt wird. In Ruhe wird das Bild immer endgültig.</translation>
+    </message>
+    <message>
+        <source>&amp;Automatic</source>
+        <translation>&amp;Automatisch</translation>
+    </message>
+    <message>
+        <source>As much as there is time for, without a choice</source>
+        <translation>So viel, wie die Zeit erlaubt, ohne Auswahl</translation>
+    </message>
+    <message>
+        <source>Fast</source>
+        <translation>Schnell</translation>
+    </message>
+    <message>
+        <source>Accurate</source>
+        <translation>Genau</translation>
+    </message>
+    <message>
+        <source>Quality %1/%2</source>
+        <translation>Qualität %1/%2</translation>
+    </message>
+    <message>
+        <source>Quality</source>
+        <translation>Qualität</translation>
+    </message>
+    <message>
+        <source>As much as there is time for.</source>
+        <translation>So viel, wie die Zeit erlaubt.</translation>
+    </message>
+    <message>
+        <source>Quality of frames in motion. %1</source>
+        <translation>Qualität der Bilder in Bewegung. %1</translation>
+    </message>
+    <message>
+        <source>About %1 a frame on this machine.</source>
+        <translation>Etwa %1 je Bild auf diesem Rechner.</translation>
+    </message>
+    <message>
+        <source>How long a frame takes here is being measured.</source>
+        <translation>Wie lange ein Bild hier braucht, wird gemessen.</translation>
+    </message>
+    <message>
+        <source>Expected error (FLIP, 0 is none): %L1 where you look, %L2 in all.</source>
+        <translation>Erwarteter Fehler (FLIP, 0 ist keiner): %L1, wo der Blick ist, %L2 im Ganzen.</translation>
+    </message>
+    <message>
+        <source>It was measured with %1 bounces of light; the picture has %2 at every stop.</source>
+        <translation>Gemessen wurde mit %1 Streuungen des Lichts; das Bild hat auf jeder Stufe %2.</translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::RecentMenu</name>
+    <message>
+        <source>Open &amp;Recent</source>
+        <translation>&amp;Zuletzt geöffnet</translation>
+    </message>
+    <message>
+        <source>What was opened since the program was started; it is not kept for longer</source>
+        <translation>Was seit dem Start des Programms geöffnet wurde; länger wird es nicht aufbewahrt</translation>
+    </message>
+    <message>
+        <source>&amp;Forget All</source>
+        <translation>Alle &amp;vergessen</translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::SegmentationKeeper</name>
+    <message>
+        <source>Segmentations</source>
+        <translation>Segmentierungen</translation>
+    </message>
+    <message>
+        <source>A segmentation that was shown with this study is not in the folder; nothing of it is shown or hidden.</source>
+        <translation>Eine Segmentierung, die mit dieser Studie gezeigt wurde, ist nicht im Ordner; nichts davon wird gezeigt oder ausgeblendet.</translation>
+    </message>
+    <message>
+        <source>There is a segmentation of this volume: F11.</source>
+        <translation>Es gibt eine Segmentierung dieses Volumens: F11.</translation>
+    </message>
+    <message>
+        <source>There are %1 segmentations of this volume: F11.</source>
+        <translation>Es gibt %1 Segmentierungen dieses Volumens: F11.</translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::SegmentationPanel</name>
+    <message>
+        <source>Drawn by hand</source>
+        <translation>Von Hand gezeichnet</translation>
+    </message>
+    <message>
+        <source>Made by a person with a program</source>
+        <translation>Von einem Menschen mit einem Programm erstellt</translation>
+    </message>
+    <message>
+        <source>Made by a program</source>
+        <translation>Von einem Programm erstellt</translation>
+    </message>
+    <message>
+        <source>Segment %1</source>
+        <translation>Segment %1</translation>
+    </message>
+    <message>
+        <source>alone</source>
+        <translation>allein</translation>
+    </message>
+    <message>
+        <source>hidden</source>
+        <translation>ausgeblendet</translation>
+    </message>
+    <message>
+        <source>Segmentations</source>
+        <translation>Segmentierungen</translation>
+    </message>
+    <message>
+        <source>Segmentations of the folder; a check mark shows them on slices</source>
+        <translation>Segmentierungen des Ordners; ein Häkchen zeigt sie auf Schichten</translation>
+    </message>
+    <message>
+        <source>Segment</source>
+        <translation>Segment</translation>
+    </message>
+    <message>
+        <source>ml</source>
+        <translation>ml</translation>
+    </message>
+    <message>
+        <source>3D</source>
+        <translation>3D</translation>
+    </message>
+    <message>
+        <source>Colour…</source>
+        <translation>Farbe…</translation>
+    </message>
+    <message>
+        <source>Colour of the segment on slices</source>
+        <translation>Farbe des Segments auf Schichten</translation>
+    </message>
+    <message>
+        <source>Centre</source>
+        <translation>Mitte</translation>
+    </message>
+    <message>
+        <source>Cross-hair to the middle of the segment</source>
+        <translation>Fadenkreuz in die Mitte des Segments</translation>
+    </message>
+    <message>
+        <source>Alone</source>
+        <translation>Allein</translation>
+    </message>
+    <message>
+        <source>In 3D, this segment and others that are alone, and nothing else</source>
+        <translation>In 3D dieses Segment und andere, die allein sind, und sonst nichts</translation>
+    </message>
+    <message>
+        <source>Hide</source>
+        <translation>Ausblenden</translation>
+    </message>
+    <message>
+        <source>In 3D, all but this segment</source>
+        <translation>In 3D alles außer diesem Segment</translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation>Deckkraft</translation>
+    </message>
+    <message>
+        <source>How opaque the segment is filled on slices, in %</source>
+        <translation>Wie deckend das Segment auf Schichten gefüllt ist, in %</translation>
+    </message>
+    <message>
+        <source>In 3D</source>
+        <translation>In 3D</translation>
+    </message>
+    <message>
+        <source>Segmentation %1</source>
+        <translation>Segmentierung %1</translation>
+    </message>
+    <message>
+        <source>Volume in ml, once the segmentation is shown</source>
+        <translation>Volumen in ml, sobald die Segmentierung gezeigt wird</translation>
+    </message>
+    <message>
+        <source>Volume in ml: its voxels, times that of one</source>
+        <translation>Volumen in ml: seine Voxel mal das eines Voxels</translation>
+    </message>
+    <message>
+        <source>Open a study first.</source>
+        <translation>Öffnen Sie zuerst eine Studie.</translation>
+    </message>
+    <message>
+        <source>Looking for segmentations.</source>
+        <translation>Segmentierungen werden gesucht.</translation>
+    </message>
+    <message>
+        <source>There are no segmentations in this folder.</source>
+        <translation>In diesem Ordner sind keine Segmentierungen.</translation>
+    </message>
+    <message>
+        <source>This segment has no voxel in the volume.</source>
+        <translation>Dieses Segment hat im Volumen kein Voxel.</translation>
+    </message>
+    <message>
+        <source>Segments in 3D</source>
+        <translation>Segmente in 3D</translation>
+    </message>
+    <message>
+        <source>Colour of the segment</source>
+        <translation>Farbe des Segments</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Farbe</translation>
+    </message>
+    <message>
+        <source>Cross-hair</source>
+        <translation>Fadenkreuz</translation>
     </message>
 </context>
 <context>
@@ -1441,10 +3197,6 @@
         <translation>%1e Schichten</translation>
     </message>
     <message>
-        <source>%1 slices, in mm. Wheel: next slice; right drag: window</source>
-        <translation>%1e Schichten, in mm. Rad: nächste Schicht; rechts ziehen: Fensterung</translation>
-    </message>
-    <message>
         <source>Slice</source>
         <translation>Schicht</translation>
     </message>
@@ -1504,6 +3256,58 @@
         <source>Measurement removed</source>
         <translation>Messung entfernt</translation>
     </message>
+    <message>
+        <source>%1 slices of the second volume</source>
+        <translation>%1e Schichten des zweiten Volumens</translation>
+    </message>
+    <message>
+        <source>%1 slices, in mm. Wheel: next slice; right drag: window; right click: windows</source>
+        <translation>%1e Schichten, in mm. Rad: nächste Schicht; rechts ziehen: Fensterung; Rechtsklick: Fensterungen</translation>
+    </message>
+    <message>
+        <source>Second volume moved</source>
+        <translation>Zweites Volumen verschoben</translation>
+    </message>
+    <message>
+        <source>Segments: middle of the slab</source>
+        <translation>Segmente: Mitte des Slabs</translation>
+    </message>
+    <message>
+        <source>Measurements are of the study alone</source>
+        <translation>Messungen gelten nur für die Studie</translation>
+    </message>
+    <message>
+        <source>%1, in %2</source>
+        <translation>%1, in %2</translation>
+    </message>
+    <message>
+        <source>In colours: %1</source>
+        <translation>In Farben: %1</translation>
+    </message>
+    <message>
+        <source>Clip</source>
+        <translation>Beschnitt</translation>
+    </message>
+    <message>
+        <source>Label</source>
+        <translation>Beschriftung</translation>
+    </message>
+    <message>
+        <source>In the plane of the study: %1</source>
+        <translation>In der Ebene der Studie: %1</translation>
+    </message>
+    <message>
+        <source>Not in a plane of the study</source>
+        <translation>Nicht in einer Ebene der Studie</translation>
+    </message>
+    <message>
+        <source>Some of its slices are interpolated</source>
+        <translation>Einige seiner Schichten sind interpoliert</translation>
+    </message>
+    <message>
+        <source>Window of the second volume</source>
+        <translation>Fensterung des zweiten Volumens</translation>
+    </message>
 </context>
 <context>
     <name>macula::viewer::StudyBrowser</name>
@@ -1538,6 +3342,18 @@
     <message>
         <source>Nothing matches “%1”.</source>
         <translation>Nichts passt zu „%1“.</translation>
+    </message>
+    <message>
+        <source>The folder is still being read. What is in it can be opened then.</source>
+        <translation>Der Ordner wird noch gelesen. Was darin ist, kann danach geöffnet werden.</translation>
+    </message>
+    <message>
+        <source>Open &amp;Beside</source>
+        <translation>Da&amp;neben öffnen</translation>
+    </message>
+    <message>
+        <source>Show this volume beside the study that is open</source>
+        <translation>Dieses Volumen neben der offenen Studie zeigen</translation>
     </message>
 </context>
 <context>
@@ -1720,6 +3536,21 @@ Rad: die Achse zoomen; die Achse ziehen verschiebt sie; Doppelklick darauf zeigt
     <message>
         <source>Opacity point %1 of %2 at %3, opacity %4</source>
         <translation>Deckkraftpunkt %1 von %2 bei %3, Deckkraft %4</translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::TransferDrag</name>
+    <message>
+        <source>Transfer function: shifted by %1%2, %3 times as wide</source>
+        <translation>Übertragungsfunktion: um %1%2 verschoben, %3-mal so breit</translation>
+    </message>
+    <message>
+        <source>The transfer function cannot be moved yet: how it lies on these values is still counted.</source>
+        <translation>Die Übertragungsfunktion kann noch nicht verschoben werden: wie sie auf diesen Werten liegt, wird noch gezählt.</translation>
+    </message>
+    <message>
+        <source>Transfer function</source>
+        <translation>Übertragungsfunktion</translation>
     </message>
 </context>
 <context>
