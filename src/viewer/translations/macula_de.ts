@@ -1180,10 +1180,6 @@
         <translation>Der Tisch wird gesucht</translation>
     </message>
     <message>
-        <source>Table</source>
-        <translation>Tisch</translation>
-    </message>
-    <message>
         <source>Cross-hair</source>
         <translation>Fadenkreuz</translation>
     </message>
@@ -1564,10 +1560,6 @@
         <translation>Die Einstellungen sind gespeichert. Sprache und Sitzungen folgen ihnen ab dem nächsten Start.</translation>
     </message>
     <message>
-        <source>Open view</source>
-        <translation>Ansicht öffnen</translation>
-    </message>
-    <message>
         <source>Open a view</source>
         <translation>Ansicht öffnen</translation>
     </message>
@@ -1634,10 +1626,6 @@
     <message>
         <source>Cutting</source>
         <translation>Wird geschnitten</translation>
-    </message>
-    <message>
-        <source>No cut</source>
-        <translation>Kein Schnitt</translation>
     </message>
     <message>
         <source>&amp;Handles in the Pictures</source>
@@ -3191,6 +3179,21 @@
     </message>
 </context>
 <context>
+    <name>macula::viewer::ShownVolume</name>
+    <message>
+        <source>Table</source>
+        <translation type="unfinished">Tisch</translation>
+    </message>
+    <message>
+        <source>No cut</source>
+        <translation type="unfinished">Kein Schnitt</translation>
+    </message>
+    <message>
+        <source>Open view</source>
+        <translation type="unfinished">Ansicht öffnen</translation>
+    </message>
+</context>
+<context>
     <name>macula::viewer::SliceView</name>
     <message>
         <source>%1 slices</source>
@@ -3637,6 +3640,17 @@ Rad: die Achse zoomen; die Achse ziehen verschiebt sie; Doppelklick darauf zeigt
     <message>
         <source>Make it again: %1</source>
         <translation>Noch einmal machen: %1</translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::ViewerWidget</name>
+    <message>
+        <source>Cube and scale</source>
+        <translation type="unfinished">Würfel und Maßstab</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation type="unfinished">Fensterung</translation>
     </message>
 </context>
 <context>
