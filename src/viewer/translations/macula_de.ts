@@ -3182,15 +3182,15 @@
     <name>macula::viewer::ShownVolume</name>
     <message>
         <source>Table</source>
-        <translation type="unfinished">Tisch</translation>
+        <translation>Tisch</translation>
     </message>
     <message>
         <source>No cut</source>
-        <translation type="unfinished">Kein Schnitt</translation>
+        <translation>Kein Schnitt</translation>
     </message>
     <message>
         <source>Open view</source>
-        <translation type="unfinished">Ansicht öffnen</translation>
+        <translation>Ansicht öffnen</translation>
     </message>
 </context>
 <context>
@@ -3646,11 +3646,11 @@ Rad: die Achse zoomen; die Achse ziehen verschiebt sie; Doppelklick darauf zeigt
     <name>macula::viewer::ViewerWidget</name>
     <message>
         <source>Cube and scale</source>
-        <translation type="unfinished">Würfel und Maßstab</translation>
+        <translation>Würfel und Maßstab</translation>
     </message>
     <message>
         <source>Window</source>
-        <translation type="unfinished">Fensterung</translation>
+        <translation>Fensterung</translation>
     </message>
 </context>
 <context>
