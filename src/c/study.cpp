@@ -82,6 +82,9 @@ Result<formats::RawImage> imageOf(const macula_voxels& voxels) {
     const bool isHounsfield = voxels.unit == MACULA_UNIT_HOUNSFIELD;
     image.unit = isHounsfield ? Unit::hounsfield : Unit::raw;
     image.modality = isHounsfield ? "CT" : "";
+    if (!isHounsfield)
+        image.assumptions.emplace_back(
+            "No unit was given: values are taken as they are. Presets for Hounsfield units do not fit.");
     image.slope = voxels.slope == 0.0 ? 1.0 : voxels.slope;
     image.intercept = voxels.intercept;
     // Only then are sides so small that their product is a number of bytes.
