@@ -6,7 +6,6 @@
 
 #include "app/choice/lights_choice.h"
 #include "app/frame/projection_windows.h"
-#include "app/open_device.h"
 #include "app/picture/drawn_picture.h"
 #include "app/picture/picture_effort.h"
 #include "app/state/drawing_of.h"
@@ -15,6 +14,7 @@
 #include "c/sized.h"
 #include "c/told_progress.h"
 #include "c/view.h"
+#include "pipeline/gpu/instance.h"
 #include "pipeline/gpu/recovery.h"
 
 struct macula_device {
@@ -161,9 +161,14 @@ macula_status macula_device_open(const char* preferred, macula_device** device) 
     return guarded([&]() -> Result<void> {
         if (device == nullptr) return nullHandle();
         auto told = std::make_shared<std::vector<std::string>>();
-        MACULA_TRY(gpu::LastingDevice lasting,
-                   app::openDevice(preferred == nullptr ? "" : preferred,
-                                   [told](std::string_view sentence) { told->emplace_back(sentence); }));
+        MACULA_TRY(gpu::Instance instance, gpu::Instance::create());
+        gpu::DeviceOptions options;
+        if (preferred != nullptr) options.preferred = preferred;
+        options.isAnnounced = false;
+        MACULA_TRY(
+            gpu::LastingDevice lasting,
+            gpu::LastingDevice::open(std::move(instance), std::move(options),
+                                     [told](std::string_view sentence) { told->emplace_back(sentence); }));
         *device = new macula_device{std::move(lasting), std::move(told)};
         return {};
     });

@@ -221,6 +221,18 @@ TEST_F(CDrawing, SaysThatItIsDenoised) {
     EXPECT_EQ(drawn_.is_denoised, 1);
 }
 
+// Where things are printed is the host's business.
+TEST_F(CDrawing, NothingIsPrinted) {
+    ::testing::internal::CaptureStderr();
+    ::testing::internal::CaptureStdout();
+    macula_device* made = nullptr;
+    ASSERT_EQ(macula_device_open(nullptr, &made), MACULA_DONE);
+    const Owned<macula_device> own(made);
+    EXPECT_EQ(macula_draw(made, view_.get(), &picture_, nullptr, nullptr), MACULA_DONE);
+    EXPECT_EQ(::testing::internal::GetCapturedStdout(), "");
+    EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
+}
+
 TEST(CDevice, ThatIsNotThereIsAnError) {
     macula_device* device = nullptr;
     const macula_status opened = macula_device_open("no such card", &device);
