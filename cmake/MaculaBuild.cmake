@@ -43,6 +43,9 @@ if(MACULA_FUZZ)
     add_link_options(-fsanitize=address,undefined)
 endif()
 
+# What is packaged does not tell in which folder it was built.
+add_compile_options($<$<CONFIG:Release>:-ffile-prefix-map=${PROJECT_SOURCE_DIR}/=>)
+
 find_package(Threads REQUIRED)
 
 # macula_module(NAME SOURCES … PUBLIC … PRIVATE …): the static library macula_NAME, alias macula::NAME.
@@ -67,7 +70,6 @@ function(macula_plugin name)
     target_include_directories(macula_plugin_${name} PRIVATE ${PROJECT_SOURCE_DIR}/src)
     target_compile_options(macula_plugin_${name} PRIVATE ${MACULA_WARNINGS})
     target_link_libraries(macula_plugin_${name} PRIVATE ${M_PRIVATE})
-    install(TARGETS macula_plugin_${name} LIBRARY DESTINATION ${MACULA_PLUGIN_DIR})
 endfunction()
 
 # Where time goes into starting, reading and comparing, a second of a compiler is worth more than a millisecond of a run.

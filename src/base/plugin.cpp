@@ -27,7 +27,9 @@ Result<void*> symbolOfPlugin(const char* name, const char* symbol) {
     const fs::path folder = folderOfThis();
     const std::string file = std::string(name) + ".so";
     std::string why;
-    for (const fs::path& place : {folder / file, folder / MACULA_PLUGINS_FROM_BIN / file}) {
+    // Beside what is being built; as seen from a program that is installed; and from a library.
+    for (const fs::path& place :
+         {folder / file, folder / MACULA_PLUGINS_FROM_BIN / file, folder / "macula" / file}) {
         void* loaded = dlopen(place.c_str(), RTLD_NOW | RTLD_LOCAL);
         if (loaded == nullptr) {
             // The reported reason is that of the place where the file exists, if it exists at one.

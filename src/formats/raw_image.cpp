@@ -152,13 +152,6 @@ Result<std::shared_ptr<const Volume>> unpacked(RawImage& image, Progress& progre
                           .worldFromVoxel = image.worldFromVoxel,
                           .unit = image.unit,
                           .modality = image.modality};
-    image.assumptions.push_back(
-        image.unit == Unit::raw
-            ? "The file does not name the unit of its values: none was assumed. Presets for Hounsfield units "
-              "do not fit."
-            : fmt::format("Macula wrote this file, with values in {}; a program that changed them since need "
-                          "not have said so.",
-                          unitSymbol(image.unit)));
     const double slope = image.slope;
     const double intercept = image.intercept;
 

@@ -149,6 +149,18 @@ Result<void> writeImage(const Grid& grid, std::size_t voxels, const fs::path& pa
     return cannotWrite(path, "something unforeseen happened");
 }
 
+// A sentence for Provenance::assumptions.
+std::string whatIsKnownOfUnit(Unit unit) {
+    if (unit == Unit::raw)
+        return "The file does not name the unit of its values: none was assumed. Presets for Hounsfield "
+               "units "
+               "do not fit.";
+    return fmt::format(
+        "Macula wrote this file, with values in {}; a program that changed them since need "
+        "not have said so.",
+        unitSymbol(unit));
+}
+
 }  // namespace
 
 std::string volumeFileEndings() {
@@ -203,6 +215,7 @@ Result<std::shared_ptr<const Volume>> readVolumeFile(const fs::path& path, Progr
     auto image = readFormat(ending.format, path, progress);
     if (!image) return at(path, image.error());
     if (progress.cancelled()) return Error{ErrorCode::cancelled, "Stopped.", {}, {}};
+    image->assumptions.push_back(whatIsKnownOfUnit(image->unit));
     auto volume = volumeOf(std::move(*image), progress);
     if (!volume) return at(path, volume.error());
     return volume;

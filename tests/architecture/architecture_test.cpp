@@ -191,6 +191,10 @@ TEST(Architecture, RulesFire) {
     EXPECT_NE(whyForbidden("src/viewer/a.cpp", "#include \"cli/report.h\""), "");
     EXPECT_NE(whyForbidden("src/cli/a.cpp", "#include \"viewer/viewport.h\""), "");
     EXPECT_NE(whyForbidden("src/app/a.cpp", "#include \"evaluate/tradeoff.h\""), "");
+    EXPECT_NE(whyForbidden("src/c/a.cpp", "#include \"cli/report.h\""), "");
+    EXPECT_NE(whyForbidden("src/c/a.cpp", "#include <QImage>"), "");
+    EXPECT_NE(whyForbidden("src/app/a.cpp", "#include \"c/last_error.h\""), "");
+    EXPECT_EQ(whyForbidden("src/c/a.cpp", "#include \"app/open_device.h\""), "");
     EXPECT_NE(whyForbidden("src/app/a.cpp", "#include <QObject>"), "");
     EXPECT_NE(whyForbidden("src/app/a.cpp", "#include <SQLiteCpp/Database.h>"), "");
     EXPECT_NE(whyForbidden("src/app/a.cpp", "#include <sqlite3.h>"), "");
@@ -341,7 +345,7 @@ TEST(Architecture, AVerbIsOptionsAndPrinting) {
 
 // Who calls decides what is printed, and where to.
 TEST(Architecture, WhatProgramsSharePrintsNothing) {
-    for (const char* folder : {"src/app", "src/evaluate"}) {
+    for (const char* folder : {"src/app", "src/c", "src/evaluate"}) {
         for (const fs::path& path : sourcesIn(folder)) {
             std::ifstream stream(path);
             const std::string text{std::istreambuf_iterator<char>(stream), {}};

@@ -82,7 +82,8 @@ Result<DeviceInfo> chosen(const Instance& instance, const DeviceOptions& options
 Result<std::shared_ptr<Device>> Device::create(const Instance& instance, const DeviceOptions& options) {
     std::shared_ptr<Device> device(new Device());
     MACULA_TRY_VOID(device->initialise(instance, options));
-    std::fputs(fmt::format("Macula renders on {}\n", describe(device->info())).c_str(), stderr);
+    if (options.isAnnounced)
+        std::fputs(fmt::format("Macula renders on {}\n", describe(device->info())).c_str(), stderr);
     return device;
 }
 

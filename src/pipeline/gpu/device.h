@@ -48,6 +48,7 @@ struct DeviceOptions {
     std::optional<LentDevice> lent;  // nothing is created
     // Takes device memory for unmapped, as on a graphics card, to test staging copies without one.
     bool separateMemory = false;
+    bool isAnnounced = true;  // on stderr, which a library leaves to its host
 };
 
 // A VkDevice with one queue for everything (compute, transfer, graphics where there is any).
@@ -60,7 +61,7 @@ struct DeviceOptions {
 // drop all that is on the device and create another one: recovery.h.
 class Device : public std::enable_shared_from_this<Device> {
   public:
-    // Prints the chosen device on stderr, always: who reads a picture or a timing must know what made it.
+    // Prints the chosen device on stderr: who reads a picture or a timing must know what made it.
     // Errors: those of chooseDevice; deviceNotUsable when an extension is missing or the driver refuses.
     static Result<std::shared_ptr<Device>> create(const Instance& instance,
                                                   const DeviceOptions& options = {});

@@ -1,0 +1,344 @@
+"""Macula from Python: open a study, choose how it is drawn, and draw it.
+
+    import macula
+    study = macula.open("FOLDER")
+    view = study.view()
+    view.set_preset("cinematic-bone")
+    view.draw(640, 480).save("bone.png")
+
+NOT FOR PRIMARY DIAGNOSIS. Lengths are millimetres in the patient's LPS: +x to the patient's left, +y to posterior, +z
+to superior. Show the notes of studies and pictures to whoever sees them. Objects are used by one thread at a time.
+NumPy is used where it is installed; nothing needs it.
+"""
+
+import ctypes
+import os
+
+from . import _interface, _png
+
+__all__ = ["Device", "Error", "Picture", "Study", "View", "names", "open", "study_of", "version"]
+
+_library = _interface.load()
+_CANCELLED = 5
+_TYPES = {"b": 1, "B": 2, "h": 3, "H": 4, "i": 5, "I": 6, "f": 7, "d": 8}  # MACULA_INT8 ...
+_UNITS = {None: 0, "HU": 1}
+_KINDS = {"presets": 0, "clips": 1, "lights": 2, "looks": 3, "qualities": 4}
+_DENOISE = {None: 0, True: 1, False: 2}
+
+
+class Error(RuntimeError):
+    """What Macula could not do: `message` and `advice` for a person; `place`, which may name a patient, is in neither
+    of them and belongs in no log."""
+
+    def __init__(self, status, message, advice, place):
+        super().__init__(f"{message} {advice}".strip())
+        self.status, self.message, self.advice, self.place = status, message, advice, place
+
+    @property
+    def is_cancelled(self):
+        return self.status == _CANCELLED
+
+
+def _check(status):
+    if status == 0:
+        return
+    error = _interface.ErrorStruct()
+    _library.macula_last_error(error)
+    raise Error(error.status, *((text or b"").decode("utf-8", "replace")
+                                for text in (error.message, error.advice, error.place)))
+
+
+def _bytes(text):
+    """A path, or a word, or nothing."""
+    return None if text is None else os.fsencode(text)
+
+
+def _texts(told, handle):
+    texts = []
+    while (text := told(handle, len(texts))) is not None:
+        texts.append(text.decode("utf-8", "replace"))
+    return texts
+
+
+class _Watch:
+    """Hands progress to a function of Python, which cancels by returning True. What it raises, Ctrl-C too, cancels, and
+    is raised again once Macula has come back."""
+
+    def __init__(self, listener):
+        self._listener, self._raised = listener, None
+        self._told = _interface.Told(self._hear)  # must live as long as the call
+        self.progress = _interface.Progress(told=self._told)
+
+    def _hear(self, _user, stage, fraction):
+        try:
+            stops = self._listener is not None and self._listener(stage.decode("utf-8", "replace"), fraction)
+            return 1 if stops else 0
+        except BaseException as raised:  # nothing may go through C
+            self._raised = raised
+            return 1
+
+    def check(self, status):
+        if self._raised is not None:
+            raise self._raised
+        _check(status)
+
+
+class _Handle:
+    """What is closed once."""
+
+    def __init__(self, handle, close):
+        self._handle, self._close = handle, close
+
+    def _open(self):
+        if self._handle is None:
+            raise ValueError("It is closed.")
+        return self._handle
+
+    def close(self):
+        if getattr(self, "_handle", None) is not None:
+            self._close(self._handle)
+            self._handle = None
+
+    __del__ = close
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_raised):
+        self.close()
+
+
+def version():
+    return _library.macula_version().decode()
+
+
+def names(kind):
+    """What is built in of "presets", "clips", "lights", "looks" or "qualities"."""
+    if kind not in _KINDS:
+        raise ValueError(f"There are {', '.join(_KINDS)}.")
+    return _texts(_library.macula_name, _KINDS[kind])
+
+
+class Device(_Handle):
+    """What draws: by number or part of a name; without one, MACULA_DEVICE or the best."""
+
+    def __init__(self, preferred=None):
+        handle = ctypes.c_void_p()
+        _check(_library.macula_device_open(_bytes(preferred), handle))
+        super().__init__(handle, _library.macula_device_close)
+
+
+_device = None
+
+
+def _usual_device():
+    global _device
+    if _device is None:
+        _device = Device()
+    return _device
+
+
+class Picture:
+    """`rgba`: width * height * 4 bytes for display, the upper row first. numpy.asarray(picture) has [y, x, channel]."""
+
+    def __init__(self, rgba, drawn, width, height, notes):
+        self.rgba, self.width, self.height, self.notes = rgba, width, height, notes
+        self.is_denoised, self.is_empty, self.is_coarse = (bool(drawn.is_denoised), bool(drawn.is_empty),
+                                                           bool(drawn.is_coarse))
+        self.samples_per_pixel, self.noise, self.seconds = drawn.samples_per_pixel, drawn.noise, drawn.seconds
+        self.preset, self.device = drawn.preset.decode(), drawn.device.decode("utf-8", "replace")
+        camera = drawn.camera
+        self.camera = {"position_mm": tuple(camera.position_mm), "target_mm": tuple(camera.target_mm),
+                       "up": tuple(camera.up), "vertical_fov_deg": camera.vertical_fov_deg,
+                       "parallel_height_mm": camera.parallel_height_mm}
+
+    @property
+    def __array_interface__(self):
+        return {"version": 3, "shape": (self.height, self.width, 4), "typestr": "|u1", "data": self.rgba}
+
+    def save(self, path):
+        """As PNG, which says how it was made."""
+        said = "denoised" if self.is_denoised else "plain"
+        _png.write(path, self.width, self.height, self.rgba, {
+            "Software": f"Macula {version()}", "macula:preset": self.preset, "macula:device": self.device,
+            "macula:samplesPerPixel": f"{self.samples_per_pixel:g}", "macula:denoising": said,
+            "Disclaimer": "Not for primary diagnosis."})
+
+
+class View(_Handle):
+    """What of a volume is drawn, and how; Study.view makes it. None anywhere is the usual."""
+
+    def set_preset(self, preset=None, fit=False):
+        """By name, number or file. `fit`: its range is stretched to the volume, for MR."""
+        _check(_library.macula_view_set_preset(self._open(), _bytes(preset), bool(fit)))
+
+    def set_look(self, look=None):
+        """"cinematic", "clear", "dvr", "mip", "minip" or "average"."""
+        _check(_library.macula_view_set_look(self._open(), _bytes(look)))
+
+    def set_lights(self, lights=None):
+        """By name, file, or HDR or EXR panorama."""
+        _check(_library.macula_view_set_lights(self._open(), _bytes(lights)))
+
+    def set_window(self, centre=0.0, width=0.0):
+        """Of mip, minip and average; without a width that of the preset or the series."""
+        _check(_library.macula_view_set_window(self._open(), centre, width))
+
+    def set_clip(self, clip=None):
+        """By name or file."""
+        _check(_library.macula_view_set_clip(self._open(), _bytes(clip)))
+
+    def set_box(self, low_mm, high_mm):
+        """Shows what lies between two corners, along the patient's axes."""
+        corner = ctypes.c_double * 3
+        _check(_library.macula_view_set_box(self._open(), corner(*low_mm), corner(*high_mm)))
+
+    def remove_table(self, remove=True):
+        _check(_library.macula_view_remove_table(self._open(), bool(remove)))
+
+    def set_camera(self, position_mm, target_mm, up, vertical_fov_deg=30.0, parallel_height_mm=0.0):
+        corner = ctypes.c_double * 3
+        _check(_library.macula_view_set_camera(self._open(), _interface.Camera(
+            position_mm=corner(*position_mm), target_mm=corner(*target_mm), up=corner(*up),
+            vertical_fov_deg=vertical_fov_deg, parallel_height_mm=parallel_height_mm)))
+
+    def set_direction(self, direction=None):
+        """Where the viewer stands: "anterior", "posterior", "left", "right", "superior" or "inferior"."""
+        _check(_library.macula_view_set_direction(self._open(), _bytes(direction)))
+
+    def draw(self, width, height, samples=0, quality=None, most_noise=0.0, denoise=None, seed=0, device=None,
+             progress=None):
+        """Returns a Picture. `progress(stage, fraction)` cancels by returning True; then Error.is_cancelled."""
+        if not (0 < width <= 16384 and 0 < height <= 16384):
+            raise ValueError("A picture has 1 to 16384 pixels on each side.")
+        rgba = bytearray(4 * width * height)
+        pixels = (ctypes.c_uint8 * len(rgba)).from_buffer(rgba)
+        asked = _interface.Picture(width=width, height=height, denoise=_DENOISE[denoise], samples_per_pixel=samples,
+                                   seed=seed, quality=_bytes(quality), most_noise=most_noise, bytes=len(rgba),
+                                   rgba=ctypes.cast(pixels, ctypes.POINTER(ctypes.c_uint8)))
+        drawn, watch = _interface.Drawn(), _Watch(progress)
+        watch.check(_library.macula_draw((device or _usual_device())._open(), self._open(), asked, watch.progress,
+                                         drawn))
+        return Picture(rgba, drawn, width, height, _texts(_library.macula_view_note, self._handle))
+
+
+class Study(_Handle):
+    """What was opened, with one volume loaded; macula.open and macula.study_of make it."""
+
+    @property
+    def titles(self):
+        """A line for each volume, which may name the patient where there are several."""
+        return [_library.macula_study_title(self._open(), index).decode("utf-8", "replace")
+                for index in range(_library.macula_study_volumes(self._open()))]
+
+    @property
+    def notes(self):
+        """What was assumed, left out or repaired in the volume that is loaded."""
+        return _texts(_library.macula_study_note, self._open())
+
+    def choose(self, index, progress=None):
+        """Loads another volume; views of the one before stay."""
+        watch = _Watch(progress)
+        watch.check(_library.macula_study_choose(self._open(), index, watch.progress))
+
+    def _volume(self):
+        told = _interface.Volume()
+        _check(_library.macula_study_volume(self._open(), told))
+        return told
+
+    @property
+    def index(self):
+        """Of the volume that is loaded."""
+        return self._volume().index
+
+    @property
+    def shape(self):
+        """(slices, rows, columns), as of values()."""
+        told = self._volume()
+        return told.slices, told.rows, told.columns
+
+    @property
+    def unit(self):
+        """"HU"; empty for the scanner's own numbers."""
+        return self._volume().unit_name.decode("utf-8", "replace")
+
+    @property
+    def modality(self):
+        return self._volume().modality.decode("utf-8", "replace")
+
+    @property
+    def value_range(self):
+        told = self._volume()
+        return told.low, told.high
+
+    @property
+    def spacing_mm(self):
+        """Along columns, rows, slices: i, j, k."""
+        return tuple(self._volume().spacing_mm)
+
+    @property
+    def patient_from_voxel(self):
+        """Four rows: patient LPS mm of (i, j, k, 1), which is values()[k, j, i]."""
+        numbers = list(self._volume().patient_from_voxel)
+        return [numbers[4 * row:4 * row + 4] for row in range(4)]
+
+    def values(self):
+        """A NumPy array of float32, [k, j, i]; without NumPy a memoryview of that shape."""
+        slices, rows, columns = self.shape
+        count = slices * rows * columns
+        room = bytearray(4 * count)
+        numbers = (ctypes.c_float * count).from_buffer(room)
+        _check(_library.macula_study_values(self._open(), numbers, count))
+        view = memoryview(room).cast("f", (slices, rows, columns))
+        try:
+            import numpy
+        except ImportError:
+            return view
+        return numpy.asarray(view)
+
+    def view(self):
+        """A View of the volume that is loaded: all of it, from the front."""
+        handle = ctypes.c_void_p()
+        _check(_library.macula_view_create(self._open(), handle))
+        return View(handle, _library.macula_view_close)
+
+
+def _study(make, progress):
+    handle, watch = ctypes.c_void_p(), _Watch(progress)
+    watch.check(make(watch.progress, handle))
+    return Study(handle, _library.macula_study_close)
+
+
+def open(path, join=False, progress=None):
+    """A folder with DICOM files, one of them, a DICOMDIR, a NIfTI, NRRD or MetaImage file, or "phantom:".
+
+    `join`: images are one series that agree in all but identifiers made anew for each of them."""
+    how = _interface.Open(join=bool(join))
+    return _study(lambda told, handle: _library.macula_study_open(_bytes(path), how, told, handle), progress)
+
+
+def study_of(values, patient_from_voxel, unit=None, slope=1.0, intercept=0.0, progress=None):
+    """A study of a volume in memory, which is copied.
+
+    `values` is a NumPy array, or another buffer, of three dimensions [k, j, i]: slices, rows, columns, of 8 to 32 bit
+    integers or floats. `patient_from_voxel`: four rows that take (i, j, k, 1) at the centre of a voxel to patient LPS
+    mm. `unit` is "HU" or None. value = slope * voxel + intercept."""
+    if unit not in _UNITS:
+        raise ValueError('The unit is "HU" or None.')
+    if slope == 0.0:
+        raise ValueError("A slope of 0 leaves no value.")
+    view = memoryview(values)
+    kind = view.format.lstrip("@=<") if view.format else ""
+    if kind == "l" and view.itemsize == 4:
+        kind = "i"
+    if view.ndim != 3 or kind not in _TYPES:
+        raise ValueError("A volume has three dimensions, of 8 to 32 bit integers or floats.")
+    data = view.tobytes(order="C")
+    slices, rows, columns = view.shape
+    numbers = [float(number) for row in patient_from_voxel for number in row]
+    if len(numbers) != 16:
+        raise ValueError("patient_from_voxel has four rows of four numbers.")
+    voxels = _interface.Voxels(type=_TYPES[kind], columns=columns, rows=rows, slices=slices, unit=_UNITS[unit],
+                               data=ctypes.cast(ctypes.c_char_p(data), ctypes.c_void_p), bytes=len(data), slope=slope,
+                               intercept=intercept, patient_from_voxel=(ctypes.c_double * 16)(*numbers))
+    return _study(lambda told, handle: _library.macula_study_of_voxels(voxels, told, handle), progress)

@@ -1,0 +1,127 @@
+"""macula.h for ctypes: its structs, its functions, and where the library is."""
+
+import ctypes
+import os
+import pathlib
+from ctypes import (CFUNCTYPE, POINTER, Structure, c_char_p, c_double, c_float, c_int32, c_uint8, c_uint32, c_uint64,
+                    c_void_p)
+
+_NAME = "libmacula.so.0"
+
+
+class Sized(Structure):
+    """A struct of macula.h, whose first member is its size."""
+
+    def __init__(self, **values):
+        super().__init__(size=ctypes.sizeof(type(self)), **values)
+
+
+class ErrorStruct(Sized):
+    _fields_ = [("size", c_uint32), ("status", c_int32), ("message", c_char_p), ("advice", c_char_p),
+                ("place", c_char_p)]
+
+
+Told = CFUNCTYPE(c_int32, c_void_p, c_char_p, c_double)
+
+
+class Progress(Sized):
+    _fields_ = [("size", c_uint32), ("reserved", c_uint32), ("told", Told), ("user", c_void_p), ("cancel", c_void_p)]
+
+
+class Open(Sized):
+    _fields_ = [("size", c_uint32), ("join", c_int32)]
+
+
+class Voxels(Sized):
+    _fields_ = [("size", c_uint32), ("type", c_int32), ("columns", c_int32), ("rows", c_int32), ("slices", c_int32),
+                ("unit", c_int32), ("data", c_void_p), ("bytes", c_uint64), ("slope", c_double),
+                ("intercept", c_double), ("patient_from_voxel", c_double * 16)]
+
+
+class Volume(Sized):
+    _fields_ = [("size", c_uint32), ("index", c_uint32), ("columns", c_int32), ("rows", c_int32), ("slices", c_int32),
+                ("unit", c_int32), ("unit_name", c_char_p), ("modality", c_char_p), ("low", c_double),
+                ("high", c_double), ("spacing_mm", c_double * 3), ("patient_from_voxel", c_double * 16)]
+
+
+class Camera(Sized):
+    _fields_ = [("size", c_uint32), ("reserved", c_uint32), ("position_mm", c_double * 3), ("target_mm", c_double * 3),
+                ("up", c_double * 3), ("vertical_fov_deg", c_double), ("parallel_height_mm", c_double)]
+
+
+class Picture(Sized):
+    _fields_ = [("size", c_uint32), ("width", c_int32), ("height", c_int32), ("denoise", c_int32),
+                ("samples_per_pixel", c_uint32), ("seed", c_uint32), ("quality", c_char_p), ("most_noise", c_double),
+                ("rgba", POINTER(c_uint8)), ("bytes", c_uint64), ("row_bytes", c_uint64)]
+
+
+class Drawn(Sized):
+    _fields_ = [("size", c_uint32), ("is_denoised", c_int32), ("is_empty", c_int32), ("is_coarse", c_int32),
+                ("samples_per_pixel", c_double), ("noise", c_double), ("seconds", c_double), ("preset", c_char_p),
+                ("device", c_char_p), ("camera", Camera)]
+
+
+# Those with a status first: what they return is checked. A handle is a void pointer.
+_STATUS = {
+    "macula_last_error": [POINTER(ErrorStruct)],
+    "macula_study_open": [c_char_p, POINTER(Open), POINTER(Progress), POINTER(c_void_p)],
+    "macula_study_of_voxels": [POINTER(Voxels), POINTER(Progress), POINTER(c_void_p)],
+    "macula_study_choose": [c_void_p, c_uint32, POINTER(Progress)],
+    "macula_study_volume": [c_void_p, POINTER(Volume)],
+    "macula_study_values": [c_void_p, POINTER(c_float), c_uint64],
+    "macula_view_create": [c_void_p, POINTER(c_void_p)],
+    "macula_view_set_preset": [c_void_p, c_char_p, c_int32],
+    "macula_view_set_look": [c_void_p, c_char_p],
+    "macula_view_set_lights": [c_void_p, c_char_p],
+    "macula_view_set_window": [c_void_p, c_double, c_double],
+    "macula_view_set_clip": [c_void_p, c_char_p],
+    "macula_view_set_box": [c_void_p, c_double * 3, c_double * 3],
+    "macula_view_remove_table": [c_void_p, c_int32],
+    "macula_view_set_camera": [c_void_p, POINTER(Camera)],
+    "macula_view_set_direction": [c_void_p, c_char_p],
+    "macula_device_open": [c_char_p, POINTER(c_void_p)],
+    "macula_draw": [c_void_p, c_void_p, POINTER(Picture), POINTER(Progress), POINTER(Drawn)],
+}
+_OTHERS = {
+    "macula_version": (c_char_p, []),
+    "macula_name": (c_char_p, [c_int32, c_uint32]),
+    "macula_study_volumes": (c_uint32, [c_void_p]),
+    "macula_study_title": (c_char_p, [c_void_p, c_uint32]),
+    "macula_study_note": (c_char_p, [c_void_p, c_uint32]),
+    "macula_study_close": (None, [c_void_p]),
+    "macula_view_note": (c_char_p, [c_void_p, c_uint32]),
+    "macula_view_close": (None, [c_void_p]),
+    "macula_device_close": (None, [c_void_p]),
+}
+
+
+def _places():
+    """Where the library may be: as told, under the prefix that this package is in, or where the system has it."""
+    told = os.environ.get("MACULA_LIBRARY")
+    if told:
+        return [told]
+    found = []
+    for folder in list(pathlib.Path(__file__).resolve().parents)[2:6]:  # PREFIX/lib/python3/dist-packages/macula
+        for place in [folder / "lib" / _NAME, *sorted(folder.glob("lib/*-linux-gnu*/" + _NAME))]:
+            if place.is_file():
+                found.append(str(place))
+    return [*found, _NAME]
+
+
+def load():
+    why = None
+    for place in _places():
+        try:
+            library = ctypes.CDLL(place)
+        except OSError as error:
+            why = error
+            continue
+        for name, arguments in _STATUS.items():
+            function = getattr(library, name)
+            function.restype, function.argtypes = c_int32, arguments
+        for name, (result, arguments) in _OTHERS.items():
+            function = getattr(library, name)
+            function.restype, function.argtypes = result, arguments
+        return library
+    raise ImportError(f"{_NAME} could not be loaded ({why}). Install the package libmacula0, or set MACULA_LIBRARY to "
+                      "the file.")

@@ -1,0 +1,43 @@
+// From a Result, or an exception, to a macula_status and macula_last_error.
+#pragma once
+
+#include <macula.h>
+
+#include <exception>
+#include <new>
+#include <utility>
+
+#include "base/result.h"
+
+namespace macula::c {
+
+// Keeps the error for macula_last_error of this thread; its status. Throws nothing: without memory for the
+// texts, the error is that there is none.
+macula_status keep(const Error& error) noexcept;
+macula_status keepFault() noexcept;
+macula_status keepOutOfMemory() noexcept;
+
+// What is wrong with an argument: usage.
+inline Error badArgument(std::string message, std::string advice) {
+    return {ErrorCode::usage, std::move(message), {}, std::move(advice)};
+}
+
+inline Error nullHandle() {
+    return badArgument("A handle or a place for a result is null.",
+                       "See macula.h for what the function needs.");
+}
+
+// Runs `body`, which returns a Result<void>. No exception gets out.
+template <class Body>
+macula_status guarded(const Body& body) noexcept {
+    try {
+        const Result<void> done = body();
+        return done ? MACULA_DONE : keep(done.error());
+    } catch (const std::bad_alloc&) {
+        return keepOutOfMemory();
+    } catch (...) {
+        return keepFault();
+    }
+}
+
+}  // namespace macula::c

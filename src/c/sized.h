@@ -1,0 +1,62 @@
+// Structs of macula.h, whose first member is their size: what an older or newer header calls by that name.
+#pragma once
+
+#include <macula.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <type_traits>
+
+#include "base/result.h"
+
+namespace macula::c {
+
+inline Error wrongSize() {
+    return {ErrorCode::usage,
+            "A struct of macula.h has no size that Macula knows.",
+            {},
+            "Set its first member to the size of the struct, the others to 0, and build with the header of "
+            "this Macula."};
+}
+
+// Reads what the caller knows of T; the rest is 0. usage when the size is none, or of a newer header whose
+// members are in use. `given` may be null: then all is 0.
+template <class T>
+Result<T> taken(const T* given) {
+    static_assert(std::is_trivially_copyable_v<T> && offsetof(T, size) == 0);
+    T mine{};
+    mine.size = sizeof(T);
+    if (given == nullptr) return mine;
+    const std::uint32_t size = given->size;
+    if (size < 2 * sizeof(std::uint32_t) || size > 65536) return wrongSize();
+    const auto* bytes = reinterpret_cast<const unsigned char*>(given);
+    if (size > sizeof(T) &&
+        std::any_of(bytes + sizeof(T), bytes + size, [](unsigned char byte) { return byte != 0; }))
+        return wrongSize();
+    std::memcpy(&mine, given, std::min<std::size_t>(size, sizeof(T)));
+    mine.size = sizeof(T);
+    return mine;
+}
+
+// Whether `out` says a size that a T can have.
+template <class T>
+bool isSized(const T* out) {
+    return out != nullptr && out->size >= 2 * sizeof(std::uint32_t) && out->size <= 65536;
+}
+
+// Writes as much of `mine` as the caller has room for; the caller's size stays, and what is newer than this
+// is 0. False when there is no room.
+template <class T>
+bool give(const T& mine, T* out) {
+    static_assert(std::is_trivially_copyable_v<T> && offsetof(T, size) == 0);
+    if (!isSized(out)) return false;
+    const std::uint32_t size = out->size;
+    std::memset(static_cast<void*>(out), 0, size);
+    std::memcpy(static_cast<void*>(out), &mine, std::min<std::size_t>(size, sizeof(T)));
+    out->size = size;
+    return true;
+}
+
+}  // namespace macula::c

@@ -1,0 +1,231 @@
+#include "c/study.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "base/fingerprint.h"
+#include "c/last_error.h"
+#include "c/sized.h"
+#include "c/told_progress.h"
+#include "formats/raw_image.h"
+
+namespace macula::c {
+
+namespace {
+
+// What loading assumed, and what there is to say of the study; nothing twice.
+std::vector<std::string> notesOf(const app::OpenedStudy& study) {
+    std::vector<std::string> notes = study.messages;
+    for (const std::string& assumption : study.volume->provenance().assumptions) {
+        const bool isKnown =
+            std::ranges::any_of(notes, [&](const std::string& note) { return note.starts_with(assumption); });
+        if (!isKnown) notes.push_back(assumption);
+    }
+    return notes;
+}
+
+Result<std::unique_ptr<macula_study>> studyOf(app::OpenedStudy opened) {
+    if (!opened.joinQuestion.empty())
+        return Error{ErrorCode::inputNotUsable,
+                     opened.joinQuestion,
+                     {},
+                     "Ask who knows the images; if they are one series, open them with macula_open::join."};
+    auto study = std::make_unique<macula_study>();
+    study->titles = opened.volumeTitles;
+    if (study->titles.empty()) study->titles = {opened.description};
+    study->notes = notesOf(opened);
+    study->unitName = opened.volume->unitName();
+    study->opened = std::move(opened);
+    return study;
+}
+
+Result<formats::ScalarType> scalarTypeOf(std::int32_t type) {
+    using formats::ScalarType;
+    constexpr std::array kTypes{
+        std::pair{MACULA_INT8, ScalarType::int8},       std::pair{MACULA_UINT8, ScalarType::uint8},
+        std::pair{MACULA_INT16, ScalarType::int16},     std::pair{MACULA_UINT16, ScalarType::uint16},
+        std::pair{MACULA_INT32, ScalarType::int32},     std::pair{MACULA_UINT32, ScalarType::uint32},
+        std::pair{MACULA_FLOAT32, ScalarType::float32}, std::pair{MACULA_FLOAT64, ScalarType::float64}};
+    for (const auto& [code, known] : kTypes)
+        if (code == type) return known;
+    return badArgument("The voxels are of a type that is not known.", "Use MACULA_INT8 to MACULA_FLOAT64.");
+}
+
+// Row by row in C, column by column in GLM.
+Result<glm::dmat4> affineOf(const double (&rows)[16]) {
+    glm::dmat4 affine(1.0);
+    for (int row = 0; row < 4; ++row)
+        for (int column = 0; column < 4; ++column) affine[column][row] = rows[4 * row + column];
+    const bool isAffine = glm::transpose(affine)[3] == glm::dvec4(0.0, 0.0, 0.0, 1.0);
+    if (!isAffine || !isInvertibleAffine(affine))
+        return badArgument(
+            "The place of the voxels in the patient is not known.",
+            "Set patient_from_voxel: finite numbers, three axes that span a volume, and 0 0 0 1 in "
+            "the last row.");
+    return affine;
+}
+
+Result<formats::RawImage> imageOf(const macula_voxels& voxels) {
+    formats::RawImage image;
+    image.size = {voxels.columns, voxels.rows, voxels.slices};
+    MACULA_TRY(image.type, scalarTypeOf(voxels.type));
+    MACULA_TRY(image.worldFromVoxel, affineOf(voxels.patient_from_voxel));
+    if (voxels.unit != MACULA_UNIT_NONE && voxels.unit != MACULA_UNIT_HOUNSFIELD)
+        return badArgument("The unit of the voxels is not known.",
+                           "Use MACULA_UNIT_NONE or MACULA_UNIT_HOUNSFIELD.");
+    const bool isHounsfield = voxels.unit == MACULA_UNIT_HOUNSFIELD;
+    image.unit = isHounsfield ? Unit::hounsfield : Unit::raw;
+    image.modality = isHounsfield ? "CT" : "";
+    if (!isHounsfield)
+        image.assumptions.emplace_back(
+            "No unit was given: values are taken as they are. Presets for Hounsfield units do not fit.");
+    image.slope = voxels.slope == 0.0 ? 1.0 : voxels.slope;
+    image.intercept = voxels.intercept;
+    // Only then are sides so small that their product is a number of bytes.
+    MACULA_TRY_VOID(formats::checkLayout(image, std::numeric_limits<std::uint64_t>::max(), false));
+    if (voxels.data == nullptr || voxels.bytes != image.bytes())
+        return badArgument(fmt::format("{} bytes are no {} x {} x {} voxels of {}.",
+                                       voxels.data == nullptr ? 0 : voxels.bytes, voxels.columns, voxels.rows,
+                                       voxels.slices, formats::nameOf(image.type)),
+                           "Give all voxels, and their number of bytes.");
+    const auto* bytes = static_cast<const std::byte*>(voxels.data);
+    image.data.assign(bytes, bytes + voxels.bytes);
+    return image;
+}
+
+Result<std::unique_ptr<macula_study>> studyOfVoxels(const macula_voxels& voxels, Progress& progress) {
+    MACULA_TRY(formats::RawImage image, imageOf(voxels));
+    MACULA_TRY(std::shared_ptr<const Volume> volume, formats::volumeOf(std::move(image), progress));
+    app::OpenedStudy opened;
+    opened.seriesDigest = fingerprint(*volume);
+    opened.volume = in16Bits(std::move(volume));
+    opened.description = "Volume in memory";
+    return studyOf(std::move(opened));
+}
+
+macula_volume described(const macula_study& study) {
+    const Volume& volume = *study.opened.volume;
+    macula_volume told{};
+    told.index = static_cast<std::uint32_t>(study.opened.volumeIndex);
+    told.columns = volume.size().x;
+    told.rows = volume.size().y;
+    told.slices = volume.size().z;
+    told.unit = volume.unit() == Unit::hounsfield ? MACULA_UNIT_HOUNSFIELD : MACULA_UNIT_NONE;
+    told.unit_name = study.unitName.c_str();
+    told.modality = volume.modality().c_str();
+    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+    const ValueRange range = volume.valueRange().value_or(ValueRange{kNone, kNone});
+    told.low = range.low;
+    told.high = range.high;
+    const glm::dvec3 spacing = volume.spacingMm();
+    for (int axis = 0; axis < 3; ++axis) told.spacing_mm[axis] = spacing[axis];
+    for (int row = 0; row < 4; ++row)
+        for (int column = 0; column < 4; ++column)
+            told.patient_from_voxel[4 * row + column] = volume.worldFromVoxel()[column][row];
+    return told;
+}
+
+// A handle of `make(progress)`, which returns a Result of a unique_ptr.
+template <class Handle, class Make>
+macula_status made(const macula_progress* progress, Handle** out, const Make& make) {
+    if (out != nullptr) *out = nullptr;
+    return guarded([&]() -> Result<void> {
+        if (out == nullptr) return nullHandle();
+        return withProgress(progress, [&](Progress& to) -> Result<void> {
+            MACULA_TRY(std::unique_ptr<Handle> handle, make(to));
+            *out = handle.release();
+            return {};
+        });
+    });
+}
+
+}  // namespace
+
+extern "C" {
+
+macula_status macula_study_open(const char* path, const macula_open* how, const macula_progress* progress,
+                                macula_study** study) {
+    return made(progress, study, [&](Progress& to) -> Result<std::unique_ptr<macula_study>> {
+        MACULA_TRY(const macula_open options, taken(how));
+        if (path == nullptr || *path == '\0')
+            return badArgument("No folder and no file was named.",
+                               "Give a path, or phantom: for the phantom.");
+        const std::string_view named(path);
+        const app::StudySource source = named == "phantom:" ? std::nullopt : app::StudySource(named);
+        MACULA_TRY(app::OpenedStudy opened, app::openStudy(source, to, options.join != 0));
+        return studyOf(std::move(opened));
+    });
+}
+
+macula_status macula_study_of_voxels(const macula_voxels* voxels, const macula_progress* progress,
+                                     macula_study** study) {
+    return made(progress, study, [&](Progress& to) -> Result<std::unique_ptr<macula_study>> {
+        if (voxels == nullptr) return nullHandle();
+        MACULA_TRY(const macula_voxels given, taken(voxels));
+        return studyOfVoxels(given, to);
+    });
+}
+
+std::uint32_t macula_study_volumes(const macula_study* study) {
+    return study == nullptr ? 0 : static_cast<std::uint32_t>(study->titles.size());
+}
+
+const char* macula_study_title(const macula_study* study, std::uint32_t index) {
+    return study == nullptr || index >= study->titles.size() ? nullptr : study->titles[index].c_str();
+}
+
+macula_status macula_study_choose(macula_study* study, std::uint32_t index, const macula_progress* progress) {
+    return guarded([&]() -> Result<void> {
+        if (study == nullptr) return nullHandle();
+        if (index >= study->titles.size())
+            return badArgument(fmt::format("The study has {} volumes.", study->titles.size()),
+                               "Count them from 0.");
+        if (index == study->opened.volumeIndex) return {};
+        return withProgress(progress, [&](Progress& to) -> Result<void> {
+            MACULA_TRY(app::OpenedStudy opened, app::openFoundVolume(study->opened.found, index, to));
+            MACULA_TRY(std::unique_ptr<macula_study> chosen, studyOf(std::move(opened)));
+            *study = std::move(*chosen);
+            return {};
+        });
+    });
+}
+
+const char* macula_study_note(const macula_study* study, std::uint32_t index) {
+    return study == nullptr || index >= study->notes.size() ? nullptr : study->notes[index].c_str();
+}
+
+macula_status macula_study_volume(const macula_study* study, macula_volume* volume) {
+    return guarded([&]() -> Result<void> {
+        if (study == nullptr || volume == nullptr) return nullHandle();
+        return give(described(*study), volume) ? Result<void>() : wrongSize();
+    });
+}
+
+macula_status macula_study_values(const macula_study* study, float* values, std::uint64_t count) {
+    return guarded([&]() -> Result<void> {
+        if (study == nullptr || values == nullptr) return nullHandle();
+        const Volume& volume = *study->opened.volume;
+        const auto voxels = volume.voxels();
+        if (count != voxels.size())
+            return badArgument(fmt::format("The volume has {} voxels.", voxels.size()),
+                               "Give room for as many.");
+        const UnitsFromStored units = volume.unitsFromStored();
+        std::ranges::transform(voxels, values,
+                               [&](std::uint16_t stored) { return static_cast<float>(units(stored)); });
+        return {};
+    });
+}
+
+void macula_study_close(macula_study* study) {
+    delete study;
+}
+
+}  // extern "C"
+
+}  // namespace macula::c

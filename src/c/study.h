@@ -1,0 +1,17 @@
+// What a macula_study is.
+#pragma once
+
+#include <macula.h>
+
+#include <string>
+#include <vector>
+
+#include "app/study/opened_study.h"
+
+struct macula_study {
+    macula::app::OpenedStudy opened;  // with a volume
+    std::vector<std::string> titles;  // one for each volume
+    // Of the volume that is loaded.
+    std::vector<std::string> notes;
+    std::string unitName;
+};

@@ -1,0 +1,190 @@
+#include "c/view.h"
+
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include "app/camera/view_directions.h"
+#include "app/choice/clip_choice.h"
+#include "app/choice/lights_choice.h"
+#include "app/study/study_preset.h"
+#include "c/last_error.h"
+#include "c/sized.h"
+#include "c/study.h"
+#include "pipeline/trace/look.h"
+
+namespace macula::c {
+
+namespace {
+
+std::string textOf(const char* text) {
+    return text == nullptr ? std::string() : std::string(text);
+}
+
+glm::dvec3 vectorOf(const double (&numbers)[3]) {
+    return {numbers[0], numbers[1], numbers[2]};
+}
+
+Result<Camera> cameraOf(const macula_camera& given) {
+    Camera camera{.positionMm = vectorOf(given.position_mm),
+                  .targetMm = vectorOf(given.target_mm),
+                  .up = vectorOf(given.up),
+                  .parallelHeightMm = given.parallel_height_mm};
+    if (given.vertical_fov_deg != 0.0) camera.verticalFovDeg = given.vertical_fov_deg;
+    // A negative height is a mistake, and no eye.
+    if (!(camera.parallelHeightMm >= 0.0))
+        return badArgument("The height of a picture with parallel rays is not usable.",
+                           "Give millimetres above 0, or 0 for a camera with an eye.");
+    MACULA_TRY_VOID(basis(camera));
+    return camera;
+}
+
+// As a clip in fractions of the volume's box.
+Result<ClipPreset> boxOf(const Volume& volume, const double* low, const double* high) {
+    const Box all = volume.worldBox();
+    OrientedBox box;
+    for (int axis = 0; axis < 3; ++axis) {
+        if (!std::isfinite(low[axis]) || !std::isfinite(high[axis]) || !(low[axis] < high[axis]))
+            return badArgument("The box is none.",
+                               "Give finite corners in mm, each number of the low one smaller.");
+        const double length = all.high[axis] - all.low[axis];
+        box.centreMm[axis] = (0.5 * (low[axis] + high[axis]) - all.low[axis]) / length;
+        box.halfSizeMm[axis] = 0.5 * (high[axis] - low[axis]) / length;
+    }
+    ClipPreset preset;
+    preset.name = "box";
+    preset.clip.box = box;
+    MACULA_TRY_VOID(validate(clipFor(preset, volume)));
+    return preset;
+}
+
+// change(view), which returns a Result<void>.
+template <class Change>
+macula_status changed(macula_view* view, const Change& change) {
+    return guarded([&]() -> Result<void> {
+        if (view == nullptr) return nullHandle();
+        return change(*view);
+    });
+}
+
+}  // namespace
+
+extern "C" {
+
+macula_status macula_view_create(const macula_study* study, macula_view** view) {
+    if (view != nullptr) *view = nullptr;
+    return guarded([&]() -> Result<void> {
+        if (study == nullptr || view == nullptr) return nullHandle();
+        auto made = std::make_unique<macula_view>();
+        made->study.volume = study->opened.volume;
+        made->study.seriesDigest = study->opened.seriesDigest;
+        *view = made.release();
+        return {};
+    });
+}
+
+macula_status macula_view_set_preset(macula_view* view, const char* preset, std::int32_t fit) {
+    return changed(view, [&](macula_view& of) -> Result<void> {
+        const std::string named = textOf(preset);
+        if (!named.empty()) MACULA_TRY_VOID(app::presetToDraw(named, fit != 0));
+        of.wish.preset = named;
+        of.wish.fit = fit != 0;
+        return {};
+    });
+}
+
+macula_status macula_view_set_look(macula_view* view, const char* look) {
+    return changed(view, [&](macula_view& of) -> Result<void> {
+        if (look == nullptr) {
+            of.wish.look.reset();
+            return {};
+        }
+        const auto known = trace::lookNamed(look);
+        if (!known)
+            return badArgument("There is no such look.",
+                               "The looks are cinematic, clear, dvr, mip, minip and average.");
+        of.wish.look = known;
+        return {};
+    });
+}
+
+macula_status macula_view_set_lights(macula_view* view, const char* lights) {
+    return changed(view, [&](macula_view& of) -> Result<void> {
+        const std::string named = textOf(lights);
+        if (!named.empty()) MACULA_TRY_VOID(app::chooseLights(named));
+        of.lights = named;
+        return {};
+    });
+}
+
+macula_status macula_view_set_window(macula_view* view, double centre, double width) {
+    return changed(view, [&](macula_view& of) -> Result<void> {
+        if (!std::isfinite(centre) || !std::isfinite(width) || width < 0.0)
+            return badArgument("The window is not usable.", "Give finite numbers, the width 0 or above.");
+        of.window.reset();
+        if (width > 0.0)
+            of.window = DisplayWindow{
+                .center = centre, .width = width, .explanation = {}, .function = "LINEAR_EXACT"};
+        return {};
+    });
+}
+
+macula_status macula_view_set_clip(macula_view* view, const char* clip) {
+    return changed(view, [&](macula_view& of) -> Result<void> {
+        const std::string named = textOf(clip);
+        if (named.empty()) {
+            of.clip.reset();
+            return {};
+        }
+        MACULA_TRY(of.clip, app::chooseClip(named));
+        return {};
+    });
+}
+
+macula_status macula_view_set_box(macula_view* view, const double* lowMm, const double* highMm) {
+    return changed(view, [&](macula_view& of) -> Result<void> {
+        if (lowMm == nullptr || highMm == nullptr) return nullHandle();
+        MACULA_TRY(of.clip, boxOf(*of.study.volume, lowMm, highMm));
+        return {};
+    });
+}
+
+macula_status macula_view_remove_table(macula_view* view, std::int32_t remove) {
+    return changed(view, [&](macula_view& of) -> Result<void> {
+        of.wish.removeTable = remove != 0;
+        return {};
+    });
+}
+
+macula_status macula_view_set_camera(macula_view* view, const macula_camera* camera) {
+    return changed(view, [&](macula_view& of) -> Result<void> {
+        if (camera == nullptr) return nullHandle();
+        MACULA_TRY(const macula_camera given, taken(camera));
+        MACULA_TRY(of.camera, cameraOf(given));
+        return {};
+    });
+}
+
+macula_status macula_view_set_direction(macula_view* view, const char* direction) {
+    return changed(view, [&](macula_view& of) -> Result<void> {
+        const auto known = app::viewDirectionOf(direction == nullptr ? "anterior" : direction);
+        if (!known)
+            return badArgument("There is no such direction to look from.",
+                               "They are anterior, posterior, left, right, superior and inferior.");
+        of.wish.view = known;
+        of.camera.reset();
+        return {};
+    });
+}
+
+const char* macula_view_note(const macula_view* view, std::uint32_t index) {
+    return view == nullptr || index >= view->notes.size() ? nullptr : view->notes[index].c_str();
+}
+
+void macula_view_close(macula_view* view) {
+    delete view;
+}
+
+}  // extern "C"
+
+}  // namespace macula::c

@@ -1,0 +1,147 @@
+"""The Python package: what it takes, gives back and refuses."""
+
+import ctypes
+import pathlib
+import re
+import tempfile
+import unittest
+import zlib
+
+import macula
+import numpy
+from macula import _interface
+
+AFFINE = [[4, 0, 0, -46], [0, 4, 0, -46], [0, 0, 4, -46], [0, 0, 0, 1]]
+HEADER = pathlib.Path(__file__).parents[2] / "src/c/include/macula.h"
+
+
+def balls():
+    """A large ball of bone on the patient's left, a small one on the right."""
+    z, y, x = numpy.meshgrid(*[4.0 * numpy.arange(24) - 46.0] * 3, indexing="ij")
+    values = numpy.full(x.shape, -1000, numpy.int16)
+    values[(x - 22) ** 2 + y ** 2 + z ** 2 < 18 ** 2] = 1000
+    values[(x + 34) ** 2 + y ** 2 + z ** 2 < 7 ** 2] = 1000
+    return values
+
+
+class Interface(unittest.TestCase):
+    def test_structs_are_those_of_the_header(self):
+        layout = (pathlib.Path(__file__).parents[1] / "c/layout.txt").read_text().split("\n")
+        promised = {name: (int(size), int(offset)) for name, size, offset in (line.split() for line in layout if line)}
+        ours = {"macula_error": _interface.ErrorStruct, "macula_progress": _interface.Progress,
+                "macula_open": _interface.Open, "macula_voxels": _interface.Voxels, "macula_volume": _interface.Volume,
+                "macula_camera": _interface.Camera, "macula_picture": _interface.Picture,
+                "macula_drawn": _interface.Drawn}
+        self.assertEqual({name.split(".")[0] for name in promised}, set(ours))
+        for name, struct in ours.items():
+            self.assertEqual(ctypes.sizeof(struct), promised[name][0], name)
+            members = {member: (getattr(struct, member).size, getattr(struct, member).offset)
+                       for member, _ in struct._fields_}
+            self.assertEqual(members, {place.split(".")[1]: at for place, at in promised.items()
+                                       if place.startswith(name + ".")}, name)
+
+    def test_every_function_that_is_called_is_in_the_header(self):
+        declared = set(re.findall(r"(macula_\w+)\(", HEADER.read_text()))
+        self.assertLessEqual(set(_interface._STATUS) | set(_interface._OTHERS), declared)
+
+
+class Volumes(unittest.TestCase):
+    def test_values_come_back_whatever_their_order_in_memory(self):
+        values = balls()
+        for given in (values, numpy.asfortranarray(values), values.astype(numpy.float64), values[::1]):
+            study = macula.study_of(given, AFFINE, unit="HU")
+            self.assertTrue(numpy.array_equal(study.values(), values))
+            self.assertEqual(study.shape, (24, 24, 24))
+            self.assertEqual(study.patient_from_voxel, AFFINE)
+        turned = macula.study_of(values.transpose(2, 1, 0), AFFINE, unit="HU")
+        self.assertTrue(numpy.array_equal(turned.values(), values.transpose(2, 1, 0)))
+
+    def test_what_is_no_volume_is_refused(self):
+        values = balls()
+        for bad in (values[0], values.astype(bool), values.astype(numpy.int64), values.astype(">i2")):
+            with self.assertRaises(ValueError):
+                macula.study_of(bad, AFFINE)
+        with self.assertRaises(ValueError):
+            macula.study_of(values, AFFINE[:3])
+        with self.assertRaises(ValueError):
+            macula.study_of(values, AFFINE, unit="mm")
+        with self.assertRaises(macula.Error) as refused:
+            macula.study_of(values, [[float("nan")] * 4] * 4)
+        self.assertTrue(refused.exception.advice)
+
+    def test_without_a_unit_it_is_said(self):
+        self.assertIn("unit", " ".join(macula.study_of(balls(), AFFINE).notes))
+
+
+class Pictures(unittest.TestCase):
+    def setUp(self):
+        self.view = macula.study_of(balls(), AFFINE, unit="HU").view()
+
+    def test_left_is_at_the_right_from_the_front_and_at_the_left_from_behind(self):
+        halves = {}
+        for direction in ("anterior", "posterior"):
+            self.view.set_direction(direction)
+            pixels = numpy.asarray(self.view.draw(40, 40, samples=2)).astype(float)
+            halves[direction] = pixels[:, :20, :3].sum(), pixels[:, 20:, :3].sum()
+        self.assertGreater(halves["anterior"][1], 3 * halves["anterior"][0])
+        self.assertGreater(halves["posterior"][0], 3 * halves["posterior"][1])
+
+    def test_the_camera_that_is_told_is_the_one(self):
+        first = self.view.draw(40, 30, samples=1)
+        self.view.set_camera(**first.camera)
+        self.assertEqual(bytes(self.view.draw(40, 30, samples=1).rgba), bytes(first.rgba))
+
+    def test_a_picture_is_saved_as_it_is(self):
+        picture = self.view.draw(24, 16, samples=1)
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "a.png"
+            picture.save(file)
+            data = file.read_bytes()
+            self.assertEqual([entry.name for entry in pathlib.Path(folder).iterdir()], ["a.png"])
+        self.assertIn(b"Not for primary diagnosis.", data)
+        start = data.index(b"IDAT") + 4
+        lines = zlib.decompress(data[start:start + int.from_bytes(data[start - 8:start - 4], "big")])
+        pixels = numpy.frombuffer(lines, numpy.uint8).reshape(16, 1 + 24 * 4)
+        self.assertTrue((pixels[:, 0] == 0).all())
+        self.assertTrue(numpy.array_equal(pixels[:, 1:].reshape(16, 24, 4), numpy.asarray(picture)))
+
+    def test_progress_is_told_and_cancels(self):
+        told = []
+        self.view.draw(16, 16, samples=4, progress=lambda stage, fraction: told.append((stage, fraction)))
+        self.assertTrue(told and all(stage and 0 <= fraction <= 1 for stage, fraction in told))
+        with self.assertRaises(macula.Error) as stopped:
+            self.view.draw(16, 16, samples=1 << 20, progress=lambda stage, fraction: True)
+        self.assertTrue(stopped.exception.is_cancelled)
+
+    def test_what_a_listener_raises_comes_out(self):
+        def broken(_stage, _fraction):
+            raise KeyError("mine")
+
+        with self.assertRaises(KeyError):
+            self.view.draw(16, 16, samples=1 << 20, progress=broken)
+        self.assertFalse(self.view.draw(16, 16, samples=1).is_empty)  # it goes on afterwards
+
+    def test_what_is_wrong_is_said_with_what_to_do(self):
+        for wrong in (lambda: self.view.set_preset("cinematic-bonne"), lambda: self.view.set_look("xray"),
+                      lambda: self.view.set_box((0, 0, 0), (0, 1, 1)), lambda: self.view.set_direction("up"),
+                      lambda: self.view.set_camera((0, 0, 0), (0, 0, 0), (0, 0, 1)),
+                      lambda: self.view.draw(8, 8, most_noise=-1.0), lambda: macula.Device("no such card")):
+            with self.assertRaises(macula.Error) as refused:
+                wrong()
+            self.assertTrue(refused.exception.advice)
+        with self.assertRaises(ValueError):
+            self.view.draw(0, 8)
+        self.view.close()
+        self.view.close()
+        with self.assertRaises(ValueError):
+            self.view.draw(8, 8)
+
+    def test_a_place_is_not_in_the_sentence(self):
+        with self.assertRaises(macula.Error) as refused:
+            macula.open("/nowhere/DOE^JOHN")
+        self.assertNotIn("DOE", str(refused.exception))
+        self.assertIn("DOE", refused.exception.place)
+
+
+if __name__ == "__main__":
+    unittest.main()
