@@ -22,7 +22,9 @@ struct Words {
 
 QString inWords(const QStringList& attributes) {
     QStringList all;
-    for (const QString& attribute : attributes) all << Words::tr(attribute.toUtf8().constData());
+    for (const char* attribute : Words::kAttributes) {
+        if (attributes.contains(QLatin1String(attribute))) all << Words::tr(attribute);
+    }
     return all.join(QStringLiteral(", "));
 }
 
