@@ -1,114 +1,17 @@
-// A pane of slices under a real hand, on Qt's platform without a screen.
+// A pane of slices under a real hand.
 #include "viewer/slices/slice_view.h"
 
-#include <gtest/gtest.h>
-
-#include <QApplication>
-#include <QElapsedTimer>
-#include <QImage>
 #include <QMenu>
-#include <QPixmap>
-#include <QTest>
-#include <QThread>
-#include <QWheelEvent>
-#include <cmath>
 #include <numbers>
 
-#include "app/clip/edited_clip.h"
 #include "app/frame/projection_windows.h"
-#include "viewer/slice_volume.h"
+#include "viewer/slice_view_fixture.h"
 #include "viewer/slices/label_editor.h"
 
 namespace macula::viewer {
 namespace {
 
 using slices::Orientation;
-
-template <class Done>
-bool waitUntil(Done done) {
-    QElapsedTimer waited;
-    waited.start();
-    while (!done()) {
-        if (waited.elapsed() > 60'000) return false;
-        QCoreApplication::processEvents(QEventLoop::AllEvents, 10);
-        QThread::msleep(1);
-    }
-    return true;
-}
-
-class SliceViewTest : public testing::Test {
-  protected:
-    SliceViewTest() {
-        qputenv("QT_QPA_PLATFORM", "offscreen");
-        application_.emplace(argc_, argv_);
-        session_.emplace(app::Catalogue{});
-    }
-
-    void showStudy(VolumeOptions options = test::sliceVolumeOptions()) {
-        session_->show({.volume = test::sliceVolume(std::move(options))}, {});
-    }
-    std::unique_ptr<SliceView> pane(Orientation orientation) {
-        auto view = std::make_unique<SliceView>(*session_, orientation);
-        view->resize(400, 400);
-        view->show();
-        EXPECT_TRUE(!session_->hasStudy() || settled(*view));
-        return view;
-    }
-    static bool settled(const SliceView& view) {
-        return waitUntil([&] { return view.isUpToDate(); });
-    }
-
-    const app::StudyState& state() const { return session_->state(); }
-    glm::dvec3 crosshair() const { return state().slices.crosshairMm.value_or(glm::dvec3(0.0)); }
-
-    static void move(QWidget& to, QPoint place, Qt::MouseButtons buttons) {
-        QMouseEvent event(QEvent::MouseMove, place, to.mapToGlobal(place), Qt::NoButton, buttons,
-                          Qt::NoModifier);
-        QApplication::sendEvent(&to, &event);
-    }
-    static void drag(QWidget& in, Qt::MouseButton button, QPoint from, QPoint to) {
-        QTest::mousePress(&in, button, {}, from);
-        move(in, (from + to) / 2, button);
-        move(in, to, button);
-        QTest::mouseRelease(&in, button, {}, to);
-    }
-    static void click(QWidget& in, QPoint at) {
-        QTest::mousePress(&in, Qt::LeftButton, {}, at);
-        QTest::mouseRelease(&in, Qt::LeftButton, {}, at);
-    }
-    static void turnWheel(QWidget& over, int notches, Qt::KeyboardModifiers modifiers = {},
-                          QPoint at = {200, 200}) {
-        QWheelEvent event(at, over.mapToGlobal(at), {}, {0, 120 * notches}, Qt::NoButton, modifiers,
-                          Qt::NoScrollPhase, false);
-        QApplication::sendEvent(&over, &event);
-    }
-    static QPoint placeOf(const SliceView& view, const glm::dvec3& mm) {
-        const glm::dvec2 px = view.shownFrame()->pictureFromWorld(mm) / view.devicePixelRatioF();
-        return {int(std::floor(px.x)), int(std::floor(px.y))};
-    }
-    static QImage pictureOf(SliceView& view) {
-        return view.grab().toImage().convertToFormat(QImage::Format_RGB32);
-    }
-    // Of what is plain white, as nothing is that is drawn over a slice.
-    static glm::dvec2 middleOfWhite(const QImage& image) {
-        glm::dvec2 sum(0.0);
-        int count = 0;
-        for (int y = 0; y < image.height(); ++y)
-            for (int x = 0; x < image.width(); ++x)
-                if (image.pixel(x, y) == qRgb(255, 255, 255)) {
-                    sum += glm::dvec2(x + 0.5, y + 0.5);
-                    ++count;
-                }
-        EXPECT_GT(count, 100) << "the block is not there";
-        return sum / double(std::max(count, 1));
-    }
-
-    int argc_ = 1;
-    char name_[5] = "test";
-    char* argv_[2] = {name_, nullptr};
-    std::optional<QApplication> application_;
-    std::optional<ViewerSession> session_;
-};
 
 TEST_F(SliceViewTest, WithoutAStudyItIsBlackAndTakesAnyEvent) {
     const auto view = pane(Orientation::axial);
@@ -546,99 +449,6 @@ TEST_F(SliceViewTest, ARightClickOffersWindowsAndADragDoesNot) {
     session_->undo();
     for (const int digit : {2, 9}) QTest::keyClick(view.get(), Qt::Key(Qt::Key_0 + digit), Qt::AltModifier);
     EXPECT_FALSE(session_->canUndo()) << "there are no such windows";
-}
-
-// Left of 6 mm is removed.
-class ClippedSliceTest : public SliceViewTest {
-  protected:
-    void clipLeft() {
-        session_->change("Clip", [this](app::StudyState& next) {
-            next.clip = *app::withFace({}, app::Face::left, 6.0, *session_->study().volume);
-        });
-    }
-    double leftMm() const { return app::keptBox(state().clip, *session_->study().volume)->high.x; }
-    static int greyAt(SliceView& view, const glm::dvec3& mm) {
-        return qGray(pictureOf(view).pixel(placeOf(view, mm)));
-    }
-};
-
-TEST_F(ClippedSliceTest, WhatIsRemovedIsDimmed) {
-    showStudy();
-    session_->change("Cross-hair", [](app::StudyState& next) {
-        next.slices.crosshairMm = {-19.0, -14.0, 12.0};
-        next.slices.window =
-            DisplayWindow{.center = 0.0, .width = 1000.0, .explanation = {}, .function = "LINEAR"};
-    });
-    const auto view = pane(Orientation::axial);
-    const int before = greyAt(*view, {12.0, 10.0, 12.0});
-    EXPECT_GT(before, 100);
-    clipLeft();
-    ASSERT_TRUE(settled(*view));
-    EXPECT_LT(greyAt(*view, {12.0, 10.0, 12.0}), before / 2)
-        << "at the patient's left, the right of the pane";
-    EXPECT_EQ(greyAt(*view, {-3.0, 10.0, 12.0}), before) << "what is kept is as it was";
-    view->showClip(false, false);
-    EXPECT_EQ(greyAt(*view, {12.0, 10.0, 12.0}), before);
-}
-
-TEST_F(ClippedSliceTest, AFaceIsDraggedByItsHandleInOneStep) {
-    showStudy();
-    const auto view = pane(Orientation::axial);
-    clipLeft();
-    const QPoint handle = placeOf(*view, {6.0, 0.0, 0.0});
-    move(*view, handle, Qt::NoButton);
-    EXPECT_EQ(view->cursor().shape(), Qt::CrossCursor) << "no handles were asked for";
-    drag(*view, Qt::LeftButton, handle, placeOf(*view, {2.0, 5.0, 0.0}));
-    EXPECT_NEAR(leftMm(), 6.0, 1e-9);
-    EXPECT_TRUE(state().slices.crosshairMm) << "it was the cross-hair that was dragged";
-    session_->undo();
-
-    view->showClip(true, true);
-    ASSERT_TRUE(settled(*view));
-    move(*view, handle, Qt::NoButton);
-    EXPECT_EQ(view->cursor().shape(), Qt::SizeHorCursor);
-    drag(*view, Qt::LeftButton, handle, placeOf(*view, {2.0, 5.0, 0.0}));
-    EXPECT_NEAR(leftMm(), 2.0, 0.2);
-    EXPECT_FALSE(state().slices.crosshairMm);
-    EXPECT_EQ(session_->undoText(), "Clip");
-    session_->undo();
-    EXPECT_NEAR(leftMm(), 6.0, 1e-9) << "the drag is one step";
-    // Another drag is another step.
-    drag(*view, Qt::LeftButton, handle, placeOf(*view, {9.0, 0.0, 0.0}));
-    drag(*view, Qt::LeftButton, placeOf(*view, {leftMm(), 0.0, 0.0}), placeOf(*view, {12.0, 0.0, 0.0}));
-    session_->undo();
-    EXPECT_NEAR(leftMm(), 9.0, 0.2);
-}
-
-TEST_F(ClippedSliceTest, WithoutAClipABorderOfTheVolumeIsTakenHoldOf) {
-    showStudy();
-    const auto view = pane(Orientation::coronal);
-    turnWheel(*view, -3, Qt::ControlModifier);  // smaller: the borders are in the pane
-    ASSERT_TRUE(settled(*view));
-    view->showClip(true, true);
-    const Box all = session_->study().volume->worldBox();
-    drag(*view, Qt::LeftButton, placeOf(*view, {0.0, 0.0, all.high.z}), placeOf(*view, {0.0, 0.0, 8.0}));
-    ASSERT_TRUE(state().clip);
-    EXPECT_NEAR(app::keptBox(state().clip, *session_->study().volume)->high.z, 8.0, 0.2) << "superior is up";
-}
-
-TEST_F(ClippedSliceTest, TheBallIsMovedAndSized) {
-    showStudy();
-    const auto view = pane(Orientation::axial);
-    session_->change("Clip", [this](app::StudyState& next) {
-        next.clip = *app::withBallRemoved({}, {0.0, 0.0, 4.0}, 8.0, *session_->study().volume);
-    });
-    view->showClip(true, true);
-    const auto ball = [&] { return *clipFor(*state().clip, *session_->study().volume).ball; };
-    // The slice at 0 mm: a circle of the root of 8 x 8 - 4 x 4.
-    const double radius = std::sqrt(48.0);
-    move(*view, placeOf(*view, {0.0, 0.0, 0.0}), Qt::NoButton);
-    EXPECT_EQ(view->cursor().shape(), Qt::SizeAllCursor);
-    drag(*view, Qt::LeftButton, placeOf(*view, {0.0, 0.0, 0.0}), placeOf(*view, {-4.0, 2.0, 0.0}));
-    EXPECT_LT(glm::distance(ball().centreMm, {-4.0, 2.0, 4.0}), 0.3) << "it stays as high as it was";
-    EXPECT_NEAR(ball().radiusMm, 8.0, 1e-9);
-    drag(*view, Qt::LeftButton, placeOf(*view, {-4.0 + radius, 2.0, 0.0}), placeOf(*view, {7.0, 2.0, 0.0}));
-    EXPECT_NEAR(ball().radiusMm, std::sqrt(11.0 * 11.0 + 16.0), 0.3);
 }
 
 }  // namespace
