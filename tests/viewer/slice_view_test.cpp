@@ -5,11 +5,13 @@
 
 #include <QApplication>
 #include <QElapsedTimer>
+#include <QHelpEvent>
 #include <QImage>
 #include <QMenu>
 #include <QPixmap>
 #include <QTest>
 #include <QThread>
+#include <QToolTip>
 #include <QWheelEvent>
 #include <cmath>
 #include <numbers>
@@ -455,6 +457,17 @@ TEST_F(SliceViewTest, NamesAreOverThePictureUnlessTheyAreHidden) {
     EXPECT_NE(pictureOf(*view).copy(corner), without);
     view->showNames(false);
     EXPECT_EQ(pictureOf(*view).copy(corner), without);
+}
+
+TEST_F(SliceViewTest, ItsToolTipDoesNotComeOverThePicture) {
+    showStudy();
+    const auto view = pane(Orientation::axial);
+    EXPECT_FALSE(view->toolTip().isEmpty()) << "for who hears the window";
+    const QPoint at(200, 200);
+    QHelpEvent asked(QEvent::ToolTip, at, view->mapToGlobal(at));
+    QCoreApplication::sendEvent(view.get(), &asked);
+    QCoreApplication::processEvents();
+    EXPECT_FALSE(QToolTip::isVisible());
 }
 
 TEST_F(SliceViewTest, ALabelIsTypedWhereTheMeasurementLies) {
