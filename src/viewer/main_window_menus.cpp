@@ -243,6 +243,7 @@ void MainWindow::makeToolBar() {
     volumes_ = new VolumeChoice(bar);
     volumesInBar_ = bar->addWidget(volumes_);
     volumesInBar_->setVisible(false);
+    bar->addWidget(new QLabel(QStringLiteral("  "), bar));
     connect(volumes_, &VolumeChoice::chosen, this, &MainWindow::openFound);
     description_ = new ElidingLabel(tr("Series"), bar);
     description_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);

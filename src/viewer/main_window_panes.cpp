@@ -63,6 +63,7 @@ void MainWindow::makePanes() {
         for (SliceView* pane : slices_) pane->setTool(tool);
     });
     connect(tools_, &ToolBox::cineToggled, this, &MainWindow::setCine);
+    connect(tools_, &ToolBox::thicknessEntered, this, &MainWindow::focusPicture);
     undo_ = new UndoActions(session_, this);
     // A search that would end after it would undo the undoing.
     for (QAction* action : {&undo_->undo(), &undo_->redo()})

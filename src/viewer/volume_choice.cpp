@@ -1,12 +1,15 @@
 #include "viewer/volume_choice.h"
 
+#include <QStyleOptionComboBox>
+#include <QStylePainter>
+
 #include "viewer/language/core_words.h"
 
 namespace macula::viewer {
 
 namespace {
 
-constexpr int kLettersAtLeast = 16;
+constexpr int kLettersAtLeast = 20;
 
 }  // namespace
 
@@ -20,6 +23,20 @@ VolumeChoice::VolumeChoice(QWidget* parent) : QComboBox(parent) {
         setCurrentIndex(shown_);
         if (index != shown_) emit chosen(std::size_t(index));
     });
+}
+
+// As any list, but what is too long ends in an ellipsis: else a series of another number may be read.
+void VolumeChoice::paintEvent(QPaintEvent*) {
+    QStylePainter painter(this);
+    QStyleOptionComboBox option;
+    initStyleOption(&option);
+    painter.drawComplexControl(QStyle::CC_ComboBox, option);
+    const QRect field =
+        style()->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, this);
+    constexpr int kBesideTextPx = 4;
+    option.currentText =
+        option.fontMetrics.elidedText(option.currentText, Qt::ElideRight, field.width() - 2 * kBesideTextPx);
+    painter.drawControl(QStyle::CE_ComboBoxLabel, option);
 }
 
 void VolumeChoice::setVolumes(const std::vector<std::string>& titles, std::size_t shown) {

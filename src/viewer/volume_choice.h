@@ -20,6 +20,9 @@ class VolumeChoice : public QComboBox {
   signals:
     void chosen(std::size_t index);
 
+  protected:
+    void paintEvent(QPaintEvent* event) override;
+
   private:
     int shown_ = -1;
 };

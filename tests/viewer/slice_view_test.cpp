@@ -1,7 +1,9 @@
 // A pane of slices under a real hand.
 #include "viewer/slices/slice_view.h"
 
+#include <QHelpEvent>
 #include <QMenu>
+#include <QToolTip>
 #include <numbers>
 
 #include "app/frame/projection_windows.h"
@@ -359,6 +361,17 @@ TEST_F(SliceViewTest, NamesAreOverThePictureUnlessTheyAreHidden) {
     EXPECT_NE(pictureOf(*view).copy(corner), without);
     view->showNames(false);
     EXPECT_EQ(pictureOf(*view).copy(corner), without);
+}
+
+TEST_F(SliceViewTest, ItsToolTipDoesNotComeOverThePicture) {
+    showStudy();
+    const auto view = pane(Orientation::axial);
+    EXPECT_FALSE(view->toolTip().isEmpty()) << "for who hears the window";
+    const QPoint at(200, 200);
+    QHelpEvent asked(QEvent::ToolTip, at, view->mapToGlobal(at));
+    QCoreApplication::sendEvent(view.get(), &asked);
+    QCoreApplication::processEvents();
+    EXPECT_FALSE(QToolTip::isVisible());
 }
 
 TEST_F(SliceViewTest, ALabelIsTypedWhereTheMeasurementLies) {

@@ -3,6 +3,7 @@
 
 #include <QAction>
 #include <QDoubleSpinBox>
+#include <QTest>
 #include <QToolButton>
 #include <limits>
 #include <set>
@@ -125,6 +126,18 @@ TEST_F(ToolBoxTest, StepsOfTheSlabAreOneUntilTheyEnd) {
     thickness().setValue(-1.0);
     EXPECT_EQ(slices().slab.thicknessMm, 0.0);
     EXPECT_TRUE(thickness().toolTip().contains(QStringLiteral("0 to 100 mm")));
+}
+
+TEST_F(ToolBoxTest, EnterEndsTypingAThickness) {
+    showStudy();
+    int entered = 0;
+    QObject::connect(&*box_, &ToolBox::thicknessEntered, &*box_, [&] { ++entered; });
+    thickness().selectAll();
+    QTest::keyClicks(&thickness(), QStringLiteral("25"));
+    EXPECT_EQ(entered, 0);
+    QTest::keyClick(&thickness(), Qt::Key_Return);
+    EXPECT_EQ(entered, 1);
+    EXPECT_EQ(slices().slab.thicknessMm, 25.0);
 }
 
 TEST_F(ToolBoxTest, ShowsWhatWasChosenElsewhereAndProposesNothing) {

@@ -28,8 +28,11 @@ class StudyBrowser : public QWidget {
   public:
     explicit StudyBrowser(QWidget* parent = nullptr);
 
-    // Null: there is no folder. `open` is in FoundVolumes::volumes(). The search starts anew with a folder, but
-    // for one that was shown while it was being read (FoundVolumes::isWhole): that is the same one.
+    // So wide that most descriptions of series have room beside their pictures.
+    QSize sizeHint() const override { return {340, 400}; }
+
+    // Null: there is no folder. `open` is in FoundVolumes::volumes(). The search starts anew with a folder,
+    // but for one that was shown while it was being read (FoundVolumes::isWhole): that is the same one.
     void setFound(std::shared_ptr<const app::FoundVolumes> found, std::optional<std::size_t> open);
     const std::shared_ptr<const app::FoundVolumes>& found() const { return found_; }
     void setShown(std::optional<std::size_t> open);

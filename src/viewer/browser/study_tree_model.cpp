@@ -9,7 +9,7 @@ namespace macula::viewer {
 
 namespace {
 
-constexpr int kLinesOfWhyNot = 2;
+constexpr int kLinesOfWhyNot = 3;
 const QString kBetween = QStringLiteral(" \u00b7 ");  // facts of a row: see app/study/study_tree.cpp
 
 QString shownText(const std::string& text) {

@@ -5,7 +5,6 @@
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QSignalBlocker>
-#include <QStyle>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -19,6 +18,7 @@ namespace {
 
 constexpr double kMostSteps = 10000.0;
 constexpr int kStepsOfAPage = 10;
+constexpr int kArrowsPx = 30;
 
 }  // namespace
 
@@ -44,11 +44,15 @@ FaceRow::FaceRow(app::Face face, QWidget* parent)
     slider_->setAccessibleName(tr("Clip face, %1, slider").arg(sideText(face)));
     number_->setAccessibleName(tr("Clip face, %1, in mm").arg(sideText(face)));
     open_->setAccessibleName(tr("Open the clip face, %1").arg(sideText(face)));
-    open_->setIcon(style()->standardIcon(QStyle::SP_DialogResetButton));
+    open_->setText(QStringLiteral("↺"));
     open_->setFocusPolicy(Qt::StrongFocus);
     open_->setAutoRaise(true);
     letter_->setBuddy(number_);
     letter_->setFixedWidth(letter_->fontMetrics().horizontalAdvance(QLatin1Char('W')));
+
+    // All six alike, whatever their numbers: one stands below the other.
+    number_->setMinimumWidth(number_->fontMetrics().horizontalAdvance(QStringLiteral("W 1000.0 mm")) +
+                             kArrowsPx);
 
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);

@@ -4,6 +4,7 @@
 #include <QActionGroup>
 #include <QDoubleSpinBox>
 #include <QLabel>
+#include <QLineEdit>
 #include <QMenu>
 #include <QSignalBlocker>
 #include <QToolButton>
@@ -130,6 +131,7 @@ void ToolBox::addSlab() {
                       [&](app::StudyState& next) { next.slices.slab.thicknessMm = mm; });
     });
     connect(thickness_, &QDoubleSpinBox::editingFinished, &session_, &ViewerSession::endDrag);
+    connect(thickness_->findChild<QLineEdit*>(), &QLineEdit::returnPressed, this, &ToolBox::thicknessEntered);
     addWidget(label);
     addWidget(thickness_);
 

@@ -33,6 +33,7 @@ class ToolBox : public QToolBar {
   signals:
     void toolChosen(macula::viewer::SliceTool tool);  // by a person
     void cineToggled(bool plays);                     // by a person
+    void thicknessEntered();  // with Enter: what is typed next is meant for the pictures
 
   private:
     void addTools();

@@ -15,6 +15,7 @@ namespace {
 
 constexpr int kMarginPx = 5;
 constexpr int kStarPx = 14;
+constexpr int kTitleLines = 2;  // as many titles of those that are built in need
 
 QPainterPath star(const QPointF& centre, double radius) {
     QPainterPath path;
@@ -26,6 +27,21 @@ QPainterPath star(const QPointF& centre, double radius) {
     }
     path.closeSubpath();
     return path;
+}
+
+// At most so many lines of at most that width, broken between words; what does not fit ends in an ellipsis.
+QStringList wrapped(const QString& text, const QFontMetrics& metrics, int width) {
+    QStringList lines;
+    QString rest = text.simplified();
+    while (lines.size() + 1 < kTitleLines && metrics.horizontalAdvance(rest) > width) {
+        qsizetype end = rest.lastIndexOf(QLatin1Char(' '));
+        while (end > 0 && metrics.horizontalAdvance(rest.left(end)) > width)
+            end = rest.lastIndexOf(QLatin1Char(' '), end - 1);
+        if (end <= 0) break;  // one long word
+        lines << rest.left(end);
+        rest = rest.mid(end + 1);
+    }
+    return lines << metrics.elidedText(rest, Qt::ElideMiddle, width);
 }
 
 void paintHeading(QPainter& painter, const QStyleOptionViewItem& option, const QModelIndex& index) {
@@ -75,11 +91,14 @@ void paintPreset(QPainter& painter, const QStyleOptionViewItem& option, const QM
         const QRect place(cell.left(), square.bottom() + 3 + number * metrics.lineSpacing(), cell.width(),
                           metrics.lineSpacing());
         painter.setPen(palette.color(isSelected ? QPalette::HighlightedText : role));
-        painter.drawText(place, Qt::AlignLeft | Qt::AlignVCenter,
-                         metrics.elidedText(text, Qt::ElideMiddle, place.width()));
+        painter.drawText(place, Qt::AlignLeft | Qt::AlignVCenter, text);
     };
-    line(0, index.data().toString(), QPalette::Text);
-    line(1, index.data(PresetListModel::aboutRole).toString(), QPalette::PlaceholderText);
+    int number = 0;
+    for (const QString& text : wrapped(index.data().toString(), metrics, cell.width()))
+        line(number++, text, QPalette::Text);
+    line(number,
+         metrics.elidedText(index.data(PresetListModel::aboutRole).toString(), Qt::ElideRight, cell.width()),
+         QPalette::PlaceholderText);
 }
 
 }  // namespace
@@ -111,7 +130,7 @@ QSize PresetDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelI
         return {width, metrics.lineSpacing() + 2 * kMarginPx};
     }
     return {app::kPresetThumbnailPx + 2 * kMarginPx,
-            app::kPresetThumbnailPx + 3 + 2 * metrics.lineSpacing() + 2 * kMarginPx};
+            app::kPresetThumbnailPx + 3 + (kTitleLines + 1) * metrics.lineSpacing() + 2 * kMarginPx};
 }
 
 }  // namespace macula::viewer

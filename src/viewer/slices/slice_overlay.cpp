@@ -1,6 +1,7 @@
 #include "viewer/slices/slice_overlay.h"
 
 #include <QFontMetricsF>
+#include <QRegion>
 #include <algorithm>
 
 #include "viewer/slices/haloed_drawing.h"
@@ -19,29 +20,54 @@ constexpr double kCrosshairGapPx = 14.0;  // to each side: what lies under the c
 constexpr double kHandlePx = 3.5;
 constexpr double kLongestBarPx = 120.0;
 constexpr double kLongestBarOfPane = 0.3;
+constexpr double kBarTickPx = 5.0;
+constexpr double kAroundTextPx = 2.0;  // that the cross-hair leaves free
 const QColor kInk(235, 235, 235);
 const QColor kNoteInk(255, 190, 90);
 const QColor kMeasureInk(120, 210, 255);
 const QColor kSelectedInk(255, 225, 90);
 
-// Paints one overlay; knows how much room its blocks of lines take.
+QColor inkOf(const ShownMeasurement& shown) {
+    return shown.isSelected ? kSelectedInk : kMeasureInk;
+}
+
+// A line of text and where it begins, on its base line.
+struct PlacedText {
+    QPointF at;
+    QString text;
+    QColor ink;
+    QFont font;
+
+    QRectF box() const {
+        const QFontMetricsF metrics(font);
+        const QRectF line(at.x(), at.y() - metrics.ascent(), metrics.horizontalAdvance(text),
+                          metrics.height());
+        return line.adjusted(-kAroundTextPx, 0.0, kAroundTextPx, 0.0);
+    }
+};
+
+// Paints one overlay; knows how much room its blocks of lines take. Texts are placed first and painted last:
+// the cross-hair leaves them free, so that an I on it is not taken for a part of it.
 class OverlayPainter {
   public:
     OverlayPainter(QPainter& painter, const QSize& size, const SliceOverlay& overlay)
         : painter_(painter), size_(size), overlay_(overlay), font_(painter.font()) {
         font_.setPixelSize(kFontPx);
-        painter_.setFont(font_);
     }
 
+    void placeTexts();
     void crosshair() const;
     void measurements() const;
+    void texts() const;
+    void scale() const;
+
+  private:
     void names();
     void notes();
     void facts();
-    void scale() const;
+    void scaleText();
     void letters();
-
-  private:
+    void measurementTexts();
     QPointF placeOf(const glm::dvec3& mm) const {
         const glm::dvec2 px = overlay_.frame.pictureFromWorld(mm) / overlay_.pixelRatio;
         return {px.x, px.y};
@@ -55,7 +81,12 @@ class OverlayPainter {
     double lineHeight() const { return QFontMetricsF(font_).height(); }
     double widest(const QStringList& lines) const;
     void line(const QPointF& from, const QPointF& to, const QColor& ink) const;
-    void measurement(const ShownMeasurement& shown) const;
+    void put(const QPointF& at, const QString& text, const QColor& ink) {
+        texts_.push_back({.at = at, .text = text, .ink = ink, .font = font_});
+    }
+    QPainterPath pathOf(const ShownMeasurement& shown) const;
+    std::optional<ScaleBar> bar() const;
+    double barBottom(const ScaleBar& bar) const;
 
     QPainter& painter_;
     QSize size_;
@@ -63,6 +94,7 @@ class OverlayPainter {
     QFont font_;
     double topLines_ = 0.0;  // of those above that reach the middle
     double factsWidth_ = 0.0;
+    std::vector<PlacedText> texts_;  // what comes later lies above
 };
 
 double OverlayPainter::widest(const QStringList& lines) const {
@@ -80,6 +112,10 @@ void OverlayPainter::line(const QPointF& from, const QPointF& to, const QColor& 
 
 void OverlayPainter::crosshair() const {
     if (!overlay_.crosshairMm) return;
+    QRegion free(QRect(QPoint(0, 0), size_));
+    for (const PlacedText& each : texts_) free -= each.box().toAlignedRect();
+    painter_.save();
+    painter_.setClipRegion(free, Qt::IntersectClip);
     const QPointF at = placeOf(*overlay_.crosshairMm);
     const double width = size_.width();
     const double height = size_.height();
@@ -97,10 +133,10 @@ void OverlayPainter::crosshair() const {
         if (at.x() < width - kCrosshairGapPx)
             line({std::max(at.x() + kCrosshairGapPx, 0.0), at.y()}, {width, at.y()}, horizontal);
     }
+    painter_.restore();
 }
 
-void OverlayPainter::measurement(const ShownMeasurement& shown) const {
-    const QColor ink = shown.isSelected ? kSelectedInk : kMeasureInk;
+QPainterPath OverlayPainter::pathOf(const ShownMeasurement& shown) const {
     QPainterPath path;
     for (const glm::dvec3& mm : outlineOf(shown.measurement)) {
         const QPointF at = placeOf(mm);
@@ -110,32 +146,39 @@ void OverlayPainter::measurement(const ShownMeasurement& shown) const {
             path.lineTo(at);
         }
     }
-    const QRectF around = path.boundingRect();
-    drawHaloed(painter_, path, ink, 1.5);
-    for (const glm::dvec3& mm : handlesOf(shown.measurement)) {
-        QPainterPath handle;
-        handle.addEllipse(placeOf(mm), kHandlePx, kHandlePx);
-        drawHaloed(painter_, handle, ink, 1.0);
-    }
-    // Beside it where there is room, and never outside of the pane.
-    const QString text = elided(shown.text, roomPx());
-    const double width = QFontMetricsF(font_).horizontalAdvance(text);
-    const double rightmost = std::max(size_.width() - kMarginPx - width, kMarginPx);
-    const QPointF at(std::clamp(around.right() + kMarginPx, kMarginPx, rightmost),
-                     std::clamp(around.bottom() + lineHeight(), lineHeight(),
-                                std::max(size_.height() - kMarginPx, lineHeight())));
-    drawHaloedText(painter_, at, text, ink);
+    return path;
 }
 
 void OverlayPainter::measurements() const {
-    for (const ShownMeasurement& shown : overlay_.measurements) measurement(shown);
+    for (const ShownMeasurement& shown : overlay_.measurements) {
+        drawHaloed(painter_, pathOf(shown), inkOf(shown), 1.5);
+        for (const glm::dvec3& mm : handlesOf(shown.measurement)) {
+            QPainterPath handle;
+            handle.addEllipse(placeOf(mm), kHandlePx, kHandlePx);
+            drawHaloed(painter_, handle, inkOf(shown), 1.0);
+        }
+    }
+}
+
+// Beside each where there is room, and never outside of the pane.
+void OverlayPainter::measurementTexts() {
+    for (const ShownMeasurement& shown : overlay_.measurements) {
+        const QRectF around = pathOf(shown).boundingRect();
+        const QString text = elided(shown.text, roomPx());
+        const double width = QFontMetricsF(font_).horizontalAdvance(text);
+        const double rightmost = std::max(size_.width() - kMarginPx - width, kMarginPx);
+        put({std::clamp(around.right() + kMarginPx, kMarginPx, rightmost),
+             std::clamp(around.bottom() + lineHeight(), lineHeight(),
+                        std::max(size_.height() - kMarginPx, lineHeight()))},
+            text, inkOf(shown));
+    }
 }
 
 void OverlayPainter::names() {
     if (widest(overlay_.names) > reachPx()) topLines_ = double(overlay_.names.size());
     double base = kMarginPx + QFontMetricsF(font_).ascent();
     for (const QString& text : overlay_.names) {
-        drawHaloedText(painter_, {kMarginPx, base}, elided(text, roomPx()), kInk);
+        put({kMarginPx, base}, elided(text, roomPx()), kInk);
         base += lineHeight();
     }
 }
@@ -150,7 +193,7 @@ void OverlayPainter::notes() {
     for (const QString& text : overlay_.notes) {
         const QString shown = elided(text, roomPx());
         const double width = QFontMetricsF(font_).horizontalAdvance(shown);
-        drawHaloedText(painter_, {size_.width() - kMarginPx - width, base}, shown, kNoteInk);
+        put({size_.width() - kMarginPx - width, base}, shown, kNoteInk);
         base += lineHeight();
     }
 }
@@ -160,56 +203,85 @@ void OverlayPainter::facts() {
     double base = size_.height() - kMarginPx - QFontMetricsF(font_).descent() -
                   double(overlay_.facts.size() - 1) * lineHeight();
     for (const QString& text : overlay_.facts) {
-        drawHaloedText(painter_, {kMarginPx, base}, elided(text, roomPx()), kInk);
+        put({kMarginPx, base}, elided(text, roomPx()), kInk);
         base += lineHeight();
     }
 }
 
-// Above the facts where they leave no room beside them.
-void OverlayPainter::scale() const {
+std::optional<ScaleBar> OverlayPainter::bar() const {
     const double mostPx = std::min(kLongestBarPx, kLongestBarOfPane * size_.width());
-    const auto bar = scaleBar(overlay_.frame.mmPerPixel * overlay_.pixelRatio, mostPx);
-    if (!bar) return;
+    return scaleBar(overlay_.frame.mmPerPixel * overlay_.pixelRatio, mostPx);
+}
+
+// Above the facts where they leave no room beside them.
+double OverlayPainter::barBottom(const ScaleBar& bar) const {
+    const double textWidth = QFontMetricsF(font_).horizontalAdvance(bar.text);
+    const double needed = std::max(bar.lengthPx, textWidth) + 2.0 * kMarginPx;
+    const double bottom = size_.height() - kMarginPx - 2.0;
+    const bool fits = kMarginPx + factsWidth_ + needed <= size_.width();
+    return fits ? bottom : bottom - double(overlay_.facts.size()) * lineHeight() - kMarginPx;
+}
+
+void OverlayPainter::scale() const {
+    const auto shown = bar();
+    if (!shown) return;
     const double right = size_.width() - kMarginPx;
-    const double textWidth = QFontMetricsF(font_).horizontalAdvance(bar->text);
-    const double needed = std::max(bar->lengthPx, textWidth) + 2.0 * kMarginPx;
-    double bottom = size_.height() - kMarginPx - 2.0;
-    if (kMarginPx + factsWidth_ + needed > size_.width())
-        bottom -= double(overlay_.facts.size()) * lineHeight() + kMarginPx;
-    constexpr double kTick = 5.0;
-    QPainterPath path(QPointF(right - bar->lengthPx, bottom - kTick));
-    path.lineTo(right - bar->lengthPx, bottom);
+    const double bottom = barBottom(*shown);
+    QPainterPath path(QPointF(right - shown->lengthPx, bottom - kBarTickPx));
+    path.lineTo(right - shown->lengthPx, bottom);
     path.lineTo(right, bottom);
-    path.lineTo(right, bottom - kTick);
+    path.lineTo(right, bottom - kBarTickPx);
     drawHaloed(painter_, path, kInk, 1.5);
-    drawHaloedText(painter_, {right - textWidth, bottom - kTick - 3.0}, bar->text, kInk);
+}
+
+void OverlayPainter::scaleText() {
+    const auto shown = bar();
+    if (!shown) return;
+    const double width = QFontMetricsF(font_).horizontalAdvance(shown->text);
+    put({size_.width() - kMarginPx - width, barBottom(*shown) - kBarTickPx - 3.0}, shown->text, kInk);
 }
 
 // In the middle of each side; those above and below give way to lines that reach so far.
 void OverlayPainter::letters() {
     const app::EdgeLetters sides = edgeLetters(overlay_.frame.plane);
-    QFont font = font_;
-    font.setPixelSize(kLetterPx);
-    font.setBold(true);
-    painter_.setFont(font);
-    const QFontMetricsF metrics(font);
-    const auto draw = [&](const std::string& letters, const auto& leftOf, double base) {
+    const QFont before = font_;
+    font_.setPixelSize(kLetterPx);
+    font_.setBold(true);
+    const QFontMetricsF metrics(font_);
+    const auto place = [&](const std::string& letters, const auto& leftOf, double base) {
         const QString text = QString::fromStdString(letters);
-        drawHaloedText(painter_, {leftOf(metrics.horizontalAdvance(text)), base}, text, kInk);
+        put({leftOf(metrics.horizontalAdvance(text)), base}, text, kInk);
     };
     const double width = size_.width();
     const double middle = 0.5 * size_.height() + 0.5 * metrics.capHeight();
     const auto centred = [&](double letterWidth) { return 0.5 * (width - letterWidth); };
-    const double top = kMarginPx + metrics.ascent() + topLines_ * lineHeight();
+    const double lines = QFontMetricsF(before).height();
+    const double top = kMarginPx + metrics.ascent() + topLines_ * lines;
     double bottom = size_.height() - kMarginPx - metrics.descent();
-    if (factsWidth_ > reachPx()) bottom -= double(overlay_.facts.size()) * lineHeight();
-    draw(
+    if (factsWidth_ > reachPx()) bottom -= double(overlay_.facts.size()) * lines;
+    place(
         sides.left, [](double) { return kMarginPx; }, middle);
-    draw(
+    place(
         sides.right, [&](double letterWidth) { return width - kMarginPx - letterWidth; }, middle);
-    draw(sides.top, centred, top);
-    draw(sides.bottom, centred, bottom);
-    painter_.setFont(font_);
+    place(sides.top, centred, top);
+    place(sides.bottom, centred, bottom);
+    font_ = before;
+}
+
+void OverlayPainter::placeTexts() {
+    measurementTexts();
+    names();
+    notes();
+    facts();
+    scaleText();
+    letters();
+}
+
+void OverlayPainter::texts() const {
+    for (const PlacedText& each : texts_) {
+        painter_.setFont(each.font);
+        drawHaloedText(painter_, each.at, each.text, each.ink);
+    }
 }
 
 }  // namespace
@@ -218,13 +290,11 @@ void paintOverlay(QPainter& painter, const QSize& size, const SliceOverlay& over
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
     OverlayPainter paint(painter, size, overlay);
+    paint.placeTexts();
     paint.crosshair();
     paint.measurements();
-    paint.names();
-    paint.notes();
-    paint.facts();
     paint.scale();
-    paint.letters();
+    paint.texts();
     painter.restore();
 }
 

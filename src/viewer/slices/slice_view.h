@@ -88,6 +88,7 @@ class SliceView : public QWidget {
     void viewChanged(const macula::viewer::PaneView& view);  // by a hand, or to fit
 
   protected:
+    bool event(QEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
     void showEvent(QShowEvent* event) override;

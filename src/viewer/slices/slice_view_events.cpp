@@ -27,6 +27,13 @@ constexpr double kDragZoomPerHeight = 6.0;  // times closer for a drag up over t
 
 }  // namespace
 
+// Its tool tip is for screen readers: on screen it would lie over the picture wherever the pointer rests.
+bool SliceView::event(QEvent* event) {
+    if (event->type() != QEvent::ToolTip) return QWidget::event(event);
+    event->accept();  // nor one of what it lies in
+    return true;
+}
+
 void SliceView::resizeEvent(QResizeEvent*) {
     request();
 }

@@ -108,7 +108,7 @@ double TransferCurve::keyStep() const {
 }
 
 QSize TransferCurve::sizeHint() const {
-    return {480, 260};
+    return {380, 260};
 }
 
 QSize TransferCurve::minimumSizeHint() const {

@@ -60,13 +60,15 @@ TransferFunctionEditor::TransferFunctionEditor(ViewerSession& session, QWidget* 
     save_->setAccessibleName(tr("Save the transfer function as a preset"));
     save_->setToolTip(tr("Keep this transfer function as a preset of your own"));
 
+    // Below the fields: beside them they would take half of a window from the pictures.
     auto* buttons = new QHBoxLayout;
-    buttons->addWidget(fields_, 1);
+    buttons->addStretch(1);
     buttons->addWidget(reset_);
     buttons->addWidget(save_);
     auto* column = new QVBoxLayout(this);
     column->addWidget(line_);
     column->addWidget(curve_, 1);
+    column->addWidget(fields_);
     column->addLayout(buttons);
 
     connect(curve_, &TransferCurve::edited, this, [this](const TransferFunction& f) { propose(f, false); });

@@ -1,0 +1,67 @@
+// What is drawn over the picture of a slice: where the cross-hair leaves texts free.
+#include "viewer/slices/slice_overlay.h"
+
+#include <gtest/gtest.h>
+
+#include <QImage>
+
+#include "viewer/offscreen.h"
+
+namespace macula::viewer {
+namespace {
+
+constexpr QSize kPane(400, 300);
+constexpr int kMarginPx = 8;
+
+class SliceOverlayTest : public test::OffscreenTest {
+  protected:
+    static SliceOverlay coronal() {
+        SliceOverlay overlay;
+        overlay.orientation = slices::Orientation::coronal;
+        overlay.frame.plane = slices::planeOf(slices::Orientation::coronal, {});
+        overlay.frame.sizePx = {kPane.width(), kPane.height()};
+        return overlay;
+    }
+    static QImage painted(const SliceOverlay& overlay) {
+        QImage image(kPane, QImage::Format_RGB32);
+        image.fill(QColor(60, 60, 60));
+        QPainter painter(&image);
+        paintOverlay(painter, kPane, overlay);
+        return image;
+    }
+    // Both with the cross-hair through the middle and without.
+    static bool isFreeIn(const SliceOverlay& overlay, const QRect& place) {
+        SliceOverlay crossed = overlay;
+        crossed.crosshairMm = glm::dvec3(0.0);
+        return painted(crossed).copy(place) == painted(overlay).copy(place);
+    }
+};
+
+// An I with a line through it is a line.
+TEST_F(SliceOverlayTest, TheCrossHairLeavesLettersOfTheSidesFree) {
+    const SliceOverlay overlay = coronal();
+    const int middle = kPane.width() / 2;
+    EXPECT_TRUE(isFreeIn(overlay, {middle - 3, kPane.height() - kMarginPx - 16, 7, 12})) << "I";
+    EXPECT_TRUE(isFreeIn(overlay, {middle - 3, kMarginPx + 4, 7, 12})) << "S";
+    EXPECT_TRUE(isFreeIn(overlay, {kMarginPx, kPane.height() / 2 - 4, 8, 9})) << "R";
+    EXPECT_FALSE(isFreeIn(overlay, {middle - 3, 200, 7, 12})) << "elsewhere it is seen";
+    EXPECT_FALSE(isFreeIn(overlay, {300, kPane.height() / 2 - 4, 8, 9}));
+}
+
+TEST_F(SliceOverlayTest, TheCrossHairLeavesLinesOfTextFree) {
+    SliceOverlay overlay = coronal();
+    const QRect below(kPane.width() / 2 - 3, kMarginPx + 4, 7, 3 * 12);
+    EXPECT_FALSE(isFreeIn(overlay, below));
+    overlay.names = QStringList(6, QString(200, QLatin1Char('n')));
+    EXPECT_TRUE(isFreeIn(overlay, below));
+}
+
+TEST_F(SliceOverlayTest, ACrossHairOutsideOfThePaneIsNotDrawn) {
+    SliceOverlay overlay = coronal();
+    overlay.crosshairMm = glm::dvec3(1e6, 1e6, 1e6);
+    SliceOverlay without = coronal();
+    EXPECT_EQ(painted(overlay), painted(without));
+}
+
+}  // namespace
+}  // namespace macula::viewer
