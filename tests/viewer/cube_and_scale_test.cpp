@@ -30,8 +30,14 @@ class CubeAndScale : public test::OffscreenTest {
     }
     static QPointF cubeMiddle(const MarkedPicture& picture) {
         const auto marks = paintCubeAndScale(picture);
-        return {marks->places.at(0).x + 0.5 * marks->size.width,
-                marks->places.at(0).y + 36.0 * picture.pixelRatio};
+        const QPoint corner = cornerOf(*marks);
+        return {corner.x() + 0.5 * marks->size.width, corner.y() + 36.0 * picture.pixelRatio};
+    }
+    // The upper left one of all that is painted, in the picture.
+    static QPoint cornerOf(const app::PictureText& marks) {
+        const VkOffset2D at = marks.places.at(0);
+        const VkOffset2D in = marks.boxes.at(0).offset;
+        return {at.x - in.x, at.y - in.y};
     }
 };
 
@@ -66,18 +72,50 @@ TEST_F(CubeAndScale, StandInTheLowerRightCorner) {
         ASSERT_TRUE(marks);
         EXPECT_EQ(marks->rgba.size(), 4u * marks->size.width * marks->size.height);
         EXPECT_EQ(marks->of.width, std::uint32_t(picture.pixels.width()));
-        EXPECT_EQ(marks->places.at(0).x + int(marks->size.width),
-                  picture.pixels.width() - std::lround(8 * ratio));
-        EXPECT_EQ(marks->places.at(0).y + int(marks->size.height),
-                  picture.pixels.height() - std::lround(8 * ratio));
-        ASSERT_EQ(marks->boxes.size(), 1u);
-        EXPECT_EQ(marks->boxes[0].extent.height, marks->size.height);
+        const QPoint corner = cornerOf(*marks);
+        EXPECT_EQ(corner.x() + int(marks->size.width), picture.pixels.width() - std::lround(8 * ratio));
+        EXPECT_EQ(corner.y() + int(marks->size.height), picture.pixels.height() - std::lround(8 * ratio));
         std::set<std::byte> levels;
         for (std::size_t i = 0; i < marks->rgba.size(); i += 4) {
             levels.insert(marks->rgba[i]);
             ASSERT_EQ(marks->rgba[i + 3], std::byte(255)) << "opaque";
         }
         EXPECT_GT(levels.size(), 5u);
+    }
+}
+
+// A box around all of it would hide what is looked at.
+TEST_F(CubeAndScale, CoverOfThePictureWhatTheyPaint) {
+    app::OrbitCamera turned = parallel(300);
+    turned.azimuthDeg = 35;
+    turned.elevationDeg = 25;
+    for (const double ratio : {1.0, 2.0}) {
+        const auto marks = paintCubeAndScale(pictureOf(turned, QSize(800, 600) * ratio, ratio));
+        ASSERT_TRUE(marks);
+        ASSERT_EQ(marks->places.size(), marks->boxes.size());
+        EXPECT_LT(marks->boxes.size(), 200u) << "each is a copy";
+        std::set<std::pair<int, int>> covered;
+        for (std::size_t i = 0; i < marks->boxes.size(); ++i) {
+            const VkRect2D& box = marks->boxes[i];
+            EXPECT_EQ(marks->places[i].x - box.offset.x, cornerOf(*marks).x());
+            EXPECT_EQ(marks->places[i].y - box.offset.y, cornerOf(*marks).y());
+            ASSERT_LE(box.offset.x + int(box.extent.width), int(marks->size.width));
+            ASSERT_LE(box.offset.y + int(box.extent.height), int(marks->size.height));
+            for (int y = 0; y < int(box.extent.height); ++y)
+                for (int x = 0; x < int(box.extent.width); ++x)
+                    EXPECT_TRUE(covered.insert({box.offset.x + x, box.offset.y + y}).second) << "twice";
+        }
+        EXPECT_LT(double(covered.size()), 0.6 * marks->size.width * marks->size.height);
+        const int middle = int(marks->size.width) / 2;
+        EXPECT_TRUE(covered.contains({middle, int(36 * ratio)})) << "the cube";
+        EXPECT_FALSE(covered.contains({int(6 * ratio), int(36 * ratio)})) << "beside it";
+        for (int y = 0; y < int(marks->size.height); ++y) {
+            for (int x = 0; x < int(marks->size.width); ++x) {
+                const std::size_t at = 4 * (std::size_t(y) * marks->size.width + std::size_t(x));
+                if (marks->rgba[at] == std::byte(12)) continue;  // paper
+                ASSERT_TRUE(covered.contains({x, y})) << x << " " << y;
+            }
+        }
     }
 }
 

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <utility>
 
 #include "app/camera/orientation_cube.h"
 
@@ -106,6 +107,45 @@ void paintBar(QPainter& painter, const ScaleBar& bar, bool isTrueEverywhere, con
     painter.drawText(row, Qt::AlignHCenter | Qt::AlignBottom | Qt::TextDontClip, text);
 }
 
+// Left and right end of what is painted in rows [top, bottom) of an image; nothing where nothing is.
+std::optional<std::pair<int, int>> paintedIn(const QImage& image, int top, int bottom) {
+    int left = image.width();
+    int right = -1;
+    for (int y = top; y < bottom; ++y) {
+        const auto* pixels = reinterpret_cast<const QRgb*>(image.constScanLine(y));
+        for (int x = 0; x < image.width(); ++x) {
+            if (qAlpha(pixels[x]) == 0) continue;
+            left = std::min(left, x);
+            right = std::max(right, x);
+        }
+    }
+    if (right < left) return std::nullopt;
+    return std::pair(left, right + 1);
+}
+
+// Of the cube what it covers and no more, row by row: it is convex, so that a row has no gap. Below it, from
+// `barTop`, the bar with its text in one box.
+std::vector<VkRect2D> boxesOf(const QImage& image, int barTop) {
+    std::vector<VkRect2D> boxes;
+    const auto add = [&](int top, int bottom) {
+        const auto ends = paintedIn(image, top, bottom);
+        if (!ends) return;
+        const VkRect2D box{{ends->first, top},
+                           {std::uint32_t(ends->second - ends->first), std::uint32_t(bottom - top)}};
+        const bool goesOn = !boxes.empty() && boxes.back().offset.x == box.offset.x &&
+                            boxes.back().extent.width == box.extent.width &&
+                            boxes.back().offset.y + int(boxes.back().extent.height) == top && top < barTop;
+        if (goesOn) {
+            boxes.back().extent.height += box.extent.height;
+        } else {
+            boxes.push_back(box);
+        }
+    };
+    for (int y = 0; y < barTop; ++y) add(y, y + 1);
+    add(barTop, image.height());
+    return boxes;
+}
+
 }  // namespace
 
 std::optional<ScaleBar> scaleBarOf(const MarkedPicture& picture) {
@@ -121,9 +161,9 @@ std::shared_ptr<const app::PictureText> paintCubeAndScale(const MarkedPicture& p
     font.setPixelSize(layout->px(kFontPx));
     font.setBold(true);
 
-    QImage image(layout->box.size(), QImage::Format_RGBA8888);
-    image.fill(kPaper);
-    QPainter painter(&image);
+    QImage painted(layout->box.size(), QImage::Format_ARGB32_Premultiplied);
+    painted.fill(Qt::transparent);
+    QPainter painter(&painted);
     painter.setRenderHint(QPainter::Antialiasing);
     paintCube(painter, *axes, *layout, font);
     font.setBold(false);
@@ -132,13 +172,16 @@ std::shared_ptr<const app::PictureText> paintCubeAndScale(const MarkedPicture& p
     if (bar) paintBar(painter, *bar, isParallel(picture.camera), *layout);
     painter.end();
 
+    QImage image(painted.size(), QImage::Format_RGBA8888);
+    image.fill(kPaper);
+    QPainter(&image).drawImage(0, 0, painted);
     auto marks = std::make_shared<app::PictureText>();
     const QSize size = image.size();
     marks->size = {std::uint32_t(size.width()), std::uint32_t(size.height())};
-    // Without a bar its row covers nothing.
-    const int height = bar ? size.height() : layout->px(kCubePx);
-    marks->boxes = {{{0, 0}, {std::uint32_t(size.width()), std::uint32_t(height)}}};
-    marks->places = {{layout->box.x(), layout->box.y()}};
+    marks->boxes = boxesOf(painted, layout->px(kCubePx));
+    if (marks->boxes.empty()) return nullptr;
+    for (const VkRect2D& box : marks->boxes)
+        marks->places.push_back({layout->box.x() + box.offset.x, layout->box.y() + box.offset.y});
     marks->of = {std::uint32_t(picture.pixels.width()), std::uint32_t(picture.pixels.height())};
     const std::size_t rowBytes = std::size_t(size.width()) * 4;
     marks->rgba.resize(rowBytes * std::size_t(size.height()));
