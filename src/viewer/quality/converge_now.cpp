@@ -77,8 +77,9 @@ QString ConvergeNow::stageOf(double noise, double fraction) const {
     if (std::isfinite(noise)) stage += tr(", noise %1").arg(percentText(noise));
     if (startedAt_ < 0.0 || !(fraction > startedAt_)) return stage;
     const double leftS = (nowS_() - startedS_) * (1.0 - fraction) / (fraction - startedAt_);
-    return stage + (leftS < 90.0 ? tr(", %1 s left").arg(std::ceil(leftS), 0, 'f', 0)
-                                 : tr(", %1 min left").arg(std::ceil(leftS / 60.0), 0, 'f', 0));
+    if (leftS < 90.0) return stage + tr(", %1 s left").arg(std::ceil(leftS), 0, 'f', 0);
+    if (leftS < 6000.0) return stage + tr(", %1 min left").arg(std::ceil(leftS / 60.0), 0, 'f', 0);
+    return stage + tr(", %1 h left").arg(std::ceil(leftS / 3600.0), 0, 'f', 0);
 }
 
 }  // namespace macula::viewer
