@@ -25,6 +25,7 @@
 #include "viewer/clip/named_clips.h"
 #include "viewer/clip/scissor_tool.h"
 #include "viewer/clip/voxel_cutting.h"
+#include "viewer/volume/shown_volume.h"
 
 namespace macula::viewer {
 namespace {
@@ -332,6 +333,35 @@ TEST_F(ClipToolsTest, WhatCannotBeCutIsRefusedAndSaysWhatIsLeft) {
     cutting.cancel();
     ASSERT_TRUE(had);
     EXPECT_EQ(*had, std::vector{square(0.2)});
+}
+
+// An undo after it does not go back to the cut, which would be refused again and again.
+TEST_F(ClipToolsTest, ARefusedOrCancelledCutIsNoStep) {
+    ShownVolume shown(*session_);
+    openPhantom();
+    const auto ask = [&](const app::ScissorCut& cut) {
+        session_->change("Scissors", [&](app::StudyState& next) { next.cuts.scissors.push_back(cut); });
+    };
+    ask(square(0.2));
+    ASSERT_TRUE(waitUntil([&] { return !shown.cutting().running(); }));
+    for (const bool isCancelled : {false, true}) {
+        session_->change("Marks", [](app::StudyState& next) { next.showsMarks = !next.showsMarks; });
+        const app::StudyState before = state();
+        ask(square(isCancelled ? 0.3 : 50.0));
+        EXPECT_EQ(session_->undoText(), QLatin1String("Scissors"));
+        if (isCancelled) shown.cutting().cancel();
+        ASSERT_TRUE(waitUntil([&] { return !shown.cutting().running(); }));
+        EXPECT_EQ(state(), before);
+        EXPECT_EQ(session_->undoText(), QLatin1String("Marks"));
+        EXPECT_FALSE(session_->canRedo());
+    }
+    session_->undo();
+    session_->undo();
+    EXPECT_FALSE(shown.cutting().running());
+    EXPECT_EQ(state().cuts.scissors, std::vector{square(0.2)});
+    session_->undo();
+    EXPECT_TRUE(state().cuts.scissors.empty());
+    EXPECT_FALSE(session_->canUndo());
 }
 
 TEST_F(ClipToolsTest, MarksOfToolsAreLaidOverTheCube) {

@@ -28,9 +28,13 @@ ShownVolume::ShownVolume(ViewerSession& session, QObject* parent)
     });
     connect(cutting_, &VoxelCutting::changed, this,
             [this] { hidden_->set(HiddenVoxels::Part::scissors, cutting_->mask()); });
-    // What is not to be had is not chosen either: pictures and state say the same.
+    // What is not to be had is not chosen either: pictures and state say the same, and an
+    // undo does not ask for it again.
     connect(cutting_, &VoxelCutting::refused, this, [this](const std::vector<app::ScissorCut>& had) {
-        session_.change(tr("No cut"), [&](app::StudyState& next) { next.cuts.scissors = had; });
+        const std::vector<app::ScissorCut> asked = session_.state().cuts.scissors;
+        session_.correct([&](app::StudyState& each) {
+            if (each.cuts.scissors == asked) each.cuts.scissors = had;
+        });
     });
     connect(segments_, &SegmentationKeeper::maskMade, this,
             [this](const std::optional<Mask>& mask) { hidden_->set(HiddenVoxels::Part::segments, mask); });
