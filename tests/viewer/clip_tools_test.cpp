@@ -14,6 +14,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "app/choice/catalogue.h"
 #include "app/clip/edited_clip.h"
 #include "app/clip/eye_cut.h"
 #include "app/study/scissor_mask.h"
@@ -362,6 +363,30 @@ TEST_F(ClipToolsTest, ARefusedOrCancelledCutIsNoStep) {
     session_->undo();
     EXPECT_TRUE(state().cuts.scissors.empty());
     EXPECT_FALSE(session_->canUndo());
+}
+
+// It would be kept, and all of the study lost with it the next time.
+TEST_F(ClipToolsTest, AViewThatCouldNotBeReadAgainIsNotTaken) {
+    ShownVolume shown(*session_);
+    openPhantom();
+    app::StudyState view = state();
+    view.preset = app::builtInCatalogue()->presets.front();
+    view.showsMarks = false;
+    view.camera = fromAnterior().camera;
+    view.camera->targetMm.y = 2e6;
+    const auto far = shown.take(view);
+    ASSERT_FALSE(far);
+    EXPECT_EQ(far.error().code, ErrorCode::inputNotUsable);
+    view.camera = fromAnterior().camera;
+    auto fine = std::make_shared<TransferFunction>(*view.preset);
+    fine->opacity.assign(5000, fine->opacity.front());
+    view.preset = fine;
+    EXPECT_FALSE(shown.take(view));
+    EXPECT_TRUE(state().showsMarks);
+    EXPECT_FALSE(session_->canUndo());
+    view.preset = app::builtInCatalogue()->presets.front();
+    ASSERT_TRUE(shown.take(view));
+    EXPECT_FALSE(state().showsMarks);
 }
 
 TEST_F(ClipToolsTest, MarksOfToolsAreLaidOverTheCube) {

@@ -62,6 +62,8 @@ Result<void> ShownVolume::take(const app::StudyState& state) {
         return Error{ErrorCode::usage, "No study is open.", {}, "Open the study that the view is of first."};
     const app::OpenedStudy& study = session_.study();
     MACULA_TRY_VOID(app::checkSeries(state, study.seriesDigest, {}));
+    // What cannot be read again would be lost with all else of the study the next time it is opened.
+    MACULA_TRY_VOID(app::studyStateFromJson(app::toJson(state), {}));
     session_.change(tr("Open view"), [&](app::StudyState& next) {
         const bool leavesTableOut = next.leavesTableOut;
         next = state;

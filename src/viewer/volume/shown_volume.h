@@ -33,7 +33,7 @@ class ShownVolume : public QObject {
     // The state of the session, with the table as it was asked for: it may still be searched.
     app::StudyState state() const;
     // Another state of the study that is open, as one step of undo; its camera is for who has one. usage when
-    // none is open, inputNotUsable when it was saved of another series.
+    // none is open, inputNotUsable when it was saved of another series, or its text could not be read again.
     Result<void> take(const app::StudyState& state);
 
     TableRemoval& table() { return *table_; }
