@@ -26,6 +26,7 @@
 #include "viewer/clip/named_clips.h"
 #include "viewer/clip/scissor_tool.h"
 #include "viewer/clip/voxel_cutting.h"
+#include "viewer/hidden_voxels.h"
 #include "viewer/volume/shown_volume.h"
 
 namespace macula::viewer {
@@ -360,6 +361,29 @@ TEST_F(ClipToolsTest, ARefusedOrCancelledCutIsNoStep) {
     session_->undo();
     EXPECT_FALSE(shown.cutting().running());
     EXPECT_EQ(state().cuts.scissors, std::vector{square(0.2)});
+    session_->undo();
+    EXPECT_TRUE(state().cuts.scissors.empty());
+    EXPECT_FALSE(session_->canUndo());
+}
+
+TEST_F(ClipToolsTest, WhereVoxelsCannotBeHiddenTheStateIsThatOfThePicture) {
+    ShownVolume shown(*session_);
+    openPhantom();
+    const auto cut = [&](const std::vector<app::ScissorCut>& scissors) {
+        session_->change("Scissors", [&](app::StudyState& next) { next.cuts.scissors = scissors; });
+        return waitUntil([&] { return !shown.cutting().running(); });
+    };
+    ASSERT_TRUE(cut({square(0.2)}));
+    const app::StudyState before = state();
+    // The cut is found, and cannot be joined with what else is hidden.
+    shown.hidden().blockSignals(true);
+    ASSERT_TRUE(cut({square(0.2), square(0.3)}));
+    shown.hidden().blockSignals(false);
+    emit shown.hidden().failed({ErrorCode::outOfMemory, "There is not enough memory.", {}, {}});
+    EXPECT_EQ(state(), before);
+    ASSERT_TRUE(waitUntil([&] { return !shown.cutting().running(); }));
+    EXPECT_EQ(shown.cutting().madeOf(), before.cuts.scissors);
+    EXPECT_EQ(state(), before);
     session_->undo();
     EXPECT_TRUE(state().cuts.scissors.empty());
     EXPECT_FALSE(session_->canUndo());

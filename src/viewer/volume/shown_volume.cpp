@@ -38,7 +38,8 @@ ShownVolume::ShownVolume(ViewerSession& session, QObject* parent)
     });
     connect(segments_, &SegmentationKeeper::maskMade, this,
             [this](const std::optional<Mask>& mask) { hidden_->set(HiddenVoxels::Part::segments, mask); });
-    connect(hidden_, &HiddenVoxels::changed, this, &ShownVolume::updateClip);
+    connect(hidden_, &HiddenVoxels::changed, this, &ShownVolume::onHidden);
+    connect(hidden_, &HiddenVoxels::failed, this, &ShownVolume::onNotHidden);
 }
 
 app::Drawing ShownVolume::drawingOf(const app::StudyState& other) const {
@@ -81,6 +82,7 @@ void ShownVolume::onStudyShown() {
     table_->setVolume(volume);
     cutting_->setVolume(volume);
     hidden_->setVolume(volume);
+    hiddenBy_ = {};
     seriesWindows_.forget();
     clip_ = volume ? app::clipOf(session_.state(), *volume, std::nullopt) : nullptr;
     cutting_->want(session_.state().cuts.scissors);
@@ -92,6 +94,27 @@ void ShownVolume::onChanged(const app::StudyState& before) {
     cutting_->want(now.cuts.scissors);
     if (now.clip != before.clip || now.cuts.eye != before.cuts.eye) return updateClip();
     emit changed();
+}
+
+void ShownVolume::onHidden() {
+    hiddenBy_ = {.leavesTableOut = session_.state().leavesTableOut,
+                 .scissors = cutting_->madeOf(),
+                 .in3d = segments_->madeIn3d()};
+    updateClip();
+}
+
+// The mask of before stays, and the state becomes that of it: menus and panels say what is seen.
+void ShownVolume::onNotHidden() {
+    const app::StudyState asked = session_.state();
+    const std::vector<app::In3dOf> askedIn3d = app::in3dOf(asked.segmentations);
+    session_.correct([&](app::StudyState& each) {
+        if (each.leavesTableOut != asked.leavesTableOut || each.cuts.scissors != asked.cuts.scissors ||
+            app::in3dOf(each.segmentations) != askedIn3d)
+            return;
+        each.leavesTableOut = hiddenBy_.leavesTableOut;
+        each.cuts.scissors = hiddenBy_.scissors;
+        each.segmentations = app::withIn3d(each.segmentations, hiddenBy_.in3d);
+    });
 }
 
 void ShownVolume::updateClip() {
