@@ -28,8 +28,8 @@ ShownVolume::ShownVolume(ViewerSession& session, QObject* parent)
     });
     connect(cutting_, &VoxelCutting::changed, this,
             [this] { hidden_->set(HiddenVoxels::Part::scissors, cutting_->mask()); });
-    // What is not to be had is not chosen either: pictures and state say the same, and an
-    // undo does not ask for it again.
+    // What is not to be had is not chosen either: pictures and state say the same, and an undo
+    // does not ask for it again.
     connect(cutting_, &VoxelCutting::refused, this, [this](const std::vector<app::ScissorCut>& had) {
         const std::vector<app::ScissorCut> asked = session_.state().cuts.scissors;
         session_.correct([&](app::StudyState& each) {
