@@ -197,6 +197,7 @@ void Viewport::connectWindow() {
 
 void Viewport::setStudy(std::shared_ptr<const Volume> volume, std::vector<std::string> names,
                         app::Drawing drawing, ViewDirection from) {
+    window_->endDrag();  // what a hand holds, handle or transfer function, is of the study before
     ++input_.study;
     outline_.reset();
     shown_.reset();

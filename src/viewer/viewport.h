@@ -41,7 +41,7 @@ class Viewport : public QWidget {
     // orientation letters leave the screen before the first picture of the new study comes. A null volume
     // shows nothing. After an error that left a picture on screen the window is hidden until the next change
     // of study, drawing or camera. `names` are lines that say whose it is: they stand over each of its
-    // pictures, unless they are hidden.
+    // pictures, unless they are hidden. A drag ends.
     void setStudy(std::shared_ptr<const Volume> volume, std::vector<std::string> names, app::Drawing drawing,
                   ViewDirection from);
     void showNames(bool shown);

@@ -87,6 +87,44 @@ TEST_F(CameraPathTest, ATurntableGoesAroundAtConstantSpeed) {
     EXPECT_EQ(turntable(camera, 8.0, 0.0).stops.size(), 1u);
 }
 
+// A movie of a parallel view has no perspective between its stops either.
+TEST_F(CameraPathTest, ATurntableOfAParallelViewStaysParallel) {
+    Camera camera;
+    camera.positionMm = {0.0, -500.0, 0.0};
+    camera = inParallel(camera);
+    const CameraPath path = turntable(camera, 8.0, 4.0);
+    for (int i = 0; i <= 100; ++i)
+        EXPECT_NEAR(cameraAt(path, 0.04 * i).parallelHeightMm, camera.parallelHeightMm, 1e-6) << i;
+}
+
+TEST_F(CameraPathTest, AParallelPictureGrowsByTheSameFactorInTheSameTime) {
+    Camera low;
+    low.positionMm = {0.0, -500.0, 0.0};
+    Camera high = low;
+    low.parallelHeightMm = 100.0;
+    high.parallelHeightMm = 400.0;
+    for (const bool isRolled : {false, true}) {
+        if (isRolled) low.up = high.up = glm::normalize(glm::dvec3(1.0, 0.0, 2.0));
+        const CameraPath path{{{.atS = 0.0, .camera = low}, {.atS = 2.0, .camera = high}}};
+        EXPECT_NEAR(cameraAt(path, 1.0).parallelHeightMm, 200.0, 1e-6) << isRolled;
+        EXPECT_EQ(cameraAt(path, 2.0), high);
+    }
+}
+
+TEST_F(CameraPathTest, FromParallelRaysToAnEyeTheWayIsThatOfAnEye) {
+    Camera eye;
+    eye.positionMm = {0.0, -500.0, 0.0};
+    for (const bool isRolled : {false, true}) {
+        if (isRolled) eye.up = glm::normalize(glm::dvec3(1.0, 0.0, 2.0));
+        Camera rays = inParallel(eye);
+        rays.positionMm *= 3.0;  // which changes nothing that is seen
+        const CameraPath path{{{.atS = 0.0, .camera = rays}, {.atS = 2.0, .camera = eye}}};
+        EXPECT_EQ(cameraAt(path, 0.0), rays);
+        EXPECT_FALSE(isParallel(cameraAt(path, 1.0))) << isRolled;
+        EXPECT_NEAR(heightAtTargetMm(cameraAt(path, 1.0)), heightAtTargetMm(eye), 1e-6) << isRolled;
+    }
+}
+
 // On turntables, as a window's are.
 CameraPath wayThrough(const std::vector<OrbitCamera>& places) {
     CameraPath path;

@@ -11,6 +11,7 @@
 #include "app/choice/nearest_name.h"
 #include "app/choice/preset_choice.h"
 #include "app/choice/quality_choice.h"
+#include "app/choice/typed_values.h"
 #include "pipeline/volume/transfer_function_json.h"
 #include "support.h"
 
@@ -81,6 +82,21 @@ TEST(Choice, ofAFileIsReadAndNotNamed) {
     const auto missing = chooseQuality((folder / "no.json").string());
     ASSERT_FALSE(missing);
     EXPECT_EQ(missing.error().code, ErrorCode::inputNotUsable);
+}
+
+TEST(Choice, ofNumbersTakesAllOfTheWord) {
+    const auto window = parseWindow("-60.5, 350.25");
+    ASSERT_TRUE(window);
+    EXPECT_EQ(window->center, -60.5);
+    EXPECT_EQ(window->width, 350.25);
+    for (const char* text :
+         {"", "1", "1,2,", "1,2,3", "1,2x", "x1,2", "1;2", "1,0", "1,-2", "nan,1", "1,inf"})
+        EXPECT_FALSE(parseWindow(text)) << text;
+    const auto background = parseBackground("0,0.5,1");
+    ASSERT_TRUE(background);
+    EXPECT_EQ(*background, glm::vec3(0.0f, 0.5f, 1.0f));
+    for (const char* text : {"", "0,1", "0,0.5,1.5", "0,0.5,-1", "0,0,5,1", "0,0.5,nan"})
+        EXPECT_FALSE(parseBackground(text)) << text;
 }
 
 TEST(Choice, ofNoClipLeavesAll) {

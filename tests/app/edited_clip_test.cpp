@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <random>
 #include <vector>
@@ -274,6 +275,33 @@ TEST(EditedClip, aCornerIsTakenOut) {
     EXPECT_TRUE(shows(inMm, centre + glm::dvec3(-1, -1, 1)));
     EXPECT_TRUE(shows(inMm, centre + glm::dvec3(1, 1, 1)));
     EXPECT_TRUE(shows(inMm, centre + glm::dvec3(1, -1, -1)));
+}
+
+// Of a flat volume an oblique plane is never said by a point far outside, which no file may have.
+TEST(EditedClip, anObliquePlaneOfAFlatVolumeCanBeReadAgain) {
+    const Volume flat = volumeOf({40, 40, 1}, affine({10, 0, 0}, {0, 10, 0}, {0, 0, 1}, {-195, -195, 0}));
+    const Box all = flat.worldBox();
+    for (const glm::dvec3& towards : {glm::dvec3(1, 1, 1), glm::dvec3(-1, 2, 3), glm::dvec3(1, 0, 0)}) {
+        ClipPreset oblique;
+        oblique.clip.planes.push_back({glm::normalize(towards), 0.0});
+        oblique.planesAt.emplace_back(0.5);
+        for (const double far : {-1.0, -0.7, 0.3, 0.9, 5.0}) {
+            const glm::dvec3 to = all.centre() + far * glm::dvec3(150.0, 150.0, 0.0);
+            const auto moved = withPlaneThrough(oblique, 0, to, flat);
+            ASSERT_TRUE(moved) << moved.error().message;
+            const glm::dvec3 at = (*moved)->planesAt.at(0);
+            EXPECT_TRUE(glm::all(glm::greaterThanEqual(at, glm::dvec3(0.0)))) << far;
+            EXPECT_TRUE(glm::all(glm::lessThanEqual(at, glm::dvec3(1.0)))) << far;
+            const auto read = clipPresetFromJson(toJson(**moved), "test");
+            ASSERT_TRUE(read) << read.error().message;
+            const HalfSpace plane = clipFor(*read, flat).planes.at(0);
+            const double wanted = glm::dot(plane.normal, to);
+            const double reach = glm::dot(0.5 * (all.high - all.low), glm::abs(plane.normal));
+            if (std::abs(wanted - glm::dot(plane.normal, all.centre())) < 0.9 * reach) {
+                EXPECT_NEAR(plane.offsetMm, wanted, 1e-6) << far;
+            }
+        }
+    }
 }
 
 TEST(EditedClip, insideOutShowsWhatWasNotShown) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
 #include <span>
@@ -14,6 +15,7 @@
 #include "app/choice/preset_choice.h"
 #include "app/found_by_hand.h"
 #include "app/session/scene_key.h"
+#include "app/state/study_state.h"
 #include "base/fingerprint.h"
 #include "base/phantom.h"
 #include "base/sha256.h"
@@ -355,8 +357,8 @@ TEST_F(ModelKeeperTest, TheStateOfAStudyComesBackForItsVolumeAlone) {
     {
         const auto first = keeper();
         EXPECT_EQ(first->stateOf(volume_, 5s), std::nullopt);
-        first->keepState(volume_, R"({"look":"mip","clip":{},"later":1})");
-        first->keepState(volume_, R"({"look":"dvr"})");
+        first->keepState(volume_, R"({"version":1,"look":"mip","leavesTableOut":true,"later":1})");
+        first->keepState(volume_, R"({"version":1,"look":"dvr"})");
     }
     const auto second = keeper();
     const auto other = std::make_shared<const Volume>(phantom::make({.size = {24, 20, 17}}));
@@ -364,9 +366,45 @@ TEST_F(ModelKeeperTest, TheStateOfAStudyComesBackForItsVolumeAlone) {
     const auto left = second->stateOf(volume_, 5s);
     ASSERT_TRUE(left);
     EXPECT_NE(left->find("dvr"), std::string::npos);
-    EXPECT_EQ(left->find("clip"), std::string::npos) << "what was taken back does not come back";
+    EXPECT_EQ(left->find("leavesTableOut"), std::string::npos) << "what was taken back does not come back";
     EXPECT_NE(left->find("later"), std::string::npos) << "what a newer version wrote stays";
     EXPECT_TRUE(told_.empty());
+}
+
+// Of a newer version, say: it stays, under another name, and spoils nothing of what is kept instead.
+TEST_F(ModelKeeperTest, AStateThatCannotBeReadIsSetAsideBeforeAnotherIsKept) {
+    const std::string newer = R"({"version":2,"camera":{"lens":"a new one"}})";
+    const std::string broken = R"({"version":1,"camera":{"positionMm":[1e7,0,0]}})";
+    {
+        const auto first = keeper();
+        for (const std::string& unreadable : {newer, broken}) {
+            first->keepState(volume_, unreadable);
+            first->keepState(volume_, R"({"version":1,"look":"dvr"})");
+        }
+        const auto left = first->stateOf(volume_, 60s);
+        ASSERT_TRUE(left);
+        const auto read = studyStateFromJson(*left, {});
+        ASSERT_TRUE(read) << *left;
+        EXPECT_EQ(read->settings.look, trace::Look::dvr);
+    }
+    EXPECT_TRUE(told_.empty());
+    auto store = session::Store::open({.folder = folder_ / "sessions"});
+    ASSERT_TRUE(store);
+    std::set<std::string> stays;
+    const auto studies = store->listStudies();
+    ASSERT_TRUE(studies);
+    for (const session::StudyEntry& study : studies->entries) {
+        const auto listed = store->listDocuments(session::DocumentKind::session, study.identity);
+        ASSERT_TRUE(listed);
+        for (const session::DocumentEntry& entry : listed->entries) {
+            const auto document = store->getDocument(entry.id);
+            ASSERT_TRUE(document && *document);
+            stays.insert(nlohmann::json::parse((*document)->json).dump());
+        }
+    }
+    EXPECT_EQ(stays.size(), 3u);
+    EXPECT_TRUE(stays.contains(nlohmann::json::parse(newer).dump()));
+    EXPECT_TRUE(stays.contains(nlohmann::json::parse(broken).dump()));
 }
 
 TEST_F(ModelKeeperTest, KnowsWhatOfAFolderWasSeenBefore) {

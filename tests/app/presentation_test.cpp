@@ -290,6 +290,20 @@ TEST_F(APresentation, aBoxOfTurnedVoxelsIsAlongThem) {
     EXPECT_TRUE(shows(clip, at({1.0, 1.0, 1.0})));
     EXPECT_TRUE(shows(clip, at(last)));
 
+    // An oblique plane of a flat volume, as a text that can be read again.
+    dicom::Cropping ofFlat;
+    const glm::dvec3 aslant = glm::normalize(glm::dvec3(1.0, 0.0, 1.0));
+    auto flat = Volume::create(
+        {.size = {40, 40, 1}, .worldFromVoxel = affine({10, 0, 0}, {0, 10, 0}, {0, 0, 1}, {-195, -195, 0})},
+        std::vector<std::uint16_t>(1600, 1));
+    ASSERT_TRUE(flat.ok());
+    ofFlat.planes = {{aslant, 120.0}};
+    const auto cut = clipOf(ofFlat, *flat, "a.dcm");
+    ASSERT_TRUE(cut.ok() && *cut);
+    const auto reread = clipPresetFromJson(toJson(**cut), "a.dcm");
+    ASSERT_TRUE(reread.ok()) << reread.error().message;
+    EXPECT_NEAR(clipFor(*reread, *flat).planes.at(0).offsetMm, -120.0, 1e-6);
+
     // All of it, and nothing of it.
     cropping.boxes = {{at({-0.5, -0.5, -0.5}), at(last + 0.5)}};
     const auto whole = clipOf(cropping, *oblique_, {});

@@ -311,6 +311,31 @@ TEST(SegmentationState, IsReadBackAndKeepsNothingThatIsAsByDefault) {
     EXPECT_EQ(state, StudyState{});
 }
 
+TEST(SegmentationState, WhatIsDoneIn3dIsPutBackAndSlicesStay) {
+    std::vector<SegmentationChoice> choices;
+    const auto add = [&](const char* digest, bool isShown, std::uint16_t number, In3d in3d) {
+        SegmentationChoice choice = choiceOf(choices, digest);
+        choice.isShown = isShown;
+        choose(choices, choice);
+        SegmentChoice segment;
+        segment.number = number;
+        segment.opacity = 0.9;
+        segment.in3d = in3d;
+        choose(choices, digest, segment);
+    };
+    add("a", true, 1, In3d::alone);
+    add("a", true, 2, In3d::asIs);
+    add("b", false, 1, In3d::hidden);
+    add("c", true, 1, In3d::hidden);
+    EXPECT_EQ(withIn3d(choices, in3dOf(choices)), choices);
+    const std::vector<In3dOf> before{{"a", 2, In3d::hidden}, {"d", 4, In3d::alone}};
+    const std::vector<SegmentationChoice> back = withIn3d(choices, before);
+    EXPECT_EQ(in3dOf(back), before);
+    EXPECT_EQ(choiceOf(choiceOf(back, "a"), 1).opacity, 0.9);
+    EXPECT_TRUE(choiceOf(back, "c").isShown);
+    EXPECT_EQ(choiceOf(choiceOf(back, "b"), 1).in3d, In3d::hidden) << "for when it is shown";
+}
+
 TEST(SegmentationState, WhatCannotBeReadIsAnErrorWithItsPlace) {
     const std::string good = digestOf('a');
     const auto read = [](const std::string& segmentations) {

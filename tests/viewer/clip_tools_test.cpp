@@ -14,6 +14,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "app/choice/catalogue.h"
 #include "app/clip/edited_clip.h"
 #include "app/clip/eye_cut.h"
 #include "app/study/scissor_mask.h"
@@ -25,6 +26,8 @@
 #include "viewer/clip/named_clips.h"
 #include "viewer/clip/scissor_tool.h"
 #include "viewer/clip/voxel_cutting.h"
+#include "viewer/hidden_voxels.h"
+#include "viewer/volume/shown_volume.h"
 
 namespace macula::viewer {
 namespace {
@@ -332,6 +335,82 @@ TEST_F(ClipToolsTest, WhatCannotBeCutIsRefusedAndSaysWhatIsLeft) {
     cutting.cancel();
     ASSERT_TRUE(had);
     EXPECT_EQ(*had, std::vector{square(0.2)});
+}
+
+// An undo after it does not go back to the cut, which would be refused again and again.
+TEST_F(ClipToolsTest, ARefusedOrCancelledCutIsNoStep) {
+    ShownVolume shown(*session_);
+    openPhantom();
+    const auto ask = [&](const app::ScissorCut& cut) {
+        session_->change("Scissors", [&](app::StudyState& next) { next.cuts.scissors.push_back(cut); });
+    };
+    ask(square(0.2));
+    ASSERT_TRUE(waitUntil([&] { return !shown.cutting().running(); }));
+    for (const bool isCancelled : {false, true}) {
+        session_->change("Marks", [](app::StudyState& next) { next.showsMarks = !next.showsMarks; });
+        const app::StudyState before = state();
+        ask(square(isCancelled ? 0.3 : 50.0));
+        EXPECT_EQ(session_->undoText(), QLatin1String("Scissors"));
+        if (isCancelled) shown.cutting().cancel();
+        ASSERT_TRUE(waitUntil([&] { return !shown.cutting().running(); }));
+        EXPECT_EQ(state(), before);
+        EXPECT_EQ(session_->undoText(), QLatin1String("Marks"));
+        EXPECT_FALSE(session_->canRedo());
+    }
+    session_->undo();
+    session_->undo();
+    EXPECT_FALSE(shown.cutting().running());
+    EXPECT_EQ(state().cuts.scissors, std::vector{square(0.2)});
+    session_->undo();
+    EXPECT_TRUE(state().cuts.scissors.empty());
+    EXPECT_FALSE(session_->canUndo());
+}
+
+TEST_F(ClipToolsTest, WhereVoxelsCannotBeHiddenTheStateIsThatOfThePicture) {
+    ShownVolume shown(*session_);
+    openPhantom();
+    const auto cut = [&](const std::vector<app::ScissorCut>& scissors) {
+        session_->change("Scissors", [&](app::StudyState& next) { next.cuts.scissors = scissors; });
+        return waitUntil([&] { return !shown.cutting().running(); });
+    };
+    ASSERT_TRUE(cut({square(0.2)}));
+    const app::StudyState before = state();
+    // The cut is found, and cannot be joined with what else is hidden.
+    shown.hidden().blockSignals(true);
+    ASSERT_TRUE(cut({square(0.2), square(0.3)}));
+    shown.hidden().blockSignals(false);
+    emit shown.hidden().failed({ErrorCode::outOfMemory, "There is not enough memory.", {}, {}});
+    EXPECT_EQ(state(), before);
+    ASSERT_TRUE(waitUntil([&] { return !shown.cutting().running(); }));
+    EXPECT_EQ(shown.cutting().madeOf(), before.cuts.scissors);
+    EXPECT_EQ(state(), before);
+    session_->undo();
+    EXPECT_TRUE(state().cuts.scissors.empty());
+    EXPECT_FALSE(session_->canUndo());
+}
+
+// It would be kept, and all of the study lost with it the next time.
+TEST_F(ClipToolsTest, AViewThatCouldNotBeReadAgainIsNotTaken) {
+    ShownVolume shown(*session_);
+    openPhantom();
+    app::StudyState view = state();
+    view.preset = app::builtInCatalogue()->presets.front();
+    view.showsMarks = false;
+    view.camera = fromAnterior().camera;
+    view.camera->targetMm.y = 2e6;
+    const auto far = shown.take(view);
+    ASSERT_FALSE(far);
+    EXPECT_EQ(far.error().code, ErrorCode::inputNotUsable);
+    view.camera = fromAnterior().camera;
+    auto fine = std::make_shared<TransferFunction>(*view.preset);
+    fine->opacity.assign(5000, fine->opacity.front());
+    view.preset = fine;
+    EXPECT_FALSE(shown.take(view));
+    EXPECT_TRUE(state().showsMarks);
+    EXPECT_FALSE(session_->canUndo());
+    view.preset = app::builtInCatalogue()->presets.front();
+    ASSERT_TRUE(shown.take(view));
+    EXPECT_FALSE(state().showsMarks);
 }
 
 TEST_F(ClipToolsTest, MarksOfToolsAreLaidOverTheCube) {

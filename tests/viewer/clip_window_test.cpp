@@ -71,6 +71,29 @@ TEST_F(ClipWindowTest, AFaceIsDraggedInThePictureAndTheCameraStays) {
     EXPECT_FALSE(window_->session().canUndo());
 }
 
+TEST_F(ClipWindowTest, AHandleIsLetGoWhenAnotherStudyIsShown) {
+    openPhantom();
+    pressKey(Qt::Key_K);
+    const Volume& volume = *window_->session().study().volume;
+    glm::dvec3 left = volume.worldBox().centre();
+    left.x = volume.worldBox().high.x;
+    glm::dvec3 to = left;
+    to.x = 20.0;
+    const QPointF from = pixelOf(left);
+    const QPointF half = 0.5 * (from + pixelOf(to));
+    const QPointF end = pixelOf(to);
+    sendMouse(QEvent::MouseButtonPress, from, Qt::LeftButton, Qt::LeftButton);
+    sendMouse(QEvent::MouseMove, half, Qt::NoButton, Qt::LeftButton);
+    ASSERT_TRUE(chosen().clip);
+    window_->showStudy(smallStudy(Unit::hounsfield));
+    const Camera now = camera();
+    sendMouse(QEvent::MouseMove, end, Qt::NoButton, Qt::LeftButton);
+    sendMouse(QEvent::MouseButtonRelease, end, Qt::LeftButton, Qt::NoButton);
+    EXPECT_FALSE(chosen().clip);
+    EXPECT_FALSE(window_->session().canUndo());
+    EXPECT_EQ(camera(), now);
+}
+
 TEST_F(ClipWindowTest, ScissorsRemoveWhatIsDrawnAroundAndItComesBack) {
     openPhantom();
     const Camera before = camera();

@@ -189,6 +189,36 @@ TEST_F(SegmentationPanelTest, AloneAndHideChangeWhatIsLeftIn3d) {
     EXPECT_FALSE(hidden_->mask());
 }
 
+// What was chosen for 3D is then that of the picture again, and no step of undo.
+TEST_F(SegmentationPanelTest, WhatCannotBeHiddenIsNotChosen) {
+    openFolder();
+    const std::size_t all = left();
+    select(1);
+    click("segment-hide");
+    ASSERT_TRUE(settled());
+    const app::StudyState before = session_->state();
+    const QString undone = session_->undoText();
+    std::optional<Error> told;
+    QObject::connect(&*keeper_, &SegmentationKeeper::failed, [&](const Error& error) { told = error; });
+    select(0);
+    click("segment-alone");
+    ASSERT_NE(session_->state(), before);
+    emit keeper_->refused({ErrorCode::outOfMemory, "There is not enough memory to hide segments.", {}, {}});
+    EXPECT_EQ(session_->state(), before);
+    EXPECT_EQ(session_->undoText(), undone);
+    EXPECT_FALSE(session_->canRedo());
+    ASSERT_TRUE(told);
+    ASSERT_TRUE(settled());
+    EXPECT_EQ(left(), all - voxelsOf(2));
+    EXPECT_EQ(segment(0).text(2), QString());
+    EXPECT_EQ(segment(1).text(2), QLatin1String("hidden"));
+
+    select(0);
+    click("segment-alone");  // may be asked for again
+    ASSERT_TRUE(settled());
+    EXPECT_EQ(left(), voxelsOf(1) - voxelsOf(2));
+}
+
 // As the table and segments are.
 TEST_F(SegmentationPanelTest, SeveralPartsHideTogether) {
     openFolder();

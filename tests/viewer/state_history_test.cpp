@@ -140,5 +140,29 @@ TEST(StateHistory, WhatComesOfItselfIsNoStep) {
     EXPECT_EQ(history.now(), app::StudyState());
 }
 
+// With a step after it, which stays: the undo goes to before what was not to be had.
+TEST(StateHistory, WhatIsNotToBeHadIsNoStep) {
+    StateHistory history;
+    history.push(kSlab, thick(1));
+    history.push(kSlab, thick(9));
+    app::StudyState axial = thick(9);
+    axial.layout = app::Layout::axial;
+    history.push(kLayout, axial);
+    EXPECT_TRUE(history.correct([](app::StudyState& each) {
+        if (each.slices.slab.thicknessMm == 9) each.slices.slab.thicknessMm = 1;
+    }));
+    EXPECT_EQ(thicknessMm(history), 1);
+    EXPECT_EQ(history.undoText(), kLayout);
+    EXPECT_FALSE(history.canRedo());
+    history.undo();
+    EXPECT_EQ(history.now(), thick(1));
+    EXPECT_FALSE(history.correct([](app::StudyState&) {}));
+    EXPECT_EQ(undoAll(history), 1);
+    EXPECT_EQ(history.now(), app::StudyState());
+    history.redo();
+    history.redo();
+    EXPECT_EQ(history.now().layout, app::Layout::axial);
+}
+
 }  // namespace
 }  // namespace macula::viewer

@@ -5,6 +5,7 @@
 #include <QStatusBar>
 #include <QWheelEvent>
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "viewer/marks/cube_and_scale.h"
@@ -193,6 +194,30 @@ TEST_F(View3dTest, AHandShiftsAndWidensTheTransferFunctionAsOneStep) {
     releaseKey(Qt::Key_T);
     drag({50, 50}, {90, 50}, Qt::LeftButton);
     EXPECT_NE(viewport().camera().azimuthDeg, camera.azimuthDeg);
+}
+
+// The button is still down, and what it held is gone.
+TEST_F(View3dTest, ADragDoesNotGoOnOverTheNextStudy) {
+    openPhantom();
+    for (const auto& [button, modifiers] :
+         {std::pair(Qt::RightButton, Qt::KeyboardModifiers(Qt::AltModifier)),
+          std::pair(Qt::LeftButton, Qt::KeyboardModifiers())}) {
+        const app::OrbitCamera before = camera();
+        const auto presetBefore = window_->session().state().preset;
+        mouse(QEvent::MouseButtonPress, {50, 50}, button, button, modifiers);
+        mouse(QEvent::MouseMove, {80, 60}, Qt::NoButton, button, modifiers);
+        EXPECT_TRUE(window_->session().state().preset != presetBefore ||
+                    toCamera(camera()) != toCamera(before));
+        window_->showStudy(smallStudy(Unit::hounsfield));
+        EXPECT_TRUE(window_->statusBar()->currentMessage().isEmpty());
+        const app::OrbitCamera now = camera();
+        const auto preset = window_->session().state().preset;
+        mouse(QEvent::MouseMove, {120, 90}, Qt::NoButton, button, modifiers);
+        mouse(QEvent::MouseButtonRelease, {120, 90}, button, Qt::NoButton, modifiers);
+        EXPECT_EQ(window_->session().state().preset, preset);
+        EXPECT_EQ(toCamera(camera()), toCamera(now));
+        EXPECT_FALSE(window_->session().canUndo());
+    }
 }
 
 class ParallelModelTest : public View3dTest {

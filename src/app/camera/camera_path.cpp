@@ -35,8 +35,10 @@ constexpr double kUpright = 1e-6;  // of the up directions of two pictures that 
 
 // A camera as numbers that may be interpolated one by one.
 struct OnTurntable {
-    std::array<double, 7> values{};  // target x, y, z, distance, azimuth, elevation, field of view
+    // target x, y, z, distance, azimuth, elevation, field of view, logarithm of the height at the target
+    std::array<double, 8> values{};
     static constexpr std::size_t kAzimuth = 4;
+    static constexpr std::size_t kLogHeight = 7;
 };
 
 // Nothing for a camera that is rolled.
@@ -46,7 +48,8 @@ std::optional<OnTurntable> onTurntable(const Camera& camera) {
     const auto upright = basis(toCamera(orbit));
     if (!seen || !upright || glm::distance(seen->up, upright->up) > kUpright) return std::nullopt;
     return OnTurntable{{orbit.targetMm.x, orbit.targetMm.y, orbit.targetMm.z, orbit.distanceMm,
-                        orbit.azimuthDeg, orbit.elevationDeg, orbit.verticalFovDeg}};
+                        orbit.azimuthDeg, orbit.elevationDeg, orbit.verticalFovDeg,
+                        std::log(heightAtTargetMm(camera))}};
 }
 
 Camera toCamera(const OnTurntable& at) {
@@ -56,6 +59,12 @@ Camera toCamera(const OnTurntable& at) {
                                 .azimuthDeg = v[4],
                                 .elevationDeg = v[5],
                                 .verticalFovDeg = v[6]});
+}
+
+// Between two stops rays are parallel where they are at both, and the picture grows by the same factor in the
+// same time. From an eye to parallel rays there is nothing between: the way there is that of an eye.
+bool isParallelBetween(const Camera& a, const Camera& b) {
+    return isParallel(a) && isParallel(b);
 }
 
 // The slope at a point between two pieces of the way: their harmonic mean, none at a turning point. A cubic
@@ -99,7 +108,10 @@ std::optional<Camera> smoothly(const std::vector<CameraPath::Stop>& stops, std::
         now.values[v] = (2 * t3 - 3 * t2 + 1) * around[a].values[v] + (t3 - 2 * t2 + t) * spanS * atBegin +
                         (3 * t2 - 2 * t3) * around[a + 1].values[v] + (t3 - t2) * spanS * atEnd;
     }
-    return toCamera(now);
+    Camera camera = toCamera(now);
+    if (isParallelBetween(stops[from].camera, stops[from + 1].camera))
+        camera.parallelHeightMm = std::exp(now.values[OnTurntable::kLogHeight]);
+    return camera;
 }
 
 }  // namespace
@@ -155,11 +167,16 @@ Camera cameraAt(const CameraPath& path, double atS) {
         std::find_if(stops.begin(), stops.end(), [&](const CameraPath::Stop& s) { return s.atS > atS; });
     if (after == stops.begin()) return stops.front().camera;
     if (after == stops.end()) return stops.back().camera;
-    const Camera& a = std::prev(after)->camera;
-    const Camera& b = after->camera;
+    Camera a = std::prev(after)->camera;
+    Camera b = after->camera;
     const double t = (atS - std::prev(after)->atS) / (after->atS - std::prev(after)->atS);
     if (t <= 0.0) return a;
     if (const auto smooth = smoothly(stops, std::size_t(std::prev(after) - stops.begin()), t)) return *smooth;
+    const bool isParallelNow = isParallelBetween(a, b);
+    if (!isParallelNow) {  // an eye that sees as much
+        a = inPerspective(a);
+        b = inPerspective(b);
+    }
     const glm::dvec3 aside = a.positionMm - a.targetMm;
     const glm::dvec3 bside = b.positionMm - b.targetMm;
     const double distanceMm = glm::mix(glm::length(aside), glm::length(bside), t);
@@ -168,10 +185,8 @@ Camera cameraAt(const CameraPath& path, double atS) {
     now.positionMm = now.targetMm + distanceMm * turned(glm::normalize(aside), glm::normalize(bside), t);
     now.up = turned(glm::normalize(a.up), glm::normalize(b.up), t);
     now.verticalFovDeg = glm::mix(a.verticalFovDeg, b.verticalFovDeg, t);
-    // From an eye to parallel rays there is nothing between.
-    now.parallelHeightMm = isParallel(a) && isParallel(b)
-                               ? glm::mix(a.parallelHeightMm, b.parallelHeightMm, t)
-                               : a.parallelHeightMm;
+    if (isParallelNow)
+        now.parallelHeightMm = a.parallelHeightMm * std::pow(b.parallelHeightMm / a.parallelHeightMm, t);
     // Halfway the up direction may come to lie along the view; the one of before is as good.
     if (!basis(now)) now.up = a.up;
     return basis(now) ? now : a;

@@ -35,7 +35,7 @@ std::string toJson(const CameraPath& path);
 // Before the first stop and after the last it stands still. Between two upright ones (as all of a window are)
 // it goes around as on a turntable, by the shorter way: smoothly through every stop, never beyond what both
 // neighbours say, never upside down. Between others the target goes straight, and the eye around it by the
-// shorter way.
+// shorter way. Rays are parallel between two stops where they are at both, else those of an eye.
 Camera cameraAt(const CameraPath& path, double atS);
 
 }  // namespace macula::app

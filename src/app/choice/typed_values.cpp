@@ -1,12 +1,35 @@
 #include "app/choice/typed_values.h"
 
 #include <algorithm>
-#include <cmath>
+#include <array>
+#include <cstddef>
 #include <cstdio>
+#include <optional>
+#include <string_view>
 
+#include "base/parsing.h"
 #include "pipeline/trace/settings.h"
 
 namespace macula::app {
+
+namespace {
+
+// Numbers between commas, with a point in every locale; nothing for other text.
+template <std::size_t count>
+std::optional<std::array<double, count>> numbersIn(std::string_view text) {
+    std::array<double, count> numbers{};
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::size_t end = i + 1 < count ? text.find(',') : text.size();
+        if (end == std::string_view::npos) return {};
+        const auto number = finiteNumber(text.substr(0, end));
+        if (!number) return {};
+        numbers.at(i) = *number;
+        text.remove_prefix(std::min(end + 1, text.size()));
+    }
+    return numbers;
+}
+
+}  // namespace
 
 Result<glm::ivec2> parseSize(const std::string& text) {
     glm::ivec2 size(0);
@@ -23,28 +46,23 @@ Result<glm::ivec2> parseSize(const std::string& text) {
 }
 
 Result<DisplayWindow> parseWindow(const std::string& text) {
-    DisplayWindow window{.center = 0.0, .width = 0.0, .explanation = {}, .function = "LINEAR_EXACT"};
-    int used = 0;
-    const bool read = std::sscanf(text.c_str(), "%lf,%lf%n", &window.center, &window.width, &used) == 2 &&
-                      used == static_cast<int>(text.size());
-    if (!read || !std::isfinite(window.center) || !(window.width > 0.0) || !std::isfinite(window.width)) {
+    const auto read = numbersIn<2>(text);
+    if (!read || !((*read)[1] > 0.0)) {
         return Error{ErrorCode::usage, "The window is not usable.", text,
                      "Give --window as CENTRE,WIDTH in units of the series, the width above 0."};
     }
-    return window;
+    return DisplayWindow{
+        .center = (*read)[0], .width = (*read)[1], .explanation = {}, .function = "LINEAR_EXACT"};
 }
 
 Result<glm::vec3> parseBackground(const std::string& text) {
-    glm::vec3 colour(-1.0f);
-    int used = 0;
-    const bool read = std::sscanf(text.c_str(), "%f,%f,%f%n", &colour.x, &colour.y, &colour.z, &used) == 3 &&
-                      used == static_cast<int>(text.size());
-    const auto isShare = [](float v) { return v >= 0.0f && v <= 1.0f; };
-    if (!read || !isShare(colour.x) || !isShare(colour.y) || !isShare(colour.z)) {
+    const auto read = numbersIn<3>(text);
+    const auto isShare = [](double v) { return v >= 0.0 && v <= 1.0; };
+    if (!read || !std::ranges::all_of(*read, isShare)) {
         return Error{ErrorCode::usage, "The background is not usable.", text,
                      "Give --background as R,G,B, each from 0 to 1: 1,1,1 is white."};
     }
-    return colour;
+    return glm::vec3((*read)[0], (*read)[1], (*read)[2]);
 }
 
 }  // namespace macula::app

@@ -219,6 +219,14 @@ Result<ClipChoice> withBallRemoved(const ClipChoice& clip, const glm::dvec3& cen
     return own(std::move(next), volume);
 }
 
+// On the diagonal that goes along the normal most, which is within the box wherever the plane meets it. The
+// point that is nearest to the middle is far outside of a flat one.
+glm::dvec3 fractionOnPlane(const glm::dvec3& normal, double fromMiddleMm, const Volume& volume) {
+    const Box all = volume.worldBox();
+    const double reach = glm::dot(0.5 * (all.high - all.low), glm::abs(normal));
+    return 0.5 + 0.5 * std::clamp(fromMiddleMm / reach, -1.0, 1.0) * glm::sign(normal);
+}
+
 namespace {
 
 Error notThere() {
@@ -242,7 +250,7 @@ Result<ClipChoice> withPlaneThrough(const ClipChoice& clip, std::size_t plane, c
     const double fromMiddle =
         std::clamp(glm::dot(normal, pointMm - all.centre()), -reach, std::max(reach - voxel, -reach));
     ClipPreset next = *clip;
-    next.planesAt.at(plane) = fractionOf(volume, all.centre() + fromMiddle * normal);
+    next.planesAt.at(plane) = fractionOnPlane(normal, fromMiddle, volume);
     return own(std::move(next), volume);
 }
 

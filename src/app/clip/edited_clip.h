@@ -40,6 +40,10 @@ ValueRange ballRadiiMm(const Volume& volume);
 Result<ClipChoice> withBallRemoved(const ClipChoice& clip, const glm::dvec3& centreMm, double radiusMm,
                                    const Volume& volume);
 
+// Where in the volume's box, in fractions of it, a plane can be said to go through that is so far from its
+// middle, along the unit normal; of one that does not meet the box, that which is nearest to it.
+glm::dvec3 fractionOnPlane(const glm::dvec3& normal, double fromMiddleMm, const Volume& volume);
+
 // What is there already goes elsewhere, as near to the point as the volume allows; whether its inside or its
 // outside is removed stays. usage also for what the clip has not: such a plane, a box that is removed (by its
 // face), a corner, a ball.

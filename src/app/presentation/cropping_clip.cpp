@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/clip/edited_clip.h"
 #include "app/presentation/voxel_axes.h"
 #include "base/camera.h"
 
@@ -60,9 +61,8 @@ class Cutting {
         }
         for (const auto& [outward, offsetMm] : planes_) {
             preset.clip.planes.push_back({.normal = -outward, .offsetMm = 0.0});
-            // The point of it that is nearest to the middle.
-            const glm::dvec3 middle = all.centre();
-            preset.planesAt.push_back(fraction(middle - outward * (glm::dot(outward, middle) - offsetMm)));
+            preset.planesAt.push_back(
+                fractionOnPlane(outward, offsetMm - glm::dot(outward, all.centre()), volume_));
         }
         if (!preset.clip.hasShape()) return std::optional<ClipPreset>();
         return std::optional<ClipPreset>(std::move(preset));

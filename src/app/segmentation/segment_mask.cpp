@@ -78,7 +78,7 @@ Result<std::optional<Mask>> segmentMask(std::span<const SegmentationChoice> choi
     return Error{ErrorCode::outOfMemory,
                  "There is not enough memory to hide segments.",
                  {},
-                 "Close other programs, or hide fewer."};
+                 "Close other programs, or hide fewer. The picture and what is chosen stay as before."};
 }
 
 }  // namespace macula::app

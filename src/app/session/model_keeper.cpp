@@ -11,8 +11,10 @@
 #include "app/session/scene_key.h"
 #include "app/session/seen_before.h"
 #include "app/state/state_keys.h"
+#include "app/state/study_state.h"
 #include "base/fingerprint.h"
 #include "base/log.h"
+#include "base/sha256.h"
 #include "pipeline/hybrid/model/peripheral_file.h"
 
 #ifdef __linux__
@@ -92,6 +94,18 @@ session::DocumentId stateIdOf(const Volume& volume, const std::string& digest) {
     return {.kind = session::DocumentKind::session,
             .study = openedVolume(volume, digest).study,
             .name = digest + " " + kStateName};
+}
+
+// What this program cannot read, that of a newer one or one that a fault has kept, stays under a name of its
+// own before another state takes its place; nothing of it is taken into that.
+Result<void> setAsideIfUnreadable(session::Store& store, const session::DocumentId& id,
+                                  const session::Document& before) {
+    if (studyStateFromJson(before.json, {})) return {};
+    session::DocumentId aside = id;
+    aside.name += ", unreadable " + sha256Hex(before.json).substr(0, 16);
+    MACULA_TRY_VOID(store.putDocument(aside, before.version, before.json, {}));
+    MACULA_TRY_VOID(store.removeDocument(id));
+    return {};
 }
 
 }  // namespace
@@ -474,8 +488,10 @@ void ModelKeeper::askWhatWasSeen(std::shared_ptr<const FoundVolumes> found,
                                  std::function<void(std::set<std::size_t>)> answer) {
     post(Urgency::isWaitedFor,
          [this, found = std::move(found), answer = std::move(answer)](session::Store& store) {
-             if (const auto seen = volumesSeenBefore(store, *found)) return answer(*seen);
-             else tell(seen.error());
+             if (const auto seen = volumesSeenBefore(store, *found))
+                 return answer(*seen);
+             else
+                 tell(seen.error());
          });
 }
 
@@ -485,10 +501,18 @@ void ModelKeeper::keepState(std::shared_ptr<const Volume> volume, std::string js
          [this, volume = std::move(volume), json = std::move(json)](session::Store& store) {
              const std::string digest = digestOf(volume);
              record(store, openedVolume(*volume, digest));
+             const session::DocumentId id = stateIdOf(*volume, digest);
+             const auto before = store.getDocument(id);
+             if (!before) {
+                 tell(before.error());  // a damaged one the store has set aside by itself
+             } else if (*before) {
+                 const auto aside = setAsideIfUnreadable(store, id, **before);
+                 if (!aside) return tell(aside.error());
+             }
              // A clip that was taken back is in the older text still.
              const std::vector<std::string> keys = stateKeys();
              const std::vector<std::string_view> known(keys.begin(), keys.end());
-             const auto done = store.putDocument(stateIdOf(*volume, digest), kStateVersion, json, known);
+             const auto done = store.putDocument(id, kStateVersion, json, known);
              if (!done) tell(done.error());
          });
 }

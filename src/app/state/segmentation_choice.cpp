@@ -61,4 +61,26 @@ std::vector<In3dOf> in3dOf(std::span<const SegmentationChoice> choices) {
     return all;
 }
 
+std::vector<SegmentationChoice> withIn3d(std::span<const SegmentationChoice> choices,
+                                         std::span<const In3dOf> in3d) {
+    std::vector<SegmentationChoice> all;
+    for (SegmentationChoice choice : choices) {
+        const bool isAsked = std::ranges::any_of(
+            in3d, [&](const In3dOf& each) { return std::get<std::string>(each) == choice.digest; });
+        if (choice.isShown || isAsked) {
+            for (SegmentChoice& segment : choice.segments) segment.in3d = In3d::asIs;
+        }
+        choose(all, std::move(choice));
+    }
+    for (const auto& [digest, number, what] : in3d) {
+        SegmentationChoice choice = choiceOf(all, digest);
+        choice.isShown = true;
+        SegmentChoice segment = choiceOf(choice, number);
+        segment.in3d = what;
+        choose(all, std::move(choice));
+        choose(all, digest, segment);
+    }
+    return all;
+}
+
 }  // namespace macula::app

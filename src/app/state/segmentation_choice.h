@@ -63,5 +63,9 @@ std::vector<SegmentationChoice> onSlicesAlone(std::span<const SegmentationChoice
 // What of all this changes the picture in 3D.
 using In3dOf = std::tuple<std::string, std::uint16_t, In3d>;  // digest, number
 std::vector<In3dOf> in3dOf(std::span<const SegmentationChoice> choices);
+// The same on slices, and in 3D that and nothing else: in3dOf() of it is `in3d`. What does something there is
+// shown.
+std::vector<SegmentationChoice> withIn3d(std::span<const SegmentationChoice> choices,
+                                         std::span<const In3dOf> in3d);
 
 }  // namespace macula::app

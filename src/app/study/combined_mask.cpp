@@ -31,7 +31,7 @@ Result<std::optional<Mask>> combinedMask(std::span<const Mask> masks, const Volu
     return Error{ErrorCode::outOfMemory,
                  "There is not enough memory to hide parts of the volume.",
                  {},
-                 "Close other programs, or hide less."};
+                 "Close other programs, or hide less. The picture and what is chosen stay as before."};
 }
 
 }  // namespace macula::app

@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <initializer_list>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "base/atomic_file.h"
+#include "base/parsing.h"
 #include "dicom/decimal_string.h"
 #include "dicom/object_owner.h"
 #include "dicom/presentation/presentation_state.h"
@@ -359,9 +359,10 @@ void writeDisplay(ItemWriter to, const Palette& palette) {
 
 // As the text of its window comes back.
 ValueRange asWritten(const ValueRange& values) {
-    const double centre = std::strtod(decimalString(0.5 * (values.low + values.high)).c_str(), nullptr);
-    const double width = std::strtod(decimalString(values.high - values.low).c_str(), nullptr);
-    return {centre - 0.5 * width, centre + 0.5 * width};
+    const auto centre = parseNumber<double>(decimalString(0.5 * (values.low + values.high)));
+    const auto width = parseNumber<double>(decimalString(values.high - values.low));
+    if (!centre || !width) return values;  // check() has seen that they are finite
+    return {*centre - 0.5 * *width, *centre + 0.5 * *width};
 }
 
 // What may be told of it where nobody is to be named.

@@ -204,33 +204,8 @@ std::vector<SegmentVoxels> describe(const Segmentation& segmentation,
     return all;
 }
 
-Result<SegmentVoxelSets> loadResampled(const Segmentation& segmentation, const glm::dmat4& worldFromVoxel,
-                                       const glm::ivec3& size, Progress& progress) {
-    const std::optional<SegmentationGrid> own = ownGrid(segmentation);
-    if (!own)
-        return notUsable(segmentation, "The frames of the segmentation do not lie on one grid.",
-                         "Choose another segmentation.");
-    Reader reader(segmentation, *own, progress);
-    MACULA_TRY_VOID(reader.read());
-    SegmentVoxelSets sets;
-    sets.segments = describe(segmentation, reader.take());
-    sets.isResampled = true;
-    const bool hasThickness = own->size.z > 1 || segmentation.spacingMm > 0.0;
-    const glm::dmat4 setFromVoxel = glm::inverse(own->worldFromVoxel) * worldFromVoxel;
-    progress.beginStage("Putting segments on the voxels of the volume", sets.segments.size());
-    for (SegmentVoxels& each : sets.segments) {
-        measure(each, each.voxels, own->worldFromVoxel, hasThickness);
-        each.voxels = nearestVoxels(each.voxels, setFromVoxel, size, progress.token());
-        if (progress.cancelled()) return wasCancelled();
-        progress.advance();
-    }
-    return sets;
-}
-
-}  // namespace
-
-VoxelSet nearestVoxels(const VoxelSet& set, const glm::dmat4& setFromVoxel, const glm::ivec3& size,
-                       const CancelToken& token) {
+// Those voxels of a grid whose middle may lie in a voxel of `set`, which is of another grid.
+VoxelBox boxOfNearest(const VoxelSet& set, const glm::dmat4& setFromVoxel, const glm::ivec3& size) {
     if (set.isEmpty()) return {};
     const glm::dmat4 voxelFromSet = glm::inverse(setFromVoxel);
     const std::array<glm::dvec3, 2> ends{glm::dvec3(set.low()) - 0.5, glm::dvec3(set.high()) + 0.5};
@@ -245,8 +220,56 @@ VoxelSet nearestVoxels(const VoxelSet& set, const glm::dmat4& setFromVoxel, cons
     low = glm::max(glm::ceil(low), glm::dvec3(0.0));
     high = glm::min(glm::floor(high), glm::dvec3(size - 1));
     if (!(low.x <= high.x && low.y <= high.y && low.z <= high.z)) return {};
-    const glm::ivec3 first(low);
-    const glm::ivec3 last(high);
+    return {.low = glm::ivec3(low), .high = glm::ivec3(high)};
+}
+
+// A few frames of large voxels may fill the volume with each of thousands of segments: what all of them take
+// is known before the first is made.
+Result<void> checkResampledFits(const std::vector<SegmentVoxels>& segments, const glm::dmat4& setFromVoxel,
+                                const glm::ivec3& size) {
+    double bytes = 0.0;
+    for (const SegmentVoxels& each : segments) {
+        const VoxelBox box = boxOfNearest(each.voxels, setFromVoxel, size);
+        if (!box.isEmpty()) bytes += VoxelSet::bytesFor(box.low, box.high);
+    }
+    const auto available = availableMemory();
+    if (bytes > static_cast<double>(available.value_or(UINT64_MAX)))
+        return notEnoughMemory(static_cast<std::uint64_t>(std::min(bytes, 9e18)), available);
+    return {};
+}
+
+Result<SegmentVoxelSets> loadResampled(const Segmentation& segmentation, const glm::dmat4& worldFromVoxel,
+                                       const glm::ivec3& size, Progress& progress) {
+    const std::optional<SegmentationGrid> own = ownGrid(segmentation);
+    if (!own)
+        return notUsable(segmentation, "The frames of the segmentation do not lie on one grid.",
+                         "Choose another segmentation.");
+    Reader reader(segmentation, *own, progress);
+    MACULA_TRY_VOID(reader.read());
+    SegmentVoxelSets sets;
+    sets.segments = describe(segmentation, reader.take());
+    sets.isResampled = true;
+    const bool hasThickness = own->size.z > 1 || segmentation.spacingMm > 0.0;
+    const glm::dmat4 setFromVoxel = glm::inverse(own->worldFromVoxel) * worldFromVoxel;
+    MACULA_TRY_VOID(checkResampledFits(sets.segments, setFromVoxel, size));
+    progress.beginStage("Putting segments on the voxels of the volume", sets.segments.size());
+    for (SegmentVoxels& each : sets.segments) {
+        measure(each, each.voxels, own->worldFromVoxel, hasThickness);
+        each.voxels = nearestVoxels(each.voxels, setFromVoxel, size, progress.token());
+        if (progress.cancelled()) return wasCancelled();
+        progress.advance();
+    }
+    return sets;
+}
+
+}  // namespace
+
+VoxelSet nearestVoxels(const VoxelSet& set, const glm::dmat4& setFromVoxel, const glm::ivec3& size,
+                       const CancelToken& token) {
+    const VoxelBox box = boxOfNearest(set, setFromVoxel, size);
+    if (box.isEmpty()) return {};
+    const glm::ivec3 first = box.low;
+    const glm::ivec3 last = box.high;
     VoxelSet found(first, last);
     const glm::dvec3 step = transformVector(setFromVoxel, {1.0, 0.0, 0.0});
     for (int k = first.z; k <= last.z && !token.cancelled(); ++k) {

@@ -25,7 +25,8 @@ class VoxelCutting : public QObject {
 
     void setVolume(std::shared_ptr<const Volume> volume);  // nothing is cut of it yet; tells nobody
     void want(const std::vector<app::ScissorCut>& scissors);
-    const std::optional<Mask>& mask() const { return made_.mask; }  // nothing: nothing is cut
+    const std::optional<Mask>& mask() const { return made_.mask; }           // nothing: nothing is cut
+    const std::vector<app::ScissorCut>& madeOf() const { return made_.of; }  // of the mask
     bool running() const { return job_.running(); }
     // What is being cut is refused: see `refused`.
     void cancel();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 #include <set>
+#include <utility>
 
 #include "app/study/found_volumes.h"
 #include "viewer/language/core_words.h"
@@ -28,12 +29,14 @@ SegmentationKeeper::SegmentationKeeper(ViewerSession& session, QObject* parent)
       masking_(this, {.progressed = [](const ProgressUpdate&) {},
                       .ended =
                           [this](const Result<std::optional<Mask>>& outcome) {
-                              if (outcome) {
-                                  emit maskMade(*outcome);
-                              } else {
-                                  emit failed(outcome.error());
+                              if (!outcome) {
+                                  emit refused(outcome.error());
+                                  return;
                               }
+                              made_ = making_;
+                              emit maskMade(*outcome);
                           }}) {
+    connect(this, &SegmentationKeeper::refused, this, &SegmentationKeeper::onRefused);
     connect(&session_, &ViewerSession::studyShown, this, &SegmentationKeeper::onStudyShown);
     connect(&session_, &ViewerSession::changed, this, &SegmentationKeeper::onChanged);
     onStudyShown();
@@ -64,6 +67,8 @@ void SegmentationKeeper::onStudyShown() {
     troubles_.clear();
     isBeingLoaded_.clear();
     masked_.clear();
+    making_.clear();
+    made_.clear();
     maskedOf_ = 0;
     shown_.reset();
     if (stack() != nullptr) {
@@ -178,8 +183,11 @@ void SegmentationKeeper::mask() {
     if (wanted == masked_ && (wanted.empty() || maskedOf_ == loaded_.size())) return;
     masked_ = std::move(wanted);
     maskedOf_ = loaded_.size();
+    making_ = masked_;
+    std::erase_if(making_, [this](const app::In3dOf& each) { return !loaded(std::get<std::string>(each)); });
     if (masked_.empty()) {
         masking_.cancel();
+        made_.clear();
         emit maskMade(std::nullopt);
         return;
     }
@@ -187,6 +195,17 @@ void SegmentationKeeper::mask() {
                     volume = session_.study().volume](Progress& progress) {
         return app::segmentMask(choices, loaded, *volume, progress);
     });
+}
+
+// Picture, panel and state say the same, and an undo does not ask for it again.
+void SegmentationKeeper::onRefused(const Error& error) {
+    masking_.cancel();
+    const std::vector<app::In3dOf> asked = std::exchange(masked_, made_);
+    session_.correct([&](app::StudyState& each) {
+        if (app::in3dOf(each.segmentations) == asked)
+            each.segmentations = app::withIn3d(each.segmentations, made_);
+    });
+    emit failed(error);
 }
 
 QString SegmentationKeeper::note() const {

@@ -37,6 +37,9 @@ class SegmentationKeeper : public QObject {
     const app::LoadedSegmentation* loaded(std::string_view digest) const;  // null: not, or not yet
     QString trouble(std::string_view digest) const;  // why it could not be loaded; empty: nothing went wrong
 
+    // What the mask is of that was made last.
+    const std::vector<app::In3dOf>& madeIn3d() const { return made_; }
+
     // What is over slices now; null: nothing.
     const std::shared_ptr<const slices::ShownSegments>& shown() const { return shown_; }
     // What has to be known of the study because of them; empty: nothing.
@@ -49,6 +52,9 @@ class SegmentationKeeper : public QObject {
     void listChanged();                                      // found(), loaded() or trouble()
     void shownChanged();                                     // shown()
     void maskMade(const std::optional<macula::Mask>& mask);  // of what is left in 3D; nothing: all of it
+    // The mask that was asked for is not to be had: the one before stays, and what is chosen becomes that of
+    // it.
+    void refused(const macula::Error& error);
     void began();
     void progressed(const QString& stage, double fraction);
     void ended();
@@ -65,6 +71,7 @@ class SegmentationKeeper : public QObject {
     void loadNext();
     void showOnSlices();
     void mask();
+    void onRefused(const Error& error);
     const dicom::Stack* stack() const;  // of the volume that is open; null: it is of no folder
 
     ViewerSession& session_;
@@ -74,6 +81,8 @@ class SegmentationKeeper : public QObject {
     std::string isBeingLoaded_;                             // digest
     std::shared_ptr<const slices::ShownSegments> shown_;
     std::vector<app::In3dOf> masked_;  // what the last mask was asked for
+    std::vector<app::In3dOf> making_;  // of that, what is there to be made
+    std::vector<app::In3dOf> made_;    // the last that was
     std::size_t maskedOf_ = 0;         // and of how many loaded ones
     BackgroundJob<Found> finding_;
     BackgroundJob<Loaded> loading_;

@@ -37,6 +37,26 @@ bool StateHistory::amend(app::StudyState state) {
     return true;
 }
 
+bool StateHistory::correct(const std::function<void(app::StudyState&)>& edit) {
+    const app::StudyState before = now();
+    std::deque<Step> left;
+    std::size_t place = 0;
+    bool lastIsOther = false;
+    for (std::size_t i = 0; i < states_.size(); ++i) {
+        Step step = states_[i];
+        edit(step.state);
+        const bool isOther = step.state != states_[i].state;
+        const bool isStep = left.empty() || !(isOther || lastIsOther) || step.state != left.back().state;
+        lastIsOther = isOther || (lastIsOther && !isStep);
+        if (isStep) left.push_back(std::move(step));
+        if (i == place_) place = left.size() - 1;
+    }
+    states_ = std::move(left);
+    place_ = place;
+    joining_ = false;
+    return now() != before;
+}
+
 void StateHistory::undo() {
     MACULA_CHECK(canUndo());
     --place_;

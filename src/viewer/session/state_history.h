@@ -4,6 +4,7 @@
 #include <QString>
 #include <cstddef>
 #include <deque>
+#include <functional>
 
 #include "app/state/study_state.h"
 
@@ -22,6 +23,9 @@ class StateHistory {
     bool push(const QString& what, app::StudyState state, bool joins = false);
     // What comes of itself, and is no step: the state takes the place of that of now. Whether it is another.
     bool amend(app::StudyState state);
+    // What is not to be had is taken out of every step: those that `edit` makes the same as the one before
+    // are none. Whether the state of now is another.
+    bool correct(const std::function<void(app::StudyState&)>& edit);
     void endJoining() { joining_ = false; }
 
     bool canUndo() const { return place_ > 0; }

@@ -48,6 +48,10 @@ void ViewerSession::follow(const Edit& edit) {
     tellOfChange([&] { return history_.amend(std::move(next)); });
 }
 
+void ViewerSession::correct(const Edit& edit) {
+    tellOfChange([&] { return history_.correct(edit); });
+}
+
 void ViewerSession::push(const QString& what, const Edit& edit, bool joins) {
     app::StudyState next = state();
     edit(next);

@@ -50,6 +50,9 @@ class ViewerSession : public QObject {
     void endDrag();
     // What comes of itself, such as of the camera, which is no part of what can be undone: no step.
     void follow(const Edit& edit);
+    // What was asked for and is not to be had: `edit` takes it out of all steps, and who made a step of
+    // nothing else has made none.
+    void correct(const Edit& edit);
 
     bool canUndo() const { return history_.canUndo(); }
     bool canRedo() const { return history_.canRedo(); }

@@ -3087,8 +3087,8 @@
         <translation>Es ist nicht genug Speicher da, um Segmente auszublenden.</translation>
     </message>
     <message>
-        <source>Close other programs, or hide fewer.</source>
-        <translation>Schließen Sie andere Programme, oder blenden Sie weniger aus.</translation>
+        <source>Close other programs, or hide fewer. The picture and what is chosen stay as before.</source>
+        <translation>Schließen Sie andere Programme, oder blenden Sie weniger aus. Bild und Auswahl bleiben, wie sie waren.</translation>
     </message>
     <message>
         <source>Stored sessions: %1 studies and %2 volumes were not opened for %3 days, and deleted.</source>
@@ -3231,8 +3231,8 @@
         <translation>Es ist nicht genug Speicher da, um Teile des Volumens auszublenden.</translation>
     </message>
     <message>
-        <source>Close other programs, or hide less.</source>
-        <translation>Schließen Sie andere Programme, oder blenden Sie weniger aus.</translation>
+        <source>Close other programs, or hide less. The picture and what is chosen stay as before.</source>
+        <translation>Schließen Sie andere Programme, oder blenden Sie weniger aus. Bild und Auswahl bleiben, wie sie waren.</translation>
     </message>
     <message>
         <source>Cutting with the scissors</source>

@@ -3185,10 +3185,6 @@
         <translation>Tisch</translation>
     </message>
     <message>
-        <source>No cut</source>
-        <translation>Kein Schnitt</translation>
-    </message>
-    <message>
         <source>Open view</source>
         <translation>Ansicht öffnen</translation>
     </message>

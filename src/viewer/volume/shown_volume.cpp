@@ -28,13 +28,18 @@ ShownVolume::ShownVolume(ViewerSession& session, QObject* parent)
     });
     connect(cutting_, &VoxelCutting::changed, this,
             [this] { hidden_->set(HiddenVoxels::Part::scissors, cutting_->mask()); });
-    // What is not to be had is not chosen either: pictures and state say the same.
+    // What is not to be had is not chosen either: pictures and state say the same, and an undo
+    // does not ask for it again.
     connect(cutting_, &VoxelCutting::refused, this, [this](const std::vector<app::ScissorCut>& had) {
-        session_.change(tr("No cut"), [&](app::StudyState& next) { next.cuts.scissors = had; });
+        const std::vector<app::ScissorCut> asked = session_.state().cuts.scissors;
+        session_.correct([&](app::StudyState& each) {
+            if (each.cuts.scissors == asked) each.cuts.scissors = had;
+        });
     });
     connect(segments_, &SegmentationKeeper::maskMade, this,
             [this](const std::optional<Mask>& mask) { hidden_->set(HiddenVoxels::Part::segments, mask); });
-    connect(hidden_, &HiddenVoxels::changed, this, &ShownVolume::updateClip);
+    connect(hidden_, &HiddenVoxels::changed, this, &ShownVolume::onHidden);
+    connect(hidden_, &HiddenVoxels::failed, this, &ShownVolume::onNotHidden);
 }
 
 app::Drawing ShownVolume::drawingOf(const app::StudyState& other) const {
@@ -58,6 +63,8 @@ Result<void> ShownVolume::take(const app::StudyState& state) {
         return Error{ErrorCode::usage, "No study is open.", {}, "Open the study that the view is of first."};
     const app::OpenedStudy& study = session_.study();
     MACULA_TRY_VOID(app::checkSeries(state, study.seriesDigest, {}));
+    // What cannot be read again would be lost with all else of the study the next time it is opened.
+    MACULA_TRY_VOID(app::studyStateFromJson(app::toJson(state), {}));
     session_.change(tr("Open view"), [&](app::StudyState& next) {
         const bool leavesTableOut = next.leavesTableOut;
         next = state;
@@ -75,6 +82,7 @@ void ShownVolume::onStudyShown() {
     table_->setVolume(volume);
     cutting_->setVolume(volume);
     hidden_->setVolume(volume);
+    hiddenBy_ = {};
     seriesWindows_.forget();
     clip_ = volume ? app::clipOf(session_.state(), *volume, std::nullopt) : nullptr;
     cutting_->want(session_.state().cuts.scissors);
@@ -86,6 +94,27 @@ void ShownVolume::onChanged(const app::StudyState& before) {
     cutting_->want(now.cuts.scissors);
     if (now.clip != before.clip || now.cuts.eye != before.cuts.eye) return updateClip();
     emit changed();
+}
+
+void ShownVolume::onHidden() {
+    hiddenBy_ = {.leavesTableOut = session_.state().leavesTableOut,
+                 .scissors = cutting_->madeOf(),
+                 .in3d = segments_->madeIn3d()};
+    updateClip();
+}
+
+// The mask of before stays, and the state becomes that of it: menus and panels say what is seen.
+void ShownVolume::onNotHidden() {
+    const app::StudyState asked = session_.state();
+    const std::vector<app::In3dOf> askedIn3d = app::in3dOf(asked.segmentations);
+    session_.correct([&](app::StudyState& each) {
+        if (each.leavesTableOut != asked.leavesTableOut || each.cuts.scissors != asked.cuts.scissors ||
+            app::in3dOf(each.segmentations) != askedIn3d)
+            return;
+        each.leavesTableOut = hiddenBy_.leavesTableOut;
+        each.cuts.scissors = hiddenBy_.scissors;
+        each.segmentations = app::withIn3d(each.segmentations, hiddenBy_.in3d);
+    });
 }
 
 void ShownVolume::updateClip() {

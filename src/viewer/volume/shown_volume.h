@@ -3,6 +3,7 @@
 
 #include <QObject>
 #include <memory>
+#include <vector>
 
 #include "app/frame/drawing.h"
 #include "app/frame/projection_windows.h"
@@ -33,7 +34,7 @@ class ShownVolume : public QObject {
     // The state of the session, with the table as it was asked for: it may still be searched.
     app::StudyState state() const;
     // Another state of the study that is open, as one step of undo; its camera is for who has one. usage when
-    // none is open, inputNotUsable when it was saved of another series.
+    // none is open, inputNotUsable when it was saved of another series, or its text could not be read again.
     Result<void> take(const app::StudyState& state);
 
     TableRemoval& table() { return *table_; }
@@ -49,12 +50,21 @@ class ShownVolume : public QObject {
     void onStudyShown();
     void onChanged(const app::StudyState& before);
     void updateClip();
+    void onHidden();
+    void onNotHidden();  // what was asked for
 
     ViewerSession& session_;
     TableRemoval* table_;
     VoxelCutting* cutting_;
     HiddenVoxels* hidden_;
     SegmentationKeeper* segments_;
+    // What the voxels are hidden by that are hidden now.
+    struct HiddenBy {
+        bool leavesTableOut = false;
+        std::vector<app::ScissorCut> scissors = {};
+        std::vector<app::In3dOf> in3d = {};
+    };
+    HiddenBy hiddenBy_;
     std::shared_ptr<const Clip> clip_;  // null: nothing is hidden
     app::SeriesWindows seriesWindows_;
 };

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "base/available_memory.h"
 #include "base/phantom.h"
 #include "support.h"
 #include "synthetic_segmentation.h"
@@ -128,6 +129,23 @@ TEST_F(SegmentVoxelsTest, FarFromTheVolumeNothingIsLeft) {
         EXPECT_TRUE(sets->segments[0].voxels.isEmpty());
         EXPECT_TRUE(sets->segments[0].volumeMm3);
     }
+}
+
+// Each segment alone would fit on the fine grid, and is asked for in vain as they all do not.
+TEST_F(SegmentVoxelsTest, WhatTakesMoreMemoryThanThereIsIsRefusedBeforeItIsTaken) {
+    const auto available = availableMemory();
+    ASSERT_TRUE(available);
+    SyntheticSegmentation s = sheared();
+    for (std::uint16_t number = 1; number <= 3; ++number)
+        s.parts.push_back({.number = number, .label = "Liver", .share = ball(middle(s), 6.0)});
+    constexpr double kSideMm = 4.0;  // within the ball
+    const int side = int(std::cbrt(8.0 * 0.6 * double(*available)));
+    const double stepMm = kSideMm / side;
+    const glm::dmat4 fine = affine({stepMm, 0, 0}, {0, stepMm, 0}, {0, 0, stepMm}, middle(s) - 0.5 * kSideMm);
+    const auto sets = load(s, fine, glm::ivec3(side));
+    ASSERT_FALSE(sets);
+    EXPECT_EQ(sets.error().code, ErrorCode::outOfMemory);
+    EXPECT_NE(sets.error().message.find("GiB"), std::string::npos) << sets.error().message;
 }
 
 TEST_F(SegmentVoxelsTest, FractionsAreTheSegmentFromHalfOn) {
