@@ -12,6 +12,7 @@
 
 #include "app/camera/orbit_camera.h"
 #include "viewer/offscreen.h"
+#include "viewer/output/model_export.h"
 #include "viewer/output/movie_panel.h"
 #include "viewer/output/movie_stamps.h"
 #include "viewer/output/video_encoder.h"
@@ -147,6 +148,23 @@ class VideoEncoderTest : public test::OffscreenTest {
     QTemporaryDir folder_;
     double fraction_ = 0.0;
 };
+
+using ModelExportTest = test::OffscreenTest;
+
+TEST_F(ModelExportTest, AModelThatCouldNotBeReadIsAnEndAndTold) {
+    ModelExport save;
+    int ends = 0;
+    std::vector<std::string> told;
+    QObject::connect(&save, &ModelExport::ended, &save, [&] { ++ends; });
+    QObject::connect(&save, &ModelExport::failed, &save, [&](const Error& e) { told.push_back(e.message); });
+    save.expect({.path = "/no/such/folder/model.ply"}, 7);
+    app::ModelTaken taken{.wish = 7};
+    taken.error = Error{ErrorCode::deviceLost, "The graphics device stopped.", {}, "Try again."};
+    save.onTaken(taken);
+    save.onTaken(taken);
+    EXPECT_EQ(ends, 1);
+    EXPECT_EQ(told, std::vector<std::string>{"The graphics device stopped."});
+}
 
 TEST_F(VideoEncoderTest, IsGivenWordsAndWritesWhole) {
     const QStringList words = VideoEncoder::argumentsFor(wish(), 0);

@@ -45,6 +45,11 @@ void ModelExport::cancel() {
 void ModelExport::onTaken(const app::ModelTaken& taken) {
     if (taken.wish != expected_ || expected_ == 0) return;
     expected_ = 0;
+    if (taken.error) {
+        emit ended();
+        emit failed(*taken.error);
+        return;
+    }
     if (!taken.splats) {
         emit ended();
         emit failed(
