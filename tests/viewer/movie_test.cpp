@@ -13,6 +13,7 @@
 #include "app/camera/orbit_camera.h"
 #include "viewer/offscreen.h"
 #include "viewer/output/model_export.h"
+#include "viewer/output/movie_export.h"
 #include "viewer/output/movie_panel.h"
 #include "viewer/output/movie_stamps.h"
 #include "viewer/output/video_encoder.h"
@@ -164,6 +165,46 @@ TEST_F(ModelExportTest, AModelThatCouldNotBeReadIsAnEndAndTold) {
     save.onTaken(taken);
     EXPECT_EQ(ends, 1);
     EXPECT_EQ(told, std::vector<std::string>{"The graphics device stopped."});
+}
+
+std::shared_ptr<const Volume> smallVolume() {
+    auto made =
+        Volume::create({.size = glm::ivec3(2), .modality = "CT"}, std::vector<std::uint16_t>(8, 1000));
+    return std::make_shared<const Volume>(*std::move(made));
+}
+
+TEST_F(ModelExportTest, HoldsNoStudyAfterItsEnd) {
+    ModelExport save;
+    std::weak_ptr<const Volume> held;
+    const auto expect = [&](std::uint64_t number) {
+        auto volume = smallVolume();
+        held = volume;
+        save.expect({.path = "/no/such/folder/model.ply", .volume = volume}, number);
+    };
+    expect(1);
+    EXPECT_FALSE(held.expired());
+    save.cancel();
+    EXPECT_TRUE(held.expired());
+    expect(2);
+    save.onTaken({.wish = 2});
+    EXPECT_TRUE(held.expired());
+    expect(3);
+    int failures = 0;
+    QObject::connect(&save, &ModelExport::failed, &save, [&](const Error&) { ++failures; });
+    save.onTaken({.wish = 3, .splats = std::make_shared<const splat::Splats>()});
+    EXPECT_TRUE(test::waitFor([&] { return failures == 1 && held.expired(); }));
+}
+
+TEST_F(ModelExportTest, NorDoesAMovie) {
+    MovieExport movie(std::string{});
+    int failures = 0;
+    QObject::connect(&movie, &MovieExport::failed, &movie, [&](const Error&) { ++failures; });
+    MovieWish wish;  // without a way: refused
+    wish.sequence.picture.volume = smallVolume();
+    wish.sequence.frames = 0;
+    const std::weak_ptr<const Volume> held = wish.sequence.picture.volume;
+    movie.start(std::move(wish));
+    EXPECT_TRUE(test::waitFor([&] { return failures == 1 && held.expired(); }));
 }
 
 TEST_F(VideoEncoderTest, IsGivenWordsAndWritesWhole) {
