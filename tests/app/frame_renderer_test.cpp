@@ -163,11 +163,11 @@ TEST_F(FrameRendererTest, TheModelIsGivenToWhoAsksAndOnlyThatOfWhatIsWanted) {
 TEST_F(FrameRendererTest, AModelThatCannotBeReadIsAnsweredWithTheError) {
     renderer_->accept(input_);
     ASSERT_TRUE(stepUntil([&] { return news_.stage == hybrid::ModelStage::learning; }));
-    macula::test::loseDeviceAt(macula::test::VulkanCall::submit, 1);
+    macula::test::loseDeviceAt(macula::test::VulkanCall::wait, 1);
     input_.modelWishes = 1;
     input_.wishesTraining = true;
     renderer_->accept(input_);
-    macula::test::loseDeviceAt(macula::test::VulkanCall::submit, 1, 0);
+    macula::test::loseDeviceAt(macula::test::VulkanCall::wait, 1, 0);
     ASSERT_TRUE(taken_);
     EXPECT_EQ(taken_->wish, 1u);
     ASSERT_TRUE(taken_->error);

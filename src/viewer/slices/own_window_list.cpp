@@ -72,7 +72,7 @@ OwnWindowList::Kept OwnWindowList::edited(std::vector<app::OwnWindow> windows, c
     return kept;
 }
 
-// On another thread.
+// On the thread of the job, or when there is none any more.
 Result<OwnWindowList::Kept> OwnWindowList::keepIn(const std::filesystem::path& folder, const Edits& edits) {
     try {
         MACULA_TRY(const std::optional<std::string> json, app::machineDocument(folder, documentId()));
