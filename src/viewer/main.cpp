@@ -103,7 +103,7 @@ ReadSettings readSettingsFor(const CommandLine& line) {
     return read;
 }
 
-// Needs no display.
+// Needs no display. `line` is with settings: what is measured goes to where the window looks for it.
 int calibrate(const CommandLine& line) {
     std::optional<std::filesystem::path> folder;
     if (line.keepsSessions)
@@ -176,7 +176,7 @@ int main(int argc, char** argv) {
         std::fputs(line->print->toLocal8Bit().constData(), stdout);
         return app::kExitDone;
     }
-    if (line->calibrates) return calibrate(*line);
+    if (line->calibrates) return calibrate(withSettings(*line, readSettingsFor(*line).settings));
     std::optional<DisplayCheck> display(std::in_place);
     if (!display->found()) {
         return fail({ErrorCode::deviceNotUsable,

@@ -22,7 +22,7 @@ void MainWindow::makeBeside() {
     beside_ = new BesideStudy(session_, this);
     besideWork_ = new WorkBar;
     connect(browser_, &StudyBrowser::besideAsked, this,
-            [this](std::size_t index) { beside_->open(study().found, index); });
+            [this](std::size_t index) { beside_->open(browser_->found(), index); });
     connect(beside_, &BesideStudy::began, this, [this](const QString& stage) {
         messages_->hide();
         besideWork_->begin(stage);
@@ -98,7 +98,7 @@ QStringList MainWindow::besideNotes() const {
 void MainWindow::addBesideToFile(QMenu& file) {
     QAction* beside = file.addAction(tr("Open &Beside…"), this, [this] {
         if (const auto index = browserShown_->isChecked() ? browser_->selectedOther() : std::nullopt)
-            return beside_->open(study().found, *index);
+            return beside_->open(browser_->found(), *index);
         askForBeside(QFileDialog::Directory);
     });
     beside->setObjectName(QStringLiteral("open-beside"));

@@ -34,7 +34,9 @@ void MainWindow::takeSettings(const Settings& settings) {
     if (settings.showsNames != before.showsNames) showNames(options_.namesPatient && settings.showsNames);
     KeyBook::ofProgram().setOwn(settings.keys);
     if (!options_.settingsFile) return;
-    const Result<void> written = writeSettings(settings, *options_.settingsFile);
+    const Result<Settings> stored = readSettings(*options_.settingsFile);
+    const Result<void> written =
+        writeSettings(stored ? withChanges(*stored, before, settings) : settings, *options_.settingsFile);
     if (!written) return messages_->showError(written.error());
     const bool isForNextStart =
         settings.language != before.language || settings.sessionFolder != before.sessionFolder ||

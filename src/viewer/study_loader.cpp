@@ -1,11 +1,11 @@
 #include "viewer/study_loader.h"
 
-#include <QMetaObject>
 #include <chrono>
 #include <utility>
 
 #include "app/study/found_volumes.h"
 #include "viewer/language/core_words.h"
+#include "viewer/newest_posted.h"
 
 namespace macula::viewer {
 
@@ -41,14 +41,10 @@ void StudyLoader::open(app::StudySource source, bool join) {
 
 // Called on other threads; the job's end, which is told by the same queue, comes after all of it.
 app::FoundSoFar StudyLoader::tellsOf(std::uint64_t opening) {
-    return [this, opening](std::shared_ptr<const app::FoundVolumes> volumes) {
-        QMetaObject::invokeMethod(
-            this,
-            [this, opening, volumes = std::move(volumes)] {
-                if (opening == opening_ && loading()) emit found(volumes);
-            },
-            Qt::QueuedConnection);
-    };
+    using Found = std::shared_ptr<const app::FoundVolumes>;
+    return NewestPosted<Found>(this, [this, opening](const Found& volumes) {
+        if (opening == opening_ && loading()) emit found(volumes);
+    });
 }
 
 void StudyLoader::open(std::shared_ptr<const app::FoundVolumes> found, std::size_t index) {

@@ -14,6 +14,9 @@ constexpr double kTargetMm = 500.0;
 constexpr double kRounding = 1e-6;     // of a pixel
 constexpr double kMostTangent = 11.4;  // a little less than half of 170 degrees
 
+constexpr double kFarthestM = 1e4;
+constexpr double kTurnError = 0.01;  // of the length of a quaternion, which is 1
+
 // From one side to the other in whole pixels from straight ahead.
 struct Span {
     int first = 0;
@@ -43,13 +46,11 @@ Camera cameraAt(const Pose& pose, const glm::dmat4& worldFromStage, double halfH
 }
 
 bool isUsable(const Eye& eye) {
-    for (const double number : {eye.left, eye.right, eye.up, eye.down, eye.pose.positionM.x,
-                                eye.pose.positionM.y, eye.pose.positionM.z, eye.pose.orientation.w})
+    for (const double number : {eye.left, eye.right, eye.up, eye.down})
         if (!std::isfinite(number)) return false;
     const double most =
         std::max({std::abs(eye.left), std::abs(eye.right), std::abs(eye.up), std::abs(eye.down)});
-    return eye.left < eye.right && eye.down < eye.up && most < kMostTangent &&
-           std::abs(glm::length(eye.pose.orientation) - 1.0) < 0.01;
+    return eye.left < eye.right && eye.down < eye.up && most < kMostTangent && isUsable(eye.pose);
 }
 
 Pose between(std::span<const Eye> eyes) {
@@ -61,6 +62,12 @@ Pose between(std::span<const Eye> eyes) {
 }
 
 }  // namespace
+
+bool isUsable(const Pose& pose) {
+    // Comparisons with what is not a number are false.
+    return glm::length(pose.positionM) < kFarthestM &&
+           std::abs(glm::length(pose.orientation) - 1.0) < kTurnError;
+}
 
 glm::dmat4 stageFromPose(const Pose& pose) {
     glm::dmat4 matrix = glm::mat4_cast(glm::normalize(pose.orientation));

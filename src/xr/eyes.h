@@ -19,6 +19,8 @@ struct Pose {
     glm::dquat orientation{1.0, 0.0, 0.0, 0.0};
 };
 glm::dmat4 stageFromPose(const Pose& pose);
+// Not where a number is not finite, the turn is none, or it is kilometres away: a runtime may say so.
+bool isUsable(const Pose& pose);
 
 struct Eye {
     Pose pose;

@@ -172,10 +172,12 @@ Result<std::vector<Eye>> Session::eyesAt(XrTime time) const {
         XR_VIEW_STATE_ORIENTATION_VALID_BIT | XR_VIEW_STATE_POSITION_VALID_BIT;
     std::vector<Eye> eyes;
     if ((state.viewStateFlags & kKnown) != kKnown || count != kEyes) return eyes;
-    for (const XrView& view : views)
+    for (const XrView& view : views) {
+        if (!isUsable(fromXr(view.pose))) return std::vector<Eye>();
         eyes.push_back({fromXr(view.pose), std::tan(double(view.fov.angleLeft)),
                         std::tan(double(view.fov.angleRight)), std::tan(double(view.fov.angleUp)),
                         std::tan(double(view.fov.angleDown))});
+    }
     return eyes;
 }
 
@@ -202,7 +204,8 @@ Result<std::optional<Pose>> Session::locate(XrSpace space, XrTime time) const {
     constexpr XrSpaceLocationFlags kKnown =
         XR_SPACE_LOCATION_ORIENTATION_VALID_BIT | XR_SPACE_LOCATION_POSITION_VALID_BIT;
     if ((location.locationFlags & kKnown) != kKnown) return std::optional<Pose>();
-    return std::optional(fromXr(location.pose));
+    const Pose pose = fromXr(location.pose);
+    return isUsable(pose) ? std::optional(pose) : std::nullopt;
 }
 
 }  // namespace macula::xr

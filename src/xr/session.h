@@ -54,12 +54,12 @@ class Session {
 
     // Waits until it is time. The frame must be ended, with pictures or without.
     Result<FrameTime> beginFrame();
-    // Nothing while the headset does not know where it is.
+    // Nothing while the headset does not know where it is, or says what is no place.
     Result<std::vector<Eye>> eyesAt(XrTime time) const;
     // `views`: of the stage, one for each eye; none: nothing is shown.
     Result<void> endFrame(const FrameTime& time, std::span<const XrCompositionLayerProjectionView> views);
 
-    // Where a space is in the stage; nothing while nobody knows.
+    // Where a space is in the stage; nothing while nobody knows, likewise.
     Result<std::optional<Pose>> locate(XrSpace space, XrTime time) const;
 
     XrSession handle() const { return session_; }

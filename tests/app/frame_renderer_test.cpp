@@ -10,6 +10,7 @@
 
 #include "app/choice/preset_choice.h"
 #include "base/phantom.h"
+#include "gpu/lose_device.h"
 
 namespace macula::app {
 namespace {
@@ -156,6 +157,23 @@ TEST_F(FrameRendererTest, TheModelIsGivenToWhoAsksAndOnlyThatOfWhatIsWanted) {
     renderer_->accept(input_);
     EXPECT_EQ(taken_->wish, 3u);
     EXPECT_FALSE(taken_->splats);
+}
+
+// Whoever saves a model does not wait for ever.
+TEST_F(FrameRendererTest, AModelThatCannotBeReadIsAnsweredWithTheError) {
+    renderer_->accept(input_);
+    ASSERT_TRUE(stepUntil([&] { return news_.stage == hybrid::ModelStage::learning; }));
+    macula::test::loseDeviceAt(macula::test::VulkanCall::wait, 1);
+    input_.modelWishes = 1;
+    input_.wishesTraining = true;
+    renderer_->accept(input_);
+    macula::test::loseDeviceAt(macula::test::VulkanCall::wait, 1, 0);
+    ASSERT_TRUE(taken_);
+    EXPECT_EQ(taken_->wish, 1u);
+    ASSERT_TRUE(taken_->error);
+    EXPECT_FALSE(taken_->error->message.empty());
+    EXPECT_FALSE(taken_->splats);
+    EXPECT_FALSE(taken_->state);
 }
 
 // A picture that is final goes on where less noise is wanted, and keeps its samples.

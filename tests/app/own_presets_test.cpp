@@ -348,6 +348,7 @@ TEST_F(OwnPresets, WhatThisVersionDoesNotUnderstandStaysInTheStore) {
                                      R"({"version": 1, "lastUsed": 3})", {})
                         .ok());
         ASSERT_TRUE(store.putDocument({DocumentKind::favourite, {}, "of something else"}, 1, "{}", {}).ok());
+        ASSERT_TRUE(store.putDocument({DocumentKind::preset, {}, "windows of slices"}, 1, "{}", {}).ok());
     }
     const StoredPresets read = stored();
     EXPECT_EQ(read.unreadable, 6u);

@@ -67,6 +67,15 @@ TEST_F(ViewPictureTest, WhatCannotBeWrittenIsSaidBeforeAnythingIsDrawn) {
     refused(huge);
 }
 
+TEST_F(ViewPictureTest, WhatWasCancelledBeginsNothing) {
+    const CancelToken token;
+    Progress progress({}, token);
+    token.cancel();
+    const auto drawn = drawViewPictures({wished("a.png")}, "no such device", progress);
+    ASSERT_FALSE(drawn.ok());
+    EXPECT_EQ(drawn.error().code, ErrorCode::cancelled) << drawn.error().message;
+}
+
 TEST_F(ViewPictureTest, TwoPresetsAreDrawnBesideEachOtherWithoutAnyFile) {
     const Catalogue catalogue = *builtInCatalogue();
     ViewPicture first = wished("a.png");

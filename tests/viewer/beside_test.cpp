@@ -462,6 +462,9 @@ TEST_F(BesideTest, TheBarShowsTheStateAndProposesOthers) {
     EXPECT_EQ(state().beside->view, BesideView::over);
     opacity->setValue(25);
     EXPECT_DOUBLE_EQ(state().beside->opacity, 0.25);
+    opacity->setValue(50);
+    session_->undo();
+    EXPECT_DOUBLE_EQ(state().beside->opacity, 0.25) << "each change by keys is one of its own";
     white->setValue(800.0);
     EXPECT_DOUBLE_EQ(state().beside->window->width, 800.0);
     white->setValue(-5000.0);  // below black

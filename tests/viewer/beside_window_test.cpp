@@ -2,8 +2,10 @@
 #include <QAction>
 #include <stdexcept>
 
+#include "app/found_by_hand.h"
 #include "viewer/beside/beside_study.h"
 #include "viewer/beside/slice_pair.h"
+#include "viewer/browser/study_browser.h"
 #include "viewer/panes/pane_grid.h"
 #include "viewer/window_fixture.h"
 
@@ -59,6 +61,17 @@ TEST_F(BesideWindowTest, ASecondVolumeHasTwoColumnsAFlipAndAnEnd) {
     window_->showStudy(named("third"));
     EXPECT_EQ(window_->beside().second(), nullptr) << "it was beside another study";
     EXPECT_FALSE(axial.showsBoth());
+}
+
+// While another folder is opened, or after that failed, the list is not that of the study.
+TEST_F(BesideWindowTest, ARowOfTheListIsOfTheFolderThatTheListShows) {
+    window_->showStudy(named("current"));
+    auto* browser = window_->findChild<StudyBrowser*>();
+    ASSERT_NE(browser, nullptr);
+    browser->setFound(app::test::twoPatients(), std::nullopt);
+    emit browser->besideAsked(0);
+    EXPECT_TRUE(window_->beside().isWorking());
+    window_->beside().cancel();
 }
 
 }  // namespace

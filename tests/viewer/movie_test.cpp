@@ -12,6 +12,8 @@
 
 #include "app/camera/orbit_camera.h"
 #include "viewer/offscreen.h"
+#include "viewer/output/model_export.h"
+#include "viewer/output/movie_export.h"
 #include "viewer/output/movie_panel.h"
 #include "viewer/output/movie_stamps.h"
 #include "viewer/output/video_encoder.h"
@@ -147,6 +149,63 @@ class VideoEncoderTest : public test::OffscreenTest {
     QTemporaryDir folder_;
     double fraction_ = 0.0;
 };
+
+using ModelExportTest = test::OffscreenTest;
+
+TEST_F(ModelExportTest, AModelThatCouldNotBeReadIsAnEndAndTold) {
+    ModelExport save;
+    int ends = 0;
+    std::vector<std::string> told;
+    QObject::connect(&save, &ModelExport::ended, &save, [&] { ++ends; });
+    QObject::connect(&save, &ModelExport::failed, &save, [&](const Error& e) { told.push_back(e.message); });
+    save.expect({.path = "/no/such/folder/model.ply"}, 7);
+    app::ModelTaken taken{.wish = 7};
+    taken.error = Error{ErrorCode::deviceLost, "The graphics device stopped.", {}, "Try again."};
+    save.onTaken(taken);
+    save.onTaken(taken);
+    EXPECT_EQ(ends, 1);
+    EXPECT_EQ(told, std::vector<std::string>{"The graphics device stopped."});
+}
+
+std::shared_ptr<const Volume> smallVolume() {
+    auto made =
+        Volume::create({.size = glm::ivec3(2), .modality = "CT"}, std::vector<std::uint16_t>(8, 1000));
+    return std::make_shared<const Volume>(*std::move(made));
+}
+
+TEST_F(ModelExportTest, HoldsNoStudyAfterItsEnd) {
+    ModelExport save;
+    std::weak_ptr<const Volume> held;
+    const auto expect = [&](std::uint64_t number) {
+        auto volume = smallVolume();
+        held = volume;
+        save.expect({.path = "/no/such/folder/model.ply", .volume = volume}, number);
+    };
+    expect(1);
+    EXPECT_FALSE(held.expired());
+    save.cancel();
+    EXPECT_TRUE(held.expired());
+    expect(2);
+    save.onTaken({.wish = 2});
+    EXPECT_TRUE(held.expired());
+    expect(3);
+    int failures = 0;
+    QObject::connect(&save, &ModelExport::failed, &save, [&](const Error&) { ++failures; });
+    save.onTaken({.wish = 3, .splats = std::make_shared<const splat::Splats>()});
+    EXPECT_TRUE(test::waitFor([&] { return failures == 1 && held.expired(); }));
+}
+
+TEST_F(ModelExportTest, NorDoesAMovie) {
+    MovieExport movie(std::string{});
+    int failures = 0;
+    QObject::connect(&movie, &MovieExport::failed, &movie, [&](const Error&) { ++failures; });
+    MovieWish wish;  // without a way: refused
+    wish.sequence.picture.volume = smallVolume();
+    wish.sequence.frames = 0;
+    const std::weak_ptr<const Volume> held = wish.sequence.picture.volume;
+    movie.start(std::move(wish));
+    EXPECT_TRUE(test::waitFor([&] { return failures == 1 && held.expired(); }));
+}
 
 TEST_F(VideoEncoderTest, IsGivenWordsAndWritesWhole) {
     const QStringList words = VideoEncoder::argumentsFor(wish(), 0);

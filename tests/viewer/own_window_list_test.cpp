@@ -19,6 +19,12 @@ class OwnWindowListTest : public test::OffscreenTest {
                 .window = {.center = 60.0, .width = 300.0, .explanation = {}, .function = {}},
                 .unit = "HU"};
     }
+    std::string stored() const {
+        const auto json = app::machineDocument(
+            folder(), {.kind = session::DocumentKind::preset, .study = {}, .name = "windows of slices"});
+        return json ? json->value_or(std::string()) : std::string();
+    }
+    bool isStored(const char* name) const { return stored().find(name) != std::string::npos; }
     std::filesystem::path folder() const {
         return std::filesystem::path(folder_.path().toStdString()) / "sessions";
     }
@@ -62,6 +68,56 @@ TEST_F(OwnWindowListTest, WhatCannotBeKeptIsToldAndStaysForTheRun) {
     ASSERT_TRUE(list.add(window("Kidney")).ok());
     EXPECT_TRUE(test::waitFor([&] { return told >= 2; })) << "reading and writing";
     EXPECT_EQ(list.all().size(), 1u);
+}
+
+TEST_F(OwnWindowListTest, WhatIsAddedLastIsKeptWhenTheWindowCloses) {
+    {
+        OwnWindowList list(folder());
+        ASSERT_TRUE(list.add(window("Kidney")).ok());
+    }
+    EXPECT_TRUE(isStored("Kidney"));
+    {
+        OwnWindowList list(folder());
+        ASSERT_TRUE(test::waitFor([&] { return list.all().size() == 1; }));
+        list.remove(window("Kidney"));
+        ASSERT_TRUE(list.add(window("Liver")).ok());
+    }
+    EXPECT_FALSE(isStored("Kidney"));
+    EXPECT_TRUE(isStored("Liver"));
+}
+
+TEST_F(OwnWindowListTest, TwoWindowsKeepTheOnesOfEachOther) {
+    OwnWindowList first(folder());
+    OwnWindowList second(folder());
+    int read = 0;
+    QObject::connect(&first, &OwnWindowList::changed, &first, [&] { ++read; });
+    QObject::connect(&second, &OwnWindowList::changed, &first, [&] { ++read; });
+    ASSERT_TRUE(test::waitFor([&] { return read == 2; }));
+    ASSERT_TRUE(first.add(window("Kidney")).ok());
+    ASSERT_TRUE(test::waitFor([&] { return isStored("Kidney"); }));
+    ASSERT_TRUE(second.add(window("Liver")).ok());
+    ASSERT_TRUE(test::waitFor([&] { return isStored("Liver"); }));
+    EXPECT_TRUE(isStored("Kidney"));
+    EXPECT_TRUE(test::waitFor([&] { return second.all().size() == 2; }));
+}
+
+TEST_F(OwnWindowListTest, WhatCouldNotBeReadIsNotOverwritten) {
+    {
+        OwnWindowList list(folder());
+        ASSERT_TRUE(list.add(window("Kidney")).ok());
+    }
+    const std::filesystem::path away = folder().string() + ".away";
+    std::filesystem::rename(folder(), away);
+    std::ofstream(folder()) << "no folder";
+    OwnWindowList list(folder());
+    int told = 0;
+    QObject::connect(&list, &OwnWindowList::failed, &list, [&](const Error&) { ++told; });
+    ASSERT_TRUE(test::waitFor([&] { return told == 1; }));
+    std::filesystem::remove(folder());
+    std::filesystem::rename(away, folder());
+    ASSERT_TRUE(list.add(window("Liver")).ok());
+    ASSERT_TRUE(test::waitFor([&] { return isStored("Liver"); }));
+    EXPECT_TRUE(isStored("Kidney"));
 }
 
 }  // namespace

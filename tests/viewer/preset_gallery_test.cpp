@@ -483,5 +483,22 @@ TEST_F(PresetGalleryTest, TheCurtainShowsTheFirstAtTheLeftOfItsLine) {
     EXPECT_EQ(at(300), 0x0000ffu);
 }
 
+// The thread has a device to start; the window does not wait for it.
+TEST_F(PresetGalleryTest, ClosingAComparisonLeavesTheWorkToTheWindow) {
+    QWidget window;
+    app::ViewPicture picture;
+    picture.volume = smallStudy().volume;
+    picture.sizePx = {8, 8};
+    auto* dialog = new PresetComparison({QStringLiteral("a"), picture}, {QStringLiteral("b"), picture},
+                                        "no such device", &window);
+    EXPECT_TRUE(dialog->isDrawing());
+    delete dialog;
+    EXPECT_EQ(window.children().size(), 1) << "it was joined";
+    EXPECT_TRUE(waitFor([&] {
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+        return window.children().isEmpty();
+    }));
+}
+
 }  // namespace
 }  // namespace macula::viewer

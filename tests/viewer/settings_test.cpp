@@ -100,6 +100,32 @@ CommandLine parsed(QStringList arguments) {
     return *parseCommandLine(arguments);
 }
 
+// Two windows write one file: what one has not touched is as the other has set it.
+TEST(SettingsOfTwoWindows, OnlyWhatIsChangedIsWritten) {
+    Settings before = someSettings();
+    before.keys = {{QStringLiteral("F2"), QStringLiteral("Ctrl+J")},
+                   {QStringLiteral("F3"), QStringLiteral("Ctrl+K")}};
+    Settings stored = before;
+    stored.keepDays = std::nullopt;
+    stored.fontScale = 1.25;
+    stored.keys[QStringLiteral("F4")] = QStringLiteral("Ctrl+L");
+    stored.others[QStringLiteral("colour")] = 3;
+    EXPECT_EQ(withChanges(stored, before, before), stored);
+
+    Settings after = before;
+    after.language = std::nullopt;
+    after.showsNames = !before.showsNames;
+    after.keys.remove(QStringLiteral("F2"));
+    after.keys[QStringLiteral("F3")] = QStringLiteral("Ctrl+M");
+    Settings wanted = stored;
+    wanted.language = std::nullopt;
+    wanted.showsNames = after.showsNames;
+    wanted.keys = {{QStringLiteral("F3"), QStringLiteral("Ctrl+M")},
+                   {QStringLiteral("F4"), QStringLiteral("Ctrl+L")}};
+    EXPECT_EQ(withChanges(stored, before, after), wanted);
+    EXPECT_EQ(withChanges(before, Settings{}, Settings{}), before);
+}
+
 TEST(SettingsOnTheLine, TheLineCountsMore) {
     const CommandLine set = withSettings(parsed({}), someSettings());
     EXPECT_EQ(set.language, Language::german);
@@ -114,6 +140,7 @@ TEST(SettingsOnTheLine, TheLineCountsMore) {
     EXPECT_EQ(told.fontScale, 1.0);
     EXPECT_EQ(told.sessions, QStringLiteral("x"));
     EXPECT_EQ(told.keepDays, 9);
+    EXPECT_EQ(withSettings(parsed({"--calibrate"}), someSettings()).sessions, QStringLiteral("/some/folder"));
     const CommandLine none = withSettings(parsed({"--no-session"}), someSettings());
     EXPECT_EQ(none.sessions, std::nullopt);
     EXPECT_EQ(none.keepDays, std::nullopt);

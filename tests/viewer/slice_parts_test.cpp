@@ -7,6 +7,7 @@
 
 #include "viewer/harmless_text.h"
 #include "viewer/slice_volume.h"
+#include "viewer/slices/clip_on_slice.h"
 #include "viewer/slices/measurement_drawing.h"
 #include "viewer/slices/measurement_handles.h"
 #include "viewer/slices/pane_view.h"
@@ -258,6 +259,29 @@ TEST(SliceTexts, LinesHaveTheColoursOfTheOtherPanes) {
     }
     EXPECT_NE(colourOf(Orientation::axial), colourOf(Orientation::coronal));
     EXPECT_NE(colourOf(Orientation::coronal), colourOf(Orientation::sagittal));
+}
+
+// A pane is painted anew at each step of the pointer.
+TEST(ClipDimming, IsPaintedOnceForAsLongAsNothingChanges) {
+    ClipOnSlice clip;
+    ClipDimming dimming;
+    EXPECT_TRUE(dimming.imageFor(clip, {100, 80}, 2.0).isNull());
+    // In device pixels: the left half stays.
+    clip.scissors = {
+        {.behind = {{0.0, 0.0}, {100.0, 0.0}, {100.0, 160.0}, {0.0, 160.0}}, .removesOutside = true}};
+    const QImage image = dimming.imageFor(clip, {100, 80}, 2.0);
+    EXPECT_EQ(image.size(), QSize(200, 160));
+    EXPECT_EQ(qAlpha(image.pixel(50, 80)), 0);
+    EXPECT_GT(qAlpha(image.pixel(150, 80)), 100);
+    clip.held = app::ClipHandle{};
+    EXPECT_EQ(dimming.imageFor(clip, {100, 80}, 2.0).cacheKey(), image.cacheKey()) << "it was painted anew";
+    EXPECT_EQ(dimming.imageFor(clip, {50, 80}, 2.0).size(), QSize(100, 160));
+    clip.scissors[0].removesOutside = false;
+    const QImage inside = dimming.imageFor(clip, {100, 80}, 2.0);
+    EXPECT_GT(qAlpha(inside.pixel(50, 80)), 100);
+    EXPECT_EQ(qAlpha(inside.pixel(150, 80)), 0);
+    clip.scissors.clear();
+    EXPECT_TRUE(dimming.imageFor(clip, {100, 80}, 2.0).isNull());
 }
 
 TEST(HarmlessText, LeavesNothingThatTurnsWhatFollows) {

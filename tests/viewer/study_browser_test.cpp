@@ -5,7 +5,9 @@
 
 #include <QAbstractItemModelTester>
 #include <QAction>
+#include <QFile>
 #include <QScrollBar>
+#include <QTemporaryDir>
 #include <QTest>
 #include <functional>
 #include <optional>
@@ -15,6 +17,7 @@
 #include "dicom/support.h"
 #include "dicom/synthetic.h"
 #include "viewer/browser/recent_menu.h"
+#include "viewer/language/core_words.h"
 #include "viewer/offscreen.h"
 
 namespace macula::viewer {
@@ -302,6 +305,29 @@ TEST_F(StudyBrowserTest, TextOfFilesIsNoHtmlAndTurnsNothingRound) {
     EXPECT_TRUE(tip.contains(QStringLiteral("&lt;b&gt;x"))) << tip.toStdString();
     EXPECT_EQ(titles().first(), QStringLiteral("DOE, JANE"));
     EXPECT_EQ(titles().at(1), QStringLiteral("2020-01-02, a b"));
+}
+
+// A name may be a word of ours.
+TEST_F(StudyBrowserTest, OnlyWordsOfTheProgramAreInItsLanguage) {
+    QTemporaryDir folder;
+    QFile words(folder.filePath(QStringLiteral("core_xx.ts")));
+    ASSERT_TRUE(words.open(QIODevice::WriteOnly));
+    words.write("<TS><context><name>core</name>");
+    for (const char* source : {"DOE, JANE", "Tracing", "Series %1", "Series %1: %2", "2020-01-02, Tracing"})
+        words.write(QStringLiteral("<message><source>%1</source><translation>X</translation></message>")
+                        .arg(QLatin1String(source))
+                        .toUtf8());
+    words.write("</context></TS>");
+    words.close();
+    useCoreWords(words.fileName());
+    dicom::Scan scan;
+    scan.studies.push_back(app::test::studyOf(0, "DOE^JANE", "20200102", "Tracing",
+                                              {app::test::seriesOf(1, "Tracing", {app::test::volumeOf(3)})}));
+    browser_->setFound(std::make_shared<const app::FoundVolumes>(std::move(scan)), std::nullopt);
+    const QStringList shown = titles();
+    useCoreWords({});
+    EXPECT_EQ(shown, (QStringList{QStringLiteral("DOE, JANE"), QStringLiteral("2020-01-02, Tracing"),
+                                  QStringLiteral("X: Tracing")}));
 }
 
 TEST_F(StudyBrowserTest, WhatIsKeptOfIsTold) {

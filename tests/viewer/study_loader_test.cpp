@@ -6,12 +6,14 @@
 #include <QElapsedTimer>
 #include <QThread>
 #include <optional>
+#include <thread>
 #include <vector>
 
 #include "base/paths.h"
 #include "base/phantom.h"
 #include "dicom/support.h"
 #include "dicom/synthetic.h"
+#include "viewer/newest_posted.h"
 
 namespace macula::viewer {
 namespace {
@@ -126,6 +128,21 @@ TEST_F(StudyLoaderTest, TellsOfTheWholeFolderBeforeTheVolumeIsThere) {
 
     loader.open(ofStudy, 0);
     EXPECT_FALSE(loader.source());
+}
+
+// A list of a large folder takes longer than the time between two glimpses of it.
+TEST_F(StudyLoaderTest, ABusyThreadIsGivenTheNewestOnly) {
+    QObject home;
+    std::vector<int> taken;
+    const NewestPosted<int> post(&home, [&](int value) { taken.push_back(value); });
+    std::thread([&] {
+        for (int value = 1; value <= 100; ++value) post(value);
+    }).join();
+    QCoreApplication::processEvents();
+    EXPECT_EQ(taken, std::vector<int>{100});
+    post(101);
+    QCoreApplication::processEvents();
+    EXPECT_EQ(taken, (std::vector<int>{100, 101}));
 }
 
 }  // namespace

@@ -290,6 +290,38 @@ TEST_F(HeadsetTest, HandsMoveScaleAndCut) {
     EXPECT_EQ(lastFrame().views.size(), 2u);
 }
 
+// A runtime that says where things are in numbers that are none.
+TEST_F(HeadsetTest, WhatIsNoPlaceIsAnEmptyFrameOrNoHand) {
+    const double none = std::nan("");
+    Script script = still();
+    const auto head = std::make_shared<xr_script::Pose>();
+    const auto hand = std::make_shared<xr_script::Hand>();
+    head->positionM = {none, 1.6, 0.0};
+    hand->pose.positionM = {0.2, 1.6, -0.4};
+    script.head = [head](double) { return *head; };
+    script.hand = [hand](double, int) { return std::optional(*hand); };
+    connect(script);
+    show();
+    frames(2);
+    EXPECT_TRUE(lastFrame().views.empty());
+    EXPECT_FALSE(headset_->placed()) << "nobody knows where it is to stand";
+    *head = {{0.0, 1.6, 0.0}, {1.0, 0.0, 0.0, 0.0}};
+    frames(3);
+    EXPECT_EQ(lastFrame().views.size(), 2u);
+    const glm::dmat4 placed = *headset_->placed();
+
+    hand->squeeze = hand->trigger = 1.0f;
+    hand->pose.orientation = glm::dquat(none, none, none, none);
+    frames(2);
+    hand->pose.orientation = glm::dquat(0.0, 0.0, 0.0, 0.0);
+    frames(2);
+    EXPECT_EQ(*headset_->placed(), placed);
+    EXPECT_EQ(lastFrame().views.size(), 2u);
+    head->orientation = glm::dquat(0.0, 0.0, 0.0, 0.0);
+    frames(1);
+    EXPECT_TRUE(lastFrame().views.empty());
+}
+
 TEST_F(HeadsetTest, EndsWhenItIsTakenOff) {
     connect(still());
     show();

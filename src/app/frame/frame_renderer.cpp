@@ -113,17 +113,37 @@ void FrameRenderer::accept(FrameInput input) {
     if (const Result<void> given = giveModel(); !given) handle(given.error());
 }
 
-// What is drawn now, and only of what is wanted now.
+// Whoever asked waits for an answer, and gets one.
 Result<void> FrameRenderer::giveModel() {
     ModelTaken taken{.wish = input_.modelWishes};
-    if (isComplete() && canDrawModel() && model_->key() == sceneNames_.of(input_.study, input_.drawing)) {
-        taken.splats = model_->shown();
-        taken.gain = model_->gain();
-        if (input_.wishesTraining) {
-            MACULA_TRY(taken.state, model_->state());
-        }
+    Result<void> done;
+    try {
+        done = takeModel(taken);
+    } catch (const std::bad_alloc&) {
+        // The picture goes on without that.
+        taken.error = {ErrorCode::outOfMemory,
+                       "There is not enough memory to write the model.",
+                       {},
+                       "Close other programs."};
+    }
+    if (!done) taken.error = done.error();
+    if (taken.error) {
+        taken.splats.reset();
+        taken.state.reset();
     }
     listener_(std::move(taken));
+    return done;
+}
+
+// What is drawn now, and only of what is wanted now.
+Result<void> FrameRenderer::takeModel(ModelTaken& taken) {
+    if (!isComplete() || !canDrawModel()) return {};
+    if (model_->key() != sceneNames_.of(input_.study, input_.drawing)) return {};
+    taken.splats = model_->shown();
+    taken.gain = model_->gain();
+    if (input_.wishesTraining) {
+        MACULA_TRY(taken.state, model_->state());
+    }
     return {};
 }
 

@@ -102,6 +102,7 @@ class FrameRenderer {
     hybrid::ModelNews modelNews() const;
     void tellOfModel();
     Result<void> giveModel();
+    Result<void> takeModel(ModelTaken& taken);
     void handle(Error error);
     void dropDevice();
     double framesPerSecond() const;

@@ -51,6 +51,7 @@ struct ModelTaken {
     std::shared_ptr<const splat::Splats> splats{};           // null: there is none of what is wanted now
     double gain = 1.0;                                       // as hybrid::LiveModel::gain
     std::shared_ptr<const hybrid::PeripheralState> state{};  // null: not asked for, or nothing was learnt
+    std::optional<Error> error{};                            // it could not be read: nothing else is there
 };
 
 // What can be seen of the matter, found anew after each change of volume, preset or clip: its outline.

@@ -35,7 +35,7 @@ Result<void> traceAll(trace::PathTracer& tracer, std::uint32_t samplesPerPixel, 
         const std::uint32_t count = std::min(portion, samplesPerPixel - done);
         MACULA_TRY(const bool whole, tracer.trace(count, [&] { return !progress.cancelled(); }));
         if (!whole || progress.cancelled()) {
-            return Error{ErrorCode::cancelled, "Stopped; nothing was written.", {}, {}};
+            return stopped();
         }
         done += count;
         progress.advance(count);
@@ -56,7 +56,7 @@ Result<void> traceUntilConverged(trace::PathTracer& tracer, const PictureRequest
         MACULA_TRY(const trace::Statistics statistics, tracer.statistics());
         if (statistics.converged) return {};
         if (progress.cancelled() && (!request.keepUnfinished || statistics.samplesPerPixel == 0))
-            return Error{ErrorCode::cancelled, "Stopped; nothing was written.", {}, {}};
+            return stopped();
         if (progress.cancelled() || statistics.meanSamplesPerPixel >= request.samplesPerPixel) break;
         // Noise falls with the root of the samples.
         const double left = statistics.estimatedError / request.settings.errorThreshold;
@@ -68,11 +68,19 @@ Result<void> traceUntilConverged(trace::PathTracer& tracer, const PictureRequest
 
 }  // namespace
 
+Error stopped() {
+    return {ErrorCode::cancelled, "Stopped; nothing was written.", {}, {}};
+}
+
 Result<PictureDrawer> PictureDrawer::create(const std::shared_ptr<gpu::Device>& device,
-                                            const PictureRequest& request) {
+                                            const PictureRequest& request, const Progress& progress) {
     const StudyScene& scene = request.scene;
+    // Each step may take a second.
+    if (progress.cancelled()) return stopped();
     MACULA_TRY(trace::PathTracer tracer, trace::PathTracer::create(device, request.memory));
+    if (progress.cancelled()) return stopped();
     MACULA_TRY_VOID(tracer.setVolume(scene.volume));
+    if (progress.cancelled()) return stopped();
     MACULA_TRY_VOID(tracer.setClip(scene.clip));  // first: what it hides is not uploaded
     MACULA_TRY_VOID(tracer.setTransferFunction(scene.function));
     MACULA_TRY_VOID(tracer.setEnvironment(scene.environment));
@@ -109,7 +117,7 @@ Result<DrawnPicture> PictureDrawer::draw(const std::optional<Camera>& camera, Pr
 Result<DrawnPicture> drawPicture(const std::shared_ptr<gpu::Device>& device, const PictureRequest& request,
                                  Progress& progress) {
     const auto start = std::chrono::steady_clock::now();
-    MACULA_TRY(PictureDrawer drawer, PictureDrawer::create(device, request));
+    MACULA_TRY(PictureDrawer drawer, PictureDrawer::create(device, request, progress));
     MACULA_TRY(DrawnPicture drawn, drawer.draw(request.camera, progress));
     drawn.seconds = secondsSince(start);  // with what was brought to the device
     return drawn;

@@ -25,13 +25,15 @@ struct DrawnPicture {
     std::optional<trace::TracedImage> traced;
 };
 
+Error stopped();  // what a picture ends with that was cancelled
+
 // Several pictures of one request, of which only the camera differs: the scene is brought to the device once.
 // Each is as if it were drawn alone.
 class PictureDrawer {
   public:
-    // Fails as trace::PathTracer.
+    // Fails as trace::PathTracer, and with `cancelled`.
     static Result<PictureDrawer> create(const std::shared_ptr<gpu::Device>& device,
-                                        const PictureRequest& request);
+                                        const PictureRequest& request, const Progress& progress);
     // As drawPicture; nothing: a camera that what can be seen fills.
     Result<DrawnPicture> draw(const std::optional<Camera>& camera, Progress& progress);
 

@@ -70,9 +70,11 @@ Result<std::vector<std::string>> writeViewPicture(const ViewPicture& picture,
 Result<std::vector<std::vector<std::uint8_t>>> drawViewPictures(const std::vector<ViewPicture>& pictures,
                                                                 const std::string& preferredDevice,
                                                                 Progress& progress) {
+    if (progress.cancelled()) return stopped();  // a device takes long
     MACULA_TRY(gpu::LastingDevice device, openDevice(preferredDevice, [](std::string_view) {}));
     std::vector<std::vector<std::uint8_t>> drawn;
     for (const ViewPicture& picture : pictures) {
+        if (progress.cancelled()) return stopped();
         MACULA_TRY(const PictureRequest request, requestOf(picture, false));
         MACULA_TRY_VOID(device.run([&](const std::shared_ptr<gpu::Device>& on) -> Result<void> {
             MACULA_TRY(DrawnPicture made, drawPicture(on, request, progress));

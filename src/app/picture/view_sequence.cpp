@@ -78,7 +78,7 @@ struct Course {
     std::vector<std::string>& sentences;
 
     Result<void> drawOn(const std::shared_ptr<gpu::Device>& device) {
-        MACULA_TRY(PictureDrawer drawer, PictureDrawer::create(device, request));
+        MACULA_TRY(PictureDrawer drawer, PictureDrawer::create(device, request, progress));
         Progress quiet({}, progress.token());  // of one picture
         while (int(files.written.size()) < sequence.frames) {
             const int index = int(files.written.size());

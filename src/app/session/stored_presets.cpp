@@ -16,6 +16,7 @@ using Json = nlohmann::ordered_json;
 using session::DocumentKind;
 
 constexpr std::int64_t kVersion = 1;
+constexpr std::string_view kOwnPrefix = "own-";  // of OwnPreset::id
 constexpr std::string_view kFavouritePrefix = "preset ";
 
 // All keys that this version writes: those that a document lacks are not there any more.
@@ -89,6 +90,7 @@ Result<StoredPresets> readStoredPresets(session::Store& store) {
     MACULA_TRY(const auto favourites, store.listDocuments(DocumentKind::favourite, {}));
     stored.damaged = own.damaged + favourites.damaged;
     for (const session::DocumentEntry& entry : own.entries) {
+        if (!entry.id.name.starts_with(kOwnPrefix)) continue;  // windows of slices, for one
         MACULA_TRY(const auto text, textOf(store, entry.id, stored.damaged));
         if (!text) continue;
         auto preset = ownPresetFromJson(entry.id.name, *text);

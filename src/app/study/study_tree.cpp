@@ -140,7 +140,9 @@ class Builder {
             const Identity identity = identityOf(*studies.front());
             const std::vector<std::string> lines = linesOf(identity);
             row.title = lines[0];
+            if (!trimmed(identity.patientName).empty()) row.titleOfFile = row.title;
             row.details = {lines[1]};
+            if (!trimmed(identity.patientId).empty()) row.detailOfFile = 0;
             searched = {lines[1], identity.birthDate};
         }
         const std::size_t index = add(std::move(row), searched);
@@ -153,6 +155,13 @@ class Builder {
         if (hides_ && !isDate(trimmed(identity.studyDate))) identity.studyDate.clear();
         StudyRow row{.kind = StudyRow::Kind::study, .parent = parent};
         row.title = linesOf(identity)[2];
+        if (trimmed(identity.studyDate).empty()) {
+            Identity undescribed = identity;
+            undescribed.studyDescription.clear();
+            row.titleOfFile = row.title.substr(linesOf(undescribed)[2].size());
+        } else {
+            row.titleOfFile = row.title;
+        }
         std::vector<std::string> modalities;
         std::size_t listed = 0;
         for (const dicom::Series& series : study.series) {
@@ -174,7 +183,8 @@ class Builder {
         row.title =
             series.number ? fmt::format("Series {}", *series.number) : std::string("Series without a number");
         if (!hides_ && !trimmed(series.description).empty())
-            row.title += ": " + std::string(trimmed(series.description));
+            row.titleOfFile = ": " + std::string(trimmed(series.description));
+        row.title += row.titleOfFile;
         std::vector<const dicom::Stack*> volumes;
         std::size_t images = 0;
         for (const dicom::Stack& stack : series.stacks) {
@@ -212,7 +222,9 @@ class Builder {
                 std::find(labels.begin(), labels.end(), object.label) == labels.end())
                 labels.push_back(object.label);
         }
-        if (!labels.empty()) row.details.push_back(joined(labels, kBetween));
+        if (labels.empty()) return;
+        row.detailOfFile = row.details.size();
+        row.details.push_back(joined(labels, kBetween));
     }
 
     void addStack(const dicom::Stack& stack, std::size_t place, std::size_t parent) {
@@ -227,6 +239,7 @@ class Builder {
         if (stack.phases > 1) labels.push_back(fmt::format("phase {} of {}", stack.phase + 1, stack.phases));
         if (labels.empty()) labels.push_back(fmt::format("Stack {}", place + 1));
         row.title = joined(labels, ", ");
+        if (!hides_ && !stack.splitBy.empty()) row.titleOfFile = row.title;
         row.details = {joined({counted(stack.frames.size(), "image", "images"), sizeText(stack)}, kBetween)};
         if (std::string voxel = voxelText(stack); !voxel.empty()) row.details.push_back(std::move(voxel));
         row.whyNot = whyNoVolume(stack);

@@ -29,7 +29,9 @@ struct StudyRow {
     std::vector<std::size_t> children = {};  // in the order shown
 
     std::string title = {};
+    std::string titleOfFile = {};            // its end, of text of a file: it is in no language of ours
     std::vector<std::string> details = {};   // lines; lengths have their unit
+    std::size_t detailOfFile = kNoRow;       // the line of `details` that is such text
     std::string whyNot = {};                 // a sentence where no volume is in a series or stack; else empty
     std::vector<std::string> messages = {};  // sentences, each with what to do
     // What opening the row opens, in FoundVolumes::volumes(): of a stack, and of a series that has one

@@ -140,6 +140,8 @@ void BesideBar::addColours() {
         session_.drag(tr("Opacity"), [percent](app::StudyState& next) {
             next.beside->opacity = double(percent) / kPercent;
         });
+        // Keys and the wheel let nothing go.
+        if (!opacity_->isSliderDown()) session_.endDrag();
     });
     connect(opacity_, &QSlider::sliderReleased, &session_, &ViewerSession::endDrag);
     addWidget(opacity_);

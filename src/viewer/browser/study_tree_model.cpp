@@ -16,8 +16,12 @@ QString shownText(const std::string& text) {
     return harmless(QString::fromStdString(text));
 }
 
+// Names and descriptions are not looked up: a word of them may be one of ours, and none of them is
+// remembered.
 QString titleText(const app::StudyRow& row) {
-    return inWindowsLanguage(shownText(row.title));
+    const std::string own = row.title.substr(0, row.title.size() - row.titleOfFile.size());
+    const QString ours = own.empty() ? QString() : inWindowsLanguage(shownText(own));
+    return ours + shownText(row.titleOfFile);
 }
 
 }  // namespace
@@ -126,8 +130,11 @@ bool StudyTreeModel::isStored(std::size_t row) const {
 
 QStringList StudyTreeModel::details(std::size_t row) const {
     QStringList lines;
-    for (const std::string& line : tree_.rows[row].details)
-        lines << listInWindowsLanguage(shownText(line).toStdString(), kBetween);
+    const app::StudyRow& shown = tree_.rows[row];
+    for (std::size_t line = 0; line < shown.details.size(); ++line) {
+        const QString text = shownText(shown.details[line]);
+        lines << (line == shown.detailOfFile ? text : listInWindowsLanguage(text.toStdString(), kBetween));
+    }
     if (isOpen(row)) lines << tr("Open now");
     if (isStored(row)) lines << tr("Seen before; opens as it was left");
     return lines;

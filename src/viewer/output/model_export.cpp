@@ -39,12 +39,25 @@ void ModelExport::expect(Wish wish, std::uint64_t number) {
 
 void ModelExport::cancel() {
     const bool wasExpected = std::exchange(expected_, 0) != 0;
+    forgetStudy();
     if (job_.cancel() || wasExpected) emit ended();
+}
+
+// A study that is closed does not stay in memory for a model that was saved of it.
+void ModelExport::forgetStudy() {
+    wish_.volume.reset();
+    wish_.drawing = {};
 }
 
 void ModelExport::onTaken(const app::ModelTaken& taken) {
     if (taken.wish != expected_ || expected_ == 0) return;
     expected_ = 0;
+    const Wish wish = std::exchange(wish_, Wish{.path = wish_.path, .displayColours = wish_.displayColours});
+    if (taken.error) {
+        emit ended();
+        emit failed(*taken.error);
+        return;
+    }
     if (!taken.splats) {
         emit ended();
         emit failed(
@@ -59,10 +72,10 @@ void ModelExport::onTaken(const app::ModelTaken& taken) {
     app::TakenModel model{.splats = taken.splats,
                           .gain = taken.gain,
                           .state = taken.state,
-                          .volume = wish_.volume,
-                          .drawing = wish_.drawing};
-    job_.start([model = std::move(model), path = wish_.path,
-                displayColours = wish_.displayColours](Progress& progress) -> Result<std::size_t> {
+                          .volume = wish.volume,
+                          .drawing = wish.drawing};
+    job_.start([model = std::move(model), path = wish.path,
+                displayColours = wish.displayColours](Progress& progress) -> Result<std::size_t> {
         try {
             return app::writeTakenModel(path, model, displayColours, progress);
         } catch (const std::bad_alloc&) {

@@ -36,7 +36,9 @@ class ModelExport : public QObject {
     void failed(const macula::Error& error);
 
   private:
-    Wish wish_;
+    void forgetStudy();
+
+    Wish wish_;                   // its volume and drawing only while the model is expected
     std::uint64_t expected_ = 0;  // 0: nothing
     BackgroundJob<std::size_t> job_;
 };

@@ -48,7 +48,9 @@ MovieExport::MovieExport(std::string preferredDevice, QObject* parent)
 
 void MovieExport::start(MovieWish wish) {
     cancel();
-    wish_ = wish;
+    folder_ = QString::fromStdString(wish.sequence.folder.string());
+    picturesPerS_ = wish.picturesPerS;
+    wantsVideo_ = wish.wantsVideo;
     told_.clear();
     stageBeganMs_ = QDateTime::currentMSecsSinceEpoch();
     using Written = Result<app::WrittenSequence>;
@@ -82,17 +84,16 @@ void MovieExport::onDrawn(const Result<app::WrittenSequence>& outcome) {
         if (outcome.error().code != ErrorCode::cancelled) emit failed(outcome.error());
         return;
     }
-    const QString folder = QString::fromStdString(wish_.sequence.folder.string());
-    told_ << tr("%L1 pictures are in %2.").arg(outcome->files.size()).arg(folder);
+    told_ << tr("%L1 pictures are in %2.").arg(outcome->files.size()).arg(folder_);
     for (const std::string& sentence : outcome->sentences) told_ << inWindowsLanguage(sentence);
-    if (!wish_.wantsVideo) return finish({});
+    if (!wantsVideo_) return finish({});
     if (program_.isEmpty())
         return finish(tr("No video was made of them: there is no encoder. Install ffmpeg, and draw again."));
-    if (QFileInfo::exists(QDir(folder).filePath(kVideo)))
+    if (QFileInfo::exists(QDir(folder_).filePath(kVideo)))
         return finish(tr("No video was made of them: %1 is there already.").arg(kVideo));
-    encoder_.start(program_, {.folder = folder,
+    encoder_.start(program_, {.folder = folder_,
                               .frames = int(outcome->files.size()),
-                              .picturesPerS = wish_.picturesPerS,
+                              .picturesPerS = picturesPerS_,
                               .fileName = kVideo});
 }
 

@@ -46,7 +46,10 @@ class MovieExport : public QObject {
 
     std::string preferredDevice_;
     QString program_;
-    MovieWish wish_;
+    // Of the last wish; the volume and names are the job's alone, and go with it.
+    QString folder_;
+    double picturesPerS_ = 0.0;
+    bool wantsVideo_ = false;
     QStringList told_;
     qint64 stageBeganMs_ = 0;
     BackgroundJob<app::WrittenSequence> job_;

@@ -1,5 +1,6 @@
 #include "viewer/output/presentation_files.h"
 
+#include <exception>
 #include <new>
 #include <utility>
 
@@ -20,6 +21,21 @@ Error tooLarge() {
             "There is not enough memory for the presentation state.",
             {},
             "Close other programs."};
+}
+
+// Of a library or a file system, in words that may be those of a path: they are not told.
+Error notWritten() {
+    return {ErrorCode::outputNotWritable,
+            "The presentation state could not be written.",
+            {},
+            "Choose another folder, and check free space and permissions."};
+}
+
+Error notRead() {
+    return {ErrorCode::inputNotUsable,
+            "The presentation state could not be read.",
+            {},
+            "The file may be damaged; choose another one."};
 }
 
 }  // namespace
@@ -52,6 +68,8 @@ void PresentationFiles::save(const std::filesystem::path& path, app::Presentatio
             return app::writePresentation(path, wish);
         } catch (const std::bad_alloc&) {
             return tooLarge();
+        } catch (const std::exception&) {
+            return notWritten();
         }
     });
 }
@@ -64,6 +82,8 @@ void PresentationFiles::open(const std::filesystem::path& path, std::shared_ptr<
             return app::openPresentation(path, *volume, digest, usual);
         } catch (const std::bad_alloc&) {
             return tooLarge();
+        } catch (const std::exception&) {
+            return notRead();
         }
     });
 }

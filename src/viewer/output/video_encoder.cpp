@@ -25,7 +25,8 @@ constexpr std::array<Kind, 3> kKinds{
 QString pattern(int frames) {
     const QString last = QString::fromStdString(app::frameName(frames - 1, frames));
     const auto digits = last.size() - QStringLiteral("frame-.png").size();
-    return QStringLiteral("frame-%0%1d.png").arg(digits);
+    // Not by arg(), to which "%0" is a place too.
+    return QStringLiteral("frame-%0") + QString::number(digits) + QStringLiteral("d.png");
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include <new>
 #include <utility>
 
+#include "viewer/background_job.h"
 #include "viewer/language/core_words.h"
 #include "viewer/status_widgets.h"
 
@@ -41,6 +42,62 @@ QLabel* makeTitle(const QString& text, Qt::Alignment alignment) {
 }
 
 }  // namespace
+
+// Goes on after the dialog, until the thread has noticed that nobody waits: a device takes a second to start,
+// and the window does not stand still for that. Lives on the UI thread.
+class ComparisonJob : public QObject {
+  public:
+    // `window` owns it; null: the dialog does.
+    ComparisonJob(PresetComparison& dialog, QWidget* window)
+        : QObject(window != nullptr ? window : &dialog),
+          job_(this, {.progressed =
+                          [&dialog](const ProgressUpdate& update) {
+                              dialog.work_->setProgress(inWindowsLanguage(update.stage), update.fraction);
+                          },
+                      .ended = [&dialog](const Result<Pictures>& drawn) { dialog.onDrawn(drawn); }}) {}
+
+    void start(std::vector<app::ViewPicture> pictures, std::string preferredDevice) {
+        job_.start([this, pictures = std::move(pictures),
+                    device = std::move(preferredDevice)](Progress& progress) -> Result<Pictures> {
+            Result<Pictures> drawn = draw(pictures, device, progress);
+            QMetaObject::invokeMethod(
+                this,
+                [this] {
+                    isDone_ = true;
+                    if (isLeft_) deleteLater();
+                },
+                Qt::QueuedConnection);
+            return drawn;
+        });
+    }
+    bool isRunning() const { return job_.running(); }
+    void cancel() { job_.cancel(); }
+    // Nobody is told any more.
+    void leave() {
+        job_.cancel();
+        isLeft_ = true;
+        if (isDone_) deleteLater();
+    }
+
+  private:
+    using Pictures = PresetComparison::Pictures;
+
+    static Result<Pictures> draw(const std::vector<app::ViewPicture>& pictures, const std::string& device,
+                                 Progress& progress) {
+        try {
+            return app::drawViewPictures(pictures, device, progress);
+        } catch (const std::bad_alloc&) {
+            return Error{ErrorCode::outOfMemory,
+                         "There is not enough memory for both pictures.",
+                         {},
+                         "Close other programs."};
+        }
+    }
+
+    bool isDone_ = false;
+    bool isLeft_ = false;
+    BackgroundJob<Pictures> job_;
+};
 
 PictureCurtain::PictureCurtain(QWidget* parent) : QWidget(parent) {
     setAccessibleName(tr("Both pictures"));
@@ -114,11 +171,7 @@ PresetComparison::PresetComparison(const Side& first, const Side& second, const 
       beside_(new QCheckBox(tr("&Beside each other"))),
       trouble_(new QLabel),
       work_(new WorkBar),
-      job_(this, {.progressed =
-                      [this](const ProgressUpdate& update) {
-                          work_->setProgress(inWindowsLanguage(update.stage), update.fraction);
-                      },
-                  .ended = [this](const Result<Pictures>& drawn) { onDrawn(drawn); }}) {
+      job_(new ComparisonJob(*this, parent)) {
     setWindowTitle(tr("Compare presets"));
     slider_->setAccessibleName(tr("Where the two pictures meet"));
     slider_->setToolTip(tr("Where the two pictures meet, from left to right"));
@@ -160,19 +213,17 @@ PresetComparison::PresetComparison(const Side& first, const Side& second, const 
         accept();
     });
     connect(work_, &WorkBar::cancelClicked, this, &QDialog::reject);
-    connect(this, &QDialog::finished, this, [this] { job_.cancel(); });
+    connect(this, &QDialog::finished, this, [this] { job_->cancel(); });
     work_->begin(tr("Drawing both"));
-    job_.start([pictures = std::vector{first.picture, second.picture},
-                preferredDevice](Progress& progress) -> Result<Pictures> {
-        try {
-            return app::drawViewPictures(pictures, preferredDevice, progress);
-        } catch (const std::bad_alloc&) {
-            return Error{ErrorCode::outOfMemory,
-                         "There is not enough memory for both pictures.",
-                         {},
-                         "Close other programs."};
-        }
-    });
+    job_->start(std::vector{first.picture, second.picture}, preferredDevice);
+}
+
+PresetComparison::~PresetComparison() {
+    if (job_) job_->leave();
+}
+
+bool PresetComparison::isDrawing() const {
+    return job_ && job_->isRunning();
 }
 
 void PresetComparison::onDrawn(const Result<Pictures>& drawn) {

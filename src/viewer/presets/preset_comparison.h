@@ -4,19 +4,21 @@
 #include <QDialog>
 #include <QImage>
 #include <QLabel>
+#include <QPointer>
 #include <QSlider>
 #include <QString>
 #include <array>
+#include <cstdint>
 #include <string>
 #include <vector>
 
 #include "app/picture/view_picture.h"
-#include "viewer/background_job.h"
 
 class QCheckBox;
 
 namespace macula::viewer {
 
+class ComparisonJob;
 class WorkBar;
 
 // Two pictures of one size: with a line between them that a hand moves, left of which is the first, or each
@@ -64,14 +66,17 @@ class PresetComparison : public QDialog {
     PresetComparison(const Side& first, const Side& second, const std::string& preferredDevice,
                      QWidget* parent = nullptr);
 
+    ~PresetComparison() override;  // waits for nothing
+
     PictureCurtain& curtain() { return *curtain_; }
-    bool isDrawing() const { return job_.running(); }
+    bool isDrawing() const;
     QString trouble() const { return trouble_->text(); }
 
   signals:
     void secondChosen();
 
   private:
+    friend class ComparisonJob;
     using Pictures = std::vector<std::vector<std::uint8_t>>;
 
     void onDrawn(const Result<Pictures>& drawn);
@@ -82,7 +87,7 @@ class PresetComparison : public QDialog {
     QCheckBox* beside_;
     QLabel* trouble_;
     WorkBar* work_;
-    BackgroundJob<Pictures> job_;
+    QPointer<ComparisonJob> job_;
 };
 
 }  // namespace macula::viewer

@@ -103,6 +103,29 @@ std::string toJson(const Settings& settings) {
     return QJsonDocument(object).toJson(QJsonDocument::Indented).toStdString();
 }
 
+Settings withChanges(Settings stored, const Settings& before, const Settings& after) {
+    const auto take = [&](auto Settings::*field) {
+        if (after.*field != before.*field) stored.*field = after.*field;
+    };
+    take(&Settings::language);
+    take(&Settings::highContrast);
+    take(&Settings::fontScale);
+    take(&Settings::sessionFolder);
+    take(&Settings::keepDays);
+    take(&Settings::modelCapMb);
+    take(&Settings::quality);
+    take(&Settings::deidentifies);
+    take(&Settings::showsNames);
+    for (auto key = before.keys.begin(); key != before.keys.end(); ++key) {
+        if (!after.keys.contains(key.key())) stored.keys.remove(key.key());
+    }
+    for (auto key = after.keys.begin(); key != after.keys.end(); ++key) {
+        if (!before.keys.contains(key.key()) || before.keys[key.key()] != key.value())
+            stored.keys[key.key()] = key.value();
+    }
+    return stored;
+}
+
 Result<Settings> readSettings(const fs::path& file) {
     std::error_code error;
     if (!fs::exists(file, error) && !error) return Settings{};

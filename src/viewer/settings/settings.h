@@ -40,6 +40,10 @@ std::filesystem::path settingsFile();
 Result<Settings> settingsFromJson(const std::string& text);
 std::string toJson(const Settings& settings);
 
+// `stored` with what a person has changed from `before` to `after`: all else may have been changed by another
+// window meanwhile. Each key is one thing.
+Settings withChanges(Settings stored, const Settings& before, const Settings& after);
+
 // Where there is no file, settings as nobody has changed them.
 Result<Settings> readSettings(const std::filesystem::path& file);
 // Makes the folder. A file that cannot be read as settings is kept beside it, with ".damaged" behind its

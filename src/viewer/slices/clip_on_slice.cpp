@@ -1,6 +1,5 @@
 #include "viewer/slices/clip_on_slice.h"
 
-#include <QImage>
 #include <QPainterPath>
 #include <algorithm>
 #include <cmath>
@@ -35,9 +34,15 @@ class Places {
     double ratio_;
 };
 
+QImage imageOf(const QSize& size, double pixelRatio) {
+    QImage image(size * pixelRatio, QImage::Format_ARGB32_Premultiplied);
+    image.setDevicePixelRatio(pixelRatio);
+    return image;
+}
+
 // All but what the path encloses.
-void dimAround(QPainter& painter, const QSize& size, const QPainterPath& path) {
-    QImage around(size, QImage::Format_ARGB32_Premultiplied);
+void dimAround(QPainter& painter, const QSize& size, double pixelRatio, const QPainterPath& path) {
+    QImage around = imageOf(size, pixelRatio);
     if (around.isNull()) return;  // no memory for it: the outline is drawn all the same
     around.fill(kDim);
     QPainter cut(&around);
@@ -48,7 +53,8 @@ void dimAround(QPainter& painter, const QSize& size, const QPainterPath& path) {
     painter.drawImage(QPointF(0.0, 0.0), around);
 }
 
-void dim(QPainter& painter, const QSize& size, const ClipOnSlice& clip, const Places& at) {
+void dim(QPainter& painter, const QSize& size, double pixelRatio, const ClipOnSlice& clip) {
+    const Places at(pixelRatio);
     QPainterPath removed;
     removed.setFillRule(Qt::WindingFill);
     for (const app::Contour& contour : clip.removed) at.add(removed, contour);
@@ -58,7 +64,7 @@ void dim(QPainter& painter, const QSize& size, const ClipOnSlice& clip, const Pl
         behind.setFillRule(Qt::WindingFill);
         if (!scissors.behind.empty()) at.add(behind, scissors.behind);
         if (scissors.removesOutside) {
-            dimAround(painter, size, behind);
+            dimAround(painter, size, pixelRatio, behind);
         } else {
             painter.fillPath(behind, kDim);
         }
@@ -99,13 +105,32 @@ ClipOnSlice clipOnSlice(const app::StudyState& state, const Volume& volume, cons
     return shown;
 }
 
+const QImage& ClipDimming::imageFor(const ClipOnSlice& clip, const QSize& size, double pixelRatio) {
+    if (clip.removed == removed_ && clip.scissors == scissors_ && size == size_ && pixelRatio == pixelRatio_)
+        return image_;
+    removed_ = clip.removed;
+    scissors_ = clip.scissors;
+    size_ = size;
+    pixelRatio_ = pixelRatio;
+    image_ = {};
+    if (removed_.empty() && scissors_.empty()) return image_;
+    image_ = imageOf(size, pixelRatio);
+    if (image_.isNull()) return image_;
+    image_.fill(Qt::transparent);
+    QPainter painter(&image_);
+    painter.setRenderHint(QPainter::Antialiasing);
+    dim(painter, size, pixelRatio, clip);
+    return image_;
+}
+
 void paintClip(QPainter& painter, const QSize& size, const ClipOnSlice& clip, const slices::SliceFrame& frame,
-               double pixelRatio) {
+               double pixelRatio, ClipDimming& dimming) {
     if (clip.isNothing()) return;
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
     const Places at(pixelRatio);
-    dim(painter, size, clip, at);
+    if (const QImage& dimmed = dimming.imageFor(clip, size, pixelRatio); !dimmed.isNull())
+        painter.drawImage(QPointF(0.0, 0.0), dimmed);
     for (const app::Contour& line : clip.lines) drawLine(painter, line, at);
     for (const app::PlacedHandle& handle : clip.handles) {
         const QPointF middle = at(frame.pictureFromWorld(handle.atMm));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QCursor>
+#include <QImage>
 #include <QPainter>
 #include <QSize>
 #include <optional>
@@ -20,6 +21,8 @@ struct ClipOnSlice {
     struct Scissors {
         app::Contour behind;
         bool removesOutside = false;
+
+        bool operator==(const Scissors&) const = default;
     };
     std::vector<Scissors> scissors;
     std::vector<app::Contour> lines;
@@ -33,9 +36,24 @@ struct ClipOnSlice {
 ClipOnSlice clipOnSlice(const app::StudyState& state, const Volume& volume, const slices::SliceFrame& frame,
                         bool withHandles);
 
+// What is dimmed in a pane, as one picture that lies over the slice: it is the same for as long as cuts,
+// slice and size are, while the cross-hair and the pointer move.
+class ClipDimming {
+  public:
+    // `size` in logical pixels. Null where nothing is dimmed, or there is no memory for it.
+    const QImage& imageFor(const ClipOnSlice& clip, const QSize& size, double pixelRatio);
+
+  private:
+    std::vector<app::Contour> removed_;
+    std::vector<ClipOnSlice::Scissors> scissors_;
+    QSize size_;
+    double pixelRatio_ = 0.0;
+    QImage image_;
+};
+
 // `size` of the pane in logical pixels, which the painter must have.
 void paintClip(QPainter& painter, const QSize& size, const ClipOnSlice& clip, const slices::SliceFrame& frame,
-               double pixelRatio);
+               double pixelRatio, ClipDimming& dimming);
 
 // The nearest handle within `radiusPx` of a place in the picture.
 std::optional<app::PlacedHandle> handleAt(const std::vector<app::PlacedHandle>& handles,

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/session/machine_documents.h"
+#include "base/log.h"
 
 namespace macula::viewer {
 
@@ -12,8 +13,8 @@ namespace {
 
 constexpr std::int64_t kVersion = 1;
 
-session::DocumentId documentId() {
-    return {.kind = session::DocumentKind::preset, .study = {}, .name = "windows of slices"};
+session::DocumentId documentId(const char* name = "windows of slices") {
+    return {.kind = session::DocumentKind::preset, .study = {}, .name = name};
 }
 
 Error noMemory() {
@@ -24,19 +25,15 @@ Error noMemory() {
 }  // namespace
 
 OwnWindowList::OwnWindowList(std::optional<std::filesystem::path> folder, QObject* parent)
-    : QObject(parent),
-      folder_(std::move(folder)),
-      isRead_(!folder_),
-      reading_(this, {.progressed = [](const ProgressUpdate&) {},
-                      .ended = [this](const Result<std::string>& json) { onRead(json); }}),
-      writing_(this, {.progressed = [](const ProgressUpdate&) {},
-                      .ended =
-                          [this](const Result<bool>& done) {
-                              if (!done) emit failed(done.error());
-                              if (std::exchange(mustKeep_, false)) keep();
-                          }}) {
+    : QObject(parent), folder_(std::move(folder)) {
     if (!folder_) return;
-    reading_.start([folder = *folder_](Progress&) -> Result<std::string> {
+    reading_.emplace(this, BackgroundJob<std::string>::Listener{
+                               .progressed = [](const ProgressUpdate&) {},
+                               .ended = [this](const Result<std::string>& json) { onRead(json); }});
+    writing_.emplace(
+        this, BackgroundJob<Kept>::Listener{.progressed = [](const ProgressUpdate&) {},
+                                            .ended = [this](const Result<Kept>& kept) { onKept(kept); }});
+    reading_->start([folder = *folder_](Progress&) -> Result<std::string> {
         try {
             MACULA_TRY(const std::optional<std::string> json, app::machineDocument(folder, documentId()));
             return json.value_or(std::string());
@@ -46,11 +43,57 @@ OwnWindowList::OwnWindowList(std::optional<std::filesystem::path> folder, QObjec
     });
 }
 
-// The threads end before this does.
-OwnWindowList::~OwnWindowList() = default;
+OwnWindowList::~OwnWindowList() {
+    // The threads end first: nobody else writes then.
+    reading_.reset();
+    writing_.reset();
+    if (!folder_ || toKeep_.empty()) return;
+    try {
+        // Nobody knows what became of those that were being written; to keep them twice changes nothing.
+        keeping_.insert(keeping_.end(), toKeep_.begin(), toKeep_.end());
+        if (const auto kept = keepIn(*folder_, keeping_); !kept)
+            log::warning("Windows could not be kept: {}", kept.error().message);
+    } catch (const std::exception&) {
+        log::warning("There was no memory to keep windows.");
+    }
+}
+
+OwnWindowList::Kept OwnWindowList::edited(std::vector<app::OwnWindow> windows, const Edits& edits) {
+    Kept kept{.windows = std::move(windows), .leftOut = {}};
+    for (const Edit& edit : edits) {
+        if (edit.isRemoved) {
+            std::erase(kept.windows, edit.window);
+        } else if (auto all = app::withOwnWindow(kept.windows, edit.window)) {
+            kept.windows = *std::move(all);
+        } else {
+            kept.leftOut = all.error();
+        }
+    }
+    return kept;
+}
+
+// On the thread of the job, or when there is none any more.
+Result<OwnWindowList::Kept> OwnWindowList::keepIn(const std::filesystem::path& folder, const Edits& edits) {
+    try {
+        MACULA_TRY(const std::optional<std::string> json, app::machineDocument(folder, documentId()));
+        std::vector<app::OwnWindow> stored;
+        if (json) {
+            if (auto read = app::ownWindowsFromJson(*json)) {
+                stored = *std::move(read);
+            } else {  // for the version that wrote them
+                MACULA_TRY_VOID(app::keepMachineDocument(
+                    folder, documentId("windows of slices not understood"), kVersion, *json));
+            }
+        }
+        Kept kept = edited(std::move(stored), edits);
+        MACULA_TRY_VOID(app::keepMachineDocument(folder, documentId(), kVersion, app::toJson(kept.windows)));
+        return kept;
+    } catch (const std::exception&) {
+        return noMemory();
+    }
+}
 
 void OwnWindowList::onRead(const Result<std::string>& json) {
-    isRead_ = true;
     std::vector<app::OwnWindow> read;
     if (!json) {
         emit failed(json.error());
@@ -64,41 +107,50 @@ void OwnWindowList::onRead(const Result<std::string>& json) {
                          tr("The next one that you keep takes their place.").toStdString()});
         }
     }
-    // What was added before they came stays.
-    for (app::OwnWindow& added : std::exchange(windows_, std::move(read))) {
-        if (auto all = app::withOwnWindow(windows_, std::move(added))) windows_ = *std::move(all);
-    }
+    // What was changed before they came stays.
+    windows_ = edited(std::move(read), toKeep_).windows;
     emit changed();
-    if (std::exchange(mustKeep_, false)) keep();
+    keep();
+}
+
+void OwnWindowList::onKept(const Result<Kept>& kept) {
+    const Edits done = std::exchange(keeping_, {});
+    if (!kept) {
+        // They are kept with the next one, or at the end.
+        toKeep_.insert(toKeep_.begin(), done.begin(), done.end());
+        emit failed(kept.error());
+        return;
+    }
+    std::vector<app::OwnWindow> now = edited(kept->windows, toKeep_).windows;
+    const bool isOther = now != windows_;  // another window of the program has kept some
+    windows_ = std::move(now);
+    if (isOther) emit changed();
+    if (kept->leftOut) emit failed(*kept->leftOut);
+    keep();
 }
 
 Result<void> OwnWindowList::add(app::OwnWindow window) {
     MACULA_TRY(windows_, app::withOwnWindow(windows_, std::move(window)));
-    emit changed();
-    keep();
+    edit({.window = windows_.back(), .isRemoved = false});
     return {};
 }
 
 void OwnWindowList::remove(const app::OwnWindow& window) {
-    if (std::erase(windows_, window) == 0) return;
+    const app::OwnWindow removed = window;  // it may be one of the list
+    if (std::erase(windows_, removed) == 0) return;
+    edit({.window = removed, .isRemoved = true});
+}
+
+void OwnWindowList::edit(Edit made) {
+    if (folder_) toKeep_.push_back(std::move(made));
     emit changed();
     keep();
 }
 
 void OwnWindowList::keep() {
-    if (!folder_) return;
-    if (!isRead_ || writing_.running()) {
-        mustKeep_ = true;
-        return;
-    }
-    writing_.start([folder = *folder_, json = app::toJson(windows_)](Progress&) -> Result<bool> {
-        try {
-            MACULA_TRY_VOID(app::keepMachineDocument(folder, documentId(), kVersion, json));
-            return true;
-        } catch (const std::exception&) {
-            return noMemory();
-        }
-    });
+    if (!folder_ || toKeep_.empty() || reading_->running() || writing_->running()) return;
+    keeping_ = std::exchange(toKeep_, {});
+    writing_->start([folder = *folder_, edits = keeping_](Progress&) { return keepIn(folder, edits); });
 }
 
 }  // namespace macula::viewer

@@ -13,14 +13,15 @@
 namespace macula::viewer {
 
 // Kept in a session::Store between runs, which nobody waits for; where there is none they last for the run.
-// Lives on the UI thread.
+// What is kept are the changes, made to what the store holds by then: another window may have kept some too,
+// and what could not be read once is not overwritten. Lives on the UI thread.
 class OwnWindowList : public QObject {
     Q_OBJECT
 
   public:
     // `folder` of the store; nothing: none. They come a moment later.
     explicit OwnWindowList(std::optional<std::filesystem::path> folder, QObject* parent = nullptr);
-    ~OwnWindowList() override;  // waits for what is being written
+    ~OwnWindowList() override;  // keeps what is not kept yet, and waits for that
 
     const std::vector<app::OwnWindow>& all() const { return windows_; }
     std::vector<app::OwnWindow> fitting(const Volume& volume) const {
@@ -35,15 +36,29 @@ class OwnWindowList : public QObject {
     void failed(const macula::Error& error);  // they could not be read or kept
 
   private:
+    struct Edit {
+        app::OwnWindow window;
+        bool isRemoved = false;
+    };
+    using Edits = std::vector<Edit>;
+    struct Kept {
+        std::vector<app::OwnWindow> windows;
+        std::optional<Error> leftOut;  // of those that did not fit any more
+    };
+
+    static Kept edited(std::vector<app::OwnWindow> windows, const Edits& edits);
+    static Result<Kept> keepIn(const std::filesystem::path& folder, const Edits& edits);
     void onRead(const Result<std::string>& json);
+    void onKept(const Result<Kept>& kept);
+    void edit(Edit made);
     void keep();
 
     std::optional<std::filesystem::path> folder_;
     std::vector<app::OwnWindow> windows_;
-    bool isRead_ = false;
-    bool mustKeep_ = false;  // once what was kept is read, or written
-    BackgroundJob<std::string> reading_;
-    BackgroundJob<bool> writing_;
+    Edits toKeep_;   // once what was kept is read, or written
+    Edits keeping_;  // by the job
+    std::optional<BackgroundJob<std::string>> reading_;
+    std::optional<BackgroundJob<Kept>> writing_;
 };
 
 }  // namespace macula::viewer

@@ -319,7 +319,7 @@ void SliceView::paintPicture(QPainter& painter) {
         ClipOnSlice clip = clipOnSlice(session_.state(), volume(), frame, hasClipHandles_);
         const auto pointed = hoverAt_ ? clipHandleAt(*hoverAt_) : std::nullopt;
         clip.held = heldClip_ ? heldClip_ : pointed ? std::optional(pointed->handle) : std::nullopt;
-        paintClip(painter, size(), clip, frame, shown_->of.pixelRatio);
+        paintClip(painter, size(), clip, frame, shown_->of.pixelRatio, dimming_);
     }
     paintOverlay(painter, size(), overlay());
     if (showsStudy()) return;

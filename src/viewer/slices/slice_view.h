@@ -13,6 +13,7 @@
 #include "app/clip/clip_handles.h"
 #include "slices/slice_plane.h"
 #include "viewer/session/viewer_session.h"
+#include "viewer/slices/clip_on_slice.h"
 #include "viewer/slices/measurement_drawing.h"
 #include "viewer/slices/measurement_handles.h"
 #include "viewer/slices/measurement_texts.h"
@@ -173,6 +174,7 @@ class SliceView : public QWidget {
     std::shared_ptr<const SecondSeries> second_;
     std::optional<SliceWish> wanted_;
     std::optional<SlicePicture> shown_;
+    ClipDimming dimming_;
     std::shared_ptr<const slices::ShownSegments> segments_;
     QStringList lines_;
     bool namesShown_ = true;

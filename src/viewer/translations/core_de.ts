@@ -1611,6 +1611,22 @@
         <translation>Für den Presentation State ist nicht genug Speicher da.</translation>
     </message>
     <message>
+        <source>The presentation state could not be written.</source>
+        <translation>Der Presentation State konnte nicht geschrieben werden.</translation>
+    </message>
+    <message>
+        <source>Choose another folder, and check free space and permissions.</source>
+        <translation>Wählen Sie einen anderen Ordner, und prüfen Sie freien Platz und Rechte.</translation>
+    </message>
+    <message>
+        <source>The presentation state could not be read.</source>
+        <translation>Der Presentation State konnte nicht gelesen werden.</translation>
+    </message>
+    <message>
+        <source>The file may be damaged; choose another one.</source>
+        <translation>Die Datei ist vielleicht beschädigt; wählen Sie eine andere.</translation>
+    </message>
+    <message>
         <source>The label of the presentation state is not usable.</source>
         <translation>Die Bezeichnung des Presentation State ist nicht brauchbar.</translation>
     </message>
