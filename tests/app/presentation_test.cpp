@@ -340,6 +340,27 @@ TEST_F(APresentation, shadingIsTheSameAndLightIsTold) {
     EXPECT_EQ(said(*straight_, false).presentation.shading->ambient, 1.0);
 }
 
+TEST_F(APresentation, ofAnotherProgramHidesNothingThatIsHiddenNow) {
+    StudyState now;
+    now.leavesTableOut = true;
+    now.segmentations = {{.digest = "d",
+                          .isShown = true,
+                          .segments = {{.number = 1, .opacity = 0.7, .in3d = In3d::alone},
+                                       {.number = 2, .in3d = In3d::hidden}}}};
+    const auto foreign = stateOf(said(*straight_, false), now, "a.dcm");
+    ASSERT_TRUE(foreign.ok());
+    EXPECT_FALSE(foreign->state.leavesTableOut);
+    EXPECT_TRUE(in3dOf(foreign->state.segmentations).empty());
+    EXPECT_EQ(choiceOf(choiceOf(foreign->state.segmentations, "d"), 1).opacity, 0.7) << "on slices";
+    // Macula's own words say otherwise.
+    state_.leavesTableOut = true;
+    state_.segmentations = now.segmentations;
+    const auto own = stateOf(said(*straight_, true), StudyState{}, "a.dcm");
+    ASSERT_TRUE(own.ok());
+    EXPECT_TRUE(own->state.leavesTableOut);
+    EXPECT_EQ(own->state.segmentations, now.segmentations);
+}
+
 TEST_F(APresentation, ofAnotherSeriesIsRefused) {
     const dicom::PresentationState read = said(*straight_, true);
     auto presented = stateOf(read, StudyState{}, "a.dcm");

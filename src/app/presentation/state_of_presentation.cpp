@@ -142,6 +142,9 @@ Result<PresentedState> stateOf(const dicom::PresentationState& read, StudyState 
     presented.state = std::move(usual);
     presented.state.clip.reset();
     presented.state.cuts = {};
+    // What hides voxels here is not in it.
+    presented.state.leavesTableOut = false;
+    presented.state.segmentations = onSlicesAlone(presented.state.segmentations);
     presented.state.seriesDigest.clear();
     MACULA_TRY_VOID(Telling(said, presented).tell(where));
     return presented;

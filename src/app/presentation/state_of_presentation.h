@@ -20,8 +20,8 @@ struct PresentedState {
 };
 
 // As far as that can be said without the volume: look, camera, colours, windows, lights. What is not in the
-// object is as in `usual`. The series is still to be checked. inputNotUsable for a camera that is none;
-// `where` is for the error.
+// object is as in `usual`, but for what hides voxels: nothing is hidden. The series is still to be checked.
+// inputNotUsable for a camera that is none; `where` is for the error.
 Result<PresentedState> stateOf(const dicom::PresentationState& read, StudyState usual,
                                const std::string& where);
 
