@@ -71,7 +71,7 @@ class APresentation : public testing::Test {
         auto presented = stateOf(read, StudyState{}, "a.dcm");
         EXPECT_TRUE(presented.ok()) << (presented ? "" : presented.error().message);
         if (!presented) return {};
-        const auto done = completeFor(*presented, read, volume, sha256Hex(kSeries), "a.dcm");
+        const auto done = completeFor(*presented, read, volume, sha256Hex(kSeries), {}, "a.dcm");
         EXPECT_TRUE(done.ok()) << (done ? "" : done.error().message);
         return *presented;
     }
@@ -365,7 +365,7 @@ TEST_F(APresentation, ofAnotherSeriesIsRefused) {
     const dicom::PresentationState read = said(*straight_, true);
     auto presented = stateOf(read, StudyState{}, "a.dcm");
     ASSERT_TRUE(presented.ok());
-    const auto done = completeFor(*presented, read, *straight_, sha256Hex("2.25.4712"), "a.dcm");
+    const auto done = completeFor(*presented, read, *straight_, sha256Hex("2.25.4712"), {}, "a.dcm");
     ASSERT_FALSE(done.ok());
     EXPECT_EQ(done.error().code, ErrorCode::inputNotUsable);
     EXPECT_NE(done.error().message.find("another series"), std::string::npos);
@@ -428,15 +428,27 @@ TEST_F(APresentation, isWrittenOfAFolderAndOpenedForIt) {
         wish.isDeidentified = isDeidentified;
         const auto written = writePresentation(path, wish);
         ASSERT_TRUE(written.ok()) << written.error().message;
-        const auto opened = openPresentation(path, *wish.volume, digest);
+        const auto opened = openPresentation(path, *wish.volume, digest, imageUidsOf(stack));
         ASSERT_TRUE(opened.ok()) << opened.error().message;
         EXPECT_TRUE(opened->isOwn);
         StudyState expected = state_;
         expected.seriesDigest = digest;
         EXPECT_EQ(opened->state, expected) << "the preset is a built-in one, and keeps its name";
-        EXPECT_FALSE(openPresentation(path, *wish.volume, sha256Hex("another")).ok());
+        EXPECT_TRUE(opened->notes.empty());
+        // Of another phase of the series, and of a part of the images.
+        const auto otherPhase =
+            openPresentation(path, *wish.volume, digest, std::vector<std::string>{"2.25.1", "2.25.2"});
+        ASSERT_FALSE(otherPhase.ok());
+        EXPECT_EQ(otherPhase.error().code, ErrorCode::inputNotUsable);
+        auto uids = imageUidsOf(stack);
+        ASSERT_GT(uids.size(), 1u);
+        uids.pop_back();
+        const auto part = openPresentation(path, *wish.volume, digest, uids);
+        ASSERT_TRUE(part.ok());
+        EXPECT_EQ(part->notes.size(), 1u);
+        EXPECT_FALSE(openPresentation(path, *wish.volume, sha256Hex("another"), {}).ok());
     }
-    EXPECT_FALSE(openPresentation(folder_ / "gone.dcm", *wish.volume, digest).ok());
+    EXPECT_FALSE(openPresentation(folder_ / "gone.dcm", *wish.volume, digest, {}).ok());
     dicom::Stack unnamed = stack;
     for (dicom::Frame& frame : unnamed.frames) frame.frameOfReferenceUid.clear();
     EXPECT_EQ(presentedImages(series, unnamed).error().code, ErrorCode::usage);

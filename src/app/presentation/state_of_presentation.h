@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,14 +26,17 @@ struct PresentedState {
 Result<PresentedState> stateOf(const dicom::PresentationState& read, StudyState usual,
                                const std::string& where);
 
-// Of the series that is open (StudyInput::seriesDigest), and with what needs its volume: the clip, and what
-// the values are. inputNotUsable when it is of another series, or its clip leaves nothing or is of too many
-// planes.
+// Of the series that is open (StudyInput::seriesDigest) and the images of its volume (imageUidsOf; none: they
+// are not known, and not compared), and with what needs its volume: the clip, and what the values are.
+// inputNotUsable when it is of another series, or of none of these images, or its clip leaves nothing or is
+// of too many planes.
 Result<void> completeFor(PresentedState& presented, const dicom::PresentationState& read,
-                         const Volume& volume, std::string_view seriesDigest, const std::string& where);
+                         const Volume& volume, std::string_view seriesDigest,
+                         std::span<const std::string> imageUids, const std::string& where);
 
 // A file, both of the above.
 Result<PresentedState> openPresentation(const std::filesystem::path& path, const Volume& volume,
-                                        std::string_view seriesDigest, StudyState usual = {});
+                                        std::string_view seriesDigest, std::span<const std::string> imageUids,
+                                        StudyState usual = {});
 
 }  // namespace macula::app

@@ -148,6 +148,7 @@ Result<StudyInput> loadStudy(const dicom::Scan& scan, const std::filesystem::pat
                                        [&](const std::string& n) { return n.starts_with(assumption); });
         if (!known) input.notes.push_back(assumption);
     }
+    input.imageUids = imageUidsOf(*chosen->stack);
     input.seriesDigest = sha256Hex(chosen->series->seriesInstanceUid);
     return input;
 }

@@ -57,11 +57,13 @@ void PresentationFiles::save(const std::filesystem::path& path, app::Presentatio
 }
 
 void PresentationFiles::open(const std::filesystem::path& path, std::shared_ptr<const Volume> volume,
-                             std::string seriesDigest, app::StudyState usual) {
+                             std::string seriesDigest, std::vector<std::string> imageUids,
+                             app::StudyState usual) {
     opening_.start([path, volume = std::move(volume), digest = std::move(seriesDigest),
+                    images = std::move(imageUids),
                     usual = std::move(usual)](Progress&) -> Result<app::PresentedState> {
         try {
-            return app::openPresentation(path, *volume, digest, usual);
+            return app::openPresentation(path, *volume, digest, images, usual);
         } catch (const std::bad_alloc&) {
             return tooLarge();
         }
