@@ -57,8 +57,8 @@ void MainWindow::askForPresentation() {
         const app::OpenedStudy& shown = study();
         std::vector<std::string> images;
         if (shown.found) images = app::imageUidsOf(*shown.found->volumes().at(shown.volumeIndex).stack);
-        presentations_->open(path.toStdString(), shown.volume, shown.seriesDigest, std::move(images),
-                             state());
+        presentations_->open(path.toStdString(), shown.volume, shown.seriesDigest, std::move(images), state(),
+                             viewport_->aspect());
     });
 }
 

@@ -13,6 +13,7 @@
 #include "app/presentation/presentation_of_state.h"
 #include "app/presentation/state_of_presentation.h"
 #include "app/state/state_wish.h"
+#include "app/study/found_volumes.h"
 #include "base/sha256.h"
 #include "support.h"
 
@@ -236,6 +237,28 @@ TEST_F(APresentation, aParallelProjectionHasItsMiddleAndHeight) {
     EXPECT_TRUE(presented.notes.empty()) << presented.notes.front();
     read.presentation.view.field.topMm = 2e6;
     EXPECT_FALSE(stateOf(read, StudyState{}, "a.dcm").ok()) << "higher than a picture can be";
+}
+
+TEST_F(APresentation, isSeenAsWideAsItIsInANarrowerPicture) {
+    dicom::PresentationState read = said(*straight_, false);  // for a picture of 3:2
+    PresentedState presented = again(read, *straight_);
+    EXPECT_NEAR(presented.widthOverHeight, 1.5, 1e-9);
+    const double half = std::tan(glm::radians(0.5 * presented.state.camera->verticalFovDeg));
+    const Camera before = *presented.state.camera;
+    for (const double wideEnough : {1.5, 2.5, 0.0, std::nan("")}) {
+        widenFor(presented, wideEnough);
+        EXPECT_EQ(*presented.state.camera, before);
+    }
+    widenFor(presented, 0.75);
+    EXPECT_NEAR(std::tan(glm::radians(0.5 * presented.state.camera->verticalFovDeg)), 2.0 * half, 1e-9);
+    read.presentation.view.projection = dicom::Projection::orthographic;
+    read.presentation.view.field = {-60.0, 60.0, 20.0, -20.0, 1.0, 5000.0};
+    presented = again(read, *straight_);
+    widenFor(presented, 1.0);
+    EXPECT_NEAR(presented.state.camera->parallelHeightMm, 120.0, 1e-9);
+    presented = again(said(*straight_, true), *straight_);
+    widenFor(presented, 0.1);
+    EXPECT_EQ(*presented.state.camera, *state_.camera) << "Macula's own picture";
 }
 
 TEST_F(APresentation, theWindowOfAProjectionIsTheSame) {

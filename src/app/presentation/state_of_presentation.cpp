@@ -90,6 +90,7 @@ class Telling {
             const double half = std::max(field.topMm, -field.bottomMm);
             camera.verticalFovDeg = 2.0 * std::atan2(half, field.farMm) / kDegree;
             constexpr double kOff = 1e-6;
+            presented_.widthOverHeight = std::max(field.rightMm, -field.leftMm) / half;
             if (std::abs(field.topMm + field.bottomMm) > kOff * half ||
                 std::abs(field.leftMm + field.rightMm) > kOff * half)
                 note(
@@ -97,6 +98,7 @@ class Telling {
                     "looks at.");
         } else {
             camera.parallelHeightMm = field.topMm - field.bottomMm;
+            presented_.widthOverHeight = (field.rightMm - field.leftMm) / camera.parallelHeightMm;
             const glm::dvec3 aside = 0.5 * (field.leftMm + field.rightMm) * axes->right +
                                      0.5 * (field.topMm + field.bottomMm) * axes->up;
             camera.targetMm += aside;
@@ -194,6 +196,20 @@ Result<void> completeFor(PresentedState& presented, const dicom::PresentationSta
     if (cutsByDepth(said.view, volume))
         presented.notes.emplace_back("What lies before or behind the depth of its view is shown, too.");
     return {};
+}
+
+void widenFor(PresentedState& presented, double aspectWidthOverHeight) {
+    auto& camera = presented.state.camera;
+    if (presented.isOwn || !camera || !(aspectWidthOverHeight > 0.0)) return;
+    const double wider = presented.widthOverHeight / aspectWidthOverHeight;
+    constexpr double kAsWide = 1.0 + 1e-6;
+    if (!std::isfinite(wider) || !(wider > kAsWide)) return;
+    if (isParallel(*camera)) {
+        camera->parallelHeightMm = std::min(wider * camera->parallelHeightMm, kMostParallelMm);
+    } else {
+        const double half = std::tan(0.5 * camera->verticalFovDeg * kDegree);
+        camera->verticalFovDeg = std::min(2.0 * std::atan(wider * half) / kDegree, kLargest);
+    }
 }
 
 Result<PresentedState> openPresentation(const std::filesystem::path& path, const Volume& volume,

@@ -17,6 +17,7 @@ namespace macula::app {
 struct PresentedState {
     StudyState state;
     bool isOwn = false;              // in the words of Macula, and so the same picture
+    double widthOverHeight = 0.0;    // of the view that another program wrote; 0: as the window is
     std::vector<std::string> notes;  // sentences: what it has that is not shown, or otherwise
 };
 
@@ -34,7 +35,11 @@ Result<void> completeFor(PresentedState& presented, const dicom::PresentationSta
                          const Volume& volume, std::string_view seriesDigest,
                          std::span<const std::string> imageUids, const std::string& where);
 
-// A file, both of the above.
+// A picture of that aspect, where it is narrower than the view, becomes as wide as that: more is seen above
+// and below. Nothing else changes.
+void widenFor(PresentedState& presented, double aspectWidthOverHeight);
+
+// A file, the first two of the above.
 Result<PresentedState> openPresentation(const std::filesystem::path& path, const Volume& volume,
                                         std::string_view seriesDigest, std::span<const std::string> imageUids,
                                         StudyState usual = {});

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "app/study/found_volumes.h"
 #include "base/fingerprint.h"
 #include "base/parsing.h"
 #include "base/phantom.h"

@@ -25,9 +25,10 @@ class PresentationFiles : public QObject {
 
     void save(const std::filesystem::path& path, app::PresentationWish wish);
     // For the volume that is open, of these images (app::imageUidsOf); what the file does not say is as in
-    // `usual`.
+    // `usual`. All of its view is seen in a picture of that aspect; 0: not known.
     void open(const std::filesystem::path& path, std::shared_ptr<const Volume> volume,
-              std::string seriesDigest, std::vector<std::string> imageUids, app::StudyState usual);
+              std::string seriesDigest, std::vector<std::string> imageUids, app::StudyState usual,
+              double aspectWidthOverHeight = 0.0);
 
   signals:
     // `notes` are what other programs will show otherwise, and what is shown otherwise here.
