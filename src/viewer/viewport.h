@@ -88,7 +88,8 @@ class Viewport : public QWidget {
     QSize pictureSize() const { return window_->pixels(); }
     // The picture on screen and its camera, as its marks were painted for; nothing without a picture.
     std::optional<MarkedPicture> pictureOnScreen() const;
-    double aspect() const;  // width over height
+    bool isCameraOnScreen() const;  // that which is asked for: the picture is not of one before
+    double aspect() const;          // width over height
 
   signals:
     void rendered(const macula::app::RenderEvent& event);
