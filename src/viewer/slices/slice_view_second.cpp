@@ -2,6 +2,7 @@
 #include <cmath>
 #include <utility>
 
+#include "app/study/second_study.h"
 #include "viewer/slices/slice_texts.h"
 #include "viewer/slices/slice_view.h"
 
@@ -32,7 +33,7 @@ void SliceView::setPaneView(const PaneView& view) {
 // Null unless the second volume that is there is the one of the state.
 const app::BesideState* SliceView::beside() const {
     const auto& state = session_.state().beside;
-    return second_ && state && state->seriesDigest == second_->study.seriesDigest ? &*state : nullptr;
+    return second_ && state && app::isOf(*state, second_->study) ? &*state : nullptr;
 }
 
 bool SliceView::wantsSecond() const {

@@ -2547,6 +2547,10 @@
         <translation>Modalität unbekannt</translation>
     </message>
     <message>
+        <source>volume %1 of %2</source>
+        <translation>Volumen %1 von %2</translation>
+    </message>
+    <message>
         <source>series %1</source>
         <translation>Serie %1</translation>
     </message>
