@@ -198,6 +198,7 @@ void SliceView::request() {
                    .segments = segments_,
                    .positionText = viewer::positionText(orientation_, *steps_, slice),
                    .isInterpolated = isInterpolated(volume(), *steps_, slice),
+                   .isLowBright = session_.study().isLowBright,
                    .pixelRatio = ratio,
                    .crosshairMm = crosshairMm()};
     addSecond(wish);
@@ -262,9 +263,8 @@ QStringList SliceView::notes() const {
     }
     notes += segmentNotes();
     if (shown_->of.isInverted)
-        notes.push_back(showsStudy() && session_.study().isLowBright
-                            ? tr("Low values are white, as in the images")
-                            : tr("Inverted"));
+        notes.push_back(shown_->of.isLowBright ? tr("Low values are white, as in the images")
+                                               : tr("Inverted"));
     if (shown_->of.isInterpolated) notes.push_back(tr("Interpolated: no image was taken here"));
     if (!showsStudy() && isMeasuring()) notes.push_back(tr("Measurements are of the study alone"));
     return shown_->of.secondNotes + notes;

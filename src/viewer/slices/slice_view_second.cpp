@@ -65,6 +65,7 @@ void SliceView::addSecond(SliceWish& wish) const {
         wish.shows = state->isLinked() ? SliceShows::second : SliceShows::secondByHand;
         wish.window = secondWindow();
         wish.isInverted = secondIsInverted();
+        wish.isLowBright = second_->study.isLowBright;
         wish.isInterpolated = false;
         wish.segments.reset();  // they are of the study's voxels
         wish.positionText = state->isLinked() ? tr("In the plane of the study: %1").arg(wish.positionText)
@@ -83,6 +84,8 @@ void SliceView::addSecond(SliceWish& wish) const {
                               .opacity = state->opacity};
         wish.tags.push_back(tr("In colours: %1").arg(second_->tag));
         wish.secondNotes = {linkText(*state)};
+        if (!second_->study.volume->provenance().interpolatedSlices.empty())
+            wish.secondNotes.push_back(tr("In colours: some slices are interpolated"));
     } else {
         return;
     }
