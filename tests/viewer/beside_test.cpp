@@ -383,6 +383,8 @@ TEST_F(BesideTest, OneFrameOfReferenceNeedsNoRegistration) {
     EXPECT_FALSE(beside_->isRegistering());
     EXPECT_EQ(beside_->state()->link, BesideLink::sameFrame);
     EXPECT_EQ(beside_->state()->secondFromStudy, glm::dmat4(1.0));
+    ASSERT_TRUE(settled());
+    EXPECT_TRUE(second().notes().join(' ').contains("the patient may have moved"));
     // A frame of reference that two patients share is none.
     pet.seriesDigest = "another";
     pet.identity.patientId = "18";
