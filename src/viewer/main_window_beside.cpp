@@ -84,9 +84,8 @@ QStringList MainWindow::besideNotes() const {
     if (state == nullptr) {
         if (session_.state().beside && !beside_->isWorking())
             notes << tr(
-                "The second volume that was beside this study is not open; open it with Ctrl+B to see both "
-                "as "
-                "they were.");
+                "The second volume that was beside this study is not open; open it with Ctrl+B to see "
+                "both as they were.");
         return notes;
     }
     const app::OpenedStudy& second = beside_->second()->study;

@@ -498,8 +498,20 @@ TEST_F(APresentation, isAWishLikeAView) {
     EXPECT_EQ(state->camera, state_.camera);
     EXPECT_EQ(state->clip, wish.state.clip);
     EXPECT_EQ(preset->publicName, "ct-bone");
+    study.imageUids = {"2.25.1"};  // another phase
+    EXPECT_FALSE(completeState(*state, typed, study).ok());
+    study.imageUids.clear();
     study.seriesDigest = sha256Hex("another");
     EXPECT_FALSE(completeState(*state, typed, study).ok());
+    // Of another program all is seen in a narrower picture, too.
+    dicom::VolumePresentation foreign = said(*wish.volume, false).presentation;
+    foreign.series = wish.images.series;
+    const std::filesystem::path path = folder_ / "foreign.dcm";
+    ASSERT_TRUE(dicom::writePresentationState(path, foreign, {.isDeidentified = true}).ok());
+    const auto wide = stateOf(StateWish{.presentation = path, .aspectWidthOverHeight = 1.5});
+    const auto narrow = stateOf(StateWish{.presentation = path, .aspectWidthOverHeight = 0.5});
+    ASSERT_TRUE(wide.ok() && narrow.ok());
+    EXPECT_GT(narrow->camera->verticalFovDeg, 2.0 * wide->camera->verticalFovDeg);
 }
 
 }  // namespace

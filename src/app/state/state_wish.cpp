@@ -71,6 +71,7 @@ Result<StudyState> stateOf(const StateWish& wish, StudyState usual) {
     if (!wish.presentation.empty()) {
         MACULA_TRY(const dicom::PresentationState read, dicom::readPresentationState(wish.presentation));
         MACULA_TRY(PresentedState presented, stateOf(read, std::move(state), wish.presentation.string()));
+        widenFor(presented, wish.aspectWidthOverHeight);
         state = std::move(presented.state);
     }
     if (wish.look) state.settings.look = *wish.look;
