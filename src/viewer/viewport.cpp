@@ -311,13 +311,6 @@ std::optional<MarkedPicture> Viewport::pictureOnScreen() const {
     return MarkedPicture{shown_->camera, window_->pixels(), window_->devicePixelRatio()};
 }
 
-bool Viewport::isCameraOnScreen() const {
-    const auto picture = pictureOnScreen();
-    if (!picture || !input_.volume) return false;
-    const Box box = input_.volume->worldBox();  // pictures are drawn from before it
-    return standingBefore(picture->camera, box) == standingBefore(toCamera(camera_), box);
-}
-
 // The cube on screen is that of the picture, not of the camera that is asked for by now.
 std::optional<ViewDirection> Viewport::sideAt(QPointF place) const {
     const auto picture = marksShown_ ? pictureOnScreen() : std::nullopt;
@@ -446,8 +439,7 @@ PicturePlace Viewport::placeAt(QPointF place, bool withShift) const {
 bool Viewport::grab(QPointF place, bool withShift) {
     if (!input_.volume) return false;
     const PicturePlace at = placeAt(place, withShift);
-    // What is pointed at is of a picture that will be gone in a moment: no tool takes hold of it, and the
-    // button does nothing.
+    // Of a picture that will be gone in a moment no tool takes hold, and the button does nothing.
     if (!isCameraOnScreen())
         return std::ranges::any_of(tools_, [&](PictureTool* tool) { return tool->point(at).has_value(); });
     const auto taker = std::ranges::find_if(tools_, [&](PictureTool* tool) { return tool->press(at); });
