@@ -21,6 +21,9 @@ struct ShownSegment {
     std::string label;                       // for the screen
     std::array<std::uint8_t, 3> rgb{};       // sRGB
     double opacity = 0.4;                    // of what is filled, 0 to 1; the line is opaque
+    // How it came to these voxels, for who says so beside the picture.
+    bool isResampled = false;   // drawn on other voxels: the nearest of them counts
+    bool hasFractions = false;  // what is half or more counts
 
     bool operator==(const ShownSegment&) const = default;  // of voxels: the same set
 };

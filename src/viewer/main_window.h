@@ -36,6 +36,10 @@ class QDockWidget;
 class QFileDialog;
 class QMenu;
 
+namespace macula::app {
+struct PresentationWish;
+}
+
 namespace macula::viewer {
 
 class BesideBar;
@@ -224,7 +228,7 @@ class MainWindow : public QMainWindow {
     void addPresentationsTo(QMenu& file);
     void askForPresentation();
     void askHowToSavePresentation();
-    void askWhereToSavePresentation(bool isDeidentified);
+    void askWhereToSavePresentation(app::PresentationWish wish);
     void askForPicture();
     void askWhereToSavePicture(const PictureDialog& how);
     void openFound(std::size_t index);  // another volume of the folder

@@ -28,7 +28,10 @@ void MainWindow::makeBeside() {
         besideWork_->begin(stage);
     });
     connect(beside_, &BesideStudy::progressed, besideWork_, &WorkBar::setProgress);
-    connect(beside_, &BesideStudy::ended, besideWork_, &QWidget::hide);
+    connect(beside_, &BesideStudy::ended, this, [this] {
+        besideWork_->hide();
+        if (session_.state().beside && beside_->state() == nullptr) showNotes();  // it is still not there
+    });
     connect(besideWork_, &WorkBar::cancelClicked, beside_, &BesideStudy::cancel);
     connect(beside_, &BesideStudy::failed, this, [this](const Error& error) {
         messages_->showError(error);
@@ -81,8 +84,8 @@ QStringList MainWindow::besideNotes() const {
     if (state == nullptr) {
         if (session_.state().beside && !beside_->isWorking())
             notes << tr(
-                "The second volume that was beside this study is not in its folder; open it with Ctrl+B to "
-                "see both as they were.");
+                "The second volume that was beside this study is not open; open it with Ctrl+B to see "
+                "both as they were.");
         return notes;
     }
     const app::OpenedStudy& second = beside_->second()->study;

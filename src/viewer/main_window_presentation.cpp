@@ -54,7 +54,11 @@ void MainWindow::askForPresentation() {
                                    tr("DICOM files (*.dcm);;All files (*)"));
     dialog->setFileMode(QFileDialog::ExistingFile);
     ask(dialog, [this](const QString& path) {
-        presentations_->open(path.toStdString(), study().volume, study().seriesDigest, state());
+        const app::OpenedStudy& shown = study();
+        std::vector<std::string> images;
+        if (shown.found) images = app::imageUidsOf(*shown.found->volumes().at(shown.volumeIndex).stack);
+        presentations_->open(path.toStdString(), shown.volume, shown.seriesDigest, std::move(images), state(),
+                             viewport_->aspect());
     });
 }
 
@@ -65,16 +69,7 @@ void MainWindow::askHowToSavePresentation() {
              tr("A presentation state refers to DICOM images, and none are open.").toStdString(),
              {},
              tr("Open a folder with DICOM files, or save the view.").toStdString()});
-    viewport_->window().endDrag();
-    auto* dialog = new PresentationDialog(this);
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    connect(dialog, &QDialog::accepted, this,
-            [this, dialog] { askWhereToSavePresentation(dialog->isDeidentified()); });
-    dialog->open();
-}
-
-void MainWindow::askWhereToSavePresentation(bool isDeidentified) {
-    // What is on screen now: while a person looks for a folder another study may come.
+    // What is on screen now: while a person answers another study may come.
     const app::FoundVolume& shown = study().found->volumes().at(study().volumeIndex);
     auto images = app::presentedImages(*shown.series, *shown.stack);
     if (!images) return messages_->showError(images.error());
@@ -84,7 +79,17 @@ void MainWindow::askWhereToSavePresentation(bool isDeidentified) {
     wish.images = *std::move(images);
     const QSize size = viewport_->pictureSize();
     if (!size.isEmpty()) wish.aspectWidthOverHeight = double(size.width()) / size.height();
-    wish.isDeidentified = isDeidentified;
+    viewport_->window().endDrag();
+    auto* dialog = new PresentationDialog(this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &QDialog::accepted, this, [this, dialog, wish = std::move(wish)]() mutable {
+        wish.isDeidentified = dialog->isDeidentified();
+        askWhereToSavePresentation(std::move(wish));
+    });
+    dialog->open();
+}
+
+void MainWindow::askWhereToSavePresentation(app::PresentationWish wish) {
     auto* dialog =
         new QFileDialog(this, tr("Save the presentation state"), lastFolder_, tr("DICOM files (*.dcm)"));
     dialog->setAcceptMode(QFileDialog::AcceptSave);

@@ -440,6 +440,9 @@ PicturePlace Viewport::placeAt(QPointF place, bool withShift) const {
 bool Viewport::grab(QPointF place, bool withShift) {
     if (!input_.volume) return false;
     const PicturePlace at = placeAt(place, withShift);
+    // Of a picture that will be gone in a moment no tool takes hold, and the button does nothing.
+    if (!isCameraOnScreen())
+        return std::ranges::any_of(tools_, [&](PictureTool* tool) { return tool->point(at).has_value(); });
     const auto taker = std::ranges::find_if(tools_, [&](PictureTool* tool) { return tool->press(at); });
     if (taker == tools_.end()) return false;
     holder_ = *taker;

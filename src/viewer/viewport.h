@@ -88,6 +88,11 @@ class Viewport : public QWidget {
     QSize pictureSize() const { return window_->pixels(); }
     // The picture on screen and its camera, as its marks were painted for; nothing without a picture.
     std::optional<MarkedPicture> pictureOnScreen() const;
+    // That which is asked for: the picture is not of one before. Pictures are drawn from before the volume.
+    bool isCameraOnScreen() const {
+        const auto picture = input_.volume ? pictureOnScreen() : std::nullopt;
+        return picture && picture->camera == standingBefore(toCamera(camera_), input_.volume->worldBox());
+    }
     double aspect() const;  // width over height
 
   signals:

@@ -105,23 +105,54 @@ TEST(RemovedOnSlice, OfScissorsIsWhatIsBehindTheirOutline) {
         if (isClose) cut.camera = {.positionMm = {0, -5, 10}, .targetMm = {10, 40, 0}, .verticalFovDeg = 90};
         const ScissorBlades blades(cut);
         for (const slices::SliceFrame& frame : frames()) {
-            const Contour behind = behindOutline(cut, frame);
+            const std::vector<Contour> behind = behindOutline(cut, frame);
             for (int y = 0; y < frame.sizePx.y; y += 5) {
                 for (int x = 0; x < frame.sizePx.x; x += 5) {
                     const glm::dvec2 px(x + 0.37, y + 0.41);
-                    ASSERT_EQ(windAround(std::span(&behind, 1), px),
-                              blades.removesPoint(frame.worldFromPicture(px)))
+                    ASSERT_EQ(windAround(behind, px), blades.removesPoint(frame.worldFromPicture(px)))
                         << x << " " << y;
                 }
             }
         }
     }
-    // Seen from its edge, nothing of a slice is behind an outline.
-    cut.camera = {.positionMm = {0, -500, 0}, .targetMm = {0, 0, 0}};
-    EXPECT_TRUE(behindOutline(cut, {.plane = slices::planeOf(slices::Orientation::axial, {0, 0, 0}),
-                                    .mmPerPixel = 1.0,
-                                    .sizePx = {100, 100}})
-                    .empty());
+}
+
+// A slice through the eye, or along parallel rays, is a line in that picture, and strips of it are removed.
+TEST(RemovedOnSlice, OfScissorsAreStripsWhereTheSliceIsSeenFromItsEdge) {
+    ScissorCut cut{.outline = {{-0.2, -0.1},
+                               {0.2, -0.1},
+                               {0.2, 0.1},
+                               {0.1, 0.1},
+                               {0.1, -0.05},
+                               {-0.1, -0.05},
+                               {-0.1, 0.1},
+                               {-0.2, 0.1}}};
+    const std::vector<Camera> cameras{
+        {.positionMm = {0, -500, 0}, .targetMm = {0, 0, 0}},
+        {.positionMm = {20, -30, 0}, .targetMm = {0, 0, 0}, .verticalFovDeg = 90},  // within the slice
+        {.positionMm = {300, -400, 0}, .targetMm = {0, 0, 0}, .parallelHeightMm = 300}};
+    const slices::SliceFrame frame{.plane = slices::planeOf(slices::Orientation::axial, {0, 0, 0}),
+                                   .mmPerPixel = 1.0,
+                                   .sizePx = {200, 180}};
+    for (const Camera& camera : cameras) {
+        cut.camera = camera;
+        const ScissorBlades blades(cut);
+        const std::vector<Contour> behind = behindOutline(cut, frame);
+        EXPECT_EQ(behind.size(), 2u);
+        int removed = 0;
+        for (int y = 0; y < frame.sizePx.y; y += 5) {
+            for (int x = 0; x < frame.sizePx.x; x += 5) {
+                const glm::dvec2 px(x + 0.37, y + 0.41);
+                const bool isRemoved = blades.removesPoint(frame.worldFromPicture(px));
+                ASSERT_EQ(windAround(behind, px), isRemoved) << x << " " << y;
+                removed += isRemoved;
+            }
+        }
+        EXPECT_GT(removed, 20);
+    }
+    // In the plane of the eye, across its view, nothing is before it.
+    cut.camera = {.positionMm = {0, 0, 0}, .targetMm = {0, 0, 100}, .up = {0, 1, 0}};
+    EXPECT_TRUE(behindOutline(cut, frame).empty());
 }
 
 TEST(RemovedOnSlice, HasLinesWhereTheClipHasBorders) {

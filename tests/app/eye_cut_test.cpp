@@ -42,8 +42,11 @@ TEST(EyeCut, NeverLeavesNothingAndGoesNoFartherThanTheVolume) {
         const auto cut = eyeCut(oblique(), mm, false, volume());
         ASSERT_TRUE(cut.ok());
         const ValueRange range = eyeCutRangeMm(cut->plane.normal, volume());
-        EXPECT_GE(cut->fromMiddleMm, range.low);
-        EXPECT_LE(cut->fromMiddleMm, range.high);
+        const double planeMm =
+            cut->plane.offsetMm - glm::dot(cut->plane.normal, volume().worldBox().centre());
+        EXPECT_GE(planeMm, range.low - 1e-9);
+        EXPECT_LE(planeMm, range.high + 1e-9);
+        EXPECT_EQ(cut->fromMiddleMm, mm) << "as it was asked for";
         Clip clip = clipFor(std::nullopt, {.eye = *cut, .scissors = {}}, volume());
         EXPECT_TRUE(validate(clip).ok());
     }

@@ -266,6 +266,38 @@ TEST_F(OwnPresets, WindowsInHounsfieldUnitsAreNotUsedOnOtherValues) {
     EXPECT_EQ(next.slices.window, std::nullopt);
 }
 
+TEST_F(OwnPresets, RawWindowsOfOneStudyAreNotThoseOfAnother) {
+    const auto raw = Volume::create({.size = glm::ivec3(2), .unit = Unit::raw, .modality = "MR"},
+                                    std::vector<std::uint16_t>(8, 7));
+    TransferFunction function = bone();
+    function.unit = Unit::raw;
+    ASSERT_TRUE(suits(function, raw->unit()));
+    PresetShelf all = shelf();
+    const PresetRef id = *all.add("As seen", function, seenOf(seenState(), *volume_));
+    StudyState next;
+    use(*all.find(id), *raw, next);
+    EXPECT_EQ(next.settings.look, trace::Look::mip);
+    EXPECT_EQ(next.windows.at(std::size_t(trace::Look::mip)), std::nullopt);
+    EXPECT_EQ(next.slices.window, std::nullopt);
+}
+
+TEST_F(OwnPresets, ParallelRaysComeBackAndFitTheOtherVolume) {
+    StudyState state = seenState();
+    state.camera->parallelHeightMm = 37.5;
+    PresetShelf first = shelf();
+    const PresetRef id = *first.add("As seen", bone(), seenOf(state, *volume_));
+    write(first);
+    const auto preset = reopened().find(id);
+    ASSERT_NE(preset, nullptr);
+    EXPECT_TRUE(*preset == *first.find(id));
+    EXPECT_NEAR(cameraIn(*preset->seen->camera, *volume_).parallelHeightMm, 37.5, 1e-9);
+    phantom::Options twice{.size = {24, 20, 16}};
+    twice.spacingMm *= 2.0;
+    const Volume larger = phantom::make(twice);
+    EXPECT_NEAR(cameraIn(*preset->seen->camera, larger).parallelHeightMm,
+                37.5 * larger.worldBox().diagonal() / volume_->worldBox().diagonal(), 1e-9);
+}
+
 TEST_F(OwnPresets, FavouritesAndThoseUsedLastSurviveReopening) {
     PresetShelf first = shelf();
     const PresetRef own = *first.add("Mine", bone());

@@ -13,6 +13,7 @@
 #include "app/presentation/presentation_of_state.h"
 #include "app/presentation/state_of_presentation.h"
 #include "app/state/state_wish.h"
+#include "app/study/found_volumes.h"
 #include "base/sha256.h"
 #include "support.h"
 
@@ -71,7 +72,7 @@ class APresentation : public testing::Test {
         auto presented = stateOf(read, StudyState{}, "a.dcm");
         EXPECT_TRUE(presented.ok()) << (presented ? "" : presented.error().message);
         if (!presented) return {};
-        const auto done = completeFor(*presented, read, volume, sha256Hex(kSeries), "a.dcm");
+        const auto done = completeFor(*presented, read, volume, sha256Hex(kSeries), {}, "a.dcm");
         EXPECT_TRUE(done.ok()) << (done ? "" : done.error().message);
         return *presented;
     }
@@ -238,6 +239,28 @@ TEST_F(APresentation, aParallelProjectionHasItsMiddleAndHeight) {
     EXPECT_FALSE(stateOf(read, StudyState{}, "a.dcm").ok()) << "higher than a picture can be";
 }
 
+TEST_F(APresentation, isSeenAsWideAsItIsInANarrowerPicture) {
+    dicom::PresentationState read = said(*straight_, false);  // for a picture of 3:2
+    PresentedState presented = again(read, *straight_);
+    EXPECT_NEAR(presented.widthOverHeight, 1.5, 1e-9);
+    const double half = std::tan(glm::radians(0.5 * presented.state.camera->verticalFovDeg));
+    const Camera before = *presented.state.camera;
+    for (const double wideEnough : {1.5, 2.5, 0.0, std::nan("")}) {
+        widenFor(presented, wideEnough);
+        EXPECT_EQ(*presented.state.camera, before);
+    }
+    widenFor(presented, 0.75);
+    EXPECT_NEAR(std::tan(glm::radians(0.5 * presented.state.camera->verticalFovDeg)), 2.0 * half, 1e-9);
+    read.presentation.view.projection = dicom::Projection::orthographic;
+    read.presentation.view.field = {-60.0, 60.0, 20.0, -20.0, 1.0, 5000.0};
+    presented = again(read, *straight_);
+    widenFor(presented, 1.0);
+    EXPECT_NEAR(presented.state.camera->parallelHeightMm, 120.0, 1e-9);
+    presented = again(said(*straight_, true), *straight_);
+    widenFor(presented, 0.1);
+    EXPECT_EQ(*presented.state.camera, *state_.camera) << "Macula's own picture";
+}
+
 TEST_F(APresentation, theWindowOfAProjectionIsTheSame) {
     for (const trace::Look look : {trace::Look::mip, trace::Look::minip}) {
         state_.settings.look = look;
@@ -354,11 +377,32 @@ TEST_F(APresentation, shadingIsTheSameAndLightIsTold) {
     EXPECT_EQ(said(*straight_, false).presentation.shading->ambient, 1.0);
 }
 
+TEST_F(APresentation, ofAnotherProgramHidesNothingThatIsHiddenNow) {
+    StudyState now;
+    now.leavesTableOut = true;
+    now.segmentations = {{.digest = "d",
+                          .isShown = true,
+                          .segments = {{.number = 1, .opacity = 0.7, .in3d = In3d::alone},
+                                       {.number = 2, .in3d = In3d::hidden}}}};
+    const auto foreign = stateOf(said(*straight_, false), now, "a.dcm");
+    ASSERT_TRUE(foreign.ok());
+    EXPECT_FALSE(foreign->state.leavesTableOut);
+    EXPECT_TRUE(in3dOf(foreign->state.segmentations).empty());
+    EXPECT_EQ(choiceOf(choiceOf(foreign->state.segmentations, "d"), 1).opacity, 0.7) << "on slices";
+    // Macula's own words say otherwise.
+    state_.leavesTableOut = true;
+    state_.segmentations = now.segmentations;
+    const auto own = stateOf(said(*straight_, true), StudyState{}, "a.dcm");
+    ASSERT_TRUE(own.ok());
+    EXPECT_TRUE(own->state.leavesTableOut);
+    EXPECT_EQ(own->state.segmentations, now.segmentations);
+}
+
 TEST_F(APresentation, ofAnotherSeriesIsRefused) {
     const dicom::PresentationState read = said(*straight_, true);
     auto presented = stateOf(read, StudyState{}, "a.dcm");
     ASSERT_TRUE(presented.ok());
-    const auto done = completeFor(*presented, read, *straight_, sha256Hex("2.25.4712"), "a.dcm");
+    const auto done = completeFor(*presented, read, *straight_, sha256Hex("2.25.4712"), {}, "a.dcm");
     ASSERT_FALSE(done.ok());
     EXPECT_EQ(done.error().code, ErrorCode::inputNotUsable);
     EXPECT_NE(done.error().message.find("another series"), std::string::npos);
@@ -421,15 +465,27 @@ TEST_F(APresentation, isWrittenOfAFolderAndOpenedForIt) {
         wish.isDeidentified = isDeidentified;
         const auto written = writePresentation(path, wish);
         ASSERT_TRUE(written.ok()) << written.error().message;
-        const auto opened = openPresentation(path, *wish.volume, digest);
+        const auto opened = openPresentation(path, *wish.volume, digest, imageUidsOf(stack));
         ASSERT_TRUE(opened.ok()) << opened.error().message;
         EXPECT_TRUE(opened->isOwn);
         StudyState expected = state_;
         expected.seriesDigest = digest;
         EXPECT_EQ(opened->state, expected) << "the preset is a built-in one, and keeps its name";
-        EXPECT_FALSE(openPresentation(path, *wish.volume, sha256Hex("another")).ok());
+        EXPECT_TRUE(opened->notes.empty());
+        // Of another phase of the series, and of a part of the images.
+        const auto otherPhase =
+            openPresentation(path, *wish.volume, digest, std::vector<std::string>{"2.25.1", "2.25.2"});
+        ASSERT_FALSE(otherPhase.ok());
+        EXPECT_EQ(otherPhase.error().code, ErrorCode::inputNotUsable);
+        auto uids = imageUidsOf(stack);
+        ASSERT_GT(uids.size(), 1u);
+        uids.pop_back();
+        const auto part = openPresentation(path, *wish.volume, digest, uids);
+        ASSERT_TRUE(part.ok());
+        EXPECT_EQ(part->notes.size(), 1u);
+        EXPECT_FALSE(openPresentation(path, *wish.volume, sha256Hex("another"), {}).ok());
     }
-    EXPECT_FALSE(openPresentation(folder_ / "gone.dcm", *wish.volume, digest).ok());
+    EXPECT_FALSE(openPresentation(folder_ / "gone.dcm", *wish.volume, digest, {}).ok());
     dicom::Stack unnamed = stack;
     for (dicom::Frame& frame : unnamed.frames) frame.frameOfReferenceUid.clear();
     EXPECT_EQ(presentedImages(series, unnamed).error().code, ErrorCode::usage);
@@ -456,8 +512,20 @@ TEST_F(APresentation, isAWishLikeAView) {
     EXPECT_EQ(state->camera, state_.camera);
     EXPECT_EQ(state->clip, wish.state.clip);
     EXPECT_EQ(preset->publicName, "ct-bone");
+    study.imageUids = {"2.25.1"};  // another phase
+    EXPECT_FALSE(completeState(*state, typed, study).ok());
+    study.imageUids.clear();
     study.seriesDigest = sha256Hex("another");
     EXPECT_FALSE(completeState(*state, typed, study).ok());
+    // Of another program all is seen in a narrower picture, too.
+    dicom::VolumePresentation foreign = said(*wish.volume, false).presentation;
+    foreign.series = wish.images.series;
+    const std::filesystem::path path = folder_ / "foreign.dcm";
+    ASSERT_TRUE(dicom::writePresentationState(path, foreign, {.isDeidentified = true}).ok());
+    const auto wide = stateOf(StateWish{.presentation = path, .aspectWidthOverHeight = 1.5});
+    const auto narrow = stateOf(StateWish{.presentation = path, .aspectWidthOverHeight = 0.5});
+    ASSERT_TRUE(wide.ok() && narrow.ok());
+    EXPECT_GT(narrow->camera->verticalFovDeg, 2.0 * wide->camera->verticalFovDeg);
 }
 
 }  // namespace

@@ -143,9 +143,41 @@ TEST(SecondStudy, IsFoundByItsDigestWhereThatIsOfOneVolume) {
     dicom::Scan scan;
     scan.studies.push_back(test::studyOf(0, "DOE^JANE", "20240301", "Chest", {one, two}));
     const FoundVolumes found(std::move(scan));
-    EXPECT_EQ(volumeWithDigest(found, sha256Hex("1.1")), 0U);
-    EXPECT_FALSE(volumeWithDigest(found, sha256Hex("1.2"))) << "which of two?";
-    EXPECT_FALSE(volumeWithDigest(found, "phantom"));
+    BesideState state;
+    state.seriesDigest = sha256Hex("1.1");
+    EXPECT_EQ(volumeOf(found, state), 0U);
+    state.seriesDigest = sha256Hex("1.2");
+    EXPECT_FALSE(volumeOf(found, state)) << "which of two?";
+    for (const std::size_t place : {0U, 1U}) {
+        state.volume = place;
+        EXPECT_EQ(volumeOf(found, state), place + 1);
+    }
+    state.volume = 2;
+    EXPECT_FALSE(volumeOf(found, state));
+    EXPECT_FALSE(volumeOf(found, {.seriesDigest = "phantom"}));
+}
+
+// Two phases of a heart are one series, and are told apart.
+TEST(SecondStudy, VolumesOfOneSeriesAreToldApart) {
+    dicom::Series series = test::seriesOf(2, "b", {test::volumeOf(3), test::volumeOf(4)});
+    series.seriesInstanceUid = "1.2";
+    dicom::Scan scan;
+    scan.studies.push_back(test::studyOf(0, "DOE^JANE", "20240301", "Chest", {series}));
+    OpenedStudy first = studyOf(jane());
+    first.seriesDigest = sha256Hex("1.2");
+    first.found = std::make_shared<const FoundVolumes>(std::move(scan));
+    OpenedStudy second = first;
+    second.volumeIndex = 1;
+    EXPECT_EQ(plainTag(first), "CT, 2024-03-01, series 2, volume 1 of 2");
+    EXPECT_EQ(plainTag(second), "CT, 2024-03-01, series 2, volume 2 of 2");
+    BesideState link = firstLink(first, second);
+    EXPECT_EQ(link.volume, 1U);
+    EXPECT_TRUE(isOf(link, second));
+    EXPECT_FALSE(isOf(link, first)) << "the registration is of the other";
+    link.volume.reset();  // of a view of before
+    EXPECT_FALSE(isOf(link, second));
+    EXPECT_TRUE(isOf(firstLink(first, studyOf(jane())), studyOf(jane())));
+    EXPECT_FALSE(firstLink(first, studyOf(jane())).volume);
 }
 
 }  // namespace

@@ -146,6 +146,8 @@ TEST_F(SegmentationOfAFolder, DrawnOnOtherVoxelsItIsResampledAndSaysSo) {
     ASSERT_TRUE(loaded);
     ASSERT_EQ(loaded->notes.size(), 2u);
     EXPECT_NE(loaded->notes[1].find("nearest"), std::string::npos);
+    EXPECT_TRUE(loaded->isResampled);
+    EXPECT_FALSE(loaded->hasFractions);
     EXPECT_TRUE(loaded->segment(1)->isInVolume());
 }
 
@@ -156,6 +158,8 @@ TEST_F(SegmentationOfAFolder, FractionsAreToldOf) {
     ASSERT_TRUE(loaded);
     ASSERT_EQ(loaded->notes.size(), 1u);
     EXPECT_NE(loaded->notes[0].find("half"), std::string::npos);
+    EXPECT_TRUE(loaded->hasFractions);
+    EXPECT_FALSE(loaded->isResampled);
 }
 
 TEST_F(SegmentationOfAFolder, AloneAndHiddenLeaveWhatTheySay) {

@@ -76,6 +76,7 @@ StudyState everything() {
     state.namedClips = {{.name = "lungs, \"höher\"", .clip = *catalogue().clips.at(1), .cuts = state.cuts}};
     BesideState beside;
     beside.seriesDigest = "fedcba";
+    beside.volume = 2;
     beside.link = BesideLink::registered;
     beside.secondFromStudy = affine({0.6, 0.8, 0.0}, {-0.8, 0.6, 0.0}, {0.0, 0.0, 1.0}, {1.0 / 3.0, 7, -80});
     beside.boundMm = 0.7;
@@ -173,12 +174,17 @@ TEST(StudyState, ASecondVolumeIsTurnedAndMovedAndNothingElse) {
     EXPECT_EQ(whyNot(with("[1,0,0,5, 0,1,0,6, 0,0,1,7, 0,0,0,1]")), "");
     const StudyState state = read(with("[1,0,0,5, 0,1,0,6, 0,0,1,7, 0,0,0,1]"));
     ASSERT_TRUE(state.beside);
+    EXPECT_FALSE(state.beside->volume) << "as older versions wrote it";
     EXPECT_EQ(glm::dvec3(state.beside->secondFromStudy[3]), glm::dvec3(5.0, 6.0, 7.0)) << "row by row";
     for (const char* broken :
          {"[-1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,1]", "[2,0,0,0, 0,2,0,0, 0,0,2,0, 0,0,0,1]",
           "[1,0,0,0, 0,1,0,0, 0,0,1,0, 1,0,0,1]", "[1,0,0,0, 0,1,0,0, 0,0,1,0]", "\"no\""})
         EXPECT_NE(whyNot(with(broken)).find("secondFromStudy"), std::string::npos) << broken;
     EXPECT_NE(whyNot("{\"version\": 1, \"beside\": {}}"), "");
+    for (const char* volume : {"0", "1.5", "-1", "\"2\""})
+        EXPECT_NE(whyNot(std::string("{\"version\": 1, \"beside\": {\"series\": \"ab\", \"volume\": ") +
+                         volume + "}}"),
+                  "");
     EXPECT_NE(whyNot("{\"version\": 1, \"beside\": {\"series\": \"ab\", \"opacity\": 2}}"), "");
 
     StudyState unreadable;

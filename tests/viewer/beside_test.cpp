@@ -291,6 +291,25 @@ TEST_F(BesideTest, OverTheStudyItIsInColoursAndTheProbeTellsBoth) {
     EXPECT_EQ(colourOfBlock(study()), kWhite);
 }
 
+TEST_F(BesideTest, NotesAreOfTheVolumeThatIsShown) {
+    VolumeOptions options = test::sliceVolumeOptions();
+    options.worldFromVoxel = kMoved * options.worldFromVoxel;
+    options.provenance.interpolatedSlices = {{.first = 10, .last = 10}};
+    app::OpenedStudy lowIsBright = studyOf(test::sliceVolume(std::move(options)), "mono", "20240301");
+    lowIsBright.isLowBright = true;
+    openLinked(lowIsBright);
+    EXPECT_TRUE(second().notes().contains("Low values are white, as in the images"));
+    EXPECT_FALSE(second().notes().contains("Inverted"));
+    EXPECT_FALSE(study().notes().contains("Low values are white, as in the images"));
+    EXPECT_TRUE(second().notes().contains("Some of its slices are interpolated"));
+    beside_->setView(BesideView::over);
+    ASSERT_TRUE(settled());
+    EXPECT_TRUE(study().notes().contains("In colours: some slices are interpolated"));
+    session_->change("Inverted", [](app::StudyState& next) { next.slices.isInverted = true; });
+    ASSERT_TRUE(settled());
+    EXPECT_TRUE(study().notes().contains("Inverted"));
+}
+
 TEST_F(BesideTest, ByHandNothingIsComparedAndTheWheelMovesTheSecondAlone) {
     beside_->offer(prior());
     beside_->cancel();  // the registration
@@ -364,6 +383,8 @@ TEST_F(BesideTest, OneFrameOfReferenceNeedsNoRegistration) {
     EXPECT_FALSE(beside_->isRegistering());
     EXPECT_EQ(beside_->state()->link, BesideLink::sameFrame);
     EXPECT_EQ(beside_->state()->secondFromStudy, glm::dmat4(1.0));
+    ASSERT_TRUE(settled());
+    EXPECT_TRUE(second().notes().join(' ').contains("the patient may have moved"));
     // A frame of reference that two patients share is none.
     pet.seriesDigest = "another";
     pet.identity.patientId = "18";

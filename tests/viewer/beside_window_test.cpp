@@ -74,5 +74,21 @@ TEST_F(BesideWindowTest, ARowOfTheListIsOfTheFolderThatTheListShows) {
     window_->beside().cancel();
 }
 
+// Refused, cancelled, one of several, gone: what is said is true of each.
+TEST_F(BesideWindowTest, ASecondVolumeThatIsNotOpenIsTold) {
+    window_->showStudy(named("current"));
+    app::StudyState state = window_->state();
+    state.beside.emplace();
+    state.beside->seriesDigest = "second";
+    window_->beside().open(std::filesystem::path("/no/such/folder"));
+    ASSERT_TRUE(window_->setState(state).ok());
+    EXPECT_FALSE(window_->notes().contains("is not open")) << "it is on its way";
+    window_->beside().cancel();
+    ASSERT_TRUE(waitUntil([&] { return !window_->beside().isWorking(); }));
+    EXPECT_EQ(window_->beside().state(), nullptr);
+    EXPECT_TRUE(window_->notes().contains("beside this study is not open")) << window_->notes().toStdString();
+    EXPECT_FALSE(window_->notes().contains("folder")) << "nobody knows where it is";
+}
+
 }  // namespace
 }  // namespace macula::viewer

@@ -200,6 +200,25 @@ TEST_F(ClipToolsTest, TheCutFromTheEyeFollowsTheCameraOrStaysInThePatient) {
     EXPECT_TRUE(state().cuts.isNothing());
 }
 
+TEST_F(ClipToolsTest, TheDepthOfTheCutOutlastsALookFromWhereTheVolumeIsThinner) {
+    openPhantom();
+    const Camera fromLeft{.positionMm = {3000, 0, 0}, .targetMm = {0, 0, 0}, .up = {0, 0, 1}};
+    editing_->setCamera(fromLeft);
+    ASSERT_TRUE(editing_->setEyeCut(true).ok());
+    editing_->dragEyeCut(130.0);
+    const app::EyeCut before = *state().cuts.eye;
+    EXPECT_NEAR(before.plane.offsetMm, 130.0, 1e-9);
+    editing_->setCamera(fromAnterior().camera);
+    EXPECT_LT(state().cuts.eye->plane.offsetMm, 120.0) << "a voxel is left";
+    editing_->setCamera(fromLeft);
+    EXPECT_EQ(*state().cuts.eye, before);
+    // The wheel goes on from what is seen.
+    editing_->setCamera(fromAnterior().camera);
+    const double seenMm = state().cuts.eye->plane.offsetMm;
+    ASSERT_TRUE(editing_->stepEyeCut(-1.0).ok());
+    EXPECT_LT(state().cuts.eye->plane.offsetMm, seenMm);
+}
+
 TEST_F(ClipToolsTest, WithoutAStudyNothingHappens) {
     ClipHandlesTool handles(*session_, *editing_);
     ScissorTool scissors(*editing_);

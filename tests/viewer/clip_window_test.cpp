@@ -52,6 +52,7 @@ TEST_F(ClipWindowTest, AFaceIsDraggedInThePictureAndTheCameraStays) {
     pressKey(Qt::Key_K);
     EXPECT_TRUE(action("handles-of-clip").isChecked());
     EXPECT_TRUE(waitUntil([&] { return picture() != without; })) << "handles are over the picture";
+    ASSERT_TRUE(waitUntil([&] { return window_->viewport().isCameraOnScreen(); }));
     const Camera before = camera();
     glm::dvec3 left = volume.worldBox().centre();
     left.x = volume.worldBox().high.x;
@@ -96,6 +97,7 @@ TEST_F(ClipWindowTest, AHandleIsLetGoWhenAnotherStudyIsShown) {
 
 TEST_F(ClipWindowTest, ScissorsRemoveWhatIsDrawnAroundAndItComesBack) {
     openPhantom();
+    ASSERT_TRUE(waitUntil([&] { return window_->viewport().isCameraOnScreen(); }));
     const Camera before = camera();
     pressKey(Qt::Key_X);
     EXPECT_TRUE(window_->scissors().isOut());
@@ -126,6 +128,31 @@ TEST_F(ClipWindowTest, ScissorsRemoveWhatIsDrawnAroundAndItComesBack) {
     EXPECT_FALSE(window_->session().canUndo());
     pressKey(Qt::Key_X);
     EXPECT_FALSE(window_->scissors().isOut());
+}
+
+// What is drawn around on screen is not what another camera sees there.
+TEST_F(ClipWindowTest, ScissorsWaitForThePictureOfTheCamera) {
+    openPhantom();
+    ASSERT_TRUE(waitUntil([&] { return window_->viewport().isCameraOnScreen(); }));
+    pressKey(Qt::Key_X);
+    pressKey(Qt::Key_Left);
+    const Camera turned = camera();
+    ASSERT_FALSE(window_->viewport().isCameraOnScreen());
+    const auto cut = [&] {
+        const QPointF corners[] = {pixelOf(glm::dvec2(-0.3, -0.3)), pixelOf(glm::dvec2(0.3, -0.3)),
+                                   pixelOf(glm::dvec2(0.3, 0.3)), pixelOf(glm::dvec2(-0.3, 0.3))};
+        sendMouse(QEvent::MouseButtonPress, corners[0], Qt::LeftButton, Qt::LeftButton);
+        for (const QPointF& corner : corners)
+            sendMouse(QEvent::MouseMove, corner, Qt::NoButton, Qt::LeftButton);
+        sendMouse(QEvent::MouseButtonRelease, corners[3], Qt::LeftButton, Qt::NoButton);
+    };
+    cut();
+    EXPECT_TRUE(chosen().cuts.scissors.empty());
+    EXPECT_EQ(camera(), turned) << "nor does the camera move";
+    ASSERT_TRUE(waitUntil([&] { return window_->viewport().isCameraOnScreen(); }));
+    cut();
+    ASSERT_EQ(chosen().cuts.scissors.size(), 1u);
+    EXPECT_EQ(chosen().cuts.scissors[0].camera, turned);
 }
 
 }  // namespace

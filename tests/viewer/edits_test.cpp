@@ -208,6 +208,7 @@ void editBeside(app::StudyState& next, const app::Catalogue&, Dice& dice) {
     if (dice.below(4) == 0) return;
     app::BesideState beside;
     beside.seriesDigest = std::string(64, 'b');
+    if (dice.coin()) beside.volume = std::size_t(dice.number(0, 20));
     beside.link = dice.of(app::kBesideLinks);
     beside.view = dice.of(app::kBesideViews);
     if (beside.link != app::BesideLink::sameFrame) {

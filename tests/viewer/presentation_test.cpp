@@ -52,7 +52,7 @@ TEST_F(Presentations, AreSavedAndOpenedBesideTheWindow) {
     ASSERT_TRUE(test::waitFor([&] { return !saved_.isEmpty() || error_; }));
     ASSERT_FALSE(error_) << error_->message;
     EXPECT_EQ(saved_.toStdString(), path_.string());
-    files_->open(path_, wish_.volume, digest_, {});
+    files_->open(path_, wish_.volume, digest_, {}, {});
     ASSERT_TRUE(test::waitFor([&] { return opened_ || error_; }));
     ASSERT_FALSE(error_) << error_->message;
     EXPECT_EQ(opened_->camera, wish_.state.camera);
@@ -62,7 +62,7 @@ TEST_F(Presentations, AreSavedAndOpenedBesideTheWindow) {
 }
 
 TEST_F(Presentations, ThatCannotBeAreErrors) {
-    files_->open(path_, wish_.volume, digest_, {});
+    files_->open(path_, wish_.volume, digest_, {}, {});
     ASSERT_TRUE(test::waitFor([&] { return error_.has_value(); }));
     EXPECT_EQ(error_->code, ErrorCode::inputNotUsable);
     error_.reset();

@@ -78,10 +78,19 @@ TEST_F(SliceViewTest, SegmentsLieOverTheirVoxelsAndTheProbeNamesThem) {
         EXPECT_TRUE(view->probedText().endsWith(", in Block")) << view->probedText().toStdString();
         move(*view, {395, 395}, Qt::NoButton);
         EXPECT_FALSE(view->probedText().contains("Block"));
+        EXPECT_FALSE(view->notes().join(' ').contains("Segments")) << "they are where they were drawn";
+        slices::ShownSegment moved = block;
+        moved.isResampled = true;
+        moved.hasFractions = true;
+        view->setSegments(std::make_shared<const slices::ShownSegments>(slices::ShownSegments{block, moved}));
+        ASSERT_TRUE(settled(*view));
+        EXPECT_TRUE(view->notes().contains("Segments: nearest voxel of another grid"));
+        EXPECT_TRUE(view->notes().contains("Segments: fractions of half or more"));
         view->setSegments(nullptr);
         ASSERT_TRUE(settled(*view));
         move(*view, placeOf(*view, test::kBlockCentreMm), Qt::NoButton);
         EXPECT_FALSE(view->probedText().contains("Block"));
+        EXPECT_FALSE(view->notes().join(' ').contains("Segments"));
     }
 }
 

@@ -17,7 +17,9 @@ namespace macula::app {
 // how it goes on.
 struct EyeCut {
     HalfSpace plane;
-    double fromMiddleMm = 0.0;  // from the middle of the volume's box along the normal; negative: to the eye
+    // As it was asked for: from the middle of the volume's box along the normal; negative: to the eye. The
+    // plane is nearer where the box ends before that.
+    double fromMiddleMm = 0.0;
     bool followsCamera = true;  // else it stays where it is in the patient
 
     bool operator==(const EyeCut&) const = default;

@@ -23,13 +23,16 @@ ValueRange eyeCutRangeMm(const glm::dvec3& normal, const Volume& volume) {
 EyeCut at(EyeCut cut, double fromMiddleMm, const Volume& volume) {
     if (!std::isfinite(fromMiddleMm)) return cut;
     const ValueRange range = eyeCutRangeMm(cut.plane.normal, volume);
-    cut.fromMiddleMm = std::clamp(fromMiddleMm, range.low, range.high);
-    cut.plane.offsetMm = glm::dot(cut.plane.normal, volume.worldBox().centre()) + cut.fromMiddleMm;
+    cut.fromMiddleMm = fromMiddleMm;
+    cut.plane.offsetMm = glm::dot(cut.plane.normal, volume.worldBox().centre()) +
+                         std::clamp(fromMiddleMm, range.low, range.high);
     return cut;
 }
 
 EyeCut through(EyeCut cut, const glm::dvec3& mm, const Volume& volume) {
-    return at(cut, glm::dot(cut.plane.normal, mm - volume.worldBox().centre()), volume);
+    const ValueRange range = eyeCutRangeMm(cut.plane.normal, volume);
+    const double fromMiddleMm = glm::dot(cut.plane.normal, mm - volume.worldBox().centre());
+    return at(cut, std::clamp(fromMiddleMm, range.low, range.high), volume);
 }
 
 Result<EyeCut> eyeCut(const Camera& camera, double fromMiddleMm, bool followsCamera, const Volume& volume) {

@@ -9,13 +9,14 @@
 
 namespace macula::app {
 
-// Across the view of that camera, so far from the middle of the volume's box, within what leaves a voxel of
-// the box. usage for a camera that is none, or a distance that is no number.
+// Across the view of that camera, so far from the middle of the volume's box. Where the box ends before that,
+// the plane leaves a voxel of it, and the depth stays as it was asked for: seen along another direction the
+// box may reach farther. usage for a camera that is none, or a distance that is no number.
 Result<EyeCut> eyeCut(const Camera& camera, double fromMiddleMm, bool followsCamera, const Volume& volume);
 
 // The same direction, elsewhere; a distance that is no number changes nothing.
 EyeCut at(EyeCut cut, double fromMiddleMm, const Volume& volume);
-// Through that point, or as near to it as `at` goes.
+// Through that point, or as near to it as leaves a voxel of the box.
 EyeCut through(EyeCut cut, const glm::dvec3& mm, const Volume& volume);
 
 // From before all of the volume's box to a voxel before its end.

@@ -115,6 +115,86 @@ void addCrossing(std::vector<Contour>& lines, const HalfSpace& plane, const Cont
     if (ends.size() == 2) lines.push_back(std::move(ends));
 }
 
+// What is drawn of an outline that has no end: the picture, and as much around it on each side.
+Contour aroundPicture(double size) {
+    return {{-size, -size}, {2.0 * size, -size}, {2.0 * size, 2.0 * size}, {-size, 2.0 * size}};
+}
+
+double sizeOf(const slices::SliceFrame& frame) {
+    return double(std::max({frame.sizePx.x, frame.sizePx.y, 1}));
+}
+
+// A line of the picture of a camera, and a place on it.
+struct SeenLine {
+    glm::dvec2 normal;
+    double offset = 0.0;
+
+    double side(const glm::dvec2& p) const { return glm::dot(normal, p) + offset; }
+    glm::dvec2 along() const { return {-normal.y, normal.x}; }
+};
+
+// What a slice that is seen from its edge is seen as. Nothing where that is not before the eye.
+std::optional<SeenLine> lineSeenOf(const glm::dmat3& seenFromPicture) {
+    glm::dvec3 across(0.0);
+    double most = 0.0;
+    for (int a = 0; a < 3; ++a) {
+        const glm::dvec3& p = seenFromPicture[a];
+        const glm::dvec3& q = seenFromPicture[(a + 1) % 3];
+        const double sine = glm::length(glm::cross(p, q)) / (glm::length(p) * glm::length(q));
+        if (!(sine > most)) continue;  // nor where one of them is nothing
+        most = sine;
+        across = glm::cross(p, q);
+    }
+    const double length = glm::length(glm::dvec2(across));
+    if (!(length > kEdgeOn * glm::length(across))) return std::nullopt;
+    return SeenLine{.normal = glm::dvec2(across) / length, .offset = across.z / length};
+}
+
+// Of a slice seen from its edge: strips along the rays through those parts of its line that the outline winds
+// around.
+std::vector<Contour> stripsBehind(const std::vector<glm::dvec2>& outline, const glm::dmat3& seenFromPicture,
+                                  const slices::SliceFrame& frame) {
+    const auto line = lineSeenOf(seenFromPicture);
+    if (!line) return {};
+    struct Crossing {
+        double at;
+        int turn;
+    };
+    std::vector<Crossing> crossings;
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+        const glm::dvec2& a = outline[i];
+        const glm::dvec2& b = outline[(i + 1) % outline.size()];
+        const double atA = line->side(a);
+        const double atB = line->side(b);
+        if ((atA >= 0.0) == (atB >= 0.0)) continue;
+        crossings.push_back({glm::dot(line->along(), a + (atA / (atA - atB)) * (b - a)), atA < 0.0 ? 1 : -1});
+    }
+    std::ranges::sort(crossings, {}, &Crossing::at);
+    std::vector<Contour> strips;
+    int winding = 0;
+    double from = 0.0;
+    for (const Crossing& crossing : crossings) {
+        if (winding == 0) from = crossing.at;
+        winding += crossing.turn;
+        if (winding != 0 || !(crossing.at > from)) continue;
+        // Both together ask for z above 0: before the eye.
+        const auto placeAt = [&](const glm::dvec2& px) {
+            const glm::dvec3 p = seenFromPicture * glm::dvec3(px, 1.0);
+            return glm::dvec2(glm::dot(line->along(), glm::dvec2(p)), p.z);
+        };
+        Contour strip = within(aroundPicture(sizeOf(frame)), [&](const glm::dvec2& px) {
+            const glm::dvec2 p = placeAt(px);
+            return p.x - from * p.y;
+        });
+        strip = within(strip, [&](const glm::dvec2& px) {
+            const glm::dvec2 p = placeAt(px);
+            return crossing.at * p.y - p.x;
+        });
+        if (strip.size() > 2) strips.push_back(std::move(strip));
+    }
+    return strips;
+}
+
 }  // namespace
 
 std::vector<Contour> removedContours(const Clip& clip, const slices::SliceFrame& frame) {
@@ -158,7 +238,7 @@ std::vector<Contour> clipLines(const ClipChoice& clip, const Cuts& cuts, const V
     return lines;
 }
 
-Contour behindOutline(const ScissorCut& cut, const slices::SliceFrame& frame) {
+std::vector<Contour> behindOutline(const ScissorCut& cut, const slices::SliceFrame& frame) {
     const auto rays = PictureRays::of(cut.camera, 1.0);
     if (!rays || !frame.isUsable()) return {};
     // From pixels to half heights, both homogeneous: lines stay lines.
@@ -168,13 +248,13 @@ Contour behindOutline(const ScissorCut& cut, const slices::SliceFrame& frame) {
     const double scale =
         glm::length(seenFromPicture[0]) * glm::length(seenFromPicture[1]) * glm::length(seenFromPicture[2]);
     const double determinant = glm::determinant(seenFromPicture);
-    if (!(std::abs(determinant) > kEdgeOn * scale)) return {};
+    if (!(std::abs(determinant) > kEdgeOn * scale)) return stripsBehind(cut.outline, seenFromPicture, frame);
     const glm::dmat3 pictureFromSeen = glm::inverse(seenFromPicture);
     std::vector<glm::dvec3> seen;
     for (const glm::dvec2& p : cut.outline) seen.push_back(pictureFromSeen * glm::dvec3(p, 1.0));
     // Where the slice goes past the eye, or behind it, an outline has no end: it is cut off around the
     // picture. Before the eye z is above 0, which these sides together ask for.
-    const double size = double(std::max({frame.sizePx.x, frame.sizePx.y, 1}));
+    const double size = sizeOf(frame);
     for (int axis = 0; axis < 2; ++axis) {
         seen = within(seen, [&](const glm::dvec3& p) { return p[axis] + size * p.z; });
         seen = within(seen, [&](const glm::dvec3& p) { return 2.0 * size * p.z - p[axis]; });
@@ -182,8 +262,8 @@ Contour behindOutline(const ScissorCut& cut, const slices::SliceFrame& frame) {
     std::erase_if(seen, [](const glm::dvec3& p) { return !(p.z > 0.0); });
     Contour contour;
     for (const glm::dvec3& p : seen) contour.emplace_back(p.x / p.z, p.y / p.z);
-    if (contour.size() < 3) contour.clear();
-    return contour;
+    if (contour.size() < 3) return {};
+    return {std::move(contour)};
 }
 
 bool windAround(std::span<const Contour> contours, const glm::dvec2& px) {

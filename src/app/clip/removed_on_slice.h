@@ -23,8 +23,8 @@ std::vector<Contour> clipLines(const ClipChoice& clip, const Cuts& cuts, const V
                                const slices::SliceFrame& frame);
 
 // What of the slice is behind the outline of a scissor cut, whether that or the rest is removed. Empty where
-// nothing is, and where the slice is seen from its edge.
-Contour behindOutline(const ScissorCut& cut, const slices::SliceFrame& frame);
+// nothing is; of a slice that is seen from its edge there may be several strips, none over another.
+std::vector<Contour> behindOutline(const ScissorCut& cut, const slices::SliceFrame& frame);
 
 // By the rule of winding, as painters fill.
 bool windAround(std::span<const Contour> contours, const glm::dvec2& px);

@@ -84,10 +84,13 @@ std::vector<std::string> optionsWithoutEffect(const RenderWish& wish, trace::Loo
 Result<WishedPicture> wishedPicture(const RenderWish& wish) {
     MACULA_TRY_VOID(checkFiles(wish));
     // Unlike the viewer, a picture shades ray casts only where that is asked for.
-    MACULA_TRY(StudyState state, stateOf(wish.state, {.settings = {}}));
+    MACULA_TRY(const auto sizePx, parseSize(wish.size));
+    StateWish wished = wish.state;
+    wished.aspectWidthOverHeight = double(sizePx.x) / double(sizePx.y);
+    MACULA_TRY(StudyState state, stateOf(wished, {.settings = {}}));
     WishedPicture picture{.state = std::move(state), .request = {}, .lights = {}, .clip = {}};
     PictureRequest& request = picture.request;
-    MACULA_TRY(request.sizePx, parseSize(wish.size));
+    request.sizePx = sizePx;
     MACULA_TRY(const Effort effort, effortOf(wish.effort, picture.state.settings));
     request.samplesPerPixel = effort.samplesPerPixel;
     picture.state.settings = effort.settings;

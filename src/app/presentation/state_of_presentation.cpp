@@ -4,11 +4,12 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
+#include <set>
 #include <utility>
 
 #include "app/presentation/cropping_clip.h"
 #include "app/presentation/palette_of_transfer.h"
-#include "base/sha256.h"
+#include "dicom/uid.h"
 
 namespace macula::app {
 
@@ -89,6 +90,7 @@ class Telling {
             const double half = std::max(field.topMm, -field.bottomMm);
             camera.verticalFovDeg = 2.0 * std::atan2(half, field.farMm) / kDegree;
             constexpr double kOff = 1e-6;
+            presented_.widthOverHeight = std::max(field.rightMm, -field.leftMm) / half;
             if (std::abs(field.topMm + field.bottomMm) > kOff * half ||
                 std::abs(field.leftMm + field.rightMm) > kOff * half)
                 note(
@@ -96,6 +98,7 @@ class Telling {
                     "looks at.");
         } else {
             camera.parallelHeightMm = field.topMm - field.bottomMm;
+            presented_.widthOverHeight = (field.rightMm - field.leftMm) / camera.parallelHeightMm;
             const glm::dvec3 aside = 0.5 * (field.leftMm + field.rightMm) * axes->right +
                                      0.5 * (field.topMm + field.bottomMm) * axes->up;
             camera.targetMm += aside;
@@ -123,6 +126,21 @@ bool cutsByDepth(const dicom::PresentedView& view, const Volume& volume) {
     });
 }
 
+enum class ImagesShown { all, some, none };
+
+// Of what the presentation refers to, deidentified or not, in the volume that is open.
+ImagesShown imagesShown(const std::vector<dicom::ReferencedImage>& referenced,
+                        std::span<const std::string> imageUids) {
+    if (referenced.empty() || imageUids.empty()) return ImagesShown::all;
+    std::set<std::string> wanted;
+    for (const dicom::ReferencedImage& image : referenced) wanted.insert(image.sopInstanceUid);
+    const auto both = std::size_t(std::ranges::count_if(imageUids, [&](const std::string& uid) {
+        return wanted.contains(uid) || wanted.contains(dicom::uidFrom(uid));
+    }));
+    if (both == 0) return ImagesShown::none;
+    return both == imageUids.size() && both == wanted.size() ? ImagesShown::all : ImagesShown::some;
+}
+
 }  // namespace
 
 Result<PresentedState> stateOf(const dicom::PresentationState& read, StudyState usual,
@@ -142,17 +160,29 @@ Result<PresentedState> stateOf(const dicom::PresentationState& read, StudyState 
     presented.state = std::move(usual);
     presented.state.clip.reset();
     presented.state.cuts = {};
+    // What hides voxels here is not in it.
+    presented.state.leavesTableOut = false;
+    presented.state.segmentations = onSlicesAlone(presented.state.segmentations);
     presented.state.seriesDigest.clear();
     MACULA_TRY_VOID(Telling(said, presented).tell(where));
     return presented;
 }
 
 Result<void> completeFor(PresentedState& presented, const dicom::PresentationState& read,
-                         const Volume& volume, std::string_view seriesDigest, const std::string& where) {
+                         const Volume& volume, std::string_view seriesDigest,
+                         std::span<const std::string> imageUids, const std::string& where) {
     const dicom::VolumePresentation& said = read.presentation;
     if (!isSeries(said.series, seriesDigest))
         return Error{ErrorCode::inputNotUsable, "The presentation state is of another series.", where,
                      "Open that series, or choose another presentation state."};
+    const auto shown = imagesShown(said.series.images, imageUids);
+    if (shown == ImagesShown::none)
+        return Error{ErrorCode::inputNotUsable,
+                     "The presentation state is of other images of this series, such as another phase.",
+                     where, "Choose the volume of these images, or another presentation state."};
+    if (shown == ImagesShown::some)
+        presented.notes.emplace_back(
+            "The presentation state is of other images of this series, too, or of a part of these alone.");
     StudyState& state = presented.state;
     state.seriesDigest = std::string(seriesDigest);
     if (presented.isOwn) return {};
@@ -168,11 +198,26 @@ Result<void> completeFor(PresentedState& presented, const dicom::PresentationSta
     return {};
 }
 
+void widenFor(PresentedState& presented, double aspectWidthOverHeight) {
+    auto& camera = presented.state.camera;
+    if (presented.isOwn || !camera || !(aspectWidthOverHeight > 0.0)) return;
+    const double wider = presented.widthOverHeight / aspectWidthOverHeight;
+    constexpr double kAsWide = 1.0 + 1e-6;
+    if (!std::isfinite(wider) || !(wider > kAsWide)) return;
+    if (isParallel(*camera)) {
+        camera->parallelHeightMm = std::min(wider * camera->parallelHeightMm, kMostParallelMm);
+    } else {
+        const double half = std::tan(0.5 * camera->verticalFovDeg * kDegree);
+        camera->verticalFovDeg = std::min(2.0 * std::atan(wider * half) / kDegree, kLargest);
+    }
+}
+
 Result<PresentedState> openPresentation(const std::filesystem::path& path, const Volume& volume,
-                                        std::string_view seriesDigest, StudyState usual) {
+                                        std::string_view seriesDigest, std::span<const std::string> imageUids,
+                                        StudyState usual) {
     MACULA_TRY(const dicom::PresentationState read, dicom::readPresentationState(path));
     MACULA_TRY(PresentedState presented, stateOf(read, std::move(usual), path.string()));
-    MACULA_TRY_VOID(completeFor(presented, read, volume, seriesDigest, path.string()));
+    MACULA_TRY_VOID(completeFor(presented, read, volume, seriesDigest, imageUids, path.string()));
     return presented;
 }
 

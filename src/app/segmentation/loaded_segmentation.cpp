@@ -59,6 +59,8 @@ Result<std::shared_ptr<const LoadedSegmentation>> loadSegments(const FoundSegmen
     auto loaded = std::make_shared<LoadedSegmentation>();
     loaded->digest = found.digest;
     loaded->notes = notesOf(found, sets);
+    loaded->isResampled = sets.isResampled;
+    loaded->hasFractions = found.header.type == dicom::SegmentationType::fractional;
     for (dicom::SegmentVoxels& each : sets.segments) {
         LoadedSegment segment;
         segment.segment = std::move(each.segment);

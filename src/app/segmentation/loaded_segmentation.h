@@ -29,6 +29,8 @@ struct LoadedSegmentation {
     std::string digest;
     std::vector<LoadedSegment> segments;  // by number
     std::vector<std::string> notes;       // sentences on what was done to it, without patient data
+    bool isResampled = false;             // drawn on other voxels: the nearest of them counts
+    bool hasFractions = false;            // what is half or more counts
 
     const LoadedSegment* segment(std::uint16_t number) const;  // null when there is none
 };

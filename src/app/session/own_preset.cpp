@@ -1,8 +1,10 @@
 // An own preset as JSON:
 //   { "version": 1, "title": "Bone, warm", "preset": {as presets/transfer},
 //     "seen": {as study_state_json.cpp, without what is of a study},
-//     "camera": { "eye": [x, y, z], "target": [x, y, z], "up": [x, y, z], "verticalFovDeg": 30 } }
-// with eye and target in diagonals of the volume's box from its centre. "seen" and "camera" may be missing.
+//     "camera": { "eye": [x, y, z], "target": [x, y, z], "up": [x, y, z], "verticalFovDeg": 30,
+//                 "parallelHeight": 0.5 } }
+// with eye and target in diagonals of the volume's box from its centre, and the height of a parallel picture
+// in diagonals. "seen" and "camera" may be missing, and so may "parallelHeight": then there is an eye.
 #include "app/session/own_preset.h"
 
 #include <fmt/format.h>
@@ -25,6 +27,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr double kVersion = 1.0;
 constexpr JsonRange kDiagonals{-1e6, 1e6};
+constexpr JsonRange kHeightInDiagonals{1e-12, 1e12};
 constexpr char32_t kNoLetter = 0xffffffff;
 
 // The next letter of a text in UTF-8, which gets shorter by it; kNoLetter where there is none.
@@ -103,11 +106,13 @@ glm::dvec3 vectorFrom(const JsonNode& node) {
 }
 
 RelativeCamera cameraFrom(const JsonNode& node) {
-    const RelativeCamera relative{{.positionMm = vectorFrom(node["eye"]),
-                                   .targetMm = vectorFrom(node["target"]),
-                                   .up = vectorFrom(node["up"]),
-                                   .verticalFovDeg = node["verticalFovDeg"].number({0.1, 170.0})}};
+    RelativeCamera relative{{.positionMm = vectorFrom(node["eye"]),
+                             .targetMm = vectorFrom(node["target"]),
+                             .up = vectorFrom(node["up"]),
+                             .verticalFovDeg = node["verticalFovDeg"].number({0.1, 170.0})}};
     if (!basis(relative.camera)) node.fail("an eye, a target and an upright that make a camera");
+    if (const auto height = node.find("parallelHeight"))
+        relative.camera.parallelHeightMm = height->number(kHeightInDiagonals);
     return relative;
 }
 
@@ -151,6 +156,7 @@ RelativeCamera relativeTo(const Camera& camera, const Volume& volume) {
     RelativeCamera relative{camera};
     relative.camera.positionMm = (camera.positionMm - box.centre()) / box.diagonal();
     relative.camera.targetMm = (camera.targetMm - box.centre()) / box.diagonal();
+    relative.camera.parallelHeightMm = camera.parallelHeightMm / box.diagonal();
     return relative;
 }
 
@@ -159,6 +165,9 @@ Camera cameraIn(const RelativeCamera& relative, const Volume& volume) {
     Camera camera = relative.camera;
     camera.positionMm = box.centre() + box.diagonal() * relative.camera.positionMm;
     camera.targetMm = box.centre() + box.diagonal() * relative.camera.targetMm;
+    if (isParallel(relative.camera))
+        camera.parallelHeightMm =
+            std::clamp(box.diagonal() * relative.camera.parallelHeightMm, kLeastParallelMm, kMostParallelMm);
     return camera;
 }
 
@@ -183,7 +192,8 @@ void use(const OwnPreset& preset, const Volume& volume, StudyState& next) {
     next.settings = seen.settings;
     next.lights = seen.lights;
     next.clip = seen.clip;
-    if (!suits(*preset.function, volume.unit())) return;
+    // Raw numbers of one study say nothing of those of another.
+    if (volume.unit() == Unit::raw || !suits(*preset.function, volume.unit())) return;
     next.windows = seen.windows;
     next.slices.window = seen.slices.window;
 }
@@ -199,6 +209,7 @@ std::string toJson(const OwnPreset& preset) {
                               {"target", listOf(camera.targetMm)},
                               {"up", listOf(camera.up)},
                               {"verticalFovDeg", camera.verticalFovDeg}};
+            if (isParallel(camera)) json["camera"]["parallelHeight"] = camera.parallelHeightMm;
         }
     }
     return prettyJson(json);

@@ -28,8 +28,8 @@ std::string nearestPresetName(std::string_view text);
 // Whether a person would take both for the same: in any case of A to Z.
 bool isSamePresetName(std::string_view a, std::string_view b);
 
-// Eye and target in diagonals of the volume's box from its centre, so that it means something for another
-// patient too.
+// Eye and target in diagonals of the volume's box from its centre, and the height of a parallel picture in
+// diagonals, so that it means something for another patient too.
 struct RelativeCamera {
     Camera camera;
 
@@ -59,7 +59,7 @@ struct OwnPreset {
 };
 
 // What the state becomes when the preset is used; the camera is who shows it's to set. Windows of a preset
-// that does not suit the values of the volume are left as they are.
+// that does not suit the values of the volume are left as they are, and so are those of raw values.
 void use(const OwnPreset& preset, const Volume& volume, StudyState& next);
 
 // As in the store. Reading gives an equal preset. Fails with inputNotUsable: also where another version of

@@ -138,11 +138,18 @@ Result<PresetRef> PresetShelf::add(std::string_view title, const TransferFunctio
                      .function = std::make_shared<const TransferFunction>(std::move(copy)),
                      .seen = std::move(seen)};
     // What was seen has numbers of its own, such as a camera.
-    if (const auto read = ownPresetFromJson(preset.id, toJson(preset)); !read)
+    const auto read = ownPresetFromJson(preset.id, toJson(preset));
+    if (!read)
         return Error{ErrorCode::inputNotUsable,
                      "What is seen cannot be kept: " + read.error().message,
                      {},
                      read.error().hint};
+    // All of the camera, or the same preset would show another picture the next day.
+    if (read->seen && read->seen->camera != preset.seen->camera)
+        return Error{ErrorCode::inputNotUsable,
+                     "The camera cannot be kept: a part of it would be lost.",
+                     {},
+                     "Keep the curve alone."};
     const PresetRef id = preset.id;
     changes_.push_back({DocumentKind::preset, id, toJson(preset)});
     put(std::move(preset));

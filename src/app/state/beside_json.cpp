@@ -1,5 +1,6 @@
 #include "app/state/beside_json.h"
 
+#include <cmath>
 #include <vector>
 
 #include "app/state/json_names.h"
@@ -15,6 +16,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr JsonRange kOfTransform{-1e6, 1e6};
 constexpr JsonRange kBoundMm{0.0, 1e6};
+constexpr JsonRange kPlaces{1.0, 1e9};  // of a volume among those of its series
 
 glm::dmat4 transformFrom(const JsonNode& node) {
     const std::vector<double> rows = node.numbers(16, kOfTransform);
@@ -30,7 +32,9 @@ glm::dmat4 transformFrom(const JsonNode& node) {
 }  // namespace
 
 Json toJson(const BesideState& state) {
-    Json json{{"series", state.seriesDigest}, {"link", nameOf(state.link)}};
+    Json json{{"series", state.seriesDigest}};
+    if (state.volume) json["volume"] = *state.volume + 1;
+    json["link"] = nameOf(state.link);
     for (int row = 0; row < 4; ++row)
         for (int column = 0; column < 4; ++column)
             json["secondFromStudy"].push_back(state.secondFromStudy[column][row]);
@@ -50,11 +54,16 @@ Json toJson(const BesideState& state) {
 }
 
 BesideState besideStateFrom(const JsonNode& node) {
-    node.allowOnly(
-        {"series", "link", "secondFromStudy", "boundMm", "doubtful", "view", "window", "opacity", "colours"});
+    node.allowOnly({"series", "volume", "link", "secondFromStudy", "boundMm", "doubtful", "view", "window",
+                    "opacity", "colours"});
     BesideState state;
     state.seriesDigest = node["series"].text();
     if (state.seriesDigest.empty()) node["series"].fail("the digest of a series");
+    if (const auto volume = node.find("volume")) {
+        const double place = volume->number(kPlaces);
+        if (place != std::floor(place)) volume->fail("a whole number");
+        state.volume = std::size_t(place) - 1;
+    }
     readName(node, "link", kBesideLinks, state.link);
     if (const auto transform = node.find("secondFromStudy"))
         state.secondFromStudy = transformFrom(*transform);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -58,6 +59,9 @@ inline constexpr double kUsualOpacity = 0.6;
 
 struct BesideState {
     std::string seriesDigest = {};  // of the second volume: see StudyInput::seriesDigest
+    // Which of the volumes of the series, from 0; nothing: its only one. Views of before this was kept name
+    // none.
+    std::optional<std::size_t> volume = {};
     BesideLink link = BesideLink::byHand;
     glm::dmat4 secondFromStudy{1.0};  // mm LPS; rigid
     double boundMm = 0.0;             // of a registration: RigidRegistration::boundMm

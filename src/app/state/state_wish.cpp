@@ -41,7 +41,7 @@ Result<void> completePresented(StudyState& state, const StateWish& wish, StudyIn
     const std::string where = wish.presentation.string();
     MACULA_TRY(const dicom::PresentationState read, dicom::readPresentationState(wish.presentation));
     MACULA_TRY(PresentedState presented, stateOf(read, {}, where));
-    MACULA_TRY_VOID(completeFor(presented, read, *study.volume, study.seriesDigest, where));
+    MACULA_TRY_VOID(completeFor(presented, read, *study.volume, study.seriesDigest, study.imageUids, where));
     state.seriesDigest = study.seriesDigest;
     if (wish.clip.empty()) state.clip = presented.state.clip;
     if (state.preset && presented.state.preset) {
@@ -71,6 +71,7 @@ Result<StudyState> stateOf(const StateWish& wish, StudyState usual) {
     if (!wish.presentation.empty()) {
         MACULA_TRY(const dicom::PresentationState read, dicom::readPresentationState(wish.presentation));
         MACULA_TRY(PresentedState presented, stateOf(read, std::move(state), wish.presentation.string()));
+        widenFor(presented, wish.aspectWidthOverHeight);
         state = std::move(presented.state);
     }
     if (wish.look) state.settings.look = *wish.look;

@@ -34,6 +34,8 @@ struct StateWish {
     std::filesystem::path camera = {};                // camera_file.h
     double fovDeg = 0.0;                              // 0: not given; of whichever camera
     bool isParallel = false;                          // rays are parallel, whichever the camera
+    // Of the picture, so that all of the view of a presentation state is seen in it; 0: not known.
+    double aspectWidthOverHeight = 0.0;
 };
 
 // What may be a file among what is given, for OutputFiles::read.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 #include "dicom/best_volume.h"
@@ -102,6 +103,13 @@ std::optional<std::size_t> FoundVolumes::indexOf(const dicom::Stack* stack) cons
                                     [&](const FoundVolume& volume) { return volume.stack == stack; });
     if (found == volumes_.end()) return std::nullopt;
     return static_cast<std::size_t>(found - volumes_.begin());
+}
+
+std::vector<std::string> imageUidsOf(const dicom::Stack& stack) {
+    std::set<std::string> uids;
+    for (const dicom::Frame& frame : stack.frames) uids.insert(frame.instance->sopInstanceUid);
+    if (uids.contains(std::string())) return {};
+    return {uids.begin(), uids.end()};
 }
 
 Identity identityOf(const FoundVolume& volume) {

@@ -52,6 +52,9 @@ class FoundVolumes {
     std::vector<FoundVolume> volumes_;
 };
 
+// SOP Instance UIDs of its images, each once; none where an image has no UID.
+std::vector<std::string> imageUidsOf(const dicom::Stack& stack);
+
 Identity identityOf(const FoundVolume& volume);
 // Without a series.
 Identity identityOf(const dicom::Study& study);

@@ -104,6 +104,19 @@ Age ageOf(const Identity& study, const Identity& second) {
     return b < a ? Age::earlier : Age::later;
 }
 
+PlaceInSeries placeInSeries(const OpenedStudy& study) {
+    PlaceInSeries at;
+    if (!study.found || study.volumeIndex >= study.found->volumes().size()) return at;
+    const std::vector<FoundVolume>& volumes = study.found->volumes();
+    at.count = 0;
+    for (std::size_t n = 0; n < volumes.size(); ++n) {
+        if (volumes[n].series != volumes[study.volumeIndex].series) continue;
+        if (n == study.volumeIndex) at.place = at.count;
+        ++at.count;
+    }
+    return at;
+}
+
 std::string plainTag(const OpenedStudy& study) {
     if (study.identity.isOfNobody) return "phantom";
     std::string tag = study.volume->modality().empty() ? "images" : study.volume->modality();
@@ -112,6 +125,8 @@ std::string plainTag(const OpenedStudy& study) {
     if (!study.found || study.volumeIndex >= study.found->volumes().size()) return tag;
     if (const auto& number = study.found->volumes()[study.volumeIndex].series->number)
         tag += fmt::format(", series {}", *number);
+    if (const PlaceInSeries at = placeInSeries(study); at.count > 1)
+        tag += fmt::format(", volume {} of {}", at.place + 1, at.count);
     return tag;
 }
 
@@ -123,6 +138,7 @@ bool shareFrameOfReference(const OpenedStudy& study, const OpenedStudy& second) 
 BesideState firstLink(const OpenedStudy& study, const OpenedStudy& second) {
     BesideState state;
     state.seriesDigest = second.seriesDigest;
+    if (const PlaceInSeries at = placeInSeries(second); at.count > 1) state.volume = at.place;
     if (shareFrameOfReference(study, second)) {
         state.link = BesideLink::sameFrame;
         return state;
@@ -143,14 +159,20 @@ DisplayWindow secondWindow(const Volume& second) {
     return windowOver({0.0, *place});
 }
 
-std::optional<std::size_t> volumeWithDigest(const FoundVolumes& found, const std::string& seriesDigest) {
-    std::optional<std::size_t> only;
-    for (std::size_t n = 0; n < found.volumes().size(); ++n) {
-        if (sha256Hex(found.volumes()[n].series->seriesInstanceUid) != seriesDigest) continue;
-        if (only) return std::nullopt;
-        only = n;
-    }
-    return only;
+bool isOf(const BesideState& state, const OpenedStudy& second) {
+    if (state.seriesDigest != second.seriesDigest) return false;
+    const PlaceInSeries at = placeInSeries(second);
+    return state.volume ? *state.volume == at.place : at.count == 1;
+}
+
+std::optional<std::size_t> volumeOf(const FoundVolumes& found, const BesideState& state) {
+    std::vector<std::size_t> ofSeries;
+    for (std::size_t n = 0; n < found.volumes().size(); ++n)
+        if (sha256Hex(found.volumes()[n].series->seriesInstanceUid) == state.seriesDigest)
+            ofSeries.push_back(n);
+    if (!state.volume && ofSeries.size() != 1) return std::nullopt;
+    const std::size_t place = state.volume.value_or(0);
+    return place < ofSeries.size() ? std::optional(ofSeries[place]) : std::nullopt;
 }
 
 }  // namespace macula::app

@@ -1,6 +1,7 @@
 // A second volume that is looked at together with a study: whose it is, how old, and where it lies.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,8 +25,15 @@ enum class Age { earlier, sameDay, later, unknown };
 // Of the second against the study, by the dates of the studies.
 Age ageOf(const Identity& study, const Identity& second);
 
-// "CT, 2020-03-04, series 3": what is written over a pane whatever else is hidden, so it holds no word that a
-// person has typed.
+// Among the volumes of its series, such as the phases of a heart; of what is of no folder, the only one.
+struct PlaceInSeries {
+    std::size_t place = 0;
+    std::size_t count = 1;
+};
+PlaceInSeries placeInSeries(const OpenedStudy& study);
+
+// "CT, 2020-03-04, series 3, volume 2 of 20": what is written over a pane whatever else is hidden, so it
+// holds no word that a person has typed.
 std::string plainTag(const OpenedStudy& study);
 
 // Whether both name the same frame of reference, and may be the same patient's. Copies that were made anew
@@ -40,7 +48,10 @@ BesideState firstLink(const OpenedStudy& study, const OpenedStudy& second);
 // from nothing to the uptake of what is brightest but for one voxel in a thousand.
 DisplayWindow secondWindow(const Volume& second);
 
-// The one volume of the folder that has this digest; nothing where there is none, or are several.
-std::optional<std::size_t> volumeWithDigest(const FoundVolumes& found, const std::string& seriesDigest);
+// Whether the state is of this volume: what is registered of one phase says nothing of another.
+bool isOf(const BesideState& state, const OpenedStudy& second);
+// The volume of the folder that the state is of; nothing where there is none, or several and it names none of
+// them.
+std::optional<std::size_t> volumeOf(const FoundVolumes& found, const BesideState& state);
 
 }  // namespace macula::app

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "app/study/found_volumes.h"
 #include "base/fingerprint.h"
 #include "base/parsing.h"
 #include "base/phantom.h"
@@ -148,6 +149,7 @@ Result<StudyInput> loadStudy(const dicom::Scan& scan, const std::filesystem::pat
                                        [&](const std::string& n) { return n.starts_with(assumption); });
         if (!known) input.notes.push_back(assumption);
     }
+    input.imageUids = imageUidsOf(*chosen->stack);
     input.seriesDigest = sha256Hex(chosen->series->seriesInstanceUid);
     return input;
 }

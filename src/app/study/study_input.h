@@ -15,8 +15,9 @@ namespace macula::app {
 
 struct StudyInput {
     std::shared_ptr<const Volume> volume;
-    std::vector<std::string> notes;     // sentences for the user, without patient data
-    std::vector<std::string> warnings;  // those of them that change what is seen
+    std::vector<std::string> notes;           // sentences for the user, without patient data
+    std::vector<std::string> warnings;        // those of them that change what is seen
+    std::vector<std::string> imageUids = {};  // as imageUidsOf; empty: not known
     std::string seriesDigest;  // SHA-256 of the Series Instance UID, of the voxels of a file, or "phantom"
 };
 

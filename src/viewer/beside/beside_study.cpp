@@ -34,7 +34,9 @@ BesideStudy::BesideStudy(ViewerSession& session, QObject* parent)
     // A view that was opened may name another one, and so may what is undone.
     connect(&session_, &ViewerSession::changed, this, [this](const app::StudyState& before) {
         const auto& now = session_.state().beside;
-        if (now && (!before.beside || before.beside->seriesDigest != now->seriesDigest)) openWhatStateNames();
+        if (now && (!before.beside || before.beside->seriesDigest != now->seriesDigest ||
+                    before.beside->volume != now->volume))
+            openWhatStateNames();
     });
     connect(&loader_, &StudyLoader::began, this, [this] { emit began(tr("Opening the second volume")); });
     connect(&loader_, &StudyLoader::progressed, this, &BesideStudy::progressed);
@@ -81,7 +83,7 @@ void BesideStudy::onStudyShown() {
 void BesideStudy::openWhatStateNames() {
     const auto& named = session_.state().beside;
     if (!session_.hasStudy() || !named || state() != nullptr || !session_.study().found) return;
-    if (const auto index = app::volumeWithDigest(*session_.study().found, named->seriesDigest))
+    if (const auto index = app::volumeOf(*session_.study().found, *named))
         open(session_.study().found, *index);
 }
 
@@ -105,7 +107,7 @@ void BesideStudy::cancel() {
 
 const app::BesideState* BesideStudy::state() const {
     const auto& state = session_.state().beside;
-    return second_ && state && state->seriesDigest == second_->study.seriesDigest ? &*state : nullptr;
+    return second_ && state && app::isOf(*state, second_->study) ? &*state : nullptr;
 }
 
 bool BesideStudy::canShareFrame() const {
@@ -137,14 +139,11 @@ void BesideStudy::refusePatient() {
     asked_.reset();
 }
 
-// As it was left, when the state is about it: nobody has to register it again. A digest that several volumes
-// of a series share does not say which of them was registered.
+// As it was left, when the state is about it: nobody has to register it again.
 void BesideStudy::show(app::OpenedStudy second) {
     if (registration_.cancel()) emit ended();
-    const bool isOnly =
-        !second.found || app::volumeWithDigest(*second.found, second.seriesDigest).has_value();
     second_ = std::make_shared<const SecondSeries>(secondSeries(session_.study(), std::move(second)));
-    const bool wasLeft = isOnly && state() != nullptr;
+    const bool wasLeft = state() != nullptr;
     if (!wasLeft) {
         session_.change(tr("Second volume"), [&](app::StudyState& next) {
             next.beside = app::firstLink(session_.study(), second_->study);

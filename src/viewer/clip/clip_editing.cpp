@@ -95,8 +95,9 @@ Result<void> ClipEditing::stepEyeCut(double steps) {
     }
     if (!session_.hasStudy()) return noStudy();
     const ValueRange range = app::eyeCutRangeMm(cut->plane.normal, volume());
-    const double fromMm = isNew ? range.low : cut->fromMiddleMm;
-    putEyeCut(app::at(*cut, fromMm + steps * (range.high - range.low) / kStepsThrough, volume()));
+    const double fromMm = isNew ? range.low : std::clamp(cut->fromMiddleMm, range.low, range.high);
+    const double toMm = fromMm + steps * (range.high - range.low) / kStepsThrough;
+    putEyeCut(app::at(*cut, std::clamp(toMm, range.low, range.high), volume()));
     wheelEnds_.start();
     return {};
 }

@@ -75,11 +75,16 @@ void PresentationFiles::save(const std::filesystem::path& path, app::Presentatio
 }
 
 void PresentationFiles::open(const std::filesystem::path& path, std::shared_ptr<const Volume> volume,
-                             std::string seriesDigest, app::StudyState usual) {
+                             std::string seriesDigest, std::vector<std::string> imageUids,
+                             app::StudyState usual, double aspectWidthOverHeight) {
     opening_.start([path, volume = std::move(volume), digest = std::move(seriesDigest),
-                    usual = std::move(usual)](Progress&) -> Result<app::PresentedState> {
+                    images = std::move(imageUids), usual = std::move(usual),
+                    aspectWidthOverHeight](Progress&) -> Result<app::PresentedState> {
         try {
-            return app::openPresentation(path, *volume, digest, usual);
+            MACULA_TRY(app::PresentedState presented,
+                       app::openPresentation(path, *volume, digest, images, usual));
+            app::widenFor(presented, aspectWidthOverHeight);
+            return presented;
         } catch (const std::bad_alloc&) {
             return tooLarge();
         } catch (const std::exception&) {

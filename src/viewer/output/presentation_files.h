@@ -24,9 +24,11 @@ class PresentationFiles : public QObject {
     explicit PresentationFiles(QObject* parent = nullptr);
 
     void save(const std::filesystem::path& path, app::PresentationWish wish);
-    // For the series that is open; what the file does not say is as in `usual`.
+    // For the volume that is open, of these images (app::imageUidsOf); what the file does not say is as in
+    // `usual`. All of its view is seen in a picture of that aspect; 0: not known.
     void open(const std::filesystem::path& path, std::shared_ptr<const Volume> volume,
-              std::string seriesDigest, app::StudyState usual);
+              std::string seriesDigest, std::vector<std::string> imageUids, app::StudyState usual,
+              double aspectWidthOverHeight = 0.0);
 
   signals:
     // `notes` are what other programs will show otherwise, and what is shown otherwise here.

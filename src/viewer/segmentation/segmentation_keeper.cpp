@@ -168,6 +168,8 @@ void SegmentationKeeper::showOnSlices() {
             each.label = segment.segment.label;
             each.rgb = how.rgb.value_or(app::usualRgb(segment.segment));
             each.opacity = how.opacity;
+            each.isResampled = there->isResampled;
+            each.hasFractions = there->hasFractions;
             shown->push_back(std::move(each));
         }
     }

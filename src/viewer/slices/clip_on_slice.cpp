@@ -62,7 +62,7 @@ void dim(QPainter& painter, const QSize& size, double pixelRatio, const ClipOnSl
     for (const ClipOnSlice::Scissors& scissors : clip.scissors) {
         QPainterPath behind;
         behind.setFillRule(Qt::WindingFill);
-        if (!scissors.behind.empty()) at.add(behind, scissors.behind);
+        for (const app::Contour& contour : scissors.behind) at.add(behind, contour);
         if (scissors.removesOutside) {
             dimAround(painter, size, pixelRatio, behind);
         } else {
@@ -93,11 +93,11 @@ ClipOnSlice clipOnSlice(const app::StudyState& state, const Volume& volume, cons
         shown.lines = app::clipLines(state.clip, state.cuts, volume, frame);
     }
     for (const app::ScissorCut& cut : state.cuts.scissors) {
-        app::Contour behind = app::behindOutline(cut, frame);
+        std::vector<app::Contour> behind = app::behindOutline(cut, frame);
         if (behind.empty() && !cut.removesOutside) continue;
-        if (!behind.empty()) {
-            shown.lines.push_back(behind);
-            shown.lines.back().push_back(behind.front());
+        for (const app::Contour& contour : behind) {
+            shown.lines.push_back(contour);
+            shown.lines.back().push_back(contour.front());
         }
         shown.scissors.push_back({.behind = std::move(behind), .removesOutside = cut.removesOutside});
     }

@@ -19,7 +19,7 @@ namespace macula::viewer {
 struct ClipOnSlice {
     std::vector<app::Contour> removed;  // winding: by box, planes, corner and ball
     struct Scissors {
-        app::Contour behind;
+        std::vector<app::Contour> behind;
         bool removesOutside = false;
 
         bool operator==(const Scissors&) const = default;

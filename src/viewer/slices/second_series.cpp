@@ -85,7 +85,7 @@ SecondSeries secondSeries(const app::OpenedStudy& study, app::OpenedStudy second
 QString linkText(const app::BesideState& state) {
     switch (state.link) {
         case app::BesideLink::sameFrame:
-            return Words::tr("Same frame of reference");
+            return Words::tr("Same frame, not registered: the patient may have moved");
         case app::BesideLink::registered:
             return state.isDoubtful ? Words::tr("Registration is doubtful (%1 mm): check landmarks")
                                           .arg(withLocalNumbers(QString::number(state.boundMm, 'f', 1)))

@@ -50,6 +50,7 @@ struct SliceWish {
     // What the picture is shown with: handed through.
     QString positionText;
     bool isInterpolated = false;  // no image was taken there
+    bool isLowBright = false;     // the display of the images shows low values white
     double pixelRatio = 1.0;
     glm::dvec3 crosshairMm{0.0};
     // Of a second volume, if there is one.

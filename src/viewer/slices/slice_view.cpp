@@ -198,6 +198,7 @@ void SliceView::request() {
                    .segments = segments_,
                    .positionText = viewer::positionText(orientation_, *steps_, slice),
                    .isInterpolated = isInterpolated(volume(), *steps_, slice),
+                   .isLowBright = session_.study().isLowBright,
                    .pixelRatio = ratio,
                    .crosshairMm = crosshairMm()};
     addSecond(wish);
@@ -260,13 +261,24 @@ QStringList SliceView::notes() const {
         notes.push_back(slab);
         if (!shown_->segments.isNull()) notes.push_back(tr("Segments: middle of the slab"));
     }
+    notes += segmentNotes();
     if (shown_->of.isInverted)
-        notes.push_back(showsStudy() && session_.study().isLowBright
-                            ? tr("Low values are white, as in the images")
-                            : tr("Inverted"));
+        notes.push_back(shown_->of.isLowBright ? tr("Low values are white, as in the images")
+                                               : tr("Inverted"));
     if (shown_->of.isInterpolated) notes.push_back(tr("Interpolated: no image was taken here"));
     if (!showsStudy() && isMeasuring()) notes.push_back(tr("Measurements are of the study alone"));
     return shown_->of.secondNotes + notes;
+}
+
+// Their lines are not where somebody drew them.
+QStringList SliceView::segmentNotes() const {
+    QStringList notes;
+    if (shown_->segments.isNull() || !shown_->of.segments) return notes;
+    if (std::ranges::any_of(*shown_->of.segments, &slices::ShownSegment::isResampled))
+        notes.push_back(tr("Segments: nearest voxel of another grid"));
+    if (std::ranges::any_of(*shown_->of.segments, &slices::ShownSegment::hasFractions))
+        notes.push_back(tr("Segments: fractions of half or more"));
+    return notes;
 }
 
 QString SliceView::probedText() const {

@@ -158,6 +158,7 @@ class SliceView : public QWidget {
     SliceOverlay overlay();
     std::vector<ShownMeasurement> shownMeasurements();
     QString segmentText(const glm::dvec3& mm) const;
+    QStringList segmentNotes() const;
     QString textOf(const slices::Measurement& measurement);
     QString textWhileDrawn(const slices::Measurement& measurement);
 

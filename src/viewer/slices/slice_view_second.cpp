@@ -2,6 +2,7 @@
 #include <cmath>
 #include <utility>
 
+#include "app/study/second_study.h"
 #include "viewer/slices/slice_texts.h"
 #include "viewer/slices/slice_view.h"
 
@@ -32,7 +33,7 @@ void SliceView::setPaneView(const PaneView& view) {
 // Null unless the second volume that is there is the one of the state.
 const app::BesideState* SliceView::beside() const {
     const auto& state = session_.state().beside;
-    return second_ && state && state->seriesDigest == second_->study.seriesDigest ? &*state : nullptr;
+    return second_ && state && app::isOf(*state, second_->study) ? &*state : nullptr;
 }
 
 bool SliceView::wantsSecond() const {
@@ -64,6 +65,7 @@ void SliceView::addSecond(SliceWish& wish) const {
         wish.shows = state->isLinked() ? SliceShows::second : SliceShows::secondByHand;
         wish.window = secondWindow();
         wish.isInverted = secondIsInverted();
+        wish.isLowBright = second_->study.isLowBright;
         wish.isInterpolated = false;
         wish.segments.reset();  // they are of the study's voxels
         wish.positionText = state->isLinked() ? tr("In the plane of the study: %1").arg(wish.positionText)
@@ -82,6 +84,8 @@ void SliceView::addSecond(SliceWish& wish) const {
                               .opacity = state->opacity};
         wish.tags.push_back(tr("In colours: %1").arg(second_->tag));
         wish.secondNotes = {linkText(*state)};
+        if (!second_->study.volume->provenance().interpolatedSlices.empty())
+            wish.secondNotes.push_back(tr("In colours: some slices are interpolated"));
     } else {
         return;
     }

@@ -2563,6 +2563,10 @@
         <translation>Modalität unbekannt</translation>
     </message>
     <message>
+        <source>volume %1 of %2</source>
+        <translation>Volumen %1 von %2</translation>
+    </message>
+    <message>
         <source>series %1</source>
         <translation>Serie %1</translation>
     </message>
@@ -3003,6 +3007,18 @@
         <translation>Was ein neueres Macula geschrieben hat, kann nicht gelesen werden; das Bild ist, wie andere es zeigen.</translation>
     </message>
     <message>
+        <source>The presentation state is of other images of this series, such as another phase.</source>
+        <translation>Der Presentation State ist von anderen Bildern dieser Serie, etwa einer anderen Phase.</translation>
+    </message>
+    <message>
+        <source>Choose the volume of these images, or another presentation state.</source>
+        <translation>Wählen Sie das Volumen dieser Bilder oder einen anderen Presentation State.</translation>
+    </message>
+    <message>
+        <source>The presentation state is of other images of this series, too, or of a part of these alone.</source>
+        <translation>Der Presentation State ist auch von anderen Bildern dieser Serie oder nur von einem Teil dieser Bilder.</translation>
+    </message>
+    <message>
         <source>The presentation state is of another series.</source>
         <translation>Der Presentation State ist von einer anderen Serie.</translation>
     </message>
@@ -3165,6 +3181,14 @@
     <message>
         <source>Delete some first.</source>
         <translation>Löschen Sie zuerst einige.</translation>
+    </message>
+    <message>
+        <source>The camera cannot be kept: a part of it would be lost.</source>
+        <translation>Die Kamera kann nicht behalten werden: ein Teil von ihr ginge verloren.</translation>
+    </message>
+    <message>
+        <source>Keep the curve alone.</source>
+        <translation>Behalten Sie nur die Kurve.</translation>
     </message>
     <message>
         <source>What is seen cannot be kept: %1</source>

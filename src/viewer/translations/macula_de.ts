@@ -347,10 +347,6 @@
         <translation>Aktuell: %1</translation>
     </message>
     <message>
-        <source>Same frame of reference</source>
-        <translation>Gleiches Koordinatensystem</translation>
-    </message>
-    <message>
         <source>Registration is doubtful (%1 mm): check landmarks</source>
         <translation>Registrierung unsicher (%1 mm): Landmarken prüfen</translation>
     </message>
@@ -365,6 +361,10 @@
     <message>
         <source>%1 to %2 %3, %4 % of the highest</source>
         <translation>%1 bis %2 %3, %4 % des höchsten</translation>
+    </message>
+    <message>
+        <source>Same frame, not registered: the patient may have moved</source>
+        <translation>Gleiches Koordinatensystem, nicht registriert: evtl. bewegt</translation>
     </message>
 </context>
 <context>
@@ -1576,10 +1576,6 @@
         <translation>Ansicht speichern</translation>
     </message>
     <message>
-        <source>The second volume that was beside this study is not in its folder; open it with Ctrl+B to see both as they were.</source>
-        <translation>Das zweite Volumen, das neben dieser Studie stand, ist nicht in ihrem Ordner; Strg+B öffnet es und zeigt beide, wie sie waren.</translation>
-    </message>
-    <message>
         <source>Second volume: %1</source>
         <translation>Zweites Volumen: %1</translation>
     </message>
@@ -1894,6 +1890,10 @@
     <message>
         <source>The same millimetres for each pixel at every depth. The picture is traced; there are no splats while it moves</source>
         <translation>In jeder Tiefe gleich viele Millimeter je Pixel. Das Bild wird verfolgt; während der Bewegung gibt es keine Splats</translation>
+    </message>
+    <message>
+        <source>The second volume that was beside this study is not open; open it with Ctrl+B to see both as they were.</source>
+        <translation>Das zweite Volumen, das neben dieser Studie stand, ist nicht geöffnet; Strg+B öffnet es und zeigt beide, wie sie waren.</translation>
     </message>
 </context>
 <context>
@@ -3306,6 +3306,18 @@
     <message>
         <source>Window of the second volume</source>
         <translation>Fensterung des zweiten Volumens</translation>
+    </message>
+    <message>
+        <source>Segments: nearest voxel of another grid</source>
+        <translation>Segmente: nächstes Voxel eines anderen Rasters</translation>
+    </message>
+    <message>
+        <source>Segments: fractions of half or more</source>
+        <translation>Segmente: Anteile ab der Hälfte</translation>
+    </message>
+    <message>
+        <source>In colours: some slices are interpolated</source>
+        <translation>In Farbe: einige Schichten sind interpoliert</translation>
     </message>
 </context>
 <context>
