@@ -949,6 +949,10 @@
         <source>, %1 min left</source>
         <translation>, noch %1 min</translation>
     </message>
+    <message>
+        <source>, %1 h left</source>
+        <translation>, noch %1 h</translation>
+    </message>
 </context>
 <context>
     <name>macula::viewer::CutTools</name>
