@@ -47,8 +47,9 @@ struct Scan {
     std::size_t objectCount() const;  // DICOM objects that are no images
 };
 
-// Told of a folder while it is still being read: its studies and series so far, with the number of images that
-// were met (Series::instances), and no stacks or messages. Copies and broken files are not told apart yet.
+// Told of a folder while it is still being read: its studies and series so far, with the number of images
+// that were met (Series::instances), and no stacks or messages. Copies and broken files are not told apart
+// yet.
 using GlimpseListener = std::function<void(Scan)>;
 
 struct ScanOptions {

@@ -27,7 +27,9 @@ class StudyLoader : public QObject {
     void open(app::StudySource source, bool join = false);
     void open(std::shared_ptr<const app::FoundVolumes> found, std::size_t index);
     void cancel();  // `cancelled` follows
-    const app::StudySource& source() const { return source_; }  // that was opened last; nothing: a volume found
+    const app::StudySource& source() const {
+        return source_;
+    }  // that was opened last; nothing: a volume found
     bool loading() const { return job_.running(); }
     bool atRest() const { return job_.atRest(); }  // cancelled ones have noticed, too
 

@@ -22,7 +22,8 @@ Result<std::set<std::size_t>> volumesSeenBefore(session::Store& store, const Fou
             for (const session::SeriesEntry& entry : known.entries)
                 opened[entry.identity] = entry.volumes.size();
         }
-        const auto known = opened.find(session::seriesIdentity(series.studyInstanceUid, series.seriesInstanceUid));
+        const auto known =
+            opened.find(session::seriesIdentity(series.studyInstanceUid, series.seriesInstanceUid));
         if (known != opened.end() && known->second >= volumesOf[&series]) seen.insert(i);
     }
     return seen;

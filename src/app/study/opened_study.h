@@ -40,8 +40,8 @@ struct OpenedStudy {
 // phantom.
 using StudySource = std::optional<std::filesystem::path>;
 
-// Told of a folder while it is opened: what was found so far, now and then, and all of it before the volume is
-// decoded. Called on threads that read, one at a time.
+// Told of a folder while it is opened: what was found so far, now and then, and all of it before the volume
+// is decoded. Called on threads that read, one at a time.
 using FoundSoFar = std::function<void(std::shared_ptr<const FoundVolumes>)>;
 
 // Scans, chooses the series and decodes it. Blocks; a file at a time sees a cancellation. Throws nothing.

@@ -60,9 +60,8 @@ void RecentMenu::fill() {
     for (const std::filesystem::path& path : paths_) {
         ++number;
         const QString digit = number <= kDigits ? QStringLiteral("&%1  ").arg(number) : QString();
-        QAction* action = addAction(digit + titleOfPath(path), this, [this, path] {
-            emit chosen(QString::fromStdString(path.string()));
-        });
+        QAction* action = addAction(digit + titleOfPath(path), this,
+                                    [this, path] { emit chosen(QString::fromStdString(path.string())); });
         action->setToolTip(shownPath(path));
     }
     addSeparator();
