@@ -294,7 +294,8 @@ TEST_F(EditsTest, EachIsSavedAndReadBack) {
         const auto read = app::studyStateFromJson(text, {});
         ASSERT_TRUE(read.ok()) << read.error().message << " " << read.error().hint << "\n" << text;
         ASSERT_EQ(*read, session_->state()) << text;
-        for (const auto& [key, value] : nlohmann::json::parse(text).items()) keys.insert(key);
+        const nlohmann::json json = nlohmann::json::parse(text);
+        for (const auto& [key, value] : json.items()) keys.insert(key);
     }
     // A part of the state that no edit above changes would be tested by nothing.
     keys.insert("series");

@@ -268,7 +268,7 @@ TEST(ClipDimming, IsPaintedOnceForAsLongAsNothingChanges) {
     EXPECT_TRUE(dimming.imageFor(clip, {100, 80}, 2.0).isNull());
     // In device pixels: the left half stays.
     clip.scissors = {
-        {.behind = {{0.0, 0.0}, {100.0, 0.0}, {100.0, 160.0}, {0.0, 160.0}}, .removesOutside = true}};
+        {.behind = {{{0.0, 0.0}, {100.0, 0.0}, {100.0, 160.0}, {0.0, 160.0}}}, .removesOutside = true}};
     const QImage image = dimming.imageFor(clip, {100, 80}, 2.0);
     EXPECT_EQ(image.size(), QSize(200, 160));
     EXPECT_EQ(qAlpha(image.pixel(50, 80)), 0);
