@@ -245,6 +245,7 @@ class MainWindow : public QMainWindow {
     void onFrame(const app::FrameShown& frame);
     void onModel(const hybrid::ModelNews& model);
     void setStudyTexts(const app::OpenedStudy& study);
+    void explainTabs();
     void showPanes();     // of the state
     void focusPicture();  // the pane that had the keyboard last, or one that is shown
     void showNames(bool shown);

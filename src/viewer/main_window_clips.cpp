@@ -72,6 +72,7 @@ QWidget* MainWindow::makeClipColumn() {
     auto* scrolls = new QScrollArea;
     scrolls->setObjectName(QStringLiteral("clip-scrolls"));
     scrolls->setFrameShape(QFrame::NoFrame);
+    scrolls->setFocusPolicy(Qt::NoFocus);  // what is in it has the focus
     scrolls->setWidgetResizable(true);
     scrolls->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     scrolls->setWidget(column);

@@ -1,5 +1,6 @@
 // Panes and panels: the volume, slices of it, and what changes how they are shown.
 #include <QDockWidget>
+#include <QTabBar>
 #include <QToolBar>
 #include <algorithm>
 #include <array>
@@ -119,7 +120,14 @@ void MainWindow::makePanels() {
         connect(dock->toggleViewAction(), &QAction::triggered, dock, [dock](bool shown) {
             if (shown) dock->raise();
         });
+        // Qt makes bars of tabs when panels share a place, and not before.
+        connect(dock, &QDockWidget::visibilityChanged, this, &MainWindow::explainTabs, Qt::QueuedConnection);
     }
+}
+
+void MainWindow::explainTabs() {
+    for (QTabBar* bar : findChildren<QTabBar*>(Qt::FindDirectChildrenOnly))
+        bar->setToolTip(tr("Panels that share this place"));
 }
 
 void MainWindow::showPanes() {

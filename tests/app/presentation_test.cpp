@@ -378,9 +378,10 @@ TEST_F(APresentation, shadingIsTheSameAndLightIsTold) {
 }
 
 TEST_F(APresentation, ofAnotherProgramHidesNothingThatIsHiddenNow) {
+    const std::string digest(64, 'd');
     StudyState now;
     now.leavesTableOut = true;
-    now.segmentations = {{.digest = "d",
+    now.segmentations = {{.digest = digest,
                           .isShown = true,
                           .segments = {{.number = 1, .opacity = 0.7, .in3d = In3d::alone},
                                        {.number = 2, .in3d = In3d::hidden}}}};
@@ -388,7 +389,7 @@ TEST_F(APresentation, ofAnotherProgramHidesNothingThatIsHiddenNow) {
     ASSERT_TRUE(foreign.ok());
     EXPECT_FALSE(foreign->state.leavesTableOut);
     EXPECT_TRUE(in3dOf(foreign->state.segmentations).empty());
-    EXPECT_EQ(choiceOf(choiceOf(foreign->state.segmentations, "d"), 1).opacity, 0.7) << "on slices";
+    EXPECT_EQ(choiceOf(choiceOf(foreign->state.segmentations, digest), 1).opacity, 0.7) << "on slices";
     // Macula's own words say otherwise.
     state_.leavesTableOut = true;
     state_.segmentations = now.segmentations;

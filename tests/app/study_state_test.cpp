@@ -74,6 +74,10 @@ StudyState everything() {
                             .outline = {{-0.5, -0.5}, {1.0 / 3.0, -0.5}, {0.0, 0.7}},
                             .removesOutside = true}};
     state.namedClips = {{.name = "lungs, \"höher\"", .clip = *catalogue().clips.at(1), .cuts = state.cuts}};
+    state.segmentations = {
+        {.digest = std::string(64, 'd'),
+         .isShown = true,
+         .segments = {{.number = 7, .isVisible = false, .opacity = 0.25, .in3d = In3d::alone}}}};
     BesideState beside;
     beside.seriesDigest = "fedcba";
     beside.volume = 2;
@@ -132,6 +136,8 @@ TEST(StudyState, IsAnotherWhenOneThingOfTheSlicesIs) {
     EXPECT_TRUE(differs([](auto& s) { s.cuts.eye->followsCamera = false; }));
     EXPECT_TRUE(differs([](auto& s) { s.cuts.scissors[0].outline[1].x += 1e-9; }));
     EXPECT_TRUE(differs([](auto& s) { s.namedClips[0].name = "lung"; }));
+    EXPECT_TRUE(differs([](auto& s) { s.segmentations[0].isShown = false; }));
+    EXPECT_TRUE(differs([](auto& s) { s.segmentations[0].segments[0].in3d = In3d::hidden; }));
     EXPECT_TRUE(differs([](auto& s) { s.beside.reset(); }));
     EXPECT_TRUE(differs([](auto& s) { s.beside->opacity = 0.4; }));
     EXPECT_TRUE(differs([](auto& s) { s.beside->secondFromStudy[3][0] += 1e-6; }));

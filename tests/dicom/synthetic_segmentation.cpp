@@ -4,6 +4,7 @@
 #include <dcmtk/dcmdata/dctk.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 #include "dicom/read/sop_class.h"
@@ -80,11 +81,10 @@ void putHeader(DcmItem& item, const SyntheticSegmentation& s, const Made& made) 
         put(segment, DCM_SegmentLabel, part.label);
         put(segment, DCM_SegmentAlgorithmType, "MANUAL");
         if (!part.cieLab) continue;
-        for (unsigned long n = 0; n < 3; ++n) {
-            ASSERT_TRUE(
-                segment.putAndInsertUint16(DCM_RecommendedDisplayCIELabValue, Uint16(part.cieLab->at(n)), n)
-                    .good());
-        }
+        const std::array lab{Uint16(part.cieLab->at(0)), Uint16(part.cieLab->at(1)),
+                             Uint16(part.cieLab->at(2))};
+        ASSERT_TRUE(segment.putAndInsertUint16Array(DCM_RecommendedDisplayCIELabValue, lab.data(), lab.size())
+                        .good());
     }
 }
 

@@ -62,7 +62,7 @@ std::optional<Segment> inPicture(const Segment& segment, const slices::SliceFram
             if (low > 0.0 || high < 0.0) return std::nullopt;
             continue;
         }
-        const auto [first, last] = std::minmax(low / along[axis], high / along[axis]);
+        const auto [first, last] = std::minmax({low / along[axis], high / along[axis]});
         from = std::max(from, first);
         to = std::min(to, last);
     }

@@ -57,6 +57,7 @@ std::optional<KeyEntry> entryOf(QAction& action, const QString& where) {
     } else if (const QList<QKeySequence> keys = usualKeysOf(action); !keys.isEmpty()) {
         entry.usual = keys.front();
     }
+    if (entry.usual == QKeySequence(Qt::Key_Escape)) return std::nullopt;  // stops things in every program
     if (!entry.usual.isEmpty()) {
         entry.id = portable(entry.usual);
     } else if (!action.objectName().isEmpty()) {

@@ -1899,6 +1899,10 @@
         <source>The second volume that was beside this study is not open; open it with Ctrl+B to see both as they were.</source>
         <translation>Das zweite Volumen, das neben dieser Studie stand, ist nicht geöffnet; Strg+B öffnet es und zeigt beide, wie sie waren.</translation>
     </message>
+    <message>
+        <source>Panels that share this place</source>
+        <translation>Bereiche, die sich diesen Platz teilen</translation>
+    </message>
 </context>
 <context>
     <name>macula::viewer::MessageBar</name>
