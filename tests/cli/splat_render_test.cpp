@@ -327,7 +327,7 @@ TEST_F(SplatRender, BadInput) {
     };
     write("c.json", "");
     expectRefused(3, "does not exist", {at("no.ply"), "--cameras", good, "-o", at("out")});
-    expectRefused(3, "no PLY, SPZ or .macula model", {good, "--cameras", good, "-o", at("out")});
+    expectRefused(3, "no PLY, SPZ, glTF or .macula model", {good, "--cameras", good, "-o", at("out")});
     expectRefused(3, "macula: ", {model, "--cameras", at("no.json"), "-o", at("out")});
     expectRefused(2, "made elsewhere", {model, "--from", "left", "-o", at("out")});
     expectRefused(2, "front is no direction", {model, "--from", "front", "-o", at("out")});
