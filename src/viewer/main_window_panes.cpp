@@ -4,6 +4,7 @@
 #include <QToolBar>
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "viewer/beside/slice_pair.h"
 #include "viewer/browser/recent_menu.h"
@@ -113,16 +114,22 @@ void MainWindow::makePanels() {
         add(Qt::RightDockWidgetArea, gallery_, tr("Presets"), "presets-panel", kPanelKeys[3]);
     QDockWidget* segments =
         add(Qt::RightDockWidgetArea, segmentsPanel_, tr("Segmentations"), "segments-panel", "F11");
-    tabifyDockWidget(first, presets);
-    tabifyDockWidget(second, segments);
-    for (QDockWidget* dock : {first, presets, second, segments}) {
-        // What is asked for is in front.
-        connect(dock->toggleViewAction(), &QAction::triggered, dock, [dock](bool shown) {
-            if (shown) dock->raise();
-        });
-        // Qt makes bars of tabs when panels share a place, and not before.
-        connect(dock, &QDockWidget::visibilityChanged, this, &MainWindow::explainTabs, Qt::QueuedConnection);
-    }
+    // Two that are seldom wanted at once share a place once both are shown. Not before: the window would make
+    // room for what is hidden.
+    const auto sharePlace = [this](QDockWidget* one, QDockWidget* other) {
+        for (auto [asked, partner] : {std::pair(one, other), std::pair(other, one)}) {
+            connect(asked->toggleViewAction(), &QAction::triggered, asked,
+                    [this, asked = asked, partner = partner](bool shown) {
+                        if (!shown) return;
+                        if (!partner->isHidden()) tabifyDockWidget(partner, asked);
+                        asked->raise();
+                    });
+            connect(asked, &QDockWidget::visibilityChanged, this, &MainWindow::explainTabs,
+                    Qt::QueuedConnection);
+        }
+    };
+    sharePlace(first, presets);
+    sharePlace(second, segments);
 }
 
 void MainWindow::explainTabs() {

