@@ -41,6 +41,7 @@ void MainWindow::makeMovies() {
     auto* dock = new QDockWidget(tr("Movie"), this);
     dock->setObjectName(QStringLiteral("movie-panel"));
     auto* scrolled = new QScrollArea(dock);  // a low window stays low
+    scrolled->setFocusPolicy(Qt::NoFocus);
     scrolled->setWidgetResizable(true);
     scrolled->setFrameShape(QFrame::NoFrame);
     scrolled->setWidget(movie_);

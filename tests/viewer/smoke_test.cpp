@@ -53,11 +53,11 @@ class ViewerProgram : public testing::Test {
 TEST_F(ViewerProgram, OrbitsThePhantomTakesScreenshotsAndMeasuresItself) {
     QTemporaryDir folder;
     const Outcome outcome = runViewer({"--script", "orbit", "--seconds", "2", "--spp", "2", "--size",
-                                       "400x300", "--screenshots", folder.path()});
+                                       "480x300", "--screenshots", folder.path()});
     ASSERT_EQ(outcome.exitCode, 0) << outcome.errors.toStdString();
 
     const QJsonObject json = QJsonDocument::fromJson(outcome.output).object();
-    EXPECT_EQ(json["width"].toInt(), 400);
+    EXPECT_EQ(json["width"].toInt(), 480);
     EXPECT_EQ(json["height"].toInt(), 300);
     EXPECT_FALSE(json["device"].toString().isEmpty());
     // How fast is for a benchmark to say; that the picture follows the hand at all, for this.

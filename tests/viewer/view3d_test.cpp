@@ -55,16 +55,21 @@ class View3dTest : public WindowTest {
         const auto marks = paintCubeAndScale(of);
         const QImage now = picture();
         if (!marks || now.size() != of.pixels) return false;
-        for (int y = 0; y < int(marks->size.height); ++y) {
-            for (int x = 0; x < int(marks->size.width); ++x) {
-                const std::byte* wanted =
-                    &marks->rgba[4 * (std::size_t(y) * marks->size.width + std::size_t(x))];
-                const QRgb is = now.pixel(marks->places.at(0).x + x, marks->places.at(0).y + y);
-                if (qRed(is) != int(wanted[0]) || qGreen(is) != int(wanted[1]) || qBlue(is) != int(wanted[2]))
-                    return false;
+        for (std::size_t i = 0; i < marks->boxes.size(); ++i) {
+            const VkRect2D& box = marks->boxes[i];
+            for (int y = 0; y < int(box.extent.height); ++y) {
+                for (int x = 0; x < int(box.extent.width); ++x) {
+                    const std::byte* wanted =
+                        &marks->rgba[4 * (std::size_t(box.offset.y + y) * marks->size.width +
+                                          std::size_t(box.offset.x + x))];
+                    const QRgb is = now.pixel(marks->places.at(i).x + x, marks->places.at(i).y + y);
+                    if (qRed(is) != int(wanted[0]) || qGreen(is) != int(wanted[1]) ||
+                        qBlue(is) != int(wanted[2]))
+                        return false;
+                }
             }
         }
-        return true;
+        return !marks->boxes.empty();
     }
 };
 
