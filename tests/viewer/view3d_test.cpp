@@ -50,7 +50,8 @@ class View3dTest : public WindowTest {
         if (found == nullptr) throw std::runtime_error(name);
         return *found;
     }
-    // Whether these marks, to the pixel, stand over what is on screen.
+    // Whether these marks stand over what is on screen. Smooth edges of a cube that is turned may differ a
+    // little: its corners are rounded once more on their way through the camera of the picture.
     bool hasMarksOf(const MarkedPicture& of) {
         const auto marks = paintCubeAndScale(of);
         const QImage now = picture();
@@ -63,8 +64,10 @@ class View3dTest : public WindowTest {
                         &marks->rgba[4 * (std::size_t(box.offset.y + y) * marks->size.width +
                                           std::size_t(box.offset.x + x))];
                     const QRgb is = now.pixel(marks->places.at(i).x + x, marks->places.at(i).y + y);
-                    if (qRed(is) != int(wanted[0]) || qGreen(is) != int(wanted[1]) ||
-                        qBlue(is) != int(wanted[2]))
+                    constexpr int kLevels = 16;
+                    if (std::abs(qRed(is) - int(wanted[0])) > kLevels ||
+                        std::abs(qGreen(is) - int(wanted[1])) > kLevels ||
+                        std::abs(qBlue(is) - int(wanted[2])) > kLevels)
                         return false;
                 }
             }
