@@ -37,9 +37,11 @@ std::vector<SamplePoint> samplePoints(const ScalarGrid& grid, const IntensityBin
     for (std::size_t n = 0; n < draws; ++n) {
         const double along = (double(n) + share(seed, 4 * n)) * double(cells) / double(draws);
         const std::size_t at = std::min(std::size_t(along), cells - 1);
+        const std::size_t row = at / width;
+        const std::size_t slice = row / height;
         const glm::dvec3 cell(double(at % width) + share(seed, 4 * n + 1),
-                              double(at / width % height) + share(seed, 4 * n + 2),
-                              double(at / width / height) + share(seed, 4 * n + 3));
+                              double(row % height) + share(seed, 4 * n + 2),
+                              double(slice) + share(seed, 4 * n + 3));
         const float value = grid.at(cell);
         if (std::isnan(value)) continue;
         points.push_back({transformPoint(grid.worldFromGrid, cell), int(std::lround(bins.of(value)))});
