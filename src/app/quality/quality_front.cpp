@@ -27,11 +27,12 @@ FrontPoint pointFrom(const JsonNode& node) {
     FrontPoint point;
     if (const auto fovea = node.find("fovea")) {
         fovea->allowOnly({"fieldDeg", "samplesPerPixel", "denoise", "framesPerFovea"});
-        FrontPoint::Fovea& is = point.fovea.emplace();
+        FrontPoint::Fovea is;
         is.wish.fieldDeg = (*fovea)["fieldDeg"].number({1.0, 120.0});
         is.wish.samplesPerPixel = static_cast<std::uint32_t>(whole((*fovea)["samplesPerPixel"], 1, 1024));
         is.wish.denoising = (*fovea)["denoise"].boolean() ? trace::Denoising::on : trace::Denoising::off;
         is.framesPerFovea = static_cast<int>(whole((*fovea)["framesPerFovea"], 1, 1000));
+        point.fovea = is;
     }
     point.ms = node["ms"].number({1e-3, kLongestMs});
     point.flip = node["flip"].number({0.0, 1.0});
@@ -44,8 +45,8 @@ std::vector<FrontPoint> stopsOf(std::vector<FrontPoint> points) {
         return a.ms != b.ms ? a.ms < b.ms : a.fovealFlip < b.fovealFlip;
     });
     std::vector<FrontPoint> stops;
-    for (FrontPoint& point : points) {
-        if (stops.empty() || point.fovealFlip < stops.back().fovealFlip) stops.push_back(std::move(point));
+    for (const FrontPoint& point : points) {
+        if (stops.empty() || point.fovealFlip < stops.back().fovealFlip) stops.push_back(point);
     }
     return stops;
 }

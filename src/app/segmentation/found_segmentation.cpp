@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <set>
 #include <utility>
 
@@ -95,7 +96,7 @@ Result<std::vector<FoundSegmentation>> findSegmentations(const FoundVolumes& fou
         if (digests.insert(each.digest).second) all.push_back(std::move(each));  // copies are one
         progress.advance();
     }
-    std::ranges::stable_partition(all, &FoundSegmentation::canBeShown);
+    std::stable_partition(all.begin(), all.end(), std::mem_fn(&FoundSegmentation::canBeShown));
     return all;
 } catch (const std::exception&) {
     return Error{ErrorCode::outOfMemory,

@@ -172,7 +172,7 @@ Result<void> PresetShelf::rename(const PresetRef& own, std::string_view title) {
 }
 
 std::shared_ptr<const OwnPreset> PresetShelf::remove(const PresetRef& own) {
-    const auto preset = find(own);
+    auto preset = find(own);
     if (!preset) return nullptr;
     std::erase(own_, preset);
     changes_.push_back({DocumentKind::preset, own, std::nullopt});
