@@ -23,7 +23,7 @@ glm::dmat4 transformFrom(const JsonNode& node) {
     glm::dmat4 transform(1.0);
     for (int row = 0; row < 4; ++row)
         for (int column = 0; column < 4; ++column)
-            transform[column][row] = rows[std::size_t(4 * row + column)];
+            transform[column][row] = rows[4 * std::size_t(row) + std::size_t(column)];
     if (registration::isRigid(transform)) return transform;
     node.fail("a rotation and a shift, row by row");
     return glm::dmat4(1.0);
