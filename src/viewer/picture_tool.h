@@ -11,7 +11,7 @@
 
 namespace macula::viewer {
 
-// The picture as it is asked for now.
+// Camera and shape of the 3D picture that is asked for. A tool takes hold only once that one is on screen.
 struct PictureGeometry {
     Camera camera;
     double aspect = 1.0;     // width over height

@@ -28,23 +28,12 @@
 #include "viewer/clip/voxel_cutting.h"
 #include "viewer/hidden_voxels.h"
 #include "viewer/volume/shown_volume.h"
+#include "viewer/wait_until.h"
 
 namespace macula::viewer {
 namespace {
 
 using Kind = app::ClipHandle::Kind;
-
-template <class Done>
-bool waitUntil(Done done) {
-    QElapsedTimer waited;
-    waited.start();
-    while (!done()) {
-        if (waited.elapsed() > 60'000) return false;
-        QCoreApplication::processEvents(QEventLoop::AllEvents, 10);
-        QThread::msleep(1);
-    }
-    return true;
-}
 
 class ClipToolsTest : public testing::Test {
   protected:

@@ -17,20 +17,9 @@
 
 #include "viewer/slice_volume.h"
 #include "viewer/slices/slice_view.h"
+#include "viewer/wait_until.h"
 
 namespace macula::viewer {
-
-template <class Done>
-bool waitUntil(Done done) {
-    QElapsedTimer waited;
-    waited.start();
-    while (!done()) {
-        if (waited.elapsed() > 60'000) return false;
-        QCoreApplication::processEvents(QEventLoop::AllEvents, 10);
-        QThread::msleep(1);
-    }
-    return true;
-}
 
 class SliceViewTest : public testing::Test {
   protected:

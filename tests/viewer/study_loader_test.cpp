@@ -14,21 +14,10 @@
 #include "dicom/support.h"
 #include "dicom/synthetic.h"
 #include "viewer/newest_posted.h"
+#include "viewer/wait_until.h"
 
 namespace macula::viewer {
 namespace {
-
-// Runs the event loop until `done` or a minute has passed.
-template <class Done>
-bool waitUntil(Done done) {
-    QElapsedTimer waited;
-    waited.start();
-    while (!done()) {
-        if (waited.elapsed() > 60'000) return false;
-        QCoreApplication::processEvents(QEventLoop::AllEvents, 20);
-    }
-    return true;
-}
 
 class StudyLoaderTest : public testing::Test {
   protected:

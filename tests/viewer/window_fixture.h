@@ -20,20 +20,9 @@
 #include "gpu/lose_device.h"
 #include "viewer/display.h"
 #include "viewer/painted_text.h"
+#include "viewer/wait_until.h"
 
 namespace macula::viewer {
-
-template <class Done>
-bool waitUntil(Done done, int seconds = 120) {
-    QElapsedTimer waited;
-    waited.start();
-    while (!done()) {
-        if (waited.elapsed() > 1000 * seconds) return false;
-        QCoreApplication::processEvents(QEventLoop::AllEvents, 10);
-        QThread::msleep(2);  // the device of these tests may be this processor
-    }
-    return true;
-}
 
 class WindowTest : public testing::Test {
   protected:

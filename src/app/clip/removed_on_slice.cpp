@@ -15,7 +15,8 @@ namespace {
 
 constexpr double kEdgeOn = 1e-6;  // how far a slice must be from being seen from its edge
 
-// In the picture: positive where the half-space keeps, linear.
+// The signed distance of a half-space as a linear function of the pixel: it is positive where the half-space
+// keeps.
 class SideInPicture {
   public:
     SideInPicture(const HalfSpace& side, const slices::SliceFrame& frame)

@@ -75,7 +75,7 @@ Error stopped() {
 Result<PictureDrawer> PictureDrawer::create(const std::shared_ptr<gpu::Device>& device,
                                             const PictureRequest& request, const Progress& progress) {
     const StudyScene& scene = request.scene;
-    // Each step may take a second.
+    // Whoever cancels waits for one step at most: compiling kernels or uploading bricks may take a second.
     if (progress.cancelled()) return stopped();
     MACULA_TRY(trace::PathTracer tracer, trace::PathTracer::create(device, request.memory));
     if (progress.cancelled()) return stopped();

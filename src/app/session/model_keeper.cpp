@@ -217,7 +217,8 @@ bool ModelKeeper::isIdle() {
 }
 
 void ModelKeeper::withStore(StoreUse use) {
-    // Where there is no store the job is dropped, and so is this.
+    // The destructor tells the caller that there is no store: without one the job is dropped unrun, and this
+    // goes with it.
     struct Once {
         StoreUse use;
         ~Once() {

@@ -22,8 +22,8 @@ struct OwnWindow {
 inline constexpr std::size_t kMostOwnWindows = 50;
 inline constexpr std::size_t kLongestWindowName = 60;  // in UTF-8
 
-// { "windows": [ { "name": "Kidney", "center": 60, "width": 300, "function": "LINEAR", "unit": "HU" } ] };
-// what the reader would refuse is left out.
+// Writes the windows as JSON and leaves out what the reader would refuse:
+//     { "windows": [ { "name": "Kidney", "center": 60, "width": 300, "function": "LINEAR", "unit": "HU" } ] }
 std::string toJson(const std::vector<OwnWindow>& windows);
 // inputNotUsable: the message tells the line or the key, the hint what was expected.
 Result<std::vector<OwnWindow>> ownWindowsFromJson(std::string_view text);

@@ -37,8 +37,8 @@ class KeyBook : public QObject {
     QKeySequence chosen(const QKeySequence& usual) const;
     QKeySequence chosen(const KeyEntry& entry) const;
 
-    // For an action that shows a key which the viewport handles: it stands beside the text, and is no
-    // shortcut.
+    // Writes `usual`, or the key that a person chose for it, beside the text of the action. The viewport
+    // handles the key: it is no shortcut of the action.
     static void showPictureKey(QAction& action, const QKeySequence& usual);
 
     // All that can be changed, in the order of menus, then of tool bars. Those that it has not seen before

@@ -40,7 +40,7 @@ QImage imageOf(const QSize& size, double pixelRatio) {
     return image;
 }
 
-// All but what the path encloses.
+// Dims all of the picture but what the path encloses.
 void dimAround(QPainter& painter, const QSize& size, double pixelRatio, const QPainterPath& path) {
     QImage around = imageOf(size, pixelRatio);
     if (around.isNull()) return;  // no memory for it: the outline is drawn all the same
