@@ -111,12 +111,8 @@ TEST_F(ViewerWidgetTest, IsMadeForAStudyThatIsOpenAndGoesBeforeItsSession) {
 }
 
 TEST_F(ViewerWidgetTest, AProgramOfSomebodyElseShowsAStudy) {
-    QProcess host;
-    host.setProgram(QStringLiteral(MACULA_HOST_PROGRAM));
-    host.start();
-    ASSERT_TRUE(host.waitForStarted());
-    // The display is shared with other tests: what is looked for is a picture of many colours at the left of
-    // the middle, which the slice and the volume of the phantom have and an empty window has not.
+    // A picture of many colours at the left of the middle: the slice and the volume of the phantom have them,
+    // and an empty window has not.
     const auto colours = [] {
         const QImage seen = QGuiApplication::primaryScreen()->grabWindow(0, 400, 100, 400, 300).toImage();
         QSet<QRgb> all;
@@ -124,6 +120,11 @@ TEST_F(ViewerWidgetTest, AProgramOfSomebodyElseShowsAStudy) {
             for (int x = 0; x < seen.width(); ++x) all.insert(seen.pixel(x, y));
         return all.size();
     };
+    ASSERT_LT(colours(), 50) << "something else is on the display: nothing would be shown by this";
+    QProcess host;
+    host.setProgram(QStringLiteral(MACULA_HOST_PROGRAM));
+    host.start();
+    ASSERT_TRUE(host.waitForStarted());
     EXPECT_TRUE(waitUntil([&] { return host.state() != QProcess::Running || colours() > 200; }));
     EXPECT_EQ(host.state(), QProcess::Running) << host.readAllStandardError().toStdString();
     host.terminate();
