@@ -220,6 +220,9 @@ void ModelKeeper::withStore(StoreUse use) {
     // The destructor tells the caller that there is no store: without one the job is dropped unrun, and this
     // goes with it.
     struct Once {
+        explicit Once(StoreUse given) : use(std::move(given)) {}
+        Once(const Once&) = delete;
+        Once& operator=(const Once&) = delete;
         StoreUse use;
         ~Once() {
             if (use) use(nullptr);
