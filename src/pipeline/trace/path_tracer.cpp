@@ -398,10 +398,19 @@ Result<std::vector<GuidePixel>> PathTracer::readGuides() {
 }
 
 Result<std::vector<shared::PixelLayers>> PathTracer::readLayers() {
+    MACULA_TRY(const gpu::Buffer found, findLayers());
+    return gpu::read<shared::PixelLayers>(found);
+}
+
+const std::shared_ptr<gpu::Device>& PathTracer::device() const {
+    return impl_->device;
+}
+
+Result<gpu::Buffer> PathTracer::findLayers() {
     Impl& t = *impl_;
     MACULA_TRY_VOID(t.prepare());
     MACULA_TRY(const gpu::Kernel* kernel, t.kernels.layers(kindOf(t.scene.scene())));
-    return findLayers(t.device, t.scene, *kernel, t.view.width, t.view.height);
+    return trace::findLayers(t.device, t.scene, *kernel, t.view.width, t.view.height);
 }
 
 Result<std::optional<SurfacePoints>> PathTracer::someSurfacePoints(const SurfacePointOptions& options,

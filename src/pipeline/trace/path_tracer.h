@@ -163,8 +163,12 @@ class PathTracer {
     Result<const Guides*> guides();
     Result<std::vector<GuidePixel>> readGuides();  // row 0 on top; waits
 
-    // The layers along the centre rays of the view that was set last, row 0 on top; waits.
+    // The layers along the centre rays of the view that was set last, row 0 on top: a shared::PixelLayers for
+    // each pixel. Reading waits.
+    Result<gpu::Buffer> findLayers();
     Result<std::vector<shared::PixelLayers>> readLayers();
+
+    const std::shared_ptr<gpu::Device>& device() const;
 
     // Surface points of all that can be seen from anywhere, lit as it is for this view; the samples traced so
     // far stay. Waits; `cancelled` when `keepGoing` (may be empty) says no between two dispatches.

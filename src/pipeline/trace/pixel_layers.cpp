@@ -3,17 +3,15 @@
 #include <algorithm>
 
 #include "pipeline/gpu/recorder.h"
-#include "pipeline/gpu/transfer.h"
 #include "pipeline/trace/guides.h"
 
 namespace macula::trace {
 
-Result<std::vector<shared::PixelLayers>> findLayers(const std::shared_ptr<gpu::Device>& device,
-                                                    const SceneView& scene, const gpu::Kernel& kernel,
-                                                    int width, int height) {
+Result<gpu::Buffer> findLayers(const std::shared_ptr<gpu::Device>& device, const SceneView& scene,
+                               const gpu::Kernel& kernel, int width, int height) {
     const std::uint64_t pixels = std::uint64_t(width) * std::uint64_t(height);
     MACULA_TRY(
-        const gpu::Buffer found,
+        gpu::Buffer found,
         gpu::Buffer::create(device, {.label = "layers", .bytes = pixels * sizeof(shared::PixelLayers)}));
     const int rows = rowsToMarchAtOnce(*device, width, height);
     shared::LayersPush push{};
@@ -27,7 +25,7 @@ Result<std::vector<shared::PixelLayers>> findLayers(const std::shared_ptr<gpu::D
                           push, bindings);
         MACULA_TRY([[maybe_unused]] const gpu::Ticket ticket, recorder.submit());
     }
-    return gpu::read<shared::PixelLayers>(found);
+    return found;
 }
 
 }  // namespace macula::trace

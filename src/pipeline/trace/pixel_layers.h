@@ -3,20 +3,19 @@
 #pragma once
 
 #include <memory>
-#include <vector>
 
 #include "base/result.h"
 #include "pipeline/gpu/device.h"
 #include "pipeline/gpu/kernel.h"
+#include "pipeline/gpu/resources.h"
 #include "pipeline/trace/scene_view.h"
 #include "shared/pixel_layers.h"
 
 namespace macula::trace {
 
-// Finds them for the view of the scene, by layers.comp as compiled for that scene (TraceKernels); row 0 on
-// top. Waits.
-Result<std::vector<shared::PixelLayers>> findLayers(const std::shared_ptr<gpu::Device>& device,
-                                                    const SceneView& scene, const gpu::Kernel& kernel,
-                                                    int width, int height);
+// Finds them for the view of the scene, by layers.comp as compiled for that scene (TraceKernels): a
+// shared::PixelLayers for each pixel, row 0 on top.
+Result<gpu::Buffer> findLayers(const std::shared_ptr<gpu::Device>& device, const SceneView& scene,
+                               const gpu::Kernel& kernel, int width, int height);
 
 }  // namespace macula::trace

@@ -5,6 +5,7 @@
 
 #include "hybrid/coloured_ball.h"
 #include "pipeline/hybrid/light/pixel_coverage.h"
+#include "pipeline/hybrid/light/reference_lit_view.h"
 #include "pipeline/hybrid/views/pose_sampling.h"
 #include "pipeline/hybrid/views/traced_scene.h"
 #include "pipeline/hybrid/views/view_tracing.h"
@@ -30,6 +31,25 @@ class LitViews : public trace::DeviceTest {
         double known = 0.0;     // part of the covered pixels
         double coverage = 0.0;  // mean difference in these
     };
+    // `tracer` has the view that `lit` was made of.
+    static void expectAsTheReference(const TracedView& lit, trace::PathTracer& tracer, const Camera& camera,
+                                     const LightInSpace& light) {
+        const auto expected =
+            referenceLitView(tracer.readLayers().value(), camera, kPicture, raysAside(kPicture), light);
+        ASSERT_TRUE(expected.ok());
+        ASSERT_EQ(lit.rgba.size(), expected->rgba.size());
+        std::size_t differ = 0;  // where a ray just comes near what was seen, or just does not
+        for (std::size_t i = 0; i < lit.rgba.size(); ++i) {
+            for (int c = 0; c < 4; ++c) {
+                const float ours = lit.rgba[i][c];
+                const float right = expected->rgba[i][c];
+                if (!(std::abs(ours - right) <= 1e-3f * (1.0f + std::abs(right))) &&
+                    !(std::isnan(ours) && std::isnan(right)))
+                    ++differ;
+            }
+        }
+        EXPECT_LE(differ, lit.rgba.size() / 500);
+    }
     Compared compare(double opacity, const Clip& clip = {}) const {
         const auto volume = ball(350, 650);
         const trace::Environment lights = fromLeft();
@@ -48,7 +68,9 @@ class LitViews : public trace::DeviceTest {
         tracing.light = &light;
         EXPECT_TRUE(traceViews(tracer, std::span(cameras).first(12), tracing, progress).ok());
         light.finish();
-        const auto lit = litView(tracer, cameras.back(), kPicture, light);
+        const auto table = LightTable::create(tracer.device(), light);
+        const auto lit = table->lit(tracer, cameras.back(), kPicture);
+        expectAsTheReference(*lit, tracer, cameras.back(), light);
         const auto truth =
             traceView(tracer, {.camera = cameras.back(), .width = kPicture.x, .height = kPicture.y},
                       {.bounces = kBounces, .seed = 1234}, 512, progress);
@@ -134,7 +156,7 @@ TEST_F(LitViews, AreNotKnownWhereNothingWasFound) {
     LightInSpace nothing(1.0);
     nothing.finish();
     const Camera camera = scenes::lookAt(*volume).camera;
-    const auto lit = litView(tracer, camera, kPicture, nothing);
+    const auto lit = LightTable::create(tracer.device(), nothing)->lit(tracer, camera, kPicture);
     ASSERT_TRUE(lit.ok());
     ASSERT_TRUE(tracer.setView({.camera = camera, .width = kPicture.x, .height = kPicture.y}).ok());
     const auto coverage = pixelCoverage(tracer.readGuides().value(), kPicture);

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "base/parallel.h"
+
 namespace macula::hybrid {
 
 namespace {
@@ -29,13 +31,15 @@ glm::ivec3 cellOf(std::uint64_t key) {
     return {part(42), part(21), part(0)};
 }
 
-// The hash of a cell is the finaliser of MurmurHash3, which puts neighbours far apart.
-std::uint64_t scattered(std::uint64_t key) {
-    key ^= key >> 33;
-    key *= 0xff51afd7ed558ccdull;
-    key ^= key >> 33;
-    key *= 0xc4ceb9fe1a85ec53ull;
-    return key ^ key >> 33;
+// A hash of the key's two halves by the finaliser of MurmurHash3, which puts neighbours far apart: what a
+// shader without 64-bit numbers can compute too (shaders/lib/light_cells.glsl).
+std::uint32_t scattered(std::uint64_t key) {
+    auto h = static_cast<std::uint32_t>(key) * 0x9e3779b1u ^ static_cast<std::uint32_t>(key >> 32);
+    h ^= h >> 16;
+    h *= 0x85ebca6bu;
+    h ^= h >> 13;
+    h *= 0xc2b2ae35u;
+    return h ^ h >> 16;
 }
 
 // Slot of the key, or the free one where it belongs.
@@ -43,6 +47,11 @@ std::size_t slotOf(const std::vector<std::uint64_t>& keys, std::uint64_t key) {
     std::size_t slot = scattered(key) & (keys.size() - 1);
     while (keys[slot] != key && keys[slot] != kFree) slot = (slot + 1) & (keys.size() - 1);
     return slot;
+}
+
+// Which of the tables; their slots come from the lower bits.
+std::size_t tableOf(std::uint64_t key, std::size_t tables) {
+    return scattered(key) >> 28 & (tables - 1);
 }
 
 // Whether a cell is within `most` of the origin; false for NaN.
@@ -65,15 +74,18 @@ void forEachLobe(const glm::dvec3& direction, const Body& body) {
 
 }  // namespace
 
-const LightInSpace::Cell* LightInSpace::Level::find(const glm::ivec3& at) const {
+double LightInSpace::trust(float weight) {
+    return kAtLeast + std::min(double(weight), kEnough);
+}
+
+const LightInSpace::Cell* LightInSpace::Table::find(std::uint64_t key) const {
     if (keys.empty()) return nullptr;
-    const std::size_t slot = slotOf(keys, keyOf(at));
+    const std::size_t slot = slotOf(keys, key);
     return keys[slot] == kFree ? nullptr : &cells[places[slot]];
 }
 
-LightInSpace::Cell& LightInSpace::Level::at(const glm::ivec3& at) {
+LightInSpace::Cell& LightInSpace::Table::at(std::uint64_t key) {
     if (2 * (cells.size() + 1) > keys.size()) grow();
-    const std::uint64_t key = keyOf(at);
     const std::size_t slot = slotOf(keys, key);
     if (keys[slot] != kFree) return cells[places[slot]];
     keys[slot] = key;
@@ -81,7 +93,7 @@ LightInSpace::Cell& LightInSpace::Level::at(const glm::ivec3& at) {
     return cells.emplace_back(Cell{});
 }
 
-void LightInSpace::Level::grow() {
+void LightInSpace::Table::grow() {
     const std::size_t slots = std::max(2 * keys.size(), kFirstSlots);
     const auto oldKeys = std::exchange(keys, std::vector<std::uint64_t>(slots, kFree));
     const auto oldPlaces = std::exchange(places, std::vector<std::uint32_t>(slots, 0));
@@ -93,26 +105,71 @@ void LightInSpace::Level::grow() {
     }
 }
 
+std::size_t LightInSpace::countOf(const Level& level) {
+    std::size_t count = 0;
+    for (const Table& table : level) count += table.cells.size();
+    return count;
+}
+
+const LightInSpace::Cell* LightInSpace::find(const Level& level, const glm::ivec3& at) {
+    const std::uint64_t key = keyOf(at);
+    return level[tableOf(key, kTables)].find(key);
+}
+
 LightInSpace::Level LightInSpace::halved(const Level& level) {
     Level half;
-    for (std::size_t slot = 0; slot < level.keys.size(); ++slot) {
-        if (level.keys[slot] == kFree) continue;
-        Cell& sums = half.at(parentOf(cellOf(level.keys[slot])));
-        const Cell& from = level.cells[level.places[slot]];
-        for (std::size_t lobe = 0; lobe < from.size(); ++lobe) sums[lobe] += from[lobe];
+    for (const Table& table : level) {
+        for (std::size_t slot = 0; slot < table.keys.size(); ++slot) {
+            if (table.keys[slot] == kFree) continue;
+            const std::uint64_t parent = keyOf(parentOf(cellOf(table.keys[slot])));
+            Cell& sums = half[tableOf(parent, kTables)].at(parent);
+            const Cell& from = table.cells[table.places[slot]];
+            for (std::size_t lobe = 0; lobe < from.size(); ++lobe) sums[lobe] += from[lobe];
+        }
     }
     return half;
 }
 
-void LightInSpace::add(const glm::dvec3& atMm, const glm::dvec3& direction, const glm::vec3& radiance) {
-    const glm::dvec3 cell = glm::floor(atMm / cellMm_);
-    const bool isFinite = std::isfinite(radiance.x) && std::isfinite(radiance.y) && std::isfinite(radiance.z);
-    if (!isWithin(cell, kFarthest) || !isFinite) return;
-    Cell& sums = levels_.front().at(glm::ivec3(cell));
-    forEachLobe(direction, [&](std::size_t lobe, double weight) {
-        sums[lobe] += float(weight) * glm::vec4(glm::min(radiance, kMostRadiance), 1.0f);
+// kFree where it is left out.
+std::uint64_t LightInSpace::keyOfPlace(const Seen& seen) const {
+    const glm::dvec3 cell = glm::floor(seen.atMm / cellMm_);
+    const glm::vec3& light = seen.radiance;
+    const bool isFinite = std::isfinite(light.x) && std::isfinite(light.y) && std::isfinite(light.z);
+    return isWithin(cell, kFarthest) && isFinite ? keyOf(glm::ivec3(cell)) : kFree;
+}
+
+void LightInSpace::addTo(Cell& sums, const Seen& seen) {
+    forEachLobe(seen.direction, [&](std::size_t lobe, double weight) {
+        sums[lobe] += float(weight) * glm::vec4(glm::min(seen.radiance, kMostRadiance), 1.0f);
     });
-    // Cells that are far apart stay as many, until those next to each other are one.
+}
+
+void LightInSpace::add(const glm::dvec3& atMm, const glm::dvec3& direction, const glm::vec3& radiance) {
+    const Seen seen{atMm, direction, radiance};
+    const std::uint64_t key = keyOfPlace(seen);
+    if (key == kFree) return;
+    addTo(levels_.front()[tableOf(key, kTables)].at(key), seen);
+    halveWhileTooMany();
+}
+
+void LightInSpace::addAll(std::span<const Seen> seen) {
+    std::vector<std::uint64_t> keys(seen.size());
+    const auto ofTable = [&](std::size_t t) {
+        Table& table = levels_.front()[t];
+        for (std::size_t i = 0; i < keys.size(); ++i)
+            if (keys[i] != kFree && tableOf(keys[i], kTables) == t) addTo(table.at(keys[i]), seen[i]);
+    };
+    constexpr std::size_t kPart = 4096;
+    parallelFor((seen.size() + kPart - 1) / kPart, [&](std::size_t part) {
+        const std::size_t end = std::min((part + 1) * kPart, seen.size());
+        for (std::size_t i = part * kPart; i < end; ++i) keys[i] = keyOfPlace(seen[i]);
+    });
+    parallelFor(kTables, ofTable);
+    halveWhileTooMany();
+}
+
+// Cells that are far apart stay as many, until those next to each other are one.
+void LightInSpace::halveWhileTooMany() {
     while (cells() > mostCells_) {
         levels_.front() = halved(levels_.front());
         cellMm_ *= 2.0;
@@ -123,24 +180,33 @@ void LightInSpace::finish() {
     for (int i = 0; i < kCoarser; ++i) levels_.push_back(halved(levels_.back()));
     // From the coarsest level on, so that the cells around hold means already.
     for (std::size_t i = levels_.size(); i-- > 0;) {
-        Level& level = levels_[i];
-        for (std::size_t slot = 0; slot < level.keys.size(); ++slot) {
-            if (level.keys[slot] == kFree) continue;
-            Cell& cell = level.cells[level.places[slot]];
-            const Cell* around =
-                i + 1 < levels_.size() ? levels_[i + 1].find(parentOf(cellOf(level.keys[slot]))) : nullptr;
-            glm::vec4 fromAllSides(0.0f);
-            for (const glm::vec4& sum : cell) fromAllSides += sum;
-            for (std::size_t lobe = 0; lobe < cell.size(); ++lobe) {
-                const glm::vec3 usual = around != nullptr
-                                            ? glm::vec3((*around)[lobe])
-                                            : glm::vec3(fromAllSides) / std::max(fromAllSides.w, 1e-20f);
-                const float weight = cell[lobe].w;
-                cell[lobe] = glm::vec4((glm::vec3(cell[lobe]) + kPrior * usual) / (weight + kPrior), weight);
-            }
-        }
+        const Level* coarser = i + 1 < levels_.size() ? &levels_[i + 1] : nullptr;
+        parallelFor(kTables, [&](std::size_t t) { finish(coarser, levels_[i][t]); });
     }
     levels_.resize(1);  // coarser levels are no longer needed
+}
+
+void LightInSpace::finish(const Level* coarser, Table& table) const {
+    for (std::size_t slot = 0; slot < table.keys.size(); ++slot) {
+        if (table.keys[slot] == kFree) continue;
+        Cell& cell = table.cells[table.places[slot]];
+        const Cell* around = coarser ? find(*coarser, parentOf(cellOf(table.keys[slot]))) : nullptr;
+        glm::vec4 fromAllSides(0.0f);
+        for (const glm::vec4& sum : cell) fromAllSides += sum;
+        for (std::size_t lobe = 0; lobe < cell.size(); ++lobe) {
+            const glm::vec3 usual = around != nullptr
+                                        ? glm::vec3((*around)[lobe])
+                                        : glm::vec3(fromAllSides) / std::max(fromAllSides.w, 1e-20f);
+            const float weight = cell[lobe].w;
+            cell[lobe] = glm::vec4((glm::vec3(cell[lobe]) + kPrior * usual) / (weight + kPrior), weight);
+        }
+    }
+}
+
+void LightInSpace::forEachCell(const std::function<void(const glm::ivec3&, const Cell&)>& body) const {
+    for (const Table& table : levels_.front())
+        for (std::size_t slot = 0; slot < table.keys.size(); ++slot)
+            if (table.keys[slot] != kFree) body(cellOf(table.keys[slot]), table.cells[table.places[slot]]);
 }
 
 std::optional<glm::vec3> LightInSpace::at(const glm::dvec3& atMm, const glm::dvec3& direction) const {
@@ -152,13 +218,12 @@ std::optional<glm::vec3> LightInSpace::at(const glm::dvec3& atMm, const glm::dve
     double weights = 0.0;
     for (int corner = 0; corner < 8; ++corner) {
         const glm::ivec3 step(corner & 1, corner >> 1 & 1, corner >> 2);
-        const Cell* cell = levels_.front().find(glm::ivec3(low) + step);
+        const Cell* cell = find(levels_.front(), glm::ivec3(low) + step);
         if (cell == nullptr) continue;
         const glm::dvec3 near = glm::mix(1.0 - part, part, glm::dvec3(step));
         forEachLobe(direction, [&](std::size_t lobe, double along) {
             const glm::vec4& mean = (*cell)[lobe];
-            const double weight =
-                near.x * near.y * near.z * along * (kAtLeast + std::min(double(mean.w), kEnough));
+            const double weight = near.x * near.y * near.z * along * trust(mean.w);
             light += weight * glm::dvec3(mean);
             weights += weight;
         });

@@ -12,8 +12,10 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <glm/glm.hpp>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace macula::hybrid {
@@ -23,14 +25,23 @@ class LightInSpace {
   public:
     static constexpr std::size_t kMostCells = 1u << 21;  // cells of 96 bytes: as many as a body has pixels
 
-    // `cellMm` above 0: about what a pixel of the views shows. Doubled whenever there are more than
-    // `mostCells`, which is at least 8.
+    // `cellMm` above 0: about what a pixel of the views shows. Doubled when, after what is added at once,
+    // there are more than `mostCells`, which is at least 8.
     explicit LightInSpace(double cellMm, std::size_t mostCells = kMostCells)
         : cellMm_(cellMm), mostCells_(mostCells) {}
+
+    // Light that left a place towards an eye.
+    struct Seen {
+        glm::dvec3 atMm{0.0};
+        glm::dvec3 direction{0.0};  // from the eye
+        glm::vec3 radiance{0.0f};
+    };
 
     // What does not come as finite numbers, or from too far (10^6 cells), is left out; radiance above 10^6
     // counts as that.
     void add(const glm::dvec3& atMm, const glm::dvec3& direction, const glm::vec3& radiance);
+    // The same for all, on all cores; the same sums, to the last bit, on any number of them.
+    void addAll(std::span<const Seen> seen);
 
     // Turns sums into means, once all is added. Where a cell knows little, what is known around it counts as
     // well, as half a sample.
@@ -41,23 +52,37 @@ class LightInSpace {
     std::optional<glm::vec3> at(const glm::dvec3& atMm, const glm::dvec3& direction) const;
 
     double cellMm() const { return cellMm_; }
-    std::size_t cells() const { return levels_.front().cells.size(); }
+    std::size_t cells() const { return countOf(levels_.front()); }
+
+    // Sums of radiance and of weights along +x, -x, +y, -y, +z and -z; after finish() means and weights.
+    using Cell = std::array<glm::vec4, 6>;
+    // What a side of a cell counts for in at(), by its weight, beside how near it is.
+    static double trust(float weight);
+    // Each cell once, in an order that depends on what was added alone.
+    void forEachCell(const std::function<void(const glm::ivec3& at, const Cell& cell)>& body) const;
 
   private:
-    // Sums of radiance and of weights; after finish() means and weights.
-    using Cell = std::array<glm::vec4, 6>;
-
     // Cells by place: a hash table with open addressing.
-    struct Level {
+    struct Table {
         std::vector<std::uint64_t> keys;    // by slot; kFree: none
         std::vector<std::uint32_t> places;  // by slot: which cell
         std::vector<Cell> cells;
 
-        const Cell* find(const glm::ivec3& at) const;
-        Cell& at(const glm::ivec3& at);
+        const Cell* find(std::uint64_t key) const;
+        Cell& at(std::uint64_t key);
         void grow();
     };
+    // Each table has its part of all places, so that as many cores can fill them.
+    static constexpr std::size_t kTables = 16;
+    using Level = std::array<Table, kTables>;
+
+    static std::size_t countOf(const Level& level);
+    static const Cell* find(const Level& level, const glm::ivec3& at);
     static Level halved(const Level& level);  // of cells twice as large
+    std::uint64_t keyOfPlace(const Seen& seen) const;
+    static void addTo(Cell& sums, const Seen& seen);
+    void halveWhileTooMany();
+    void finish(const Level* coarser, Table& table) const;
 
     double cellMm_;
     std::size_t mostCells_;

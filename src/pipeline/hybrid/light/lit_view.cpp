@@ -1,102 +1,133 @@
 #include "pipeline/hybrid/light/lit_view.h"
 
 #include <algorithm>
-#include <array>
-#include <limits>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <span>
 #include <utility>
+#include <vector>
 
 #include "base/camera.h"
-#include "base/parallel.h"
+#include "base/check.h"
+#include "pipeline/gpu/recorder.h"
+#include "pipeline/gpu/transfer.h"
+#include "pipeline/trace/guides.h"
+#include "shaders/hybrid.h"
+#include "shared/light_params.h"
+#include "shared/pixel_layers.h"
 
 namespace macula::hybrid {
 
 namespace {
 
-// The rays through the centres of a picture's pixels, as the tracer sends them.
-struct EyeRays {
-    glm::dvec3 right;  // half the width of the picture at distance 1
-    glm::dvec3 up;     // half its height
-    glm::dvec3 forward;
-    glm::ivec2 sizePx;
+using shared::LightSlot;
 
-    glm::dvec3 through(const glm::ivec2& pixel) const {
-        const double x = (2.0 * pixel.x + 1.0) / sizePx.x - 1.0;
-        const double y = 1.0 - (2.0 * pixel.y + 1.0) / sizePx.y;
-        return glm::normalize(forward + x * right + y * up);
-    }
+constexpr int kFarthest = 1 << 20;  // as in light_in_space.cpp and lib/light_cells.glsl
+
+LightSlot slotOf(const glm::ivec3& at, std::uint32_t cell) {
+    const glm::uvec3 part(at + glm::ivec3(kFarthest));
+    return {.low = part.y << 21 | part.z, .high = part.x << 10 | part.y >> 11, .cell = cell};
+}
+
+// As scatteredKey of lib/light_cells.glsl.
+std::uint32_t scattered(const LightSlot& slot) {
+    std::uint32_t h = slot.low * 0x9e3779b1u ^ slot.high;
+    h ^= h >> 16;
+    h *= 0x85ebca6bu;
+    h ^= h >> 13;
+    h *= 0xc2b2ae35u;
+    return h ^ h >> 16;
+}
+
+struct Flat {
+    std::vector<LightSlot> slots;
+    std::vector<glm::vec4> cells;  // six for each
 };
 
-Result<EyeRays> eyeRays(const Camera& camera, const glm::ivec2& sizePx) {
-    MACULA_TRY(const CameraBasis eye, basis(camera));
-    if (isParallel(camera))
-        return Error{ErrorCode::usage,
-                     "Light is learnt from what an eye sees, not from parallel rays.",
-                     {},
-                     "Take a camera that is not parallel."};
-    const double half = std::tan(glm::radians(camera.verticalFovDeg) / 2.0);
-    return EyeRays{.right = eye.right * (half * sizePx.x / sizePx.y),
-                   .up = eye.up * half,
-                   .forward = eye.forward,
-                   .sizePx = sizePx};
+Flat flat(const LightInSpace& light) {
+    Flat table;
+    const LightSlot free{.low = 0, .high = shared::kFreeSlot, .cell = 0};
+    table.slots.assign(std::bit_ceil(2 * light.cells() + 1), free);
+    table.cells.reserve(std::max<std::size_t>(6 * light.cells(), 6));
+    light.forEachCell([&](const glm::ivec3& at, const LightInSpace::Cell& cell) {
+        const LightSlot made = slotOf(at, static_cast<std::uint32_t>(table.cells.size() / 6));
+        for (const glm::vec4& mean : cell)
+            table.cells.emplace_back(glm::vec3(mean), float(LightInSpace::trust(mean.w)));
+        std::size_t slot = scattered(made) & (table.slots.size() - 1);
+        while (table.slots[slot].high != shared::kFreeSlot) slot = (slot + 1) & (table.slots.size() - 1);
+        table.slots[slot] = made;
+    });
+    if (table.cells.empty())
+        table.cells.resize(6, glm::vec4(0.0f));  // nothing was seen, and none points here
+    return table;
 }
 
-// The sum of what its layers send, each for as much as it hides; what is not known is as bright as the rest.
-// NaN where hardly anything is known.
-glm::vec4 lit(const shared::PixelLayers& layers, const glm::dvec3& eyeMm, const glm::dvec3& direction,
-              const LightInSpace& light) {
-    const std::array<float, shared::kPixelLayers> middleMm{layers.nearMm.x, layers.nearMm.y, layers.nearMm.z,
-                                                           layers.nearMm.w, layers.farMm.x,  layers.farMm.y,
-                                                           layers.farMm.z,  layers.farMm.w};
-    constexpr double kLayer = 1.0 / shared::kPixelLayers;
-    const auto coverage = double(layers.coverage);
-    glm::dvec3 sum(0.0);
-    double known = 0.0;
-    double atMm = double(layers.meanMm);
-    for (std::size_t i = 0; i < middleMm.size() && double(i) * kLayer < coverage; ++i) {
-        // The last layer may end before its middle: then it is taken to be where the one before is.
-        if (middleMm[i] >= 0.0f) atMm = double(middleMm[i]);
-        if (atMm < 0.0) break;
-        const double hides = std::min(coverage - double(i) * kLayer, kLayer);
-        const std::optional<glm::vec3> found = light.at(eyeMm + direction * atMm, direction);
-        if (!found) continue;
-        sum += hides * glm::dvec3(*found);
-        known += hides;
-    }
-    if (coverage <= 0.0) return glm::vec4(0.0f);
-    if (known < 0.5 * coverage) return glm::vec4(std::numeric_limits<float>::quiet_NaN());
-    return {glm::vec3(sum * (coverage / known)), layers.coverage};
-}
+}  // namespace
 
-// The rays along each side of a pixel. With one ray, detail smaller than a pixel is there or not, which costs
-// 0.15 dB with bone; large pictures have small pixels, and need fewer.
 int raysAside(const glm::ivec2& sizePx) {
     constexpr std::uint64_t kMostBytes = std::uint64_t(64) << 20;
     const std::uint64_t pixels = std::uint64_t(sizePx.x) * std::uint64_t(sizePx.y);
     return 4 * pixels * sizeof(shared::PixelLayers) <= kMostBytes ? 2 : 1;
 }
 
-}  // namespace
+Result<LightTable> LightTable::create(const std::shared_ptr<gpu::Device>& device, const LightInSpace& light) {
+    const Flat table = flat(light);
+    MACULA_TRY(gpu::Kernel kernel, gpu::Kernel::create(device, shaders::hybrid_lit_comp));
+    MACULA_TRY(gpu::Buffer slots,
+               gpu::Buffer::create(
+                   device, {.label = "slots of light", .bytes = std::span(table.slots).size_bytes()}));
+    MACULA_TRY(gpu::TexelBuffer cells,
+               gpu::TexelBuffer::create(device, {.label = "cells of light",
+                                                 .elements = table.cells.size(),
+                                                 .format = VK_FORMAT_R32G32B32A32_SFLOAT}));
+    MACULA_TRY_VOID(gpu::uploadTo(slots, std::span(table.slots)));
+    MACULA_TRY_VOID(gpu::uploadTo(cells.buffer(), std::span(table.cells)));
+    return LightTable(std::move(kernel), std::move(slots), std::move(cells), light.cellMm());
+}
 
-Result<TracedView> litView(trace::PathTracer& tracer, const Camera& camera, const glm::ivec2& sizePx,
-                           const LightInSpace& light) {
+Result<TracedView> LightTable::lit(trace::PathTracer& tracer, const Camera& camera,
+                                   const glm::ivec2& sizePx) const {
+    if (isParallel(camera))
+        return Error{ErrorCode::usage,
+                     "Light is learnt from what an eye sees, not from parallel rays.",
+                     {},
+                     "Take a camera that is not parallel."};
+    MACULA_TRY(const CameraBasis eye, basis(camera));
     const int side = raysAside(sizePx);
-    const glm::ivec2 raysPx = side * sizePx;
-    MACULA_TRY(const EyeRays rays, eyeRays(camera, raysPx));
-    MACULA_TRY_VOID(tracer.setView({.camera = camera, .width = raysPx.x, .height = raysPx.y}));
-    MACULA_TRY(const std::vector<shared::PixelLayers> layers, tracer.readLayers());
+    MACULA_TRY_VOID(tracer.setView({.camera = camera, .width = side * sizePx.x, .height = side * sizePx.y}));
+    MACULA_TRY(const gpu::Buffer layers, tracer.findLayers());
+    const auto& device = layers.device();
     TracedView view{.camera = camera, .sizePx = sizePx, .isLit = true};
     view.rgba.resize(std::size_t(sizePx.x) * std::size_t(sizePx.y));
-    parallelFor(std::size_t(sizePx.y), [&](std::size_t row) {
-        for (int x = 0; x < sizePx.x; ++x) {
-            glm::vec4 sum(0.0f);
-            for (int n = 0; n < side * side; ++n) {
-                const glm::ivec2 ray(side * x + n % side, side * int(row) + n / side);
-                sum += lit(layers[std::size_t(ray.y) * std::size_t(raysPx.x) + std::size_t(ray.x)],
-                           camera.positionMm, rays.through(ray), light);
-            }
-            view.rgba[row * std::size_t(sizePx.x) + std::size_t(x)] = sum / float(side * side);
-        }
-    });
+    MACULA_TRY(
+        const gpu::Buffer pixels,
+        gpu::Buffer::create(device, {.label = "lit picture", .bytes = std::span(view.rgba).size_bytes()}));
+
+    const double half = std::tan(glm::radians(camera.verticalFovDeg) / 2.0);
+    const glm::dvec3 eyeAt = camera.positionMm / cellMm_;
+    // An eye farther than that sees nothing that is kept.
+    const glm::dvec3 eyeCell = glm::clamp(glm::floor(eyeAt), -double(kFarthest), double(kFarthest));
+    shared::LitPush push{.right = eye.right * (half * sizePx.x / sizePx.y),
+                         .up = eye.up * half,
+                         .forward = eye.forward,
+                         .eyeCell = glm::ivec3(eyeCell),
+                         .eyePart = eyeAt - eyeCell,
+                         .cellsPerMm = float(1.0 / cellMm_),
+                         .size = sizePx,
+                         .raysAside = side,
+                         .firstRow = 0,
+                         .slotMask = static_cast<std::uint32_t>(slots_.bytes() / sizeof(LightSlot) - 1)};
+    const int rows = trace::rowsToMarchAtOnce(*device, sizePx.x, sizePx.y);
+    for (; push.firstRow < sizePx.y; push.firstRow += rows) {
+        MACULA_TRY(auto recorder, gpu::Recorder::create(device, "light a view"));
+        recorder.dispatch(kernel_,
+                          {static_cast<std::uint32_t>(sizePx.x),
+                           static_cast<std::uint32_t>(std::min(rows, sizePx.y - push.firstRow))},
+                          push, {layers, slots_, cells_, pixels});
+        MACULA_TRY([[maybe_unused]] const gpu::Ticket ticket, recorder.submit());
+    }
+    MACULA_TRY_VOID(gpu::readInto(pixels, 0, std::as_writable_bytes(std::span(view.rgba))));
     return view;
 }
 

@@ -60,13 +60,14 @@ Result<TrainingPictures> litByAll(trace::PathTracer& tracer, const Box& seenMm, 
     tracing.light = &light;
     MACULA_TRY(TracedViews traced, traceViews(tracer, set.traced, tracing, progress));
     light.finish();
+    MACULA_TRY(const LightTable table, LightTable::create(tracer.device(), light));
     TrainingPictures pictures{.traced = std::move(traced.views), .areLit = true};
     const double own = kSeenByOneIn / (kSeenByOneIn + double(pictures.traced.size()));
     progress.beginStage("Lighting views", set.traced.size() + set.sides.size());
     const auto lightNext = [&](const Camera& camera) -> Result<TracedView> {
         if (progress.cancelled()) return Error{ErrorCode::cancelled, "Stopped.", {}, {}};
         progress.advance();
-        return litView(tracer, camera, tracing.sizePx, light);
+        return table.lit(tracer, camera, tracing.sizePx);
     };
     for (TracedView& view : pictures.traced) {
         MACULA_TRY(TracedView lit, lightNext(view.camera));

@@ -44,11 +44,14 @@ Result<void> addSamplesAndLight(trace::PathTracer& tracer, const trace::View& vi
         MACULA_TRY(const std::vector<shared::PrimaryVertex> met,
                    tracer.tracePrimaries(count, [&] { return !progress.cancelled(); }));
         if (progress.cancelled()) return cancelled();
+        std::vector<LightInSpace::Seen> seen;
+        seen.reserve(met.size());
         for (const shared::PrimaryVertex& vertex : met) {
             const glm::dvec3 way(vertex.fromEyeMm);
-            if (way == glm::dvec3(0.0)) continue;
-            light.add(view.camera.positionMm + way, glm::normalize(way), vertex.radiance);
+            if (way != glm::dvec3(0.0))
+                seen.push_back({view.camera.positionMm + way, glm::normalize(way), vertex.radiance});
         }
+        light.addAll(seen);
         done += count;
         progress.advance(count);
     }

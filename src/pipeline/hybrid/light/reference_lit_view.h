@@ -1,0 +1,17 @@
+// LightTable::lit in C++ and double, which that is compared with.
+#pragma once
+
+#include <span>
+
+#include "base/result.h"
+#include "pipeline/hybrid/light/light_in_space.h"
+#include "pipeline/hybrid/views/traced_view.h"
+#include "shared/pixel_layers.h"
+
+namespace macula::hybrid {
+
+// `layers` are those of a picture with `raysAside` times as many pixels along each side.
+Result<TracedView> referenceLitView(std::span<const shared::PixelLayers> layers, const Camera& camera,
+                                    const glm::ivec2& sizePx, int raysAside, const LightInSpace& light);
+
+}  // namespace macula::hybrid
