@@ -36,6 +36,7 @@ struct macula_live {
     std::vector<std::string> notes;
     std::string fidelity;
     std::string device;
+    bool isLent = false;    // the device, so that images on it can be drawn to
     bool isBroken = false;  // a check failed while it worked: nobody knows what it holds
 };
 
@@ -114,6 +115,9 @@ Result<AskedFrame> askedOf(const macula_live& live, const macula_frame* frame) {
                    rowBytesOf({given.rgba, given.bytes, given.row_bytes}, given.width, given.height));
     }
     MACULA_TRY(asked.image, imageOf(given.image));
+    if (asked.image && !live.isLent)
+        return badArgument("An image was lent, but no device.",
+                           "Open the live picture with a device of macula_device_lend.");
     if (!std::isfinite(given.gaze[0]) || !std::isfinite(given.gaze[1]) || !(given.for_about_ms >= 0.0))
         return badArgument("Where the eye looks, or the time for the frame, is no number.",
                            "Give finite numbers, the time 0 or above.");
@@ -248,6 +252,7 @@ macula_status macula_live_open(const macula_device* device, const macula_view* v
         MACULA_TRY(app::HostedOptions wanted, optionsOf(*device, given));
         return withProgress(progress, [&](Progress& to) -> Result<void> {
             auto made = std::make_unique<macula_live>();
+            made->isLent = device->way.device.lent.has_value();
             MACULA_TRY(made->loop, app::HostedLoop::create(std::move(wanted)));
             MACULA_TRY_VOID(show(*made, *view, to));
             *live = made.release();

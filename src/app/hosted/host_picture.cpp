@@ -89,7 +89,7 @@ Result<void> HostPicture::keep(const std::shared_ptr<gpu::Device>& device, const
         MACULA_TRY([[maybe_unused]] const gpu::Ticket ticket, recorder.submit());
         return {};
     };
-    const Result<void> copied = copy();
+    Result<void> copied = copy();
     if (!copied) kept_.reset();
     ++count_;
     return copied;

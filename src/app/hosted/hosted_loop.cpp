@@ -139,7 +139,10 @@ HostedLoop::~HostedLoop() {
 void HostedLoop::hear(RenderEvent event) {
     if (auto* ready = std::get_if<DeviceReady>(&event)) device_ = ready->description;
     if (auto* outline = std::get_if<OutlineFound>(&event)) outlineMm_ = outline->pointsMm;
-    if (auto* shown = std::get_if<FrameShown>(&event)) shown_ = std::move(*shown);
+    if (auto* shown = std::get_if<FrameShown>(&event)) {
+        shown_ = std::move(*shown);
+        knowsModel_ = true;
+    }
     if (std::holds_alternative<PictureRemoved>(event)) shown_.reset();
     if (auto* taken = std::get_if<ModelTaken>(&event)) taken_ = std::move(*taken);
     if (auto* failure = std::get_if<RenderFailure>(&event)) failure_ = failure->error;
@@ -192,19 +195,26 @@ Result<void> HostedLoop::waitForStore(Progress& progress, const char* stage) {
 
 Result<void> HostedLoop::show(HostedScene scene, Progress& progress) {
     MACULA_CHECK(scene.volume && scene.drawing.transferFunction && scene.drawing.lights);
+    HostedScene before{.volume = input_.volume, .drawing = input_.drawing};
+    change(std::move(scene));
+    Result<void> waited = waitForStore(progress, "Looking for a stored model");
+    if (!waited && before.volume) change(std::move(before));
+    return waited;
+}
+
+void HostedLoop::change(HostedScene scene) {
     FrameInput input = input_;
     const bool isOther = scene.volume != input.volume;
     if (isOther) ++input.study;
-    Drawing& drawing = scene.drawing;
-    if (!isOther) keepWhatIsSame(drawing, input.drawing);
+    if (!isOther) keepWhatIsSame(scene.drawing, input.drawing);
     // Of whatever else the renderer tells the outline anew.
-    if (isOther || drawing.transferFunction != input.drawing.transferFunction ||
-        drawing.clip != input.drawing.clip)
+    if (isOther || scene.drawing.transferFunction != input.drawing.transferFunction ||
+        scene.drawing.clip != input.drawing.clip)
         outlineMm_.reset();
+    if (isOther || scene.drawing != input.drawing) knowsModel_ = false;
     input.volume = std::move(scene.volume);
-    input.drawing = std::move(drawing);
+    input.drawing = std::move(scene.drawing);
     publish(input);
-    return waitForStore(progress, "Looking for a stored model");
 }
 
 Result<Camera> HostedLoop::fittingCamera(FrameInput input, ViewDirection from, Progress& progress) {
@@ -275,7 +285,7 @@ Result<void> HostedLoop::train(const TrainingWish& wish, Progress& progress) {
         return wish.seconds > 0.0 && millisecondsSince(start) >= 1000.0 * wish.seconds;
     };
     const auto isDone = [&] {
-        if (!hasPicture()) return isSpent();  // what is known of a model is of what was shown before
+        if (!knowsModel_) return isSpent();
         const hybrid::ModelNews news = model();
         const bool learns = news.stage == hybrid::ModelStage::learning || hasEnded(news.stage);
         const bool isResumed =
@@ -287,9 +297,8 @@ Result<void> HostedLoop::train(const TrainingWish& wish, Progress& progress) {
         advanceTo(share);
         return hasEnded(news.stage) || isSpent() || (wish.steps > 0 && made >= wish.steps);
     };
-    // A model that learns before the call began has its steps behind it.
-    if (const hybrid::ModelNews news = model(); news.stage == hybrid::ModelStage::learning)
-        firstStep = news.steps;
+    // A model that learns already has its steps behind it.
+    if (knowsModel_ && model().stage == hybrid::ModelStage::learning) firstStep = model().steps;
     MACULA_TRY_VOID(goOn(isDone, isSpent, progress));
     advanceTo(1.0);
     return whatBecameOf(model());

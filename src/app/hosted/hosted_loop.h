@@ -75,7 +75,8 @@ class HostedLoop {
     HostedLoop& operator=(const HostedLoop&) = delete;
     ~HostedLoop();  // what was learnt is kept
 
-    // From now on frames are of that. Waits for what the store knows of it. `cancelled`.
+    // From now on frames are of that. Waits for what the store knows of it. `cancelled`: of what they were
+    // before.
     Result<void> show(HostedScene scene, Progress& progress);
 
     // Fails with what the renderer fails with, and goes on failing until something changes; `cancelled`.
@@ -86,6 +87,7 @@ class HostedLoop {
     // Teaches the model of what is shown, until an end or until it has learnt what its pictures can teach it.
     // usage where what is shown has none; `cancelled`, and what was learnt stays.
     Result<void> train(const TrainingWish& wish, Progress& progress);
+    // Of what was shown or trained last.
     hybrid::ModelNews model() const { return renderer_->modelNews(); }
     std::optional<hybrid::PeripheralReport> report() const { return renderer_->modelReport(); }
     // To the store, and returns when it is there. usage without one; inputNotUsable when there is nothing to
@@ -104,6 +106,7 @@ class HostedLoop {
 
     HostedLoop(HostedOptions options, gpu::Instance instance);
     void hear(RenderEvent event);
+    void change(HostedScene scene);
     void publish(const FrameInput& input);
     // Until it is done, or there is nothing more to do. `isTimeUp` is asked between dispatches.
     Result<void> goOn(const std::function<bool()>& isDone, const std::function<bool()>& isTimeUp,
@@ -122,6 +125,7 @@ class HostedLoop {
     std::unique_ptr<FrameRenderer> renderer_;
     FrameInput input_;
     Progress* progress_ = nullptr;  // while goOn() runs
+    bool knowsModel_ = false;       // model() is of what is shown, and not of what was before
     std::string device_;
     std::shared_ptr<const std::vector<glm::dvec3>> outlineMm_;  // of the scene
     std::optional<FrameShown> shown_;
