@@ -1,5 +1,6 @@
 // Programmer errors and clinical invariants: on in release too. A failed check says where, prints both
-// values, and aborts: to go on with a wrong image would be worse. Within a CheckBoundary it is thrown instead.
+// values, and aborts: to go on with a wrong image would be worse. Within a CheckBoundary it is thrown
+// instead.
 #pragma once
 
 #include <fmt/format.h>

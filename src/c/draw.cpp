@@ -1,8 +1,7 @@
 #include <cstring>
 #include <memory>
-#include <utility>
-
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "app/choice/clip_choice.h"
 #include "app/choice/lights_choice.h"
@@ -88,7 +87,8 @@ Result<Scene> sceneOf(const macula_view& view, const macula_picture& picture, Pr
     scene.record.lights = view.lights.empty() && seen.state.lights
                               ? app::publicLightsName(*seen.state.lights)
                               : app::publicLightsName(lightsNamed(view, seen.state));
-    scene.record.clip = seen.state.clip ? app::publicClipName(*seen.state.clip) : std::string();
+    scene.record.clip =
+        seen.state.clip ? app::publicClipName(*seen.state.clip) : app::publicClipName(std::string());
     scene.record.tableRemoved = seen.shown.tableRemoved;
     if (seen.shown.clip.mask) scene.record.masked = seen.shown.clip.mask->remark;
     scene.record.window = request.settings.window;

@@ -47,8 +47,7 @@ TEST_F(LogTest, ASinkHasTheLinesOfItsLevelAndStderrHasNone) {
 TEST_F(LogTest, WithoutASinkStderrHasThem) {
     EXPECT_FALSE(log::hasSink());
     EXPECT_NE(printed([] { log::warning("a warning"); }).find("a warning"), std::string::npos);
-    EXPECT_EQ(printed([] { log::announce("Macula renders on something"); }),
-              "Macula renders on something\n");
+    EXPECT_EQ(printed([] { log::announce("Macula renders on something"); }), "Macula renders on something\n");
 }
 
 TEST_F(LogTest, TwoThreadsAreNotHeardAtOnce) {

@@ -296,7 +296,8 @@ Result<void> FrameRenderer::ensureDevice() {
     listener_(Preparing{"Starting the graphics device"});
     if (!device_) {
         gpu::DeviceOptions options = deviceOptions_;
-        for (const char* extension : input_.place->deviceExtensions()) options.extensions.push_back(extension);
+        for (const char* extension : input_.place->deviceExtensions())
+            options.extensions.push_back(extension);
         MACULA_TRY(device_, gpu::Device::create(instance_, options));
     }
     MACULA_TRY(traced_, TracedPictures::create(device_));
