@@ -5,6 +5,7 @@
     view = study.view()
     view.set_preset("cinematic-bone")
     view.draw(640, 480).save("bone.png")
+    live = view.live(store="MODELS")  # frame by frame, with a model that is trained and kept
 
 NOT FOR PRIMARY DIAGNOSIS. Lengths are millimetres in the patient's LPS: +x to the patient's left, +y to posterior, +z
 to superior. Show the notes of studies and pictures to whoever sees them. Objects are used by one thread at a time.
@@ -12,11 +13,13 @@ NumPy is used where it is installed; nothing needs it.
 """
 
 import ctypes
+import json
 import os
 
 from . import _interface, _png
 
-__all__ = ["Device", "Error", "Picture", "Study", "View", "names", "open", "study_of", "version"]
+__all__ = ["Device", "Error", "Frame", "Live", "Model", "Picture", "Study", "View", "log_to", "names", "open",
+           "study_of", "version"]
 
 _library = _interface.load()
 _CANCELLED = 5
@@ -119,6 +122,27 @@ def names(kind):
     return _texts(_library.macula_name, _KINDS[kind])
 
 
+_LEVELS = ("debug", "info", "warning", "error")
+_log_line = None  # must live as long as the library may call it
+
+
+def log_to(function, least="warning"):
+    """`function(level, line)` has the log from now on; None: nobody has. It must not call Macula."""
+    global _log_line
+    if least not in _LEVELS:
+        raise ValueError(f"The levels are {', '.join(_LEVELS)}.")
+
+    def hear(_user, level, line):
+        try:
+            function(_LEVELS[level], line.decode("utf-8", "replace"))
+        except Exception:  # nothing may go through C, and what is logged is not worth ending for
+            pass
+
+    line = _interface.LogLine() if function is None else _interface.LogLine(hear)
+    _check(_library.macula_log_to(line, None, _LEVELS.index(least)))
+    _log_line = line
+
+
 class Device(_Handle):
     """What draws: by number or part of a name; without one, MACULA_DEVICE or the best."""
 
@@ -138,19 +162,33 @@ def _usual_device():
     return _device
 
 
-class Picture:
-    """`rgba`: width * height * 4 bytes for display, the upper row first. numpy.asarray(picture) has [y, x, channel]."""
+def _camera_of(told):
+    return {"position_mm": tuple(told.position_mm), "target_mm": tuple(told.target_mm), "up": tuple(told.up),
+            "vertical_fov_deg": told.vertical_fov_deg, "parallel_height_mm": told.parallel_height_mm}
 
-    def __init__(self, rgba, drawn, width, height, notes):
-        self.rgba, self.width, self.height, self.notes = rgba, width, height, notes
+
+def _camera(position_mm, target_mm, up, vertical_fov_deg=30.0, parallel_height_mm=0.0):
+    corner = ctypes.c_double * 3
+    return _interface.Camera(position_mm=corner(*position_mm), target_mm=corner(*target_mm), up=corner(*up),
+                             vertical_fov_deg=vertical_fov_deg, parallel_height_mm=parallel_height_mm)
+
+
+def _check_size(width, height):
+    if not (0 < width <= 16384 and 0 < height <= 16384):
+        raise ValueError("A picture has 1 to 16384 pixels on each side.")
+
+
+class Picture:
+    """`rgba`: width * height * 4 bytes for display, the upper row first. numpy.asarray(picture) has [y, x, channel].
+    `record`: a dict of how it was made."""
+
+    def __init__(self, rgba, drawn, width, height, notes, record):
+        self.rgba, self.width, self.height, self.notes, self.record = rgba, width, height, notes, record
         self.is_denoised, self.is_empty, self.is_coarse = (bool(drawn.is_denoised), bool(drawn.is_empty),
                                                            bool(drawn.is_coarse))
         self.samples_per_pixel, self.noise, self.seconds = drawn.samples_per_pixel, drawn.noise, drawn.seconds
         self.preset, self.device = drawn.preset.decode(), drawn.device.decode("utf-8", "replace")
-        camera = drawn.camera
-        self.camera = {"position_mm": tuple(camera.position_mm), "target_mm": tuple(camera.target_mm),
-                       "up": tuple(camera.up), "vertical_fov_deg": camera.vertical_fov_deg,
-                       "parallel_height_mm": camera.parallel_height_mm}
+        self.camera = _camera_of(drawn.camera)
 
     @property
     def __array_interface__(self):
@@ -197,20 +235,39 @@ class View(_Handle):
         _check(_library.macula_view_remove_table(self._open(), bool(remove)))
 
     def set_camera(self, position_mm, target_mm, up, vertical_fov_deg=30.0, parallel_height_mm=0.0):
-        corner = ctypes.c_double * 3
-        _check(_library.macula_view_set_camera(self._open(), _interface.Camera(
-            position_mm=corner(*position_mm), target_mm=corner(*target_mm), up=corner(*up),
-            vertical_fov_deg=vertical_fov_deg, parallel_height_mm=parallel_height_mm)))
+        _check(_library.macula_view_set_camera(
+            self._open(), _camera(position_mm, target_mm, up, vertical_fov_deg, parallel_height_mm)))
 
     def set_direction(self, direction=None):
         """Where the viewer stands: "anterior", "posterior", "left", "right", "superior" or "inferior"."""
         _check(_library.macula_view_set_direction(self._open(), _bytes(direction)))
 
+    @property
+    def state(self):
+        """All that was chosen, as a dict; json.dump makes a file of it that the viewer and `macula render --session`
+        open. Set it to choose all of that at once: a dict, or its text."""
+        told = ctypes.c_char_p()
+        _check(_library.macula_view_state(self._open(), told))
+        return json.loads(told.value)
+
+    @state.setter
+    def state(self, state):
+        text = state if isinstance(state, str) else json.dumps(state)
+        _check(_library.macula_view_set_state(self._open(), text.encode()))
+
+    def live(self, store=None, model=True, device=None, progress=None):
+        """A Live of what the view shows now. `store`: the folder where its model is kept between runs; without one
+        none is. Without `model` all is traced."""
+        options = _interface.LiveOptions(model=0 if model else 1, store=_bytes(store))
+        handle, watch = ctypes.c_void_p(), _Watch(progress)
+        watch.check(_library.macula_live_open((device or _usual_device())._open(), self._open(), options,
+                                              watch.progress, handle))
+        return Live(handle, _library.macula_live_close)
+
     def draw(self, width, height, samples=0, quality=None, most_noise=0.0, denoise=None, seed=0, device=None,
              progress=None):
         """Returns a Picture. `progress(stage, fraction)` cancels by returning True; then Error.is_cancelled."""
-        if not (0 < width <= 16384 and 0 < height <= 16384):
-            raise ValueError("A picture has 1 to 16384 pixels on each side.")
+        _check_size(width, height)
         rgba = bytearray(4 * width * height)
         pixels = (ctypes.c_uint8 * len(rgba)).from_buffer(rgba)
         asked = _interface.Picture(width=width, height=height, denoise=_DENOISE[denoise], samples_per_pixel=samples,
@@ -219,7 +276,99 @@ class View(_Handle):
         drawn, watch = _interface.Drawn(), _Watch(progress)
         watch.check(_library.macula_draw((device or _usual_device())._open(), self._open(), asked, watch.progress,
                                          drawn))
-        return Picture(rgba, drawn, width, height, _texts(_library.macula_view_note, self._handle))
+        told = ctypes.c_char_p()
+        _check(_library.macula_view_record(self._handle, told))
+        return Picture(rgba, drawn, width, height, _texts(_library.macula_view_note, self._handle),
+                       json.loads(told.value))
+
+
+class Frame:
+    """A frame of a live picture; `rgba` as of Picture. `kind` is "small", "model", "fading" or "traced", `fidelity`
+    says what lies between it and a traced picture: show both, and the notes."""
+
+    _KINDS = {1: "small", 2: "model", 3: "fading", 4: "traced"}
+
+    def __init__(self, rgba, shown, width, height, notes):
+        self.rgba, self.width, self.height, self.notes = rgba, width, height, notes
+        self.kind, self.is_final, self.is_new, self.is_denoised = (self._KINDS[shown.picture], bool(shown.is_final),
+                                                                   bool(shown.is_new), bool(shown.is_denoised))
+        self.scale, self.samples_per_pixel, self.noise = shown.scale, shown.samples_per_pixel, shown.noise
+        self.latency_ms = shown.latency_ms
+        self.fovea_age_ms = shown.fovea_age_ms if shown.fovea_age_ms >= 0 else None
+        self.fidelity, self.device = (text.decode("utf-8", "replace") for text in (shown.fidelity, shown.device))
+        self.camera = _camera_of(shown.camera)
+
+    @property
+    def __array_interface__(self):
+        return {"version": 3, "shape": (self.height, self.width, 4), "typestr": "|u1", "data": self.rgba}
+
+
+class Model:
+    """How far the model of a live picture is: `stage` and `origin` are words for a person; `error` is the mean
+    difference to pictures that are held out, None before it is known."""
+
+    def __init__(self, told):
+        self.stage, self.origin = told.stage_name.decode(), told.origin.decode()
+        self.is_resumed, self.splats, self.steps, self.views = (bool(told.is_resumed), told.splats, told.steps,
+                                                                told.views)
+        self.error = told.error if told.error == told.error else None
+        self.seconds = told.seconds
+
+    def __repr__(self):
+        return f"<model: {self.stage}, {self.splats} splats, {self.steps} steps; {self.origin}>"
+
+
+class Live(_Handle):
+    """The live picture of a view; View.live makes it. Closing saves what was learnt, which may take a while."""
+
+    def show(self, view, progress=None):
+        """From now on what that view shows now."""
+        watch = _Watch(progress)
+        watch.check(_library.macula_live_show(self._open(), view._open(), watch.progress))
+
+    def frame(self, width, height, camera=None, gaze=(0.0, 0.0), moving=False, for_about_ms=0.0, out=None,
+              progress=None):
+        """Returns the next Frame. `camera`: a dict as Picture.camera; without one that of the view. `gaze`: where the
+        eye looks, -1 to 1, right and up are positive. `out`: a writable buffer that it is drawn into, such as a NumPy
+        array of uint8 [height, width, 4], C-contiguous."""
+        _check_size(width, height)
+        rgba = bytearray(4 * width * height) if out is None else memoryview(out).cast("B")
+        if len(rgba) != 4 * width * height:
+            raise ValueError(f"The picture has {4 * width * height} bytes, and out has {len(rgba)}.")
+        pixels = (ctypes.c_uint8 * len(rgba)).from_buffer(rgba)
+        eye = None if camera is None else ctypes.pointer(_camera(**camera))
+        asked = _interface.Frame(width=width, height=height, is_moving=bool(moving), camera=eye,
+                                 gaze=(ctypes.c_double * 2)(*gaze), for_about_ms=for_about_ms, bytes=len(rgba),
+                                 rgba=ctypes.cast(pixels, ctypes.POINTER(ctypes.c_uint8)))
+        shown, watch = _interface.Shown(), _Watch(progress)
+        watch.check(_library.macula_live_frame(self._open(), asked, watch.progress, shown))
+        return Frame(rgba, shown, width, height, _texts(_library.macula_live_note, self._handle))
+
+    @property
+    def model(self):
+        told = _interface.Model()
+        _check(_library.macula_live_model(self._open(), told))
+        return Model(told)
+
+    def train(self, steps=0, seconds=0.0, progress=None):
+        """Teaches the model `steps` more, or for `seconds`, whatever ends first; without both until it rests. Returns a
+        Model. What was learnt stays when it is cancelled."""
+        if steps < 0:
+            raise ValueError("Steps are 0 or more.")
+        told, watch = _interface.Model(), _Watch(progress)
+        watch.check(_library.macula_live_train(self._open(), _interface.Training(steps=steps, seconds=seconds),
+                                               watch.progress, told))
+        return Model(told)
+
+    def save(self, progress=None):
+        """To the store, now. A Live with the same store goes on with it, in another run too."""
+        watch = _Watch(progress)
+        watch.check(_library.macula_live_save(self._open(), watch.progress))
+
+    def write_model(self, path, overwrite=False, progress=None):
+        """As .macula, with which `macula train --resume` goes on; or .ply, .spz or .glb."""
+        watch = _Watch(progress)
+        watch.check(_library.macula_live_write_model(self._open(), _bytes(path), bool(overwrite), watch.progress))
 
 
 class Study(_Handle):

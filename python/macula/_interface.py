@@ -61,6 +61,36 @@ class Drawn(Sized):
                 ("device", c_char_p), ("camera", Camera)]
 
 
+class LiveOptions(Sized):
+    _fields_ = [("size", c_uint32), ("model", c_int32), ("store", c_char_p), ("store_bytes", c_uint64)]
+
+
+class Frame(Sized):
+    _fields_ = [("size", c_uint32), ("width", c_int32), ("height", c_int32), ("is_moving", c_int32),
+                ("camera", POINTER(Camera)), ("gaze", c_double * 2), ("for_about_ms", c_double),
+                ("rgba", POINTER(c_uint8)), ("bytes", c_uint64), ("row_bytes", c_uint64), ("image", c_void_p)]
+
+
+class Shown(Sized):
+    _fields_ = [("size", c_uint32), ("picture", c_int32), ("is_final", c_int32), ("is_new", c_int32),
+                ("is_denoised", c_int32), ("scale", c_int32), ("samples_per_pixel", c_double), ("noise", c_double),
+                ("latency_ms", c_double), ("fovea_age_ms", c_double), ("fidelity", c_char_p), ("device", c_char_p),
+                ("camera", Camera)]
+
+
+class Model(Sized):
+    _fields_ = [("size", c_uint32), ("stage", c_int32), ("is_resumed", c_int32), ("splats", c_uint32),
+                ("steps", c_uint64), ("views", c_uint64), ("error", c_double), ("seconds", c_double),
+                ("stage_name", c_char_p), ("origin", c_char_p)]
+
+
+class Training(Sized):
+    _fields_ = [("size", c_uint32), ("reserved", c_uint32), ("steps", c_uint64), ("seconds", c_double)]
+
+
+LogLine = CFUNCTYPE(None, c_void_p, c_int32, c_char_p)
+
+
 # Those with a status first: what they return is checked. A handle is a void pointer.
 _STATUS = {
     "macula_last_error": [POINTER(ErrorStruct)],
@@ -80,6 +110,17 @@ _STATUS = {
     "macula_view_set_camera": [c_void_p, POINTER(Camera)],
     "macula_view_set_direction": [c_void_p, c_char_p],
     "macula_device_open": [c_char_p, POINTER(c_void_p)],
+    "macula_view_state": [c_void_p, POINTER(c_char_p)],
+    "macula_view_set_state": [c_void_p, c_char_p],
+    "macula_view_record": [c_void_p, POINTER(c_char_p)],
+    "macula_live_open": [c_void_p, c_void_p, POINTER(LiveOptions), POINTER(Progress), POINTER(c_void_p)],
+    "macula_live_show": [c_void_p, c_void_p, POINTER(Progress)],
+    "macula_live_frame": [c_void_p, POINTER(Frame), POINTER(Progress), POINTER(Shown)],
+    "macula_live_model": [c_void_p, POINTER(Model)],
+    "macula_live_train": [c_void_p, POINTER(Training), POINTER(Progress), POINTER(Model)],
+    "macula_live_save": [c_void_p, POINTER(Progress)],
+    "macula_live_write_model": [c_void_p, c_char_p, c_int32, POINTER(Progress)],
+    "macula_log_to": [LogLine, c_void_p, c_int32],
     "macula_draw": [c_void_p, c_void_p, POINTER(Picture), POINTER(Progress), POINTER(Drawn)],
 }
 _OTHERS = {
@@ -92,6 +133,8 @@ _OTHERS = {
     "macula_view_note": (c_char_p, [c_void_p, c_uint32]),
     "macula_view_close": (None, [c_void_p]),
     "macula_device_close": (None, [c_void_p]),
+    "macula_live_note": (c_char_p, [c_void_p, c_uint32]),
+    "macula_live_close": (None, [c_void_p]),
 }
 
 

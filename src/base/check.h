@@ -1,14 +1,39 @@
 // Programmer errors and clinical invariants: on in release too. A failed check says where, prints both
-// values, and aborts: to go on with a wrong image would be worse.
+// values, and aborts: to go on with a wrong image would be worse. Within a CheckBoundary it is thrown
+// instead.
 #pragma once
 
 #include <fmt/format.h>
 
 #include <string>
+#include <utility>
 
 namespace macula {
 
 [[noreturn]] void checkFailed(const char* file, int line, const char* what, const std::string& values);
+
+// A failed check, on its way to the boundary. No std::exception: who stops those of libraries lets it pass.
+class CheckFailure {
+  public:
+    explicit CheckFailure(std::string text) : text_(std::move(text)) {}
+    const std::string& text() const { return text_; }  // where, what, and both values
+
+  private:
+    std::string text_;
+};
+
+// While one lives, checks that fail in this thread throw CheckFailure, so that the program of somebody else
+// goes on: src/c. Who draws the boundary catches it, and lets nobody use what was in use. Threads that work
+// for this one draw their own (parallel.cpp). In a destructor a check still aborts.
+class CheckBoundary {
+  public:
+    CheckBoundary() noexcept;
+    CheckBoundary(const CheckBoundary&) = delete;
+    CheckBoundary& operator=(const CheckBoundary&) = delete;
+    ~CheckBoundary();
+
+    static bool isDrawn() noexcept;  // in this thread
+};
 
 }  // namespace macula
 

@@ -3,8 +3,11 @@
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 
+#include <cstdio>
 #include <cstdlib>
+#include <mutex>
 #include <random>
+#include <utility>
 
 #include "base/sha256.h"
 
@@ -49,14 +52,51 @@ spdlog::logger& logger() {
     return *instance;
 }
 
+struct SinkOfHost {
+    std::mutex mutex;
+    Sink sink;  // empty: there is none
+};
+
+// Never destroyed: threads log until the very end.
+SinkOfHost& sinkOfHost() {
+    static auto* const instance = new SinkOfHost;
+    return *instance;
+}
+
+// Whether there is a sink, which has it then.
+bool giveToSink(Level level, std::string_view line) {
+    SinkOfHost& host = sinkOfHost();
+    const std::lock_guard lock(host.mutex);
+    if (host.sink) host.sink(level, line);
+    return bool(host.sink);
+}
+
 }  // namespace
 
 void setLevel(Level level) {
     logger().set_level(spdlogLevel(level));
 }
 
+void setSink(Sink sink) {
+    SinkOfHost& host = sinkOfHost();
+    const std::lock_guard lock(host.mutex);
+    host.sink = std::move(sink);
+}
+
+bool hasSink() {
+    SinkOfHost& host = sinkOfHost();
+    const std::lock_guard lock(host.mutex);
+    return bool(host.sink);
+}
+
 void write(Level level, std::string_view line) {
-    logger().log(spdlogLevel(level), line);
+    if (level == Level::off || !logger().should_log(spdlogLevel(level))) return;
+    if (!giveToSink(level, line)) logger().log(spdlogLevel(level), line);
+}
+
+void announce(std::string_view line) {
+    if (giveToSink(Level::info, line)) return;
+    std::fputs(fmt::format("{}\n", line).c_str(), stderr);
 }
 
 std::string redact(std::string_view text) {

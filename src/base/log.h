@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -12,10 +13,19 @@ namespace macula::log {
 
 enum class Level { debug, info, warning, error, off };
 
-// The level is that of MACULA_LOG=debug|info|warning|error|off at start, else `warning`. Lines go to stderr.
-// Thread-safe.
+// The level is that of MACULA_LOG=debug|info|warning|error|off at start, else `warning`. Lines go to stderr,
+// or to the sink. Thread-safe.
 void setLevel(Level level);
 void write(Level level, std::string_view line);
+// Whichever level is set: what a person who reads a result must know of it. On stderr a line without a time;
+// for the sink it is of level info.
+void announce(std::string_view line);
+
+// Who has the log instead of stderr: the host of a library, whose stderr is not ours. Called by any thread,
+// never by two at once; it must not log, and throws nothing. Empty: stderr.
+using Sink = std::function<void(Level level, std::string_view line)>;
+void setSink(Sink sink);
+bool hasSink();
 
 // What may name a patient: a path, a description, a UID. Formats as "<8 hex digits>", the same for the same
 // text in one run of the program; the key is fresh in each run, so the digest cannot be looked up afterwards.

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <exception>
+#include <optional>
 #include <system_error>
 #include <thread>
 #include <vector>
 
+#include "base/check.h"
 #include "base/process_limits.h"
 
 namespace macula {
@@ -39,7 +41,10 @@ std::size_t coreCount() {
 void parallelFor(std::size_t count, const std::function<void(std::size_t)>& body, const CancelToken& token) {
     std::atomic<std::size_t> next{0};
     FirstException first;
+    const bool isBounded = CheckBoundary::isDrawn();
     const auto work = [&]() noexcept {
+        std::optional<CheckBoundary> boundary;
+        if (isBounded) boundary.emplace();
         try {
             for (std::size_t i = next++; i < count && !token.cancelled() && !first.thrown(); i = next++)
                 body(i);

@@ -1,27 +1,23 @@
-#include <algorithm>
-#include <cmath>
 #include <cstring>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <utility>
 
+#include "app/choice/clip_choice.h"
 #include "app/choice/lights_choice.h"
 #include "app/frame/projection_windows.h"
 #include "app/picture/drawn_picture.h"
 #include "app/picture/picture_effort.h"
+#include "app/picture/render_record.h"
 #include "app/state/drawing_of.h"
-#include "app/study/shown_clip.h"
+#include "c/camera.h"
+#include "c/device.h"
 #include "c/last_error.h"
+#include "c/pixels.h"
+#include "c/seen_view.h"
 #include "c/sized.h"
 #include "c/told_progress.h"
 #include "c/view.h"
-#include "pipeline/gpu/instance.h"
-#include "pipeline/gpu/recovery.h"
-
-struct macula_device {
-    macula::gpu::LastingDevice lasting;
-    // Of devices that were lost and replaced since the last picture was begun.
-    std::shared_ptr<std::vector<std::string>> told;
-};
 
 namespace macula::c {
 
@@ -49,70 +45,55 @@ Result<app::EffortWish> effortWishOf(const macula_picture& picture) {
 Result<macula_picture> checked(const macula_picture* given) {
     if (given == nullptr) return nullHandle();
     MACULA_TRY(macula_picture picture, taken(given));
-    if (picture.width < 1 || picture.height < 1 || picture.width > trace::kMaxPictureSide ||
-        picture.height > trace::kMaxPictureSide)
-        return badArgument("The picture cannot have that size.",
-                           fmt::format("Take 1 to {} pixels for each side.", trace::kMaxPictureSide));
-    const std::uint64_t row = 4 * std::uint64_t(picture.width);
-    if (picture.row_bytes == 0) picture.row_bytes = row;
-    // The last row may end at its last pixel. By division: a product of what the caller gave may overflow.
-    const bool hasRoom = picture.rgba != nullptr && picture.row_bytes >= row && picture.bytes >= row &&
-                         (picture.bytes - row) / picture.row_bytes >= std::uint64_t(picture.height) - 1;
-    if (!hasRoom)
-        return badArgument(
-            "There is no room for the pixels.",
-            fmt::format("Give {} bytes, in rows of {} or more.", row * std::uint64_t(picture.height), row));
+    MACULA_TRY_VOID(checkSize(picture.width, picture.height));
+    MACULA_TRY(picture.row_bytes,
+               rowBytesOf({picture.rgba, picture.bytes, picture.row_bytes}, picture.width, picture.height));
     return picture;
 }
 
 struct Scene {
     app::PictureRequest request;
-    std::string preset;  // what may be told of it
-    std::vector<std::string> notes;
+    app::RenderRecord record;  // of the view; with its notes
 };
+
+Result<trace::Environment> lightsOf(const macula_view& view, const app::StudyState& state) {
+    if (view.lights.empty() && state.lights) return trace::Environment::fromRig(*state.lights);
+    return app::chooseLights(lightsNamed(view, state));
+}
 
 // All that the view and the picture come to.
 Result<Scene> sceneOf(const macula_view& view, const macula_picture& picture, Progress& progress) {
-    // Unlike the viewer, a picture shades no ray cast by itself: as `macula render`.
-    MACULA_TRY(app::StudyState state, app::stateOf(view.wish, {.settings = {}}));
+    MACULA_TRY(app::StudyState state, stateOf(view));
     MACULA_TRY(const app::EffortWish wish, effortWishOf(picture));
     MACULA_TRY(const app::Effort effort, app::effortOf(wish, state.settings));
     state.settings = effort.settings;
     state.settings.seed = picture.seed;
-    state.clip = view.clip;
-    app::StudyInput study = view.study;
-    MACULA_TRY(app::StudyPreset preset, app::completeState(state, view.wish, study));
-    if (view.window) state.windows.at(std::size_t(state.settings.look)) = view.window;
-    MACULA_TRY(app::ShownClip shown, app::shownClip(state, *study.volume, progress));
+    MACULA_TRY(SeenView seen, seenBy(view, std::move(state), progress));
 
-    Scene scene{.request = {}, .preset = std::move(preset.publicName), .notes = std::move(study.notes)};
-    scene.notes.insert(scene.notes.end(), shown.notes.begin(), shown.notes.end());
+    Scene scene;
     app::PictureRequest& request = scene.request;
-    request.scene.volume = study.volume;
-    request.scene.function = std::move(preset.function);
-    request.scene.clip = std::move(shown.clip);
-    const std::string lights =
-        view.lights.empty() ? std::string(app::defaultLightsFor(state.settings.look)) : view.lights;
-    MACULA_TRY(request.scene.environment, app::chooseLights(lights));
-    request.camera = view.camera;
+    request.scene.volume = view.study.volume;
+    request.scene.function = seen.preset.function;
+    request.scene.clip = seen.shown.clip;
+    MACULA_TRY(request.scene.environment, lightsOf(view, seen.state));
+    request.camera = seen.state.camera;
     request.from = view.wish.view.value_or(request.from);
     request.sizePx = {picture.width, picture.height};
-    request.settings = app::settingsOf(state, app::SeriesWindows(), study.volume.get());
+    request.settings = app::settingsOf(seen.state, app::SeriesWindows(), view.study.volume.get());
     request.samplesPerPixel = effort.samplesPerPixel;
+    scene.record.seriesDigest = view.study.seriesDigest;
+    scene.record.preset = std::move(seen.preset.publicName);
+    scene.record.presetFitted = seen.preset.function.fitToVolume.has_value();
+    scene.record.lights = view.lights.empty() && seen.state.lights
+                              ? app::publicLightsName(*seen.state.lights)
+                              : app::publicLightsName(lightsNamed(view, seen.state));
+    scene.record.clip =
+        seen.state.clip ? app::publicClipName(*seen.state.clip) : app::publicClipName(std::string());
+    scene.record.tableRemoved = seen.shown.tableRemoved;
+    if (seen.shown.clip.mask) scene.record.masked = seen.shown.clip.mask->remark;
+    scene.record.window = request.settings.window;
+    scene.record.notes = std::move(seen.notes);
     return scene;
-}
-
-macula_camera toldOf(const Camera& camera) {
-    macula_camera told{};
-    told.size = sizeof told;
-    for (int axis = 0; axis < 3; ++axis) {
-        told.position_mm[axis] = camera.positionMm[axis];
-        told.target_mm[axis] = camera.targetMm[axis];
-        told.up[axis] = camera.up[axis];
-    }
-    told.vertical_fov_deg = camera.verticalFovDeg;
-    told.parallel_height_mm = camera.parallelHeightMm;
-    return told;
 }
 
 void copyRows(const std::vector<std::uint8_t>& rgba, const macula_picture& picture) {
@@ -130,11 +111,14 @@ Result<void> draw(macula_device& device, macula_view& view, const macula_picture
         MACULA_TRY(drawn, app::drawPicture(on, scene.request, progress));
         return {};
     }));
+    std::vector<std::string> notes = scene.record.notes;
     for (const app::PictureNote& note : notesOf(drawn, scene.request))
-        scene.notes.push_back(note.action.empty() ? note.sentence : note.sentence + " " + note.action);
-    scene.notes.insert(scene.notes.end(), device.told->begin(), device.told->end());
-    view.notes = std::move(scene.notes);
-    view.preset = std::move(scene.preset);
+        notes.push_back(note.action.empty() ? note.sentence : note.sentence + " " + note.action);
+    notes.insert(notes.end(), device.told->begin(), device.told->end());
+    scene.record.add(scene.request, drawn);
+    view.record = toJson(scene.record).dump(4, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+    view.notes = std::move(notes);
+    view.preset = scene.record.preset;
     view.device = drawn.device;
     copyRows(drawn.rgba, picture);
     if (told == nullptr) return {};
@@ -156,26 +140,14 @@ Result<void> draw(macula_device& device, macula_view& view, const macula_picture
 
 extern "C" {
 
-macula_status macula_device_open(const char* preferred, macula_device** device) {
-    if (device != nullptr) *device = nullptr;
+macula_status macula_view_record(const macula_view* view, const char** json) {
+    if (json != nullptr) *json = nullptr;
     return guarded([&]() -> Result<void> {
-        if (device == nullptr) return nullHandle();
-        auto told = std::make_shared<std::vector<std::string>>();
-        MACULA_TRY(gpu::Instance instance, gpu::Instance::create());
-        gpu::DeviceOptions options;
-        if (preferred != nullptr) options.preferred = preferred;
-        options.isAnnounced = false;
-        MACULA_TRY(
-            gpu::LastingDevice lasting,
-            gpu::LastingDevice::open(std::move(instance), std::move(options),
-                                     [told](std::string_view sentence) { told->emplace_back(sentence); }));
-        *device = new macula_device{std::move(lasting), std::move(told)};
+        if (view == nullptr || json == nullptr) return nullHandle();
+        if (view->record.empty()) return badArgument("The view was not drawn yet.", "Draw it first.");
+        *json = view->record.c_str();
         return {};
     });
-}
-
-void macula_device_close(macula_device* device) {
-    delete device;
 }
 
 macula_status macula_draw(macula_device* device, macula_view* view, const macula_picture* picture,

@@ -33,7 +33,7 @@ macula_status statusOf(ErrorCode code) {
         case ErrorCode::cancelled:
             return MACULA_CANCELLED;
         case ErrorCode::outputNotWritable:
-            break;
+            return MACULA_OUTPUT;
     }
     return MACULA_FAULT;
 }
@@ -57,6 +57,18 @@ macula_status keep(const Error& error) noexcept {
     }
     kept.fixed = nullptr;
     return kept.status = statusOf(error.code);
+}
+
+macula_status keepFault(const CheckFailure& failure) noexcept {
+    try {
+        kept.message = "Macula found a mistake of its own, and stopped before it could show something wrong.";
+        kept.advice = "Close what was in use and open it again. Please report this: " + failure.text();
+        kept.place.clear();
+    } catch (const std::exception&) {
+        return keepFault();
+    }
+    kept.fixed = nullptr;
+    return kept.status = MACULA_FAULT;
 }
 
 macula_status keepOutOfMemory() noexcept {

@@ -5,8 +5,10 @@
 
 #include <exception>
 #include <new>
+#include <string>
 #include <utility>
 
+#include "base/check.h"
 #include "base/result.h"
 
 namespace macula::c {
@@ -15,6 +17,7 @@ namespace macula::c {
 // texts, the error is that there is none.
 macula_status keep(const Error& error) noexcept;
 macula_status keepFault() noexcept;
+macula_status keepFault(const CheckFailure& failure) noexcept;  // with its words
 macula_status keepOutOfMemory() noexcept;
 
 // What is wrong with an argument: usage.
@@ -27,14 +30,21 @@ inline Error nullHandle() {
                        "See macula.h for what the function needs.");
 }
 
-// Runs `body`, which returns a Result<void>. No exception gets out.
+// Gives the log to nobody, until macula_log_to or where a person asks for it; stderr is the host's.
+void silenceLog() noexcept;
+
+// Runs `body`, which returns a Result<void>. No exception gets out, and no check aborts.
 template <class Body>
 macula_status guarded(const Body& body) noexcept {
+    silenceLog();
+    const CheckBoundary boundary;
     try {
         const Result<void> done = body();
         return done ? MACULA_DONE : keep(done.error());
     } catch (const std::bad_alloc&) {
         return keepOutOfMemory();
+    } catch (const CheckFailure& failure) {
+        return keepFault(failure);
     } catch (...) {
         return keepFault();
     }

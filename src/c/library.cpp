@@ -1,11 +1,16 @@
-// What is of the library itself: its version, its names, and handles that cancel.
+// What is of the library itself: its version, its names, its log, and handles that cancel.
 #include <macula.h>
 
+#include <array>
+#include <cstdlib>
 #include <memory>
+#include <mutex>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/choice/built_in_list.h"
+#include "base/log.h"
 #include "c/last_error.h"
 #include "c/told_progress.h"
 #include "pipeline/trace/look.h"
@@ -30,9 +35,57 @@ std::vector<std::vector<std::string>> allNames() {
     return {namesOf(all->presets), namesOf(all->clips), namesOf(all->lights), looks, namesOf(all->qualities)};
 }
 
+std::int32_t levelOf(log::Level level) {
+    switch (level) {
+        case log::Level::debug:
+            return MACULA_LOG_DEBUG;
+        case log::Level::info:
+            return MACULA_LOG_INFO;
+        case log::Level::warning:
+            return MACULA_LOG_WARNING;
+        case log::Level::error:
+        case log::Level::off:
+            break;
+    }
+    return MACULA_LOG_ERROR;
+}
+
+void toNobody(log::Level /*level*/, std::string_view /*line*/) {}
+
 }  // namespace
 
+void silenceLog() noexcept {
+    static std::once_flag once;
+    try {
+        std::call_once(once, [] {
+            // A host in C++ may have the log already.
+            if (std::getenv("MACULA_LOG") == nullptr && !log::hasSink()) log::setSink(toNobody);
+        });
+    } catch (const std::exception&) {
+        // Without memory there will be other errors.
+    }
+}
+
 extern "C" {
+
+macula_status macula_log_to(macula_log_line told, void* user, std::int32_t least) {
+    return guarded([&]() -> Result<void> {
+        constexpr std::array kLevels{log::Level::debug, log::Level::info, log::Level::warning,
+                                     log::Level::error};
+        if (least < 0 || std::size_t(least) >= kLevels.size())
+            return badArgument("There is no such level of the log.",
+                               "Use MACULA_LOG_DEBUG to MACULA_LOG_ERROR.");
+        if (told == nullptr) {
+            log::setSink(toNobody);
+            return {};
+        }
+        log::setLevel(kLevels.at(std::size_t(least)));
+        log::setSink([told, user](log::Level level, std::string_view line) {
+            told(user, levelOf(level), std::string(line).c_str());
+        });
+        return {};
+    });
+}
 
 const char* macula_version() {
     return MACULA_VERSION;

@@ -8,6 +8,7 @@
 #include "app/choice/clip_choice.h"
 #include "app/choice/lights_choice.h"
 #include "app/study/study_preset.h"
+#include "c/camera.h"
 #include "c/last_error.h"
 #include "c/sized.h"
 #include "c/study.h"
@@ -19,24 +20,6 @@ namespace {
 
 std::string textOf(const char* text) {
     return text == nullptr ? std::string() : std::string(text);
-}
-
-glm::dvec3 vectorOf(const double (&numbers)[3]) {
-    return {numbers[0], numbers[1], numbers[2]};
-}
-
-Result<Camera> cameraOf(const macula_camera& given) {
-    Camera camera{.positionMm = vectorOf(given.position_mm),
-                  .targetMm = vectorOf(given.target_mm),
-                  .up = vectorOf(given.up),
-                  .parallelHeightMm = given.parallel_height_mm};
-    if (given.vertical_fov_deg != 0.0) camera.verticalFovDeg = given.vertical_fov_deg;
-    // A negative height is a mistake, and no eye.
-    if (!(camera.parallelHeightMm >= 0.0))
-        return badArgument("The height of a picture with parallel rays is not usable.",
-                           "Give millimetres above 0, or 0 for a camera with an eye.");
-    MACULA_TRY_VOID(basis(camera));
-    return camera;
 }
 
 // As a clip in fractions of the volume's box.
@@ -87,6 +70,7 @@ macula_status macula_view_set_preset(macula_view* view, const char* preset, std:
     return changed(view, [&](macula_view& of) -> Result<void> {
         const std::string named = textOf(preset);
         if (!named.empty()) MACULA_TRY_VOID(app::presetToDraw(named, fit != 0));
+        of.chosen.preset.reset();
         of.wish.preset = named;
         of.wish.fit = fit != 0;
         return {};
@@ -97,6 +81,7 @@ macula_status macula_view_set_look(macula_view* view, const char* look) {
     return changed(view, [&](macula_view& of) -> Result<void> {
         if (look == nullptr) {
             of.wish.look.reset();
+            of.chosen.settings.look = usualState().settings.look;
             return {};
         }
         const auto known = trace::lookNamed(look);
@@ -112,6 +97,7 @@ macula_status macula_view_set_lights(macula_view* view, const char* lights) {
     return changed(view, [&](macula_view& of) -> Result<void> {
         const std::string named = textOf(lights);
         if (!named.empty()) MACULA_TRY_VOID(app::chooseLights(named));
+        of.chosen.lights.reset();
         of.lights = named;
         return {};
     });
@@ -122,6 +108,7 @@ macula_status macula_view_set_window(macula_view* view, double centre, double wi
         if (!std::isfinite(centre) || !std::isfinite(width) || width < 0.0)
             return badArgument("The window is not usable.", "Give finite numbers, the width 0 or above.");
         of.window.reset();
+        of.chosen.windows = {};
         if (width > 0.0)
             of.window = DisplayWindow{
                 .center = centre, .width = width, .explanation = {}, .function = "LINEAR_EXACT"};
@@ -132,11 +119,12 @@ macula_status macula_view_set_window(macula_view* view, double centre, double wi
 macula_status macula_view_set_clip(macula_view* view, const char* clip) {
     return changed(view, [&](macula_view& of) -> Result<void> {
         const std::string named = textOf(clip);
-        if (named.empty()) {
-            of.clip.reset();
-            return {};
+        std::optional<ClipPreset> found;
+        if (!named.empty()) {
+            MACULA_TRY(found, app::chooseClip(named));
         }
-        MACULA_TRY(of.clip, app::chooseClip(named));
+        of.chosen.clip = std::move(found);
+        of.chosen.cuts = {};
         return {};
     });
 }
@@ -144,14 +132,15 @@ macula_status macula_view_set_clip(macula_view* view, const char* clip) {
 macula_status macula_view_set_box(macula_view* view, const double* lowMm, const double* highMm) {
     return changed(view, [&](macula_view& of) -> Result<void> {
         if (lowMm == nullptr || highMm == nullptr) return nullHandle();
-        MACULA_TRY(of.clip, boxOf(*of.study.volume, lowMm, highMm));
+        MACULA_TRY(of.chosen.clip, boxOf(*of.study.volume, lowMm, highMm));
+        of.chosen.cuts = {};
         return {};
     });
 }
 
 macula_status macula_view_remove_table(macula_view* view, std::int32_t remove) {
     return changed(view, [&](macula_view& of) -> Result<void> {
-        of.wish.removeTable = remove != 0;
+        of.chosen.leavesTableOut = remove != 0;
         return {};
     });
 }
@@ -160,7 +149,8 @@ macula_status macula_view_set_camera(macula_view* view, const macula_camera* cam
     return changed(view, [&](macula_view& of) -> Result<void> {
         if (camera == nullptr) return nullHandle();
         MACULA_TRY(const macula_camera given, taken(camera));
-        MACULA_TRY(of.camera, cameraOf(given));
+        MACULA_TRY(of.chosen.camera, cameraOf(given));
+        of.wish.view.reset();
         return {};
     });
 }
@@ -172,7 +162,7 @@ macula_status macula_view_set_direction(macula_view* view, const char* direction
             return badArgument("There is no such direction to look from.",
                                "They are anterior, posterior, left, right, superior and inferior.");
         of.wish.view = known;
-        of.camera.reset();
+        of.chosen.camera.reset();
         return {};
     });
 }

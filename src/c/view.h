@@ -8,21 +8,34 @@
 #include <vector>
 
 #include "app/state/state_wish.h"
+#include "app/state/study_state.h"
 #include "app/study/study_input.h"
-#include "base/camera.h"
-#include "pipeline/volume/clip_json.h"
+#include "base/volume.h"
+
+namespace macula::c {
+
+// Unlike the viewer, a picture shades no ray cast by itself: as `macula render`.
+inline app::StudyState usualState() {
+    app::StudyState state;
+    state.settings = {};
+    return state;
+}
+
+}  // namespace macula::c
 
 struct macula_view {
     macula::app::StudyInput study;  // 16 bits; without notes
-    // Preset, look, table and direction. What is no name or file is beside it.
-    macula::app::StateWish wish;
-    std::string lights;  // empty: those for the look
-    std::optional<macula::DisplayWindow> window;
-    std::optional<macula::ClipPreset> clip;
-    std::optional<macula::Camera> camera;
+    // What was chosen by a state, and by what is no name. What was chosen by name counts more.
+    macula::app::StudyState chosen = macula::c::usualState();
+    macula::app::StateWish wish;  // preset, look, table and direction
+    std::string lights;           // by name or file; empty: those of the state, or for the look
+    std::optional<macula::DisplayWindow> window;  // of the look that it is drawn in
+
+    std::string state;  // that was asked for
 
     // Of the last picture.
     std::vector<std::string> notes;
     std::string preset;
     std::string device;
+    std::string record;  // JSON
 };

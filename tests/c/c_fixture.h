@@ -17,6 +17,7 @@ struct Close {
     void operator()(macula_view* handle) const { macula_view_close(handle); }
     void operator()(macula_device* handle) const { macula_device_close(handle); }
     void operator()(macula_cancel* handle) const { macula_cancel_close(handle); }
+    void operator()(macula_live* handle) const { macula_live_close(handle); }
 };
 template <class Handle>
 using Owned = std::unique_ptr<Handle, Close>;

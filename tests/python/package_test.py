@@ -31,7 +31,11 @@ class Interface(unittest.TestCase):
         ours = {"macula_error": _interface.ErrorStruct, "macula_progress": _interface.Progress,
                 "macula_open": _interface.Open, "macula_voxels": _interface.Voxels, "macula_volume": _interface.Volume,
                 "macula_camera": _interface.Camera, "macula_picture": _interface.Picture,
-                "macula_drawn": _interface.Drawn}
+                "macula_drawn": _interface.Drawn, "macula_live_options": _interface.LiveOptions,
+                "macula_frame": _interface.Frame, "macula_shown": _interface.Shown,
+                "macula_model": _interface.Model, "macula_training": _interface.Training}
+        # A device of Vulkan is lent by programs in C and C++.
+        promised = {name: at for name, at in promised.items() if not name.startswith("macula_lent_")}
         self.assertEqual({name.split(".")[0] for name in promised}, set(ours))
         for name, struct in ours.items():
             self.assertEqual(ctypes.sizeof(struct), promised[name][0], name)
@@ -141,6 +145,78 @@ class Pictures(unittest.TestCase):
             macula.open("/nowhere/DOE^JOHN")
         self.assertNotIn("DOE", str(refused.exception))
         self.assertIn("DOE", refused.exception.place)
+
+
+class States(unittest.TestCase):
+    def setUp(self):
+        self.study = macula.study_of(balls(), AFFINE, unit="HU")
+
+    def test_a_state_goes_from_view_to_view_and_draws_the_same(self):
+        view, other = self.study.view(), self.study.view()
+        view.set_preset("cinematic-chest")
+        view.set_clip("left-half")
+        other.state = view.state
+        self.assertEqual(other.state, view.state)
+        pictures = [each.draw(24, 24, samples=2) for each in (view, other)]
+        self.assertEqual(bytes(pictures[0].rgba), bytes(pictures[1].rgba))
+        self.assertEqual(pictures[1].record["clip"], "left-half")
+        self.assertEqual((pictures[1].record["width"], pictures[1].record["seed"]), (24, 0))
+
+    def test_what_is_no_state_is_refused(self):
+        view = self.study.view()
+        before = view.state
+        for wrong in ("", "[]", {"camera": 5}):
+            with self.assertRaises(macula.Error) as refused:
+                view.state = wrong
+            self.assertTrue(refused.exception.advice)
+        self.assertEqual(view.state, before)
+
+
+class Lives(unittest.TestCase):
+    def setUp(self):
+        self.view = macula.study_of(balls(), AFFINE, unit="HU").view()
+
+    def test_frames_come_into_the_array_that_is_given_and_are_not_mirrored(self):
+        pixels = numpy.zeros((40, 40, 4), numpy.uint8)
+        with self.view.live(model=False) as live:
+            frame = live.frame(40, 40, out=pixels)
+            self.assertIn(frame.kind, ("small", "traced"))
+            self.assertTrue(numpy.array_equal(numpy.asarray(frame), pixels))
+            light = pixels[..., :3].astype(float)
+            self.assertGreater(light[:, 20:].sum(), 3 * light[:, :20].sum())
+            turned = dict(frame.camera, position_mm=tuple(-x for x in frame.camera["position_mm"]))
+            light = numpy.asarray(live.frame(40, 40, camera=turned, moving=True))[..., :3].astype(float)
+            self.assertGreater(light[:, :20].sum(), 3 * light[:, 20:].sum())
+            for bad in (numpy.zeros((40, 39, 4), numpy.uint8), bytearray(3)):
+                with self.assertRaises(ValueError):
+                    live.frame(40, 40, out=bad)
+            with self.assertRaises(macula.Error):
+                live.frame(40, 40, gaze=(float("nan"), 0))
+            with self.assertRaises(macula.Error):
+                live.train(steps=1)
+
+    def test_what_was_learnt_is_resumed(self):
+        with tempfile.TemporaryDirectory() as folder:
+            store = pathlib.Path(folder) / "models"
+            with self.view.live(store=store) as live:
+                self.assertIsNone(live.model.error)
+                told = []
+                model = live.train(steps=3, progress=lambda stage, fraction: told.append(stage))
+                self.assertTrue(told and model.splats > 0 and not model.is_resumed)
+                live.save()
+                live.write_model(pathlib.Path(folder) / "a.ply")
+                with self.assertRaises(macula.Error):
+                    live.write_model(pathlib.Path(folder) / "a.ply")
+            with self.view.live(store=store) as live:
+                self.assertTrue(live.train(steps=1).is_resumed)
+                self.assertGreater(live.model.steps, model.steps)
+
+    def test_the_log_is_heard(self):
+        lines = []
+        macula.log_to(lambda level, line: lines.append((level, line)))
+        macula.Device().close()
+        macula.log_to(None)
+        self.assertTrue(any("renders on" in line for level, line in lines))
 
 
 if __name__ == "__main__":

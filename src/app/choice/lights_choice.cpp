@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
+#include <utility>
 
 #include "app/choice/built_in_choice.h"
 #include "app/choice/nearest_name.h"
@@ -51,6 +53,23 @@ Result<trace::Environment> fromPicture(const fs::path& path) {
     return environment;
 }
 
+// Nothing where it must be a picture.
+Result<std::optional<trace::LightRig>> rigNamed(const std::string& nameOrFile) {
+    if (const presets::EmbeddedFile* file = findBuiltIn(presets::lightFiles(), nameOrFile)) {
+        MACULA_TRY(trace::LightRig rig, trace::lightRigFromJson(file->text, std::string(file->name)));
+        return std::optional(std::move(rig));
+    }
+    const fs::path path = nameOrFile;
+    std::error_code error;
+    if (!path.has_extension() && !fs::exists(path, error))
+        return noSuchName("There are no such lights.", nameOrFile, namesOf(presets::lightFiles()),
+                          "Or give the path of a JSON, HDR or EXR file.");
+    if (path.extension() != ".json") return std::optional<trace::LightRig>();
+    MACULA_TRY(const std::string text, readText(path));
+    MACULA_TRY(trace::LightRig rig, trace::lightRigFromJson(text, path.string()));
+    return std::optional(std::move(rig));
+}
+
 }  // namespace
 
 std::string_view defaultLightsFor(trace::Look look) {
@@ -62,22 +81,15 @@ Result<std::vector<trace::LightRig>> builtInLights() {
 }
 
 Result<trace::Environment> chooseLights(const std::string& nameOrFile) {
-    const auto fromJson = [](std::string_view text, const std::string& where) -> Result<trace::Environment> {
-        MACULA_TRY(const trace::LightRig rig, trace::lightRigFromJson(text, where));
-        return trace::Environment::fromRig(rig);
-    };
-    if (const presets::EmbeddedFile* file = findBuiltIn(presets::lightFiles(), nameOrFile))
-        return fromJson(file->text, std::string(file->name));
-    const fs::path path = nameOrFile;
-    std::error_code error;
-    if (!path.has_extension() && !fs::exists(path, error))
-        return noSuchName("There are no such lights.", nameOrFile, namesOf(presets::lightFiles()),
-                          "Or give the path of a JSON, HDR or EXR file.");
-    if (path.extension() == ".json") {
-        MACULA_TRY(const std::string text, readText(path));
-        return fromJson(text, path.string());
-    }
-    return fromPicture(path);
+    MACULA_TRY(const std::optional<trace::LightRig> rig, rigNamed(nameOrFile));
+    return rig ? trace::Environment::fromRig(*rig) : fromPicture(nameOrFile);
+}
+
+Result<trace::LightRig> chooseLightRig(const std::string& nameOrFile) {
+    MACULA_TRY(std::optional<trace::LightRig> rig, rigNamed(nameOrFile));
+    if (rig) return *std::move(rig);
+    return Error{ErrorCode::usage, "A picture is no rig of lights.", nameOrFile,
+                 "Choose lights by name, or those of a JSON file."};
 }
 
 std::string publicLightsName(const std::string& nameOrFile) {

@@ -23,6 +23,9 @@ Result<std::vector<trace::LightRig>> builtInLights();
 // these; inputNotUsable when the file is malformed or its light is not: NaN, infinite or negative values.
 Result<trace::Environment> chooseLights(const std::string& nameOrFile);
 
+// As chooseLights, for what can be told as numbers; usage for a picture.
+Result<trace::LightRig> chooseLightRig(const std::string& nameOrFile);
+
 // What may be told of the choice, as publicPresetName.
 std::string publicLightsName(const std::string& nameOrFile);
 std::string publicLightsName(const trace::LightRig& rig);

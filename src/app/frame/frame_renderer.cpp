@@ -34,6 +34,12 @@ glm::dvec2 usableGaze(const glm::dvec2& gaze) {
     return isFinite ? glm::clamp(gaze, -1.0, 1.0) : glm::dvec2(0.0);
 }
 
+gpu::DeviceOptions preferring(std::string device) {
+    gpu::DeviceOptions options;
+    options.preferred = std::move(device);
+    return options;
+}
+
 // Only light that stays in place can have a model: a model holds it.
 bool canHaveModel(const FrameInput& input) {
     return input.usesModel && trace::isPathTraced(input.drawing.settings.look) &&
@@ -44,8 +50,13 @@ bool canHaveModel(const FrameInput& input) {
 
 FrameRenderer::FrameRenderer(gpu::Instance instance, std::string preferredDevice,
                              std::shared_ptr<SceneKeeper> keeper, RenderListener listener)
+    : FrameRenderer(std::move(instance), preferring(std::move(preferredDevice)), std::move(keeper),
+                    std::move(listener)) {}
+
+FrameRenderer::FrameRenderer(gpu::Instance instance, gpu::DeviceOptions device,
+                             std::shared_ptr<SceneKeeper> keeper, RenderListener listener)
     : instance_(std::move(instance)),
-      preferredDevice_(std::move(preferredDevice)),
+      deviceOptions_(std::move(device)),
       listener_(std::move(listener)),
       keeper_(std::move(keeper)) {}
 
@@ -284,9 +295,9 @@ Result<void> FrameRenderer::ensureDevice() {
     if (device_ && traced_) return {};
     listener_(Preparing{"Starting the graphics device"});
     if (!device_) {
-        gpu::DeviceOptions options;
-        options.preferred = preferredDevice_;
-        options.extensions = input_.place->deviceExtensions();
+        gpu::DeviceOptions options = deviceOptions_;
+        for (const char* extension : input_.place->deviceExtensions())
+            options.extensions.push_back(extension);
         MACULA_TRY(device_, gpu::Device::create(instance_, options));
     }
     MACULA_TRY(traced_, TracedPictures::create(device_));
@@ -433,6 +444,10 @@ Result<void> FrameRenderer::applyModel() {
 
 hybrid::ModelNews FrameRenderer::modelNews() const {
     return model_ ? model_->news() : hybrid::ModelNews{.stage = whyNoModel_};
+}
+
+std::optional<hybrid::PeripheralReport> FrameRenderer::modelReport() const {
+    return model_ ? model_->report() : std::nullopt;
 }
 
 // Tells of the model no more often than a person can read it.

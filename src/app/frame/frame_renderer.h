@@ -44,6 +44,9 @@ class FrameRenderer {
     // `keeper` keeps models between runs; null: nobody does.
     FrameRenderer(gpu::Instance instance, std::string preferredDevice, std::shared_ptr<SceneKeeper> keeper,
                   RenderListener listener);
+    // The same on a device that is opened, or lent, in another way; places add their extensions.
+    FrameRenderer(gpu::Instance instance, gpu::DeviceOptions device, std::shared_ptr<SceneKeeper> keeper,
+                  RenderListener listener);
     ~FrameRenderer();
 
     void accept(FrameInput input);
@@ -57,6 +60,10 @@ class FrameRenderer {
 
     // Afterwards nothing refers to the place of the last input.
     void releaseScreen();
+
+    hybrid::ModelNews modelNews() const;
+    // Of the model that learns; nothing while there is none.
+    std::optional<hybrid::PeripheralReport> modelReport() const;
 
   private:
     using Clock = std::chrono::steady_clock;
@@ -99,7 +106,6 @@ class FrameRenderer {
     Result<void> keepForMotion();
     void doWithoutFovea();
     Result<void> show(const gpu::Image& picture);
-    hybrid::ModelNews modelNews() const;
     void tellOfModel();
     Result<void> giveModel();
     Result<void> takeModel(ModelTaken& taken);
@@ -108,7 +114,7 @@ class FrameRenderer {
     double framesPerSecond() const;
 
     gpu::Instance instance_;
-    std::string preferredDevice_;
+    gpu::DeviceOptions deviceOptions_;
     RenderListener listener_;
 
     std::shared_ptr<gpu::Device> device_;

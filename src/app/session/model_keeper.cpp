@@ -12,6 +12,7 @@
 #include "app/session/seen_before.h"
 #include "app/state/state_keys.h"
 #include "app/state/study_state.h"
+#include "base/check.h"
 #include "base/fingerprint.h"
 #include "base/log.h"
 #include "base/sha256.h"
@@ -130,6 +131,8 @@ void ModelKeeper::post(Urgency urgency, Job job) {
 }
 
 void ModelKeeper::run(const std::stop_token& stop) {
+    std::optional<CheckBoundary> boundary;
+    if (isBounded_) boundary.emplace();
     giveWay(kNicenessOfReading);
     openStore();
     forgetUnused();
@@ -156,6 +159,8 @@ void ModelKeeper::doFirst(std::deque<Job>& jobs, std::unique_lock<std::mutex>& l
         if (store_) job(*store_);
     } catch (const std::exception&) {
         tellOfNoMemory("There is not enough memory to keep this study's model.");
+    } catch (const CheckFailure& failure) {
+        tellOfFault(failure);
     }
     job = nullptr;
     lock.lock();
@@ -165,9 +170,11 @@ void ModelKeeper::doBeside(const std::function<void()>& work) {
     bool isDone = false;
     std::exception_ptr thrown;
     const std::jthread thread([&] {
+        std::optional<CheckBoundary> boundary;
+        if (isBounded_) boundary.emplace();
         try {
             work();
-        } catch (const std::exception&) {
+        } catch (...) {
             thrown = std::current_exception();
         }
         const std::lock_guard lock(mutex_);
@@ -195,6 +202,9 @@ void ModelKeeper::openStore() {
                   store_->notes().setAside->folder.string(), "`macula sessions verify` says what is there."});
     } catch (const std::exception&) {
         tellOfNoMemory("Stored sessions could not be opened.");
+    } catch (const CheckFailure& failure) {
+        store_.reset();
+        tellOfFault(failure);
     }
 }
 
@@ -208,6 +218,8 @@ void ModelKeeper::forgetUnused() {
                       purged->studies, purged->volumes, retention_->count());
     } catch (const std::exception&) {
         tellOfNoMemory("What was not opened for long could not be deleted.");
+    } catch (const CheckFailure& failure) {
+        tellOfFault(failure);
     }
 }
 
@@ -252,6 +264,18 @@ void ModelKeeper::tellOfNoMemory(const char* sentence) noexcept {
     }
 }
 
+void ModelKeeper::tellOfFault(const CheckFailure& failure) noexcept {
+    try {
+        log::error("Stored sessions: {}", failure.text());
+        tell({ErrorCode::inputNotUsable,
+              "Stored sessions were not changed, because Macula found a mistake of its own.",
+              {},
+              "Please report this: " + failure.text()});
+    } catch (const std::exception&) {
+        // There is no memory to say so.
+    }
+}
+
 std::string ModelKeeper::digestOf(const std::shared_ptr<const Volume>& volume) {
     const std::lock_guard lock(digestMutex_);
     std::erase_if(digests_, [](const auto& made) { return made.first.expired(); });
@@ -286,7 +310,7 @@ void ModelKeeper::look(const std::string& name, std::shared_ptr<const Volume> vo
     post(Urgency::isWaitedFor, [this, name](session::Store& store) {
         try {
             searchFor(store, name);
-        } catch (const std::exception&) {
+        } catch (...) {
             answer(name, {.answer = Answer::none});  // or it would be waited for for ever
             throw;
         }

@@ -24,6 +24,7 @@
 
 #include "app/frame/scene_keeper.h"
 #include "app/study/found_volumes.h"
+#include "base/check.h"
 #include "base/result.h"
 #include "base/volume.h"
 #include "pipeline/splat/files/packed_pictures.h"
@@ -95,6 +96,7 @@ class ModelKeeper final : public SceneKeeper {
     void forgetUnused();
     void tell(const Error& error);
     void tellOfNoMemory(const char* sentence) noexcept;
+    void tellOfFault(const CheckFailure& failure) noexcept;
     std::string digestOf(const std::shared_ptr<const Volume>& volume);
     std::optional<Named> nameForStore(const std::string& name);
     void answer(const std::string& name, hybrid::StoredModel found);
@@ -108,6 +110,8 @@ class ModelKeeper final : public SceneKeeper {
     const session::StoreOptions options_;
     const KeeperListener listener_;
     const std::optional<std::chrono::days> retention_;
+    // The keeper's thread keeps to what whoever made it wants of failed checks.
+    const bool isBounded_ = CheckBoundary::isDrawn();
 
     std::mutex mutex_;
     std::condition_variable_any wake_;

@@ -1,4 +1,5 @@
-/* The C interface of Macula: open a study, choose how it is drawn, and draw it into memory.
+/* The C interface of Macula: open a study, choose how it is drawn, draw it into memory or into an image of
+ * your own device, show it live, and train, keep and resume the model that the live picture is drawn with.
  *
  * NOT FOR PRIMARY DIAGNOSIS. Macula is no medical device: docs/risk.md.
  *
@@ -18,8 +19,13 @@
  *   - Threads: a handle is used by one thread at a time; different handles by different threads at once. Only
  *     macula_cancel_now() may be called whenever. Calls block: run those that take a macula_progress beside
  * the thread of your user interface.
- *   - Nothing is written to a file and no session is kept. Sentences, error texts and stages name no patient;
- * titles and the `place` of an error may.
+ *   - Nothing is written to a file but what macula_live_open, macula_live_save and macula_live_write_model
+ * are given places for. Nothing is printed: macula_log_to has the log, or stderr where MACULA_LOG is set in
+ * the environment. Sentences, error texts, stages and the log name no patient; titles and the `place` of an
+ * error may.
+ *   - Where Macula finds a mistake of its own it does not go on with a wrong picture, and does not end your
+ * program: the call returns MACULA_FAULT, and the handles that it was given are good for closing alone. Only
+ * where that is found while something is closed or freed the program is ended.
  */
 #ifndef MACULA_H
 #define MACULA_H
@@ -50,7 +56,8 @@ enum {
     MACULA_DEVICE = 3, /* no Vulkan driver, or no such device, or lost too often */
     MACULA_MEMORY = 4, /* of the host or of the device */
     MACULA_CANCELLED = 5,
-    MACULA_FAULT = 6 /* of Macula itself: please report it */
+    MACULA_FAULT = 6, /* of Macula itself: please report it */
+    MACULA_OUTPUT = 7 /* a file or folder cannot be written */
 };
 
 typedef struct macula_error {
@@ -65,6 +72,16 @@ typedef struct macula_error {
 /* The error of the last call of this thread that failed. Its texts live until the next call of this thread.
  */
 MACULA_API macula_status macula_last_error(macula_error* error);
+
+/* ---- Log ---- */
+
+enum { MACULA_LOG_DEBUG = 0, MACULA_LOG_INFO = 1, MACULA_LOG_WARNING = 2, MACULA_LOG_ERROR = 3 };
+/* A line for those who support Macula, without its end; lives for the call. From any thread, never two at
+ * once. It must not call Macula, nor throw. */
+typedef void (*macula_log_line)(void* user, int32_t level, const char* line);
+/* From now on `told` has the lines of `least` and above, and which device was opened; null: nobody has.
+ * Returns when no line is on its way to whoever had them before. */
+MACULA_API macula_status macula_log_to(macula_log_line told, void* user, int32_t least);
 
 /* ---- Progress and cancellation ---- */
 
@@ -227,6 +244,12 @@ MACULA_API macula_status macula_view_set_camera(macula_view* view, const macula_
  * fills the picture. null: "anterior". Replaces a camera. From the front, the patient's left is at the right
  * of the picture. */
 MACULA_API macula_status macula_view_set_direction(macula_view* view, const char* direction);
+/* All that was chosen, as the JSON of views that the viewer and --session of `macula render` save and open.
+ * Lives until this is asked again or the view is closed. MACULA_USAGE for lights of a panorama. */
+MACULA_API macula_status macula_view_state(macula_view* view, const char** json);
+/* Takes the place of all that was chosen. MACULA_INPUT for what is no state, and for one of another series.
+ */
+MACULA_API macula_status macula_view_set_state(macula_view* view, const char* json);
 MACULA_API void macula_view_close(macula_view* view);
 
 /* ---- Drawing ---- */
@@ -236,6 +259,29 @@ typedef struct macula_device macula_device;
 /* By its number or a part of its name; null: MACULA_DEVICE of the environment, or else the best. Without a
  * graphics card, Mesa's lavapipe draws on the CPU. */
 MACULA_API macula_status macula_device_open(const char* preferred, macula_device** device);
+
+/* Called before and after each use of a queue, by the thread that uses it. They must not call Macula, nor
+ * throw. */
+typedef void (*macula_queue_call)(void* user);
+
+/* A device of yours, in place of one of Macula's own: of Vulkan 1.3, with VK_KHR_push_descriptor, and with
+ * the features timelineSemaphore, scalarBlockLayout, synchronization2 and maintenance4. Nothing of it is
+ * destroyed here; close what was opened with it first. */
+typedef struct macula_lent_device {
+    uint32_t size;
+    uint32_t queue_family; /* of the queue */
+    void* instance;        /* VkInstance, made for Vulkan 1.3 */
+    void* physical_device; /* VkPhysicalDevice */
+    void* device;          /* VkDevice */
+    void* queue;           /* VkQueue, with compute */
+    /* Null both: you do not use the queue while a call of Macula runs that uses this device. */
+    macula_queue_call lock_queue;
+    macula_queue_call unlock_queue;
+    void* user; /* for both */
+} macula_lent_device;
+MACULA_API macula_status macula_device_lend(const macula_lent_device* lent, macula_device** device);
+
+/* What is opened or drawn with it goes on until its own close. */
 MACULA_API void macula_device_close(macula_device* device);
 
 enum {
@@ -281,6 +327,144 @@ MACULA_API macula_status macula_draw(macula_device* device, macula_view* view, c
 /* Sentences that whoever sees the last picture should know: show them. Null for an index that is too large.
  * Live until the view is drawn again or closed. */
 MACULA_API const char* macula_view_note(const macula_view* view, uint32_t index);
+
+/* How the last picture was made, as JSON: what `macula render --json` writes. Lives until the view is drawn
+ * again or closed. MACULA_USAGE before the first. */
+MACULA_API macula_status macula_view_record(const macula_view* view, const char** json);
+
+/* ---- The live picture ----
+ *
+ * Frame by frame: while a hand or a head moves, splats of a model that is learnt on the way, with a traced
+ * part where the eye looks, or smaller traced pictures until there is a model; at rest traced, until nothing
+ * changes any more. Show what macula_shown says of it. */
+
+typedef struct macula_live macula_live;
+
+enum { MACULA_WITH_MODEL = 0, MACULA_WITHOUT_MODEL = 1 };
+
+typedef struct macula_live_options {
+    uint32_t size;
+    int32_t model; /* MACULA_WITH_MODEL ... */
+    /* The folder where models are kept between runs, which is made where it is missing; empty: that of the
+     * viewer; null: none is kept. Patients are digests there: docs/privacy.md. */
+    const char* store;
+    uint64_t store_bytes; /* of all models in it, the least recently used go; 0: 2 GB */
+} macula_live_options;
+
+/* Of what the view shows now. A model of just that which is in the store is gone on with. `options` may be
+ * null. View and device may be used and closed before it: it opens the device once more, or shares the one
+ * that is lent. */
+MACULA_API macula_status macula_live_open(const macula_device* device, const macula_view* view,
+                                          const macula_live_options* options, const macula_progress* progress,
+                                          macula_live** live);
+/* From now on what that view shows now, of the same study or another. What was learnt of the one before is
+ * kept. On failure it stays what it was. */
+MACULA_API macula_status macula_live_show(macula_live* live, const macula_view* view,
+                                          const macula_progress* progress);
+
+/* An image on the device that is lent: VkImage of R8G8B8A8 (UNORM, or SRGB: bits are copied), of the size of
+ * the frame, with VK_IMAGE_USAGE_TRANSFER_DST_BIT, not used by others meanwhile. */
+typedef struct macula_lent_image {
+    uint32_t size;
+    int32_t layout;    /* VkImageLayout that it is left in; what it held before is lost */
+    uint64_t image;    /* VkImage */
+    uint32_t layer;    /* of the image */
+    uint32_t reserved; /* 0 */
+} macula_lent_image;
+
+typedef struct macula_frame {
+    uint32_t size;
+    int32_t width; /* pixels, 1 to 16384 */
+    int32_t height;
+    int32_t is_moving;           /* not 0: a hand or a head moves; be fast */
+    const macula_camera* camera; /* null: that of the view */
+    double gaze[2];              /* where the eye looks, -1 to 1; right and up are positive */
+    double for_about_ms;         /* time for it; 0: a little. The first picture of a pose may take longer */
+    /* Where to: as in macula_picture, or null. */
+    uint8_t* rgba;
+    uint64_t bytes;
+    uint64_t row_bytes;
+    const macula_lent_image* image; /* and to; or null. It is there when the call returns */
+} macula_frame;
+
+enum {
+    MACULA_SHOWN_SMALL = 1,  /* traced, smaller than wanted */
+    MACULA_SHOWN_MODEL = 2,  /* splats, and perhaps a traced part where the eye looks */
+    MACULA_SHOWN_FADING = 3, /* splats that fade into what is traced */
+    MACULA_SHOWN_TRACED = 4  /* all pixels, not yet all samples unless it is final */
+};
+
+/* What the frame shows. Texts live until the next call for this handle. */
+typedef struct macula_shown {
+    uint32_t size;
+    int32_t picture;  /* MACULA_SHOWN_SMALL ... */
+    int32_t is_final; /* nothing changes until something else is asked for */
+    int32_t is_new;   /* 0: it is the picture of the frame before */
+    int32_t is_denoised;
+    int32_t scale;            /* pixels of the frame for one that was drawn, each way */
+    double samples_per_pixel; /* of what is traced */
+    double noise;             /* estimated, of black to white; infinite before it is known, 0 for splats */
+    double latency_ms;        /* from the call to the picture */
+    double fovea_age_ms;      /* of the traced part over splats; below 0: there is none */
+    const char* fidelity; /* what lies between this and a traced picture, for a person; empty for that one */
+    const char* device;
+    macula_camera camera; /* that it was drawn with; its size is set */
+} macula_shown;
+
+/* The next frame; `shown` may be null. MACULA_CANCELLED leaves the pixels as they were. */
+MACULA_API macula_status macula_live_frame(macula_live* live, const macula_frame* frame,
+                                           const macula_progress* progress, macula_shown* shown);
+/* Sentences that whoever sees the last frame should know: show them. Null for an index that is too large.
+ * Live until the next call for this handle but this. */
+MACULA_API const char* macula_live_note(const macula_live* live, uint32_t index);
+
+/* ---- Its model ---- */
+
+enum {
+    MACULA_MODEL_NONE = 0,      /* nothing was shown or trained yet, or what is shown has none */
+    MACULA_MODEL_SEARCHING = 1, /* for a stored one, or for points to begin with */
+    MACULA_MODEL_RESUMING = 2,  /* the stored one is drawn, while the rest of it is read */
+    MACULA_MODEL_LEARNING = 3,
+    MACULA_MODEL_RESTING = 4, /* it has learnt what its pictures can teach it */
+    MACULA_MODEL_NOTHING_TO_SEE = 5,
+    MACULA_MODEL_NO_ROOM = 6, /* the device has no memory for it */
+    MACULA_MODEL_FAILED = 7
+};
+
+typedef struct macula_model {
+    uint32_t size;
+    int32_t stage;      /* MACULA_MODEL_NONE ... */
+    int32_t is_resumed; /* it was in the store, or was shown before */
+    uint32_t splats;
+    uint64_t steps;         /* since it was begun, before it was stored too */
+    uint64_t views;         /* pictures that it has learnt from or is judged by */
+    double error;           /* mean difference to pictures that are held out; NaN: not known yet */
+    double seconds;         /* of training since it was opened */
+    const char* stage_name; /* texts live as long as the library is loaded */
+    const char* origin;     /* why it is fresh or resumed, for a person */
+} macula_model;
+MACULA_API macula_status macula_live_model(const macula_live* live, macula_model* model);
+
+/* When to stop, whatever comes first; it stops by itself when the model rests. */
+typedef struct macula_training {
+    uint32_t size;
+    uint32_t reserved; /* 0 */
+    uint64_t steps;    /* so many more; 0: no end */
+    double seconds;    /* for so long, preparing too; 0: no end */
+} macula_training;
+/* Trains without a frame to draw meanwhile; macula_live_frame does it at rest, in turns. `training` may be
+ * null: until the model rests. `model` may be null. MACULA_CANCELLED keeps what was learnt. MACULA_USAGE
+ * for looks that are not path-traced, and for lights that hang on the camera. */
+MACULA_API macula_status macula_live_train(macula_live* live, const macula_training* training,
+                                           const macula_progress* progress, macula_model* model);
+/* To the store, now; closing does it too. Returns when it is there. */
+MACULA_API macula_status macula_live_save(macula_live* live, const macula_progress* progress);
+/* As .macula, with which `macula train --resume` goes on; or .ply, .spz or .glb, for other programs.
+ * `overwrite`, not 0: a file that is there is replaced. */
+MACULA_API macula_status macula_live_write_model(macula_live* live, const char* path, int32_t overwrite,
+                                                 const macula_progress* progress);
+/* What was learnt is saved first, which takes a while. */
+MACULA_API void macula_live_close(macula_live* live);
 
 #ifdef __cplusplus
 }

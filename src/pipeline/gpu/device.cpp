@@ -1,7 +1,6 @@
 #include "pipeline/gpu/device.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <cstdlib>
 
 #include "base/check.h"
@@ -68,6 +67,10 @@ Result<DeviceInfo> chosen(const Instance& instance, const DeviceOptions& options
     if (options.physical != VK_NULL_HANDLE) {
         for (const DeviceInfo& device : devices)
             if (device.physical == options.physical) return chooseDevice(std::span(&device, 1), "");
+        if (options.lent)
+            return Error{ErrorCode::deviceNotUsable,
+                         "The graphics device that was lent is not one of its VkInstance.", "",
+                         "Give the VkInstance and the VkPhysicalDevice that the device was made of."};
         return Error{ErrorCode::deviceNotUsable, "The headset asks for a graphics device that is not there.",
                      "", "Restart the headset's software."};
     }
@@ -82,8 +85,7 @@ Result<DeviceInfo> chosen(const Instance& instance, const DeviceOptions& options
 Result<std::shared_ptr<Device>> Device::create(const Instance& instance, const DeviceOptions& options) {
     std::shared_ptr<Device> device(new Device());
     MACULA_TRY_VOID(device->initialise(instance, options));
-    if (options.isAnnounced)
-        std::fputs(fmt::format("Macula renders on {}\n", describe(device->info())).c_str(), stderr);
+    if (options.isAnnounced) log::announce(fmt::format("Macula renders on {}", describe(device->info())));
     return device;
 }
 
@@ -282,7 +284,7 @@ void Device::waitUntilIdle() const {
         vkDeviceWaitIdle(device_);
         return;
     }
-    const auto held = queueGuard_ ? std::unique_lock(*queueGuard_) : std::unique_lock<std::mutex>();
+    const auto held = queueGuard_ ? std::unique_lock(*queueGuard_) : std::unique_lock<QueueGuard>();
     vkQueueWaitIdle(queue_);
 }
 
@@ -369,7 +371,7 @@ Result<Ticket> Device::submit(VkCommandBuffer commands, VkSemaphore wait, VkSema
     info.pCommandBufferInfos = &commandsInfo;
     info.signalSemaphoreInfoCount = signal ? 2 : 1;
     info.pSignalSemaphoreInfos = signals;
-    auto held = queueGuard_ ? std::unique_lock(*queueGuard_) : std::unique_lock<std::mutex>();
+    auto held = queueGuard_ ? std::unique_lock(*queueGuard_) : std::unique_lock<QueueGuard>();
     const VkResult result = vkQueueSubmit2(queue_, 1, &info, VK_NULL_HANDLE);
     if (held) held.unlock();  // a loss waits for the queue
     if (result < 0) return failed(result, "submit work to the graphics device");

@@ -29,13 +29,27 @@ using Ticket = std::uint64_t;
 
 inline constexpr std::uint64_t kForever = UINT64_MAX;
 
+// The lock of a queue that others use too. As std::mutex: held by one thread at a time, for moments; throws
+// nothing.
+class QueueGuard {
+  public:
+    QueueGuard() = default;
+    QueueGuard(const QueueGuard&) = delete;
+    QueueGuard& operator=(const QueueGuard&) = delete;
+    virtual ~QueueGuard() = default;
+
+    virtual void lock() = 0;
+    virtual void unlock() = 0;
+};
+
 // A device that a host has made of DeviceOptions::physical and destroys after all that is made from it: with
 // VK_KHR_push_descriptor, timeline semaphores, scalar block layout, synchronization2 and maintenance4.
 struct LentDevice {
     VkDevice handle = VK_NULL_HANDLE;
     VkQueue queue = VK_NULL_HANDLE;  // with compute
     std::uint32_t queueFamily = 0;
-    std::mutex* guard = nullptr;  // held while the queue is used; null: the host does not use it meanwhile
+    // Held while the queue is used; null: the host does not use it meanwhile.
+    std::shared_ptr<QueueGuard> guard = nullptr;
 };
 
 struct DeviceOptions {
@@ -48,7 +62,7 @@ struct DeviceOptions {
     std::optional<LentDevice> lent;  // nothing is created
     // Takes device memory for unmapped, as on a graphics card, to test staging copies without one.
     bool separateMemory = false;
-    bool isAnnounced = true;  // on stderr, which a library leaves to its host
+    bool isAnnounced = true;  // log::announce
 };
 
 // A VkDevice with one queue for everything (compute, transfer, graphics where there is any).
@@ -61,7 +75,7 @@ struct DeviceOptions {
 // drop all that is on the device and create another one: recovery.h.
 class Device : public std::enable_shared_from_this<Device> {
   public:
-    // Prints the chosen device on stderr: who reads a picture or a timing must know what made it.
+    // Announces the chosen device: who reads a picture or a timing must know what made it.
     // Errors: those of chooseDevice; deviceNotUsable when an extension is missing or the driver refuses.
     static Result<std::shared_ptr<Device>> create(const Instance& instance,
                                                   const DeviceOptions& options = {});
@@ -155,7 +169,7 @@ class Device : public std::enable_shared_from_this<Device> {
     VkQueue queue_ = VK_NULL_HANDLE;
     std::uint32_t queueFamily_ = 0;
     bool isLent_ = false;
-    std::mutex* queueGuard_ = nullptr;  // of the host that lends the queue
+    std::shared_ptr<QueueGuard> queueGuard_;  // of the host that lends the queue
     double timestampPeriodNs_ = 1.0;
     std::uint32_t timestampBits_ = 0;  // 0: the queue has no timestamps
     std::uint32_t maxGroups_[3] = {0, 0, 0};

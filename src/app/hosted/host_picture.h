@@ -1,0 +1,43 @@
+// The picture of a renderer that belongs to no window: kept on the device until its host fetches it.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "app/frame/screen.h"
+#include "app/hosted/lent_handles.h"
+#include "base/result.h"
+#include "pipeline/gpu/resources.h"
+
+namespace macula::app {
+
+// RGBA, row 0 on top, scaled to the size that the host wants by repeating pixels: pictures that follow a hand
+// may be smaller. Used by the thread of the renderer.
+class HostPicture {
+  public:
+    bool isThere() const { return kept_.has_value(); }
+    // How often one was shown.
+    std::uint64_t count() const { return count_; }
+
+    // Waits. False, and nothing is written, when there is none. The rows are of the host, `rowBytes` apart.
+    Result<bool> writeTo(std::uint8_t* rgba, std::size_t rowBytes, const glm::ivec2& sizePx) const;
+    // Of the same size, on the same device; it is there when this returns.
+    Result<bool> copyTo(const LentPicture& target, const glm::ivec2& sizePx) const;
+
+    // By the screen.
+    Result<void> keep(const std::shared_ptr<gpu::Device>& device, const gpu::Image& picture);
+    void forget() { kept_.reset(); }
+
+  private:
+    std::optional<gpu::Image> kept_;
+    std::uint64_t count_ = 0;
+};
+
+// Where a renderer shows what `picture` keeps.
+std::shared_ptr<const ScreenPlace> placeOf(std::shared_ptr<HostPicture> picture);
+
+}  // namespace macula::app

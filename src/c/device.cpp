@@ -1,0 +1,70 @@
+#include "c/device.h"
+
+#include <string_view>
+#include <utility>
+
+#include "c/last_error.h"
+#include "c/sized.h"
+#include "pipeline/gpu/instance.h"
+
+namespace macula::c {
+
+namespace {
+
+Result<macula_device*> opened(app::DeviceWay way) {
+    auto told = std::make_shared<std::vector<std::string>>();
+    MACULA_TRY(gpu::Instance instance, gpu::Instance::create(way.instance));
+    MACULA_TRY(gpu::LastingDevice lasting,
+               gpu::LastingDevice::open(std::move(instance), way.device,
+                                        [told](std::string_view sentence) { told->emplace_back(sentence); }));
+    return new macula_device{std::move(way), std::move(lasting), std::move(told)};
+}
+
+Result<app::DeviceWay> wayOf(const macula_lent_device& lent) {
+    app::LentHandles handles{.instance = lent.instance,
+                             .physical = lent.physical_device,
+                             .device = lent.device,
+                             .queue = lent.queue,
+                             .queueFamily = lent.queue_family};
+    const auto calling = [user = lent.user](macula_queue_call call) -> std::function<void()> {
+        if (call == nullptr) return {};
+        return [call, user] { call(user); };
+    };
+    handles.lock = calling(lent.lock_queue);
+    handles.unlock = calling(lent.unlock_queue);
+    return lentWay(handles);
+}
+
+}  // namespace
+
+extern "C" {
+
+macula_status macula_device_open(const char* preferred, macula_device** device) {
+    if (device != nullptr) *device = nullptr;
+    return guarded([&]() -> Result<void> {
+        if (device == nullptr) return nullHandle();
+        app::DeviceWay way;
+        if (preferred != nullptr) way.device.preferred = preferred;
+        MACULA_TRY(*device, opened(std::move(way)));
+        return {};
+    });
+}
+
+macula_status macula_device_lend(const macula_lent_device* lent, macula_device** device) {
+    if (device != nullptr) *device = nullptr;
+    return guarded([&]() -> Result<void> {
+        if (lent == nullptr || device == nullptr) return nullHandle();
+        MACULA_TRY(const macula_lent_device given, taken(lent));
+        MACULA_TRY(app::DeviceWay way, wayOf(given));
+        MACULA_TRY(*device, opened(std::move(way)));
+        return {};
+    });
+}
+
+void macula_device_close(macula_device* device) {
+    delete device;
+}
+
+}  // extern "C"
+
+}  // namespace macula::c

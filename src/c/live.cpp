@@ -1,0 +1,327 @@
+// The live picture, and its model.
+#include <fmt/ranges.h>
+
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/choice/catalogue.h"
+#include "app/choice/lights_choice.h"
+#include "app/frame/fidelity.h"
+#include "app/frame/projection_windows.h"
+#include "app/hosted/hosted_loop.h"
+#include "app/output/output_files.h"
+#include "app/state/drawing_of.h"
+#include "c/camera.h"
+#include "c/device.h"
+#include "c/last_error.h"
+#include "c/pixels.h"
+#include "c/seen_view.h"
+#include "c/sized.h"
+#include "c/told_progress.h"
+#include "c/view.h"
+
+struct macula_live {
+    std::unique_ptr<macula::app::HostedLoop> loop;
+    // Of the view that is shown.
+    std::optional<macula::Camera> camera;
+    macula::ViewDirection from = macula::ViewDirection::anterior;
+    std::vector<std::string> notesOfView;
+    // Of the last frame.
+    std::vector<std::string> notes;
+    std::string fidelity;
+    std::string device;
+    bool isLent = false;    // the device, so that images on it can be drawn to
+    bool isBroken = false;  // a check failed while it worked: nobody knows what it holds
+};
+
+namespace macula::c {
+
+namespace {
+
+// body(live), which returns a Result<void>.
+template <class Body>
+macula_status with(macula_live* live, const Body& body) noexcept {
+    const macula_status status = guarded([&]() -> Result<void> {
+        if (live == nullptr) return nullHandle();
+        if (live->isBroken)
+            return badArgument("The live picture stopped because of a mistake of Macula itself.",
+                               "Close it and open it again.");
+        return body(*live);
+    });
+    if (status == MACULA_FAULT && live != nullptr) live->isBroken = true;
+    return status;
+}
+
+Result<void> show(macula_live& live, const macula_view& view, Progress& progress) {
+    MACULA_TRY(app::StudyState state, stateOf(view));
+    if (!view.lights.empty()) {
+        MACULA_TRY(trace::LightRig rig, app::chooseLightRig(view.lights));
+        state.lights = std::make_shared<const trace::LightRig>(std::move(rig));
+    }
+    MACULA_TRY(SeenView seen, seenBy(view, std::move(state), progress));
+    MACULA_TRY(const app::Catalogue catalogue, app::builtInCatalogue());
+    auto clip = seen.shown.clip.isNothing() ? nullptr : std::make_shared<const Clip>(seen.shown.clip);
+    app::HostedScene scene;
+    scene.volume = view.study.volume;
+    scene.drawing =
+        app::drawingOf(seen.state, catalogue, app::SeriesWindows(), view.study.volume, std::move(clip));
+    MACULA_TRY_VOID(live.loop->show(std::move(scene), progress));
+    live.camera = seen.state.camera;
+    live.from = view.wish.view.value_or(ViewDirection::anterior);
+    live.notesOfView = std::move(seen.notes);
+    return {};
+}
+
+Result<app::HostedOptions> optionsOf(const macula_device& device, const macula_live_options& given) {
+    if (given.model != MACULA_WITH_MODEL && given.model != MACULA_WITHOUT_MODEL)
+        return badArgument("Whether there is to be a model is not known.",
+                           "Use MACULA_WITH_MODEL or MACULA_WITHOUT_MODEL.");
+    app::HostedOptions options;
+    options.way = device.way;
+    options.usesModel = given.model == MACULA_WITH_MODEL;
+    if (given.store != nullptr) options.store = std::filesystem::path(given.store);
+    options.storeBytes = given.store_bytes;
+    return options;
+}
+
+struct AskedFrame {
+    macula_frame given;
+    app::HostedWish wish;
+    std::optional<app::LentPicture> image;
+};
+
+Result<std::optional<app::LentPicture>> imageOf(const macula_lent_image* given) {
+    if (given == nullptr) return std::optional<app::LentPicture>();
+    MACULA_TRY(const macula_lent_image image, taken(given));
+    if (image.image == 0) return badArgument("The image that is lent is none.", "Give a VkImage.");
+    return std::optional(
+        app::LentPicture{.image = image.image, .layer = image.layer, .layout = image.layout});
+}
+
+Result<AskedFrame> askedOf(const macula_live& live, const macula_frame* frame) {
+    if (frame == nullptr) return nullHandle();
+    AskedFrame asked;
+    MACULA_TRY(asked.given, taken(frame));
+    macula_frame& given = asked.given;
+    MACULA_TRY_VOID(checkSize(given.width, given.height));
+    if (given.rgba != nullptr) {
+        MACULA_TRY(given.row_bytes,
+                   rowBytesOf({given.rgba, given.bytes, given.row_bytes}, given.width, given.height));
+    }
+    MACULA_TRY(asked.image, imageOf(given.image));
+    if (asked.image && !live.isLent)
+        return badArgument("An image was lent, but no device.",
+                           "Open the live picture with a device of macula_device_lend.");
+    if (!std::isfinite(given.gaze[0]) || !std::isfinite(given.gaze[1]) || !(given.for_about_ms >= 0.0))
+        return badArgument("Where the eye looks, or the time for the frame, is no number.",
+                           "Give finite numbers, the time 0 or above.");
+    asked.wish.sizePx = {given.width, given.height};
+    asked.wish.gaze = {given.gaze[0], given.gaze[1]};
+    asked.wish.isMoving = given.is_moving != 0;
+    asked.wish.forAboutMs = given.for_about_ms;
+    asked.wish.camera = live.camera;
+    asked.wish.from = live.from;
+    if (given.camera != nullptr) {
+        MACULA_TRY(const macula_camera camera, taken(given.camera));
+        MACULA_TRY(asked.wish.camera, cameraOf(camera));
+    }
+    return asked;
+}
+
+std::int32_t codeOf(app::OnScreen picture) {
+    switch (picture) {
+        case app::OnScreen::model:
+            return MACULA_SHOWN_MODEL;
+        case app::OnScreen::fading:
+            return MACULA_SHOWN_FADING;
+        case app::OnScreen::traced:
+            return MACULA_SHOWN_TRACED;
+        case app::OnScreen::preview:
+        case app::OnScreen::nothing:
+            break;
+    }
+    return MACULA_SHOWN_SMALL;
+}
+
+macula_shown shownOf(const macula_live& live, const app::HostedFrame& frame, const app::Fidelity& fidelity) {
+    const app::FrameShown& shown = frame.shown;
+    macula_shown told{};
+    told.picture = codeOf(shown.picture);
+    told.is_final = fidelity.isFinal ? 1 : 0;
+    told.is_new = frame.isNew ? 1 : 0;
+    told.is_denoised = shown.denoised ? 1 : 0;
+    told.scale = shown.scale;
+    told.samples_per_pixel = double(shown.samplesPerPixel);
+    told.noise = shown.noise;
+    told.latency_ms = shown.latencyMs;
+    told.fovea_age_ms = shown.foveaAgeMs.value_or(-1.0);
+    told.fidelity = live.fidelity.c_str();
+    told.device = live.device.c_str();
+    told.camera = toldOf(shown.camera);
+    return told;
+}
+
+// The pixels first: nothing is told of a picture that did not arrive.
+Result<void> deliver(const macula_live& live, const AskedFrame& asked) {
+    const app::HostPicture& picture = live.loop->picture();
+    if (asked.given.rgba != nullptr)
+        MACULA_TRY_VOID(picture.writeTo(asked.given.rgba, asked.given.row_bytes, asked.wish.sizePx));
+    if (asked.image) MACULA_TRY_VOID(picture.copyTo(*asked.image, asked.wish.sizePx));
+    return {};
+}
+
+Result<void> drawFrame(macula_live& live, const AskedFrame& asked, Progress& progress, macula_shown* shown) {
+    MACULA_TRY(const app::HostedFrame frame, live.loop->frame(asked.wish, progress));
+    MACULA_TRY_VOID(deliver(live, asked));
+    const app::Fidelity fidelity = fidelityOf(frame.shown);
+    live.fidelity = fmt::format("{}", fmt::join(fidelity.because, ", "));
+    live.device = live.loop->deviceName();
+    live.notes = live.notesOfView;
+    for (std::string& note : live.loop->notes()) live.notes.push_back(std::move(note));
+    if (shown != nullptr) give(shownOf(live, frame, fidelity), shown);
+    return {};
+}
+
+std::int32_t codeOf(hybrid::ModelStage stage) {
+    switch (stage) {
+        case hybrid::ModelStage::none:
+            return MACULA_MODEL_NONE;
+        case hybrid::ModelStage::searching:
+            return MACULA_MODEL_SEARCHING;
+        case hybrid::ModelStage::resuming:
+            return MACULA_MODEL_RESUMING;
+        case hybrid::ModelStage::learning:
+            return MACULA_MODEL_LEARNING;
+        case hybrid::ModelStage::resting:
+            return MACULA_MODEL_RESTING;
+        case hybrid::ModelStage::nothingToSee:
+            return MACULA_MODEL_NOTHING_TO_SEE;
+        case hybrid::ModelStage::noRoom:
+            return MACULA_MODEL_NO_ROOM;
+        case hybrid::ModelStage::failed:
+            break;
+    }
+    return MACULA_MODEL_FAILED;
+}
+
+macula_model modelOf(const macula_live& live) {
+    const hybrid::ModelNews news = live.loop->model();
+    const auto report = live.loop->report();
+    const bool isResumed =
+        news.origin == hybrid::ModelOrigin::stored || news.origin == hybrid::ModelOrigin::shelf;
+    macula_model told{};
+    told.stage = codeOf(news.stage);
+    told.is_resumed = isResumed ? 1 : 0;
+    told.splats = news.splats;
+    told.steps = news.steps;
+    told.views = news.views;
+    told.error = std::numeric_limits<double>::quiet_NaN();
+    if (report) {
+        told.error = report->error.value_or(told.error);
+        told.seconds = report->trainingSeconds;
+    }
+    told.stage_name = nameOf(news.stage).data();  // literals
+    told.origin = describe(news.origin).data();
+    return told;
+}
+
+Result<app::TrainingWish> wishOf(const macula_training* training) {
+    MACULA_TRY(const macula_training given, taken(training));
+    if (!std::isfinite(given.seconds) || given.seconds < 0.0)
+        return badArgument("The time for training is not usable.", "Give seconds, or 0 for no end.");
+    return app::TrainingWish{.steps = given.steps, .seconds = given.seconds};
+}
+
+}  // namespace
+
+extern "C" {
+
+macula_status macula_live_open(const macula_device* device, const macula_view* view,
+                               const macula_live_options* options, const macula_progress* progress,
+                               macula_live** live) {
+    if (live != nullptr) *live = nullptr;
+    return guarded([&]() -> Result<void> {
+        if (device == nullptr || view == nullptr || live == nullptr) return nullHandle();
+        MACULA_TRY(const macula_live_options given, taken(options));
+        MACULA_TRY(app::HostedOptions wanted, optionsOf(*device, given));
+        return withProgress(progress, [&](Progress& to) -> Result<void> {
+            auto made = std::make_unique<macula_live>();
+            made->isLent = device->way.device.lent.has_value();
+            MACULA_TRY(made->loop, app::HostedLoop::create(std::move(wanted)));
+            MACULA_TRY_VOID(show(*made, *view, to));
+            *live = made.release();
+            return {};
+        });
+    });
+}
+
+macula_status macula_live_show(macula_live* live, const macula_view* view, const macula_progress* progress) {
+    return with(live, [&](macula_live& of) -> Result<void> {
+        if (view == nullptr) return nullHandle();
+        return withProgress(progress, [&](Progress& to) { return show(of, *view, to); });
+    });
+}
+
+macula_status macula_live_frame(macula_live* live, const macula_frame* frame, const macula_progress* progress,
+                                macula_shown* shown) {
+    return with(live, [&](macula_live& of) -> Result<void> {
+        if (shown != nullptr && !isSized(shown)) return wrongSize();
+        MACULA_TRY(const AskedFrame asked, askedOf(of, frame));
+        return withProgress(progress, [&](Progress& to) { return drawFrame(of, asked, to, shown); });
+    });
+}
+
+const char* macula_live_note(const macula_live* live, std::uint32_t index) {
+    return live == nullptr || index >= live->notes.size() ? nullptr : live->notes[index].c_str();
+}
+
+macula_status macula_live_model(const macula_live* live, macula_model* model) {
+    return guarded([&]() -> Result<void> {
+        if (live == nullptr || model == nullptr) return nullHandle();
+        return give(modelOf(*live), model) ? Result<void>() : wrongSize();
+    });
+}
+
+macula_status macula_live_train(macula_live* live, const macula_training* training,
+                                const macula_progress* progress, macula_model* model) {
+    return with(live, [&](macula_live& of) -> Result<void> {
+        if (model != nullptr && !isSized(model)) return wrongSize();
+        MACULA_TRY(const app::TrainingWish wish, wishOf(training));
+        return withProgress(progress, [&](Progress& to) -> Result<void> {
+            MACULA_TRY_VOID(of.loop->train(wish, to));
+            if (model != nullptr) give(modelOf(of), model);
+            return {};
+        });
+    });
+}
+
+macula_status macula_live_save(macula_live* live, const macula_progress* progress) {
+    return with(live, [&](macula_live& of) -> Result<void> {
+        return withProgress(progress, [&](Progress& to) { return of.loop->save(to); });
+    });
+}
+
+macula_status macula_live_write_model(macula_live* live, const char* path, std::int32_t overwrite,
+                                      const macula_progress* progress) {
+    return with(live, [&](macula_live& of) -> Result<void> {
+        if (path == nullptr || *path == '\0')
+            return badArgument("No file was named.", "Give a path that ends in .macula, .ply, .spz or .glb.");
+        app::OutputFiles files(overwrite != 0);
+        MACULA_TRY_VOID(files.write(path));
+        return withProgress(progress, [&](Progress& to) { return of.loop->writeModel(path, to); });
+    });
+}
+
+void macula_live_close(macula_live* live) {
+    delete live;
+}
+
+}  // extern "C"
+
+}  // namespace macula::c

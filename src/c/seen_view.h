@@ -1,0 +1,30 @@
+// What of a volume a view comes to.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/state/study_state.h"
+#include "app/study/shown_clip.h"
+#include "app/study/study_preset.h"
+#include "base/progress.h"
+#include "base/result.h"
+#include "c/view.h"
+
+namespace macula::c {
+
+// All that was chosen as one state, but for lights by name. Fails as app::stateOf.
+Result<app::StudyState> stateOf(const macula_view& view);
+// The lights that were chosen by name, or else those for the look.
+std::string lightsNamed(const macula_view& view, const app::StudyState& state);
+
+struct SeenView {
+    app::StudyState state;  // with its preset
+    app::StudyPreset preset;
+    app::ShownClip shown;
+    std::vector<std::string> notes;
+};
+// For a state of stateOf(view), perhaps with other settings.
+Result<SeenView> seenBy(const macula_view& view, app::StudyState state, Progress& progress);
+
+}  // namespace macula::c
