@@ -48,7 +48,7 @@ elseif(MACULA_SANITIZE)
 endif()
 # Which lines the tests run: packaging/coverage. Counters of threads are added up without loss.
 if(MACULA_COVERAGE)
-    add_compile_options(--coverage -fprofile-update=atomic)
+    add_compile_options(--coverage -fprofile-update=atomic -O1)
     add_link_options(--coverage)
 endif()
 # float-cast-overflow is no part of clang's undefined, although it is undefined.
@@ -108,6 +108,9 @@ function(macula_test name)
     cmake_parse_arguments(T "" "TIMEOUT;SHARES" "SOURCES;LIBS" ${ARGN})
     if(NOT T_TIMEOUT)
         set(T_TIMEOUT 120)
+    endif()
+    if(MACULA_SANITIZE OR MACULA_COVERAGE)  # which take their time
+        math(EXPR T_TIMEOUT "${T_TIMEOUT} * 10")
     endif()
     add_executable(test_${name} ${T_SOURCES})
     target_compile_options(test_${name} PRIVATE ${MACULA_WARNINGS})
