@@ -9,5 +9,13 @@ int main() {
     macula::Progress progress;
     const auto patient = macula::segment::findPatient(volume, progress);
     if (!patient) return fail(patient.error());
-    return expect(!patient->tableFound && patient->patientMl > 1000.0, "a patient and no table");
+    using macula::segment::PatientMask;
+    bool keepsAll = true;  // air apart
+    const glm::ivec3 size = volume.size();
+    for (int k = 0; k < size.z; ++k)
+        for (int j = 0; j < size.y; ++j)
+            for (int i = 0; i < size.x; ++i)
+                if (volume.value(i, j, k) > -1000.0)
+                    keepsAll = keepsAll && patient->map.label(i, j, k) == PatientMask::kPatient;
+    return expect(!patient->tableFound && keepsAll, "a patient and no table");
 }
