@@ -4,37 +4,52 @@ set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 set(CMAKE_POSITION_INDEPENDENT_CODE ON)
-set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
-if(NOT CMAKE_BUILD_TYPE)
-    set(CMAKE_BUILD_TYPE RelWithDebInfo CACHE STRING "" FORCE)
-endif()
 
-# Line numbers are what a backtrace needs; names of all locals and types cost a quarter of the time of a build. For stepping
-# through: -DCMAKE_BUILD_TYPE=Debug.
-set(CMAKE_CXX_FLAGS_RELWITHDEBINFO "-O2 -g1 -DNDEBUG")
+# In another project, its own folders, kinds of builds, launchers and linker are taken, and nothing of it is changed.
+if(PROJECT_IS_TOP_LEVEL)
+    set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
+    if(NOT CMAKE_BUILD_TYPE)
+        set(CMAKE_BUILD_TYPE RelWithDebInfo CACHE STRING "" FORCE)
+    endif()
 
-find_program(CCACHE ccache)
-if(CCACHE)
-    # A clone in another folder, as CI makes one, finds what was compiled here.
-    set(launcher ${CMAKE_COMMAND} -E env CCACHE_BASEDIR=${CMAKE_SOURCE_DIR} CCACHE_NOHASHDIR=1 ${CCACHE})
-    set(CMAKE_CXX_COMPILER_LAUNCHER ${launcher})
-    set(CMAKE_C_COMPILER_LAUNCHER ${launcher})
-endif()
+    # Line numbers are what a backtrace needs; names of all locals and types cost a quarter of the time of a build. For stepping
+    # through: -DCMAKE_BUILD_TYPE=Debug.
+    set(CMAKE_CXX_FLAGS_RELWITHDEBINFO "-O2 -g1 -DNDEBUG")
 
-# GCC 12 finds mold by -fuse-ld=mold, and lld by -fuse-ld=lld; the system linker is the fallback.
-find_program(MOLD ld.mold)
-find_program(LLD ld.lld)
-if(MOLD)
-    add_link_options(-fuse-ld=mold)
-elseif(LLD)
-    add_link_options(-fuse-ld=lld)
+    find_program(CCACHE ccache)
+    if(CCACHE)
+        # A clone in another folder, as CI makes one, finds what was compiled here.
+        set(launcher ${CMAKE_COMMAND} -E env CCACHE_BASEDIR=${CMAKE_SOURCE_DIR} CCACHE_NOHASHDIR=1 ${CCACHE})
+        set(CMAKE_CXX_COMPILER_LAUNCHER ${launcher})
+        set(CMAKE_C_COMPILER_LAUNCHER ${launcher})
+    endif()
+
+    # GCC 12 finds mold by -fuse-ld=mold, and lld by -fuse-ld=lld; the system linker is the fallback.
+    find_program(MOLD ld.mold)
+    find_program(LLD ld.lld)
+    if(MOLD)
+        add_link_options(-fuse-ld=mold)
+    elseif(LLD)
+        add_link_options(-fuse-ld=lld)
+    endif()
+elseif(NOT CMAKE_RUNTIME_OUTPUT_DIRECTORY)
+    set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
 endif()
 
 set(MACULA_WARNINGS -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -Werror
     -Wno-missing-field-initializers)  # designated initialisers leave fields at their defaults on purpose
-if(MACULA_SANITIZE)
+# Races cannot be looked for together with wrong addresses: the two keep their notes in the same place.
+if(MACULA_SANITIZE STREQUAL "thread")
+    add_compile_options(-fsanitize=thread -fno-omit-frame-pointer)
+    add_link_options(-fsanitize=thread)
+elseif(MACULA_SANITIZE)
     add_compile_options(-fsanitize=address,undefined -fno-omit-frame-pointer -fno-sanitize-recover=undefined)
     add_link_options(-fsanitize=address,undefined)
+endif()
+# Which lines the tests run: packaging/coverage. Counters of threads are added up without loss.
+if(MACULA_COVERAGE)
+    add_compile_options(--coverage -fprofile-update=atomic -O1)
+    add_link_options(--coverage)
 endif()
 # float-cast-overflow is no part of clang's undefined, although it is undefined.
 if(MACULA_FUZZ)
@@ -48,19 +63,25 @@ add_compile_options($<$<CONFIG:Release>:-ffile-prefix-map=${PROJECT_SOURCE_DIR}/
 
 find_package(Threads REQUIRED)
 
-# macula_module(NAME SOURCES … PUBLIC … PRIVATE …): the static library macula_NAME, alias macula::NAME.
+include(GNUInstallDirs)
+
+# macula_module(NAME SOURCES … PUBLIC … PRIVATE …): the static library macula_NAME, alias macula::NAME. Its symbols are hidden:
+# a program or library of somebody else that holds it does not export them. What is installed: packaging/libraries.
 function(macula_module name)
     cmake_parse_arguments(M "" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
     add_library(macula_${name} STATIC ${M_SOURCES})
     add_library(macula::${name} ALIAS macula_${name})
-    target_include_directories(macula_${name} PUBLIC ${PROJECT_SOURCE_DIR}/src)
+    set_target_properties(macula_${name} PROPERTIES EXPORT_NAME ${name} CXX_VISIBILITY_PRESET hidden
+        VISIBILITY_INLINES_HIDDEN ON)
+    target_compile_features(macula_${name} PUBLIC cxx_std_20)
+    target_include_directories(macula_${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>
+        $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/macula>)
     target_compile_options(macula_${name} PRIVATE ${MACULA_WARNINGS})
     target_link_libraries(macula_${name} PUBLIC ${M_PUBLIC} PRIVATE ${M_PRIVATE})
 endfunction()
 
 # macula_plugin(NAME SOURCES … PRIVATE …): macula-NAME.so, which base/plugin.h loads: beside the programs in the build, and in a
 # folder of its own once installed.
-include(GNUInstallDirs)
 set(MACULA_PLUGIN_DIR ${CMAKE_INSTALL_LIBDIR}/macula)  # under the prefix
 function(macula_plugin name)
     cmake_parse_arguments(M "" "" "SOURCES;PRIVATE" ${ARGN})
@@ -87,6 +108,9 @@ function(macula_test name)
     cmake_parse_arguments(T "" "TIMEOUT;SHARES" "SOURCES;LIBS" ${ARGN})
     if(NOT T_TIMEOUT)
         set(T_TIMEOUT 120)
+    endif()
+    if(MACULA_SANITIZE OR MACULA_COVERAGE)  # which take their time
+        math(EXPR T_TIMEOUT "${T_TIMEOUT} * 10")
     endif()
     add_executable(test_${name} ${T_SOURCES})
     target_compile_options(test_${name} PRIVATE ${MACULA_WARNINGS})

@@ -60,6 +60,7 @@ enum {
     MACULA_OUTPUT = 7 /* a file or folder cannot be written */
 };
 
+/* Why a call failed. */
 typedef struct macula_error {
     uint32_t size;
     macula_status status;
@@ -86,10 +87,12 @@ MACULA_API macula_status macula_log_to(macula_log_line told, void* user, int32_t
 /* ---- Progress and cancellation ---- */
 
 typedef struct macula_cancel macula_cancel;
+/* What cancels a call that it is given to: see macula_progress. */
 MACULA_API macula_status macula_cancel_create(macula_cancel** cancel);
 /* From any thread, for as long as the handle is open: what it was given to ends soon with MACULA_CANCELLED,
  * and so does whatever it is given to later. */
 MACULA_API void macula_cancel_now(macula_cancel* cancel);
+/* When no call has it any more. */
 MACULA_API void macula_cancel_close(macula_cancel* cancel);
 
 /* `stage` is for a person and lives for the call; `fraction` is 0 to 1, of this stage. At most some ten times
@@ -122,6 +125,7 @@ MACULA_API const char* macula_name(int32_t kind, uint32_t index);
 
 typedef struct macula_study macula_study;
 
+/* How a study is opened. */
 typedef struct macula_open {
     uint32_t size;
     int32_t join; /* not 0: take images for one series that agree in all but identifiers made anew for each of
@@ -166,6 +170,7 @@ typedef struct macula_voxels {
      * left. */
     double patient_from_voxel[16];
 } macula_voxels;
+/* A study of that volume alone. */
 MACULA_API macula_status macula_study_of_voxels(const macula_voxels* voxels, const macula_progress* progress,
                                                 macula_study** study);
 
@@ -198,11 +203,13 @@ typedef struct macula_volume {
     double spacing_mm[3];          /* between the centres of voxels along i, j, k */
     double patient_from_voxel[16]; /* as in macula_voxels */
 } macula_volume;
+/* What is known of it; nothing is loaded. */
 MACULA_API macula_status macula_study_volume(const macula_study* study, macula_volume* volume);
 /* The values, in its unit, i fastest; `count` is columns * rows * slices. Padding is what the file has there.
  * Values are those that are drawn, of 16 bits: where that rounds them, a note says so. */
 MACULA_API macula_status macula_study_values(const macula_study* study, float* values, uint64_t count);
 
+/* And what it said; views of it stay. */
 MACULA_API void macula_study_close(macula_study* study);
 
 /* ---- Views: what of a volume is drawn, and how ---- */
@@ -230,6 +237,7 @@ MACULA_API macula_status macula_view_set_box(macula_view* view, const double low
  * note. */
 MACULA_API macula_status macula_view_remove_table(macula_view* view, int32_t remove);
 
+/* Where the viewer stands, in patient LPS mm. */
 typedef struct macula_camera {
     uint32_t size;
     uint32_t reserved; /* 0 */
@@ -239,6 +247,7 @@ typedef struct macula_camera {
     double vertical_fov_deg;   /* 0: 30 */
     double parallel_height_mm; /* above 0: rays are parallel, and the picture is so high */
 } macula_camera;
+/* Replaces a direction. */
 MACULA_API macula_status macula_view_set_camera(macula_view* view, const macula_camera* camera);
 /* "anterior", "posterior", "left", "right", "superior", "inferior": where the viewer stands; what is seen
  * fills the picture. null: "anterior". Replaces a camera. From the front, the patient's left is at the right
@@ -250,6 +259,7 @@ MACULA_API macula_status macula_view_state(macula_view* view, const char** json)
 /* Takes the place of all that was chosen. MACULA_INPUT for what is no state, and for one of another series.
  */
 MACULA_API macula_status macula_view_set_state(macula_view* view, const char* json);
+/* And what it said; what it drew stays. */
 MACULA_API void macula_view_close(macula_view* view);
 
 /* ---- Drawing ---- */
@@ -281,7 +291,8 @@ typedef struct macula_lent_device {
 } macula_lent_device;
 MACULA_API macula_status macula_device_lend(const macula_lent_device* lent, macula_device** device);
 
-/* What is opened or drawn with it goes on until its own close. */
+/* Ends what macula_device_open or macula_device_lend began. What is opened or drawn with it goes on until its
+ * own close. */
 MACULA_API void macula_device_close(macula_device* device);
 
 enum {
@@ -290,6 +301,7 @@ enum {
     MACULA_PLAIN = 2
 };
 
+/* What is to be drawn, and where to. */
 typedef struct macula_picture {
     uint32_t size;
     int32_t width; /* pixels, 1 to 16384 */

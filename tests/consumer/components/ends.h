@@ -1,0 +1,16 @@
+// How these programs end: with 0, or with why not.
+#pragma once
+
+#include <base/result.h>
+
+#include <cstdio>
+
+inline int fail(const macula::Error& error) {
+    std::fprintf(stderr, "%s %s\n", error.message.c_str(), error.hint.c_str());
+    return 1;
+}
+
+inline int expect(bool holds, const char* what) {
+    std::printf("%s: %s\n", what, holds ? "yes" : "NO");
+    return holds ? 0 : 1;
+}
