@@ -17,6 +17,13 @@ void addModel(const FrameShown& frame, std::vector<std::string>& because) {
     if (frame.greyFacesAreCoarse) because.emplace_back("values on cut faces only coarsely");
 }
 
+// And is not fit to be shown yet.
+bool isLearning(const hybrid::ModelNews& model) {
+    const bool isBegun =
+        model.stage == hybrid::ModelStage::resuming || model.stage == hybrid::ModelStage::learning;
+    return isBegun && !hybrid::isFitToBeShown(model);
+}
+
 }  // namespace
 
 Fidelity fidelityOf(const FrameShown& frame) {
@@ -25,6 +32,9 @@ Fidelity fidelityOf(const FrameShown& frame) {
     if (frame.picture == OnScreen::model) addModel(frame, because);
     if (frame.picture == OnScreen::preview && isParallel(frame.camera))
         because.emplace_back("no splats with parallel rays");
+    if (frame.picture == OnScreen::preview && isLearning(frame.model))
+        because.push_back(fmt::format("the sharp preview is not ready: {} of {} steps", frame.model.steps,
+                                      hybrid::kStepsToBeShown));
     if (frame.picture == OnScreen::fading) because.emplace_back("splats fade out");
     if (frame.scale > 1) because.push_back(fmt::format("1/{} of the pixels each way", frame.scale));
     if (frame.picture != OnScreen::model && frame.stage != Stage::converged)
