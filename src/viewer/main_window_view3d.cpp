@@ -24,7 +24,7 @@ void MainWindow::addView3dActions(QMenu& view) {
                "everywhere, else at the depth of what the camera turns around"));
     QAction* parallel = add(tr("Parallel rays"), KeyAction::parallel, "parallel-rays",
                             tr("The same millimetres for each pixel at every depth. The picture is traced; "
-                               "there are no splats while it moves"));
+                               "while it moves there is only a coarse preview"));
     const auto ask = [this](bool shown) {
         session_.change(tr("Cube and scale"), [shown](app::StudyState& next) { next.showsMarks = shown; });
     };

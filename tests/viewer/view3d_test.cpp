@@ -243,7 +243,8 @@ TEST_F(ParallelModelTest, WithParallelRaysNothingIsShownOfTheModel) {
         return std::ranges::any_of(seen, [&](const auto& frame) { return frame.picture == picture; });
     };
     openPhantom();
-    ASSERT_TRUE(hasSeen(app::OnScreen::model));
+    ASSERT_TRUE(waitUntil(
+        [&] { return window_->modelState().startsWith(QLatin1String("Preview sharp")); }, 60));
     seen.clear();
     pressKey(Qt::Key_O);
     ASSERT_TRUE(waitUntil([&] { return !seen.empty() && isParallel(seen.back().camera); }, 60));
@@ -254,7 +255,7 @@ TEST_F(ParallelModelTest, WithParallelRaysNothingIsShownOfTheModel) {
         mouse(QEvent::MouseMove, QPointF(x, 100), Qt::NoButton, Qt::LeftButton, {});
         ASSERT_TRUE(waitUntil([&] { return seen.size() > before; }, 60));
     }
-    EXPECT_TRUE(window_->fidelity().contains(QStringLiteral("without splats")))
+    EXPECT_TRUE(window_->fidelity().contains(QStringLiteral("without sharp preview")))
         << window_->fidelity().toStdString();
     mouse(QEvent::MouseButtonRelease, {130, 100}, Qt::LeftButton, Qt::NoButton, {});
     ASSERT_TRUE(waitForConverged());

@@ -8,10 +8,10 @@ namespace {
 
 void addModel(const FrameShown& frame, std::vector<std::string>& because) {
     if (!frame.foveaAgeMs) {
-        because.emplace_back("splats only");
+        because.emplace_back("preview only");
     } else {
-        because.emplace_back("splats around the fovea");
-        because.push_back(fmt::format("fovea traced {:.1f} s ago with {} samples", *frame.foveaAgeMs / 1000.0,
+        because.emplace_back("preview around the sharp centre");
+        because.push_back(fmt::format("sharp centre traced {:.1f} s ago with {} samples", *frame.foveaAgeMs / 1000.0,
                                       frame.foveaSamples));
     }
     if (frame.greyFacesAreCoarse) because.emplace_back("values on cut faces only coarsely");
@@ -31,11 +31,11 @@ Fidelity fidelityOf(const FrameShown& frame) {
     std::vector<std::string>& because = fidelity.because;
     if (frame.picture == OnScreen::model) addModel(frame, because);
     if (frame.picture == OnScreen::preview && isParallel(frame.camera))
-        because.emplace_back("no splats with parallel rays");
+        because.emplace_back("no sharp preview with parallel rays");
     if (frame.picture == OnScreen::preview && isLearning(frame.model))
-        because.push_back(fmt::format("the sharp preview is not ready: {} of {} steps", frame.model.steps,
+        because.push_back(fmt::format("the preview is not sharp enough yet: {} of {} steps", frame.model.steps,
                                       hybrid::kStepsToBeShown));
-    if (frame.picture == OnScreen::fading) because.emplace_back("splats fade out");
+    if (frame.picture == OnScreen::fading) because.emplace_back("preview fades out");
     if (frame.scale > 1) because.push_back(fmt::format("1/{} of the pixels each way", frame.scale));
     if (frame.picture != OnScreen::model && frame.stage != Stage::converged)
         because.push_back(fmt::format("{} of {} samples", frame.samplesPerPixel, frame.sampleLimit));

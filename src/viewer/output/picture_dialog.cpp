@@ -59,8 +59,7 @@ PictureDialog::PictureDialog(QSize onScreenPx, QWidget* parent)
     qualities_->setToolTip(tr("More samples per pixel: less noise, and more time"));
     if (const auto all = app::builtInQualities()) {
         for (const trace::Quality& quality : *all) {
-            const QString samples =
-                quality.samplesPerPixel == 1 ? tr("1 sample") : tr("%1 samples").arg(quality.samplesPerPixel);
+            const QString samples = tr("%n samples", nullptr, int(quality.samplesPerPixel));
             qualities_->addItem(QStringLiteral("%1: %2").arg(titleInWindowsLanguage(quality.title), samples),
                                 QString::fromStdString(quality.name));
         }

@@ -111,7 +111,7 @@ QWidget* SettingsDialog::makePictures() {
     if (const auto all = app::builtInQualities()) {
         for (const trace::Quality& quality : *all)
             qualities_->addItem(
-                tr("%1: %2 samples").arg(titleInWindowsLanguage(quality.title)).arg(quality.samplesPerPixel),
+                tr("%1: %n samples", nullptr, int(quality.samplesPerPixel)).arg(titleInWindowsLanguage(quality.title)),
                 QString::fromStdString(quality.name));
     }
     qualities_->setCurrentIndex(qualities_->findData(before_.quality));
