@@ -81,6 +81,7 @@ StudyState everything() {
     BesideState beside;
     beside.seriesDigest = "fedcba";
     beside.volume = 2;
+    beside.volumeKey = "abcdef-2";
     beside.link = BesideLink::registered;
     beside.secondFromStudy = affine({0.6, 0.8, 0.0}, {-0.8, 0.6, 0.0}, {0.0, 0.0, 1.0}, {1.0 / 3.0, 7, -80});
     beside.boundMm = 0.7;
