@@ -32,6 +32,7 @@ PictureDialog::PictureDialog(QSize onScreenPx, QWidget* parent)
       width_(side(this, onScreenPx.width(), tr("Width"))),
       height_(side(this, onScreenPx.height(), tr("Height"))),
       qualities_(new QComboBox(this)),
+      overlays_(new QCheckBox(tr("With &cube, scale and letters"), this)),
       deidentified_(new QCheckBox(tr("&Without patient and study"), this)) {
     setWindowTitle(tr("Save Picture"));
     sizes_->setAccessibleName(tr("Size"));
@@ -66,6 +67,10 @@ PictureDialog::PictureDialog(QSize onScreenPx, QWidget* parent)
     }
     qualities_->setCurrentIndex(qualities_->findData(QString::fromLatin1(kFirstQuality)));
 
+    overlays_->setObjectName(QStringLiteral("picture-overlays"));
+    overlays_->setToolTip(tr(
+        "From where the patient is seen, and how many mm or cm something is long, over the picture. Pictures "
+        "of light (EXR) have none. Nobody is named"));
     deidentified_->setToolTip(
         tr("Of DICOM files: nothing of the patient is written, and all UIDs are new. Other files never name "
            "anybody. A face can still be seen."));
@@ -82,6 +87,7 @@ PictureDialog::PictureDialog(QSize onScreenPx, QWidget* parent)
     form->addRow(tr("&Width"), width_);
     form->addRow(tr("&Height"), height_);
     form->addRow(tr("&Quality"), qualities_);
+    form->addRow(overlays_);
     form->addRow(deidentified_);
     form->addRow(buttons);
 }

@@ -2283,6 +2283,10 @@
 <context>
     <name>app</name>
     <message>
+        <source>A picture of light has no cube, scale and letters over it.</source>
+        <translation>Über einem Bild aus Licht liegen weder Würfel noch Maßstab und Buchstaben.</translation>
+    </message>
+    <message>
         <source>There is no such preset.</source>
         <translation>Diese Voreinstellung gibt es nicht.</translation>
     </message>

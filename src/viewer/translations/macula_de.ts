@@ -2406,6 +2406,14 @@
             <numerusform>%n Abtastungen</numerusform>
         </translation>
     </message>
+    <message>
+        <source>With &amp;cube, scale and letters</source>
+        <translation>Mit &amp;Würfel, Maßstab und Buchstaben</translation>
+    </message>
+    <message>
+        <source>From where the patient is seen, and how many mm or cm something is long, over the picture. Pictures of light (EXR) have none. Nobody is named</source>
+        <translation>Von wo der Patient gesehen wird, und wie viele mm oder cm etwas lang ist, über dem Bild. Bilder aus Licht (EXR) haben keine. Niemand wird genannt</translation>
+    </message>
 </context>
 <context>
     <name>macula::viewer::PointFields</name>
