@@ -79,7 +79,12 @@ SplatGradient projectionGradient(Splat splat, SplatView view, ScreenSplat screen
     byAxes.z = sight.rowX * byAlongX.z + sight.rowY * byAlongY.z + sight.normal * byAlongN.z;
     result.rotation = quaternionGradient(splat.rotation, byAxes);
 
-    // Position: through J, through the mean, through the depth.
+    // Position: through J, through the mean, through the depth. With parallel rays J is the same everywhere.
+    if (view.parallel != 0) {
+        result.position = view.right * (g.mean.x * view.focalPx.x) + view.down * (g.mean.y * view.focalPx.y) +
+                          view.forward * g.depthMm;
+        return result;
+    }
     vec3 byRowX = fromAxes(sight.axes, byAlongX);
     vec3 byRowY = fromAxes(sight.axes, byAlongY);
     vec3 byNormal = fromAxes(sight.axes, byAlongN);

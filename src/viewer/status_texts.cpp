@@ -50,19 +50,18 @@ QString fidelityText(const app::FrameShown& frame) {
     const QString remarks =
         frame.remarks.empty() ? QString() : QStringLiteral(", ") + listInWindowsLanguage(frame.remarks);
     if (frame.picture == app::OnScreen::model) {
-        const QString centre =
-            frame.foveaAgeMs
-                ? FidelityWords::tr(", sharp centre traced %L1 s ago").arg(*frame.foveaAgeMs / 1000.0, 0, 'f', 1)
-                : QString();
-        return FidelityWords::tr("Preview, sharpened in %n steps", nullptr, int(frame.model.steps)) + centre + remarks +
+        const QString centre = frame.foveaAgeMs ? FidelityWords::tr(", sharp centre traced %L1 s ago")
+                                                      .arg(*frame.foveaAgeMs / 1000.0, 0, 'f', 1)
+                                                : QString();
+        return FidelityWords::tr("Preview, sharpened in %n steps", nullptr, int(frame.model.steps)) +
+               (isParallel(frame.camera) ? FidelityWords::tr(", parallel rays") : QString()) + centre +
+               remarks +
                (frame.greyFacesAreCoarse ? FidelityWords::tr(", values on cut faces only coarsely")
                                          : QString());
     }
     QString text = lookText(frame.look) + remarks;
     const bool isPreview = frame.picture == app::OnScreen::preview;
-    if (isParallel(frame.camera))
-        text += isPreview ? FidelityWords::tr(", parallel rays without sharp preview")
-                          : FidelityWords::tr(", parallel rays");
+    if (isParallel(frame.camera)) text += FidelityWords::tr(", parallel rays");
     if (isPreview) {
         text += FidelityWords::tr(", coarse preview");
         if (trace::isPathTraced(frame.look))

@@ -11,8 +11,8 @@ void addModel(const FrameShown& frame, std::vector<std::string>& because) {
         because.emplace_back("preview only");
     } else {
         because.emplace_back("preview around the sharp centre");
-        because.push_back(fmt::format("sharp centre traced {:.1f} s ago with {} samples", *frame.foveaAgeMs / 1000.0,
-                                      frame.foveaSamples));
+        because.push_back(fmt::format("sharp centre traced {:.1f} s ago with {} samples",
+                                      *frame.foveaAgeMs / 1000.0, frame.foveaSamples));
     }
     if (frame.greyFacesAreCoarse) because.emplace_back("values on cut faces only coarsely");
 }
@@ -30,11 +30,9 @@ Fidelity fidelityOf(const FrameShown& frame) {
     Fidelity fidelity{.isFinal = frame.picture == OnScreen::traced && frame.stage == Stage::converged};
     std::vector<std::string>& because = fidelity.because;
     if (frame.picture == OnScreen::model) addModel(frame, because);
-    if (frame.picture == OnScreen::preview && isParallel(frame.camera))
-        because.emplace_back("no sharp preview with parallel rays");
     if (frame.picture == OnScreen::preview && isLearning(frame.model))
-        because.push_back(fmt::format("the preview is not sharp enough yet: {} of {} steps", frame.model.steps,
-                                      hybrid::kStepsToBeShown));
+        because.push_back(fmt::format("the preview is not sharp enough yet: {} of {} steps",
+                                      frame.model.steps, hybrid::kStepsToBeShown));
     if (frame.picture == OnScreen::fading) because.emplace_back("preview fades out");
     if (frame.scale > 1) because.push_back(fmt::format("1/{} of the pixels each way", frame.scale));
     if (frame.picture != OnScreen::model && frame.stage != Stage::converged)
