@@ -2847,10 +2847,6 @@
         <translation>Der Umriss umschließt nichts.</translation>
     </message>
     <message>
-        <source>no sharp preview with parallel rays</source>
-        <translation>keine scharfe Vorschau bei parallelen Strahlen</translation>
-    </message>
-    <message>
         <source>the preview is not sharp enough yet: %1 of %2 steps</source>
         <translation>die Vorschau ist noch nicht scharf genug: %1 von %2 Schritten</translation>
     </message>

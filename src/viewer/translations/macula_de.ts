@@ -105,10 +105,6 @@
         </translation>
     </message>
     <message>
-        <source>, parallel rays without sharp preview</source>
-        <translation>, parallele Strahlen ohne scharfe Vorschau</translation>
-    </message>
-    <message>
         <source>, coarse preview</source>
         <translation>, grobe Vorschau</translation>
     </message>
@@ -1932,8 +1928,8 @@
         <translation>Die Vorschau als Modell in mm des Patienten (3D-Gaußfunktionen), für dieses und andere Programme</translation>
     </message>
     <message>
-        <source>The same millimetres for each pixel at every depth. The picture is traced; while it moves there is only a coarse preview</source>
-        <translation>In jeder Tiefe gleich viele Millimeter je Pixel. Das Bild wird verfolgt; während der Bewegung gibt es nur eine grobe Vorschau</translation>
+        <source>The same millimetres for each pixel at every depth</source>
+        <translation>In jeder Tiefe gleich viele Millimeter je Pixel</translation>
     </message>
 </context>
 <context>
