@@ -119,7 +119,8 @@ TEST_F(ModelTest, AnotherPresetIsNotShownByTheModelOfTheOneBeforeWhichComesBackW
     // Before there was a model of it that is fit to be shown there were small pictures only.
     EXPECT_EQ(seen_.front().picture, app::OnScreen::preview);
     for (const app::FrameShown& frame : seen_) {
-        EXPECT_TRUE(frame.picture != app::OnScreen::model || isFitToBeShown(frame.model)) << frame.model.steps;
+        EXPECT_TRUE(frame.picture != app::OnScreen::model || isFitToBeShown(frame.model))
+            << frame.model.steps;
     }
     ASSERT_TRUE(waitForConverged());
     ASSERT_TRUE(waitUntil([&] { return isFit(); }, 60));

@@ -242,8 +242,8 @@ TEST_F(ParallelModelTest, WithParallelRaysTheModelFollowsTheHand) {
         return std::ranges::any_of(seen, [&](const auto& frame) { return frame.picture == picture; });
     };
     openPhantom();
-    ASSERT_TRUE(waitUntil(
-        [&] { return window_->modelState().startsWith(QLatin1String("Preview sharp")); }, 60));
+    ASSERT_TRUE(
+        waitUntil([&] { return window_->modelState().startsWith(QLatin1String("Preview sharp")); }, 60));
     seen.clear();
     pressKey(Qt::Key_O);
     ASSERT_TRUE(waitUntil([&] { return !seen.empty() && isParallel(seen.back().camera); }, 60));

@@ -5,8 +5,8 @@
 // traced between two frames; where there is no model, small traced pictures. When it stops: the traced
 // picture of this view if there is one; else the model stays, with a fovea that grows, until the first is
 // ready, and fades into it. Then the picture converges and the model learns in turns, until both are done. A
-// model is searched for when there is none, in turns with small pictures: few of them while nothing moves. One
-// that is too young to be shown learns likewise while a hand moves, and beside tracing at rest.
+// model is searched for when there is none, in turns with small pictures: few of them while nothing moves.
+// One that is too young to be shown learns likewise while a hand moves, and beside tracing at rest.
 #pragma once
 
 #include <chrono>

@@ -21,9 +21,10 @@ ModelExport::ModelExport(QObject* parent)
                     QString told =
                         tr("The model is written to %1.").arg(QString::fromStdString(wish_.path.string()));
                     if (*limited > 0)
-                        told += tr(" %Ln of its Gaussians have numbers that this format cannot hold; they were "
-                                   "limited.",
-                                   nullptr, int(*limited));
+                        told +=
+                            tr(" %Ln of its Gaussians have numbers that this format cannot hold; they were "
+                               "limited.",
+                               nullptr, int(*limited));
                     const splat::ModelFormat* format = splat::modelFormatOf(wish_.path);
                     if (format != nullptr && format->keepsTraining())
                         told += tr(" It holds pictures of the study.");

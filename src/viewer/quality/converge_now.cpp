@@ -60,7 +60,7 @@ void ConvergeNow::onFrame(const app::FrameShown& frame) {
     if (frame.stage == app::Stage::converged) {
         const bool isKnown = std::isfinite(frame.noise) && frame.noise > 0.0;
         return end(isKnown ? tr("The picture is final: %Ln samples, noise %1 of black to white.", nullptr,
-                                 int(frame.samplesPerPixel))
+                                int(frame.samplesPerPixel))
                                  .arg(percentText(frame.noise))
                            : tr("The picture is final: %Ln samples.", nullptr, int(frame.samplesPerPixel)));
     }

@@ -116,7 +116,8 @@ void QualityControl::showStop() {
         automatic_->setChecked(!stop_);
     }
     setText(stop_ ? tr("Quality %1/%2").arg(at + 1).arg(front_.stops.size()) : tr("Quality: automatic"));
-    const QString words = stop_ ? wordsOf(front_.stops[at]) : tr("Automatic: as much as there is time for. Move the slider to choose.");
+    const QString words = stop_ ? wordsOf(front_.stops[at])
+                                : tr("Automatic: as much as there is time for. Move the slider to choose.");
     words_->setText(words);
     setToolTip(tr("Quality of frames in motion. %1").arg(words));
 }

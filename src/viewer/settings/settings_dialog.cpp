@@ -110,9 +110,9 @@ QWidget* SettingsDialog::makePictures() {
          tr("What Save Picture begins with: more samples per pixel take more time"));
     if (const auto all = app::builtInQualities()) {
         for (const trace::Quality& quality : *all)
-            qualities_->addItem(
-                tr("%1: %n samples", nullptr, int(quality.samplesPerPixel)).arg(titleInWindowsLanguage(quality.title)),
-                QString::fromStdString(quality.name));
+            qualities_->addItem(tr("%1: %n samples", nullptr, int(quality.samplesPerPixel))
+                                    .arg(titleInWindowsLanguage(quality.title)),
+                                QString::fromStdString(quality.name));
     }
     qualities_->setCurrentIndex(qualities_->findData(before_.quality));
     name(*deidentifies_, "settings-deidentify", tr("DICOM pictures without patient and study"),

@@ -50,8 +50,8 @@ void addOwnWindows(QMenu& menu, const SliceMenuOf& of, QWidget* parent) {
     const auto own = of.own->fitting(volume);
     menu.addSeparator();
     for (std::size_t i = 0; i < own.size(); ++i) {
-        QString title =
-            QStringLiteral("%1: %2").arg(asTitle(QString::fromStdString(own[i].name)), numbersOf(own[i].window, volume.unitName()));
+        QString title = QStringLiteral("%1: %2").arg(asTitle(QString::fromStdString(own[i].name)),
+                                                     numbersOf(own[i].window, volume.unitName()));
         if (i < 9) title += QStringLiteral("\tAlt+%1").arg(i + 1);
         QAction* action = menu.addAction(title);
         QObject::connect(action, &QAction::triggered, of.session,
