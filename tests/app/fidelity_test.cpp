@@ -43,10 +43,12 @@ TEST(Fidelity, OfAModelIsOneFact) {
     using hybrid::ModelStage;
     for (const auto stage : {ModelStage::none, ModelStage::searching, ModelStage::nothingToSee,
                              ModelStage::noRoom, ModelStage::failed})
-        EXPECT_FALSE(isFitToBeShown({.stage = stage, .steps = 10'000})) << nameOf(stage);
+        EXPECT_FALSE(hybrid::isFitToBeShown({.stage = stage, .steps = 10'000})) << nameOf(stage);
     for (const auto stage : {ModelStage::resuming, ModelStage::learning, ModelStage::resting}) {
-        EXPECT_FALSE(isFitToBeShown({.stage = stage, .steps = hybrid::kStepsToBeShown - 1})) << nameOf(stage);
-        EXPECT_TRUE(isFitToBeShown({.stage = stage, .steps = hybrid::kStepsToBeShown})) << nameOf(stage);
+        EXPECT_FALSE(hybrid::isFitToBeShown({.stage = stage, .steps = hybrid::kStepsToBeShown - 1}))
+            << nameOf(stage);
+        EXPECT_TRUE(hybrid::isFitToBeShown({.stage = stage, .steps = hybrid::kStepsToBeShown}))
+            << nameOf(stage);
     }
 }
 
