@@ -127,7 +127,7 @@ QWidget* SettingsDialog::makePictures() {
 QWidget* SettingsDialog::makeSessions() {
     auto* page = new QWidget(this);
     name(*folder_, "settings-folder", tr("Folder of stored sessions"),
-         tr("Where models, and how studies were left, are kept; empty: the usual folder. From the next "
+         tr("Where previews, and how studies were left, are kept; empty: the usual folder. From the next "
             "start on; what is in the old folder stays there."));
     folder_->setPlaceholderText(QString::fromStdString(session::defaultFolder().string()));
     folder_->setClearButtonEnabled(true);
@@ -143,8 +143,8 @@ QWidget* SettingsDialog::makeSessions() {
     keepDays_->setSpecialValueText(tr("for ever"));
     keepDays_->setSuffix(tr(" days"));
     keepDays_->setValue(before_.keepDays.value_or(0));
-    name(*modelCap_, "settings-model-cap", tr("Room for stored models in MB"),
-         tr("Of all stored models together, in MB; above it those that were not used for longest go. From "
+    name(*modelCap_, "settings-model-cap", tr("Room for stored previews in MB"),
+         tr("Of all stored previews together, in MB; above it those that were not used for longest go. From "
             "the next start on."));
     modelCap_->setRange(kLeastModelCapMb, kMostModelCapMb);
     modelCap_->setSingleStep(kCapStepMb);
@@ -156,9 +156,9 @@ QWidget* SettingsDialog::makeSessions() {
     auto* form = new QFormLayout(page);
     form->addRow(tr("&Folder"), row);
     form->addRow(tr("&Keep"), keepDays_);
-    form->addRow(tr("&Models"), modelCap_);
+    form->addRow(tr("&Previews"), modelCap_);
     form->addRow(
-        remark(tr("Names and IDs are not kept, but models and views tell as much of a patient as pictures "
+        remark(tr("Names and IDs are not kept, but previews and views tell as much of a patient as pictures "
                   "do."),
                page));
     return page;

@@ -3171,10 +3171,6 @@
         <translation>Ordner der gespeicherten Sitzungen</translation>
     </message>
     <message>
-        <source>Where models, and how studies were left, are kept; empty: the usual folder. From the next start on; what is in the old folder stays there.</source>
-        <translation>Wo Modelle und der letzte Stand von Studien aufbewahrt werden; leer: der übliche Ordner. Ab dem nächsten Start; was im alten Ordner ist, bleibt dort.</translation>
-    </message>
-    <message>
         <source>&amp;Choose…</source>
         <translation>&amp;Wählen…</translation>
     </message>
@@ -3203,14 +3199,6 @@
         <translation> Tage</translation>
     </message>
     <message>
-        <source>Room for stored models in MB</source>
-        <translation>Platz für gespeicherte Modelle in MB</translation>
-    </message>
-    <message>
-        <source>Of all stored models together, in MB; above it those that were not used for longest go. From the next start on.</source>
-        <translation>Aller gespeicherten Modelle zusammen, in MB; darüber gehen die, die am längsten nicht gebraucht wurden. Ab dem nächsten Start.</translation>
-    </message>
-    <message>
         <source> MB</source>
         <translation> MB</translation>
     </message>
@@ -3222,20 +3210,32 @@
         <source>&amp;Keep</source>
         <translation>&amp;Aufbewahren</translation>
     </message>
-    <message>
-        <source>&amp;Models</source>
-        <translation>&amp;Modelle</translation>
-    </message>
-    <message>
-        <source>Names and IDs are not kept, but models and views tell as much of a patient as pictures do.</source>
-        <translation>Namen und IDs werden nicht aufbewahrt, aber Modelle und Ansichten verraten so viel von einem Patienten wie Bilder.</translation>
-    </message>
     <message numerus="yes">
         <source>%1: %n samples</source>
         <translation>
             <numerusform>%1: %n Abtastung</numerusform>
             <numerusform>%1: %n Abtastungen</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Where previews, and how studies were left, are kept; empty: the usual folder. From the next start on; what is in the old folder stays there.</source>
+        <translation>Wo Vorschauen und der letzte Stand von Studien aufbewahrt werden; leer: der übliche Ordner. Ab dem nächsten Start; was im alten Ordner ist, bleibt dort.</translation>
+    </message>
+    <message>
+        <source>Room for stored previews in MB</source>
+        <translation>Platz für gespeicherte Vorschauen in MB</translation>
+    </message>
+    <message>
+        <source>Of all stored previews together, in MB; above it those that were not used for longest go. From the next start on.</source>
+        <translation>Aller gespeicherten Vorschauen zusammen, in MB; darüber gehen die, die am längsten nicht gebraucht wurden. Ab dem nächsten Start.</translation>
+    </message>
+    <message>
+        <source>&amp;Previews</source>
+        <translation>&amp;Vorschauen</translation>
+    </message>
+    <message>
+        <source>Names and IDs are not kept, but previews and views tell as much of a patient as pictures do.</source>
+        <translation>Namen und IDs werden nicht aufbewahrt, aber Vorschauen und Ansichten verraten so viel von einem Patienten wie Bilder.</translation>
     </message>
 </context>
 <context>
