@@ -19,6 +19,11 @@ SplatGradient noSplatGradient() {
     return g;
 }
 
+// By the position where rays are parallel: through the mean and through the depth.
+vec3 parallelPositionGradient(SplatView view, ScreenGradient g) {
+    return view.right * (g.mean.x * view.focalPx.x) + view.down * (g.mean.y * view.focalPx.y) + view.forward * g.depthMm;
+}
+
 // `screen` is projectSplat(splat, view), and its opacity is above 0; the colour in `g` is not looked at: see splat_colour.glsl.
 SplatGradient projectionGradient(Splat splat, SplatView view, ScreenSplat screen, ScreenGradient g) {
     float two = float(2.0);
@@ -81,8 +86,7 @@ SplatGradient projectionGradient(Splat splat, SplatView view, ScreenSplat screen
 
     // Position: through J, through the mean, through the depth. With parallel rays J is the same everywhere.
     if (view.parallel != 0) {
-        result.position = view.right * (g.mean.x * view.focalPx.x) + view.down * (g.mean.y * view.focalPx.y) +
-                          view.forward * g.depthMm;
+        result.position = parallelPositionGradient(view, g);
         return result;
     }
     vec3 byRowX = fromAxes(sight.axes, byAlongX);

@@ -36,10 +36,10 @@ void addWindows(QMenu& menu, const SliceMenuOf& of) {
     const Volume& volume = *of.session->study().volume;
     for (const app::WindowPreset& preset : app::windowPresets(volume)) {
         const DisplayWindow window = preset.window.value_or(seriesWindow(volume));
-        QAction* action = menu.addAction(
-            QStringLiteral("%1: %2\t%3")
-                .arg(asTitle(titleInWindowsLanguage(preset.name)), numbersOf(window, volume.unitName()))
-                .arg(preset.digit));
+        QAction* action =
+            menu.addAction(QStringLiteral("%1: %2\t%3")
+                               .arg(asTitle(titleInWindowsLanguage(preset.name)),
+                                    numbersOf(window, volume.unitName()), QString::number(preset.digit)));
         QObject::connect(action, &QAction::triggered, of.session,
                          [session = of.session, window = preset.window] { setWindow(*session, window); });
     }
