@@ -95,7 +95,8 @@ QString modelText(const hybrid::ModelNews& model) {
                              .arg(model.steps)
                              .arg(hybrid::kStepsToBeShown);
         case ModelStage::resting:
-            return ModelWords::tr("Preview sharp, %n steps", nullptr, steps);
+            return hybrid::isFitToBeShown(model) ? ModelWords::tr("Preview sharp, %n steps", nullptr, steps)
+                                                 : ModelWords::tr("Preview not sharp enough to be shown");
         case ModelStage::noRoom:
             return ModelWords::tr("No memory for a sharp preview");
         case ModelStage::failed:

@@ -29,9 +29,11 @@ TEST(Fidelity, SaysWhyAPictureInMotionIsNoModel) {
 TEST(Fidelity, SaysWhyASmallPictureStandsWhereAModelIs) {
     FrameShown frame{.picture = OnScreen::preview, .stage = Stage::converged};
     frame.model = {.stage = hybrid::ModelStage::learning, .steps = 56};
-    EXPECT_EQ(fidelityOf(frame).because, Because{"the preview is not sharp enough yet: 56 of 120 steps"});
+    EXPECT_EQ(fidelityOf(frame).because, Because{"the preview is not sharp enough: 56 of 120 steps"});
     frame.model.steps = hybrid::kStepsToBeShown;
     EXPECT_EQ(fidelityOf(frame).because, Because{}) << "it is shown next";
+    frame.model = {.stage = hybrid::ModelStage::resting, .steps = 56};
+    EXPECT_EQ(fidelityOf(frame).because, Because{"the preview is not sharp enough: 56 of 120 steps"});
     frame.model = {.stage = hybrid::ModelStage::noRoom, .steps = 56};
     EXPECT_EQ(fidelityOf(frame).because, Because{}) << "it will never be shown";
     frame.picture = OnScreen::traced;

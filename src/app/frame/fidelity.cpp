@@ -17,10 +17,10 @@ void addModel(const FrameShown& frame, std::vector<std::string>& because) {
     if (frame.greyFacesAreCoarse) because.emplace_back("values on cut faces only coarsely");
 }
 
-// And is not fit to be shown yet.
-bool isLearning(const hybrid::ModelNews& model) {
-    const bool isBegun =
-        model.stage == hybrid::ModelStage::resuming || model.stage == hybrid::ModelStage::learning;
+bool isNotFit(const hybrid::ModelNews& model) {
+    using hybrid::ModelStage;
+    const bool isBegun = model.stage == ModelStage::resuming || model.stage == ModelStage::learning ||
+                         model.stage == ModelStage::resting;
     return isBegun && !hybrid::isFitToBeShown(model);
 }
 
@@ -30,9 +30,9 @@ Fidelity fidelityOf(const FrameShown& frame) {
     Fidelity fidelity{.isFinal = frame.picture == OnScreen::traced && frame.stage == Stage::converged};
     std::vector<std::string>& because = fidelity.because;
     if (frame.picture == OnScreen::model) addModel(frame, because);
-    if (frame.picture == OnScreen::preview && isLearning(frame.model))
-        because.push_back(fmt::format("the preview is not sharp enough yet: {} of {} steps",
-                                      frame.model.steps, hybrid::kStepsToBeShown));
+    if (frame.picture == OnScreen::preview && isNotFit(frame.model))
+        because.push_back(fmt::format("the preview is not sharp enough: {} of {} steps", frame.model.steps,
+                                      hybrid::kStepsToBeShown));
     if (frame.picture == OnScreen::fading) because.emplace_back("preview fades out");
     if (frame.scale > 1) because.push_back(fmt::format("1/{} of the pixels each way", frame.scale));
     if (frame.picture != OnScreen::model && frame.stage != Stage::converged)

@@ -2847,8 +2847,8 @@
         <translation>Der Umriss umschließt nichts.</translation>
     </message>
     <message>
-        <source>the preview is not sharp enough yet: %1 of %2 steps</source>
-        <translation>die Vorschau ist noch nicht scharf genug: %1 von %2 Schritten</translation>
+        <source>the preview is not sharp enough: %1 of %2 steps</source>
+        <translation>die Vorschau ist nicht scharf genug: %1 von %2 Schritten</translation>
     </message>
     <message>
         <source>An error could not be reported.</source>

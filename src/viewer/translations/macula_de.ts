@@ -243,6 +243,10 @@
         <source>The stored preview of this was damaged; it began anew.</source>
         <translation>Die gespeicherte Vorschau hiervon war beschädigt; sie hat neu begonnen.</translation>
     </message>
+    <message>
+        <source>Preview not sharp enough to be shown</source>
+        <translation>Vorschau nicht scharf genug, um gezeigt zu werden</translation>
+    </message>
 </context>
 <context>
     <name>PatientQuestion</name>
