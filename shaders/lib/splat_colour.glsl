@@ -1,13 +1,14 @@
 // Colour by direction: real spherical harmonics, in the order and with the signs of 3DGS (Kerbl et al. 2023), those of quantum
 // mechanics with the Condon-Shortley phase. A colour is max(0, 0.5 + the sum over bands): add the bands that a model has and
 // give the sum to visibleColour. Who draws leaves a splat out whose sum is not finite. Directions are unit, from the eye to the
-// splat, in world axes.
+// splat, in world axes; with parallel rays they are all those of the rays.
 
 #define SH_0 0.28209479177387814
 #define SH_1 0.48860251190291992
 
-vec3 directionTo(vec3 position, vec3 eyeMm) {
-    vec3 fromEye = position - eyeMm;
+vec3 directionTo(vec3 position, SplatView view) {
+    if (view.parallel != 0) return view.forward;
+    vec3 fromEye = position - view.eyeMm;
     float far = lengthOf(fromEye);
     return far > float(0.0) ? fromEye / far : vec3(float(0.0), float(0.0), float(1.0));
 }
@@ -74,10 +75,11 @@ Band1Gradient band1Gradient(vec3 d, vec3 bySum) {
 }
 
 // The derivative of the loss by the position, through the direction of view; of degree 1.
-vec3 colourPositionGradient(vec3 position, vec3 eyeMm, vec3 s1, vec3 s2, vec3 s3, vec3 bySum) {
-    float far = lengthOf(position - eyeMm);
-    if (!(far > float(0.0))) return vec3(float(0.0));
-    vec3 d = (position - eyeMm) / far;
+vec3 colourPositionGradient(vec3 position, SplatView view, vec3 s1, vec3 s2, vec3 s3, vec3 bySum) {
+    vec3 fromEye = position - view.eyeMm;
+    float far = lengthOf(fromEye);
+    if (view.parallel != 0 || !(far > float(0.0))) return vec3(float(0.0));
+    vec3 d = fromEye / far;
     vec3 byDirection = vec3(-dot(s3, bySum), -dot(s1, bySum), dot(s2, bySum)) * float(SH_1);
     return (byDirection - d * dot(d, byDirection)) / far;
 }

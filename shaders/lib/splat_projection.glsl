@@ -14,6 +14,9 @@
 // (1.3 times the tangent of half the field of view, as 3DGS does). The mean is not clamped. This is continuous; beyond the
 // border the clamped coordinate has the derivative 0 by position (splat_projection_backward.glsl).
 //
+// With parallel rays the map is linear as it is: J is the scale of the picture alone, the same everywhere, and the splat in the
+// picture is exact. `slope` is then x and y in mm, and nothing is clamped.
+//
 // Determinants are made of squares only. The area A = sqrt(det(J S J^T)) is the length of the cross product of J's rows,
 // scaled to the splat's axes, and that cross product has a closed form: so a disc seen edge-on and a needle lose no digits.
 //
@@ -22,7 +25,7 @@
 // What the projection and its derivative share.
 struct SplatSight {
     vec3 inCamera;      // mm; along x, y, z of the camera
-    vec2 slope;         // x/z, y/z
+    vec2 slope;         // x/z, y/z; with parallel rays x, y in mm
     vec2 slopeClamped;  // where J is taken
     vec3 rowX;          // J's rows in world axes: px per mm
     vec3 rowY;
@@ -73,12 +76,22 @@ SplatSight sightOf(Splat splat, SplatView view) {
     SplatSight sight;
     sight.inCamera = inCamera(splat.position, view);
     float z = sight.inCamera.z;
-    sight.slope = vec2(sight.inCamera.x, sight.inCamera.y) / z;
-    sight.slopeClamped = clamp(sight.slope, view.lowestSlope, view.highestSlope);
-    vec2 scale = view.focalPx / z;
-    sight.rowX = (view.right - view.forward * sight.slopeClamped.x) * scale.x;
-    sight.rowY = (view.down - view.forward * sight.slopeClamped.y) * scale.y;
-    sight.normal = (view.forward + view.right * sight.slopeClamped.x + view.down * sight.slopeClamped.y) * (scale.x * scale.y);
+    sight.slope = vec2(sight.inCamera.x, sight.inCamera.y);
+    sight.slopeClamped = sight.slope;
+    vec2 scale = view.focalPx;
+    if (view.parallel != 0) {
+        sight.rowX = view.right * scale.x;
+        sight.rowY = view.down * scale.y;
+        sight.normal = view.forward * (scale.x * scale.y);
+    } else {
+        sight.slope /= z;
+        sight.slopeClamped = clamp(sight.slope, view.lowestSlope, view.highestSlope);
+        scale /= z;
+        sight.rowX = (view.right - view.forward * sight.slopeClamped.x) * scale.x;
+        sight.rowY = (view.down - view.forward * sight.slopeClamped.y) * scale.y;
+        sight.normal =
+            (view.forward + view.right * sight.slopeClamped.x + view.down * sight.slopeClamped.y) * (scale.x * scale.y);
+    }
 
     sight.axes = axesOf(unitQuaternion(splat.rotation));
     sight.deviations = deviationsMm(splat.logScale);

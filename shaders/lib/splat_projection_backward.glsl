@@ -19,6 +19,11 @@ SplatGradient noSplatGradient() {
     return g;
 }
 
+// By the position where rays are parallel: through the mean and through the depth.
+vec3 parallelPositionGradient(SplatView view, ScreenGradient g) {
+    return view.right * (g.mean.x * view.focalPx.x) + view.down * (g.mean.y * view.focalPx.y) + view.forward * g.depthMm;
+}
+
 // `screen` is projectSplat(splat, view), and its opacity is above 0; the colour in `g` is not looked at: see splat_colour.glsl.
 SplatGradient projectionGradient(Splat splat, SplatView view, ScreenSplat screen, ScreenGradient g) {
     float two = float(2.0);
@@ -79,7 +84,11 @@ SplatGradient projectionGradient(Splat splat, SplatView view, ScreenSplat screen
     byAxes.z = sight.rowX * byAlongX.z + sight.rowY * byAlongY.z + sight.normal * byAlongN.z;
     result.rotation = quaternionGradient(splat.rotation, byAxes);
 
-    // Position: through J, through the mean, through the depth.
+    // Position: through J, through the mean, through the depth. With parallel rays J is the same everywhere.
+    if (view.parallel != 0) {
+        result.position = parallelPositionGradient(view, g);
+        return result;
+    }
     vec3 byRowX = fromAxes(sight.axes, byAlongX);
     vec3 byRowY = fromAxes(sight.axes, byAlongY);
     vec3 byNormal = fromAxes(sight.axes, byAlongN);

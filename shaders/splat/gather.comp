@@ -53,13 +53,13 @@ void main() {
     Splat splat = fetchSplat(index);
     Shown shown = fetchShown(index);
     SplatGradient bySplat = projectionGradient(splat, view, shown.screen, g);
-    vec3 direction = directionTo(splat.position, view.eyeMm);
+    vec3 direction = directionTo(splat.position, view);
     vec3 bySum = sumGradient(colourSumOf(index, direction), g.colour);
     if (kDegree == 1) {
         vec3 s1 = fetchSh(0, index);
         vec3 s2 = fetchSh(1, index);
         vec3 s3 = fetchSh(2, index);
-        bySplat.position += colourPositionGradient(splat.position, view.eyeMm, s1, s2, s3, bySum);
+        bySplat.position += colourPositionGradient(splat.position, view, s1, s2, s3, bySum);
     }
     visible[index] = shows ? 1u : 0u;
     if (!shows) return;

@@ -19,7 +19,7 @@ void main() {
     SplatView view = frame.view;
     Splat splat = fetchSplat(index);
     ScreenSplat s = projectSplat(splat, view);
-    vec3 sum = colourSumOf(index, directionTo(splat.position, view.eyeMm));
+    vec3 sum = colourSumOf(index, directionTo(splat.position, view));
     if (!isFinite(vec4(sum, 0.0))) s = noSplat();
     vec3 colour = visibleColour(sum);
     int first = index * kScreenTexels;

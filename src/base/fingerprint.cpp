@@ -12,12 +12,16 @@ namespace macula {
 std::string fingerprint(const Volume& volume) {
     const glm::ivec3 size = volume.size();
     // {:a} is exact, and the same in every locale.
+    // As it was written when digests were first kept: what people are told does not make another volume of
+    // it.
+    const std::string unit =
+        volume.unitName() == unitSymbol(Unit::suvBodyWeight) ? "g/mL" : volume.unitName();
     std::string text = fmt::format("{} {} {}", size.x, size.y, size.z);
     for (int column = 0; column < 4; ++column) {
         for (int row = 0; row < 4; ++row) text += fmt::format(" {:a}", volume.worldFromVoxel()[column][row]);
     }
     text += fmt::format(" {:a} {:a} {}", volume.unitsFromStored().slope, volume.unitsFromStored().intercept,
-                        volume.unitName());
+                        unit);
     if (const auto& padding = volume.padding()) text += fmt::format(" {} {}", padding->low, padding->high);
     if (const auto& padding = volume.floatPadding()) text += fmt::format(" {:a}", *padding);
 

@@ -91,7 +91,7 @@ std::string_view unitSymbol(Unit unit) {
         case Unit::becquerelsPerMillilitre:
             return "Bq/mL";
         case Unit::suvBodyWeight:
-            return "g/mL";
+            return "SUV";
         case Unit::raw:
         case Unit::other:
             break;
@@ -244,8 +244,8 @@ std::shared_ptr<const Volume> in16Bits(std::shared_ptr<const Volume> volume) {
                           .windows = volume->windows()};
     if (largestError > 0.0) {
         options.provenance.assumptions.push_back(fmt::format(
-            "The values were brought to 16 bits for the picture, with an error of at most {:.3g}.",
-            largestError));
+            "The values were brought to 16 bits for the picture, with an error of at most {:.3g}{}{}.",
+            largestError, options.unitName.empty() ? "" : " ", options.unitName));
     }
     auto made = Volume::create(std::move(options), std::move(stored));
     return std::make_shared<const Volume>(std::move(made).value());

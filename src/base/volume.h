@@ -18,7 +18,7 @@ enum class Unit {
     hounsfield,
     raw,  // the scanner's own numbers (MR); no physical meaning across studies
     becquerelsPerMillilitre,
-    suvBodyWeight,  // standardised uptake value by body weight, g/mL
+    suvBodyWeight,  // standardised uptake value by body weight, g/mL; people say SUV
     other,          // a physical unit that is none of these: see Volume::unitName
 };
 

@@ -50,7 +50,7 @@ void addHybrid(CLI::App& app, Action& action) {
         command->add_option("--camera", o.state.camera, "Where the viewer stands first: as of render");
     camera->excludes(view);
     command->add_flag("--parallel", o.state.isParallel,
-                      "Parallel rays, as of render; traced, without splats");
+                      "Parallel rays, as of render; in motion splats, without a traced fovea");
     const auto addNumber = [&](const char* name, double& value, double low, const char* help) {
         return command->add_option(name, value, help)->check(between(low, 3600.0))->capture_default_str();
     };

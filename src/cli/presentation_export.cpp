@@ -5,9 +5,10 @@
 #include <map>
 #include <utility>
 
-#include "app/clip/kept_box.h"
 #include "app/output/output_files.h"
+#include "app/picture/fitted_view.h"
 #include "app/presentation/presentation_file.h"
+#include "app/study/shown_clip.h"
 #include "base/progress_bar.h"
 #include "cli/interrupt.h"
 #include "cli/name_option.h"
@@ -19,14 +20,16 @@ namespace macula::cli {
 
 namespace {
 
-constexpr double kUsualFovDeg = 30.0;
-
-// All that the clip leaves, from the side that was asked for.
+// What can be seen, from the side that was asked for: the same fit as of render, for a square picture.
 Result<Camera> usualCamera(const PresentationOptions& options, const app::StudyState& state,
-                           const Volume& volume) {
-    MACULA_TRY(const Box kept, app::keptBox(state.clip, volume));
-    return framePoints(cornersOf(kept), standardBasis(options.state.view.value_or(ViewDirection::anterior)),
-                       options.state.fovDeg > 0.0 ? options.state.fovDeg : kUsualFovDeg, 1.0);
+                           const Volume& volume, Progress& progress) {
+    MACULA_TRY(const app::ShownClip shown, app::shownClip(state, volume, progress));
+    app::FittedView view;
+    view.from = options.state.view.value_or(view.from);
+    if (options.state.fovDeg > 0.0) view.verticalFovDeg = options.state.fovDeg;
+    view.isParallel = options.state.isParallel;
+    return app::fittedCamera(app::outlineOnHostMm(volume, *state.preset, shown.clip), state.settings.look,
+                             volume, view);
 }
 
 Result<void> checkFiles(const PresentationOptions& options, const PresentedStudy& study) {
@@ -84,7 +87,7 @@ Result<void> exportPresentation(const PresentationOptions& options, const Presen
     MACULA_TRY_VOID(app::completeState(state, options.state, input));
     state.seriesDigest = input.seriesDigest;
     if (!state.camera) {
-        MACULA_TRY(state.camera, usualCamera(options, state, *input.volume));
+        MACULA_TRY(state.camera, usualCamera(options, state, *input.volume, progress));
     }
     printNotes(input.notes, input.warnings);
     wish.state = std::move(state);

@@ -67,6 +67,10 @@ bool isFurniture(const Grid& grid, const Part& part) {
     return flat && (constant || part.depthMm < kBodyDepthMm);
 }
 
+std::string partsText(int parts) {
+    return parts == 1 ? "1 part" : fmt::format("{} parts", parts);
+}
+
 // The parts with `isKept`, as a mask.
 Mask maskOf(const Parts& parts, const std::vector<char>& isKept) {
     Mask mask(parts.labels.size());
@@ -293,6 +297,7 @@ class Search {
                                     : Confidence::moderate;
         std::vector<Message> messages{message(table ? key::kTableRemoved : key::kPartsRemoved,
                                               {{"parts", std::int64_t(parts)},
+                                               {"partsText", partsText(parts)},
                                                {"volumeMl", removedMl},
                                                {"patientMl", patientMl},
                                                {"confidence", std::string(nameOf(confidence))}})};

@@ -81,7 +81,8 @@ std::string textOfEllipse(const Ellipse& ellipse, const Volume& volume) {
     std::string text = numberText(values->mean, decimals);
     if (values->voxels > 1) text += " ± " + numberText(values->deviation, decimals);
     if (const std::string unit = volume.unitName(); !unit.empty()) text += " " + unit;
-    return fmt::format("{}, {} to {}, {}", text, numberText(values->low, decimals),
+    // "min" and "max" are so in every language of the window.
+    return fmt::format("{}, min {}, max {}, {}", text, numberText(values->low, decimals),
                        numberText(values->high, decimals), areaText);
 }
 

@@ -80,6 +80,7 @@ class VoxelGrid {
         return voxels_.isPadding(voxel) ? kNoValue : voxels_.inUnits(voxel);
     }
 
+    // Also of places further outside.
     double linear(const glm::dvec3& at) const {
         const glm::dvec3 inside = glm::clamp(at, glm::dvec3(0.0), glm::dvec3(size_ - 1));
         const glm::ivec3 low = glm::min(glm::ivec3(inside), glm::max(size_ - 2, glm::ivec3(0)));

@@ -92,7 +92,7 @@ void MainWindow::onModel(const hybrid::ModelNews& model) {
 
 void MainWindow::onFrame(const app::FrameShown& frame) {
     QString text = fidelityText(frame);
-    if (frame.samplesLeftOut > 0) text += tr(", %1 samples left out").arg(frame.samplesLeftOut);
+    if (frame.samplesLeftOut > 0) text += tr(", %n samples left out", nullptr, int(frame.samplesLeftOut));
     QStringList about;
     for (const Message& message : frame.messages) about << inWindowsLanguage(message);
     if (!about.isEmpty()) text += tr(", less than the full resolution");  // also when the note is dismissed

@@ -260,8 +260,8 @@ void MainWindow::makeToolBar() {
 
 void MainWindow::makeStatusBar() {
     fidelity_ = new ElidingLabel(tr("How true the picture is"));
-    modelText_ = new ElidingLabel(
-        tr("The peripheral model: splats that are shown with all pixels while a hand moves"));
+    modelText_ = new ElidingLabel(tr(
+        "The preview with all pixels that is shown while a hand moves; it gets sharper while nothing moves"));
     pictureText_ = new ElidingLabel(tr("Pixels, pictures per second"));
     volumeText_ = new ElidingLabel(tr("Voxels and their size"));
     deviceText_ = new ElidingLabel(tr("Device"));

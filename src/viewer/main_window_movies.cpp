@@ -98,7 +98,8 @@ void MainWindow::addOutputActions(QMenu& file) {
     movie->setToolTip(tr("A turntable or a way of the camera as pictures, and as a video"));
     QAction* model = file.addAction(tr("Save Mo&del…"), this, &MainWindow::askWhereToSaveModel);
     model->setObjectName(QStringLiteral("save-model"));
-    model->setToolTip(tr("The peripheral model, splats in mm of the patient, for this and other programs"));
+    model->setToolTip(
+        tr("The preview as a model in mm of the patient (3D Gaussians), for this and other programs"));
 }
 
 void MainWindow::askWhereToDrawMovie() {

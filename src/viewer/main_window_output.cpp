@@ -8,6 +8,7 @@
 #include "pipeline/volume/transfer_function_json.h"
 #include "viewer/main_window.h"
 #include "viewer/output/picture_dialog.h"
+#include "viewer/output/picture_overlays.h"
 
 namespace macula::viewer {
 
@@ -77,6 +78,10 @@ void MainWindow::askWhereToSavePicture(const PictureDialog& how) {
                              .source = imageOf(study()),
                              .isOfNobody = study().identity.isOfNobody,
                              .isDeidentified = how.isDeidentified()};
+    if (how.hasOverlays())
+        picture.stampsFor = [sizePx = picture.sizePx](const Camera& camera) {
+            return overlaysOf(camera, sizePx);
+        };
     ask(dialog, [this, picture = std::move(picture)](const QString& path) {
         app::ViewPicture wanted = picture;
         wanted.output = path.toStdString();

@@ -23,8 +23,7 @@ void MainWindow::addView3dActions(QMenu& view) {
             tr("From where the patient is seen, and how long a centimetre is: with parallel rays "
                "everywhere, else at the depth of what the camera turns around"));
     QAction* parallel = add(tr("Parallel rays"), KeyAction::parallel, "parallel-rays",
-                            tr("The same millimetres for each pixel at every depth. The picture is traced; "
-                               "there are no splats while it moves"));
+                            tr("The same millimetres for each pixel at every depth"));
     const auto ask = [this](bool shown) {
         session_.change(tr("Cube and scale"), [shown](app::StudyState& next) { next.showsMarks = shown; });
     };

@@ -50,24 +50,20 @@ QString fidelityText(const app::FrameShown& frame) {
     const QString remarks =
         frame.remarks.empty() ? QString() : QStringLiteral(", ") + listInWindowsLanguage(frame.remarks);
     if (frame.picture == app::OnScreen::model) {
-        const QString fovea =
-            frame.foveaAgeMs
-                ? FidelityWords::tr(", fovea traced %L1 s ago").arg(*frame.foveaAgeMs / 1000.0, 0, 'f', 1)
-                : QString();
-        return FidelityWords::tr("Peripheral model, %L1 splats, %L2 steps")
-                   .arg(frame.model.splats)
-                   .arg(frame.model.steps) +
-               fovea + remarks +
+        const QString centre = frame.foveaAgeMs ? FidelityWords::tr(", sharp centre traced %L1 s ago")
+                                                      .arg(*frame.foveaAgeMs / 1000.0, 0, 'f', 1)
+                                                : QString();
+        return FidelityWords::tr("Preview, sharpened in %n steps", nullptr, int(frame.model.steps)) +
+               (isParallel(frame.camera) ? FidelityWords::tr(", parallel rays") : QString()) + centre +
+               remarks +
                (frame.greyFacesAreCoarse ? FidelityWords::tr(", values on cut faces only coarsely")
                                          : QString());
     }
     QString text = lookText(frame.look) + remarks;
     const bool isPreview = frame.picture == app::OnScreen::preview;
-    if (isParallel(frame.camera))
-        text += isPreview ? FidelityWords::tr(", parallel rays without splats")
-                          : FidelityWords::tr(", parallel rays");
+    if (isParallel(frame.camera)) text += FidelityWords::tr(", parallel rays");
     if (isPreview) {
-        text += FidelityWords::tr(", preview");
+        text += FidelityWords::tr(", coarse preview");
         if (trace::isPathTraced(frame.look))
             text += frame.denoised ? FidelityWords::tr(", denoised") : FidelityWords::tr(", smoothed");
         if (frame.scale > 1) text += FidelityWords::tr(", 1/%1 of the pixels each way").arg(frame.scale);
@@ -75,7 +71,7 @@ QString fidelityText(const app::FrameShown& frame) {
     }
     const bool isComplete = frame.stage == app::Stage::converged;
     text += isComplete
-                ? FidelityWords::tr(", %1 samples").arg(frame.samplesPerPixel)
+                ? FidelityWords::tr(", %n samples", nullptr, int(frame.samplesPerPixel))
                 : FidelityWords::tr(", %1 of %2 samples").arg(frame.samplesPerPixel).arg(frame.sampleLimit);
     if (frame.denoised) text += FidelityWords::tr(", denoised");
     return text + (isComplete ? FidelityWords::tr(", complete") : FidelityWords::tr(", converging"));
@@ -83,22 +79,28 @@ QString fidelityText(const app::FrameShown& frame) {
 
 QString modelText(const hybrid::ModelNews& model) {
     using hybrid::ModelStage;
+    const int steps = int(model.steps);
     switch (model.stage) {
         case ModelStage::none:
         case ModelStage::nothingToSee:
             return {};
         case ModelStage::searching:
-            return ModelWords::tr("Finding points of the peripheral model");
+            return ModelWords::tr("Preparing the preview");
         case ModelStage::resuming:
-            return ModelWords::tr("Model of an earlier session, %1 steps").arg(model.steps);
+            return ModelWords::tr("Preview of an earlier session, %n steps", nullptr, steps);
         case ModelStage::learning:
-            return ModelWords::tr("Model learning, %1 steps").arg(model.steps);
+            return hybrid::isFitToBeShown(model)
+                       ? ModelWords::tr("Preview sharpening, %n steps", nullptr, steps)
+                       : ModelWords::tr("Preview not sharp yet, %1 of %2 steps")
+                             .arg(model.steps)
+                             .arg(hybrid::kStepsToBeShown);
         case ModelStage::resting:
-            return ModelWords::tr("Model complete, %1 steps").arg(model.steps);
+            return hybrid::isFitToBeShown(model) ? ModelWords::tr("Preview sharp, %n steps", nullptr, steps)
+                                                 : ModelWords::tr("Preview not sharp enough to be shown");
         case ModelStage::noRoom:
-            return ModelWords::tr("No memory for a model");
+            return ModelWords::tr("No memory for a sharp preview");
         case ModelStage::failed:
-            return ModelWords::tr("No model");
+            return ModelWords::tr("No sharp preview");
     }
     return {};
 }
@@ -108,11 +110,11 @@ QString aboutModel(const hybrid::ModelNews& model) {
     if (model.origin == ModelOrigin::stored)
         return ModelWords::tr("It goes on from where an earlier session left it.");
     if (model.origin == ModelOrigin::otherLights)
-        return ModelWords::tr("It began with the stored model of other lights.");
+        return ModelWords::tr("It began with the stored preview of other lights.");
     if (model.origin == ModelOrigin::otherTrainer)
-        return ModelWords::tr("It began with a model that another version of Macula stored.");
+        return ModelWords::tr("It began with a preview that another version of Macula stored.");
     if (model.origin == ModelOrigin::damagedPoints)
-        return ModelWords::tr("The stored model of this was damaged; it began anew.");
+        return ModelWords::tr("The stored preview of this was damaged; it began anew.");
     if (model.stage == hybrid::ModelStage::noRoom)
         return ModelWords::tr(
             "The graphics device has no room for it beside the volume: while a hand moves, small traced "

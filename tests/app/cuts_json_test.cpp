@@ -91,7 +91,9 @@ TEST(CutsJson, WhatCannotBeReadIsNotWritten) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     StudyState state = someState();
     state.cuts.eye->plane.offsetMm = nan;
-    state.cuts.scissors[0].outline[0].x = nan;
+    std::vector<glm::dvec2> points = state.cuts.scissors[0].outline;
+    points[0].x = nan;
+    state.cuts.scissors[0].outline = points;
     state.namedClips[0].name.clear();
     StudyState expected = someState();
     expected.cuts.eye.reset();

@@ -11,6 +11,7 @@
 
 #include "app/choice/lights_choice.h"
 #include "app/choice/preset_choice.h"
+#include "app/picture/fitted_view.h"
 #include "app/picture/picture_file.h"
 #include "app/picture/preset_sheet.h"
 #include "app/picture/render_record.h"
@@ -52,6 +53,29 @@ class DrawnPictureTest : public gpu::GpuTest {
         return high - low + 1;
     }
 };
+
+// Who has no device, and writes down a view alone, gets the camera that a picture is drawn by.
+TEST_F(DrawnPictureTest, TheCameraThatFitsIsTheSameWithoutADevice) {
+    for (const trace::Look look : {trace::Look::cinematic, trace::Look::mip}) {
+        PictureRequest asked = request(look);
+        asked.from = ViewDirection::left;
+        asked.scene.clip.planes = {{.normal = {1, 0, 0}, .offsetMm = 0.0}};
+        const Volume& volume = *asked.scene.volume;
+        const Camera fitted = standingBefore(
+            fittedCamera(outlineOnHostMm(volume, asked.scene.function, asked.scene.clip), look, volume,
+                         {.from = asked.from,
+                          .verticalFovDeg = asked.verticalFovDeg,
+                          .aspectWidthOverHeight = 40.0 / 30.0}),
+            volume.worldBox());
+        const Camera drawn = draw(asked).camera;
+        EXPECT_LT(glm::distance(drawn.positionMm, fitted.positionMm), 1e-6) << nameOf(look);
+        EXPECT_LT(glm::distance(drawn.targetMm, fitted.targetMm), 1e-6) << nameOf(look);
+    }
+    // Nothing to be seen: the whole volume.
+    const Volume& volume = *request().scene.volume;
+    const Camera empty = fittedCamera({}, trace::Look::cinematic, volume, {});
+    EXPECT_LT(glm::distance(empty.targetMm, volume.worldBox().centre()), 1e-6);
+}
 
 // The same request, the same bytes: samples are a function of their number.
 TEST_F(DrawnPictureTest, IsAFunctionOfTheRequest) {

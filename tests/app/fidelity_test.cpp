@@ -23,15 +23,41 @@ TEST(Fidelity, SaysWhyAPictureInMotionIsNoModel) {
     FrameShown frame{.picture = OnScreen::preview, .stage = Stage::converged};
     EXPECT_EQ(fidelityOf(frame).because, Because{});
     frame.camera.parallelHeightMm = 200;
-    EXPECT_EQ(fidelityOf(frame).because, Because{"no splats with parallel rays"});
+    EXPECT_EQ(fidelityOf(frame).because, Because{}) << "parallel rays are no reason";
+}
+
+TEST(Fidelity, SaysWhyASmallPictureStandsWhereAModelIs) {
+    FrameShown frame{.picture = OnScreen::preview, .stage = Stage::converged};
+    frame.model = {.stage = hybrid::ModelStage::learning, .steps = 56};
+    EXPECT_EQ(fidelityOf(frame).because, Because{"the preview is not sharp enough: 56 of 120 steps"});
+    frame.model.steps = hybrid::kStepsToBeShown;
+    EXPECT_EQ(fidelityOf(frame).because, Because{}) << "it is shown next";
+    frame.model = {.stage = hybrid::ModelStage::resting, .steps = 56};
+    EXPECT_EQ(fidelityOf(frame).because, Because{"the preview is not sharp enough: 56 of 120 steps"});
+    frame.model = {.stage = hybrid::ModelStage::noRoom, .steps = 56};
+    EXPECT_EQ(fidelityOf(frame).because, Because{}) << "it will never be shown";
     frame.picture = OnScreen::traced;
+    frame.model.stage = hybrid::ModelStage::learning;
     EXPECT_EQ(fidelityOf(frame).because, Because{}) << "a traced picture is what it is";
+}
+
+TEST(Fidelity, OfAModelIsOneFact) {
+    using hybrid::ModelStage;
+    for (const auto stage : {ModelStage::none, ModelStage::searching, ModelStage::nothingToSee,
+                             ModelStage::noRoom, ModelStage::failed})
+        EXPECT_FALSE(hybrid::isFitToBeShown({.stage = stage, .steps = 10'000})) << nameOf(stage);
+    for (const auto stage : {ModelStage::resuming, ModelStage::learning, ModelStage::resting}) {
+        EXPECT_FALSE(hybrid::isFitToBeShown({.stage = stage, .steps = hybrid::kStepsToBeShown - 1}))
+            << nameOf(stage);
+        EXPECT_TRUE(hybrid::isFitToBeShown({.stage = stage, .steps = hybrid::kStepsToBeShown}))
+            << nameOf(stage);
+    }
 }
 
 TEST(Fidelity, SaysWhatIsBetweenAFrameAndTheTruth) {
     FrameShown frame{.picture = OnScreen::model};
     EXPECT_FALSE(fidelityOf(frame).isFinal);
-    EXPECT_EQ(fidelityOf(frame).because, Because{"splats only"});
+    EXPECT_EQ(fidelityOf(frame).because, Because{"preview only"});
     EXPECT_EQ(toJson(frame)["tracedShare"], 0.0);
     EXPECT_FALSE(toJson(frame).contains("fovea"));
 
@@ -40,7 +66,7 @@ TEST(Fidelity, SaysWhatIsBetweenAFrameAndTheTruth) {
     frame.foveaShare = 0.25;
     frame.greyFacesAreCoarse = true;
     EXPECT_EQ(fidelityOf(frame).because,
-              (Because{"splats around the fovea", "fovea traced 0.3 s ago with 2 samples",
+              (Because{"preview around the sharp centre", "sharp centre traced 0.3 s ago with 2 samples",
                        "values on cut faces only coarsely"}));
     EXPECT_EQ(toJson(frame)["tracedShare"], 0.25);
     EXPECT_EQ(toJson(frame)["fovea"]["ageMs"], 340.0);
@@ -66,7 +92,7 @@ TEST(Fidelity, SaysWhatIsBetweenAFrameAndTheTruth) {
     const FrameShown fading{
         .picture = OnScreen::fading, .stage = Stage::converging, .samplesPerPixel = 2, .sampleLimit = 512};
     EXPECT_FALSE(fidelityOf(fading).isFinal);
-    EXPECT_EQ(fidelityOf(fading).because, (Because{"splats fade out", "2 of 512 samples"}));
+    EXPECT_EQ(fidelityOf(fading).because, (Because{"preview fades out", "2 of 512 samples"}));
 }
 
 }  // namespace

@@ -5,6 +5,8 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
+#include <vector>
 
 namespace macula::app {
 namespace {
@@ -58,6 +60,34 @@ TEST(FirstMatter, IsTheSurfaceThatTheEyeMeets) {
     const auto grain = firstMatterMm(*volume, drawing(), behind, {0, 0}, 1.0);
     ASSERT_TRUE(grain);
     EXPECT_NEAR(grain->y, 2.0 * 36.5 - 39.0, kVoxelMm);
+}
+
+// However voxels are kept, it is the same place; and padding, NaN or what the file calls so, is no matter.
+TEST(FirstMatter, IsTheSameInVoxelsOfFloats) {
+    const auto stored = ball();
+    std::vector<float> values;
+    for (int k = 0; k < kSide; ++k) {
+        for (int j = 0; j < kSide; ++j) {
+            for (int i = 0; i < kSide; ++i) values.push_back(float(stored->value(i, j, k)));
+        }
+    }
+    for (int i = 0; i < kSide; ++i) values[std::size_t(i)] = std::numeric_limits<float>::quiet_NaN();
+    const auto floats = Volume::createFloat({.size = glm::ivec3(kSide),
+                                             .worldFromVoxel = stored->worldFromVoxel(),
+                                             .unit = Unit::hounsfield,
+                                             .modality = "CT"},
+                                            std::move(values));
+    ASSERT_TRUE(floats.ok());
+    const auto found = firstMatterMm(*stored, drawing(), kFront, {0.01, 0.02}, 1.0);
+    const auto same = firstMatterMm(*floats, drawing(), kFront, {0.01, 0.02}, 1.0);
+    ASSERT_TRUE(found && same);
+    EXPECT_LT(glm::distance(*found, *same), 1e-9);
+    // From below the ray goes in through the row of padding.
+    Camera low = kFront;
+    low.positionMm = {0, -39, -500};
+    low.targetMm = {0, -39, 0};
+    low.up = {0, 1, 0};
+    EXPECT_FALSE(firstMatterMm(*floats, drawing(), low, {0, 0}, 1.0));
 }
 
 // The patient's left is right in a picture from the front, and up is the head.

@@ -209,6 +209,55 @@ TEST_F(PictureCourseTest, WithoutAModelItIsSearchedForInTurnsWithSmallPicturesAn
     EXPECT_EQ(go(), Step::trace);
 }
 
+// Mottled as it is it would be taken for illness: the small picture stays, and the traced one follows it.
+TEST_F(PictureCourseTest, AYoungModelIsNeverShownAndLearnsBesideTheFirstTracedPicture) {
+    course_.setPreviewLimit(64);
+    course_.setModel(ModelState::young, true);
+    want();
+    while (next() == Step::showPreview) go();
+    int traced = 0;
+    int learnt = 0;
+    for (int i = 0; i < 30; ++i) {
+        const Step step = go();
+        EXPECT_EQ(course_.onScreen(), OnScreen::preview);
+        traced += step == Step::trace ? 1 : 0;
+        learnt += step == Step::learn ? 1 : 0;
+    }
+    EXPECT_EQ(traced + learnt, 30);
+    EXPECT_NEAR(learnt, PictureCourse::kYoungShare * traced, 2.0) << "a person waits for the picture";
+    while (next() == Step::learn) go();
+    EXPECT_EQ(go(true), Step::trace);
+    EXPECT_EQ(course_.onScreen(), OnScreen::traced) << "there is nothing that could fade";
+    int turns = 0;
+    for (int i = 0; i < 20; ++i) turns += go() == Step::learn ? 1 : 0;
+    EXPECT_NEAR(turns, 10, 1);
+}
+
+TEST_F(PictureCourseTest, WhileAHandMovesAYoungModelLearnsInTurnsWithSmallPictures) {
+    course_.setPreviewLimit(64);
+    course_.setModel(ModelState::young, true);
+    course_.setHand(true);
+    for (int view = 0; view < 3; ++view) {
+        want();
+        EXPECT_EQ(go(), Step::showPreview);
+        EXPECT_EQ(go(), Step::learn);
+        EXPECT_EQ(go(), Step::showPreview);
+        EXPECT_EQ(go(), Step::learn);
+    }
+    // It has learnt enough: it takes the small picture's place, also while the hand is there.
+    course_.setModel(ModelState::ready, true);
+    EXPECT_EQ(go(), Step::showModel);
+    // One that learns no more, for lack of memory, is not shown either.
+    course_.setModel(ModelState::young, false);
+    course_.setPreviewLimit(2);
+    want();
+    EXPECT_EQ(go(), Step::showPreview);
+    EXPECT_EQ(go(), Step::showPreview);
+    EXPECT_EQ(next(), Step::none);
+    course_.setHand(false);
+    EXPECT_EQ(next(), Step::trace);
+}
+
 // There is nothing to see, no room, or nobody wants one: as it was before there were models.
 TEST_F(PictureCourseTest, WithoutAnyModelASmallPictureSettlesAndTheFullOneFollows) {
     course_.setPreviewLimit(64);

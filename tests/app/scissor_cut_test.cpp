@@ -181,9 +181,12 @@ TEST(ScissorCut, WhatElseIsHiddenStaysHidden) {
 TEST(ScissorCut, ALoopThatIsDrawnTwiceEnclosesWhatItEncloses) {
     ScissorCut once{.camera = outside(), .outline = star({0, 0}, 0.3)};
     ScissorCut twice = once;
-    twice.outline.insert(twice.outline.end(), once.outline.begin(), once.outline.end());
+    std::vector<glm::dvec2> points = once.outline;
+    points.insert(points.end(), once.outline.begin(), once.outline.end());
+    twice.outline = points;
     EXPECT_EQ(bitsOf({once}, tilted()).words, bitsOf({twice}, tilted()).words);
-    std::reverse(twice.outline.begin(), twice.outline.end());
+    std::reverse(points.begin(), points.end());
+    twice.outline = points;
     EXPECT_EQ(bitsOf({once}, tilted()).words, bitsOf({twice}, tilted()).words);
 }
 
@@ -220,12 +223,17 @@ TEST(ScissorCut, SaysWhatIsWrongWithIt) {
         EXPECT_EQ(scissorMask({}, std::vector{cut}, tilted(), progress).ok(), valid.ok());
         return !valid.ok() && valid.error().code == ErrorCode::usage && !valid.error().message.empty();
     };
-    EXPECT_TRUE(isRefused([](auto& c) { c.outline.clear(); }));
-    EXPECT_TRUE(isRefused([](auto& c) { c.outline.resize(2); }));
-    EXPECT_TRUE(isRefused([](auto& c) { c.outline[3].x = kNan; }));
+    const auto isRefusedWith = [&](const auto& change) {
+        std::vector<glm::dvec2> points = good.outline;
+        change(points);
+        return isRefused([&](auto& c) { c.outline = points; });
+    };
+    EXPECT_TRUE(isRefusedWith([](auto& points) { points.clear(); }));
+    EXPECT_TRUE(isRefusedWith([](auto& points) { points.resize(2); }));
+    EXPECT_TRUE(isRefusedWith([](auto& points) { points[3].x = kNan; }));
     EXPECT_TRUE(isRefused([](auto& c) { c.outline = {{0, 0}, {1, 0}, {0.5, 0}}; })) << "a line";
     EXPECT_TRUE(isRefused([](auto& c) { c.outline = {{0, 0}, {0, 0}, {0, 0}}; })) << "a point";
-    EXPECT_TRUE(isRefused([](auto& c) { c.outline.resize(kMostOutlinePoints + 1, {0.1, 0.2}); }));
+    EXPECT_TRUE(isRefusedWith([](auto& points) { points.resize(kMostOutlinePoints + 1, {0.1, 0.2}); }));
     EXPECT_TRUE(isRefused([](auto& c) { c.camera.targetMm = c.camera.positionMm; }));
     EXPECT_TRUE(isRefused([](auto& c) { c.camera.positionMm.x = kNan; }));
     EXPECT_TRUE(isRefused([](auto& c) { c.camera.parallelHeightMm = 1e9; }));

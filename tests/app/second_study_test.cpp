@@ -6,10 +6,12 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "app/found_by_hand.h"
+#include "app/study/volume_key.h"
 #include "base/sha256.h"
 
 namespace macula::app {
@@ -157,6 +159,76 @@ TEST(SecondStudy, IsFoundByItsDigestWhereThatIsOfOneVolume) {
     EXPECT_FALSE(volumeOf(found, {.seriesDigest = "phantom"}));
 }
 
+dicom::Stack phaseAt(const std::string& time, const std::string& frameOfReference = "1.9",
+                     const glm::dvec3& row = {1, 0, 0}) {
+    dicom::Stack stack = test::volumeOf(3);
+    int slice = 0;
+    for (dicom::Frame& frame : stack.frames) {
+        frame.frameOfReferenceUid = frameOfReference;
+        frame.plane = dicom::ImagePlane{.rowDirection = row};
+        frame.attributes = {time, "7", std::to_string(++slice)};  // the last is of each image
+    }
+    return stack;
+}
+
+std::shared_ptr<const FoundVolumes> foundWith(std::vector<dicom::Stack> stacks) {
+    dicom::Series other = test::seriesOf(1, "a", {test::volumeOf(3)});
+    other.seriesInstanceUid = "1.1";
+    dicom::Series series = test::seriesOf(2, "b", std::move(stacks));
+    series.seriesInstanceUid = "1.2";
+    dicom::Scan scan;
+    scan.studies.push_back(test::studyOf(0, "DOE^JANE", "20240301", "Chest", {other, series}));
+    return std::make_shared<const FoundVolumes>(std::move(scan));
+}
+
+// What was stored of the phase at 10:02 stays of that one, whatever else comes into the folder or goes.
+TEST(SecondStudy, IsFoundWhereverItsSeriesHasItNow) {
+    const auto stored = [](const std::shared_ptr<const FoundVolumes>& found, std::size_t index) {
+        OpenedStudy second = studyOf(jane());
+        second.seriesDigest = sha256Hex("1.2");
+        second.found = found;
+        second.volumeIndex = index;
+        return firstLink(studyOf(jane()), second);
+    };
+    const BesideState ofTwo = stored(foundWith({phaseAt("1001"), phaseAt("1002")}), 2);
+    EXPECT_EQ(ofTwo.volume, 1U);
+    EXPECT_EQ(volumeOf(*foundWith({phaseAt("1001"), phaseAt("1002")}), ofTwo), 2U);
+    EXPECT_EQ(volumeOf(*foundWith({phaseAt("1000"), phaseAt("1001"), phaseAt("1002")}), ofTwo), 3U);
+    EXPECT_EQ(volumeOf(*foundWith({phaseAt("1002")}), ofTwo), 1U);
+    EXPECT_FALSE(volumeOf(*foundWith({phaseAt("1000"), phaseAt("1001")}), ofTwo)) << "it has gone";
+    // It was the only one.
+    const BesideState ofOne = stored(foundWith({phaseAt("1002")}), 1);
+    EXPECT_FALSE(ofOne.volume);
+    EXPECT_EQ(volumeOf(*foundWith({phaseAt("1001"), phaseAt("1002")}), ofOne), 2U);
+    // A slice more, which says another number of itself, is the same volume.
+    dicom::Stack more = phaseAt("1002");
+    more.frames.push_back(more.frames.front());
+    EXPECT_EQ(volumeOf(*foundWith({phaseAt("1001"), more}), ofTwo), 2U);
+    // Views of before have a place alone.
+    BesideState old = ofTwo;
+    old.volumeKey.clear();
+    EXPECT_EQ(volumeOf(*foundWith({phaseAt("1001"), phaseAt("1002")}), old), 2U);
+}
+
+TEST(VolumeKey, IsOfFrameOrientationAndTime) {
+    const auto key = [](const dicom::Stack& stack) { return volumeKey(*foundWith({stack}), 1); };
+    const std::string usual = key(phaseAt("1001"));
+    EXPECT_EQ(usual, key(phaseAt("1001")));
+    EXPECT_EQ(usual, key(phaseAt("1001", "1.9", {1.0 - 1e-7, 1e-5, 0}))) << "other digits";
+    EXPECT_NE(usual, key(phaseAt("1002")));
+    EXPECT_NE(usual, key(phaseAt("1001", "1.8")));
+    EXPECT_NE(usual, key(phaseAt("1001", "1.9", {0, 1, 0})));
+    // Nothing tells these two apart but their order.
+    const auto twins = foundWith({phaseAt("1001"), phaseAt("1001")});
+    EXPECT_EQ(volumeKey(*twins, 1), usual);
+    EXPECT_EQ(volumeKey(*twins, 2), usual + "-2");
+    // Images that say nothing, and a stack without any.
+    EXPECT_FALSE(key(test::volumeOf(3)).empty());
+    dicom::Stack none = test::volumeOf(3);
+    none.frames.clear();
+    EXPECT_FALSE(key(none).empty());
+}
+
 // Two phases of a heart are one series, and are told apart.
 TEST(SecondStudy, VolumesOfOneSeriesAreToldApart) {
     dicom::Series series = test::seriesOf(2, "b", {test::volumeOf(3), test::volumeOf(4)});
@@ -174,7 +246,11 @@ TEST(SecondStudy, VolumesOfOneSeriesAreToldApart) {
     EXPECT_EQ(link.volume, 1U);
     EXPECT_TRUE(isOf(link, second));
     EXPECT_FALSE(isOf(link, first)) << "the registration is of the other";
-    link.volume.reset();  // of a view of before
+    EXPECT_FALSE(link.volumeKey.empty());
+    link.volumeKey.clear();  // of a view of before
+    EXPECT_TRUE(isOf(link, second));
+    EXPECT_FALSE(isOf(link, first));
+    link.volume.reset();  // of one still older
     EXPECT_FALSE(isOf(link, second));
     EXPECT_TRUE(isOf(firstLink(first, studyOf(jane())), studyOf(jane())));
     EXPECT_FALSE(firstLink(first, studyOf(jane())).volume);

@@ -81,6 +81,7 @@ StudyState everything() {
     BesideState beside;
     beside.seriesDigest = "fedcba";
     beside.volume = 2;
+    beside.volumeKey = "abcdef-2";
     beside.link = BesideLink::registered;
     beside.secondFromStudy = affine({0.6, 0.8, 0.0}, {-0.8, 0.6, 0.0}, {0.0, 0.0, 1.0}, {1.0 / 3.0, 7, -80});
     beside.boundMm = 0.7;
@@ -134,7 +135,11 @@ TEST(StudyState, IsAnotherWhenOneThingOfTheSlicesIs) {
     EXPECT_TRUE(differs([](auto& s) { s.measurements[2].shape = slices::Distance{}; }));
     EXPECT_TRUE(differs([](auto& s) { s.measurements.pop_back(); }));
     EXPECT_TRUE(differs([](auto& s) { s.cuts.eye->followsCamera = false; }));
-    EXPECT_TRUE(differs([](auto& s) { s.cuts.scissors[0].outline[1].x += 1e-9; }));
+    EXPECT_TRUE(differs([](auto& s) {
+        std::vector<glm::dvec2> points = s.cuts.scissors[0].outline;
+        points[1].x += 1e-9;
+        s.cuts.scissors[0].outline = points;
+    }));
     EXPECT_TRUE(differs([](auto& s) { s.namedClips[0].name = "lung"; }));
     EXPECT_TRUE(differs([](auto& s) { s.segmentations[0].isShown = false; }));
     EXPECT_TRUE(differs([](auto& s) { s.segmentations[0].segments[0].in3d = In3d::hidden; }));

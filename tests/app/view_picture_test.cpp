@@ -1,7 +1,10 @@
 // What a window shows, as files: PNG, EXR and DICOM, and nothing where it cannot be.
 #include "app/picture/view_picture.h"
 
+#include <algorithm>
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "app/choice/catalogue.h"
 #include "app/picture/drawn_picture.h"
@@ -49,6 +52,33 @@ TEST_F(ViewPictureTest, EachKindOfFileIsWritten) {
         const std::string bytes = *readText(folder_.path() / name);
         EXPECT_EQ(bytes.substr(std::size_t(at), begins.size()), begins) << name;
     }
+}
+
+// Over what is displayed, also in DICOM; and no one asks where there is light alone.
+TEST_F(ViewPictureTest, OverlaysLieOverPicturesAndNotOverLight) {
+    ASSERT_TRUE(writeIt(wished("clean.png")).ok());
+    for (const char* name : {"a.png", "a.dcm", "a.exr"}) {
+        ViewPicture picture = wished(name);
+        int asked = 0;
+        picture.stampsFor = [&](const Camera& camera) {
+            ++asked;
+            EXPECT_EQ(camera, picture.camera);
+            return std::vector<Stamp>{
+                {.atPx = {3, 4}, .sizePx = {5, 6}, .rgba = std::vector<std::uint8_t>(5 * 6 * 4, 200)}};
+        };
+        const auto done = writeIt(picture);
+        ASSERT_TRUE(done.ok()) << name;
+        const bool isLight = std::string(name) == "a.exr";
+        EXPECT_EQ(asked, isLight ? 0 : 1) << name;
+        const bool isTold = std::any_of(done->begin(), done->end(), [](const std::string& sentence) {
+            return sentence.find("no cube") != std::string::npos;
+        });
+        EXPECT_EQ(isTold, isLight) << name;
+    }
+    EXPECT_NE(*readText(folder_.path() / "a.png"), *readText(folder_.path() / "clean.png"));
+    const std::string capture = *readText(folder_.path() / "a.dcm");
+    EXPECT_NE(capture.find("with marks of orientation and scale"), std::string::npos);
+    EXPECT_NE(capture.find(std::string(15, char(200))), std::string::npos) << "they are in the pixels";
 }
 
 TEST_F(ViewPictureTest, WhatCannotBeWrittenIsSaidBeforeAnythingIsDrawn) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cctype>
 #include <cmath>
 #include <limits>
 
@@ -159,6 +160,20 @@ TEST(In16Bits, OneValueIsKeptExactly) {
     }
 }
 
+// An error without a unit says nothing; numbers of the scanner have none.
+TEST(In16Bits, ErrorIsToldInTheUnitOfTheValues) {
+    const std::vector<float> voxels{0.0F, 1e3F, 12.345F};
+    const auto noteOf = [&](Unit unit, const std::string& name) {
+        VolumeOptions options{.unit = unit, .modality = "PT"};
+        options.unitName = name;
+        return in16Bits(floatVolume(voxels, options))->provenance().assumptions.at(0);
+    };
+    EXPECT_TRUE(noteOf(Unit::suvBodyWeight, "").ends_with(" SUV."));
+    EXPECT_TRUE(noteOf(Unit::becquerelsPerMillilitre, "").ends_with(" Bq/mL."));
+    EXPECT_TRUE(noteOf(Unit::other, "mSv").ends_with(" mSv."));
+    EXPECT_TRUE(std::isdigit(static_cast<unsigned char>(noteOf(Unit::raw, "").rbegin()[1])));
+}
+
 TEST(In16Bits, AllPaddingStaysPadding) {
     const auto volume = in16Bits(floatVolume({kNan, 8.0F}, {.floatPadding = 8.0F}));
     EXPECT_TRUE(volume->isPadding(0, 0, 0));
@@ -198,6 +213,18 @@ TEST(Fingerprint, SameVolumeHasTheSame) {
     VolumeOptions named = options;
     named.provenance.seriesInstanceUid = "1.2.3";
     EXPECT_EQ(first, fingerprint(*storedVolume(twentyVoxels(), named)));
+}
+
+// What people are told of the unit has changed; models that were stored of it are found.
+TEST(Fingerprint, OfSuvIsAsItWas) {
+    const VolumeOptions suv{.size = {2, 2, 5}, .unit = Unit::suvBodyWeight};
+    VolumeOptions before{.size = {2, 2, 5}, .unit = Unit::other};
+    before.unitName = "g/mL";
+    EXPECT_EQ(fingerprint(*storedVolume(twentyVoxels(), suv)),
+              fingerprint(*storedVolume(twentyVoxels(), before)));
+    before.unitName = "mSv";
+    EXPECT_NE(fingerprint(*storedVolume(twentyVoxels(), suv)),
+              fingerprint(*storedVolume(twentyVoxels(), before)));
 }
 
 TEST(Fingerprint, OtherPixelsUnderTheSameUidDiffer) {

@@ -106,6 +106,35 @@ TEST_F(Presentation, OfOptionsIsTheSamePicture) {
     EXPECT_NE(pixels({"--presentation-state", state_, "--view", "anterior"}), drawn);
 }
 
+// Both fit what can be seen, and not the box around the air.
+TEST_F(Presentation, FitsWhatIsVisibleAsRenderDoes) {
+    const std::vector<std::string> wish{"--preset", "ct-bone", "--view", "left"};
+    ASSERT_EQ(exportState(wish).exitCode, 0);
+    const auto squareOf = [&](std::vector<std::string> more) {
+        std::vector<std::string> all{"render", at("study"), "-o",     at("a.png"), "--size",     "24x24",
+                                     "--spp",  "2",         "--seed", "5",         "--overwrite"};
+        all.insert(all.end(), more.begin(), more.end());
+        const Ran ran = runMacula(all);
+        EXPECT_EQ(ran.exitCode, 0) << ran.err;
+        const auto picture = image::readImage(at("a.png"));
+        EXPECT_TRUE(picture.ok());
+        return picture ? picture->pixels : std::vector<float>{};
+    };
+    const auto presented = squareOf({"--presentation-state", state_});
+    std::vector<std::string> direct = wish;
+    direct.insert(direct.end(), {"--look", "dvr"});
+    const auto rendered = squareOf(direct);
+    ASSERT_EQ(presented.size(), rendered.size());
+    double difference = 0.0;
+    double light = 0.0;
+    for (std::size_t i = 0; i < rendered.size(); ++i) {
+        difference += std::abs(double(presented[i]) - rendered[i]);
+        light += rendered[i];
+    }
+    EXPECT_GT(light, 0.0);
+    EXPECT_LT(difference, 0.05 * light) << "in other sizes most of the edges would lie elsewhere";
+}
+
 TEST_F(Presentation, IsListedWithItsStudy) {
     ASSERT_EQ(exportState({}).exitCode, 0);
     std::filesystem::rename(state_, at("study/state.dcm"));

@@ -398,8 +398,8 @@ TEST(TextOf, IsWhatARadiologistReads) {
     EXPECT_EQ(text(Angle{{glm::dvec3(1, 0, 0), {}, {1, 1, 0}}}), "45.0°");
     EXPECT_EQ(text(Angle{}), "–");
     // 46 of 81 voxels have 160: (46 * 160 + 35 * 35) / 81, and a deviation of 125 sqrt(46 * 35 / (81 * 80)).
-    EXPECT_EQ(text(ellipseAt({20, 20, 2}, glm::dvec2(5.001))), "106 ± 62 HU, 35 to 160, 78.6 mm²");
-    EXPECT_EQ(text(ellipseAt({5, 20, 2}, glm::dvec2(0.1))), "35 HU, 35 to 35, 0.0314 mm²");
+    EXPECT_EQ(text(ellipseAt({20, 20, 2}, glm::dvec2(5.001))), "106 ± 62 HU, min 35, max 160, 78.6 mm²");
+    EXPECT_EQ(text(ellipseAt({5, 20, 2}, glm::dvec2(0.1))), "35 HU, min 35, max 35, 0.0314 mm²");
     EXPECT_EQ(text(ellipseAt({5, 20, 99}, {10, 10})), "–, 314 mm²");
     EXPECT_EQ(text(ellipseAt({5, 20, 99}, {kNaN, 10})), "–, –");
 }
@@ -411,11 +411,12 @@ TEST(TextOf, HasTheUnitOfTheVolumeAndDigitsForSmallValues) {
         return textOf({.shape = ellipse},
                       volumeOf(options, [](const glm::ivec3& v) { return v.x < 20 ? 35 : 160; }));
     };
-    EXPECT_EQ(text(Unit::raw, "", {}), "106 ± 62, 35 to 160, 78.6 mm²");
-    EXPECT_EQ(text(Unit::suvBodyWeight, "", {.slope = 0.01}), "1.06 ± 0.62 g/mL, 0.35 to 1.60, 78.6 mm²");
+    EXPECT_EQ(text(Unit::raw, "", {}), "106 ± 62, min 35, max 160, 78.6 mm²");
+    EXPECT_EQ(text(Unit::suvBodyWeight, "", {.slope = 0.01}),
+              "1.06 ± 0.62 SUV, min 0.35, max 1.60, 78.6 mm²");
     EXPECT_EQ(text(Unit::other, "mm²/s", {.slope = 1e-5}),
-              "0.00106 ± 0.00062 mm²/s, 0.00035 to 0.00160, 78.6 mm²");
-    EXPECT_EQ(text(Unit::hounsfield, "", {.intercept = -106.0}), "0 ± 62 HU, -71 to 54, 78.6 mm²")
+              "0.00106 ± 0.00062 mm²/s, min 0.00035, max 0.00160, 78.6 mm²");
+    EXPECT_EQ(text(Unit::hounsfield, "", {.intercept = -106.0}), "0 ± 62 HU, min -71, max 54, 78.6 mm²")
         << "and no minus before a zero";
 }
 

@@ -21,7 +21,7 @@ Outcome outcomeOf(Splat splat, SplatView view) {
     vec3 s1 = vec3(0.1, 0.2, -0.1);
     vec3 s2 = vec3(-0.2, 0.1, 0.3);
     vec3 s3 = vec3(0.2, -0.3, 0.1);
-    vec3 d = directionTo(splat.position, view.eyeMm);
+    vec3 d = directionTo(splat.position, view);
     vec3 sum = colourOfBand0(vec3(0.7, 0.1, -0.5)) + colourOfBand1(d, s1, s2, s3) + colourOfBand2(d, s1, s2, s3, s1, s2) +
                colourOfBand3(d, s1, s2, s3, s1, s2, s3, s1);
     o.colour = visibleColour(sum);
@@ -51,7 +51,7 @@ Outcome outcomeOf(Splat splat, SplatView view) {
     o.bySplat = noSplatGradient();
     if (o.screen.opacity > float(0.0)) o.bySplat = projectionGradient(splat, view, o.screen, o.byScreen);
     vec3 bySum = sumGradient(sum, o.byScreen.colour) + vec3(float(1.0));
-    o.byPositionOfColour = colourPositionGradient(splat.position, view.eyeMm, s1, s2, s3, bySum);
+    o.byPositionOfColour = colourPositionGradient(splat.position, view, s1, s2, s3, bySum);
     o.byBand = band1Gradient(d, bySum);
     return o;
 }

@@ -255,6 +255,9 @@ TEST_F(ClipPanelTest, CutsAreMadeAtTheCrossHair) {
     openPhantom();
     const glm::dvec3 at = all().centre() + glm::dvec3(20.0, -30.0, 10.0);
     putCrosshair(at);
+    // They say what goes.
+    EXPECT_EQ(button("clip-cut-left").text(), QStringLiteral("Remove left side"));
+    EXPECT_EQ(button("clip-cut-superior").text(), QStringLiteral("Remove superior side"));
     click("clip-cut-anterior");
     EXPECT_NEAR(kept().low.y, at.y, 1e-9);
     EXPECT_EQ(kept().high.y, all().high.y);

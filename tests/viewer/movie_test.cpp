@@ -16,6 +16,7 @@
 #include "viewer/output/movie_export.h"
 #include "viewer/output/movie_panel.h"
 #include "viewer/output/movie_stamps.h"
+#include "viewer/output/picture_overlays.h"
 #include "viewer/output/video_encoder.h"
 
 namespace macula::viewer {
@@ -115,6 +116,32 @@ TEST_F(MoviePanelTest, LettersStandAtTheirEdges) {
     EXPECT_GT(stamps[1].atPx.x, 560);
     EXPECT_LT(stamps[2].atPx.y, 40);
     EXPECT_GT(stamps[3].atPx.y, 400);
+}
+
+TEST_F(MoviePanelTest, OverlaysOfASavedPictureAreLettersCubeAndScale) {
+    const Camera anterior = toCamera(app::OrbitCamera{});
+    const auto letters = stampsOf({}, app::edgeLetters(app::OrbitCamera{}), {1280, 720});
+    const auto all = overlaysOf(anterior, {1280, 720});
+    ASSERT_GT(all.size(), letters.size()) << "cube and scale";
+    for (std::size_t i = 0; i < letters.size(); ++i) {
+        EXPECT_EQ(all[i].atPx, letters[i].atPx);
+        EXPECT_EQ(all[i].rgba, letters[i].rgba) << "left and right as in the window";
+    }
+    for (std::size_t i = letters.size(); i < all.size(); ++i) {
+        EXPECT_EQ(all[i].rgba.size(), std::size_t(all[i].sizePx.x) * std::size_t(all[i].sizePx.y) * 4);
+        EXPECT_GT(all[i].atPx.x, 640);
+        EXPECT_GT(all[i].atPx.y, 360);
+        EXPECT_LE(all[i].atPx.x + all[i].sizePx.x, 1280);
+        EXPECT_LE(all[i].atPx.y + all[i].sizePx.y, 720);
+    }
+    // Twice the picture, twice the marks.
+    const auto large = overlaysOf(anterior, {2560, 1440});
+    EXPECT_NEAR(large.back().sizePx.y, 2 * all.back().sizePx.y, 4);
+    EXPECT_EQ(overlaysOf(anterior, {64, 48}).size(), 4u) << "letters alone";
+    EXPECT_TRUE(overlaysOf(anterior, {0, 48}).empty());
+    Camera none = anterior;
+    none.targetMm = none.positionMm;
+    EXPECT_TRUE(overlaysOf(none, {640, 480}).empty());
 }
 
 class VideoEncoderTest : public test::OffscreenTest {

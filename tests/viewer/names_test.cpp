@@ -161,7 +161,7 @@ TEST_F(ThreeStudiesTest, EveryPictureOfThreeStudiesNamesItsOwn) {
         // The first has a model, the next two are left at their first pictures, the last comes to rest.
         const auto isFarEnough = [&](const app::FrameShown& frame) {
             if (frame.stage == app::Stage::converged) return true;
-            if (&path == std::begin(paths)) return frame.picture == app::OnScreen::model;
+            if (&path == std::begin(paths)) return frame.model.steps > 0;
             return &path + 1 != std::end(paths);
         };
         ASSERT_TRUE(waitUntil([&] {

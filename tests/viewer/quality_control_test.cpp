@@ -40,6 +40,14 @@ TEST_F(QualityControlTest, ByItselfItChangesNothing) {
     EXPECT_FALSE(control_->stop());
     EXPECT_TRUE(automatic().isChecked());
     EXPECT_TRUE(told_.empty());
+    // Wherever the slider stands meanwhile.
+    EXPECT_EQ(control_->text(), QStringLiteral("Quality: automatic"));
+    EXPECT_TRUE(control_->words().startsWith(QStringLiteral("Automatic"))) << control_->words().toStdString();
+    control_->setStop(0);
+    EXPECT_FALSE(control_->text().contains(QStringLiteral("automatic")));
+    EXPECT_FALSE(control_->words().contains(QStringLiteral("Automatic")));
+    control_->setStop(std::nullopt);
+    told_.clear();
 }
 
 TEST_F(QualityControlTest, EachStopIsToldAndSaysWhatItCosts) {

@@ -32,7 +32,7 @@ class SessionTest : public WindowTest {
         return waitUntil([&] { return !origins_.empty() && origins_.back() == origin; });
     }
 
-    // As the window tells them: "Model learning, 120 steps".
+    // As the window tells them: "Preview sharpening, 120 steps".
     int steps() const {
         return window_->modelState().section(QLatin1String(", "), 1).section(QLatin1Char(' '), 0, 0).toInt();
     }

@@ -460,6 +460,13 @@ TEST_F(SliceViewTest, ARightClickOffersWindowsAndADragDoesNot) {
         if (action->text().startsWith("Kidney && more")) kidney = action;
     }
     ASSERT_NE(kidney, nullptr);
+    // Each with its numbers, those of the series and of all values too.
+    const QString unit = QString::fromStdString(session_->study().volume->unitName());
+    EXPECT_TRUE(kidney->text().startsWith(QStringLiteral("Kidney && more: W 300 L 60") +
+                                          (unit.isEmpty() ? QString() : QLatin1Char(' ') + unit)))
+        << kidney->text().toStdString();
+    EXPECT_TRUE(menu->actions().first()->text().contains(QLatin1String(": W ")))
+        << menu->actions().first()->text().toStdString();
     kidney->trigger();
     ASSERT_TRUE(state().slices.window);
     EXPECT_EQ(state().slices.window->width, 300.0);

@@ -3,6 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
 namespace macula::viewer {
 namespace {
 
@@ -125,6 +129,80 @@ TEST(StateHistory, ForgetsTheOldestOfTooMany) {
     history.begin(thick(1));
     EXPECT_FALSE(history.canRedo());
     EXPECT_EQ(undoAll(history), 0);
+}
+
+// A star with as many points as an outline may have.
+app::SharedOutline outlineOf(double size) {
+    std::vector<glm::dvec2> points;
+    for (std::size_t i = 0; i < app::kMostOutlinePoints; ++i) {
+        const double turn = double(i) / double(app::kMostOutlinePoints) * 6.28;
+        points.emplace_back(size * std::cos(turn), size * std::sin(turn));
+    }
+    return points;
+}
+
+// The most cuts that there may be, and then other things are changed.
+TEST(StateHistory, StepsShareTheOutlinesOfScissors) {
+    constexpr std::size_t kOutlineBytes = app::kMostOutlinePoints * sizeof(glm::dvec2);
+    StateHistory history;
+    app::StudyState state;
+    for (std::size_t i = 0; i < app::kMostScissorCuts; ++i) {
+        state.cuts.scissors.push_back({.camera = {}, .outline = outlineOf(1.0 + double(i))});
+        history.push(QStringLiteral("Scissors"), state);
+    }
+    const std::size_t cut = history.bytes();
+    EXPECT_GE(cut, app::kMostScissorCuts * kOutlineBytes);
+    EXPECT_LT(cut, 4 * app::kMostScissorCuts * kOutlineBytes) << "each of them once, not 25 times";
+    for (int mm = 1; mm <= 100; ++mm) {
+        state.slices.slab.thicknessMm = mm;
+        history.push(kSlab, state);
+    }
+    EXPECT_LT(history.bytes() - cut,
+              100 * 2 * (sizeof state + app::kMostScissorCuts * sizeof(app::ScissorCut)));
+    EXPECT_EQ(undoAll(history), 150);
+    // What nobody can go to any more is gone.
+    history.push(kSlab, thick(2));
+    EXPECT_LT(history.bytes(), kOutlineBytes);
+    EXPECT_EQ(history.now().cuts.scissors.size(), 0u);
+}
+
+TEST(StateHistory, ForgetsTheOldestOfStepsThatAreTooLargeTogether) {
+    StateHistory history;
+    app::StudyState large;
+    large.otherKeys.assign(kMostHistoryBytes / 4, ' ');
+    for (int mm = 1; mm <= 10; ++mm) {
+        large.slices.slab.thicknessMm = mm;
+        history.push(kSlab, large);
+        EXPECT_LE(history.bytes(), kMostHistoryBytes);
+    }
+    EXPECT_EQ(thicknessMm(history), 10);
+    EXPECT_EQ(undoAll(history), 2) << "three of a little more than a quarter have room";
+    EXPECT_EQ(thicknessMm(history), 8);
+    // Each alone is too large: the present stays, and the one before it.
+    large.otherKeys.assign(kMostHistoryBytes + 1, ' ');
+    history.begin(large);
+    for (int mm = 21; mm <= 23; ++mm) {
+        large.slices.slab.thicknessMm = mm;
+        history.push(kSlab, large);
+    }
+    EXPECT_EQ(undoAll(history), 1);
+    EXPECT_EQ(thicknessMm(history), 22);
+}
+
+TEST(StateHistory, CountsWhatIsPutInThePlaceOfAnother) {
+    StateHistory history;
+    app::StudyState state;
+    const std::size_t empty = history.bytes();
+    state.cuts.scissors.push_back({.camera = {}, .outline = outlineOf(1.0)});
+    history.push(kSlab, state, true);
+    const std::size_t one = history.bytes();
+    state.cuts.scissors[0].outline = outlineOf(2.0);
+    history.push(kSlab, state, true);
+    EXPECT_EQ(history.bytes(), one) << "it took the place of the other";
+    history.correct([](app::StudyState& next) { next.cuts = {}; });
+    EXPECT_EQ(history.bytes(), empty) << "the step was of nothing else";
+    history.begin({});
+    EXPECT_EQ(history.bytes(), empty);
 }
 
 TEST(StateHistory, WhatComesOfItselfIsNoStep) {

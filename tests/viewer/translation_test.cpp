@@ -47,7 +47,7 @@ std::vector<Text> textsIn(const QString& path) {
         if (xml.name() == QLatin1String("source")) texts.push_back({context, xml.readElementText(), {}});
         if (xml.name() == QLatin1String("translation")) {
             texts.back().isUnfinished = xml.attributes().hasAttribute(QLatin1String("type"));
-            texts.back().translation = xml.readElementText();
+            texts.back().translation = xml.readElementText(QXmlStreamReader::IncludeChildElements);
         }
     }
     EXPECT_FALSE(xml.hasError()) << xml.errorString().toStdString();
@@ -58,9 +58,9 @@ QString folder() {
     return QString::fromStdString((macula::test::projectFolder() / "src/viewer/translations/").string());
 }
 
-// The places of a text: "%1", "%L2".
+// The places of a text: "%1", "%L2", and "%n" of how many.
 QStringList placesOf(const QString& text) {
-    static const QRegularExpression place(QStringLiteral("%L?[1-9]"));
+    static const QRegularExpression place(QStringLiteral("%L?[1-9n]"));
     QSet<QString> places;
     for (auto matches = place.globalMatch(text); matches.hasNext();) places << matches.next().captured();
     QStringList sorted(places.begin(), places.end());
@@ -81,6 +81,17 @@ TEST(Translation, EveryTextHasOneWithTheSamePlaces) {
             for (const QString& place : placesOf(text.translation))
                 EXPECT_TRUE(placesOf(text.source).contains(place)) << text.source.toStdString();
         }
+    }
+}
+
+// Of English there is only what is said of one thing and of several.
+TEST(Translation, EnglishHasBothFormsOfEachCount) {
+    const std::vector<Text> english = textsIn(folder() + QStringLiteral("macula_en.ts"));
+    EXPECT_GE(english.size(), 17u);
+    for (const Text& text : english) {
+        EXPECT_FALSE(text.isUnfinished || text.translation.trimmed().isEmpty()) << text.source.toStdString();
+        EXPECT_TRUE(text.source.contains(QLatin1String("%n")) || text.source.contains(QLatin1String("%Ln")));
+        EXPECT_EQ(placesOf(text.source), placesOf(text.translation)) << text.source.toStdString();
     }
 }
 
@@ -133,6 +144,27 @@ TEST_F(GermanTest, TextsOfTheWindowAreInTheProgram) {
               QStringLiteral("&Open Folder…"));
     EXPECT_EQ(inWindowsLanguage(std::string("There is only one slice.")),
               QStringLiteral("There is only one slice."));
+}
+
+TEST_F(GermanTest, OneThingIsNotToldAsSeveral) {
+    const auto pictures = [](int count) {
+        return QCoreApplication::translate("macula::viewer::MoviePanel", "%Ln pictures", nullptr, count);
+    };
+    EXPECT_EQ(pictures(1), QStringLiteral("1 Bild"));
+    EXPECT_EQ(pictures(2), QStringLiteral("2 Bilder"));
+    EXPECT_EQ(inWindowsLanguage(std::string("1 part")), QStringLiteral("1 Teil"));
+    EXPECT_EQ(inWindowsLanguage(std::string("3 parts")), QStringLiteral("3 Teile"));
+    useLanguage(Language::english);
+    EXPECT_EQ(pictures(1), QStringLiteral("1 picture"));
+    EXPECT_EQ(pictures(0), QStringLiteral("0 pictures"));
+}
+
+TEST_F(GermanTest, WindowsOfSlicesAndTheErrorOf16BitsArriveInGerman) {
+    EXPECT_EQ(titleInWindowsLanguage("Soft tissue"), QStringLiteral("Weichteile"));
+    EXPECT_EQ(inWindowsLanguage(std::string("The values were brought to 16 bits for the picture, with an "
+                                            "error of at most 0.25 SUV.")),
+              QStringLiteral("Die Werte wurden für das Bild auf 16 Bit gebracht, mit einem Fehler von "
+                             "höchstens 0,25 SUV."));
 }
 
 TEST_F(GermanTest, KeysAndTitlesOfWhatIsBuiltInHaveOne) {

@@ -233,9 +233,8 @@ class ParallelModelTest : public View3dTest {
     ParallelModelTest() { usesModel_ = true; }
 };
 
-// Splats are made for an eye: with parallel rays all that is seen is traced, and the reason is told. The
-// model waits.
-TEST_F(ParallelModelTest, WithParallelRaysNothingIsShownOfTheModel) {
+// The model is drawn with parallel rays too: what follows the hand has all pixels, and none of it is a fovea.
+TEST_F(ParallelModelTest, WithParallelRaysTheModelFollowsTheHand) {
     std::vector<app::FrameShown> seen;
     QObject::connect(&*window_, &MainWindow::frameShown, &*window_,
                      [&](const app::FrameShown& frame) { seen.push_back(frame); });
@@ -243,7 +242,8 @@ TEST_F(ParallelModelTest, WithParallelRaysNothingIsShownOfTheModel) {
         return std::ranges::any_of(seen, [&](const auto& frame) { return frame.picture == picture; });
     };
     openPhantom();
-    ASSERT_TRUE(hasSeen(app::OnScreen::model));
+    ASSERT_TRUE(
+        waitUntil([&] { return window_->modelState().startsWith(QLatin1String("Preview sharp")); }, 60));
     seen.clear();
     pressKey(Qt::Key_O);
     ASSERT_TRUE(waitUntil([&] { return !seen.empty() && isParallel(seen.back().camera); }, 60));
@@ -254,13 +254,18 @@ TEST_F(ParallelModelTest, WithParallelRaysNothingIsShownOfTheModel) {
         mouse(QEvent::MouseMove, QPointF(x, 100), Qt::NoButton, Qt::LeftButton, {});
         ASSERT_TRUE(waitUntil([&] { return seen.size() > before; }, 60));
     }
-    EXPECT_TRUE(window_->fidelity().contains(QStringLiteral("without splats")))
+    EXPECT_TRUE(window_->fidelity().startsWith(QStringLiteral("Preview, ")))
         << window_->fidelity().toStdString();
+    EXPECT_TRUE(window_->fidelity().contains(QStringLiteral("parallel rays")));
+    for (const app::FrameShown& frame : seen) {
+        if (frame.stage != app::Stage::moving) continue;  // traced before the hand came
+        EXPECT_EQ(frame.picture, app::OnScreen::model);
+        EXPECT_FALSE(frame.foveaAgeMs);
+    }
     mouse(QEvent::MouseButtonRelease, {130, 100}, Qt::LeftButton, Qt::NoButton, {});
     ASSERT_TRUE(waitForConverged());
-    EXPECT_FALSE(hasSeen(app::OnScreen::model));
-    EXPECT_FALSE(hasSeen(app::OnScreen::fading));
-    EXPECT_TRUE(hasSeen(app::OnScreen::preview));
+    EXPECT_TRUE(hasSeen(app::OnScreen::fading));
+    EXPECT_FALSE(hasSeen(app::OnScreen::preview));
     // Seen by an eye again, the model is there at once.
     seen.clear();
     pressKey(Qt::Key_O);

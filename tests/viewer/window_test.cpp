@@ -289,8 +289,8 @@ TEST_F(WindowTest, StatusTextsKeepApartInANarrowWindow) {
     }
     ASSERT_TRUE(fidelity);
     ASSERT_GE(shown.size(), 4u);
-    const QString longest =
-        QStringLiteral("Cinematic, table left out, clipped, preview, denoised, 1/10 of the pixels each way");
+    const QString longest = QStringLiteral(
+        "Cinematic, table left out, clipped, coarse preview, denoised, 1/10 of the pixels each way");
     fidelity->setFullText(longest);
     const auto expectApart = [&] {
         for (std::size_t i = 0; i < shown.size(); ++i) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/clip/kept_box.h"
+#include "app/clip/shared_outline.h"
 #include "base/camera.h"
 #include "pipeline/volume/clip.h"
 
@@ -29,7 +30,7 @@ struct EyeCut {
 // or all else.
 struct ScissorCut {
     Camera camera;
-    std::vector<glm::dvec2> outline;  // in half heights from the middle of the picture, right and up positive
+    SharedOutline outline;  // in half heights from the middle of the picture, right and up positive
     bool removesOutside = false;
 
     bool operator==(const ScissorCut&) const = default;

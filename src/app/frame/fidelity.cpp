@@ -8,13 +8,20 @@ namespace {
 
 void addModel(const FrameShown& frame, std::vector<std::string>& because) {
     if (!frame.foveaAgeMs) {
-        because.emplace_back("splats only");
+        because.emplace_back("preview only");
     } else {
-        because.emplace_back("splats around the fovea");
-        because.push_back(fmt::format("fovea traced {:.1f} s ago with {} samples", *frame.foveaAgeMs / 1000.0,
-                                      frame.foveaSamples));
+        because.emplace_back("preview around the sharp centre");
+        because.push_back(fmt::format("sharp centre traced {:.1f} s ago with {} samples",
+                                      *frame.foveaAgeMs / 1000.0, frame.foveaSamples));
     }
     if (frame.greyFacesAreCoarse) because.emplace_back("values on cut faces only coarsely");
+}
+
+bool isNotFit(const hybrid::ModelNews& model) {
+    using hybrid::ModelStage;
+    const bool isBegun = model.stage == ModelStage::resuming || model.stage == ModelStage::learning ||
+                         model.stage == ModelStage::resting;
+    return isBegun && !hybrid::isFitToBeShown(model);
 }
 
 }  // namespace
@@ -23,9 +30,10 @@ Fidelity fidelityOf(const FrameShown& frame) {
     Fidelity fidelity{.isFinal = frame.picture == OnScreen::traced && frame.stage == Stage::converged};
     std::vector<std::string>& because = fidelity.because;
     if (frame.picture == OnScreen::model) addModel(frame, because);
-    if (frame.picture == OnScreen::preview && isParallel(frame.camera))
-        because.emplace_back("no splats with parallel rays");
-    if (frame.picture == OnScreen::fading) because.emplace_back("splats fade out");
+    if (frame.picture == OnScreen::preview && isNotFit(frame.model))
+        because.push_back(fmt::format("the preview is not sharp enough: {} of {} steps", frame.model.steps,
+                                      hybrid::kStepsToBeShown));
+    if (frame.picture == OnScreen::fading) because.emplace_back("preview fades out");
     if (frame.scale > 1) because.push_back(fmt::format("1/{} of the pixels each way", frame.scale));
     if (frame.picture != OnScreen::model && frame.stage != Stage::converged)
         because.push_back(fmt::format("{} of {} samples", frame.samplesPerPixel, frame.sampleLimit));

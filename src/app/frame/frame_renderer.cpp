@@ -172,10 +172,9 @@ void FrameRenderer::tellCourse() {
     course_.setPreviewLimit(TracedPictures::previewLimit(input_));
     course_.setFovea(wantsFovea());
     ModelState state = ModelState::none;
-    // While rays are parallel the model waits: what is traced is all that is shown.
-    const bool works = model_ && model_->hasWork() && !isParallel(input_.camera) && !input_.convergesNow;
+    const bool works = model_ && model_->hasWork() && !input_.convergesNow;
     if (canDrawModel())
-        state = ModelState::ready;
+        state = hybrid::isFitToBeShown(model_->news()) ? ModelState::ready : ModelState::young;
     else if (works)
         state = ModelState::searching;
     course_.setModel(state, works);

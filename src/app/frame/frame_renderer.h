@@ -93,10 +93,7 @@ class FrameRenderer {
     Result<void> workOnModel(const std::function<bool()>& keepGoing);
     Result<void> learn(const Interrupts& interrupts);
     Result<void> showAgain();
-    // Splats are drawn for an eye, not with parallel rays.
-    bool canDrawModel() const {
-        return hybrid_ && model_ && model_->canBeDrawn() && !isParallel(input_.camera);
-    }
+    bool canDrawModel() const { return hybrid_ && model_ && model_->canBeDrawn(); }
     bool hasOtherMarks() const;
     Result<const gpu::Image*> frame(float tracedShare);
     double foveaMsPerSample() const;

@@ -82,7 +82,7 @@ double FrameRenderer::foveaMsPerSample() const {
 
 // At rest a small one at once, and larger ones after it, where all pixels take longer still.
 bool FrameRenderer::wantsFovea() const {
-    if (!canDrawModel() || !foveaHasRoom_) return false;
+    if (!canDrawModel() || !foveaHasRoom_ || isParallel(input_.camera)) return false;
     if (input_.interacting) return input_.live.hasFovea && hybrid_->wantsFovea(input_.camera);
     const double wholeMs = double(input_.width) * input_.height * foveaMsPerSample();
     return wholeMs > hybrid::kRestFoveaBudgetMs &&
@@ -155,7 +155,8 @@ Result<void> FrameRenderer::trace(const Interrupts& interrupts) {
 // What is traced while nothing moves is the fovea of the first frames of the next motion. Where it is not
 // denoised any more its guides may be gone; the one of before was of fewer samples, and does.
 Result<void> FrameRenderer::keepForMotion() {
-    if (!canDrawModel() || !foveaHasRoom_) return {};
+    // A fovea is reprojected, and a model learns, for an eye; with parallel rays splats alone are shown.
+    if (!canDrawModel() || !foveaHasRoom_ || isParallel(input_.camera)) return {};
     MACULA_TRY(const trace::Statistics statistics, traced_->statistics());
     if (!statistics.denoised) return {};
     const trace::View view{.camera = input_.camera, .width = traced_->width(), .height = traced_->height()};

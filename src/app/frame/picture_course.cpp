@@ -46,7 +46,10 @@ Step PictureCourse::next(TimePoint now) const {
                 const bool isWorthIt = canRefine && (handMoves_ || previewSamples_ < kRefinedWhileSearching);
                 return hasSearched_ && isWorthIt ? Step::showPreview : Step::search;
             }
-            if (!handMoves_ && now - previewSince_ >= kSettle) return Step::trace;
+            const bool isYoung = learns_ && model_ == ModelState::young;
+            if (isYoung && handMoves_) return hasSearched_ && canRefine ? Step::showPreview : Step::learn;
+            if (!handMoves_ && now - previewSince_ >= kSettle)
+                return isYoung && learntMs_ < kYoungShare * tracedMs_ ? Step::learn : Step::trace;
             return canRefine ? Step::showPreview : handMoves_ ? Step::none : Step::trace;
         }
         case OnScreen::model:
@@ -57,7 +60,8 @@ Step PictureCourse::next(TimePoint now) const {
             return Step::fade;
         case OnScreen::traced: {
             // While a hand holds the picture the model does not learn: the hand will move soon.
-            const bool learns = learns_ && model_ == ModelState::ready && !handMoves_;
+            const bool isThere = model_ == ModelState::ready || model_ == ModelState::young;
+            const bool learns = learns_ && isThere && !handMoves_;
             const bool searches = model_ == ModelState::searching && !handMoves_;
             if (searches) return Step::search;
             if (learns && (hasConverged_ || learntMs_ < tracedMs_)) return Step::learn;
@@ -108,7 +112,9 @@ void PictureCourse::faded(TimePoint now) {
 
 void PictureCourse::spent(Step step, double ms) {
     if (step == Step::trace) tracedMs_ += ms;
-    if (step == Step::learn) learntMs_ += ms;
+    if (step != Step::learn) return;
+    learntMs_ += ms;
+    hasSearched_ = true;  // a small picture is next, where one is worth it
 }
 
 }  // namespace macula::app

@@ -6,6 +6,7 @@
 // picture of this view if there is one; else the model stays, with a fovea that grows, until the first is
 // ready, and fades into it. Then the picture converges and the model learns in turns, until both are done. A
 // model is searched for when there is none, in turns with small pictures: few of them while nothing moves.
+// One that is too young to be shown learns likewise while a hand moves, and beside tracing at rest.
 #pragma once
 
 #include <chrono>
@@ -28,7 +29,12 @@ enum class OnScreen {
 std::string_view nameOf(OnScreen picture);
 
 // What there is of a peripheral model for it.
-enum class ModelState { none, searching, ready };
+enum class ModelState {
+    none,
+    searching,
+    young,  // not fit to be shown (hybrid::isFitToBeShown)
+    ready,
+};
 
 enum class Step {
     none,         // all is done
@@ -52,6 +58,9 @@ class PictureCourse {
     // Samples of a small picture beside which a model is searched for while nothing moves: with fewer it is
     // all noise for as long as the search takes, and with more the search takes longer.
     static constexpr std::uint64_t kRefinedWhileSearching = 8;
+    // Of the time that a young model may have beside the first pass of a traced picture: a person waits for
+    // that.
+    static constexpr double kYoungShare = 0.5;
 
     // Another picture from now on, of the same scene or of another one. `isTraced`: of exactly this there is
     // a traced one with all pixels, which has converged or can go on.
@@ -94,7 +103,7 @@ class PictureCourse {
     std::uint64_t previewLimit_ = 1;
     std::uint64_t previewSamples_ = 0;
     TimePoint previewSince_{};
-    bool hasSearched_ = false;  // since the last small picture
+    bool hasSearched_ = false;  // or learnt, since the last small picture
     std::optional<TimePoint> fadingSince_;
     double tracedMs_ = 0.0;
     double learntMs_ = 0.0;

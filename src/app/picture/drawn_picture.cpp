@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/elapsed.h"
+#include "app/picture/fitted_view.h"
 #include "app/study/nothing_visible.h"
 #include "pipeline/trace/scene.h"
 
@@ -16,15 +17,13 @@ namespace {
 
 const glm::vec3 kBackground(0.0f);
 
-Result<Camera> fittedCamera(const PictureRequest& request, const trace::PathTracer& tracer) {
+Result<Camera> cameraOf(const PictureRequest& request, const trace::PathTracer& tracer) {
     MACULA_TRY(std::vector<glm::dvec3> outline, tracer.outlineMm());
-    if (isProjection(request.settings.look) || outline.empty()) {
-        const auto corners = cornersOf(request.scene.volume->worldBox());
-        outline.assign(corners.begin(), corners.end());
-    }
-    const auto frame = request.isParallel ? frameInParallel : framePoints;
-    return frame(outline, standardBasis(request.from), request.verticalFovDeg,
-                 double(request.sizePx.x) / request.sizePx.y);
+    return fittedCamera(std::move(outline), request.settings.look, *request.scene.volume,
+                        {.from = request.from,
+                         .verticalFovDeg = request.verticalFovDeg,
+                         .isParallel = request.isParallel,
+                         .aspectWidthOverHeight = double(request.sizePx.x) / request.sizePx.y});
 }
 
 Result<void> traceAll(trace::PathTracer& tracer, std::uint32_t samplesPerPixel, Progress& progress) {
@@ -94,7 +93,7 @@ Result<DrawnPicture> PictureDrawer::draw(const std::optional<Camera>& camera, Pr
     if (camera) {
         drawn.camera = *camera;
     } else {
-        MACULA_TRY(drawn.camera, fittedCamera(request_, tracer_));
+        MACULA_TRY(drawn.camera, cameraOf(request_, tracer_));
     }
     drawn.camera = standingBefore(drawn.camera, request_.scene.volume->worldBox());
     tracer_.forgetViews();

@@ -23,6 +23,7 @@ std::string derivationOf(const ViewPicture& picture, const RenderRecord& record)
     std::string text = fmt::format("Volume rendering ({})", trace::nameOf(look));
     if (!trace::isProjection(look)) text += ", preset " + record.preset;
     if (!picture.drawing.remarks.empty()) text += ", " + picture.drawing.remarks;
+    if (picture.stampsFor) text += ", with marks of orientation and scale";
     text +=
         fmt::format(", {:.0f} samples per pixel{}. Not for primary diagnosis.",
                     record.statistics.meanSamplesPerPixel, record.statistics.denoised ? ", denoised" : "");
@@ -59,6 +60,12 @@ Result<std::vector<std::string>> writeViewPicture(const ViewPicture& picture,
         MACULA_TRY(drawn, drawPicture(on, request, progress));
         return {};
     }));
+    if (picture.stampsFor && request.isLinear) {
+        sentences.emplace_back("A picture of light has no cube, scale and letters over it.");
+    } else if (picture.stampsFor) {
+        for (const Stamp& stamp : picture.stampsFor(picture.camera))
+            putOver(drawn.rgba, request.sizePx, stamp);
+    }
     const RenderRecord record = recordOf(picture, request, drawn);
     MACULA_TRY_VOID(isDicom(picture.output)
                         ? writeCapture(picture, drawn, record)

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -10,6 +11,7 @@
 
 #include "app/frame/frame_input.h"
 #include "app/picture/picture_effort.h"
+#include "app/picture/stamp.h"
 #include "base/camera.h"
 #include "base/progress.h"
 #include "base/result.h"
@@ -31,6 +33,9 @@ struct ViewPicture {
     std::optional<dicom::SecondaryCapture::Source> source = {};
     bool isOfNobody = false;
     bool isDeidentified = false;
+    // What is laid over the picture, unless it is of light (.exr); may be empty. Says nothing of who is
+    // shown. Called by the thread that draws.
+    std::function<std::vector<Stamp>(const Camera&)> stampsFor = {};
 };
 
 // Opens a device of its own, as `preferredDevice` of gpu::chooseDevice, so a window goes on beside it. Takes

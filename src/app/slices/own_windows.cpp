@@ -21,6 +21,7 @@ using Json = nlohmann::ordered_json;
 constexpr JsonRange kCenter{-1e9, 1e9};
 constexpr JsonRange kWidth{1e-9, 1e9};
 constexpr std::size_t kLongestUnit = 100;
+constexpr std::string_view kUnitOfSuvBefore = "g/mL";  // as it was called when older windows were kept
 constexpr std::array<std::string_view, 3> kFunctions{"LINEAR", "LINEAR_EXACT", "SIGMOID"};
 
 bool isFunction(std::string_view name) {
@@ -91,8 +92,10 @@ Result<std::vector<OwnWindow>> ownWindowsFromJson(std::string_view text) {
 
 std::vector<OwnWindow> ownWindowsFor(const std::vector<OwnWindow>& all, const Volume& volume) {
     std::vector<OwnWindow> fitting;
-    std::ranges::copy_if(all, std::back_inserter(fitting),
-                         [unit = volume.unitName()](const OwnWindow& own) { return own.unit == unit; });
+    const bool isSuv = volume.unit() == Unit::suvBodyWeight;
+    std::ranges::copy_if(all, std::back_inserter(fitting), [&](const OwnWindow& own) {
+        return own.unit == volume.unitName() || (isSuv && own.unit == kUnitOfSuvBefore);
+    });
     return fitting;
 }
 

@@ -16,6 +16,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr JsonRange kOfTransform{-1e6, 1e6};
 constexpr JsonRange kBoundMm{0.0, 1e6};
+constexpr std::size_t kLongestVolumeKey = 80;
 constexpr JsonRange kPlaces{1.0, 1e9};  // of a volume among those of its series
 
 glm::dmat4 transformFrom(const JsonNode& node) {
@@ -34,6 +35,7 @@ glm::dmat4 transformFrom(const JsonNode& node) {
 Json toJson(const BesideState& state) {
     Json json{{"series", state.seriesDigest}};
     if (state.volume) json["volume"] = *state.volume + 1;
+    if (!state.volumeKey.empty()) json["volumeKey"] = state.volumeKey;
     json["link"] = nameOf(state.link);
     for (int row = 0; row < 4; ++row)
         for (int column = 0; column < 4; ++column)
@@ -54,8 +56,8 @@ Json toJson(const BesideState& state) {
 }
 
 BesideState besideStateFrom(const JsonNode& node) {
-    node.allowOnly({"series", "volume", "link", "secondFromStudy", "boundMm", "doubtful", "view", "window",
-                    "opacity", "colours"});
+    node.allowOnly({"series", "volume", "volumeKey", "link", "secondFromStudy", "boundMm", "doubtful", "view",
+                    "window", "opacity", "colours"});
     BesideState state;
     state.seriesDigest = node["series"].text();
     if (state.seriesDigest.empty()) node["series"].fail("the digest of a series");
@@ -63,6 +65,10 @@ BesideState besideStateFrom(const JsonNode& node) {
         const double place = volume->number(kPlaces);
         if (place != std::floor(place)) volume->fail("a whole number");
         state.volume = std::size_t(place) - 1;
+    }
+    if (const auto key = node.find("volumeKey")) {
+        state.volumeKey = key->text();
+        if (state.volumeKey.size() > kLongestVolumeKey) key->fail("the digest of a volume");
     }
     readName(node, "link", kBesideLinks, state.link);
     if (const auto transform = node.find("secondFromStudy"))

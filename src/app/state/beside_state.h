@@ -60,8 +60,9 @@ inline constexpr double kUsualOpacity = 0.6;
 struct BesideState {
     std::string seriesDigest = {};  // of the second volume: see StudyInput::seriesDigest
     // Which of the volumes of the series, from 0; nothing: its only one. Views of before this was kept name
-    // none.
+    // none. Counts only where there is no key: another file in the folder may move it.
     std::optional<std::size_t> volume = {};
+    std::string volumeKey = {};  // see volumeKey; empty in views of before, and where there is no series
     BesideLink link = BesideLink::byHand;
     glm::dmat4 secondFromStudy{1.0};  // mm LPS; rigid
     double boundMm = 0.0;             // of a registration: RigidRegistration::boundMm

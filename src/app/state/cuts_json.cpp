@@ -45,8 +45,10 @@ ScissorCut scissorFrom(const JsonNode& node) {
     const JsonNode outline = node["outline"];
     const std::vector<JsonNode> numbers = outline.items(6, 2 * kMostOutlinePoints);
     if (numbers.size() % 2 != 0) outline.fail("pairs of numbers");
+    std::vector<glm::dvec2> points;
     for (std::size_t i = 1; i < numbers.size(); i += 2)
-        cut.outline.emplace_back(numbers[i - 1].number(kHalfHeights), numbers[i].number(kHalfHeights));
+        points.emplace_back(numbers[i - 1].number(kHalfHeights), numbers[i].number(kHalfHeights));
+    cut.outline = std::move(points);
     if (const auto removes = node.find("removes")) {
         const std::string text = removes->text();
         if (text != "inside" && text != "outside") removes->fail("\"inside\" or \"outside\"");

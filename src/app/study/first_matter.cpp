@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <variant>
 #include <vector>
 
 #include "app/camera/picture_rays.h"
 #include "pipeline/trace/look.h"
 #include "pipeline/volume/mask_bits.h"
 #include "pipeline/volume/volume_fit.h"
+#include "slices/voxel_grid.h"
 
 namespace macula::app {
 
@@ -56,7 +58,10 @@ bool isMasked(const Mask& mask, const glm::dmat4& labelFromWorld, const glm::dve
 class Matter {
   public:
     Matter(const Volume& volume, const Drawing& drawing)
-        : volume_(volume), clip_(drawing.clip.get()), voxelFromWorld_(glm::inverse(volume.worldFromVoxel())) {
+        : volume_(volume),
+          voxels_(voxelsOf(volume)),
+          clip_(drawing.clip.get()),
+          voxelFromWorld_(glm::inverse(volume.worldFromVoxel())) {
         if (clip_ != nullptr && clip_->mask)
             labelFromWorld_ =
                 clip_->mask->bits ? voxelFromWorld_ : glm::inverse(clip_->mask->labels->worldFromVoxel());
@@ -67,22 +72,10 @@ class Matter {
         return shows(*clip_, pointMm) && !(clip_->mask && isMasked(*clip_->mask, labelFromWorld_, pointMm));
     }
 
-    // Linear between the voxels that are no padding; NaN where there are none.
+    // As slices show it, linear between the voxels that are no padding; NaN where there are none.
     double valueAt(const glm::dvec3& pointMm) const {
         const glm::dvec3 at = transformPoint(voxelFromWorld_, pointMm);
-        const glm::dvec3 floor = glm::floor(at);
-        double sum = 0.0;
-        double weights = 0.0;
-        for (int corner = 0; corner < 8; ++corner) {
-            const glm::dvec3 step(corner & 1, (corner >> 1) & 1, corner >> 2);
-            const glm::dvec3 shares = glm::mix(1.0 - (at - floor), at - floor, step);
-            const glm::ivec3 voxel = glm::clamp(glm::ivec3(floor + step), glm::ivec3(0), volume_.size() - 1);
-            const double weight = shares.x * shares.y * shares.z;
-            if (weight <= 0.0 || volume_.isPadding(voxel.x, voxel.y, voxel.z)) continue;
-            sum += weight * volume_.value(voxel.x, voxel.y, voxel.z);
-            weights += weight;
-        }
-        return weights > 0.0 ? sum / weights : std::numeric_limits<double>::quiet_NaN();
+        return std::visit([&](const auto& voxels) { return voxels.linear(at); }, voxels_);
     }
 
     // In units per voxel of mean edge, as TransferFunction::gradientOpacity has it.
@@ -100,7 +93,16 @@ class Matter {
     }
 
   private:
+    using Voxels =
+        std::variant<slices::VoxelGrid<slices::StoredVoxels>, slices::VoxelGrid<slices::FloatVoxels>>;
+
+    static Voxels voxelsOf(const Volume& volume) {
+        if (volume.format() == VoxelFormat::stored16) return slices::VoxelGrid<slices::StoredVoxels>(volume);
+        return slices::VoxelGrid<slices::FloatVoxels>(volume);
+    }
+
     const Volume& volume_;
+    Voxels voxels_;
     const Clip* clip_;
     glm::dmat4 voxelFromWorld_;
     glm::dmat4 labelFromWorld_{1.0};

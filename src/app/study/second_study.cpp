@@ -8,6 +8,7 @@
 #include <cmath>
 #include <vector>
 
+#include "app/study/volume_key.h"
 #include "base/parsing.h"
 #include "base/sha256.h"
 #include "dicom/read/patient.h"
@@ -77,6 +78,12 @@ std::vector<double> someValues(const Volume& volume) {
     return values;
 }
 
+// Empty where no folder was read.
+std::string keyOf(const OpenedStudy& study) {
+    const bool isFound = study.found && study.volumeIndex < study.found->volumes().size();
+    return isFound ? volumeKey(*study.found, study.volumeIndex) : std::string();
+}
+
 }  // namespace
 
 SamePatient samePatient(const Identity& a, const Identity& b) {
@@ -139,6 +146,7 @@ BesideState firstLink(const OpenedStudy& study, const OpenedStudy& second) {
     BesideState state;
     state.seriesDigest = second.seriesDigest;
     if (const PlaceInSeries at = placeInSeries(second); at.count > 1) state.volume = at.place;
+    state.volumeKey = keyOf(second);
     if (shareFrameOfReference(study, second)) {
         state.link = BesideLink::sameFrame;
         return state;
@@ -161,6 +169,7 @@ DisplayWindow secondWindow(const Volume& second) {
 
 bool isOf(const BesideState& state, const OpenedStudy& second) {
     if (state.seriesDigest != second.seriesDigest) return false;
+    if (!state.volumeKey.empty() && second.found) return keyOf(second) == state.volumeKey;
     const PlaceInSeries at = placeInSeries(second);
     return state.volume ? *state.volume == at.place : at.count == 1;
 }
@@ -170,6 +179,12 @@ std::optional<std::size_t> volumeOf(const FoundVolumes& found, const BesideState
     for (std::size_t n = 0; n < found.volumes().size(); ++n)
         if (sha256Hex(found.volumes()[n].series->seriesInstanceUid) == state.seriesDigest)
             ofSeries.push_back(n);
+    if (!state.volumeKey.empty()) {
+        const auto same = std::ranges::find_if(
+            ofSeries, [&](std::size_t n) { return volumeKey(found, n) == state.volumeKey; });
+        if (same != ofSeries.end()) return *same;
+        if (state.volume) return std::nullopt;  // another one of several is not meant
+    }
     if (!state.volume && ofSeries.size() != 1) return std::nullopt;
     const std::size_t place = state.volume.value_or(0);
     return place < ofSeries.size() ? std::optional(ofSeries[place]) : std::nullopt;

@@ -196,7 +196,7 @@ typedef struct macula_volume {
     int32_t slices;
     int32_t unit; /* MACULA_UNIT_NONE for every unit but HU: see unit_name */
     const char*
-        unit_name; /* for a person: "HU", "g/mL"; empty for numbers without one. As long as the volume */
+        unit_name; /* for a person: "HU", "SUV"; empty for numbers without one. As long as the volume */
     const char* modality;          /* "CT"; may be empty. As long as the volume */
     double low;                    /* the smallest value that is no padding; NaN where all is padding */
     double high;                   /* the largest */

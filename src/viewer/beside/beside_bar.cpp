@@ -155,7 +155,7 @@ void BesideBar::addWindow() {
         box->setKeyboardTracking(false);  // "25" is not 2 for a moment
         box->setAccessibleName(text);
         // Its range would make it wider than any value that is seen.
-        box->setMaximumWidth(box->fontMetrics().horizontalAdvance(QStringLiteral("-100,000.00 g/mL")) +
+        box->setMaximumWidth(box->fontMetrics().horizontalAdvance(QStringLiteral("-100,000.00 Bq/mL")) +
                              kArrowsPx);
         connect(box, &QDoubleSpinBox::valueChanged, this, &BesideBar::proposeWindow);
         connect(box, &QDoubleSpinBox::editingFinished, &session_, &ViewerSession::endDrag);

@@ -35,7 +35,7 @@ BesideStudy::BesideStudy(ViewerSession& session, QObject* parent)
     connect(&session_, &ViewerSession::changed, this, [this](const app::StudyState& before) {
         const auto& now = session_.state().beside;
         if (now && (!before.beside || before.beside->seriesDigest != now->seriesDigest ||
-                    before.beside->volume != now->volume))
+                    before.beside->volume != now->volume || before.beside->volumeKey != now->volumeKey))
             openWhatStateNames();
     });
     connect(&loader_, &StudyLoader::began, this, [this] { emit began(tr("Opening the second volume")); });

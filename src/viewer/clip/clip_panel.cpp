@@ -123,7 +123,7 @@ QWidget* ClipPanel::makeFaces() {
 }
 
 QWidget* ClipPanel::makeCuts() {
-    auto* group = new QGroupBox(tr("Cut at the cross-hair"), this);
+    auto* group = new QGroupBox(tr("Remove from the cross-hair on"), this);
     auto* grid = new QGridLayout(group);
     crosshair_->setParent(group);
     crosshair_->setObjectName(QStringLiteral("clip-crosshair"));
@@ -132,9 +132,9 @@ QWidget* ClipPanel::makeCuts() {
     for (const app::Face side : app::kFaces) {
         const std::string_view name = app::nameOf(side);
         QPushButton* button =
-            addTool(capital(sideText(side)),
+            addTool(capital(tr("remove %1 side").arg(sideText(side))),
                     QStringLiteral("clip-cut-") + QString::fromLatin1(name.data(), qsizetype(name.size())),
-                    tr("Removes everything %1 of the cross-hair").arg(sideText(side)),
+                    tr("Removes all that lies %1 of the cross-hair").arg(sideText(side)),
                     [this, side] { return removedSide(side); });
         grid->addWidget(button, 1 + app::axisOf(side), app::isHigh(side) ? 1 : 0);
     }
@@ -168,8 +168,8 @@ QWidget* ClipPanel::makeSizes() {
     radius_ = makeMmBox(tr("Radius of the ball"), tr("From its centre, in mm"), kFirstRadiusMm);
     radius_->setObjectName(QStringLiteral("clip-radius"));
 
-    QPushButton* slab = addTool(tr("Keep a slab"), QStringLiteral("clip-slab"),
-                                tr("Keeps a slab with the cross-hair in its middle"), [this] {
+    QPushButton* slab = addTool(tr("Keep only a slab"), QStringLiteral("clip-slab"),
+                                tr("Removes all but a slab with the cross-hair in its middle"), [this] {
                                     const auto along = std::size_t(orientations_->currentIndex());
                                     return app::withSlabKept(clip(), kOrientations.at(along), crosshairMm(),
                                                              thickness_->value(), volume());
@@ -181,7 +181,7 @@ QWidget* ClipPanel::makeSizes() {
                     const double mm = std::clamp(radius_->value(), radii.low, radii.high);
                     return app::withBallRemoved(clip(), crosshairMm(), mm, volume());
                 });
-    QPushButton* corner = addTool(tr("Take it out"), QStringLiteral("clip-corner"),
+    QPushButton* corner = addTool(tr("Remove corner"), QStringLiteral("clip-corner"),
                                   tr("Removes that corner; it takes the place of another corner"),
                                   [this] { return removedCorner(); });
     form->addRow(tr("Slab"), orientations_);

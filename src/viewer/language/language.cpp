@@ -60,15 +60,15 @@ void useLanguage(Language language) {
     QLocale::setDefault(localeOf(language));
     const QString code = codeOf(language);
     useCoreWords(QStringLiteral(":/translations/core_%1.ts").arg(code));
-    if (language == Language::english) return;  // as the texts are written
     QCoreApplication* application = QCoreApplication::instance();
+    ofMacula = new QTranslator(application);  // of English: what is said of one, "1 picture"
+    if (ofMacula->load(QStringLiteral(":/translations/macula_%1.qm").arg(code)))
+        QCoreApplication::installTranslator(ofMacula);
+    if (language == Language::english) return;  // else as the texts are written
     // Buttons of Qt's own dialogs; without the package that has them they stay in English.
     ofQt = new QTranslator(application);
     if (ofQt->load(QStringLiteral("qtbase_") + code, QLibraryInfo::path(QLibraryInfo::TranslationsPath)))
         QCoreApplication::installTranslator(ofQt);
-    ofMacula = new QTranslator(application);
-    if (ofMacula->load(QStringLiteral(":/translations/macula_%1.qm").arg(code)))
-        QCoreApplication::installTranslator(ofMacula);
 }
 
 }  // namespace macula::viewer

@@ -21,9 +21,10 @@ ModelExport::ModelExport(QObject* parent)
                     QString told =
                         tr("The model is written to %1.").arg(QString::fromStdString(wish_.path.string()));
                     if (*limited > 0)
-                        told += tr(" %L1 splats have numbers that this format cannot hold; they were "
-                                   "limited.")
-                                    .arg(*limited);
+                        told +=
+                            tr(" %Ln of its Gaussians have numbers that this format cannot hold; they were "
+                               "limited.",
+                               nullptr, int(*limited));
                     const splat::ModelFormat* format = splat::modelFormatOf(wish_.path);
                     if (format != nullptr && format->keepsTraining())
                         told += tr(" It holds pictures of the study.");
@@ -62,7 +63,7 @@ void ModelExport::onTaken(const app::ModelTaken& taken) {
         emit ended();
         emit failed(
             {ErrorCode::inputNotUsable,
-             tr("There is no peripheral model of this picture.").toStdString(),
+             tr("There is no model of this picture.").toStdString(),
              {},
              tr("Only Cinematic and Clear in lights that stay in place have one. Wait until the status "
                 "line says that it learns.")

@@ -84,7 +84,7 @@ void MovieExport::onDrawn(const Result<app::WrittenSequence>& outcome) {
         if (outcome.error().code != ErrorCode::cancelled) emit failed(outcome.error());
         return;
     }
-    told_ << tr("%L1 pictures are in %2.").arg(outcome->files.size()).arg(folder_);
+    told_ << tr("%Ln pictures are in %1.", nullptr, int(outcome->files.size())).arg(folder_);
     for (const std::string& sentence : outcome->sentences) told_ << inWindowsLanguage(sentence);
     if (!wantsVideo_) return finish({});
     if (program_.isEmpty())

@@ -214,7 +214,7 @@ void MoviePanel::showViews() {
 }
 
 void MoviePanel::showFrames() {
-    count_->setText(tr("%L1 pictures").arg(frames()));
+    count_->setText(tr("%Ln pictures", nullptr, frames()));
 }
 
 }  // namespace macula::viewer

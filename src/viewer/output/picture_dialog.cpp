@@ -32,6 +32,7 @@ PictureDialog::PictureDialog(QSize onScreenPx, QWidget* parent)
       width_(side(this, onScreenPx.width(), tr("Width"))),
       height_(side(this, onScreenPx.height(), tr("Height"))),
       qualities_(new QComboBox(this)),
+      overlays_(new QCheckBox(tr("With &cube, scale and letters"), this)),
       deidentified_(new QCheckBox(tr("&Without patient and study"), this)) {
     setWindowTitle(tr("Save Picture"));
     sizes_->setAccessibleName(tr("Size"));
@@ -59,14 +60,17 @@ PictureDialog::PictureDialog(QSize onScreenPx, QWidget* parent)
     qualities_->setToolTip(tr("More samples per pixel: less noise, and more time"));
     if (const auto all = app::builtInQualities()) {
         for (const trace::Quality& quality : *all) {
-            const QString samples =
-                quality.samplesPerPixel == 1 ? tr("1 sample") : tr("%1 samples").arg(quality.samplesPerPixel);
+            const QString samples = tr("%n samples", nullptr, int(quality.samplesPerPixel));
             qualities_->addItem(QStringLiteral("%1: %2").arg(titleInWindowsLanguage(quality.title), samples),
                                 QString::fromStdString(quality.name));
         }
     }
     qualities_->setCurrentIndex(qualities_->findData(QString::fromLatin1(kFirstQuality)));
 
+    overlays_->setObjectName(QStringLiteral("picture-overlays"));
+    overlays_->setToolTip(tr(
+        "From where the patient is seen, and how many mm or cm something is long, over the picture. Pictures "
+        "of light (EXR) have none. Nobody is named"));
     deidentified_->setToolTip(
         tr("Of DICOM files: nothing of the patient is written, and all UIDs are new. Other files never name "
            "anybody. A face can still be seen."));
@@ -83,6 +87,7 @@ PictureDialog::PictureDialog(QSize onScreenPx, QWidget* parent)
     form->addRow(tr("&Width"), width_);
     form->addRow(tr("&Height"), height_);
     form->addRow(tr("&Quality"), qualities_);
+    form->addRow(overlays_);
     form->addRow(deidentified_);
     form->addRow(buttons);
 }

@@ -24,6 +24,7 @@ class PictureDialog : public QDialog {
     QSize sizePx() const;
     std::string quality() const;  // by name: app::EffortWish
     bool isDeidentified() const { return deidentified_->isChecked(); }
+    bool hasOverlays() const { return overlays_->isChecked(); }  // cube, scale, letters
 
   private:
     void addSize(const QString& title, QSize pixels);
@@ -32,6 +33,7 @@ class PictureDialog : public QDialog {
     QSpinBox* width_;
     QSpinBox* height_;
     QComboBox* qualities_;
+    QCheckBox* overlays_;
     QCheckBox* deidentified_;
 };
 

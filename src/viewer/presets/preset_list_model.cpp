@@ -77,8 +77,8 @@ QVariant PresetListModel::headingData(const PresetRow& row, int role) const {
             return isExpanded(row.group) ? tr("Enter or a click folds this group")
                                          : tr("Enter or a click shows this group");
         case Qt::AccessibleTextRole:
-            return isExpanded(row.group) ? tr("%1, %2 presets, shown").arg(titleOf(row)).arg(row.count)
-                                         : tr("%1, %2 presets, folded").arg(titleOf(row)).arg(row.count);
+            return isExpanded(row.group) ? tr("%1, %n presets, shown", nullptr, row.count).arg(titleOf(row))
+                                         : tr("%1, %n presets, folded", nullptr, row.count).arg(titleOf(row));
         case isHeadingRole:
             return true;
         case isExpandedRole:

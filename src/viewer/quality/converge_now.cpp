@@ -59,10 +59,10 @@ void ConvergeNow::onFrame(const app::FrameShown& frame) {
     if (frame.picture != app::OnScreen::traced && frame.picture != app::OnScreen::fading) return;
     if (frame.stage == app::Stage::converged) {
         const bool isKnown = std::isfinite(frame.noise) && frame.noise > 0.0;
-        return end(isKnown ? tr("The picture is final: %L1 samples, noise %2 of black to white.")
-                                 .arg(frame.samplesPerPixel)
+        return end(isKnown ? tr("The picture is final: %Ln samples, noise %1 of black to white.", nullptr,
+                                int(frame.samplesPerPixel))
                                  .arg(percentText(frame.noise))
-                           : tr("The picture is final: %L1 samples.").arg(frame.samplesPerPixel));
+                           : tr("The picture is final: %Ln samples.", nullptr, int(frame.samplesPerPixel)));
     }
     const double fraction = fractionOf(frame);
     if (startedAt_ < 0.0 && std::isfinite(frame.noise)) {

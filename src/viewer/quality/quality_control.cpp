@@ -115,8 +115,9 @@ void QualityControl::showStop() {
         slider_->setValue(int(at));
         automatic_->setChecked(!stop_);
     }
-    setText(stop_ ? tr("Quality %1/%2").arg(at + 1).arg(front_.stops.size()) : tr("Quality"));
-    const QString words = stop_ ? wordsOf(front_.stops[at]) : tr("As much as there is time for.");
+    setText(stop_ ? tr("Quality %1/%2").arg(at + 1).arg(front_.stops.size()) : tr("Quality: automatic"));
+    const QString words = stop_ ? wordsOf(front_.stops[at])
+                                : tr("Automatic: as much as there is time for. Move the slider to choose.");
     words_->setText(words);
     setToolTip(tr("Quality of frames in motion. %1").arg(words));
 }

@@ -225,8 +225,7 @@ QString SegmentationKeeper::note() const {
     }
     const auto count = std::ranges::count_if(found_, &app::FoundSegmentation::canBeShown);
     if (count == 0) return {};
-    return count == 1 ? tr("There is a segmentation of this volume: F11.")
-                      : tr("There are %1 segmentations of this volume: F11.").arg(count);
+    return tr("There are %n segmentations of this volume: F11.", nullptr, int(count));
 }
 
 }  // namespace macula::viewer

@@ -1,6 +1,5 @@
 #include "viewer/session/state_history.h"
 
-#include <iterator>
 #include <utility>
 
 #include "base/check.h"
@@ -11,6 +10,26 @@ void StateHistory::begin(app::StudyState state) {
     states_.assign(1, {.what = {}, .state = std::move(state)});
     place_ = 0;
     joining_ = false;
+    count();
+}
+
+void StateHistory::count() {
+    bytes_ = {};
+    for (const Step& step : states_) bytes_.add(step.state);
+}
+
+void StateHistory::forgetAfter(std::size_t place) {
+    while (states_.size() > place + 1) {
+        bytes_.remove(states_.back().state);
+        states_.pop_back();
+    }
+}
+
+void StateHistory::forgetOldest() {
+    while (states_.size() > kMostSteps + 1 || (states_.size() > 2 && bytes_.total() > kMostHistoryBytes)) {
+        bytes_.remove(states_.front().state);
+        states_.pop_front();
+    }
 }
 
 bool StateHistory::push(const QString& what, app::StudyState state, bool joins) {
@@ -20,19 +39,19 @@ bool StateHistory::push(const QString& what, app::StudyState state, bool joins) 
         return false;
     }
     joining_ = joins;
-    states_.erase(std::next(states_.begin(), std::ptrdiff_t(place_) + 1), states_.end());
-    if (goesOn) {
-        states_.back().state = std::move(state);
-        return true;
-    }
+    forgetAfter(place_);
+    if (goesOn) return amend(std::move(state));
+    bytes_.add(state);
     states_.push_back({.what = what, .state = std::move(state)});
-    if (states_.size() > kMostSteps + 1) states_.pop_front();
+    forgetOldest();
     place_ = states_.size() - 1;
     return true;
 }
 
 bool StateHistory::amend(app::StudyState state) {
     if (state == now()) return false;
+    bytes_.remove(now());
+    bytes_.add(state);
     states_[place_].state = std::move(state);
     return true;
 }
@@ -54,6 +73,7 @@ bool StateHistory::correct(const std::function<void(app::StudyState&)>& edit) {
     states_ = std::move(left);
     place_ = place;
     joining_ = false;
+    count();
     return now() != before;
 }
 

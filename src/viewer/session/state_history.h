@@ -6,15 +6,19 @@
 #include <deque>
 #include <functional>
 
+#include "app/state/state_bytes.h"
 #include "app/state/study_state.h"
 
 namespace macula::viewer {
 
-// States share what is large in them, so a step is small. The oldest are forgotten after kMostSteps.
+// States share what is large in them, so a step is small. The oldest are forgotten after kMostSteps, and
+// where all of them together take more than that; the one before the present always stays.
 inline constexpr std::size_t kMostSteps = 200;
+inline constexpr std::size_t kMostHistoryBytes = std::size_t(64) << 20;
 
 class StateHistory {
   public:
+    StateHistory() { count(); }
     const app::StudyState& now() const { return states_[place_].state; }
 
     void begin(app::StudyState state);  // and nothing before it
@@ -35,12 +39,19 @@ class StateHistory {
     void undo();
     void redo();
 
+    std::size_t bytes() const { return bytes_.total(); }
+
   private:
     struct Step {
         QString what;  // led to it
         app::StudyState state;
     };
+    void forgetAfter(std::size_t place);
+    void forgetOldest();
+    void count();
+
     std::deque<Step> states_{Step{}};
+    app::StateBytes bytes_;  // of states_
     std::size_t place_ = 0;
     bool joining_ = false;  // the last step goes on
 };

@@ -110,9 +110,9 @@ QWidget* SettingsDialog::makePictures() {
          tr("What Save Picture begins with: more samples per pixel take more time"));
     if (const auto all = app::builtInQualities()) {
         for (const trace::Quality& quality : *all)
-            qualities_->addItem(
-                tr("%1: %2 samples").arg(titleInWindowsLanguage(quality.title)).arg(quality.samplesPerPixel),
-                QString::fromStdString(quality.name));
+            qualities_->addItem(tr("%1: %n samples", nullptr, int(quality.samplesPerPixel))
+                                    .arg(titleInWindowsLanguage(quality.title)),
+                                QString::fromStdString(quality.name));
     }
     qualities_->setCurrentIndex(qualities_->findData(before_.quality));
     name(*deidentifies_, "settings-deidentify", tr("DICOM pictures without patient and study"),
@@ -127,7 +127,7 @@ QWidget* SettingsDialog::makePictures() {
 QWidget* SettingsDialog::makeSessions() {
     auto* page = new QWidget(this);
     name(*folder_, "settings-folder", tr("Folder of stored sessions"),
-         tr("Where models, and how studies were left, are kept; empty: the usual folder. From the next "
+         tr("Where previews, and how studies were left, are kept; empty: the usual folder. From the next "
             "start on; what is in the old folder stays there."));
     folder_->setPlaceholderText(QString::fromStdString(session::defaultFolder().string()));
     folder_->setClearButtonEnabled(true);
@@ -143,8 +143,8 @@ QWidget* SettingsDialog::makeSessions() {
     keepDays_->setSpecialValueText(tr("for ever"));
     keepDays_->setSuffix(tr(" days"));
     keepDays_->setValue(before_.keepDays.value_or(0));
-    name(*modelCap_, "settings-model-cap", tr("Room for stored models in MB"),
-         tr("Of all stored models together, in MB; above it those that were not used for longest go. From "
+    name(*modelCap_, "settings-model-cap", tr("Room for stored previews in MB"),
+         tr("Of all stored previews together, in MB; above it those that were not used for longest go. From "
             "the next start on."));
     modelCap_->setRange(kLeastModelCapMb, kMostModelCapMb);
     modelCap_->setSingleStep(kCapStepMb);
@@ -156,9 +156,9 @@ QWidget* SettingsDialog::makeSessions() {
     auto* form = new QFormLayout(page);
     form->addRow(tr("&Folder"), row);
     form->addRow(tr("&Keep"), keepDays_);
-    form->addRow(tr("&Models"), modelCap_);
+    form->addRow(tr("&Previews"), modelCap_);
     form->addRow(
-        remark(tr("Names and IDs are not kept, but models and views tell as much of a patient as pictures "
+        remark(tr("Names and IDs are not kept, but previews and views tell as much of a patient as pictures "
                   "do."),
                page));
     return page;

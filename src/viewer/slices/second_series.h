@@ -25,7 +25,7 @@ SecondSeries secondSeries(const app::OpenedStudy& study, app::OpenedStudy second
 // How it is linked, in a sentence that is written over pictures of it.
 QString linkText(const app::BesideState& state);
 
-// "0 to 6.1 g/mL, 75 % of the highest" of activity, else as app::windowText.
+// "0 to 6.1 SUV, 75 % of the highest" of activity, else as app::windowText.
 QString secondWindowText(const Volume& second, const DisplayWindow& window);
 
 }  // namespace macula::viewer

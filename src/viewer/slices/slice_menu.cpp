@@ -6,6 +6,7 @@
 
 #include "app/frame/projection_windows.h"
 #include "app/slices/window_presets.h"
+#include "pipeline/volume/window.h"
 #include "viewer/harmless_text.h"
 #include "viewer/language/core_words.h"
 
@@ -18,8 +19,13 @@ struct SliceMenuWords {
 };
 
 // Ampersands are letters of names, and no keys of menus.
-QString asTitle(const std::string& name) {
-    return harmless(QString::fromStdString(name)).replace(QLatin1Char('&'), QLatin1String("&&"));
+QString asTitle(const QString& name) {
+    return harmless(name).replace(QLatin1Char('&'), QLatin1String("&&"));
+}
+
+// "W 1500 L -600 HU".
+QString numbersOf(const DisplayWindow& window, const std::string& unit) {
+    return asTitle(withLocalNumbers(QString::fromStdString(app::windowText(window, unit))));
 }
 
 void setWindow(ViewerSession& session, const std::optional<DisplayWindow>& window) {
@@ -29,8 +35,11 @@ void setWindow(ViewerSession& session, const std::optional<DisplayWindow>& windo
 void addWindows(QMenu& menu, const SliceMenuOf& of) {
     const Volume& volume = *of.session->study().volume;
     for (const app::WindowPreset& preset : app::windowPresets(volume)) {
+        const DisplayWindow window = preset.window.value_or(seriesWindow(volume));
         QAction* action =
-            menu.addAction(QStringLiteral("%1\t%2").arg(asTitle(preset.name)).arg(preset.digit));
+            menu.addAction(QStringLiteral("%1: %2\t%3")
+                               .arg(asTitle(titleInWindowsLanguage(preset.name)),
+                                    numbersOf(window, volume.unitName()), QString::number(preset.digit)));
         QObject::connect(action, &QAction::triggered, of.session,
                          [session = of.session, window = preset.window] { setWindow(*session, window); });
     }
@@ -41,10 +50,10 @@ void addOwnWindows(QMenu& menu, const SliceMenuOf& of, QWidget* parent) {
     const auto own = of.own->fitting(volume);
     menu.addSeparator();
     for (std::size_t i = 0; i < own.size(); ++i) {
-        QString title = asTitle(own[i].name);
+        QString title = QStringLiteral("%1: %2").arg(asTitle(QString::fromStdString(own[i].name)),
+                                                     numbersOf(own[i].window, volume.unitName()));
         if (i < 9) title += QStringLiteral("\tAlt+%1").arg(i + 1);
         QAction* action = menu.addAction(title);
-        action->setToolTip(harmless(QString::fromStdString(app::windowText(own[i].window, own[i].unit))));
         QObject::connect(action, &QAction::triggered, of.session,
                          [session = of.session, window = own[i].window] { setWindow(*session, window); });
     }
@@ -55,7 +64,7 @@ void addOwnWindows(QMenu& menu, const SliceMenuOf& of, QWidget* parent) {
     if (own.empty()) return;
     QMenu* remove = menu.addMenu(SliceMenuWords::tr("&Remove a Window"));
     for (const app::OwnWindow& window : own) {
-        QAction* action = remove->addAction(asTitle(window.name));
+        QAction* action = remove->addAction(asTitle(QString::fromStdString(window.name)));
         QObject::connect(action, &QAction::triggered, of.own,
                          [list = of.own, window] { list->remove(window); });
     }

@@ -175,9 +175,10 @@ void TransferCurve::describe() {
                    .arg(unit.isEmpty() ? QString() : tr(" in %1").arg(unit_),
                         QLocale().toString(function_.unitDistanceMm, 'g', 4)));
     if (!selected_) {
-        setAccessibleDescription(tr("%1 points; none is selected. Arrows shift and widen all of them, Tab "
-                                    "goes through them.")
-                                     .arg(pointCount()));
+        setAccessibleDescription(
+            tr("%n points; none is selected. Arrows shift and widen all of them, Tab "
+               "goes through them.",
+               nullptr, pointCount()));
         return;
     }
     const bool isColour = selected_->curve == PointId::Curve::colour;

@@ -480,12 +480,12 @@
         <translation>Referenz</translation>
     </message>
     <message>
-        <source>A ball in the middle</source>
-        <translation>Eine Kugel in der Mitte</translation>
+        <source>Only a ball in the middle</source>
+        <translation>Nur eine Kugel in der Mitte</translation>
     </message>
     <message>
-        <source>Axial slab through the middle, a tenth of the height</source>
-        <translation>Axialer Slab durch die Mitte, ein Zehntel der Höhe</translation>
+        <source>Only an axial slab through the middle, a tenth of the height</source>
+        <translation>Nur ein axialer Slab durch die Mitte, ein Zehntel der Höhe</translation>
     </message>
     <message>
         <source>Left upper front eighth taken out, with the slices on the cuts</source>
@@ -504,28 +504,28 @@
         <translation>Von vorn geöffnet, mit der Schicht auf dem Schnitt, Luft schwarz</translation>
     </message>
     <message>
-        <source>The back half</source>
-        <translation>Die hintere Hälfte</translation>
+        <source>Only the back half</source>
+        <translation>Nur die hintere Hälfte</translation>
     </message>
     <message>
-        <source>The front half</source>
-        <translation>Die vordere Hälfte</translation>
+        <source>Only the front half</source>
+        <translation>Nur die vordere Hälfte</translation>
     </message>
     <message>
-        <source>The lower half</source>
-        <translation>Die untere Hälfte</translation>
+        <source>Only the lower half</source>
+        <translation>Nur die untere Hälfte</translation>
     </message>
     <message>
-        <source>The patient&apos;s left half</source>
-        <translation>Die linke Hälfte des Patienten</translation>
+        <source>Only the patient&apos;s left half</source>
+        <translation>Nur die linke Hälfte des Patienten</translation>
     </message>
     <message>
-        <source>The patient&apos;s right half</source>
-        <translation>Die rechte Hälfte des Patienten</translation>
+        <source>Only the patient&apos;s right half</source>
+        <translation>Nur die rechte Hälfte des Patienten</translation>
     </message>
     <message>
-        <source>The upper half</source>
-        <translation>Die obere Hälfte</translation>
+        <source>Only the upper half</source>
+        <translation>Nur die obere Hälfte</translation>
     </message>
     <message>
         <source>Own clip</source>
@@ -538,6 +538,42 @@
     <message>
         <source>Presentation state</source>
         <translation>Presentation State</translation>
+    </message>
+    <message>
+        <source>Of the series</source>
+        <translation>Der Serie</translation>
+    </message>
+    <message>
+        <source>Soft tissue</source>
+        <translation>Weichteile</translation>
+    </message>
+    <message>
+        <source>Lung</source>
+        <translation>Lunge</translation>
+    </message>
+    <message>
+        <source>Bone</source>
+        <translation>Knochen</translation>
+    </message>
+    <message>
+        <source>Brain</source>
+        <translation>Gehirn</translation>
+    </message>
+    <message>
+        <source>Liver</source>
+        <translation>Leber</translation>
+    </message>
+    <message>
+        <source>Mediastinum</source>
+        <translation>Mediastinum</translation>
+    </message>
+    <message>
+        <source>Angiography</source>
+        <translation>Angiographie</translation>
+    </message>
+    <message>
+        <source>All values</source>
+        <translation>Alle Werte</translation>
     </message>
 </context>
 <context>
@@ -2065,16 +2101,24 @@
         <translation>Schließen Sie andere Programme, oder zeigen Sie das Volumen mit dem Tisch.</translation>
     </message>
     <message>
-        <source>The table is left out, and whatever else lies apart from the patient: %1 parts, %2 mL (confidence %3).</source>
-        <translation>Der Tisch und was sonst abseits des Patienten liegt, ist weggelassen: %1 Teile, %2 mL (Sicherheit: %3).</translation>
+        <source>The table is left out, and whatever else lies apart from the patient: %1, %2 mL (confidence %3).</source>
+        <translation>Der Tisch und was sonst abseits des Patienten liegt, ist weggelassen: %1, %2 mL (Sicherheit: %3).</translation>
     </message>
     <message>
         <source>Show the table again to see everything that was scanned.</source>
         <translation>Zeigen Sie den Tisch wieder, um alles Aufgenommene zu sehen.</translation>
     </message>
     <message>
-        <source>No table was found. What lies apart from the patient is left out: %1 parts, %2 mL (confidence %3).</source>
-        <translation>Kein Tisch wurde gefunden. Was abseits des Patienten liegt, ist weggelassen: %1 Teile, %2 mL (Sicherheit: %3).</translation>
+        <source>No table was found. What lies apart from the patient is left out: %1, %2 mL (confidence %3).</source>
+        <translation>Kein Tisch wurde gefunden. Was abseits des Patienten liegt, ist weggelassen: %1, %2 mL (Sicherheit: %3).</translation>
+    </message>
+    <message>
+        <source>1 part</source>
+        <translation>1 Teil</translation>
+    </message>
+    <message>
+        <source>%1 parts</source>
+        <translation>%1 Teile</translation>
     </message>
     <message>
         <source>Nothing lies apart from the patient; nothing is left out.</source>
@@ -2192,6 +2236,10 @@
         <translation>Die Werte wurden für das Bild auf 16 Bit gebracht, mit einem Fehler von höchstens %1.</translation>
     </message>
     <message>
+        <source>The values were brought to 16 bits for the picture, with an error of at most %1 %2.</source>
+        <translation>Die Werte wurden für das Bild auf 16 Bit gebracht, mit einem Fehler von höchstens %1 %2.</translation>
+    </message>
+    <message>
         <source>Correct the camera.</source>
         <translation>Berichtigen Sie die Kamera.</translation>
     </message>
@@ -2234,6 +2282,10 @@
 </context>
 <context>
     <name>app</name>
+    <message>
+        <source>A picture of light has no cube, scale and letters over it.</source>
+        <translation>Über einem Bild aus Licht liegen weder Würfel noch Maßstab und Buchstaben.</translation>
+    </message>
     <message>
         <source>There is no such preset.</source>
         <translation>Diese Voreinstellung gibt es nicht.</translation>
@@ -2331,24 +2383,24 @@
         <translation>Beginnen Sie noch einmal ohne Beschnitt.</translation>
     </message>
     <message>
-        <source>splats only</source>
-        <translation>nur Splats</translation>
+        <source>preview only</source>
+        <translation>nur Vorschau</translation>
     </message>
     <message>
-        <source>splats around the fovea</source>
-        <translation>Splats um die Fovea</translation>
+        <source>preview around the sharp centre</source>
+        <translation>Vorschau um die scharfe Mitte</translation>
     </message>
     <message>
-        <source>fovea traced %1 s ago with %2 samples</source>
-        <translation>Fovea vor %1 s mit %2 Abtastungen verfolgt</translation>
+        <source>sharp centre traced %1 s ago with %2 samples</source>
+        <translation>scharfe Mitte vor %1 s mit %2 Abtastungen verfolgt</translation>
     </message>
     <message>
         <source>values on cut faces only coarsely</source>
         <translation>Werte auf Schnittflächen nur grob</translation>
     </message>
     <message>
-        <source>splats fade out</source>
-        <translation>Splats blenden aus</translation>
+        <source>preview fades out</source>
+        <translation>Vorschau blendet aus</translation>
     </message>
     <message>
         <source>1/%1 of the pixels each way</source>
@@ -2795,8 +2847,8 @@
         <translation>Der Umriss umschließt nichts.</translation>
     </message>
     <message>
-        <source>no splats with parallel rays</source>
-        <translation>keine Splats bei parallelen Strahlen</translation>
+        <source>the preview is not sharp enough: %1 of %2 steps</source>
+        <translation>die Vorschau ist nicht scharf genug: %1 von %2 Schritten</translation>
     </message>
     <message>
         <source>An error could not be reported.</source>

@@ -62,20 +62,8 @@
 <context>
     <name>Fidelity</name>
     <message>
-        <source>, fovea traced %L1 s ago</source>
-        <translation>, Fovea vor %L1 s verfolgt</translation>
-    </message>
-    <message>
-        <source>Peripheral model, %L1 splats, %L2 steps</source>
-        <translation>Peripheres Modell, %L1 Splats, %L2 Schritte</translation>
-    </message>
-    <message>
         <source>, values on cut faces only coarsely</source>
         <translation>, Werte auf Schnittflächen nur grob</translation>
-    </message>
-    <message>
-        <source>, preview</source>
-        <translation>, Vorschau</translation>
     </message>
     <message>
         <source>, denoised</source>
@@ -90,10 +78,6 @@
         <translation>, 1/%1 der Pixel je Richtung</translation>
     </message>
     <message>
-        <source>, %1 samples</source>
-        <translation>, %1 Abtastungen</translation>
-    </message>
-    <message>
         <source>, %1 of %2 samples</source>
         <translation>, %1 von %2 Abtastungen</translation>
     </message>
@@ -106,12 +90,30 @@
         <translation>, wird besser</translation>
     </message>
     <message>
-        <source>, parallel rays without splats</source>
-        <translation>, parallele Strahlen ohne Splats</translation>
-    </message>
-    <message>
         <source>, parallel rays</source>
         <translation>, parallele Strahlen</translation>
+    </message>
+    <message>
+        <source>, sharp centre traced %L1 s ago</source>
+        <translation>, scharfe Mitte vor %L1 s verfolgt</translation>
+    </message>
+    <message numerus="yes">
+        <source>Preview, sharpened in %n steps</source>
+        <translation>
+            <numerusform>Vorschau, in %n Schritt geschärft</numerusform>
+            <numerusform>Vorschau, in %n Schritten geschärft</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>, coarse preview</source>
+        <translation>, grobe Vorschau</translation>
+    </message>
+    <message numerus="yes">
+        <source>, %n samples</source>
+        <translation>
+            <numerusform>, %n Abtastung</numerusform>
+            <numerusform>, %n Abtastungen</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -181,44 +183,8 @@
 <context>
     <name>Model</name>
     <message>
-        <source>Finding points of the peripheral model</source>
-        <translation>Punkte des peripheren Modells werden gesucht</translation>
-    </message>
-    <message>
-        <source>Model of an earlier session, %1 steps</source>
-        <translation>Modell einer früheren Sitzung, %1 Schritte</translation>
-    </message>
-    <message>
-        <source>Model learning, %1 steps</source>
-        <translation>Modell lernt, %1 Schritte</translation>
-    </message>
-    <message>
-        <source>Model complete, %1 steps</source>
-        <translation>Modell fertig, %1 Schritte</translation>
-    </message>
-    <message>
-        <source>No memory for a model</source>
-        <translation>Kein Speicher für ein Modell</translation>
-    </message>
-    <message>
-        <source>No model</source>
-        <translation>Kein Modell</translation>
-    </message>
-    <message>
         <source>It goes on from where an earlier session left it.</source>
         <translation>Es macht weiter, wo eine frühere Sitzung aufgehört hat.</translation>
-    </message>
-    <message>
-        <source>It began with the stored model of other lights.</source>
-        <translation>Es hat mit dem gespeicherten Modell einer anderen Beleuchtung begonnen.</translation>
-    </message>
-    <message>
-        <source>It began with a model that another version of Macula stored.</source>
-        <translation>Es hat mit einem Modell begonnen, das eine andere Version von Macula gespeichert hat.</translation>
-    </message>
-    <message>
-        <source>The stored model of this was damaged; it began anew.</source>
-        <translation>Das gespeicherte Modell hiervon war beschädigt; es hat neu begonnen.</translation>
     </message>
     <message>
         <source>The graphics device has no room for it beside the volume: while a hand moves, small traced pictures are shown.</source>
@@ -227,6 +193,59 @@
     <message>
         <source>It could not be made on this graphics device: while a hand moves, small traced pictures are shown.</source>
         <translation>Es konnte auf diesem Grafikgerät nicht erstellt werden: während der Bewegung werden kleine verfolgte Bilder gezeigt.</translation>
+    </message>
+    <message>
+        <source>Preparing the preview</source>
+        <translation>Vorschau wird vorbereitet</translation>
+    </message>
+    <message numerus="yes">
+        <source>Preview of an earlier session, %n steps</source>
+        <translation>
+            <numerusform>Vorschau einer früheren Sitzung, %n Schritt</numerusform>
+            <numerusform>Vorschau einer früheren Sitzung, %n Schritte</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Preview sharpening, %n steps</source>
+        <translation>
+            <numerusform>Vorschau wird schärfer, %n Schritt</numerusform>
+            <numerusform>Vorschau wird schärfer, %n Schritte</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Preview not sharp yet, %1 of %2 steps</source>
+        <translation>Vorschau noch unscharf, %1 von %2 Schritten</translation>
+    </message>
+    <message numerus="yes">
+        <source>Preview sharp, %n steps</source>
+        <translation>
+            <numerusform>Vorschau scharf, %n Schritt</numerusform>
+            <numerusform>Vorschau scharf, %n Schritte</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No memory for a sharp preview</source>
+        <translation>Kein Speicher für eine scharfe Vorschau</translation>
+    </message>
+    <message>
+        <source>No sharp preview</source>
+        <translation>Keine scharfe Vorschau</translation>
+    </message>
+    <message>
+        <source>It began with the stored preview of other lights.</source>
+        <translation>Sie hat mit der gespeicherten Vorschau einer anderen Beleuchtung begonnen.</translation>
+    </message>
+    <message>
+        <source>It began with a preview that another version of Macula stored.</source>
+        <translation>Sie hat mit einer Vorschau begonnen, die eine andere Version von Macula gespeichert hat.</translation>
+    </message>
+    <message>
+        <source>The stored preview of this was damaged; it began anew.</source>
+        <translation>Die gespeicherte Vorschau hiervon war beschädigt; sie hat neu begonnen.</translation>
+    </message>
+    <message>
+        <source>Preview not sharp enough to be shown</source>
+        <translation>Vorschau nicht scharf genug, um gezeigt zu werden</translation>
     </message>
 </context>
 <context>
@@ -779,16 +798,8 @@
         <translation>Flächen</translation>
     </message>
     <message>
-        <source>Cut at the cross-hair</source>
-        <translation>Am Fadenkreuz abschneiden</translation>
-    </message>
-    <message>
         <source>Where the cross-hair is, in mm of the patient (LPS)</source>
         <translation>Wo das Fadenkreuz ist, in mm des Patienten (LPS)</translation>
-    </message>
-    <message>
-        <source>Removes everything %1 of the cross-hair</source>
-        <translation>Entfernt alles, was vom Fadenkreuz aus %1 liegt</translation>
     </message>
     <message>
         <source>At the cross-hair</source>
@@ -839,24 +850,12 @@
         <translation>Von der Mitte aus, in mm</translation>
     </message>
     <message>
-        <source>Keep a slab</source>
-        <translation>Slab behalten</translation>
-    </message>
-    <message>
-        <source>Keeps a slab with the cross-hair in its middle</source>
-        <translation>Behält einen Slab mit dem Fadenkreuz in der Mitte</translation>
-    </message>
-    <message>
         <source>Remove a ball</source>
         <translation>Kugel entfernen</translation>
     </message>
     <message>
         <source>Removes a ball around the cross-hair; it takes the place of another ball</source>
         <translation>Entfernt eine Kugel um das Fadenkreuz; sie ersetzt eine andere Kugel</translation>
-    </message>
-    <message>
-        <source>Take it out</source>
-        <translation>Herausnehmen</translation>
     </message>
     <message>
         <source>Removes that corner; it takes the place of another corner</source>
@@ -914,6 +913,30 @@
         <source>There is nothing to undo.</source>
         <translation>Es gibt nichts rückgängig zu machen.</translation>
     </message>
+    <message>
+        <source>Remove from the cross-hair on</source>
+        <translation>Ab dem Fadenkreuz entfernen</translation>
+    </message>
+    <message>
+        <source>remove %1 side</source>
+        <translation>%1 entfernen</translation>
+    </message>
+    <message>
+        <source>Removes all that lies %1 of the cross-hair</source>
+        <translation>Entfernt alles, was vom Fadenkreuz aus %1 liegt</translation>
+    </message>
+    <message>
+        <source>Keep only a slab</source>
+        <translation>Nur einen Slab behalten</translation>
+    </message>
+    <message>
+        <source>Removes all but a slab with the cross-hair in its middle</source>
+        <translation>Entfernt alles außer einem Slab mit dem Fadenkreuz in seiner Mitte</translation>
+    </message>
+    <message>
+        <source>Remove corner</source>
+        <translation>Ecke entfernen</translation>
+    </message>
 </context>
 <context>
     <name>macula::viewer::ConvergeNow</name>
@@ -924,14 +947,6 @@
     <message>
         <source>Converging was stopped: another picture is shown.</source>
         <translation>Das Fertigzeichnen wurde angehalten: ein anderes Bild wird gezeigt.</translation>
-    </message>
-    <message>
-        <source>The picture is final: %L1 samples, noise %2 of black to white.</source>
-        <translation>Das Bild ist endgültig: %L1 Abtastungen, Rauschen %2 von Schwarz bis Weiß.</translation>
-    </message>
-    <message>
-        <source>The picture is final: %L1 samples.</source>
-        <translation>Das Bild ist endgültig: %L1 Abtastungen.</translation>
     </message>
     <message>
         <source>Converging</source>
@@ -952,6 +967,20 @@
     <message>
         <source>, %1 h left</source>
         <translation>, noch %1 h</translation>
+    </message>
+    <message numerus="yes">
+        <source>The picture is final: %Ln samples, noise %1 of black to white.</source>
+        <translation>
+            <numerusform>Das Bild ist endgültig: %Ln Abtastung, Rauschen %1 von Schwarz bis Weiß.</numerusform>
+            <numerusform>Das Bild ist endgültig: %Ln Abtastungen, Rauschen %1 von Schwarz bis Weiß.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>The picture is final: %Ln samples.</source>
+        <translation>
+            <numerusform>Das Bild ist endgültig: %Ln Abtastung.</numerusform>
+            <numerusform>Das Bild ist endgültig: %Ln Abtastungen.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -1252,10 +1281,6 @@
         <translation>Kein Bild</translation>
     </message>
     <message>
-        <source>, %1 samples left out</source>
-        <translation>, %1 Abtastungen ausgelassen</translation>
-    </message>
-    <message>
         <source>, less than the full resolution</source>
         <translation>, weniger als die volle Auflösung</translation>
     </message>
@@ -1466,10 +1491,6 @@
     <message>
         <source>How true the picture is</source>
         <translation>Wie getreu das Bild ist</translation>
-    </message>
-    <message>
-        <source>The peripheral model: splats that are shown with all pixels while a hand moves</source>
-        <translation>Das periphere Modell: Splats, die während der Bewegung mit allen Pixeln gezeigt werden</translation>
     </message>
     <message>
         <source>Pixels, pictures per second</source>
@@ -1696,10 +1717,6 @@
         <translation>Mode&amp;ll speichern…</translation>
     </message>
     <message>
-        <source>The peripheral model, splats in mm of the patient, for this and other programs</source>
-        <translation>Das periphere Modell, Splats in mm des Patienten, für dieses und andere Programme</translation>
-    </message>
-    <message>
         <source>There is nothing to draw yet.</source>
         <translation>Es gibt noch nichts zu zeichnen.</translation>
     </message>
@@ -1892,16 +1909,31 @@
         <translation>Parallele Strahlen</translation>
     </message>
     <message>
-        <source>The same millimetres for each pixel at every depth. The picture is traced; there are no splats while it moves</source>
-        <translation>In jeder Tiefe gleich viele Millimeter je Pixel. Das Bild wird verfolgt; während der Bewegung gibt es keine Splats</translation>
-    </message>
-    <message>
         <source>The second volume that was beside this study is not open; open it with Ctrl+B to see both as they were.</source>
         <translation>Das zweite Volumen, das neben dieser Studie stand, ist nicht geöffnet; Strg+B öffnet es und zeigt beide, wie sie waren.</translation>
     </message>
     <message>
         <source>Panels that share this place</source>
         <translation>Bereiche, die sich diesen Platz teilen</translation>
+    </message>
+    <message numerus="yes">
+        <source>, %n samples left out</source>
+        <translation>
+            <numerusform>, %n Abtastung ausgelassen</numerusform>
+            <numerusform>, %n Abtastungen ausgelassen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The preview with all pixels that is shown while a hand moves; it gets sharper while nothing moves</source>
+        <translation>Die Vorschau mit allen Pixeln, die während der Bewegung gezeigt wird; sie wird schärfer, solange sich nichts bewegt</translation>
+    </message>
+    <message>
+        <source>The preview as a model in mm of the patient (3D Gaussians), for this and other programs</source>
+        <translation>Die Vorschau als Modell in mm des Patienten (3D-Gaußfunktionen), für dieses und andere Programme</translation>
+    </message>
+    <message>
+        <source>The same millimetres for each pixel at every depth</source>
+        <translation>In jeder Tiefe gleich viele Millimeter je Pixel</translation>
     </message>
 </context>
 <context>
@@ -1922,20 +1954,23 @@
         <translation>Das Modell ist in %1 gespeichert.</translation>
     </message>
     <message>
-        <source> %L1 splats have numbers that this format cannot hold; they were limited.</source>
-        <translation> %L1 Splats haben Zahlen, die dieses Format nicht fassen kann; sie wurden begrenzt.</translation>
-    </message>
-    <message>
         <source> It holds pictures of the study.</source>
         <translation> Es enthält Bilder der Studie.</translation>
     </message>
     <message>
-        <source>There is no peripheral model of this picture.</source>
-        <translation>Von diesem Bild gibt es kein peripheres Modell.</translation>
-    </message>
-    <message>
         <source>Only Cinematic and Clear in lights that stay in place have one. Wait until the status line says that it learns.</source>
         <translation>Nur Cinematic und Klar in einer Beleuchtung, die an ihrem Ort bleibt, haben eines. Warten Sie, bis die Statuszeile sagt, dass es lernt.</translation>
+    </message>
+    <message numerus="yes">
+        <source> %Ln of its Gaussians have numbers that this format cannot hold; they were limited.</source>
+        <translation>
+            <numerusform> %Ln seiner Gaußfunktionen hat Zahlen, die dieses Format nicht fassen kann; sie wurden begrenzt.</numerusform>
+            <numerusform> %Ln seiner Gaußfunktionen haben Zahlen, die dieses Format nicht fassen kann; sie wurden begrenzt.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>There is no model of this picture.</source>
+        <translation>Von diesem Bild gibt es kein Modell.</translation>
     </message>
 </context>
 <context>
@@ -1965,16 +2000,19 @@
         <translation>Das Video wurde angehalten.</translation>
     </message>
     <message>
-        <source>%L1 pictures are in %2.</source>
-        <translation>%L1 Bilder sind in %2.</translation>
-    </message>
-    <message>
         <source>No video was made of them: there is no encoder. Install ffmpeg, and draw again.</source>
         <translation>Daraus wurde kein Video gemacht: es gibt keinen Encoder. Installieren Sie ffmpeg, und zeichnen Sie noch einmal.</translation>
     </message>
     <message>
         <source>No video was made of them: %1 is there already.</source>
         <translation>Daraus wurde kein Video gemacht: %1 gibt es schon.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln pictures are in %1.</source>
+        <translation>
+            <numerusform>%Ln Bild ist in %1.</numerusform>
+            <numerusform>%Ln Bilder sind in %1.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -2143,9 +2181,12 @@
         <source>View %1, at %L2 s</source>
         <translation>Ansicht %1, bei %L2 s</translation>
     </message>
-    <message>
-        <source>%L1 pictures</source>
-        <translation>%L1 Bilder</translation>
+    <message numerus="yes">
+        <source>%Ln pictures</source>
+        <translation>
+            <numerusform>%Ln Bild</numerusform>
+            <numerusform>%Ln Bilder</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -2323,14 +2364,6 @@
         <translation>Mehr Abtastungen je Pixel: weniger Rauschen und mehr Zeit</translation>
     </message>
     <message>
-        <source>1 sample</source>
-        <translation>1 Abtastung</translation>
-    </message>
-    <message>
-        <source>%1 samples</source>
-        <translation>%1 Abtastungen</translation>
-    </message>
-    <message>
         <source>Of DICOM files: nothing of the patient is written, and all UIDs are new. Other files never name anybody. A face can still be seen.</source>
         <translation>Bei DICOM-Dateien: vom Patienten wird nichts geschrieben, und alle UIDs sind neu. Andere Dateien nennen nie jemanden. Ein Gesicht ist trotzdem zu erkennen.</translation>
     </message>
@@ -2365,6 +2398,21 @@
     <message>
         <source>Save no picture</source>
         <translation>Kein Bild speichern</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n samples</source>
+        <translation>
+            <numerusform>%n Abtastung</numerusform>
+            <numerusform>%n Abtastungen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>With &amp;cube, scale and letters</source>
+        <translation>Mit &amp;Würfel, Maßstab und Buchstaben</translation>
+    </message>
+    <message>
+        <source>From where the patient is seen, and how many mm or cm something is long, over the picture. Pictures of light (EXR) have none. Nobody is named</source>
+        <translation>Von wo der Patient gesehen wird, und wie viele mm oder cm etwas lang ist, über dem Bild. Bilder aus Licht (EXR) haben keine. Niemand wird genannt</translation>
     </message>
 </context>
 <context>
@@ -2720,14 +2768,6 @@
         <translation>Eingabe oder ein Klick zeigt diese Gruppe</translation>
     </message>
     <message>
-        <source>%1, %2 presets, shown</source>
-        <translation>%1, %2 Voreinstellungen, gezeigt</translation>
-    </message>
-    <message>
-        <source>%1, %2 presets, folded</source>
-        <translation>%1, %2 Voreinstellungen, zugeklappt</translation>
-    </message>
-    <message>
         <source>your own</source>
         <translation>eigene</translation>
     </message>
@@ -2742,6 +2782,20 @@
     <message>
         <source>shown now</source>
         <translation>jetzt gezeigt</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1, %n presets, shown</source>
+        <translation>
+            <numerusform>%1, %n Voreinstellung, gezeigt</numerusform>
+            <numerusform>%1, %n Voreinstellungen, gezeigt</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1, %n presets, folded</source>
+        <translation>
+            <numerusform>%1, %n Voreinstellung, zugeklappt</numerusform>
+            <numerusform>%1, %n Voreinstellungen, zugeklappt</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -2798,14 +2852,6 @@
         <translation>Qualität %1/%2</translation>
     </message>
     <message>
-        <source>Quality</source>
-        <translation>Qualität</translation>
-    </message>
-    <message>
-        <source>As much as there is time for.</source>
-        <translation>So viel, wie die Zeit erlaubt.</translation>
-    </message>
-    <message>
         <source>Quality of frames in motion. %1</source>
         <translation>Qualität der Bilder in Bewegung. %1</translation>
     </message>
@@ -2824,6 +2870,14 @@
     <message>
         <source>It was measured with %1 bounces of light; the picture has %2 at every stop.</source>
         <translation>Gemessen wurde mit %1 Streuungen des Lichts; das Bild hat auf jeder Stufe %2.</translation>
+    </message>
+    <message>
+        <source>Quality: automatic</source>
+        <translation>Qualität: automatisch</translation>
+    </message>
+    <message>
+        <source>Automatic: as much as there is time for. Move the slider to choose.</source>
+        <translation>Automatisch: so viel, wie die Zeit erlaubt. Zum Wählen den Regler bewegen.</translation>
     </message>
 </context>
 <context>
@@ -2851,13 +2905,12 @@
         <source>A segmentation that was shown with this study is not in the folder; nothing of it is shown or hidden.</source>
         <translation>Eine Segmentierung, die mit dieser Studie gezeigt wurde, ist nicht im Ordner; nichts davon wird gezeigt oder ausgeblendet.</translation>
     </message>
-    <message>
-        <source>There is a segmentation of this volume: F11.</source>
-        <translation>Es gibt eine Segmentierung dieses Volumens: F11.</translation>
-    </message>
-    <message>
-        <source>There are %1 segmentations of this volume: F11.</source>
-        <translation>Es gibt %1 Segmentierungen dieses Volumens: F11.</translation>
+    <message numerus="yes">
+        <source>There are %n segmentations of this volume: F11.</source>
+        <translation>
+            <numerusform>Es gibt eine Segmentierung dieses Volumens: F11.</numerusform>
+            <numerusform>Es gibt %n Segmentierungen dieses Volumens: F11.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -3106,10 +3159,6 @@
         <translation>Womit Bild speichern beginnt: mehr Abtastungen je Pixel brauchen mehr Zeit</translation>
     </message>
     <message>
-        <source>%1: %2 samples</source>
-        <translation>%1: %2 Abtastungen</translation>
-    </message>
-    <message>
         <source>DICOM pictures without patient and study</source>
         <translation>DICOM-Bilder ohne Patient und Studie</translation>
     </message>
@@ -3124,10 +3173,6 @@
     <message>
         <source>Folder of stored sessions</source>
         <translation>Ordner der gespeicherten Sitzungen</translation>
-    </message>
-    <message>
-        <source>Where models, and how studies were left, are kept; empty: the usual folder. From the next start on; what is in the old folder stays there.</source>
-        <translation>Wo Modelle und der letzte Stand von Studien aufbewahrt werden; leer: der übliche Ordner. Ab dem nächsten Start; was im alten Ordner ist, bleibt dort.</translation>
     </message>
     <message>
         <source>&amp;Choose…</source>
@@ -3158,14 +3203,6 @@
         <translation> Tage</translation>
     </message>
     <message>
-        <source>Room for stored models in MB</source>
-        <translation>Platz für gespeicherte Modelle in MB</translation>
-    </message>
-    <message>
-        <source>Of all stored models together, in MB; above it those that were not used for longest go. From the next start on.</source>
-        <translation>Aller gespeicherten Modelle zusammen, in MB; darüber gehen die, die am längsten nicht gebraucht wurden. Ab dem nächsten Start.</translation>
-    </message>
-    <message>
         <source> MB</source>
         <translation> MB</translation>
     </message>
@@ -3177,13 +3214,32 @@
         <source>&amp;Keep</source>
         <translation>&amp;Aufbewahren</translation>
     </message>
-    <message>
-        <source>&amp;Models</source>
-        <translation>&amp;Modelle</translation>
+    <message numerus="yes">
+        <source>%1: %n samples</source>
+        <translation>
+            <numerusform>%1: %n Abtastung</numerusform>
+            <numerusform>%1: %n Abtastungen</numerusform>
+        </translation>
     </message>
     <message>
-        <source>Names and IDs are not kept, but models and views tell as much of a patient as pictures do.</source>
-        <translation>Namen und IDs werden nicht aufbewahrt, aber Modelle und Ansichten verraten so viel von einem Patienten wie Bilder.</translation>
+        <source>Where previews, and how studies were left, are kept; empty: the usual folder. From the next start on; what is in the old folder stays there.</source>
+        <translation>Wo Vorschauen und der letzte Stand von Studien aufbewahrt werden; leer: der übliche Ordner. Ab dem nächsten Start; was im alten Ordner ist, bleibt dort.</translation>
+    </message>
+    <message>
+        <source>Room for stored previews in MB</source>
+        <translation>Platz für gespeicherte Vorschauen in MB</translation>
+    </message>
+    <message>
+        <source>Of all stored previews together, in MB; above it those that were not used for longest go. From the next start on.</source>
+        <translation>Aller gespeicherten Vorschauen zusammen, in MB; darüber gehen die, die am längsten nicht gebraucht wurden. Ab dem nächsten Start.</translation>
+    </message>
+    <message>
+        <source>&amp;Previews</source>
+        <translation>&amp;Vorschauen</translation>
+    </message>
+    <message>
+        <source>Names and IDs are not kept, but previews and views tell as much of a patient as pictures do.</source>
+        <translation>Namen und IDs werden nicht aufbewahrt, aber Vorschauen und Ansichten verraten so viel von einem Patienten wie Bilder.</translation>
     </message>
 </context>
 <context>
@@ -3545,16 +3601,19 @@ Rad: die Achse zoomen; die Achse ziehen verschiebt sie; Doppelklick darauf zeigt
         <translation> in %1</translation>
     </message>
     <message>
-        <source>%1 points; none is selected. Arrows shift and widen all of them, Tab goes through them.</source>
-        <translation>%1 Punkte; keiner ist gewählt. Pfeile verschieben und verbreitern alle, Tab geht durch sie.</translation>
-    </message>
-    <message>
         <source>Colour point %1 of %2 at %3</source>
         <translation>Farbpunkt %1 von %2 bei %3</translation>
     </message>
     <message>
         <source>Opacity point %1 of %2 at %3, opacity %4</source>
         <translation>Deckkraftpunkt %1 von %2 bei %3, Deckkraft %4</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n points; none is selected. Arrows shift and widen all of them, Tab goes through them.</source>
+        <translation>
+            <numerusform>%n Punkt; keiner ist ausgewählt. Pfeile verschieben und weiten alle, Tab geht durch sie.</numerusform>
+            <numerusform>%n Punkte; keiner ist ausgewählt. Pfeile verschieben und weiten alle, Tab geht durch sie.</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -249,6 +249,7 @@ TEST_F(HybridFrameTest, AFarEyeIsNotShownTheFovea) {
     traceFovea(frame);
     Camera eye = view().camera;
     EXPECT_TRUE(frame.showsFoveaTo(eye));
+    EXPECT_FALSE(frame.showsFoveaTo(inParallel(eye))) << "it is reprojected for an eye";
     eye.positionMm = screen.seenMm()->centre() + glm::dvec3(glm::length(eye.positionMm), 0.0, 0.0);
     EXPECT_FALSE(frame.showsFoveaTo(eye));
     const Frame drawn =

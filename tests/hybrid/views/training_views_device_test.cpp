@@ -60,6 +60,9 @@ TEST_F(Admission, IsForWhatShowsSomethingNew) {
     bad.rgba.pop_back();
     EXPECT_EQ(admit(trained, trainingView(trained, seenMm(), bad).value(), kRadiusMm).error().code,
               ErrorCode::inputNotUsable);
+    TracedView parallel = seenFrom(90.0);
+    parallel.camera = inParallel(parallel.camera);
+    EXPECT_EQ(trainingView(trained, seenMm(), parallel).error().code, ErrorCode::usage);
     EXPECT_EQ(trained.viewCount(), 8u);
 }
 

@@ -242,6 +242,15 @@ TEST(RasterGradient, OfWideAngleViews) {
     expectDerivatives(splats, view, {}, {.background = {0.3, 0.8, 0.1}}, "wide");
 }
 
+TEST(RasterGradient, OfParallelRays) {
+    for (const std::uint32_t seed : {1u, 2u}) {
+        const ReferenceSplats splats = randomModel(seed, 9);
+        const RasterView view = parallelFrontView();
+        expectDepthsApart(splats, view);
+        expectDerivatives(splats, view, {}, {.background = {0.3, 0.8, 0.1}}, "parallel");
+    }
+}
+
 // In float, as kernels will: to within what sums over hundreds of pixels lose.
 TEST(RasterGradient, OfFloatIsThatOfDouble) {
     const ReferenceSplats splats = randomModel(3, 40);

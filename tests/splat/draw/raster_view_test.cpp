@@ -44,6 +44,37 @@ TEST(RasterView, LeftIsLeftAndUpIsUp) {
     EXPECT_NEAR(centroid(picture(left, ViewDirection::anterior)).y, 0.0, 1e-6);
 }
 
+// As many pixels per mm at every depth, and what is left stays left.
+TEST(RasterView, WithParallelRaysDepthChangesNothing) {
+    const Box box{glm::dvec3(-100), glm::dvec3(100)};
+    for (const ViewDirection from : {ViewDirection::anterior, ViewDirection::left, ViewDirection::superior}) {
+        const Camera camera = frameInParallel(cornersOf(box), standardBasis(from), 30, 1.0);
+        const RasterView view = rasterView(camera, {40, 40}, glm::dvec3(0)).value();
+        ASSERT_TRUE(view.isParallel);
+        const double pxPerMm = 40.0 / camera.parallelHeightMm;
+        const glm::dmat3 worldFromCamera = glm::transpose(view.cameraFromWorld);
+        for (const double depth : {-80.0, 0.0, 80.0}) {
+            ReferenceSplats splats = oneSplat(10);
+            splats.position[0] = worldFromCamera * glm::dvec3(40, -20, depth);
+            const glm::dvec2 middle = centroid(rasterize(splats, view, {}, Precision::twofold));
+            EXPECT_NEAR(middle.x, 40 * pxPerMm, 0.05) << depth;
+            EXPECT_NEAR(middle.y, -20 * pxPerMm, 0.05) << depth;
+        }
+    }
+    // The patient's left is on the right from the front.
+    const Camera front = frameInParallel(cornersOf(box), standardBasis(ViewDirection::anterior), 30, 1.0);
+    ReferenceSplats left = oneSplat(10);
+    left.position[0] = {60, 0, 0};
+    EXPECT_GT(
+        centroid(rasterize(left, rasterView(front, {40, 40}, glm::dvec3(0)).value(), {}, Precision::twofold))
+            .x,
+        4.0);
+    // Few pixels for many mm are a picture too.
+    Camera wide = front;
+    wide.parallelHeightMm = 1e5;
+    EXPECT_TRUE(validate(rasterView(wide, {40, 40}, glm::dvec3(0)).value()).ok());
+}
+
 // Beyond 1.3 times the field of view splats are projected as on its edge: as the renderers do that models are
 // trained with (Kerbl et al. 2023).
 TEST(RasterView, SlopesEndAtThirteenTenthsOfTheField) {

@@ -1,5 +1,6 @@
 // The rasterizer on the device against the reference: pictures, depths and derivatives.
 #include <cmath>
+#include <utility>
 
 #include "base/worst.h"
 #include "gpu/shared_device.h"
@@ -47,7 +48,9 @@ TEST_F(RasterizerOnDevice, PicturesAreThoseOfTheReference) {
     for (const auto& shape : {RasterShape{}, RasterShape{16, 16}, RasterShape{8, 2}}) {
         for (const int degree : {0, 1, 2, 3}) {
             const Splats splats = singleOf(randomModel(17 + std::uint32_t(degree), 300, degree));
-            const RasterView view = frontView({61, 47}, 14.0);
+            const bool isParallel = shape.tileRows == 16;  // else rays of an eye
+            const RasterView view =
+                isParallel ? parallelFrontView({61, 47}, 123.0) : frontView({61, 47}, 14.0);
             const Drawn drawn = draw(splats, view, {}, shape);
             const RasterImage expected = rasterize(ReferenceSplats(splats), view, {}, Precision::twofold);
             const auto pixels = drawn.rasterizer.picture().read();
@@ -62,10 +65,13 @@ TEST_F(RasterizerOnDevice, PicturesAreThoseOfTheReference) {
 }
 
 TEST_F(RasterizerOnDevice, DerivativesAreThoseOfTheReference) {
-    for (const auto& shape : {RasterShape{}, RasterShape{8, 4}}) {
+    for (const auto& [shape, isParallel] :
+         {std::pair(RasterShape{}, false), std::pair(RasterShape{8, 4}, false),
+          std::pair(RasterShape{}, true)}) {
         for (const int degree : {0, 1}) {
             const Splats splats = singleOf(randomModel(5 + std::uint32_t(degree), 200, degree));
-            const RasterView view = frontView({61, 47}, 14.0);
+            const RasterView view =
+                isParallel ? parallelFrontView({61, 47}, 123.0) : frontView({61, 47}, 14.0);
             Drawn drawn = draw(splats, view, {}, shape);
             const std::size_t pixels = 61 * 47;
             Dice dice(3);

@@ -33,6 +33,12 @@ inline RasterView frontView(const glm::ivec2& sizePx = {28, 24}, double vertical
     return rasterView(camera, sizePx, glm::dvec3(0.0)).value();
 }
 
+// The same with parallel rays, and as many pixels per mm at the origin.
+inline RasterView parallelFrontView(const glm::ivec2& sizePx = {28, 24}, double heightMm = 105.0) {
+    const Camera camera{.positionMm = {0, -500, 0}, .parallelHeightMm = heightMm};
+    return rasterView(camera, sizePx, glm::dvec3(0.0)).value();
+}
+
 inline ReferenceSplats emptyModel(std::size_t count, int degree = 0) {
     ReferenceSplats splats(count, degree);
     for (auto& q : splats.rotation) q = {1, 0, 0, 0};

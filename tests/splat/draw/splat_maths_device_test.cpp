@@ -86,9 +86,16 @@ RasterView someView() {
     return view;
 }
 
+RasterView someParallelView() {
+    RasterView view = parallelFrontView({160, 120});
+    view.focalPx = {2.0, 1.8};
+    return view;
+}
+
 class SplatDevice : public gpu::GpuTest {
   protected:
-    std::vector<Single::Outcome> run(const std::vector<Single::Splat>& splats, const Blending& blending) {
+    std::vector<Single::Outcome> run(const std::vector<Single::Splat>& splats, const Blending& blending,
+                                     const RasterView& raster = someView()) {
         using gpu::Buffer;
         const auto count = static_cast<std::uint32_t>(splats.size());
         const gpu::Kernel kernel = gpu::expectOk(gpu::Kernel::create(device(), shaders::splat_outcome_comp));
@@ -98,7 +105,7 @@ class SplatDevice : public gpu::GpuTest {
             Buffer::create(device(), {.label = "splats", .bytes = count * sizeof(Single::Splat)}));
         const Buffer out = gpu::expectOk(
             Buffer::create(device(), {.label = "outcomes", .bytes = count * sizeof(Single::Outcome)}));
-        gpu::expectOk(gpu::uploadTo<SplatView>(view, std::vector{splatView(someView(), blending)}));
+        gpu::expectOk(gpu::uploadTo<SplatView>(view, std::vector{splatView(raster, blending)}));
         gpu::expectOk(gpu::uploadTo<Single::Splat>(in, splats));
         auto recorder = gpu::expectOk(gpu::Recorder::create(device(), "outcomes"));
         recorder.dispatch(kernel, {count}, count, {view, in, out});
@@ -117,12 +124,16 @@ double differenceOf(float a, double b) {
     return differenceOf(glm::vec1(a), glm::dvec1(b));
 }
 
-TEST_F(SplatDevice, ComputesWhatCppComputes) {
+class SplatDeviceOfViews : public SplatDevice, public testing::WithParamInterface<bool> {};
+INSTANTIATE_TEST_SUITE_P(Rays, SplatDeviceOfViews, testing::Bool());
+
+TEST_P(SplatDeviceOfViews, ComputesWhatCppComputes) {
+    const RasterView view = GetParam() ? someParallelView() : someView();
     const std::vector<Single::Splat> splats = splatsOfAllKinds();
     for (const LowPass lowPass : kLowPasses) {
         const Blending blending = blendingOf(lowPass);
-        const std::vector<Single::Outcome> outcomes = run(splats, blending);
-        Twofold host(someView(), blending);
+        const std::vector<Single::Outcome> outcomes = run(splats, blending, view);
+        Twofold host(view, blending);
         std::size_t visible = 0;
         for (std::size_t i = 0; i < splats.size(); ++i) {
             SCOPED_TRACE(i);
@@ -179,15 +190,15 @@ TEST(SplatLayout, ViewIsLaidOutAlike) {
     const gpu::ReflectedMember* view = reflection->bindings.front().block.find("view");
     ASSERT_NE(view, nullptr);
     expectLayoutMatches<SplatView>(
-        *view,
-        {MACULA_FIELD(SplatView, right), MACULA_FIELD(SplatView, down), MACULA_FIELD(SplatView, forward),
-         MACULA_FIELD(SplatView, eyeMm), MACULA_FIELD(SplatView, focalPx),
-         MACULA_FIELD(SplatView, principalPx), MACULA_FIELD(SplatView, sizePx),
-         MACULA_FIELD(SplatView, lowestSlope), MACULA_FIELD(SplatView, highestSlope),
-         MACULA_FIELD(SplatView, nearMm), MACULA_FIELD(SplatView, lowPassPx2),
-         MACULA_FIELD(SplatView, lowPassLeastPx2), MACULA_FIELD(SplatView, compensated),
-         MACULA_FIELD(SplatView, maxAlpha), MACULA_FIELD(SplatView, minAlpha),
-         MACULA_FIELD(SplatView, fringe), MACULA_FIELD(SplatView, minTransmittance)});
+        *view, {MACULA_FIELD(SplatView, right), MACULA_FIELD(SplatView, down),
+                MACULA_FIELD(SplatView, forward), MACULA_FIELD(SplatView, eyeMm),
+                MACULA_FIELD(SplatView, focalPx), MACULA_FIELD(SplatView, principalPx),
+                MACULA_FIELD(SplatView, sizePx), MACULA_FIELD(SplatView, lowestSlope),
+                MACULA_FIELD(SplatView, highestSlope), MACULA_FIELD(SplatView, nearMm),
+                MACULA_FIELD(SplatView, lowPassPx2), MACULA_FIELD(SplatView, lowPassLeastPx2),
+                MACULA_FIELD(SplatView, compensated), MACULA_FIELD(SplatView, parallel),
+                MACULA_FIELD(SplatView, maxAlpha), MACULA_FIELD(SplatView, minAlpha),
+                MACULA_FIELD(SplatView, fringe), MACULA_FIELD(SplatView, minTransmittance)});
 }
 
 }  // namespace

@@ -123,7 +123,8 @@ bool HybridFrame::hasLeftAim(const Camera& eye) const {
 }
 
 bool HybridFrame::showsFoveaTo(const Camera& eye) const {
-    return fovea_ && degreesAround(fovea_->picture.camera.positionMm, eye.positionMm) <= kMostTurnDeg;
+    return fovea_ && !isParallel(eye) &&
+           degreesAround(fovea_->picture.camera.positionMm, eye.positionMm) <= kMostTurnDeg;
 }
 
 void HybridFrame::noteTurn(const glm::dvec3& eyeMm) {

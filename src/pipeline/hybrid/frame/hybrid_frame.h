@@ -110,7 +110,7 @@ class HybridFrame {
     // An eye that has gone farther around what can be seen is not shown the fovea: most of what it sees was
     // hidden from where that was traced.
     static constexpr double kMostTurnDeg = 20.0;
-    // Whether frames for that eye show the fovea that there is.
+    // Whether frames for that eye show the fovea that there is; with parallel rays they show splats alone.
     bool showsFoveaTo(const Camera& eye) const;
     // Tracing time of a fovea that is begun now, at most `mostMs`, so that it is there while it can still be
     // shown, by how fast the eyes of the last frames go around.

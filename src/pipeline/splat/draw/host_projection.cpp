@@ -18,7 +18,7 @@ constexpr std::size_t kSplatsAtOnce = 1 << 14;
 glm::vec3 colourSum(Host& host, const Splats& splats, std::size_t i) {
     glm::vec3 sum = host.colourOfBand0(splats.dc[i]);
     if (splats.shDegree == 0) return sum;
-    const glm::vec3 d = host.directionTo(splats.position[i], host.frame.eyeMm);
+    const glm::vec3 d = host.directionTo(splats.position[i], host.frame);
     const glm::vec3* s = &splats.sh[i * shCount(splats.shDegree)];
     sum += host.colourOfBand1(d, s[0], s[1], s[2]);
     if (splats.shDegree >= 2) sum += host.colourOfBand2(d, s[3], s[4], s[5], s[6], s[7]);

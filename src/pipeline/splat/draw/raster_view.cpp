@@ -47,11 +47,10 @@ Result<void> checkPicture(const glm::ivec2& sizePx, double nearMm) {
 Result<RasterView> rasterView(const Camera& camera, const glm::ivec2& sizePx, const glm::dvec3& originMm,
                               double nearMm) {
     MACULA_TRY(const CameraBasis eye, basis(camera));
-    if (isParallel(camera))
-        return notUsable("Splats are drawn for an eye, not with parallel rays.",
-                         "Leave parallelHeightMm out of the camera.");
     MACULA_TRY_VOID(checkPicture(sizePx, nearMm));
-    const double focal = 0.5 * sizePx.y / std::tan(glm::radians(camera.verticalFovDeg) / 2.0);
+    const double focal = isParallel(camera)
+                             ? sizePx.y / camera.parallelHeightMm
+                             : 0.5 * sizePx.y / std::tan(glm::radians(camera.verticalFovDeg) / 2.0);
     return RasterView{
         .cameraFromWorld = glm::transpose(glm::dmat3(eye.right, -eye.up, eye.forward)),
         .eyeMm = camera.positionMm - originMm,
@@ -59,6 +58,7 @@ Result<RasterView> rasterView(const Camera& camera, const glm::ivec2& sizePx, co
         .principalPx = 0.5 * glm::dvec2(sizePx),
         .sizePx = sizePx,
         .nearMm = nearMm,
+        .isParallel = isParallel(camera),
     };
 }
 
@@ -91,7 +91,8 @@ Result<void> validate(const RasterView& view) {
         return notUsable("The camera's position is not usable.",
                          "Give a position within 1000 km of the model.");
     for (int i = 0; i < 2; ++i) {
-        if (!(view.focalPx[i] >= 1e-2 && view.focalPx[i] <= 1e8))
+        const double least = view.isParallel ? 1e-6 : 1e-2;  // pixels per mm may be few
+        if (!(view.focalPx[i] >= least && view.focalPx[i] <= 1e8))
             return notUsable("The camera's focal length is not usable.", "Choose 0.01 to 100000000 pixels.");
         if (!(std::abs(view.principalPx[i]) <= 1e6))
             return notUsable("The camera's principal point is not usable.",
@@ -139,6 +140,7 @@ shared::SplatView splatView(const RasterView& view, const Blending& blending) {
         .lowPassPx2 = static_cast<float>(blending.lowPassPx2),
         .lowPassLeastPx2 = static_cast<float>(blending.lowPassLeastPx2),
         .compensated = blending.compensated ? 1 : 0,
+        .parallel = view.isParallel ? 1 : 0,
         .maxAlpha = static_cast<float>(blending.maxAlpha),
         .minAlpha = static_cast<float>(blending.minAlpha),
         .fringe = static_cast<float>(blending.fringe),

@@ -1,4 +1,5 @@
-// What a model of splats is drawn with: a pinhole picture, and the rules by which splats blend.
+// What a model of splats is drawn with: the picture of a pinhole or of parallel rays, and the rules by which
+// splats blend.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -16,12 +17,13 @@ inline constexpr int kMaxRasterSide = 16384;  // pixels
 struct RasterView {
     glm::dmat3 cameraFromWorld{1.0};  // a rotation; camera x to the right, y down, z forward (COLMAP)
     glm::dvec3 eyeMm{0.0};            // relative to the model's origin
-    glm::dvec2 focalPx{1.0};          // per unit of x/z and y/z
-    glm::dvec2 principalPx{0.0};      // where x/z = y/z = 0 is; the first pixel's centre is at (0.5, 0.5)
+    glm::dvec2 focalPx{1.0};          // per unit of x/z and y/z; with parallel rays per mm of x and y
+    glm::dvec2 principalPx{0.0};      // where x = y = 0 is; the first pixel's centre is at (0.5, 0.5)
     glm::ivec2 sizePx{0};             // columns and rows, 1 to kMaxRasterSide; row 0 on top
     double nearMm = 2.0;              // along z; a splat whose centre is nearer is not drawn
     glm::ivec2 wholePx{0};            // of the picture of which this is a part; 0: it is whole
     glm::ivec2 atPx{0};               // where its first pixel lies in that
+    bool isParallel = false;          // rays along z; who draws stands before all of the model
 };
 
 // A part of a picture that is whole: the same pixels, but for rounding.
@@ -31,8 +33,8 @@ RasterView partOf(const RasterView& whole, const glm::ivec2& atPx, const glm::iv
 glm::dvec2 lowestSlope(const RasterView& view);
 glm::dvec2 highestSlope(const RasterView& view);
 
-// Square pixels, the camera's vertical field of view over the height. Fails with usage where basis(camera)
-// does, and when the size or the near plane is not usable.
+// Square pixels, the camera's vertical field of view over the height, or its height in mm. Fails with usage
+// where basis(camera) does, and when the size or the near plane is not usable.
 Result<RasterView> rasterView(const Camera& camera, const glm::ivec2& sizePx, const glm::dvec3& originMm,
                               double nearMm = 2.0);
 

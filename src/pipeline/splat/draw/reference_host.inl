@@ -16,11 +16,11 @@ struct MACULA_HOST : GlslInCpp<MACULA_REAL> {
         ivec2 sizePx;
         vec2 lowestSlope, highestSlope;
         Real nearMm, lowPassPx2, lowPassLeastPx2;
-        int compensated;
+        int compensated, parallel;
         Real maxAlpha, minAlpha, fringe, minTransmittance;
     };
     // A field added to the shared block must be added above and below.
-    static_assert(sizeof(shared::SplatView) == 4 * (4 * 3 + 2 * 2 + 2 + 2 * 2 + 3 + 1 + 4));
+    static_assert(sizeof(shared::SplatView) == 4 * (4 * 3 + 2 * 2 + 2 + 2 * 2 + 3 + 2 + 4));
 
     MACULA_HOST(const RasterView& raster, const Blending& blending)
         : frame{glm::transpose(raster.cameraFromWorld)[0], glm::transpose(raster.cameraFromWorld)[1],
@@ -29,7 +29,7 @@ struct MACULA_HOST : GlslInCpp<MACULA_REAL> {
                raster.sizePx,            lowestSlope(raster),
                highestSlope(raster),     Real(raster.nearMm),
                Real(blending.lowPassPx2), Real(blending.lowPassLeastPx2),
-               blending.compensated ? 1 : 0,
+               blending.compensated ? 1 : 0, raster.isParallel ? 1 : 0,
                Real(blending.maxAlpha),  Real(blending.minAlpha),
                Real(blending.fringe),    Real(blending.minTransmittance)} {}
 

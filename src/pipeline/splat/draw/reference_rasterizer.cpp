@@ -30,7 +30,7 @@ typename Host::vec3 colourSum(Host& host, const ReferenceSplats& splats, std::si
     using vec3 = typename Host::vec3;
     vec3 sum = host.colourOfBand0(vec3(splats.dc[i]));
     if (splats.shDegree == 0) return sum;
-    const vec3 d = host.directionTo(vec3(splats.position[i]), host.frame.eyeMm);
+    const vec3 d = host.directionTo(vec3(splats.position[i]), host.frame);
     std::array<vec3, shCount(kMaxShDegree)> s{};
     const std::size_t count = shCount(splats.shDegree);
     for (std::size_t k = 0; k < count; ++k) s[k] = vec3(splats.sh[i * count + k]);
@@ -180,12 +180,12 @@ void writeGradient(Host& host, const ReferenceSplats& splats, const Layer<Host>&
     result.dc[i] = bySum * host.band0Slope();
     if (splats.shDegree == 1) {
         const vec3 position(splats.position[i]);
-        const auto bySh = host.band1Gradient(host.directionTo(position, host.frame.eyeMm), bySum);
+        const auto bySh = host.band1Gradient(host.directionTo(position, host.frame), bySum);
         result.sh[3 * i] = bySh.s1;
         result.sh[3 * i + 1] = bySh.s2;
         result.sh[3 * i + 2] = bySh.s3;
         byPosition +=
-            host.colourPositionGradient(position, host.frame.eyeMm, vec3(splats.sh[3 * i]),
+            host.colourPositionGradient(position, host.frame, vec3(splats.sh[3 * i]),
                                         vec3(splats.sh[3 * i + 1]), vec3(splats.sh[3 * i + 2]), bySum);
     }
     result.position[i] = byPosition;

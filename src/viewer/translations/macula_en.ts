@@ -1,0 +1,159 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="en" sourcelanguage="en">
+<context>
+    <name>Fidelity</name>
+    <message numerus="yes">
+        <source>Preview, sharpened in %n steps</source>
+        <translation>
+            <numerusform>Preview, sharpened in %n step</numerusform>
+            <numerusform>Preview, sharpened in %n steps</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>, %n samples</source>
+        <translation>
+            <numerusform>, %n sample</numerusform>
+            <numerusform>, %n samples</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>Model</name>
+    <message numerus="yes">
+        <source>Preview of an earlier session, %n steps</source>
+        <translation>
+            <numerusform>Preview of an earlier session, %n step</numerusform>
+            <numerusform>Preview of an earlier session, %n steps</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Preview sharpening, %n steps</source>
+        <translation>
+            <numerusform>Preview sharpening, %n step</numerusform>
+            <numerusform>Preview sharpening, %n steps</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Preview sharp, %n steps</source>
+        <translation>
+            <numerusform>Preview sharp, %n step</numerusform>
+            <numerusform>Preview sharp, %n steps</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::ConvergeNow</name>
+    <message numerus="yes">
+        <source>The picture is final: %Ln samples, noise %1 of black to white.</source>
+        <translation>
+            <numerusform>The picture is final: %Ln sample, noise %1 of black to white.</numerusform>
+            <numerusform>The picture is final: %Ln samples, noise %1 of black to white.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>The picture is final: %Ln samples.</source>
+        <translation>
+            <numerusform>The picture is final: %Ln sample.</numerusform>
+            <numerusform>The picture is final: %Ln samples.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::MainWindow</name>
+    <message numerus="yes">
+        <source>, %n samples left out</source>
+        <translation>
+            <numerusform>, %n sample left out</numerusform>
+            <numerusform>, %n samples left out</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::ModelExport</name>
+    <message numerus="yes">
+        <source> %Ln of its Gaussians have numbers that this format cannot hold; they were limited.</source>
+        <translation>
+            <numerusform> %Ln of its Gaussians has numbers that this format cannot hold; they were limited.</numerusform>
+            <numerusform> %Ln of its Gaussians have numbers that this format cannot hold; they were limited.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::MovieExport</name>
+    <message numerus="yes">
+        <source>%Ln pictures are in %1.</source>
+        <translation>
+            <numerusform>%Ln picture is in %1.</numerusform>
+            <numerusform>%Ln pictures are in %1.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::MoviePanel</name>
+    <message numerus="yes">
+        <source>%Ln pictures</source>
+        <translation>
+            <numerusform>%Ln picture</numerusform>
+            <numerusform>%Ln pictures</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::PictureDialog</name>
+    <message numerus="yes">
+        <source>%n samples</source>
+        <translation>
+            <numerusform>%n sample</numerusform>
+            <numerusform>%n samples</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::PresetListModel</name>
+    <message numerus="yes">
+        <source>%1, %n presets, shown</source>
+        <translation>
+            <numerusform>%1, %n preset, shown</numerusform>
+            <numerusform>%1, %n presets, shown</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1, %n presets, folded</source>
+        <translation>
+            <numerusform>%1, %n preset, folded</numerusform>
+            <numerusform>%1, %n presets, folded</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::SegmentationKeeper</name>
+    <message numerus="yes">
+        <source>There are %n segmentations of this volume: F11.</source>
+        <translation>
+            <numerusform>There is a segmentation of this volume: F11.</numerusform>
+            <numerusform>There are %n segmentations of this volume: F11.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::SettingsDialog</name>
+    <message numerus="yes">
+        <source>%1: %n samples</source>
+        <translation>
+            <numerusform>%1: %n sample</numerusform>
+            <numerusform>%1: %n samples</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::TransferCurve</name>
+    <message numerus="yes">
+        <source>%n points; none is selected. Arrows shift and widen all of them, Tab goes through them.</source>
+        <translation>
+            <numerusform>%n point; it is not selected. Arrows shift it, Tab goes to it.</numerusform>
+            <numerusform>%n points; none is selected. Arrows shift and widen all of them, Tab goes through them.</numerusform>
+        </translation>
+    </message>
+</context>
+</TS>
