@@ -1451,12 +1451,12 @@
         <translation>Das ist kein Bild und wird nicht für sich gezeigt: %1.</translation>
     </message>
     <message>
-        <source>Presentation states of 3D views: %1; they are no images, and say how a series is shown.</source>
-        <translation>Presentation States von 3D-Ansichten: %1; sie sind keine Bilder und sagen, wie eine Serie gezeigt wird.</translation>
+        <source>Presentation states: %1; they are no images, and say how a series is shown.</source>
+        <translation>Presentation States: %1; sie sind keine Bilder und sagen, wie eine Serie gezeigt wird.</translation>
     </message>
     <message>
-        <source>Open its series, and in the window File, Open Presentation State, or give it to macula render.</source>
-        <translation>Öffnen Sie die Serie dazu, dann im Fenster Datei, Presentation State öffnen, oder übergeben Sie ihn macula render.</translation>
+        <source>Open one of them in the list of studies; macula render draws those of 3D views.</source>
+        <translation>Öffnen Sie einen davon in der Liste der Studien; macula render zeichnet die von 3D-Ansichten.</translation>
     </message>
     <message>
         <source>The presentation state has %1, which cannot be shown.</source>
@@ -2234,6 +2234,34 @@
 </context>
 <context>
     <name>app</name>
+    <message>
+        <source>3D view</source>
+        <translation>3D-Ansicht</translation>
+    </message>
+    <message>
+        <source>View of slices</source>
+        <translation>Ansicht von Schichten</translation>
+    </message>
+    <message>
+        <source>Macula does not show presentation states of this kind.</source>
+        <translation>Macula zeigt Presentation States dieser Art nicht.</translation>
+    </message>
+    <message>
+        <source>The images that it is of are no volume.</source>
+        <translation>Die Bilder dazu sind kein Volumen.</translation>
+    </message>
+    <message>
+        <source>The series that it is of belongs to another patient.</source>
+        <translation>Die Serie dazu gehört zu einem anderen Patienten.</translation>
+    </message>
+    <message>
+        <source>The series that it is of is not in this folder.</source>
+        <translation>Die Serie dazu ist nicht in diesem Ordner.</translation>
+    </message>
+    <message>
+        <source>Presentation state</source>
+        <translation>Presentation State</translation>
+    </message>
     <message>
         <source>There is no such preset.</source>
         <translation>Diese Voreinstellung gibt es nicht.</translation>
@@ -3491,6 +3519,10 @@
     <message>
         <source>Presentation state of a 3D view</source>
         <translation>Presentation State einer 3D-Ansicht</translation>
+    </message>
+    <message>
+        <source>Presentation state of slices</source>
+        <translation>Presentation State von Schichten</translation>
     </message>
     <message>
         <source>Presentation state</source>
