@@ -543,6 +543,14 @@
 <context>
     <name>dicom</name>
     <message>
+        <source>The file is no presentation state of grey slices.</source>
+        <translation>Die Datei ist kein Presentation State von grauen Schichten.</translation>
+    </message>
+    <message>
+        <source>Choose a file of the kind Grayscale Softcopy Presentation State.</source>
+        <translation>Wählen Sie eine Datei der Art Grayscale Softcopy Presentation State.</translation>
+    </message>
+    <message>
         <source>Copy the whole series again from its source.</source>
         <translation>Kopieren Sie die ganze Serie noch einmal von ihrer Quelle.</translation>
     </message>
@@ -2235,6 +2243,50 @@
 <context>
     <name>app</name>
     <message>
+        <source>The presentation state is of other images.</source>
+        <translation>Der Presentation State ist von anderen Bildern.</translation>
+    </message>
+    <message>
+        <source>Open the series of these images, or choose another presentation state.</source>
+        <translation>Öffnen Sie die Serie dieser Bilder, oder wählen Sie einen anderen Presentation State.</translation>
+    </message>
+    <message>
+        <source>No DICOM study is open.</source>
+        <translation>Es ist keine DICOM-Studie offen.</translation>
+    </message>
+    <message>
+        <source>Open the series of the presentation state first.</source>
+        <translation>Öffnen Sie zuerst die Serie des Presentation States.</translation>
+    </message>
+    <message>
+        <source>It has no window for its first image here.</source>
+        <translation>Er hat hier kein Fenster für sein erstes Bild.</translation>
+    </message>
+    <message>
+        <source>Its window is a table of values (VOI LUT), which is not shown.</source>
+        <translation>Sein Fenster ist eine Tabelle von Werten (VOI LUT), die nicht gezeigt wird.</translation>
+    </message>
+    <message>
+        <source>Its window is of other values than those of the volume, and is not shown.</source>
+        <translation>Sein Fenster ist von anderen Werten als denen des Volumens und wird nicht gezeigt.</translation>
+    </message>
+    <message>
+        <source>It has several windows; that of its first image is shown.</source>
+        <translation>Er hat mehrere Fenster; das seines ersten Bildes wird gezeigt.</translation>
+    </message>
+    <message>
+        <source>Where its images lie is not known: the slices stay where they are.</source>
+        <translation>Wo seine Bilder liegen, ist nicht bekannt: die Schichten bleiben, wo sie sind.</translation>
+    </message>
+    <message>
+        <source>It turns or mirrors its images, which slices here never do: its part of the image is not shown.</source>
+        <translation>Er dreht oder spiegelt seine Bilder, was Schichten hier nie tun: sein Bildausschnitt wird nicht gezeigt.</translation>
+    </message>
+    <message>
+        <source>Its part of the image lies beside the volume, and is not shown.</source>
+        <translation>Sein Bildausschnitt liegt neben dem Volumen und wird nicht gezeigt.</translation>
+    </message>
+    <message>
         <source>3D view</source>
         <translation>3D-Ansicht</translation>
     </message>
@@ -3396,6 +3448,30 @@
 </context>
 <context>
     <name>pieces</name>
+    <message>
+        <source>a table of greys</source>
+        <translation>eine Tabelle von Grauwerten</translation>
+    </message>
+    <message>
+        <source>a displayed area that is none</source>
+        <translation>einen Bildausschnitt, der keiner ist</translation>
+    </message>
+    <message>
+        <source>annotations</source>
+        <translation>Anmerkungen</translation>
+    </message>
+    <message>
+        <source>a shutter</source>
+        <translation>eine Blende</translation>
+    </message>
+    <message>
+        <source>a subtraction of images</source>
+        <translation>eine Subtraktion von Bildern</translation>
+    </message>
+    <message>
+        <source>an overlay</source>
+        <translation>ein Overlay</translation>
+    </message>
     <message>
         <source>anterior</source>
         <translation>anterior</translation>
