@@ -128,11 +128,14 @@ void DrivenHand::type(QWidget& target, const QString& text) {
     for (const QChar letter : text) sendKey(target, Qt::Key_unknown, Qt::NoModifier, QString(letter));
 }
 
-bool DrivenHand::trigger(const QString& action) {
-    auto* found = window_.findChild<QAction*>(action);
-    if (found == nullptr || !found->isEnabled()) return false;
+void DrivenHand::trigger(const char* action) {
+    auto* found = find<QAction>(action);
+    if (found == nullptr) return;
+    if (!found->isEnabled()) {
+        missing_ << found->objectName();
+        return;
+    }
     found->trigger();
-    return true;
 }
 
 QPointF DrivenHand::middleOf(const QObject& target) {

@@ -7,6 +7,7 @@
 #include <QElapsedTimer>
 #include <QObject>
 #include <QPointer>
+#include <QStringList>
 #include <QTimer>
 #include <functional>
 
@@ -39,8 +40,17 @@ class DrivenHand : public QObject {
     void press(int key, Qt::KeyboardModifiers modifiers = Qt::NoModifier);
     void press(QWidget& target, int key, Qt::KeyboardModifiers modifiers = Qt::NoModifier);
     void type(QWidget& target, const QString& text);
-    // Of a menu or a bar, by the name of the object; whether it is there and can be used.
-    bool trigger(const QString& action);
+    // Of a menu or a bar, by the name of the object.
+    void trigger(const char* action);
+    // Of the window, by the name of the object. Null where there is none.
+    template <class T>
+    T* find(const char* name) {
+        T* found = window_.findChild<T*>(QString::fromLatin1(name));
+        if (found == nullptr) missing_ << QString::fromLatin1(name);
+        return found;
+    }
+    // What was to be used, and was not there or could not be: what was measured then is less than it says.
+    const QStringList& missing() const { return missing_; }
 
     static QPointF middleOf(const QObject& target);
 
@@ -56,6 +66,7 @@ class DrivenHand : public QObject {
     QTimer moves_;
     QTimer turns_;
     int notches_ = 0;
+    QStringList missing_;
 };
 
 }  // namespace macula::viewer
