@@ -77,7 +77,7 @@ void SessionScript::start() {
         }
         for (const QString& name : hand_.missing())
             std::fprintf(stderr, "Not there: %s.\n", name.toUtf8().constData());
-        finish(isWhole ? app::kExitDone : app::exitCodeOf(ErrorCode::deviceNotUsable));
+        finish(isWhole ? app::kExitDone : app::kExitFault);
     });
     opening_.start();
     steps_->start();

@@ -25,9 +25,9 @@ struct SessionScriptOptions {
     double modelSeconds = 60.0;  // for the first frame of splats, at most
 };
 
-// The files of the study are taken out of the system's cache first. `finished` carries the exit code: 0; 3 or 4
-// when the study could not be opened or the device used; 1 when no picture came in time, a step was not done or
-// something to be used was not there.
+// The files of the study are taken out of the system's cache first. `finished` carries the exit code: 0, that of
+// the error when the study could not be opened or the device used, or no picture came in time; kExitFault when a
+// step was not done, or something to be used was not there: then less was measured than the report says.
 class SessionScript : public QObject {
     Q_OBJECT
 
