@@ -134,9 +134,11 @@ struct Options {
         "'stations': screenshots of panels, tools and dialogs.",
         "NAME"};
     const QCommandLineOption screenshots{"screenshots", "Where the script writes its screenshots.", "FOLDER"};
+    const QCommandLineOption until{"until", "The last station of the script 'stations', e.g. open.", "NAME"};
     const QCommandLineOption withPatient{
         "with-patient", "Screenshots name patient and study; without this, nothing in the window does."};
-    const QCommandLineOption wait{"wait", "How long the model learns before the script orbits.", "S", "0"};
+    const QCommandLineOption wait{
+        "wait", "How long the model learns before the script orbits, or a station converges.", "S", "0"};
     const QCommandLineOption seconds{"seconds", "How long the script orbits, at least, or makes changes.",
                                      "S", "8"};
     const QCommandLineOption turn{"turn", "In how long it orbits once around the patient.", "S", "8"};
@@ -147,7 +149,7 @@ struct Options {
         parser.addOptions({calibrate, preset,    lights,       view,      device,      size,
                            layout,    language,  highContrast, fontScale, samples,     noModel,
                            sessions,  noSession, keepDays,     script,    screenshots, withPatient,
-                           wait,      turn,      seconds,      rest});
+                           wait,      turn,      seconds,      rest,      until});
     }
 };
 
@@ -189,6 +191,9 @@ Result<void> readScript(const QCommandLineParser& parser, const Options& options
         return usage(QStringLiteral("--screenshots needs --script orbit or stations."));
     if (result.screenshots.isEmpty() && result.script == Script::stations)
         return usage(QStringLiteral("--script stations needs --screenshots FOLDER."));
+    result.lastStation = parser.value(options.until);
+    if (!result.lastStation.isEmpty() && result.script != Script::stations)
+        return usage(QStringLiteral("--until needs --script stations."));
     result.namesPatient = result.screenshots.isEmpty() || parser.isSet(options.withPatient);
     return {};
 }

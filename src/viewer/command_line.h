@@ -37,6 +37,7 @@ struct CommandLine {
     // `opening` is what `session` starts by itself.
     enum class Script { none, orbit, changes, session, opening, stations } script = Script::none;
     QString screenshots;
+    QString lastStation;       // of the script `stations`; empty: all of them
     bool namesPatient = true;  // on screen; in screenshots only where that was asked for
     double waitSeconds = 0.0;
     double turnSeconds = 8.0;

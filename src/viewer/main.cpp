@@ -74,9 +74,7 @@ Result<MainWindowOptions> windowOptions(const CommandLine& line) {
     options.calibrates = line.script == CommandLine::Script::none;
     using Script = CommandLine::Script;
     const bool asLeft = line.script == Script::none || line.script == Script::opening;
-    options.restores = !asLeft            ? Restores::nothing
-                       : line.choosesView ? Restores::work
-                                          : Restores::all;
+    options.restores = !asLeft ? Restores::nothing : line.choosesView ? Restores::work : Restores::all;
     options.keepsLayout = line.choosesLayout;
     return options;
 }
@@ -176,6 +174,7 @@ int run(QApplication& application, const CommandLine& line, const ReadSettings& 
     } else if (line.script == CommandLine::Script::stations) {
         StationsScriptOptions wanted;
         wanted.folder = line.screenshots;
+        wanted.until = line.lastStation;
         if (line.waitSeconds > 0.0) wanted.waitSeconds = line.waitSeconds;
         stations.emplace(window, std::move(wanted));
         begin(stations);

@@ -89,6 +89,9 @@ TEST(CommandLine, APersonSeesFourPanesAndAScriptTheVolume) {
     EXPECT_FALSE(stations->namesPatient);
     EXPECT_FALSE(parse({"--script", "stations"}).ok()) << "there is no folder for them";
     EXPECT_FALSE(parse({"--script", "session", "--screenshots", "x"}).ok());
+    EXPECT_FALSE(parse({"--until", "open"}).ok());
+    EXPECT_EQ(parse({"--script", "stations", "--screenshots", "x", "--until", "open"})->lastStation,
+              QStringLiteral("open"));
 }
 
 // A script measures: what was learnt before would be in its figures.

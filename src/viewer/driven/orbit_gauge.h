@@ -20,8 +20,8 @@ class OrbitGauge : public QObject {
     void begin();
     void end();
     double framesPerSecond() const;  // 0 before it has ended
-    // "width" and "height" of the picture, "seconds", "frames", "framesPerSecond", "modelFrames" (of splats, with
-    // all pixels), "latencyMedianMs", "latency95thMs".
+    // "width" and "height" of the picture, "seconds", "frames", "framesPerSecond", "modelFrames" (of splats,
+    // with all pixels), "latencyMedianMs", "latency95thMs".
     QJsonObject toJson() const;
 
   private:

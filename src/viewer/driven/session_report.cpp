@@ -1,3 +1,4 @@
+#include <unistd.h>
 #include <QCoreApplication>
 #include <QFile>
 #include <QJsonArray>
@@ -6,7 +7,6 @@
 #include <cmath>
 #include <cstdio>
 #include <optional>
-#include <unistd.h>
 
 #include "app/exit_codes.h"
 #include "viewer/driven/session_script.h"
@@ -134,7 +134,8 @@ int reportSession(int code, const QJsonObject& session, const QStringList& argum
         const bool ended = again.waitForFinished(kResumedWithinMs);
         if (!ended) again.kill();
         resumed = QJsonDocument::fromJson(again.readAllStandardOutput()).object();
-        if (!ended || again.exitStatus() != QProcess::NormalExit || again.exitCode() != 0 || resumed.isEmpty()) {
+        if (!ended || again.exitStatus() != QProcess::NormalExit || again.exitCode() != 0 ||
+            resumed.isEmpty()) {
             std::fputs("The study could not be opened again.\n", stderr);
             code = app::exitCodeOf(ErrorCode::deviceNotUsable);
         }

@@ -27,7 +27,11 @@ QJsonObject toJson(const ColdFiles& cold) {
 }  // namespace
 
 SessionScript::SessionScript(MainWindow& window, SessionScriptOptions options, QObject* parent)
-    : QObject(parent), window_(window), options_(std::move(options)), opening_(window), hand_(window),
+    : QObject(parent),
+      window_(window),
+      options_(std::move(options)),
+      opening_(window),
+      hand_(window),
       orbit_(window) {
     connect(&window_, &MainWindow::failed, this, &SessionScript::fail);
     connect(&window_.viewport(), &Viewport::rendered, this, [this](const app::RenderEvent& event) {
@@ -84,8 +88,7 @@ void SessionScript::start() {
 }
 
 QJsonObject SessionScript::report() const {
-    const std::vector<MeasuredStep> measured =
-        steps_ ? steps_->measured() : std::vector<MeasuredStep>();
+    const std::vector<MeasuredStep> measured = steps_ ? steps_->measured() : std::vector<MeasuredStep>();
     QJsonObject json{{"device", device_},
                      {"cold", toJson(cold_)},
                      {"startMs", std::round(startMs_)},

@@ -25,9 +25,10 @@ struct SessionScriptOptions {
     double modelSeconds = 60.0;  // for the first frame of splats, at most
 };
 
-// The files of the study are taken out of the system's cache first. `finished` carries the exit code: 0, that of
-// the error when the study could not be opened or the device used, or no picture came in time; kExitFault when a
-// step was not done, or something to be used was not there: then less was measured than the report says.
+// The files of the study are taken out of the system's cache first. `finished` carries the exit code: 0, that
+// of the error when the study could not be opened or the device used, or no picture came in time; kExitFault
+// when a step was not done, or something to be used was not there: then less was measured than the report
+// says.
 class SessionScript : public QObject {
     Q_OBJECT
 
@@ -66,8 +67,9 @@ double processAgeMs();
 // study opened again by another process, as it was left; empty: it was not.
 QString sessionTable(const QJsonObject& session, const QJsonObject& resumed);
 
-// Opens the study again in another process, with these arguments of the command line, and prints both: JSON to
-// standard output, the table to standard error. Returns the exit code, which is `code` where that is not 0.
+// Opens the study again in another process, with these arguments of the command line, and prints both: JSON
+// to standard output, the table to standard error. Returns the exit code, which is `code` where that is not
+// 0.
 int reportSession(int code, const QJsonObject& session, const QStringList& arguments);
 
 }  // namespace macula::viewer

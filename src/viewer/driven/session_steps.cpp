@@ -65,11 +65,12 @@ class SessionSteps {
     // Done once the hand is at rest again.
     DrivenStep& addByHand(const char* name, std::function<void()> begin, int restMs = 150) {
         DrivenHand* hand = &hand_;
-        return add(name, std::move(begin), [hand] { return !hand->isBusy(); }, restMs);
+        return add(
+            name, std::move(begin), [hand] { return !hand->isBusy(); }, restMs);
     }
     void addOrbit() {
-        // The pane is what is left of the window: it comes to the size wanted in a few attempts, each of which
-        // the window system has to answer.
+        // The pane is what is left of the window: it comes to the size wanted in a few attempts, each of
+        // which the window system has to answer.
         auto asked = std::make_shared<QElapsedTimer>();
         add("3D picture to its size", {}, [&window = window_, work = work_, asked] {
             const QSize missing = work.volumePixels - window.viewport().pictureSize();
@@ -83,27 +84,32 @@ class SessionSteps {
             window.resize(window.size() + more);
             return false;
         }).patienceMs = 8'000;
-        addByHand("orbit", [&window = window_, &hand = hand_, &orbit = orbit_, work = work_] {
-            VulkanWindow& target = window.viewport().window();
-            const QPointF grip = DrivenHand::middleOf(target);
-            DrivenHand::Drag drag;
-            drag.target = &target;
-            drag.lastsMs = int(work.orbitSeconds * 1000.0);
-            drag.path = [grip, turns = work.orbitSeconds / work.turnSeconds](double share) {
-                const double sway = kSwayPixels * std::sin(4.0 * std::numbers::pi * turns * share);
-                return grip + QPointF(kHandPixelsOfTurn * turns * share, sway);
-            };
-            orbit.begin();
-            hand.drag(std::move(drag));
-        }, 0);
-        add("rest after the orbit", [&orbit = orbit_] { orbit.end(); }, {}, 1'500);
+        addByHand(
+            "orbit",
+            [&window = window_, &hand = hand_, &orbit = orbit_, work = work_] {
+                VulkanWindow& target = window.viewport().window();
+                const QPointF grip = DrivenHand::middleOf(target);
+                DrivenHand::Drag drag;
+                drag.target = &target;
+                drag.lastsMs = int(work.orbitSeconds * 1000.0);
+                drag.path = [grip, turns = work.orbitSeconds / work.turnSeconds](double share) {
+                    const double sway = kSwayPixels * std::sin(4.0 * std::numbers::pi * turns * share);
+                    return grip + QPointF(kHandPixelsOfTurn * turns * share, sway);
+                };
+                orbit.begin();
+                hand.drag(std::move(drag));
+            },
+            0);
+        add(
+            "rest after the orbit", [&orbit = orbit_] { orbit.end(); }, {}, 1'500);
     }
 
     void addSlices() {
         const auto axial = [&window = window_]() -> SliceView& {
             return window.slices(slices::Orientation::axial);
         };
-        addByHand("slices by wheel", [axial, &hand = hand_] { hand.turnWheel(axial(), 30); }, 400);
+        addByHand(
+            "slices by wheel", [axial, &hand = hand_] { hand.turnWheel(axial(), 30); }, 400);
         addByHand("cross-hair", [axial, &hand = hand_] {
             const QPointF middle = DrivenHand::middleOf(axial());
             hand.drag(axial(), middle, middle + QPointF(60, 40));
@@ -123,17 +129,24 @@ class SessionSteps {
             hand.drag(axial(), middle - QPointF(30, 60), middle + QPointF(30, -10));
         });
         add("tool put down", [&hand = hand_] { hand.trigger("slice-tool-crosshair"); });
-        add("slab", [&hand = hand_] { hand.trigger("slab-maximum"); }, {}, kLookMs);
+        add(
+            "slab", [&hand = hand_] { hand.trigger("slab-maximum"); }, {}, kLookMs);
         add("no slab", [&hand = hand_] { hand.trigger("slab-mean"); });
-        add("axial alone", [&hand = hand_] { hand.press(Qt::Key_F7); }, {}, kLookMs);
-        add("four panes", [&window = window_] { window.panes().maximize(Pane::axial); }, {}, kLookMs);
+        add(
+            "axial alone", [&hand = hand_] { hand.press(Qt::Key_F7); }, {}, kLookMs);
+        add(
+            "four panes", [&window = window_] { window.panes().maximize(Pane::axial); }, {}, kLookMs);
     }
 
     void addBrowser() {
-        add("studies shown", [&window = window_] { showPanel(window, "studies-panel", true); }, {}, 1'500);
-        add("studies searched", [&hand = hand_] {
-            if (auto* search = hand.find<QLineEdit>("search")) hand.type(*search, QStringLiteral("ct"));
-        }, {}, kLookMs);
+        add(
+            "studies shown", [&window = window_] { showPanel(window, "studies-panel", true); }, {}, 1'500);
+        add(
+            "studies searched",
+            [&hand = hand_] {
+                if (auto* search = hand.find<QLineEdit>("search")) hand.type(*search, QStringLiteral("ct"));
+            },
+            {}, kLookMs);
         add("search ended", [&hand = hand_] {
             if (auto* search = hand.find<QLineEdit>("search")) hand.press(*search, Qt::Key_Escape);
         });
@@ -146,49 +159,70 @@ class SessionSteps {
     }
 
     void addGallery() {
-        add("presets shown", [&window = window_] { showPanel(window, "presets-panel", true); }, {}, kGalleryMs);
-        add("preset by keys", [&hand = hand_] {
-            auto* list = hand.find<QAbstractItemView>("presets");
-            if (list == nullptr) return;
-            for (int n = 0; n < 3; ++n) hand.press(*list, Qt::Key_Down);
-            hand.press(*list, Qt::Key_Return);
-        }, {}, 2'000);
-        add("presets searched", [&hand = hand_] {
-            if (auto* filter = hand.find<QLineEdit>("preset-filter"))
-                hand.type(*filter, QStringLiteral("bone"));
-        }, {}, kLookMs);
+        add(
+            "presets shown", [&window = window_] { showPanel(window, "presets-panel", true); }, {},
+            kGalleryMs);
+        add(
+            "preset by keys",
+            [&hand = hand_] {
+                auto* list = hand.find<QAbstractItemView>("presets");
+                if (list == nullptr) return;
+                for (int n = 0; n < 3; ++n) hand.press(*list, Qt::Key_Down);
+                hand.press(*list, Qt::Key_Return);
+            },
+            {}, 2'000);
+        add(
+            "presets searched",
+            [&hand = hand_] {
+                if (auto* filter = hand.find<QLineEdit>("preset-filter"))
+                    hand.type(*filter, QStringLiteral("bone"));
+            },
+            {}, kLookMs);
         add("presets hidden", [&window = window_] { showPanel(window, "presets-panel", false); });
     }
 
     void addTransfer() {
-        add("transfer function shown", [&window = window_] { showPanel(window, "transfer-panel", true); }, {},
+        add(
+            "transfer function shown", [&window = window_] { showPanel(window, "transfer-panel", true); }, {},
             kLookMs);
-        addByHand("curve shifted", [&hand = hand_] {
-            auto* curve = hand.find<QWidget>("transfer-curve");
-            if (curve == nullptr) return;
-            const QPointF middle = DrivenHand::middleOf(*curve);
-            hand.drag(*curve, middle, middle + QPointF(30, 10), Qt::RightButton);
-        }, kLookMs);
-        addByHand("curve shifted in 3D", [&window = window_, &hand = hand_] {
-            VulkanWindow& target = window.viewport().window();
-            const QPointF middle = DrivenHand::middleOf(target);
-            hand.drag(target, middle, middle + QPointF(40, 15), Qt::RightButton, Qt::AltModifier);
-        }, kLookMs);
+        addByHand(
+            "curve shifted",
+            [&hand = hand_] {
+                auto* curve = hand.find<QWidget>("transfer-curve");
+                if (curve == nullptr) return;
+                const QPointF middle = DrivenHand::middleOf(*curve);
+                hand.drag(*curve, middle, middle + QPointF(30, 10), Qt::RightButton);
+            },
+            kLookMs);
+        addByHand(
+            "curve shifted in 3D",
+            [&window = window_, &hand = hand_] {
+                VulkanWindow& target = window.viewport().window();
+                const QPointF middle = DrivenHand::middleOf(target);
+                hand.drag(target, middle, middle + QPointF(40, 15), Qt::RightButton, Qt::AltModifier);
+            },
+            kLookMs);
         add("transfer function hidden", [&window = window_] { showPanel(window, "transfer-panel", false); });
     }
 
     void addClip() {
-        add("clip shown", [&window = window_] { showPanel(window, "clip-panel", true); }, {}, kLookMs);
-        add("face by keys", [&hand = hand_] {
-            auto* slider = hand.find<QSlider>("clip-slider-left");
-            for (int n = 0; slider != nullptr && n < 10; ++n) hand.press(*slider, Qt::Key_Left);
-        }, {}, kLookMs);
+        add(
+            "clip shown", [&window = window_] { showPanel(window, "clip-panel", true); }, {}, kLookMs);
+        add(
+            "face by keys",
+            [&hand = hand_] {
+                auto* slider = hand.find<QSlider>("clip-slider-left");
+                for (int n = 0; slider != nullptr && n < 10; ++n) hand.press(*slider, Qt::Key_Left);
+            },
+            {}, kLookMs);
         add("picture with handles", {}, [&window = window_] {
             return window.viewport().isCameraOnScreen();
         }).patienceMs = 5'000;
-        addByHand("handle in 3D", [&window = window_, &hand = hand_] { dragFace(window, hand); }, kLookMs);
+        addByHand(
+            "handle in 3D", [&window = window_, &hand = hand_] { dragFace(window, hand); }, kLookMs);
         add("clip hidden", [&window = window_] { showPanel(window, "clip-panel", false); });
-        add("no clip", [&hand = hand_] { hand.press(Qt::Key_U, Qt::ControlModifier); }, {}, kLookMs);
+        add(
+            "no clip", [&hand = hand_] { hand.press(Qt::Key_U, Qt::ControlModifier); }, {}, kLookMs);
     }
 
     // From the middle of the patient's left side towards the middle of the volume.
@@ -227,8 +261,10 @@ class SessionSteps {
             };
             hand.drag(std::move(drag));
         });
-        add("voxels cut", {}, [&window = window_] { return !window.cutting(); }, kLookMs);
-        add("cut undone", [&hand = hand_] { hand.trigger("undo"); },
+        add(
+            "voxels cut", {}, [&window = window_] { return !window.cutting(); }, kLookMs);
+        add(
+            "cut undone", [&hand = hand_] { hand.trigger("undo"); },
             [&window = window_] { return !window.cutting(); }, kLookMs);
         add("scissors put away", [&window = window_, &hand = hand_] {
             if (window.scissors().isOut()) hand.press(Qt::Key_X);
@@ -236,7 +272,8 @@ class SessionSteps {
     }
 
     void addSegments() {
-        add("segments shown", [&window = window_] { showPanel(window, "segments-panel", true); }, {}, 1'500);
+        add(
+            "segments shown", [&window = window_] { showPanel(window, "segments-panel", true); }, {}, 1'500);
         add("segments hidden", [&window = window_] { showPanel(window, "segments-panel", false); });
     }
 
@@ -261,16 +298,22 @@ class SessionSteps {
     }
 
     void addDialogs() {
-        add("settings shown", [&hand = hand_] { hand.trigger("settings"); }, {}, kLookMs);
-        add("pages of settings", [&hand = hand_] {
-            auto* pages = hand.find<QTabWidget>("settings-pages");
-            for (int n = 0; pages != nullptr && n < pages->count(); ++n)
-                QTimer::singleShot(n * kPageMs, pages, [pages, n] { pages->setCurrentIndex(n); });
-        }, {}, 5 * kPageMs);
+        add(
+            "settings shown", [&hand = hand_] { hand.trigger("settings"); }, {}, kLookMs);
+        add(
+            "pages of settings",
+            [&hand = hand_] {
+                auto* pages = hand.find<QTabWidget>("settings-pages");
+                for (int n = 0; pages != nullptr && n < pages->count(); ++n)
+                    QTimer::singleShot(n * kPageMs, pages, [pages, n] { pages->setCurrentIndex(n); });
+            },
+            {}, 5 * kPageMs);
         addClosing("settings closed");
-        add("picture to save", [&hand = hand_] { hand.trigger("save-picture"); }, {}, kLookMs);
+        add(
+            "picture to save", [&hand = hand_] { hand.trigger("save-picture"); }, {}, kLookMs);
         addClosing("picture not saved");
-        add("names hidden", [&hand = hand_] { hand.press(Qt::Key_N); }, {}, kLookMs);
+        add(
+            "names hidden", [&hand = hand_] { hand.press(Qt::Key_N); }, {}, kLookMs);
         add("names shown", [&hand = hand_] { hand.press(Qt::Key_N); });
     }
 
@@ -283,11 +326,15 @@ class SessionSteps {
     }
 
     void addEnd() {
-        add("undo and redo", [&hand = hand_] {
-            for (int n = 0; n < 5; ++n) hand.trigger("undo");
-            for (int n = 0; n < 5; ++n) hand.trigger("redo");
-        }, {}, kLookMs);
-        add("as when first opened", [&hand = hand_] { hand.trigger("show-afresh"); }, {}, 3'000);
+        add(
+            "undo and redo",
+            [&hand = hand_] {
+                for (int n = 0; n < 5; ++n) hand.trigger("undo");
+                for (int n = 0; n < 5; ++n) hand.trigger("redo");
+            },
+            {}, kLookMs);
+        add(
+            "as when first opened", [&hand = hand_] { hand.trigger("show-afresh"); }, {}, 3'000);
     }
 
     MainWindow& window_;

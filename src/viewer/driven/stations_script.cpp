@@ -9,6 +9,7 @@
 #include <QScreen>
 #include <QTabWidget>
 #include <QThreadPool>
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <cstdio>
@@ -26,8 +27,8 @@ namespace macula::viewer {
 
 namespace {
 
-constexpr int kPaintedMs = 700;   // panels and dialogs, after they were asked for
-constexpr int kGalleryMs = 9'000; // its small pictures
+constexpr int kPaintedMs = 700;    // panels and dialogs, after they were asked for
+constexpr int kGalleryMs = 9'000;  // its small pictures
 constexpr int kSecondMs = 120'000;
 
 std::atomic<int> failedPictures{0};
@@ -113,10 +114,12 @@ void StationsScript::addTools(std::vector<DrivenStep>& all) {
         showPanel(window_, "clip-panel", true);
         hand_.trigger("clip-anterior-half");
     }));
-    all.push_back(between([this] {
-        showPanel(window_, "clip-panel", false);
-        hand_.press(Qt::Key_U, Qt::ControlModifier);
-    }, [this] { return window_.viewport().isCameraOnScreen(); }));
+    all.push_back(between(
+        [this] {
+            showPanel(window_, "clip-panel", false);
+            hand_.press(Qt::Key_U, Qt::ControlModifier);
+        },
+        [this] { return window_.viewport().isCameraOnScreen(); }));
     all.push_back(between([this] {
         hand_.press(Qt::Key_X);
         VulkanWindow& target = window_.viewport().window();
@@ -132,10 +135,12 @@ void StationsScript::addTools(std::vector<DrivenStep>& all) {
     }));
     all.push_back(between({}, [this] { return !window_.cutting(); }));
     all.push_back(station("scissors", {}));
-    all.push_back(between([this] {
-        if (window_.scissors().isOut()) hand_.press(Qt::Key_X);
-        hand_.trigger("undo");
-    }, [this] { return !window_.cutting(); }));
+    all.push_back(between(
+        [this] {
+            if (window_.scissors().isOut()) hand_.press(Qt::Key_X);
+            hand_.trigger("undo");
+        },
+        [this] { return !window_.cutting(); }));
     all.push_back(station("volume", [this] { hand_.press(Qt::Key_F6); }));
     all.push_back(between([this] { hand_.press(Qt::Key_F5); }));
 }
@@ -149,7 +154,8 @@ void StationsScript::addDialogs(std::vector<DrivenStep>& all) {
     dialog("settings", [this] { hand_.trigger("settings"); });
     dialog("settings-keys", [this] {
         hand_.trigger("settings");
-        if (auto* pages = hand_.find<QTabWidget>("settings-pages")) pages->setCurrentIndex(pages->count() - 1);
+        if (auto* pages = hand_.find<QTabWidget>("settings-pages"))
+            pages->setCurrentIndex(pages->count() - 1);
     });
     dialog("keys", [this] { hand_.press(Qt::Key_F1); });
     all.push_back(station("movie", [this] { hand_.trigger("save-movie"); }));
@@ -157,9 +163,11 @@ void StationsScript::addDialogs(std::vector<DrivenStep>& all) {
 }
 
 void StationsScript::addSecond(std::vector<DrivenStep>& all) {
-    DrivenStep opens = between([this] { hasSecond_ = openSecond(); },
-                               [this] { return !hasSecond_ || (window_.beside().second() != nullptr &&
-                                                               !window_.beside().isWorking()); });
+    DrivenStep opens = between(
+        [this] { hasSecond_ = openSecond(); },
+        [this] {
+            return !hasSecond_ || (window_.beside().second() != nullptr && !window_.beside().isWorking());
+        });
     opens.patienceMs = kSecondMs;
     all.push_back(std::move(opens));
     all.push_back(station("beside", {}));
@@ -197,8 +205,18 @@ void StationsScript::start() {
         QTimer::singleShot(0, this, [this] { finish(app::exitCodeOf(ErrorCode::outputNotWritable)); });
         return;
     }
+    std::vector<DrivenStep> all = steps();
+    if (!options_.until.isEmpty()) {
+        const auto last = std::ranges::find(all, options_.until, &DrivenStep::name);
+        if (last == all.end()) {
+            std::fprintf(stderr, "There is no station '%s'.\n", options_.until.toUtf8().constData());
+            QTimer::singleShot(0, this, [this] { finish(app::kExitUsage); });
+            return;
+        }
+        all.erase(last + 1, all.end());
+    }
     window_.setGeometry(window_.screen()->geometry());
-    steps_ = std::make_unique<DrivenSteps>(steps());
+    steps_ = std::make_unique<DrivenSteps>(std::move(all));
     connect(steps_.get(), &DrivenSteps::ended, this, &StationsScript::onEnded);
     connect(steps_.get(), &DrivenSteps::finished, this, &StationsScript::end);
     steps_->start();

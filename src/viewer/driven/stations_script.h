@@ -15,15 +15,16 @@
 namespace macula::viewer {
 
 struct StationsScriptOptions {
-    QString folder;              // of the pictures; made where it is not there
-    double waitSeconds = 30.0;   // for a converged picture, at each station that shows one; at most
-    double beginSeconds = 300.0; // for the first one
+    QString folder;               // of the pictures; made where it is not there
+    QString until;                // the last station; empty: all
+    double waitSeconds = 30.0;    // for a converged picture, at each station that shows one; at most
+    double beginSeconds = 300.0;  // for the first one
 };
 
 // The window takes all of the screen. "FOLDER/NAME.png" of: open, studies, presets, transfer, clip, scissors,
-// segments, measure, volume, save, movie, settings, settings-keys, keys; and beside and fusion, where the folder
-// has another volume of the same patient. `finished` carries the exit code, as that of SessionScript; the
-// names go to standard output as a JSON array.
+// segments, measure, volume, save, movie, settings, settings-keys, keys; and beside and fusion, where the
+// folder has another volume of the same patient. `finished` carries the exit code, as that of SessionScript;
+// the names go to standard output as a JSON array.
 class StationsScript : public QObject {
     Q_OBJECT
 
