@@ -83,7 +83,11 @@ void MainWindow::connectListedPresentations() {
                 focusPicture();
             });
     connect(browser_, &StudyBrowser::presentationRefused, this, [this](const std::string& whyNot) {
-        messages_->showError({ErrorCode::inputNotUsable, whyNot, {}, tr("Choose another one, or open the folder that its series is in.").toStdString()});
+        messages_->showError(
+            {ErrorCode::inputNotUsable,
+             whyNot,
+             {},
+             tr("Choose another one, or open the folder that its series is in.").toStdString()});
     });
     connect(&loader_, &StudyLoader::began, this, [this] { awaiting_.reset(); });
     connect(&loader_, &StudyLoader::cancelled, this, [this] { awaiting_.reset(); });

@@ -47,9 +47,8 @@ class SoftcopyOnSlicesTest : public testing::Test {
                image.columnDirection * (row * image.rowSpacingMm);
     }
     static bool tells(const SoftcopyOnSlices& shown, std::string_view words) {
-        return std::ranges::any_of(shown.notes, [&](const std::string& note) {
-            return note.find(words) != std::string::npos;
-        });
+        return std::ranges::any_of(
+            shown.notes, [&](const std::string& note) { return note.find(words) != std::string::npos; });
     }
 
     const dicom::test::TemporaryFolder folder_;

@@ -316,11 +316,10 @@ TEST(PresentationRows, StandBelowTheirSeriesTheNewestFirst) {
 }
 
 TEST(PresentationRows, SayWhyTheyCannotBeShown) {
-    const auto found = withPresentations(
-        {presentationOf("A", "4", {"1.3"}, sop::kVolumePresentationState),
-         presentationOf("B", "3", {"7.7"}, sop::kVolumePresentationState),
-         presentationOf("C", "2", {}, sop::kSoftcopyPresentationState),
-         presentationOf("D", "1", {"1.2"}, "1.2.840.10008.5.1.4.1.1.11.2")});
+    const auto found = withPresentations({presentationOf("A", "4", {"1.3"}, sop::kVolumePresentationState),
+                                          presentationOf("B", "3", {"7.7"}, sop::kVolumePresentationState),
+                                          presentationOf("C", "2", {}, sop::kSoftcopyPresentationState),
+                                          presentationOf("D", "1", {"1.2"}, "1.2.840.10008.5.1.4.1.1.11.2")});
     const StudyTree tree = studyTree(*found);
     const StudyRow& series = tree.rows[rowTitled(tree, "Series 9: Views")];
     ASSERT_EQ(series.children.size(), 4u);

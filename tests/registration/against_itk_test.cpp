@@ -24,7 +24,8 @@ TEST(AgainstItk, BothFindWhatWasMovedBy12MmAnd7Degrees) {
     const double itksMm = errorMm(itks->movingFromFixed, pair.truth);
     EXPECT_LT(oursMm, kHalfAVoxelMm);
     EXPECT_LT(itksMm, 2.0 * kHalfAVoxelMm) << "it is not set up as it should be";
-    EXPECT_LT(oursMm, itksMm + kHalfAVoxelMm) << "ITK's is clearly better: docs/registration.md says it is not";
+    EXPECT_LT(oursMm, itksMm + kHalfAVoxelMm)
+        << "ITK's is clearly better: docs/registration.md says it is not";
     EXPECT_LT(errorMm(ours->movingFromFixed, itks->movingFromFixed), 3.0 * kHalfAVoxelMm);
 }
 

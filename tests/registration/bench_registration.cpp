@@ -1,5 +1,5 @@
-// bench_registration: ours beside ITK's, on the same pairs, on all cores; a table of how far each is off and how
-// long it took. No arguments. docs/registration.md has its numbers.
+// bench_registration: ours beside ITK's, on the same pairs, on all cores; a table of how far each is off and
+// how long it took. No arguments. docs/registration.md has its numbers.
 #include <cstdio>
 
 #include "registration/compared_pairs.h"

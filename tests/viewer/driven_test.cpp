@@ -28,7 +28,8 @@ DrivenStep step(const char* name, std::function<void()> begin, std::function<boo
 TEST_F(DrivenStepsTest, EachIsMeasuredByItself) {
     int asked = 0;
     DrivenSteps steps({step("deaf", [] { QThread::msleep(120); }), step("quick", {}),
-                       step("later", {}, [&] { return ++asked > 2; }), step("never", {}, [] { return false; })});
+                       step("later", {}, [&] { return ++asked > 2; }),
+                       step("never", {}, [] { return false; })});
     QStringList ended;
     bool isFinished = false;
     QObject::connect(&steps, &DrivenSteps::ended, &steps, [&](const MeasuredStep& s) { ended << s.name; });
@@ -89,8 +90,7 @@ TEST(SessionTable, SaysWhatIsNotMet) {
     const QJsonObject session{
         {"startMs", 100},
         {"cold", QJsonObject{{"files", 3}, {"mib", 1.5}, {"stillCachedShare", 0.25}}},
-        {"opening",
-         QJsonObject{{"windowMs", 950}, {"sliceMs", 900}, {"pictureMs", 5000}, {"modelMs", -1}}},
+        {"opening", QJsonObject{{"windowMs", 950}, {"sliceMs", 900}, {"pictureMs", 5000}, {"modelMs", -1}}},
         {"longestUiStallMs", 61.0},
         {"steps", QJsonArray{QJsonObject{{"step", "clip"}, {"longestUiStallMs", 12.0}},
                              QJsonObject{{"step", "gallery"}, {"longestUiStallMs", 61.0}}}},

@@ -498,7 +498,8 @@ std::shared_ptr<const app::FoundVolumes> withPresentations() {
                                   .kind = "Presentation state of a 3D view",
                                   .referencedSeriesUids = {uid},
                                   .label = "OF " + uid};
-        object.presentation = dicom::PresentationHeading{"OF " + uid, "Of <b>Jane</b>", "20240229", "", "", {}};
+        object.presentation =
+            dicom::PresentationHeading{"OF " + uid, "Of <b>Jane</b>", "20240229", "", "", {}};
         states.objects.push_back(std::move(object));
     }
     scan.studies.push_back(

@@ -39,7 +39,8 @@ class Showing {
             shown_.notes.push_back(
                 dicom::message(dicom::key::kPresentationLeftOut, {{"what", what}}).sentence);
         showWindow();
-        // The object's own greys take the place of those of the images (PS3.3 C.11.6); slices begin with these.
+        // The object's own greys take the place of those of the images (PS3.3 C.11.6); slices begin with
+        // these.
         shown_.slices.isInverted = said_.isInverse != isLowBright_;
         showPlace();
         return std::move(shown_);
@@ -56,9 +57,8 @@ class Showing {
         }
         // The first that the object names, and not the lowest one.
         const auto first = std::ranges::find_if(said_.imageUids, [&](const std::string& each) {
-            return std::ranges::any_of(images_, [&](const dicom::Frame* frame) {
-                return frame->instance->sopInstanceUid == each;
-            });
+            return std::ranges::any_of(
+                images_, [&](const dicom::Frame* frame) { return frame->instance->sopInstanceUid == each; });
         });
         if (first == said_.imageUids.end()) return;
         std::ranges::stable_partition(
@@ -155,8 +155,10 @@ Result<SoftcopyOnSlices> softcopyOn(const dicom::SoftcopyState& said, const dico
 Result<SoftcopyOnSlices> openSoftcopy(const std::filesystem::path& path, const OpenedStudy& study,
                                       SliceState usual) {
     if (!study.volume || !study.found)
-        return Error{
-            ErrorCode::usage, "No DICOM study is open.", {}, "Open the series of the presentation state first."};
+        return Error{ErrorCode::usage,
+                     "No DICOM study is open.",
+                     {},
+                     "Open the series of the presentation state first."};
     MACULA_TRY(const dicom::SoftcopyState said, dicom::readSoftcopyState(path));
     return softcopyOn(said, *study.found->volumes().at(study.volumeIndex).stack, *study.volume,
                       study.isLowBright, std::move(usual), path.string());

@@ -21,7 +21,7 @@ struct StudyRow {
         patient,
         study,
         series,
-        stack,    // of a series that has several
+        stack,  // of a series that has several
         presentation,
         leftOut,  // files that are in none of the others, or why
     };
@@ -38,9 +38,9 @@ struct StudyRow {
     std::vector<std::size_t> children = {};  // in the order shown
 
     std::string title = {};
-    std::string titleOfFile = {};            // its end, of text of a file: it is in no language of ours
-    std::vector<std::string> details = {};   // lines; lengths have their unit
-    std::size_t detailOfFile = kNoRow;       // the line of `details` that is such text
+    std::string titleOfFile = {};           // its end, of text of a file: it is in no language of ours
+    std::vector<std::string> details = {};  // lines; lengths have their unit
+    std::size_t detailOfFile = kNoRow;      // the line of `details` that is such text
     // A sentence where a series or stack has no volume, or a presentation state cannot be shown; else empty.
     std::string whyNot = {};
     std::vector<std::string> messages = {};  // sentences, each with what to do

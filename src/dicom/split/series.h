@@ -14,9 +14,9 @@ namespace macula::dicom {
 struct PresentationHeading {
     std::string label;
     std::string description;
-    std::string date;     // YYYYMMDD
-    std::string time;     // HHMMSS
-    std::string creator;  // components separated by ^
+    std::string date;                    // YYYYMMDD
+    std::string time;                    // HHMMSS
+    std::string creator;                 // components separated by ^
     std::vector<std::string> imageUids;  // sorted, each once
 
     bool operator==(const PresentationHeading&) const = default;

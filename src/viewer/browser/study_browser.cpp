@@ -78,7 +78,8 @@ void StudyBrowser::makeTree() {
     tree_->setAccessibleName(tr("Studies, series and volumes of the folder"));
     tree_->setToolTip(
         tr("What is in the folder; sizes of voxels are in mm. One click selects; a double click or Enter "
-           "opens, be it a volume or a view of one that was kept. The files are only read, and stay where they are."));
+           "opens, be it a volume or a view of one that was kept. The files are only read, and stay where "
+           "they are."));
     tree_->setModel(model_);
     tree_->setItemDelegate(new StudyRowDelegate(tree_));
     tree_->setHeaderHidden(true);
