@@ -93,6 +93,7 @@ void MainWindow::connectListedPresentations() {
     connect(&loader_, &StudyLoader::cancelled, this, [this] { awaiting_.reset(); });
     connect(&loader_, &StudyLoader::failed, this, [this] { awaiting_.reset(); });
     connect(this, &MainWindow::studyShown, this, [this] {
+        presentations_->cancelOpening();
         const auto awaited = std::exchange(awaiting_, {});
         if (awaited && awaited->found == study().found && awaited->listed.volume == study().volumeIndex)
             showListed(awaited->listed);

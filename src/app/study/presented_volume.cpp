@@ -19,6 +19,10 @@ Referred refersTo(const dicom::OtherObject& object, const dicom::Series& series)
     const std::string& uid = series.seriesInstanceUid;
     if (uid.empty()) return Referred::no;
     if (holds(object.referencedSeriesUids, uid)) return Referred::byName;
+    // Few have such UIDs, and a hash of each series for each of thousands of objects takes its time.
+    const bool mayBeAnew = std::ranges::any_of(
+        object.referencedSeriesUids, [](const std::string& each) { return each.starts_with("2.25."); });
+    if (!mayBeAnew) return Referred::no;
     return holds(object.referencedSeriesUids, dicom::uidFrom(uid)) ? Referred::anew : Referred::no;
 }
 

@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "app/camera/picture_rays.h"
+#include "app/clip/kept_box.h"
 #include "viewer/clip/scissor_tool.h"
 #include "viewer/panes/pane_grid.h"
 #include "viewer/slices/slice_view.h"
@@ -99,7 +100,8 @@ class SessionSteps {
                 orbit.begin();
                 hand.drag(std::move(drag));
             },
-            0);
+            0)
+            .patienceMs = int(work_.orbitSeconds * 1000.0) + 10'000;
         add(
             "rest after the orbit", [&orbit = orbit_] { orbit.end(); }, {}, 1'500);
     }
@@ -140,7 +142,7 @@ class SessionSteps {
 
     void addBrowser() {
         add(
-            "studies shown", [&window = window_] { showPanel(window, "studies-panel", true); }, {}, 1'500);
+            "studies shown", [&hand = hand_] { showPanel(hand, "studies-panel", true); }, {}, 1'500);
         add(
             "studies searched",
             [&hand = hand_] {
@@ -155,13 +157,12 @@ class SessionSteps {
             for (int n = 0; tree != nullptr && n < 6; ++n)
                 hand.press(*tree, n < 3 ? Qt::Key_Down : Qt::Key_Up);
         });
-        add("studies hidden", [&window = window_] { showPanel(window, "studies-panel", false); });
+        add("studies hidden", [&hand = hand_] { showPanel(hand, "studies-panel", false); });
     }
 
     void addGallery() {
         add(
-            "presets shown", [&window = window_] { showPanel(window, "presets-panel", true); }, {},
-            kGalleryMs);
+            "presets shown", [&hand = hand_] { showPanel(hand, "presets-panel", true); }, {}, kGalleryMs);
         add(
             "preset by keys",
             [&hand = hand_] {
@@ -178,12 +179,12 @@ class SessionSteps {
                     hand.type(*filter, QStringLiteral("bone"));
             },
             {}, kLookMs);
-        add("presets hidden", [&window = window_] { showPanel(window, "presets-panel", false); });
+        add("presets hidden", [&hand = hand_] { showPanel(hand, "presets-panel", false); });
     }
 
     void addTransfer() {
         add(
-            "transfer function shown", [&window = window_] { showPanel(window, "transfer-panel", true); }, {},
+            "transfer function shown", [&hand = hand_] { showPanel(hand, "transfer-panel", true); }, {},
             kLookMs);
         addByHand(
             "curve shifted",
@@ -202,12 +203,12 @@ class SessionSteps {
                 hand.drag(target, middle, middle + QPointF(40, 15), Qt::RightButton, Qt::AltModifier);
             },
             kLookMs);
-        add("transfer function hidden", [&window = window_] { showPanel(window, "transfer-panel", false); });
+        add("transfer function hidden", [&hand = hand_] { showPanel(hand, "transfer-panel", false); });
     }
 
     void addClip() {
         add(
-            "clip shown", [&window = window_] { showPanel(window, "clip-panel", true); }, {}, kLookMs);
+            "clip shown", [&hand = hand_] { showPanel(hand, "clip-panel", true); }, {}, kLookMs);
         add(
             "face by keys",
             [&hand = hand_] {
@@ -220,7 +221,7 @@ class SessionSteps {
         }).patienceMs = 5'000;
         addByHand(
             "handle in 3D", [&window = window_, &hand = hand_] { dragFace(window, hand); }, kLookMs);
-        add("clip hidden", [&window = window_] { showPanel(window, "clip-panel", false); });
+        add("clip hidden", [&hand = hand_] { showPanel(hand, "clip-panel", false); });
         add(
             "no clip", [&hand = hand_] { hand.press(Qt::Key_U, Qt::ControlModifier); }, {}, kLookMs);
     }
@@ -233,7 +234,8 @@ class SessionSteps {
         if (!volume || !rays) return;
         const Box box = volume->worldBox();
         glm::dvec3 face = box.centre();
-        face.x = box.high.x;
+        const auto kept = app::keptBox(window.session().state().clip, *volume);
+        face.x = kept ? kept->high.x : box.high.x;
         const auto from = rays->placeOf(face);
         const auto to = rays->placeOf(glm::mix(face, box.centre(), 0.4));
         if (!from || !to) return;
@@ -273,8 +275,8 @@ class SessionSteps {
 
     void addSegments() {
         add(
-            "segments shown", [&window = window_] { showPanel(window, "segments-panel", true); }, {}, 1'500);
-        add("segments hidden", [&window = window_] { showPanel(window, "segments-panel", false); });
+            "segments shown", [&hand = hand_] { showPanel(hand, "segments-panel", true); }, {}, 1'500);
+        add("segments hidden", [&hand = hand_] { showPanel(hand, "segments-panel", false); });
     }
 
     void addQuality() {
@@ -351,8 +353,8 @@ std::vector<DrivenStep> sessionSteps(MainWindow& window, DrivenHand& hand, Orbit
     return SessionSteps(window, hand, orbit, work).all();
 }
 
-void showPanel(MainWindow& window, const char* name, bool shown) {
-    auto* dock = window.findChild<QDockWidget*>(QString::fromLatin1(name));
+void showPanel(DrivenHand& hand, const char* name, bool shown) {
+    const auto* dock = hand.find<QDockWidget>(name);
     if (dock != nullptr && dock->toggleViewAction()->isChecked() != shown)
         dock->toggleViewAction()->trigger();
 }

@@ -20,6 +20,6 @@ std::vector<DrivenStep> sessionSteps(MainWindow& window, DrivenHand& hand, Orbit
                                      const SessionWork& work);
 
 // The panel of that name ("studies-panel") is shown or hidden, by its action.
-void showPanel(MainWindow& window, const char* name, bool shown);
+void showPanel(DrivenHand& hand, const char* name, bool shown);
 
 }  // namespace macula::viewer

@@ -88,13 +88,13 @@ std::vector<DrivenStep> StationsScript::steps() {
 
 void StationsScript::addPanels(std::vector<DrivenStep>& all) {
     const auto panel = [this, &all](const char* name, const char* dock) {
-        all.push_back(station(name, [this, dock] { showPanel(window_, dock, true); }));
-        all.push_back(between([this, dock] { showPanel(window_, dock, false); }));
+        all.push_back(station(name, [this, dock] { showPanel(hand_, dock, true); }));
+        all.push_back(between([this, dock] { showPanel(hand_, dock, false); }));
     };
     panel("studies", "studies-panel");
-    all.push_back(station("presets", [this] { showPanel(window_, "presets-panel", true); }));
+    all.push_back(station("presets", [this] { showPanel(hand_, "presets-panel", true); }));
     all.back().restMs = kGalleryMs;
-    all.push_back(between([this] { showPanel(window_, "presets-panel", false); }));
+    all.push_back(between([this] { showPanel(hand_, "presets-panel", false); }));
     panel("transfer", "transfer-panel");
     panel("segments", "segments-panel");
 }
@@ -111,12 +111,12 @@ void StationsScript::addTools(std::vector<DrivenStep>& all) {
     all.push_back(station("measure", [=] { measure("slice-tool-ellipse", {0.05, 0.05}, {0.25, 0.2}); }));
     all.push_back(between([this] { hand_.trigger("slice-tool-crosshair"); }));
     all.push_back(station("clip", [this] {
-        showPanel(window_, "clip-panel", true);
+        showPanel(hand_, "clip-panel", true);
         hand_.trigger("clip-anterior-half");
     }));
     all.push_back(between(
         [this] {
-            showPanel(window_, "clip-panel", false);
+            showPanel(hand_, "clip-panel", false);
             hand_.press(Qt::Key_U, Qt::ControlModifier);
         },
         [this] { return window_.viewport().isCameraOnScreen(); }));
@@ -159,7 +159,7 @@ void StationsScript::addDialogs(std::vector<DrivenStep>& all) {
     });
     dialog("keys", [this] { hand_.press(Qt::Key_F1); });
     all.push_back(station("movie", [this] { hand_.trigger("save-movie"); }));
-    all.push_back(between([this] { showPanel(window_, "movie-panel", false); }));
+    all.push_back(between([this] { showPanel(hand_, "movie-panel", false); }));
 }
 
 void StationsScript::addSecond(std::vector<DrivenStep>& all) {

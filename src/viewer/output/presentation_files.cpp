@@ -117,4 +117,9 @@ void PresentationFiles::openOnSlices(const std::filesystem::path& path, app::Ope
     });
 }
 
+void PresentationFiles::cancelOpening() {
+    opening_.cancel();
+    openingOnSlices_.cancel();
+}
+
 }  // namespace macula::viewer

@@ -32,6 +32,8 @@ class PresentationFiles : public QObject {
               double aspectWidthOverHeight = 0.0);
     // One of slices, for the study that is open; what the file does not say is as in `usual`.
     void openOnSlices(const std::filesystem::path& path, app::OpenedStudy study, app::SliceState usual);
+    // What is being opened is of a study that is not on screen any more: nothing is told of it.
+    void cancelOpening();
 
   signals:
     // `notes` are what other programs will show otherwise, and what is shown otherwise here.
