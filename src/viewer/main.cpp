@@ -169,6 +169,7 @@ int run(QApplication& application, const CommandLine& line, const ReadSettings& 
         wanted.opensOnly = line.script == CommandLine::Script::opening;
         wanted.work.orbitSeconds = line.seconds;
         wanted.work.turnSeconds = line.turnSeconds;
+        if (!line.usesModel) wanted.modelSeconds = 0.0;
         session.emplace(window, std::move(wanted));
         begin(session);
     } else if (line.script == CommandLine::Script::stations) {
