@@ -44,6 +44,7 @@ TEST_F(DrivenWindowTest, DragsWheelAndKeysArrive) {
     EXPECT_NE(toCamera(window_->viewport().camera()), before);
 
     SliceView& axial = window_->slices(slices::Orientation::axial);
+    ASSERT_TRUE(waitUntil([&] { return axial.shownFrame().has_value(); }, 30));
     const auto crosshair = window_->session().state().slices.crosshairMm;
     hand_->turnWheel(axial, 4);
     ASSERT_TRUE(atRest());
@@ -67,9 +68,10 @@ TEST_F(DrivenWindowTest, DragsWheelAndKeysArrive) {
 // A name that is changed in the window would leave a part of the bench undone.
 TEST_F(DrivenWindowTest, WhatTheBenchLooksForIsThere) {
     openPhantom();
-    for (const char* widget : {"studies-panel", "presets-panel", "transfer-panel", "clip-panel",
-                               "segments-panel", "movie-panel", "search", "studies", "presets",
-                               "preset-filter", "transfer-curve", "clip-slider-left", "quality-automatic"})
+    for (const char* widget :
+         {"studies-panel", "presets-panel", "transfer-panel", "clip-panel", "segments-panel", "movie-panel",
+          "search", "studies", "presets", "preset-filter", "transfer-curve", "clip-slider-left",
+          "slab-thickness", "quality-automatic"})
         hand_->find<QWidget>(widget);
     for (const char* action :
          {"slice-tool-distance", "slice-tool-ellipse", "slice-tool-crosshair", "slab-maximum", "slab-mean",

@@ -5,6 +5,7 @@
 #include <QApplication>
 #include <QDialog>
 #include <QDockWidget>
+#include <QDoubleSpinBox>
 #include <QElapsedTimer>
 #include <QLineEdit>
 #include <QSlider>
@@ -29,6 +30,7 @@ constexpr double kSwayPixels = 60.0;          // up and down
 constexpr int kGalleryMs = 6'000;             // most of its small pictures are made by then
 constexpr int kLookMs = 600;
 constexpr int kPageMs = 150;
+constexpr double kSlabMm = 20.0;
 constexpr int kSizeWithinPx = 8;
 constexpr int kResizedWithinMs = 500;
 
@@ -131,9 +133,13 @@ class SessionSteps {
             hand.drag(axial(), middle - QPointF(30, 60), middle + QPointF(30, -10));
         });
         add("tool put down", [&hand = hand_] { hand.trigger("slice-tool-crosshair"); });
+        const auto slab = [&hand = hand_](const char* kind, double mm) {
+            hand.trigger(kind);
+            if (auto* thickness = hand.find<QDoubleSpinBox>("slab-thickness")) thickness->setValue(mm);
+        };
         add(
-            "slab", [&hand = hand_] { hand.trigger("slab-maximum"); }, {}, kLookMs);
-        add("no slab", [&hand = hand_] { hand.trigger("slab-mean"); });
+            "slab", [slab] { slab("slab-maximum", kSlabMm); }, {}, kLookMs);
+        add("no slab", [slab] { slab("slab-mean", 0.0); });
         add(
             "axial alone", [&hand = hand_] { hand.press(Qt::Key_F7); }, {}, kLookMs);
         add(
