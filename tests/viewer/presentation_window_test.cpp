@@ -53,7 +53,9 @@ class PresentationWindowTest : public WindowTest {
     }
     // With keys alone, once the folder is read.
     void openRow(const QString& title) {
+        pressKey(Qt::Key_F2);
         ASSERT_TRUE(waitUntil([&] { return rowThatBegins(title).isValid(); }, 30)) << title.toStdString();
+        ASSERT_TRUE(tree()->isVisible());
         tree()->setFocus();
         tree()->setCurrentIndex(rowThatBegins(title));
         QTest::keyClick(tree(), Qt::Key_Return);
